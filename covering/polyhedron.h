@@ -1,0 +1,81 @@
+#ifndef TETRACONE_COVERING_POLYHEDRON_H
+#define TETRACONE_COVERING_POLYHEDRON_H
+
+#include "kernel/number.h"
+
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tetracone::covering {
+
+using kernel::Vertex;
+
+/// Number of a vertex or of a face of a polyhedron, from 0.
+using Index = std::uint32_t;
+
+/// A closed loop of vertex numbers, each followed by the next and the last by the first.
+using Loop = std::span<const Index>;
+
+/// Vertices, and faces of one or more closed loops: the first loop of a face is its outer boundary, the others are its
+/// holes, which run the other way round. Nothing else is asked: open or closed, several shells, non-manifold, degenerate
+/// and repeated elements are all representable (see `check.h` for what a polyhedron is).
+/// Every coordinate is a finite double and is taken exactly.
+class Polyhedron {
+ public:
+  std::vector<Vertex> vertices;
+
+  /// Appends a face; the first loop is the outer one. Requires at least one loop, no loop empty.
+  template <class Loops>
+  void add_face(const Loops& loops)
+  {
+    for (const auto& loop : loops) {
+      assert(loop.size() > 0);
+      corners_.insert(corners_.end(), loop.begin(), loop.end());
+      loop_end_.push_back(corners_.size());
+    }
+    assert(face_end_.empty() ? !loop_end_.empty() : loop_end_.size() > face_end_.back());
+    face_end_.push_back(loop_end_.size());
+  }
+  void add_face(std::initializer_list<std::initializer_list<Index>> loops) { add_face<decltype(loops)>(loops); }
+
+  /// Appends a face of one loop.
+  template <class Corners>
+  void add_polygon(const Corners& loop)
+  {
+    add_face(std::span<const Corners, 1>(&loop, 1));
+  }
+  void add_polygon(std::initializer_list<Index> loop) { add_polygon<std::initializer_list<Index>>(loop); }
+
+  std::size_t face_count() const { return face_end_.size(); }
+
+  /// The number of loops of face `f`: 1, and one more for each hole.
+  std::size_t loop_count(Index f) const { return face_end_[f] - first_loop(f); }
+
+  /// Loop `k` of face `f`; loop 0 is the outer one.
+  Loop loop(Index f, std::size_t k) const
+  {
+    assert(k < loop_count(f));
+    const std::size_t l = first_loop(f) + k;
+    const std::size_t begin = l == 0 ? 0 : loop_end_[l - 1];
+    return Loop(corners_).subspan(begin, loop_end_[l] - begin);
+  }
+
+  /// True when face `f` is one loop of three corners.
+  bool is_triangle(Index f) const { return loop_count(f) == 1 && loop(f, 0).size() == 3; }
+
+ private:
+  std::size_t first_loop(Index f) const { return f == 0 ? 0 : face_end_[f - 1]; }
+
+  std::vector<Index> corners_;         // all loops, one after the other
+  std::vector<std::size_t> loop_end_;  // loop l is corners_[loop_end_[l-1] .. loop_end_[l])
+  std::vector<std::size_t> face_end_;  // face f is loops face_end_[f-1] .. face_end_[f]
+};
+
+}  // namespace tetracone::covering
+
+#endif

@@ -1,0 +1,112 @@
+#ifndef TETRACONE_KERNEL_POSE_H
+#define TETRACONE_KERNEL_POSE_H
+
+#include "kernel/number.h"
+
+#include <CGAL/enum.h>
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cassert>
+#include <vector>
+
+namespace tetracone::kernel {
+
+/// The affine map x -> M x + t that places a model, taken exactly.
+///
+/// Twelve numbers, row-major 3x4: row i is (M_i0, M_i1, M_i2, t_i). Every entry stands for exactly the rational that it
+/// is; M need not be a rotation (in doubles it almost never is). A map that must be truly rigid has rational entries.
+/// What a kernel does with a pose is what its users get:
+///  - float, double, double-eps: the entries are rounded to the kernel's number type and so is every image;
+///  - EPICK: the entries are rounded to double, the image is computed and rounded in double, then decided exactly;
+///  - EPECK, rational, adaptive: the exact image of the exact entries.
+/// Requires det M != 0 wherever a pose is used (see `determinant_sign`).
+class Pose {
+ public:
+  /// The identity.
+  Pose() : entries_{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0} {}
+
+  /// Twelve finite doubles, row-major 3x4.
+  explicit Pose(const std::array<double, 12>& entries) : entries_(entries) {}
+
+  /// Twelve rationals, row-major 3x4. Entries that are all doubles give the same pose as the doubles.
+  explicit Pose(const std::array<Rational, 12>& entries)
+  {
+    bool all_doubles = true;
+    for (int k = 0; k < 12; ++k) {
+      entries_[k] = nearest_double(entries[k]);
+      all_doubles = all_doubles && Rational(entries_[k]) == entries[k];
+    }
+    if (!all_doubles) rationals_.assign(entries.begin(), entries.end());
+  }
+
+  /// The doubles of the matrix, taken exactly.
+  static Pose from_eigen(const Eigen::Affine3d& map)
+  {
+    std::array<double, 12> entries;
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 4; ++column) entries[4 * row + column] = map(row, column);
+    return Pose(entries);
+  }
+
+  /// The nearest double of each entry.
+  Eigen::Affine3d to_eigen() const
+  {
+    Eigen::Affine3d map = Eigen::Affine3d::Identity();
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 4; ++column) map(row, column) = entries_[4 * row + column];
+    return map;
+  }
+
+  /// Truly rigid: the rotation of the integer quaternion (w, x, y, z), then the translation t.
+  /// The entries are the rationals of R = N / (w^2 + x^2 + y^2 + z^2). Requires a quaternion that is not zero.
+  static Pose from_quaternion(int w, int x, int y, int z, const std::array<Rational, 3>& t = {0, 0, 0})
+  {
+    const long ww = long(w) * w, xx = long(x) * x, yy = long(y) * y, zz = long(z) * z;
+    const long norm = ww + xx + yy + zz;
+    assert(norm != 0);
+    const long xy = long(x) * y, xz = long(x) * z, yz = long(y) * z, wx = long(w) * x, wy = long(w) * y, wz = long(w) * z;
+    const std::array<long, 9> n = {ww + xx - yy - zz, 2 * (xy - wz),     2 * (xz + wy),
+                                   2 * (xy + wz),     ww - xx + yy - zz, 2 * (yz - wx),
+                                   2 * (xz - wy),     2 * (yz + wx),     ww - xx - yy + zz};
+    std::array<Rational, 12> entries;
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column < 3; ++column) entries[4 * row + column] = Rational(n[3 * row + column]) / Rational(norm);
+      entries[4 * row + 3] = t[row];
+    }
+    return Pose(entries);
+  }
+
+  /// Entry `k` of the row-major 3x4 matrix, rounded to the nearest double; exact unless `is_rational()`.
+  double operator[](int k) const { return entries_[k]; }
+  const std::array<double, 12>& entries() const { return entries_; }
+
+  /// True when some entry is no double.
+  bool is_rational() const { return !rationals_.empty(); }
+
+  /// Entry `k`, exactly.
+  Rational exact(int k) const { return is_rational() ? rationals_[k] : Rational(entries_[k]); }
+
+  /// True when the map moves nothing: every image is the point itself, in every kernel.
+  bool is_identity() const { return !is_rational() && entries_ == Pose().entries_; }
+
+  /// The sign of det M, exact. Zero: the map is flat and no pose.
+  CGAL::Sign determinant_sign() const
+  {
+    const auto m = [this](int row, int column) { return exact(4 * row + column); };
+    const Rational determinant = m(0, 0) * (m(1, 1) * m(2, 2) - m(1, 2) * m(2, 1)) -
+                                 m(0, 1) * (m(1, 0) * m(2, 2) - m(1, 2) * m(2, 0)) +
+                                 m(0, 2) * (m(1, 0) * m(2, 1) - m(1, 1) * m(2, 0));
+    return CGAL::sign(determinant);
+  }
+
+  friend bool operator==(const Pose& a, const Pose& b) { return a.entries_ == b.entries_ && a.rationals_ == b.rationals_; }
+
+ private:
+  std::array<double, 12> entries_;
+  std::vector<Rational> rationals_;  // empty, or the twelve exact entries
+};
+
+}  // namespace tetracone::kernel
+
+#endif
