@@ -1,6 +1,8 @@
 #ifndef TETRACONE_KERNEL_CONTACT_H
 #define TETRACONE_KERNEL_CONTACT_H
 
+#include <compare>
+#include <cstdint>
 #include <string_view>
 
 namespace tetracone::kernel {
@@ -31,6 +33,17 @@ constexpr std::string_view to_string(Contact contact)
   }
   return "none";
 }
+
+/// An edge of one of two bodies A and B and a face of the other that share a point. Ordered by its members, in their order.
+struct Feature_pair {
+  int body;                 ///< 0: an edge of A and a face of B; 1: an edge of B and a face of A
+  std::uint32_t edge_from;  ///< the edge's vertices, edge_from <= edge_to: an edge has no direction here,
+  std::uint32_t edge_to;    ///< and the two are equal only where a loop goes from a vertex to itself
+  std::uint32_t face;
+  Contact kind;
+
+  friend auto operator<=>(const Feature_pair&, const Feature_pair&) = default;
+};
 
 }  // namespace tetracone::kernel
 
