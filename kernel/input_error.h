@@ -31,7 +31,7 @@ class Input_error : public std::runtime_error {
 };
 
 /// A word of a file as a message shows it: in quotes, at most 40 bytes of it, a `?` for each byte that does not print.
-inline std::string quoted(std::string_view word)
+inline std::string in_quotes(std::string_view word)
 {
   constexpr std::size_t longest = 40;
   std::string text = "'";

@@ -30,7 +30,7 @@ inline Number read_number(const Text_lines& lines, std::size_t k)
     const double nearest = nearest_double(*fraction);
     if (std::isfinite(nearest)) return {nearest, fraction};
   }
-  lines.fail(quoted(word) + " as number " + std::to_string(k + 1), "expected a finite decimal number or a fraction n/d");
+  lines.fail(in_quotes(word) + " as number " + std::to_string(k + 1), "expected a finite decimal number or a fraction n/d");
 }
 
 /// The numbers of a line that must hold exactly `N`; throws Input_error.

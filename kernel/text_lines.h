@@ -90,7 +90,7 @@ class Text_lines {
   {
     if (k >= words_.size()) fail("the line ends before " + what, "expected a number");
     const auto value = parse_double(words_[k]);
-    if (!value) fail(quoted(words_[k]) + " as " + what, "expected a finite decimal number");
+    if (!value) fail(in_quotes(words_[k]) + " as " + what, "expected a finite decimal number");
     return *value;
   }
 
@@ -105,7 +105,7 @@ class Text_lines {
   {
     if (k >= words_.size()) fail("the line ends before " + what, "expected an integer");
     const auto value = parse_count(words_[k]);
-    if (!value) fail(quoted(words_[k]) + " as " + what, "expected an integer from 0");
+    if (!value) fail(in_quotes(words_[k]) + " as " + what, "expected an integer from 0");
     return *value;
   }
 

@@ -1,0 +1,177 @@
+#ifndef TETRACONE_COVERING_COVERING_H
+#define TETRACONE_COVERING_COVERING_H
+
+#include "covering/polyhedron.h"
+#include "kernel/number.h"
+#include "kernel/spanning.h"
+#include "kernel/volume.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace tetracone::covering {
+
+inline constexpr Index none = std::numeric_limits<Index>::max();
+
+/// One triangle W_i Q_j-1 Q_j of the covering of a face F_i (JS08 Definition 1). With the origin O of the polyhedron it
+/// spans the tetrahedron S_ij = O W_i Q_j-1 Q_j of Theorem 1, whose sign is its orientation.
+struct Covering_triangle {
+  Index face;
+  std::array<Index, 3> corner;  ///< W, from, to: vertex numbers
+  std::array<Index, 3> edge;    ///< real edges of the polyhedron on its sides W-from, from-to, to-W; `none` for inner sides
+};
+
+/// The covering of a polyhedron: for each face the triangles that join the origin W of the face to its directed edges
+/// (JS08 Theorem 1, Definitions 1 and 2), with the polyhedron's real edges and its connected shells.
+///
+/// W is the first corner of the face: exactly on its plane, where a rounded centroid is not, and a triangle becomes its own covering,
+/// one tetrahedron instead of three. (Departure from the paper, which proposes the centroid; Theorem 1 allows any point.)
+/// Edges that end in W span no triangle; they are sides of the triangles beside them, and where a face has no such
+/// triangle a flat one carries them, so that each real edge is on some triangle of its face.
+class Covering {
+ public:
+  explicit Covering(const Polyhedron& polyhedron)
+  {
+    collect_edges(polyhedron);
+    face_corner_begin_.push_back(0);
+    for (Index f = 0; f < polyhedron.face_count(); ++f) {
+      cover_face(polyhedron, f);
+      face_corner_begin_.push_back(from_.size());
+      span_face(polyhedron, f);
+    }
+    collect_shells(polyhedron);
+  }
+
+  const std::vector<Covering_triangle>& triangles() const { return triangles_; }
+
+  /// The real edges, undirected: pairs of vertex numbers, the smaller first, sorted, each once.
+  const std::vector<std::array<Index, 2>>& edges() const { return edges_; }
+
+  /// All directed edges of the loops of face `f`, loop after loop: `from(f)[k]` to `to(f)[k]`. from(f)[0] is W.
+  std::span<const Index> from(Index f) const { return part(from_, f); }
+  std::span<const Index> to(Index f) const { return part(to_, f); }
+
+  /// Three vertices of the face that span its plane; nothing when all its corners are on one line.
+  const std::optional<std::array<Index, 3>>& spanning(Index f) const { return spanning_[f]; }
+
+  /// A vertex of each connected shell: a shell is a maximal set of faces connected through shared vertices.
+  const std::vector<Index>& shell_vertices() const { return shell_vertices_; }
+
+ private:
+  std::span<const Index> part(const std::vector<Index>& of, Index f) const
+  {
+    return std::span(of).subspan(face_corner_begin_[f], face_corner_begin_[f + 1] - face_corner_begin_[f]);
+  }
+
+  static std::array<Index, 2> undirected(Index a, Index b) { return {std::min(a, b), std::max(a, b)}; }
+
+  void collect_edges(const Polyhedron& polyhedron)
+  {
+    for (Index f = 0; f < polyhedron.face_count(); ++f)
+      for (std::size_t l = 0; l < polyhedron.loop_count(f); ++l) {
+        const Loop loop = polyhedron.loop(f, l);
+        for (std::size_t k = 0; k < loop.size(); ++k)
+          edges_.push_back(undirected(loop[k], loop[k + 1 == loop.size() ? 0 : k + 1]));
+      }
+    std::sort(edges_.begin(), edges_.end());
+    edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+  }
+
+  Index edge_number(Index a, Index b) const
+  {
+    return std::lower_bound(edges_.begin(), edges_.end(), undirected(a, b)) - edges_.begin();
+  }
+
+  void cover_face(const Polyhedron& polyhedron, Index f)
+  {
+    const Index w = polyhedron.loop(f, 0)[0];
+    std::vector<std::pair<Index, bool>> neighbours;  // of W along the face's edges, and whether a triangle has that side
+    const std::size_t first = from_.size();
+    for (std::size_t l = 0; l < polyhedron.loop_count(f); ++l) {
+      const Loop loop = polyhedron.loop(f, l);
+      for (std::size_t k = 0; k < loop.size(); ++k) {
+        const Index a = loop[k], b = loop[k + 1 == loop.size() ? 0 : k + 1];
+        from_.push_back(a);
+        to_.push_back(b);
+        if (a == w) neighbours.push_back({b, false});
+        if (b == w) neighbours.push_back({a, false});
+      }
+    }
+    const auto side = [&](Index v) {
+      Index edge = none;
+      for (auto& [neighbour, has_triangle] : neighbours)
+        if (neighbour == v) has_triangle = true, edge = edge_number(w, v);
+      return edge;
+    };
+    for (std::size_t k = first; k < from_.size(); ++k) {
+      const Index a = from_[k], b = to_[k];
+      if (a != w && b != w) triangles_.push_back({f, {w, a, b}, {side(a), edge_number(a, b), side(b)}});
+    }
+    for (const auto& [neighbour, has_triangle] : neighbours) {
+      const Index v = neighbour;
+      if (has_triangle) continue;
+      const Index edge = edge_number(w, v);
+      triangles_.push_back({f, {w, v, v}, {edge, v == w ? edge : none, edge}});
+      side(v);
+    }
+  }
+
+  void span_face(const Polyhedron& polyhedron, Index f)
+  {
+    const auto corners = from(f);
+    const auto triple = kernel::spanning_triangle(corners.size(), [&](std::size_t k) -> const Vertex& {
+      return polyhedron.vertices[corners[k]];
+    });
+    if (triple)
+      spanning_.push_back(std::array<Index, 3>{corners[(*triple)[0]], corners[(*triple)[1]], corners[(*triple)[2]]});
+    else
+      spanning_.push_back(std::nullopt);
+  }
+
+  void collect_shells(const Polyhedron& polyhedron)
+  {
+    std::vector<Index> parent(polyhedron.vertices.size());
+    std::iota(parent.begin(), parent.end(), Index(0));
+    const auto root = [&](Index v) {
+      while (parent[v] != v) v = parent[v] = parent[parent[v]];
+      return v;
+    };
+    for (Index f = 0; f < polyhedron.face_count(); ++f)
+      for (const Index v : from(f)) parent[root(v)] = root(from(f)[0]);
+    std::vector<bool> seen(polyhedron.vertices.size(), false);
+    for (Index f = 0; f < polyhedron.face_count(); ++f) {
+      const Index v = root(from(f)[0]);
+      if (!seen[v]) shell_vertices_.push_back(from(f)[0]);
+      seen[v] = true;
+    }
+  }
+
+  std::vector<Covering_triangle> triangles_;
+  std::vector<std::array<Index, 2>> edges_;
+  std::vector<Index> from_, to_;
+  std::vector<std::size_t> face_corner_begin_;
+  std::vector<std::optional<std::array<Index, 3>>> spanning_;
+  std::vector<Index> shell_vertices_;
+};
+
+/// The signed volume, exactly: 1/6 of the sum of the determinants of the covering's tetrahedra (JS08 Theorem 1), positive for
+/// outward faces. Independent of every W, and of O when the polyhedron is closed; here O is the first vertex.
+inline kernel::Rational volume(const Polyhedron& polyhedron)
+{
+  kernel::Volume_sum sum;
+  const auto vertex = [&](Index v) -> const Vertex& { return polyhedron.vertices[v]; };
+  const Covering covering(polyhedron);
+  for (const Covering_triangle& t : covering.triangles())
+    sum.add(vertex(0), vertex(t.corner[0]), vertex(t.corner[1]), vertex(t.corner[2]));
+  return sum.value() / 6;
+}
+
+}  // namespace tetracone::covering
+
+#endif

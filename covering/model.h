@@ -1,0 +1,128 @@
+#ifndef TETRACONE_COVERING_MODEL_H
+#define TETRACONE_COVERING_MODEL_H
+
+#include "covering/covering.h"
+#include "covering/polyhedron.h"
+#include "kernel/cone_lattice.h"
+#include "kernel/frame.h"
+#include "kernel/segment_face.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace tetracone::covering {
+
+/// A polyhedron as kernel K sees it: its covering, the origin O of the covering, and its vertices as points of K.
+/// Requires every face planar (see `repair.h`), for that is what the signs of a face mean.
+template <class K>
+class Model {
+ public:
+  explicit Model(const Polyhedron& polyhedron)
+      : vertices_(polyhedron.vertices),
+        covering_(polyhedron),
+        face_count_(polyhedron.face_count()),
+        lattice_(kernel::cone_lattice(polyhedron.vertices)),
+        origin_(kernel::point<K>(lattice_.origin))
+  {
+    points_.reserve(vertices_.size());
+    for (const Vertex& v : vertices_) points_.push_back(kernel::point<K>(v));
+  }
+
+  const std::vector<Vertex>& vertices() const { return vertices_; }
+  const Covering& covering() const { return covering_; }
+  std::size_t face_count() const { return face_count_; }
+
+  /// O, the origin of the covering and of all tetra-cones, and the directions about it.
+  const kernel::Cone_lattice& lattice() const { return lattice_; }
+  const kernel::Point<K>& origin() const { return origin_; }
+
+  const kernel::Point<K>& point(Index v) const { return points_[v]; }
+
+ private:
+  std::vector<Vertex> vertices_;
+  Covering covering_;
+  std::size_t face_count_;
+  kernel::Cone_lattice lattice_;
+  kernel::Point<K> origin_;
+  std::vector<kernel::Point<K>> points_;
+};
+
+/// A model under a pose. Points are placed when they are first asked for, and once.
+template <class K>
+class Placed_model {
+ public:
+  using Point = kernel::Point<K>;
+
+  explicit Placed_model(const Model<K>& model)
+      : model_(&model), points_(model.vertices().size(), model.origin()), placed_at_(model.vertices().size(), 0)
+  {
+  }
+
+  /// Moves the model. `pose` must outlive its use here.
+  void place(const kernel::Pose& pose)
+  {
+    frame_ = kernel::Frame<K>(pose);
+    determinant_sign_ = pose.determinant_sign();
+    ++now_;
+  }
+
+  const Model<K>& model() const { return *model_; }
+  const kernel::Frame<K>& frame() const { return frame_; }
+
+  /// The sign of det M of the pose: NEGATIVE turns every tetrahedron over.
+  kernel::Sign determinant_sign() const { return determinant_sign_; }
+
+  const Point& point(Index v)
+  {
+    if (frame_.is_identity()) return model_->point(v);
+    if (placed_at_[v] != now_) {
+      points_[v] = frame_(model_->point(v));
+      placed_at_[v] = now_;
+    }
+    return points_[v];
+  }
+
+ private:
+  const Model<K>* model_;
+  kernel::Frame<K> frame_{kernel::Pose()};
+  kernel::Sign determinant_sign_ = kernel::POSITIVE;
+  std::vector<Point> points_;
+  std::vector<std::uint64_t> placed_at_;
+  std::uint64_t now_ = 0;
+};
+
+/// A face of a placed model, as `kernel::segment_face` wants it.
+template <class K>
+class Placed_face {
+ public:
+  using Point = kernel::Point<K>;
+
+  Placed_face(Placed_model<K>& body, Index face) : body_(body), face_(face) {}
+
+  std::size_t edge_count() const { return covering().from(face_).size(); }
+  const Point& from(std::size_t k) const { return body_.point(covering().from(face_)[k]); }
+  const Point& to(std::size_t k) const { return body_.point(covering().to(face_)[k]); }
+  const Point& origin() const { return from(0); }
+  bool is_degenerate() const { return !covering().spanning(face_); }
+  const Point& spanning(int k) const { return body_.point((*covering().spanning(face_))[k]); }
+
+ private:
+  const Covering& covering() const { return body_.model().covering(); }
+
+  Placed_model<K>& body_;
+  Index face_;
+};
+
+/// How the closed segment pq and face `f` of a placed model meet.
+template <class K>
+kernel::Contact segment_face(const kernel::Point<K>& p, const kernel::Point<K>& q, Placed_model<K>& body, Index f)
+{
+  const auto corners = body.model().covering().from(f);
+  if (corners.size() == 3)
+    return kernel::segment_triangle<K>(p, q, body.point(corners[0]), body.point(corners[1]), body.point(corners[2]));
+  return kernel::segment_face<K>(p, q, Placed_face<K>(body, f));
+}
+
+}  // namespace tetracone::covering
+
+#endif

@@ -1,0 +1,263 @@
+#ifndef TETRACONE_KERNEL_BOUNDS_H
+#define TETRACONE_KERNEL_BOUNDS_H
+
+#include "kernel/floating_point.h"
+#include "kernel/number.h"
+#include "kernel/pose.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+
+/// Bounding volumes and the tests that separate them, over a rounded number type B (double or float).
+///
+/// Every test may only answer "separated" or "not known", and is written so that NaN and infinity mean "not known".
+/// With `sound` each comparison carries a slack that covers all rounding on the way (of the volume, of the pose, of the test),
+/// so that "separated" is a proof. Without it the arithmetic decides as it comes, as the paper's program does.
+namespace tetracone::kernel {
+
+template <class B>
+using Bound_point = std::array<B, 3>;
+
+template <class B>
+Bound_point<B> operator-(const Bound_point<B>& a, const Bound_point<B>& b)
+{
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+template <class B>
+B dot(const Bound_point<B>& a, const Bound_point<B>& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+template <class B>
+Bound_point<B> cross(const Bound_point<B>& a, const Bound_point<B>& b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+template <class B>
+B norm_1(const Bound_point<B>& a)
+{
+  return std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]);
+}
+template <class B>
+B squared_length(const Bound_point<B>& a)
+{
+  return dot(a, a);
+}
+
+/// A vertex in the arithmetic of the bounds. Exact in double; float rounds it.
+template <class B>
+Bound_point<B> bound_point(const Vertex& v)
+{
+  return {static_cast<B>(v[0]), static_cast<B>(v[1]), static_cast<B>(v[2])};
+}
+
+/// What sound tests in double add to a quantity that may have underflowed.
+inline constexpr double underflow_slack = 0x1p-900;
+
+/// Sound tests separate nothing beyond this magnitude: up to it no expression here overflows.
+inline constexpr double magnitude_gate = 0x1p250;
+
+template <class B>
+struct Ball {
+  Bound_point<B> centre{};
+  B radius = -1;  ///< negative: empty
+};
+
+/// A pose in the arithmetic of the bounds, and how far its images can be off.
+///
+/// All points that are placed lie in the cube |x|, |y|, |z| <= reach. With S = max_i sum_j |M_ij| * reach + |t_i|:
+/// placing rounds at most 4 times a term (4.001 u S), an entry that was a fraction once (1.001 u S), and a point of the cube
+/// that was itself computed in the model's frame at most 2 more (2.001 u S): `error` = 8 u S covers all, and `magnitude` =
+/// S (1 + 16 u) covers every coordinate. `stretch` bounds the factor by which M lengthens: ||M||^2 <= max row sum of |M^T M|.
+template <class B, bool sound>
+class Bound_frame {
+ public:
+  Bound_frame() = default;
+  Bound_frame(const Pose& pose, B reach) : identity_(pose.is_identity())
+  {
+    for (int k = 0; k < 12; ++k) m_[k] = static_cast<B>(pose[k]);
+    constexpr B u = unit_roundoff<B>;
+    B largest = 0;
+    for (int i = 0; i < 3; ++i) {
+      const B sum = (std::abs(m_[4 * i]) + std::abs(m_[4 * i + 1]) + std::abs(m_[4 * i + 2])) * reach + std::abs(m_[4 * i + 3]);
+      largest = std::max(largest, sum);
+    }
+    magnitude_ = largest * (1 + 16 * u);
+    if constexpr (sound) {
+      // Beyond the gate a product of three coordinates could overflow: nothing is separated then.
+      const bool in_range = reach <= B(magnitude_gate) && magnitude_ <= B(magnitude_gate);
+      error_ = in_range ? 8 * u * magnitude_ + B(underflow_slack) : std::numeric_limits<B>::infinity();
+    }
+    B square = 0;
+    for (int i = 0; i < 3; ++i) {
+      B row = 0;
+      for (int j = 0; j < 3; ++j) row += std::abs(m_[i] * m_[j] + m_[4 + i] * m_[4 + j] + m_[8 + i] * m_[8 + j]);
+      square = std::max(square, row);
+    }
+    stretch_ = identity_ ? 1 : std::sqrt(square) * (sound ? 1 + 32 * u : 1);
+  }
+
+  Bound_point<B> operator()(const Bound_point<B>& p) const
+  {
+    if (identity_) return p;
+    return {m_[0] * p[0] + m_[1] * p[1] + m_[2] * p[2] + m_[3], m_[4] * p[0] + m_[5] * p[1] + m_[6] * p[2] + m_[7],
+            m_[8] * p[0] + m_[9] * p[1] + m_[10] * p[2] + m_[11]};
+  }
+
+  B error() const { return error_; }
+  B magnitude() const { return magnitude_; }
+  B stretch() const { return stretch_; }
+  const std::array<B, 12>& entries() const { return m_; }
+
+ private:
+  std::array<B, 12> m_{};
+  B error_ = 0, magnitude_ = 0, stretch_ = 1;
+  bool identity_ = true;
+};
+
+/// A ball placed: centre moved, radius stretched. Sound: its radius grows by the error of the centre (sqrt(3) < 2 coordinates).
+template <class B, bool sound>
+Ball<B> placed(const Bound_frame<B, sound>& frame, const Ball<B>& ball)
+{
+  return {frame(ball.centre), ball.radius * frame.stretch() + 2 * frame.error()};
+}
+
+/// True when the two closed balls share no point. Sound: distance^2 and radius^2 are each off by at most 8 u, and the difference
+/// of the centres by u, relative; 2^-44 covers them.
+template <class B, bool sound>
+bool separated(const Ball<B>& a, const Ball<B>& b)
+{
+  const B distance_2 = squared_length(a.centre - b.centre), radius = a.radius + b.radius;
+  if constexpr (sound) return distance_2 > radius * radius * B(1 + 0x1p-44) + B(underflow_slack);
+  return distance_2 > radius * radius;
+}
+
+/// A ball about `centre` that holds all points: the largest distance, rounded up when sound.
+template <class B, bool sound>
+Ball<B> enclosing_ball(const Bound_point<B>& centre, std::span<const Bound_point<B>> points)
+{
+  B largest = 0;
+  for (const auto& p : points) largest = std::max(largest, squared_length(p - centre));
+  B radius = std::sqrt(largest);
+  if constexpr (sound) radius = std::sqrt(largest + B(underflow_slack)) * B(1 + 0x1p-46);
+  return {centre, radius};
+}
+
+/// The mean of the points. Requires at least one.
+template <class B>
+Bound_point<B> centroid(std::span<const Bound_point<B>> points)
+{
+  Bound_point<B> sum{0, 0, 0};
+  for (const auto& p : points)
+    for (int k = 0; k < 3; ++k) sum[k] += p[k] / B(points.size());
+  return sum;
+}
+
+/// Near the centre of the smallest enclosing ball: walks from `start` towards the farthest point in shrinking steps
+/// (Badoiu & Clarkson 2003); after n steps the radius is within a factor 1 + O(1/sqrt n) of the smallest.
+template <class B>
+Bound_point<B> improved_centre(Bound_point<B> start, std::span<const Bound_point<B>> points, int steps)
+{
+  Bound_point<B> best = start;
+  B best_radius = std::numeric_limits<B>::infinity();
+  for (int n = 1; n <= steps; ++n) {
+    const Bound_point<B>* farthest = nullptr;
+    B radius = -1;
+    for (const auto& p : points)
+      if (const B d = squared_length(p - start); d > radius) radius = d, farthest = &p;
+    if (radius < best_radius) best = start, best_radius = radius;
+    if (farthest == nullptr) break;
+    for (int k = 0; k < 3; ++k) start[k] += ((*farthest)[k] - start[k]) / B(n + 1);
+  }
+  return best;
+}
+
+template <class B>
+using Bound_tetrahedron = std::array<Bound_point<B>, 4>;
+
+/// How much an interval of dot products with `axis` may be off, both bodies together, a unit of |axis|_1: the errors of the points
+/// and 3 u of rounding a dot product of coordinates up to the larger magnitude (8 u with the final difference).
+template <class B, bool sound>
+B projection_slack(const Bound_frame<B, sound>& a, const Bound_frame<B, sound>& b)
+{
+  if constexpr (!sound) return 0;
+  return a.error() + b.error() + 8 * unit_roundoff<B> * std::max(a.magnitude(), b.magnitude());
+}
+
+/// True when the projections on `axis` are disjoint by more than slack * |axis|_1. Any axis is sound, whatever it was meant to be.
+template <class B>
+bool separated_along(const Bound_point<B>& axis, std::span<const Bound_point<B>> a, std::span<const Bound_point<B>> b, B slack)
+{
+  B low_a = dot(axis, a[0]), high_a = low_a, low_b = dot(axis, b[0]), high_b = low_b;
+  for (std::size_t k = 1; k < a.size(); ++k) {
+    const B d = dot(axis, a[k]);
+    low_a = std::min(low_a, d), high_a = std::max(high_a, d);
+  }
+  for (std::size_t k = 1; k < b.size(); ++k) {
+    const B d = dot(axis, b[k]);
+    low_b = std::min(low_b, d), high_b = std::max(high_b, d);
+  }
+  const B allowed = slack * norm_1(axis) + (slack > 0 ? B(underflow_slack) : 0);
+  return low_b - high_a > allowed || low_a - high_b > allowed;
+}
+
+/// True when the two tetrahedra are found to share no point. The axes are the 8 face normals and, with `all_axes`, the 36 cross
+/// products of edges, with which the test is complete (separating axis theorem) up to rounding and slack.
+template <class B>
+bool separated(const Bound_tetrahedron<B>& a, const Bound_tetrahedron<B>& b, bool all_axes, B slack)
+{
+  using Edges = std::array<Bound_point<B>, 6>;
+  const auto edges_of = [](const Bound_tetrahedron<B>& t) {
+    return Edges{t[1] - t[0], t[2] - t[0], t[3] - t[0], t[2] - t[1], t[3] - t[1], t[3] - t[2]};
+  };
+  const Edges e = edges_of(a), f = edges_of(b);
+  const auto face_normals_separate = [&](const Edges& g) {
+    // Faces 0 1 2, 0 2 3, 0 3 1 and the far one 1 2 3.
+    for (const auto& [i, j] : {std::pair{0, 1}, {1, 2}, {2, 0}, {3, 4}})
+      if (separated_along<B>(cross(g[i], g[j]), a, b, slack)) return true;
+    return false;
+  };
+  if (face_normals_separate(e) || face_normals_separate(f)) return true;
+  if (!all_axes) return false;
+  for (const auto& edge_a : e)
+    for (const auto& edge_b : f)
+      if (separated_along<B>(cross(edge_a, edge_b), a, b, slack)) return true;
+  return false;
+}
+
+/// An axis-aligned box of placed points, grown by the error of the frame that placed them: of an edge, or of a face.
+template <class B>
+struct Box {
+  Bound_point<B> low, high;
+
+  Box() { low.fill(std::numeric_limits<B>::infinity()), high.fill(-std::numeric_limits<B>::infinity()); }
+
+  void add(const Bound_point<B>& p)
+  {
+    for (int k = 0; k < 3; ++k) {
+      // Written so that an undefined coordinate makes the box boundless.
+      low[k] = p[k] >= low[k] ? low[k] : p[k] < low[k] ? p[k] : -std::numeric_limits<B>::infinity();
+      high[k] = p[k] <= high[k] ? high[k] : p[k] > high[k] ? p[k] : std::numeric_limits<B>::infinity();
+    }
+  }
+  void add(const Box& other)
+  {
+    for (int k = 0; k < 3; ++k) low[k] = std::min(low[k], other.low[k]), high[k] = std::max(high[k], other.high[k]);
+  }
+  void grow(B margin)
+  {
+    for (int k = 0; k < 3; ++k) low[k] -= margin, high[k] += margin;
+  }
+  bool meets(const Box& other) const
+  {
+    return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] && other.low[1] <= high[1] &&
+           low[2] <= other.high[2] && other.low[2] <= high[2];
+  }
+};
+
+}  // namespace tetracone::kernel
+
+#endif
