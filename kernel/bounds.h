@@ -22,7 +22,7 @@ template <class B>
 using Bound_point = std::array<B, 3>;
 
 template <class B>
-Bound_point<B> operator-(const Bound_point<B>& a, const Bound_point<B>& b)
+Bound_point<B> difference(const Bound_point<B>& a, const Bound_point<B>& b)
 {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
@@ -107,6 +107,22 @@ class Bound_frame {
             m_[8] * p[0] + m_[9] * p[1] + m_[10] * p[2] + m_[11]};
   }
 
+  /// A multiple of M^-1 v, by cofactors: the direction in the model's frame that the map turns into v, up to a positive
+  /// factor when multiplied by sign(det M). Rounded.
+  Bound_point<B> pulled_back(const Bound_point<B>& v) const
+  {
+    if (identity_) return v;
+    Bound_point<B> result{0, 0, 0};
+    for (int i = 0; i < 3; ++i) {
+      const int p = (i + 1) % 3, q = (i + 2) % 3;
+      for (int j = 0; j < 3; ++j) {
+        const int k = (j + 1) % 3, l = (j + 2) % 3;
+        result[j] += (m_[4 * p + k] * m_[4 * q + l] - m_[4 * p + l] * m_[4 * q + k]) * v[i];
+      }
+    }
+    return result;
+  }
+
   B error() const { return error_; }
   B magnitude() const { return magnitude_; }
   B stretch() const { return stretch_; }
@@ -130,7 +146,7 @@ Ball<B> placed(const Bound_frame<B, sound>& frame, const Ball<B>& ball)
 template <class B, bool sound>
 bool separated(const Ball<B>& a, const Ball<B>& b)
 {
-  const B distance_2 = squared_length(a.centre - b.centre), radius = a.radius + b.radius;
+  const B distance_2 = squared_length(difference(a.centre, b.centre)), radius = a.radius + b.radius;
   if constexpr (sound) return distance_2 > radius * radius * B(1 + 0x1p-44) + B(underflow_slack);
   return distance_2 > radius * radius;
 }
@@ -140,7 +156,7 @@ template <class B, bool sound>
 Ball<B> enclosing_ball(const Bound_point<B>& centre, std::span<const Bound_point<B>> points)
 {
   B largest = 0;
-  for (const auto& p : points) largest = std::max(largest, squared_length(p - centre));
+  for (const auto& p : points) largest = std::max(largest, squared_length(difference(p, centre)));
   B radius = std::sqrt(largest);
   if constexpr (sound) radius = std::sqrt(largest + B(underflow_slack)) * B(1 + 0x1p-46);
   return {centre, radius};
@@ -167,7 +183,7 @@ Bound_point<B> improved_centre(Bound_point<B> start, std::span<const Bound_point
     const Bound_point<B>* farthest = nullptr;
     B radius = -1;
     for (const auto& p : points)
-      if (const B d = squared_length(p - start); d > radius) radius = d, farthest = &p;
+      if (const B d = squared_length(difference(p, start)); d > radius) radius = d, farthest = &p;
     if (radius < best_radius) best = start, best_radius = radius;
     if (farthest == nullptr) break;
     for (int k = 0; k < 3; ++k) start[k] += ((*farthest)[k] - start[k]) / B(n + 1);
@@ -211,7 +227,8 @@ bool separated(const Bound_tetrahedron<B>& a, const Bound_tetrahedron<B>& b, boo
 {
   using Edges = std::array<Bound_point<B>, 6>;
   const auto edges_of = [](const Bound_tetrahedron<B>& t) {
-    return Edges{t[1] - t[0], t[2] - t[0], t[3] - t[0], t[2] - t[1], t[3] - t[1], t[3] - t[2]};
+    return Edges{difference(t[1], t[0]), difference(t[2], t[0]), difference(t[3], t[0]),
+                 difference(t[2], t[1]), difference(t[3], t[1]), difference(t[3], t[2])};
   };
   const Edges e = edges_of(a), f = edges_of(b);
   const auto face_normals_separate = [&](const Edges& g) {
@@ -227,6 +244,61 @@ bool separated(const Bound_tetrahedron<B>& a, const Bound_tetrahedron<B>& b, boo
       if (separated_along<B>(cross(edge_a, edge_b), a, b, slack)) return true;
   return false;
 }
+
+/// A half-space that holds a body, in the body's frame: normal . (x - origin) <= offset for every point x of it.
+template <class B>
+struct Half_space {
+  Bound_point<B> normal, origin;
+  B offset;
+};
+
+/// A half-space placed with its body, asked which points of another body lie strictly beyond it.
+///
+/// With C the cofactors of M, N = C n: N . (Mx - MO) = det M (n . (x - O)), so |N . (y - y_O)| <= |det M| offset for every image y.
+/// A cofactor rounds 3 times, N twice more, entries that were fractions twice: |N^ - N| <= 10 u sum_j |C_ij| |n_j| =: 10 u A_i, and
+/// |y - y_O| <= 2 magnitude; the determinant is off by 10 u of its permanent. `threshold` takes all of it, and the slack of a
+/// projection on N^ covers the points asked.
+template <class B, bool sound>
+class Placed_half_space {
+ public:
+  Placed_half_space(const Bound_frame<B, sound>& frame, const Half_space<B>& half_space, int determinant_sign)
+  {
+    const auto& m = frame.entries();
+    B determinant = 0, permanent = 0, absolute_sum = 0;
+    for (int i = 0; i < 3; ++i) {
+      const int p = (i + 1) % 3, q = (i + 2) % 3;
+      normal_[i] = 0;
+      for (int j = 0; j < 3; ++j) {
+        const int k = (j + 1) % 3, l = (j + 2) % 3;
+        const B plus = m[4 * p + k] * m[4 * q + l], minus = m[4 * p + l] * m[4 * q + k];
+        normal_[i] += (plus - minus) * half_space.normal[j];
+        absolute_sum += (std::abs(plus) + std::abs(minus)) * std::abs(half_space.normal[j]);
+        if (j == 0) {
+          determinant += m[4 * i] * (plus - minus);
+          permanent += std::abs(m[4 * i]) * (std::abs(plus) + std::abs(minus));
+        }
+      }
+      normal_[i] *= B(determinant_sign);
+    }
+    origin_ = frame(half_space.origin);
+    threshold_ = std::abs(determinant) * half_space.offset;
+    if constexpr (sound) {
+      constexpr B u = unit_roundoff<B>;
+      threshold_ = (threshold_ + 16 * u * permanent * half_space.offset + 32 * u * absolute_sum * frame.magnitude()) *
+                       B(1 + 0x1p-40) + B(underflow_slack);
+    }
+  }
+
+  /// The body's half-space ends before the point; `slack` is the `projection_slack` of the two bodies.
+  bool is_beyond(const Bound_point<B>& point, B slack) const
+  {
+    return dot(normal_, difference(point, origin_)) > threshold_ + slack * norm_1(normal_);
+  }
+
+ private:
+  Bound_point<B> normal_{}, origin_{};
+  B threshold_ = 0;
+};
 
 /// An axis-aligned box of placed points, grown by the error of the frame that placed them: of an edge, or of a face.
 template <class B>

@@ -1,0 +1,30 @@
+#ifndef TETRACONE_TETRATREE_COUNTS_H
+#define TETRACONE_TETRATREE_COUNTS_H
+
+#include <cstdint>
+
+namespace tetracone::tetratree {
+
+/// What queries did, stage by stage, since the counts were last cleared.
+struct Counts {
+  std::uint64_t queries = 0;
+  std::uint64_t pairs_visited = 0;            ///< pairs of nodes whose bounding volumes were compared
+  std::uint64_t hull_tests = 0;               ///< nodes compared with a plane of the other body's regular hull
+  std::uint64_t discarded_by_hull = 0;        ///< of these: nodes beyond it (Theorem 2)
+  std::uint64_t sphere_tests = 0;
+  std::uint64_t discarded_by_sphere = 0;
+  std::uint64_t tetrahedron_tests = 0;
+  std::uint64_t discarded_by_tetrahedron = 0;
+  std::uint64_t leaf_pairs = 0;
+  std::uint64_t discarded_by_box = 0;         ///< pairs of an edge and a face in a leaf pair whose boxes are apart
+  std::uint64_t edge_face_tests = 0;
+  std::uint64_t inclusion_tests = 0;          ///< vertices of a shell against the other solid
+  std::uint64_t exact_fallbacks = 0;          ///< signs that the adaptive kernel's filter left undecided
+
+  std::uint64_t bounding_tests() const { return hull_tests + sphere_tests + tetrahedron_tests; }
+  std::uint64_t primitive_tests() const { return edge_face_tests + inclusion_tests; }
+};
+
+}  // namespace tetracone::tetratree
+
+#endif
