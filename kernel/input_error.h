@@ -8,14 +8,13 @@
 
 namespace tetracone::kernel {
 
-/// What is wrong in a user's file. `what()` is one line, "file:line: what is wrong; what was expected"; line 0 stands for
-/// no line (a binary file, or the file as a whole) and is left out with its colon.
+/// What is wrong in a user's file. `what()` is one line, "file:line: what is wrong; what was expected"; line 0 stands
+/// for no line (a binary file, or the file as a whole) and is left out with its colon.
 class Input_error : public std::runtime_error {
  public:
   Input_error(std::string_view file, std::size_t line, std::string_view wrong, std::string_view expected)
       : std::runtime_error(message(file, line, wrong, expected))
-  {
-  }
+  {}
 
  private:
   static std::string message(std::string_view file, std::size_t line, std::string_view wrong, std::string_view expected)

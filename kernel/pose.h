@@ -30,15 +30,21 @@ class Pose {
   /// Twelve finite doubles, row-major 3x4.
   explicit Pose(const std::array<double, 12>& entries) : entries_(entries) {}
 
-  /// Twelve rationals, row-major 3x4. Entries that are all doubles give the same pose as the doubles.
+  /// Twelve rationals, row-major 3x4, each with a finite nearest double. Entries that are all doubles give the same pose as the doubles.
   explicit Pose(const std::array<Rational, 12>& entries)
   {
     bool all_doubles = true;
     for (int k = 0; k < 12; ++k) {
       entries_[k] = nearest_double(entries[k]);
+      assert(std::isfinite(entries_[k]));
       all_doubles = all_doubles && Rational(entries_[k]) == entries[k];
     }
     if (!all_doubles) rationals_.assign(entries.begin(), entries.end());
+  }
+
+  static Pose translation(double x, double y, double z)
+  {
+    return Pose(std::array<double, 12>{1, 0, 0, x, 0, 1, 0, y, 0, 0, 1, z});
   }
 
   /// The doubles of the matrix, taken exactly.

@@ -30,7 +30,8 @@ inline Number read_number(const Text_lines& lines, std::size_t k)
     const double nearest = nearest_double(*fraction);
     if (std::isfinite(nearest)) return {nearest, fraction};
   }
-  lines.fail(in_quotes(word) + " as number " + std::to_string(k + 1), "expected a finite decimal number or a fraction n/d");
+  lines.fail(in_quotes(word) + " as number " + std::to_string(k + 1),
+             "expected a finite decimal number or a fraction n/d");
 }
 
 /// The numbers of a line that must hold exactly `N`; throws Input_error.
@@ -39,15 +40,16 @@ std::array<Number, N> read_numbers(const Text_lines& lines, const std::string& w
 {
   const std::size_t found = lines.words().size();
   if (found != N)
-    lines.fail(std::to_string(found) + (found == 1 ? " number" : " numbers"), "expected " + std::to_string(N) + ", " + what);
+    lines.fail(std::to_string(found) + (found == 1 ? " number" : " numbers"),
+               "expected " + std::to_string(N) + ", " + what);
   std::array<Number, N> numbers;
   for (std::size_t k = 0; k < N; ++k) numbers[k] = read_number(lines, k);
   return numbers;
 }
 
 /// The poses of a text file: one a line, twelve numbers, row-major 3x4. '#' starts a comment, blank lines are skipped.
-/// Throws Input_error where a line holds another count of numbers, a number is none or is not finite, det M = 0 (exactly), or
-/// the file holds no pose.
+/// Throws Input_error where a line holds another count of numbers, a number is none or is not finite, det M = 0
+/// (exactly), or the file holds no pose.
 inline std::vector<Pose> read_poses(const std::filesystem::path& file)
 {
   const std::string text = read_bytes(file);

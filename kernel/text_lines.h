@@ -4,6 +4,7 @@
 #include "kernel/input_error.h"
 #include "kernel/number.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
@@ -15,12 +16,13 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace tetracone::kernel {
 
-/// All bytes of a file. Throws Input_error where there is no such file, it cannot be read, or it is no file with an end (a
-/// folder, a device).
+/// All bytes of a file. Throws Input_error where there is no such file, it cannot be read, or it is no file with an end
+/// (a folder, a device).
 inline std::string read_bytes(const std::filesystem::path& file)
 {
   std::error_code error;
@@ -46,12 +48,14 @@ inline std::optional<std::uint64_t> parse_count(std::string_view word)
   return value;
 }
 
-/// The lines of a text that hold at least one word, each split into its words at white space, with its number. Every error
-/// is thrown as an Input_error at the current line. The text must outlive this object.
+/// The lines of a text that hold at least one word, each split into its words at white space, with its number. Every
+/// error is thrown as an Input_error at the current line. The text must outlive this object.
 class Text_lines {
  public:
   /// What follows the character `comment` on a line is skipped; '\0': no comments.
-  Text_lines(std::string file, std::string_view text, char comment) : file_(std::move(file)), text_(text), comment_(comment) {}
+  Text_lines(std::string file, std::string_view text, char comment)
+      : file_(std::move(file)), text_(text), comment_(comment)
+  {}
 
   /// Goes to the next line with a word; false at the end of the text, where the current line is the last one.
   bool next()
@@ -100,23 +104,29 @@ class Text_lines {
     return {number(k, "coordinate x"), number(k + 1, "coordinate y"), number(k + 2, "coordinate z")};
   }
 
+  /// A word as an integer from 0, `what` names it.
+  std::uint64_t count(std::string_view word, const std::string& what) const
+  {
+    const auto value = parse_count(word);
+    if (!value) fail(in_quotes(word) + " as " + what, "expected an integer from 0");
+    return *value;
+  }
+
   /// Word `k` as an integer from 0, `what` names it.
   std::uint64_t count(std::size_t k, const std::string& what) const
   {
     if (k >= words_.size()) fail("the line ends before " + what, "expected an integer");
-    const auto value = parse_count(words_[k]);
-    if (!value) fail(in_quotes(words_[k]) + " as " + what, "expected an integer from 0");
-    return *value;
+    return count(words_[k], what);
   }
 
-  /// Word `k` as a count of things that follow, each on at least `bytes` bytes: fails where the text is too short for them, so
-  /// that a wrong count reserves no memory.
-  std::size_t count_ahead(std::size_t k, const std::string& what, std::size_t bytes) const
+  /// A word as a count of things in the lines that follow, each on at least `bytes` bytes: fails where the text is too
+  /// short for them, so that a wrong count reserves no memory.
+  std::size_t count_ahead(std::string_view word, const std::string& what, std::size_t bytes) const
   {
-    const std::uint64_t value = count(k, what);
+    const std::uint64_t value = count(word, what);
     // The last line needs no end.
     if (value > (bytes_left() + 1) / bytes || value > std::numeric_limits<std::uint32_t>::max())
-      fail(std::string(words_[k]) + " as " + what + ", with " + std::to_string(bytes_left()) + " bytes left in the file",
+      fail(std::string(word) + " as " + what + ", with " + std::to_string(bytes_left()) + " bytes left in the file",
            "expected a count that the file can hold");
     return value;
   }

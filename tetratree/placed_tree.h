@@ -7,6 +7,7 @@
 #include "tetratree/tetra_tree.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace tetracone::tetratree {
@@ -75,10 +76,28 @@ class Placed_tree {
     return face_box_[face];
   }
 
-  /// Whether the placed solid holds p: the winding number over the tetrahedra in the one leaf whose tetra-cone holds p, which are
-  /// all that can (JS08 section 2.2). p, moved by (e, e^2, e^3), lies on no border of a cone, nor on a tetrahedron's.
-  /// Requires p on no face, and the polyhedron closed.
+  /// Whether the placed solid holds p. Requires p on no face, and the polyhedron closed.
   bool contains(const kernel::Point<K>& p)
+  {
+    const auto leaf = leaf_of(p);
+    return leaf && winding_number(p, *leaf) != 0;
+  }
+
+  /// Where p stands with regard to the placed solid. Requires the polyhedron closed.
+  covering::Location locate(const kernel::Point<K>& p)
+  {
+    const auto leaf = leaf_of(p);
+    if (!leaf) return covering::Location::outside;
+    // The closed cone of the leaf holds p itself too, so every face through p is classified in it.
+    for (const Index face : tree_.faces(tree_.node(*leaf)))
+      if (covering::segment_face<K>(p, p, body_, face) != kernel::Contact::none) return covering::Location::on_surface;
+    return winding_number(p, *leaf) != 0 ? covering::Location::inside : covering::Location::outside;
+  }
+
+ private:
+  // The one leaf whose tetra-cone holds p moved by (e, e^2, e^3), which lies on no border of a cone; nothing where no
+  // tetrahedron meets that cone. Nodes on the way are made if they have to be.
+  std::optional<Index> leaf_of(const kernel::Point<K>& p)
   {
     Index n = Tetra_tree<K>::root();
     while (!tree_.node(n).is_leaf) {
@@ -86,20 +105,26 @@ class Placed_tree {
       Index holder = covering::none;
       for (Index c = parent.first_child; c < parent.first_child + parent.child_count && holder == covering::none; ++c)
         if (cone_holds(tree_.node(c).cone, p)) holder = c;
-      if (holder == covering::none) return false;  // nothing of the covering is in p's cone
+      if (holder == covering::none) return std::nullopt;
       n = holder;
     }
+    return n;
+  }
+
+  // The winding number about p moved likewise: the signed sum over the tetrahedra of the leaf, which are all that can hold it
+  // (JS08 section 2.2).
+  int winding_number(const kernel::Point<K>& p, Index leaf)
+  {
     const auto& triangles = tree_.model().covering().triangles();
     const kernel::Point<K> origin = body_.frame()(tree_.model().origin());
     int winding = 0;
-    for (const Index element : tree_.elements(tree_.node(n))) {
+    for (const Index element : tree_.elements(tree_.node(leaf))) {
       const auto& corner = triangles[element].corner;
       winding += covering::signed_inclusion<K>(p, origin, body_.point(corner[0]), body_.point(corner[1]), body_.point(corner[2]));
     }
-    return winding != 0;
+    return winding;
   }
 
- private:
   bool cone_holds(const Tetra_cone& cone, const kernel::Point<K>& p) const
   {
     const Cone_points<K> c = Cone_points<K>(tree_.model().lattice(), cone).placed(body_.frame());

@@ -2,6 +2,7 @@
 #define TETRACONE_TETRATREE_TETRA_CONE_H
 
 #include "kernel/cone_lattice.h"
+#include "kernel/frame.h"
 #include "kernel/signs.h"
 
 #include <array>

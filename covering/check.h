@@ -1,0 +1,252 @@
+#ifndef TETRACONE_COVERING_CHECK_H
+#define TETRACONE_COVERING_CHECK_H
+
+#include "covering/covering.h"
+#include "covering/edge_uses.h"
+#include "covering/orient.h"
+#include "covering/planarity.h"
+#include "covering/polyhedron.h"
+#include "kernel/number.h"
+
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace tetracone::covering {
+
+/// The faces of a polyhedron in connected shells: faces that share a vertex are in one shell. The faces of each shell
+/// ascend, the shells stand in the order of their first faces.
+inline std::vector<std::vector<Index>> shell_faces(const Polyhedron& polyhedron)
+{
+  std::vector<Index> parent(polyhedron.vertices.size());
+  std::iota(parent.begin(), parent.end(), Index{0});
+  const auto root = [&parent](Index v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  const auto some_vertex = [&polyhedron](Index f) { return polyhedron.loop(f, 0)[0]; };
+  for (Index f = 0; f < polyhedron.face_count(); ++f)
+    for (std::size_t k = 0; k < polyhedron.loop_count(f); ++k)
+      for (const Index v : polyhedron.loop(f, k)) parent[root(v)] = root(some_vertex(f));
+  std::vector<std::vector<Index>> shells;
+  std::vector<std::size_t> shell_of(parent.size(), parent.size());  // of each root
+  for (Index f = 0; f < polyhedron.face_count(); ++f) {
+    std::size_t& shell = shell_of[root(some_vertex(f))];
+    if (shell == parent.size()) {
+      shell = shells.size();
+      shells.emplace_back();
+    }
+    shells[shell].push_back(f);
+  }
+  return shells;
+}
+
+/// The connected shells, each a polyhedron of its own with only the vertices that it uses.
+inline std::vector<Polyhedron> shells(const Polyhedron& polyhedron)
+{
+  std::vector<Polyhedron> result;
+  const std::vector<bool> as_it_stands(polyhedron.face_count());
+  for (const auto& faces : shell_faces(polyhedron)) result.push_back(part(polyhedron, faces, as_it_stands));
+  return result;
+}
+
+/// True when the faces, glued along their edges, are a 2-manifold without border: every edge is used once in each
+/// direction, and the corners around each vertex form one cycle. Requires that every vertex is used.
+inline bool is_manifold(const Polyhedron& polyhedron)
+{
+  const auto uses = edge_uses(polyhedron);
+  bool manifold = true;
+  for_each_edge(uses,
+                [&](std::span<const Edge_use> edge) { manifold = manifold && edge.size() == 2 && surplus(edge) == 0; });
+  if (!manifold) return false;
+  // Corner (a, v, b): from its outgoing edge (v, b) to the corner whose incoming edge is (b, v).
+  struct Corner {
+    Index from, vertex, to;
+  };
+  std::vector<Corner> corners;
+  for (Index f = 0; f < polyhedron.face_count(); ++f)
+    for (std::size_t k = 0; k < polyhedron.loop_count(f); ++k) {
+      const Loop loop = polyhedron.loop(f, k);
+      const std::size_t n = loop.size();
+      for (std::size_t j = 0; j < n; ++j) corners.push_back({loop[(j + n - 1) % n], loop[j], loop[(j + 1) % n]});
+    }
+  const auto key = [](const Corner& corner) { return std::array{corner.vertex, corner.from}; };
+  std::ranges::sort(corners, {}, key);
+  for (std::size_t begin = 0, end = 0; begin < corners.size(); begin = end) {
+    while (end < corners.size() && corners[end].vertex == corners[begin].vertex) ++end;
+    std::size_t cycle = 0;
+    std::size_t at = begin;
+    do {
+      const std::array next{corners[at].vertex, corners[at].to};
+      const auto found = std::ranges::lower_bound(corners, next, {}, key);
+      // An edge (a, a) has no use in `uses`.
+      if (found == corners.end() || key(*found) != next) return false;
+      at = static_cast<std::size_t>(found - corners.begin());
+      ++cycle;
+    } while (at != begin && cycle <= end - begin);
+    if (cycle != end - begin) return false;
+  }
+  return true;
+}
+
+/// The way a closed surface runs, by the sign of its signed volume.
+enum class Orientation { outward, inward, flat, mixed, open };
+
+constexpr std::string_view to_string(Orientation orientation)
+{
+  switch (orientation) {
+    case Orientation::outward: return "outward";
+    case Orientation::inward: return "inward";
+    case Orientation::flat: return "flat";
+    case Orientation::mixed: return "mixed";
+    case Orientation::open: return "open";
+  }
+  return "open";
+}
+
+/// What one connected shell is.
+struct Shell {
+  std::size_t vertices = 0, edges = 0, faces = 0, hole_loops = 0;
+  bool closed = false;
+  /// V - E + F - hole loops, of the surface that the faces make when they are glued along their edges; a face with h
+  /// hole loops counts 1 - h.
+  std::ptrdiff_t euler = 0;
+  std::optional<std::size_t> genus;        ///< of a 2-manifold without border
+  std::optional<kernel::Rational> volume;  ///< signed, of a closed shell
+  Orientation orientation = Orientation::open;
+};
+
+/// A directed edge that is used more often than its reverse.
+struct Open_edge {
+  Index from, to;
+  std::size_t uses, reverse_uses;
+};
+
+/// What a polyhedron is. Numbers of vertices and faces count from 0. Lists are complete, ascending.
+struct Check {
+  std::size_t vertices = 0;
+  std::size_t used_vertices = 0;
+  std::size_t faces = 0;
+  std::size_t triangles = 0;  ///< faces of one loop of three corners
+  std::size_t edges = 0;      ///< undirected, between two different vertex numbers
+  std::size_t corners = 0;    ///< of all loops
+  std::size_t hole_loops = 0;
+  std::vector<Index> holed_faces;  ///< faces with hole loops
+
+  bool closed = false;
+  std::vector<Open_edge> open_edges;
+  std::size_t border_edges = 0;        ///< edges used once
+  std::size_t non_manifold_edges = 0;  ///< edges used more than twice
+
+  std::vector<Shell> shells;
+  Orientation orientation = Orientation::open;  ///< of all shells; `mixed` where they differ
+  std::optional<kernel::Rational> volume;       ///< signed, exact; of a closed polyhedron
+
+  std::vector<Off_plane> off_plane;                    ///< faces that are not exactly planar
+  std::vector<Index> degenerate_faces;                 ///< faces with all corners on one line or in one point: area 0
+  std::vector<std::array<Index, 2>> degenerate_edges;  ///< edges with both ends at equal coordinates, (a, a) among them
+  std::vector<Index> repeated_vertices;                ///< vertices with the coordinates of one before them
+  std::vector<Index> isolated_vertices;                ///< vertices of no face
+};
+
+/// Counts of one shell, its genus, volume and orientation.
+inline Shell check_shell(const Polyhedron& shell)
+{
+  Shell result;
+  result.vertices = shell.vertices.size();
+  result.faces = shell.face_count();
+  const auto uses = edge_uses(shell);
+  for_each_edge(uses, [&](std::span<const Edge_use>) { ++result.edges; });
+  for (Index f = 0; f < shell.face_count(); ++f) result.hole_loops += shell.loop_count(f) - 1;
+  result.closed = is_closed(shell);
+  const auto signed_count = [](std::size_t n) { return static_cast<std::ptrdiff_t>(n); };
+  result.euler = signed_count(result.vertices) - signed_count(result.edges) + signed_count(result.faces) -
+                 signed_count(result.hole_loops);
+  if (result.closed && is_manifold(shell)) result.genus = static_cast<std::size_t>((2 - result.euler) / 2);
+  if (result.closed) {
+    result.volume = volume(shell);
+    const CGAL::Sign sign = CGAL::sign(*result.volume);
+    result.orientation = sign == CGAL::POSITIVE   ? Orientation::outward
+                         : sign == CGAL::NEGATIVE ? Orientation::inward
+                                                  : Orientation::flat;
+  }
+  return result;
+}
+
+/// Everything about a polyhedron that a user should know before asking for collisions. Exact; any polyhedron is legal
+/// here.
+inline Check check(const Polyhedron& polyhedron)
+{
+  Check result;
+  const auto& vertices = polyhedron.vertices;
+  result.vertices = vertices.size();
+  result.faces = polyhedron.face_count();
+
+  std::vector<bool> used(vertices.size());
+  for (Index f = 0; f < polyhedron.face_count(); ++f) {
+    if (polyhedron.is_triangle(f)) ++result.triangles;
+    result.hole_loops += polyhedron.loop_count(f) - 1;
+    if (polyhedron.loop_count(f) > 1) result.holed_faces.push_back(f);
+    for_each_directed_edge(polyhedron, f, [&](Index a, Index b) {
+      ++result.corners;
+      used[a] = true;
+      if (a == b) result.degenerate_edges.push_back({a, a});
+    });
+    switch (planarity(polyhedron, f)) {
+      case Planarity::degenerate: result.degenerate_faces.push_back(f); break;
+      case Planarity::planar: break;
+      case Planarity::off_plane: result.off_plane.push_back(deviation(polyhedron, f)); break;
+    }
+  }
+  result.used_vertices = static_cast<std::size_t>(std::ranges::count(used, true));
+  for (Index v = 0; v < vertices.size(); ++v)
+    if (!used[v]) result.isolated_vertices.push_back(v);
+
+  std::vector<Index> order(vertices.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::ranges::sort(order,
+                    [&](Index a, Index b) { return vertices[a] != vertices[b] ? vertices[a] < vertices[b] : a < b; });
+  for (std::size_t k = 1; k < order.size(); ++k)
+    if (vertices[order[k]] == vertices[order[k - 1]]) result.repeated_vertices.push_back(order[k]);
+  std::ranges::sort(result.repeated_vertices);
+
+  const auto uses = edge_uses(polyhedron);
+  for_each_edge(uses, [&](std::span<const Edge_use> edge) {
+    ++result.edges;
+    const Index a = edge[0].low, b = edge[0].high;
+    if (edge.size() == 1) ++result.border_edges;
+    if (edge.size() > 2) ++result.non_manifold_edges;
+    if (vertices[a] == vertices[b]) result.degenerate_edges.push_back({a, b});
+    const auto forward = static_cast<std::size_t>(std::ranges::count_if(edge, &Edge_use::forward));
+    const std::size_t backward = edge.size() - forward;
+    if (forward > backward) result.open_edges.push_back({a, b, forward, backward});
+    if (forward < backward) result.open_edges.push_back({b, a, backward, forward});
+  });
+  std::ranges::sort(result.degenerate_edges);
+  result.degenerate_edges.erase(std::unique(result.degenerate_edges.begin(), result.degenerate_edges.end()),
+                                result.degenerate_edges.end());
+  std::ranges::sort(result.open_edges, {}, [](const Open_edge& edge) { return std::array{edge.from, edge.to}; });
+
+  result.closed = result.open_edges.empty();
+  for (const Polyhedron& shell : shells(polyhedron)) result.shells.push_back(check_shell(shell));
+  if (result.closed) {
+    result.volume = kernel::Rational(0);
+    for (const Shell& shell : result.shells) *result.volume += *shell.volume;
+  }
+  if (!result.shells.empty()) {
+    const auto same = [&](const Shell& shell) { return shell.orientation == result.shells[0].orientation; };
+    result.orientation = std::ranges::all_of(result.shells, same) ? result.shells[0].orientation : Orientation::mixed;
+    if (!result.closed) result.orientation = Orientation::open;
+  }
+  return result;
+}
+
+}  // namespace tetracone::covering
+
+#endif

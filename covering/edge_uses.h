@@ -1,0 +1,71 @@
+#ifndef TETRACONE_COVERING_EDGE_USES_H
+#define TETRACONE_COVERING_EDGE_USES_H
+
+#include "covering/polyhedron.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <tuple>
+#include <vector>
+
+namespace tetracone::covering {
+
+/// One use of the edge {low, high} by a loop of a face: from low to high when `forward`. low < high.
+struct Edge_use {
+  Index low, high, face;
+  bool forward;
+};
+
+/// Calls `visit(from, to)` for each directed edge of face `f`, over all its loops; a loop of one corner has the edge
+/// (a, a).
+template <class Visit>
+void for_each_directed_edge(const Polyhedron& polyhedron, Index f, Visit visit)
+{
+  for (std::size_t k = 0; k < polyhedron.loop_count(f); ++k) {
+    const Loop loop = polyhedron.loop(f, k);
+    for (std::size_t j = 0; j < loop.size(); ++j) visit(loop[j], loop[j + 1 < loop.size() ? j + 1 : 0]);
+  }
+}
+
+/// All uses of all edges, sorted by (low, high, face). Edges (a, a) are left out: each is its own reverse.
+inline std::vector<Edge_use> edge_uses(const Polyhedron& polyhedron)
+{
+  std::vector<Edge_use> uses;
+  for (Index f = 0; f < polyhedron.face_count(); ++f)
+    for_each_directed_edge(polyhedron, f, [&](Index a, Index b) {
+      if (a != b) uses.push_back({std::min(a, b), std::max(a, b), f, a < b});
+    });
+  std::ranges::sort(uses, {}, [](const Edge_use& use) { return std::tuple(use.low, use.high, use.face, use.forward); });
+  return uses;
+}
+
+/// Calls `visit(uses)` with the uses of each edge in turn; takes what `edge_uses` gives.
+template <class Visit>
+void for_each_edge(std::span<const Edge_use> uses, Visit visit)
+{
+  for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
+    while (end < uses.size() && uses[end].low == uses[begin].low && uses[end].high == uses[begin].high) ++end;
+    visit(uses.subspan(begin, end - begin));
+  }
+}
+
+/// How often an edge is used from low to high more than from high to low; 0 where its uses cancel.
+inline std::ptrdiff_t surplus(std::span<const Edge_use> uses)
+{
+  const auto forward = std::ranges::count_if(uses, &Edge_use::forward);
+  return 2 * forward - static_cast<std::ptrdiff_t>(uses.size());
+}
+
+/// True when over all loops every directed edge (a, b) occurs exactly as often as (b, a).
+inline bool is_closed(const Polyhedron& polyhedron)
+{
+  bool closed = true;
+  const auto uses = edge_uses(polyhedron);
+  for_each_edge(uses, [&closed](std::span<const Edge_use> edge) { closed = closed && surplus(edge) == 0; });
+  return closed;
+}
+
+}  // namespace tetracone::covering
+
+#endif

@@ -1,0 +1,165 @@
+#ifndef TETRACONE_COVERING_ORIENT_H
+#define TETRACONE_COVERING_ORIENT_H
+
+#include "covering/covering.h"
+#include "covering/edge_uses.h"
+#include "covering/polyhedron.h"
+
+#include <CGAL/enum.h>
+
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace tetracone::covering {
+
+/// The faces of a polyhedron in groups: two faces are in one group where a chain of edges that are used exactly twice
+/// leads from one to the other (an edge with more uses does not say which of its faces go together). The faces of each
+/// group ascend, the groups stand in the order of their first faces.
+inline std::vector<std::vector<Index>> edge_groups(const Polyhedron& polyhedron)
+{
+  std::vector<Index> parent(polyhedron.face_count());
+  std::iota(parent.begin(), parent.end(), Index{0});
+  const auto root = [&parent](Index f) {
+    while (parent[f] != f) f = parent[f] = parent[parent[f]];
+    return f;
+  };
+  const auto uses = edge_uses(polyhedron);
+  for_each_edge(uses, [&](std::span<const Edge_use> edge) {
+    if (edge.size() == 2) parent[root(edge[0].face)] = root(edge[1].face);
+  });
+  std::vector<std::vector<Index>> groups;
+  std::vector<std::size_t> group_of(parent.size(), parent.size());  // of each root
+  for (Index f = 0; f < parent.size(); ++f) {
+    std::size_t& group = group_of[root(f)];
+    if (group == parent.size()) {
+      group = groups.size();
+      groups.emplace_back();
+    }
+    groups[group].push_back(f);
+  }
+  return groups;
+}
+
+/// Which faces to turn so that the two uses of each edge that is used exactly twice run against each other:
+/// breadth-first from the first face of each group, which stays. Where a group cannot be oriented (a Moebius band) some
+/// edges stay as they are.
+inline std::vector<bool> turns_across_edges(const Polyhedron& polyhedron)
+{
+  struct Neighbour {
+    Index face;
+    bool opposite;  // exactly one of the two is to be turned
+  };
+  std::vector<std::vector<Neighbour>> neighbours(polyhedron.face_count());
+  const auto uses = edge_uses(polyhedron);
+  for_each_edge(uses, [&neighbours](std::span<const Edge_use> edge) {
+    if (edge.size() != 2 || edge[0].face == edge[1].face) return;
+    const bool opposite = edge[0].forward == edge[1].forward;
+    neighbours[edge[0].face].push_back({edge[1].face, opposite});
+    neighbours[edge[1].face].push_back({edge[0].face, opposite});
+  });
+  std::vector<bool> turned(polyhedron.face_count()), reached(polyhedron.face_count());
+  std::vector<Index> queue;
+  for (Index seed = 0; seed < polyhedron.face_count(); ++seed) {
+    if (reached[seed]) continue;
+    reached[seed] = true;
+    queue.assign(1, seed);
+    for (std::size_t next = 0; next < queue.size(); ++next)
+      for (const Neighbour& neighbour : neighbours[queue[next]])
+        if (!reached[neighbour.face]) {
+          reached[neighbour.face] = true;
+          turned[neighbour.face] = turned[queue[next]] != neighbour.opposite;
+          queue.push_back(neighbour.face);
+        }
+  }
+  return turned;
+}
+
+/// Appends face `f` of `from`, with its loops turned round when `turn`.
+inline void append_face(Polyhedron& to, const Polyhedron& from, Index f, bool turn)
+{
+  std::vector<std::vector<Index>> loops;
+  for (std::size_t k = 0; k < from.loop_count(f); ++k) {
+    const Loop loop = from.loop(f, k);
+    loops.emplace_back(loop.begin(), loop.end());
+    if (turn) std::reverse(loops.back().begin(), loops.back().end());
+  }
+  to.add_face(loops);
+}
+
+/// The faces `faces` of a polyhedron, each turned round where `turned` says so, with only the vertices that they use,
+/// in their old order.
+inline Polyhedron part(const Polyhedron& polyhedron, const std::vector<Index>& faces, const std::vector<bool>& turned)
+{
+  std::vector<Index> used;
+  for (const Index f : faces)
+    for (std::size_t k = 0; k < polyhedron.loop_count(f); ++k) {
+      const Loop loop = polyhedron.loop(f, k);
+      used.insert(used.end(), loop.begin(), loop.end());
+    }
+  std::ranges::sort(used);
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  Polyhedron result;
+  for (const Index v : used) result.vertices.push_back(polyhedron.vertices[v]);
+  for (const Index f : faces) {
+    std::vector<std::vector<Index>> loops;
+    for (std::size_t k = 0; k < polyhedron.loop_count(f); ++k) {
+      loops.emplace_back();
+      for (const Index v : polyhedron.loop(f, k))
+        loops.back().push_back(static_cast<Index>(std::ranges::lower_bound(used, v) - used.begin()));
+      if (turned[f]) std::reverse(loops.back().begin(), loops.back().end());
+    }
+    result.add_face(loops);
+  }
+  return result;
+}
+
+/// A polyhedron with faces turned round, and which ones.
+struct Oriented {
+  Polyhedron polyhedron;
+  std::vector<Index> turned;  ///< ascending
+};
+
+/// Applies an orientation: `turned` says which faces to turn so that edges cancel within each group of `edge_groups`.
+///  - A group that is closed as it stands is left alone: inward, it may be a cavity.
+///  - A group that becomes closed is turned outward, to a positive volume.
+///  - Any other group is turned as a whole so that fewer of its faces change.
+inline Oriented apply_orientation(const Polyhedron& polyhedron, std::vector<bool> turned)
+{
+  const std::vector<bool> as_it_stands(polyhedron.face_count());
+  for (const auto& faces : edge_groups(polyhedron)) {
+    const auto turn_all = [&] {
+      for (const Index f : faces) turned[f] = !turned[f];
+    };
+    if (is_closed(part(polyhedron, faces, as_it_stands))) {
+      for (const Index f : faces) turned[f] = false;
+      continue;
+    }
+    const Polyhedron group = part(polyhedron, faces, turned);
+    if (is_closed(group)) {
+      if (CGAL::sign(volume(group)) == CGAL::NEGATIVE) turn_all();
+    } else {
+      const auto changes = std::ranges::count_if(faces, [&](Index f) { return turned[f]; });
+      if (2 * changes > std::ssize(faces)) turn_all();
+    }
+  }
+  Oriented result;
+  result.polyhedron.vertices = polyhedron.vertices;
+  for (Index f = 0; f < polyhedron.face_count(); ++f) {
+    append_face(result.polyhedron, polyhedron, f, turned[f]);
+    if (turned[f]) result.turned.push_back(f);
+  }
+  return result;
+}
+
+/// Orients the faces across their edges, holes and all; see `apply_orientation` for what becomes of each group of
+/// faces.
+inline Oriented orient_across_edges(const Polyhedron& polyhedron)
+{
+  return apply_orientation(polyhedron, turns_across_edges(polyhedron));
+}
+
+}  // namespace tetracone::covering
+
+#endif

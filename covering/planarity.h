@@ -1,0 +1,127 @@
+#ifndef TETRACONE_COVERING_PLANARITY_H
+#define TETRACONE_COVERING_PLANARITY_H
+
+#include "covering/polyhedron.h"
+#include "kernel/number.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace tetracone::covering {
+
+enum class Planarity {
+  degenerate,  ///< all corners on one line or in one point
+  planar,      ///< all corners exactly on one plane
+  off_plane
+};
+
+/// The vertices of all loops of face `f`, in their order, as often as they stand there.
+inline std::vector<Index> corners(const Polyhedron& polyhedron, Index f)
+{
+  std::vector<Index> result;
+  for (std::size_t k = 0; k < polyhedron.loop_count(f); ++k) {
+    const Loop loop = polyhedron.loop(f, k);
+    result.insert(result.end(), loop.begin(), loop.end());
+  }
+  return result;
+}
+
+/// Decided exactly (CGAL's filtered predicates), whatever the order of the corners.
+inline Planarity planarity(const Polyhedron& polyhedron, Index f)
+{
+  using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+  const auto point = [&polyhedron](Index v) {
+    const Vertex& p = polyhedron.vertices[v];
+    return K::Point_3(p[0], p[1], p[2]);
+  };
+  const std::vector<Index> all = corners(polyhedron, f);
+  const K::Point_3 p = point(all[0]);
+  std::size_t k = 1;
+  while (k < all.size() && point(all[k]) == p) ++k;
+  if (k == all.size()) return Planarity::degenerate;
+  const K::Point_3 q = point(all[k]);
+  while (k < all.size() && CGAL::collinear(p, q, point(all[k]))) ++k;
+  if (k == all.size()) return Planarity::degenerate;
+  const K::Point_3 r = point(all[k]);
+  for (; k < all.size(); ++k)
+    if (!CGAL::coplanar(p, q, r, point(all[k]))) return Planarity::off_plane;
+  return Planarity::planar;
+}
+
+/// The square root of a rational from 0, as a double; a square beyond the range of double does not hurt.
+inline double square_root(kernel::Rational square)
+{
+  if (square == 0) return 0;
+  const kernel::Rational step = kernel::Rational(std::ldexp(1.0, 512));
+  int exponent = 0;
+  for (; square * step < 1; exponent -= 256) square *= step;
+  for (; square > step; exponent += 256) square /= step;
+  return std::ldexp(std::sqrt(kernel::nearest_double(square)), exponent);
+}
+
+/// How far a face is from being planar.
+struct Off_plane {
+  Index face;
+  Index vertex;                       ///< the one farthest from the plane, the first of equals
+  kernel::Rational squared_distance;  ///< of that vertex, exact
+  double distance;                    ///< its square root, rounded
+};
+
+/// The largest distance of a corner of face `f` from the plane through three of its corners: p the first corner of the
+/// face, q the farthest from p, r the one that spans the largest triangle with p and q, each the first of equals. So
+/// the plane is a wide one, exact, and depends on nothing but the face. Requires `Planarity::off_plane`.
+inline Off_plane deviation(const Polyhedron& polyhedron, Index f)
+{
+  using kernel::Rational;
+  using Vector = std::array<Rational, 3>;
+  const std::vector<Index> all = corners(polyhedron, f);
+  const auto from_first = [&](Index v) {
+    Vector result;
+    for (int k = 0; k < 3; ++k)
+      result[k] = Rational(polyhedron.vertices[v][k]) - Rational(polyhedron.vertices[all[0]][k]);
+    return result;
+  };
+  const auto dot = [](const Vector& a, const Vector& b) { return Rational(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]); };
+  const auto cross = [](const Vector& a, const Vector& b) {
+    return Vector{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  };
+  std::vector<Vector> offset;
+  for (const Index v : all) offset.push_back(from_first(v));
+
+  Vector q{}, normal{};
+  Rational largest = 0;
+  for (const Vector& candidate : offset)
+    if (Rational length = dot(candidate, candidate); length > largest) {
+      largest = length;
+      q = candidate;
+    }
+  largest = 0;
+  for (const Vector& candidate : offset) {
+    const Vector product = cross(q, candidate);
+    if (Rational area = dot(product, product); area > largest) {
+      largest = area;
+      normal = product;
+    }
+  }
+  assert(largest != 0);
+  Off_plane result{f, all[0], 0, 0};
+  Rational height = 0;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (Rational candidate = abs(dot(normal, offset[k])); candidate > height) {
+      height = candidate;
+      result.vertex = all[k];
+    }
+  result.squared_distance = height * height / largest;
+  result.distance = square_root(result.squared_distance);
+  return result;
+}
+
+}  // namespace tetracone::covering
+
+#endif

@@ -1,0 +1,206 @@
+#include "experiments/collide_command.h"
+
+#include "experiments/model_file.h"
+#include "experiments/output_file.h"
+#include "experiments/progress.h"
+#include "kernel/read_poses.h"
+#include "verify/subject.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tetracone::experiments {
+namespace {
+
+using kernel::Feature_pair;
+using kernel::Pose;
+using kernel::Question;
+using verify::Subject;
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  std::string a, b, poses_a, poses_b, csv;
+  std::string question = "solid", kernel = "adaptive", method = "tree";
+  Model_options models;
+  bool features = false, json = false, time = false;
+  int repeat = 1;
+};
+
+struct Pose_pairs {
+  std::vector<Pose> a, b;
+
+  std::size_t count() const { return std::max(a.size(), b.size()); }
+  const Pose& of_a(std::size_t k) const { return a[a.size() == 1 ? 0 : k]; }
+  const Pose& of_b(std::size_t k) const { return b[b.size() == 1 ? 0 : k]; }
+};
+
+Pose_pairs read_pose_pairs(const Options& options)
+{
+  const auto read = [](const std::string& file) {
+    return file.empty() ? std::vector<Pose>{Pose()} : kernel::read_poses(file);
+  };
+  Pose_pairs poses{read(options.poses_a), read(options.poses_b)};
+  if (poses.a.size() != poses.b.size() && poses.a.size() != 1 && poses.b.size() != 1)
+    throw kernel::Input_error(options.poses_b, 0, std::to_string(poses.b.size()) + " poses",
+                              "expected " + std::to_string(poses.a.size()) + " as in " + options.poses_a +
+                                  ", or one pose in either file");
+  return poses;
+}
+
+struct Row {
+  bool answer = false;
+  double nanoseconds = std::numeric_limits<double>::infinity();
+  tetratree::Counts counts;
+};
+
+std::vector<Row> ask(verify::Prepared_pair& pair, const Pose_pairs& poses, Question question, int passes)
+{
+  using Clock = std::chrono::steady_clock;
+  std::vector<Row> rows(poses.count());
+  Progress progress("poses", rows.size() * passes);
+  for (int pass = 0; pass < passes; ++pass)
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const auto start = Clock::now();
+      rows[k].answer = pair.collide(poses.of_a(k), poses.of_b(k), question);
+      const double ns = std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+      rows[k].nanoseconds = std::min(rows[k].nanoseconds, ns);
+      rows[k].counts = pair.take_counts();
+      progress.step();
+    }
+  return rows;
+}
+
+std::string rows_as_csv(const std::vector<Row>& rows, bool time)
+{
+  std::string text = time ? "pose,answer,ns,bounding_tests,primitive_tests,exact_fallbacks\n" : "pose,answer\n";
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const Row& row = rows[k];
+    text += std::to_string(k) + "," + (row.answer ? "1" : "0");
+    if (time)
+      text += "," + std::to_string(static_cast<long long>(row.nanoseconds)) + "," + std::to_string(row.counts.bounding_tests()) + "," +
+              std::to_string(row.counts.primitive_tests()) + "," + std::to_string(row.counts.exact_fallbacks);
+    text += "\n";
+  }
+  return text;
+}
+
+std::string rows_as_json(const std::vector<Row>& rows, bool time)
+{
+  Json json = Json::array();
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    Json row = {{"pose", k}, {"answer", rows[k].answer ? 1 : 0}};
+    if (time) {
+      row["ns"] = static_cast<long long>(rows[k].nanoseconds);
+      row["bounding_tests"] = rows[k].counts.bounding_tests();
+      row["primitive_tests"] = rows[k].counts.primitive_tests();
+      row["exact_fallbacks"] = rows[k].counts.exact_fallbacks;
+    }
+    json.push_back(row);
+  }
+  return json.dump(1) + "\n";
+}
+
+// A feature of a pose, one line: body 0 is an edge of A against a face of B, body 1 the other way round.
+std::string features_as_text(const std::vector<std::vector<Feature_pair>>& features, const std::string& header, const std::string& separator)
+{
+  std::string text = header;
+  for (std::size_t k = 0; k < features.size(); ++k)
+    for (const Feature_pair& f : features[k]) {
+      for (const auto number : {k, std::size_t(f.body), std::size_t(f.edge_from), std::size_t(f.edge_to), std::size_t(f.face)})
+        text += std::to_string(number) + separator;
+      text += std::string(to_string(f.kind)) + "\n";
+    }
+  return text;
+}
+
+std::string features_as_json(const std::vector<std::vector<Feature_pair>>& features)
+{
+  Json json = Json::array();
+  for (std::size_t k = 0; k < features.size(); ++k) {
+    Json pairs = Json::array();
+    for (const Feature_pair& f : features[k])
+      pairs.push_back({{"body", f.body}, {"edge", {f.edge_from, f.edge_to}}, {"face", f.face}, {"kind", to_string(f.kind)}});
+    json.push_back({{"pose", k}, {"features", pairs}});
+  }
+  return json.dump(1) + "\n";
+}
+
+void run(const Options& options)
+{
+  const auto question = kernel::parse_question(options.question);
+  const auto method = verify::parse_method(options.method);
+  if (!question) throw CLI::ValidationError("--question " + options.question, "expected solid or surface");
+  if (!method) throw CLI::ValidationError("--method " + options.method, "expected tree, paper or brute");
+  const auto subject = Subject::parse(options.kernel, *method);
+  if (!subject)
+    throw CLI::ValidationError("--kernel " + options.kernel,
+                               "expected adaptive, double, float, double-eps=E, epick, epeck or rational");
+  if (options.time && options.csv.empty() && !options.json) throw CLI::ValidationError("--time", "expected --csv or --json to hold the times");
+  if (options.time && options.features) throw CLI::ValidationError("--time", "expected without --features");
+  if (options.json && !options.csv.empty()) throw CLI::ValidationError("--json", "expected without --csv");
+  if (options.repeat < 1) throw CLI::ValidationError("--repeat", "expected a number from 1");
+
+  const Pose_pairs poses = read_pose_pairs(options);
+  const bool solid = *question == Question::solid && !options.features;
+  const Model_file a = load_model(options.a, options.models, solid), b = load_model(options.b, options.models, solid);
+  const auto pair = verify::prepare(*subject, a.polyhedron, b.polyhedron);
+
+  std::string text;
+  if (options.features) {
+    std::vector<std::vector<Feature_pair>> features;
+    Progress progress("poses", poses.count());
+    for (std::size_t k = 0; k < poses.count(); ++k) {
+      auto found = pair->features(poses.of_a(k), poses.of_b(k));
+      // Faces are named as the file has them.
+      for (Feature_pair& f : found) f.face = (f.body == 0 ? b : a).source_face[f.face];
+      std::sort(found.begin(), found.end());
+      found.erase(std::unique(found.begin(), found.end()), found.end());
+      features.push_back(std::move(found));
+      progress.step();
+    }
+    text = options.json           ? features_as_json(features)
+           : options.csv.empty() ? features_as_text(features, "", " ")
+                                 : features_as_text(features, "pose,body,edge_from,edge_to,face,kind\n", ",");
+  } else {
+    const auto rows = ask(*pair, poses, *question, options.time ? options.repeat : 1);
+    if (options.json) text = rows_as_json(rows, options.time);
+    else if (!options.csv.empty()) text = rows_as_csv(rows, options.time);
+    else for (const Row& row : rows) text += row.answer ? "1\n" : "0\n";
+  }
+  if (options.csv.empty()) std::cout << text;
+  else write_whole(options.csv, text);
+}
+
+}  // namespace
+
+void add_collide_command(CLI::App& app)
+{
+  CLI::App* command = app.add_subcommand("collide", "Whether two models collide: one answer a pose");
+  const auto options = std::make_shared<Options>();
+  command->add_option("A", options->a, "Model: OFF, OBJ, PLY, STL or TetGen .poly")->required();
+  command->add_option("B", options->b, "Model")->required();
+  command->add_option("--pose-a", options->poses_a, "Poses of A: one a line, 12 numbers, row-major 3x4; decimals or fractions n/d");
+  command->add_option("--pose-b", options->poses_b, "Poses of B; one pose in either file serves all of the other");
+  command->add_option("--question", options->question, "solid: do the solids share a point; surface: do the surfaces")->capture_default_str();
+  command->add_option("--kernel", options->kernel, "adaptive, double, float, double-eps=E, epick, epeck or rational")->capture_default_str();
+  command->add_option("--method", options->method, "tree: the kernel's fastest; paper: Jimenez & Segura's; brute: all pairs")->capture_default_str();
+  command->add_flag("--features", options->features, "All colliding pairs (edge of one, face of the other) instead of the answer");
+  command->add_option("--csv", options->csv, "Write a table to this file");
+  command->add_flag("--json", options->json, "Write JSON to standard output");
+  command->add_flag("--time", options->time, "With --csv or --json: nanoseconds and work of each pose");
+  command->add_option("--repeat", options->repeat, "With --time: passes over all poses, of which the fastest counts")->capture_default_str();
+  options->models.add_to(*command);
+  command->footer(
+      "Prints 1 or 0 for each pose. With --features: a line for each pair: pose, body (0: edge of A, face of B), edge, face, kind.\n"
+      "Example: tetracone collide cat.off house.poly --pose-b poses.txt --kernel epick --csv answers.csv --time");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace tetracone::experiments

@@ -1,0 +1,14 @@
+#ifndef TETRACONE_EXPERIMENTS_COLLIDE_COMMAND_H
+#define TETRACONE_EXPERIMENTS_COLLIDE_COMMAND_H
+
+#include <CLI/CLI.hpp>
+
+namespace tetracone::experiments {
+
+/// Adds `tetracone collide A B`: whether two models collide, one answer a pose. Throws kernel::Input_error for bad input and
+/// CLI::ValidationError for options that do not go together.
+void add_collide_command(CLI::App& app);
+
+}  // namespace tetracone::experiments
+
+#endif

@@ -1,0 +1,68 @@
+// The program `tetracone`: one subcommand per job, each in a file of its own (NAME_command.h with add_NAME_command).
+//
+// Exit status: 0 done, 1 a check found something (the command throws CLI::RuntimeError(1)), 2 bad use or bad input,
+// with one line on stderr.
+
+#include "experiments/check_command.h"
+#include "experiments/collide_command.h"
+#include "experiments/inside_command.h"
+#include "kernel/floating_point.h"
+#include "kernel/input_error.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string>
+
+namespace {
+
+int complain(std::string message)
+{
+  // One line, whatever a library says.
+  message.resize(std::min(message.find('\n'), message.size()));
+  std::cerr << "tetracone: " << message << '\n';
+  return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+  if (!tetracone::kernel::floating_point_is_sound())
+    return complain("doubles are not rounded to nearest, or denormals are flushed; no answer here could be trusted");
+  CLI::App app("Exact collision detection between complex polyhedra", "tetracone");
+  app.set_version_flag("--version", "tetracone " TETRACONE_VERSION);
+  // None at all is found below: asked to, CLI11 would hide behind it what else is wrong.
+  app.require_subcommand(0, 1);
+  app.footer("tetracone COMMAND --help says more, with an example.");
+
+  tetracone::experiments::add_check_command(app);
+  tetracone::experiments::add_collide_command(app);
+  tetracone::experiments::add_inside_command(app);
+
+  try {
+    app.parse(argc, argv);
+    if (app.get_subcommands().empty()) return complain("no command; tetracone --help lists them");
+    std::cout.flush();
+    if (!std::cout) return complain("standard output cannot be written");
+    return 0;
+  } catch (const CLI::RuntimeError& status) {
+    std::cout.flush();
+    if (!std::cout) return complain("standard output cannot be written");
+    return status.get_exit_code();
+  } catch (const CLI::Success& help_or_version) {
+    return app.exit(help_or_version);
+  } catch (const CLI::ParseError& error) {
+    return complain(std::string(error.what()) + "; tetracone --help says what is expected");
+  } catch (const tetracone::kernel::Input_error& error) {
+    std::cerr << error.what() << '\n';
+    return 2;
+  } catch (const std::bad_alloc&) {
+    return complain("not enough memory");
+  } catch (const std::exception& error) {
+    return complain(error.what());
+  }
+}
