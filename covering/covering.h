@@ -28,7 +28,7 @@ struct Covering_triangle {
 };
 
 /// The covering of a polyhedron: for each face the triangles that join the origin W of the face to its directed edges
-/// (JS08 Theorem 1, Definitions 1 and 2), with the polyhedron's real edges and its connected shells.
+/// (JS08 Theorem 1, Definitions 1 and 2), with the polyhedron's real edges and its connected parts.
 ///
 /// W is the first corner of the face: exactly on its plane, where a rounded centroid is not, and a triangle becomes its own covering,
 /// one tetrahedron instead of three. (Departure from the paper, which proposes the centroid; Theorem 1 allows any point.)
@@ -60,7 +60,8 @@ class Covering {
   /// Three vertices of the face that span its plane; nothing when all its corners are on one line.
   const std::optional<std::array<Index, 3>>& spanning(Index f) const { return spanning_[f]; }
 
-  /// A vertex of each connected shell: a shell is a maximal set of faces connected through shared vertices.
+  /// A vertex of each connected part of the surface, at least: of each maximal set of loops connected through shared vertices.
+  /// Loops, not faces: a face of several loops need not be connected.
   const std::vector<Index>& shell_vertices() const { return shell_vertices_; }
 
  private:
@@ -143,12 +144,11 @@ class Covering {
       return v;
     };
     for (Index f = 0; f < polyhedron.face_count(); ++f)
-      for (const Index v : from(f)) parent[root(v)] = root(from(f)[0]);
+      for (std::size_t k = 0; k < from(f).size(); ++k) parent[root(from(f)[k])] = root(to(f)[k]);
     std::vector<bool> seen(polyhedron.vertices.size(), false);
-    for (Index f = 0; f < polyhedron.face_count(); ++f) {
-      const Index v = root(from(f)[0]);
-      if (!seen[v]) shell_vertices_.push_back(from(f)[0]);
-      seen[v] = true;
+    for (const Index v : from_) {
+      if (!seen[root(v)]) shell_vertices_.push_back(v);
+      seen[root(v)] = true;
     }
   }
 

@@ -5,6 +5,7 @@
 
 #include "experiments/check_command.h"
 #include "experiments/collide_command.h"
+#include "experiments/experiment_command.h"
 #include "experiments/inside_command.h"
 #include "kernel/floating_point.h"
 #include "kernel/input_error.h"
@@ -42,6 +43,7 @@ int main(int argc, char** argv)
   tetracone::experiments::add_check_command(app);
   tetracone::experiments::add_collide_command(app);
   tetracone::experiments::add_inside_command(app);
+  tetracone::experiments::add_experiment_command(app);
 
   try {
     app.parse(argc, argv);

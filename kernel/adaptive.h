@@ -46,15 +46,15 @@ class Adaptive {
   /// `vertex` where it stands.
   static Point_3 unmoved(const Vertex& vertex)
   {
-    const double magnitude = std::max({std::abs(vertex[0]), std::abs(vertex[1]), std::abs(vertex[2])});
-    return {vertex, magnitude <= magnitude_gate ? 0 : std::numeric_limits<double>::infinity(), vertex, nullptr};
+    return {vertex, magnitude(vertex) <= magnitude_gate ? 0 : std::numeric_limits<double>::infinity(), vertex, nullptr};
   }
 
   /// `vertex` placed by `pose`, which must outlive the point.
   ///
   /// Error of a coordinate, S = |m0 x| + |m1 y| + |m2 z| + |t|: the sum rounds each product once and each of three sums once,
   /// so at most 4 roundings a term, ((1+u)^4 - 1) S <= 4.001 u S; entries that are rounded rationals add 1.001 u S. S itself
-  /// is computed with at most 4 roundings down. Hence 6 u S covers both.
+  /// is computed with at most 4 roundings down. Hence 6 u S covers both. A fraction that is rounded to a denormal, or to 0, is off
+  /// by 2^-1075 instead, which vertices within the gate keep far below `underflow`; beyond it the error is not known.
   static Point_3 placed(const Vertex& vertex, const Pose& pose)
   {
     Point_3 point{{}, 0, vertex, &pose};
@@ -65,8 +65,8 @@ class Adaptive {
       point.image[row] = ((a + b) + c) + t;
       largest = std::max(largest, ((std::abs(a) + std::abs(b)) + std::abs(c)) + std::abs(t));
     }
-    point.error = largest <= magnitude_gate ? 6 * unit_roundoff<double> * largest + underflow
-                                            : std::numeric_limits<double>::infinity();
+    const bool known = largest <= magnitude_gate && (!pose.is_rational() || magnitude(vertex) <= magnitude_gate);
+    point.error = known ? 6 * unit_roundoff<double> * largest + underflow : std::numeric_limits<double>::infinity();
     return point;
   }
 
@@ -89,6 +89,7 @@ class Adaptive {
   // 48 = 6 products * (3 differences + 1 product + 1 minor + 1 product + 2 sums) roundings; the second term telescopes the
   // six exact products over the three replaced factors. The bound is itself computed with at most 12 roundings, which
   // 49 u and 6.001 absorb. A comparison with an infinite or undefined bound is false: undecided.
+  // The tests derive every constant of this class again, in exact rationals, and pin the literals to what they derive from.
 
   /// The sign of det[b-a, c-a, d-a], or undecided.
   static Decision filtered_volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
@@ -191,6 +192,8 @@ class Adaptive {
   }
 
  private:
+  static double magnitude(const Vertex& v) { return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); }
+
   static Decision beyond(double value, double bound)
   {
     if (value > bound) return CGAL::POSITIVE;

@@ -54,11 +54,13 @@ Bound_point<B> bound_point(const Vertex& v)
   return {static_cast<B>(v[0]), static_cast<B>(v[1]), static_cast<B>(v[2])};
 }
 
-/// What sound tests in double add to a quantity that may have underflowed.
-inline constexpr double underflow_slack = 0x1p-900;
-
 /// Sound tests separate nothing beyond this magnitude: up to it no expression here overflows.
 inline constexpr double magnitude_gate = 0x1p250;
+
+/// What sound tests in double add to a quantity that may have underflowed. What underflows, be it a product or an entry of a
+/// pose that was a fraction, loses at most 2^-1074; some ten of these, each times a coordinate or offset below 2^254,
+/// stay below it.
+inline constexpr double underflow_slack = 0x1p-800;
 
 template <class B>
 struct Ball {
@@ -95,8 +97,10 @@ class Bound_frame {
     for (int i = 0; i < 3; ++i) {
       B row = 0;
       for (int j = 0; j < 3; ++j) row += std::abs(m_[i] * m_[j] + m_[4 + i] * m_[4 + j] + m_[8 + i] * m_[8 + j]);
-      square = std::max(square, row);
+      // Undefined where products overflow to both sides.
+      square = row <= std::numeric_limits<B>::max() ? std::max(square, row) : std::numeric_limits<B>::infinity();
     }
+    if constexpr (sound) square += B(underflow_slack);
     stretch_ = identity_ ? 1 : std::sqrt(square) * (sound ? 1 + 32 * u : 1);
   }
 
@@ -321,6 +325,11 @@ struct Box {
   }
   void grow(B margin)
   {
+    if (margin == std::numeric_limits<B>::infinity()) {
+      // Also where a coordinate has overflowed: infinity minus infinity bounds nothing.
+      low.fill(-margin), high.fill(margin);
+      return;
+    }
     for (int k = 0; k < 3; ++k) low[k] -= margin, high[k] += margin;
   }
   bool meets(const Box& other) const

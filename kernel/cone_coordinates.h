@@ -79,6 +79,8 @@ class Cone_coordinates {
                                  std::exp(-x - y) / length_of_ray_[2]};
       B farthest = 0;
       for (const auto& c : coordinates_) farthest = std::max(farthest, c[0] / length[0] + c[1] / length[1] + c[2] / length[2]);
+      // As far as `bounded_by` asks, and not less: in a slender cone its allowance for rounding is many units.
+      for (int i = 0; i < 3; ++i) farthest += (sound ? 17 : 1) * unit_roundoff<B> * largest_[i] / length[i];
       for (B& l : length) l *= farthest * (1 + 64 * unit_roundoff<B>);
       return length;
     };
@@ -96,7 +98,8 @@ class Cone_coordinates {
           const B candidate_volume = volume(candidate);
           bool long_edge = false;
           for (int i = 0; i < 3; ++i) long_edge = long_edge || candidate[i] > 4 * isosceles_[i];
-          if (candidate_volume < best_volume && !long_edge && bounded_by(candidate)) {
+          // Of no volume: no point is on the cone's side of V0, or it underflowed.
+          if (candidate_volume > 0 && candidate_volume < best_volume && !long_edge && bounded_by(candidate)) {
             best = candidate, best_volume = candidate_volume, x += dx, y += dy, moved = true;
             break;
           }

@@ -24,27 +24,43 @@ using Rational_kernel = CGAL::Simple_cartesian<Rational>;
 ///  - `exact_motion`: a placed point is the exact image, so that signs of placed points are exact too.
 ///  - `Bound`: the number type of bounding volumes. Kernels with exact signs bound in double, rounded outward, so that
 ///    no answer depends on a rounded bound; the rounding kernels bound in their own arithmetic, as it comes.
+///  - `Fixed`: the kernel that decides signs of points that no pose moves, when a model is prepared: K itself, or one whose answers
+///    are the same for less.
 template <class K>
 struct Kernel_traits {
   static constexpr bool exact_signs = true, exact_motion = true;
   using Bound = double;
+  using Fixed = K;
+};
+template <>
+struct Kernel_traits<Rational_kernel> {
+  static constexpr bool exact_signs = true, exact_motion = true;
+  using Bound = double;
+  using Fixed = Adaptive;  // exact as well
 };
 template <>
 struct Kernel_traits<Epick> {
   static constexpr bool exact_signs = true, exact_motion = false;
   using Bound = double;
+  using Fixed = Epick;
 };
 template <>
 struct Kernel_traits<Double> {
   static constexpr bool exact_signs = false, exact_motion = false;
   using Bound = double;
+  using Fixed = Double;
 };
 template <>
-struct Kernel_traits<Tolerant> : Kernel_traits<Double> {};
+struct Kernel_traits<Tolerant> {
+  static constexpr bool exact_signs = false, exact_motion = false;
+  using Bound = double;
+  using Fixed = Tolerant;
+};
 template <>
 struct Kernel_traits<Float> {
   static constexpr bool exact_signs = false, exact_motion = false;
   using Bound = float;
+  using Fixed = Float;
 };
 
 }  // namespace tetracone::kernel

@@ -12,7 +12,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace tetracone::tetratree {
@@ -181,12 +184,17 @@ class Tetra_tree {
 
   void classify_into(Node<B>& child, const Node<B>& parent)
   {
-    const Cone_points<K> cone(model_.lattice(), child.cone);
+    using Fixed = typename kernel::Kernel_traits<K>::Fixed;
+    const Cone_points<Fixed> cone(model_.lattice(), child.cone);
+    const auto point = [this](Index v) -> decltype(auto) {
+      if constexpr (std::is_same_v<K, Fixed>) return (model_.point(v));
+      else return kernel::point<Fixed>(model_.vertices()[v]);
+    };
     child.begin = elements_.size();
     for (std::size_t i = parent.begin; i < parent.end; ++i) {
       const Index element = elements_[i];
       const auto& corner = triangles()[element].corner;
-      if (classify<K>(cone, model_.point(corner[0]), model_.point(corner[1]), model_.point(corner[2])) != Classified::no)
+      if (classify<Fixed>(cone, point(corner[0]), point(corner[1]), point(corner[2])) != Classified::no)
         elements_.push_back(element);
     }
     child.end = elements_.size();

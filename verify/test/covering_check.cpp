@@ -295,6 +295,15 @@ BOOST_AUTO_TEST_CASE(the_deviation_of_a_lifted_corner_is_exact)
   }
 }
 
+BOOST_AUTO_TEST_CASE(of_equally_distant_vertices_the_first_is_named)
+{
+  Polyhedron p;
+  p.vertices = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {1, 3, 1}, {1, 2, -1}};
+  p.add_polygon({0, 1, 2, 4, 3});
+  BOOST_TEST(deviation(p, 0).vertex == 4u);
+  BOOST_TEST((deviation(p, 0).squared_distance == 1));
+}
+
 BOOST_AUTO_TEST_CASE(planarity_is_the_same_for_every_order_of_corners)
 {
   std::array<Index, 5> order = {0, 1, 2, 3, 4};

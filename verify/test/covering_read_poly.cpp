@@ -57,8 +57,8 @@ std::string facets(const std::vector<std::vector<int>>& faces, int base)
 {
   std::string text = std::to_string(faces.size()) + " 0\n";
   for (const auto& face : faces) {
-    text += "1\n" + std::to_string(face.size());
-    for (const int v : face) text += " " + std::to_string(v + base);
+    text.append("1\n").append(std::to_string(face.size()));
+    for (const int v : face) text.append(" ").append(std::to_string(v + base));
     text += "\n";
   }
   return text;

@@ -1,0 +1,69 @@
+#include "experiments/experiment_command.h"
+
+#include "experiments/study.h"
+
+#include <array>
+#include <cstdlib>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace tetracone::experiments {
+namespace {
+
+struct Options {
+  std::string name;
+  bool list = false, full = false;
+  Study_options study;
+};
+
+struct Experiment {
+  std::string_view name, question, time;
+};
+constexpr std::array<Experiment, 1> experiments = {
+    {{"study", "how fast and how often wrong is each kernel on the paper's trajectories and in exactly degenerate contact?", "3 min"}}};
+
+/// The figures of a CSV are drawn by a script, with Debian's matplotlib.
+void draw(const std::string& out)
+{
+  const std::string command = "/usr/bin/python3 '" TETRACONE_SOURCE_DIR "/experiments/report.py' '" + out + "'";
+  if (std::system(command.c_str()) != 0) throw std::runtime_error("the figures could not be drawn; expected python3 with matplotlib");
+}
+
+void run(Options options)
+{
+  if (options.list) {
+    for (const Experiment& e : experiments) std::cout << e.name << "  (" << e.time << ")  " << e.question << '\n';
+    return;
+  }
+  if (options.name.empty()) throw CLI::RequiredError("NAME");
+  if (options.name != "study") throw CLI::ValidationError(options.name, "expected an experiment; --list names them");
+  if (options.study.frames < 1 || options.study.rotations < 1) throw CLI::ValidationError("--frames, --rotations", "expected numbers from 1");
+  if (options.study.out.native().find('\'') != std::string::npos) throw CLI::ValidationError("--out", "expected a name without '");
+  if (options.full) options.study.frames *= 20, options.study.rotations *= 20;
+  if (options.study.models.empty()) options.study.models = TETRACONE_SOURCE_DIR "/.cache/models";
+  run_study(options.study);
+  draw(options.study.out.native());
+}
+
+}  // namespace
+
+void add_experiment_command(CLI::App& app)
+{
+  CLI::App* command = app.add_subcommand("experiment", "One question: its CSV and its figure");
+  const auto options = std::make_shared<Options>();
+  command->add_option("NAME", options->name, "The experiment");
+  command->add_flag("--list", options->list, "Name the experiments, with the time of their default size");
+  command->add_option("--out", options->study.out, "Folder of the results")->capture_default_str();
+  command->add_option("--models", options->study.models, "Folder that experiments/fetch_models.sh filled; default: its own");
+  command->add_option("--frames", options->study.frames, "Poses of each trajectory")->capture_default_str();
+  command->add_option("--rotations", options->study.rotations, "Poses of each degenerate scenario")->capture_default_str();
+  command->add_option("--seed", options->study.seed, "Seed of every random choice")->capture_default_str();
+  command->add_flag("--full", options->full, "Twenty times as many poses");
+  command->footer("Stopped and started again with the same words, it goes on where it was.\nExample: tetracone experiment study --out out");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace tetracone::experiments
