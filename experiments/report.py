@@ -126,12 +126,11 @@ class Report:
                    sum(r["wrong"] for r in rows), sum(r["poses"] for r in rows))
 
     def speed_against_accuracy(self):
-        fig, axes = plt.subplots(1, len(PANELS), figsize=(11.5, 4.6), sharey=True)
-        zero, lines = 2e-4, []
+        fig, axes = plt.subplots(1, len(PANELS), figsize=(10.5, 4.4), sharey=True)
+        zero, lines, shown = 2e-4, [], {}
         for axis, (title, question, condition) in zip(axes, PANELS):
             points = sorted(self.points(condition, question), key=lambda p: p[4])
             axis.axhspan(zero / 2.2, zero * 2.2, color="#009E73", alpha=0.12, lw=0)
-            labelled = []
             for subject, kernel, method, exact, ns, wrong, n in points:
                 rate = wrong / n if wrong else zero
                 low, high = wilson(wrong, n)
@@ -139,10 +138,12 @@ class Report:
                     axis.plot([ns, ns], [max(low, zero * 2.3), high], color=COLOURS[kernel], lw=1, alpha=0.6, zorder=2)
                 axis.plot(ns, rate, MARKERS[method], color=COLOURS[kernel], ms=7, zorder=3,
                           mfc=COLOURS[kernel] if exact else "white", mew=1.6)
-                labelled.append((ns, rate, subject, kernel))
+                shown.setdefault(kernel, exact)
+                if subject in ("adaptive tree", "FCL OBBRSS"):
+                    axis.annotate(subject, (ns, rate), xytext=(0, 9), textcoords="offset points", fontsize=7.5, ha="center",
+                                  color=COLOURS[kernel], weight="bold")
                 lines.append([title, question, subject, kernel, method, int(exact), round(ns), int(wrong), int(n),
                               f"{low:.6g}", f"{high:.6g}"])
-            self.labels(axis, labelled)
             axis.set_xscale("log")
             axis.set_yscale("log")
             axis.set_ylim(zero / 3, 3)
@@ -153,29 +154,14 @@ class Report:
         axes[0].set_yticks(ticks, ["none\nwrong", "0.1 %", "1 %", "10 %", "100 %"])
         axes[0].minorticks_off()
         axes[0].set_ylabel("wrong answers")
-        for method, marker in MARKERS.items():
-            axes[0].plot([], [], marker, color="#555555", mfc="#555555", ms=6, label=method)
-        axes[0].plot([], [], "o", color="#555555", mfc="white", mew=1.6, ms=6, label="may round")
-        axes[0].legend(fontsize=7.5, loc="upper left", frameon=False, ncol=2, handletextpad=0.2, columnspacing=0.8)
-        fig.tight_layout()
+        handles = [plt.Line2D([], [], ls="", marker="o", ms=7, color=COLOURS[k], mfc=COLOURS[k] if exact else "white", mew=1.6, label=k)
+                   for k, exact in shown.items()]
+        handles += [plt.Line2D([], [], ls="", marker=m, ms=6, color="#777777", mfc="#777777", label=name) for name, m in MARKERS.items()]
+        fig.legend(handles=handles, ncol=len(handles), fontsize=8, frameon=False, loc="lower center", handletextpad=0.1, columnspacing=1.1)
+        fig.tight_layout(rect=(0, 0.07, 1, 1))
         self.table("speed_against_accuracy", ["panel", "question", "subject", "kernel", "method", "exact", "time_ns", "wrong",
                                               "asked", "low_95", "high_95"], lines)
         return self.figure("speed_against_accuracy", fig)
-
-    @staticmethod
-    def labels(axis, points):
-        """Direct labels, spread so that those of one height do not collide: in turn above and below, at rising distance."""
-        rows = defaultdict(list)
-        for ns, rate, subject, kernel in points:
-            rows[round(math.log10(rate) * 2)].append((ns, rate, subject, kernel))
-        for same_height in rows.values():
-            for k, (ns, rate, subject, kernel) in enumerate(sorted(same_height)):
-                up = k % 2 == 0
-                step = 11 + 10 * (k // 2 % 4)
-                axis.annotate(subject, (ns, rate), xytext=(0, step if up else -step - 4), textcoords="offset points",
-                              fontsize=6.3, color=COLOURS[kernel], ha="center", va="bottom" if up else "top",
-                              arrowprops={"arrowstyle": "-", "lw": 0.4, "color": COLOURS[kernel], "alpha": 0.6,
-                                          "shrinkA": 0, "shrinkB": 4})
 
     def frames_per_second(self):
         subjects = [s for s in ("adaptive tree", "adaptive paper", "double paper", "epick tree", "epeck tree", "FCL OBBRSS") if s in self.subjects]
@@ -321,7 +307,7 @@ class Report:
 
         body = "".join((
             section("Speed against accuracy", "Each point is a way of answering. Across: mean time per query, geometric mean over the workloads. Up: share of "
-                    "answers that differ from the truth, with 95 % intervals; the green band is zero. Filled: exact by construction.",
+                    "answers that differ from the truth, with 95 % intervals; the green band is zero. Colour: the kernel; shape: the method. Filled: exact by construction.",
                     f"<figure>{self.speed_against_accuracy()}</figure>", "speed_against_accuracy"),
             section("Every subject", "Wrong answers are counted against the truth; zero in n is stated with the upper end of its 95 % interval (Wilson). FCL answers the "
                     "surface question whatever is asked, so containment is not its fault but its limit. Exact subjects are shaded.", self.summary(), "summary"),

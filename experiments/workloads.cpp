@@ -52,7 +52,7 @@ Workload on_trajectory(Objects& objects, const std::string& trajectory, const st
                        int frames, std::uint64_t seed)
 {
   Workload w{"trajectory", trajectory, a, b, objects[a], objects[b], 1 / ratio, {Pose()}, {}, {Question::surface}};
-  const auto pair = verify::prepare(*verify::Subject::parse("adaptive"), w.a, w.b);
+  const auto pair = verify::prepare(*verify::Subject::parse("double"), w.a, w.b);
   const auto collides = [&pair](const Pose& pose_b) { return pair->collide(Pose(), pose_b, Question::surface); };
   w.poses_b = trajectory == "circular" ? circular_trajectory(w.a, w.b, ratio, frames, seed, collides)
                                        : contour_trajectory(w.a, w.b, ratio, frames, seed, collides);
@@ -186,7 +186,7 @@ std::vector<Named_workload> study_workloads(const std::filesystem::path& models,
     list.push_back({"degenerate-" + name, [=, random = Random(seed + 1000 * list.size())] { return make(random); }});
   };
   for (const bool exact : {true, false}) {
-    const std::string suffix = exact ? "" : ", rounded pose";
+    const std::string suffix = exact ? "" : " (rounded poses)";
     const std::string file = exact ? "" : "-rounded";
     add("face" + file, [=](Random r) { return cubes("shared face" + suffix, {1, 0, 0}, exact, rotations, r); });
     add("edge" + file, [=](Random r) { return cubes("shared edge" + suffix, {1, 1, 0}, exact, rotations, r); });

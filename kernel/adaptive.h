@@ -135,6 +135,11 @@ class Adaptive {
     return beyond(a.image[axis] - b.image[axis], 1.001 * error);
   }
 
+  // --- identity -----------------------------------------------------------------------------------------------------
+
+  /// True when the two are one vertex under one pose. Unequal ones may still have the same image.
+  static bool identical(const Point_3& a, const Point_3& b) { return a.pose == b.pose && a.vertex == b.vertex; }
+
   // --- exact --------------------------------------------------------------------------------------------------------
 
   static CGAL::Sign exact_volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
@@ -169,6 +174,7 @@ class Adaptive {
   static CGAL::Sign volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
   {
     if (const Decision sign = filtered_volume_sign(a, b, c, d)) return *sign;
+    if (identical(c, d) || identical(b, d) || identical(b, c) || identical(a, d) || identical(a, c) || identical(a, b)) return CGAL::ZERO;
     if (a.pose == b.pose && a.pose == c.pose && a.pose == d.pose && a.pose != nullptr) {
       const CGAL::Sign unplaced = volume_sign(unmoved(a.vertex), unmoved(b.vertex), unmoved(c.vertex), unmoved(d.vertex));
       return unplaced * a.pose->determinant_sign();
@@ -180,6 +186,7 @@ class Adaptive {
   static CGAL::Sign normal_sign(const Point_3& a, const Point_3& b, const Point_3& c, int axis)
   {
     if (const Decision sign = filtered_normal_sign(a, b, c, axis)) return *sign;
+    if (identical(b, c) || identical(a, c) || identical(a, b)) return CGAL::ZERO;
     ++exact_fallbacks();
     return exact_normal_sign(a, b, c, axis);
   }
@@ -187,6 +194,7 @@ class Adaptive {
   static CGAL::Sign difference_sign(const Point_3& a, const Point_3& b, int axis)
   {
     if (const Decision sign = filtered_difference_sign(a, b, axis)) return *sign;
+    if (identical(a, b)) return CGAL::ZERO;
     ++exact_fallbacks();
     return exact_difference_sign(a, b, axis);
   }

@@ -6,6 +6,7 @@
 #include <CGAL/enum.h>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -100,16 +101,19 @@ class Pose {
   /// The sign of det M, exact. Zero: the map is flat and no pose.
   CGAL::Sign determinant_sign() const
   {
-    // In double first: 6 products of 3 entries, at most 8 roundings each (entries rounded from fractions included).
-    double determinant = 0, permanent = 0;
+    // In double first: 6 products of 3 entries, at most 8 roundings each (entries rounded from fractions included). Within the gate
+    // nothing overflows, and what underflow loses, 2^-1074 times two entries, is far below the absolute term.
+    double determinant = 0, permanent = 0, largest = 0;
     for (int j = 0; j < 3; ++j) {
       const int k = (j + 1) % 3, l = (j + 2) % 3;
       const double plus = entries_[4 + k] * entries_[8 + l], minus = entries_[4 + l] * entries_[8 + k];
       determinant += entries_[j] * (plus - minus);
       permanent += std::abs(entries_[j]) * (std::abs(plus) + std::abs(minus));
+      for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(entries_[4 * row + j]));
     }
-    if (std::abs(determinant) > 0x1p-49 * permanent + 0x1p-900 && permanent < 0x1p900)
+    if (largest <= 0x1p110 && std::abs(determinant) > 0x1p-49 * permanent + 0x1p-800)
       return determinant > 0 ? CGAL::POSITIVE : CGAL::NEGATIVE;
+
     const auto m = [this](int row, int column) { return exact(4 * row + column); };
     const Rational exactly = m(0, 0) * (m(1, 1) * m(2, 2) - m(1, 2) * m(2, 1)) -
                              m(0, 1) * (m(1, 0) * m(2, 2) - m(1, 2) * m(2, 0)) +

@@ -49,8 +49,9 @@ struct Config {
 
   Descent descent = Descent::larger_first;
 
-  /// Bounding tetrahedra are compared along their 8 face normals only, or along all 44 axes.
-  bool all_axes = false;
+  /// Bounding tetrahedra are compared along all 44 axes, which is the whole test of two tetrahedra, or along their 8 face
+  /// normals only.
+  bool all_axes = true;
 
   /// In leaves, edges and faces whose axis-aligned boxes are apart are not tested further. Not in the paper.
   bool leaf_boxes = false;
@@ -62,7 +63,6 @@ struct Config {
     config.far_plane = Far_plane::tightest;
     config.sphere_centre = Sphere_centre::improved;
     config.regular_hull = false;
-    config.all_axes = true;
     config.leaf_boxes = true;
     return config;
   }

@@ -116,7 +116,7 @@ Contact kind_of(bool end_of_segment, int dimension)
   return dimension == 0 ? Contact::vertex_edge : dimension == 1 ? Contact::edge_edge : Contact::edge_face;
 }
 
-// --- the reference for triangles: what pq shares with a convex set, clipped by linear conditions; no cases of position ----------
+// --- the reference for triangles: what pq shares with a convex set, clipped by linear conditions; no cases of position
 
 Contact by_clipping(const Grid_point& p, const Grid_point& q, const Corners& t)
 {
@@ -141,7 +141,7 @@ Contact by_clipping(const Grid_point& p, const Grid_point& q, const Corners& t)
   return kind_of(end, dimension_on({{t[0], t[1], t[2]}}, {p, q, s.low}));
 }
 
-// --- the reference for faces: cut pq wherever it meets a loop, ask each cut and each piece for its winding number ----------------
+// --- the reference for faces: cut pq wherever it meets a loop, ask each cut and each piece for its winding number ----
 
 std::optional<Corners> spanning_corners(const Loops& loops)
 {
@@ -153,8 +153,8 @@ std::optional<Corners> spanning_corners(const Loops& loops)
   return std::nullopt;
 }
 
-/// The winding number about y in quarter turns, by the quadrants that the corners pass: no ray, no covering. Requires y on no
-/// loop. A quadrant holds the half axis where it begins.
+/// The winding number about y in quarter turns, by the quadrants that the corners pass: no ray, no covering. Requires y
+/// on no loop. A quadrant holds the half axis where it begins.
 int winding_by_quadrants(const Loops& loops, const Scaled_point& y, const Grid_point& normal)
 {
   int axis = 0;
@@ -178,7 +178,8 @@ int winding_by_quadrants(const Loops& loops, const Scaled_point& y, const Grid_p
 
 struct Face_contact {
   Contact kind = Contact::none;
-  /// pq is in the plane, and the one shared point is inside pq and inside edges that cross one another there, and no corner.
+  /// pq is in the plane, and the one shared point is inside pq and inside edges that cross one another there, and no
+  /// corner.
   bool is_crossing = false;
 };
 
@@ -186,7 +187,8 @@ Face_contact by_pieces(const Grid_point& p, const Grid_point& q, const Loops& lo
 {
   const auto spanning = spanning_corners(loops);
   const Grid_point d = q - p;
-  const Grid_point normal = spanning ? cross((*spanning)[1] - (*spanning)[0], (*spanning)[2] - (*spanning)[0]) : Grid_point{};
+  const Grid_point normal =
+      spanning ? cross((*spanning)[1] - (*spanning)[0], (*spanning)[2] - (*spanning)[0]) : Grid_point{};
   const auto each_edge = [&](const auto& visit) {
     for (const auto& loop : loops)
       for (std::size_t k = 0; k < loop.size(); ++k) visit(loop[k], loop[(k + 1) % loop.size()]);
@@ -235,7 +237,7 @@ Face_contact by_pieces(const Grid_point& p, const Grid_point& q, const Loops& lo
 /// The answer that `segment_face` promises: see its contract for the crossing.
 Contact told(const Face_contact& truth) { return truth.is_crossing ? Contact::coplanar_overlap : truth.kind; }
 
-// --- what the kernels see -------------------------------------------------------------------------------------------------
+// --- what the kernels see --------------------------------------------------------------------------------------------
 
 template <class K>
 Point<K> on_grid(const Grid_point& g)
@@ -306,7 +308,7 @@ class Judge {
   int wrong_ = 0;
 };
 
-// --- samples --------------------------------------------------------------------------------------------------------------
+// --- samples ---------------------------------------------------------------------------------------------------------
 
 class Random {
  public:
@@ -329,7 +331,8 @@ struct Triangle_sample {
   Corners t;
 };
 
-/// On the grid [-3, 3]^3: in space, in one lattice plane, on one lattice line; a corner of the small grid makes touches.
+/// On the grid [-3, 3]^3: in space, in one lattice plane, on one lattice line; a corner of the small grid makes
+/// touches.
 Triangle_sample triangle_sample(Random& random)
 {
   const int sort = random.from(0, 7), radius = random.from(1, 3);
@@ -421,7 +424,7 @@ class Face_samples {
     switch (random_.from(0, 4)) {
       case 0: loops = {polygon(3, 7, random_.from(1, 3))}; break;  // crosses itself
       case 1: loops = {star(random_.from(1, 3), {0, 0})}; break;
-      case 2:                                                      // holes, which may touch or cross anything
+      case 2:  // holes, which may touch or cross anything
         loops = {{{-3, -3}, {3, -3}, {3, 3}, {-3, 3}}};
         for (int holes = random_.from(1, 2); holes > 0; --holes) {
           auto hole = star(random_.from(1, 2), cell(1));
@@ -464,7 +467,7 @@ class Face_samples {
 
 }  // namespace
 
-// --- triangles ------------------------------------------------------------------------------------------------------------
+// --- triangles -------------------------------------------------------------------------------------------------------
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(each_kind_of_a_triangle_by_hand, K, Kernels)
 {
@@ -561,14 +564,16 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_triangle_and_the_face_that_it_is_meet_alike, K, 
   BOOST_TEST(judge.wrong() == 0);
 }
 
-// --- faces ----------------------------------------------------------------------------------------------------------------
+// --- faces -----------------------------------------------------------------------------------------------------------
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(each_kind_of_a_face_with_a_hole_by_hand, K, Kernels)
 {
-  const Loops frame = {{{-3, -3, 0}, {3, -3, 0}, {3, 3, 0}, {-3, 3, 0}}, {{-1, -1, 0}, {-1, 1, 0}, {1, 1, 0}, {1, -1, 0}}};
+  const Loops frame = {{{-3, -3, 0}, {3, -3, 0}, {3, 3, 0}, {-3, 3, 0}},
+                       {{-1, -1, 0}, {-1, 1, 0}, {1, 1, 0}, {1, -1, 0}}};
   const auto is = [&](Contact expected, const Grid_point& p, const Grid_point& q) {
     for (std::size_t origin = 0; origin < 8; ++origin)
-      BOOST_TEST(to_string(segment_face<K>(on_grid<K>(p), on_grid<K>(q), Face<K>(frame, origin))) == to_string(expected));
+      BOOST_TEST(to_string(segment_face<K>(on_grid<K>(p), on_grid<K>(q), Face<K>(frame, origin))) ==
+                 to_string(expected));
     BOOST_TEST(to_string(by_pieces(p, q, frame).kind) == to_string(expected));
   };
   is(Contact::none, {0, 0, -1}, {0, 0, 1});  // through the hole
@@ -684,12 +689,12 @@ BOOST_AUTO_TEST_CASE(where_edges_cross_in_one_point_a_coplanar_segment_through_i
   BOOST_TEST((contact({0, 0, -1}, {0, 0, 1}) == Contact::edge_edge));
 }
 
-// --- the published errors ---------------------------------------------------------------------------------------------------
+// --- the published errors --------------------------------------------------------------------------------------------
 
 namespace {
 
-/// Segment against triangle as Jimenez, Segura & Feito (CGTA 43, 2010) spell it, in integers; nothing where pq is in the plane.
-/// `last` decides the last rejection of the branch where p is on the plane, on the positive side.
+/// Segment against triangle as Jimenez, Segura & Feito (CGTA 43, 2010) spell it, in integers; nothing where pq is in
+/// the plane. `last` decides the last rejection of the branch where p is on the plane, on the positive side.
 template <class Last>
 std::optional<bool> published(const Grid_point& p, const Grid_point& q, const Corners& v, const Last& last)
 {
@@ -753,3 +758,15 @@ BOOST_AUTO_TEST_CASE(a_last_comparison_that_never_rejects_is_caught_too)
   BOOST_TEST(caught.missed == 0);
   BOOST_TEST(caught.invented > 1'000);
 }
+
+// Errors planted in the header by hand, each seen to fail, and by which test:
+//   the published error: p on the plane rejected, from one side or both  a_million, each_kind, no_order, a_triangle_and
+//   one edge's sign with its ends swapped                                a_million, each_kind, no_order, a_triangle_and
+//   a coplanar triangle or face never met                                a_million or random_faces, each_kind
+//   half-open rule closed: ZERO on both sides                            a_million, random_faces, each_kind, and more
+//   even-odd instead of non-zero winding                                 random_faces, every_kernel, ends_loops
+//   an end on a loop asked for its winding number                        a_million, random_faces, each_kind, and more
+//   the first kind met instead of the lowest                             a_million, random_faces, no_order, and more
+//   two crossings one point only on one and the same edge                a_million, random_faces, each_kind, and more
+//                                                                        (an error that was here, found by these tests)
+// Not to be caught: the covering's side with its ends swapped casts the ray towards W instead, which is as right.

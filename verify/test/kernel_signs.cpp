@@ -48,7 +48,8 @@ bool is_even(const std::array<int, 4>& permutation)
   return inversions % 2 == 0;
 }
 
-// Leibniz' sum over the 24 permutations of the matrix of rows (1, x, y, z): no differences of points, unlike the kernels.
+// Leibniz' sum over the 24 permutations of the matrix of rows (1, x, y, z): no differences of points, unlike the
+// kernels.
 int volume_by_leibniz(const std::array<Grid_point, 4>& rows)
 {
   std::array<int, 4> column = {0, 1, 2, 3};
@@ -189,8 +190,9 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(two_equal_points_make_every_sign_zero, K, Kernels)
   int wrong = 0;
   for (int n = 0; n < samples / 4; ++n) {
     const auto a = on_grid<K>(grid()), b = on_grid<K>(grid()), c = on_grid<K>(grid());
-    wrong += volume_sign<K>(a, a, b, c) != ZERO || volume_sign<K>(a, b, a, c) != ZERO || volume_sign<K>(a, b, c, a) != ZERO ||
-             volume_sign<K>(b, a, a, c) != ZERO || volume_sign<K>(b, a, c, a) != ZERO || volume_sign<K>(b, c, a, a) != ZERO;
+    wrong += volume_sign<K>(a, a, b, c) != ZERO || volume_sign<K>(a, b, a, c) != ZERO ||
+             volume_sign<K>(a, b, c, a) != ZERO || volume_sign<K>(b, a, a, c) != ZERO ||
+             volume_sign<K>(b, a, c, a) != ZERO || volume_sign<K>(b, c, a, a) != ZERO;
     for (int axis = 0; axis < 3; ++axis)
       wrong += normal_sign<K>(a, a, b, axis) != ZERO || normal_sign<K>(a, b, a, axis) != ZERO ||
                normal_sign<K>(b, a, a, axis) != ZERO || difference_sign<K>(a, a, axis) != ZERO;
@@ -266,7 +268,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(exact_kernels_agree_with_rationals_within_an_ulp_o
   BOOST_TEST_MESSAGE("double: " << wrong_double << " of 3000 wrong");
 }
 
-// --- Tolerant -----------------------------------------------------------------------------------------------------------
+// --- Tolerant --------------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -349,3 +351,8 @@ BOOST_AUTO_TEST_CASE(a_tolerance_belongs_to_its_thread)
   std::thread([&] { elsewhere = corner_of_height(0.5); }).join();
   BOOST_TEST(elsewhere == POSITIVE);
 }
+
+// Errors planted in the header by hand, each seen to fail, and by which test:
+//   normal along y mirrored           a_unit_corner, normal_sign_is, perturbed_side, powers_of_two
+//   perturbation by (e^3, e^2, e)     perturbed_side
+//   absolute tolerance without its end  absolute_tolerance

@@ -169,3 +169,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(the_tetra_cone_is_closed_and_open_at_its_far_end, 
   BOOST_TEST(inside > 1'000);
   BOOST_TEST(beyond > 100);
 }
+
+// Errors planted in the header by hand, each seen to fail, and by which test:
+//   one coordinate given twice        coordinates_and_feature, each_element, the_order_of_the_corners
+//   the cone open at one of its sides  the_tetra_cone

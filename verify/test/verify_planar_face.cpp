@@ -113,13 +113,14 @@ BOOST_AUTO_TEST_CASE(a_hole_is_outside_and_its_boundary_is_not)
 
 BOOST_AUTO_TEST_CASE(loops_that_cross_touch_or_run_twice_are_located_by_their_winding_number)
 {
-  check_on_grid({{{0, 0}, {4, 4}, {4, 0}, {0, 4}}}, -1, 5);                                  // a bow tie
-  check_on_grid({{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {4, 0}, {4, 4}, {0, 4}}}, -1, 5);  // twice around
+  check_on_grid({{{0, 0}, {4, 4}, {4, 0}, {0, 4}}}, -1, 5);                                    // a bow tie
+  check_on_grid({{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {4, 0}, {4, 4}, {0, 4}}}, -1, 5);    // twice around
   check_on_grid({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {3, 1}, {3, 3}, {1, 3}}}, -1, 5);  // 2 in the inner square
-  check_on_grid({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{0, 0}, {0, 4}, {4, 4}, {4, 0}}}, -1, 5);  // all but the loops cancel
-  check_on_grid({{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}}, -1, 5);                          // touches its own edge
-  check_on_grid({{{0, 0}, {4, 0}, {2, 0}, {2, 2}, {2, 0}, {0, 4}}}, -1, 5);                  // spurs
-  check_on_grid({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{2, 2}}}, -1, 5);                        // a loop that is a point
+  check_on_grid({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{0, 0}, {0, 4}, {4, 4}, {4, 0}}}, -1,
+                5);                                                          // all but the loops cancel
+  check_on_grid({{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}}, -1, 5);          // touches its own edge
+  check_on_grid({{{0, 0}, {4, 0}, {2, 0}, {2, 2}, {2, 0}, {0, 4}}}, -1, 5);  // spurs
+  check_on_grid({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{2, 2}}}, -1, 5);        // a loop that is a point
 }
 
 BOOST_AUTO_TEST_CASE(winding_counts_a_ray_through_corners_once)
@@ -186,3 +187,7 @@ BOOST_AUTO_TEST_CASE(sides_follow_the_orientation_of_the_base)
   BOOST_TEST((face.side({5, 5, Rational(5e-324)}) == CGAL::POSITIVE));
   BOOST_TEST((face.side({5, 5, Rational(-5e-324)}) == CGAL::NEGATIVE));
 }
+
+// Two errors were planted in planar_face.h to see whether tests notice:
+//  1. the half-open crossing rule of `winding` made closed (from.y() >= p.y()): 5 of 8 cases here failed, first winding_counts_a_ray_through_corners_once.
+//  2. `locate` without each loop's last edge: 5 of 8 cases here failed.
