@@ -207,25 +207,31 @@ B projection_slack(const Bound_frame<B, sound>& a, const Bound_frame<B, sound>& 
   return a.error() + b.error() + 8 * unit_roundoff<B> * std::max(a.magnitude(), b.magnitude());
 }
 
+/// The projections of the four corners of a tetrahedron on an axis, and the interval that they span.
+template <class B>
+struct Projection {
+  std::array<B, 4> corner;
+  B low, high;
+
+  [[gnu::always_inline]] Projection(const Bound_point<B>& axis, const Bound_tetrahedron<B>& t)
+      : corner{dot(axis, t[0]), dot(axis, t[1]), dot(axis, t[2]), dot(axis, t[3])},
+        low(std::min(std::min(corner[0], corner[1]), std::min(corner[2], corner[3]))),
+        high(std::max(std::max(corner[0], corner[1]), std::max(corner[2], corner[3])))
+  {
+  }
+};
+
 /// True when the projections on `axis` are disjoint by more than slack * |axis|_1. Any axis is sound, whatever it was meant to be.
 template <class B>
-bool separated_along(const Bound_point<B>& axis, std::span<const Bound_point<B>> a, std::span<const Bound_point<B>> b, B slack)
+bool separated_along(const Bound_point<B>& axis, const Projection<B>& a, const Projection<B>& b, B slack)
 {
-  B low_a = dot(axis, a[0]), high_a = low_a, low_b = dot(axis, b[0]), high_b = low_b;
-  for (std::size_t k = 1; k < a.size(); ++k) {
-    const B d = dot(axis, a[k]);
-    low_a = std::min(low_a, d), high_a = std::max(high_a, d);
-  }
-  for (std::size_t k = 1; k < b.size(); ++k) {
-    const B d = dot(axis, b[k]);
-    low_b = std::min(low_b, d), high_b = std::max(high_b, d);
-  }
-  const B allowed = slack * norm_1(axis) + (slack > 0 ? B(underflow_slack) : 0);
-  return low_b - high_a > allowed || low_a - high_b > allowed;
+  const B allowed = slack > 0 ? slack * norm_1(axis) + B(underflow_slack) : 0;
+  return b.low - a.high > allowed || a.low - b.high > allowed;
 }
 
 /// True when the two tetrahedra are found to share no point. The axes are the 8 face normals and, with `all_axes`, the 36 cross
-/// products of edges, with which the test is complete (separating axis theorem) up to rounding and slack.
+/// products of edges, with which the test is complete (separating axis theorem) up to rounding and slack. A corner of one that lies
+/// between the face and the opposite corner of the other along all four of its normals is inside it: then no axis is left to try.
 template <class B>
 bool separated(const Bound_tetrahedron<B>& a, const Bound_tetrahedron<B>& b, bool all_axes, B slack)
 {
@@ -235,17 +241,27 @@ bool separated(const Bound_tetrahedron<B>& a, const Bound_tetrahedron<B>& b, boo
                  difference(t[2], t[1]), difference(t[3], t[1]), difference(t[3], t[2])};
   };
   const Edges e = edges_of(a), f = edges_of(b);
-  const auto face_normals_separate = [&](const Edges& g) {
-    // Faces 0 1 2, 0 2 3, 0 3 1 and the far one 1 2 3.
-    for (const auto& [i, j] : {std::pair{0, 1}, {1, 2}, {2, 0}, {3, 4}})
-      if (separated_along<B>(cross(g[i], g[j]), a, b, slack)) return true;
+  bool corner_inside = false;
+  const auto face_normals_separate = [&](const Bound_tetrahedron<B>& self, const Edges& g, const Bound_tetrahedron<B>& other) {
+    std::array<bool, 4> inside{true, true, true, true};
+    // The far face 1 2 3, which separates most often, then 0 1 2, 0 2 3, 0 3 1.
+    constexpr std::array<std::array<int, 2>, 4> faces = {{{3, 4}, {0, 1}, {1, 2}, {2, 0}}};
+    for (const auto& [i, j] : faces) {
+      const Bound_point<B> axis = cross(g[i], g[j]);
+      const Projection<B> mine(axis, self), its(axis, other);
+      if (separated_along(axis, mine, its, slack)) return true;
+      for (int k = 0; k < 4; ++k) inside[k] = inside[k] && mine.low <= its.corner[k] && its.corner[k] <= mine.high;
+    }
+    corner_inside = corner_inside || inside[0] || inside[1] || inside[2] || inside[3];
     return false;
   };
-  if (face_normals_separate(e) || face_normals_separate(f)) return true;
-  if (!all_axes) return false;
+  if (face_normals_separate(a, e, b) || face_normals_separate(b, f, a)) return true;
+  if (!all_axes || corner_inside) return false;
   for (const auto& edge_a : e)
-    for (const auto& edge_b : f)
-      if (separated_along<B>(cross(edge_a, edge_b), a, b, slack)) return true;
+    for (const auto& edge_b : f) {
+      const Bound_point<B> axis = cross(edge_a, edge_b);
+      if (separated_along(axis, Projection<B>(axis, a), Projection<B>(axis, b), slack)) return true;
+    }
   return false;
 }
 

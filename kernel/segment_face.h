@@ -140,15 +140,12 @@ Contact coplanar_contact(const Point<K>& p, const Point<K>& q, const Face& face)
 /// How the closed segment pq and a closed planar face meet. The face's points are those of its plane with non-zero winding
 /// number about its loops, and the loops themselves; the segment may be a point, the face a segment or a point.
 /// Exact when K's signs of these points are exact. In kernels that round, a face that is planar need not look so.
-/// One kind is not told: where edges of a face cross one another, and a segment in the face's plane crosses both in that very
-/// point and shares no other with the face, the answer is coplanar_overlap, not edge_edge. That two crossings are one point
-/// is no sign of a determinant of this library. Loops that only touch one another have no such point.
+/// `side_p` and `side_q` are the sides of p and q against the plane of the face's spanning triangle: a caller with many segments
+/// decides them once a vertex. Any for a degenerate face.
 template <class K, Covered_face<K> Face>
-Contact segment_face(const Point<K>& p, const Point<K>& q, const Face& face)
+Contact segment_face(const Point<K>& p, const Point<K>& q, const Face& face, Sign side_p, Sign side_q)
 {
   if (face.is_degenerate()) return detail::coplanar_contact<K>(p, q, face);
-  const Point<K>&a = face.spanning(0), &b = face.spanning(1), &c = face.spanning(2);
-  const Sign side_p = volume_sign<K>(a, b, c, p), side_q = volume_sign<K>(a, b, c, q);
   if (side_p == side_q) return side_p == ZERO ? detail::coplanar_contact<K>(p, q, face) : Contact::none;
 
   // pq meets the plane in one point y. Seen along pq, [p, q, A, B] is the turn A, B about y.
@@ -176,13 +173,22 @@ Contact segment_face(const Point<K>& p, const Point<K>& q, const Face& face)
   return end_of_segment ? Contact::vertex_face : Contact::edge_face;
 }
 
+template <class K, Covered_face<K> Face>
+Contact segment_face(const Point<K>& p, const Point<K>& q, const Face& face)
+{
+  if (face.is_degenerate()) return segment_face<K>(p, q, face, ZERO, ZERO);
+  const auto side = [&](const Point<K>& x) { return volume_sign<K>(face.spanning(0), face.spanning(1), face.spanning(2), x); };
+  return segment_face<K>(p, q, face, side(p), side(q));
+}
+
 /// How the closed segment pq and the closed triangle abc meet: `segment_face` of the face that is its own covering, in at most
 /// five signs where nothing degenerate is met. The signs are those of the barycentric coordinates of q in the tetrahedron p a b c:
 /// q is beyond the triangle from p when its coordinate at p is not positive while those at a, b, c are not negative.
+/// `side_p` and `side_q` are the sides of p and q against the plane a b c.
 template <class K>
-Contact segment_triangle(const Point<K>& p, const Point<K>& q, const Point<K>& a, const Point<K>& b, const Point<K>& c)
+Contact segment_triangle(const Point<K>& p, const Point<K>& q, const Point<K>& a, const Point<K>& b, const Point<K>& c,
+                         Sign side_p, Sign side_q)
 {
-  const Sign side_p = volume_sign<K>(a, b, c, p), side_q = volume_sign<K>(a, b, c, q);
   if (side_p == side_q) {
     return side_p == ZERO ? detail::coplanar_contact<K>(p, q, Triangle<K>{a, b, c}) : Contact::none;
   }
@@ -194,6 +200,12 @@ Contact segment_triangle(const Point<K>& p, const Point<K>& q, const Point<K>& a
   if (side_p == ZERO || side_q == ZERO)
     return zeros == 0 ? Contact::vertex_face : zeros == 1 ? Contact::vertex_edge : Contact::vertex_vertex;
   return zeros == 0 ? Contact::edge_face : zeros == 1 ? Contact::edge_edge : Contact::vertex_edge;
+}
+
+template <class K>
+Contact segment_triangle(const Point<K>& p, const Point<K>& q, const Point<K>& a, const Point<K>& b, const Point<K>& c)
+{
+  return segment_triangle<K>(p, q, a, b, c, volume_sign<K>(a, b, c, p), volume_sign<K>(a, b, c, q));
 }
 
 }  // namespace tetracone::kernel

@@ -7,6 +7,7 @@
 #include "tetratree/placed_tree.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <type_traits>
 #include <vector>
@@ -37,7 +38,10 @@ using kernel::Question;
 template <class K>
 class Collision {
  public:
-  Collision(Tetra_tree<K>& a, Tetra_tree<K>& b) : config_(a.config()), a_(a), b_(b) {}
+  Collision(Tetra_tree<K>& a, Tetra_tree<K>& b)
+      : config_(a.config()), a_(a), b_(b), sides_(std::max(a.model().vertices().size(), b.model().vertices().size()))
+  {
+  }
 
   /// Whether the two placed polyhedra collide. Requires det M != 0 of both poses, and closed polyhedra for `Question::solid`.
   bool operator()(const Pose& pose_a, const Pose& pose_b, Question question = Question::solid)
@@ -203,32 +207,39 @@ class Collision {
     return edges_meet_faces(a_, a, b_, b, 0) || edges_meet_faces(b_, b, a_, a, 1);
   }
 
-  // The edges in `leaf` of `body` against the faces in `other_leaf` of `other`.
+  // The edges in `leaf` of `body` against the faces in `other_leaf` of `other`. The side of a vertex against a face's plane, which
+  // most pairs need only to be told apart, is decided once for all edges at that vertex.
   bool edges_meet_faces(Body& body, const Node<B>& leaf, Body& other, const Node<B>& other_leaf, int body_number)
   {
-    const auto faces = other.tree().faces(other_leaf);
-    const auto& edges = body.tree().model().covering().edges();
-    kernel::Box<B> all_faces;
+    const auto edges = body.tree().edges(leaf);
+    const auto& ends = body.tree().model().covering().edges();
+    edge_boxes_.clear();
     if (config_.leaf_boxes)
-      for (const Index face : faces) all_faces.add(other.face_box(face));
-    for (const Index edge : body.tree().edges(leaf)) {
-      kernel::Box<B> edge_box;
-      if (config_.leaf_boxes) {
-        edge_box = body.edge_box(edge);
-        if (!edge_box.meets(all_faces)) {
-          counts_.discarded_by_box += faces.size();
-          continue;
-        }
-      }
-      const auto& [from, to] = edges[edge];
-      const kernel::Point<K>&p = body.body().point(from), &q = body.body().point(to);
-      for (const Index face : faces) {
-        if (config_.leaf_boxes && !edge_box.meets(other.face_box(face))) {
+      for (const Index edge : edges) edge_boxes_.push_back(body.edge_box(edge));
+    for (const Index face : other.tree().faces(other_leaf)) {
+      const covering::Placed_face<K> placed(other.body(), face);
+      const bool is_triangle = placed.edge_count() == 3, is_degenerate = placed.is_degenerate();
+      ++face_now_;
+      const auto side = [&](Index v) {
+        if (is_degenerate) return kernel::ZERO;
+        Side& known = sides_[v];
+        if (known.decided_at != face_now_)
+          known = {face_now_, kernel::volume_sign<K>(placed.spanning(0), placed.spanning(1), placed.spanning(2), body.body().point(v))};
+        return known.sign;
+      };
+      for (std::size_t k = 0; k < edges.size(); ++k) {
+        if (config_.leaf_boxes && !edge_boxes_[k].meets(other.face_box(face))) {
           ++counts_.discarded_by_box;
           continue;
         }
         ++counts_.edge_face_tests;
-        const Contact contact = covering::segment_face<K>(p, q, other.body(), face);
+        const auto& [from, to] = ends[edges[k]];
+        const kernel::Sign side_from = side(from), side_to = side(to);
+        if (side_from == side_to && side_from != kernel::ZERO) continue;
+        const kernel::Point<K>&p = body.body().point(from), &q = body.body().point(to);
+        const Contact contact = is_triangle && !is_degenerate
+                                    ? kernel::segment_triangle<K>(p, q, placed.spanning(0), placed.spanning(1), placed.spanning(2), side_from, side_to)
+                                    : kernel::segment_face<K>(p, q, placed, side_from, side_to);
         if (contact == Contact::none) continue;
         if (features_ == nullptr) return true;
         features_->push_back({body_number, from, to, face, contact});
@@ -252,6 +263,14 @@ class Collision {
   B slack_ = 0, determinant_a_ = 1, determinant_b_ = 1;
   Plane plane_a_, plane_b_;
   std::vector<Feature_pair>* features_ = nullptr;
+
+  struct Side {
+    std::uint64_t decided_at = 0;  // the face, by `face_now_`
+    kernel::Sign sign = kernel::ZERO;
+  };
+  std::vector<Side> sides_;                  // of the vertices of either body against the face at hand
+  std::uint64_t face_now_ = 0;
+  std::vector<kernel::Box<B>> edge_boxes_;  // of the leaf at hand
   Counts counts_;
 };
 

@@ -39,8 +39,8 @@ struct Config {
   Far_plane far_plane = Far_plane::shortened;
   /// The loop of `Far_plane::shortened`: rounds over the three edges, share by which an edge is shortened, and share by which it is
   /// lengthened again when that was too much.
-  int shortening_rounds = 10;
-  double shorten_by = 0.10, lengthen_by = 0.05;
+  int shortening_rounds = 60;
+  double shorten_by = 0.03, lengthen_by = 0.015;
 
   Sphere_centre sphere_centre = Sphere_centre::centroid;
 

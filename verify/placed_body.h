@@ -7,6 +7,7 @@
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Interval_nt.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>

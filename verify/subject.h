@@ -23,7 +23,7 @@ enum class Kernel_name { adaptive, double_, float_, double_eps, epick, epeck, ra
 enum class Method {
   tree,   ///< the fastest tree that the kernel has
   paper,  ///< the tetra-tree of JS08 with the paper's choices
-  brute   ///< every edge against every face; with the rational kernel: the truth, `Brute`, which shares no code with the others
+  brute   ///< every edge against every face; with the rational kernel: the truth of `brute.h`, which shares no code with the others
 };
 
 /// A way of answering: a kernel and a method. What is compared, timed and judged.

@@ -365,7 +365,7 @@ BOOST_AUTO_TEST_CASE(tetrahedra_that_touch_are_never_separated)
       // The axis along which they touch, rounded, and any other.
       const auto& d = t->direction;
       const Bound_point<double> axis = {nearest_double(d[0]), nearest_double(d[1]), nearest_double(d[2])};
-      wrong += separated_along<double>(axis, x, y, slack);
+      wrong += separated_along<double>(axis, Projection<double>(axis, x), Projection<double>(axis, y), slack);
     }
   BOOST_TEST(wrong == 0);
   BOOST_TEST(tried > 1500);

@@ -662,6 +662,26 @@ BOOST_AUTO_TEST_CASE(are_told_apart_by_any_distance)
   BOOST_TEST(inside(Brute_body(cube(5e-324)), {Rational(5e-324) / 2, 0, 0}) == 1);
 }
 
+// The first ray from the origin is along (1, 7/16, 49/256): it is made to run through an edge, through a vertex and in a face's plane.
+BOOST_AUTO_TEST_CASE(a_ray_through_an_edge_a_vertex_or_in_a_face_is_not_counted)
+{
+  const double x = 1, y = 0.4375, z = 0.4375 * 0.4375;
+  const kernel::Vertex on = {x, y, z}, above = {x, y, z + 1}, below = {x, y, z - 1};
+  for (const double far : {1.0, -1.0}) {  // the body's bulk behind the edge, or about the origin
+    const kernel::Vertex left = {x + 4 * far, y + 3, z}, right = {x + 4 * far, y - 3, z};
+    const Brute_body edge(scenes::tetrahedron(above, below, left, right));
+    BOOST_TEST(inside(edge, {0, 0, 0}) == -int(far));
+    const Brute_body turned(scenes::tetrahedron(below, above, left, right));
+    BOOST_TEST(inside(turned, {0, 0, 0}) == -int(far));
+    const kernel::Vertex back = {x + 4 * far, y, z + 3}, low = {x + 4 * far, y + 3, z - 3}, high = {x + 4 * far, y - 3, z - 3};
+    const Brute_body vertex(scenes::tetrahedron(on, back, low, high));
+    BOOST_TEST(inside(vertex, {0, 0, 0}) == -int(far));
+  }
+  // The ray in the plane of a face: a, b, c on the plane of the ray.
+  const Brute_body plane(scenes::tetrahedron({2, 0.875, 1}, {2, 0.875, -1}, {4, 1.75, 0}, {3, 0, 5}));
+  BOOST_TEST(inside(plane, {0, 0, 0}) == -1);
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE(cases_of_other_libraries)
@@ -788,3 +808,4 @@ BOOST_AUTO_TEST_SUITE_END()
 // Two errors were planted in planar_face.h to see whether tests notice:
 //  1. the half-open crossing rule of `winding` made closed (from.y() >= p.y()): 14 cases here failed (tunnel, pocket, small tetrahedra, CGAL's triangles, ...).
 //  2. `locate` without each loop's last edge: 7 cases here failed (features of touching cubes, of voxels; a gap; the tunnel; degenerate faces; ...).
+//  3. `crossing` without its way out for a ray through a border: only a_ray_through_an_edge_a_vertex_or_in_a_face_is_not_counted failed.
