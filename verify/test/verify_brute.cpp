@@ -1,7 +1,7 @@
 #include "verify/brute.h"
 
-#include "rationals.h"
-#include "scenes.h"
+#include "verify/test/rationals.h"
+#include "verify/test/scenes.h"
 
 #include <boost/property_tree/json_parser.hpp>
 #include <boost/property_tree/ptree.hpp>
@@ -666,19 +666,19 @@ BOOST_AUTO_TEST_CASE(are_told_apart_by_any_distance)
 BOOST_AUTO_TEST_CASE(a_ray_through_an_edge_a_vertex_or_in_a_face_is_not_counted)
 {
   const double x = 1, y = 0.4375, z = 0.4375 * 0.4375;
-  const kernel::Vertex on = {x, y, z}, above = {x, y, z + 1}, below = {x, y, z - 1};
+  const tetracone::kernel::Vertex on = {x, y, z}, above = {x, y, z + 1}, below = {x, y, z - 1};
   for (const double far : {1.0, -1.0}) {  // the body's bulk behind the edge, or about the origin
-    const kernel::Vertex left = {x + 4 * far, y + 3, z}, right = {x + 4 * far, y - 3, z};
-    const Brute_body edge(scenes::tetrahedron(above, below, left, right));
+    const tetracone::kernel::Vertex left = {x + 4 * far, y + 3, z}, right = {x + 4 * far, y - 3, z};
+    const Brute_body edge(tetrahedron(above, below, left, right));
     BOOST_TEST(inside(edge, {0, 0, 0}) == -int(far));
-    const Brute_body turned(scenes::tetrahedron(below, above, left, right));
+    const Brute_body turned(tetrahedron(below, above, left, right));
     BOOST_TEST(inside(turned, {0, 0, 0}) == -int(far));
-    const kernel::Vertex back = {x + 4 * far, y, z + 3}, low = {x + 4 * far, y + 3, z - 3}, high = {x + 4 * far, y - 3, z - 3};
-    const Brute_body vertex(scenes::tetrahedron(on, back, low, high));
+    const tetracone::kernel::Vertex back = {x + 4 * far, y, z + 3}, low = {x + 4 * far, y + 3, z - 3}, high = {x + 4 * far, y - 3, z - 3};
+    const Brute_body vertex(tetrahedron(on, back, low, high));
     BOOST_TEST(inside(vertex, {0, 0, 0}) == -int(far));
   }
   // The ray in the plane of a face: a, b, c on the plane of the ray.
-  const Brute_body plane(scenes::tetrahedron({2, 0.875, 1}, {2, 0.875, -1}, {4, 1.75, 0}, {3, 0, 5}));
+  const Brute_body plane(tetrahedron({2, 0.875, 1}, {2, 0.875, -1}, {4, 1.75, 0}, {3, 0, 5}));
   BOOST_TEST(inside(plane, {0, 0, 0}) == -1);
 }
 

@@ -1,6 +1,6 @@
 #include "verify/subject.h"
 
-#include "scenes.h"
+#include "verify/test/scenes.h"
 #include "verify/brute.h"
 
 #include <boost/test/unit_test.hpp>
