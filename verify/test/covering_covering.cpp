@@ -29,7 +29,8 @@ std::optional<int> signed_sum(const Polyhedron& body, const Covering& covering, 
 {
   int sum = 0;
   for (const Covering_triangle& t : covering.triangles()) {
-    const std::array<Vector, 4> corner = {o, vertex(body, t.corner[0]), vertex(body, t.corner[1]), vertex(body, t.corner[2])};
+    const std::array<Vector, 4> corner = {o, vertex(body, t.corner[0]), vertex(body, t.corner[1]),
+                                          vertex(body, t.corner[2])};
     const auto volume = [](const std::array<Vector, 4>& c) {
       return rationals::sign(rationals::determinant(rationals::minus(c[1], c[0]), rationals::minus(c[2], c[0]),
                                                     rationals::minus(c[3], c[0])));
@@ -56,7 +57,8 @@ BOOST_AUTO_TEST_CASE(the_signed_tetrahedra_sum_to_the_winding_number_for_any_ori
 {
   Random random(1);
   for (const auto& [name, body] : scenes::closed_bodies()) {
-    BOOST_TEST_CONTEXT(name) {
+    BOOST_TEST_CONTEXT(name)
+    {
       const Covering covering(body);
       int inside = 0, wrong = 0, decided = 0;
       for (int n = 0; n < 40; ++n) {
@@ -92,7 +94,8 @@ BOOST_AUTO_TEST_CASE(known_volumes_are_exact)
                                                  {"degenerate faces", 64}};
   int found = 0;
   for (const auto& [name, body] : scenes::closed_bodies()) {
-    BOOST_TEST_CONTEXT(name) {
+    BOOST_TEST_CONTEXT(name)
+    {
       BOOST_TEST((Rational(6 * volume(body)) == rationals::six_volumes(body)));
       const auto at = known.find(name);
       if (at == known.end()) continue;
@@ -111,7 +114,8 @@ BOOST_AUTO_TEST_CASE(volume_stays_under_other_orders_and_other_corners_first)
 {
   Random random(3);
   for (const auto& [name, body] : scenes::closed_bodies()) {
-    BOOST_TEST_CONTEXT(name) {
+    BOOST_TEST_CONTEXT(name)
+    {
       const Rational expected = volume(body);
       for (int n = 0; n < 5; ++n) BOOST_TEST((volume(scenes::shuffled(body, random)) == expected));
       BOOST_TEST((volume(scenes::turned(body)) == -expected));
@@ -122,7 +126,8 @@ BOOST_AUTO_TEST_CASE(volume_stays_under_other_orders_and_other_corners_first)
 BOOST_AUTO_TEST_CASE(volume_stays_under_exact_translation_and_scales_by_the_cube_of_a_power_of_two)
 {
   for (const auto& [name, body] : scenes::closed_bodies()) {
-    BOOST_TEST_CONTEXT(name) {
+    BOOST_TEST_CONTEXT(name)
+    {
       const Rational expected = volume(body);
       BOOST_TEST((volume(scenes::moved(body, 1, {0x1p40, -0x1p39, 3})) == expected));
       for (const int power : {1, -1, 300, -300, 1000, -1060}) {
@@ -136,7 +141,8 @@ BOOST_AUTO_TEST_CASE(volume_stays_under_exact_translation_and_scales_by_the_cube
 BOOST_AUTO_TEST_CASE(every_real_edge_is_a_side_of_a_triangle_of_each_of_its_faces)
 {
   for (const auto& [name, body] : scenes::closed_bodies()) {
-    BOOST_TEST_CONTEXT(name) {
+    BOOST_TEST_CONTEXT(name)
+    {
       const Covering covering(body);
       std::set<std::array<Index, 2>> all;
       int missing = 0;
@@ -163,7 +169,8 @@ BOOST_AUTO_TEST_CASE(every_real_edge_is_a_side_of_a_triangle_of_each_of_its_face
 BOOST_AUTO_TEST_CASE(a_side_that_is_marked_joins_the_corners_of_its_edge_and_an_unmarked_one_is_no_edge_of_the_face)
 {
   for (const auto& [name, body] : scenes::closed_bodies()) {
-    BOOST_TEST_CONTEXT(name) {
+    BOOST_TEST_CONTEXT(name)
+    {
       const Covering covering(body);
       int wrong = 0;
       for (const Covering_triangle& t : covering.triangles())
@@ -185,7 +192,8 @@ BOOST_AUTO_TEST_CASE(a_side_that_is_marked_joins_the_corners_of_its_edge_and_an_
 
 BOOST_AUTO_TEST_CASE(a_triangle_is_its_own_covering)
 {
-  for (const Polyhedron& body : {scenes::triangulated(scenes::cube(1)), scenes::tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1})}) {
+  for (const Polyhedron& body :
+       {scenes::triangulated(scenes::cube(1)), scenes::tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1})}) {
     const Covering covering(body);
     BOOST_REQUIRE(covering.triangles().size() == body.face_count());
     for (Index f = 0; f < body.face_count(); ++f) {
@@ -201,7 +209,8 @@ BOOST_AUTO_TEST_CASE(a_triangle_is_its_own_covering)
 BOOST_AUTO_TEST_CASE(a_polygon_has_a_triangle_for_each_edge_that_does_not_end_in_its_first_corner)
 {
   const auto triangles_of = [](const Covering& covering, Index f) {
-    return std::count_if(covering.triangles().begin(), covering.triangles().end(), [f](const auto& t) { return t.face == f; });
+    return std::count_if(covering.triangles().begin(), covering.triangles().end(),
+                         [f](const auto& t) { return t.face == f; });
   };
   const Covering star(scenes::star_prism());
   BOOST_TEST(triangles_of(star, 0) == 8 - 2);
@@ -231,13 +240,15 @@ BOOST_AUTO_TEST_CASE(directed_edges_run_around_each_loop_and_begin_with_the_firs
 BOOST_AUTO_TEST_CASE(spanning_corners_are_off_one_line_and_missing_only_where_all_corners_are_on_one)
 {
   for (const auto& [name, body] : scenes::closed_bodies()) {
-    BOOST_TEST_CONTEXT(name) {
+    BOOST_TEST_CONTEXT(name)
+    {
       const Covering covering(body);
       for (Index f = 0; f < body.face_count(); ++f) {
         const auto& spanning = covering.spanning(f);
         BOOST_TEST(spanning.has_value() == !rationals::is_zero(rationals::normal(body, f)));
         if (!spanning) continue;
-        const Vector a = vertex(body, (*spanning)[0]), b = vertex(body, (*spanning)[1]), c = vertex(body, (*spanning)[2]);
+        const Vector a = vertex(body, (*spanning)[0]), b = vertex(body, (*spanning)[1]),
+                     c = vertex(body, (*spanning)[2]);
         BOOST_TEST(!rationals::is_zero(rationals::outer(rationals::minus(b, a), rationals::minus(c, a))));
         for (const Index v : *spanning)
           BOOST_TEST((std::find(covering.from(f).begin(), covering.from(f).end(), v) != covering.from(f).end()));

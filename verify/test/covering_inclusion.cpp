@@ -28,15 +28,17 @@ Location truth_of(const Polyhedron& body, const Vertex& v)
   return rationals::winding_number(body, p) != 0 ? Location::inside : Location::outside;
 }
 
-/// Points where the covering of a body is degenerate: its vertices, the origin, midpoints of all pairs of these, and small integers.
+/// Points where the covering of a body is degenerate: its vertices, the origin, midpoints of all pairs of these, and
+/// small integers.
 std::vector<Vertex> hard_points(const Polyhedron& body, const Vertex& origin, Random& random)
 {
   std::vector<Vertex> points = {origin};
   for (int n = 0; n < 40; ++n) points.push_back(scenes::grid_vertex(random, 4));
   for (int n = 0; n < 60; ++n) {
     const auto any = [&]() -> Vertex {
-      return scenes::integer(random, 0, 3) == 0 ? origin
-                                                : body.vertices[scenes::integer(random, 0, int(body.vertices.size()) - 1)];
+      return scenes::integer(random, 0, 3) == 0
+                 ? origin
+                 : body.vertices[scenes::integer(random, 0, int(body.vertices.size()) - 1)];
     };
     // On an inner facet O W A, an inner edge O W, or the plane of faces.
     const Vertex a = any(), b = any(), c = any();
@@ -72,7 +74,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(every_kind_of_body_locates_points_where_its_coveri
   Random random(2);
   std::set<Location> seen;
   for (const auto& [name, body] : scenes::closed_bodies()) {
-    BOOST_TEST_CONTEXT(name) {
+    BOOST_TEST_CONTEXT(name)
+    {
       const Model<K> model(body);
       Placed_model<K> placed(model);
       placed.place(Pose());
@@ -93,7 +96,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(winding_numbers_are_those_of_a_ray_and_turn_their_
   Random random(3);
   std::set<int> seen;
   for (const auto& [name, body] : scenes::closed_bodies()) {
-    BOOST_TEST_CONTEXT(name) {
+    BOOST_TEST_CONTEXT(name)
+    {
       const Model<K> model(body);
       Placed_model<K> placed(model);
       std::vector<Pose> poses = {Pose(), scenes::random_affine(random), scenes::random_rotation(random),
@@ -138,7 +142,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(orders_of_vertices_and_faces_and_powers_of_two_cha
     for (int x = -1; x <= 5; ++x)
       for (int y = -1; y <= 5; ++y)
         for (int z = -1; z <= 5; ++z)
-          wrong += int(locate<K>(point<K>({scale * x / 2, scale * y / 2, scale * z / 2}), placed)) != voxels.where(x, y, z);
+          wrong +=
+              int(locate<K>(point<K>({scale * x / 2, scale * y / 2, scale * z / 2}), placed)) != voxels.where(x, y, z);
     BOOST_TEST(wrong == 0);
   }
 }
@@ -159,3 +164,6 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_tetrahedron_of_the_covering_holds_a_point_with_i
   }
   BOOST_TEST(signed_inclusion<K>(at(4, 0, 0), o, x, y, z) == 0);
 }
+
+// Planted and seen to fail: weights of 1/2 on borders instead of the moved point, in all tests but that of powers of
+// two.

@@ -33,11 +33,13 @@ rationals::Vector exactly(const Point<K>& p)
 BOOST_AUTO_TEST_CASE_TEMPLATE(a_model_has_the_vertices_as_points_and_its_origin_in_its_lattice, K, Vertex_kernels)
 {
   for (const auto& [name, body] : scenes::closed_bodies()) {
-    BOOST_TEST_CONTEXT(name) {
+    BOOST_TEST_CONTEXT(name)
+    {
       const Model<K> model(body);
       BOOST_TEST(model.face_count() == body.face_count());
       BOOST_REQUIRE(model.vertices().size() == body.vertices.size());
-      for (Index v = 0; v < body.vertices.size(); ++v) BOOST_TEST((exactly<K>(model.point(v)) == rationals::exactly(body.vertices[v])));
+      for (Index v = 0; v < body.vertices.size(); ++v)
+        BOOST_TEST((exactly<K>(model.point(v)) == rationals::exactly(body.vertices[v])));
       BOOST_TEST((exactly<K>(model.origin()) == rationals::exactly(model.lattice().origin)));
     }
   }
@@ -83,7 +85,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_placed_face_shows_the_loops_of_its_face_at_the_p
 {
   scenes::Random random(2);
   for (const auto& [name, body] : scenes::closed_bodies()) {
-    BOOST_TEST_CONTEXT(name) {
+    BOOST_TEST_CONTEXT(name)
+    {
       const Model<K> model(body);
       Placed_model<K> placed(model);
       const Pose pose = scenes::random_affine(random);
@@ -96,7 +99,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_placed_face_shows_the_loops_of_its_face_at_the_p
         for (std::size_t l = 0; l < body.loop_count(f); ++l) {
           const Loop loop = body.loop(f, l);
           for (std::size_t k = 0; k < loop.size(); ++k, ++n)
-            wrong += exactly<K>(face.from(n)) != at(loop[k]) || exactly<K>(face.to(n)) != at(loop[(k + 1) % loop.size()]);
+            wrong +=
+                exactly<K>(face.from(n)) != at(loop[k]) || exactly<K>(face.to(n)) != at(loop[(k + 1) % loop.size()]);
         }
         BOOST_TEST(wrong == 0);
         BOOST_TEST(face.edge_count() == n);
@@ -111,7 +115,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_segment_of_one_point_meets_a_face_exactly_where_
 {
   scenes::Random random(3);
   for (const auto& [name, body] : scenes::closed_bodies()) {
-    BOOST_TEST_CONTEXT(name) {
+    BOOST_TEST_CONTEXT(name)
+    {
       const Model<K> model(body);
       Placed_model<K> placed(model);
       const Pose pose = scenes::random_affine(random);

@@ -76,7 +76,8 @@ BOOST_AUTO_TEST_CASE(lattice_points_are_exact_in_double_at_every_scale_and_place
         if (!std::isfinite(x) || std::abs(x) > 1.7e308 - scale) x = 0;
       const auto points = cloud(random, 1 + scenes::integer(random, 0, 50), scale, centre);
       const Cone_lattice lattice = cone_lattice(points);
-      BOOST_TEST_CONTEXT("scale " << scale << " offset " << offset) {
+      BOOST_TEST_CONTEXT("scale " << scale << " offset " << offset)
+      {
         BOOST_TEST(is_power_of_two(lattice.step));
         BOOST_TEST(inexact<double>(lattice, random) == 0);
       }
@@ -125,7 +126,11 @@ BOOST_AUTO_TEST_CASE(models_of_one_point_and_of_none_have_a_lattice)
 {
   scenes::Random random(5);
   BOOST_TEST(inexact<double>(cone_lattice({}), random) == 0);
-  for (const Vertex& v : {Vertex{0, 0, 0}, {1, 2, 3}, {0x1p-1074, 0, 0}, {0x1.fffffffffffffp1023, -0x1.fffffffffffffp1023, 0}, {0.1, 1e-300, -7e100}}) {
+  for (const Vertex& v : {Vertex{0, 0, 0},
+                          {1, 2, 3},
+                          {0x1p-1074, 0, 0},
+                          {0x1.fffffffffffffp1023, -0x1.fffffffffffffp1023, 0},
+                          {0.1, 1e-300, -7e100}}) {
     const std::vector<Vertex> points(3, v);
     BOOST_TEST(inexact<double>(cone_lattice(points), random) == 0);
   }

@@ -21,10 +21,7 @@ Rational exact_determinant(const Vertex& o, const Vertex& a, const Vertex& b, co
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(an_empty_sum_is_zero)
-{
-  BOOST_TEST((Volume_sum().value() == 0));
-}
+BOOST_AUTO_TEST_CASE(an_empty_sum_is_zero) { BOOST_TEST((Volume_sum().value() == 0)); }
 
 BOOST_AUTO_TEST_CASE(the_unit_corner_counts_one_and_its_mirror_image_minus_one)
 {

@@ -38,7 +38,8 @@ inline Vector times(const Rational& s, const Vector& a)
 inline Rational inner(const Vector& a, const Vector& b) { return Rational(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]); }
 inline Vector outer(const Vector& a, const Vector& b)
 {
-  return {Rational(a[1] * b[2] - a[2] * b[1]), Rational(a[2] * b[0] - a[0] * b[2]), Rational(a[0] * b[1] - a[1] * b[0])};
+  return {Rational(a[1] * b[2] - a[2] * b[1]), Rational(a[2] * b[0] - a[0] * b[2]),
+          Rational(a[0] * b[1] - a[1] * b[0])};
 }
 inline Rational determinant(const Vector& a, const Vector& b, const Vector& c) { return inner(outer(a, b), c); }
 inline bool is_zero(const Vector& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
@@ -49,7 +50,8 @@ inline Vector image(const Pose& pose, const Vector& p)
 {
   Vector result;
   for (int i = 0; i < 3; ++i)
-    result[i] = pose.exact(4 * i) * p[0] + pose.exact(4 * i + 1) * p[1] + pose.exact(4 * i + 2) * p[2] + pose.exact(4 * i + 3);
+    result[i] =
+        pose.exact(4 * i) * p[0] + pose.exact(4 * i + 1) * p[1] + pose.exact(4 * i + 2) * p[2] + pose.exact(4 * i + 3);
   return result;
 }
 
@@ -80,7 +82,8 @@ inline bool is_on_loops(const Polyhedron& polyhedron, Index f, const Vector& p)
   for (std::size_t l = 0; l < polyhedron.loop_count(f); ++l) {
     const auto loop = polyhedron.loop(f, l);
     for (std::size_t k = 0; k < loop.size(); ++k)
-      if (is_on_segment(p, exactly(polyhedron.vertices[loop[k]]), exactly(polyhedron.vertices[loop[(k + 1) % loop.size()]])))
+      if (is_on_segment(p, exactly(polyhedron.vertices[loop[k]]),
+                        exactly(polyhedron.vertices[loop[(k + 1) % loop.size()]])))
         return true;
   }
   return false;
@@ -96,7 +99,8 @@ inline int winding_in_plane(const Polyhedron& polyhedron, Index f, const Vector&
   for (std::size_t l = 0; l < polyhedron.loop_count(f); ++l) {
     const auto loop = polyhedron.loop(f, l);
     for (std::size_t k = 0; k < loop.size(); ++k) {
-      const Vector a = exactly(polyhedron.vertices[loop[k]]), b = exactly(polyhedron.vertices[loop[(k + 1) % loop.size()]]);
+      const Vector a = exactly(polyhedron.vertices[loop[k]]),
+                   b = exactly(polyhedron.vertices[loop[(k + 1) % loop.size()]]);
       const bool from_above = a[v] > p[v], to_above = b[v] > p[v];
       if (from_above == to_above) continue;
       const int turn = sign(Rational((b[u] - a[u]) * (p[v] - a[v]) - (b[v] - a[v]) * (p[u] - a[u])));

@@ -69,7 +69,8 @@ inline Polyhedron box(const Vertex& low, const Vertex& high)
   Polyhedron result;
   for (int k = 0; k < 8; ++k)
     result.vertices.push_back({k & 1 ? high[0] : low[0], k & 2 ? high[1] : low[1], k & 4 ? high[2] : low[2]});
-  for (const auto& face : {std::array<Index, 4>{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}})
+  for (const auto& face :
+       {std::array<Index, 4>{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}})
     result.add_polygon(face);
   return result;
 }
@@ -128,7 +129,8 @@ inline Polyhedron cube_with_tunnel()
   return body;
 }
 
-/// The prism over a closed polygon of the plane z = 0, counterclockwise, up to z = height: top and bottom need not be convex.
+/// The prism over a closed polygon of the plane z = 0, counterclockwise, up to z = height: top and bottom need not be
+/// convex.
 inline Polyhedron prism(const std::vector<std::array<double, 2>>& polygon, double height)
 {
   Polyhedron result;
@@ -142,9 +144,13 @@ inline Polyhedron prism(const std::vector<std::array<double, 2>>& polygon, doubl
   for (Index k = 0; k < n; ++k) result.add_polygon({k, (k + 1) % n, n + (k + 1) % n, n + k});
   return result;
 }
-inline Polyhedron star_prism() { return prism({{3, 0}, {1, 1}, {0, 3}, {-1, 1}, {-3, 0}, {-1, -1}, {0, -3}, {1, -1}}, 2); }
+inline Polyhedron star_prism()
+{
+  return prism({{3, 0}, {1, 1}, {0, 3}, {-1, 1}, {-3, 0}, {-1, -1}, {0, -3}, {1, -1}}, 2);
+}
 
-/// Cells of the grid n x n x n as one solid, one square for each side between a full and an empty cell. Vertices are shared.
+/// Cells of the grid n x n x n as one solid, one square for each side between a full and an empty cell. Vertices are
+/// shared.
 struct Voxels {
   int n;
   std::vector<bool> full;
@@ -164,7 +170,8 @@ struct Voxels {
   {
     Polyhedron result;
     const int m = n + 1;
-    for (int k = 0; k < m * m * m; ++k) result.vertices.push_back({double(k / (m * m)), double(k / m % m), double(k % m)});
+    for (int k = 0; k < m * m * m; ++k)
+      result.vertices.push_back({double(k / (m * m)), double(k / m % m), double(k % m)});
     const auto corner = [m](std::array<int, 3> p) { return Index((p[0] * m + p[1]) * m + p[2]); };
     for (int x = 0; x < n; ++x)
       for (int y = 0; y < n; ++y)
@@ -228,7 +235,8 @@ inline Polyhedron blob(Random& random, int divisions, double low, double high)
     std::vector<std::array<Corner, 3>> finer;
     for (const auto& [a, b, c] : triangles) {
       const Corner ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-      finer.push_back({a, ab, ca}), finer.push_back({ab, b, bc}), finer.push_back({ca, bc, c}), finer.push_back({ab, bc, ca});
+      finer.push_back({a, ab, ca}), finer.push_back({ab, b, bc}), finer.push_back({ca, bc, c}),
+          finer.push_back({ab, bc, ca});
     }
     triangles = finer;
   }

@@ -34,7 +34,8 @@ Tetra_cone random_cone(Random& random, int level)
 
 Vector vector(const Direction& d) { return {d[0], d[1], d[2]}; }
 
-// The truth: the triangle, as a polygon, cut by the three half-spaces of the cone one after the other; what is left is not empty.
+// The truth: the triangle, as a polygon, cut by the three half-spaces of the cone one after the other; what is left
+// is not empty.
 bool meets(const Tetra_cone& cone, const Vector& origin, const std::array<Vertex, 3>& triangle)
 {
   std::vector<Vector> polygon;
@@ -63,12 +64,14 @@ bool is_flat(const Vector& origin, const std::array<Vertex, 3>& t)
 }
 
 template <class K>
-Classified classified(const Tetra_cone& cone, const std::array<Vertex, 3>& t, const Cone_lattice& lattice = unit_lattice)
+Classified classified(const Tetra_cone& cone, const std::array<Vertex, 3>& t,
+                      const Cone_lattice& lattice = unit_lattice)
 {
   return classify<K>(Cone_points<K>(lattice, cone), point<K>(t[0]), point<K>(t[1]), point<K>(t[2]));
 }
 
-// A triangle that is near the cone's rays and borders: corners are small sums of rays of it and of its like, or small integers.
+// A triangle that is near the cone's rays and borders: corners are small sums of rays of it and of its like, or small
+// integers.
 std::array<Vertex, 3> hard_triangle(Random& random, const Tetra_cone& cone)
 {
   std::array<Vertex, 3> triangle;
@@ -86,7 +89,8 @@ std::array<Vertex, 3> hard_triangle(Random& random, const Tetra_cone& cone)
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(a_tetrahedron_that_is_not_flat_is_classified_exactly_where_its_triangle_meets_the_cone, K, Exact_signs)
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_tetrahedron_that_is_not_flat_is_classified_exactly_where_its_triangle_meets_the_cone, K,
+                              Exact_signs)
 {
   Random random(1);
   std::map<Classified, int> seen;
@@ -108,11 +112,13 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_tetrahedron_that_is_not_flat_is_classified_exact
   BOOST_TEST(wrong == 0);
   BOOST_TEST(too_few == 0);
   BOOST_TEST(flat_and_apart > 0);  // allowed, and not rare in these samples
-  for (const Classified kind : {Classified::no, Classified::vertex_in_cone, Classified::ray_in_tetrahedron, Classified::edge_crosses_border, Classified::flat})
+  for (const Classified kind : {Classified::no, Classified::vertex_in_cone, Classified::ray_in_tetrahedron,
+                                Classified::edge_crosses_border, Classified::flat})
     BOOST_TEST(seen[kind] > samples / 200);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(real_triangles_and_models_far_from_the_coordinate_origin_are_classified_exactly, K, Exact_signs)
+BOOST_AUTO_TEST_CASE_TEMPLATE(real_triangles_and_models_far_from_the_coordinate_origin_are_classified_exactly, K,
+                              Exact_signs)
 {
   Random random(2);
   int wrong = 0, met = 0;
@@ -180,14 +186,17 @@ BOOST_AUTO_TEST_CASE(each_of_the_papers_tests_decides_its_own_figure)
 {
   using K = Adaptive;
   const Tetra_cone cone = Tetra_cone::octant(0);
-  BOOST_TEST((classified<K>(cone, {{{1, 1, 1}, {-1, 2, 2}, {2, -1, 2}}}) == Classified::vertex_in_cone));       // Fig. 6a
-  BOOST_TEST((classified<K>(cone, {{{3, -1, -1}, {-1, 3, -1}, {-1, -1, 3}}}) == Classified::ray_in_tetrahedron));       // Fig. 6b
-  BOOST_TEST((classified<K>(cone.child(3), {{{9, -1, -1}, {-1, 9, -1}, {-1, -1, 9}}}) == Classified::ray_in_tetrahedron));
-  BOOST_TEST((classified<K>(cone, {{{5, 4, -1}, {-1, 4, 5}, {-2, 9, 4}}}) == Classified::edge_crosses_border));  // Fig. 6c
-  BOOST_TEST((classified<K>(cone, {{{-1, 1, 1}, {-1, 2, 1}, {-1, 1, 2}}}) == Classified::no));                   // Fig. 6d
-  BOOST_TEST((classified<K>(cone, {{{0, 0, 0}, {-1, -2, -3}, {-3, -1, -1}}}) == Classified::vertex_in_cone));    // at V0
+  BOOST_TEST((classified<K>(cone, {{{1, 1, 1}, {-1, 2, 2}, {2, -1, 2}}}) == Classified::vertex_in_cone));  // Fig. 6a
+  BOOST_TEST(
+      (classified<K>(cone, {{{3, -1, -1}, {-1, 3, -1}, {-1, -1, 3}}}) == Classified::ray_in_tetrahedron));  // Fig. 6b
+  BOOST_TEST(
+      (classified<K>(cone.child(3), {{{9, -1, -1}, {-1, 9, -1}, {-1, -1, 9}}}) == Classified::ray_in_tetrahedron));
+  BOOST_TEST(
+      (classified<K>(cone, {{{5, 4, -1}, {-1, 4, 5}, {-2, 9, 4}}}) == Classified::edge_crosses_border));  // Fig. 6c
+  BOOST_TEST((classified<K>(cone, {{{-1, 1, 1}, {-1, 2, 1}, {-1, 1, 2}}}) == Classified::no));            // Fig. 6d
+  BOOST_TEST((classified<K>(cone, {{{0, 0, 0}, {-1, -2, -3}, {-3, -1, -1}}}) == Classified::vertex_in_cone));  // at V0
   BOOST_TEST((classified<K>(cone, {{{-1, -1, -1}, {2, 2, 2}, {-1, -1, -1}}}) == Classified::vertex_in_cone));
-  BOOST_TEST((classified<K>(cone, {{{-1, 1, 0}, {1, -1, 0}, {-1, 1, 0}}}) == Classified::flat));                 // through V0
+  BOOST_TEST((classified<K>(cone, {{{-1, 1, 0}, {1, -1, 0}, {-1, 1, 0}}}) == Classified::flat));  // through V0
 }
 
 BOOST_AUTO_TEST_CASE(rounding_kernels_classify_plain_triangles_alike)
@@ -196,9 +205,14 @@ BOOST_AUTO_TEST_CASE(rounding_kernels_classify_plain_triangles_alike)
   int different = 0;
   for (int n = 0; n < 2'000; ++n) {
     const Tetra_cone cone = random_cone(random, 1 + n % 4);
-    const std::array<Vertex, 3> triangle = {scenes::grid_vertex(random, 9), scenes::grid_vertex(random, 9), scenes::grid_vertex(random, 9)};
+    const std::array<Vertex, 3> triangle = {scenes::grid_vertex(random, 9), scenes::grid_vertex(random, 9),
+                                            scenes::grid_vertex(random, 9)};
     const Classified exact = classified<Adaptive>(cone, triangle);
     different += classified<Double>(cone, triangle) != exact || classified<Float>(cone, triangle) != exact;
   }
   BOOST_TEST(different == 0);  // integers this small are exact in both
 }
+
+// Planted and seen to fail: without the third test,
+// a_tetrahedron_that_is_not_flat_is_classified_exactly_where_its_triangle_meets_the_cone, real_triangles_...,
+// each_of_the_papers_tests_... and a_triangle_in_a_cone_is_in_a_child_of_it_...

@@ -48,8 +48,8 @@ void add_truth(Cases& cases, bool with_features)
   }
 }
 
-/// The unit cube and itself shifted by one edge, by two and by three, both turned: they touch in a face, an edge, a corner. With the
-/// rotation and the shift rounded to double, or truly rigid, as rationals.
+/// The unit cube and itself shifted by one edge, by two and by three, both turned: they touch in a face, an edge, a
+/// corner. With the rotation and the shift rounded to double, or truly rigid, as rationals.
 const Cases& touching_cubes()
 {
   static const Cases cases = [] {
@@ -59,7 +59,8 @@ const Cases& touching_cubes()
       const Pose rotation = scenes::random_rotation(random, 9);
       for (const auto& shift : {std::array<int, 3>{1, 0, 0}, {1, 1, 0}, {1, 1, 1}}) {
         const Pose second = scenes::composed(rotation, scenes::translation(shift[0], shift[1], shift[2]));
-        cases.push_back({"rounded", scenes::unit_cube(), scenes::unit_cube(), scenes::rounded(rotation), scenes::rounded(second)});
+        cases.push_back(
+            {"rounded", scenes::unit_cube(), scenes::unit_cube(), scenes::rounded(rotation), scenes::rounded(second)});
         cases.push_back({"rigid", scenes::unit_cube(), scenes::unit_cube(), rotation, second});
       }
     }
@@ -77,17 +78,29 @@ const Cases& grid_bodies()
     Random random(2);
     const auto bodies = scenes::closed_bodies();
     for (int n = 0; n < 240; ++n) {
-      Case c{"tetrahedra", scenes::random_tetrahedra(random, 1 + n % 3, 2), scenes::random_tetrahedra(random, 1, 2), {}, {}};
+      Case c{"tetrahedra",
+             scenes::random_tetrahedra(random, 1 + n % 3, 2),
+             scenes::random_tetrahedra(random, 1, 2),
+             {},
+             {}};
       c.b = scenes::moved(c.b, 1, scenes::grid_vertex(random, 2));
       cases.push_back(c);
     }
     for (const auto& first : bodies)
       for (const auto& second : bodies) {
         const double scale = std::array{1.0, 0.5, 0.25}[scenes::integer(random, 0, 2)];
-        cases.push_back({first.name + ", " + second.name, first.body, scenes::moved(second.body, scale, scenes::grid_vertex(random, 2)), {}, {}});
+        cases.push_back({first.name + ", " + second.name,
+                         first.body,
+                         scenes::moved(second.body, scale, scenes::grid_vertex(random, 2)),
+                         {},
+                         {}});
       }
     for (int n = 0; n < 40; ++n)
-      cases.push_back({"voxels", scenes::Voxels(random, 3, 0.3).solid(), scenes::moved(scenes::Voxels(random, 2).solid(), 1, scenes::grid_vertex(random, 3)), {}, {}});
+      cases.push_back({"voxels",
+                       scenes::Voxels(random, 3, 0.3).solid(),
+                       scenes::moved(scenes::Voxels(random, 2).solid(), 1, scenes::grid_vertex(random, 3)),
+                       {},
+                       {}});
     add_truth(cases, true);
     return cases;
   }();
@@ -104,7 +117,8 @@ const Cases& placed_bodies()
     for (int n = 0; n < 260; ++n) {
       const auto& first = bodies[scenes::integer(random, 0, int(bodies.size()) - 1)];
       const auto& second = bodies[scenes::integer(random, 0, int(bodies.size()) - 1)];
-      const std::array<Rational, 3> t = {scenes::integer(random, -3, 3), Rational(scenes::integer(random, -9, 9)) / Rational(3), 0};
+      const std::array<Rational, 3> t = {scenes::integer(random, -3, 3),
+                                         Rational(scenes::integer(random, -9, 9)) / Rational(3), 0};
       const auto pose = [&](int kind) {
         switch (kind) {
           case 0: return scenes::random_rotation(random, 3, t);
@@ -118,7 +132,8 @@ const Cases& placed_bodies()
       Case c{first.name + ", " + second.name, first.body, second.body, pose(kind), pose(scenes::integer(random, 0, 4))};
       if (n % 4 == 0) {  // the same placed by the same, one shifted along an axis of its own: contacts that are exact
         c.b = c.a;
-        c.pose_b = scenes::composed(c.pose_a, scenes::translation(scenes::integer(random, -6, 6), scenes::integer(random, -2, 2), 0));
+        c.pose_b = scenes::composed(
+            c.pose_a, scenes::translation(scenes::integer(random, -6, 6), scenes::integer(random, -2, 2), 0));
       }
       cases.push_back(c);
     }
@@ -135,7 +150,8 @@ const Cases& meshes()
     Cases cases;
     Random random(4);
     for (int n = 0; n < 60; ++n) {
-      const Polyhedron a = scenes::blob(random, 2, 0.6, 1), b = scenes::moved(scenes::blob(random, 2, 0.3, 1), n % 3 == 0 ? 0.125 : 1);
+      const Polyhedron a = scenes::blob(random, 2, 0.6, 1),
+                       b = scenes::moved(scenes::blob(random, 2, 0.3, 1), n % 3 == 0 ? 0.125 : 1);
       const Vertex d = scenes::real_vertex(random, 1.2);
       const Pose pose = scenes::random_rotation(random, 5, {Rational(d[0]), Rational(d[1]), Rational(d[2])});
       cases.push_back({"blobs", a, b, scenes::random_rotation(random), n % 2 == 0 ? scenes::rounded(pose) : pose});
@@ -152,7 +168,10 @@ Config random_config(Random& random)
   Config config;
   config.depth = scenes::integer(random, -1, 6);
   // Small leaves of deep trees hold the same face many times, and are slow.
-  config.leaf_size = config.depth == -1 ? 8 : config.depth < 2 ? scenes::integer(random, 0, 4) : config.depth < 4 ? 6 : 16;
+  config.leaf_size = config.depth == -1 ? 8
+                     : config.depth < 2 ? scenes::integer(random, 0, 4)
+                     : config.depth < 4 ? 6
+                                        : 16;
   config.on_demand = coin();
   config.far_plane = coin() ? Far_plane::shortened : Far_plane::tightest;
   config.shortening_rounds = coin() ? 10 : 1;
@@ -219,6 +238,7 @@ void check_all(const Cases& cases, int stride, int seed)
       wrong[cases[n].name + ", config " + std::to_string(k)] += count;
   }
   for (const auto& [name, count] : wrong) BOOST_ERROR(name << ": " << count << " wrong answers");
+  BOOST_TEST(wrong.empty());
 }
 
 /// Wrong answers to both questions alone, of any kernel.
@@ -238,7 +258,7 @@ int wrong_booleans(const Cases& cases, const Config& config)
 }
 
 template <class K>
-constexpr int stride_of = std::is_same_v<K, Adaptive> ? 1 : 7;
+constexpr int stride_of = std::is_same_v<K, Adaptive> ? 1 : std::is_same_v<K, Epeck> ? 7 : 19;
 
 }  // namespace
 
@@ -278,7 +298,7 @@ BOOST_AUTO_TEST_CASE(exact_predicates_are_right_on_every_kind_of_contact_where_n
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(exact_kernels_are_right_under_poses_of_every_kind, K, Exact_kernels)
 {
-  check_all<K>(placed_bodies(), std::is_same_v<K, Adaptive> ? 17 : 23, 14);
+  check_all<K>(placed_bodies(), std::is_same_v<K, Rational_kernel> ? 43 : 23, 14);
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(exact_kernels_are_right_on_meshes, K, Exact_kernels)
@@ -304,7 +324,7 @@ BOOST_AUTO_TEST_CASE(each_config_is_right_on_each_of_some_cases)
   Random random(16);
   int wrong = 0;
   for (const Cases* cases : {&grid_bodies(), &meshes()})
-    for (std::size_t n = 0; n < cases->size(); n += cases->size() / 8)
+    for (std::size_t n = 0; n < cases->size(); n += cases->size() / 5)
       for (int k = 0; k < 2 * fixed_configs; ++k) {
         const Config config = config_number(k, random);
         wrong += wrong_answers<Adaptive>((*cases)[n], config, config);
@@ -320,7 +340,8 @@ BOOST_AUTO_TEST_CASE(kernels_that_round_give_some_wrong_answers_on_cubes_that_to
   const int by_float = wrong_booleans<Float>(touching_cubes(), Config());
   const int by_double = wrong_booleans<Double>(touching_cubes(), Config());
   const int by_epick = wrong_booleans<Epick>(touching_cubes(), Config());
-  BOOST_TEST_MESSAGE("wrong of " << 2 * touching_cubes().size() << ": float " << by_float << ", double " << by_double << ", EPICK " << by_epick);
+  BOOST_TEST_MESSAGE("wrong of " << 2 * touching_cubes().size() << ": float " << by_float << ", double " << by_double
+                                 << ", EPICK " << by_epick);
   BOOST_TEST(by_float > 0);
   BOOST_TEST(by_double > 0);
   BOOST_TEST(by_epick > 0);
@@ -332,11 +353,13 @@ BOOST_AUTO_TEST_CASE(orders_of_vertices_and_faces_change_no_answer)
   Random random(17);
   int wrong = 0;
   for (const Cases* cases : {&grid_bodies(), &placed_bodies()})
-    for (std::size_t n = 0; n < cases->size(); n += 3) {
+    for (std::size_t n = 0; n < cases->size(); n += 7) {
       const Case& c = (*cases)[n];
-      Tetra_tree<Adaptive> a(scenes::shuffled(c.a, random), random_config(random)), b(scenes::shuffled(c.b, random), random_config(random));
+      Tetra_tree<Adaptive> a(scenes::shuffled(c.a, random), random_config(random)),
+          b(scenes::shuffled(c.b, random), random_config(random));
       Collision<Adaptive> collision(a, b);
-      wrong += collision(c.pose_a, c.pose_b) != c.solid || collision(c.pose_a, c.pose_b, Question::surface) != c.surface;
+      wrong +=
+          collision(c.pose_a, c.pose_b) != c.solid || collision(c.pose_a, c.pose_b, Question::surface) != c.surface;
       wrong += collision.features(c.pose_a, c.pose_b).size() != c.features.size();
     }
   BOOST_TEST(wrong == 0);
@@ -346,7 +369,7 @@ BOOST_AUTO_TEST_CASE(powers_of_two_change_no_answer_from_denormals_to_the_larges
 {
   Random random(18);
   int wrong = 0;
-  for (std::size_t n = 0; n < grid_bodies().size(); n += 31)
+  for (std::size_t n = 0; n < grid_bodies().size(); n += 61)
     for (const int power : {-1072, -1030, -700, -420, -400, -130, 120, 240, 260, 500, 1015}) {
       Case c = grid_bodies()[n];
       const double scale = std::ldexp(1.0, power);
@@ -396,7 +419,8 @@ BOOST_AUTO_TEST_CASE(open_surfaces_are_asked_for_their_surface)
       for (Index f = 0; f < body->face_count(); ++f) {
         if (f % 3 == n % 3) continue;
         std::vector<std::vector<Index>> loops;
-        for (std::size_t l = 0; l < body->loop_count(f); ++l) loops.emplace_back(body->loop(f, l).begin(), body->loop(f, l).end());
+        for (std::size_t l = 0; l < body->loop_count(f); ++l)
+          loops.emplace_back(body->loop(f, l).begin(), body->loop(f, l).end());
         open.add_face(loops);
       }
       *body = open;
@@ -421,14 +445,16 @@ BOOST_AUTO_TEST_CASE(one_body_in_another_in_its_cavity_in_its_tunnel_and_beside_
   };
   using Pair = std::pair<bool, bool>;
   const Polyhedron small = scenes::cube(0.5);
-  BOOST_TEST((answers(scenes::cube(3), small) == Pair{true, false}));                                     // nested
-  BOOST_TEST((answers(scenes::turned(scenes::cube(3)), small) == Pair{true, false}));                     // inward: as well
-  BOOST_TEST((answers(scenes::cube_with_cavity(), small) == Pair{false, false}));                         // in the cavity
-  BOOST_TEST((answers(scenes::cube_with_cavity(), scenes::cube(2)) == Pair{true, true}));                 // fills the cavity
-  BOOST_TEST((answers(scenes::cube_with_cavity(), scenes::cube(2.5)) == Pair{true, false}));              // around the cavity
-  BOOST_TEST((answers(scenes::with_cavity(scenes::cube_with_cavity(), scenes::turned(scenes::cube(1))), small) == Pair{true, false}));
-  BOOST_TEST((answers(scenes::cube_with_tunnel(), small) == Pair{false, false}));                         // in the hole
-  BOOST_TEST((answers(scenes::cube_with_tunnel(), scenes::box({-1, -0.5, -9}, {0, 0.5, 9})) == Pair{true, true}));  // touches its wall
+  BOOST_TEST((answers(scenes::cube(3), small) == Pair{true, false}));                         // nested
+  BOOST_TEST((answers(scenes::turned(scenes::cube(3)), small) == Pair{true, false}));         // inward: as well
+  BOOST_TEST((answers(scenes::cube_with_cavity(), small) == Pair{false, false}));             // in the cavity
+  BOOST_TEST((answers(scenes::cube_with_cavity(), scenes::cube(2)) == Pair{true, true}));     // fills the cavity
+  BOOST_TEST((answers(scenes::cube_with_cavity(), scenes::cube(2.5)) == Pair{true, false}));  // around the cavity
+  BOOST_TEST((answers(scenes::with_cavity(scenes::cube_with_cavity(), scenes::turned(scenes::cube(1))), small) ==
+              Pair{true, false}));
+  BOOST_TEST((answers(scenes::cube_with_tunnel(), small) == Pair{false, false}));  // in the hole
+  BOOST_TEST((answers(scenes::cube_with_tunnel(), scenes::box({-1, -0.5, -9}, {0, 0.5, 9})) ==
+              Pair{true, true}));  // touches its wall
   BOOST_TEST((answers(scenes::cube_with_tunnel(), scenes::moved(small, 1, {2, 2, 0})) == Pair{true, false}));
   BOOST_TEST((answers(scenes::cube(1), scenes::moved(scenes::cube(1), 1, {2.5, 0, 0})) == Pair{false, false}));
 }
@@ -475,7 +501,9 @@ BOOST_AUTO_TEST_CASE(one_query_object_answers_pose_after_pose)
   const verify::Brute_body body_a(scenes::cube_with_tunnel()), body_b(scenes::star_prism());
   int wrong = 0, hits = 0;
   for (int n = 0; n < 100; ++n) {
-    const Pose pose_a = scenes::random_rotation(random), pose_b = scenes::random_rotation(random, 5, {scenes::integer(random, -6, 6), scenes::integer(random, -6, 6), 1});
+    const Pose pose_a = scenes::random_rotation(random),
+               pose_b = scenes::random_rotation(random, 5,
+                                                {scenes::integer(random, -6, 6), scenes::integer(random, -6, 6), 1});
     const bool truth = verify::collide(body_a, pose_a, body_b, pose_b);
     wrong += collision(pose_a, pose_b) != truth;
     hits += truth;
@@ -522,17 +550,20 @@ BOOST_AUTO_TEST_CASE(counts_add_up)
     BOOST_TEST(counts.tetrahedron_tests <= counts.pairs_visited);
     BOOST_TEST(counts.discarded_by_tetrahedron <= counts.tetrahedron_tests);
     BOOST_TEST(counts.discarded_by_hull <= counts.hull_tests);
-    BOOST_TEST(counts.leaf_pairs + counts.discarded_by_sphere + counts.discarded_by_tetrahedron <= counts.sphere_tests + 1);
+    BOOST_TEST(counts.leaf_pairs + counts.discarded_by_sphere + counts.discarded_by_tetrahedron <=
+               counts.sphere_tests + 1);
     BOOST_TEST(counts.inclusion_tests == 0u);
     if (!config.leaf_boxes) BOOST_TEST(counts.discarded_by_box == 0u);
     if (!config.regular_hull) BOOST_TEST(counts.hull_tests == 0u);
     if (!trees) {
       const auto& edges_a = a.model().covering().edges();
       const auto& edges_b = b.model().covering().edges();
-      BOOST_TEST(counts.edge_face_tests + counts.discarded_by_box == edges_a.size() * c.b.face_count() + edges_b.size() * c.a.face_count());
+      BOOST_TEST(counts.edge_face_tests + counts.discarded_by_box ==
+                 edges_a.size() * c.b.face_count() + edges_b.size() * c.a.face_count());
     }
     collision.clear_counts();
-    BOOST_TEST(collision.counts().bounding_tests() + collision.counts().primitive_tests() + collision.counts().queries == 0u);
+    BOOST_TEST(
+        collision.counts().bounding_tests() + collision.counts().primitive_tests() + collision.counts().queries == 0u);
   }
 }
 
@@ -554,7 +585,7 @@ BOOST_AUTO_TEST_CASE(every_stage_discards_something_and_the_regular_hull_saves_v
     }
     return sum;
   };
-  const Counts paper = counts_with([](Config&) {}), no_hull = counts_with([](Config& c) { c.regular_hull = false; });
+  const Counts paper = counts_with([](Config&) {}), no_hull = counts_with([](Config&c) { c.regular_hull = false; });
   const Counts boxes = counts_with([](Config& c) { c.leaf_boxes = true; });
   BOOST_TEST(paper.discarded_by_hull > 0u);
   BOOST_TEST(paper.discarded_by_sphere > 0u);
@@ -564,3 +595,31 @@ BOOST_AUTO_TEST_CASE(every_stage_discards_something_and_the_regular_hull_saves_v
   BOOST_TEST(no_hull.discarded_by_hull == 0u);
   BOOST_TEST(paper.pairs_visited <= no_hull.pairs_visited);
 }
+
+BOOST_AUTO_TEST_CASE(theorem_2_discards_nothing_of_a_body_whose_origin_is_before_the_plane)
+{
+  // B: a large box with a spike of a cavity in its first octant, its centroid at 0. The corner of A is in the spike.
+  // The bounding tetrahedron of B's first octant has V'1, V'2, V'3 far beyond A's reference plane, but V0 and the
+  // spike before it.
+  const double base = 1.0 / 64, s = 0.25 + 4 * base;
+  const Polyhedron spike =
+      scenes::tetrahedron({0.25, 0.25, 0.25}, {2 * base, base, base}, {base, 2 * base, base}, {base, base, 2 * base});
+  const Polyhedron b = scenes::with_cavity(scenes::moved(scenes::cube(30), 1, {-s / 8, -s / 8, -s / 8}), spike);
+  const Polyhedron a = scenes::box({-1.875, -1.875, -1.875}, {0.125, 0.125, 0.125});
+  Config config;
+  config.depth = 1;
+  config.far_plane = Far_plane::tightest;
+  Tetra_tree<Adaptive> tree_a(a, config), tree_b(b, config);
+  BOOST_TEST((tree_b.origin() == Bound_point<double>{0, 0, 0}));
+  Collision<Adaptive> forth(tree_a, tree_b), back(tree_b, tree_a);
+  BOOST_TEST(forth(Pose(), Pose(), Question::surface));
+  BOOST_TEST(back(Pose(), Pose(), Question::surface));
+}
+
+// Planted, one at a time, each seen to fail here:
+// - no child 3 of a cone: exact_kernels_are_right_on_every_kind_of_contact, ..._on_meshes and five more;
+// - no slack in any bound: exact_kernels_are_right_on_cubes_that_touch_under_a_hundred_rotations and five more;
+// - Theorem 2 without its question for V0: theorem_2_discards_nothing_of_a_body_whose_origin_is_before_the_plane;
+// - weights of 1/2 on borders instead of the moved point: one_body_in_another_in_its_cavity_in_its_tunnel_and_...
+// Planted and not seen here but in tetratree_classification and tetratree_tetra_tree: no third test of the
+// classification, for an edge and a face are in several leaves, and one is enough.

@@ -33,20 +33,25 @@ Config config_of(int n)
 
 std::vector<Pose> poses(Random& random)
 {
-  return {Pose(), scenes::random_rotation(random, 5, {Rational(1) / Rational(3), -1, 7}), scenes::rounded(scenes::random_rotation(random)),
-          scenes::random_affine(random), Pose(std::array<double, 12>{-1, 0, 0, 5, 0, 1, 0, 0.1, 0, 0, 1, -0.3}),
+  return {Pose(),
+          scenes::random_rotation(random, 5, {Rational(1) / Rational(3), -1, 7}),
+          scenes::rounded(scenes::random_rotation(random)),
+          scenes::random_affine(random),
+          Pose(std::array<double, 12>{-1, 0, 0, 5, 0, 1, 0, 0.1, 0, 0, 1, -0.3}),
           scenes::translation(0x1p30, 0.1, -0x1p-30)};
 }
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(a_solid_contains_a_point_off_its_surface_where_its_winding_number_is_not_zero, K, Exact_motions)
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_solid_contains_a_point_off_its_surface_where_its_winding_number_is_not_zero, K,
+                              Exact_motions)
 {
   Random random(1);
   int n = 0;
   std::set<bool> seen;
   for (const auto& [name, body] : scenes::closed_bodies()) {
-    BOOST_TEST_CONTEXT(name) {
+    BOOST_TEST_CONTEXT(name)
+    {
       for (const Pose& pose : poses(random)) {
         if (std::is_same_v<K, Rational_kernel> && ++n % 3 != 0) continue;
         Tetra_tree<K> tree(body, config_of(++n));
@@ -114,7 +119,8 @@ BOOST_AUTO_TEST_CASE(boxes_and_spheres_hold_the_exact_images)
 {
   Random random(4);
   for (const auto& [name, body] : scenes::closed_bodies()) {
-    BOOST_TEST_CONTEXT(name) {
+    BOOST_TEST_CONTEXT(name)
+    {
       Tetra_tree<K> tree(body, config_of(4));
       Placed_tree<K> placed(tree);
       for (const Pose& pose : poses(random)) {
@@ -141,7 +147,8 @@ BOOST_AUTO_TEST_CASE(boxes_and_spheres_hold_the_exact_images)
         }
         const auto origin = placed.origin();
         const Vector exact = rationals::image(pose, rationals::exactly(tree.origin()));
-        for (int k = 0; k < 3; ++k) wrong += abs(Rational(exact[k] - Rational(origin[k]))) > Rational(placed.frame().error());
+        for (int k = 0; k < 3; ++k)
+          wrong += abs(Rational(exact[k] - Rational(origin[k]))) > Rational(placed.frame().error());
         BOOST_TEST(wrong == 0);
       }
     }
@@ -153,7 +160,8 @@ BOOST_AUTO_TEST_CASE(the_reference_plane_faces_the_point_and_has_the_body_behind
   Random random(5);
   int found = 0, tried = 0;
   for (const auto& [name, body] : scenes::closed_bodies()) {
-    BOOST_TEST_CONTEXT(name) {
+    BOOST_TEST_CONTEXT(name)
+    {
       for (const Pose& pose : poses(random)) {
         Tetra_tree<K> tree(body, config_of(++tried));
         Placed_tree<K> placed(tree);
@@ -172,3 +180,6 @@ BOOST_AUTO_TEST_CASE(the_reference_plane_faces_the_point_and_has_the_body_behind
   }
   BOOST_TEST(found > tried * 9 / 10);
 }
+
+// Planted and seen to fail: child 3 never made, and weights of 1/2 on borders instead of the moved point,
+// a_solid_contains_a_point_off_its_surface_where_its_winding_number_is_not_zero and voxel_solids_contain_...

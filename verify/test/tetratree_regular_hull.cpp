@@ -39,7 +39,8 @@ std::vector<Tetra_cone> cones_of_level(int level)
   return cones;
 }
 
-/// An edge of the hull and a cone at it: the hull's facets on both sides of an edge stand next to one another when sorted.
+/// An edge of the hull and a cone at it: the hull's facets on both sides of an edge stand next to one another when
+/// sorted.
 struct Side {
   std::array<Direction, 2> edge;
   const Tetra_cone* cone;
@@ -70,7 +71,8 @@ int vertices_beyond(const Half_space<double>& half_space, const std::vector<Vert
 {
   int beyond = 0;
   for (const Vertex& v : vertices) {
-    const rationals::Vector from_origin = rationals::minus(rationals::exactly(v), rationals::exactly(half_space.origin));
+    const rationals::Vector from_origin =
+        rationals::minus(rationals::exactly(v), rationals::exactly(half_space.origin));
     beyond += rationals::inner(rationals::exactly(half_space.normal), from_origin) > Rational(half_space.offset);
   }
   return beyond;
@@ -86,9 +88,10 @@ Vertex middle_of(const Tetra_cone& cone)
 
 }  // namespace
 
-// The proof that Theorem 2 needs. The hull of a level is closed and star-shaped about V0: its facets are those of the cones, each of
-// which V0 sees from inside (the determinant of its rays is positive). Such a surface is convex when it is so at every edge: when
-// the far corner of the one facet is strictly below the plane of the other. The corners are irrational; intervals decide every sign.
+// The proof that Theorem 2 needs. The hull of a level is closed and star-shaped about V0: its facets are those of the
+// cones, each of which V0 sees from inside (the determinant of its rays is positive). Such a surface is convex when
+// it is so at every edge: when the far corner of the one facet is strictly below the plane of the other. The corners
+// are irrational; intervals decide every sign.
 BOOST_AUTO_TEST_CASE(the_hull_of_every_level_in_use_is_convex)
 {
   BOOST_TEST(Hull::deepest_convex_level >= 1);
@@ -130,11 +133,14 @@ BOOST_AUTO_TEST_CASE(the_cone_towards_a_direction_holds_it)
     if (d == Vertex{0, 0, 0}) continue;
     const Tetra_cone cone = cone_towards<double>(d, level);
     for (int k = 0; k < 3; ++k) {
-      const auto ray = [&](int i) { return rationals::Vector{cone.ray[i % 3][0], cone.ray[i % 3][1], cone.ray[i % 3][2]}; };
+      const auto ray = [&](int i) {
+        return rationals::Vector{cone.ray[i % 3][0], cone.ray[i % 3][1], cone.ray[i % 3][2]};
+      };
       wrong += rationals::inner(rationals::outer(ray(k), ray(k + 1)), rationals::exactly(d)) < 0;
     }
     // Its level: the determinant of the rays is a quarter of the parent's.
-    wrong += rationals::determinant({cone.ray[0][0], cone.ray[0][1], cone.ray[0][2]}, {cone.ray[1][0], cone.ray[1][1], cone.ray[1][2]},
+    wrong += rationals::determinant({cone.ray[0][0], cone.ray[0][1], cone.ray[0][2]},
+                                    {cone.ray[1][0], cone.ray[1][1], cone.ray[1][2]},
                                     {cone.ray[2][0], cone.ray[2][1], cone.ray[2][2]}) !=
              Rational(std::ldexp(1.0, 3 * max_cone_depth - 2 * (level - 1)));
   }
@@ -148,7 +154,8 @@ BOOST_AUTO_TEST_CASE(every_vertex_is_in_the_half_space_of_every_facet)
   for (int n = 0; n < 20; ++n) {
     const auto body = n % 3 == 0   ? scenes::random_tetrahedra(random, 6, 5)
                       : n % 3 == 1 ? scenes::blob(random, 2, 0.3, 1)
-                                   : scenes::moved(scenes::blob(random, 2, 0.05, 2), n % 2 == 0 ? 1 : 1e-120, {n % 2 == 0 ? 3.0 : 0, 0, 0});
+                                   : scenes::moved(scenes::blob(random, 2, 0.05, 2), n % 2 == 0 ? 1 : 1e-120,
+                                                   {n % 2 == 0 ? 3.0 : 0, 0, 0});
     Config config;
     config.depth = 1 + n % 6;
     config.leaf_size = 1 + n % 5;
@@ -158,7 +165,8 @@ BOOST_AUTO_TEST_CASE(every_vertex_is_in_the_half_space_of_every_facet)
     const Hull hull = tree.regular_hull();
     int lowest = max_cone_depth, deepest = 0;
     for (Index k = 0; k < tree.node_count(); ++k)
-      if (tree.node(k).is_leaf) lowest = std::min(lowest, tree.node(k).level), deepest = std::max(deepest, tree.node(k).level);
+      if (tree.node(k).is_leaf)
+        lowest = std::min(lowest, tree.node(k).level), deepest = std::max(deepest, tree.node(k).level);
     leaf_levels_differ += lowest < deepest;
     for (const Tetra_cone& cone : cones_of_level(std::min(config.depth, 3))) {
       Vertex d = middle_of(cone);

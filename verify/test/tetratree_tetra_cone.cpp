@@ -60,7 +60,8 @@ Tetra_cone random_cone(scenes::Random& random, int level)
 
 Direction random_direction(scenes::Random& random, int radius)
 {
-  return {scenes::integer(random, -radius, radius), scenes::integer(random, -radius, radius), scenes::integer(random, -radius, radius)};
+  return {scenes::integer(random, -radius, radius), scenes::integer(random, -radius, radius),
+          scenes::integer(random, -radius, radius)};
 }
 
 }  // namespace
@@ -88,7 +89,9 @@ BOOST_AUTO_TEST_CASE(children_are_the_papers_positive_and_a_quarter_of_their_par
 {
   scenes::Random random(1);
   const Tetra_cone parent = Tetra_cone::octant(0);
-  const auto middle = [](const Direction& a, const Direction& b) { return Direction{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2}; };
+  const auto middle = [](const Direction& a, const Direction& b) {
+    return Direction{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
+  };
   const auto& [v1, v2, v3] = parent.ray;
   BOOST_TEST((parent.child(0).ray == std::array{v1, middle(v1, v2), middle(v3, v1)}));
   BOOST_TEST((parent.child(1).ray == std::array{middle(v1, v2), v2, middle(v2, v3)}));
@@ -108,7 +111,8 @@ BOOST_AUTO_TEST_CASE(children_cover_their_parent_without_overlap_but_for_borders
   for (int n = 0; n < 5000; ++n) {
     const Tetra_cone cone = random_cone(random, scenes::integer(random, 1, 5));
     // In the cone for certain: a sum of its rays. Small sums meet borders of children.
-    const std::array<int, 3> c = {scenes::integer(random, 0, 4), scenes::integer(random, 0, 4), scenes::integer(random, 0, 4)};
+    const std::array<int, 3> c = {scenes::integer(random, 0, 4), scenes::integer(random, 0, 4),
+                                  scenes::integer(random, 0, 4)};
     Direction p{0, 0, 0};
     for (int i = 0; i < 3; ++i)
       for (int axis = 0; axis < 3; ++axis) p[axis] += c[i] * cone.ray[i][axis];
@@ -178,7 +182,8 @@ BOOST_AUTO_TEST_CASE(points_of_a_cone_are_its_lattice_points_and_are_placed_exac
     const std::array<std::pair<const K::Point_3*, const K::Point_3*>, 4> pairs = {
         {{&points.v0, &placed.v0}, {&points.v1, &placed.v1}, {&points.v2, &placed.v2}, {&points.v3, &placed.v3}}};
     for (int i = 0; i < 4; ++i) {
-      const rationals::Vector truth = exact(i == 0 ? Direction{0, 0, 0} : cone.ray[i - 1]), image = rationals::image(pose, truth);
+      const rationals::Vector truth = exact(i == 0 ? Direction{0, 0, 0} : cone.ray[i - 1]),
+                              image = rationals::image(pose, truth);
       for (int k = 0; k < 3; ++k) {
         BOOST_TEST(((*pairs[i].first)[k] == truth[k]));
         BOOST_TEST(((*pairs[i].second)[k] == image[k]));

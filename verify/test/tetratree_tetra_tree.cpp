@@ -67,7 +67,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(leaves_hold_every_tetrahedron_edge_and_face, K, Ex
 {
   Random random(1);
   for (const auto& [name, body] : bodies()) {
-    BOOST_TEST_CONTEXT(name) {
+    BOOST_TEST_CONTEXT(name)
+    {
       for (int n = 0; n < 4; ++n) {
         const Tetra_tree<K> tree(body, random_config(random));
         std::set<Index> elements, edges, faces;
@@ -101,7 +102,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(nodes_are_cones_in_their_parents_cone_and_depth_an
 {
   Random random(2);
   for (const auto& [name, body] : bodies()) {
-    BOOST_TEST_CONTEXT(name) {
+    BOOST_TEST_CONTEXT(name)
+    {
       const Config config = random_config(random);
       const Tetra_tree<K> tree(body, config);
       BOOST_TEST(tree.config().depth == config.depth);
@@ -138,11 +140,13 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(nodes_are_cones_in_their_parents_cone_and_depth_an
   }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(every_point_of_the_surface_is_in_a_leaf_that_holds_its_triangle_and_in_all_bounds_on_the_way, K, Exact_signs)
+BOOST_AUTO_TEST_CASE_TEMPLATE(
+    every_point_of_the_surface_is_in_a_leaf_that_holds_its_triangle_and_in_all_bounds_on_the_way, K, Exact_signs)
 {
   Random random(3);
   for (const auto& [name, body] : bodies()) {
-    BOOST_TEST_CONTEXT(name) {
+    BOOST_TEST_CONTEXT(name)
+    {
       const Tetra_tree<K> tree(body, random_config(random));
       const auto& triangles = tree.model().covering().triangles();
       const Vector origin = rationals::exactly(tree.model().lattice().origin);
@@ -151,9 +155,12 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(every_point_of_the_surface_is_in_a_leaf_that_holds
         const Index element = scenes::integer(random, 0, int(triangles.size()) - 1);
         // A rational point of the triangle: now and then on its border.
         const int p = scenes::integer(random, 0, 7), q = scenes::integer(random, 0, 7 - p);
-        const std::array<Rational, 3> weight = {Rational(p) / Rational(7), Rational(q) / Rational(7), Rational(7 - p - q) / Rational(7)};
+        const std::array<Rational, 3> weight = {Rational(p) / Rational(7), Rational(q) / Rational(7),
+                                                Rational(7 - p - q) / Rational(7)};
         Vector y = {0, 0, 0};
-        for (int i = 0; i < 3; ++i) y = rationals::plus(y, rationals::times(weight[i], rationals::exactly(body.vertices[triangles[element].corner[i]])));
+        for (int i = 0; i < 3; ++i)
+          y = rationals::plus(
+              y, rationals::times(weight[i], rationals::exactly(body.vertices[triangles[element].corner[i]])));
         const Vector from_origin = rationals::minus(y, origin);
         // All the way down, in every cone that holds it.
         std::vector<Index> open = {tree.root()};
@@ -167,11 +174,13 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(every_point_of_the_surface_is_in_a_leaf_that_holds
           const Vector d = rationals::minus(y, rationals::exactly(node.sphere.centre));
           out_of_sphere += rationals::inner(d, d) > Rational(node.sphere.radius) * Rational(node.sphere.radius);
           if (node.level > 0) {
-            // On V0's side of V'1 V'2 V'3, which were rounded: by less than the frame's error, that is 8 units of rounding of the reach.
+            // On V0's side of V'1 V'2 V'3, which were rounded: by less than the frame's error, that is 8 units of
+            // rounding of the reach.
             std::array<Vector, 4> t;
             for (int i = 0; i < 4; ++i) t[i] = rationals::exactly(node.tetrahedron[i]);
             const Vector normal = rationals::outer(rationals::minus(t[2], t[1]), rationals::minus(t[3], t[1]));
-            const Rational at = rationals::inner(normal, rationals::minus(y, t[1])), at_v0 = rationals::inner(normal, rationals::minus(t[0], t[1]));
+            const Rational at = rationals::inner(normal, rationals::minus(y, t[1])),
+                           at_v0 = rationals::inner(normal, rationals::minus(t[0], t[1]));
             const Rational scale = abs(normal[0]) + abs(normal[1]) + abs(normal[2]);
             const Rational allowed = scale * Rational(tree.reach()) * Rational(0x1p-48);
             out_of_tetrahedron += at_v0 > 0 ? at < -allowed : at > allowed;
@@ -202,8 +211,8 @@ BOOST_AUTO_TEST_CASE(without_depth_the_tree_is_one_list)
 BOOST_AUTO_TEST_CASE(the_depth_follows_the_size_and_is_kept_within_the_lattice)
 {
   Random random(4);
-  BOOST_TEST((Tetra_tree<Adaptive>(scenes::unit_cube()).config().depth == 2));                   // 12 tetrahedra
-  BOOST_TEST((Tetra_tree<Adaptive>(scenes::blob(random, 3, 0.9, 1)).config().depth == 5));     // 512: 4^4.5
+  BOOST_TEST((Tetra_tree<Adaptive>(scenes::unit_cube()).config().depth == 2));              // 12 tetrahedra
+  BOOST_TEST((Tetra_tree<Adaptive>(scenes::blob(random, 3, 0.9, 1)).config().depth == 5));  // 512: 4^4.5
   Config deep;
   deep.depth = 99;
   deep.leaf_size = 4;
@@ -214,7 +223,8 @@ BOOST_AUTO_TEST_CASE(on_demand_makes_only_nodes_asked_for_and_the_same_as_all_at
 {
   Random random(5);
   for (const auto& [name, body] : bodies()) {
-    BOOST_TEST_CONTEXT(name) {
+    BOOST_TEST_CONTEXT(name)
+    {
       Config config = random_config(random);
       config.depth = 4;
       Tetra_tree<Adaptive> whole(body, config);
@@ -234,12 +244,13 @@ BOOST_AUTO_TEST_CASE(on_demand_makes_only_nodes_asked_for_and_the_same_as_all_at
         open.pop_back();
         const auto a = whole.node(n);
         const auto b = lazy.node(m).is_leaf ? lazy.node(m) : lazy.with_children(m);
-        wrong += a.cone.ray != b.cone.ray || a.is_leaf != b.is_leaf || a.child_count != b.child_count || a.tetrahedron != b.tetrahedron ||
-                 a.sphere.radius != b.sphere.radius;
+        wrong += a.cone.ray != b.cone.ray || a.is_leaf != b.is_leaf || a.child_count != b.child_count ||
+                 a.tetrahedron != b.tetrahedron || a.sphere.radius != b.sphere.radius;
         const auto same = [](auto x, auto y) { return std::equal(x.begin(), x.end(), y.begin(), y.end()); };
         wrong += !same(whole.elements(a), lazy.elements(b));
         wrong += !same(whole.edges(a), lazy.edges(b)) || !same(whole.faces(a), lazy.faces(b));
-        for (Index c = 0; c < a.child_count && c < b.child_count; ++c) open.push_back({a.first_child + c, b.first_child + c});
+        for (Index c = 0; c < a.child_count && c < b.child_count; ++c)
+          open.push_back({a.first_child + c, b.first_child + c});
       }
       BOOST_TEST(wrong == 0);
       BOOST_TEST(lazy.node_count() == whole.node_count());
@@ -251,7 +262,8 @@ BOOST_AUTO_TEST_CASE(the_reach_bounds_every_coordinate)
 {
   Random random(6);
   for (const auto& [name, body] : bodies()) {
-    BOOST_TEST_CONTEXT(name) {
+    BOOST_TEST_CONTEXT(name)
+    {
       Config config = random_config(random);
       const Tetra_tree<Adaptive> tree(body, config);
       int wrong = 0;
@@ -275,7 +287,8 @@ BOOST_AUTO_TEST_CASE(trees_of_huge_tiny_and_denormal_models_hold_everything)
       config.depth = 3;
       const Tetra_tree<Adaptive> tree(scenes::moved(body, scale), config);
       std::set<Index> faces;
-      for (const Index leaf : leaves(tree)) faces.insert(tree.faces(tree.node(leaf)).begin(), tree.faces(tree.node(leaf)).end());
+      for (const Index leaf : leaves(tree))
+        faces.insert(tree.faces(tree.node(leaf)).begin(), tree.faces(tree.node(leaf)).end());
       BOOST_TEST(faces.size() == body.face_count());
     }
 }
@@ -286,11 +299,17 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(trees_of_rounding_kernels_hold_every_face, K, Roun
   Random random(8);
   for (const auto& [name, body] : bodies()) {
     if (name == "far blob" || name == "small blob") continue;  // beyond single precision
-    BOOST_TEST_CONTEXT(name) {
+    BOOST_TEST_CONTEXT(name)
+    {
       const Tetra_tree<K> tree(body, random_config(random));
       std::set<Index> faces;
-      for (const Index leaf : leaves(tree)) faces.insert(tree.faces(tree.node(leaf)).begin(), tree.faces(tree.node(leaf)).end());
+      for (const Index leaf : leaves(tree))
+        faces.insert(tree.faces(tree.node(leaf)).begin(), tree.faces(tree.node(leaf)).end());
       BOOST_TEST(faces.size() == body.face_count());
     }
   }
 }
+
+// Planted and seen to fail: child 3 never made, leaves_hold_every_tetrahedron_edge_and_face; the third test of the
+// classification left out and bounds without slack,
+// every_point_of_the_surface_is_in_a_leaf_that_holds_its_triangle_and_in_all_bounds_on_the_way.
