@@ -617,8 +617,8 @@ BOOST_AUTO_TEST_CASE(theorem_2_discards_nothing_of_a_body_whose_origin_is_before
 }
 
 // Planted, one at a time, each seen to fail here:
-// - no child 3 of a cone: exact_kernels_are_right_on_every_kind_of_contact, ..._on_meshes and five more;
-// - no slack in any bound: exact_kernels_are_right_on_cubes_that_touch_under_a_hundred_rotations and five more;
+// - no child 3 of a cone: exact_kernels_are_right_on_every_kind_of_contact, ..._on_meshes and others;
+// - no slack in any bound: exact_kernels_are_right_on_cubes_that_touch_under_a_hundred_rotations and others;
 // - Theorem 2 without its question for V0: theorem_2_discards_nothing_of_a_body_whose_origin_is_before_the_plane;
 // - weights of 1/2 on borders instead of the moved point: one_body_in_another_in_its_cavity_in_its_tunnel_and_...
 // Planted and not seen here but in tetratree_classification and tetratree_tetra_tree: no third test of the
