@@ -6,12 +6,12 @@
 #include "experiments/progress.h"
 #include "experiments/workloads.h"
 #include "kernel/input_error.h"
+#include "kernel/text_lines.h"
 #include "verify/subject.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -156,14 +156,6 @@ std::string study_workload(const Workload& workload, std::uint64_t seed, const s
   return rows;
 }
 
-std::string read_whole(const std::filesystem::path& file)
-{
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
 }  // namespace
 
 void run_study(const Study_options& options)
@@ -184,7 +176,7 @@ void run_study(const Study_options& options)
       const std::string title = "study " + std::to_string(k + 1) + "/" + std::to_string(workloads.size()) + " " + workloads[k].name;
       write_whole(part, study_workload(workloads[k].make(), options.seed, title));
     }
-    table += read_whole(part);
+    table += kernel::read_bytes(part);
   }
   write_whole(options.out / "study.csv", table);
 }

@@ -4,11 +4,10 @@
 #include "kernel/pose.h"
 #include "kernel/text_lines.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace tetracone::kernel {
@@ -70,14 +69,7 @@ inline std::vector<Pose> read_poses(const std::filesystem::path& file)
     } else {
       poses.emplace_back(nearest);
     }
-    const auto flat = [](const Pose& pose) {
-      if (pose.is_rational()) return pose.determinant_sign() == CGAL::ZERO;
-      // The same sign, filtered: files hold many poses.
-      using Vector = CGAL::Exact_predicates_inexact_constructions_kernel::Vector_3;
-      return CGAL::orientation(Vector(pose[0], pose[1], pose[2]), Vector(pose[4], pose[5], pose[6]),
-                               Vector(pose[8], pose[9], pose[10])) == CGAL::ZERO;
-    };
-    if (flat(poses.back())) lines.fail("the 3x3 part has determinant 0", "expected a matrix that flattens nothing");
+    if (poses.back().determinant_sign() == CGAL::ZERO) lines.fail("the 3x3 part has determinant 0", "expected a matrix that flattens nothing");
   }
   if (poses.empty()) throw Input_error(file.native(), 0, "holds no pose", "expected twelve numbers a line");
   return poses;
