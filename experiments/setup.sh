@@ -5,7 +5,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 # To build the program and its tests.
 build_packages=(g++ cmake ninja-build libcgal-dev libgmp-dev libmpfr-dev libeigen3-dev libboost-dev libboost-test-dev
-  libcli11-dev nlohmann-json3-dev libsqlite3-dev)
+  libcli11-dev nlohmann-json3-dev libsqlite3-dev libtbb-dev)
 # For the study: the peers that it compares with, and the figures of its report.
 study_packages=(libfcl-dev python3 python3-matplotlib)
 

@@ -1,7 +1,7 @@
 #include "experiments/trajectory.h"
 
-#include "experiments/objects.h"
-#include "experiments/random.h"
+#include "verify/objects.h"
+#include "verify/random.h"
 
 #include <algorithm>
 #include <array>
@@ -10,6 +10,8 @@
 #include <numbers>
 
 namespace tetracone::experiments {
+
+using namespace verify;
 namespace {
 
 using kernel::Pose;

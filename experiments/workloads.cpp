@@ -1,7 +1,7 @@
 #include "experiments/workloads.h"
 
-#include "experiments/objects.h"
-#include "experiments/random.h"
+#include "verify/objects.h"
+#include "verify/random.h"
 #include "experiments/trajectory.h"
 #include "kernel/input_error.h"
 #include "verify/subject.h"
@@ -13,6 +13,8 @@
 #include <utility>
 
 namespace tetracone::experiments {
+
+using namespace verify;
 namespace {
 
 using covering::Polyhedron;

@@ -47,26 +47,38 @@ class Collision {
   bool operator()(const Pose& pose_a, const Pose& pose_b, Question question = Question::solid)
   {
     const Fallbacks fallbacks(counts_);
-    begin(pose_a, pose_b);
-    features_ = nullptr;
-    if (roots_apart()) return false;
-    if (descend_from_roots()) return true;
+    const auto meet = [this](const Node<B>& a, const Node<B>& b) { return leaves_meet(a, b); };
+    if (any_leaf_pair(pose_a, pose_b, meet)) return true;
     return question == Question::solid && (holds_a_shell(a_, b_) || holds_a_shell(b_, a_));
+  }
+
+  /// Calls leaf_test(node of A, node of B) for the pairs of leaves that the query does not discard, until one returns true: the
+  /// descent alone, with a leaf test of the caller's. Returns whether one did.
+  template <class Leaf_test>
+  bool any_leaf_pair(const Pose& pose_a, const Pose& pose_b, const Leaf_test& leaf_test)
+  {
+    begin(pose_a, pose_b);
+    return !roots_apart() && descend_from_roots(leaf_test);
   }
 
   /// All pairs of an edge of one and a face of the other that share a point, with the kind of their contact, sorted.
   std::vector<Feature_pair> features(const Pose& pose_a, const Pose& pose_b)
   {
     const Fallbacks fallbacks(counts_);
-    begin(pose_a, pose_b);
     std::vector<Feature_pair> found;
     features_ = &found;
-    if (!roots_apart()) descend_from_roots();
+    any_leaf_pair(pose_a, pose_b, [this](const Node<B>& a, const Node<B>& b) { return leaves_meet(a, b); });
     features_ = nullptr;
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
   }
+
+  /// The choices by which queries run; those of the build have been made.
+  Config& config() { return config_; }
+
+  Placed_tree<K>& a() { return a_; }
+  Placed_tree<K>& b() { return b_; }
 
   const Counts& counts() const { return counts_; }
   void clear_counts() { counts_ = {}; }
@@ -115,13 +127,14 @@ class Collision {
     return !(a.is_leaf && b.is_leaf) && spheres_apart(a, b);
   }
 
-  bool descend_from_roots()
+  template <class Leaf_test>
+  bool descend_from_roots(const Leaf_test& leaf_test)
   {
     if (config_.regular_hull) {
       plane_a_ = reference(a_, b_);
       plane_b_ = reference(b_, a_);
     }
-    return descend(root, root);
+    return descend(root, root, leaf_test);
   }
 
   // The plane of `body` that faces `other`, when it can discard anything: when the other's V0, a vertex of all its bounding
@@ -144,6 +157,7 @@ class Collision {
 
   bool spheres_apart(const Node<B>& a, const Node<B>& b)
   {
+    if (!config_.spheres) return false;
     ++counts_.sphere_tests;
     const bool apart = kernel::separated<B, sound>(a_.sphere(a), b_.sphere(b));
     counts_.discarded_by_sphere += apart;
@@ -152,7 +166,7 @@ class Collision {
 
   bool tetrahedra_apart(const Node<B>& a, const Node<B>& b)
   {
-    if (a.level == 0 || b.level == 0) return false;
+    if (!config_.tetrahedra || a.level == 0 || b.level == 0) return false;
     ++counts_.tetrahedron_tests;
     const bool apart = kernel::separated<B>(a_.tetrahedron(a), b_.tetrahedron(b), config_.all_axes, slack_);
     counts_.discarded_by_tetrahedron += apart;
@@ -160,25 +174,27 @@ class Collision {
   }
 
   // A pair of nodes: true when a contact was found and one is enough.
-  bool visit(Index na, Index nb)
+  template <class Leaf_test>
+  bool visit(Index na, Index nb, const Leaf_test& leaf_test)
   {
     ++counts_.pairs_visited;
     const Node<B>&a = a_.tree().node(na), &b = b_.tree().node(nb);
     if (spheres_apart(a, b) || tetrahedra_apart(a, b)) return false;
-    return descend(na, nb);
+    return descend(na, nb, leaf_test);
   }
 
-  bool descend(Index na, Index nb)
+  template <class Leaf_test>
+  bool descend(Index na, Index nb, const Leaf_test& leaf_test)
   {
     const Node<B>&a = a_.tree().node(na), &b = b_.tree().node(nb);
-    if (a.is_leaf && b.is_leaf) return leaves_meet(a, b);
+    if (a.is_leaf && b.is_leaf) return leaf_test(a, b);
     if (config_.descent == Descent::both && !a.is_leaf && !b.is_leaf)
       return for_children_of_a(na, [&](Index child_a) {
-        return for_children_of_b(nb, [&](Index child_b) { return visit(child_a, child_b); });
+        return for_children_of_b(nb, [&](Index child_b) { return visit(child_a, child_b, leaf_test); });
       });
     const bool a_first = b.is_leaf || (!a.is_leaf && a.volume * determinant_a_ > b.volume * determinant_b_);
-    if (a_first) return for_children_of_a(na, [&](Index child) { return visit(child, nb); });
-    return for_children_of_b(nb, [&](Index child) { return visit(na, child); });
+    if (a_first) return for_children_of_a(na, [&](Index child) { return visit(child, nb, leaf_test); });
+    return for_children_of_b(nb, [&](Index child) { return visit(na, child, leaf_test); });
   }
 
   template <class Visit>

@@ -47,6 +47,10 @@ struct Config {
   /// Theorem 2: discard a bounding tetrahedron that lies beyond the plane of the other body's reference bounding tetrahedron.
   bool regular_hull = true;
 
+  /// Discard pairs of nodes by their bounding spheres, and by their bounding tetrahedra.
+  bool spheres = true;
+  bool tetrahedra = true;
+
   Descent descent = Descent::larger_first;
 
   /// Bounding tetrahedra are compared along all 44 axes, which is the whole test of two tetrahedra, or along their 8 face

@@ -23,13 +23,6 @@ constexpr std::array<std::pair<Kernel_name, std::string_view>, 7> kernel_names =
 constexpr std::array<std::pair<Method, std::string_view>, 3> method_names = {
     {{Method::tree, "tree"}, {Method::paper, "paper"}, {Method::brute, "brute"}}};
 
-tetratree::Config config_of(Method method)
-{
-  if (method == Method::tree) return tetratree::Config::fastest();
-  if (method == Method::brute) return tetratree::Config::brute();
-  return {};
-}
-
 template <class K>
 class Tree_pair : public Prepared_pair {
  public:
@@ -98,6 +91,13 @@ class Truth_pair : public Prepared_pair {
 std::string_view to_string(Method method)
 {
   return method_names[static_cast<std::size_t>(method)].second;
+}
+
+tetratree::Config config_of(Method method)
+{
+  if (method == Method::tree) return tetratree::Config::fastest();
+  if (method == Method::brute) return tetratree::Config::brute();
+  return {};
 }
 
 std::optional<Method> parse_method(std::string_view name)

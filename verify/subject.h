@@ -6,6 +6,7 @@
 #include "kernel/pose.h"
 #include "kernel/question.h"
 #include "kernel/tolerant.h"
+#include "tetratree/config.h"
 #include "tetratree/counts.h"
 
 #include <cstddef>
@@ -48,6 +49,9 @@ struct Subject {
 };
 
 std::string_view to_string(Method method);
+
+/// The choices of trees and queries that the method stands for.
+tetratree::Config config_of(Method method);
 std::optional<Method> parse_method(std::string_view name);
 
 /// Two polyhedra made ready for one subject: built once, asked for many poses. Faces must be planar.

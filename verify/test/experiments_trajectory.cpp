@@ -1,6 +1,6 @@
 #include "experiments/trajectory.h"
 
-#include "experiments/objects.h"
+#include "verify/objects.h"
 #include "verify/subject.h"
 
 #include <boost/test/unit_test.hpp>
@@ -14,6 +14,7 @@
 
 using namespace tetracone;
 using namespace tetracone::experiments;
+using namespace tetracone::verify;
 using kernel::Pose;
 
 namespace {

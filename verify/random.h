@@ -1,5 +1,5 @@
-#ifndef TETRACONE_EXPERIMENTS_RANDOM_H
-#define TETRACONE_EXPERIMENTS_RANDOM_H
+#ifndef TETRACONE_VERIFY_RANDOM_H
+#define TETRACONE_VERIFY_RANDOM_H
 
 #include <array>
 #include <bit>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace tetracone::experiments {
+namespace tetracone::verify {
 
 /// A direction, a position or a rotation's row.
 using Vector = std::array<double, 3>;
@@ -114,6 +114,6 @@ inline std::array<double, 2> turn(double turns)
   return {c * cosine - s * sine, c * sine + s * cosine};
 }
 
-}  // namespace tetracone::experiments
+}  // namespace tetracone::verify
 
 #endif

@@ -1,5 +1,5 @@
-#ifndef TETRACONE_EXPERIMENTS_OBJECTS_H
-#define TETRACONE_EXPERIMENTS_OBJECTS_H
+#ifndef TETRACONE_VERIFY_OBJECTS_H
+#define TETRACONE_VERIFY_OBJECTS_H
 
 #include "covering/polyhedron.h"
 
@@ -11,7 +11,7 @@
 #include <vector>
 
 /// The objects of the experiments. All are closed; all are outward where nothing else is said.
-namespace tetracone::experiments {
+namespace tetracone::verify {
 
 using covering::Polyhedron;
 using kernel::Vertex;
@@ -83,6 +83,6 @@ Vertex centroid(const Polyhedron& polyhedron);
 /// The distance from the centroid to the farthest vertex, rounded.
 double radius(const Polyhedron& polyhedron);
 
-}  // namespace tetracone::experiments
+}  // namespace tetracone::verify
 
 #endif

@@ -1,7 +1,7 @@
-#include "experiments/objects.h"
+#include "verify/objects.h"
 
 #include "covering/read.h"
-#include "experiments/random.h"
+#include "verify/random.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -16,7 +16,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace tetracone::experiments {
+namespace tetracone::verify {
 namespace {
 
 using covering::Index;
@@ -428,4 +428,4 @@ std::optional<Polyhedron> large_mesh(const std::filesystem::path& folder)
   return normalised(decimate(*mesh, 7172));
 }
 
-}  // namespace tetracone::experiments
+}  // namespace tetracone::verify

@@ -1,10 +1,10 @@
-#include "experiments/objects.h"
+#include "verify/objects.h"
 
 #include "covering/check.h"
 #include "covering/read.h"
 #include "covering/repair.h"
 #include "covering/write.h"
-#include "experiments/random.h"
+#include "verify/random.h"
 #include "verify/test/temporary_file.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -23,7 +23,7 @@
 #include <vector>
 
 using namespace tetracone;
-using namespace tetracone::experiments;
+using namespace tetracone::verify;
 using covering::Check;
 using covering::Index;
 using kernel::Rational;

@@ -1,0 +1,110 @@
+#include "verify/tables.h"
+
+#include "kernel/number.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace tetracone::verify {
+namespace {
+
+struct Table {
+  std::string_view name, what, sql;
+};
+
+// A query whose last two columns are called hits and of_n gives a table with the rate and its interval in their place.
+constexpr Table all[] = {
+    {"errors", "wrong answers of every subject by family and question",
+     "SELECT level, family, subject, question, sum(n) AS n, sum(false_positives) AS false_positives, sum(false_negatives) AS false_negatives, "
+     "sum(failures) AS failures FROM tally WHERE axis = 'rho' GROUP BY level, family, subject, question ORDER BY 1, 2, 3, 4"},
+    {"rates", "share of wrong answers by family, with Wilson's 95 % interval",
+     "SELECT level, family, subject, question, sum(n) AS n, sum(not_asked) AS not_asked, "
+     "sum(false_positives + false_negatives + failures) AS hits, sum(n) AS of_n FROM tally WHERE axis = 'rho' "
+     "GROUP BY level, family, subject, question ORDER BY 1, 2, 3, 4"},
+    {"subjects", "share of wrong answers over all families, with Wilson's 95 % interval",
+     "SELECT level, subject, question, sum(n) AS n, sum(false_positives) AS false_positives, sum(false_negatives) AS false_negatives, "
+     "sum(failures) AS failures, sum(not_asked) AS not_asked, sum(false_positives + false_negatives + failures) AS hits, sum(n) AS of_n "
+     "FROM tally WHERE axis = 'rho' GROUP BY level, subject, question ORDER BY 1, 2, 3"},
+    {"distance", "wrong answers by distance to degeneracy: floor of log2 of rho or of ulps; -9999 exactly degenerate, 9999 not near",
+     "SELECT level, subject, question, axis, bin, sum(n) AS n, sum(false_positives + false_negatives + failures) AS hits, sum(n) AS of_n "
+     "FROM tally GROUP BY level, subject, question, axis, bin ORDER BY 1, 2, 3, 4, 5"},
+    {"parameters", "wrong answers among the first cases of each family by its parameter",
+     "SELECT level, family, parameter, subject, question, count(*) AS wrong FROM wrong GROUP BY 1, 2, 3, 4, 5 ORDER BY 1, 2, 3, 4, 5"},
+    {"blame", "the stage that made the answers of rounding trees wrong, by family",
+     "SELECT subject, family, question, stage, sum(n) AS n FROM blame GROUP BY subject, family, question, stage ORDER BY 1, 2, 3, 4"},
+    {"stages", "the stage that made the answers of rounding trees wrong, over all families",
+     "SELECT subject, question, stage, sum(n) AS n FROM blame GROUP BY subject, question, stage ORDER BY 1, 2, 3"},
+    {"relations", "metamorphic relations: tried, violated, with Wilson's 95 % interval",
+     "SELECT level, relation, subject, sum(tried) AS tried, sum(violated) AS violated, sum(not_applicable) AS not_applicable, "
+     "sum(violated) AS hits, sum(tried) AS of_n FROM relation GROUP BY level, relation, subject ORDER BY 1, 2, 3"},
+    {"flips", "changes of the answer in sequences of exact contact, beside those of the truth",
+     "SELECT sequence, subject, question, frames, wrong, changes, true_changes FROM flips ORDER BY 1, 2, 3"},
+    {"truth", "cases and positive answers by family; how many were known by construction as well",
+     "SELECT level, family, question, sum(n) AS n, sum(positives) AS positives, sum(by_construction) AS by_construction FROM truth "
+     "GROUP BY level, family, question ORDER BY 1, 2, 3"},
+    {"wrong", "the wrong answers among the first cases of each family, one by one",
+     "SELECT run, level, family, number, parameter, subject, question, truth, answer, log2_rho, log2_ulps, stage FROM wrong ORDER BY 1, 2, 3, 4, 6, 7"},
+    {"time", "mean nanoseconds an answer, preparation included",
+     "SELECT level, subject, question, sum(n) AS n, sum(nanoseconds) / sum(n) AS mean_nanoseconds FROM time GROUP BY level, subject, question "
+     "ORDER BY 1, 2, 3"},
+    {"runs", "what made the rows: version, compiler, flags, processor and seed",
+     "SELECT id AS run, version, compiler, flags, processor, seed, real_meshes FROM run ORDER BY 1"},
+};
+
+/// A field of a CSV: quoted where it holds a comma or a quote.
+std::string field(const std::string& text)
+{
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+}  // namespace
+
+const std::vector<std::pair<std::string_view, std::string_view>>& tables()
+{
+  static const auto names = [] {
+    std::vector<std::pair<std::string_view, std::string_view>> names;
+    for (const Table& table : all) names.emplace_back(table.name, table.what);
+    return names;
+  }();
+  return names;
+}
+
+std::string table_as_csv(Database& database, std::string_view name)
+{
+  const auto table = std::find_if(std::begin(all), std::end(all), [&](const Table& t) { return t.name == name; });
+  assert(table != std::end(all));
+  Database::Statement rows(database, table->sql);
+  const int columns = rows.columns();
+  const bool has_rate = rows.name(columns - 1) == "of_n";
+  const int plain = has_rate ? columns - 2 : columns;
+  std::string csv;
+  for (int k = 0; k < plain; ++k) csv += (k == 0 ? "" : ",") + rows.name(k);
+  csv += has_rate ? ",rate,low,high\n" : "\n";
+  for (rows.with(); rows.next();) {
+    for (int k = 0; k < plain; ++k) csv += (k == 0 ? "" : ",") + field(rows.text(k));
+    if (has_rate) {
+      const std::int64_t hits = rows.integer(columns - 2), n = rows.integer(columns - 1);
+      const Interval interval = wilson(hits, n);
+      for (const double x : {n == 0 ? 0 : double(hits) / double(n), interval.low, interval.high}) csv += "," + kernel::shortest(x);
+    }
+    csv += "\n";
+  }
+  return csv;
+}
+
+Interval wilson(std::int64_t hits, std::int64_t n)
+{
+  if (n == 0) return {0, 1};
+  constexpr double z2 = 1.959963984540054 * 1.959963984540054;
+  const double p = double(hits) / double(n), scale = 1 / (1 + z2 / double(n));
+  const double centre = (p + z2 / (2 * double(n))) * scale;
+  const double half = std::sqrt(z2 * (p * (1 - p) / double(n) + z2 / (4 * double(n) * double(n)))) * scale;
+  // At the ends the two are equal but for rounding.
+  return {hits == 0 ? 0 : std::max(0.0, centre - half), hits == n ? 1 : std::min(1.0, centre + half)};
+}
+
+}  // namespace tetracone::verify
