@@ -1,9 +1,12 @@
 #include "experiments/collide_command.h"
 
+#include "covering/edge_uses.h"
 #include "experiments/model_file.h"
 #include "experiments/output_file.h"
 #include "experiments/progress.h"
 #include "kernel/read_poses.h"
+#include "verify/case_file.h"
+#include "verify/predicate_subject.h"
 #include "verify/subject.h"
 
 #include <nlohmann/json.hpp>
@@ -13,7 +16,10 @@
 #include <iostream>
 #include <limits>
 #include <memory>
+#include <numeric>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tetracone::experiments {
@@ -54,8 +60,37 @@ Pose_pairs read_pose_pairs(const Options& options)
   return poses;
 }
 
+/// What is asked: two models, or the bodies of a case file, and their poses.
+struct Scene {
+  Model_file a, b;
+  Pose_pairs poses;
+  Question question;
+};
+
+Scene read_scene(const Options& options, Question question)
+{
+  if (options.b.empty())
+    throw CLI::ValidationError("collide " + options.a, "expected a second model, B: only a case file, *.case.json, has both bodies");
+  Pose_pairs poses = read_pose_pairs(options);
+  const bool solid = question == Question::solid && !options.features;
+  Model_file a = load_model(options.a, options.models, solid), b = load_model(options.b, options.models, solid);
+  return {std::move(a), std::move(b), std::move(poses), question};
+}
+
+Scene scene_of(const verify::Object_case& c, const std::string& file, Question question, bool must_be_solid)
+{
+  const auto body = [&](const covering::Polyhedron& polyhedron, const char* name) {
+    if (must_be_solid && !covering::is_closed(polyhedron))
+      throw kernel::Input_error(file, 0, "body " + std::string(name) + " is an open surface and has no solid", "expected --question surface");
+    std::vector<covering::Index> source(polyhedron.face_count());
+    std::iota(source.begin(), source.end(), covering::Index(0));
+    return Model_file{file, polyhedron, std::move(source)};
+  };
+  return {body(*c.a, "a"), body(*c.b, "b"), {{c.pose_a}, {c.pose_b}}, question};
+}
+
 struct Row {
-  bool answer = false;
+  int answer = 0;  // of a predicate, also -1
   double nanoseconds = std::numeric_limits<double>::infinity();
   tetratree::Counts counts;
 };
@@ -82,7 +117,7 @@ std::string rows_as_csv(const std::vector<Row>& rows, bool time)
   std::string text = time ? "pose,answer,ns,bounding_tests,primitive_tests,exact_fallbacks\n" : "pose,answer\n";
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const Row& row = rows[k];
-    text += std::to_string(k) + "," + (row.answer ? "1" : "0");
+    text += std::to_string(k) + "," + std::to_string(row.answer);
     if (time)
       text += "," + std::to_string(static_cast<long long>(row.nanoseconds)) + "," + std::to_string(row.counts.bounding_tests()) + "," +
               std::to_string(row.counts.primitive_tests()) + "," + std::to_string(row.counts.exact_fallbacks);
@@ -95,7 +130,7 @@ std::string rows_as_json(const std::vector<Row>& rows, bool time)
 {
   Json json = Json::array();
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    Json row = {{"pose", k}, {"answer", rows[k].answer ? 1 : 0}};
+    Json row = {{"pose", k}, {"answer", rows[k].answer}};
     if (time) {
       row["ns"] = static_cast<long long>(rows[k].nanoseconds);
       row["bounding_tests"] = rows[k].counts.bounding_tests();
@@ -132,47 +167,96 @@ std::string features_as_json(const std::vector<std::vector<Feature_pair>>& featu
   return json.dump(1) + "\n";
 }
 
-void run(const Options& options)
+std::string rows_as_text(const std::vector<Row>& rows, const Options& options)
 {
-  const auto question = kernel::parse_question(options.question);
+  if (options.json) return rows_as_json(rows, options.time);
+  if (!options.csv.empty()) return rows_as_csv(rows, options.time);
+  std::string text;
+  for (const Row& row : rows) text += std::to_string(row.answer) + "\n";
+  return text;
+}
+
+std::string features_of(verify::Prepared_pair& pair, const Scene& scene, const Options& options)
+{
+  std::vector<std::vector<Feature_pair>> features;
+  Progress progress("poses", scene.poses.count());
+  for (std::size_t k = 0; k < scene.poses.count(); ++k) {
+    auto found = pair.features(scene.poses.of_a(k), scene.poses.of_b(k));
+    // Faces are named as the file has them.
+    for (Feature_pair& f : found) f.face = (f.body == 0 ? scene.b : scene.a).source_face[f.face];
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    features.push_back(std::move(found));
+    progress.step();
+  }
+  if (options.json) return features_as_json(features);
+  return options.csv.empty() ? features_as_text(features, "", " ") : features_as_text(features, "pose,body,edge_from,edge_to,face,kind\n", ",");
+}
+
+std::string answers_of(const Scene& scene, const Subject& subject, const Options& options)
+{
+  const auto pair = verify::prepare(subject, scene.a.polyhedron, scene.b.polyhedron);
+  if (options.features) return features_of(*pair, scene, options);
+  return rows_as_text(ask(*pair, scene.poses, scene.question, options.time ? options.repeat : 1), options);
+}
+
+/// The answer of the subject of predicates that has the kernel's name.
+std::string answer_of(const verify::Case_file& c, const Options& options)
+{
+  for (const auto& [given, name] : {std::pair(options.features, "--features"), {options.time, "--time"}, {options.method != "tree", "--method"}})
+    if (given) throw CLI::ValidationError(name, "expected with bodies; " + options.a + " asks a predicate");
+  const auto& subjects = verify::predicate_subjects();
+  const auto subject = std::find_if(subjects.begin(), subjects.end(), [&](const auto& each) { return each.name == options.kernel; });
+  if (subject == subjects.end()) {
+    std::string names;
+    for (const auto& each : subjects) names += (names.empty() ? "" : ", ") + each.name;
+    throw CLI::ValidationError("--kernel " + options.kernel, "expected a subject of predicates: " + names);
+  }
+  const std::optional<int> answer = subject->answer(*c.predicate, *c.points);
+  if (!answer)
+    throw kernel::Input_error(options.a, 0, options.kernel + " does not answer " + to_string(*c.predicate) + " on these points",
+                              "expected another kernel, or points of which it is asked");
+  Row row;
+  row.answer = *answer;
+  return rows_as_text({row}, options);
+}
+
+/// The options that tell how models are read say nothing about a case file.
+void refuse_options_of_models(const Options& options)
+{
+  for (const auto& [given, name] : {std::pair(!options.b.empty(), "B"), {!options.poses_a.empty(), "--pose-a"}, {!options.poses_b.empty(), "--pose-b"},
+                                    {options.models.strict, "--strict"}, {options.models.merge, "--merge"}, {options.models.orient, "--orient"}})
+    if (given) throw CLI::ValidationError(name, "expected without a case file: " + options.a + " holds both bodies and poses");
+}
+
+void run(const Options& options, bool question_is_given)
+{
+  auto question = kernel::parse_question(options.question);
   const auto method = verify::parse_method(options.method);
   if (!question) throw CLI::ValidationError("--question " + options.question, "expected solid or surface");
   if (!method) throw CLI::ValidationError("--method " + options.method, "expected tree, paper or brute");
-  const auto subject = Subject::parse(options.kernel, *method);
-  if (!subject)
-    throw CLI::ValidationError("--kernel " + options.kernel,
-                               "expected adaptive, double, float, double-eps=E, epick, epeck or rational");
   if (options.time && options.csv.empty() && !options.json) throw CLI::ValidationError("--time", "expected --csv or --json to hold the times");
   if (options.time && options.features) throw CLI::ValidationError("--time", "expected without --features");
   if (options.json && !options.csv.empty()) throw CLI::ValidationError("--json", "expected without --csv");
   if (options.repeat < 1) throw CLI::ValidationError("--repeat", "expected a number from 1");
 
-  const Pose_pairs poses = read_pose_pairs(options);
-  const bool solid = *question == Question::solid && !options.features;
-  const Model_file a = load_model(options.a, options.models, solid), b = load_model(options.b, options.models, solid);
-  const auto pair = verify::prepare(*subject, a.polyhedron, b.polyhedron);
-
+  std::optional<verify::Case_file> c;
+  if (verify::is_case_name(options.a)) {
+    refuse_options_of_models(options);
+    c = verify::read_case(options.a);
+  }
   std::string text;
-  if (options.features) {
-    std::vector<std::vector<Feature_pair>> features;
-    Progress progress("poses", poses.count());
-    for (std::size_t k = 0; k < poses.count(); ++k) {
-      auto found = pair->features(poses.of_a(k), poses.of_b(k));
-      // Faces are named as the file has them.
-      for (Feature_pair& f : found) f.face = (f.body == 0 ? b : a).source_face[f.face];
-      std::sort(found.begin(), found.end());
-      found.erase(std::unique(found.begin(), found.end()), found.end());
-      features.push_back(std::move(found));
-      progress.step();
-    }
-    text = options.json           ? features_as_json(features)
-           : options.csv.empty() ? features_as_text(features, "", " ")
-                                 : features_as_text(features, "pose,body,edge_from,edge_to,face,kind\n", ",");
+  if (c && c->level == verify::Level::predicate) {
+    if (question_is_given) throw CLI::ValidationError("--question", "expected with bodies; " + options.a + " asks a predicate");
+    text = answer_of(*c, options);
   } else {
-    const auto rows = ask(*pair, poses, *question, options.time ? options.repeat : 1);
-    if (options.json) text = rows_as_json(rows, options.time);
-    else if (!options.csv.empty()) text = rows_as_csv(rows, options.time);
-    else for (const Row& row : rows) text += row.answer ? "1\n" : "0\n";
+    const auto subject = Subject::parse(options.kernel, *method);
+    if (!subject)
+      throw CLI::ValidationError("--kernel " + options.kernel,
+                                 "expected adaptive, double, float, double-eps=E, epick, epeck or rational");
+    if (c && !question_is_given) question = c->question;
+    const bool solid = *question == Question::solid && !options.features;
+    text = answers_of(c ? scene_of(*c->object, options.a, *question, solid) : read_scene(options, *question), *subject, options);
   }
   if (options.csv.empty()) std::cout << text;
   else write_whole(options.csv, text);
@@ -184,11 +268,13 @@ void add_collide_command(CLI::App& app)
 {
   CLI::App* command = app.add_subcommand("collide", "Whether two models collide: one answer a pose");
   const auto options = std::make_shared<Options>();
-  command->add_option("A", options->a, "Model: OFF, OBJ, PLY, STL or TetGen .poly")->required();
-  command->add_option("B", options->b, "Model")->required();
+  command->add_option("A", options->a, "Model: OFF, OBJ, PLY, STL or TetGen .poly; or a case file, *.case.json, that holds all")->required();
+  command->add_option("B", options->b, "Model");
   command->add_option("--pose-a", options->poses_a, "Poses of A: one a line, 12 numbers, row-major 3x4; decimals or fractions n/d");
   command->add_option("--pose-b", options->poses_b, "Poses of B; one pose in either file serves all of the other");
-  command->add_option("--question", options->question, "solid: do the solids share a point; surface: do the surfaces")->capture_default_str();
+  const CLI::Option* question =
+      command->add_option("--question", options->question, "solid: do the solids share a point; surface: do the surfaces; of a case file: its own")
+          ->capture_default_str();
   command->add_option("--kernel", options->kernel, "adaptive, double, float, double-eps=E, epick, epeck or rational")->capture_default_str();
   command->add_option("--method", options->method, "tree: the kernel's fastest; paper: Jimenez & Segura's; brute: all pairs")->capture_default_str();
   command->add_flag("--features", options->features, "All colliding pairs (edge of one, face of the other) instead of the answer");
@@ -199,8 +285,9 @@ void add_collide_command(CLI::App& app)
   options->models.add_to(*command);
   command->footer(
       "Prints 1 or 0 for each pose. With --features: a line for each pair: pose, body (0: edge of A, face of B), edge, face, kind.\n"
+      "A case file of a predicate prints that predicate's answer.\n"
       "Example: tetracone collide cat.off house.poly --pose-b poses.txt --kernel epick --csv answers.csv --time");
-  command->callback([options] { run(*options); });
+  command->callback([options, question] { run(*options, question->count() > 0); });
 }
 
 }  // namespace tetracone::experiments

@@ -5,7 +5,8 @@
 
 namespace tetracone::experiments {
 
-/// Adds `tetracone collide A B`: whether two models collide, one answer a pose. Throws kernel::Input_error for bad input and
+/// Adds `tetracone collide A B` and `tetracone collide X.case.json`: whether two models, or the bodies of a case file, collide, one answer
+/// a pose. Throws kernel::Input_error for bad input and
 /// CLI::ValidationError for options that do not go together.
 void add_collide_command(CLI::App& app);
 

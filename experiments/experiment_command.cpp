@@ -1,8 +1,12 @@
 #include "experiments/experiment_command.h"
 
+#include "experiments/compilers.h"
+#include "experiments/dataset.h"
 #include "experiments/study.h"
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstdlib>
 #include <iostream>
 #include <memory>
@@ -17,13 +21,8 @@ struct Options {
   std::string name;
   bool list = false, full = false;
   Study_options study;
+  std::uint64_t cases = 20;
 };
-
-struct Experiment {
-  std::string_view name, question, time;
-};
-constexpr std::array<Experiment, 1> experiments = {
-    {{"study", "how fast and how often wrong is each kernel on the paper's trajectories and in exactly degenerate contact?", "3 min"}}};
 
 /// The figures of a CSV are drawn by a script, with Debian's matplotlib.
 void draw(const std::string& out)
@@ -32,20 +31,40 @@ void draw(const std::string& out)
   if (std::system(command.c_str()) != 0) throw std::runtime_error("the figures could not be drawn; expected python3 with matplotlib");
 }
 
-void run(Options options)
+void study(Options options)
+{
+  if (options.full) options.study.frames *= 20, options.study.rotations *= 20;
+  if (options.study.models.empty()) options.study.models = TETRACONE_SOURCE_DIR "/.cache/models";
+  run_study(options.study);
+  draw(options.study.out.native());
+}
+
+void compilers(Options options) { run_compilers(options.study.out); }
+
+void dataset(Options options) { export_dataset(options.study.out, options.full ? 20 * options.cases : options.cases, options.study.seed); }
+
+struct Experiment {
+  std::string_view name, question, time;
+  void (*run)(Options options);
+};
+constexpr std::array experiments = {
+    Experiment{"study", "how fast and how often wrong is each kernel on the paper's trajectories and in exactly degenerate contact?", "3 min", study},
+    Experiment{"compilers", "which compiler flags make which signs wrong?", "2 min", compilers},
+    Experiment{"dataset", "cases of every family with their exact truth, as CSV and JSON for other libraries", "1 min", dataset},
+};
+
+void run(const Options& options)
 {
   if (options.list) {
     for (const Experiment& e : experiments) std::cout << e.name << "  (" << e.time << ")  " << e.question << '\n';
     return;
   }
   if (options.name.empty()) throw CLI::RequiredError("NAME");
-  if (options.name != "study") throw CLI::ValidationError(options.name, "expected an experiment; --list names them");
+  const auto chosen = std::find_if(experiments.begin(), experiments.end(), [&](const Experiment& e) { return e.name == options.name; });
+  if (chosen == experiments.end()) throw CLI::ValidationError(options.name, "expected an experiment; --list names them");
   if (options.study.frames < 1 || options.study.rotations < 1) throw CLI::ValidationError("--frames, --rotations", "expected numbers from 1");
   if (options.study.out.native().find('\'') != std::string::npos) throw CLI::ValidationError("--out", "expected a name without '");
-  if (options.full) options.study.frames *= 20, options.study.rotations *= 20;
-  if (options.study.models.empty()) options.study.models = TETRACONE_SOURCE_DIR "/.cache/models";
-  run_study(options.study);
-  draw(options.study.out.native());
+  chosen->run(options);
 }
 
 }  // namespace
@@ -57,11 +76,12 @@ void add_experiment_command(CLI::App& app)
   command->add_option("NAME", options->name, "The experiment");
   command->add_flag("--list", options->list, "Name the experiments, with the time of their default size");
   command->add_option("--out", options->study.out, "Folder of the results")->capture_default_str();
-  command->add_option("--models", options->study.models, "Folder that experiments/fetch_models.sh filled; default: its own");
-  command->add_option("--frames", options->study.frames, "Poses of each trajectory")->capture_default_str();
-  command->add_option("--rotations", options->study.rotations, "Poses of each degenerate scenario")->capture_default_str();
+  command->add_option("--models", options->study.models, "study: folder that experiments/fetch_models.sh filled; default: its own");
+  command->add_option("--frames", options->study.frames, "study: poses of each trajectory")->capture_default_str();
+  command->add_option("--rotations", options->study.rotations, "study: poses of each degenerate scenario")->capture_default_str();
   command->add_option("--seed", options->study.seed, "Seed of every random choice")->capture_default_str();
-  command->add_flag("--full", options->full, "Twenty times as many poses");
+  command->add_option("--cases", options->cases, "dataset: cases per family and level")->capture_default_str();
+  command->add_flag("--full", options->full, "Twenty times as many poses or cases");
   command->footer("Stopped and started again with the same words, it goes on where it was.\nExample: tetracone experiment study --out out");
   command->callback([options] { run(*options); });
 }

@@ -5,7 +5,10 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 # To build the program and its tests.
 build_packages=(g++ cmake ninja-build libcgal-dev libgmp-dev libmpfr-dev libeigen3-dev libboost-dev libboost-test-dev
-  libcli11-dev nlohmann-json3-dev libsqlite3-dev libtbb-dev)
+  libcli11-dev nlohmann-json3-dev libsqlite3-dev libtbb-dev
+  librapidcheck-dev)
+# For the fuzz targets.
+fuzz_packages=(clang libclang-rt-14-dev)
 # For the study: the peers that it compares with, and the figures of its report.
 study_packages=(libfcl-dev python3 python3-matplotlib)
 
@@ -57,17 +60,18 @@ jobs_at_once()
   echo "$processors"
 }
 
-# build PRESET: configures quietly and builds.
+# build PRESET [CMAKE OPTION...]: configures quietly and builds.
 build()
 {
-  local log
+  local log preset=$1
+  shift
   log=$(mktemp)
-  echo "building: $1"
-  if ! (cd "$root" && cmake --preset "$1") > "$log" 2>&1; then
+  echo "building: $preset"
+  if ! (cd "$root" && cmake --preset "$preset" "$@") > "$log" 2>&1; then
     cat "$log" >&2
     rm -f "$log"
-    fail "could not configure: cmake --preset $1"
+    fail "could not configure: cmake --preset $preset"
   fi
   rm -f "$log"
-  (cd "$root" && cmake --build --preset "$1" --parallel "$(jobs_at_once)")
+  (cd "$root" && cmake --build --preset "$preset" --parallel "$(jobs_at_once)")
 }

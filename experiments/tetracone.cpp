@@ -7,6 +7,8 @@
 #include "experiments/collide_command.h"
 #include "experiments/experiment_command.h"
 #include "experiments/inside_command.h"
+#include "experiments/report_command.h"
+#include "experiments/verify_command.h"
 #include "kernel/floating_point.h"
 #include "kernel/input_error.h"
 
@@ -43,7 +45,10 @@ int main(int argc, char** argv)
   tetracone::experiments::add_check_command(app);
   tetracone::experiments::add_collide_command(app);
   tetracone::experiments::add_inside_command(app);
+  tetracone::experiments::add_verify_command(app);
+  tetracone::experiments::add_merge_command(app);
   tetracone::experiments::add_experiment_command(app);
+  tetracone::experiments::add_report_command(app);
 
   try {
     app.parse(argc, argv);

@@ -9,6 +9,9 @@
 
 namespace tetracone::verify {
 
+/// The answer of a subject that has none to give: an assertion of a library failed. No predicate has it, so it is always wrong.
+inline constexpr int no_answer = -2;
+
 /// Something that answers predicates: a kernel, with one of the formulations of the predicate where there are several.
 struct Predicate_subject {
   std::string name;  ///< "double", "double moeller-trumbore-eps-0"

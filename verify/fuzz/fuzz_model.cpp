@@ -1,0 +1,39 @@
+// A model file of any bytes: read, checked and repaired, or refused with Input_error; nothing else. The environment's FORMAT is the suffix.
+
+#include "covering/check.h"
+#include "covering/covering.h"
+#include "covering/orient.h"
+#include "covering/read.h"
+#include "covering/repair.h"
+#include "kernel/input_error.h"
+#include "verify/fuzz/scratch_file.h"
+
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+namespace covering = tetracone::covering;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  static const tetracone::verify::Scratch_file file([] {
+    const char* format = std::getenv("FORMAT");
+    return "." + std::string(format == nullptr ? "off" : format);
+  }());
+  file.write(data, size);
+  covering::Polyhedron polyhedron;
+  try {
+    polyhedron = covering::read(file.path());
+  } catch (const tetracone::kernel::Input_error&) {
+    return 0;
+  }
+  const covering::Check check = covering::check(polyhedron);
+  const auto repaired = covering::triangulate_non_planar(polyhedron);
+  const auto oriented = covering::orient(polyhedron);
+  // What was said must hold: repair leaves planar faces only, and keeps what was closed closed.
+  if (!covering::triangulate_non_planar(repaired.polyhedron).replaced.empty()) std::abort();
+  if (covering::is_closed(polyhedron) && !covering::is_closed(repaired.polyhedron)) std::abort();
+  if (covering::is_closed(polyhedron) != check.open_edges.empty()) std::abort();
+  if (oriented.polyhedron.face_count() != polyhedron.face_count()) std::abort();
+  return 0;
+}
