@@ -8,6 +8,8 @@
 #include "kernel/segment_face.h"
 
 #include <cstdint>
+#include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace tetracone::covering {
@@ -56,6 +58,7 @@ class Placed_model {
   explicit Placed_model(const Model<K>& model)
       : model_(&model), points_(model.vertices().size(), model.origin()), placed_at_(model.vertices().size(), 0)
   {
+    if constexpr (std::is_same_v<K, kernel::Adaptive>) exact_images_.resize(points_.size());
   }
 
   /// Moves the model. `pose` must outlive its use here.
@@ -77,6 +80,10 @@ class Placed_model {
     if (frame_.is_identity()) return model_->point(v);
     if (placed_at_[v] != now_) {
       points_[v] = frame_(model_->point(v));
+      if constexpr (std::is_same_v<K, kernel::Adaptive>) {
+        exact_images_[v].reset();
+        points_[v].slot = &exact_images_[v];
+      }
       placed_at_[v] = now_;
     }
     return points_[v];
@@ -89,6 +96,7 @@ class Placed_model {
   std::vector<Point> points_;
   std::vector<std::uint64_t> placed_at_;
   std::uint64_t now_ = 0;
+  std::vector<std::unique_ptr<kernel::Adaptive::Exact_image>> exact_images_;  // of the adaptive kernel: made when a sign asks for one
 };
 
 /// A face of a placed model, as `kernel::segment_face` wants it.

@@ -3,6 +3,7 @@
 
 #include "kernel/number.h"
 
+#include <array>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -74,6 +75,12 @@ class Polyhedron {
   std::vector<Index> corners_;         // all loops, one after the other
   std::vector<std::size_t> loop_end_;  // loop l is corners_[loop_end_[l-1] .. loop_end_[l])
   std::vector<std::size_t> face_end_;  // face f is loops face_end_[f-1] .. face_end_[f]
+};
+
+/// A triangle that is part of a face; its corners are vertices of the polyhedron.
+struct Face_triangle {
+  Index face;
+  std::array<Index, 3> corner;
 };
 
 }  // namespace tetracone::covering

@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -165,6 +166,27 @@ inline std::optional<std::vector<bool>> turns_by_cgal(const Polyhedron& polyhedr
 }
 
 }  // namespace repair
+
+/// Triangles that cover exactly each face of more than one triangle's corners, in its direction and as often as its winding number says, without
+/// new vertices; none for triangles, and for faces where that is not possible: where loops cross, pass through a corner,
+/// or have an edge that bounds nothing. Requires planar faces.
+inline std::vector<Face_triangle> triangulate_faces(const Polyhedron& polyhedron)
+{
+  std::vector<Face_triangle> all;
+  for (Index f = 0; f < polyhedron.face_count(); ++f) {
+    if (polyhedron.is_triangle(f)) continue;
+    const auto triangles = repair::constrained_delaunay(polyhedron, f);
+    if (!triangles) continue;
+    std::set<std::array<Index, 2>> sides;
+    for (const auto& t : *triangles)
+      for (int k = 0; k < 3; ++k) sides.insert({std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])});
+    bool all_edges = true;
+    for_each_directed_edge(polyhedron, f, [&](Index a, Index b) { all_edges = all_edges && sides.contains({std::min(a, b), std::max(a, b)}); });
+    if (!all_edges) continue;
+    for (const auto& t : *triangles) all.push_back({f, t});
+  }
+  return all;
+}
 
 /// A polyhedron whose faces are all planar, and where they come from.
 struct Triangulated {

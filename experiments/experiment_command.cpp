@@ -2,15 +2,14 @@
 
 #include "experiments/compilers.h"
 #include "experiments/dataset.h"
+#include "experiments/draw_report.h"
 #include "experiments/study.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <iostream>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -24,19 +23,12 @@ struct Options {
   std::uint64_t cases = 20;
 };
 
-/// The figures of a CSV are drawn by a script, with Debian's matplotlib.
-void draw(const std::string& out)
-{
-  const std::string command = "/usr/bin/python3 '" TETRACONE_SOURCE_DIR "/experiments/report.py' '" + out + "'";
-  if (std::system(command.c_str()) != 0) throw std::runtime_error("the figures could not be drawn; expected python3 with matplotlib");
-}
-
 void study(Options options)
 {
   if (options.full) options.study.frames *= 20, options.study.rotations *= 20;
   if (options.study.models.empty()) options.study.models = TETRACONE_SOURCE_DIR "/.cache/models";
   run_study(options.study);
-  draw(options.study.out.native());
+  draw_report(options.study.out);
 }
 
 void compilers(Options options) { run_compilers(options.study.out); }

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""The report of the study: OUT/study.csv -> OUT/report.html, OUT/figures/*.{svg,pdf}, OUT/tables/*.csv.
+"""The report: OUT/study.csv and the tables of a campaign, OUT/tables/verify_*.csv -> OUT/report.html, OUT/figures/*.{svg,pdf}, OUT/tables/*.csv.
 
-Every number in it is computed here from the rows of study.csv; nothing is written by hand.
+Every number in it is computed here from these rows; nothing is written by hand. Either may be missing, not both.
 usage: report.py OUT
 """
 
@@ -17,6 +17,8 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+
+from campaign_sections import Campaign_sections
 
 NUMBERS = ("ratio poses collisions false_positives false_negatives mean_ns median_ns p99_ns build_ms bytes nodes "
            "pairs_visited discarded_by_hull discarded_by_sphere discarded_by_tetrahedron bounding_tests primitive_tests "
@@ -87,10 +89,13 @@ def workload(row):
 class Report:
     def __init__(self, out):
         self.out = out
-        self.rows = read_rows(os.path.join(out, "study.csv"))
+        study = os.path.join(out, "study.csv")
+        self.rows = read_rows(study) if os.path.exists(study) else []
+        self.share, self.percent = share, percent
         self.subjects = list(dict.fromkeys(r["subject"] for r in self.rows))
         for folder in ("figures", "tables"):
             os.makedirs(os.path.join(out, folder), exist_ok=True)
+        self.campaign = Campaign_sections(self)
 
     # --- files --------------------------------------------------------------------------------------------------------
 
@@ -285,6 +290,8 @@ class Report:
     # --- the page -----------------------------------------------------------------------------------------------------
 
     def claim(self):
+        if not self.rows:
+            return "What a campaign of tetracone verify found."
         exact = [r for r in self.rows if r["exact"]]
         wrong, asked = sum(r["wrong"] for r in exact), sum(r["poses"] for r in exact)
         verdict = f"The exact kernels (adaptive, EPECK, rational) gave <b>{wrong:.0f} wrong answers of {asked:,.0f}</b>."
@@ -295,7 +302,9 @@ class Report:
                 parts.append(f"{name} {percent(sum(r['wrong'] for r in rows) / sum(r['poses'] for r in rows))}")
         return verdict + (f" In exactly degenerate contact, wrong were: {', '.join(parts)}." if parts else "")
 
-    def page(self):
+    def study(self):
+        if not self.rows:
+            return ""
         first = self.rows[0]
         made = (f"version {first['version']}, seed {first['seed']}, {html.escape(first['compiler'])}, flags <code>{html.escape(first['flags'])}</code>, "
                 f"{html.escape(first['processor'])}")
@@ -305,7 +314,7 @@ class Report:
             return (f"<section><h2>{title}</h2><p>{text}</p>{content}"
                     f"<p class=source>Data: <a href='tables/{table}.csv'>tables/{table}.csv</a>. Again: <code>{command}</code></p></section>")
 
-        body = "".join((
+        return "".join((
             section("Speed against accuracy", "Each point is a way of answering. Across: mean time per query, geometric mean over the workloads. Up: share of "
                     "answers that differ from the truth, with 95 % intervals; the green band is zero. Colour: the kernel; shape: the method. Filled: exact by construction.",
                     f"<figure>{self.speed_against_accuracy()}</figure>", "speed_against_accuracy"),
@@ -318,7 +327,10 @@ class Report:
                     f"<figure>{self.frames_per_second()}</figure>", "frames_per_second"),
             section("Relative sizes", "The horse-sized mesh against itself at 1:1 to 1:16 (Fig. 17).", f"<figure>{self.relative_sizes()}</figure>", "relative_sizes"),
             section("What each stage is worth", "Per query, objects against themselves: pairs of nodes visited, discarded by each stage, and what was left for the edges and faces.",
-                    self.stages(), "stages")))
+                    self.stages(), "stages"))) + f"<p class=source>Study made by: {made}. All rows: <a href='study.csv'>study.csv</a>.</p>"
+
+    def page(self):
+        body = self.study() + (self.campaign.html() if self.campaign.is_there() else "")
         return f"""<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
 <title>Tetracone: speed against accuracy</title>
@@ -341,8 +353,9 @@ th, td {{ padding: 0.25rem 0.6rem; border-bottom: 1px solid var(--line); text-al
 The truth tests all pairs of faces whose outward-rounded boxes meet, by CGAL's exact intersections, and containment by signed ray crossings; it shares no code with what it judges.
 Objects: two polyhedra of 32 vertices and 18 faces, and of 44 and 29, with flat non-convex faces and holes; meshes of 760 and 7172 triangles decimated from those of Debian's libcgal-demo.
 <i>tree</i> is the tetra-tree tuned within its own parameters, with boxes in its leaves; <i>paper</i> has the choices of Jiménez and Segura 2008; <i>brute</i> tests every edge against every face.
+The adaptive kernel's <i>tree</i> is the wide tree: oriented boxes, eight to a node.
 Times are of one core, the fastest of up to five passes for each pose; compare them within this report only. The rational kernel is asked every fourth pose.</p>
-<p>Made by: {made}. All rows: <a href="study.csv">study.csv</a>.</p></section>
+</section>
 </body></html>
 """
 
@@ -350,10 +363,10 @@ Times are of one core, the fastest of up to five passes for each pose; compare t
 def main():
     if len(sys.argv) != 2:
         sys.exit("usage: report.py OUT")
-    if not os.path.exists(os.path.join(sys.argv[1], "study.csv")):
-        sys.exit(f"{sys.argv[1]}/study.csv: no such file; expected the results of tetracone experiment study")
     plt.rcParams.update({"svg.hashsalt": "tetracone", "font.size": 9, "axes.spines.top": False, "axes.spines.right": False})
     report = Report(sys.argv[1])
+    if not report.rows and not report.campaign.is_there():
+        sys.exit(f"{sys.argv[1]}/study.csv: no such file; expected the results of tetracone experiment study, or of tetracone report DB")
     report.write("report.html", report.page())
 
 

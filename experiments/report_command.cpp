@@ -1,5 +1,6 @@
 #include "experiments/report_command.h"
 
+#include "experiments/draw_report.h"
 #include "experiments/output_file.h"
 #include "verify/database.h"
 #include "verify/tables.h"
@@ -35,17 +36,18 @@ void run(const Options& options)
   std::filesystem::create_directories(folder, error);
   for (const auto& [name, what] : tables)
     write_whole(folder / ("verify_" + std::string(name) + ".csv"), verify::table_as_csv(database, name));
+  draw_report(options.out);
 }
 
 }  // namespace
 
 void add_report_command(CLI::App& app)
 {
-  CLI::App* command = app.add_subcommand("report", "The tables of a campaign's database");
+  CLI::App* command = app.add_subcommand("report", "The report and the tables of a campaign's database");
   const auto options = std::make_shared<Options>();
   command->add_option("DB", options->db, "Database that `tetracone verify` wrote")->required();
   command->add_option("--table", options->table, "Print this one table as CSV");
-  command->add_option("--out", options->out, "Folder of the results: each table as OUT/tables/verify_NAME.csv")->capture_default_str();
+  command->add_option("--out", options->out, "Folder of the results: OUT/report.html, and each table as OUT/tables/verify_NAME.csv")->capture_default_str();
   std::string footer = "Tables:";
   for (const auto& [name, what] : verify::tables()) footer += "\n  " + std::string(name) + std::string(12 - std::min<std::size_t>(11, name.size()), ' ') + std::string(what);
   command->footer(footer + "\nExample: tetracone report out/verify.db --table errors");

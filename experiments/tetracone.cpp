@@ -7,6 +7,7 @@
 #include "experiments/collide_command.h"
 #include "experiments/experiment_command.h"
 #include "experiments/inside_command.h"
+#include "experiments/peer_worker.h"
 #include "experiments/report_command.h"
 #include "experiments/verify_command.h"
 #include "kernel/floating_point.h"
@@ -49,6 +50,7 @@ int main(int argc, char** argv)
   tetracone::experiments::add_merge_command(app);
   tetracone::experiments::add_experiment_command(app);
   tetracone::experiments::add_report_command(app);
+  tetracone::experiments::add_peer_worker_command(app);
 
   try {
     app.parse(argc, argv);

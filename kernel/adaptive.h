@@ -1,6 +1,7 @@
 #ifndef TETRACONE_KERNEL_ADAPTIVE_H
 #define TETRACONE_KERNEL_ADAPTIVE_H
 
+#include "kernel/double_double.h"
 #include "kernel/floating_point.h"
 #include "kernel/number.h"
 #include "kernel/pose.h"
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 
 namespace tetracone::kernel {
@@ -23,15 +25,21 @@ namespace tetracone::kernel {
 /// A point is a vertex and the pose that places it; its image is never rounded, only approximated: `image` and `error`
 /// enclose it. A sign is decided by the first stage that can:
 ///   1. filter: the double expression on the images, when it is beyond the bound on all rounding (or undecided);
-///   2. exact: the expression over the exact images, in CGAL::Mpzf (poses of doubles) or Rational (poses of fractions).
+///   2. identity: points that are the same vertex under the same pose;
+///   3. double-double: the same expression on images of twice the digits, when it is beyond its bound (or undecided);
+///   4. exact: the expression over the exact images, in CGAL::Mpzf; poses of fractions are multiplied by their denominators.
+///      An image is found once a query for each vertex that asks for it.
 /// Signs of points that share one pose are signs of the vertices themselves, times sign(det M).
 class Adaptive {
  public:
+  using Exact_image = std::array<CGAL::Mpzf, 3>;
+
   struct Point_3 {
     std::array<double, 3> image;   ///< the image, rounded
     double error;                  ///< per coordinate: |image - exact image| <= error; infinite: not known
     Vertex vertex;                 ///< the point before it was placed
     const Pose* pose;              ///< null: not placed, the image is the vertex; else outlives the point
+    std::unique_ptr<Exact_image>* slot = nullptr;  ///< where the exact image is kept once it has been asked for; null: nowhere
 
     double x() const { return image[0]; }
     double y() const { return image[1]; }
@@ -76,9 +84,6 @@ class Adaptive {
     static thread_local std::uint64_t count = 0;
     return count;
   }
-
-  template <class Number>
-  using Image = std::array<Number, 3>;  ///< an exact image
 
   using Decision = std::optional<CGAL::Sign>;  ///< nothing: undecided
 
@@ -140,13 +145,98 @@ class Adaptive {
   /// True when the two are one vertex under one pose. Unequal ones may still have the same image.
   static bool identical(const Point_3& a, const Point_3& b) { return a.pose == b.pose && a.vertex == b.vertex; }
 
+  // --- double-double ------------------------------------------------------------------------------------------------
+  // With u = 2^-53 an image is three exact products and three additions, each of relative error 3 u^2 (1 + 4u) of a partial
+  // sum below S: 9.1 u^2 S; a fraction's entry is itself off by u^2, and its product by 7 u^2, of a term: `error` = 20 u^2 S covers
+  // both. Differences are rounded by 3.01 u^2 m; so with d = 3.01 u^2 m + the errors of the two images the bounds are those of the filter
+  // with 7 + 3 + 7 + 3 + 3 = 23 roundings of u^2 on each of six products, 144 u^2 with what squares leave, and 4 roundings of 1
+  // product, 1 difference on each of two products, 21 u^2. All bounds are computed in double, as before.
+
+  /// An image of twice the digits.
+  struct Wide_image {
+    std::array<Double_double, 3> coordinate;
+    double error;  ///< per coordinate; infinite: not known
+  };
+
+  static Wide_image wide_image(const Point_3& point)
+  {
+    Wide_image image{{}, 0};
+    if (point.pose == nullptr) {
+      for (int k = 0; k < 3; ++k) image.coordinate[k] = point.vertex[k];
+      image.error = point.error;
+      return image;
+    }
+    const Pose& pose = *point.pose;
+    constexpr double u = unit_roundoff<double>;
+    double largest = 0;
+    for (int row = 0; row < 3; ++row) {
+      Double_double sum = pose.wide(4 * row + 3);
+      double magnitude = std::abs(pose[4 * row + 3]);
+      for (int k = 0; k < 3; ++k) {
+        const Double_double entry = pose.wide(4 * row + k);
+        sum = sum + (entry.low == 0 ? Double_double::product(entry.high, point.vertex[k]) : entry * Double_double(point.vertex[k]));
+        magnitude += std::abs(entry.high * point.vertex[k]);
+      }
+      image.coordinate[row] = sum;
+      largest = std::max(largest, magnitude);
+    }
+    image.error = point.error <= std::numeric_limits<double>::max() ? 20 * u * u * largest + underflow : point.error;
+    return image;
+  }
+
+  /// The sign of det[b-a, c-a, d-a], or undecided.
+  static Decision wide_volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
+  {
+    constexpr double u2 = unit_roundoff<double> * unit_roundoff<double>;
+    const std::array<Wide_image, 4> p = {wide_image(a), wide_image(b), wide_image(c), wide_image(d)};
+    std::array<std::array<Double_double, 3>, 3> m;
+    std::array<double, 3> largest{0, 0, 0};
+    for (int j = 0; j < 3; ++j)
+      for (int k = 0; k < 3; ++k) {
+        m[j][k] = p[j + 1].coordinate[k] - p[0].coordinate[k];
+        largest[k] = std::max(largest[k], std::abs(m[j][k].high));
+      }
+    const Double_double determinant = (m[0][1] * m[1][2] - m[0][2] * m[1][1]) * m[2][0] + (m[0][2] * m[1][0] - m[0][0] * m[1][2]) * m[2][1] +
+                                      (m[0][0] * m[1][1] - m[0][1] * m[1][0]) * m[2][2];
+    const double images = p[0].error + std::max({p[1].error, p[2].error, p[3].error});
+    std::array<double, 3> error, M;
+    for (int k = 0; k < 3; ++k) error[k] = images + 3.02 * u2 * largest[k], M[k] = largest[k] + error[k];
+    const double bound = 146 * u2 * (M[0] * M[1] * M[2]) +
+                         6.001 * (error[0] * (M[1] * M[2]) + largest[0] * error[1] * M[2] + largest[0] * largest[1] * error[2]) + underflow;
+    return beyond(determinant.high, bound);
+  }
+
+  /// The sign of (b-a) x (c-a) in the component `axis`, or undecided.
+  static Decision wide_normal_sign(const Point_3& a, const Point_3& b, const Point_3& c, int axis)
+  {
+    constexpr double u2 = unit_roundoff<double> * unit_roundoff<double>;
+    const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+    const Wide_image p = wide_image(a), q = wide_image(b), r = wide_image(c);
+    const Double_double bi = q.coordinate[i] - p.coordinate[i], bj = q.coordinate[j] - p.coordinate[j];
+    const Double_double ci = r.coordinate[i] - p.coordinate[i], cj = r.coordinate[j] - p.coordinate[j];
+    const double mi = std::max(std::abs(bi.high), std::abs(ci.high)), mj = std::max(std::abs(bj.high), std::abs(cj.high));
+    const double images = p.error + std::max(q.error, r.error);
+    const double ei = images + 3.02 * u2 * mi, ej = images + 3.02 * u2 * mj;
+    const double bound = 22 * u2 * ((mi + ei) * (mj + ej)) + 2.001 * (ei * (mj + ej) + mi * ej) + underflow;
+    return beyond((bi * cj - bj * ci).high, bound);
+  }
+
+  /// The sign of a[axis] - b[axis], or undecided.
+  static Decision wide_difference_sign(const Point_3& a, const Point_3& b, int axis)
+  {
+    constexpr double u2 = unit_roundoff<double> * unit_roundoff<double>;
+    const Wide_image p = wide_image(a), q = wide_image(b);
+    const double difference = (p.coordinate[axis] - q.coordinate[axis]).high;
+    return beyond(difference, 1.001 * (p.error + q.error + 3.02 * u2 * std::abs(difference)));
+  }
+
   // --- exact --------------------------------------------------------------------------------------------------------
 
   static CGAL::Sign exact_volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
   {
     return over_exact_images(
-        []<class N>(const Image<N>& p, const Image<N>& q, const Image<N>& r, const Image<N>& s) {
-          return CGAL::sign_of_determinant<N>(q[0] - p[0], q[1] - p[1], q[2] - p[2],  //
+        [](const Exact_image& p, const Exact_image& q, const Exact_image& r, const Exact_image& s) {
+          return CGAL::sign_of_determinant<CGAL::Mpzf>(q[0] - p[0], q[1] - p[1], q[2] - p[2],  //
                                               r[0] - p[0], r[1] - p[1], r[2] - p[2],  //
                                               s[0] - p[0], s[1] - p[1], s[2] - p[2]);
         },
@@ -157,8 +247,8 @@ class Adaptive {
   {
     const int i = (axis + 1) % 3, j = (axis + 2) % 3;
     return over_exact_images(
-        [i, j]<class N>(const Image<N>& p, const Image<N>& q, const Image<N>& r) {
-          return CGAL::sign_of_determinant<N>(q[i] - p[i], q[j] - p[j], r[i] - p[i], r[j] - p[j]);
+        [i, j](const Exact_image& p, const Exact_image& q, const Exact_image& r) {
+          return CGAL::sign_of_determinant<CGAL::Mpzf>(q[i] - p[i], q[j] - p[j], r[i] - p[i], r[j] - p[j]);
         },
         a, b, c);
   }
@@ -166,7 +256,7 @@ class Adaptive {
   static CGAL::Sign exact_difference_sign(const Point_3& a, const Point_3& b, int axis)
   {
     return over_exact_images(
-        [axis]<class N>(const Image<N>& p, const Image<N>& q) { return CGAL::sign(N(p[axis] - q[axis])); }, a, b);
+        [axis](const Exact_image& p, const Exact_image& q) { return CGAL::sign(CGAL::Mpzf(p[axis] - q[axis])); }, a, b);
   }
 
   // --- the kernel's signs -------------------------------------------------------------------------------------------
@@ -179,6 +269,7 @@ class Adaptive {
       const CGAL::Sign unplaced = volume_sign(unmoved(a.vertex), unmoved(b.vertex), unmoved(c.vertex), unmoved(d.vertex));
       return unplaced * a.pose->determinant_sign();
     }
+    if (const Decision sign = wide_volume_sign(a, b, c, d)) return *sign;
     ++exact_fallbacks();
     return exact_volume_sign(a, b, c, d);
   }
@@ -187,6 +278,7 @@ class Adaptive {
   {
     if (const Decision sign = filtered_normal_sign(a, b, c, axis)) return *sign;
     if (identical(b, c) || identical(a, c) || identical(a, b)) return CGAL::ZERO;
+    if (const Decision sign = wide_normal_sign(a, b, c, axis)) return *sign;
     ++exact_fallbacks();
     return exact_normal_sign(a, b, c, axis);
   }
@@ -195,6 +287,7 @@ class Adaptive {
   {
     if (const Decision sign = filtered_difference_sign(a, b, axis)) return *sign;
     if (identical(a, b)) return CGAL::ZERO;
+    if (const Decision sign = wide_difference_sign(a, b, axis)) return *sign;
     ++exact_fallbacks();
     return exact_difference_sign(a, b, axis);
   }
@@ -209,30 +302,41 @@ class Adaptive {
     return std::nullopt;
   }
 
-  template <class Number>
-  static Image<Number> exact_image(const Point_3& point)
+  /// The exact image times the weight of the pose: binary fractions. Kept in the point's slot, where it has one.
+  static Exact_image exact_image(const Point_3& point)
   {
+    if (point.slot != nullptr && *point.slot) return **point.slot;
     const Vertex& v = point.vertex;
+    using Number = CGAL::Mpzf;
     if (point.pose == nullptr) return {Number(v[0]), Number(v[1]), Number(v[2])};
-    const auto entry = [&pose = *point.pose](int k) {
-      if constexpr (std::is_same_v<Number, Rational>)
-        return pose.exact(k);
-      else
-        return Number(pose[k]);
-    };
     const auto row = [&](int i) -> Number {
-      return entry(4 * i) * Number(v[0]) + entry(4 * i + 1) * Number(v[1]) + entry(4 * i + 2) * Number(v[2]) + entry(4 * i + 3);
+      const Pose& m = *point.pose;
+      return m.whole(i) * Number(v[0]) + m.whole(i + 1) * Number(v[1]) + m.whole(i + 2) * Number(v[2]) + m.whole(i + 3);
     };
-    return {row(0), row(1), row(2)};
+    Exact_image image = {row(0), row(4), row(8)};
+    if (point.slot != nullptr) *point.slot = std::make_unique<Exact_image>(image);
+    return image;
   }
 
-  // Poses of doubles keep every image a binary fraction: the ring Mpzf is enough. Poses of fractions need the field.
+  // All images over one denominator, the product of the weights of the poses: a positive factor, which no sign sees.
   template <class Function, class... Points>
   static CGAL::Sign over_exact_images(const Function& function, const Points&... points)
   {
-    const auto fractional = [](const Point_3& point) { return point.pose != nullptr && point.pose->is_rational(); };
-    if ((fractional(points) || ...)) return function(exact_image<Rational>(points)...);
-    return function(exact_image<CGAL::Mpzf>(points)...);
+    const auto is_weighted = [](const Pose* pose) { return pose != nullptr && pose->is_rational(); };
+    std::array<const Pose*, sizeof...(Points)> weighted{};
+    std::size_t count = 0;
+    const auto collect = [&](const Pose* pose) {
+      if (is_weighted(pose) && std::find(weighted.begin(), weighted.begin() + count, pose) == weighted.begin() + count) weighted[count++] = pose;
+    };
+    (collect(points.pose), ...);
+    const auto over_all = [&](const Point_3& point) {
+      Exact_image image = exact_image(point);
+      for (std::size_t k = 0; k < count; ++k)
+        if (weighted[k] != point.pose)
+          for (CGAL::Mpzf& x : image) x = x * weighted[k]->weight();
+      return image;
+    };
+    return function(over_all(points)...);
   }
 };
 

@@ -1,8 +1,11 @@
 #ifndef TETRACONE_KERNEL_POSE_H
 #define TETRACONE_KERNEL_POSE_H
 
+#include "kernel/double_double.h"
 #include "kernel/number.h"
 
+#include <CGAL/Fraction_traits.h>
+#include <CGAL/Mpzf.h>
 #include <CGAL/enum.h>
 #include <Eigen/Geometry>
 
@@ -10,9 +13,23 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace tetracone::kernel {
+
+namespace detail {
+
+/// GMP's integer in its wrapper.
+template <class Wrapper>
+auto gmp(Wrapper& integer)
+{
+  if constexpr (requires { integer.get_mpz_t(); }) return integer.get_mpz_t();
+  else return integer.backend().data();
+}
+
+}  // namespace detail
 
 /// The affine map x -> M x + t that places a model, taken exactly.
 ///
@@ -40,7 +57,19 @@ class Pose {
       assert(std::isfinite(entries_[k]));
       all_doubles = all_doubles && Rational(entries_[k]) == entries[k];
     }
-    if (!all_doubles) rationals_.assign(entries.begin(), entries.end());
+    if (all_doubles) return;
+    rationals_.assign(entries.begin(), entries.end());
+    std::array<Integer, 12> numerators, denominators;
+    Integer common = 1;
+    for (int k = 0; k < 12; ++k) {
+      lows_[k] = nearest_double(Rational(entries[k] - Rational(entries_[k])));
+      CGAL::Fraction_traits<Rational>::Decompose()(entries[k], numerators[k], denominators[k]);
+      mpz_lcm(detail::gmp(common), detail::gmp(common), detail::gmp(denominators[k]));
+    }
+    auto whole = std::make_shared<Whole>();
+    whole->weight = mpzf(common);
+    for (int k = 0; k < 12; ++k) whole->entries[k] = mpzf(Integer(numerators[k] * (common / denominators[k])));
+    whole_ = std::move(whole);
   }
 
   static Pose translation(double x, double y, double z)
@@ -92,8 +121,15 @@ class Pose {
   /// True when some entry is no double.
   bool is_rational() const { return !rationals_.empty(); }
 
+  /// Entry `k` as a sum of two doubles: exact unless `is_rational()`, else off by at most 2^-106 of it, or by 2^-1074.
+  Double_double wide(int k) const { return {entries_[k], lows_[k]}; }
+
   /// Entry `k`, exactly.
   Rational exact(int k) const { return is_rational() ? rationals_[k] : Rational(entries_[k]); }
+
+  /// The entries times `weight`, a positive integer, exactly: binary fractions, also where the entries are none.
+  CGAL::Mpzf whole(int k) const { return whole_ ? whole_->entries[k] : CGAL::Mpzf(entries_[k]); }
+  CGAL::Mpzf weight() const { return whole_ ? whole_->weight : CGAL::Mpzf(1); }
 
   /// True when the map moves nothing: every image is the point itself, in every kernel.
   bool is_identity() const { return !is_rational() && entries_ == Pose().entries_; }
@@ -124,8 +160,26 @@ class Pose {
   friend bool operator==(const Pose& a, const Pose& b) { return a.entries_ == b.entries_ && a.rationals_ == b.rationals_; }
 
  private:
+  using Integer = CGAL::Fraction_traits<Rational>::Numerator_type;  // GMP's, by either of the wrappers that CGAL may choose
+
+  struct Whole {
+    std::array<CGAL::Mpzf, 12> entries;
+    CGAL::Mpzf weight;
+  };
+
+  static CGAL::Mpzf mpzf(const Integer& integer)
+  {
+    const mpz_srcptr z = detail::gmp(integer);
+    static_assert(GMP_LIMB_BITS == 64 && sizeof(unsigned long) == 8);
+    CGAL::Mpzf value = 0;
+    for (std::size_t k = mpz_size(z); k-- > 0;) value = value * CGAL::Mpzf(0x1p64) + CGAL::Mpzf((unsigned long)(mpz_getlimbn(z, mp_size_t(k))));
+    return mpz_sgn(z) < 0 ? -value : value;
+  }
+
   std::array<double, 12> entries_;
+  std::array<double, 12> lows_{};     // what rounding took from a fraction, rounded
   std::vector<Rational> rationals_;  // empty, or the twelve exact entries
+  std::shared_ptr<const Whole> whole_;  // of these
 };
 
 }  // namespace tetracone::kernel

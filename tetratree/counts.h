@@ -15,13 +15,14 @@ struct Counts {
   std::uint64_t discarded_by_sphere = 0;
   std::uint64_t tetrahedron_tests = 0;
   std::uint64_t discarded_by_tetrahedron = 0;
+  std::uint64_t box_tests = 0;                ///< oriented boxes compared with one of the other body, in the wide tree
   std::uint64_t leaf_pairs = 0;
   std::uint64_t discarded_by_box = 0;         ///< pairs of an edge and a face in a leaf pair whose boxes are apart
   std::uint64_t edge_face_tests = 0;
   std::uint64_t inclusion_tests = 0;          ///< vertices of a shell against the other solid
   std::uint64_t exact_fallbacks = 0;          ///< signs that the adaptive kernel's filter left undecided
 
-  std::uint64_t bounding_tests() const { return hull_tests + sphere_tests + tetrahedron_tests; }
+  std::uint64_t bounding_tests() const { return hull_tests + sphere_tests + tetrahedron_tests + box_tests; }
   std::uint64_t primitive_tests() const { return edge_face_tests + inclusion_tests; }
 };
 

@@ -12,13 +12,23 @@
 #include <utility>
 
 namespace tetracone::verify {
+
+static const std::filesystem::path models = std::filesystem::path(TETRACONE_SOURCE_DIR) / ".cache" / "models";
+
+bool real_meshes_available()
+{
+  static const bool available = std::filesystem::exists(models / "meshes" / "elephant.off");
+  return available;
+}
+
+}  // namespace tetracone::verify
+
+namespace tetracone::verify::object_family {
 namespace {
 
 using covering::Polyhedron;
 using kernel::Rational;
 using kernel::Vertex;
-
-const std::filesystem::path models = std::filesystem::path(TETRACONE_SOURCE_DIR) / ".cache" / "models";
 
 /// Newell's normal over all loops: exact, so normal to the plane of a planar face, and zero of a flat one.
 Exact_vector normal_of(const Polyhedron& body, Index f)
@@ -220,12 +230,6 @@ const std::vector<Shape>& meshes()
   return all;
 }
 
-bool real_meshes_available()
-{
-  static const bool available = std::filesystem::exists(models / "meshes" / "elephant.off");
-  return available;
-}
-
 const Shape& any_block(Random& random) { return blocks()[random.bits() % blocks().size()]; }
 const Shape& any_pebble(Random& random) { return pebbles()[random.bits() % pebbles().size()]; }
 const Shape& any_convex(Random& random) { return blocks()[random.bits() % 5]; }
@@ -237,16 +241,16 @@ const Shape& any_shape(Random& random)
   return draw == 99 ? meshes().back() : meshes()[random.bits() % (meshes().size() - 1)];
 }
 
-Body moved_copy(const Shape& shape, int exponent, double shift)
+Body moved_copy(const Shape& shape, const std::array<int, 3>& exponents, double shift)
 {
   static std::mutex mutex;
-  static std::map<std::tuple<const Polyhedron*, int, double>, Body> copies;
+  static std::map<std::tuple<const Polyhedron*, std::array<int, 3>, double>, Body> copies;
   const std::lock_guard lock(mutex);
-  Body& copy = copies[{shape.body.get(), exponent, shift}];
+  Body& copy = copies[{shape.body.get(), exponents, shift}];
   if (!copy) {
     Polyhedron body = *shape.body;
     for (Vertex& v : body.vertices)
-      for (double& x : v) x = std::ldexp(x, exponent) + shift;
+      for (int i = 0; i < 3; ++i) v[i] = std::ldexp(v[i], exponents[i]) + shift;
     copy = shared(std::move(body));
   }
   return copy;
@@ -278,4 +282,4 @@ Body pyramid(const std::vector<Vertex>& base, const Vertex& apex)
   return shared(std::move(result));
 }
 
-}  // namespace tetracone::verify
+}  // namespace tetracone::verify::object_family

@@ -12,6 +12,14 @@
 /// The bodies of the object families, each made once: cases share them, so that what a subject prepares for a body serves many cases.
 namespace tetracone::verify {
 
+/// Whether the meshes of `fetch_models.sh` are there, under .cache/models of the source folder. The cases of a seed depend on it: a
+/// campaign records it.
+bool real_meshes_available();
+
+}  // namespace tetracone::verify
+
+namespace tetracone::verify::object_family {
+
 using covering::Index;
 using Body = std::shared_ptr<const covering::Polyhedron>;
 
@@ -44,7 +52,7 @@ struct Shape {
   Exact_vector vertex(Index v) const { return exact(body->vertices[v]); }
 };
 
-/// Blocks of few flat faces, about 1 large, on a grid of 1/16: boxes, a tetrahedron, an octahedron, a roof, an L, an arrowhead, faces with
+/// Blocks of few flat faces, about 1 large, on a grid of 1/64: boxes, a tetrahedron, an octahedron, a roof, an L, an arrowhead, faces with
 /// holes, a cavity, voxel solids with edges of four faces.
 const std::vector<Shape>& blocks();
 inline constexpr std::size_t unit_cube_block = 0, tetrahedron_block = 2, roof_block = 4, tunnel_block = 7, complex_block = 8, cavity_block = 10;
@@ -56,10 +64,6 @@ const std::vector<Shape>& pebbles();
 /// scans and parts among them; else generated bodies in their place.
 const std::vector<Shape>& meshes();
 
-/// Whether the meshes of `fetch_models.sh` are there, under .cache/models of the source folder. The cases of a seed depend on it: a
-/// campaign records it.
-bool real_meshes_available();
-
 /// A block, or now and then a mesh.
 const Shape& any_shape(Random& random);
 const Shape& any_block(Random& random);
@@ -67,9 +71,10 @@ const Shape& any_pebble(Random& random);
 /// A block whose hull is the block itself.
 const Shape& any_convex(Random& random);
 
-/// The shape's body with each coordinate x -> 2^exponent x + shift, rounded; the same object for the same arguments.
+/// The shape's body with coordinate i of each vertex, x -> 2^exponents[i] x + shift, rounded; the same object for the same arguments.
 /// Requires that this keeps faces planar, as an exact result does.
-Body moved_copy(const Shape& shape, int exponent, double shift = 0);
+Body moved_copy(const Shape& shape, const std::array<int, 3>& exponents, double shift = 0);
+inline Body moved_copy(const Shape& shape, int exponent, double shift = 0) { return moved_copy(shape, std::array{exponent, exponent, exponent}, shift); }
 
 /// All of `vertices` where the dot product with `direction` is least, exactly; ascending.
 std::vector<Index> lowest(const std::vector<kernel::Vertex>& vertices, const Exact_vector& direction);
@@ -84,6 +89,6 @@ Body pyramid(const std::vector<kernel::Vertex>& base, const kernel::Vertex& apex
 
 Body shared(covering::Polyhedron polyhedron);
 
-}  // namespace tetracone::verify
+}  // namespace tetracone::verify::object_family
 
 #endif

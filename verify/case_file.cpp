@@ -221,9 +221,16 @@ std::string text_of(const Origin& origin)
 std::string text_of(const std::vector<Wrong>& wrong)
 {
   if (wrong.empty()) return "[]";
-  return lines(wrong.size(), "  ", [&](std::size_t k) {
-    return "{\"subject\": " + in_json(wrong[k].subject) + ", \"answer\": " + (wrong[k].answer ? std::to_string(*wrong[k].answer) : in_json("failed")) + "}";
-  });
+  std::string text = "[\n    ";
+  std::size_t width = 0;
+  for (const Wrong& each : wrong) {
+    const std::string entry = "{\"subject\": " + in_json(each.subject) + ", \"answer\": " + (each.answer ? std::to_string(*each.answer) : in_json("failed")) + "}";
+    // They are many where everyone is wrong: as many a line as there is room for.
+    if (width > 0) text += width + entry.size() > 120 ? (width = 0, ",\n    ") : ", ";
+    text += entry;
+    width += entry.size();
+  }
+  return text + "\n  ]";
 }
 
 using Members = std::vector<std::pair<std::string, std::string>>;

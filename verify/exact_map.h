@@ -9,7 +9,7 @@
 #include <optional>
 
 /// Vectors and affine maps in rationals, for making cases whose degeneracy is exact.
-namespace tetracone::verify {
+namespace tetracone::verify::object_family {
 
 using Exact_vector = std::array<kernel::Rational, 3>;
 
@@ -119,6 +119,6 @@ inline kernel::Pose scaling(double x, double y, double z)
 }
 inline kernel::Pose scaling(double s) { return scaling(s, s, s); }
 
-}  // namespace tetracone::verify
+}  // namespace tetracone::verify::object_family
 
 #endif

@@ -7,10 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdlib>
 #include <numeric>
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -29,9 +27,9 @@ class Integer_body {
  public:
   using Edge = std::pair<Index, Index>;
 
-  /// The points are the images of the polyhedron's vertices, `ranks` those of their coordinates on each axis.
-  Integer_body(const covering::Polyhedron& polyhedron, std::vector<Integer_vector> points, const std::array<std::span<const int>, 3>& ranks)
-      : polyhedron_(&polyhedron), points_(std::move(points)), ranks_(ranks)
+  /// The points are the images of the polyhedron's vertices. Requires that the polyhedron outlives this.
+  Integer_body(const covering::Polyhedron& polyhedron, std::vector<Integer_vector> points)
+      : polyhedron_(&polyhedron), points_(std::move(points))
   {
     for (Index f = 0; f < polyhedron.face_count(); ++f)
       for_edges(f, [&](Index from, Index to) { edges_.push_back(std::minmax(from, to)); });
@@ -40,6 +38,7 @@ class Integer_body {
   }
 
   const Integer_vector& point(Index v) const { return points_[v]; }
+  Index vertex_count() const { return Index(points_.size()); }
   Index face_count() const { return Index(polyhedron_->face_count()); }
 
   /// Edges of the loops without direction, each once. That of a loop of one vertex goes from it to itself.
@@ -55,17 +54,12 @@ class Integer_body {
     }
   }
 
-  Rank_box box(Index v) const
+  /// The corners of all loops of a face.
+  std::vector<Index> corners(Index f) const
   {
-    const std::array<int, 3> at = {ranks_[0][v], ranks_[1][v], ranks_[2][v]};
-    return {at, at};
-  }
-  Rank_box box(const Edge& edge) const { return hull(box(edge.first), box(edge.second)); }
-  Rank_box face_box(Index f) const
-  {
-    Rank_box all = box(polyhedron_->loop(f, 0)[0]);
-    for_edges(f, [&](Index from, Index) { all = hull(all, box(from)); });
-    return all;
+    std::vector<Index> corners;
+    for_edges(f, [&](Index from, Index) { corners.push_back(from); });
+    return corners;
   }
 
   /// A corner of the face, on its plane.
@@ -143,19 +137,8 @@ class Integer_body {
   }
 
  private:
-  static Rank_box hull(const Rank_box& a, const Rank_box& b)
-  {
-    Rank_box all = a;
-    for (int i = 0; i < 3; ++i) {
-      all.low[i] = std::min(a.low[i], b.low[i]);
-      all.high[i] = std::max(a.high[i], b.high[i]);
-    }
-    return all;
-  }
-
   const covering::Polyhedron* polyhedron_;
   std::vector<Integer_vector> points_;
-  std::array<std::span<const int>, 3> ranks_;
   std::vector<Edge> edges_;
 };
 

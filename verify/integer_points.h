@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 #include <span>
 #include <vector>
 
@@ -85,29 +84,6 @@ inline void bring_together(Integer_points& a, Integer_points& b)
   a.bring_to(common);
   b.bring_to(common);
 }
-
-/// For each value its place among the different values: compares as the values do, and costs an int.
-inline std::vector<int> ranks(const std::vector<Integer>& values)
-{
-  std::vector<int> order(values.size()), rank(values.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](int i, int j) { return values[i] < values[j]; });
-  for (std::size_t k = 1; k < order.size(); ++k)
-    rank[order[k]] = rank[order[k - 1]] + (values[order[k - 1]] < values[order[k]] ? 1 : 0);
-  return rank;
-}
-
-/// A closed box whose bounds are ranks.
-struct Rank_box {
-  std::array<int, 3> low, high;
-
-  bool meets(const Rank_box& other) const
-  {
-    for (int i = 0; i < 3; ++i)
-      if (low[i] > other.high[i] || other.low[i] > high[i]) return false;
-    return true;
-  }
-};
 
 }  // namespace tetracone::verify
 

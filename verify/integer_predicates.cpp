@@ -5,11 +5,12 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
-/// The predicates on integers: hulls and cones as systems of linear equations with a non-negative solution, which are eliminated; no signs of
-/// orientations but for what is not asked.
+/// The predicates on integers: hulls and cones meet where a system of linear equations has a non-negative solution, which elimination
+/// decides. No signs of orientations but where one is asked for, or says that nothing is asked.
 namespace tetracone::verify::integer_truth {
 namespace {
 
@@ -91,7 +92,8 @@ bool has_nonnegative_solution(std::vector<Row> equations)
 }
 
 /// Whether the hull of points meets apex + the combinations with weights >= 0 of vectors, whose weights sum to 1 when `convex`.
-bool hull_meets(const std::vector<Integer_vector>& hull, const std::vector<Integer_vector>& vectors, const Integer_vector& apex, bool convex)
+bool hull_meets(const std::vector<Integer_vector>& hull, const std::vector<Integer_vector>& vectors, const Integer_vector& apex,
+                bool convex)
 {
   const std::size_t columns = hull.size() + vectors.size();
   std::vector<Row> equations(5, Row(columns + 1));
@@ -106,7 +108,10 @@ bool hull_meets(const std::vector<Integer_vector>& hull, const std::vector<Integ
   return has_nonnegative_solution(std::move(equations));
 }
 
-bool hulls_meet(const std::vector<Integer_vector>& a, const std::vector<Integer_vector>& b) { return hull_meets(a, b, Integer_vector(), true); }
+bool hulls_meet(const std::vector<Integer_vector>& a, const std::vector<Integer_vector>& b)
+{
+  return hull_meets(a, b, Integer_vector(), true);
+}
 
 bool hull_meets_cone(const std::vector<Integer_vector>& hull, const Integer_vector& apex, const std::vector<Integer_vector>& through)
 {

@@ -1,47 +1,15 @@
 #include "verify/integer_truth.h"
 
-#include "verify/integer_body.h"
+#include "verify/integer_boxes.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
 namespace tetracone::verify::integer_truth {
 namespace {
-
-/// The two bodies in one frame, over one denominator.
-class Placed_pair {
- public:
-  explicit Placed_pair(const Object_case& c)
-  {
-    Integer_points points_a = placed(c.a->vertices, c.pose_a), points_b = placed(c.b->vertices, c.pose_b);
-    bring_together(points_a, points_b);
-    const std::size_t split = points_a.points.size();
-    for (int i = 0; i < 3; ++i) {
-      std::vector<Integer> coordinates;
-      for (const Integer_points* all : {&points_a, &points_b})
-        for (const Integer_vector& point : all->points) coordinates.push_back(point[i]);
-      ranks_[i] = ranks(coordinates);
-    }
-    const auto of_body = [&](std::size_t from, std::size_t count) {
-      const auto part = [&](int i) { return std::span<const int>(ranks_[i]).subspan(from, count); };
-      return std::array{part(0), part(1), part(2)};
-    };
-    a_.emplace(*c.a, std::move(points_a.points), of_body(0, split));
-    b_.emplace(*c.b, std::move(points_b.points), of_body(split, ranks_[0].size() - split));
-  }
-  Placed_pair(const Placed_pair&) = delete;
-  Placed_pair& operator=(const Placed_pair&) = delete;
-
-  const Integer_body& a() const { return *a_; }
-  const Integer_body& b() const { return *b_; }
-
- private:
-  std::array<std::vector<int>, 3> ranks_;
-  std::optional<Integer_body> a_, b_;
-};
 
 /// The closed segments ab and cd, either of which may be a point, share a point.
 bool segments_meet(const Integer_vector& a, const Integer_vector& b, const Integer_vector& c, const Integer_vector& d)
@@ -102,15 +70,13 @@ bool meets_face(const Integer_vector& a, const Integer_vector& b, const Integer_
 
 /// Some edge of the one meets some face of the other. When this holds neither way, the surfaces share no point: had two faces one in
 /// common, then what they share, being closed and bounded, would end on a loop of one of them, at a point of the other.
-bool edges_meet_faces(const Integer_body& with_edges, const Integer_body& with_faces)
+bool edges_meet_faces(const Integer_body& with_edges, const std::vector<Rank_box>& edge_boxes, const Integer_body& with_faces,
+                      const std::vector<Rank_box>& face_boxes)
 {
-  std::vector<Rank_box> boxes;
-  for (const auto& edge : with_edges.edges()) boxes.push_back(with_edges.box(edge));
   for (Index f = 0; f < with_faces.face_count(); ++f) {
-    const Rank_box box = with_faces.face_box(f);
-    std::optional<std::optional<Integer_vector>> normal;  // once, when an edge comes near
-    for (std::size_t e = 0; e < boxes.size(); ++e) {
-      if (!box.meets(boxes[e])) continue;
+    std::optional<std::optional<Integer_vector>> normal;  // made once, when an edge comes near
+    for (std::size_t e = 0; e < edge_boxes.size(); ++e) {
+      if (!face_boxes[f].meets(edge_boxes[e])) continue;
       if (!normal) normal = with_faces.normal(f);
       const auto& [from, to] = with_edges.edges()[e];
       if (meets_face(with_edges.point(from), with_edges.point(to), with_faces, f, *normal)) return true;
@@ -119,18 +85,18 @@ bool edges_meet_faces(const Integer_body& with_edges, const Integer_body& with_f
   return false;
 }
 
-/// The winding number about a point off the surface: the faces above it, each as often as its loops wind about the point seen from
-/// above, along +z. The point is moved by (e, e^2, 0), so that the ray meets no loop. A small move changes no winding number off the surface,
-/// nor the side of a plane that does not hold the point; and the loops of a face whose plane holds it do not wind about it, neither
-/// there (it is not on the face) nor about any point near it, so that it does not matter on which side it is counted. Vertical faces
-/// are seen as lines and wind about nothing.
-int winding(const Integer_body& body, const Integer_vector& p, const Rank_box& at)
+/// The winding number about a point off the surface: the faces above it, each as often as its loops wind about the point, seen from
+/// above. The point is moved by (e, e^2, 0), so that the ray along +z meets no loop. So small a move changes no winding number off the
+/// surface, nor the side of a plane that does not hold the point; and the loops of a face whose plane holds it wind neither about it, for
+/// it is not on the face, nor about any point near it, so that it does not matter on which side they are counted. Vertical faces are
+/// seen as lines and wind about nothing.
+int winding(const Integer_body& body, const std::vector<Rank_box>& face_boxes, const Integer_vector& p, const Rank_box& at)
 {
   int sum = 0;
   for (Index f = 0; f < body.face_count(); ++f) {
-    const Rank_box box = body.face_box(f);
-    if (at.high[2] > box.high[2]) continue;
-    if (at.low[0] > box.high[0] || at.low[1] > box.high[1] || at.high[0] < box.low[0] || at.high[1] < box.low[1]) continue;
+    Rank_box above = at;
+    above.high[2] = std::max(at.high[2], face_boxes[f].high[2]);
+    if (!face_boxes[f].meets(above)) continue;
     const int turns = body.turns(f, 2, p, 1).winding;
     if (turns == 0) continue;
     // Loops that wind about something seen along z span a plane that is not vertical.
@@ -143,10 +109,11 @@ int winding(const Integer_body& body, const Integer_vector& p, const Rank_box& a
 
 /// Some part of the one surface is in the other's solid. Requires surfaces that share no point: then the winding number is the same
 /// about all points of a part.
-bool contains(const Integer_body& outer, const Integer_body& inner)
+bool contains(const Integer_body& outer, const std::vector<Rank_box>& face_boxes, const Integer_body& inner,
+              const std::vector<Rank_box>& vertex_boxes)
 {
   for (const Index v : inner.part_vertices())
-    if (winding(outer, inner.point(v), inner.box(v)) != 0) return true;
+    if (winding(outer, face_boxes, inner.point(v), vertex_boxes[v]) != 0) return true;
   return false;
 }
 
@@ -154,9 +121,13 @@ bool contains(const Integer_body& outer, const Integer_body& inner)
 
 bool collide(const Object_case& c, kernel::Question question)
 {
-  const Placed_pair pair(c);
-  if (edges_meet_faces(pair.a(), pair.b()) || edges_meet_faces(pair.b(), pair.a())) return true;
-  return question == kernel::Question::solid && (contains(pair.a(), pair.b()) || contains(pair.b(), pair.a()));
+  Integer_points points_a = placed(c.a->vertices, c.pose_a), points_b = placed(c.b->vertices, c.pose_b);
+  bring_together(points_a, points_b);
+  const Integer_body a(*c.a, std::move(points_a.points)), b(*c.b, std::move(points_b.points));
+  const auto [of_a, of_b] = element_boxes(a, b);
+  if (edges_meet_faces(a, of_a.edges, b, of_b.faces) || edges_meet_faces(b, of_b.edges, a, of_a.faces)) return true;
+  return question == kernel::Question::solid &&
+         (contains(a, of_a.faces, b, of_b.vertices) || contains(b, of_b.faces, a, of_a.vertices));
 }
 
 }  // namespace tetracone::verify::integer_truth

@@ -4,13 +4,16 @@
 #include <cmath>
 #include <utility>
 
-namespace tetracone::verify {
+namespace tetracone::verify::object_family {
 
 int integer(Random& random, int low, int high) { return low + static_cast<int>(random.bits() % std::uint64_t(high - low + 1)); }
 
 Rational power_of_two(int k)
 {
-  return k >= 0 ? Rational(std::ldexp(1.0, k)) : Rational(1 / Rational(std::ldexp(1.0, -k)));
+  // A double at a time: k may be beyond their range.
+  Rational result = 1;
+  for (; std::abs(k) > 1000; k -= k > 0 ? 1000 : -1000) result *= Rational(std::ldexp(1.0, k > 0 ? 1000 : -1000));
+  return Rational(result * Rational(std::ldexp(1.0, k)));
 }
 
 double dyadic(Random& random, int bits)
@@ -127,14 +130,14 @@ Exact_vector point_inside(Random& random, const Shape& shape, const Face_triangl
   }
 }
 
-Contact vertex_on_face(Random& random, const Shape& a, const Body& b, const Pose& turn, int bits)
+Touching vertex_on_face(Random& random, const Shape& a, const Body& b, const Pose& turn, int bits)
 {
   const Face_triangle& triangle = a.triangles[a.hull[random.bits() % a.hull.size()]];
   const Exact_vector& normal = a.normals[triangle.face];
   return {a.body, b, resting(*b, turn, point_inside(random, a, triangle, bits), normal), normal, true};
 }
 
-Contact vertex_on_edge(Random& random, const Shape& a, const Body& b, const Pose& turn, int bits)
+Touching vertex_on_edge(Random& random, const Shape& a, const Body& b, const Pose& turn, int bits)
 {
   const Hull_edge& edge = a.hull_edges[random.bits() % a.hull_edges.size()];
   const Exact_vector from = a.vertex(edge.from);
@@ -143,14 +146,14 @@ Contact vertex_on_edge(Random& random, const Shape& a, const Body& b, const Pose
   return {a.body, b, resting(*b, turn, point, normal), normal, true};
 }
 
-Contact vertex_on_vertex(Random& random, const Body& a, const Body& b, const Pose& turn)
+Touching vertex_on_vertex(Random& random, const Body& a, const Body& b, const Pose& turn)
 {
   const Exact_vector direction = integer_direction(random, 64);
   const Index top = lowest(a->vertices, times(Rational(-1), direction))[0];
   return {a, b, resting(*b, turn, exact(a->vertices[top]), direction), direction, true};
 }
 
-Contact edge_across_edge(Random& random, const Shape& a, const Shape& b, const Pose& turn, int bits)
+Touching edge_across_edge(Random& random, const Shape& a, const Shape& b, const Pose& turn, int bits)
 {
   const auto between = [](const Exact_vector& d, const Exact_vector& m, const Exact_vector& n, const Exact_vector& edge) {
     // d, m and n are normal to the edge: d is a positive combination of m and n when it is on the way from m to n.
@@ -184,7 +187,7 @@ Contact edge_across_edge(Random& random, const Shape& a, const Shape& b, const P
   }
 }
 
-Contact any_contact(Random& random, const Shape& a, const Shape& b, const Pose& turn)
+Touching any_contact(Random& random, const Shape& a, const Shape& b, const Pose& turn)
 {
   const std::uint64_t draw = random.bits() % 8;
   if (draw < 2) return vertex_on_vertex(random, a.body, b.body, turn);
@@ -193,7 +196,7 @@ Contact any_contact(Random& random, const Shape& a, const Shape& b, const Pose& 
   return vertex_on_face(random, a, b.body, turn, 3);
 }
 
-Contact any_contact(Random& random)
+Touching any_contact(Random& random)
 {
   const Shape& a = any_shape(random);
   const Shape& b = any_shape(random);
@@ -203,7 +206,7 @@ Contact any_contact(Random& random)
 Rational any_gap(Random& random)
 {
   const std::uint64_t draw = random.bits() % 20;
-  if (draw < 11) return 0;
+  if (draw < 10) return 0;
   const Rational hair = power_of_two(-integer(random, 10, 60));
   return draw < 17 ? hair : Rational(-hair);
 }
@@ -224,7 +227,7 @@ Object_case placed(Random& random, const Body& a, const Body& b, const Pose& rel
   return kind == Motion::rounded ? rounded_poses(c) : c;
 }
 
-Object_case placed(Random& random, const Contact& contact, const Rational& gap, const Pose& common)
+Object_case placed(Random& random, const Touching& contact, const Rational& gap, const Pose& common)
 {
   const Pose relative = moved(contact.relative, times(gap, scaled_to_one(contact.apart)));
   Object_case c = placed(random, contact.a, contact.b, relative, common);
@@ -232,7 +235,7 @@ Object_case placed(Random& random, const Contact& contact, const Rational& gap, 
   return gap > 0 && contact.separated ? with_answer(c, false) : c;
 }
 
-Object_case placed(Random& random, const Contact& contact, const Rational& gap, Motion kind)
+Object_case placed(Random& random, const Touching& contact, const Rational& gap, Motion kind)
 {
   Object_case c = placed(random, contact, gap, motion(random, kind));
   return kind == Motion::rounded ? rounded_poses(c) : c;
@@ -255,4 +258,4 @@ Object_case rounded_poses(Object_case c)
   return c;
 }
 
-}  // namespace tetracone::verify
+}  // namespace tetracone::verify::object_family

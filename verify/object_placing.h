@@ -11,7 +11,7 @@
 #include <vector>
 
 /// Exact contacts and where they are put: what the object families are made of.
-namespace tetracone::verify {
+namespace tetracone::verify::object_family {
 
 using kernel::Pose;
 using kernel::Rational;
@@ -49,28 +49,28 @@ Pose motion(Random& random, Motion kind);
 Pose any_turn(Random& random);
 
 /// Two bodies in contact, in A's frame.
-struct Contact {
+struct Touching {
   Body a, b;
   Pose relative;       ///< of B
   Exact_vector apart;  ///< the way on which B leaves A
-  bool separated;      ///< all of A is on one side of a plane that is normal to `apart`, all of B on the other, and they share a point of it
+  bool separated = false;  ///< all of A is on one side of a plane that is normal to `apart`, all of B on the other, and they share a point of it
 };
 
 /// `turn`, then the translation that puts the lowest vertex of B along `normal` on `point`: B is on the upper side of the plane.
 Pose resting(const covering::Polyhedron& b, const Pose& turn, const Exact_vector& point, const Exact_vector& normal);
 
 /// Vertex of B on an inner point of a hull triangle of A, at barycentric coordinates of `bits` bits.
-Contact vertex_on_face(Random& random, const Shape& a, const Body& b, const Pose& turn, int bits);
+Touching vertex_on_face(Random& random, const Shape& a, const Body& b, const Pose& turn, int bits);
 /// Vertex of B on a hull edge of A at an odd multiple of 2^-bits. Requires a hull edge.
-Contact vertex_on_edge(Random& random, const Shape& a, const Body& b, const Pose& turn, int bits);
+Touching vertex_on_edge(Random& random, const Shape& a, const Body& b, const Pose& turn, int bits);
 /// The extreme vertices of both along a random direction.
-Contact vertex_on_vertex(Random& random, const Body& a, const Body& b, const Pose& turn);
+Touching vertex_on_vertex(Random& random, const Body& a, const Body& b, const Pose& turn);
 /// Two edges that cross at parameters of `bits` bits. On the hulls, unless dozens of tries find no such edges. `turn` is a similarity.
-Contact edge_across_edge(Random& random, const Shape& a, const Shape& b, const Pose& turn, int bits);
+Touching edge_across_edge(Random& random, const Shape& a, const Shape& b, const Pose& turn, int bits);
 /// One of these, or B's lowest face, edge or vertex on A's face.
-Contact any_contact(Random& random, const Shape& a, const Shape& b, const Pose& turn);
+Touching any_contact(Random& random, const Shape& a, const Shape& b, const Pose& turn);
 /// Any of these with bodies and a turn of any kind.
-Contact any_contact(Random& random);
+Touching any_contact(Random& random);
 
 /// A point inside the triangle, at barycentric coordinates of `bits` bits.
 Exact_vector point_inside(Random& random, const Shape& shape, const Face_triangle& triangle, int bits);
@@ -84,8 +84,8 @@ Object_case placed(Random& random, const Body& a, const Body& b, const Pose& rel
 Object_case placed(Random& random, const Body& a, const Body& b, const Pose& relative, const Pose& common);
 
 /// The contact opened by `gap` along `apart` (negative: closed further), a length of about one times `gap`; its answers as far as known.
-Object_case placed(Random& random, const Contact& contact, const Rational& gap, Motion kind);
-Object_case placed(Random& random, const Contact& contact, const Rational& gap, const Pose& common);
+Object_case placed(Random& random, const Touching& contact, const Rational& gap, Motion kind);
+Object_case placed(Random& random, const Touching& contact, const Rational& gap, const Pose& common);
 
 /// Both answers.
 Object_case with_answer(Object_case c, std::optional<bool> surface, std::optional<bool> solid);
@@ -94,6 +94,6 @@ Object_case with_answer(Object_case c, bool both);
 /// The case with all of its poses rounded to doubles; nothing is known any more where that changes one.
 Object_case rounded_poses(Object_case c);
 
-}  // namespace tetracone::verify
+}  // namespace tetracone::verify::object_family
 
 #endif

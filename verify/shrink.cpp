@@ -1,5 +1,6 @@
 #include "verify/shrink.h"
 
+#include "covering/covering.h"
 #include "covering/edge_uses.h"
 #include "covering/planarity.h"
 #include "verify/brute.h"
@@ -8,6 +9,7 @@
 #include "verify/shrink_numbers.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <utility>
@@ -22,12 +24,15 @@ using kernel::Question;
 /// Counts questions and time.
 class Spending {
  public:
+  struct Over {};
+
   explicit Spending(const Shrink_budget& budget) : budget_(budget) {}
 
-  bool one_more() { return !over() && ++spent_ <= budget_.evaluations; }
-  bool over() const
+  /// Throws Over where nothing is left: the way out of all loops at once.
+  void one_more()
   {
-    return spent_ >= budget_.evaluations || std::chrono::duration<double>(Clock::now() - start_).count() > budget_.seconds;
+    if (spent_ >= budget_.evaluations || std::chrono::duration<double>(Clock::now() - start_).count() > budget_.seconds) throw Over();
+    ++spent_;
   }
 
  private:
@@ -37,20 +42,29 @@ class Spending {
   Clock::time_point start_ = Clock::now();
 };
 
-Case_numbers numbers_of(const Object_case& c) { return {{c.a->vertices, c.b->vertices}, {c.pose_a, c.pose_b}}; }
-Case_numbers numbers_of(const Predicate_case& c) { return {{{{c.v.begin(), c.v.end()}, {c.p, c.q, c.r}}}, {c.pose_a, c.pose_b}}; }
-
 bool is_flat(const Case_numbers& numbers)
 {
   return std::any_of(numbers.poses.begin(), numbers.poses.end(), [](const kernel::Pose& pose) { return pose.determinant_sign() == CGAL::ZERO; });
 }
 
-bool is_legal(const Polyhedron& polyhedron, Question question)
+/// What a body keeps while it shrinks: else most of what is wrong would end as two points, which shows nothing of its own.
+struct Shape {
+  bool degenerate_faces = false, flat = false;
+  bool open = false;
+};
+
+/// Nothing where a face is not planar.
+std::optional<Shape> shape_of(const Polyhedron& polyhedron)
 {
-  if (polyhedron.face_count() == 0) return false;
-  for (Index f = 0; f < polyhedron.face_count(); ++f)
-    if (!polyhedron.is_triangle(f) && covering::planarity(polyhedron, f) == covering::Planarity::off_plane) return false;
-  return question == Question::surface || covering::is_closed(polyhedron);
+  Shape shape;
+  for (Index f = 0; f < polyhedron.face_count(); ++f) {
+    const covering::Planarity planarity = covering::planarity(polyhedron, f);
+    if (planarity == covering::Planarity::off_plane) return std::nullopt;
+    shape.degenerate_faces = shape.degenerate_faces || planarity == covering::Planarity::degenerate;
+  }
+  shape.open = !covering::is_closed(polyhedron);
+  shape.flat = shape.open || covering::volume(polyhedron) == 0;
+  return shape;
 }
 
 class Object_shrink {
@@ -59,21 +73,34 @@ class Object_shrink {
       : c_(std::move(c)), size_(size_of(c_)), question_(question), still_wrong_(still_wrong), spending_(budget)
   {
     c_.surface = c_.solid = std::nullopt;  // of the case that it was
+    for (int which = 0; which < 2; ++which) shapes_[which] = *shape_of(*body(c_, which));
   }
 
   Object_case run()
   {
-    for (Case_size before{}; before != size_ && !spending_.over();) {
-      before = size_;
-      simplify_bodies();
-      triangulate();
-      simplify_numbers();
+    try {
+      for (Case_size before{}; before != size_;) {
+        before = size_;
+        simplify_bodies();
+        triangulate();
+        simplify_numbers();
+      }
+    } catch (const Spending::Over&) {
+      if (aside_ && size_of(*aside_) < size_) return *aside_;
     }
     return c_;
   }
 
  private:
-  std::shared_ptr<const Polyhedron>& body(Object_case& c, int which) const { return which == 0 ? c.a : c.b; }
+  static std::shared_ptr<const Polyhedron>& body(Object_case& c, int which) { return which == 0 ? c.a : c.b; }
+
+  bool is_legal(const Polyhedron& polyhedron, const Shape& before) const
+  {
+    if (polyhedron.face_count() == 0) return false;
+    const auto shape = shape_of(polyhedron);
+    if (!shape || (shape->degenerate_faces && !before.degenerate_faces)) return false;
+    return question_ == Question::surface || (!shape->open && (!shape->flat || before.flat));
+  }
 
   bool accept(Object_case candidate)
   {
@@ -86,7 +113,9 @@ class Object_shrink {
 
   bool holds(const Object_case& c)
   {
-    return is_legal(*c.a, question_) && is_legal(*c.b, question_) && spending_.one_more() && still_wrong_(c);
+    if (!is_legal(*c.a, shapes_[0]) || !is_legal(*c.b, shapes_[1])) return false;
+    spending_.one_more();
+    return still_wrong_(c);
   }
 
   bool accept_body(int which, Polyhedron polyhedron)
@@ -108,17 +137,18 @@ class Object_shrink {
     for (int which = 0; which < 2; ++which) {
       const std::optional<Polyhedron> triangles = fanned(*body(c_, which));
       if (!triangles) continue;
-      const Object_case before = c_;
-      const Case_size size = size_;
       Object_case candidate = c_;
       body(candidate, which) = std::make_shared<Polyhedron>(*triangles);
       if (!holds(candidate)) continue;
-      c_ = candidate;
+      const Case_size size = size_;
+      aside_ = std::exchange(c_, candidate);
       size_ = size_of(c_);
       simplify_bodies();
-      if (size_ < size) continue;
-      c_ = before;
-      size_ = size;
+      if (size_ >= size) {
+        c_ = *aside_;
+        size_ = size;
+      }
+      aside_.reset();
     }
   }
 
@@ -126,22 +156,14 @@ class Object_shrink {
   {
     Case_numbers numbers = numbers_of(c_);
     simplify(numbers, [&](const Case_numbers& n) {
-      if (is_flat(n)) return false;
-      Object_case candidate = c_;
-      for (int which = 0; which < 2; ++which) {
-        if (n.points[which] != body(c_, which)->vertices) {
-          auto moved = std::make_shared<Polyhedron>(*body(c_, which));
-          moved->vertices = n.points[which];
-          body(candidate, which) = std::move(moved);
-        }
-        (which == 0 ? candidate.pose_a : candidate.pose_b) = n.poses[which];
-      }
-      return accept(std::move(candidate));
+      return !is_flat(n) && accept(with_numbers(c_, n));
     });
   }
 
   Object_case c_;
   Case_size size_;
+  std::array<Shape, 2> shapes_;          // of the bodies as they were given
+  std::optional<Object_case> aside_;  // what c_ was before it was made larger
   Question question_;
   const Object_check& still_wrong_;
   Spending spending_;
@@ -166,20 +188,21 @@ Object_case shrink(Object_case c, Question question, const Object_check& still_w
   return Object_shrink(std::move(c), question, still_wrong, budget).run();
 }
 
-Predicate_case shrink(Predicate_case c, const Predicate_check& still_wrong, const Shrink_budget& budget)
+Predicate_case shrink(const Predicate_case& c, const Predicate_check& still_wrong, const Shrink_budget& budget)
 {
   Spending spending(budget);
   Case_numbers numbers = numbers_of(c);
-  const auto with = [&](const Case_numbers& n) {
-    Predicate_case result = c;
-    std::copy_n(n.points[0].begin(), 4, result.v.begin());
-    result.p = n.points[1][0], result.q = n.points[1][1], result.r = n.points[1][2];
-    result.pose_a = n.poses[0], result.pose_b = n.poses[1];
-    return result;
+  const auto accept = [&](const Case_numbers& n) {
+    if (is_flat(n)) return false;
+    spending.one_more();
+    return still_wrong(with_numbers(c, n));
   };
-  while (!spending.over() && simplify(numbers, [&](const Case_numbers& n) { return !is_flat(n) && spending.one_more() && still_wrong(with(n)); })) {
+  try {
+    while (simplify(numbers, accept)) {
+    }
+  } catch (const Spending::Over&) {
   }
-  return with(numbers);
+  return with_numbers(c, numbers);
 }
 
 bool true_answer(const Object_case& c, Question question)

@@ -38,10 +38,11 @@ using Predicate_check = std::function<bool(const Predicate_case&)>;
 /// The smallest case found for which `still_wrong` holds, not larger than `c`. Steps: drop faces, shells, loops and corners; replace
 /// vertices by others; take a body's triangles for its polygons, or a tetrahedron for the body; then simpler poses, coordinates of fewer
 /// bits, exact translations and scalings; over and over while anything helps. Whatever is asked keeps planar faces, det M != 0, at least
-/// a face in each body and, for `Question::solid`, closed bodies; `still_wrong` is asked of nothing else.
+/// a face in each body and, for `Question::solid`, closed bodies; and where a body had none of these before, no face becomes degenerate and,
+/// for `Question::solid`, no volume 0. `still_wrong` is asked of nothing else.
 /// Requires such a `c`, for which it holds.
 Object_case shrink(Object_case c, kernel::Question question, const Object_check& still_wrong, const Shrink_budget& budget = {});
-Predicate_case shrink(Predicate_case c, const Predicate_check& still_wrong, const Shrink_budget& budget = {});
+Predicate_case shrink(const Predicate_case& c, const Predicate_check& still_wrong, const Shrink_budget& budget = {});
 
 /// The answer to an object case by `brute.h`.
 bool true_answer(const Object_case& c, kernel::Question question);

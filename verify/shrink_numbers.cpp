@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstdint>
 #include <cstdlib>
 #include <optional>
 #include <set>
@@ -18,22 +17,6 @@ namespace {
 using kernel::Pose;
 using kernel::Rational;
 using kernel::Vertex;
-
-/// x = mantissa 2^exponent with an odd mantissa; 0 for 0.
-struct Odd {
-  std::uint64_t mantissa = 0;
-  int exponent = 0;
-};
-
-Odd odd(double x)
-{
-  if (x == 0) return {};
-  int exponent;
-  const double fraction = std::frexp(std::abs(x), &exponent);
-  const auto digits = static_cast<std::uint64_t>(std::ldexp(fraction, 53));
-  const int zeros = std::countr_zero(digits);
-  return {digits >> zeros, exponent - 53 + zeros};
-}
 
 /// The multiple of 2^exponent nearest to x; never -0.
 double on_grid(double x, int exponent) { return std::ldexp(std::nearbyint(std::ldexp(x, -exponent)), exponent) + 0.0; }
@@ -56,6 +39,21 @@ std::vector<double> simpler(double x)
   values.push_back(2 * fraction);                              // exponent 0
   values.push_back(std::copysign(double(odd(x).mantissa), x));  // an integer of the same digits
   std::erase_if(values, [x](double value) { return !std::isfinite(value) || value == x || bits(value) > bits(x); });
+  return values;
+}
+
+/// Simpler rationals in place of x, which is no double: multiples of powers of two, the coarsest first.
+std::vector<Rational> simpler(const Rational& x)
+{
+  std::vector<Rational> values;
+  const double nearest = kernel::nearest_double(x);
+  if (nearest == 0 || std::abs(std::ilogb(nearest)) > 400) return values;
+  for (const double value : simpler(nearest)) values.push_back(value);
+  values.push_back(nearest);
+  // What rounding to double leaves, rounded itself.
+  const double rest = kernel::nearest_double(Rational(x - Rational(nearest)));
+  if (rest == 0 || std::ilogb(rest) < -1000) return values;
+  for (const int kept : {1, 2, 4, 8, 16, 32, 53}) values.push_back(Rational(Rational(nearest) + Rational(on_grid(rest, std::ilogb(rest) + 1 - kept))));
   return values;
 }
 
@@ -244,7 +242,10 @@ class Simplify {
           highest = std::max(highest.value_or(std::ilogb(v[k])), std::ilogb(v[k]));
         }
     if (!lowest) return {};
-    return {-*lowest, -*highest};
+    // 2^exponent itself has to be a double.
+    std::vector<int> result = {-*lowest, -*highest};
+    std::erase_if(result, [](int exponent) { return exponent == 0 || std::abs(exponent) > 1000; });
+    return result;
   }
 
   /// All coordinates, translations too, on one grid, the coarsest first; then one body's.
@@ -310,11 +311,18 @@ class Simplify {
   {
     for (int body = 0; body < 2; ++body)
       for (int k = 0; k < 12; ++k)
-        for (const double value : simpler(numbers_.poses[body][k])) {
+        for (const Rational& value : simpler_entries(numbers_.poses[body], k)) {
           Entries m = entries_of(numbers_.poses[body]);
           m[k] = value;
           if (with_pose(body, exact_pose(m, true))) break;
         }
+  }
+
+  static std::vector<Rational> simpler_entries(const Pose& pose, int k)
+  {
+    if (Rational(pose[k]) != pose.exact(k)) return simpler(pose.exact(k));
+    const std::vector<double> values = simpler(pose[k]);
+    return {values.begin(), values.end()};
   }
 
   Case_numbers& numbers_;
@@ -324,36 +332,6 @@ class Simplify {
 };
 
 }  // namespace
-
-std::size_t bits(double x)
-{
-  const Odd parts = odd(x);
-  return std::bit_width(parts.mantissa) + std::bit_width(unsigned(std::abs(parts.exponent)));
-}
-
-std::size_t bits(const Rational& x)
-{
-  const double nearest = kernel::nearest_double(x);
-  if (Rational(nearest) == x) return bits(nearest);
-  // A decimal digit is 3.3 binary ones; the slash is one of them.
-  return kernel::to_string(x).size() * 10 / 3;
-}
-
-std::size_t bits(const Case_numbers& numbers)
-{
-  std::size_t sum = 0;
-  const Pose identity;
-  for (int body = 0; body < 2; ++body) {
-    for (const Vertex& point : numbers.points[body])
-      for (const double x : point) sum += bits(x);
-    const Pose& pose = numbers.poses[body];
-    for (int k = 0; k < 12; ++k) {
-      if (pose.is_rational()) sum += pose.exact(k) == Rational(identity[k]) ? 0 : 1 + bits(pose.exact(k));
-      else sum += pose[k] == identity[k] ? 0 : 1 + bits(pose[k]);
-    }
-  }
-  return sum;
-}
 
 bool simplify(Case_numbers& numbers, const std::function<bool(const Case_numbers&)>& accept) { return Simplify(numbers, accept).run(); }
 

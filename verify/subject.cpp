@@ -1,7 +1,9 @@
 #include "verify/subject.h"
 
+#include "covering/repair.h"
 #include "kernel/number.h"
 #include "tetratree/collision.h"
+#include "tetratree/wide_collision.h"
 #include "verify/brute.h"
 
 #include <array>
@@ -64,6 +66,40 @@ class Tree_pair : public Prepared_pair {
   Tolerance_in_use use_;
   tetratree::Tetra_tree<K> a_, b_;
   tetratree::Collision<K> collision_;
+};
+
+/// The fast tree of the adaptive kernel. Features are asked of the tetra-tree, which is made when they are.
+class Wide_pair : public Prepared_pair {
+ public:
+  Wide_pair(const Subject& subject, const covering::Polyhedron& a, const covering::Polyhedron& b)
+      : subject_(subject), polyhedron_a_(a), polyhedron_b_(b), a_(a, covering::triangulate_faces(a)), b_(b, covering::triangulate_faces(b)), collision_(a_, b_)
+  {
+  }
+
+  bool collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, kernel::Question question) override
+  {
+    return collision_(pose_a, pose_b, question);
+  }
+  std::vector<kernel::Feature_pair> features(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
+  {
+    if (!of_features_) of_features_ = std::make_unique<Tree_pair<kernel::Adaptive>>(subject_, polyhedron_a_, polyhedron_b_);
+    return of_features_->features(pose_a, pose_b);
+  }
+  tetratree::Counts take_counts() override
+  {
+    const tetratree::Counts counts = collision_.counts();
+    collision_.clear_counts();
+    return counts;
+  }
+  std::size_t bytes() const override { return a_.bytes() + b_.bytes(); }
+  std::size_t node_count() const override { return a_.node_count() + b_.node_count(); }
+
+ private:
+  Subject subject_;
+  covering::Polyhedron polyhedron_a_, polyhedron_b_;
+  tetratree::Wide_tree a_, b_;
+  tetratree::Wide_collision collision_;
+  std::unique_ptr<Tree_pair<kernel::Adaptive>> of_features_;
 };
 
 class Truth_pair : public Prepared_pair {
@@ -145,7 +181,9 @@ std::string Subject::name() const
 std::unique_ptr<Prepared_pair> prepare(const Subject& subject, const covering::Polyhedron& a, const covering::Polyhedron& b)
 {
   switch (subject.kernel) {
-    case Kernel_name::adaptive: return std::make_unique<Tree_pair<kernel::Adaptive>>(subject, a, b);
+    case Kernel_name::adaptive:
+      if (subject.method == Method::tree) return std::make_unique<Wide_pair>(subject, a, b);
+      return std::make_unique<Tree_pair<kernel::Adaptive>>(subject, a, b);
     case Kernel_name::double_: return std::make_unique<Tree_pair<kernel::Double>>(subject, a, b);
     case Kernel_name::float_: return std::make_unique<Tree_pair<kernel::Float>>(subject, a, b);
     case Kernel_name::double_eps: return std::make_unique<Tree_pair<kernel::Tolerant>>(subject, a, b);

@@ -431,15 +431,17 @@ void each_sample(const Family& family, int count, const Visit& visit)
 
 BOOST_AUTO_TEST_CASE(every_stage_that_answers_is_right_and_the_counter_says_which_did)
 {
-  int total = 0, wrong_filter = 0, wrong_exact = 0, wrong_sign = 0, wrong_stage = 0, other_bound = 0, by_identity = 0;
+  int total = 0, wrong_filter = 0, wrong_exact = 0, wrong_sign = 0, wrong_stage = 0, other_bound = 0, by_identity = 0, wide_decided = 0;
   for (const Family& family : families()) {
     int decided = 0, n = 0;
     each_sample(family, family.count, [&](const Sample& s) {
       const auto& [a, b, c, d] = s.points;
       const Sign truth = CGAL::sign(sgn(volume(s.exact)));
       const Decision filtered = Adaptive::filtered_volume_sign(a, b, c, d);
+      const Decision wide = Adaptive::wide_volume_sign(a, b, c, d);
       decided += filtered.has_value();
-      wrong_filter += filtered && *filtered != truth;
+      wide_decided += !filtered && wide;
+      wrong_filter += (filtered && *filtered != truth) || (wide && *wide != truth);
       other_bound += filtered != volume_filter(a, b, c, d).decision();
 
       // Whether two of the first points are one vertex of one frame: then no exact stage is needed.
@@ -454,25 +456,28 @@ BOOST_AUTO_TEST_CASE(every_stage_that_answers_is_right_and_the_counter_says_whic
       wrong_sign += Adaptive::volume_sign(a, b, c, d) != truth;
       const bool one_frame = a.pose && a.pose == b.pose && a.pose == c.pose && a.pose == d.pose;
       const auto home = [](const Point& p) { return Adaptive::unmoved(p.vertex); };
-      const bool by_frame = one_frame && Adaptive::filtered_volume_sign(home(a), home(b), home(c), home(d));
-      wrong_stage += Adaptive::exact_fallbacks() - before != (filtered || by_frame || found_twice(4) ? 0u : 1u);
+      const bool by_frame = one_frame && (Adaptive::filtered_volume_sign(home(a), home(b), home(c), home(d)) ||
+                                          Adaptive::wide_volume_sign(home(a), home(b), home(c), home(d)));
+      wrong_stage += Adaptive::exact_fallbacks() - before != (filtered || (one_frame ? by_frame : wide.has_value()) || found_twice(4) ? 0u : 1u);
       by_identity += !filtered && found_twice(4);
 
       const int axis = n % 3;
       const Sign normal_truth = normal(s.exact[0], s.exact[1], s.exact[2], axis);
       const Decision normal_filtered = Adaptive::filtered_normal_sign(a, b, c, axis);
-      wrong_filter += normal_filtered && *normal_filtered != normal_truth;
+      const Decision normal_wide = Adaptive::wide_normal_sign(a, b, c, axis);
+      wrong_filter += (normal_filtered && *normal_filtered != normal_truth) || (normal_wide && *normal_wide != normal_truth);
       other_bound += normal_filtered != normal_filter(a, b, c, axis).decision();
       before = Adaptive::exact_fallbacks();
       wrong_sign += Adaptive::normal_sign(a, b, c, axis) != normal_truth;
-      wrong_stage += Adaptive::exact_fallbacks() - before != (normal_filtered || found_twice(3) ? 0u : 1u);
+      wrong_stage += Adaptive::exact_fallbacks() - before != (normal_filtered || normal_wide || found_twice(3) ? 0u : 1u);
 
       const Sign difference_truth = difference(s.exact[0], s.exact[1], axis);
       const Decision difference_filtered = Adaptive::filtered_difference_sign(a, b, axis);
-      wrong_filter += difference_filtered && *difference_filtered != difference_truth;
+      const Decision difference_wide = Adaptive::wide_difference_sign(a, b, axis);
+      wrong_filter += (difference_filtered && *difference_filtered != difference_truth) || (difference_wide && *difference_wide != difference_truth);
       before = Adaptive::exact_fallbacks();
       wrong_sign += Adaptive::difference_sign(a, b, axis) != difference_truth;
-      wrong_stage += Adaptive::exact_fallbacks() - before != (difference_filtered || found_twice(2) ? 0u : 1u);
+      wrong_stage += Adaptive::exact_fallbacks() - before != (difference_filtered || difference_wide || found_twice(2) ? 0u : 1u);
 
       if (n++ % 8 == 0)
         wrong_exact += Adaptive::exact_volume_sign(a, b, c, d) != truth ||
@@ -494,6 +499,8 @@ BOOST_AUTO_TEST_CASE(every_stage_that_answers_is_right_and_the_counter_says_whic
   BOOST_TEST(wrong_stage == 0);
   BOOST_TEST(other_bound == 0);  // the bounds above are those of the header
   BOOST_TEST(by_identity > 1'000);
+  BOOST_TEST(wide_decided > 10'000);
+  BOOST_TEST_MESSAGE("decided by double-double: " << wide_decided << " of " << total);
   BOOST_TEST(total >= 1'000'000);
 }
 

@@ -1,0 +1,168 @@
+#ifndef TETRACONE_KERNEL_ORIENTED_BOX_H
+#define TETRACONE_KERNEL_ORIENTED_BOX_H
+
+#include "kernel/wide_boxes.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace tetracone::kernel {
+
+using Vector = Eigen::Vector3d;
+using Matrix = Eigen::Matrix3d;
+
+/// Mean and covariance of points.
+struct Spread {
+  Vector mean = Vector::Zero();
+  Matrix covariance = Matrix::Zero();
+
+  explicit Spread(std::span<const Vector> points)
+  {
+    for (const Vector& p : points) mean += p;
+    mean /= double(points.size());
+    for (const Vector& p : points) covariance += (p - mean) * (p - mean).transpose();
+    covariance /= double(points.size());
+  }
+
+  double size() const { return covariance.trace(); }
+
+  /// The direction of greatest spread.
+  Vector principal() const
+  {
+    Eigen::SelfAdjointEigenSolver<Matrix> solver;
+    solver.computeDirect(covariance);
+    return solver.eigenvectors().col(2);
+  }
+};
+
+/// A box about points: columns of `axes` orthonormal, up to rounding.
+struct Oriented_box {
+  Matrix axes;
+  Vector centre, extent;
+
+  /// The box of these axes about the points.
+  Oriented_box(const Matrix& axes, std::span<const Vector> points) : axes(axes)
+  {
+    Vector low = Vector::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    for (const Vector& p : points) {
+      const Vector s = axes.transpose() * p;
+      low = low.cwiseMin(s), high = high.cwiseMax(s);
+    }
+    centre = axes * (0.5 * (low + high));
+    extent = 0.5 * (high - low);
+  }
+
+  double surface() const { return extent[0] * extent[1] + extent[1] * extent[2] + extent[2] * extent[0]; }
+};
+
+namespace detail {
+
+/// Right-handed axes of which the first is `first`, the second as near to `second` as can be. Requires first not 0.
+inline Matrix axes_from(const Vector& first, const Vector& second)
+{
+  Matrix axes;
+  axes.col(0) = first.normalized();
+  Vector other = second - second.dot(axes.col(0)) * axes.col(0);
+  if (!(other.squaredNorm() > 1e-20 * second.squaredNorm())) {
+    int least = 0;
+    for (int i = 1; i < 3; ++i)
+      if (std::abs(axes(i, 0)) < std::abs(axes(least, 0))) least = i;
+    other = Vector::Unit(least) - axes(least, 0) * axes.col(0);
+  }
+  axes.col(1) = other.normalized();
+  axes.col(2) = axes.col(0).cross(axes.col(1));
+  return axes;
+}
+
+/// The axes turned about axis `about` by the angle of this tangent.
+inline Matrix turned(const Matrix& axes, int about, double tangent)
+{
+  const double c = 1 / std::sqrt(1 + tangent * tangent), s = tangent * c;
+  const int i = (about + 1) % 3, j = (about + 2) % 3;
+  Matrix result = axes;
+  result.col(i) = c * axes.col(i) + s * axes.col(j);
+  result.col(j) = c * axes.col(j) - s * axes.col(i);
+  return result;
+}
+
+}  // namespace detail
+
+/// A box of little surface about the points: from the eigenvectors of their covariance, turned about each axis in turn while that makes the
+/// surface smaller, by `rounds` rounds of halved angles.
+inline Oriented_box fitted_box(std::span<const Vector> points, int rounds)
+{
+  const Spread spread(points);
+  Eigen::SelfAdjointEigenSolver<Matrix> solver;
+  solver.computeDirect(spread.covariance);
+  Matrix start = solver.eigenvectors();
+  // Undefined for points that are all the same.
+  if (!start.allFinite() || !(spread.size() > 0)) start = Matrix::Identity();
+  Oriented_box best(detail::axes_from(start.col(0), start.col(2)), points);
+  double tangent = 0.5;
+  for (int round = 0; round < rounds; ++round, tangent *= 0.5)
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double t : {tangent, -tangent}) {
+        const Oriented_box turned(detail::turned(best.axes, axis, t), points);
+        if (turned.surface() < best.surface()) {
+          best = turned;
+          break;
+        }
+      }
+  return best;
+}
+
+/// The box of a triangle: its plane, and along its longest edge.
+inline Oriented_box triangle_box(std::span<const Vector, 3> corners)
+{
+  int longest = 0;
+  double length = -1;
+  for (int k = 0; k < 3; ++k) {
+    const double here = (corners[(k + 1) % 3] - corners[k]).squaredNorm();
+    if (here > length) longest = k, length = here;
+  }
+  const Vector edge = corners[(longest + 1) % 3] - corners[longest];
+  if (!(length > 0)) return Oriented_box(Matrix::Identity(), corners);
+  const Vector normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  if (!(normal.squaredNorm() > 1e-24 * length * length)) return Oriented_box(detail::axes_from(edge, Vector(1, 0, 0)), corners);
+  return Oriented_box(detail::axes_from(normal, edge), corners);
+}
+
+/// Writes the box into a lane, relative to the node's origin, in float. `points` are all that it must hold; the extents are found again for
+/// the float axes and centre. `point_error` bounds how far a coordinate of a point may be from the exact one.
+///
+/// With axes a_i that are orthonormal but for a defect d, y = p - c is sum_i s_i a_i with |s_i| <= |a_i . y| + 3 d max_k |a_k . y| (1 + 4 d);
+/// the sums below are rounded 6 times in double, far below 2^-40 of |y|_1.
+inline void store_lane(Wide_boxes& boxes, int lane, const Oriented_box& box, const Vector& node_origin, std::span<const Vector> points, double point_error)
+{
+  std::array<Vector, 3> axis;
+  Vector centre;
+  for (int i = 0; i < 3; ++i) {
+    boxes.centre[i][lane] = static_cast<float>(box.centre[i] - node_origin[i]);
+    centre[i] = double(boxes.centre[i][lane]) + node_origin[i];
+    for (int k = 0; k < 3; ++k) {
+      boxes.axis[i][k][lane] = static_cast<float>(box.axes(k, i));
+      axis[i][k] = boxes.axis[i][k][lane];
+    }
+  }
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) assert(std::abs(axis[i].dot(axis[j]) - (i == j)) <= axis_defect);
+  Vector extent = Vector::Zero();
+  double size = 0;
+  for (const Vector& p : points) {
+    const Vector y = p - centre;
+    for (int i = 0; i < 3; ++i) extent[i] = std::max(extent[i], std::abs(axis[i].dot(y)));
+    size = std::max(size, y.cwiseAbs().sum());
+  }
+  const double margin = 4 * axis_defect * extent.maxCoeff() + 0x1p-40 * size + 2 * point_error;
+  for (int i = 0; i < 3; ++i) boxes.extent[i][lane] = std::nextafter(static_cast<float>(extent[i] + margin), std::numeric_limits<float>::infinity());
+}
+
+}  // namespace tetracone::kernel
+
+#endif

@@ -1,0 +1,304 @@
+#ifndef TETRACONE_TETRATREE_WIDE_TREE_H
+#define TETRACONE_TETRATREE_WIDE_TREE_H
+
+#include "covering/model.h"
+#include "kernel/kernels.h"
+#include "kernel/oriented_box.h"
+#include "kernel/relative_frame.h"
+#include "kernel/wide_boxes.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <vector>
+
+namespace tetracone::tetratree {
+
+using covering::Face_triangle;
+using covering::Index;
+
+/// What a leaf holds: a triangle, or a whole face that has not been triangulated.
+struct Element {
+  Index face;
+  std::array<Index, 3> corner;  ///< corner[0] == covering::none: the whole face
+  bool is_whole_face() const { return corner[0] == covering::none; }
+};
+
+/// Up to eight parts of a body, each in a box: see `Wide_tree`.
+struct alignas(64) Wide_node {
+  kernel::Wide_boxes boxes;
+  std::array<float, 3> origin;        ///< of the boxes, in local units
+  float reach;                        ///< |c_k| + sum_i e_i of every lane is at most this
+  std::array<Index, 9> first;         ///< lane k holds elements first[k] .. first[k+1] of the tree's order
+  std::array<std::int32_t, 8> child;  ///< node of lane k; `not_made`, or nothing to make where the lane holds one element
+  int lane_count;
+
+  static constexpr std::int32_t not_made = -1;
+};
+
+/// The fast tree of the adaptive kernel: eight boxes a node, one element a leaf.
+///
+/// What is kept of the tetra-tree of JS08: a covering with one origin, elements gathered by tetra-cones about it, a bounding volume a
+/// cone, and the pairwise descent of two trees. What is different, and why:
+///  - an element is in the one cone that holds its centroid, not in all that it meets: nothing is tested twice;
+///  - the first two levels are cones (octants, and their four parts); below them a cone's elements are split where they spread most, which is
+///    in depth where layers of the surface lie behind one another (the shells of a cone) and across it elsewhere;
+///  - the bounding volume is an oriented box, which is tight on a patch of surface where a tetrahedron from the origin is not;
+///  - nodes have eight parts, so that one box is compared with eight at once, in float, rounded outward.
+/// Faces are triangles, or are given as triangles with the polyhedron; others are leaves as a whole.
+///
+/// A node's children are made when a query first enters it, or all at once by `make_all`. Not for two threads at a time until then.
+class Wide_tree {
+ public:
+  using Adaptive = kernel::Adaptive;
+
+  /// `triangles`: for each face that has some, triangles that cover exactly the face. Requires planar faces.
+  explicit Wide_tree(const covering::Polyhedron& polyhedron, std::span<const Face_triangle> triangles = {}) : model_(polyhedron)
+  {
+    collect_elements(polyhedron, triangles);
+    choose_units();
+    order_.resize(elements_.size());
+    std::iota(order_.begin(), order_.end(), Index(0));
+    for (const Element& element : elements_) centroids_.push_back(centroid(element));
+    make_root();
+  }
+
+  const covering::Model<Adaptive>& model() const { return model_; }
+  const kernel::Local_units& units() const { return units_; }
+  bool empty() const { return elements_.empty(); }
+
+  const Wide_node& node(Index n) const { return nodes_[n]; }
+
+  /// The node of lane `lane` of node `n`, made now if it has to be. Requires a lane of more than one element. Nodes may move.
+  Index child(Index n, int lane)
+  {
+    if (nodes_[n].child[lane] == Wide_node::not_made) {
+      const Index made = make_node(nodes_[n].first[lane], nodes_[n].first[lane + 1], depths_[n] + 1);
+      nodes_[n].child[lane] = std::int32_t(made);
+    }
+    return Index(nodes_[n].child[lane]);
+  }
+
+  bool is_leaf(Index n, int lane) const { return nodes_[n].first[lane + 1] - nodes_[n].first[lane] == 1; }
+  const Element& element(Index n, int lane) const { return elements_[order_[nodes_[n].first[lane]]]; }
+
+  /// Makes every node: from then on nothing changes.
+  void make_all()
+  {
+    for (Index n = 0; n < nodes_.size(); ++n)
+      for (int lane = 0; lane < nodes_[n].lane_count; ++lane)
+        if (!is_leaf(n, lane)) child(n, lane);
+  }
+
+  std::size_t node_count() const { return nodes_.size(); }
+  std::size_t element_count() const { return elements_.size(); }
+
+  /// Without the model.
+  std::size_t bytes() const
+  {
+    return nodes_.capacity() * sizeof(Wide_node) + depths_.capacity() + elements_.capacity() * sizeof(Element) + order_.capacity() * sizeof(Index) +
+           centroids_.capacity() * sizeof(centroids_[0]);
+  }
+
+ private:
+  using Vector = kernel::Vector;
+
+  void collect_elements(const covering::Polyhedron& polyhedron, std::span<const Face_triangle> triangles)
+  {
+    std::vector<bool> has_triangles(polyhedron.face_count(), false);
+    for (const Face_triangle& t : triangles) {
+      has_triangles[t.face] = true;
+      elements_.push_back({t.face, t.corner});
+    }
+    for (Index f = 0; f < polyhedron.face_count(); ++f) {
+      if (has_triangles[f]) continue;
+      const auto loop = polyhedron.loop(f, 0);
+      const bool is_triangle = polyhedron.is_triangle(f) && model_.covering().spanning(f);
+      elements_.push_back({f, is_triangle ? std::array{loop[0], loop[1], loop[2]} : std::array{covering::none, covering::none, covering::none}});
+    }
+  }
+
+  /// The unit is a power of two, so that local coordinates are the models' but for one rounding of a difference.
+  void choose_units()
+  {
+    units_.origin = model_.lattice().origin;
+    double reach = 0;
+    for (const auto& v : model_.vertices())
+      for (int k = 0; k < 3; ++k) reach = std::max(reach, std::abs(v[k] - units_.origin[k]));
+    units_.unit = reach > 0 && reach < 0x1p1000 ? std::ldexp(1.0, std::max(std::ilogb(reach) + 1, -1000)) : 1;
+  }
+
+  Vector local(Index v) const
+  {
+    const auto& vertex = model_.vertices()[v];
+    return {(vertex[0] - units_.origin[0]) / units_.unit, (vertex[1] - units_.origin[1]) / units_.unit, (vertex[2] - units_.origin[2]) / units_.unit};
+  }
+
+  template <class What>
+  void for_corners(const Element& element, const What& what) const
+  {
+    if (element.is_whole_face())
+      for (const Index v : model_.covering().from(element.face)) what(local(v));
+    else
+      for (const Index v : element.corner) what(local(v));
+  }
+
+  std::array<float, 3> centroid(const Element& element) const
+  {
+    Vector sum = Vector::Zero();
+    int count = 0;
+    for_corners(element, [&](const Vector& p) { sum += p, ++count; });
+    sum /= count;
+    return {float(sum[0]), float(sum[1]), float(sum[2])};
+  }
+  Vector centroid_of(Index position) const
+  {
+    const auto& c = centroids_[order_[position]];
+    return {c[0], c[1], c[2]};
+  }
+
+  /// Elements first .. last of the order, and how far they spread.
+  struct Part {
+    Index first, last;
+    double size;
+    Vector mean, axis;
+  };
+
+  Part part(Index first, Index last)
+  {
+    gathered_.clear();
+    for (Index k = first; k < last; ++k) gathered_.push_back(centroid_of(k));
+    const kernel::Spread spread(gathered_);
+    Part part{first, last, last - first > 1 ? std::max(spread.size(), 1e-300) : 0, spread.mean, Vector::Unit(0)};
+    if (last - first > 1) part.axis = spread.principal();
+    return part;
+  }
+
+  /// Splits where the part spreads most, at its mean; in the middle of the order where all are on one side.
+  Index split(const Part& part)
+  {
+    const auto begin = order_.begin() + part.first, end = order_.begin() + part.last;
+    const auto middle = std::partition(begin, end, [&](Index e) {
+      const auto& c = centroids_[e];
+      return part.axis.dot(Vector(c[0], c[1], c[2]) - part.mean) < 0;
+    });
+    if (middle == begin || middle == end) return part.first + (part.last - part.first) / 2;
+    return Index(middle - order_.begin());
+  }
+
+  /// Sorts the range by cone and returns the ends of the groups that are not empty.
+  template <class Cone>
+  std::vector<Index> by_cone(Index first, Index last, int cones, const Cone& cone)
+  {
+    std::vector<Index> ends;
+    for (int k = 0; k < cones; ++k) {
+      const auto begin = order_.begin() + first, end = order_.begin() + last;
+      const auto middle = std::partition(begin, end, [&](Index e) { return cone(centroids_[e]) == k; });
+      if (middle == begin) continue;
+      first = Index(middle - order_.begin());
+      ends.push_back(first);
+    }
+    return ends;
+  }
+
+  static int octant(const std::array<float, 3>& c) { return (c[0] < 0) | (c[1] < 0) << 1 | (c[2] < 0) << 2; }
+
+  /// Of the octant's four parts by the midpoints of its edges: 0, 1, 2 at the axes, 3 in the middle.
+  static int quarter(const std::array<float, 3>& c)
+  {
+    const float sum = std::abs(c[0]) + std::abs(c[1]) + std::abs(c[2]);
+    for (int k = 0; k < 3; ++k)
+      if (2 * std::abs(c[k]) > sum) return k;
+    return 3;
+  }
+
+  void make_root()
+  {
+    if (elements_.empty()) return;
+    // One lane that holds everything.
+    Wide_node root{};
+    root.lane_count = 1;
+    root.first.fill(Index(elements_.size()));
+    root.first[0] = 0;
+    root.child.fill(Wide_node::not_made);
+    store_boxes(root);
+    nodes_.push_back(root);
+    depths_.push_back(0);
+  }
+
+  Index make_node(Index first, Index last, int depth)
+  {
+    std::vector<Index> ends = {last};
+    if (depth == 1) ends = by_cone(first, last, 8, octant);
+    if (depth == 2) ends = by_cone(first, last, 4, quarter);
+    std::vector<Part> parts;
+    for (const Index end : ends) {
+      parts.push_back(part(first, end));
+      first = end;
+    }
+    while (parts.size() < 8) {
+      const auto largest = std::max_element(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.size < b.size; });
+      if (largest->last - largest->first < 2) break;
+      const Part whole = *largest;
+      const Index middle = split(whole);
+      *largest = part(whole.first, middle);
+      parts.insert(largest + 1, part(middle, whole.last));
+    }
+    Wide_node node{};
+    node.lane_count = int(parts.size());
+    node.child.fill(Wide_node::not_made);
+    node.first.fill(parts.back().last);
+    for (std::size_t k = 0; k < parts.size(); ++k) node.first[k] = parts[k].first;
+    store_boxes(node);
+    nodes_.push_back(node);
+    depths_.push_back(std::uint8_t(std::min(depth, 250)));
+    return Index(nodes_.size() - 1);
+  }
+
+  void store_boxes(Wide_node& node)
+  {
+    struct Lane {
+      kernel::Oriented_box box;
+      std::vector<Vector> points;
+    };
+    std::vector<Lane> all;
+    Vector low = Vector::Constant(4), high = -low;
+    for (int lane = 0; lane < node.lane_count; ++lane) {
+      std::vector<Vector> points;
+      for (Index k = node.first[lane]; k < node.first[lane + 1]; ++k)
+        for_corners(elements_[order_[k]], [&](const Vector& p) { points.push_back(p); });
+      const bool triangle = points.size() == 3;
+      const auto box = triangle ? kernel::triangle_box(std::span<const Vector, 3>(points.data(), 3)) : kernel::fitted_box(points, 3);
+      low = low.cwiseMin(box.centre), high = high.cwiseMax(box.centre);
+      all.push_back({box, std::move(points)});
+    }
+    // Exact in float, and so in double.
+    Vector origin;
+    for (int k = 0; k < 3; ++k) origin[k] = node.origin[k] = float(0.5 * (low[k] + high[k]));
+    double reach = 0;
+    for (int lane = 0; lane < node.lane_count; ++lane) {
+      // A local coordinate is a difference and a power of two: one rounding, of at most 2.
+      kernel::store_lane(node.boxes, lane, all[lane].box, origin, all[lane].points, 0x1p-52);
+      double sum = 0, farthest = 0;
+      for (int i = 0; i < 3; ++i) sum += node.boxes.extent[i][lane], farthest = std::max(farthest, std::abs(double(node.boxes.centre[i][lane])));
+      reach = std::max(reach, sum + farthest);
+    }
+    node.reach = float(reach * 1.0000002);
+  }
+
+  covering::Model<Adaptive> model_;
+  kernel::Local_units units_;
+  std::vector<Element> elements_;
+  std::vector<Index> order_;
+  std::vector<std::array<float, 3>> centroids_;
+  std::vector<Wide_node> nodes_;
+  std::vector<std::uint8_t> depths_;
+  std::vector<Vector> gathered_;
+};
+
+}  // namespace tetracone::tetratree
+
+#endif

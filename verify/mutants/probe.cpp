@@ -1,0 +1,211 @@
+// Judges the adaptive and the rational kernel by cases whose answers are known: exit status 1 at the first wrong one.
+// Its headers may be mutants, so it takes cases and truths as text, made by cases.cpp from headers that are not.
+
+#include "covering/inclusion.h"
+#include "kernel/adaptive.h"
+#include "kernel/read_poses.h"
+#include "kernel/segment_face.h"
+#include "kernel/tetrahedron.h"
+#include "tetratree/collision.h"
+#include "verify/case.h"
+#include "verify/random.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace tetracone;
+using kernel::Adaptive;
+using kernel::Pose;
+using kernel::Question;
+using kernel::Rational;
+using kernel::Vertex;
+using verify::Predicate;
+
+namespace {
+
+[[noreturn]] void wrong(const std::string& what)
+{
+  std::cout << "wrong: " << what << '\n';
+  std::exit(1);
+}
+
+// --- reading ------------------------------------------------------------------------------------------------------------
+
+Rational read_rational(std::istream& in)
+{
+  std::string word;
+  in >> word;
+  if (const auto fraction = kernel::parse_fraction(word)) return *fraction;
+  return Rational(kernel::parse_double(word).value());
+}
+double read_double(std::istream& in)
+{
+  std::string word;
+  in >> word;
+  return kernel::parse_double(word).value();
+}
+Vertex read_vertex(std::istream& in)
+{
+  Vertex v;
+  for (double& coordinate : v) coordinate = read_double(in);
+  return v;
+}
+Pose read_pose(std::istream& in)
+{
+  std::array<Rational, 12> entries;
+  for (Rational& entry : entries) entry = read_rational(in);
+  return Pose(entries);
+}
+covering::Polyhedron read_body(std::istream& in)
+{
+  covering::Polyhedron body;
+  std::size_t vertices, faces;
+  in >> vertices >> faces;
+  while (vertices-- > 0) body.vertices.push_back(read_vertex(in));
+  while (faces-- > 0) {
+    std::size_t count;
+    in >> count;
+    std::vector<std::vector<covering::Index>> loops(count);
+    for (auto& loop : loops) {
+      in >> count;
+      loop.resize(count);
+      for (auto& corner : loop) in >> corner;
+    }
+    body.add_face(loops);
+  }
+  return body;
+}
+
+// --- predicates ---------------------------------------------------------------------------------------------------------
+
+template <class K>
+int answer(Predicate predicate, const verify::Predicate_case& c)
+{
+  using Point = kernel::Point<K>;
+  const kernel::Frame<K> in_a(c.pose_a), in_b(c.pose_b);
+  std::array<Point, 4> v;
+  for (int k = 0; k < 4; ++k) v[k] = in_a(kernel::point<K>(c.v[k]));
+  const Point p = in_b(kernel::point<K>(c.p)), q = in_b(kernel::point<K>(c.q)), r = in_b(kernel::point<K>(c.r));
+  if (predicate == Predicate::orientation) return -kernel::volume_sign<K>(v[1], v[2], v[3], p);
+  if (predicate == Predicate::segment_triangle) {
+    const bool meet = kernel::segment_triangle<K>(p, q, v[1], v[2], v[3]) != kernel::Contact::none;
+    if (meet != (kernel::segment_face<K>(p, q, kernel::Triangle<K>{v[1], v[2], v[3]}) != kernel::Contact::none)) return -2;
+    return meet;
+  }
+  if (predicate == Predicate::tetrahedron)
+    return kernel::barycentric_signs<K>(p, v[0], v[1], v[2], v[3]).feature() != kernel::In_tetrahedron::outside;
+  if (predicate == Predicate::solid) {
+    int winding = 0;
+    for (const auto& [i, j, k] : {std::array{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}) {
+      if (kernel::segment_triangle<K>(p, p, v[i], v[j], v[k]) != kernel::Contact::none) return 0;
+      winding += covering::signed_inclusion<K>(p, q, v[i], v[j], v[k]);
+    }
+    return winding != 0 ? 1 : -1;
+  }
+  if (kernel::volume_sign<K>(v[0], v[1], v[2], v[3]) == kernel::NEGATIVE) std::swap(v[2], v[3]);
+  if (predicate == Predicate::tetra_cone) return kernel::is_in_tetra_cone<K>(p, v[0], v[1], v[2], v[3]);
+  tetratree::Cone_points<K> cone(kernel::Cone_lattice{}, tetratree::Tetra_cone::octant(0));
+  cone.v0 = v[0], cone.v1 = v[1], cone.v2 = v[2], cone.v3 = v[3];
+  return tetratree::classify<K>(cone, p, q, r) != tetratree::Classified::no;
+}
+
+void judge_predicate(std::istream& in, int number)
+{
+  int predicate, truth;
+  in >> predicate >> truth;
+  verify::Predicate_case c;
+  for (Vertex& v : c.v) v = read_vertex(in);
+  c.p = read_vertex(in), c.q = read_vertex(in), c.r = read_vertex(in);
+  c.pose_a = read_pose(in), c.pose_b = read_pose(in);
+  const auto which = static_cast<Predicate>(predicate);
+  const std::string name = std::string(verify::to_string(which)) + " in case " + std::to_string(number);
+  if (answer<Adaptive>(which, c) != truth) wrong("adaptive, " + name);
+  if (number % 4 == 0 && answer<kernel::Rational_kernel>(which, c) != truth) wrong("rational, " + name);
+}
+
+// --- objects ------------------------------------------------------------------------------------------------------------
+
+template <class K>
+void judge(const char* subject, const tetratree::Config& config, const covering::Polyhedron& a, const covering::Polyhedron& b,
+           const Pose& pose_a, const Pose& pose_b, int surface, int solid, int number)
+{
+  tetratree::Tetra_tree<K> tree_a(a, config), tree_b(b, config);
+  tetratree::Collision<K> collision(tree_a, tree_b);
+  if (collision(pose_a, pose_b, Question::surface) != (surface == 1)) wrong(std::string(subject) + ", surface in case " + std::to_string(number));
+  if (collision(pose_a, pose_b, Question::solid) != (solid == 1)) wrong(std::string(subject) + ", solid in case " + std::to_string(number));
+}
+
+void judge_object(std::istream& in, int number)
+{
+  int surface, solid;
+  in >> surface >> solid;
+  const covering::Polyhedron a = read_body(in), b = read_body(in);
+  const Pose pose_a = read_pose(in), pose_b = read_pose(in);
+  tetratree::Config fine, plain, shallow;
+  fine.leaf_size = 1;
+  shallow.depth = 1, shallow.far_plane = tetratree::Far_plane::tightest;
+  plain.tetrahedra = plain.regular_hull = false;
+  judge<Adaptive>("adaptive paper", {}, a, b, pose_a, pose_b, surface, solid, number);
+  judge<Adaptive>("adaptive small leaves", fine, a, b, pose_a, pose_b, surface, solid, number);
+  judge<Adaptive>("adaptive shallow", shallow, a, b, pose_a, pose_b, surface, solid, number);
+  judge<Adaptive>("adaptive spheres", plain, a, b, pose_a, pose_b, surface, solid, number);
+  judge<Adaptive>("adaptive tree", tetratree::Config::fastest(), a, b, pose_a, pose_b, surface, solid, number);
+  judge<Adaptive>("adaptive brute", tetratree::Config::brute(), a, b, pose_a, pose_b, surface, solid, number);
+  if (number % 16 == 0)
+    judge<kernel::Rational_kernel>("rational tree", tetratree::Config::fastest(), a, b, pose_a, pose_b, surface, solid, number);
+}
+
+// --- the adaptive kernel's own promises -----------------------------------------------------------------------------------
+
+/// Points rounded on a plane or a line, about 0 or all about another point: what a filter decides must be the exact sign, what encloses must enclose.
+void judge_stages(int rounds)
+{
+  verify::Random random(1);
+  const auto say = [](const Adaptive::Decision& filtered, CGAL::Sign exact, const char* what) {
+    if (filtered && *filtered != exact) wrong(std::string("filter of the ") + what);
+  };
+  for (int round = 0; round < rounds; ++round) {
+    std::array<Vertex, 4> v;
+    for (Vertex& x : v)
+      for (double& coordinate : x) coordinate = round % 2 == 0 ? random.symmetric() / 3 : 1 + 0x1p-20 * random.symmetric();
+    const double s = random.symmetric(), t = random.symmetric();
+    for (int k = 0; k < 3; ++k) v[3][k] = v[0][k] + s * (v[1][k] - v[0][k]) + t * (v[2][k] - v[0][k]);
+    std::array<double, 12> entries;
+    for (double& entry : entries) entry = random.symmetric();
+    const Pose pose(entries);
+    std::array<Adaptive::Point_3, 4> p;
+    for (int k = 0; k < 4; ++k) p[k] = round % 3 == 0 ? Adaptive::placed(v[k], pose) : Adaptive::unmoved(v[k]);
+    say(Adaptive::filtered_volume_sign(p[0], p[1], p[2], p[3]), Adaptive::exact_volume_sign(p[0], p[1], p[2], p[3]), "volume sign");
+    // p[3] on the line through p[0] and p[1], rounded.
+    for (int k = 0; k < 3; ++k) v[3][k] = v[0][k] + s * (v[1][k] - v[0][k]);
+    p[3] = p[0].pose ? Adaptive::placed(v[3], pose) : Adaptive::unmoved(v[3]);
+    const int axis = round % 3;
+    say(Adaptive::filtered_normal_sign(p[0], p[1], p[3], axis), Adaptive::exact_normal_sign(p[0], p[1], p[3], axis), "normal sign");
+    if (p[0].pose == nullptr || round % 16 != 0) continue;
+    for (int row = 0; row < 3; ++row) {
+      Rational image(pose[4 * row + 3]);
+      for (int k = 0; k < 3; ++k) image += Rational(pose[4 * row + k]) * Rational(v[0][k]);
+      if (abs(Rational(image - Rational(p[0].image[row]))) > Rational(p[0].error)) wrong("error of a placed point");
+    }
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+  std::ifstream in(argc == 2 ? argv[1] : "");
+  std::string level;
+  int cases = 0;
+  while (in >> level) level == "P" ? judge_predicate(in, cases++) : judge_object(in, cases++);
+  if (cases == 0) {
+    std::cerr << "probe: no cases; usage: probe CASES\n";
+    return 2;
+  }
+  judge_stages(300000);
+  std::cout << "right: " << cases << " cases\n";
+}

@@ -1,0 +1,117 @@
+#!/usr/bin/env python3
+"""Plants each error of mutants.json in a copy of the headers and asks probe.cpp whether it is noticed.
+
+usage: run.py BUILD [--out FOLDER] [--only WORD]
+
+BUILD is a built tree with the target `mutant_cases`, which writes the cases and their truths. A mutant is killed when the probe finds a
+wrong answer or does not end. Exit status 1 when one survives, or when one does not compile: an error of the list. The results are kept
+in FOLDER (default BUILD/mutants) and not computed again: what was stopped goes on; remove the folder to begin anew.
+"""
+import argparse
+import hashlib
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+SOURCE = HERE.parent.parent
+HEADERS = ("kernel", "covering", "tetratree")
+COMPILE = ["-std=c++20", "-O1", "-frounding-math", "-ffp-contract=off", "-DCGAL_USE_GMPXX=1"]
+LINK = ["-lgmpxx", "-lgmp", "-lmpfr"]
+SECONDS = 600  # a probe of right headers takes some 10
+
+
+def planted(text, mutant):
+    if text.count(mutant["old"]) != 1:
+        sys.exit(f"{mutant['file']}: the old text of '{mutant['name']}' occurs {text.count(mutant['old'])} times; expected once")
+    return text.replace(mutant["old"], mutant["new"])
+
+
+def copy_tree(folder):
+    shutil.rmtree(folder, ignore_errors=True)
+    for name in HEADERS:
+        shutil.copytree(SOURCE / name, folder / name)
+    (folder / "verify").mkdir()
+    for name in ("case.h", "random.h"):
+        shutil.copy(SOURCE / "verify" / name, folder / "verify" / name)
+
+
+def probe(folder, cases, eigen):
+    """What the probe says of the headers in `folder`: "killed: ...", "survived" or "does not compile: ..."."""
+    program = folder / "probe"
+    compiler = os.environ.get("CXX", "c++")
+    built = subprocess.run([compiler, *COMPILE, f"-I{folder}", f"-I{eigen}", str(HERE / "probe.cpp"), *LINK, "-o", str(program)],
+                           capture_output=True, text=True)
+    if built.returncode != 0:
+        return "does not compile: " + next((line for line in built.stderr.splitlines() if "error" in line), "?")
+    try:
+        run = subprocess.run([str(program), str(cases)], capture_output=True, text=True, timeout=SECONDS)
+    except subprocess.TimeoutExpired:
+        return "killed: does not end"
+    if run.returncode == 0:
+        return "survived"
+    lines = run.stdout.strip().splitlines()
+    return "killed: " + (lines[-1] if lines else f"ends with {run.returncode}")
+
+
+def eigen_folder():
+    flags = subprocess.run(["pkg-config", "--cflags-only-I", "eigen3"], capture_output=True, text=True).stdout.split()
+    return flags[0][2:] if flags else "/usr/include/eigen3"
+
+
+def write(path, results):
+    path.with_suffix(".new").write_text(json.dumps(results, indent=2) + "\n")
+    path.with_suffix(".new").rename(path)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("--out", type=pathlib.Path)
+    parser.add_argument("--only", default="", help="mutants whose name has this word")
+    args = parser.parse_args()
+    out = args.out or args.build / "mutants"
+    out.mkdir(parents=True, exist_ok=True)
+
+    cases, program = out / "cases.txt", args.build / "verify" / "mutant_cases"
+    if not cases.exists():
+        with open(cases.with_suffix(".new"), "w") as file:
+            if subprocess.run([str(program)], stdout=file).returncode != 0:
+                sys.exit(f"{program}: failed; build the target mutant_cases")
+        cases.with_suffix(".new").rename(cases)
+
+    # A result counts for the headers, the cases and the probe that it was found with.
+    digest = hashlib.sha256(cases.read_bytes() + (HERE / "probe.cpp").read_bytes())
+    for name in HEADERS:
+        for header in sorted((SOURCE / name).glob("*.h")):
+            digest.update(header.read_bytes())
+    results_file = out / "results.json"
+    results = json.loads(results_file.read_text()) if results_file.exists() else {}
+
+    mutants = [m for m in json.loads((HERE / "mutants.json").read_text()) if args.only in m["name"]]
+    bad = 0
+    for mutant in [{"name": "none", "file": None}, *mutants]:
+        key = hashlib.sha256((digest.hexdigest() + json.dumps(mutant, sort_keys=True)).encode()).hexdigest()
+        if key not in results:
+            folder = out / "tree"
+            copy_tree(folder)
+            if mutant["file"]:
+                path = folder / mutant["file"]
+                path.write_text(planted(path.read_text(), mutant))
+            results[key] = probe(folder, cases, eigen_folder())
+            write(results_file, results)
+        print(f"{mutant['name']:70}  {results[key]}", flush=True)
+        expected = "survived" if mutant["file"] is None else "killed"
+        if not results[key].startswith(expected):
+            bad += 1
+            if mutant["file"] is None:
+                sys.exit("the probe does not pass without a mutant")
+    print(f"{len(mutants)} mutants, {bad} not killed")
+    return 1 if bad else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,31 @@
+#ifndef TETRACONE_VERIFY_OBJECT_FAMILIES_H
+#define TETRACONE_VERIFY_OBJECT_FAMILIES_H
+
+#include "verify/case.h"
+#include "verify/random.h"
+
+/// The generators of `object_generators`, by theme: object_families_THEME.cpp.
+namespace tetracone::verify::object_family {
+
+using Generator = Object_case(Random&, double);
+
+// numbers: what the coordinates are
+Generator random, rounded_on_plane, ulps_off_plane, perturbed_zero, ulp_walk, decimal_grid, float_widened;
+// planes: coplanar faces
+Generator coplanar_grid, coplanar_parallelogram, edge_in_face_plane, face_on_face, coplanar_sharing, stacked;
+// contact: vertices and edges
+Generator vertex_on_vertex, vertex_on_edge, vertex_on_face, edge_across_edge, edge_along_edge, near_parallel_edges;
+// containment: one in the other
+Generator nested_touching, nested, cavity_wall, covering_elements, covering_apex, winding_axis, voxels;
+// shapes: what the bodies are
+Generator sliver, needle, nearly_collinear, degenerate_face, duplicates, non_planar_quads, t_junctions, tangent_fan;
+// scales: exponents
+Generator far_from_origin, mixed_scales, cancelled_translation, exponent_gate, extreme_exponents;
+// poses: the maps
+Generator special_poses, true_rotation, shear, nearly_singular, drifted_rotation;
+// motions: ends of sweeps, and the corpus
+Generator swept_contact, swept_primitives, corpus;
+
+}  // namespace tetracone::verify::object_family
+
+#endif

@@ -1,0 +1,136 @@
+#include "verify/object_families.h"
+#include "verify/object_placing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace tetracone::verify::object_family {
+namespace {
+
+/// Blocks times this have integer coordinates.
+constexpr int grid = 6;
+
+Touching block_contact(Random& random, const Shape& a, const Shape& b) { return any_contact(random, a, b, signed_permutation(integer(random, 0, 23))); }
+
+/// F o pose o G^-1 for F: x -> diag(2^exponents) x + to and G: x -> diag(2^exponents) x + from, each shift in all three coordinates.
+/// (2^exponents itself may be no pose: its inverse is beyond the doubles.)
+Pose reframed(const Pose& pose, const std::array<int, 3>& exponents, double from, double to)
+{
+  std::array<Rational, 12> entries;
+  for (int i = 0; i < 3; ++i) {
+    entries[4 * i + 3] = power_of_two(exponents[i]) * pose.exact(4 * i + 3) + Rational(to);
+    for (int j = 0; j < 3; ++j) {
+      entries[4 * i + j] = power_of_two(exponents[i] - exponents[j]) * pose.exact(4 * i + j);
+      entries[4 * i + 3] -= entries[4 * i + j] * Rational(from);
+    }
+  }
+  return Pose(entries);
+}
+
+/// The contact opened by the gap and then seen in another frame, both bodies with it.
+Object_case framed(Random& random, const Shape& a, const Shape& b, Touching contact, const Rational& gap, const std::array<int, 3>& exponents, double shift,
+                   const Pose& common)
+{
+  contact.relative = moved(contact.relative, times(gap, scaled_to_one(contact.apart)));
+  const Pose relative = reframed(contact.relative, exponents, shift, shift);
+  const Object_case c = placed(random, moved_copy(a, exponents, shift), moved_copy(b, exponents, shift), relative, common);
+  if (gap == 0) return with_answer(c, true);
+  return gap > 0 && contact.separated ? with_answer(c, false) : c;
+}
+
+/// Turns that leave axes of different scales where they are.
+Pose axis_turn(Random& random)
+{
+  const auto sign = [&] { return random.bits() % 2 == 0 ? 1.0 : -1.0; };
+  return scaling(sign(), sign(), sign());
+}
+
+/// 0, or up to 8 of 2^exponent each way.
+Rational few(Random& random, int exponent)
+{
+  if (random.bits() % 2 == 0) return 0;
+  return Rational(integer(random, 0, 2) == 0 ? -integer(random, 1, 8) : integer(random, 1, 8)) * power_of_two(exponent);
+}
+
+}  // namespace
+
+/// Contacts moved away by their poses or with their vertices; off by a few ulps of there.
+Object_case far_from_origin(Random& random, double parameter)
+{
+  const int f = static_cast<int>(parameter);
+  const double far = std::ldexp(1.0, f);
+  const Shape& a = any_block(random);
+  const Shape& b = any_block(random);
+  if (random.bits() % 2 == 0) {
+    const Shape& other = any_shape(random);
+    const Touching contact = any_contact(random, a, other, any_turn(random));
+    const auto share = [&] { return Rational(integer(random, -1, 1)) * Rational(far); };
+    const Pose common = moved(motion(random, exact_motion(random)), {share(), share(), Rational(far)});
+    return placed(random, contact, few(random, f - 52), common);
+  }
+  return framed(random, a, b, block_contact(random, a, b), few(random, f - 52 - grid), {grid, grid, grid}, far, motion(random, exact_motion(random)));
+}
+
+/// B is smaller by 2^s, in its pose or in its vertices.
+Object_case mixed_scales(Random& random, double parameter)
+{
+  const int s = static_cast<int>(parameter);
+  const Shape& a = any_shape(random);
+  const Shape& b = any_block(random);
+  Touching contact = any_contact(random, a, b, composed(scaling(std::ldexp(1.0, -s)), any_turn(random)));
+  if (random.bits() % 2 == 0) {
+    contact.b = moved_copy(b, -s);
+    contact.relative = composed(contact.relative, scaling(std::ldexp(1.0, s)));
+  }
+  const Rational gap = random.bits() % 2 == 0 ? few(random, -s - 4) : any_gap(random);
+  return placed(random, contact, gap, exact_motion(random));
+}
+
+/// B's vertices are about 2^f from its origin, and its translation brings them back; exactly, or with poses rounded to doubles.
+Object_case cancelled_translation(Random& random, double parameter)
+{
+  const int f = static_cast<int>(parameter);
+  const double far = std::ldexp(1.0, f);
+  const Shape& a = any_block(random);
+  const Shape& b = any_block(random);
+  Touching contact = any_contact(random, a, b, any_turn(random));
+  contact.relative = reframed(contact.relative, {grid, grid, grid}, far, 0);
+  contact.a = moved_copy(a, grid);
+  contact.b = moved_copy(b, grid, far);
+  const Rational gap = random.bits() % 2 == 0 ? few(random, f - 52) : any_gap(random);
+  return placed(random, contact, gap, random.bits() % 4 == 0 ? Motion::rounded : exact_motion(random));
+}
+
+Object_case exponent_gate(Random& random, double parameter)
+{
+  const int kind = static_cast<int>(parameter), within = integer(random, 0, 3);
+  const Shape& a = any_block(random);
+  const Shape& b = any_block(random);
+  const Pose common = signed_permutation(random.bits() % 2 == 0 ? 0 : integer(random, 0, 23));
+  if (kind == 4) {
+    std::array<int, 3> exponents = {110, -110, 0};
+    std::rotate(exponents.begin(), exponents.begin() + within % 3, exponents.end());
+    return framed(random, a, b, any_contact(random, a, b, axis_turn(random)), any_gap(random), exponents, 0, common);
+  }
+  const int exponent = std::array{-106 + within, 110 - within, -111 - within, 111 + within}[kind];
+  return framed(random, a, b, block_contact(random, a, b), any_gap(random), {exponent, exponent, exponent}, 0, common);
+}
+
+/// Denormal bodies are multiples of 2^-1070, so that most contacts are doubles; large ones reach 2^1021, and their images 2^1023.
+Object_case extreme_exponents(Random& random, double parameter)
+{
+  const int kind = static_cast<int>(parameter);
+  const Shape& a = any_block(random);
+  const Shape& b = any_block(random);
+  const Pose common = signed_permutation(random.bits() % 2 == 0 ? 0 : integer(random, 0, 23));
+  if (kind == 2) {
+    std::array<int, 3> exponents = {664, -664, integer(random, -1, 1) * 332};
+    std::rotate(exponents.begin(), exponents.begin() + integer(random, 0, 2), exponents.end());
+    return framed(random, a, b, any_contact(random, a, b, axis_turn(random)), any_gap(random), exponents, 0, common);
+  }
+  const int exponent = kind == 0 ? -1064 : 1020;
+  return framed(random, a, b, block_contact(random, a, b), random.bits() % 2 == 0 ? few(random, -9) : any_gap(random), {exponent, exponent, exponent}, 0, common);
+}
+
+}  // namespace tetracone::verify::object_family
