@@ -207,7 +207,7 @@ class Fuzz {
         const std::string kind = mine.add(*answer == verify::no_answer ? std::nullopt : answer, *truth);
         if (kind.empty() || !is_new(subject->name, c.origin.family, to_string(predicate), kind)) continue;
         ++mine.kinds;
-        const Predicate_case small = verify::shrink(c, verify::same_error(*subject, predicate, *answer, *truth), budget);
+        const Predicate_case small = verify::shrink(c, verify::same_error(*subject, predicate, c, *answer, *truth), budget);
         const auto size = [](const Predicate_case& x) { return std::to_string(verify::size_of(x).bits) + " bits"; };
         write(verify::case_file_of(small, predicate, *subject, *answer), name_, size(c) + " -> " + size(small));
       }

@@ -6,6 +6,7 @@
 #include "experiments/check_command.h"
 #include "experiments/collide_command.h"
 #include "experiments/experiment_command.h"
+#include "experiments/fuzz_command.h"
 #include "experiments/inside_command.h"
 #include "experiments/peer_worker.h"
 #include "experiments/report_command.h"
@@ -48,6 +49,7 @@ int main(int argc, char** argv)
   tetracone::experiments::add_inside_command(app);
   tetracone::experiments::add_verify_command(app);
   tetracone::experiments::add_merge_command(app);
+  tetracone::experiments::add_fuzz_command(app);
   tetracone::experiments::add_experiment_command(app);
   tetracone::experiments::add_report_command(app);
   tetracone::experiments::add_peer_worker_command(app);

@@ -126,7 +126,7 @@ std::vector<Shape> made_blocks()
   const std::vector<bool> ring = {1, 1, 1, 1, 0, 1, 1, 1, 1};
   std::vector<Shape> result;
   for (Polyhedron& body : std::array{
-           unit_cube(), box({-1, -0.5, -0.25}, {1, 0.5, 0.25}), *tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}),
+           unit_cube(), box({-1, -0.5, -0.25}, {1, 0.5, 0.25}), *tetrahedron({Vertex{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}),
            octahedron(), roof(),
            prism({{0, 0}, {1, 0}, {1, 0.5}, {0.5, 0.5}, {0.5, 1}, {0, 1}}, 0, 0.5),
            prism({{-0.5, -0.75}, {0, -0.25}, {0.5, -0.75}, {0, 1}}, -0.25, 0.25),
@@ -256,12 +256,13 @@ Body moved_copy(const Shape& shape, const std::array<int, 3>& exponents, double 
   return copy;
 }
 
-Body tetrahedron(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d)
+Body tetrahedron(const std::array<Vertex, 4>& corners)
 {
+  const auto& [a, b, c, d] = corners;
   const Exact_vector origin = exact(a);
   const Rational volume = dot(difference(exact(b), origin), cross(difference(exact(c), origin), difference(exact(d), origin)));
   Polyhedron result;
-  result.vertices = {a, b, c, d};
+  result.vertices.assign(corners.begin(), corners.end());
   if (volume < 0) std::swap(result.vertices[2], result.vertices[3]);
   for (const auto& face : {std::array<Index, 3>{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}) result.add_polygon(face);
   return shared(std::move(result));

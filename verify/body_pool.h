@@ -82,7 +82,7 @@ std::vector<Index> lowest(const std::vector<kernel::Vertex>& vertices, const Exa
 // Bodies of a single case.
 
 /// The tetrahedron, outward where it has a volume.
-Body tetrahedron(const kernel::Vertex& a, const kernel::Vertex& b, const kernel::Vertex& c, const kernel::Vertex& d);
+Body tetrahedron(const std::array<kernel::Vertex, 4>& corners);
 
 /// The pyramid over a base that is exactly planar; outward where the base runs clockwise seen from the apex.
 Body pyramid(const std::vector<kernel::Vertex>& base, const kernel::Vertex& apex);

@@ -32,7 +32,7 @@ constexpr std::uint64_t relation_stride = 4;    // each such case is tried with 
 constexpr const char* truth_name = "truth";
 constexpr std::array questions = {Question::surface, Question::solid};
 
-const char* to_string(Question question) { return question == Question::solid ? "solid" : "surface"; }
+std::string name_of(Question question) { return std::string(kernel::to_string(question)); }
 
 /// A piece of a campaign, done as a whole: cases first .. last of a family, or one sequence.
 struct Batch {
@@ -217,7 +217,7 @@ Findings ask_objects(const Campaign& campaign, const Batch& batch, const Done& d
     std::map<Question, bool> truth;
     for (const Question question : questions) {
       truth[question] = truth_of(c, a, b, question);
-      if (truth_next <= k) found.add_truth(to_string(question), truth[question], c.known(question).has_value());
+      if (truth_next <= k) found.add_truth(name_of(question), truth[question], c.known(question).has_value());
       truths[question].push_back(truth[question]);
     }
     for (std::size_t s = 0; s < subjects.size(); ++s) {
@@ -226,17 +226,17 @@ Findings ask_objects(const Campaign& campaign, const Batch& batch, const Done& d
       for (const Question question : questions) {
         const auto [outcome, ns] = timed([&] { return (*answerings[s])(c, question); });
         const Findings::Answer answer = as_answer(outcome);
-        found.add_answer(name, to_string(question), away, truth[question], answer, ns);
+        found.add_answer(name, name_of(question), away, truth[question], answer, ns);
         answers[{s, question}].push_back(answer.value.value_or(-1));
         if (answer.not_asked || answer.value == int(truth[question])) continue;
         const auto stage = subjects[s].own && answer.value ? blame(*subjects[s].own, c, question, truth[question]) : std::nullopt;
-        if (stage) found.add_blame(name, to_string(question), *stage);
-        if (k < kept_one_by_one) found.add_wrong(c.origin, name, to_string(question), away, truth[question], answer, stage);
+        if (stage) found.add_blame(name, name_of(question), *stage);
+        if (k < kept_one_by_one) found.add_wrong(c.origin, name, name_of(question), away, truth[question], answer, stage);
       }
       if (!try_relation) continue;
       Random random = random_of(c.origin, number);
       const Verdict verdict = check(*level_relations[number], c, of_relation, *answerings[s], random);
-      found.add_relation(std::string(level_relations[number]->name), name, to_string(of_relation), verdict != Verdict::not_applicable,
+      found.add_relation(std::string(level_relations[number]->name), name, name_of(of_relation), verdict != Verdict::not_applicable,
                          verdict == Verdict::violated);
     }
   }
@@ -251,7 +251,7 @@ Findings ask_objects(const Campaign& campaign, const Batch& batch, const Done& d
       };
       int wrong = 0;
       for (std::size_t k = 0; k < given.size(); ++k) wrong += given[k] != right[k];
-      found.add_flips(subjects[asked.first].name, to_string(asked.second), int(given.size()), wrong, changes(given), changes(right));
+      found.add_flips(subjects[asked.first].name, name_of(asked.second), int(given.size()), wrong, changes(given), changes(right));
     }
   for (std::size_t s = 0; s < subjects.size(); ++s)
     if (next[s] < batch.last) found.add_done(subjects[s].name, batch.last - next[s]);

@@ -22,7 +22,7 @@ double nudged(double x, Random& random)
 {
   const double end = random.bits() % 2 == 0 ? HUGE_VAL : -HUGE_VAL;
   double moved = x;
-  for (std::size_t step = std::size_t(1) << one_of(random, 11) >> one_of(random, 11); step-- > 0;) moved = std::nextafter(moved, end);
+  for (std::size_t step = std::max<std::size_t>(1, 1024 >> one_of(random, 11) >> one_of(random, 11)); step-- > 0;) moved = std::nextafter(moved, end);
   return std::isfinite(moved) ? moved : x;
 }
 

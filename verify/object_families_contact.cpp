@@ -34,7 +34,7 @@ Object_case vertex_on_vertex_in_place(Random& random)
       way = integer_direction(random, 8);
       v = rounded(sum(exact(top), Rational(1) / 8, way));
     }
-  const Object_case c = placed(random, a, tetrahedron(tip, beyond[0], beyond[1], beyond[2]), Pose(), Motion::identity);
+  const Object_case c = placed(random, a, tetrahedron({tip, beyond[0], beyond[1], beyond[2]}), Pose(), Motion::identity);
   if (tip == top) return with_answer(c, true);
   return dot(difference(exact(tip), exact(top)), direction) > 0 ? with_answer(c, false) : c;
 }
@@ -49,14 +49,15 @@ Object_case vertex_on_vertex(Random& random, double parameter)
   const Body& b = any_shape(random).body;
   const Pose turn = pose == 1 ? Pose() : pose == 2 ? signed_permutation(integer(random, 0, 23)) : rational_rotation(random, 4);
   constexpr std::array motions = {Motion::identity, Motion::translation, Motion::permutation, Motion::rotation, Motion::rounded};
-  return placed(random, object_family::vertex_on_vertex(random, a, b, turn), any_gap(random), motions[pose]);
+  const Touching contact = object_family::vertex_on_vertex(random, a, b, turn);
+  return placed(random, contact, any_gap(random), motions[pose]);
 }
 
 Object_case vertex_on_edge(Random& random, double parameter)
 {
   const Shape& a = with_hull_edges(random);
   const Body& b = any_shape(random).body;
-  return placed(random, object_family::vertex_on_edge(random, a, b, any_turn(random), static_cast<int>(parameter)), any_gap(random), exact_motion(random));
+  return placed(random, object_family::vertex_on_edge(random, a, b, any_turn(random), static_cast<int>(parameter)));
 }
 
 Object_case vertex_on_face(Random& random, double parameter)
@@ -65,21 +66,22 @@ Object_case vertex_on_face(Random& random, double parameter)
   const int bits = static_cast<int>(parameter);
   if (a.inner.empty() || random.bits() % 3 != 0) {
     const Body& b = any_shape(random).body;
-    return placed(random, object_family::vertex_on_face(random, a, b, any_turn(random), bits), any_gap(random), exact_motion(random));
+    return placed(random, object_family::vertex_on_face(random, a, b, any_turn(random), bits));
   }
   // In a hollow of A: what else the bodies touch there is for the truth.
   const Face_triangle& triangle = a.triangles[a.inner[random.bits() % a.inner.size()]];
   const Body& b = any_pebble(random).body;
   const Exact_vector& normal = a.normals[triangle.face];
-  const Pose relative = resting(*b, any_turn(random), point_inside(random, a, triangle, bits), normal);
-  return placed(random, Touching{a.body, b, relative, normal, false}, any_gap(random), exact_motion(random));
+  const Pose turn = any_turn(random);
+  const Pose relative = resting(*b, turn, point_inside(random, a, triangle, bits), normal);
+  return placed(random, Touching{a.body, b, relative, normal, false});
 }
 
 Object_case edge_across_edge(Random& random, double parameter)
 {
   const Shape& a = with_hull_edges(random);
   const Shape& b = any_block(random);
-  return placed(random, object_family::edge_across_edge(random, a, b, any_turn(random), static_cast<int>(parameter)), any_gap(random), exact_motion(random));
+  return placed(random, object_family::edge_across_edge(random, a, b, any_turn(random), static_cast<int>(parameter)));
 }
 
 /// Half of the cases: a body and itself after half a turn about a line along one of its edges. Half: tetrahedra on an edge.
@@ -115,8 +117,8 @@ Object_case edge_along_edge(Random& random, double parameter)
   const kernel::Vertex origin = {0, 0, 0};
   const auto from = exactly(times(away, along)), to = exactly(times(Rational(away + 1), along));
   assert(from && to);
-  const Body a = tetrahedron(origin, *exactly(along), on_side(-1), on_side(-1));
-  const Body b = tetrahedron(*from, *to, on_side(1), on_side(1));
+  const Body a = tetrahedron({origin, *exactly(along), on_side(-1), on_side(-1)});
+  const Body b = tetrahedron({*from, *to, on_side(1), on_side(1)});
   return with_answer(placed(random, a, b, Pose(), exact_motion(random)), parameter >= 0);
 }
 
@@ -126,10 +128,11 @@ Object_case near_parallel_edges(Random& random, double parameter)
   const double slope = std::isinf(parameter) ? 0 : std::ldexp(1.0, -static_cast<int>(parameter));
   const double shift = std::array{0.0, 0.25, 1.0, 2.0, -2.0, 3.0}[random.bits() % 6];   // of B along the ridges
   const double aside = std::array{0.0, slope, 2 * slope, -slope, 0x1p-52}[random.bits() % 5];  // across them, at B's middle
-  const double height = random.bits() % 2 == 0 ? 0 : std::ldexp(random.bits() % 2 == 0 ? 1.0 : -1.0, -integer(random, 30, 60));
+  const double hair = std::ldexp(1.0, -integer(random, 30, 60));
+  const double height = std::array{0.0, 0.0, hair, -hair}[random.bits() % 4];
   const auto sharp = [&] { return dyadic(random, 4); };
-  const Body a = tetrahedron({-1, 0, 0}, {1, 0, 0}, {-0.5, sharp(), -1}, {0.5, -sharp(), -1});
-  const Body b = tetrahedron({shift - 1, aside - slope, height}, {shift + 1, aside + slope, height}, {shift, 1 + sharp(), 1}, {shift, -1 - sharp(), 1});
+  const Body a = tetrahedron({kernel::Vertex{-1, 0, 0}, {1, 0, 0}, {-0.5, sharp(), -1}, {0.5, -sharp(), -1}});
+  const Body b = tetrahedron({kernel::Vertex{shift - 1, aside - slope, height}, {shift + 1, aside + slope, height}, {shift, 1 + sharp(), 1}, {shift, -1 - sharp(), 1}});
   Object_case c = placed(random, a, b, Pose(), exact_motion(random));
   return height > 0 ? with_answer(c, false) : c;
 }

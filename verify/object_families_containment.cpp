@@ -24,7 +24,8 @@ Pose turn_of_dimension(Random& random, int dimension)
 /// An inner point of a triangle, away from its border.
 Exact_vector point_within(Random& random, const Shape& shape, const Face_triangle& triangle)
 {
-  return point_on(shape, triangle, 0.29 + 0.06 * random.unit(), 0.29 + 0.06 * random.unit());
+  const double s = 0.29 + 0.06 * random.unit(), t = 0.29 + 0.06 * random.unit();
+  return point_on(shape, triangle, s, t);
 }
 
 std::vector<const Shape*> wholes()
@@ -42,7 +43,8 @@ Touching from_inside(Random& random, int dimension)
   const Shape& b = pebbles()[dimension == 0 ? random.bits() % pebbles().size() : random.bits() % 2 * 3];
   const Face_triangle& triangle = a.triangles[a.hull[random.bits() % a.hull.size()]];
   const Exact_vector inward = times(Rational(-1), a.normals[triangle.face]);
-  return {a.body, b.body, resting(*b.body, turn_of_dimension(random, dimension), point_within(random, a, triangle), inward), inward, false};
+  const Pose turn = turn_of_dimension(random, dimension);
+  return {a.body, b.body, resting(*b.body, turn, point_within(random, a, triangle), inward), inward, false};
 }
 
 /// A pebble in a cube, under the middle of a face, far from the other faces.
@@ -52,7 +54,8 @@ Touching box_in_box(Random& random)
   const Shape& b = any_pebble(random);
   const Face_triangle& triangle = a.triangles[random.bits() % a.triangles.size()];
   const Exact_vector inward = times(Rational(-1), a.normals[triangle.face]);
-  return {a.body, b.body, resting(*b.body, any_turn(random), point_within(random, a, triangle), inward), inward, false};
+  const Pose turn = any_turn(random);
+  return {a.body, b.body, resting(*b.body, turn, point_within(random, a, triangle), inward), inward, false};
 }
 
 Exact_vector halfway(const Exact_vector& a, const Exact_vector& b, const Rational& share) { return sum(a, share, difference(b, a)); }
@@ -71,7 +74,7 @@ Object_case speck_at(Random& random, const Body& a, const Exact_vector& point)
 Object_case nested_touching(Random& random, double parameter)
 {
   const Touching contact = from_inside(random, static_cast<int>(parameter));
-  return placed(random, contact, random.bits() % 4 == 0 ? Rational(abs(any_gap(random))) : any_gap(random), exact_motion(random));
+  return placed(random, contact, random.bits() % 4 == 0 ? Rational(abs(any_gap(random))) : any_gap(random));
 }
 
 /// Inside a box, or a cavity's wall between them: a solid, and one that is no part of it.
@@ -80,7 +83,7 @@ Object_case nested(Random& random, double parameter)
   if (random.bits() % 3 != 0) {
     const Touching contact = box_in_box(random);
     // A unit of the gap is half of the axis-parallel normal's.
-    const Object_case c = placed(random, contact, Rational(2 * parameter), exact_motion(random));
+    const Object_case c = placed(random, contact, Rational(2 * parameter));
     return with_answer(c, false, true);
   }
   // A cube in the cavity of half width 1/2, nearest to the walls of one corner.
@@ -98,8 +101,9 @@ Object_case cavity_wall(Random& random, double parameter)
   const Shape& b = any_pebble(random);
   const Face_triangle& triangle = a.triangles[a.inner[random.bits() % a.inner.size()]];
   const Exact_vector& normal = a.normals[triangle.face];
-  const Touching contact{a.body, b.body, resting(*b.body, turn_of_dimension(random, integer(random, 0, 2)), point_within(random, a, triangle), normal), normal, false};
-  return placed(random, contact, any_gap(random), exact_motion(random));
+  const Pose turn = turn_of_dimension(random, integer(random, 0, 2));
+  const Touching contact{a.body, b.body, resting(*b.body, turn, point_within(random, a, triangle), normal), normal, false};
+  return placed(random, contact);
 }
 
 /// A vertex of a speck at a facet O-edge, an edge O-vertex or the apex O of A's covering; some of those are outside A.
@@ -125,7 +129,7 @@ Object_case covering_apex(Random& random, double parameter)
   const auto spike = [&](const std::array<Exact_vector, 4>& corners, covering::Polyhedron& body) {
     std::array<kernel::Vertex, 4> v;
     for (int i = 0; i < 4; ++i) v[i] = *exactly(corners[i]);
-    const Body part = tetrahedron(v[0], v[1], v[2], v[3]);
+    const Body part = tetrahedron(v);
     const Index first = body.vertices.size();
     body.vertices.insert(body.vertices.end(), part->vertices.begin(), part->vertices.end());
     for (Index f = 0; f < 4; ++f) {
@@ -147,12 +151,12 @@ Object_case covering_apex(Random& random, double parameter)
   const Body a = shared(std::move(body));
   // Around a tetrahedron's inside, on the flat element itself, and elsewhere.
   const Exact_vector inside = times(Rational(1) / 4, sum(sum(exact(a->vertices[0]), exact(a->vertices[1])), sum(exact(a->vertices[2]), exact(a->vertices[3]))));
-  const auto corner = [&] { return exact(a->vertices[random.bits() % 4]); };
+  const Exact_vector one = exact(a->vertices[random.bits() % 4]), other = exact(a->vertices[random.bits() % 4]);
   switch (random.bits() % 4) {
     case 0: return speck_at(random, a, inside);
-    case 1: return speck_at(random, a, halfway(corner(), corner(), Rational(integer(random, 0, 8)) / 8));
-    case 2: return speck_at(random, a, halfway(inside, corner(), Rational(integer(random, 0, 12)) / 8));
-    default: return speck_at(random, a, halfway(zero, corner(), Rational(integer(random, -8, 12)) / 8));
+    case 1: return speck_at(random, a, halfway(one, other, Rational(integer(random, 0, 8)) / 8));
+    case 2: return speck_at(random, a, halfway(inside, one, Rational(integer(random, 0, 12)) / 8));
+    default: return speck_at(random, a, halfway(zero, one, Rational(integer(random, -8, 12)) / 8));
   }
 }
 
@@ -170,7 +174,8 @@ Object_case winding_axis(Random& random, double parameter)
   }
   if (parameter == 2) point[next] = halfway(point, other, Rational(dyadic(random, 3)))[next];
   // Along the axis: anywhere from a vertex to another one.
-  point[axis] = halfway(vertex(), other, Rational(integer(random, -2, 10)) / 8)[axis];
+  const Exact_vector third = vertex();
+  point[axis] = halfway(third, other, Rational(integer(random, -2, 10)) / 8)[axis];
   return speck_at(random, a.body, point);
 }
 

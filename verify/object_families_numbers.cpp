@@ -52,7 +52,7 @@ Object_case random(Random& random, double parameter)
   const bool of_tetrahedra = random.bits() % 2 == 0;
   const auto body = [&]() -> Body {
     if (!of_tetrahedra) return any_shape(random).body;
-    return tetrahedron(somewhere(scale), somewhere(scale), somewhere(scale), somewhere(scale));
+    return tetrahedron({somewhere(scale), somewhere(scale), somewhere(scale), somewhere(scale)});
   };
   const auto pose = [&] {
     std::array<double, 12> entries = double_rotation(random).entries();
@@ -72,7 +72,8 @@ Object_case rounded_on_plane(Random& random, double parameter)
 {
   for (;;) {
     const Shape& a = any_shape(random);
-    const Touching contact = vertex_on_face(random, a, any_shape(random).body, exact_turn_of_doubles(random), 52);
+    const Body& b = any_shape(random).body;
+    const Touching contact = vertex_on_face(random, a, b, exact_turn_of_doubles(random), 52);
     // On an axis-parallel plane rounding keeps the contact: only now and then.
     if (std::ranges::count(contact.apart, Rational(0)) == 2 && random.bits() % 8 != 0) continue;
     return placed(random, contact.a, contact.b, with_translation_of_bits(contact.relative, static_cast<int>(parameter)), motion_of_doubles(random));
@@ -82,7 +83,8 @@ Object_case rounded_on_plane(Random& random, double parameter)
 Object_case ulps_off_plane(Random& random, double parameter)
 {
   const Shape& a = any_shape(random);
-  const Touching contact = vertex_on_face(random, a, any_shape(random).body, any_turn(random), 4);
+  const Body& b = any_shape(random).body;
+  const Touching contact = vertex_on_face(random, a, b, any_turn(random), 4);
   int axis = 0;
   for (int i = 1; i < 3; ++i)
     if (abs(contact.apart[i]) > abs(contact.apart[axis])) axis = i;
@@ -98,7 +100,7 @@ Object_case ulps_off_plane(Random& random, double parameter)
 /// A coordinate of B's translation, changed by a share of it.
 Object_case perturbed_zero(Random& random, double parameter)
 {
-  const Touching contact = any_contact(random);
+  const Touching contact = any_contact(random, any_turn(random));
   Exact_vector change = {0, 0, 0};
   if (!std::isinf(parameter)) {
     const int axis = integer(random, 0, 2);
@@ -143,7 +145,7 @@ Object_case decimal_grid(Random& random, double parameter)
   };
   if (random.bits() % 2 == 0) {
     // Corner on corner of tetrahedra in opposite octants.
-    const Body a = tetrahedron(p, beside(p, -1), beside(p, -1), beside(p, -1)), b = tetrahedron(q, beside(q, 1), beside(q, 1), beside(q, 1));
+    const Body a = tetrahedron({p, beside(p, -1), beside(p, -1), beside(p, -1)}), b = tetrahedron({q, beside(q, 1), beside(q, 1), beside(q, 1)});
     return placed(random, a, b, relative, motion_of_doubles(random));
   }
   // Face on face along one axis, edge on edge along two, or corner on corner.
@@ -165,7 +167,8 @@ Object_case float_widened(Random& random, double parameter)
   const int bits = 24 + static_cast<int>(parameter);
   if (random.bits() % 2 == 0) {
     const Shape& a = any_block(random);
-    const Touching contact = any_contact(random, a, any_block(random), exact_turn_of_doubles(random));
+    const Shape& b = any_block(random);
+    const Touching contact = any_contact(random, a, b, exact_turn_of_doubles(random));
     const int way = integer(random, 0, 2);
     return placed(random, contact, way == 0 ? Rational(0) : Rational(way == 1 ? 1 : -1) * power_of_two(1 - bits), motion_of_doubles(random));
   }
@@ -176,8 +179,9 @@ Object_case float_widened(Random& random, double parameter)
   const auto coordinate = [&] { return of_bits(random.symmetric() / 2, bits); };
   const Vertex p = {coordinate(), coordinate(), coordinate()};
   Vertex q = p;
-  q[integer(random, 0, 2)] += integer(random, -1, 1) * std::ldexp(1.0, -bits);
-  const Body a = tetrahedron(p, corner(-1), corner(-1), corner(-1)), b = tetrahedron(q, corner(1), corner(1), corner(1));
+  const int axis = integer(random, 0, 2);
+  q[axis] += integer(random, -1, 1) * std::ldexp(1.0, -bits);
+  const Body a = tetrahedron({p, corner(-1), corner(-1), corner(-1)}), b = tetrahedron({q, corner(1), corner(1), corner(1)});
   return placed(random, a, b, Pose(), motion_of_doubles(random));
 }
 

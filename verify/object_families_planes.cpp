@@ -72,13 +72,16 @@ Object_case coplanar_grid(Random& random, double parameter)
   const auto triangle = [&](int away) {
     const int s = integer(random, -away, away), t = integer(random, -away, away);
     std::array<kernel::Vertex, 3> corners;
-    for (kernel::Vertex& c : corners) c = *exactly(plane.at(s + integer(random, -4, 4), t + integer(random, -4, 4)));
+    for (kernel::Vertex& c : corners) {
+      const int i = integer(random, -4, 4), j = integer(random, -4, 4);
+      c = *exactly(plane.at(s + i, t + j));
+    }
     return corners;
   };
   const auto [a, b, c] = triangle(0);
   const auto [d, e, f] = triangle(7);
-  const Body first = tetrahedron(a, b, c, apex(random, plane, -1, 1 << bits));
-  const Body second = tetrahedron(d, e, f, apex(random, plane, random.bits() % 4 == 0 ? -1 : 1, 1 << bits));
+  const Body first = tetrahedron({a, b, c, apex(random, plane, -1, 1 << bits)});
+  const Body second = tetrahedron({d, e, f, apex(random, plane, random.bits() % 4 == 0 ? -1 : 1, 1 << bits)});
   return placed(random, first, second, Pose(), exact_motion(random));
 }
 
@@ -105,7 +108,8 @@ Object_case coplanar_parallelogram(Random& random, double parameter)
     }
   };
   const int s = integer(random, -2, 2), t = integer(random, -2, 2);
-  const Object_case c = placed(random, pyramid_at(0, 0, -1), pyramid_at(s, t, 1), Pose(), exact_motion(random));
+  const Body a = pyramid_at(0, 0, -1), b = pyramid_at(s, t, 1);
+  const Object_case c = placed(random, a, b, Pose(), exact_motion(random));
   return with_answer(c, std::abs(s) <= 1 && std::abs(t) <= 1);
 }
 
@@ -132,7 +136,7 @@ Object_case edge_in_face_plane(Random& random, double parameter)
       if (dot(difference(exact(v), from), up) > 0) return v;
     }
   };
-  const Body b = tetrahedron(*p, *q, above(), above());
+  const Body b = tetrahedron({*p, *q, above(), above()});
   const bool on_hull = &of == &a.hull;
   if (random.bits() % 4 == 0) {
     const Pose lifted = moved(Pose(), times(power_of_two(-integer(random, 10, 60)), up));
@@ -206,11 +210,11 @@ Object_case coplanar_sharing(Random& random, double parameter)
   const Rational hair = random.bits() % 3 == 0 ? power_of_two(-integer(random, 10, 60)) : Rational(0);
   const kernel::Vertex corner = {0, 0, 0}, u = *exactly(plane.at(1, 0)), v = *exactly(plane.at(0, 1));
   const bool opposite = random.bits() % 4 != 0;
-  const Body a = tetrahedron(corner, u, v, apex(random, plane, -1, 32));
+  const Body a = tetrahedron({corner, u, v, apex(random, plane, -1, 32)});
   const kernel::Vertex top = apex(random, plane, opposite ? 1 : -1, 32);
   // The vertex in common is 0, the edge is that from u to v.
-  const int s = integer(random, 1, 3), t = integer(random, 1, 3);
-  const Body b = edge ? tetrahedron(u, v, *exactly(plane.at(s, t)), top) : tetrahedron(corner, *exactly(plane.at(-s, -integer(random, 0, 1))), *exactly(plane.at(-integer(random, 0, 1), -t)), top);
+  const int s = integer(random, 1, 3), t = integer(random, 1, 3), i = integer(random, 0, 1), j = integer(random, 0, 1);
+  const Body b = edge ? tetrahedron({u, v, *exactly(plane.at(s, t)), top}) : tetrahedron({corner, *exactly(plane.at(-s, -i)), *exactly(plane.at(-j, -t)), top});
   const Exact_vector away = plane.at(edge ? hair : Rational(-hair), edge ? hair : Rational(-hair));
   const Object_case c = placed(random, a, b, moved(Pose(), away), exact_motion(random));
   if (hair == 0) return with_answer(c, true);

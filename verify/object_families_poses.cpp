@@ -53,11 +53,15 @@ Object_case special_poses(Random& random, double parameter)
   const int which = static_cast<int>(parameter);
   const Shape& a = any_shape(random);
   const Shape& b = any_block(random);
-  if (which == 0) return in_place(random, any_contact(random, a, b, Pose()), any_gap(random));
+  if (which == 0) {
+    const Touching contact = any_contact(random, a, b, Pose());
+    return in_place(random, contact, any_gap(random));
+  }
   if (which <= 24) {
     const Pose turn = signed_permutation(which - 1);
     const Touching contact = any_contact(random, a, b, turn);
-    return placed(random, contact, any_gap(random), random.bits() % 2 == 0 ? Pose() : turn);
+    const Pose common = random.bits() % 2 == 0 ? Pose() : turn;
+    return placed(random, contact, any_gap(random), common);
   }
   // The contact is that of the half-turn in doubles, exactly, or that of the half-turn itself, which it is not.
   const int axis = which - 25;
@@ -76,9 +80,11 @@ Object_case special_poses(Random& random, double parameter)
 Object_case true_rotation(Random& random, double parameter)
 {
   const int size = static_cast<int>(parameter);
-  const Touching contact = any_contact(random, any_shape(random), any_shape(random), random.bits() % 2 == 0 ? Pose() : rational_rotation(random, size));
-  const auto third = [&] { return Rational(integer(random, -9, 9)) / 3; };
-  return placed(random, contact, any_gap(random), moved(rational_rotation(random, size), {third(), third(), third()}));
+  const Touching contact = any_contact(random, random.bits() % 2 == 0 ? Pose() : rational_rotation(random, size));
+  const auto third = [&]() -> Rational { return Rational(integer(random, -9, 9)) / 3; };
+  const Exact_vector shift = {third(), third(), third()};
+  const Pose common = moved(rational_rotation(random, size), shift);
+  return placed(random, contact, any_gap(random), common);
 }
 
 /// Both bodies under one shear; or B's vertices sheared and its pose the inverse.
@@ -86,7 +92,7 @@ Object_case shear(Random& random, double parameter)
 {
   const auto [there, back] = shear_and_inverse(random, static_cast<int>(parameter));
   if (random.bits() % 2 == 0) {
-    const Touching contact = any_contact(random);
+    const Touching contact = any_contact(random, any_turn(random));
     return placed(random, contact, any_gap(random), there);
   }
   const Shape& a = any_shape(random);
@@ -96,22 +102,24 @@ Object_case shear(Random& random, double parameter)
   for (kernel::Vertex& v : sheared.vertices) v = *exactly(image(there, exact(v)));
   contact.b = shared(std::move(sheared));
   contact.relative = composed(contact.relative, back);
-  return placed(random, contact, any_gap(random), exact_motion(random));
+  return placed(random, contact);
 }
 
 /// A flattening of one axis by 2^-d between shears, of both bodies or of B alone.
 Object_case nearly_singular(Random& random, double parameter)
 {
   const double least = std::copysign(std::ldexp(1.0, -static_cast<int>(std::abs(parameter))), parameter);
-  const Pose flat = composed(composed(shear_and_inverse(random, 2)[0], scaling(1, 1, least)), shear_and_inverse(random, 2)[0]);
+  const Pose before = shear_and_inverse(random, 2)[0], after = shear_and_inverse(random, 2)[0];
+  const Pose flat = composed(composed(after, scaling(1, 1, least)), before);
   if (random.bits() % 2 == 0) {
-    const Touching contact = any_contact(random, any_shape(random), any_shape(random), signed_permutation(integer(random, 0, 23)));
+    const Touching contact = any_contact(random, signed_permutation(integer(random, 0, 23)));
     return placed(random, contact, any_gap(random), flat);
   }
   const Shape& a = any_shape(random);
   const Body& b = any_shape(random).body;
   const Touching contact = random.bits() % 2 == 0 ? vertex_on_vertex(random, a.body, b, flat) : vertex_on_face(random, a, b, flat, 3);
-  return placed(random, contact, any_gap(random), motion(random, random.bits() % 2 == 0 ? Motion::identity : Motion::permutation));
+  const Motion kind = random.bits() % 2 == 0 ? Motion::identity : Motion::permutation;
+  return placed(random, contact, any_gap(random), kind);
 }
 
 /// Both bodies under the product of n rounded rotations, B's translation in the product's frame, rounded.
@@ -119,7 +127,7 @@ Object_case drifted_rotation(Random& random, double parameter)
 {
   Pose drifted;
   for (int k = 0; k < parameter; ++k) drifted = rounded_product(double_rotation(random), drifted);
-  const Touching contact = any_contact(random, any_shape(random), any_shape(random), signed_permutation(integer(random, 0, 23)));
+  const Touching contact = any_contact(random, signed_permutation(integer(random, 0, 23)));
   Object_case c = placed(random, contact, any_gap(random), drifted);
   if (random.bits() % 4 != 0) c = rounded_poses(c);
   return c;

@@ -42,8 +42,9 @@ Object_case framed(Random& random, const Shape& a, const Shape& b, Touching cont
 /// Turns that leave axes of different scales where they are.
 Pose axis_turn(Random& random)
 {
-  const auto sign = [&] { return random.bits() % 2 == 0 ? 1.0 : -1.0; };
-  return scaling(sign(), sign(), sign());
+  const std::uint64_t draw = random.bits();
+  const auto sign = [draw](int bit) { return (draw >> bit & 1) == 0 ? 1.0 : -1.0; };
+  return scaling(sign(0), sign(1), sign(2));
 }
 
 /// 0, or up to 8 of 2^exponent each way.
@@ -65,11 +66,14 @@ Object_case far_from_origin(Random& random, double parameter)
   if (random.bits() % 2 == 0) {
     const Shape& other = any_shape(random);
     const Touching contact = any_contact(random, a, other, any_turn(random));
-    const auto share = [&] { return Rational(integer(random, -1, 1)) * Rational(far); };
-    const Pose common = moved(motion(random, exact_motion(random)), {share(), share(), Rational(far)});
+    const auto share = [&]() -> Rational { return Rational(integer(random, -1, 1)) * Rational(far); };
+    const Exact_vector shift = {share(), share(), Rational(far)};
+    const Pose common = moved(motion(random, exact_motion(random)), shift);
     return placed(random, contact, few(random, f - 52), common);
   }
-  return framed(random, a, b, block_contact(random, a, b), few(random, f - 52 - grid), {grid, grid, grid}, far, motion(random, exact_motion(random)));
+  const Touching contact = block_contact(random, a, b);
+  const Pose common = motion(random, exact_motion(random));
+  return framed(random, a, b, contact, few(random, f - 52 - grid), {grid, grid, grid}, far, common);
 }
 
 /// B is smaller by 2^s, in its pose or in its vertices.
@@ -84,7 +88,7 @@ Object_case mixed_scales(Random& random, double parameter)
     contact.relative = composed(contact.relative, scaling(std::ldexp(1.0, s)));
   }
   const Rational gap = random.bits() % 2 == 0 ? few(random, -s - 4) : any_gap(random);
-  return placed(random, contact, gap, exact_motion(random));
+  return placed(random, contact, gap);
 }
 
 /// B's vertices are about 2^f from its origin, and its translation brings them back; exactly, or with poses rounded to doubles.
@@ -111,10 +115,12 @@ Object_case exponent_gate(Random& random, double parameter)
   if (kind == 4) {
     std::array<int, 3> exponents = {110, -110, 0};
     std::rotate(exponents.begin(), exponents.begin() + within % 3, exponents.end());
-    return framed(random, a, b, any_contact(random, a, b, axis_turn(random)), any_gap(random), exponents, 0, common);
+    const Touching contact = any_contact(random, a, b, axis_turn(random));
+    return framed(random, a, b, contact, any_gap(random), exponents, 0, common);
   }
   const int exponent = std::array{-106 + within, 110 - within, -111 - within, 111 + within}[kind];
-  return framed(random, a, b, block_contact(random, a, b), any_gap(random), {exponent, exponent, exponent}, 0, common);
+  const Touching contact = block_contact(random, a, b);
+  return framed(random, a, b, contact, any_gap(random), {exponent, exponent, exponent}, 0, common);
 }
 
 /// Denormal bodies are multiples of 2^-1070, so that most contacts are doubles; large ones reach 2^1021, and their images 2^1023.
@@ -127,10 +133,12 @@ Object_case extreme_exponents(Random& random, double parameter)
   if (kind == 2) {
     std::array<int, 3> exponents = {664, -664, integer(random, -1, 1) * 332};
     std::rotate(exponents.begin(), exponents.begin() + integer(random, 0, 2), exponents.end());
-    return framed(random, a, b, any_contact(random, a, b, axis_turn(random)), any_gap(random), exponents, 0, common);
+    const Touching contact = any_contact(random, a, b, axis_turn(random));
+    return framed(random, a, b, contact, any_gap(random), exponents, 0, common);
   }
   const int exponent = kind == 0 ? -1064 : 1020;
-  return framed(random, a, b, block_contact(random, a, b), random.bits() % 2 == 0 ? few(random, -9) : any_gap(random), {exponent, exponent, exponent}, 0, common);
+  const Touching contact = block_contact(random, a, b);
+  return framed(random, a, b, contact, random.bits() % 2 == 0 ? few(random, -9) : any_gap(random), {exponent, exponent, exponent}, 0, common);
 }
 
 }  // namespace tetracone::verify::object_family

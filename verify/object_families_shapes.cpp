@@ -44,7 +44,7 @@ Touching at_point(Random& random, const Body& a, const Shape& b, const Exact_vec
 Object_case near_point(Random& random, const Body& a, const Shape& b, const Exact_vector& point)
 {
   const Touching contact = at_point(random, a, b, point);
-  return placed(random, contact, random.bits() % 2 == 0 ? Rational(abs(any_gap(random))) : any_gap(random), exact_motion(random));
+  return placed(random, contact, random.bits() % 2 == 0 ? Rational(abs(any_gap(random))) : any_gap(random));
 }
 
 Exact_vector middle(const Vertex& a, const Vertex& b) { return times(Rational(1) / 2, sum(exact(a), exact(b))); }
@@ -70,10 +70,10 @@ Object_case sliver(Random& random, double parameter)
 {
   const double height = std::ldexp(1.0, -static_cast<int>(parameter)), at = dyadic(random, 3);
   const auto aside = [&] { return random.symmetric(); };
-  const Body a = tetrahedron({0, 0, 0}, {1, 0, 0}, {at, height, 0}, {aside(), aside(), 1});
+  const Body a = tetrahedron({Vertex{0, 0, 0}, {1, 0, 0}, {at, height, 0}, {aside(), aside(), 1}});
   const double along = integer(random, -1, 9) / 8.0, across = height * integer(random, -2, 5) / 4.0;
   const double up = random.bits() % 3 != 0 ? 0 : height * integer(random, -4, 4) / 8.0;
-  const Body b = tetrahedron({along, across, up}, {aside(), aside(), -1}, {aside(), aside(), -1.25}, {aside(), aside(), -1.5});
+  const Body b = tetrahedron({Vertex{along, across, up}, {aside(), aside(), -1}, {aside(), aside(), -1.25}, {aside(), aside(), -1.5}});
   const Object_case c = placed(random, a, b, Pose(), exact_motion(random));
   if (up < 0) return with_answer(c, false);
   if (up > 0) return c;
@@ -88,7 +88,7 @@ Object_case needle(Random& random, double parameter)
   static const std::vector<Shape> needles = [] {
     std::vector<Shape> all;
     double width = 1;
-    for (int a = 0; a <= 15; ++a, width /= 10) all.emplace_back(tetrahedron({0, 0, 0}, {1, width, 0}, {1, 0, width}, {1, -width, -width}));
+    for (int a = 0; a <= 15; ++a, width /= 10) all.emplace_back(tetrahedron({Vertex{0, 0, 0}, {1, width, 0}, {1, 0, width}, {1, -width, -width}}));
     return all;
   }();
   const Shape& b = needles[static_cast<int>(parameter)];
@@ -96,7 +96,7 @@ Object_case needle(Random& random, double parameter)
   const Touching contact = any_contact(random, a, b, any_turn(random));
   const Rational width(b.body->vertices[1][1]);
   const Rational gap = random.bits() % 2 == 0 ? any_gap(random) : Rational(width * integer(random, -2, 4) / 2);
-  return placed(random, contact, gap, exact_motion(random));
+  return placed(random, contact, gap);
 }
 
 /// A tetrahedron with an edge broken at its middle, h ulps off the edge, and the sliver between. B is at the break or h ulps off it.
@@ -127,7 +127,7 @@ Object_case nearly_collinear(Random& random, double parameter)
   const Exact_vector point = sum(straight, Rational(std::array{1.0, 1.0, 0.0, 0.5, 2.0, -1.0}[random.bits() % 6]), way);
   const Touching contact = at_point(random, a, b, point);
   const Rational gap = random.bits() % 2 == 0 ? Rational(0) : Rational(abs(any_gap(random)));
-  if (point == exact(broken)) return placed(random, contact, gap, exact_motion(random));
+  if (point == exact(broken)) return placed(random, contact, gap);
   return placed(random, a, b.body, moved(contact.relative, times(gap, scaled_to_one(contact.apart))), exact_motion(random));
 }
 
@@ -202,7 +202,8 @@ Object_case duplicates(Random& random, double parameter)
     return all;
   }();
   const auto& [a, points] = doubled[kind];
-  return near_point(random, a, any_block(random), points[random.bits() % points.size()]);
+  const Exact_vector& point = points[random.bits() % points.size()];
+  return near_point(random, a, any_block(random), point);
 }
 
 /// A block of quadrangles whose top is h ulps off its plane, as triangles; B stands on it, or on the plane.
@@ -302,7 +303,7 @@ Object_case tangent_fan(Random& random, double parameter)
   const bool on_apex = random.bits() % 8 != 0;
   const Pose turn = &b == &a ? scaling(1, -1, -1) : any_turn(random);
   const Touching contact{a.body, b.body, resting(*b.body, turn, on_apex ? apex : a.vertex(2 + random.bits() % valence), up), up, false};
-  return placed(random, contact, random.bits() % 2 == 0 ? Rational(0) : Rational(abs(any_gap(random))), exact_motion(random));
+  return placed(random, contact, random.bits() % 2 == 0 ? Rational(0) : Rational(abs(any_gap(random))));
 }
 
 }  // namespace tetracone::verify::object_family

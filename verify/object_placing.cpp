@@ -82,7 +82,7 @@ Motion exact_motion(Random& random)
 
 Pose motion(Random& random, Motion kind)
 {
-  const auto sixty_fourths = [&random] { return Rational(integer(random, -256, 256)) / 64; };
+  const auto sixty_fourths = [&random]() -> Rational { return Rational(integer(random, -256, 256)) / 64; };
   const Exact_vector shift = {sixty_fourths(), sixty_fourths(), sixty_fourths()};
   switch (kind) {
     case Motion::identity: return {};
@@ -142,7 +142,8 @@ Touching vertex_on_edge(Random& random, const Shape& a, const Body& b, const Pos
   const Hull_edge& edge = a.hull_edges[random.bits() % a.hull_edges.size()];
   const Exact_vector from = a.vertex(edge.from);
   const Exact_vector point = sum(from, Rational(dyadic(random, bits)), difference(a.vertex(edge.to), from));
-  const Exact_vector normal = sum(times(Rational(integer(random, 1, 7)), a.normals[edge.faces[0]]), Rational(integer(random, 1, 7)), a.normals[edge.faces[1]]);
+  const Rational share = integer(random, 1, 7);
+  const Exact_vector normal = sum(times(share, a.normals[edge.faces[0]]), Rational(integer(random, 1, 7)), a.normals[edge.faces[1]]);
   return {a.body, b, resting(*b, turn, point, normal), normal, true};
 }
 
@@ -196,11 +197,11 @@ Touching any_contact(Random& random, const Shape& a, const Shape& b, const Pose&
   return vertex_on_face(random, a, b.body, turn, 3);
 }
 
-Touching any_contact(Random& random)
+Touching any_contact(Random& random, const Pose& turn)
 {
   const Shape& a = any_shape(random);
   const Shape& b = any_shape(random);
-  return any_contact(random, a, b, any_turn(random));
+  return any_contact(random, a, b, turn);
 }
 
 Rational any_gap(Random& random)
@@ -240,6 +241,10 @@ Object_case placed(Random& random, const Touching& contact, const Rational& gap,
   Object_case c = placed(random, contact, gap, motion(random, kind));
   return kind == Motion::rounded ? rounded_poses(c) : c;
 }
+
+Object_case placed(Random& random, const Touching& contact, const Rational& gap) { return placed(random, contact, gap, exact_motion(random)); }
+
+Object_case placed(Random& random, const Touching& contact) { return placed(random, contact, any_gap(random)); }
 
 Object_case with_answer(Object_case c, std::optional<bool> surface, std::optional<bool> solid)
 {

@@ -11,6 +11,8 @@
 #include <vector>
 
 /// Exact contacts and where they are put: what the object families are made of.
+/// Arguments of one call are evaluated in an order of the compiler's choice: at most one of them draws from `random`, here and in the
+/// families, so that a seed means the same cases everywhere. (What stands in braces is evaluated from left to right.)
 namespace tetracone::verify::object_family {
 
 using kernel::Pose;
@@ -69,8 +71,8 @@ Touching vertex_on_vertex(Random& random, const Body& a, const Body& b, const Po
 Touching edge_across_edge(Random& random, const Shape& a, const Shape& b, const Pose& turn, int bits);
 /// One of these, or B's lowest face, edge or vertex on A's face.
 Touching any_contact(Random& random, const Shape& a, const Shape& b, const Pose& turn);
-/// Any of these with bodies and a turn of any kind.
-Touching any_contact(Random& random);
+/// Any of these with bodies of any kind.
+Touching any_contact(Random& random, const Pose& turn);
 
 /// A point inside the triangle, at barycentric coordinates of `bits` bits.
 Exact_vector point_inside(Random& random, const Shape& shape, const Face_triangle& triangle, int bits);
@@ -86,6 +88,9 @@ Object_case placed(Random& random, const Body& a, const Body& b, const Pose& rel
 /// The contact opened by `gap` along `apart` (negative: closed further), a length of about one times `gap`; its answers as far as known.
 Object_case placed(Random& random, const Touching& contact, const Rational& gap, Motion kind);
 Object_case placed(Random& random, const Touching& contact, const Rational& gap, const Pose& common);
+/// Under any exact motion, and with `any_gap`.
+Object_case placed(Random& random, const Touching& contact, const Rational& gap);
+Object_case placed(Random& random, const Touching& contact);
 
 /// Both answers.
 Object_case with_answer(Object_case c, std::optional<bool> surface, std::optional<bool> solid);

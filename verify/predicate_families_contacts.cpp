@@ -140,7 +140,8 @@ enum class Sharing { all, part, inside, edge, vertex, nothing };
 /// A place in the plane v1 v2 v3, in sixteenths of the sides v1 v2 and v1 v3.
 using Place = std::array<int, 2>;
 
-/// Three corners p q r in the face's plane, counterclockwise as v1 v2 v3 when `alike`. `apart`: the shared edge or vertex is missed by that.
+/// Three corners p q r in the face's plane, counterclockwise as v1 v2 v3 when `alike`. `apart`: by how much the shared edge or
+/// vertex is missed.
 Scene coplanar(Random& random, const Tetra& v, Sharing sharing, bool alike, const Rational& apart = 0)
 {
   const auto in_face = [&] { return Place{integer(random, 1, 7), integer(random, 1, 7)}; };

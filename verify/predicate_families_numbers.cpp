@@ -196,7 +196,9 @@ Predicate_case float_widened(Random& random, double bits)
     for (int k = 2; k < 4; ++k)
       if (one_in(random, 2)) v[k] = between(v[1], v[k], 2);
     // Opposite v1, in the middle of v2 v3, or on a side.
-    Scene scene{v, any_of(random, std::array{in_plane(v, 1, 1), in_plane(v, Rational(0.5), Rational(0.5)), between(v[1], v[2], Rational(0.5))}), {}, {}};
+    const Rational half(0.5);
+    const std::array<Point, 3> places = {in_plane(v, 1, 1), in_plane(v, half, half), between(v[1], v[2], half)};
+    Scene scene{v, any_of(random, places), {}, {}};
     complete(random, scene);
     const int aside = static_cast<int>(random.bits() % 8);  // by the last bit, sometimes
     if (aside < 3) scene.p[aside] += power_of_two(-22 - below) * sign(random);

@@ -17,10 +17,10 @@ Point quarters(Random& random, const Tetra& v)
 }
 
 /// p is done; q and r as if it were on the boundary.
-std::optional<Predicate_case> finished(Random& random, const Tetra& v, const Point& p, const Frames& frames, int ulps = 0, int grid = usual_grid)
+std::optional<Predicate_case> finished(Random& random, const Tetra& v, const Point& p, const Frames& frames, int ulps = 0)
 {
   Scene scene{v, p, {}, {}};
-  complete(random, scene, grid);
+  complete(random, scene);
   relabel(random, scene);
   auto c = placed_somehow(scene, frames);
   if (c) nudge(random, *c, ulps);

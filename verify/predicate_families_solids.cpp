@@ -52,7 +52,8 @@ Predicate_case nested_touching(Random& random, double dimension)
     } else if (dimension == 0) {
       // A is inside: it has a vertex in B's face, an edge, or a face. Here B's face is parallel to the one opposite v1.
       const Point way = difference(v[2], v[3]), other = difference(v[3], v[0]);
-      scene.p = sum(v[1], way), scene.q = sum(v[1], other), scene.r = sum(sum(v[1], Rational(-integer(random, 0, 2)), way), Rational(-1), other);
+      scene.p = sum(v[1], way), scene.q = sum(v[1], other);
+      scene.r = sum(sum(v[1], Rational(-integer(random, 0, 2)), way), Rational(-1), other);
     } else if (dimension == 1) {
       scene.p = between(v[1], v[2], Rational(-1) / 2), scene.q = between(v[1], v[2], Rational(integer(random, 3, 6)) / 4);
       scene.r = outward(random, v, on(2));
@@ -176,9 +177,8 @@ Predicate_case voxels(Random& random, double size)
       for (int k = 0; k < 3; ++k) (*x)[k] = v[0][k] + integer(random, -1, 1);
   }
   relabel(random, scene);
-  return settled([&] {
-    return placed(scene, frames(random, any_of(random, std::array{Frame_kind::identity, Frame_kind::translation, Frame_kind::permutation})));
-  });
+  constexpr std::array kinds = {Frame_kind::identity, Frame_kind::translation, Frame_kind::permutation};
+  return settled([&] { return placed(scene, frames(random, any_of(random, kinds))); });
 }
 
 Predicate_case tangent_fan(Random& random, double valence)

@@ -8,7 +8,10 @@
 
 namespace tetracone::verify::points {
 
-Point grid_point(Random& random, int size) { return {integer(random, -size, size), integer(random, -size, size), integer(random, -size, size)}; }
+Point grid_point(Random& random, int size)
+{
+  return {integer(random, -size, size), integer(random, -size, size), integer(random, -size, size)};
+}
 
 Point mantissa_point(Random& random, int bits)
 {
@@ -194,7 +197,8 @@ Frames frames(Random& random, Frame_kind kind)
 Frames any_frames(Random& random)
 {
   using enum Frame_kind;
-  return frames(random, any_of(random, std::array{identity, identity, translation, permutation, true_rotation, rounded_rotation, rounded_rotation, shear}));
+  constexpr std::array kinds = {identity, identity, translation, permutation, true_rotation, rounded_rotation, rounded_rotation, shear};
+  return frames(random, any_of(random, kinds));
 }
 
 Frames true_rotations(Random& random, int size)

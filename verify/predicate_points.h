@@ -98,7 +98,7 @@ int moved_aside(Random& random, Scene& scene, int grid = usual_grid);
 /// Half of the time as they are, else in any order: then another face, edge or vertex is the one of v1 v2 v3.
 void relabel(Random& random, Scene& scene);
 
-/// Some coordinate, mostly its own, changed by `ulps`, of the coordinate or, where that is 0, of the largest of p q r.
+/// A coordinate of p changed by `ulps`: its own or, where it is 0, those of the largest coordinate of p q r.
 void nudge(Random& random, Predicate_case& c, int ulps);
 
 // --- placing ------------------------------------------------------------------------------------------------------------

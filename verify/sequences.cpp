@@ -189,8 +189,9 @@ std::vector<Sequence> sequences(std::uint64_t seed, int frames)
   std::vector<Sequence> result;
   for (const Motion_of_two& motion : motions) {
     result.push_back(frames_of(motion, Pose(), "", seed, frames));
-    const auto third = [&] { return Rational(integer(random, -9, 9)) / 3; };
-    result.push_back(frames_of(motion, moved(rational_rotation(random, 6), {third(), third(), third()}), ", turned", seed, frames));
+    const Pose rotation = rational_rotation(random, 6);
+    const Exact_vector shift = times(Rational(1) / 3, integer_direction(random, 9));
+    result.push_back(frames_of(motion, moved(rotation, shift), ", turned", seed, frames));
   }
   return result;
 }

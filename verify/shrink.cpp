@@ -42,6 +42,17 @@ class Spending {
   Clock::time_point start_ = Clock::now();
 };
 
+/// Whether the predicate takes a segment or triangle that is none; it may, but that is another case. (Cones and tetrahedra may not.)
+bool is_degenerate(Predicate predicate, const Predicate_case& c)
+{
+  const auto on_line = [](const kernel::Vertex& p, const kernel::Vertex& q, const kernel::Vertex& r) {
+    const auto point = [](const kernel::Vertex& v) { return Exact::Point_3(v[0], v[1], v[2]); };
+    return CGAL::collinear(point(p), point(q), point(r));
+  };
+  if (predicate == Predicate::segment_triangle) return c.p == c.q || on_line(c.v[1], c.v[2], c.v[3]);
+  return predicate == Predicate::classification && on_line(c.p, c.q, c.r);
+}
+
 bool is_flat(const Case_numbers& numbers)
 {
   return std::any_of(numbers.poses.begin(), numbers.poses.end(), [](const kernel::Pose& pose) { return pose.determinant_sign() == CGAL::ZERO; });
@@ -216,9 +227,12 @@ Object_check same_error(Answering& subject, Question question, Outcome answer, b
   return [=, &subject](const Object_case& c) { return subject(c, question) == answer && true_answer(c, question) == truth; };
 }
 
-Predicate_check same_error(const Predicate_subject& subject, Predicate predicate, int answer, int truth)
+Predicate_check same_error(const Predicate_subject& subject, Predicate predicate, const Predicate_case& c, int answer, int truth)
 {
-  return [=, &subject](const Predicate_case& c) { return subject.answer(predicate, c) == answer && true_answer(predicate, c) == truth; };
+  const bool may_degenerate = is_degenerate(predicate, c);
+  return [=, &subject](const Predicate_case& x) {
+    return subject.answer(predicate, x) == answer && (may_degenerate || !is_degenerate(predicate, x)) && true_answer(predicate, x) == truth;
+  };
 }
 
 }  // namespace tetracone::verify

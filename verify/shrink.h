@@ -49,7 +49,9 @@ bool true_answer(const Object_case& c, kernel::Question question);
 
 /// That a subject answers just this, or fails, where the truth is just that: wrong in the same way. The subject must outlive it.
 Object_check same_error(Answering& subject, kernel::Question question, Outcome answer, bool truth);
-Predicate_check same_error(const Predicate_subject& subject, Predicate predicate, int answer, int truth);
+
+/// The same, as it was in `c`: where the triangles and the segment that the predicate takes are not degenerate there, neither are they later.
+Predicate_check same_error(const Predicate_subject& subject, Predicate predicate, const Predicate_case& c, int answer, int truth);
 
 }  // namespace tetracone::verify
 

@@ -189,6 +189,25 @@ BOOST_AUTO_TEST_CASE(a_predicate_keeps_only_the_points_that_matter)
   BOOST_TEST(verify::size_of(small).bits <= 6u);
 }
 
+BOOST_AUTO_TEST_CASE(a_triangle_and_a_segment_stay_what_they_are)
+{
+  // A subject that never hits.
+  const verify::Predicate_subject never{"never", false, "", [](Predicate, const Predicate_case&) -> std::optional<int> { return 0; }};
+  Predicate_case c;
+  c.v = {{{9, 9, 9}, {0.1, 0.2, 0.3}, {1.1, 0.7, 0.3}, {0.3, 1.9, 0.3}}};
+  c.p = {0.5, 0.75, -1.25}, c.q = {0.5, 0.75, 1.5}, c.r = {1, 2, 3};
+  BOOST_REQUIRE(verify::true_answer(Predicate::segment_triangle, c) == 1);
+  const auto small = verify::shrink(c, verify::same_error(never, Predicate::segment_triangle, c, 0, 1));
+  BOOST_TEST((small.p != small.q));
+  BOOST_TEST((small.v[1] != small.v[2] && small.v[2] != small.v[3] && small.v[1] != small.v[3]));
+  BOOST_TEST(verify::size_of(small).bits <= 8u);
+  // One that was degenerate before may become more so.
+  Predicate_case point = c;
+  point.v[2] = point.v[3] = point.v[1];
+  point.p = point.q = point.v[1];
+  BOOST_TEST(verify::size_of(verify::shrink(point, verify::same_error(never, Predicate::segment_triangle, point, 0, 1))).bits == 0u);
+}
+
 BOOST_AUTO_TEST_CASE(doubles_at_the_ends_of_their_range_shrink_without_infinities)
 {
   constexpr double largest = std::numeric_limits<double>::max();
