@@ -81,7 +81,8 @@ Scene scene_of(const verify::Object_case& c, const std::string& file, Question q
 {
   const auto body = [&](const covering::Polyhedron& polyhedron, const char* name) {
     if (must_be_solid && !covering::is_closed(polyhedron))
-      throw kernel::Input_error(file, 0, "body " + std::string(name) + " is an open surface and has no solid", "expected --question surface");
+      throw kernel::Input_error(file, 0, "body " + std::string(name) + " is an open surface and has no solid",
+                                "expected --question surface");
     std::vector<covering::Index> source(polyhedron.face_count());
     std::iota(source.begin(), source.end(), covering::Index(0));
     return Model_file{file, polyhedron, std::move(source)};
@@ -143,7 +144,8 @@ std::string rows_as_json(const std::vector<Row>& rows, bool time)
 }
 
 // A feature of a pose, one line: body 0 is an edge of A against a face of B, body 1 the other way round.
-std::string features_as_text(const std::vector<std::vector<Feature_pair>>& features, const std::string& header, const std::string& separator)
+std::string features_as_text(const std::vector<std::vector<Feature_pair>>& features, const std::string& header,
+                             const std::string& separator)
 {
   std::string text = header;
   for (std::size_t k = 0; k < features.size(); ++k)
@@ -190,7 +192,8 @@ std::string features_of(verify::Prepared_pair& pair, const Scene& scene, const O
     progress.step();
   }
   if (options.json) return features_as_json(features);
-  return options.csv.empty() ? features_as_text(features, "", " ") : features_as_text(features, "pose,body,edge_from,edge_to,face,kind\n", ",");
+  return options.csv.empty() ? features_as_text(features, "", " ")
+                             : features_as_text(features, "pose,body,edge_from,edge_to,face,kind\n", ",");
 }
 
 std::string answers_of(const Scene& scene, const Subject& subject, const Options& options)
@@ -203,7 +206,8 @@ std::string answers_of(const Scene& scene, const Subject& subject, const Options
 /// The answer of the subject of predicates that has the kernel's name.
 std::string answer_of(const verify::Case_file& c, const Options& options)
 {
-  for (const auto& [given, name] : {std::pair(options.features, "--features"), {options.time, "--time"}, {options.method != "tree", "--method"}})
+  for (const auto& [given, name] :
+       {std::pair(options.features, "--features"), {options.time, "--time"}, {options.method != "tree", "--method"}})
     if (given) throw CLI::ValidationError(name, "expected with bodies; " + options.a + " asks a predicate");
   const auto& subjects = verify::predicate_subjects();
   const auto subject = std::find_if(subjects.begin(), subjects.end(), [&](const auto& each) { return each.name == options.kernel; });
@@ -224,8 +228,12 @@ std::string answer_of(const verify::Case_file& c, const Options& options)
 /// The options that tell how models are read say nothing about a case file.
 void refuse_options_of_models(const Options& options)
 {
-  for (const auto& [given, name] : {std::pair(!options.b.empty(), "B"), {!options.poses_a.empty(), "--pose-a"}, {!options.poses_b.empty(), "--pose-b"},
-                                    {options.models.strict, "--strict"}, {options.models.merge, "--merge"}, {options.models.orient, "--orient"}})
+  for (const auto& [given, name] : {std::pair(!options.b.empty(), "B"),
+                                    {!options.poses_a.empty(), "--pose-a"},
+                                    {!options.poses_b.empty(), "--pose-b"},
+                                    {options.models.strict, "--strict"},
+                                    {options.models.merge, "--merge"},
+                                    {options.models.orient, "--orient"}})
     if (given) throw CLI::ValidationError(name, "expected without a case file: " + options.a + " holds both bodies and poses");
 }
 
@@ -235,7 +243,8 @@ void run(const Options& options, bool question_is_given)
   const auto method = verify::parse_method(options.method);
   if (!question) throw CLI::ValidationError("--question " + options.question, "expected solid or surface");
   if (!method) throw CLI::ValidationError("--method " + options.method, "expected tree, paper or brute");
-  if (options.time && options.csv.empty() && !options.json) throw CLI::ValidationError("--time", "expected --csv or --json to hold the times");
+  if (options.time && options.csv.empty() && !options.json)
+    throw CLI::ValidationError("--time", "expected --csv or --json to hold the times");
   if (options.time && options.features) throw CLI::ValidationError("--time", "expected without --features");
   if (options.json && !options.csv.empty()) throw CLI::ValidationError("--json", "expected without --csv");
   if (options.repeat < 1) throw CLI::ValidationError("--repeat", "expected a number from 1");
@@ -268,20 +277,30 @@ void add_collide_command(CLI::App& app)
 {
   CLI::App* command = app.add_subcommand("collide", "Whether two models collide: one answer a pose");
   const auto options = std::make_shared<Options>();
-  command->add_option("A", options->a, "Model: OFF, OBJ, PLY, STL or TetGen .poly; or a case file, *.case.json, that holds all")->required();
+  command
+      ->add_option("A", options->a,
+                   "Model: OFF, OBJ, PLY, STL or TetGen .poly; or a case file, *.case.json, that holds all")
+      ->required();
   command->add_option("B", options->b, "Model");
   command->add_option("--pose-a", options->poses_a, "Poses of A: one a line, 12 numbers, row-major 3x4; decimals or fractions n/d");
   command->add_option("--pose-b", options->poses_b, "Poses of B; one pose in either file serves all of the other");
   const CLI::Option* question =
-      command->add_option("--question", options->question, "solid: do the solids share a point; surface: do the surfaces; of a case file: its own")
+      command
+          ->add_option("--question", options->question,
+                       "solid: do the solids share a point; surface: do the surfaces; of a case file: its own")
           ->capture_default_str();
-  command->add_option("--kernel", options->kernel, "adaptive, double, float, double-eps=E, epick, epeck or rational")->capture_default_str();
-  command->add_option("--method", options->method, "tree: the kernel's fastest; paper: Jimenez & Segura's; brute: all pairs")->capture_default_str();
+  command->add_option("--kernel", options->kernel, "adaptive, double, float, double-eps=E, epick, epeck or rational")
+      ->capture_default_str();
+  command
+      ->add_option("--method", options->method,
+                   "tree: the kernel's fastest; paper: Jimenez & Segura's; brute: all pairs")
+      ->capture_default_str();
   command->add_flag("--features", options->features, "All colliding pairs (edge of one, face of the other) instead of the answer");
   command->add_option("--csv", options->csv, "Write a table to this file");
   command->add_flag("--json", options->json, "Write JSON to standard output");
   command->add_flag("--time", options->time, "With --csv or --json: nanoseconds and work of each pose");
-  command->add_option("--repeat", options->repeat, "With --time: passes over all poses, of which the fastest counts")->capture_default_str();
+  command->add_option("--repeat", options->repeat, "With --time: passes over all poses, of which the fastest counts")
+      ->capture_default_str();
   options->models.add_to(*command);
   command->footer(
       "Prints 1 or 0 for each pose. With --features: a line for each pair: pose, body (0: edge of A, face of B), edge, face, kind.\n"

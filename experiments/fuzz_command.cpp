@@ -113,7 +113,8 @@ class Fuzz {
       if (wanted.contains(subject.name)) predicate_subjects_.push_back(&subject);
     std::error_code error;
     std::filesystem::create_directories(options.out, error);
-    if (!std::filesystem::is_directory(options.out)) throw kernel::Input_error(options.out.native(), 0, "cannot be made", "expected a folder that may be written");
+    if (!std::filesystem::is_directory(options.out))
+      throw kernel::Input_error(options.out.native(), 0, "cannot be made", "expected a folder that may be written");
   }
 
   /// Round after round, one case of each family and level and what mutation makes of it, until the time is up.
@@ -139,14 +140,20 @@ class Fuzz {
   {
     std::printf("%-9s  %-40s %10s %10s %10s %9s %6s\n", "level", "subject", "answers", "false +", "false -", "failures", "kinds");
     for (const auto& [who, tally] : tallies_)
-      std::printf("%-9s  %-40s %10llu %10llu %10llu %9llu %6llu%s\n", to_string(who.first), who.second.c_str(), (unsigned long long)tally.asked,
-                  (unsigned long long)tally.false_positives, (unsigned long long)tally.false_negatives, (unsigned long long)tally.failures,
-                  (unsigned long long)tally.kinds, !exact_.contains(who.second) ? "" : tally.wrong() > 0 ? "  exact, and WRONG" : "  exact");
+      std::printf("%-9s  %-40s %10llu %10llu %10llu %9llu %6llu%s\n", to_string(who.first), who.second.c_str(),
+                  (unsigned long long)tally.asked, (unsigned long long)tally.false_positives,
+                  (unsigned long long)tally.false_negatives, (unsigned long long)tally.failures,
+                  (unsigned long long)tally.kinds,
+                  !exact_.contains(who.second) ? ""
+                  : tally.wrong() > 0          ? "  exact, and WRONG"
+                                               : "  exact");
   }
 
   bool exact_was_wrong() const
   {
-    return std::any_of(tallies_.begin(), tallies_.end(), [&](const auto& entry) { return exact_.contains(entry.first.second) && entry.second.wrong() > 0; });
+    return std::any_of(tallies_.begin(), tallies_.end(), [&](const auto& entry) {
+      return exact_.contains(entry.first.second) && entry.second.wrong() > 0;
+    });
   }
 
  private:
@@ -261,7 +268,9 @@ void add_fuzz_command(CLI::App& app)
   const auto options = std::make_shared<Options>();
   command->add_option("--seconds", options->seconds, "Time to spend")->capture_default_str()->check(CLI::Range(0.0, 1e9));
   command->add_option("--seed", options->seed, "Seed of all cases")->capture_default_str()->check(CLI::Range(0ul, 1ul << 62));
-  command->add_option("--subject", options->subject, "Only this subject, or those whose names begin so; default: the trees of double, float, epick and adaptive");
+  command->add_option(
+      "--subject", options->subject,
+      "Only this subject, or those whose names begin so; default: the trees of double, float, epick and adaptive");
   command->add_option("--out", options->out, "Folder of the case files")->capture_default_str();
   command->footer(
       "Each new kind of wrong answer (subject, family, question, direction) is written once.\n"

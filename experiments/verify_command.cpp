@@ -174,7 +174,7 @@ void add_verify_command(CLI::App& app)
   CLI::App* command = app.add_subcommand("verify", "A campaign: every subject on every family of cases, against two exact truths");
   const auto options = std::make_shared<Options>();
   command->add_option("--db", options->db, "Database of the results (SQLite)")->capture_default_str();
-  command->add_option("--cases", options->cases, "Cases per family and level; default: 400 of predicates, 40 of objects")->check(CLI::Range(1ul, 1'000'000'000ul));
+  command->add_option("--cases", options->cases, "Cases per family and level; default: 400 of predicates, 24 of objects")->check(CLI::Range(1ul, 1'000'000'000ul));
   command->add_option("--seed", options->campaign.seed, "Seed of all cases")->capture_default_str()->check(CLI::Range(0ul, 1ul << 62));
   command->add_option("--shard", options->shard, "i/n: every n-th batch from batch i; `tetracone merge` joins the databases")->capture_default_str();
   command->add_option("--family", options->families, "Only this family; may be given again")->allow_extra_args(false);

@@ -73,7 +73,8 @@ void read_face(const Json_field& field, Polyhedron& polyhedron)
     for (const Json_field& corner : loop.items(1, "the corners of a loop")) {
       const auto v = corner.unsigned_integer(std::numeric_limits<Index>::max());
       if (v >= polyhedron.vertices.size())
-        corner.fail("is vertex " + std::to_string(v), "expected one of " + std::to_string(polyhedron.vertices.size()) + " vertices, from 0");
+        corner.fail("is vertex " + std::to_string(v),
+                    "expected one of " + std::to_string(polyhedron.vertices.size()) + " vertices, from 0");
       loops.back().push_back(Index(v));
     }
   }
@@ -97,7 +98,8 @@ Origin read_origin(const Json_field& field)
 {
   field.only({"family", "seed", "index", "parameter"});
   constexpr auto largest = std::numeric_limits<std::uint64_t>::max();
-  Origin origin{field.member("family").text(), field.member("seed").unsigned_integer(largest), field.member("index").unsigned_integer(largest), 0};
+  Origin origin{field.member("family").text(), field.member("seed").unsigned_integer(largest),
+                field.member("index").unsigned_integer(largest), 0};
   const Json_field parameter = field.member("parameter");
   const bool is_infinite = parameter.is_string() && parameter.text() == infinite;
   origin.parameter = is_infinite ? std::numeric_limits<double>::infinity() : parameter.number();
@@ -171,7 +173,8 @@ std::string in_json(const std::string& text)
 
 /// "[x, y, z]" of what `text(k)` says.
 template <class Text>
-std::string list(std::size_t count, Text&& text, const std::string& open = "[", const std::string& separator = ", ", const std::string& close = "]")
+std::string list(std::size_t count, Text&& text, const std::string& open = "[", const std::string& separator = ", ",
+                 const std::string& close = "]")
 {
   std::string result = open;
   for (std::size_t k = 0; k < count; ++k) result += (k == 0 ? "" : separator) + text(k);
@@ -214,7 +217,8 @@ std::string text_of(const Polyhedron& polyhedron)
 
 std::string text_of(const Origin& origin)
 {
-  return "{\"family\": " + in_json(origin.family) + ", \"seed\": " + std::to_string(origin.seed) + ", \"index\": " + std::to_string(origin.index) +
+  return "{\"family\": " + in_json(origin.family) + ", \"seed\": " + std::to_string(origin.seed) +
+         ", \"index\": " + std::to_string(origin.index) +
          ", \"parameter\": " + (std::isinf(origin.parameter) ? in_json(infinite) : text_of(origin.parameter)) + "}";
 }
 
@@ -224,7 +228,8 @@ std::string text_of(const std::vector<Wrong>& wrong)
   std::string text = "[\n    ";
   std::size_t width = 0;
   for (const Wrong& each : wrong) {
-    const std::string entry = "{\"subject\": " + in_json(each.subject) + ", \"answer\": " + (each.answer ? std::to_string(*each.answer) : in_json("failed")) + "}";
+    const std::string entry = "{\"subject\": " + in_json(each.subject) +
+                              ", \"answer\": " + (each.answer ? std::to_string(*each.answer) : in_json("failed")) + "}";
     // They are many where everyone is wrong: as many a line as there is room for.
     if (width > 0) text += width + entry.size() > 120 ? (width = 0, ",\n    ") : ", ";
     text += entry;
@@ -303,7 +308,9 @@ std::string to_json(const Case_file& file)
                      {"origin", text_of(file.origin())}};
   if (file.level == Level::object) add_object(file, members);
   else add_predicate(file, members);
-  return list(members.size(), [&](std::size_t k) { return in_json(members[k].first) + ": " + members[k].second; }, "{\n  ", ",\n  ", "\n}\n");
+  return list(
+      members.size(), [&](std::size_t k) { return in_json(members[k].first) + ": " + members[k].second; }, "{\n  ",
+      ",\n  ", "\n}\n");
 }
 
 }  // namespace tetracone::verify

@@ -86,7 +86,8 @@ Json_text::Json_text(std::string text_given, std::string file_given) : text(std:
   try {
     root = nlohmann::json::parse(text);
   } catch (const nlohmann::json::parse_error& error) {
-    throw kernel::Input_error(file, line_at(text, error.byte == 0 ? 0 : error.byte - 1), "is not JSON here", "expected a case file as JSON");
+    throw kernel::Input_error(file, line_at(text, error.byte == 0 ? 0 : error.byte - 1), "is not JSON here",
+                              "expected a case file as JSON");
   } catch (const nlohmann::json::exception& error) {
     // The one other error of parsing: a number beyond the doubles, of which the message has only the digits, in quotes.
     const std::string_view what = error.what();
@@ -103,7 +104,8 @@ void Json_field::fail(std::string_view wrong, std::string_view expected) const
   for (const std::string& step : path_) place += "/" + step;
   constexpr std::size_t longest = 80;
   if (place.size() > longest) place = place.substr(0, longest) + "...";
-  throw kernel::Input_error(text_->file, line_of(text_->text, path_), (place.empty() ? "the file" : place) + " " + std::string(wrong), expected);
+  throw kernel::Input_error(text_->file, line_of(text_->text, path_),
+                            (place.empty() ? "the file" : place) + " " + std::string(wrong), expected);
 }
 
 Json_field Json_field::member(const std::string& name) const
@@ -129,7 +131,9 @@ void Json_field::only(std::initializer_list<std::string_view> names) const
 
 std::vector<Json_field> Json_field::items(std::size_t least, std::string_view what) const
 {
-  const std::string expected = (least == 0 ? "expected an array: " : "expected an array of at least " + std::to_string(least) + ": ") + std::string(what);
+  const std::string expected =
+      (least == 0 ? "expected an array: " : "expected an array of at least " + std::to_string(least) + ": ") +
+      std::string(what);
   if (!value_->is_array()) fail("is no array", expected);
   if (value_->size() < least) fail("has " + std::to_string(value_->size()) + " elements", expected);
   std::vector<Json_field> fields;
@@ -140,7 +144,9 @@ std::vector<Json_field> Json_field::items(std::size_t least, std::string_view wh
 std::vector<Json_field> Json_field::exactly(std::size_t count, std::string_view what) const
 {
   auto fields = items(0, what);
-  if (fields.size() != count) fail("has " + std::to_string(fields.size()) + " elements", "expected " + std::to_string(count) + ": " + std::string(what));
+  if (fields.size() != count)
+    fail("has " + std::to_string(fields.size()) + " elements",
+         "expected " + std::to_string(count) + ": " + std::string(what));
   return fields;
 }
 

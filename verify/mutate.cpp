@@ -22,7 +22,8 @@ double nudged(double x, Random& random)
 {
   const double end = random.bits() % 2 == 0 ? HUGE_VAL : -HUGE_VAL;
   double moved = x;
-  for (std::size_t step = std::max<std::size_t>(1, 1024 >> one_of(random, 11) >> one_of(random, 11)); step-- > 0;) moved = std::nextafter(moved, end);
+  for (std::size_t step = std::max<std::size_t>(1, 1024 >> one_of(random, 11) >> one_of(random, 11)); step-- > 0;)
+    moved = std::nextafter(moved, end);
   return std::isfinite(moved) ? moved : x;
 }
 
@@ -38,7 +39,9 @@ std::optional<Vertex> across(const Case_numbers& n, int body, std::size_t i)
   const kernel::Rational whole = dot(x, cross(y, z));
   const Exact_vector at = {dot(target, cross(y, z)), dot(x, cross(target, z)), dot(x, cross(y, target))};
   const Vertex result = rounded(times(kernel::Rational(1 / whole), at));
-  return std::all_of(result.begin(), result.end(), [](double coordinate) { return std::isfinite(coordinate); }) ? std::optional(result) : std::nullopt;
+  return std::all_of(result.begin(), result.end(), [](double coordinate) { return std::isfinite(coordinate); })
+             ? std::optional(result)
+             : std::nullopt;
 }
 
 void change(Case_numbers& n, Random& random)

@@ -212,6 +212,16 @@ Cells random_cells(Random& random, int n)
   return cells;
 }
 
+/// A full cube of cells, or its outermost layer.
+Cells massive_cells(int n, bool hollow)
+{
+  Cells cells{n, std::vector<bool>(n * n * n, true)};
+  for (int x = 1; x + 1 < n; ++x)
+    for (int y = 1; y + 1 < n; ++y)
+      for (int z = 1; z + 1 < n; ++z) cells.full[x + n * (y + n * z)] = !hollow;
+  return cells;
+}
+
 }  // namespace
 
 /// B's grid is off A's by half units. Two boxes of such grids that meet do so in a corner of one of them or of their common part: in a
@@ -219,9 +229,15 @@ Cells random_cells(Random& random, int n)
 Object_case voxels(Random& random, double parameter)
 {
   const int n = static_cast<int>(parameter);
-  const Cells a = random_cells(random, n), b = random_cells(random, n);
+  Cells a = random_cells(random, n), b = random_cells(random, n);
   std::array<int, 3> offset;
   for (int& x : offset) x = integer(random, -2 * n, 2 * n);
+  if (n > 2 && random.bits() % 3 == 0) {
+    // A single cell about the middle of a solid or hollow cube.
+    a = massive_cells(n, random.bits() % 2 == 0);
+    b = {1, {true}};
+    for (int& x : offset) x = integer(random, 1, 2 * n - 3);
+  }
   if (random.bits() % 2 == 0)
     for (int& x : offset) x &= ~1;
   bool surface = false, solid = false;
@@ -234,7 +250,7 @@ Object_case voxels(Random& random, double parameter)
         surface = surface || (in_a > 0 && in_a < all_a && in_b > 0 && in_b < all_b);
       }
   const Pose relative = Pose::translation(offset[0] / 2.0, offset[1] / 2.0, offset[2] / 2.0);
-  const Body body_a = shared(voxel_solid(a.full, n, n, n)), body_b = shared(voxel_solid(b.full, n, n, n));
+  const Body body_a = shared(voxel_solid(a.full, a.n, a.n, a.n)), body_b = shared(voxel_solid(b.full, b.n, b.n, b.n));
   return with_answer(placed(random, body_a, body_b, relative, exact_motion(random)), surface, solid);
 }
 

@@ -55,7 +55,8 @@ bool is_degenerate(Predicate predicate, const Predicate_case& c)
 
 bool is_flat(const Case_numbers& numbers)
 {
-  return std::any_of(numbers.poses.begin(), numbers.poses.end(), [](const kernel::Pose& pose) { return pose.determinant_sign() == CGAL::ZERO; });
+  return std::any_of(numbers.poses.begin(), numbers.poses.end(),
+                     [](const kernel::Pose& pose) { return pose.determinant_sign() == CGAL::ZERO; });
 }
 
 /// What a body keeps while it shrinks: else most of what is wrong would end as two points, which shows nothing of its own.

@@ -37,9 +37,9 @@ using Predicate_check = std::function<bool(const Predicate_case&)>;
 
 /// The smallest case found for which `still_wrong` holds, not larger than `c`. Steps: drop faces, shells, loops and corners; replace
 /// vertices by others; take a body's triangles for its polygons, or a tetrahedron for the body; then simpler poses, coordinates of fewer
-/// bits, exact translations and scalings; over and over while anything helps. Whatever is asked keeps planar faces, det M != 0, at least
-/// a face in each body and, for `Question::solid`, closed bodies; and where a body had none of these before, no face becomes degenerate and,
-/// for `Question::solid`, no volume 0. `still_wrong` is asked of nothing else.
+/// bits, exact translations and scalings; over and over while anything helps.
+/// `still_wrong` is asked only of cases with planar faces, det M != 0, at least a face in each body and, for `Question::solid`, closed
+/// bodies. Where a body has no degenerate face before, it has none later; for `Question::solid` neither does its volume become 0.
 /// Requires such a `c`, for which it holds.
 Object_case shrink(Object_case c, kernel::Question question, const Object_check& still_wrong, const Shrink_budget& budget = {});
 Predicate_case shrink(const Predicate_case& c, const Predicate_check& still_wrong, const Shrink_budget& budget = {});
@@ -50,7 +50,8 @@ bool true_answer(const Object_case& c, kernel::Question question);
 /// That a subject answers just this, or fails, where the truth is just that: wrong in the same way. The subject must outlive it.
 Object_check same_error(Answering& subject, kernel::Question question, Outcome answer, bool truth);
 
-/// The same, as it was in `c`: where the triangles and the segment that the predicate takes are not degenerate there, neither are they later.
+/// The same, as it was in `c`: where the triangles and the segment that the predicate takes are not degenerate there, neither are they
+/// later.
 Predicate_check same_error(const Predicate_subject& subject, Predicate predicate, const Predicate_case& c, int answer, int truth);
 
 }  // namespace tetracone::verify

@@ -26,7 +26,8 @@ Faces faces_of(const Polyhedron& polyhedron)
   Faces faces;
   for (Index f = 0; f < polyhedron.face_count(); ++f) {
     faces.emplace_back();
-    for (std::size_t k = 0; k < polyhedron.loop_count(f); ++k) faces.back().emplace_back(polyhedron.loop(f, k).begin(), polyhedron.loop(f, k).end());
+    for (std::size_t k = 0; k < polyhedron.loop_count(f); ++k)
+      faces.back().emplace_back(polyhedron.loop(f, k).begin(), polyhedron.loop(f, k).end());
   }
   return faces;
 }

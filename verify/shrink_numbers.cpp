@@ -53,7 +53,8 @@ std::vector<Rational> simpler(const Rational& x)
   // What rounding to double leaves, rounded itself.
   const double rest = kernel::nearest_double(Rational(x - Rational(nearest)));
   if (rest == 0 || std::ilogb(rest) < -1000) return values;
-  for (const int kept : {1, 2, 4, 8, 16, 32, 53}) values.push_back(Rational(Rational(nearest) + Rational(on_grid(rest, std::ilogb(rest) + 1 - kept))));
+  for (const int kept : {1, 2, 4, 8, 16, 32, 53})
+    values.push_back(Rational(Rational(nearest) + Rational(on_grid(rest, std::ilogb(rest) + 1 - kept))));
   return values;
 }
 
@@ -264,7 +265,8 @@ class Simplify {
         for (int row = 0; row < 3; ++row) m[4 * row + 3] = on_grid(m[4 * row + 3], exponent);
         if (!std::all_of(m.begin(), m.end(), is_finite)) return false;
         if (!n.poses[body].is_rational()) n.poses[body] = Pose(m);
-        return std::all_of(n.points[body].begin(), n.points[body].end(), [&](const Vertex& v) { return std::all_of(v.begin(), v.end(), is_finite); });
+        return std::all_of(n.points[body].begin(), n.points[body].end(),
+                           [&](const Vertex& v) { return std::all_of(v.begin(), v.end(), is_finite); });
       };
       if (with([&](Case_numbers& n) { return all(n, 0) && all(n, 1); })) return;
       for (int body = 0; body < 2; ++body) with([&](Case_numbers& n) { return all(n, body); });

@@ -51,7 +51,8 @@ std::string contact_of(const Object_case& c)
   if (pairs.empty()) return is_closed(c) && true_answer(c, Question::solid) ? "nested" : "apart";
   // The kinds are ordered from the most special one on; an overlap comes with others and says more.
   const auto least = std::min_element(pairs.begin(), pairs.end(), [](const auto& x, const auto& y) { return x.kind < y.kind; });
-  const bool overlap = std::any_of(pairs.begin(), pairs.end(), [](const auto& pair) { return pair.kind == kernel::Contact::coplanar_overlap; });
+  const bool overlap = std::any_of(pairs.begin(), pairs.end(),
+                                   [](const auto& pair) { return pair.kind == kernel::Contact::coplanar_overlap; });
   return std::string(to_string(overlap ? kernel::Contact::coplanar_overlap : least->kind));
 }
 
@@ -83,7 +84,8 @@ Case_file case_file_of(const Predicate_case& c, Predicate predicate, const Predi
   file.predicate = predicate;
   file.truth = *true_answer(predicate, c);
   file.wrong = wrong_answers(c, predicate, file.truth);
-  file.cause = subject.name + ": " + direction(answer == no_answer ? std::nullopt : std::optional(answer), file.truth) + " of " + to_string(predicate);
+  file.cause = subject.name + ": " + direction(answer == no_answer ? std::nullopt : std::optional(answer), file.truth) +
+               " of " + to_string(predicate);
   return file;
 }
 

@@ -28,7 +28,9 @@ namespace {
 /// Every bit, the sign of zero too.
 bool same(const kernel::Vertex& a, const kernel::Vertex& b)
 {
-  return std::equal(a.begin(), a.end(), b.begin(), [](double x, double y) { return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y); });
+  return std::equal(a.begin(), a.end(), b.begin(), [](double x, double y) {
+    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+  });
 }
 
 bool same(const covering::Polyhedron& a, const covering::Polyhedron& b)

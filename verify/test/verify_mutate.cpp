@@ -96,7 +96,8 @@ BOOST_AUTO_TEST_CASE(a_point_comes_to_where_the_other_body_has_one)
   for (int k = 0; k < 200 && !found; ++k) {
     const auto n = numbers_of(verify::mutated(c, random));
     for (const auto& x : n.points[0])
-      for (const auto& y : n.points[1]) found = found || (n.poses[1] == c.pose_b && x == kernel::Vertex{y[0] + 100, y[1] + 200, y[2] + 300});
+      for (const auto& y : n.points[1])
+        found = found || (n.poses[1] == c.pose_b && x == kernel::Vertex{y[0] + 100, y[1] + 200, y[2] + 300});
   }
   BOOST_TEST(found);
 }

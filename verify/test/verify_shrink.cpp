@@ -128,8 +128,11 @@ BOOST_AUTO_TEST_CASE(an_odd_last_bit_is_all_that_is_left_of_many_bits)
 BOOST_AUTO_TEST_CASE(a_nested_pair_stays_nested)
 {
   // Says no where one body is in the other and their surfaces are apart.
-  const auto nested = [](const Object_case& x) { return verify::true_answer(x, Question::solid) && !verify::true_answer(x, Question::surface); };
-  const Object_case c = case_of(verify::box_with_cavity(8, 7), Pose(), verify::box({7.25, 7.25, 7.25}, {7.5, 7.5, 7.5}), Pose::translation(0.125, 0, 0));
+  const auto nested = [](const Object_case& x) {
+    return verify::true_answer(x, Question::solid) && !verify::true_answer(x, Question::surface);
+  };
+  const Object_case c = case_of(verify::box_with_cavity(8, 7), Pose(), verify::box({7.25, 7.25, 7.25}, {7.5, 7.5, 7.5}),
+                                Pose::translation(0.125, 0, 0));
   const Object_case small = shrunk(c, Question::solid, nested);
   BOOST_TEST(nested(small));
   BOOST_TEST(small.a->face_count() + small.b->face_count() <= 8u);
@@ -138,8 +141,11 @@ BOOST_AUTO_TEST_CASE(a_nested_pair_stays_nested)
 BOOST_AUTO_TEST_CASE(a_wrong_yes_keeps_its_direction)
 {
   // Says yes wherever the pose is no identity.
-  const auto moved = [](const Object_case& x) { return !verify::true_answer(x, Question::solid) && !(x.pose_b.is_identity() && x.pose_a.is_identity()); };
-  const Object_case c = case_of(verify::unit_cube(), Pose(), verify::prism_with_tunnel(), Pose::from_quaternion(1, 2, 3, 4, {kernel::Rational(100) / 3, 0, 0}));
+  const auto moved = [](const Object_case& x) {
+    return !verify::true_answer(x, Question::solid) && !(x.pose_b.is_identity() && x.pose_a.is_identity());
+  };
+  const Object_case c = case_of(verify::unit_cube(), Pose(), verify::prism_with_tunnel(),
+                                Pose::from_quaternion(1, 2, 3, 4, {kernel::Rational(100) / 3, 0, 0}));
   const Object_case small = shrunk(c, Question::solid, moved);
   BOOST_TEST(!verify::true_answer(small, Question::solid));
   BOOST_TEST(!small.pose_a.is_rational());
