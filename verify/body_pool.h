@@ -55,7 +55,8 @@ struct Shape {
 /// Blocks of few flat faces, about 1 large, on a grid of 1/64: boxes, a tetrahedron, an octahedron, a roof, an L, an arrowhead, faces with
 /// holes, a cavity, voxel solids with edges of four faces.
 const std::vector<Shape>& blocks();
-inline constexpr std::size_t unit_cube_block = 0, tetrahedron_block = 2, roof_block = 4, tunnel_block = 7, complex_block = 8, cavity_block = 10;
+inline constexpr std::size_t unit_cube_block = 0, tetrahedron_block = 2, roof_block = 4, tunnel_block = 7,
+                             complex_block = 8, cavity_block = 10;
 
 /// Small convex blocks and an L, about 1/8 large, that fit into the cavities and tunnels of the blocks.
 const std::vector<Shape>& pebbles();
@@ -74,7 +75,10 @@ const Shape& any_convex(Random& random);
 /// The shape's body with coordinate i of each vertex, x -> 2^exponents[i] x + shift, rounded; the same object for the same arguments.
 /// Requires that this keeps faces planar, as an exact result does.
 Body moved_copy(const Shape& shape, const std::array<int, 3>& exponents, double shift = 0);
-inline Body moved_copy(const Shape& shape, int exponent, double shift = 0) { return moved_copy(shape, std::array{exponent, exponent, exponent}, shift); }
+inline Body moved_copy(const Shape& shape, int exponent, double shift = 0)
+{
+  return moved_copy(shape, std::array{exponent, exponent, exponent}, shift);
+}
 
 /// All of `vertices` where the dot product with `direction` is least, exactly; ascending.
 std::vector<Index> lowest(const std::vector<kernel::Vertex>& vertices, const Exact_vector& direction);

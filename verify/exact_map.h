@@ -64,7 +64,9 @@ inline Exact_vector scaled_to_one(const Exact_vector& a)
   for (const kernel::Rational& x : a) largest = std::max(largest, std::abs(kernel::nearest_double(x)));
   int exponent = 0;
   std::frexp(largest, &exponent);
-  return times(exponent > 0 ? kernel::Rational(1 / kernel::Rational(std::ldexp(1.0, exponent))) : kernel::Rational(std::ldexp(1.0, -exponent)), a);
+  return times(exponent > 0 ? kernel::Rational(1 / kernel::Rational(std::ldexp(1.0, exponent)))
+                            : kernel::Rational(std::ldexp(1.0, -exponent)),
+               a);
 }
 
 /// M v + t.

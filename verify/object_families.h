@@ -17,8 +17,10 @@ Generator coplanar_grid, coplanar_parallelogram, edge_in_face_plane, face_on_fac
 Generator vertex_on_vertex, vertex_on_edge, vertex_on_face, edge_across_edge, edge_along_edge, near_parallel_edges;
 // containment: one in the other
 Generator nested_touching, nested, cavity_wall, covering_elements, covering_apex, winding_axis, voxels;
-// shapes: what the bodies are
-Generator sliver, needle, nearly_collinear, degenerate_face, duplicates, non_planar_quads, t_junctions, tangent_fan;
+// thin: long, flat and narrow faces
+Generator sliver, needle, tangent_fan;
+// shapes: faces and edges that are nearly or quite degenerate
+Generator nearly_collinear, degenerate_face, duplicates, non_planar_quads, t_junctions;
 // scales: exponents
 Generator far_from_origin, mixed_scales, cancelled_translation, exponent_gate, extreme_exponents;
 // poses: the maps

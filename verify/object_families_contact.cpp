@@ -132,7 +132,10 @@ Object_case near_parallel_edges(Random& random, double parameter)
   const double height = std::array{0.0, 0.0, hair, -hair}[random.bits() % 4];
   const auto sharp = [&] { return dyadic(random, 4); };
   const Body a = tetrahedron({kernel::Vertex{-1, 0, 0}, {1, 0, 0}, {-0.5, sharp(), -1}, {0.5, -sharp(), -1}});
-  const Body b = tetrahedron({kernel::Vertex{shift - 1, aside - slope, height}, {shift + 1, aside + slope, height}, {shift, 1 + sharp(), 1}, {shift, -1 - sharp(), 1}});
+  const Body b = tetrahedron({kernel::Vertex{shift - 1, aside - slope, height},
+                              {shift + 1, aside + slope, height},
+                              {shift, 1 + sharp(), 1},
+                              {shift, -1 - sharp(), 1}});
   Object_case c = placed(random, a, b, Pose(), exact_motion(random));
   return height > 0 ? with_answer(c, false) : c;
 }

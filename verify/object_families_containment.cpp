@@ -150,7 +150,8 @@ Object_case covering_apex(Random& random, double parameter)
   }
   const Body a = shared(std::move(body));
   // Around a tetrahedron's inside, on the flat element itself, and elsewhere.
-  const Exact_vector inside = times(Rational(1) / 4, sum(sum(exact(a->vertices[0]), exact(a->vertices[1])), sum(exact(a->vertices[2]), exact(a->vertices[3]))));
+  const Exact_vector inside = times(Rational(1) / 4, sum(sum(exact(a->vertices[0]), exact(a->vertices[1])),
+                                                         sum(exact(a->vertices[2]), exact(a->vertices[3]))));
   const Exact_vector one = exact(a->vertices[random.bits() % 4]), other = exact(a->vertices[random.bits() % 4]);
   switch (random.bits() % 4) {
     case 0: return speck_at(random, a, inside);

@@ -70,13 +70,20 @@ const std::vector<Scene>& scenes()
     const auto boxed = [](const Vertex& low, const Vertex& high) { return Shape(shared(box(low, high))); };
     const Shape spike(tetrahedron({Vertex{0, 0, 0}, {0.125, 0, 2}, {-0.0625, 0.125, 2}, {-0.0625, -0.125, 2}}));
     const Shape thin(tetrahedron({Vertex{0, 0, 0}, {0x1p-10, 0, 2}, {-0x1p-10, 0x1p-10, 2}, {-0x1p-10, -0x1p-10, 2}}));
-    const Shape wedge = blocks()[roof_block], plate = boxed({-0.0625, -0.5, 0}, {0.0625, 0.5, 1}), cube = boxed({-0.5, -0.5, 0}, {0.5, 0.5, 1});
+    const Shape wedge = blocks()[roof_block], plate = boxed({-0.0625, -0.5, 0}, {0.0625, 0.5, 1}),
+                cube = boxed({-0.5, -0.5, 0}, {0.5, 0.5, 1});
     const Exact_vector up = {0, 0, 1}, top = {0, 0, 1};
     std::vector<Scene> scenes;
     scenes.push_back({boxed({-1, -1, 0}, {1, 1, 1}), {top, {0, Rational(1) / 4, 1}, {1, 1, 1}, {1, 0, 1}}, up, {spike, thin}});
-    scenes.push_back({Shape(notched(0.5, 0.5)), {{0, 0, Rational(1) / 2}, {0, 0, 1}, {Rational(1) / 4, 0, Rational(3) / 4}}, up, {wedge, spike, plate}});
+    scenes.push_back({Shape(notched(0.5, 0.5)),
+                      {{0, 0, Rational(1) / 2}, {0, 0, 1}, {Rational(1) / 4, 0, Rational(3) / 4}},
+                      up,
+                      {wedge, spike, plate}});
     scenes.push_back({Shape(slotted(0.125)), {{0, 0, -1}, {0, 0, Rational(-1) / 2}, {0, 0, 0}}, {1, 0, 0}, {plate, thin}});
-    scenes.push_back({boxed({-1, -1, -1}, {0, 1, 0}), {{Rational(1) / 2, 0, 0}, {Rational(1) / 2, Rational(3) / 2, -1}, {Rational(1) / 2, 0, -1}}, {1, 0, 0}, {cube}});
+    scenes.push_back({boxed({-1, -1, -1}, {0, 1, 0}),
+                      {{Rational(1) / 2, 0, 0}, {Rational(1) / 2, Rational(3) / 2, -1}, {Rational(1) / 2, 0, -1}},
+                      {1, 0, 0},
+                      {cube}});
     scenes.push_back({Shape(slotted(0)), {{0, 0, 0}, {Rational(1) / 4, 0, 0}, {Rational(1) / 2, 1, 0}}, up, {cube, spike, wedge}});
     return scenes;
   }();

@@ -76,7 +76,8 @@ Object_case rounded_on_plane(Random& random, double parameter)
     const Touching contact = vertex_on_face(random, a, b, exact_turn_of_doubles(random), 52);
     // On an axis-parallel plane rounding keeps the contact: only now and then.
     if (std::ranges::count(contact.apart, Rational(0)) == 2 && random.bits() % 8 != 0) continue;
-    return placed(random, contact.a, contact.b, with_translation_of_bits(contact.relative, static_cast<int>(parameter)), motion_of_doubles(random));
+    return placed(random, contact.a, contact.b, with_translation_of_bits(contact.relative, static_cast<int>(parameter)),
+                  motion_of_doubles(random));
   }
 }
 
@@ -104,7 +105,8 @@ Object_case perturbed_zero(Random& random, double parameter)
   Exact_vector change = {0, 0, 0};
   if (!std::isinf(parameter)) {
     const int axis = integer(random, 0, 2);
-    change[axis] = Rational(random.bits() % 2 == 0 ? 1 : -1) * power_of_two(-static_cast<int>(parameter)) * contact.relative.exact(4 * axis + 3);
+    change[axis] = Rational(random.bits() % 2 == 0 ? 1 : -1) * power_of_two(-static_cast<int>(parameter)) *
+                   contact.relative.exact(4 * axis + 3);
   }
   const Object_case c = placed(random, contact.a, contact.b, moved(contact.relative, change), exact_motion(random));
   if (is_zero(change)) return with_answer(c, true);
@@ -141,11 +143,13 @@ Object_case decimal_grid(Random& random, double parameter)
   const Vertex p = {decimal(corner[0]), decimal(corner[1]), decimal(corner[2])}, q = {decimal(own[0]), decimal(own[1]), decimal(own[2])};
   const Pose relative = Pose::translation(decimal(corner[0] - own[0]), decimal(corner[1] - own[1]), decimal(corner[2] - own[2]));
   const auto beside = [&](const Vertex& v, int side) {
-    return Vertex{v[0] + side * decimal(integer(random, 1, range)), v[1] + side * decimal(integer(random, 1, range)), v[2] + side * decimal(integer(random, 1, range))};
+    return Vertex{v[0] + side * decimal(integer(random, 1, range)), v[1] + side * decimal(integer(random, 1, range)),
+                  v[2] + side * decimal(integer(random, 1, range))};
   };
   if (random.bits() % 2 == 0) {
     // Corner on corner of tetrahedra in opposite octants.
-    const Body a = tetrahedron({p, beside(p, -1), beside(p, -1), beside(p, -1)}), b = tetrahedron({q, beside(q, 1), beside(q, 1), beside(q, 1)});
+    const Body a = tetrahedron({p, beside(p, -1), beside(p, -1), beside(p, -1)}),
+               b = tetrahedron({q, beside(q, 1), beside(q, 1), beside(q, 1)});
     return placed(random, a, b, relative, motion_of_doubles(random));
   }
   // Face on face along one axis, edge on edge along two, or corner on corner.
@@ -170,11 +174,13 @@ Object_case float_widened(Random& random, double parameter)
     const Shape& b = any_block(random);
     const Touching contact = any_contact(random, a, b, exact_turn_of_doubles(random));
     const int way = integer(random, 0, 2);
-    return placed(random, contact, way == 0 ? Rational(0) : Rational(way == 1 ? 1 : -1) * power_of_two(1 - bits), motion_of_doubles(random));
+    return placed(random, contact, way == 0 ? Rational(0) : Rational(way == 1 ? 1 : -1) * power_of_two(1 - bits),
+                  motion_of_doubles(random));
   }
   // Corners of that many bits, one on one or a unit off, in opposite octants.
   const auto corner = [&](int side) {
-    return Vertex{of_bits(side * (1 + random.unit()), bits), of_bits(side * (1 + random.unit()), bits), of_bits(side * (1 + random.unit()), bits)};
+    return Vertex{of_bits(side * (1 + random.unit()), bits), of_bits(side * (1 + random.unit()), bits),
+                  of_bits(side * (1 + random.unit()), bits)};
   };
   const auto coordinate = [&] { return of_bits(random.symmetric() / 2, bits); };
   const Vertex p = {coordinate(), coordinate(), coordinate()};

@@ -99,7 +99,8 @@ Object_case coplanar_parallelogram(Random& random, double parameter)
   } while (is_zero(normal));
   const auto pyramid_at = [&](int s, int t, int side) {
     std::vector<kernel::Vertex> base;
-    for (const auto& [i, j] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) base.push_back(*exactly(sum(sum(p, Rational(s + i), u), Rational(t + j), v)));
+    for (const auto& [i, j] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
+      base.push_back(*exactly(sum(sum(p, Rational(s + i), u), Rational(t + j), v)));
     if (side > 0) std::ranges::reverse(base);
     for (;;) {
       const Exact_vector top = sum(exact(base[0]), integer_direction(random, 3));
@@ -189,7 +190,9 @@ Object_case face_on_face(Random& random, double parameter)
       else if (away)
         shift[i] = box_a[1][i] - box_b[0][i] + (kind == 5 ? power_of_two(-integer(random, 1, 50)) : Rational(0));
       else  // kind 2: B's extent in A's; else from a quarter to three quarters of both
-        shift[i] = box_a[0][i] - box_b[0][i] + (kind == 2 ? Rational((width_a - width_b) * Rational(dyadic(random, 5))) : Rational((width_a + width_b) * integer(random, 1, 7) / 8 - width_b));
+        shift[i] = box_a[0][i] - box_b[0][i] +
+                   (kind == 2 ? Rational((width_a - width_b) * Rational(dyadic(random, 5)))
+                              : Rational((width_a + width_b) * integer(random, 1, 7) / 8 - width_b));
     }
     if (kind != 5 && random.bits() % 5 == 0) {
       const Rational hair = power_of_two(-integer(random, 10, 60));
@@ -214,7 +217,8 @@ Object_case coplanar_sharing(Random& random, double parameter)
   const kernel::Vertex top = apex(random, plane, opposite ? 1 : -1, 32);
   // The vertex in common is 0, the edge is that from u to v.
   const int s = integer(random, 1, 3), t = integer(random, 1, 3), i = integer(random, 0, 1), j = integer(random, 0, 1);
-  const Body b = edge ? tetrahedron({u, v, *exactly(plane.at(s, t)), top}) : tetrahedron({corner, *exactly(plane.at(-s, -i)), *exactly(plane.at(-j, -t)), top});
+  const Body b = edge ? tetrahedron({u, v, *exactly(plane.at(s, t)), top})
+                      : tetrahedron({corner, *exactly(plane.at(-s, -i)), *exactly(plane.at(-j, -t)), top});
   const Exact_vector away = plane.at(edge ? hair : Rational(-hair), edge ? hair : Rational(-hair));
   const Object_case c = placed(random, a, b, moved(Pose(), away), exact_motion(random));
   if (hair == 0) return with_answer(c, true);

@@ -13,7 +13,9 @@ Pose rounded_product(const Pose& second, const Pose& first)
 {
   std::array<double, 12> entries{};
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) entries[4 * i + j] = second[4 * i] * first[j] + second[4 * i + 1] * first[4 + j] + second[4 * i + 2] * first[8 + j];
+    for (int j = 0; j < 3; ++j)
+      entries[4 * i + j] =
+          second[4 * i] * first[j] + second[4 * i + 1] * first[4 + j] + second[4 * i + 2] * first[8 + j];
   return Pose(entries);
 }
 
@@ -69,7 +71,8 @@ Object_case special_poses(Random& random, double parameter)
   std::array<double, 3> signs = {-1, -1, -1};
   signs[axis] = 1;
   if (random.bits() % 2 == 0) {
-    const Touching contact = random.bits() % 2 == 0 ? vertex_on_vertex(random, a.body, b.body, in_doubles) : vertex_on_face(random, a, b.body, in_doubles, 3);
+    const Touching contact = random.bits() % 2 == 0 ? vertex_on_vertex(random, a.body, b.body, in_doubles)
+                                                    : vertex_on_face(random, a, b.body, in_doubles, 3);
     return placed(random, contact, any_gap(random), Pose());
   }
   const Touching contact = any_contact(random, a, b, scaling(signs[0], signs[1], signs[2]));

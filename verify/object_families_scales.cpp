@@ -11,7 +11,10 @@ namespace {
 /// Blocks times this have integer coordinates.
 constexpr int grid = 6;
 
-Touching block_contact(Random& random, const Shape& a, const Shape& b) { return any_contact(random, a, b, signed_permutation(integer(random, 0, 23))); }
+Touching block_contact(Random& random, const Shape& a, const Shape& b)
+{
+  return any_contact(random, a, b, signed_permutation(integer(random, 0, 23)));
+}
 
 /// F o pose o G^-1 for F: x -> diag(2^exponents) x + to and G: x -> diag(2^exponents) x + from, each shift in all three coordinates.
 /// (2^exponents itself may be no pose: its inverse is beyond the doubles.)
@@ -29,8 +32,8 @@ Pose reframed(const Pose& pose, const std::array<int, 3>& exponents, double from
 }
 
 /// The contact opened by the gap and then seen in another frame, both bodies with it.
-Object_case framed(Random& random, const Shape& a, const Shape& b, Touching contact, const Rational& gap, const std::array<int, 3>& exponents, double shift,
-                   const Pose& common)
+Object_case framed(Random& random, const Shape& a, const Shape& b, Touching contact, const Rational& gap,
+                   const std::array<int, 3>& exponents, double shift, const Pose& common)
 {
   contact.relative = moved(contact.relative, times(gap, scaled_to_one(contact.apart)));
   const Pose relative = reframed(contact.relative, exponents, shift, shift);
@@ -147,7 +150,8 @@ Object_case extreme_exponents(Random& random, double parameter)
   }
   const int exponent = kind == 0 ? -1064 : 1020;
   const Touching contact = block_contact(random, a, b);
-  return framed(random, a, b, contact, random.bits() % 2 == 0 ? few(random, -9) : any_gap(random), {exponent, exponent, exponent}, 0, common);
+  return framed(random, a, b, contact, random.bits() % 2 == 0 ? few(random, -9) : any_gap(random),
+                {exponent, exponent, exponent}, 0, common);
 }
 
 }  // namespace tetracone::verify::object_family

@@ -75,8 +75,9 @@ std::array<Pose, 2> shear_and_inverse(Random& random, int size)
 
 Motion exact_motion(Random& random)
 {
-  constexpr std::array<Motion, 10> kinds = {Motion::identity,    Motion::identity, Motion::identity, Motion::translation, Motion::translation,
-                                            Motion::permutation, Motion::permutation, Motion::rotation, Motion::rotation, Motion::similarity};
+  constexpr std::array<Motion, 10> kinds = {
+      Motion::identity,    Motion::identity,    Motion::identity, Motion::translation, Motion::translation,
+      Motion::permutation, Motion::permutation, Motion::rotation, Motion::rotation,    Motion::similarity};
   return random.bits() % 16 == 0 ? Motion::shear : kinds[random.bits() % kinds.size()];
 }
 
@@ -118,7 +119,8 @@ Pose resting(const covering::Polyhedron& b, const Pose& turn, const Exact_vector
 Exact_vector point_on(const Shape& shape, const Face_triangle& triangle, double s, double t)
 {
   const Exact_vector p = shape.vertex(triangle.corners[0]);
-  return sum(sum(p, Rational(s), difference(shape.vertex(triangle.corners[1]), p)), Rational(t), difference(shape.vertex(triangle.corners[2]), p));
+  return sum(sum(p, Rational(s), difference(shape.vertex(triangle.corners[1]), p)), Rational(t),
+             difference(shape.vertex(triangle.corners[2]), p));
 }
 
 Exact_vector point_inside(Random& random, const Shape& shape, const Face_triangle& triangle, int bits)
@@ -242,7 +244,10 @@ Object_case placed(Random& random, const Touching& contact, const Rational& gap,
   return kind == Motion::rounded ? rounded_poses(c) : c;
 }
 
-Object_case placed(Random& random, const Touching& contact, const Rational& gap) { return placed(random, contact, gap, exact_motion(random)); }
+Object_case placed(Random& random, const Touching& contact, const Rational& gap)
+{
+  return placed(random, contact, gap, exact_motion(random));
+}
 
 Object_case placed(Random& random, const Touching& contact) { return placed(random, contact, any_gap(random)); }
 

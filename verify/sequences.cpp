@@ -55,11 +55,14 @@ std::vector<Motion_of_two> slidings(Random& random, int frames)
 
   // What stands on the floor: its lowest face, edge or vertex is on the plane in every frame, and never beyond the floor's border.
   const Pose tilted = Pose::from_quaternion(2, 1, 0, 0), any = composed(Pose::from_quaternion(3, 1, -1, 1), rational_rotation(random, 3));
-  for (const auto& [body, what] : {std::pair<std::size_t, const char*>{unit_cube_block, "cube"}, {tunnel_block, "block with a tunnel"}, {complex_block, "wedge with tunnels"}})
+  for (const auto& [body, what] : {std::pair<std::size_t, const char*>{unit_cube_block, "cube"},
+                                   {tunnel_block, "block with a tunnel"},
+                                   {complex_block, "wedge with tunnels"}})
     for (const auto& [turn, lowest_part] : {std::pair{Pose(), "face"}, {tilted, "edge"}, {any, "vertex"}}) {
       const Body b = block(body).body;
       const Pose start = standing(b, turn, vector(0, 0, 0));
-      touching(std::string(what) + " sliding on a floor, lowest " + lowest_part + " first", floor, b, [=](int k) { return moved(start, along_floor(k)); });
+      touching(std::string(what) + " sliding on a floor, lowest " + lowest_part + " first", floor, b,
+               [=](int k) { return moved(start, along_floor(k)); });
     }
   const Body mesh = meshes()[2].body;
   const Pose on_vertex = standing(mesh, rational_rotation(random, 4), vector(0, 0, 0));
@@ -67,19 +70,22 @@ std::vector<Motion_of_two> slidings(Random& random, int frames)
 
   // On a hollow top: a plate that is wider than the tunnel.
   const Body plate = a_box({-0.375, -0.375, 0}, {0.375, 0.375, 0.125}), tunnelled = block(tunnel_block).body;
-  touching("plate sliding over the mouth of a tunnel", tunnelled, plate, [=](int k) { return at(vector(-0.25 + share(k, frames) / 2, 0, 0.375)); });
+  touching("plate sliding over the mouth of a tunnel", tunnelled, plate,
+           [=](int k) { return at(vector(-0.25 + share(k, frames) / 2, 0, 0.375)); });
 
   // A vertex along an edge, a vertex through a vertex, an edge along its own line.
   const Body cube = block(unit_cube_block).body, tetrahedron_body = block(tetrahedron_block).body;
   const Exact_vector ridge_normal = vector(1, 0, 1);
   for (const auto& [body, what] : {std::pair<Body, const char*>{tetrahedron_body, "tetrahedron"}, {mesh, "mesh"}}) {
     const Pose start = resting(*body, rational_rotation(random, 4), vector(1, 0, 1), ridge_normal);
-    touching(std::string("vertex of a ") + what + " along a cube's edge", cube, body, [=](int k) { return moved(start, vector(0, share(k, frames), 0)); });
+    touching(std::string("vertex of a ") + what + " along a cube's edge", cube, body,
+             [=](int k) { return moved(start, vector(0, share(k, frames), 0)); });
   }
   // Half a turn about y puts the cube's edge through (0, y, 0) on its own line, B beyond it.
   const Pose half_turn = moved(scaling(-1, 1, -1), vector(2, 0, 2));
   touching("cube's edge along another's", cube, cube, [=](int k) { return moved(half_turn, vector(0, -1 + share(k, frames) * 2, 0)); });
-  touching("face along a face, past its edge", cube, cube, [=](int k) { return moved(at(vector(1, 0, 0)), vector(0, -1 + share(k, frames) * 2, 0)); });
+  touching("face along a face, past its edge", cube, cube,
+           [=](int k) { return moved(at(vector(1, 0, 0)), vector(0, -1 + share(k, frames) * 2, 0)); });
   return list;
 }
 
@@ -120,22 +126,33 @@ std::vector<Motion_of_two> passages(Random& random, int frames)
   const auto through = [&](const std::string& name, const Touching& contact) {
     // Touching exactly in the middle frame; one step is 2^-20 of a length of about one.
     const Exact_vector step = times(power_of_two(-20), scaled_to_one(contact.apart));
-    list.push_back({name, contact.a, contact.b, [=](int k) { return moved(contact.relative, times(Rational(middle - k), step)); }, {}, {}, 1});
+    list.push_back({name,
+                    contact.a,
+                    contact.b,
+                    [=](int k) { return moved(contact.relative, times(Rational(middle - k), step)); },
+                    {},
+                    {},
+                    1});
   };
-  through("corner down into a face", vertex_on_face(random, block(unit_cube_block), block(tetrahedron_block).body, rational_rotation(random, 4), 3));
+  through("corner down into a face", vertex_on_face(random, block(unit_cube_block), block(tetrahedron_block).body,
+                                                    rational_rotation(random, 4), 3));
   Touching crossing;
   while (!crossing.separated) crossing = edge_across_edge(random, block(unit_cube_block), block(3), rational_rotation(random, 4), 2);
   through("edge down onto an edge", crossing);
   const Exact_vector up = vector(0, 0, 1);
   through("face down onto a face", {cube, cube, at(vector(0.25, 0.25, 1)), up, true});
-  through("arrowhead down onto a block with a tunnel", {block(tunnel_block).body, block(6).body, standing(block(6).body, Pose(), vector(0, -0.5, 0.375)), up, true});
-  through("mesh down onto a face", {cube, meshes()[2].body, standing(meshes()[2].body, rational_rotation(random, 4), vector(0.5, 0.5, 1)), up, true});
+  through("arrowhead down onto a block with a tunnel",
+          {block(tunnel_block).body, block(6).body, standing(block(6).body, Pose(), vector(0, -0.5, 0.375)), up, true});
+  through("mesh down onto a face",
+          {cube, meshes()[2].body, standing(meshes()[2].body, rational_rotation(random, 4), vector(0.5, 0.5, 1)), up,
+           true});
 
   const double ulp = std::nextafter(1.0, 2.0) - 1;
   for (const double gap : {ulp, -ulp}) {
     const bool meet = gap < 0;
     const std::string by = meet ? " an ulp in" : " an ulp away";
-    list.push_back({"cube sliding on a cube," + by, cube, cube, [=](int k) { return at(vector(-0.75 + 1.5 * share(k, frames), 0.25, 1 + gap)); }, meet, meet, 0});
+    list.push_back({"cube sliding on a cube," + by, cube, cube,
+                    [=](int k) { return at(vector(-0.75 + 1.5 * share(k, frames), 0.25, 1 + gap)); }, meet, meet, 0});
     list.push_back({"tunnel sliding on a tunnel," + by, block(tunnel_block).body, block(tunnel_block).body,
                     [=](int k) { return moved(scaling(1, 1, -1), vector(-0.5 + share(k, frames), 0.125, 0.75 + gap)); }, meet, meet, 0});
   }
@@ -152,11 +169,14 @@ std::vector<Motion_of_two> enclosures(Random& random, int frames)
   for (const auto& [gap, how] : {std::pair{0.0, "along its wall"}, {hair, "a hair off its wall"}}) {
     const bool meet = gap == 0;
     const Pose start = standing(pebble, turn, vector(-0.25, 0, -0.5 + gap));
-    list.push_back({std::string("L in a cavity, ") + how, cavity, pebble, [=](int k) { return moved(start, vector(share(k, frames) / 2, 0, 0)); }, meet, meet, 0});
+    list.push_back({std::string("L in a cavity, ") + how, cavity, pebble,
+                    [=](int k) { return moved(start, vector(share(k, frames) / 2, 0, 0)); }, meet, meet, 0});
     // The tunnel is [-1/4, 1/4]^2 wide.
     const double half = 0.25 - gap;
     const Body peg = a_box({-half, -half, -0.25}, {half, half, 0.25});
-    list.push_back({std::string("peg in a tunnel, ") + how, tunnelled, peg, [=](int k) { return at(vector(0, 0, -1.5 + 3 * share(k, frames))); }, meet ? std::optional<bool>() : false, meet ? std::optional<bool>() : false,
+    list.push_back({std::string("peg in a tunnel, ") + how, tunnelled, peg,
+                    [=](int k) { return at(vector(0, 0, -1.5 + 3 * share(k, frames))); },
+                    meet ? std::optional<bool>() : false, meet ? std::optional<bool>() : false,
                     meet ? std::optional<int>() : 0});
     // In the solid, under its top.
     const Pose under = resting(*pebble, turn, vector(-0.25, 0, 1 - 0.0625 - gap), vector(0, 0, -1));

@@ -20,7 +20,7 @@ namespace {
 std::vector<Polyhedron> bodies()
 {
   Random random(1);
-  std::vector<Polyhedron> all = {unit_cube(), cube_with_cavity(), cube_with_tunnel(), star_prism(), blob(random, 6, 0.5, 1.5), random_tetrahedra(random, 30, 9)};
+  std::vector<Polyhedron> all = {unit_cube(), cube_with_cavity(), cube_with_tunnel(), star_prism(), blob(random, 4, 0.5, 1.5), random_tetrahedra(random, 30, 9)};
   all.push_back(moved(unit_cube(), 0x1p-200, {0, 0, 0}));
   all.push_back(moved(unit_cube(), 1, {0x1p40, 0, 0}));
   Polyhedron dot;
@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(every_element_is_in_one_leaf_and_in_all_boxes_above_it)
 BOOST_AUTO_TEST_CASE(nodes_are_made_when_they_are_entered)
 {
   Random random(2);
-  const Polyhedron body = blob(random, 12, 0.5, 1.5);
+  const Polyhedron body = blob(random, 4, 0.5, 1.5);
   Wide_tree lazy(body), whole(body);
   BOOST_TEST(lazy.node_count() == 1u);
   whole.make_all();

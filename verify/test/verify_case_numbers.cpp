@@ -24,7 +24,7 @@ BOOST_AUTO_TEST_CASE(an_odd_mantissa_and_a_power_of_two_make_the_number_again)
 
 BOOST_AUTO_TEST_CASE(the_identity_and_zeros_have_no_bits)
 {
-  verify::Predicate_case c;
+  verify::Predicate_case c{};
   c.v = {}, c.p = c.q = c.r = {0, 0, 0};
   BOOST_TEST(verify::bits(numbers_of(c)) == 0u);
   c.r[2] = 5;

@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(rho_and_ulps_are_those_of_rational_arithmetic)
 {
   Random random(1);
   for (int k = 0; k < 500; ++k) {
-    Predicate_case c;
+    Predicate_case c{};
     for (Vertex* x : {&c.v[0], &c.v[1], &c.v[2], &c.v[3], &c.p}) *x = real_vertex(random, 3);
     c.pose_a = k % 2 == 0 ? random_rotation(random, 3, {Rational(1) / 3, 0, 0}) : random_affine(random);
     c.pose_b = k % 3 == 0 ? rounded(random_rotation(random)) : Pose();

@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(the_same_random_state_gives_the_same_mutant)
 
 BOOST_AUTO_TEST_CASE(a_point_comes_to_where_the_other_body_has_one)
 {
-  Predicate_case c;
+  Predicate_case c{};
   c.v = {{{1, 2, 3}, {4, 5, 6}, {7, 8, 10}, {-1, 2, 8}}};
   c.p = {11, 12, 13}, c.q = {14, 15, 16}, c.r = {17, 18, 19};
   c.pose_b = Pose::translation(100, 200, 300);
@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(a_point_comes_to_where_the_other_body_has_one)
 
 BOOST_AUTO_TEST_CASE(most_mutants_differ_in_a_few_numbers)
 {
-  Predicate_case c;
+  Predicate_case c{};
   c.v = {{{0.1, 0.2, 0.3}, {1.1, 0, 0}, {0, 1.2, 0}, {0, 0, 1.3}}};
   c.p = {0.4, 0.5, 0.6};
   Random random(3);
@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE(most_mutants_differ_in_a_few_numbers)
 BOOST_AUTO_TEST_CASE(the_ends_of_the_doubles_stay_finite)
 {
   constexpr double largest = std::numeric_limits<double>::max();
-  Predicate_case c;
+  Predicate_case c{};
   c.v = {{{largest, -largest, largest}, {0x1p-1074, 0, 0}, {0, largest, 0}, {0, 0, -largest}}};
   c.p = {largest, largest, -largest};
   c.pose_b = Pose(std::array<double, 12>{largest, 0, 0, 0, 0, 0x1p-1022, 0, 0, 0, 0, 1, -largest});

@@ -32,7 +32,8 @@ bool same(const Polyhedron& a, const Polyhedron& b)
 
 bool same(const Object_case& c, const Object_case& d)
 {
-  return same(*c.a, *d.a) && same(*c.b, *d.b) && c.pose_a == d.pose_a && c.pose_b == d.pose_b && c.surface == d.surface && c.solid == d.solid;
+  return same(*c.a, *d.a) && same(*c.b, *d.b) && c.pose_a == d.pose_a && c.pose_b == d.pose_b &&
+         c.surface == d.surface && c.solid == d.solid;
 }
 
 bool is_legal(const Polyhedron& body)
@@ -69,7 +70,8 @@ Answers truth(const Object_case& c)
 const std::set<std::string_view> surfaces_never_meet = {"nested"};
 
 /// One solid may be inside the other.
-const std::set<std::string_view> of_containment = {"nested-touching", "nested", "covering-elements", "covering-apex", "winding-axis", "voxels"};
+const std::set<std::string_view> of_containment = {"nested-touching", "nested",       "covering-elements",
+                                                   "covering-apex",   "winding-axis", "voxels"};
 
 }  // namespace
 
@@ -181,8 +183,10 @@ BOOST_AUTO_TEST_CASE(contacts_touch_exactly_and_a_hair_apart_they_do_not)
   Random random(4);
   for (const Shape& a : blocks()) {
     const Shape& b = any_shape(random);
-    std::vector<Touching> contacts = {vertex_on_face(random, a, b.body, any_turn(random), 4), vertex_on_vertex(random, a.body, b.body, any_turn(random)),
-                                     vertex_on_edge(random, a, b.body, any_turn(random), 4), edge_across_edge(random, a, any_block(random), any_turn(random), 4)};
+    std::vector<Touching> contacts = {vertex_on_face(random, a, b.body, any_turn(random), 4),
+                                      vertex_on_vertex(random, a.body, b.body, any_turn(random)),
+                                      vertex_on_edge(random, a, b.body, any_turn(random), 4),
+                                      edge_across_edge(random, a, any_block(random), any_turn(random), 4)};
     for (const Touching& contact : contacts) {
       const Brute_body body_a(*contact.a), body_b(*contact.b);
       const auto meet = [&](const Rational& gap) {

@@ -295,7 +295,7 @@ BOOST_AUTO_TEST_CASE(doubles_are_wrong_in_the_families_that_are_made_for_it)
 BOOST_AUTO_TEST_CASE(the_corpus_is_of_cases_on_which_double_is_wrong)
 {
   for (std::size_t k = 0; k < predicate_corpus.size(); ++k) {
-    Predicate_case c;
+    Predicate_case c{};
     std::array<Vertex*, 7> x = {&c.v[0], &c.v[1], &c.v[2], &c.v[3], &c.p, &c.q, &c.r};
     for (int i = 0; i < 21; ++i) (*x[i / 3])[i % 3] = predicate_corpus[k][i];
     int wrong = 0;

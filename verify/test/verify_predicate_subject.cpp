@@ -118,7 +118,7 @@ int below(Random& random, int n) { return int(random.bits() % std::uint64_t(n));
 /// Points of a small grid: every degenerate position comes up by itself.
 Predicate_case grid_case(Random& random, int size)
 {
-  Predicate_case c;
+  Predicate_case c{};
   for (kernel::Vertex* v : points(c))
     for (double& x : *v) x = below(random, 2 * size + 1) - size;
   return c;
@@ -126,7 +126,7 @@ Predicate_case grid_case(Random& random, int size)
 
 Predicate_case random_case(Random& random)
 {
-  Predicate_case c;
+  Predicate_case c{};
   for (kernel::Vertex* v : points(c))
     for (double& x : *v) x = random.symmetric();
   return c;
@@ -276,7 +276,7 @@ BOOST_AUTO_TEST_CASE(every_formulation_is_right_on_a_segment_clearly_through_a_t
 
 BOOST_AUTO_TEST_CASE(only_cgal_and_we_decide_coplanar_segments)
 {
-  Predicate_case c;  // inside the triangle
+  Predicate_case c{};  // inside the triangle
   c.v = {{{9, 9, 9}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
   c.p = {1, 1, 0}, c.q = {1, 2, 0};
   for (const Predicate_subject& s : predicate_subjects()) {

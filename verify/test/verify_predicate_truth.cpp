@@ -199,7 +199,7 @@ BOOST_AUTO_TEST_CASE(the_truths_agree_on_random_cases)
 {
   Random random(2);
   const auto seen = compare(3000, [&](int k) {
-    Predicate_case c;
+    Predicate_case c{};
     const double scale = std::ldexp(1.0, integer(random, -20, 20));
     for (Vertex* x : {&c.v[0], &c.v[1], &c.v[2], &c.v[3], &c.p, &c.q, &c.r}) *x = real_vertex(random, scale);
     if (k % 2 == 0) c.pose_a = any_pose(random), c.pose_b = any_pose(random);
@@ -216,7 +216,7 @@ BOOST_AUTO_TEST_CASE(the_truths_agree_on_a_small_grid)
   // So small that points coincide, and all kinds of degenerate positions come often.
   Random random(3);
   const auto seen = compare(6000, [&](int k) {
-    Predicate_case c;
+    Predicate_case c{};
     for (Vertex* x : {&c.v[0], &c.v[1], &c.v[2], &c.v[3], &c.p, &c.q, &c.r}) *x = grid_vertex(random, 1 + k % 3);
     if (k % 4 == 0) c.pose_a = c.pose_b = any_pose(random);
     return c;
@@ -234,7 +234,7 @@ BOOST_AUTO_TEST_CASE(the_truths_agree_where_points_are_on_what_they_are_asked_ab
   // p, q and r are dyadic combinations of v with few, zero and negative weights, under a pose common to all.
   Random random(4);
   compare(3000, [&](int) {
-    Predicate_case c;
+    Predicate_case c{};
     for (Vertex& x : c.v) x = grid_vertex(random, 8);
     if (integer(random, 0, 9) == 0) c.v[3] = c.v[integer(random, 0, 2)];
     for (Vertex* x : {&c.p, &c.q, &c.r}) {
@@ -258,7 +258,7 @@ BOOST_AUTO_TEST_CASE(the_truths_agree_at_the_ends_of_the_doubles_range)
 {
   Random random(5);
   compare(800, [&](int) {
-    Predicate_case c;
+    Predicate_case c{};
     for (Vertex* x : {&c.v[0], &c.v[1], &c.v[2], &c.v[3], &c.p, &c.q, &c.r})
       for (double& coordinate : *x) {
         constexpr std::array magnitudes{0.0, 5e-324, 2e-308, 1e-200, 1.0, 1e200, 1.7e308};

@@ -116,7 +116,7 @@ Pose any_pose(Random& random)
 /// Points on a small grid, mostly degenerate; full mantissas; or full mantissas with p rounded onto a plane, an edge or a corner.
 Predicate_case any_points(Random& random)
 {
-  Predicate_case c;
+  Predicate_case c{};
   const std::size_t kind = one_of(random, 4);
   const auto point = [&]() -> Vertex {
     Vertex v;

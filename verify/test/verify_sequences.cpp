@@ -59,7 +59,8 @@ BOOST_AUTO_TEST_CASE(names_are_unique_and_frames_differ)
   std::set<std::string> names;
   for (const Sequence& sequence : sequences(1, 5)) {
     BOOST_TEST(names.insert(sequence.name).second, sequence.name);
-    for (std::size_t k = 1; k < sequence.frames.size(); ++k) BOOST_TEST(!(sequence.frames[k].pose_b == sequence.frames[k - 1].pose_b), sequence.name);
+    for (std::size_t k = 1; k < sequence.frames.size(); ++k)
+      BOOST_TEST(!(sequence.frames[k].pose_b == sequence.frames[k - 1].pose_b), sequence.name);
   }
 }
 

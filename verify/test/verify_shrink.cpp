@@ -177,7 +177,7 @@ BOOST_AUTO_TEST_CASE(a_spent_budget_gives_a_case_that_still_shows_it)
 
 BOOST_AUTO_TEST_CASE(a_predicate_keeps_only_the_points_that_matter)
 {
-  Predicate_case c;
+  Predicate_case c{};
   c.v = {{{0.1, 0.2, 0.3}, {1.1, 0.7, -0.3}, {0.3, 1.9, 0.2}, {0.25, 0.3, 1.7}}};
   c.p = {-0.1, 0.2, -1};
   c.q = {0.4, 0.1, 3.1};
@@ -199,7 +199,7 @@ BOOST_AUTO_TEST_CASE(a_triangle_and_a_segment_stay_what_they_are)
 {
   // A subject that never hits.
   const verify::Predicate_subject never{"never", false, "", [](Predicate, const Predicate_case&) -> std::optional<int> { return 0; }};
-  Predicate_case c;
+  Predicate_case c{};
   c.v = {{{9, 9, 9}, {0.1, 0.2, 0.3}, {1.1, 0.7, 0.3}, {0.3, 1.9, 0.3}}};
   c.p = {0.5, 0.75, -1.25}, c.q = {0.5, 0.75, 1.5}, c.r = {1, 2, 3};
   BOOST_REQUIRE(verify::true_answer(Predicate::segment_triangle, c) == 1);
@@ -217,7 +217,7 @@ BOOST_AUTO_TEST_CASE(a_triangle_and_a_segment_stay_what_they_are)
 BOOST_AUTO_TEST_CASE(doubles_at_the_ends_of_their_range_shrink_without_infinities)
 {
   constexpr double largest = std::numeric_limits<double>::max();
-  Predicate_case c;
+  Predicate_case c{};
   c.v = {{{largest, -largest, 0x1p-1074}, {0x1p-1074, 0, 1}, {-largest, 1, 1}, {0, 1, -largest}}};
   c.p = {largest, largest, largest};
   c.pose_b = Pose::translation(largest, -largest, 0x1p-1074);
