@@ -47,8 +47,9 @@ class Collision {
   bool operator()(const Pose& pose_a, const Pose& pose_b, Question question = Question::solid)
   {
     const Fallbacks fallbacks(counts_);
-    const auto meet = [this](const Node<B>& a, const Node<B>& b) { return leaves_meet(a, b); };
-    if (any_leaf_pair(pose_a, pose_b, meet)) return true;
+    begin(pose_a, pose_b);
+    if (roots_apart()) return false;
+    if (descend_from_roots([this](const Node<B>& a, const Node<B>& b) { return leaves_meet(a, b); })) return true;
     return question == Question::solid && (holds_a_shell(a_, b_) || holds_a_shell(b_, a_));
   }
 

@@ -22,6 +22,16 @@ struct Counts {
   std::uint64_t inclusion_tests = 0;          ///< vertices of a shell against the other solid
   std::uint64_t exact_fallbacks = 0;          ///< signs that the adaptive kernel's filter left undecided
 
+  Counts& operator+=(const Counts& other)
+  {
+    queries += other.queries, pairs_visited += other.pairs_visited, hull_tests += other.hull_tests, discarded_by_hull += other.discarded_by_hull;
+    sphere_tests += other.sphere_tests, discarded_by_sphere += other.discarded_by_sphere, tetrahedron_tests += other.tetrahedron_tests;
+    discarded_by_tetrahedron += other.discarded_by_tetrahedron, box_tests += other.box_tests, leaf_pairs += other.leaf_pairs;
+    discarded_by_box += other.discarded_by_box, edge_face_tests += other.edge_face_tests, inclusion_tests += other.inclusion_tests;
+    exact_fallbacks += other.exact_fallbacks;
+    return *this;
+  }
+
   std::uint64_t bounding_tests() const { return hull_tests + sphere_tests + tetrahedron_tests + box_tests; }
   std::uint64_t primitive_tests() const { return edge_face_tests + inclusion_tests; }
 };

@@ -269,9 +269,8 @@ class Wide_collision {
   /// the vertex is too near to the origin to tell the direction, a box about everything. `slack` is the position's error.
   static kernel::Single_box beyond(const Body& held, Index v)
   {
-    const auto& vertex = held.tree->model().vertices()[v];
-    const kernel::Local_units& units = held.tree->units();
-    const Row p = held.into_other(Row{(vertex[0] - units.origin[0]) / units.unit, (vertex[1] - units.origin[1]) / units.unit, (vertex[2] - units.origin[2]) / units.unit});
+    const kernel::Vector at = held.tree->local(v);
+    const Row p = held.into_other(Row{at[0], at[1], at[2]});
     const double error = held.into_other.error() + 0x1p-40;
     const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
     kernel::Single_box box{};

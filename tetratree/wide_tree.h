@@ -70,6 +70,15 @@ class Wide_tree {
   const kernel::Local_units& units() const { return units_; }
   bool empty() const { return elements_.empty(); }
 
+  /// A vertex in local units, off by at most 2^-52 in a coordinate.
+  kernel::Vector local(Index v) const
+  {
+    const auto& vertex = model_.vertices()[v];
+    kernel::Vector p;
+    for (int k = 0; k < 3; ++k) p[k] = (0.5 * vertex[k] - 0.5 * units_.origin[k]) / (0.5 * units_.unit);
+    return p;
+  }
+
   const Wide_node& node(Index n) const { return nodes_[n]; }
 
   /// The node of lane `lane` of node `n`, made now if it has to be. Requires a lane of more than one element. Nodes may move.
@@ -121,20 +130,15 @@ class Wide_tree {
     }
   }
 
-  /// The unit is a power of two, so that local coordinates are the models' but for one rounding of a difference.
+  /// The unit is a power of two, so that local coordinates are the model's but for the rounding of a difference. Halves, since a
+  /// difference of the largest doubles overflows.
   void choose_units()
   {
     units_.origin = model_.lattice().origin;
-    double reach = 0;
+    double half_reach = 0;
     for (const auto& v : model_.vertices())
-      for (int k = 0; k < 3; ++k) reach = std::max(reach, std::abs(v[k] - units_.origin[k]));
-    units_.unit = reach > 0 && reach < 0x1p1000 ? std::ldexp(1.0, std::max(std::ilogb(reach) + 1, -1000)) : 1;
-  }
-
-  Vector local(Index v) const
-  {
-    const auto& vertex = model_.vertices()[v];
-    return {(vertex[0] - units_.origin[0]) / units_.unit, (vertex[1] - units_.origin[1]) / units_.unit, (vertex[2] - units_.origin[2]) / units_.unit};
+      for (int k = 0; k < 3; ++k) half_reach = std::max(half_reach, std::abs(0.5 * v[k] - 0.5 * units_.origin[k]));
+    units_.unit = half_reach > 0 ? std::ldexp(1.0, std::clamp(std::ilogb(half_reach) + 2, -1000, 1023)) : 1;
   }
 
   template <class What>

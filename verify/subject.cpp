@@ -87,8 +87,9 @@ class Wide_pair : public Prepared_pair {
   }
   tetratree::Counts take_counts() override
   {
-    const tetratree::Counts counts = collision_.counts();
+    tetratree::Counts counts = collision_.counts();
     collision_.clear_counts();
+    if (of_features_) counts += of_features_->take_counts();
     return counts;
   }
   std::size_t bytes() const override { return a_.bytes() + b_.bytes(); }

@@ -76,7 +76,7 @@ std::string folder_of(const std::string& path) { return path.substr(0, path.find
 /// How far left a file stands: 0 in kernel. Tests test every folder.
 std::size_t rank_of(const std::string& path)
 {
-  if (path.starts_with("verify/test/")) return folders.size();
+  if (path.starts_with("verify/test/") || path.starts_with("verify/mutants/") || path.starts_with("verify/fuzz/")) return folders.size();
   return std::find(folders.begin(), folders.end(), folder_of(path)) - folders.begin();
 }
 

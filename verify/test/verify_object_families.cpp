@@ -1,3 +1,5 @@
+#include "verify/object_families.h"
+
 #include "verify/object_placing.h"
 
 #include "covering/check.h"

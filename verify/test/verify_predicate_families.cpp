@@ -1,3 +1,5 @@
+#include "verify/predicate_families.h"
+
 #include "kernel/number.h"
 #include "verify/families.h"
 #include "verify/predicate_corpus.h"
