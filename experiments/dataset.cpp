@@ -39,7 +39,7 @@ taken exactly: M is a true rotation only where its entries are fractions.
   vertices); `a00` .. `a23`, `b00` .. `b23`: the poses; `surface`: 1 when the two surfaces share a point; `solid`: 1 when the two solids do (touching counts, in a single
   point too; one inside the other collides, one inside the other's cavity does not); `log2_rho`, `log2_ulps`: how far from degenerate (-inf: exactly; inf: nothing near).
 - `predicates.csv`: one row a predicate and case. Points v0 v1 v2 v3 under pose a, p q r under pose b. `truth` by `predicate`: orientation: sign of
-  det[v2-v1, v3-v1, p-v1]; tetra-cone: p in the closed cone from v0 through v1 v2 v3; tetrahedron: p in the closed tetrahedron v0 v1 v2 v3; segment-triangle:
+  det[v1-p, v2-p, v3-p]; tetra-cone: p in the closed cone from v0 through v1 v2 v3; tetrahedron: p in the closed tetrahedron v0 v1 v2 v3; segment-triangle:
   the segment p q meets the triangle v1 v2 v3; solid: p inside (1), on (0) or outside (-1) the tetrahedron; classification: the triangle p q r meets the
   closed cone from v0 through v1 v2 v3.
 - `example.py`: reads the cases and counts the wrong answers of a function. Put your library in its place.

@@ -44,6 +44,9 @@ struct Batch {
   std::string family_name() const { return sequence ? "sequence " + sequence->name : std::string(family->name); }
 };
 
+/// Which relation case k is tried with: each family begins with another one.
+std::size_t relation_turn(const Batch& batch, std::uint64_t k) { return k / relation_stride + std::size_t(batch.family->number); }
+
 std::vector<Batch> batches(const Campaign& campaign, const std::vector<Sequence>& sequences)
 {
   std::vector<Batch> all;
@@ -143,7 +146,7 @@ Findings ask_predicates(const Campaign& campaign, const Batch& batch, const Done
       }
     }
     if (k % relation_stride == 0) {
-      const auto& [number, relation] = level_relations[k / relation_stride % level_relations.size()];
+      const auto& [number, relation] = level_relations[relation_turn(batch, k) % level_relations.size()];
       for (std::size_t s = 0; s < subjects.size(); ++s)
         for (const Predicate predicate : all_predicates) {
           if (!wanted(s)) continue;
@@ -212,8 +215,8 @@ Findings ask_objects(const Campaign& campaign, const Batch& batch, const Done& d
     const Placed_body a(body_a, c.pose_a), b(body_b, c.pose_b);
     const Distance away = distance(c);
     const bool try_relation = !batch.sequence && k % relation_stride == 0;
-    const std::size_t number = k / relation_stride % level_relations.size();
-    const Question of_relation = questions[k / relation_stride / level_relations.size() % 2];
+    const std::size_t number = batch.sequence ? 0 : relation_turn(batch, k) % level_relations.size();
+    const Question of_relation = questions[k / relation_stride % 2];
     std::map<Question, bool> truth;
     for (const Question question : questions) {
       truth[question] = truth_of(c, a, b, question);

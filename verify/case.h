@@ -25,7 +25,7 @@ struct Origin {
 
 /// The predicates under study. Answers are small integers; closed sets, so touching counts.
 enum class Predicate {
-  orientation,       ///< the sign of det[v1-p, v2-p, v3-p] as [v1, v2, v3, p]: -1, 0 or 1
+  orientation,       ///< the sign of det[v1-p, v2-p, v3-p], which is minus that of [v1, v2, v3, p]: -1, 0 or 1
   tetra_cone,        ///< 1 when p is in the closed cone from v0 through v1, v2, v3 (for v0..v3 in one plane: not asked)
   tetrahedron,       ///< 1 when p is in the closed tetrahedron v0 v1 v2 v3 (in one plane: not asked)
   segment_triangle,  ///< 1 when the closed segment pq and the closed triangle v1 v2 v3 share a point; either may be degenerate
