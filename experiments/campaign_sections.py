@@ -109,7 +109,7 @@ class Campaign_sections:
                 points = [(b, wrong / n) for b, (wrong, n) in sorted(bins.items()) if n >= 10]
                 if points:
                     axis.plot([b for b, _ in points], [100 * rate for _, rate in points], "o-", ms=3, lw=1.2, color=colour, label=name)
-            axis.set_xlabel(label + " of the nearest sign; leftmost: exactly degenerate")
+            axis.set_xlabel(label)
             axis.grid(True, color="#dddddd", lw=0.6)
         axes[0].set_ylabel("wrong answers, %")
         handles, names = axes[0].get_legend_handles_labels()
@@ -181,7 +181,7 @@ class Campaign_sections:
                          "segment against triangle are shown in the arithmetic they were published for.", self.subjects("predicate"), "tables/verify_subjects.csv"),
             self.section("Where each is wrong", "Share of wrong answers by family, both questions; peers answer the surface question, whatever is asked, unless they say otherwise.",
                          self.families(), "tables/verify_errors.csv"),
-            self.section("How near is too near", "Wrong answers to the surface question against the distance to degeneracy, measured exactly.", f"<figure>{self.by_distance()}</figure>", "tables/verify_distance.csv"),
+            self.section("How near is too near", "Wrong answers to the surface question against the distance of the nearest sign from degenerate, measured exactly. The leftmost point is exact degeneracy.", f"<figure>{self.by_distance()}</figure>", "tables/verify_distance.csv"),
             self.section("Which stage is to blame", "Wrong answers by the stage that made them wrong: the query is run with its first stages in the subject's arithmetic and the rest exact, "
                          "with one rounded stage more at a time.", self.stages(), "tables/verify_blame.csv"),
             self.section("Metamorphic relations", "Violations need no truth: the subject contradicts itself.", self.relations(), "tables/verify_relations.csv"),
