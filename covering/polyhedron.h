@@ -3,6 +3,7 @@
 
 #include "kernel/number.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstddef>
@@ -76,6 +77,24 @@ class Polyhedron {
   std::vector<std::size_t> loop_end_;  // loop l is corners_[loop_end_[l-1] .. loop_end_[l])
   std::vector<std::size_t> face_end_;  // face f is loops face_end_[f-1] .. face_end_[f]
 };
+
+/// Appends the vertices and the faces of `what`, which must be another polyhedron; with every loop turned round when `turned`.
+inline void append(Polyhedron& to, const Polyhedron& what, bool turned = false)
+{
+  assert(&to != &what);
+  const Index first = static_cast<Index>(to.vertices.size());
+  to.vertices.insert(to.vertices.end(), what.vertices.begin(), what.vertices.end());
+  for (Index f = 0; f < what.face_count(); ++f) {
+    std::vector<std::vector<Index>> loops;
+    for (std::size_t k = 0; k < what.loop_count(f); ++k) {
+      const Loop loop = what.loop(f, k);
+      loops.emplace_back(loop.begin(), loop.end());
+      for (Index& v : loops.back()) v += first;
+      if (turned) std::reverse(loops.back().begin(), loops.back().end());
+    }
+    to.add_face(loops);
+  }
+}
 
 /// A triangle that is part of a face; its corners are vertices of the polyhedron.
 struct Face_triangle {

@@ -90,6 +90,34 @@ class Done {
   std::map<std::tuple<std::string, std::string, std::uint64_t, std::string>, std::uint64_t> cases_;
 };
 
+/// Who is wanted for the cases of a batch: the subjects, and the truth, that have not been asked them before.
+class Wanted {
+ public:
+  template <class Subject>
+  Wanted(const Batch& batch, const std::vector<Subject>& subjects, const Done& done) : last_(batch.last)
+  {
+    for (const Subject& subject : subjects) names_.push_back(subject.name);
+    names_.push_back(truth_name);
+    for (const std::string& name : names_) next_.push_back(done.next(batch, name));
+  }
+
+  bool subject(std::size_t s, std::uint64_t k) const { return next_[s] <= k; }
+  bool truth(std::uint64_t k) const { return next_.back() <= k; }
+  bool anyone(std::uint64_t k) const { return std::ranges::any_of(next_, [k](std::uint64_t next) { return next <= k; }); }
+
+  /// When the batch is done: what each has been asked now.
+  void add_done(Findings& found) const
+  {
+    for (std::size_t s = 0; s < names_.size(); ++s)
+      if (next_[s] < last_) found.add_done(names_[s], last_ - next_[s]);
+  }
+
+ private:
+  std::vector<std::string> names_;   // the truth's is the last
+  std::vector<std::uint64_t> next_;  // the first case that each has not been asked
+  std::uint64_t last_;
+};
+
 /// Calls what() and returns its result and the nanoseconds that it took.
 template <class What>
 auto timed(const What& what)
@@ -111,33 +139,24 @@ std::optional<int> truth_of(const Predicate_case& c, Predicate predicate)
   return first;
 }
 
-std::string family_of(const Batch& batch) { return batch.family_name(); }
-
 Findings ask_predicates(const Campaign& campaign, const Batch& batch, const Done& done)
 {
-  Findings found(batch.level, family_of(batch));
+  static const std::vector<Relation> relations = predicate_relations();
+  Findings found(batch.level, batch.family_name());
   const auto& subjects = campaign.predicate_subjects;
-  std::vector<std::uint64_t> next;
-  for (const Predicate_subject& subject : subjects) next.push_back(done.next(batch, subject.name));
-  const std::uint64_t truth_next = done.next(batch, truth_name);
-  std::vector<std::pair<std::size_t, const Relation*>> level_relations;
-  for (const Relation& relation : relations())
-    if (relation.level == Level::predicate) level_relations.emplace_back(level_relations.size(), &relation);
+  const Wanted wanted(batch, subjects, done);
 
   for (std::uint64_t k = batch.first; k < batch.last; ++k) {
-    const auto wanted = [&](std::size_t s) { return next[s] <= k; };
-    bool any = truth_next <= k;
-    for (std::size_t s = 0; s < subjects.size(); ++s) any = any || wanted(s);
-    if (!any) continue;
+    if (!wanted.anyone(k)) continue;
     const Predicate_case c = batch.family->predicate_case(campaign.seed, k);
     for (const Predicate predicate : all_predicates) {
       const std::string question = verify::to_string(predicate);
       const auto truth = truth_of(c, predicate);
       if (!truth) continue;
-      if (truth_next <= k) found.add_truth(question, *truth > 0, false);
+      if (wanted.truth(k)) found.add_truth(question, *truth > 0, false);
       const Distance away = distance(predicate, c);
       for (std::size_t s = 0; s < subjects.size(); ++s) {
-        if (!wanted(s)) continue;
+        if (!wanted.subject(s, k)) continue;
         const auto [value, ns] = timed([&] { return subjects[s].answer(predicate, c); });
         if (!value) continue;  // another predicate's formulation
         const Findings::Answer answer{value, false};
@@ -146,20 +165,20 @@ Findings ask_predicates(const Campaign& campaign, const Batch& batch, const Done
       }
     }
     if (k % relation_stride == 0) {
-      const auto& [number, relation] = level_relations[relation_turn(batch, k) % level_relations.size()];
+      const std::size_t number = relation_turn(batch, k) % relations.size();
+      const Relation& relation = relations[number];
       for (std::size_t s = 0; s < subjects.size(); ++s)
         for (const Predicate predicate : all_predicates) {
-          if (!wanted(s)) continue;
+          if (!wanted.subject(s, k)) continue;
           Random random = random_of(c.origin, number);
-          const Verdict verdict = check(*relation, c, predicate, subjects[s], random);
+          const Verdict verdict = check(relation, c, predicate, subjects[s], random);
           if (verdict == Verdict::not_applicable) continue;  // most relations are about one predicate
-          found.add_relation(std::string(relation->name), subjects[s].name, verify::to_string(predicate), true, verdict == Verdict::violated);
+          found.add_relation(std::string(relation.name), subjects[s].name, verify::to_string(predicate), true,
+                             verdict == Verdict::violated);
         }
     }
   }
-  for (std::size_t s = 0; s < subjects.size(); ++s)
-    if (next[s] < batch.last) found.add_done(subjects[s].name, batch.last - next[s]);
-  if (truth_next < batch.last) found.add_done(truth_name, batch.last - truth_next);
+  wanted.add_done(found);
   return found;
 }
 
@@ -193,38 +212,31 @@ Findings::Answer as_answer(Outcome outcome)
 
 Findings ask_objects(const Campaign& campaign, const Batch& batch, const Done& done, Answerings& answerings)
 {
-  Findings found(batch.level, family_of(batch));
+  static const std::vector<Relation> relations = object_relations();
+  Findings found(batch.level, batch.family_name());
   const auto& subjects = campaign.object_subjects;
-  std::vector<std::uint64_t> next;
-  for (const Object_subject& subject : subjects) next.push_back(done.next(batch, subject.name));
-  const std::uint64_t truth_next = done.next(batch, truth_name);
-  std::vector<const Relation*> level_relations;
-  for (const Relation& relation : relations())
-    if (relation.level == Level::object) level_relations.push_back(&relation);
+  const Wanted wanted(batch, subjects, done);
   // Answer after answer in a sequence, by subject and question: to count its changes.
   std::map<std::pair<std::size_t, Question>, std::vector<int>> answers;
   std::map<Question, std::vector<int>> truths;
 
   for (std::uint64_t k = batch.first; k < batch.last; ++k) {
-    const auto wanted = [&](std::size_t s) { return next[s] <= k; };
-    bool any = truth_next <= k;
-    for (std::size_t s = 0; s < subjects.size(); ++s) any = any || wanted(s);
-    if (!any) continue;
+    if (!wanted.anyone(k)) continue;
     const Object_case c = batch.sequence ? batch.sequence->frames[k] : batch.family->object_case(campaign.seed, k);
     const Brute_body body_a(*c.a), body_b(*c.b);
     const Placed_body a(body_a, c.pose_a), b(body_b, c.pose_b);
     const Distance away = distance(c);
     const bool try_relation = !batch.sequence && k % relation_stride == 0;
-    const std::size_t number = batch.sequence ? 0 : relation_turn(batch, k) % level_relations.size();
+    const std::size_t number = batch.sequence ? 0 : relation_turn(batch, k) % relations.size();
     const Question of_relation = questions[k / relation_stride % 2];
     std::map<Question, bool> truth;
     for (const Question question : questions) {
       truth[question] = truth_of(c, a, b, question);
-      if (truth_next <= k) found.add_truth(name_of(question), truth[question], c.known(question).has_value());
+      if (wanted.truth(k)) found.add_truth(name_of(question), truth[question], c.known(question).has_value());
       truths[question].push_back(truth[question]);
     }
     for (std::size_t s = 0; s < subjects.size(); ++s) {
-      if (!wanted(s)) continue;
+      if (!wanted.subject(s, k)) continue;
       const std::string& name = subjects[s].name;
       for (const Question question : questions) {
         const auto [outcome, ns] = timed([&] { return (*answerings[s])(c, question); });
@@ -238,8 +250,8 @@ Findings ask_objects(const Campaign& campaign, const Batch& batch, const Done& d
       }
       if (!try_relation) continue;
       Random random = random_of(c.origin, number);
-      const Verdict verdict = check(*level_relations[number], c, of_relation, *answerings[s], random);
-      found.add_relation(std::string(level_relations[number]->name), name, name_of(of_relation), verdict != Verdict::not_applicable,
+      const Verdict verdict = check(relations[number], c, of_relation, *answerings[s], random);
+      found.add_relation(std::string(relations[number].name), name, name_of(of_relation), verdict != Verdict::not_applicable,
                          verdict == Verdict::violated);
     }
   }
@@ -256,9 +268,7 @@ Findings ask_objects(const Campaign& campaign, const Batch& batch, const Done& d
       for (std::size_t k = 0; k < given.size(); ++k) wrong += given[k] != right[k];
       found.add_flips(subjects[asked.first].name, name_of(asked.second), int(given.size()), wrong, changes(given), changes(right));
     }
-  for (std::size_t s = 0; s < subjects.size(); ++s)
-    if (next[s] < batch.last) found.add_done(subjects[s].name, batch.last - next[s]);
-  if (truth_next < batch.last) found.add_done(truth_name, batch.last - truth_next);
+  wanted.add_done(found);
   return found;
 }
 

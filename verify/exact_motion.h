@@ -3,6 +3,7 @@
 
 #include "kernel/number.h"
 #include "kernel/pose.h"
+#include "verify/exact_map.h"
 #include "verify/random.h"
 
 #include <algorithm>
@@ -176,23 +177,20 @@ inline std::optional<kernel::Pose> seen_from(const kernel::Pose& pose, const ker
 }
 
 /// The translation of a pose times 2^exponent: with every point scaled likewise, the pose's images are. A pose of doubles stays one.
+/// Nothing when 2^exponent is no double.
 inline std::optional<kernel::Pose> scaled(const kernel::Pose& pose, int exponent)
 {
+  const double power = std::ldexp(1.0, exponent);
+  if (power == 0 || !std::isfinite(power)) return std::nullopt;
   Entries m = entries_of(pose);
-  const kernel::Rational factor(std::ldexp(1.0, exponent));
-  for (int row = 0; row < 3; ++row) m[4 * row + 3] *= factor;
+  for (int row = 0; row < 3; ++row) m[4 * row + 3] *= kernel::Rational(power);
   return exact_pose(m, pose.is_rational());
 }
 
 /// The image of a point.
 inline std::optional<kernel::Vertex> exact_image(const kernel::Pose& pose, const kernel::Vertex& v)
 {
-  return each_coordinate([&](int row) -> std::optional<double> {
-    kernel::Rational sum = pose.exact(4 * row + 3);
-    for (int k = 0; k < 3; ++k) sum += pose.exact(4 * row + k) * kernel::Rational(v[k]);
-    const double nearest = kernel::nearest_double(sum);
-    return std::isfinite(nearest) && kernel::Rational(nearest) == sum ? std::optional(nearest) : std::nullopt;
-  });
+  return object_family::exactly(object_family::image(pose, object_family::exact(v)));
 }
 
 /// The largest absolute coordinate.

@@ -4,7 +4,8 @@
 #include "verify/case.h"
 #include "verify/random.h"
 
-/// The generators of `object_generators`, by theme: object_families_THEME.cpp.
+/// The families' object level, each by the name that it has in `families()`, by theme: object_families_THEME.cpp. Random state and
+/// parameter in, all but `origin` out.
 namespace tetracone::verify::object_family {
 
 using Generator = Object_case(Random&, double);

@@ -129,13 +129,7 @@ Object_case covering_apex(Random& random, double parameter)
   const auto spike = [&](const std::array<Exact_vector, 4>& corners, covering::Polyhedron& body) {
     std::array<kernel::Vertex, 4> v;
     for (int i = 0; i < 4; ++i) v[i] = *exactly(corners[i]);
-    const Body part = tetrahedron(v);
-    const Index first = body.vertices.size();
-    body.vertices.insert(body.vertices.end(), part->vertices.begin(), part->vertices.end());
-    for (Index f = 0; f < 4; ++f) {
-      const covering::Loop loop = part->loop(f, 0);
-      body.add_polygon({first + loop[0], first + loop[1], first + loop[2]});
-    }
+    append(body, *tetrahedron(v));
   };
   covering::Polyhedron body;
   Exact_vector p = integer_direction(random, 4), q = integer_direction(random, 4), r = integer_direction(random, 4);

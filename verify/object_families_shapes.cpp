@@ -49,20 +49,6 @@ Object_case near_point(Random& random, const Body& a, const Shape& b, const Exac
 
 Exact_vector middle(const Vertex& a, const Vertex& b) { return times(Rational(1) / 2, sum(exact(a), exact(b))); }
 
-void append(Polyhedron& to, const Polyhedron& what)
-{
-  const Index first = to.vertices.size();
-  to.vertices.insert(to.vertices.end(), what.vertices.begin(), what.vertices.end());
-  for (Index f = 0; f < what.face_count(); ++f) {
-    std::vector<std::vector<Index>> loops;
-    for (std::size_t l = 0; l < what.loop_count(f); ++l) {
-      loops.emplace_back();
-      for (const Index v : what.loop(f, l)) loops.back().push_back(first + v);
-    }
-    to.add_face(loops);
-  }
-}
-
 }  // namespace
 
 /// A tetrahedron with an edge broken at its middle, h ulps off the edge, and the sliver between. B is at the break or h ulps off it.

@@ -29,25 +29,22 @@ Predicate_case vertex_on_vertex(Random& random, double pose)
   });
 }
 
-Predicate_case vertex_on_edge(Random& random, double k)
+namespace {
+
+/// A vertex in the simplex of the first `corners` of v1 v2 v3, at coordinates of so many bits.
+Predicate_case vertex_on_element(Random& random, int corners, int bits)
 {
   return settled([&] {
-    const int bits = static_cast<int>(k);
     const Tetra v = tetrahedron_for(random, bits);
-    const Point x = element_point(random, v, 2, bits);
+    const Point x = element_point(random, v, corners, bits);
     return contact(random, v, x, any_frames(random));
   });
 }
 
-Predicate_case vertex_on_face(Random& random, double k)
-{
-  return settled([&] {
-    const int bits = static_cast<int>(k);
-    const Tetra v = tetrahedron_for(random, bits);
-    const Point x = element_point(random, v, 3, bits);
-    return contact(random, v, x, any_frames(random));
-  });
-}
+}  // namespace
+
+Predicate_case vertex_on_edge(Random& random, double k) { return vertex_on_element(random, 2, static_cast<int>(k)); }
+Predicate_case vertex_on_face(Random& random, double k) { return vertex_on_element(random, 3, static_cast<int>(k)); }
 
 Predicate_case edge_across_edge(Random& random, double k)
 {
@@ -76,10 +73,7 @@ Predicate_case edge_across_edge(Random& random, double k)
       case 2: scene.p = outward(random, v, x), scene.q = outward(random, v, x); break;
       default: break;
     }
-    relabel(random, scene);
-    auto c = placed_somehow(scene, any_frames(random));
-    if (c) nudge(random, *c, ulps);
-    return c;
+    return finished(random, scene, ulps);
   });
 }
 
@@ -92,9 +86,7 @@ Predicate_case edge_along_edge(Random& random, double overlap)
     if (one_in(random, 4)) std::swap(scene.p, scene.q);
     relabel(random, scene);
     const int ulps = one_in(random, 4) ? sign(random) : 0;
-    auto c = placed_somehow(scene, any_frames(random));
-    if (c) nudge(random, *c, ulps);
-    return c;
+    return finished(random, scene, any_frames(random), ulps);
   });
 }
 
@@ -124,9 +116,7 @@ Predicate_case edge_in_face_plane(Random& random, double kind)
     scene.r = outward(random, v, on_edge);
     const int ulps = one_in(random, 4) ? sign(random) : 0;
     if (one_in(random, 2)) relabel(random, scene);
-    auto c = placed_somehow(scene, any_frames(random));
-    if (c) nudge(random, *c, ulps);
-    return c;
+    return finished(random, scene, any_frames(random), ulps);
   });
 }
 
@@ -185,9 +175,7 @@ Predicate_case face_on_face(Random& random, double overlap)
     Scene scene = coplanar(random, v, static_cast<Sharing>(kind % 6), kind >= 6);
     const int ulps = one_in(random, 4) ? sign(random) : 0;
     if (one_in(random, 4)) relabel(random, scene);
-    auto c = placed_somehow(scene, any_frames(random));
-    if (c) nudge(random, *c, ulps);
-    return c;
+    return finished(random, scene, any_frames(random), ulps);
   });
 }
 
@@ -201,9 +189,7 @@ Predicate_case coplanar_sharing(Random& random, double what)
     Scene scene = coplanar(random, v, sharing, alike, apart);
     const int ulps = one_in(random, 3) ? sign(random) : 0;
     if (one_in(random, 4)) relabel(random, scene);
-    auto c = placed_somehow(scene, any_frames(random));
-    if (c) nudge(random, *c, ulps);
-    return c;
+    return finished(random, scene, any_frames(random), ulps);
   });
 }
 
@@ -220,10 +206,7 @@ Predicate_case t_junctions(Random& random, double k)
       scene.q = outward(random, v, scene.p);
     }
     const int ulps = moved_aside(random, scene);
-    relabel(random, scene);
-    auto c = placed_somehow(scene, any_frames(random));
-    if (c) nudge(random, *c, ulps);
-    return c;
+    return finished(random, scene, ulps);
   });
 }
 

@@ -27,9 +27,7 @@ Predicate_case covering_elements(Random& random, double element)
     }
     const int ulps = one_in(random, 3) ? any_of(random, std::array{-2, -1, 1, 2}) : 0;
     if (!of_cone) relabel(random, scene);  // the covering has the tetrahedron's edges and facets, whatever they are called
-    auto c = placed_somehow(scene, any_frames(random));
-    if (c) nudge(random, *c, ulps);
-    return c;
+    return finished(random, scene, any_frames(random), ulps);
   });
 }
 
@@ -55,10 +53,7 @@ Predicate_case covering_apex(Random& random, double position)
       case 5: ulps = sign(random); break;
       default: break;
     }
-    relabel(random, scene);
-    auto c = placed_somehow(scene, any_frames(random));
-    if (c) nudge(random, *c, ulps);
-    return c;
+    return finished(random, scene, ulps);
   });
 }
 
@@ -80,9 +75,7 @@ Predicate_case winding_axis(Random& random, double element)
     const int ulps = one_in(random, 4) ? sign(random) : 0;
     relabel(random, scene);
     const Frame_kind kind = any_of(random, std::array{Frame_kind::identity, Frame_kind::translation, Frame_kind::permutation});
-    auto c = placed_somehow(scene, frames(random, kind));
-    if (c) nudge(random, *c, ulps);
-    return c;
+    return finished(random, scene, frames(random, kind), ulps);
   });
 }
 

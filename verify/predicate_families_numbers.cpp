@@ -61,10 +61,7 @@ Predicate_case mixed_scales(Random& random, double s)
   const Rational factor = power_of_two(static_cast<int>(s));
   return settled([&]() -> std::optional<Predicate_case> {
     // The contact is the origin, where both sizes are at home; what is common moves it anywhere.
-    Tetra v = tetrahedron(random, 8);
-    const int corners = integer(random, 1, 3);
-    const Point contact = element_point(random, v, corners, 4);
-    for (Point& x : v) x = difference(x, contact);
+    const Tetra v = tetrahedron_at_origin(random);
     Scene scene{v, Point{0, 0, 0}, {}, {}};
     complete(random, scene);
     const int ulps = moved_aside(random, scene);
@@ -74,10 +71,7 @@ Predicate_case mixed_scales(Random& random, double s)
     } else {
       scene.q = times(factor, scene.q), scene.r = times(factor, scene.r);
     }
-    relabel(random, scene);
-    auto c = placed_somehow(scene, any_frames(random));
-    if (c) nudge(random, *c, ulps);
-    return c;
+    return finished(random, scene, ulps);
   });
 }
 
@@ -123,10 +117,7 @@ Predicate_case exponent_gate(Random& random, double kind)
   }
   // Both ends: A at 2^110, B about the contact at 2^-110, or the other way round.
   return settled([&]() -> std::optional<Predicate_case> {
-    Tetra v = tetrahedron(random, 8);
-    const int corners = integer(random, 1, 3);
-    const Point contact = element_point(random, v, corners, 4);
-    for (Point& x : v) x = difference(x, contact);
+    const Tetra v = tetrahedron_at_origin(random);
     Scene scene{v, Point{0, 0, 0}, {}, {}};
     complete(random, scene);
     moved_aside(random, scene);
@@ -165,10 +156,7 @@ Predicate_case extreme_exponents(Random& random, double kind)
     return c;
   }
   return settled([&]() -> std::optional<Predicate_case> {
-    Tetra v = tetrahedron(random, 8);
-    const int corners = integer(random, 1, 3);
-    const Point contact = element_point(random, v, corners, 4);
-    for (Point& x : v) x = difference(x, contact);
+    const Tetra v = tetrahedron_at_origin(random);
     Scene scene{v, Point{0, 0, 0}, {}, {}};
     complete(random, scene, 4);
     const bool a_is_big = one_in(random, 2), at_contact = one_in(random, 2);

@@ -17,14 +17,12 @@ Point quarters(Random& random, const Tetra& v)
 }
 
 /// p is done; q and r as if it were on the boundary.
-std::optional<Predicate_case> finished(Random& random, const Tetra& v, const Point& p, const Frames& frames, int ulps = 0)
+std::optional<Predicate_case> completed(Random& random, const Tetra& v, const Point& p, const Frames& frames, int ulps = 0)
 {
   Scene scene{v, p, {}, {}};
   complete(random, scene);
   relabel(random, scene);
-  auto c = placed_somehow(scene, frames);
-  if (c) nudge(random, *c, ulps);
-  return c;
+  return finished(random, scene, frames, ulps);
 }
 
 }  // namespace
@@ -66,7 +64,7 @@ Predicate_case ulps_off_plane(Random& random, double ulps)
     const int corners = integer(random, 2, 3);
     const Point x = element_point(random, v, corners, 4);
     const Frames f = any_frames(random);
-    return finished(random, v, x, f, sign(random) * static_cast<int>(ulps));
+    return completed(random, v, x, f, sign(random) * static_cast<int>(ulps));
   });
 }
 
@@ -77,7 +75,7 @@ Predicate_case perturbed_zero(Random& random, double q)
     const Tetra v = tetrahedron(random, 8);
     const int corners = integer(random, 1, 3);
     const Point x = element_point(random, v, corners, 4);
-    return finished(random, v, x, f);
+    return completed(random, v, x, f);
   });
   if (std::isinf(q)) return c;
   const double share = sign(random) * std::ldexp(1.0, -static_cast<int>(q));
@@ -135,9 +133,7 @@ Predicate_case coplanar_parallelogram(Random& random, double bits)
     const int ulps = one_in(random, 3) ? sign(random) : 0;
     relabel(random, scene);
     const Frames f = any_frames(random);
-    auto c = placed(scene, Frames{{}, {}, f.common, 1});
-    if (c) nudge(random, *c, ulps);
-    return c;
+    return finished(random, scene, Frames{{}, {}, f.common, 1}, ulps);
   });
 }
 
@@ -145,11 +141,10 @@ Predicate_case ulp_walk(Random& random, double axes)
 {
   const Frames f = frames(random, any_of(random, std::array{Frame_kind::identity, Frame_kind::permutation, Frame_kind::rounded_rotation}));
   Predicate_case c = settled([&] {
-    Tetra v = tetrahedron(random, 24);
-    const int corners = integer(random, 1, 3);
-    const Point contact = element_point(random, v, corners, 4), x = {Rational(0.5), Rational(0.5), Rational(0.5)};
-    for (Point& corner : v) corner = sum(x, difference(corner, contact));
-    return finished(random, v, x, f);
+    Tetra v = tetrahedron_at_origin(random, 24);
+    const Point x = {Rational(0.5), Rational(0.5), Rational(0.5)};
+    for (Point& corner : v) corner = sum(x, corner);
+    return completed(random, v, x, f);
   });
   // Kettner's patch: 256 x 256 doubles, the contact in its middle. At 1/2 they are finer than the differences from A's corners.
   for (int k = 0; k < 2; ++k) {
@@ -191,10 +186,7 @@ Predicate_case non_planar_quads(Random& random, double ulps)
     complete(random, scene);
     if (one_in(random, 3)) scene.q = v[1];  // the other diagonal
     const int off = sign(random) * static_cast<int>(ulps);
-    relabel(random, scene);
-    auto c = placed_somehow(scene, any_frames(random));
-    if (c) nudge(random, *c, off);
-    return c;
+    return finished(random, scene, off);
   });
 }
 

@@ -62,10 +62,7 @@ Predicate_case nested_touching(Random& random, double dimension)
       scene.q = in_plane(v, 3, Rational(-1) / 2), scene.r = in_plane(v, Rational(-1) / 2, 3);
     }
     const int ulps = one_in(random, 2) ? any_of(random, std::array{-2, -1, 1, 2}) : 0;
-    relabel(random, scene);
-    auto c = placed_somehow(scene, any_frames(random));
-    if (c) nudge(random, *c, ulps);
-    return c;
+    return finished(random, scene, ulps);
   });
 }
 
@@ -73,11 +70,8 @@ Predicate_case nested(Random& random, double distance)
 {
   return settled([&]() -> std::optional<Predicate_case> {
     // About the origin, on an element of A, so that what is far off rounds nothing away.
-    Tetra v = tetrahedron(random, 8);
-    const int corners = integer(random, 1, 3);
-    const Point contact = element_point(random, v, corners, 4), inner = inner_point(random, v), x{0, 0, 0};
-    for (Point& corner : v) corner = difference(corner, contact);
-    const Point inward = difference(inner, contact);
+    const Tetra v = tetrahedron_at_origin(random);
+    const Point inward = inner_point(random, v), x{0, 0, 0};
     Scene scene{v, {}, {}, {}};
     if (one_in(random, 2)) {
       // B is inside.
@@ -119,10 +113,7 @@ Predicate_case cavity_wall(Random& random, double genus)
     // An edge along the wall.
     Scene scene{v, x, in_plane(v, Rational(integer(random, -1, 4)) / 4, Rational(1) / 8), outward(random, v, x)};
     const int ulps = one_in(random, 2) ? any_of(random, std::array{-2, -1, 1, 2}) : 0;
-    relabel(random, scene);
-    auto c = placed_somehow(scene, any_frames(random));
-    if (c) nudge(random, *c, ulps);
-    return c;
+    return finished(random, scene, ulps);
   });
 }
 
@@ -151,10 +142,7 @@ Predicate_case duplicates(Random& random, double what)
     if (one_in(random, 4)) std::swap(scene.p, scene.q);
     const int ulps = moved_aside(random, scene);
     if (one_in(random, 4)) scene.q = outward(random, v, v[1]), scene.r = outward(random, v, v[1]);
-    relabel(random, scene);
-    auto c = placed_somehow(scene, any_frames(random));
-    if (c) nudge(random, *c, ulps);
-    return c;
+    return finished(random, scene, ulps);
   });
 }
 
@@ -199,10 +187,7 @@ Predicate_case tangent_fan(Random& random, double valence)
     scene.q = rim(m, other), scene.r = rim(m + 1, other);
     if (one_in(random, 4)) scene.r = Point{0, 0, 1};
     const int ulps = moved_aside(random, scene);
-    relabel(random, scene);
-    auto c = placed_somehow(scene, any_frames(random));
-    if (c) nudge(random, *c, ulps);
-    return c;
+    return finished(random, scene, ulps);
   });
 }
 

@@ -74,10 +74,7 @@ Predicate_case nearly_collinear(Random& random, double ulps)
     if (one_in(random, 4)) scene.q = between(v[1], v[2], Rational(integer(random, -2, 4)) / 2);
     if (one_in(random, 4)) scene.p = between(apex, scene.p, Rational(integer(random, 1, 3)) / 2);
     const int off = any_of(random, std::array{0, 0, 0, 0, -4, -1, 1, 4});
-    relabel(random, scene);
-    auto c = placed_somehow(scene, any_frames(random));
-    if (c) nudge(random, *c, off);
-    return c;
+    return finished(random, scene, off);
   });
 }
 
@@ -103,10 +100,7 @@ Predicate_case degenerate_face(Random& random, double kind)
     }
     const int ulps = one_in(random, 4) ? sign(random) : 0;
     // Elsewhere the face is one of the three through v0.
-    relabel(random, scene);
-    auto c = placed_somehow(scene, any_frames(random));
-    if (c) nudge(random, *c, ulps);
-    return c;
+    return finished(random, scene, ulps);
   });
 }
 
@@ -135,10 +129,7 @@ Predicate_case near_parallel_edges(Random& random, double a)
       case 5: scene.p = end(1); break;
       default: break;
     }
-    relabel(random, scene);
-    auto c = placed_somehow(scene, any_frames(random));
-    if (c) nudge(random, *c, ulps);
-    return c;
+    return finished(random, scene, ulps);
   });
 }
 

@@ -30,6 +30,15 @@ Tetra tetrahedron(Random& random, int size, bool anchored)
   }
 }
 
+Tetra tetrahedron_at_origin(Random& random, int size)
+{
+  Tetra v = tetrahedron(random, size);
+  const int corners = integer(random, 1, 3);
+  const Point contact = element_point(random, v, corners, 4);
+  for (Point& corner : v) corner = difference(corner, contact);
+  return v;
+}
+
 Tetra tetrahedron_for(Random& random, int bits) { return tetrahedron(random, bits > 40 ? 1 : 8, true); }
 
 Point inner_point(Random& random, const Tetra& v)
@@ -234,17 +243,26 @@ std::optional<Predicate_case> placed_somehow(const Scene& scene, const Frames& f
   return c ? c : placed(scene, Frames{{}, {}, frames.common, 1});
 }
 
+std::optional<Predicate_case> finished(Random& random, const Scene& scene, const Frames& frames, int ulps)
+{
+  auto c = placed_somehow(scene, frames);
+  if (c) nudge(random, *c, ulps);
+  return c;
+}
+
+std::optional<Predicate_case> finished(Random& random, Scene scene, int ulps)
+{
+  relabel(random, scene);
+  return finished(random, scene, any_frames(random), ulps);
+}
+
 Predicate_case placed_nearly(const Scene& scene, const Frames& frames) { return *with_points(scene, frames, false); }
 
 Predicate_case rescaled(Predicate_case c, int exponent)
 {
   for (Vertex* x : {&c.v[0], &c.v[1], &c.v[2], &c.v[3], &c.p, &c.q, &c.r})
     for (double& coordinate : *x) coordinate = std::ldexp(coordinate, exponent);
-  for (Pose* pose : {&c.pose_a, &c.pose_b}) {
-    std::array<Rational, 12> entries;
-    for (int k = 0; k < 12; ++k) entries[k] = k % 4 == 3 ? Rational(pose->exact(k) * power_of_two(exponent)) : pose->exact(k);
-    *pose = Pose(entries);
-  }
+  for (Pose* pose : {&c.pose_a, &c.pose_b}) *pose = scaled(*pose, exponent).value();
   return c;
 }
 
@@ -254,9 +272,7 @@ std::optional<Predicate_case> contact(Random& random, const Tetra& v, const Poin
   complete(random, scene, grid);
   const int ulps = moved_aside(random, scene, grid);
   relabel(random, scene);
-  auto c = placed_somehow(scene, frames);
-  if (c) nudge(random, *c, ulps);
-  return c;
+  return finished(random, scene, frames, ulps);
 }
 
 Predicate_case any_contact(Random& random, const Frames& frames)

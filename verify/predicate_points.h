@@ -60,6 +60,9 @@ Point mantissa_point(Random& random, int bits);
 /// Four integer corners whose determinant is at least size^3 / 4, and not 0. The second is the origin when `anchored`.
 Tetra tetrahedron(Random& random, int size, bool anchored = false);
 
+/// A tetrahedron with the origin on its boundary: at v1, on the edge v1 v2 or in the face v1 v2 v3, at coordinates of few bits.
+Tetra tetrahedron_at_origin(Random& random, int size = 8);
+
 /// A tetrahedron with v1 = 0 on which points with `bits` binary places are doubles: few bits of its own when they need many.
 Tetra tetrahedron_for(Random& random, int bits);
 
@@ -124,6 +127,12 @@ std::optional<Predicate_case> placed(const Scene& scene, const Frames& frames);
 
 /// The same, all points in one frame where theirs cannot have them.
 std::optional<Predicate_case> placed_somehow(const Scene& scene, const Frames& frames);
+
+/// The same, and at last p changed by `ulps`, as `nudge` does.
+std::optional<Predicate_case> finished(Random& random, const Scene& scene, const Frames& frames, int ulps);
+
+/// The same, relabelled before, in any frames.
+std::optional<Predicate_case> finished(Random& random, Scene scene, int ulps);
 
 /// The nearest doubles in the frames: what was exact is so but for an ulp or two.
 Predicate_case placed_nearly(const Scene& scene, const Frames& frames);

@@ -1,5 +1,7 @@
 #include "covering/check.h"
 
+#include "verify/test/scenes.h"
+
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
@@ -12,6 +14,7 @@
 
 using namespace tetracone::covering;
 using tetracone::kernel::Rational;
+namespace scenes = tetracone::verify::scenes;
 
 namespace {
 
@@ -36,38 +39,6 @@ Polyhedron cube()
   Polyhedron polyhedron;
   add_cube(polyhedron, 0, 1);
   return polyhedron;
-}
-
-/// The frame [0,3]x[0,3]x[0,1] with the tunnel [1,2]x[1,2]: two holed faces.
-Polyhedron frame()
-{
-  Polyhedron p;
-  for (const double z : {0, 1})
-    for (const auto& [u, v] : {std::pair{0, 0}, {3, 0}, {3, 3}, {0, 3}, {1, 1}, {2, 1}, {2, 2}, {1, 2}})
-      p.vertices.push_back({double(u), double(v), z});
-  p.add_face({{0, 3, 2, 1}, {4, 5, 6, 7}});
-  p.add_face({{8, 9, 10, 11}, {15, 14, 13, 12}});
-  for (Index k = 0; k < 4; ++k) {
-    const Index next = (k + 1) % 4;
-    p.add_polygon({k, next, 8 + next, 8 + k});
-    p.add_polygon({4 + next, 4 + k, 12 + k, 12 + next});
-  }
-  return p;
-}
-
-/// A torus of n x m quads; its vertices lie on no common planes.
-Polyhedron torus(Index n, Index m)
-{
-  Polyhedron p;
-  for (Index i = 0; i < n; ++i)
-    for (Index j = 0; j < m; ++j) {
-      const double a = 2 * M_PI * i / n, b = 2 * M_PI * j / m, r = 3 + std::cos(b);
-      p.vertices.push_back({r * std::cos(a), r * std::sin(a), std::sin(b)});
-    }
-  for (Index i = 0; i < n; ++i)
-    for (Index j = 0; j < m; ++j)
-      p.add_polygon({i * m + j, (i + 1) % n * m + j, (i + 1) % n * m + (j + 1) % m, i * m + (j + 1) % m});
-  return p;
 }
 
 /// The definition, by the letter.
@@ -114,7 +85,7 @@ BOOST_AUTO_TEST_CASE(a_cube_is_a_cube)
 
 BOOST_AUTO_TEST_CASE(holed_faces_count_for_the_genus)
 {
-  const Check c = check(frame());
+  const Check c = check(scenes::square_frame());
   BOOST_TEST(c.closed);
   BOOST_TEST((c.volume.value() == 8));
   BOOST_TEST(c.hole_loops == 2u);
@@ -126,7 +97,7 @@ BOOST_AUTO_TEST_CASE(holed_faces_count_for_the_genus)
 
 BOOST_AUTO_TEST_CASE(a_torus_has_genus_one_and_no_planar_face)
 {
-  const Check c = check(torus(7, 5));
+  const Check c = check(scenes::torus(7, 5));
   BOOST_TEST(c.closed);
   BOOST_TEST(c.shells.at(0).genus.value() == 1u);
   BOOST_TEST((c.orientation == Orientation::outward));
@@ -320,7 +291,7 @@ BOOST_AUTO_TEST_CASE(planarity_is_the_same_for_every_order_of_corners)
 
 BOOST_AUTO_TEST_CASE(a_hole_off_the_plane_of_its_face_counts)
 {
-  Polyhedron p = frame();
+  Polyhedron p = scenes::square_frame();
   p.vertices[4][2] = -0.5;
   const Check c = check(p);
   BOOST_REQUIRE(!c.off_plane.empty());

@@ -23,19 +23,9 @@ Read_model read_text(const std::string& suffix, const std::string& text)
   return read_model(file.path());
 }
 
-/// The error's message behind the file's path.
 std::string error_of(const std::string& suffix, const std::string& text)
 {
-  const Temporary_file file("model" + suffix, text);
-  try {
-    read_model(file.path());
-  } catch (const Input_error& error) {
-    const std::string message = error.what();
-    BOOST_TEST(message.starts_with(file.path().native()));
-    BOOST_TEST(message.find('\n') == std::string::npos);
-    return message.substr(file.path().native().size());
-  }
-  return "no error";
+  return tetracone::verify::error_of(Temporary_file("model" + suffix, text), [](const auto& path) { read_model(path); });
 }
 
 bool fails_at(const std::string& error, const std::string& line)

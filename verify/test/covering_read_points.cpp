@@ -14,13 +14,7 @@ namespace {
 
 std::string error_of(const std::string& text)
 {
-  const Temporary_file file("points.txt", text);
-  try {
-    read_points(file.path());
-  } catch (const Input_error& error) {
-    return std::string(error.what()).substr(file.path().native().size());
-  }
-  return "no error";
+  return tetracone::verify::error_of(Temporary_file("points.txt", text), [](const auto& path) { read_points(path); });
 }
 
 }  // namespace

@@ -28,13 +28,7 @@ Read_model read_text(const std::string& text)
 
 std::string error_of(const std::string& text)
 {
-  const Temporary_file file("model.poly", text);
-  try {
-    read_model(file.path());
-  } catch (const Input_error& error) {
-    return std::string(error.what()).substr(file.path().native().size());
-  }
-  return "no error";
+  return tetracone::verify::error_of(Temporary_file("model.poly", text), [](const auto& path) { read_model(path); });
 }
 
 std::string nodes(const std::vector<std::array<double, 3>>& points, int base)

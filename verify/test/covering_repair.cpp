@@ -2,6 +2,8 @@
 
 #include "covering/check.h"
 
+#include "verify/test/scenes.h"
+
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
@@ -14,40 +16,9 @@
 
 using namespace tetracone::covering;
 using tetracone::kernel::Rational;
+namespace scenes = tetracone::verify::scenes;
 
 namespace {
-
-/// The frame [0,3]x[0,3]x[0,1] with the tunnel [1,2]x[1,2]; the corner (3,3,1) lifted by h.
-Polyhedron lifted_frame(double h)
-{
-  Polyhedron p;
-  for (const double z : {0, 1})
-    for (const auto& [u, v] : {std::pair{0, 0}, {3, 0}, {3, 3}, {0, 3}, {1, 1}, {2, 1}, {2, 2}, {1, 2}})
-      p.vertices.push_back({double(u), double(v), z});
-  p.vertices[10][2] += h;
-  p.add_face({{0, 3, 2, 1}, {4, 5, 6, 7}});
-  p.add_face({{8, 9, 10, 11}, {15, 14, 13, 12}});
-  for (Index k = 0; k < 4; ++k) {
-    const Index next = (k + 1) % 4;
-    p.add_polygon({k, next, 8 + next, 8 + k});
-    p.add_polygon({4 + next, 4 + k, 12 + k, 12 + next});
-  }
-  return p;
-}
-
-Polyhedron torus(Index n, Index m)
-{
-  Polyhedron p;
-  for (Index i = 0; i < n; ++i)
-    for (Index j = 0; j < m; ++j) {
-      const double a = 2 * M_PI * i / n, b = 2 * M_PI * j / m, r = 3 + std::cos(b);
-      p.vertices.push_back({r * std::cos(a), r * std::sin(a), std::sin(b)});
-    }
-  for (Index i = 0; i < n; ++i)
-    for (Index j = 0; j < m; ++j)
-      p.add_polygon({i * m + j, (i + 1) % n * m + j, (i + 1) % n * m + (j + 1) % m, i * m + (j + 1) % m});
-  return p;
-}
 
 repair::Boundary boundary(const Polyhedron& polyhedron)
 {
@@ -77,7 +48,7 @@ Polyhedron turn_some(const Polyhedron& p, unsigned long turned)
 
 BOOST_AUTO_TEST_CASE(planar_faces_stay_as_they_are)
 {
-  const Polyhedron p = lifted_frame(0);
+  const Polyhedron p = scenes::square_frame();
   const Triangulated t = triangulate_non_planar(p);
   BOOST_TEST(t.replaced.empty());
   BOOST_TEST(t.polyhedron.face_count() == p.face_count());
@@ -87,7 +58,7 @@ BOOST_AUTO_TEST_CASE(planar_faces_stay_as_they_are)
 
 BOOST_AUTO_TEST_CASE(only_the_faces_off_plane_are_replaced_and_the_solid_stays_closed)
 {
-  const Polyhedron p = lifted_frame(0.25);
+  const Polyhedron p = scenes::square_frame(0.25);
   const Triangulated t = triangulate_non_planar(p);
   // The top, with its hole; the walls at the lifted corner are still planar.
   BOOST_TEST((t.replaced == std::vector<Index>{1}));
@@ -103,7 +74,7 @@ BOOST_AUTO_TEST_CASE(only_the_faces_off_plane_are_replaced_and_the_solid_stays_c
 
 BOOST_AUTO_TEST_CASE(every_quad_of_a_torus_becomes_two_triangles)
 {
-  const Polyhedron p = torus(9, 7);
+  const Polyhedron p = scenes::torus(9, 7);
   const Triangulated t = triangulate_non_planar(p);
   BOOST_TEST(t.polyhedron.face_count() == p.face_count() + t.replaced.size());
   BOOST_TEST(t.fanned.empty());
@@ -208,7 +179,7 @@ BOOST_AUTO_TEST_CASE(random_loops_keep_their_boundary)
 BOOST_AUTO_TEST_CASE(orientation_restores_any_turned_faces_and_cgal_agrees_with_the_walk)
 {
   std::mt19937_64 random(7);
-  const Polyhedron p = torus(6, 5);
+  const Polyhedron p = scenes::torus(6, 5);
   for (int round = 0; round < 50; ++round) {
     const unsigned long pattern = random() & 0x3fffffff;
     const Polyhedron turned = turn_some(p, pattern);
@@ -224,7 +195,7 @@ BOOST_AUTO_TEST_CASE(orientation_restores_any_turned_faces_and_cgal_agrees_with_
 
 BOOST_AUTO_TEST_CASE(holed_faces_are_oriented_too)
 {
-  const Polyhedron p = lifted_frame(0);
+  const Polyhedron p = scenes::square_frame();
   for (unsigned long pattern = 1; pattern + 1 < 1024; ++pattern) {
     const Oriented oriented = orient(turn_some(p, pattern));
     BOOST_TEST(is_closed(oriented.polyhedron));
@@ -234,7 +205,7 @@ BOOST_AUTO_TEST_CASE(holed_faces_are_oriented_too)
 
 BOOST_AUTO_TEST_CASE(what_is_closed_is_left_alone_inward_too)
 {
-  const Polyhedron p = turn_some(torus(6, 5), ~0ul);
+  const Polyhedron p = turn_some(scenes::torus(6, 5), ~0ul);
   const Oriented oriented = orient(p);
   BOOST_TEST(oriented.turned.empty());
   BOOST_TEST((CGAL::sign(volume(oriented.polyhedron)) == CGAL::NEGATIVE));
@@ -242,7 +213,7 @@ BOOST_AUTO_TEST_CASE(what_is_closed_is_left_alone_inward_too)
 
 BOOST_AUTO_TEST_CASE(an_open_surface_is_not_closed_by_orientation)
 {
-  const Polyhedron p = torus(6, 5);
+  const Polyhedron p = scenes::torus(6, 5);
   Polyhedron open;
   open.vertices = p.vertices;
   for (Index f = 1; f < p.face_count(); ++f) append_face(open, p, f, false);

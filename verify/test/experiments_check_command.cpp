@@ -2,57 +2,18 @@
 
 #include "experiments/check_command.h"
 
+#include "verify/test/program.h"
 #include "verify/test/temporary_file.h"
 
 #include <boost/test/unit_test.hpp>
 
-#include <sys/wait.h>
-
-#include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <string>
 
-using tetracone::verify::Temporary_file;
+using namespace tetracone::verify;
 
 namespace {
 
 const std::string models = std::string(TETRACONE_SOURCE_DIR) + "/verify/test/models/";
-
-struct Run {
-  int status;
-  std::string out;
-  std::string error;
-};
-
-/// Runs the program with these words, in the shell's quoting.
-Run run(const std::string& words)
-{
-  const Temporary_file error("stderr", "");
-  const std::string command =
-      std::string("'") + TETRACONE_PROGRAM + "' " + words + " 2>'" + error.path().native() + "'";
-  Run result;
-  std::FILE* const pipe = ::popen(command.c_str(), "r");
-  BOOST_REQUIRE(pipe);
-  char buffer[4096];
-  for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, pipe)) != 0;) result.out.append(buffer, n);
-  const int status = ::pclose(pipe);
-  BOOST_REQUIRE(WIFEXITED(status));
-  result.status = WEXITSTATUS(status);
-  std::ifstream in(error.path());
-  result.error.assign(std::istreambuf_iterator<char>(in), {});
-  return result;
-}
-
-/// Status 2, nothing on standard output, one line on standard error.
-void check_refused(const std::string& words)
-{
-  const Run r = run(words);
-  BOOST_TEST(r.status == 2, words);
-  BOOST_TEST(r.out.empty(), words);
-  BOOST_TEST(r.error.find('\n') + 1 == r.error.size(), words << ": " << r.error);
-  BOOST_TEST(r.error.size() > 10, words);
-}
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 

@@ -2,49 +2,27 @@
 // with the exact one.
 
 #include "verify/case_file.h"
+#include "verify/test/program.h"
 #include "verify/test/temporary_file.h"
 
 #include <boost/test/unit_test.hpp>
 
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <vector>
 
 using namespace tetracone;
+using verify::check_refused;
+using verify::in_quotes;
+using verify::Run;
+using verify::run;
 using verify::Temporary_file;
 namespace fs = std::filesystem;
 
 namespace {
-
-struct Run {
-  int status;
-  std::string out, error;
-};
-
-/// Runs the program with these words, in the shell's quoting.
-Run run(const std::string& words)
-{
-  const Temporary_file error("fuzz_stderr", "");
-  const std::string command = std::string("'") + TETRACONE_PROGRAM + "' " + words + " 2>'" + error.path().native() + "'";
-  Run result;
-  std::FILE* const pipe = ::popen(command.c_str(), "r");
-  BOOST_REQUIRE(pipe);
-  char buffer[4096];
-  for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, pipe)) != 0;) result.out.append(buffer, n);
-  const int status = ::pclose(pipe);
-  BOOST_REQUIRE(WIFEXITED(status));
-  result.status = WEXITSTATUS(status);
-  std::ifstream in(error.path());
-  result.error.assign(std::istreambuf_iterator<char>(in), {});
-  return result;
-}
 
 /// A new folder, removed with this object.
 struct Folder {
@@ -56,23 +34,12 @@ struct Folder {
   ~Folder() { fs::remove_all(path); }
 };
 
-std::string quoted(const fs::path& path) { return "'" + path.native() + "'"; }
-
 std::vector<fs::path> files_of(const fs::path& folder)
 {
   std::vector<fs::path> files;
   if (fs::is_directory(folder))
     for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
   return files;
-}
-
-void check_refused(const std::string& words, const std::string& says)
-{
-  const Run r = run(words);
-  BOOST_TEST(r.status == 2, words);
-  BOOST_TEST(r.out.empty(), words);
-  BOOST_TEST(r.error.find('\n') + 1 == r.error.size(), words << ": " << r.error);
-  BOOST_TEST(r.error.find(says) != std::string::npos, words << ": " << r.error);
 }
 
 /// A case of the folder of the level and with a wrong subject of this name.
@@ -92,7 +59,7 @@ std::optional<fs::path> case_with(const fs::path& folder, verify::Level level, c
 BOOST_AUTO_TEST_CASE(double_is_found_wrong_and_its_cases_replay)
 {
   const Folder folder("fuzz_double");
-  const Run r = run("fuzz --seconds 6 --seed 3 --subject 'double brute' --out " + quoted(folder.path));
+  const Run r = run("fuzz --seconds 6 --seed 3 --subject 'double brute' --out " + in_quotes(folder.path));
   BOOST_TEST(r.status == 0, r.error);
   BOOST_TEST(r.out.find("double brute") != std::string::npos);
   const auto files = files_of(folder.path);
@@ -102,12 +69,12 @@ BOOST_AUTO_TEST_CASE(double_is_found_wrong_and_its_cases_replay)
     BOOST_TEST(path.filename().native().starts_with("double-brute-"), path);
     const auto file = verify::read_case(path);
     const std::string truth = std::to_string(file.truth) + "\n", wrong = std::to_string(1 - file.truth) + "\n";
-    BOOST_TEST(run("collide " + quoted(path)).out == truth, path);
-    BOOST_TEST(run("collide --kernel rational --method brute " + quoted(path)).out == truth, path);
-    BOOST_TEST(run("collide --kernel double --method brute " + quoted(path)).out == wrong, path);
+    BOOST_TEST(run("collide " + in_quotes(path)).out == truth, path);
+    BOOST_TEST(run("collide --kernel rational --method brute " + in_quotes(path)).out == truth, path);
+    BOOST_TEST(run("collide --kernel double --method brute " + in_quotes(path)).out == wrong, path);
   }
   // The other ways of asking.
-  const std::string first = quoted(files.front());
+  const std::string first = in_quotes(files.front());
   BOOST_TEST(run("collide --json " + first).out.find("\"answer\"") != std::string::npos);
   BOOST_TEST(run("collide --features " + first).status == 0);
   BOOST_TEST(run("collide --question surface " + first).status == 0);
@@ -121,7 +88,7 @@ BOOST_AUTO_TEST_CASE(double_is_found_wrong_and_its_cases_replay)
 BOOST_AUTO_TEST_CASE(predicates_are_found_wrong_and_replay_by_the_subjects_name)
 {
   const Folder folder("fuzz_predicate");
-  const Run r = run("fuzz --seconds 4 --subject float --out " + quoted(folder.path));
+  const Run r = run("fuzz --seconds 4 --subject float --out " + in_quotes(folder.path));
   BOOST_TEST(r.status == 0, r.error);
   const auto path = case_with(folder.path, verify::Level::predicate, "float");
   BOOST_REQUIRE(path.has_value());
@@ -129,18 +96,18 @@ BOOST_AUTO_TEST_CASE(predicates_are_found_wrong_and_replay_by_the_subjects_name)
   std::string wrong;
   for (const auto& each : file.wrong)
     if (each.subject == "float") wrong = std::to_string(*each.answer) + "\n";
-  BOOST_TEST(run("collide " + quoted(*path)).out == std::to_string(file.truth) + "\n");
-  BOOST_TEST(run("collide --kernel float " + quoted(*path)).out == wrong);
-  check_refused("collide --features " + quoted(*path), "asks a predicate");
-  check_refused("collide --question solid " + quoted(*path), "asks a predicate");
-  check_refused("collide --method brute " + quoted(*path), "asks a predicate");
-  check_refused("collide --kernel foo " + quoted(*path), "expected a subject of predicates");
+  BOOST_TEST(run("collide " + in_quotes(*path)).out == std::to_string(file.truth) + "\n");
+  BOOST_TEST(run("collide --kernel float " + in_quotes(*path)).out == wrong);
+  check_refused("collide --features " + in_quotes(*path), "asks a predicate");
+  check_refused("collide --question solid " + in_quotes(*path), "asks a predicate");
+  check_refused("collide --method brute " + in_quotes(*path), "asks a predicate");
+  check_refused("collide --kernel foo " + in_quotes(*path), "expected a subject of predicates");
 }
 
 BOOST_AUTO_TEST_CASE(exact_subjects_find_nothing)
 {
   const Folder folder("fuzz_exact");
-  const Run r = run("fuzz --seconds 3 --subject adaptive --out " + quoted(folder.path));
+  const Run r = run("fuzz --seconds 3 --subject adaptive --out " + in_quotes(folder.path));
   BOOST_TEST(r.status == 0, r.out << r.error);
   BOOST_TEST(files_of(folder.path).empty());
   BOOST_TEST(r.out.find("exact") != std::string::npos);
@@ -155,5 +122,5 @@ BOOST_AUTO_TEST_CASE(bad_use_is_one_line)
   check_refused("collide one.off", "expected a second model");
   check_refused("collide no/such/file.case.json", "no such file");
   const Temporary_file bad("bad.case.json", "{\n\"format\": 2}");
-  check_refused("collide " + quoted(bad.path()), ":2: /format is unknown");
+  check_refused("collide " + in_quotes(bad.path()), ":2: /format is unknown");
 }

@@ -1,5 +1,6 @@
 // `tetracone verify`, `merge` and `report` as their users run them.
 
+#include "verify/test/program.h"
 #include "verify/test/temporary_file.h"
 
 #include <boost/test/unit_test.hpp>
@@ -10,7 +11,6 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <random>
 #include <string>
@@ -19,27 +19,9 @@
 
 extern char** environ;
 
-using tetracone::verify::Temporary_file;
+using namespace tetracone::verify;
 
 namespace {
-
-const std::string program = TETRACONE_PROGRAM;
-
-struct Ran {
-  int status;
-  std::string text;  // standard output and standard error
-};
-
-Ran run(const std::string& arguments)
-{
-  Ran ran{-1, ""};
-  std::FILE* pipe = popen((program + " " + arguments + " 2>&1").c_str(), "r");
-  char buffer[4096];
-  while (const std::size_t got = std::fread(buffer, 1, sizeof buffer, pipe)) ran.text.append(buffer, got);
-  const int status = pclose(pipe);
-  ran.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return ran;
-}
 
 /// Starts the program and kills it after so long, if it is still running. Returns whether it was.
 bool run_and_kill(std::vector<std::string> arguments, std::chrono::milliseconds after)
@@ -66,9 +48,9 @@ std::string tables(const std::string& db)
 {
   std::string all;
   for (const char* name : {"errors", "rates", "subjects", "distance", "blame", "relations", "flips", "truth", "wrong", "runs"}) {
-    const Ran ran = run("report " + db + " --table " + name);
-    BOOST_TEST_REQUIRE(ran.status == 0, ran.text);
-    all += ran.text;
+    const Run ran = run("report " + db + " --table " + name);
+    BOOST_TEST_REQUIRE(ran.status == 0, ran.error);
+    all += ran.out;
   }
   return all;
 }
@@ -95,8 +77,8 @@ const std::string campaign = "--cases 60 --seed 9 --frames 5 --family stacked --
 BOOST_AUTO_TEST_CASE(killed_ten_times_it_ends_with_the_rows_of_an_undisturbed_run)
 {
   const Database_file whole("whole"), disturbed("disturbed");
-  const Ran undisturbed = run("verify --db " + whole.path + " " + campaign);
-  BOOST_TEST_REQUIRE(undisturbed.status == 0, undisturbed.text);
+  const Run undisturbed = run("verify --db " + whole.path + " " + campaign);
+  BOOST_TEST_REQUIRE(undisturbed.status == 0, undisturbed.error);
 
   std::vector<std::string> words = {"verify", "--db", disturbed.path};
   for (std::size_t at = 0; at < campaign.size();) {
@@ -109,10 +91,11 @@ BOOST_AUTO_TEST_CASE(killed_ten_times_it_ends_with_the_rows_of_an_undisturbed_ru
   for (int k = 0; k < 10; ++k) killed += run_and_kill(words, std::chrono::milliseconds(30 + random() % 120));
   BOOST_TEST(killed > 0);
   BOOST_TEST_MESSAGE("killed while running: " << killed << " of 10");
-  const Ran last = run("verify --db " + disturbed.path + " " + campaign);
-  BOOST_TEST(last.status == 0, last.text);
+  const Run last = run("verify --db " + disturbed.path + " " + campaign);
+  BOOST_TEST(last.status == 0, last.error);
   BOOST_TEST((tables(disturbed.path) == tables(whole.path)));
-  BOOST_TEST(last.text == undisturbed.text);
+  BOOST_TEST(last.out == undisturbed.out);
+  BOOST_TEST(last.error == undisturbed.error);
 }
 
 BOOST_AUTO_TEST_CASE(shards_merge_to_the_whole)
@@ -123,16 +106,14 @@ BOOST_AUTO_TEST_CASE(shards_merge_to_the_whole)
   BOOST_TEST(run("verify --shard 1/2 --db " + second.path + " " + campaign).status == 0);
   BOOST_TEST(run("merge " + merged.path + " " + first.path + " " + second.path).status == 0);
   BOOST_TEST((tables(merged.path) == tables(whole.path)));
-  const Ran twice = run("merge " + merged.path + " " + first.path);
-  BOOST_TEST(twice.status == 2);
-  BOOST_TEST(twice.text.find("already") != std::string::npos, twice.text);
+  check_refused("merge " + merged.path + " " + first.path, "already");
 }
 
 BOOST_AUTO_TEST_CASE(the_table_of_errors_has_the_columns_that_others_rely_on)
 {
   const Database_file db("columns");
   BOOST_TEST(run("verify --db " + db.path + " --cases 4 --family random --subject double").status == 0);
-  BOOST_TEST(run("report " + db.path + " --table errors").text.starts_with(
+  BOOST_TEST(run("report " + db.path + " --table errors").out.starts_with(
       "level,family,subject,question,n,false_positives,false_negatives,failures\nobject,random,double brute,solid,4,"));
 }
 
@@ -142,16 +123,10 @@ BOOST_AUTO_TEST_CASE(bad_words_are_one_line_and_status_2)
   const Temporary_file text("bad.db", std::string(2000, 'x'));
   for (const std::string& arguments :
        {std::string("--family nonsense"), std::string("--subject nonsense"), std::string("--shard 2/2"), std::string("--shard 1"),
-        std::string("--shard -1/2"), std::string("--cases 0"), std::string("--cases x"), std::string("--level nothing"), std::string("--seed -1")}) {
-    const Ran ran = run("verify --db " + db.path + " " + arguments);
-    BOOST_TEST(ran.status == 2, arguments << ": " << ran.text);
-    BOOST_TEST(std::count(ran.text.begin(), ran.text.end(), '\n') == 1, ran.text);
-  }
+        std::string("--shard -1/2"), std::string("--cases 0"), std::string("--cases x"), std::string("--level nothing"), std::string("--seed -1")})
+    check_refused("verify --db " + db.path + " " + arguments);
   BOOST_TEST(!std::filesystem::exists(db.path));
   for (const std::string& arguments : {"verify --db " + text.path().native(), "report " + text.path().native(), "report " + db.path,
-                                       "report " + text.path().native() + " --table errors", "merge " + db.path + "2/none " + db.path}) {
-    const Ran ran = run(arguments);
-    BOOST_TEST(ran.status == 2, arguments << ": " << ran.text);
-    BOOST_TEST(std::count(ran.text.begin(), ran.text.end(), '\n') == 1, ran.text);
-  }
+                                       "report " + text.path().native() + " --table errors", "merge " + db.path + "2/none " + db.path})
+    check_refused(arguments);
 }

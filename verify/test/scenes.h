@@ -18,6 +18,7 @@
 /// Small bodies and poses for tests. Faces are outward unless said otherwise, coordinates small integers.
 namespace tetracone::verify::scenes {
 
+using covering::append;
 using covering::Index;
 using covering::Polyhedron;
 using kernel::Pose;
@@ -41,21 +42,7 @@ inline Vertex real_vertex(Random& random, double radius)
   return {real(random, -radius, radius), real(random, -radius, radius), real(random, -radius, radius)};
 }
 
-/// Adds the faces and vertices of `what`; `turned` the other way round.
-inline void append(Polyhedron& to, const Polyhedron& what, bool turned = false)
-{
-  const Index first = to.vertices.size();
-  to.vertices.insert(to.vertices.end(), what.vertices.begin(), what.vertices.end());
-  for (Index f = 0; f < what.face_count(); ++f) {
-    std::vector<std::vector<Index>> loops;
-    for (std::size_t l = 0; l < what.loop_count(f); ++l) {
-      loops.emplace_back();
-      for (const Index v : what.loop(f, l)) loops.back().push_back(first + v);
-      if (turned) std::reverse(loops.back().begin(), loops.back().end());
-    }
-    to.add_face(loops);
-  }
-}
+/// The faces the other way round.
 inline Polyhedron turned(const Polyhedron& what)
 {
   Polyhedron result;
@@ -127,6 +114,39 @@ inline Polyhedron cube_with_tunnel()
     body.add_face(loops);
   }
   return body;
+}
+
+/// The frame [0,3]x[0,3]x[0,1] with the tunnel [1,2]x[1,2]: two holed faces. The corner (3,3,1) is lifted by `lift`.
+inline Polyhedron square_frame(double lift = 0)
+{
+  Polyhedron result;
+  for (const double z : {0, 1})
+    for (const auto& [x, y] : {std::pair{0, 0}, {3, 0}, {3, 3}, {0, 3}, {1, 1}, {2, 1}, {2, 2}, {1, 2}})
+      result.vertices.push_back({double(x), double(y), z});
+  result.vertices[10][2] += lift;
+  result.add_face({{0, 3, 2, 1}, {4, 5, 6, 7}});
+  result.add_face({{8, 9, 10, 11}, {15, 14, 13, 12}});
+  for (Index k = 0; k < 4; ++k) {
+    const Index next = (k + 1) % 4;
+    result.add_polygon({k, next, 8 + next, 8 + k});
+    result.add_polygon({4 + next, 4 + k, 12 + k, 12 + next});
+  }
+  return result;
+}
+
+/// A torus of n x m quads; its vertices lie on no common planes.
+inline Polyhedron torus(Index n, Index m)
+{
+  Polyhedron result;
+  for (Index i = 0; i < n; ++i)
+    for (Index j = 0; j < m; ++j) {
+      const double a = 2 * M_PI * i / n, b = 2 * M_PI * j / m, r = 3 + std::cos(b);
+      result.vertices.push_back({r * std::cos(a), r * std::sin(a), std::sin(b)});
+    }
+  for (Index i = 0; i < n; ++i)
+    for (Index j = 0; j < m; ++j)
+      result.add_polygon({i * m + j, (i + 1) % n * m + j, (i + 1) % n * m + (j + 1) % m, i * m + (j + 1) % m});
+  return result;
 }
 
 /// The prism over a closed polygon of the plane z = 0, counterclockwise, up to z = height: top and bottom need not be

@@ -1,6 +1,8 @@
 #ifndef TETRACONE_VERIFY_TEST_TEMPORARY_FILE_H
 #define TETRACONE_VERIFY_TEST_TEMPORARY_FILE_H
 
+#include "kernel/input_error.h"
+
 #include <unistd.h>
 
 #include <filesystem>
@@ -26,6 +28,19 @@ class Temporary_file {
  private:
   std::filesystem::path path_;
 };
+
+/// What `read` says of the file in the input error that it throws, behind the file's path: ":4: what is wrong; what was expected".
+template <class Read>
+std::string error_of(const Temporary_file& file, const Read& read)
+{
+  try {
+    read(file.path());
+  } catch (const kernel::Input_error& error) {
+    const std::string message = error.what(), path = file.path().native();
+    return message.starts_with(path) && message.find('\n') == std::string::npos ? message.substr(path.size()) : "no clear line: " + message;
+  }
+  return "no error";
+}
 
 }  // namespace tetracone::verify
 

@@ -256,6 +256,17 @@ BOOST_AUTO_TEST_CASE(exact_sums_are_those_that_rationals_find_exact)
   BOOST_TEST(exact_scaled(3, -2).value() == 0.75);
 }
 
+BOOST_AUTO_TEST_CASE(a_pose_is_scaled_by_powers_of_two_that_are_doubles_only)
+{
+  const Pose pose = Pose::translation(3, 0, -0.5), still;
+  const Pose least = scaled(pose, -1072).value();
+  BOOST_TEST((least[3] == std::ldexp(3.0, -1072) && least[11] == std::ldexp(-0.5, -1072)));
+  BOOST_TEST(scaled(pose, 1022).value()[3] == std::ldexp(3.0, 1022));
+  for (const int exponent : {1023, 1024, 5000, -1074, -1075, -5000}) BOOST_TEST(!scaled(pose, exponent).has_value(), exponent);
+  for (const int exponent : {1024, 5000, -1075, -5000}) BOOST_TEST(!scaled(still, exponent).has_value(), exponent);
+  BOOST_TEST(scaled(still, -1074).value().is_identity());
+}
+
 BOOST_AUTO_TEST_CASE(motions_done_before_and_after_a_pose_are_what_they_say)
 {
   Random random(2);
