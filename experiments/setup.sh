@@ -4,9 +4,9 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 # To build the program and its tests.
-build_packages=(g++ cmake ninja-build libcgal-dev libgmp-dev libmpfr-dev libeigen3-dev libboost-dev libboost-test-dev
+build_packages=(g++ cmake ninja-build libcgal-dev libgmp-dev libmpfr-dev libeigen3-dev libhwy-dev libboost-dev libboost-test-dev
   libcli11-dev nlohmann-json3-dev libsqlite3-dev libtbb-dev
-  librapidcheck-dev)
+  librapidcheck-dev libjs-three)
 # For the fuzz targets.
 fuzz_packages=(clang libclang-rt-14-dev)
 # For the study: the peers that it compares with, and the figures of its report.

@@ -5,6 +5,7 @@
 #include "kernel/floating_point.h"
 #include "kernel/number.h"
 #include "kernel/pose.h"
+#include "kernel/stage_counts.h"
 
 #include <CGAL/Mpzf.h>
 #include <CGAL/predicates/sign_of_determinant.h>
@@ -25,10 +26,11 @@ namespace tetracone::kernel {
 /// A point is a vertex and the pose that places it; its image is never rounded, only approximated: `image` and `error`
 /// enclose it. A sign is decided by the first stage that can:
 ///   1. filter: the double expression on the images, when it is beyond the bound on all rounding (or undecided);
-///   2. identity: points that are the same vertex under the same pose;
+///   2. zero exits: points that are the same vertex under the same pose, or exact coordinates of which every product has a factor 0;
 ///   3. double-double: the same expression on images of twice the digits, when it is beyond its bound (or undecided);
 ///   4. exact: the expression over the exact images, in CGAL::Mpzf; poses of fractions are multiplied by their denominators.
 ///      An image is found once a query for each vertex that asks for it.
+/// A point whose error is not known, beyond the magnitude gate, goes from the zero exits straight to the exact stage.
 /// Signs of points that share one pose are signs of the vertices themselves, times sign(det M).
 class Adaptive {
  public:
@@ -78,12 +80,14 @@ class Adaptive {
     return point;
   }
 
-  /// How often the calling thread needed the exact stage.
-  static std::uint64_t& exact_fallbacks()
+  /// The signs of the calling thread, by the stage that decided.
+  static Stage_counts& decided_by()
   {
-    static thread_local std::uint64_t count = 0;
-    return count;
+    static thread_local Stage_counts counts;
+    return counts;
   }
+  /// How often the calling thread needed the exact stage.
+  static std::uint64_t exact_fallbacks() { return decided_by().exact + decided_by().out_of_gate; }
 
   using Decision = std::optional<CGAL::Sign>;  ///< nothing: undecided
 
@@ -95,6 +99,7 @@ class Adaptive {
   // six exact products over the three replaced factors. The bound is itself computed with at most 12 roundings, which
   // 49 u and 6.001 absorb. A comparison with an infinite or undefined bound is false: undecided.
   // The tests derive every constant of this class again, in exact rationals, and pin the literals to what they derive from.
+  static constexpr double volume_rounding = 49 * unit_roundoff<double>, volume_motion = 6.001;
 
   /// The sign of det[b-a, c-a, d-a], or undecided.
   static Decision filtered_volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
@@ -111,8 +116,7 @@ class Adaptive {
     const double my = std::max({std::abs(by), std::abs(cy), std::abs(dy)});
     const double mz = std::max({std::abs(bz), std::abs(cz), std::abs(dz)});
     const double Mx = mx + error, My = my + error, Mz = mz + error;
-    const double bound = 49 * unit_roundoff<double> * (Mx * My * Mz) +
-                         6.001 * error * (My * Mz + mx * Mz + mx * my) + underflow;
+    const double bound = volume_rounding * (Mx * My * Mz) + volume_motion * error * (My * Mz + mx * Mz + mx * my) + underflow;
     return beyond(determinant, bound);
   }
 
@@ -140,17 +144,41 @@ class Adaptive {
     return beyond(a.image[axis] - b.image[axis], 1.001 * error);
   }
 
-  // --- identity -----------------------------------------------------------------------------------------------------
+  // --- zero exits -----------------------------------------------------------------------------------------------------
 
   /// True when the two are one vertex under one pose. Unequal ones may still have the same image.
   static bool identical(const Point_3& a, const Point_3& b) { return a.pose == b.pose && a.vertex == b.vertex; }
 
+  /// ZERO where det[b-a, c-a, d-a] is 0 at sight, or undecided: two points are identical, or images are exact and each of the six
+  /// products has a factor 0, as on a plane across an axis. A difference of doubles is 0 only when they are equal.
+  static Decision zero_volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
+  {
+    if (identical(c, d) || identical(b, d) || identical(b, c) || identical(a, d) || identical(a, c) || identical(a, b)) return CGAL::ZERO;
+    if (a.error != 0 || b.error != 0 || c.error != 0 || d.error != 0) return std::nullopt;
+    const auto is_0 = [&a](const Point_3& p, int k) { return p.image[k] == a.image[k]; };
+    const auto vanishes = [&](int i, int j, int k) { return is_0(b, i) || is_0(c, j) || is_0(d, k); };
+    if (vanishes(0, 1, 2) && vanishes(1, 2, 0) && vanishes(2, 0, 1) && vanishes(0, 2, 1) && vanishes(1, 0, 2) && vanishes(2, 1, 0)) return CGAL::ZERO;
+    return std::nullopt;
+  }
+
+  /// The same of (b-a) x (c-a) in the component `axis`.
+  static Decision zero_normal_sign(const Point_3& a, const Point_3& b, const Point_3& c, int axis)
+  {
+    if (identical(b, c) || identical(a, c) || identical(a, b)) return CGAL::ZERO;
+    if (a.error != 0 || b.error != 0 || c.error != 0) return std::nullopt;
+    const auto is_0 = [&a](const Point_3& p, int k) { return p.image[k] == a.image[k]; };
+    const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+    if ((is_0(b, i) || is_0(c, j)) && (is_0(b, j) || is_0(c, i))) return CGAL::ZERO;
+    return std::nullopt;
+  }
+
   // --- double-double ------------------------------------------------------------------------------------------------
-  // With u = 2^-53 an image is three exact products and three additions, each of relative error 3 u^2 (1 + 4u) of a partial
-  // sum below S: 9.1 u^2 S; a fraction's entry is itself off by u^2, and its product by 7 u^2, of a term: `error` = 20 u^2 S covers
-  // both. Differences are rounded by 3.01 u^2 m; so with d = 3.01 u^2 m + the errors of the two images the bounds are those of the filter
-  // with 7 + 3 + 7 + 3 + 3 = 23 roundings of u^2 on each of six products, 144 u^2 with what squares leave, and 4 roundings of 1
-  // product, 1 difference on each of two products, 21 u^2. All bounds are computed in double, as before.
+  // With u = 2^-53 an image is three exact products and three additions, each of relative error 3 u^2 (1 + 5u) of a partial sum below S:
+  // 9 u^2 S; a fraction's entry is itself off by u^2, and its product by 7 u^2, of a term, 17 u^2 S in all: `error` = 20 u^2 S covers both.
+  // Differences are rounded by 3 u^2 m; so with d = 3.02 u^2 m + the errors of the two images the bounds are those of the filter,
+  // with 7 + 3 + 7 + 3 + 3 = 23 roundings of u^2 on four of the six products and 20 on the two that are added last, 132 u^2, and
+  // 7 + 3 on each of two products, 20 u^2. All bounds are computed in double, as before, and judge the high part, which is off by u of itself.
+  // The tests derive these constants too, and record how much of each bound is used.
 
   /// An image of twice the digits.
   struct Wide_image {
@@ -263,33 +291,59 @@ class Adaptive {
 
   static CGAL::Sign volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
   {
-    if (const Decision sign = filtered_volume_sign(a, b, c, d)) return *sign;
-    if (identical(c, d) || identical(b, d) || identical(b, c) || identical(a, d) || identical(a, c) || identical(a, b)) return CGAL::ZERO;
+    if (const Decision sign = filtered_volume_sign(a, b, c, d)) return ++decided_by().filter, *sign;
+    return unfiltered_volume_sign(a, b, c, d);
+  }
+  static CGAL::Sign normal_sign(const Point_3& a, const Point_3& b, const Point_3& c, int axis)
+  {
+    if (const Decision sign = filtered_normal_sign(a, b, c, axis)) return ++decided_by().filter, *sign;
+    return unfiltered_normal_sign(a, b, c, axis);
+  }
+  static CGAL::Sign difference_sign(const Point_3& a, const Point_3& b, int axis)
+  {
+    if (const Decision sign = filtered_difference_sign(a, b, axis)) return ++decided_by().filter, *sign;
+    return unfiltered_difference_sign(a, b, axis);
+  }
+
+  // The same where the filter is known to be undecided, as after a batch of kernel/wide_signs.h. Out of line: the filter's callers
+  // are small then, and pay nothing for its being counted.
+
+  [[gnu::noinline]] static CGAL::Sign unfiltered_volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
+  {
+    if (const Decision sign = zero_volume_sign(a, b, c, d)) return ++decided_by().zero, *sign;
     if (a.pose == b.pose && a.pose == c.pose && a.pose == d.pose && a.pose != nullptr) {
       const CGAL::Sign unplaced = volume_sign(unmoved(a.vertex), unmoved(b.vertex), unmoved(c.vertex), unmoved(d.vertex));
       return unplaced * a.pose->determinant_sign();
     }
-    if (const Decision sign = wide_volume_sign(a, b, c, d)) return *sign;
-    ++exact_fallbacks();
+    if (!in_gate(a, b, c, d)) return ++decided_by().out_of_gate, exact_volume_sign(a, b, c, d);
+    if (const Decision sign = wide_volume_sign(a, b, c, d)) return ++decided_by().double_double, *sign;
+    ++decided_by().exact;
     return exact_volume_sign(a, b, c, d);
   }
 
-  static CGAL::Sign normal_sign(const Point_3& a, const Point_3& b, const Point_3& c, int axis)
+  [[gnu::noinline]] static CGAL::Sign unfiltered_normal_sign(const Point_3& a, const Point_3& b, const Point_3& c, int axis)
   {
-    if (const Decision sign = filtered_normal_sign(a, b, c, axis)) return *sign;
-    if (identical(b, c) || identical(a, c) || identical(a, b)) return CGAL::ZERO;
-    if (const Decision sign = wide_normal_sign(a, b, c, axis)) return *sign;
-    ++exact_fallbacks();
+    if (const Decision sign = zero_normal_sign(a, b, c, axis)) return ++decided_by().zero, *sign;
+    if (!in_gate(a, b, c)) return ++decided_by().out_of_gate, exact_normal_sign(a, b, c, axis);
+    if (const Decision sign = wide_normal_sign(a, b, c, axis)) return ++decided_by().double_double, *sign;
+    ++decided_by().exact;
     return exact_normal_sign(a, b, c, axis);
   }
 
-  static CGAL::Sign difference_sign(const Point_3& a, const Point_3& b, int axis)
+  [[gnu::noinline]] static CGAL::Sign unfiltered_difference_sign(const Point_3& a, const Point_3& b, int axis)
   {
-    if (const Decision sign = filtered_difference_sign(a, b, axis)) return *sign;
-    if (identical(a, b)) return CGAL::ZERO;
-    if (const Decision sign = wide_difference_sign(a, b, axis)) return *sign;
-    ++exact_fallbacks();
+    if (identical(a, b)) return ++decided_by().zero, CGAL::ZERO;
+    if (!in_gate(a, b)) return ++decided_by().out_of_gate, exact_difference_sign(a, b, axis);
+    if (const Decision sign = wide_difference_sign(a, b, axis)) return ++decided_by().double_double, *sign;
+    ++decided_by().exact;
     return exact_difference_sign(a, b, axis);
+  }
+
+  /// Whether the errors of all points are known.
+  template <class... Points>
+  static bool in_gate(const Points&... points)
+  {
+    return ((points.error <= std::numeric_limits<double>::max()) && ...);
   }
 
  private:

@@ -29,60 +29,31 @@ class Relative_frame {
   Relative_frame() = default;
 
   /// From B's units to A's: (M_a^-1 (M_b (o_b + u_b p) + t_b - t_a) - o_a) / u_a.
-  ///
-  /// With X the inverse of M_a as computed and rho >= ||I - X M_a||: M_a^-1 differs from X by at most rho / (1 - rho) ||X||. The difference
-  /// D of the placed origins is summed in double-double, so that it is off by 4 u |D| + 2^-98 times the sum S of its terms, and by
-  /// 2 u S where entries are rounded fractions. Norms are maxima of row sums.
   Relative_frame(const Pose& a, const Local_units& in_a, const Pose& b, const Local_units& in_b)
   {
-    constexpr double u = unit_roundoff<double>;
-    std::array<Row, 3> inverse;
-    if (!invert(a, inverse)) return;
-    const double residual = residual_norm(a, inverse), norm_x = norm(inverse), scale = in_b.unit / in_a.unit;
-    if (!(residual < 0x1p-20)) return;
-
-    Row difference;
-    double terms = 0, largest = 0;
-    for (int i = 0; i < 3; ++i) {
-      Sum sum;
-      for (int j = 0; j < 3; ++j) {
-        sum.add_product(b[4 * i + j], in_b.origin[j]);
-        sum.add_product(-a[4 * i + j], in_a.origin[j]);
-      }
-      sum.add(b[4 * i + 3]);
-      sum.add(-a[4 * i + 3]);
-      difference[i] = sum.high + sum.low;
-      terms = std::max(terms, sum.magnitude);
-      largest = std::max(largest, std::abs(difference[i]));
-    }
-    const bool rounded = a.is_rational() || b.is_rational();
-    const double difference_error = 4 * u * largest + (rounded ? 2 * u : 0x1p-98) * terms;
-
-    double norm_b = 0;
-    for (int i = 0; i < 3; ++i) {
-      norm_b = std::max(norm_b, std::abs(b[4 * i]) + std::abs(b[4 * i + 1]) + std::abs(b[4 * i + 2]));
-      for (int j = 0; j < 3; ++j) {
-        double sum = 0;
-        for (int k = 0; k < 3; ++k) sum += inverse[i][k] * b[4 * k + j];
-        linear_[i][j] = sum * scale;
-      }
-      offset_[i] = (inverse[i][0] * difference[0] + inverse[i][1] * difference[1] + inverse[i][2] * difference[2]) / in_a.unit;
-    }
-    // Relative errors of the products X M_b and X D: 4 u for their own roundings, u for a fraction's entry, 2 rho for X.
-    const double relative = 2 * residual + 8 * u;
-    const double error = norm_x * (norm_b * scale * relative + (largest * relative + difference_error * 1.01) / in_a.unit);
-    // Beyond the gate something may have overflowed or underflowed: then nothing is known.
-    const double top = std::max({terms, norm_b, norm_x, scale, 1 / scale, in_a.unit, 1 / in_a.unit});
-    if (top <= 0x1p200 && error <= std::numeric_limits<double>::max()) error_ = error * 1.01 + 0x1p-300;
-    decide_similarity();
+    if (!by_transpose(a, in_a, b, in_b)) by_inverse(a, in_a, b, in_b);
   }
 
   double error() const { return error_; }
 
-  /// linear = scale * (orthonormal columns but for `axis_defect`).
+  /// True when the cubes |p_k| <= 1 of the two are found apart, along an axis of A's. Sums of at most four numbers, rounded 4 times.
+  bool cubes_apart() const
+  {
+    for (int i = 0; i < 3; ++i) {
+      const double reach = 1 + std::abs(linear_[i][0]) + std::abs(linear_[i][1]) + std::abs(linear_[i][2]) + error_;
+      if (std::abs(offset_[i]) > reach * (1 + 8 * unit_roundoff<double>)) return true;
+    }
+    return false;
+  }
+
+  /// linear = scale * (orthonormal columns but for `axis_defect`), with a scale that floats can carry, 2^-60 .. 2^60.
   bool is_similarity() const { return similarity_; }
 
+  /// The length of the first column: the factor by which a similarity lengthens.
+  double scale() const { return scale_; }
+
   const std::array<Row, 3>& linear() const { return linear_; }
+  const Row& offset() const { return offset_; }
 
   template <class Number>
   Row operator()(const std::array<Number, 3>& p) const
@@ -120,6 +91,120 @@ class Relative_frame {
       add(product);
     }
   };
+
+  /// D = M_b o_b + t_b - M_a o_a - t_a: the difference of the placed origins, the largest component, and the sum of the magnitudes of the
+  /// terms of one component.
+  struct Difference {
+    Row value;
+    double largest = 0, terms = 0;
+
+    /// Summed in double-double: off by 4 u |D| + 2^-98 times the terms, and by 2 u times these where entries are rounded fractions.
+    double error(double of_terms) const { return 4 * unit_roundoff<double> * largest + of_terms * terms; }
+  };
+
+  static Difference wide_difference(const Pose& a, const Local_units& in_a, const Pose& b, const Local_units& in_b)
+  {
+    Difference d;
+    for (int i = 0; i < 3; ++i) {
+      Sum sum;
+      for (int j = 0; j < 3; ++j) {
+        sum.add_product(b[4 * i + j], in_b.origin[j]);
+        sum.add_product(-a[4 * i + j], in_a.origin[j]);
+      }
+      sum.add(b[4 * i + 3]);
+      sum.add(-a[4 * i + 3]);
+      d.value[i] = sum.high + sum.low;
+      d.terms = std::max(d.terms, sum.magnitude);
+      d.largest = std::max(d.largest, std::abs(d.value[i]));
+    }
+    return d;
+  }
+
+  static Difference difference(const Pose& a, const Local_units& in_a, const Pose& b, const Local_units& in_b)
+  {
+    Difference d;
+    for (int i = 0; i < 3; ++i) {
+      double sum = b[4 * i + 3] - a[4 * i + 3], terms = std::abs(b[4 * i + 3]) + std::abs(a[4 * i + 3]);
+      for (int j = 0; j < 3; ++j) {
+        const double plus = b[4 * i + j] * in_b.origin[j], minus = a[4 * i + j] * in_a.origin[j];
+        sum += plus - minus, terms += std::abs(plus) + std::abs(minus);
+      }
+      d.value[i] = sum;
+      d.terms = std::max(d.terms, terms);
+      d.largest = std::max(d.largest, std::abs(sum));
+    }
+    return d;
+  }
+
+  /// Where M_a is a similarity but for 2^-24: the inverse is X = f M_a^T with f = 1 / s^2, rounded, s the length of its first column. Nothing is
+  /// done where it is not, or numbers are near the ends of the range.
+  ///
+  /// With G = M_a^T M_a, each entry computed to 3.01 u s^2, rho = ||I - f G|| is what is computed, and 24 u for G's roundings, f's and those
+  /// of fractions' entries. M_a^-1 = X + (I - X M_a) M_a^-1, so rows of the linear part are off by rho of their sums, which are
+  /// below three times the longest column c, and by 5 roundings and two fractions' entries of products |col_i M_a| |col_j M_b| f, which is
+  /// (1 + 2^-23) times a column. Rows of X sum to at most sqrt(3) / s. The difference D in double is off by 8 roundings of its
+  /// terms, and one of a fraction's entry; when that is too much, it is summed again in double-double.
+  bool by_transpose(const Pose& a, const Local_units& in_a, const Pose& b, const Local_units& in_b)
+  {
+    constexpr double u = unit_roundoff<double>;
+    const auto columns = [](const auto& p, const auto& q, int i, int j) { return p[i] * q[j] + p[4 + i] * q[4 + j] + p[8 + i] * q[8 + j]; };
+    const std::array<double, 12>&m = a.entries(), &n = b.entries();
+    const double square = columns(m, m, 0, 0), g01 = std::abs(columns(m, m, 0, 1)), g02 = std::abs(columns(m, m, 0, 2)), g12 = std::abs(columns(m, m, 1, 2));
+    const double g11 = std::abs(columns(m, m, 1, 1) - square), g22 = std::abs(columns(m, m, 2, 2) - square);
+    const double row = std::max({g01 + g02, g11 + g01 + g12, g22 + g02 + g12});
+    if (!(row <= 0x1p-24 * square && square >= 0x1p-100 && square <= 0x1p100)) return false;
+    const double f = 1 / square, scale = in_b.unit / in_a.unit, shrink = 1.7321 * std::sqrt(f) / in_a.unit;
+    const double rho = row * f + 24 * u;
+
+    Difference d = difference(a, in_a, b, in_b);
+    double difference_error = 9.1 * u * d.terms;
+    if (!(difference_error * shrink <= 0x1p-30)) {
+      d = wide_difference(a, in_a, b, in_b);
+      difference_error = d.error(a.is_rational() || b.is_rational() ? 2 * u : 0x1p-98);
+    }
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) linear_[i][j] = columns(m, n, i, j) * (f * scale);
+      offset_[i] = (m[i] * d.value[0] + m[4 + i] * d.value[1] + m[8 + i] * d.value[2]) * f / in_a.unit;
+    }
+    const double longest = decide_similarity(), relative = 1.01 * rho + 16 * u;
+    const double error = relative * (3 * longest + shrink * d.largest) + shrink * difference_error;
+    // Where the scale is far off, entries of M_b may be denormal.
+    const double top = std::max({longest, 1 / longest, scale, 1 / scale, d.terms, in_a.unit, 1 / in_a.unit});
+    if (top <= 0x1p200 && error <= std::numeric_limits<double>::max()) error_ = error * 1.01 + 0x1p-300;
+    return true;
+  }
+
+  /// With X the inverse of M_a as computed and rho >= ||I - X M_a||: M_a^-1 differs from X by at most rho / (1 - rho) ||X||. Norms are maxima
+  /// of row sums.
+  void by_inverse(const Pose& a, const Local_units& in_a, const Pose& b, const Local_units& in_b)
+  {
+    constexpr double u = unit_roundoff<double>;
+    std::array<Row, 3> inverse;
+    if (!invert(a, inverse)) return;
+    const double residual = residual_norm(a, inverse), norm_x = norm(inverse), scale = in_b.unit / in_a.unit;
+    if (!(residual < 0x1p-20)) return;
+
+    const Difference d = wide_difference(a, in_a, b, in_b);
+    const double difference_error = d.error(a.is_rational() || b.is_rational() ? 2 * u : 0x1p-98);
+
+    double norm_b = 0;
+    for (int i = 0; i < 3; ++i) {
+      norm_b = std::max(norm_b, std::abs(b[4 * i]) + std::abs(b[4 * i + 1]) + std::abs(b[4 * i + 2]));
+      for (int j = 0; j < 3; ++j) {
+        double sum = 0;
+        for (int k = 0; k < 3; ++k) sum += inverse[i][k] * b[4 * k + j];
+        linear_[i][j] = sum * scale;
+      }
+      offset_[i] = (inverse[i][0] * d.value[0] + inverse[i][1] * d.value[1] + inverse[i][2] * d.value[2]) / in_a.unit;
+    }
+    // Relative errors of the products X M_b and X D: 4 u for their own roundings, u for a fraction's entry, 2 rho for X.
+    const double relative = 2 * residual + 8 * u;
+    const double error = norm_x * (norm_b * scale * relative + (d.largest * relative + difference_error * 1.01) / in_a.unit);
+    // Beyond the gate something may have overflowed or underflowed: then nothing is known.
+    const double top = std::max({d.terms, norm_b, norm_x, scale, 1 / scale, in_a.unit, 1 / in_a.unit});
+    if (top <= 0x1p200 && error <= std::numeric_limits<double>::max()) error_ = error * 1.01 + 0x1p-300;
+    decide_similarity();
+  }
 
   static bool invert(const Pose& a, std::array<Row, 3>& inverse)
   {
@@ -159,19 +244,23 @@ class Relative_frame {
     return norm;
   }
 
-  void decide_similarity()
+  /// Returns the length of the longest column or, of no similarity, a bound on it that is undefined where any entry is.
+  double decide_similarity()
   {
     const auto column = [this](int i, int j) {
       return linear_[0][i] * linear_[0][j] + linear_[1][i] * linear_[1][j] + linear_[2][i] * linear_[2][j];
     };
-    const double square = column(0, 0), tolerance = square * 0x1p-24;
-    similarity_ = std::abs(column(1, 1) - square) <= tolerance && std::abs(column(2, 2) - square) <= tolerance &&
-                  std::abs(column(0, 1)) <= tolerance && std::abs(column(1, 2)) <= tolerance && std::abs(column(0, 2)) <= tolerance;
+    const double square = column(0, 0), second = column(1, 1), third = column(2, 2), tolerance = square * 0x1p-24;
+    similarity_ = square >= 0x1p-120 && square <= 0x1p120 && std::abs(second - square) <= tolerance && std::abs(third - square) <= tolerance && std::abs(column(0, 1)) <= tolerance &&
+                  std::abs(column(1, 2)) <= tolerance && std::abs(column(0, 2)) <= tolerance;
+    scale_ = std::sqrt(square);
+    return similarity_ ? scale_ * (1 + 0x1p-23) : std::sqrt(square + second + third);
   }
 
   std::array<Row, 3> linear_{};
   Row offset_{};
   double error_ = std::numeric_limits<double>::infinity();
+  double scale_ = 0;
   bool similarity_ = false;
 };
 

@@ -5,7 +5,7 @@
 #include "kernel/kernels.h"
 #include "kernel/oriented_box.h"
 #include "kernel/relative_frame.h"
-#include "kernel/wide_boxes.h"
+#include "tetratree/wide_node.h"
 
 #include <algorithm>
 #include <array>
@@ -25,18 +25,6 @@ struct Element {
   Index face;
   std::array<Index, 3> corner;  ///< corner[0] == covering::none: the whole face
   bool is_whole_face() const { return corner[0] == covering::none; }
-};
-
-/// Up to eight parts of a body, each in a box: see `Wide_tree`.
-struct alignas(64) Wide_node {
-  kernel::Wide_boxes boxes;
-  std::array<float, 3> origin;        ///< of the boxes, in local units
-  float reach;                        ///< |c_k| + sum_i e_i of every lane is at most this
-  std::array<Index, 9> first;         ///< lane k holds elements first[k] .. first[k+1] of the tree's order
-  std::array<std::int32_t, 8> child;  ///< node of lane k; `not_made`, or nothing to make where the lane holds one element
-  int lane_count;
-
-  static constexpr std::int32_t not_made = -1;
 };
 
 /// The fast tree of the adaptive kernel: eight boxes a node, one element a leaf.
@@ -79,20 +67,31 @@ class Wide_tree {
     return p;
   }
 
+  const Wide_node* nodes() const { return nodes_.data(); }
   const Wide_node& node(Index n) const { return nodes_[n]; }
 
   /// The node of lane `lane` of node `n`, made now if it has to be. Requires a lane of more than one element. Nodes may move.
   Index child(Index n, int lane)
   {
-    if (nodes_[n].child[lane] == Wide_node::not_made) {
+    if (nodes_[n].child[lane] < 0) {
       const Index made = make_node(nodes_[n].first[lane], nodes_[n].first[lane + 1], depths_[n] + 1);
       nodes_[n].child[lane] = std::int32_t(made);
     }
     return Index(nodes_[n].child[lane]);
   }
 
-  bool is_leaf(Index n, int lane) const { return nodes_[n].first[lane + 1] - nodes_[n].first[lane] == 1; }
+  bool is_leaf(Index n, int lane) const { return nodes_[n].child[lane] == Wide_node::leaf; }
   const Element& element(Index n, int lane) const { return elements_[order_[nodes_[n].first[lane]]]; }
+
+  /// Calls what(v) for every corner v of the element.
+  template <class What>
+  void for_vertices(const Element& element, const What& what) const
+  {
+    if (element.is_whole_face())
+      for (const Index v : model_.covering().from(element.face)) what(v);
+    else
+      for (const Index v : element.corner) what(v);
+  }
 
   /// Makes every node: from then on nothing changes.
   void make_all()
@@ -144,10 +143,7 @@ class Wide_tree {
   template <class What>
   void for_corners(const Element& element, const What& what) const
   {
-    if (element.is_whole_face())
-      for (const Index v : model_.covering().from(element.face)) what(local(v));
-    else
-      for (const Index v : element.corner) what(local(v));
+    for_vertices(element, [&](Index v) { what(local(v)); });
   }
 
   std::array<float, 3> centroid(const Element& element) const
@@ -227,7 +223,6 @@ class Wide_tree {
     root.lane_count = 1;
     root.first.fill(Index(elements_.size()));
     root.first[0] = 0;
-    root.child.fill(Wide_node::not_made);
     store_boxes(root);
     nodes_.push_back(root);
     depths_.push_back(0);
@@ -253,10 +248,11 @@ class Wide_tree {
     }
     Wide_node node{};
     node.lane_count = int(parts.size());
-    node.child.fill(Wide_node::not_made);
     node.first.fill(parts.back().last);
     for (std::size_t k = 0; k < parts.size(); ++k) node.first[k] = parts[k].first;
     store_boxes(node);
+    // By a fifth, not twofold: nodes are most of the memory.
+    if (nodes_.size() == nodes_.capacity()) nodes_.reserve(nodes_.size() + nodes_.size() / 5 + 8);
     nodes_.push_back(node);
     depths_.push_back(std::uint8_t(std::min(depth, 250)));
     return Index(nodes_.size() - 1);
@@ -275,22 +271,23 @@ class Wide_tree {
       for (Index k = node.first[lane]; k < node.first[lane + 1]; ++k)
         for_corners(elements_[order_[k]], [&](const Vector& p) { points.push_back(p); });
       const bool triangle = points.size() == 3;
-      const auto box = triangle ? kernel::triangle_box(std::span<const Vector, 3>(points.data(), 3)) : kernel::fitted_box(points, 3);
+      const auto box = triangle ? kernel::triangle_box(std::span<const Vector, 3>(points.data(), 3)) : kernel::fitted_box(points, 5);
       low = low.cwiseMin(box.centre), high = high.cwiseMax(box.centre);
       all.push_back({box, std::move(points)});
     }
     // Exact in float, and so in double.
     Vector origin;
-    for (int k = 0; k < 3; ++k) origin[k] = node.origin[k] = float(0.5 * (low[k] + high[k]));
+    for (int k = 0; k < 3; ++k) origin[k] = node.boxes.origin[k] = float(0.5 * (low[k] + high[k]));
     double reach = 0;
     for (int lane = 0; lane < node.lane_count; ++lane) {
+      node.child[lane] = node.first[lane + 1] - node.first[lane] == 1 ? Wide_node::leaf : Wide_node::not_made;
       // A local coordinate is a difference and a power of two: one rounding, of at most 2.
       kernel::store_lane(node.boxes, lane, all[lane].box, origin, all[lane].points, 0x1p-52);
-      double sum = 0, farthest = 0;
-      for (int i = 0; i < 3; ++i) sum += node.boxes.extent[i][lane], farthest = std::max(farthest, std::abs(double(node.boxes.centre[i][lane])));
-      reach = std::max(reach, sum + farthest);
+      double sum = 0, square = 0;
+      for (int i = 0; i < 3; ++i) sum += node.boxes.extent[i][lane], square += double(node.boxes.centre[i][lane]) * node.boxes.centre[i][lane];
+      reach = std::max(reach, sum + std::sqrt(square));
     }
-    node.reach = float(reach * 1.0000002);
+    node.boxes.reach = float(reach * 1.0000002);
   }
 
   covering::Model<Adaptive> model_;

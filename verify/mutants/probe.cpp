@@ -10,9 +10,12 @@
 #include "verify/case.h"
 #include "verify/random.h"
 
+#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -194,6 +197,97 @@ void judge_stages(int rounds)
   }
 }
 
+/// Sums and products of two doubles each: within the proved errors, in parts that don't overlap. Every third time nearly all cancels.
+void judge_double_doubles(int rounds)
+{
+  verify::Random random(2);
+  const auto pair = [&random] {
+    const double high = random.symmetric();
+    return kernel::Double_double::sum(high, 0x1p-54 * high * random.symmetric());
+  };
+  const auto exact = [](const kernel::Double_double& x) { return Rational(Rational(x.high) + Rational(x.low)); };
+  const auto judge = [&](const kernel::Double_double& computed, const Rational& right, const Rational& most, const char* what) {
+    if (abs(Rational(exact(computed) - right)) > most * abs(right)) wrong(std::string(what) + " of double-doubles");
+    if (computed.high + computed.low != computed.high) wrong(std::string("parts of the ") + what + " overlap");
+  };
+  const Rational u2 = Rational(0x1p-106);
+  for (int round = 0; round < rounds; ++round) {
+    const kernel::Double_double a = pair();
+    kernel::Double_double b = pair();
+    if (round % 3 == 0) b = kernel::Double_double(-a.high, -a.low * (1 + 0x1p-20)) + kernel::Double_double(0x1p-90 * random.symmetric());
+    judge(a + b, exact(a) + exact(b), Rational(3.001) * u2, "sum");
+    judge(a - b, exact(a) - exact(b), Rational(3.001) * u2, "difference");
+    judge(a * b, exact(a) * exact(b), Rational(7.001) * u2, "product");
+  }
+}
+
+/// The double-double stage: decides nothing within its proved error, nothing wrongly, nothing of points out of the gate.
+void judge_wide_stage(int rounds)
+{
+  const auto silent = [](const Adaptive::Decision& decision, const char* what) {
+    if (decision) wrong(std::string("double-double stage decides within its error: ") + what);
+  };
+  constexpr double u2 = 0x1p-106, infinity = std::numeric_limits<double>::infinity();
+  const auto at = [](double x, double y, double z, double error) {
+    Adaptive::Point_3 p = Adaptive::unmoved({x, y, z});
+    p.error = error;
+    return p;
+  };
+  for (const double e : {0.0, u2, 0x1p-80, infinity}) {
+    const double volume = e == infinity ? 1 : 185 * u2 + 36 * e, normal = e == infinity ? 1 : 31 * u2 + 8 * e, difference = e == infinity ? 1 : 2 * e;
+    const Adaptive::Point_3 o = at(0, 0, 0, e);
+    for (const double h : {volume, -volume}) silent(Adaptive::wide_volume_sign(o, at(1, 0, 1, e), at(0, 1, 0, e), at(0, 0, h, e)), "volume");
+    for (const double h : {normal, -normal}) silent(Adaptive::wide_normal_sign(o, at(1, 1, 0, e), at(0, h, 0, e), 2), "normal");
+    if (e != 0) silent(Adaptive::wide_difference_sign(at(difference, 0, 0, e), o, 0), "difference");
+  }
+
+  verify::Random random(3);
+  const auto vertex = [&random](double radius) { return Vertex{radius * random.symmetric(), radius * random.symmetric(), radius * random.symmetric()}; };
+  for (int round = 0; round < rounds; ++round) {
+    std::array<Rational, 12> entries;
+    for (Rational& entry : entries) entry = round % 2 == 0 ? Rational(random.symmetric()) : Rational(Rational(std::round(99 * random.symmetric())) / 7);
+    const Pose pose(entries);
+    const Vertex v = vertex(1);
+    const Adaptive::Point_3 p = Adaptive::placed(v, pose);
+    const Adaptive::Wide_image image = Adaptive::wide_image(p);
+    for (int row = 0; row < 3; ++row) {
+      Rational exact = entries[4 * row + 3], computed = Rational(image.coordinate[row].high) + Rational(image.coordinate[row].low), sum = abs(exact);
+      for (int k = 0; k < 3; ++k) exact += entries[4 * row + k] * Rational(v[k]), sum += abs(Rational(entries[4 * row + k] * Rational(v[k])));
+      if (abs(Rational(exact - computed)) > Rational(image.error)) wrong("image of twice the digits is off by more than its error");
+      if (Rational(image.error) < (round % 2 == 0 ? 9 : 17) * Rational(u2) * sum) wrong("error of an image of twice the digits is less than proved");
+    }
+    // On the plane x + y + z = 0, exactly, with all bits; and a rounded point of another plane.
+    std::array<Adaptive::Point_3, 4> q;
+    for (auto& point : q) {
+      const double x = std::ldexp(std::round(std::ldexp(random.symmetric(), 52)), -52), y = std::ldexp(std::round(std::ldexp(random.symmetric(), 52)), -52);
+      point = Adaptive::unmoved({x, y, -(x + y)});
+    }
+    for (int k = 0; k < 2; ++k) {
+      const Adaptive::Decision decision = Adaptive::wide_volume_sign(q[0], q[1], q[2], q[3]);
+      if (decision && *decision != Adaptive::exact_volume_sign(q[0], q[1], q[2], q[3])) wrong("double-double stage of the volume sign");
+      q[k] = p;
+    }
+  }
+}
+
+/// Points of a small grid, and the same where rounding makes them one: what is ZERO at sight must be.
+void judge_zero_exits(int rounds)
+{
+  verify::Random random(4);
+  std::array<double, 12> entries = {1, 0, 0, 0x1p60, 0, 1, 0, 0x1p60, 0, 0, 1, 0x1p60};
+  const Pose far(entries);
+  for (int round = 0; round < rounds; ++round) {
+    std::array<Adaptive::Point_3, 4> p;
+    for (auto& point : p) {
+      const Vertex v = {std::round(random.symmetric()), std::round(random.symmetric()), std::round(random.symmetric())};
+      point = round % 2 == 0 ? Adaptive::unmoved(v) : Adaptive::placed(v, far);
+    }
+    if (Adaptive::zero_volume_sign(p[0], p[1], p[2], p[3]) && Adaptive::exact_volume_sign(p[0], p[1], p[2], p[3]) != CGAL::ZERO) wrong("zero exit of the volume sign");
+    const int axis = round % 3;
+    if (Adaptive::zero_normal_sign(p[0], p[1], p[2], axis) && Adaptive::exact_normal_sign(p[0], p[1], p[2], axis) != CGAL::ZERO) wrong("zero exit of the normal sign");
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -207,5 +301,8 @@ int main(int argc, char** argv)
     return 2;
   }
   judge_stages(300000);
+  judge_double_doubles(20000);
+  judge_wide_stage(4000);
+  judge_zero_exits(20000);
   std::cout << "right: " << cases << " cases\n";
 }

@@ -20,7 +20,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 SOURCE = HERE.parent.parent
 HEADERS = ("kernel", "covering", "tetratree")
 COMPILE = ["-std=c++20", "-O1", "-frounding-math", "-ffp-contract=off", "-DCGAL_USE_GMPXX=1"]
-LINK = ["-lgmpxx", "-lgmp", "-lmpfr"]
+LINK = ["-lhwy", "-lgmpxx", "-lgmp", "-lmpfr"]
 SECONDS = 600  # a probe of right headers takes some 10
 
 

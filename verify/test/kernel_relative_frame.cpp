@@ -116,3 +116,181 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_bounded_is_said_to_be_unknown)
     BOOST_TEST(std::isinf(Relative_frame(pose, {}, Pose(), {}).error()));
   BOOST_TEST(std::isinf(Relative_frame().error()));
 }
+
+namespace {
+
+Pose scaled(const Pose& pose, double scale)
+{
+  auto entries = pose.entries();
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) entries[4 * i + j] *= scale;
+  return Pose(entries);
+}
+
+/// A pose that the similarity's route refuses: sheared by a thousandth.
+Pose sheared(const Pose& pose)
+{
+  auto entries = pose.entries();
+  for (int i = 0; i < 3; ++i) entries[4 * i] += 0x1p-10 * entries[4 * i + 1];
+  return Pose(entries);
+}
+
+/// The largest error in units of the bound, at the cube's corners; -1 where no bound is known.
+double share_of_bound(const Pose& a, const Local_units& in_a, const Pose& b, const Local_units& in_b)
+{
+  const Relative_frame frame(a, in_a, b, in_b);
+  if (!(frame.error() < HUGE_VAL)) return -1;
+  double worst = 0;
+  for (int corner = 0; corner < 8; corner += 3) {
+    const Vertex p = {corner & 1 ? -1.0 : 1.0, corner & 2 ? -1.0 : 1.0, corner & 4 ? -1.0 : 1.0};
+    const auto image = frame(p);
+    const Row right = exact(a, in_a, b, in_b, p);
+    for (int i = 0; i < 3; ++i) {
+      const Rational off = Rational(image[i]) - right[i], bound(frame.error());
+      worst = std::max(worst, std::abs(nearest_double(Rational(off / bound))));
+    }
+  }
+  return worst;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(both_routes_keep_their_bound_for_scales_units_and_distances_of_every_size)
+{
+  Random random(6);
+  int known = 0, unknown = 0;
+  double worst = 0;
+  for (int k = 0; k < 2400; ++k) {
+    const Pose rational = scenes::random_rotation(random, 5, {Rational(1) / 3, 0, Rational(-2) / 7});
+    Pose a = k % 2 == 0 ? scaled(scenes::rounded(rational), std::ldexp(1.0 + scenes::real(random, 0, 1), scenes::integer(random, -40, 40))) : rational;
+    Pose b = k % 3 == 0 ? scenes::random_rotation(random, 4) : scaled(scenes::rounded(scenes::random_rotation(random, 5)), std::ldexp(1.0, scenes::integer(random, -60, 60)));
+    if (k % 8 >= 4) a = sheared(a);
+    if (k % 5 == 0) {  // both far away
+      auto far_a = a.entries(), far_b = b.entries();
+      const double distance = std::ldexp(1.0, scenes::integer(random, 10, 90));
+      for (int i = 0; i < 3; ++i) far_a[4 * i + 3] = distance + i, far_b[4 * i + 3] = distance;
+      a = Pose(far_a), b = Pose(far_b);
+    }
+    const Local_units in_a{scenes::real_vertex(random, k % 7 == 0 ? 1e12 : 1), std::ldexp(1.0, scenes::integer(random, -90, 90))};
+    const Local_units in_b{scenes::real_vertex(random, k % 11 == 0 ? 1e12 : 1), std::ldexp(1.0, scenes::integer(random, -90, 90))};
+    const double share = share_of_bound(a, in_a, b, in_b);
+    if (share < 0) {
+      ++unknown;
+      continue;
+    }
+    ++known;
+    worst = std::max(worst, share);
+  }
+  BOOST_TEST_MESSAGE("largest error / bound: " << worst << "; known " << known << ", unknown " << unknown);
+  BOOST_TEST(worst <= 1);
+  BOOST_TEST(worst > 0.001);
+  BOOST_TEST(known > 1500);
+}
+
+BOOST_AUTO_TEST_CASE(entries_that_are_denormal_have_no_false_bound)
+{
+  // Units so large that the image is of ordinary size, of a pose whose entries have few digits left.
+  Random random(7);
+  int known = 0;
+  for (const int exponent : {-1072, -1070, -1060, -1030, -1000, -700, -300}) {
+    const Pose b(std::array<double, 12>{std::ldexp(3, exponent), -std::ldexp(4, exponent), 0, 0, std::ldexp(4, exponent), std::ldexp(3, exponent), 0, 0, 0, 0, std::ldexp(5, exponent), 0});
+    for (int k = 0; k < 20; ++k) {
+      const Pose rotation = scenes::rounded(scenes::random_rotation(random, 5));
+      const Local_units in_b{{0, 0, 0}, std::ldexp(1.0, std::min(-exponent, 1020))};
+      for (const Pose& a : {rotation, sheared(rotation)}) {
+        const double share = share_of_bound(a, {}, b, in_b);
+        BOOST_TEST(share <= 1);
+        known += share >= 0;
+      }
+    }
+  }
+  BOOST_TEST(known < 280);
+}
+
+BOOST_AUTO_TEST_CASE(what_overflows_has_no_bound)
+{
+  // A column of B's that overflows, another that does not.
+  const double huge = 0x1p1020;
+  const Pose turned = Pose(std::array<double, 12>{0x1p40, -0x1p40, 0, 0, 0x1p40, 0x1p40, 0, 0, 0, 0, 1.4142135623730951 * 0x1p40, 0});
+  for (const Pose& a : {Pose(), turned, sheared(turned)})
+    BOOST_TEST(std::isinf(Relative_frame(a, {}, Pose(std::array<double, 12>{1, huge, 0, 0, 0, huge, 0, 0, 0, -huge, 1, 0}), {}).error()));
+}
+
+BOOST_AUTO_TEST_CASE(scale_is_the_length_of_the_first_column_and_offset_the_image_of_the_origin)
+{
+  Random random(8);
+  for (int k = 0; k < 300; ++k) {
+    const Pose a = any_pose(random, k % 4), b = any_pose(random, k / 4 % 4);
+    const Local_units in_a{scenes::real_vertex(random, 1), std::ldexp(1.0, scenes::integer(random, -3, 3))}, in_b{scenes::real_vertex(random, 1), 0.5};
+    const Relative_frame frame(a, in_a, b, in_b);
+    const auto& l = frame.linear();
+    BOOST_TEST(frame.scale() == std::sqrt(l[0][0] * l[0][0] + l[1][0] * l[1][0] + l[2][0] * l[2][0]), boost::test_tools::tolerance(1e-14));
+    BOOST_TEST((frame.offset() == frame(Vertex{0, 0, 0})));
+    const auto direction = frame.direction(Vertex{1, 2, 3}), image = frame(Vertex{1, 2, 3});
+    for (int i = 0; i < 3; ++i) BOOST_TEST(image[i] == direction[i] + frame.offset()[i]);
+    const Row right = exact(a, in_a, b, in_b, {0, 0, 0});
+    for (int i = 0; i < 3; ++i) BOOST_TEST(std::abs(nearest_double(Rational(Rational(frame.offset()[i]) - right[i]))) <= frame.error());
+    if (k % 4 < 3 && k / 4 % 4 < 3) BOOST_TEST(frame.scale() == 0.5 / in_a.unit, boost::test_tools::tolerance(1e-7));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_similarity_has_a_scale_that_floats_can_carry)
+{
+  for (const int exponent : {-300, -100, -61, 61, 100, 300}) {
+    BOOST_TEST(!Relative_frame(Pose(), {}, Pose(), {{0, 0, 0}, std::ldexp(1.0, exponent)}).is_similarity());
+    BOOST_TEST(!Relative_frame(Pose(), {{0, 0, 0}, std::ldexp(1.0, exponent)}, Pose(), {}).is_similarity());
+  }
+  for (const int exponent : {-60, -20, 0, 20, 60}) BOOST_TEST(Relative_frame(Pose(), {}, Pose(), {{0, 0, 0}, std::ldexp(1.0, exponent)}).is_similarity());
+}
+
+BOOST_AUTO_TEST_CASE(cubes_that_share_a_point_are_never_told_apart)
+{
+  Random random(9);
+  int told_apart = 0, far_and_told = 0, far_apart = 0;
+  for (int k = 0; k < 1200; ++k) {
+    Pose a = scenes::rounded(scenes::random_rotation(random, 5));
+    if (k % 3 == 1) a = sheared(a);
+    const Pose rotation = k % 2 == 0 ? a : scenes::rounded(scenes::random_rotation(random, 5));
+    const Local_units units{scenes::grid_vertex(random, 2), 0.5};
+    // A point of B's cube, most often a corner, is put on one of A's, but for the rounding of the translation, which is turned inward.
+    Vertex in_a = {1, scenes::real(random, -1, 1), scenes::real(random, -1, 1)}, in_b;
+    std::rotate(in_a.begin(), in_a.begin() + scenes::integer(random, 0, 2), in_a.end());
+    for (double& x : in_b) x = random() % 2 == 0 ? -1 : 1;
+    const auto world = [&](const Pose& pose, const Vertex& local) {
+      Row v;
+      for (int i = 0; i < 3; ++i) {
+        v[i] = pose.exact(4 * i + 3);
+        for (int j = 0; j < 3; ++j) v[i] += pose.exact(4 * i + j) * (Rational(units.origin[j]) + Rational(units.unit) * Rational(local[j]));
+      }
+      return v;
+    };
+    std::array<Rational, 12> entries;
+    for (int n = 0; n < 12; ++n) entries[n] = rotation.exact(n);
+    const Row from = world(rotation, in_b), to = world(a, in_a);
+    for (int i = 0; i < 3; ++i) entries[4 * i + 3] += to[i] - from[i];
+    told_apart += Relative_frame(a, units, Pose(entries), units).cubes_apart();
+    for (int i = 0; i < 3; ++i) entries[4 * i + 3] += 6 * (i + 1);
+    ++far_apart;
+    far_and_told += Relative_frame(a, units, Pose(entries), units).cubes_apart();
+  }
+  BOOST_TEST(told_apart == 0);
+  BOOST_TEST(far_and_told == far_apart);
+}
+
+BOOST_AUTO_TEST_CASE(axis_parallel_cubes_are_apart_as_soon_as_there_is_room_between_them)
+{
+  const Pose pose;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {-1.0, 1.0}) {
+      const auto apart = [&](double distance) {
+        std::array<double, 3> t{0.5, -0.5, 0.25};
+        t[axis] = side * distance;
+        return Relative_frame(Pose(), {}, scenes::translation(t[0], t[1], t[2]), {}).cubes_apart();
+      };
+      BOOST_TEST(!apart(1.9));
+      BOOST_TEST(!apart(2));
+      BOOST_TEST(apart(2 + 1e-12));
+      BOOST_TEST(apart(1e15));
+    }
+  BOOST_TEST(!Relative_frame().cubes_apart());
+}

@@ -1,0 +1,134 @@
+#ifndef TETRACONE_TETRATREE_WIDE_CONTAINMENT_H
+#define TETRACONE_TETRATREE_WIDE_CONTAINMENT_H
+
+#include "covering/inclusion.h"
+#include "kernel/wide_overlap.h"
+#include "tetratree/counts.h"
+#include "tetratree/wide_body.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <vector>
+
+namespace tetracone::tetratree {
+
+/// Whether a solid holds a shell of another body, through its wide tree.
+///
+/// The winding number about a vertex is the signed sum over the covering (JS08 Theorem 1). Of its tetrahedra only those can count whose face is met by the
+/// ray from the vertex away from the covering's origin: these the tree finds, and the exact signs decide them.
+class Wide_containment {
+ public:
+  /// Requires surfaces that share no point: then each shell is inside or outside as a whole, and one vertex of it tells.
+  bool operator()(Wide_body& holder, Wide_body& held, Counts& counts)
+  {
+    for (const Index v : held.tree->model().covering().shell_vertices()) {
+      const Row at = image(held, v);
+      if (is_outside(holder.tree->node(0).boxes, at, held.into_other.frame().error())) continue;
+      ++counts.inclusion_tests;
+      if (winding_number(holder, held, v, at, counts) != 0) return true;
+    }
+    return false;
+  }
+
+ private:
+  using Adaptive = kernel::Adaptive;
+  using Point = kernel::Point<Adaptive>;
+  using Row = kernel::Relative_frame::Row;
+  using Face = covering::Placed_face<Adaptive>;
+
+  /// The vertex in the holder's local units.
+  static Row image(const Wide_body& held, Index v)
+  {
+    const kernel::Vector at = held.tree->local(v);
+    return held.into_other.frame()(Row{at[0], at[1], at[2]});
+  }
+
+  /// Of the root's box; for its float axes see `kernel::axis_defect`.
+  static bool is_outside(const kernel::Wide_boxes& root, const Row& at, double error)
+  {
+    double size = 0;
+    Row from_centre;
+    for (int k = 0; k < 3; ++k) {
+      from_centre[k] = at[k] - (double(root.origin[k]) + double(root.centre[k][0]));
+      size += std::abs(from_centre[k]);
+    }
+    for (int i = 0; i < 3; ++i) {
+      const double along = from_centre[0] * root.axis[i][0][0] + from_centre[1] * root.axis[i][1][0] + from_centre[2] * root.axis[i][2][0];
+      if (std::abs(along) > root.extent[i][0] + 4 * kernel::axis_defect * size + 2 * error + 0x1p-40) return true;
+    }
+    return false;
+  }
+
+  int winding_number(Wide_body& holder, Wide_body& held, Index v, const Row& at, Counts& counts)
+  {
+    const Point& p = held.placed.point(v);
+    const Point origin = holder.placed.frame()(holder.tree->model().origin());
+    const kernel::Single_box ray = beyond(at, held.into_other.frame().error());
+    int winding = 0;
+    nodes_.assign(1, 0);
+    while (!nodes_.empty()) {
+      const Index n = nodes_.back();
+      nodes_.pop_back();
+      const Wide_node& node = holder.tree->node(n);
+      kernel::Single_box box = ray;
+      double sum = node.boxes.reach;
+      for (int i = 0; i < 3; ++i) {
+        box.centre[i] = float(double(ray.centre[i]) - double(node.boxes.origin[i]));
+        sum += std::abs(box.centre[i]) + box.extent[i];
+      }
+      box.slack = kernel::wide_slack(sum, 0) + ray.slack;
+      unsigned met = kernel::overlapping(node.boxes, box, true) & ((1u << node.lane_count) - 1);
+      counts.box_tests += unsigned(node.lane_count);
+      for (; met != 0; met &= met - 1) {
+        const int lane = std::countr_zero(met);
+        if (holder.tree->is_leaf(n, lane)) winding += winding_of(holder, holder.tree->element(n, lane), p, origin);
+        else nodes_.push_back(holder.tree->child(n, lane));
+      }
+    }
+    return winding;
+  }
+
+  static int winding_of(Wide_body& holder, const Element& element, const Point& p, const Point& origin)
+  {
+    if (!element.is_whole_face()) {
+      const auto t = holder.corners(element);
+      return covering::signed_inclusion<Adaptive>(p, origin, *t[0], *t[1], *t[2]);
+    }
+    const Face face(holder.placed, element.face);
+    int winding = 0;
+    for (std::size_t k = 0; k < face.edge_count(); ++k)
+      winding += covering::signed_inclusion<Adaptive>(p, origin, face.origin(), face.from(k), face.to(k));
+    return winding;
+  }
+
+  /// A thin box about the part of the ray from the holder's origin through p that lies beyond p; where p is too near to the origin to tell the
+  /// direction, a box about everything. `error` is that of p's coordinates; `slack` of the box is the position's error.
+  static kernel::Single_box beyond(const Row& p, double error)
+  {
+    error += 0x1p-40;
+    const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+    kernel::Single_box box{};
+    if (!(length > 0x1p20 * error) || !(length < 0x1p20)) {
+      for (int i = 0; i < 3; ++i) box.edge[i][i] = 1, box.extent[i] = 4;
+      return box;
+    }
+    // Every point of the holder is within sqrt(3) of its origin; an error at p grows with the distance from it.
+    const double end = std::max(2.0, 1.5 * length);
+    const kernel::Matrix axes = kernel::detail::axes_from(kernel::Vector(p[0], p[1], p[2]), kernel::Vector(1, 0, 0));
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k) box.edge[i][k] = float(axes(k, i));
+      box.centre[i] = float(0.5 * (1 + end / length) * p[i]);
+    }
+    box.extent[0] = float(0.5 * (end - length));
+    box.slack = kernel::wide_slack(0, error * end / length) + 64 * 0x1p-24f * float(end);
+    return box;
+  }
+
+  std::vector<Index> nodes_;
+};
+
+}  // namespace tetracone::tetratree
+
+#endif
