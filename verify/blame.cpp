@@ -4,6 +4,7 @@
 #include "tetratree/collision.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <set>
 #include <utility>
@@ -28,6 +29,12 @@ struct Rounded_body {
       : origin(exactly<K>(body.frame()(body.model().origin()))), covering(&body.model().covering())
   {
     for (Index v = 0; v < body.model().vertices().size(); ++v) points.push_back(exactly<K>(body.point(v)));
+  }
+
+  /// No coordinate has overflowed.
+  bool is_finite() const
+  {
+    return std::all_of(points.begin(), points.end(), [](const auto& p) { return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()); });
   }
 
   template <class K>
@@ -96,6 +103,8 @@ std::optional<Stage> blame_in(const tetratree::Config& config, const Object_case
   if (collision(c.pose_a, c.pose_b, question) == truth) return std::nullopt;
 
   const Rounded_body a(collision.a().body()), b(collision.b().body());
+  // A point at infinity has lost its place, and has no exact signs.
+  if (!a.is_finite() || !b.is_finite()) return Stage::pose;
   const Meeting a_in_b = meeting(a, b, c.b->face_count()), b_in_a = meeting(b, a, c.a->face_count());
   const bool contained = question == Question::solid && (holds_a_shell(a, b) || holds_a_shell(b, a));
   if ((contained || !a_in_b.empty() || !b_in_a.empty()) != truth) return Stage::pose;

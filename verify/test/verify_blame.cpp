@@ -97,6 +97,22 @@ BOOST_AUTO_TEST_CASE(the_pose_is_to_blame_exactly_when_exact_signs_of_rounded_im
   BOOST_TEST(stages["float pose"] > 0);
 }
 
+BOOST_AUTO_TEST_CASE(the_pose_is_to_blame_where_it_takes_a_coordinate_beyond_the_largest_number)
+{
+  // 1e39 is a double and no float: to float these meet in no point, or in any.
+  const Object_case together = object_case(unit_cube(), translation(1e39, 0, 0), unit_cube(), translation(1e39, 0, 0));
+  const Object_case apart = object_case(unit_cube(), translation(1e39, 0, 0), unit_cube(), translation(3e39, 0, 0));
+  int blamed = 0;
+  for (const Object_case* c : {&together, &apart}) {
+    const bool truth = truth_of(*c, Question::solid);
+    BOOST_TEST(truth == (c == &together));
+    const auto stage = blame(*Subject::parse("float"), *c, Question::solid, truth);
+    if (stage) BOOST_TEST((*stage == Stage::pose));
+    blamed += stage.has_value();
+  }
+  BOOST_TEST(blamed > 0);
+}
+
 BOOST_AUTO_TEST_CASE(unmoved_bodies_leave_only_the_signs_to_blame)
 {
   // A vertex of B is a point of a face of A, rounded; the rest of B is beyond the face.
