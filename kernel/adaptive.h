@@ -67,6 +67,7 @@ class Adaptive {
   /// by 2^-1075 instead, which vertices within the gate keep far below `underflow`; beyond it the error is not known.
   static Point_3 placed(const Vertex& vertex, const Pose& pose)
   {
+    if (pose.is_translation()) return translated(vertex, pose);
     Point_3 point{{}, 0, vertex, &pose};
     double largest = 0;
     for (int row = 0; row < 3; ++row) {
@@ -77,6 +78,22 @@ class Adaptive {
     }
     const bool known = largest <= magnitude_gate && (!pose.is_rational() || magnitude(vertex) <= magnitude_gate);
     point.error = known ? 6 * unit_roundoff<double> * largest + underflow : std::numeric_limits<double>::infinity();
+    return point;
+  }
+
+  /// The same of a pose that only translates: one sum a coordinate, off by u of it, and by nothing where what it loses, which TwoSum (Knuth) tells, is 0.
+  static Point_3 translated(const Vertex& vertex, const Pose& pose)
+  {
+    Point_3 point{{}, 0, vertex, &pose};
+    double largest = 0, terms = 0, lost = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double v = vertex[k], t = pose[4 * k + 3], sum = v + t, of_t = sum - v;
+      lost = std::max(lost, std::abs((v - (sum - of_t)) + (t - of_t)));
+      point.image[k] = sum;
+      largest = std::max(largest, std::abs(sum));
+      terms = std::max({terms, std::abs(v), std::abs(t)});
+    }
+    point.error = !(terms <= magnitude_gate) ? std::numeric_limits<double>::infinity() : lost == 0 ? 0 : 1.001 * unit_roundoff<double> * largest;
     return point;
   }
 
@@ -363,6 +380,7 @@ class Adaptive {
     const Vertex& v = point.vertex;
     using Number = CGAL::Mpzf;
     if (point.pose == nullptr) return {Number(v[0]), Number(v[1]), Number(v[2])};
+    if (point.error == 0) return {Number(point.image[0]), Number(point.image[1]), Number(point.image[2])};
     const auto row = [&](int i) -> Number {
       const Pose& m = *point.pose;
       return m.whole(i) * Number(v[0]) + m.whole(i + 1) * Number(v[1]) + m.whole(i + 2) * Number(v[2]) + m.whole(i + 3);

@@ -46,7 +46,7 @@ class Pose {
   Pose() : entries_{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0} {}
 
   /// Twelve finite doubles, row-major 3x4.
-  explicit Pose(const std::array<double, 12>& entries) : entries_(entries) {}
+  explicit Pose(const std::array<double, 12>& entries) : entries_(entries), is_translation_(is_unit(entries)) {}
 
   /// Twelve rationals, row-major 3x4, each with a finite nearest double. Entries that are all doubles give the same pose as the doubles.
   explicit Pose(const std::array<Rational, 12>& entries)
@@ -57,6 +57,7 @@ class Pose {
       assert(std::isfinite(entries_[k]));
       all_doubles = all_doubles && Rational(entries_[k]) == entries[k];
     }
+    is_translation_ = all_doubles && is_unit(entries_);
     if (all_doubles) return;
     rationals_.assign(entries.begin(), entries.end());
     std::array<Integer, 12> numerators, denominators;
@@ -134,6 +135,9 @@ class Pose {
   /// True when the map moves nothing: every image is the point itself, in every kernel.
   bool is_identity() const { return !is_rational() && entries_ == Pose().entries_; }
 
+  /// True when M is the identity and t are doubles: an image is the vertex and t, added.
+  bool is_translation() const { return is_translation_; }
+
   /// The sign of det M, exact. Zero: the map is flat and no pose.
   CGAL::Sign determinant_sign() const
   {
@@ -167,6 +171,14 @@ class Pose {
     CGAL::Mpzf weight;
   };
 
+  static bool is_unit(const std::array<double, 12>& m)
+  {
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        if (m[4 * i + j] != (i == j ? 1 : 0)) return false;
+    return true;
+  }
+
   static CGAL::Mpzf mpzf(const Integer& integer)
   {
     const mpz_srcptr z = detail::gmp(integer);
@@ -177,6 +189,7 @@ class Pose {
   }
 
   std::array<double, 12> entries_;
+  bool is_translation_ = true;
   std::array<double, 12> lows_{};     // what rounding took from a fraction, rounded
   std::vector<Rational> rationals_;  // empty, or the twelve exact entries
   std::shared_ptr<const Whole> whole_;  // of these

@@ -51,6 +51,9 @@ class Wide_collision {
   const Counts& counts() const { return counts_; }
   void clear_counts() { counts_ = {}; }
 
+  /// Of the tables of reach; the trees have their own.
+  std::size_t bytes() const { return separation_.bytes(); }
+
  private:
   using Adaptive = kernel::Adaptive;
   using Point = kernel::Point<Adaptive>;

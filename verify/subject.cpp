@@ -92,7 +92,7 @@ class Wide_pair : public Prepared_pair {
     if (of_features_) counts += of_features_->take_counts();
     return counts;
   }
-  std::size_t bytes() const override { return a_.bytes() + b_.bytes(); }
+  std::size_t bytes() const override { return a_.bytes() + b_.bytes() + collision_.bytes(); }
   std::size_t node_count() const override { return a_.node_count() + b_.node_count(); }
 
  private:

@@ -696,6 +696,43 @@ BOOST_AUTO_TEST_CASE(a_volume_of_which_every_product_has_a_factor_0_needs_no_ari
                                          Adaptive::placed({1, 2, 0}, moved)));
 }
 
+BOOST_AUTO_TEST_CASE(a_translation_keeps_images_exact_where_sums_are)
+{
+  const Pose exact = Pose::translation(1, -0.5, 0x1p20), rounding = Pose::translation(0x1p-60, 0, 0), none = Pose::translation(0, 0, 0);
+  const Vertex v = {0.25, 3, -7};
+  BOOST_TEST(Adaptive::placed(v, exact).error == 0);
+  BOOST_TEST((Adaptive::placed(v, exact).image == Vertex{1.25, 2.5, 0x1p20 - 7}));
+  BOOST_TEST(Adaptive::placed(v, none).error == 0);
+  BOOST_TEST(Adaptive::placed(v, rounding).error > 0);
+  BOOST_TEST(Adaptive::placed({0x1p120, 0, 0}, exact).error == HUGE_VAL);
+  BOOST_TEST(Adaptive::placed({0x1p1023, 0, 0}, Pose::translation(0x1p1023, 0, 0)).error == HUGE_VAL);
+
+  // Random sums, most of which round: never farther off than the error says, and exact where it is 0.
+  std::mt19937_64 random(8);
+  int exact_ones = 0, rounded_ones = 0;
+  for (int k = 0; k < 3000; ++k) {
+    const auto number = [&] { return std::ldexp(double(int(random() % 2048) - 1024), int(random() % 60) - 30); };
+    const Vertex w = {number(), number(), number()};
+    const Pose pose = Pose::translation(number(), number(), number());
+    const Point p = Adaptive::placed(w, pose);
+    (p.error == 0 ? exact_ones : rounded_ones) += 1;
+    for (int i = 0; i < 3; ++i) {
+      const Rational off = Rational(p.image[i]) - (Rational(w[i]) + Rational(pose[4 * i + 3]));
+      BOOST_TEST((abs(off) <= Rational(p.error)));
+    }
+  }
+  BOOST_TEST(exact_ones > 100);
+  BOOST_TEST(rounded_ones > 100);
+
+  // A face moved onto the plane of another: no exact stage.
+  const Pose up = Pose::translation(0.5, 0.25, 1);
+  const auto before = Adaptive::exact_fallbacks();
+  const auto zeros = Adaptive::decided_by().zero;
+  BOOST_TEST(Adaptive::volume_sign(Adaptive::unmoved({0, 0, 1}), Adaptive::unmoved({1, 0, 1}), Adaptive::unmoved({0, 1, 1}), Adaptive::placed({3, 5, 0}, up)) == CGAL::ZERO);
+  BOOST_TEST(Adaptive::exact_fallbacks() == before);
+  BOOST_TEST(Adaptive::decided_by().zero == zeros + 1);
+}
+
 BOOST_AUTO_TEST_CASE(fallbacks_are_counted_by_each_thread_alone)
 {
   const Point o = Adaptive::unmoved({0, 0, 0}), x = Adaptive::unmoved({1, 0, 0}), y = Adaptive::unmoved({0, 1, 0}),
