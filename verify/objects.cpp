@@ -295,19 +295,21 @@ Polyhedron blob(std::size_t triangles, std::uint64_t seed)
     };
     for (int i = 0; i < n; ++i)
       for (int j = 0; i + j < n; ++j) {
-        add(at(i, j), at(i + 1, j), at(i, j + 1));
-        if (i + j + 1 < n) add(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+        // In statements: they number the corners, and the order of arguments is the compiler's.
+        const Index above = at(i, j + 1), beside = at(i + 1, j), here = at(i, j);
+        add(here, beside, above);
+        if (i + j + 1 < n) add(beside, at(i + 1, j + 1), above);
       }
   }
   return result;
 }
 
-Polyhedron torus_knot(std::size_t triangles)
+namespace {
+
+/// A tube of radius 1/7 along the trefoil knot on a torus of radii 4/7 and 2/7.
+Polyhedron tube_along_knot(Index rings, Index sides)
 {
-  assert(triangles >= 640);
-  constexpr Index sides = 8;
   constexpr double thickness = 0.5, scale = 1 / 3.5;
-  const Index rings = static_cast<Index>((triangles + sides) / (2 * sides));
   // Three times round the tube of a torus of radii 2 and 1 while twice along it.
   const auto core = [](double along) -> Vector {
     const auto [c, s] = turn(2 * along);
@@ -337,6 +339,23 @@ Polyhedron torus_knot(std::size_t triangles)
       add_quad(result, here + side, here + next, there + next, there + side);
     }
   return result;
+}
+
+}  // namespace
+
+Polyhedron torus_knot(std::size_t triangles)
+{
+  assert(triangles >= 640);
+  constexpr Index sides = 8;
+  return tube_along_knot(static_cast<Index>((triangles + sides) / (2 * sides)), sides);
+}
+
+Polyhedron round_torus_knot(std::size_t triangles)
+{
+  assert(triangles >= 640);
+  // The tube is about ten times as long as round: triangles of about equal sides.
+  const Index sides = static_cast<Index>(std::lround(std::sqrt(triangles / 20.0)));
+  return tube_along_knot(static_cast<Index>((triangles + sides) / (2 * sides)), sides);
 }
 
 std::optional<Polyhedron> demo_mesh(const std::filesystem::path& folder, const std::string& name)

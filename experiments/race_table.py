@@ -1,0 +1,89 @@
+"""What the figures of the speed experiments share: their rows, means, and how a figure is kept."""
+
+import csv
+import math
+import os
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+
+from report_style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, SKY, VERMILION, set_style  # noqa: F401
+
+OURS, FCL, PAPER = "tetracone", "FCL OBBRSS", "paper tree in double"
+LAST_FRAME, EPICK, EPECK = "tetracone with last frame", "CGAL RMCD EPICK", "CGAL RMCD EPECK"
+COLOURS = {OURS: GREEN, LAST_FRAME: "#005a41", FCL: INK, PAPER: VERMILION, EPICK: SKY, EPECK: BLUE, "Bullet GImpact": ORANGE, "ODE trimesh": PURPLE}
+SHORT = {LAST_FRAME: "with last frame", FCL: "FCL", PAPER: "paper's, double", EPICK: "EPICK"}
+TEXT = {"scenario", "object", "question", "subject", "version", "compiler", "flags", "processor", "fcl"}
+
+
+def read(name):
+    """The folder given on the command line and the rows of FOLDER/NAME.csv: numbers as numbers, None where a field is empty."""
+    if len(sys.argv) != 2:
+        sys.exit(f"usage: {os.path.basename(sys.argv[0])} OUT")
+    file = os.path.join(sys.argv[1], name + ".csv")
+    try:
+        with open(file, newline="") as f:
+            rows = [{k: v if k in TEXT else float(v) if v else None for k, v in row.items()} for row in csv.DictReader(f)]
+    except FileNotFoundError:
+        sys.exit(f"{file}: no such file; expected the results of tetracone experiment {name}")
+    set_style()
+    return sys.argv[1], rows
+
+
+def course(row):
+    """What all subjects of a race share."""
+    return row["scenario"], row["object"], row["triangles"], row["ratio"], row["question"]
+
+
+def against(rows, subject, other, value="mean_ns"):
+    """{course: value of subject / value of other} where both ran; times are compared on the poses that both were asked."""
+    of = {(course(r), r["subject"]): r for r in rows}
+    return {c: ratio(of[c, subject], of[c, other], value) for c, s in of if s == subject and (c, other) in of}
+
+
+def ratio(row, other, value):
+    if value != "mean_ns" or row["poses"] == other["poses"]:
+        return row[value] / other[value]
+    ruler = "tetracone_same_poses_ns" if other["subject"] == OURS else "fcl_same_poses_ns"
+    over = row["same_poses_ns"] / row[ruler]
+    return over if other["subject"] in (OURS, FCL) else over / (other["same_poses_ns"] / other[ruler])
+
+
+def geometric_mean(values):
+    values = list(values)
+    return math.exp(sum(map(math.log, values)) / len(values)) if values else math.nan
+
+
+def wrong(rows, subject):
+    return sum(int(r["false_positives"] + r["false_negatives"]) for r in rows if r["subject"] == subject)
+
+
+def answers(rows, subject):
+    return sum(int(r["poses"]) for r in rows if r["subject"] == subject)
+
+
+def exponent(xs, ys):
+    """The slope of log y over log x, by least squares."""
+    xs, ys = [math.log(x) for x in xs], [math.log(y) for y in ys]
+    x, y = sum(xs) / len(xs), sum(ys) / len(ys)
+    spread = sum((a - x) ** 2 for a in xs)
+    return sum((a - x) * (b - y) for a, b in zip(xs, ys)) / spread if spread else math.nan
+
+
+def checked(rows):
+    """One line: what the reference was held against."""
+    seen = {course(r): r for r in rows}.values()
+    n, bad = sum(int(r["reference_checked"]) for r in seen), sum(int(r["reference_wrong"]) for r in seen)
+    return f"reference: tetracone's answers, of which {n} were compared with the truth in rationals: {bad} wrong"
+
+
+def save(figure, out, name):
+    """Both files are whole or the old ones."""
+    for ending in ("svg", "pdf"):
+        file = os.path.join(out, f"{name}.{ending}")
+        figure.savefig(file + ".part", format=ending, bbox_inches="tight", metadata={"Date" if ending == "svg" else "CreationDate": None})
+        os.replace(file + ".part", file)
+    plt.close(figure)

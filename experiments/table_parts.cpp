@@ -1,0 +1,39 @@
+#include "experiments/table_parts.h"
+
+#include "experiments/output_file.h"
+#include "experiments/progress.h"
+#include "kernel/text_lines.h"
+
+#include <cstdlib>
+#include <stdexcept>
+#include <system_error>
+
+namespace tetracone::experiments {
+
+void write_table(const std::filesystem::path& out, const std::string& name, const std::string& key, const std::vector<Table_part>& parts)
+{
+  const std::filesystem::path folder = out / name / ("v" TETRACONE_VERSION "-" + key);
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw kernel::Input_error(folder.native(), 0, "cannot be made", "expected a folder that may be written");
+
+  std::string table;
+  Progress progress(name, parts.size());
+  for (const Table_part& part : parts) {
+    const std::filesystem::path file = folder / (part.name + ".csv");
+    if (!std::filesystem::exists(file)) write_whole(file, part.make());
+    const std::string rows = kernel::read_bytes(file);
+    table += table.empty() ? rows : rows.substr(rows.find('\n') + 1);
+    progress.step();
+  }
+  write_whole(out / (name + ".csv"), table);
+}
+
+void draw_table(const std::string& script, const std::filesystem::path& out)
+{
+  if (out.native().find('\'') != std::string::npos) throw std::runtime_error("the folder's name holds a quote; expected one without");
+  const std::string command = "/usr/bin/python3 '" TETRACONE_SOURCE_DIR "/experiments/" + script + "' '" + out.native() + "'";
+  if (std::system(command.c_str()) != 0) throw std::runtime_error("the figures could not be drawn; expected python3 with matplotlib");
+}
+
+}  // namespace tetracone::experiments

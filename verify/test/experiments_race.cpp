@@ -1,0 +1,83 @@
+#include "experiments/race.h"
+
+#include "verify/objects.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+using namespace tetracone;
+using namespace tetracone::experiments;
+using kernel::Pose;
+using kernel::Question;
+
+namespace {
+
+/// Two cubes on a line: apart, touching, and crossing.
+Race_course three_poses()
+{
+  Race_course course{"line", "cube", 1, verify::unit_cube(), verify::unit_cube(), {}};
+  for (const double x : {2.0, 1.0, 0.5, std::nextafter(1.0, 2.0)}) course.poses_b.push_back(Pose::translation(x, 0, 0));
+  return course;
+}
+
+/// Says no, whatever is asked.
+class Denying : public Ready {
+ public:
+  bool collide(const Pose&, const Pose&, Question) override { return false; }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(wrong_answers_are_counted_by_their_kind_and_only_where_they_were_given)
+{
+  const Race_course course = three_poses();
+  const Contestant denying{"denying", false, false, false, 2,
+                           [](const covering::Polyhedron&, const covering::Polyhedron&) { return std::make_unique<Denying>(); }, {}};
+  Race race(course, {wide(), denying});
+  const auto surface = race.run(Question::surface, 2, 1);
+  BOOST_TEST(surface[0]->poses == 4u);
+  BOOST_TEST(surface[0]->collisions == 2u);
+  BOOST_TEST(surface[0]->false_positives + surface[0]->false_negatives == 0u);
+  BOOST_TEST(surface[1]->poses == 2u);  // the first and the third
+  BOOST_TEST(surface[1]->false_negatives == 1u);
+  BOOST_TEST(surface[1]->false_positives == 0u);
+  BOOST_TEST(!race.run(Question::solid, 1, 1)[1]);  // it knows none
+}
+
+BOOST_AUTO_TEST_CASE(the_reference_agrees_with_the_truth_on_frames_of_both_answers)
+{
+  const Race_course course = three_poses();
+  Race race(course, {wide()});
+  for (const Question question : {Question::surface, Question::solid}) {
+    const auto checked = race.check(question);
+    BOOST_TEST(checked.frames == 4u);
+    BOOST_TEST(checked.wrong == 0u);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_contestant_that_takes_no_such_bodies_is_not_in_the_race)
+{
+  const Race_course course = three_poses();
+  Race race(course, {wide(), peer("no such library")});
+  BOOST_TEST(!race.run(Question::surface, 1, 1)[1]);
+}
+
+BOOST_AUTO_TEST_CASE(time_memory_and_nodes_are_measured)
+{
+  const Race_course course = on_trajectory(verify::blob(2000, 1), "blob", "contour", 1, 20, 1);
+  Race race(course, {wide()});
+  const Build& build = race.runners()[0].build;
+  BOOST_TEST(build.milliseconds > 0);
+  BOOST_TEST(build.bytes > 100u * (course.a.face_count() + course.b.face_count()));
+  BOOST_TEST(build.nodes_after_one <= build.nodes_after_first);
+  BOOST_TEST(build.nodes_after_first < race.runners()[0].ready->node_count());
+  const auto timing = race.run(Question::surface, 3, 1)[0];
+  BOOST_TEST(timing->passes == 3u);
+  BOOST_TEST(timing->mean_ns > 0);
+  BOOST_TEST(timing->median_ns <= timing->p99_ns);
+  BOOST_TEST(timing->counts.queries == 20u);  // of one pass
+}
