@@ -1,10 +1,9 @@
 #include "experiments/collide_command.h"
 
 #include "covering/edge_uses.h"
-#include "experiments/model_file.h"
 #include "experiments/output_file.h"
 #include "experiments/progress.h"
-#include "kernel/read_poses.h"
+#include "experiments/scene_names.h"
 #include "verify/case_file.h"
 #include "verify/predicate_subject.h"
 #include "verify/subject.h"
@@ -16,7 +15,6 @@
 #include <iostream>
 #include <limits>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -32,33 +30,11 @@ using verify::Subject;
 using Json = nlohmann::ordered_json;
 
 struct Options {
-  std::string a, b, poses_a, poses_b, csv;
-  std::string question = "solid", kernel = "adaptive", method = "tree";
-  Model_options models;
+  Scene_names names;
+  std::string csv, question = "solid", kernel = "adaptive", method = "tree";
   bool features = false, json = false, time = false;
   int repeat = 1;
 };
-
-struct Pose_pairs {
-  std::vector<Pose> a, b;
-
-  std::size_t count() const { return std::max(a.size(), b.size()); }
-  const Pose& of_a(std::size_t k) const { return a[a.size() == 1 ? 0 : k]; }
-  const Pose& of_b(std::size_t k) const { return b[b.size() == 1 ? 0 : k]; }
-};
-
-Pose_pairs read_pose_pairs(const Options& options)
-{
-  const auto read = [](const std::string& file) {
-    return file.empty() ? std::vector<Pose>{Pose()} : kernel::read_poses(file);
-  };
-  Pose_pairs poses{read(options.poses_a), read(options.poses_b)};
-  if (poses.a.size() != poses.b.size() && poses.a.size() != 1 && poses.b.size() != 1)
-    throw kernel::Input_error(options.poses_b, 0, std::to_string(poses.b.size()) + " poses",
-                              "expected " + std::to_string(poses.a.size()) + " as in " + options.poses_a +
-                                  ", or one pose in either file");
-  return poses;
-}
 
 /// What is asked: two models, or the bodies of a case file, and their poses.
 struct Scene {
@@ -69,11 +45,11 @@ struct Scene {
 
 Scene read_scene(const Options& options, Question question)
 {
-  if (options.b.empty())
-    throw CLI::ValidationError("collide " + options.a, "expected a second model, B: only a case file, *.case.json, has both bodies");
-  Pose_pairs poses = read_pose_pairs(options);
+  if (options.names.b.empty())
+    throw CLI::ValidationError("collide " + options.names.a, "expected a second model, B: only a case file, *.case.json, has both bodies");
+  Pose_pairs poses = read_pose_pairs(options.names);
   const bool solid = question == Question::solid && !options.features;
-  Model_file a = load_model(options.a, options.models, solid), b = load_model(options.b, options.models, solid);
+  Model_file a = load_model(options.names.a, options.names.models, solid), b = load_model(options.names.b, options.names.models, solid);
   return {std::move(a), std::move(b), std::move(poses), question};
 }
 
@@ -83,9 +59,7 @@ Scene scene_of(const verify::Object_case& c, const std::string& file, Question q
     if (must_be_solid && !covering::is_closed(polyhedron))
       throw kernel::Input_error(file, 0, "body " + std::string(name) + " is an open surface and has no solid",
                                 "expected --question surface");
-    std::vector<covering::Index> source(polyhedron.face_count());
-    std::iota(source.begin(), source.end(), covering::Index(0));
-    return Model_file{file, polyhedron, std::move(source)};
+    return whole_body(file, polyhedron);
   };
   return {body(*c.a, "a"), body(*c.b, "b"), {{c.pose_a}, {c.pose_b}}, question};
 }
@@ -208,7 +182,7 @@ std::string answer_of(const verify::Case_file& c, const Options& options)
 {
   for (const auto& [given, name] :
        {std::pair(options.features, "--features"), {options.time, "--time"}, {options.method != "tree", "--method"}})
-    if (given) throw CLI::ValidationError(name, "expected with bodies; " + options.a + " asks a predicate");
+    if (given) throw CLI::ValidationError(name, "expected with bodies; " + options.names.a + " asks a predicate");
   const auto& subjects = verify::predicate_subjects();
   const auto subject = std::find_if(subjects.begin(), subjects.end(), [&](const auto& each) { return each.name == options.kernel; });
   if (subject == subjects.end()) {
@@ -218,23 +192,11 @@ std::string answer_of(const verify::Case_file& c, const Options& options)
   }
   const std::optional<int> answer = subject->answer(*c.predicate, *c.points);
   if (!answer)
-    throw kernel::Input_error(options.a, 0, options.kernel + " does not answer " + to_string(*c.predicate) + " on these points",
+    throw kernel::Input_error(options.names.a, 0, options.kernel + " does not answer " + to_string(*c.predicate) + " on these points",
                               "expected another kernel, or points of which it is asked");
   Row row;
   row.answer = *answer;
   return rows_as_text({row}, options);
-}
-
-/// The options that tell how models are read say nothing about a case file.
-void refuse_options_of_models(const Options& options)
-{
-  for (const auto& [given, name] : {std::pair(!options.b.empty(), "B"),
-                                    {!options.poses_a.empty(), "--pose-a"},
-                                    {!options.poses_b.empty(), "--pose-b"},
-                                    {options.models.strict, "--strict"},
-                                    {options.models.merge, "--merge"},
-                                    {options.models.orient, "--orient"}})
-    if (given) throw CLI::ValidationError(name, "expected without a case file: " + options.a + " holds both bodies and poses");
 }
 
 void run(const Options& options, bool question_is_given)
@@ -250,13 +212,13 @@ void run(const Options& options, bool question_is_given)
   if (options.repeat < 1) throw CLI::ValidationError("--repeat", "expected a number from 1");
 
   std::optional<verify::Case_file> c;
-  if (verify::is_case_name(options.a)) {
-    refuse_options_of_models(options);
-    c = verify::read_case(options.a);
+  if (verify::is_case_name(options.names.a)) {
+    options.names.refuse_all_but_case();
+    c = verify::read_case(options.names.a);
   }
   std::string text;
   if (c && c->level == verify::Level::predicate) {
-    if (question_is_given) throw CLI::ValidationError("--question", "expected with bodies; " + options.a + " asks a predicate");
+    if (question_is_given) throw CLI::ValidationError("--question", "expected with bodies; " + options.names.a + " asks a predicate");
     text = answer_of(*c, options);
   } else {
     const auto subject = Subject::parse(options.kernel, *method);
@@ -265,7 +227,7 @@ void run(const Options& options, bool question_is_given)
                                  "expected adaptive, double, float, double-eps=E, epick, epeck or rational");
     if (c && !question_is_given) question = c->question;
     const bool solid = *question == Question::solid && !options.features;
-    text = answers_of(c ? scene_of(*c->object, options.a, *question, solid) : read_scene(options, *question), *subject, options);
+    text = answers_of(c ? scene_of(*c->object, options.names.a, *question, solid) : read_scene(options, *question), *subject, options);
   }
   if (options.csv.empty()) std::cout << text;
   else write_whole(options.csv, text);
@@ -278,12 +240,10 @@ void add_collide_command(CLI::App& app)
   CLI::App* command = app.add_subcommand("collide", "Whether two models collide: one answer a pose");
   const auto options = std::make_shared<Options>();
   command
-      ->add_option("A", options->a,
+      ->add_option("A", options->names.a,
                    "Model: OFF, OBJ, PLY, STL or TetGen .poly; or a case file, *.case.json, that holds all")
       ->required();
-  command->add_option("B", options->b, "Model");
-  command->add_option("--pose-a", options->poses_a, "Poses of A: one a line, 12 numbers, row-major 3x4; decimals or fractions n/d");
-  command->add_option("--pose-b", options->poses_b, "Poses of B; one pose in either file serves all of the other");
+  command->add_option("B", options->names.b, "Model");
   const CLI::Option* question =
       command
           ->add_option("--question", options->question,
@@ -301,7 +261,7 @@ void add_collide_command(CLI::App& app)
   command->add_flag("--time", options->time, "With --csv or --json: nanoseconds and work of each pose");
   command->add_option("--repeat", options->repeat, "With --time: passes over all poses, of which the fastest counts")
       ->capture_default_str();
-  options->models.add_to(*command);
+  options->names.add_options_to(*command);
   command->footer(
       "Prints 1 or 0 for each pose. With --features: a line for each pair: pose, body (0: edge of A, face of B), edge, face, kind.\n"
       "A case file of a predicate prints that predicate's answer.\n"

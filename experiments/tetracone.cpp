@@ -11,6 +11,7 @@
 #include "experiments/peer_worker.h"
 #include "experiments/report_command.h"
 #include "experiments/verify_command.h"
+#include "experiments/view_command.h"
 #include "kernel/floating_point.h"
 #include "kernel/input_error.h"
 
@@ -52,6 +53,7 @@ int main(int argc, char** argv)
   tetracone::experiments::add_fuzz_command(app);
   tetracone::experiments::add_experiment_command(app);
   tetracone::experiments::add_report_command(app);
+  tetracone::experiments::add_view_command(app);
   tetracone::experiments::add_peer_worker_command(app);
 
   try {

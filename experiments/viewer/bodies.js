@@ -1,0 +1,223 @@
+'use strict';
+// The bodies, where they stand, and what of them collides.
+//
+// Coordinates of a file may be far apart, huge or tiny, and the picture is drawn in single precision: each body is kept
+// in a frame of its own, about 0 and of extent 1, and its matrix into the scene, which is about 0 and of extent 1 over all poses,
+// is computed in double.
+
+const data = JSON.parse(document.getElementById('data').textContent);
+
+function boxOf(points)
+{
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  for (const p of points)
+    for (let k = 0; k < 3; ++k) low[k] = Math.min(low[k], p[k]), high[k] = Math.max(high[k], p[k]);
+  // Halved first: the extent of a huge model overflows.
+  const centre = low.map((x, k) => x / 2 + high[k] / 2), extent = Math.max(...low.map((x, k) => high[k] / 2 - x / 2));
+  return {low, high, centre, extent: extent > 0 ? extent : 1};
+}
+
+function triples(flat)
+{
+  const all = [];
+  for (let i = 0; i < flat.length; i += 3) all.push([flat[i], flat[i + 1], flat[i + 2]]);
+  return all;
+}
+
+function image(pose, p)
+{
+  return [0, 4, 8].map(r => pose[r] * p[0] + pose[r + 1] * p[1] + pose[r + 2] * p[2] + pose[r + 3]);
+}
+
+const poseCount = Math.max(data.poses[0].length, data.bodies.length > 1 ? data.poses[1].length : 0);
+function poseOf(body, k)
+{
+  const poses = data.poses[body.number];
+  return poses[poses.length === 1 ? 0 : k];
+}
+
+const bodies = data.bodies.map((body, number) => {
+  const points = triples(body.vertices), box = boxOf(points);
+  return {...body, number, colour: number === 0 ? '--a' : '--b', points, box, group: new THREE.Group(),
+          local: p => p.map((x, k) => (x - box.centre[k]) / box.extent)};
+});
+
+// The corners of a body's box in pose k: enough for the extent of the scene.
+function placedCorners(body, k)
+{
+  const pose = poseOf(body, k), {low, high} = body.box, corners = [];
+  for (let c = 0; c < 8; ++c) corners.push(image(pose, [c & 1 ? high[0] : low[0], c & 2 ? high[1] : low[1], c & 4 ? high[2] : low[2]]));
+  return corners;
+}
+const world = (() => {
+  const all = [];
+  for (const body of bodies)
+    for (let k = 0; k < data.poses[body.number].length; ++k) all.push(...placedCorners(body, k));
+  const box = boxOf(all);
+  if (!Number.isFinite(box.extent) || box.centre.some(x => !Number.isFinite(x))) throw new Error('these coordinates are too large to be drawn');
+  return box;
+})();
+const inScene = p => p.map((x, k) => (x - world.centre[k]) / world.extent);
+const placed = (body, k, p) => inScene(image(poseOf(body, k), p));
+
+function place(body, k)
+{
+  const pose = poseOf(body, k), scale = body.box.extent / world.extent, t = placed(body, k, body.box.centre);
+  const m = [0, 1, 2].map(r => [0, 1, 2].map(c => pose[4 * r + c] * scale));
+  body.group.matrixAutoUpdate = false;
+  body.group.matrix.set(...m[0], t[0], ...m[1], t[1], ...m[2], t[2], 0, 0, 0, 1);
+  body.group.matrixWorldNeedsUpdate = true;
+  body.isPoint = body.group.matrix.determinant() === 0;  // beside the other body, which is larger by more than doubles can say
+}
+
+// Colours are the style sheet's: light or dark, one place says which.
+const coloured = new Map();
+function withColour(material, variable)
+{
+  coloured.set(material, variable);
+  material.color.set(colourOf(variable));
+  return material;
+}
+function colourOf(variable) { return getComputedStyle(document.documentElement).getPropertyValue(variable).trim(); }
+function recolour()
+{
+  for (const [material, variable] of coloured) material.color.set(colourOf(variable));
+}
+
+function discard(object)
+{
+  object.traverse(part => {
+    if (part.geometry) part.geometry.dispose();
+    if (!part.material || kept.has(part.material)) return;
+    part.material.dispose();
+    coloured.delete(part.material);
+  });
+  object.parent.remove(object);
+}
+
+function geometryOf(points)
+{
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute('position', new THREE.Float32BufferAttribute(points.flat(), 3));
+  return geometry;
+}
+
+function edgesOf(body)
+{
+  const seen = new Set(), edges = [];
+  for (const face of body.faces)
+    for (const loop of face)
+      loop.forEach((v, i) => {
+        const w = loop[(i + 1) % loop.length], key = Math.min(v, w) + ' ' + Math.max(v, w);
+        if (!seen.has(key)) seen.add(key), edges.push([v, w]);
+      });
+  return edges;
+}
+
+// The triangles of some faces, or of all.
+function trianglesOf(body, faces)
+{
+  const points = [], t = body.triangles, wanted = faces && new Set(faces);
+  for (let i = 0; i < t.length; i += 4)
+    if (!wanted || wanted.has(t[i])) points.push(body.points[t[i + 1]], body.points[t[i + 2]], body.points[t[i + 3]]);
+  return points;
+}
+
+const fewPoints = 100;  // a body of few vertices shows them: it may be a point or a segment
+for (const body of bodies) {
+  const surface = withColour(new THREE.MeshPhongMaterial({flatShading: true, side: THREE.DoubleSide, shininess: 8, polygonOffset: true,
+                                                         polygonOffsetFactor: 1, polygonOffsetUnits: 1}), body.colour);
+  body.surface = new THREE.Mesh(geometryOf(trianglesOf(body).map(body.local)), surface);
+  const line = withColour(new THREE.LineBasicMaterial({transparent: true, opacity: body.faces.length > 2000 ? 0.25 : 0.7}), '--ink');
+  body.edges = new THREE.LineSegments(geometryOf(edgesOf(body).flat().map(v => body.local(body.points[v]))), line);
+  body.group.add(body.surface, body.edges);
+  if (body.points.length <= fewPoints) {
+    const dot = withColour(new THREE.PointsMaterial({size: 5, sizeAttenuation: false}), body.colour);
+    body.group.add(body.dots = new THREE.Points(geometryOf(body.points.map(body.local)), dot));
+  }
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Colliding edges and faces: edges as rods of about the same width on the screen, faces as sheets. All in the scene's frame.
+
+const kinds = ['none', 'vertex-vertex', 'vertex-edge', 'vertex-face', 'edge-edge', 'edge-face', 'coplanar overlap'];
+const markColours = ['--feature', '--wrong', '--wrong'];  // found by both, lost by the kernel, invented by it
+
+function featuresOf(k) { return data.features ? data.features[k] : []; }
+
+function rods(segments, widest, material)
+{
+  // Thin enough to tell short edges apart.
+  const mean = segments.reduce((sum, [p, q]) => sum + Math.hypot(...p.map((x, k) => q[k] - x)), 0) / segments.length;
+  const radius = mean > 0 ? Math.min(widest, Math.max(0.06 * mean, 0.2 * widest)) : widest;
+  const rod = new THREE.CylinderBufferGeometry(1, 1, 1, 8), ball = new THREE.IcosahedronBufferGeometry(1, 1);
+  const group = new THREE.Group(), up = new THREE.Vector3(0, 1, 0);
+  const rodMesh = new THREE.InstancedMesh(rod, material, segments.length), ballMesh = new THREE.InstancedMesh(ball, material, 2 * segments.length);
+  segments.forEach(([p, q], i) => {
+    const from = new THREE.Vector3(...p), to = new THREE.Vector3(...q), along = to.clone().sub(from), length = along.length();
+    const turn = length > 0 ? new THREE.Quaternion().setFromUnitVectors(up, along.clone().divideScalar(length)) : new THREE.Quaternion();
+    rodMesh.setMatrixAt(i, new THREE.Matrix4().compose(from.clone().add(to).multiplyScalar(0.5), turn, new THREE.Vector3(radius, length, radius)));
+    for (const [j, end] of [[0, from], [1, to]])
+      ballMesh.setMatrixAt(2 * i + j, new THREE.Matrix4().compose(end, new THREE.Quaternion(), new THREE.Vector3(1, 1, 1).multiplyScalar(1.8 * radius)));
+  });
+  for (const mesh of [rodMesh, ballMesh]) mesh.frustumCulled = false, mesh.renderOrder = 5, group.add(mesh);
+  return group;
+}
+
+const markMaterials = markColours.map(variable => ({
+  rod: withColour(new THREE.MeshLambertMaterial({depthTest: false, transparent: true, opacity: 0.9}), variable),
+  sheet: withColour(new THREE.MeshBasicMaterial({side: THREE.DoubleSide, transparent: true, opacity: 0.45, depthWrite: false, polygonOffset: true,
+                                                  polygonOffsetFactor: -1, polygonOffsetUnits: -1}), variable)}));
+
+function featureObject(k, radius)
+{
+  const group = new THREE.Group(), edges = new Map(), faces = new Map();
+  // Right ones first: where an edge is in several pairs, the wrong one gives the colour.
+  for (const [body, from, to, face, , mark] of [...featuresOf(k)].sort((f, g) => f[5] - g[5])) {
+    edges.set(body + ' ' + from + ' ' + to, {body, from, to, mark});
+    faces.set(1 - body + ' ' + face, {body: 1 - body, face, mark});
+  }
+  for (const mark of [0, 1, 2]) {
+    const segments = [...edges.values()].filter(e => e.mark === mark)
+                         .map(e => [e.from, e.to].map(v => placed(bodies[e.body], k, bodies[e.body].points[v])));
+    if (segments.length) group.add(rods(segments, radius, markMaterials[mark].rod));
+    const sheets = [0, 1].flatMap(b => {
+      const wanted = [...faces.values()].filter(f => f.mark === mark && f.body === b).map(f => f.face);
+      return wanted.length ? trianglesOf(bodies[b], wanted).map(p => placed(bodies[b], k, p)) : [];
+    });
+    if (!sheets.length) continue;
+    const mesh = new THREE.Mesh(geometryOf(sheets), markMaterials[mark].sheet);
+    mesh.renderOrder = 4;
+    group.add(mesh);
+  }
+  return group;
+}
+
+// Where the contacts are, about: the middle of the boxes' intersections of each pair.
+function contactBox(k)
+{
+  const points = [];
+  for (const [b, from, to, face] of featuresOf(k)) {
+    const edge = boxOf([from, to].map(v => placed(bodies[b], k, bodies[b].points[v])));
+    const other = boxOf(bodies[1 - b].faces[face].flat().map(v => placed(bodies[1 - b], k, bodies[1 - b].points[v])));
+    points.push(edge.low.map((x, i) => Math.max(x, other.low[i])), edge.high.map((x, i) => Math.min(x, other.high[i])));
+  }
+  return points.length ? boxOf(points) : null;
+}
+
+// What the paper's query leaves for the leaf tests: the faces in the leaves of pairs that are not discarded.
+const leftMaterial = withColour(new THREE.MeshBasicMaterial({side: THREE.DoubleSide, transparent: true, opacity: 0.75, depthWrite: false,
+                                                            polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1}), '--left');
+const kept = new Set([leftMaterial, ...markMaterials.flatMap(m => [m.rod, m.sheet])]);  // their objects come and go with the pose
+function leftObject(k)
+{
+  const group = new THREE.Group();
+  for (const body of bodies) {
+    const faces = data.left[k][body.number].flatMap(node => body.nodes.faces[node]);
+    if (!faces.length) continue;
+    const mesh = new THREE.Mesh(geometryOf(trianglesOf(body, faces).map(p => placed(body, k, p))), leftMaterial);
+    mesh.renderOrder = 3;
+    group.add(mesh);
+  }
+  return group;
+}

@@ -1,0 +1,280 @@
+'use strict';
+// The page: what is shown is `state`, which the address's fragment holds too; controls change the state, and `draw` draws it.
+
+const element = id => document.getElementById(id);
+const canvas = element('picture'), pair = bodies.length === 2, hasFeatures = Boolean(data.features);
+const layers = ['a', 'b', 'edges', 'features', 'left', 'covering', 'tetrahedra', 'spheres', 'hull'];
+const most = Math.max(...bodies.map(deepest));
+const fewFaces = bodies.every(body => body.faces.length < 500);  // through which one sees the contacts
+const start = {pose: 0, show: ['a', 'b', 'edges', 'features'], level: Math.min(3, most), opacity: hasFeatures && fewFaces ? 0.8 : 1, shrink: 0.8, theme: ''};
+const state = {...start, show: new Set(start.show)};
+const isWrong = k => data.exact !== undefined && data.exact[k] !== data.answer[k];
+const wrongPoses = Array.from({length: poseCount}, (_, k) => k).filter(isWrong);
+
+const renderer = (() => {
+  try {
+    return new THREE.WebGLRenderer({canvas, antialias: true});
+  } catch (error) {
+    throw new Error('this browser shows no WebGL here: ' + error.message);
+  }
+})();
+const scene = new THREE.Scene(), marks = new THREE.Group(), lamp = new THREE.DirectionalLight('#ffffff', 0.65);
+let fitted = true;  // nobody has moved the camera since it was fitted
+const camera = makeCamera(canvas, () => { fitted = false; changed(); });
+camera.lens.add(lamp);
+lamp.position.set(-0.4, 0.6, 1);
+scene.add(new THREE.AmbientLight('#ffffff', 0.5), camera.lens, marks, ...bodies.map(body => body.group));
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The fragment: pose=3&show=a,b,hull&level=4&camera=...; what is as at the start is left out, but for show and camera.
+
+function readFragment()
+{
+  const given = new URLSearchParams(location.hash.slice(1));
+  const number = (name, low, high) => {
+    const x = given.has(name) ? Number(given.get(name)) : NaN;
+    state[name] = Number.isFinite(x) ? Math.min(high, Math.max(low, x)) : start[name];
+  };
+  number('pose', 0, poseCount - 1);
+  number('level', 1, most);
+  number('opacity', 0, 1);
+  number('shrink', 0.1, 1);
+  state.pose = Math.round(state.pose);
+  state.level = Math.round(state.level);
+  state.show = new Set((given.has('show') ? given.get('show').split(',') : start.show).filter(name => layers.includes(name)));
+  state.theme = ['light', 'dark'].includes(given.get('theme')) ? given.get('theme') : '';
+  return given.has('camera') && camera.read(given.get('camera'));
+}
+
+let written = '', writing = 0;
+function writeFragment()
+{
+  const parts = [['show', [...state.show].join(',')], ['camera', camera.text()]];
+  for (const name of ['pose', 'level', 'opacity', 'shrink', 'theme']) if (state[name] !== start[name]) parts.push([name, state[name]]);
+  written = '#' + parts.map(([name, value]) => name + '=' + value).join('&');
+  history.replaceState(null, '', written);
+  document.documentElement.dataset.fragment = written;  // where tests can read it
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Drawing, when something changed and not before.
+
+const made = {};  // name of layer -> {key, objects}: what stands, and for which state it was made
+function layer(name, key, make)
+{
+  const shown = state.show.has(name);
+  if (shown && (!made[name] || made[name].key !== key)) {
+    if (made[name]) made[name].objects.forEach(discard);
+    made[name] = {key, objects: make()};
+  }
+  if (made[name]) for (const object of made[name].objects) object.visible = shown;
+}
+
+// An object in the frame of each body that is shown.
+function onBodies(make)
+{
+  return bodies.filter(body => state.show.has(body.number ? 'b' : 'a')).map(body => {
+    const object = make(body);
+    body.group.add(object);
+    return object;
+  });
+}
+function onMarks(object)
+{
+  marks.add(object);
+  return [object];
+}
+
+function update()
+{
+  const dark = state.theme ? state.theme === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches;
+  if (document.documentElement.classList.contains('dark') !== dark || !update.done) {
+    document.documentElement.classList.toggle('dark', dark);
+    recolour();
+    renderer.setClearColor(colourOf('--paper'));
+    drawLine();
+  }
+  update.done = true;
+  const which = ['a', 'b'].filter(name => state.show.has(name)).join('');
+  for (const body of bodies) {
+    place(body, state.pose);
+    body.group.visible = state.show.has(body.number ? 'b' : 'a') && !body.isPoint;
+    const material = body.surface.material, clear = state.opacity < 1;
+    if (material.transparent !== clear) material.needsUpdate = true;
+    Object.assign(material, {transparent: clear, opacity: state.opacity, depthWrite: !clear});
+    body.surface.visible = state.opacity > 0;
+    body.edges.visible = state.show.has('edges');
+  }
+  layer('covering', which + state.shrink, () => onBodies(body => coveringObject(body, state.shrink)));
+  layer('tetrahedra', which + state.level, () => onBodies(body => boundingTetrahedra(body, state.level)));
+  layer('spheres', which + state.level, () => onBodies(body => boundingSpheres(body, state.level)));
+  layer('hull', which, () => onBodies(regularHull));
+  // Rods keep their width on the screen, but for steps of a quarter.
+  const radius = 0.003 * Math.pow(1.25, Math.round(Math.log(camera.view.distance) / Math.log(1.25)));
+  if (hasFeatures) {
+    layer('features', state.pose + ' ' + radius, () => onMarks(featureObject(state.pose, radius)));
+    layer('left', state.pose, () => onMarks(leftObject(state.pose)));
+  }
+}
+
+function resize()
+{
+  const width = canvas.clientWidth, height = canvas.clientHeight;
+  renderer.setPixelRatio(Math.min(2, devicePixelRatio || 1));
+  renderer.setSize(width, height, false);
+  // The bodies stand where the panel is not.
+  const beside = width > 640 && element('panel').open ? element('panel').offsetWidth + 10 : 0;
+  camera.lens.aspect = width / Math.max(1, height);
+  camera.free = [1 - beside / width, 0.82];
+  camera.lens.setViewOffset(width, height, beside / 2, 0, width, height);
+  if (fitted) fit();
+}
+
+let waiting = false;
+function changed()
+{
+  if (waiting) return;
+  waiting = true;
+  requestAnimationFrame(() => {
+    waiting = false;
+    update();
+    camera.aim();
+    renderer.render(scene, camera.lens);
+    tell();
+    clearTimeout(writing);
+    writing = setTimeout(writeFragment, 150);
+  });
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// In words, and for the tests.
+
+function answerText(answer)
+{
+  if (answer === null || answer === undefined) return 'no answer';
+  if (data.question === 'solid' || data.question === 'surface') return answer ? 'collide' : 'apart';
+  return String(answer);
+}
+
+function contactsText(k)
+{
+  if (!hasFeatures) return '';
+  const shown = featuresOf(k), count = data.feature_counts[k];
+  const lost = shown.filter(f => f[5] === 1).length, invented = shown.filter(f => f[5] === 2).length;
+  if (!count && !invented) return data.exact[k] ? 'No edge meets a face: one body is inside the other.' : '';
+  const byKind = kinds.map((kind, i) => [shown.filter(f => f[4] === i && f[5] < 2).length, kind]).filter(([n]) => n)
+                     .map(([n, kind]) => n + ' ' + kind);
+  const more = count > shown.length - invented ? ' among the first ' + (shown.length - invented) : '';
+  const wrong = [lost && lost + ' lost', invented && invented + ' invented'].filter(Boolean).join(', ');
+  return count + (count === 1 ? ' pair' : ' pairs') + ' of an edge and a face' + (byKind.length ? more + ': ' + byKind.join(', ') : '') +
+         (wrong ? '; by ' + data.subject + ': ' + wrong : '') + '.';
+}
+
+function tell()
+{
+  const k = state.pose, wrong = isWrong(k);
+  const parts = poseCount > 1 ? ['pose ' + (k + 1) + ' of ' + poseCount] : [];
+  if (data.exact) parts.push(data.question + ', exact: ' + answerText(data.exact[k]), data.subject + ': ' + answerText(data.answer[k]) + (wrong ? ' \u2717 wrong' : ' \u2713'));
+  element('verdict').textContent = parts.join(' \u00b7 ');
+  element('verdict').classList.toggle('wrong', wrong);
+  element('contacts').textContent = contactsText(k);
+  for (const input of document.querySelectorAll('[data-show]')) input.checked = state.show.has(input.dataset.show);
+  for (const name of ['pose', 'level', 'opacity', 'shrink']) element(name).value = state[name];
+  element('level-text').textContent = state.level + ' of ' + most;
+  const {triangles, lines, points, calls} = renderer.info.render;
+  element('state').textContent = JSON.stringify({ready: true, errors, pose: k, poses: poseCount, show: [...state.show], level: state.level, wrong: wrongPoses,
+                                                 exact: data.exact && data.exact[k], answer: data.answer && data.answer[k],
+                                                 features: featuresOf(k).length, triangles, lines, points, calls, camera: camera.text()});
+}
+
+// The time line: a tick a pose, or the worst of several in one pixel. Colliding ones are tall, wrong ones stand out above.
+function drawLine()
+{
+  const line = element('line'), ratio = devicePixelRatio || 1;
+  const width = line.width = Math.round(line.clientWidth * ratio), height = line.height = Math.round(18 * ratio);
+  if (!data.exact || poseCount < 2 || !width) return;
+  const paint = line.getContext('2d'), step = width / poseCount;
+  const bar = (k, colour, top, bottom) => {
+    paint.fillStyle = colourOf(colour);
+    paint.fillRect(Math.floor(k * step), top * height, Math.max(1, Math.ceil(step) - (step > 4 * ratio ? ratio : 0)), (bottom - top) * height);
+  };
+  for (let k = 0; k < poseCount; ++k) if (!data.exact[k]) bar(k, '--apart', 0.75, 1);
+  for (let k = 0; k < poseCount; ++k) if (data.exact[k]) bar(k, '--collide', 0.4, 1);
+  for (const k of wrongPoses) bar(k, '--wrong', 0, 0.32);
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Controls.
+
+function fit()
+{
+  const shown = bodies.filter(body => state.show.has(body.number ? 'b' : 'a'));
+  camera.fit(boxOf((shown.length ? shown : bodies).flatMap(body => placedCorners(body, state.pose).map(inScene))));
+  fitted = true;
+}
+function setPose(k)
+{
+  state.pose = ((k % poseCount) + poseCount) % poseCount;
+  changed();
+}
+
+let playing = 0;
+function play(on)
+{
+  clearInterval(playing);
+  playing = on ? setInterval(() => setPose(state.pose + 1), poseCount > 100 ? 50 : 200) : 0;
+  element('play').textContent = on ? 'Pause' : 'Play';
+}
+
+for (const input of document.querySelectorAll('[data-show]'))
+  input.addEventListener('change', () => {
+    state.show[input.checked ? 'add' : 'delete'](input.dataset.show);
+    // The method lies inside: bodies give way to it.
+    if (input.checked && ['covering', 'tetrahedra', 'spheres', 'hull', 'left'].includes(input.dataset.show)) state.opacity = Math.min(state.opacity, 0.35);
+    changed();
+  });
+for (const name of ['pose', 'level', 'opacity', 'shrink'])
+  element(name).addEventListener('input', event => {
+    state[name] = Number(event.target.value);
+    changed();
+  });
+element('before').addEventListener('click', () => setPose(state.pose - 1));
+element('after').addEventListener('click', () => setPose(state.pose + 1));
+element('play').addEventListener('click', () => play(!playing));
+element('next-wrong').addEventListener('click', () => setPose(wrongPoses.find(k => k > state.pose) ?? wrongPoses[0]));
+element('fit').addEventListener('click', fit);
+element('to-contact').addEventListener('click', () => {
+  const box = contactBox(state.pose);
+  if (box) camera.fit(box);
+});
+element('theme').addEventListener('click', () => {
+  state.theme = document.documentElement.classList.contains('dark') ? 'light' : 'dark';
+  changed();
+});
+matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => changed());
+element('panel').addEventListener('toggle', () => { resize(); changed(); });
+window.addEventListener('resize', () => { resize(); drawLine(); changed(); });
+window.addEventListener('hashchange', () => {
+  if (location.hash === written) return;
+  if (!readFragment()) fit();
+  changed();
+});
+
+document.title = data.name + ' - tetracone';
+element('name').textContent = data.name;
+bodies.forEach((body, i) => { element('name-' + 'ab'[i]).textContent = 'AB'[i] + (data.case ? '' : ': ' + body.name); });
+for (const part of document.querySelectorAll('[data-pair]')) part.hidden = !pair;
+for (const part of document.querySelectorAll('[data-features]')) part.hidden = !hasFeatures;
+element('poses').hidden = poseCount < 2;
+element('line').hidden = !data.exact;
+element('next-wrong').hidden = wrongPoses.length === 0;
+element('pose').max = poseCount - 1;
+element('level').max = most;
+element('source').textContent = (data.case ? data.case.cause + '; family ' + data.case.family + ', seed ' + data.case.seed + ', index ' + data.case.index + '. ' : '') +
+                                'tetracone ' + data.version;
+element('panel').open = innerWidth > 640;
+for (const part of document.querySelectorAll('[data-answers]')) part.hidden = !hasFeatures;
+
+fitted = !readFragment();
+resize();
+changed();
