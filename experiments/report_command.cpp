@@ -2,7 +2,9 @@
 
 #include "experiments/draw_report.h"
 #include "experiments/output_file.h"
+#include "experiments/peer.h"
 #include "verify/database.h"
+#include "verify/predicate_subject.h"
 #include "verify/tables.h"
 
 #include <algorithm>
@@ -17,6 +19,19 @@ namespace {
 struct Options {
   std::string db, table, out = "out";
 };
+
+/// What a subject's answers mean where it is not ours: the question that it answers, its numbers, its source.
+std::string notes_as_csv()
+{
+  std::string csv = "level,subject,note\n";
+  const auto add = [&csv](const std::string& level, const std::string& subject, std::string note) {
+    std::replace(note.begin(), note.end(), '"', '\'');
+    if (!note.empty()) csv += level + "," + subject + ",\"" + note + "\"\n";
+  };
+  for (const Peer& peer : peers()) add("object", peer.name, peer.note);
+  for (const verify::Predicate_subject& subject : verify::predicate_subjects()) add("predicate", subject.name, subject.note);
+  return csv;
+}
 
 void run(const Options& options)
 {
@@ -36,6 +51,7 @@ void run(const Options& options)
   std::filesystem::create_directories(folder, error);
   for (const auto& [name, what] : tables)
     write_whole(folder / ("verify_" + std::string(name) + ".csv"), verify::table_as_csv(database, name));
+  write_whole(folder / "verify_notes.csv", notes_as_csv());
   draw_report(options.out);
 }
 

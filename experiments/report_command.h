@@ -5,7 +5,7 @@
 
 namespace tetracone::experiments {
 
-/// `tetracone report`: the tables of a campaign's database.
+/// `tetracone report`: the tables of a campaign's database, what is noted of other libraries and formulations, and the page.
 void add_report_command(CLI::App& app);
 
 }  // namespace tetracone::experiments

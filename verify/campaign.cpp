@@ -27,7 +27,6 @@ namespace {
 using kernel::Question;
 
 constexpr std::uint64_t predicate_batch = 200, object_batch = 10;
-constexpr std::uint64_t kept_one_by_one = 200;  // wrong answers are kept as rows for so many first cases of a family
 constexpr std::uint64_t relation_stride = 4;    // each such case is tried with one relation, all of them in turn
 constexpr const char* truth_name = "truth";
 constexpr std::array questions = {Question::surface, Question::solid};

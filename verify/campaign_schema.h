@@ -1,6 +1,8 @@
 #ifndef TETRACONE_VERIFY_CAMPAIGN_SCHEMA_H
 #define TETRACONE_VERIFY_CAMPAIGN_SCHEMA_H
 
+#include <cstdint>
+
 namespace tetracone::verify {
 
 /// The tables of a campaign's database. Every row names the `run` that made it: version, compiler, flags, processor and seed.
@@ -11,12 +13,13 @@ namespace tetracone::verify {
 ///    not_asked: the subject does not take such input; failures: crash, hang or exception.
 ///  - truth: cases by question, how many of them have a positive answer, and how many were also known by construction. Each is
 ///    the answer of both truths.
-///  - wrong: the wrong answers among the first cases of each family, one by one.
+///  - wrong: the wrong answers among the first `kept_one_by_one` cases of each family, one by one.
 ///  - blame: wrong answers of rounding trees by the stage of first divergence.
 ///  - relation: how often a metamorphic relation was tried, did not apply, and was violated.
 ///  - flips: how often the answer changed in a sequence of frames, and how often the truth did.
 ///  - time: nanoseconds, preparation included; of this machine and run.
 inline constexpr int exactly_degenerate = -9999, not_near = 9999;
+inline constexpr std::uint64_t kept_one_by_one = 200;
 
 inline constexpr const char* campaign_schema = R"(
 CREATE TABLE IF NOT EXISTS run (id INTEGER PRIMARY KEY, version TEXT, compiler TEXT, flags TEXT, processor TEXT, seed INTEGER,

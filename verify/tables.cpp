@@ -1,6 +1,8 @@
 #include "verify/tables.h"
 
 #include "kernel/number.h"
+#include "verify/campaign_schema.h"
+#include "verify/families.h"
 
 #include <algorithm>
 #include <cassert>
@@ -31,6 +33,18 @@ constexpr Table all[] = {
      "FROM tally GROUP BY level, subject, question, axis, bin ORDER BY 1, 2, 3, 4, 5"},
     {"parameters", "wrong answers among the first cases of each family by its parameter",
      "SELECT level, family, parameter, subject, question, count(*) AS wrong FROM wrong GROUP BY 1, 2, 3, 4, 5 ORDER BY 1, 2, 3, 4, 5"},
+    {"needs", "how near to degenerate the cases of each family come, whoever is asked: cases by floor of log2 of rho",
+     "SELECT level, family, question, bin, max(n) AS n FROM (SELECT level, family, subject, question, bin, sum(n) AS n FROM tally WHERE axis = 'rho' "
+     "GROUP BY level, family, subject, question, bin) GROUP BY level, family, question, bin ORDER BY 1, 2, 3, 4"},
+    {"sweeps", "share of wrong answers among the first cases of each family by its parameter, with Wilson's 95 % interval; where every case was asked",
+     "SELECT asked.level, asked.family, parameter, asked.subject, asked.question, sum(n) AS n, sum(ifnull(wrong, 0)) AS hits, sum(n) AS of_n FROM "
+     "(SELECT whole.seed, whole.level, whole.family, parameter, whole.subject, question, count(*) AS n FROM "
+     " (SELECT seed, level, family, subject, sum(cases) AS cases FROM done GROUP BY 1, 2, 3, 4 HAVING count(*) = max(batch) + 1) AS whole "
+     " JOIN (SELECT DISTINCT seed, level, family, subject, question FROM tally JOIN run ON run.id = tally.run GROUP BY 1, 2, 3, 4, 5 "
+     "       HAVING sum(not_asked) = 0) USING (seed, level, family, subject) "
+     " JOIN temp.sweep ON sweep.family = whole.family AND number < cases GROUP BY 1, 2, 3, 4, 5, 6) AS asked LEFT JOIN "
+     "(SELECT seed, level, family, parameter, subject, question, count(*) AS wrong FROM wrong JOIN run ON run.id = wrong.run GROUP BY 1, 2, 3, 4, 5, 6) "
+     "USING (seed, level, family, parameter, subject, question) GROUP BY 1, 2, 3, 4, 5 ORDER BY 1, 2, 3, 4, 5"},
     {"blame", "the stage that made the answers of rounding trees wrong, by family",
      "SELECT subject, family, question, stage, sum(n) AS n FROM blame GROUP BY subject, family, question, stage ORDER BY 1, 2, 3, 4"},
     {"stages", "the stage that made the answers of rounding trees wrong, over all families",
@@ -48,9 +62,21 @@ constexpr Table all[] = {
     {"time", "mean nanoseconds an answer, preparation included",
      "SELECT level, subject, question, sum(n) AS n, sum(nanoseconds) / sum(n) AS mean_nanoseconds FROM time GROUP BY level, subject, question "
      "ORDER BY 1, 2, 3"},
+    {"times", "mean nanoseconds an answer by family, preparation included",
+     "SELECT level, family, subject, question, sum(n) AS n, sum(nanoseconds) / sum(n) AS mean_nanoseconds FROM time "
+     "GROUP BY level, family, subject, question HAVING sum(n) > 0 ORDER BY 1, 2, 3, 4"},
     {"runs", "what made the rows: version, compiler, flags, processor and seed",
      "SELECT id AS run, version, compiler, flags, processor, seed, real_meshes FROM run ORDER BY 1"},
 };
+
+/// temp.sweep: which parameter each of these cases has; what the database itself need not say.
+void add_sweep(Database& database)
+{
+  database.run("CREATE TEMP TABLE IF NOT EXISTS sweep (family TEXT, number INTEGER, parameter REAL, PRIMARY KEY (family, number)) WITHOUT ROWID");
+  Database::Statement insert(database, "INSERT OR REPLACE INTO temp.sweep VALUES (?1, ?2, ?3)");
+  for (const Family& family : families())
+    for (std::uint64_t k = 0; k < kept_one_by_one; ++k) insert.run(family.name, k, family.sweep[k % family.sweep.size()]);
+}
 
 /// A field of a CSV: quoted where it holds a comma or a quote.
 std::string field(const std::string& text)
@@ -77,6 +103,7 @@ std::string table_as_csv(Database& database, std::string_view name)
 {
   const auto table = std::find_if(std::begin(all), std::end(all), [&](const Table& t) { return t.name == name; });
   assert(table != std::end(all));
+  if (name == "sweeps") add_sweep(database);
   Database::Statement rows(database, table->sql);
   const int columns = rows.columns();
   const bool has_rate = rows.name(columns - 1) == "of_n";

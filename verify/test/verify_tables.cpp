@@ -6,6 +6,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -54,6 +55,58 @@ BOOST_AUTO_TEST_CASE(tables_add_up_and_quote)
   BOOST_TEST(table_as_csv(database, "rates").starts_with(
       "level,family,subject,question,n,not_asked,rate,low,high\nobject,f,s,solid,15,3,0.26666666666666666,"));
   for (const auto& [name, what] : tables()) BOOST_TEST(!table_as_csv(database, name).empty(), name);
+}
+
+BOOST_AUTO_TEST_CASE(a_sweep_has_all_cases_of_each_parameter)
+{
+  // The family edge-in-face-plane sweeps 0, 1, 2, 3: of six cases two have 0, two have 1, one has 2, one has 3.
+  const Temporary_file file("sweeps.db", "");
+  Database database(file.path(), Database::Mode::write);
+  database.run(campaign_schema);
+  database.run(R"(
+    INSERT INTO run VALUES (1, '1', 'c', 'f', 'p', 7, 0);
+    INSERT INTO done VALUES (7, 'object', 'edge-in-face-plane', 0, 's', 4), (7, 'object', 'edge-in-face-plane', 1, 's', 2);
+    INSERT INTO tally VALUES (1, 'object', 'edge-in-face-plane', 's', 'solid', 'rho', 0, 4, 1, 0, 0, 0);
+    INSERT INTO tally VALUES (1, 'object', 'edge-in-face-plane', 's', 'solid', 'rho', 1, 2, 0, 0, 0, 0);
+    INSERT INTO wrong VALUES (1, 'object', 'edge-in-face-plane', 5, 1, 's', 'solid', 0, 1, -3, 2, NULL);
+  )");
+  const std::string sweep = table_as_csv(database, "sweeps"), start = "object,edge-in-face-plane,";
+  BOOST_TEST(sweep.starts_with("level,family,parameter,subject,question,n,rate,low,high\n"));
+  BOOST_TEST(sweep.find(start + "0.0,s,solid,2,0,0,") != std::string::npos);
+  BOOST_TEST(sweep.find(start + "1.0,s,solid,2,0.5,") != std::string::npos);
+  BOOST_TEST(sweep.find(start + "2.0,s,solid,1,0,0,") != std::string::npos);
+  BOOST_TEST(sweep.find(start + "3.0,s,solid,1,0,0,") != std::string::npos);
+  BOOST_TEST(std::count(sweep.begin(), sweep.end(), '\n') == 5);
+}
+
+BOOST_AUTO_TEST_CASE(a_sweep_leaves_out_what_was_not_asked_whole)
+{
+  const Temporary_file file("parts.db", "");
+  Database database(file.path(), Database::Mode::write);
+  database.run(campaign_schema);
+  // Of t a shard is missing, of u two cases were not asked: nobody knows of which parameters.
+  database.run(R"(
+    INSERT INTO run VALUES (1, '1', 'c', 'f', 'p', 7, 0);
+    INSERT INTO done VALUES (7, 'object', 'edge-in-face-plane', 1, 't', 4), (7, 'object', 'edge-in-face-plane', 0, 'u', 4);
+    INSERT INTO tally VALUES (1, 'object', 'edge-in-face-plane', 't', 'solid', 'rho', 0, 4, 1, 0, 0, 0);
+    INSERT INTO tally VALUES (1, 'object', 'edge-in-face-plane', 'u', 'solid', 'rho', 0, 2, 0, 0, 0, 2);
+  )");
+  BOOST_TEST(table_as_csv(database, "sweeps") == "level,family,parameter,subject,question,n,rate,low,high\n");
+}
+
+BOOST_AUTO_TEST_CASE(needs_count_each_case_once)
+{
+  const Temporary_file file("needs.db", "");
+  Database database(file.path(), Database::Mode::write);
+  database.run(campaign_schema);
+  // A peer that was not asked everything says nothing of the cases.
+  database.run(R"(
+    INSERT INTO tally VALUES (1, 'object', 'f', 's', 'solid', 'rho', -9999, 10, 1, 2, 1, 0);
+    INSERT INTO tally VALUES (2, 'object', 'f', 's', 'solid', 'rho', -9999, 3, 0, 0, 0, 0);
+    INSERT INTO tally VALUES (1, 'object', 'f', 'peer', 'solid', 'rho', -9999, 7, 0, 0, 0, 3);
+    INSERT INTO tally VALUES (1, 'object', 'f', 's', 'solid', 'ulps', -9999, 99, 0, 0, 0, 0);
+  )");
+  BOOST_TEST(table_as_csv(database, "needs") == "level,family,question,bin,n\nobject,f,solid,-9999,13\n");
 }
 
 BOOST_AUTO_TEST_CASE(another_database_is_refused)

@@ -1,0 +1,218 @@
+"""Figure 2, where methods fail: against the distance to degeneracy, from the origin, between scales, and against a sliver's height."""
+
+import html
+import math
+from collections import defaultdict
+
+import matplotlib.pyplot as plt
+
+from campaign_data import EXACTLY, NOT_NEAR, is_exact
+from report_data import distinct, method_of, percent, share, wilson, wrong_in
+from report_style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, SKY, VERMILION, WIDTH, label_ends
+
+# (subject, name, colour, dashes). Brute force has no tree to lose a pair in: its errors are those of the signs alone.
+OBJECTS = (("float brute", "float", ORANGE, ""), ("double brute", "double", VERMILION, ""),
+           ("double-eps=1e-12 brute", "double, ε 1e-12", PURPLE, ""),
+           ("double-eps=rel:1e-12 brute", "double, relative ε", "#8C4F76", "--"), ("epick brute", "EPICK", SKY, ""),
+           ("FCL OBBRSS", "FCL", INK, "--"),
+           ("CGAL RMCD EPICK", "CGAL, EPICK", GREY, "--"), ("adaptive tree", "adaptive", GREEN, ""))
+KERNELS = (("float", "float", ORANGE, ""), ("double", "double", VERMILION, ""), ("double-eps=1e-12", "double, ε 1e-12", PURPLE, ""),
+           ("double-eps=rel:1e-12", "double, relative ε", "#8C4F76", "--"), ("epick", "EPICK", SKY, ""),
+           ("adaptive", "adaptive", GREEN, ""))
+FORMULATIONS = (("double", "four signs", VERMILION, ""), ("double moeller-trumbore-eps-0", "Möller–Trumbore", ORANGE, ""),
+                ("double moeller-trumbore-eps-1e-12", "Möller–Trumbore, ε", ORANGE, "--"), ("double segura-feito", "Segura–Feito", SKY, ""),
+                ("double jimenez-segura-feito-eps-0", "Jiménez et al.", BLUE, ""),
+                ("double jimenez-segura-feito-eps-1e-12", "Jiménez et al., ε", BLUE, "--"),
+                ("double jimenez-segura-feito-sign-error", "Jiménez et al., sign as printed", PURPLE, "--"),
+                ("adaptive", "four signs, exact", GREEN, ""))
+ZERO = 0.05  # percent: where "none" stands; rates below 0.1 % would need more cases than a bin has
+LOW, APART = {"rho": -72, "ulps": -12}, {"rho": 10, "ulps": 10}  # exact degeneracy stands so far left of the rest
+STEP = {"rho": 4, "ulps": 2}
+HIGH = {"rho": 0, "ulps": 56}
+
+
+def rate_axis(axis):
+    """Percents on a log axis, with a band of its own for none."""
+    axis.set_yscale("log")
+    axis.set_ylim(ZERO / 1.6, 130)
+    axis.axhspan(ZERO / 1.6, ZERO * 1.6, color=GREEN, alpha=0.14, lw=0)
+    axis.set_yticks([ZERO, 0.1, 1, 10, 100], ["none", "0.1 %", "1 %", "10 %", "100 %"])
+    axis.minorticks_off()
+    axis.grid(True)
+
+
+def draw_curve(axis, points, colour, dashes, at_gap=None, widest=None):
+    """points: (x, wrong, asked). The interval is a thin bar. A point at `at_gap` stands apart from the curve. Gives the curve's end."""
+    heights = [(x, max(100 * wrong / n, ZERO)) for x, wrong, n in points]
+    for (x, y), (_, wrong, n) in zip(heights, points):
+        low, high = wilson(wrong, n)
+        if wrong:
+            axis.plot([x, x], [max(100 * low, ZERO), 100 * high], color=colour, lw=0.5, alpha=0.4)
+    along = [p for p in heights if p[0] != at_gap]
+    pieces = [[]]
+    for k, p in enumerate(along):  # no line over bins that were left out
+        if k and widest and p[0] - along[k - 1][0] > widest:
+            pieces.append([])
+        pieces[-1].append(p)
+    for piece in pieces:
+        axis.plot([x for x, _ in piece], [y for _, y in piece], color=colour, lw=1.1, ls=dashes or "-", marker="o", ms=1.8)
+    for x, y in heights:
+        if x == at_gap:
+            axis.plot(x, y, marker="o", ms=3.5, color=colour, mec=colour, mfc=colour)
+    return along[-1] if along else heights[-1]
+
+
+def binned(rows, subject, key):
+    """(x, wrong, asked) by distance; exact degeneracy apart from the rest."""
+    low, step, bins = LOW[key], STEP[key], defaultdict(lambda: [0, 0])
+    for r in rows:
+        b = int(r["bin"])
+        if r["subject"] != subject or r["axis"] != key or b == NOT_NEAR:
+            continue
+        b = low - APART[key] if b == EXACTLY else min(HIGH[key], max(low, step * math.floor(b / step)))
+        bins[b][0] += round(float(r["rate"]) * int(r["n"]))
+        bins[b][1] += int(r["n"])
+    return [(b, wrong, n) for b, (wrong, n) in sorted(bins.items()) if n >= 10]
+
+
+def by_distance(page, campaign):
+    rows = campaign.tables["distance"]
+    levels = (("object", "surface", OBJECTS, "two bodies"), ("predicate", "segment-triangle", KERNELS, "segment and triangle, by kernel"),
+              ("predicate", "segment-triangle", FORMULATIONS, "segment and triangle in double, by formulation"))
+    levels = [level for level in levels if any((r["level"], r["question"]) == level[:2] for r in rows)]
+    fig, axes = plt.subplots(len(levels), 2, figsize=(WIDTH, 2.15 * len(levels) + 0.25), sharey=True, squeeze=False)
+    lines, asked = [], 0
+    for k, (row, (level, question, curves, title)) in enumerate(zip(axes, levels)):
+        mine = [r for r in rows if (r["level"], r["question"]) == (level, question)]
+        asked += sum(int(r["n"]) for r in mine if r["axis"] == "rho")
+        for axis, key, label in ((row[0], "rho", "log₂ of the relative determinant"), (row[1], "ulps", "log₂ of the distance in ulps")):
+            rate_axis(axis)
+            named = []
+            for subject, name, colour, dashes in curves:
+                points = binned(mine, subject, key)
+                if points:
+                    draw_curve(axis, points, colour, dashes, at_gap=LOW[key] - APART[key], widest=2 * STEP[key])
+                    named.append(plt.Line2D([], [], color=colour, ls=dashes or "-", lw=1.4, label=name))
+                    lines += [[level, question, key, subject, "exact" if b == LOW[key] - APART[key] else b, wrong, n,
+                               *(f"{x:.6g}" for x in wilson(wrong, n))] for b, wrong, n in points]
+            ticks = range(LOW[key], HIGH[key] + 1, 4 * STEP[key])
+            axis.set_xticks([LOW[key] - APART[key], *ticks], ["exact", *(f"≤{t}" if t == LOW[key] else str(t) for t in ticks)],
+                            fontsize=6.5)
+            axis.axvline(LOW[key] - APART[key] / 2, color=GREY, lw=0.6, ls=":")
+            if axis is row[1]:
+                axis.legend(handles=named, loc="center left", bbox_to_anchor=(1.01, 0.5), frameon=False, fontsize=6.5,
+                            labelcolor="linecolor", handlelength=1.8)
+            if k == len(levels) - 1:
+                axis.set_xlabel(label)
+        row[0].set_title(title, loc="left")
+        row[0].set_ylabel("wrong answers")
+    fig.tight_layout()
+    source = campaign.source("How does the share of wrong answers grow as the nearest sign comes near zero?", f"{asked:,} answers")
+    data = page.table("errors_by_distance", ["level", "question", "axis", "subject", "bin", "wrong", "asked", "low_95", "high_95"], lines,
+                      source)
+    return page.figure("errors_by_distance", fig, source, data)
+
+
+SWEEPS = (("far-from-origin", "translation from the origin", lambda x: f"2^{x:.0f}"),
+          ("mixed-scales", "ratio of scales", lambda x: f"2^{x:.0f}"),
+          ("sliver", "height of a sliver", lambda x: f"2^-{x:.0f}"))
+
+
+def by_parameter(page, campaign):
+    rows = [r for r in campaign.tables["sweeps"] if r["level"] == "predicate" and r["question"] == "segment-triangle"]
+    if not rows:
+        return ""
+    fig, axes = plt.subplots(2, len(SWEEPS), figsize=(WIDTH, 4.3), sharey=True)
+    lines, ends, asked = [], [], 0
+    for k, (curves, row) in enumerate(zip((KERNELS, FORMULATIONS), axes)):
+        for axis, (family, label, text) in zip(row, SWEEPS):
+            rate_axis(axis)
+            named = []
+            for subject, name, colour, dashes in curves:
+                points = sorted((float(r["parameter"]), round(float(r["rate"]) * int(r["n"])), int(r["n"])) for r in rows
+                                if (r["family"], r["subject"]) == (family, subject))
+                if not points:
+                    continue
+                x, y = draw_curve(axis, points, colour, dashes)
+                named.append((x, y, name, colour))
+                asked += sum(n for _, _, n in points)
+                lines += [[family, p, subject, wrong, n, *(f"{v:.6g}" for v in wilson(wrong, n))] for p, wrong, n in points]
+                axis.set_xticks([p for p, _, _ in points], [f"$\\mathdefault{{{text(p).replace('^', '^{')}}}}}$" for p, _, _ in points],
+                                fontsize=6.5)
+            if k == 1:
+                axis.set_xlabel(label)
+        row[0].set_ylabel("wrong answers")
+        ends.append((row[-1], named))
+    axes[0][0].set_title("by kernel", loc="left")
+    axes[1][0].set_title("in double, by formulation", loc="left")
+    fig.tight_layout(rect=(0, 0, 0.84, 1), w_pad=0.4)
+    for axis, named in ends:
+        label_ends(axis, named)
+    source = campaign.source("How does segment against triangle fail far from the origin, between scales, and on slivers?",
+                             f"{asked:,} answers")
+    data = page.table("errors_by_parameter", ["family", "parameter", "subject", "wrong", "asked", "low_95", "high_95"], lines, source)
+    return page.figure("errors_by_parameter", fig, source, data)
+
+
+def subjects(page, campaign, level):
+    """A line a subject, a column a question."""
+    rows = [r for r in campaign.tables["subjects"] if r["level"] == level]
+    questions, cell, body = distinct(r["question"] for r in rows), {(r["subject"], r["question"]): r for r in rows}, []
+    for subject in distinct(r["subject"] for r in rows):
+        cells = [html.escape(subject)]
+        for question in questions:
+            r = cell.get((subject, question))
+            if r is None or int(r["n"]) == 0:
+                cells.append("–")
+                continue
+            text = share(wrong_in(r), int(r["n"]))
+            if wrong_in(r):
+                text += f"<br><small>missed {r['false_negatives']}, invented {r['false_positives']}" + (f", failed {r['failures']}"
+                    if int(r["failures"]) else "") + "</small>"
+            cells.append(text)
+        body.append((is_exact(subject), cells))
+    source = campaign.source(f"How often is each subject wrong, over all families ({level} level)?", campaign.answers(rows))
+    head = ["subject"] + questions
+    if notes := campaign.notes(level):  # where a subject answers another question, its row says so
+        head.append("what it answers")
+        for (_, cells), subject in zip(body, distinct(r["subject"] for r in rows)):
+            cells.append(f"<small class=what>{html.escape(notes.get(subject, ''))}</small>")
+    return page.html_table(head, body, source, "tables/verify_subjects.csv")
+
+
+def families(page, campaign):
+    """Object level: share of wrong answers by family, for one method of each kernel and the peers."""
+    rows = [r for r in campaign.tables["errors"] if r["level"] == "object" and not r["family"].startswith("sequence ")]
+    names = [s for s in distinct(r["subject"] for r in rows) if method_of(s) in ("tree", "peer")]
+    count, body = campaign.wrong_by(rows, "family", "subject"), []
+    for family in distinct(r["family"] for r in rows):
+        cells = [html.escape(family)]
+        for subject in names:
+            wrong, n = count[family, subject]
+            cells.append("–" if n == 0 else "0" if wrong == 0 else f"<b>{percent(wrong / n)}</b>")
+        body.append((False, cells))
+    source = campaign.source("Which families does each subject get wrong, both questions together?", campaign.answers(rows))
+    return page.html_table(["family"] + [html.escape(s) for s in names], body, source, "tables/verify_errors.csv")
+
+
+def sections(page, study, campaign):
+    if not campaign:
+        return
+    truths = campaign.tables["truth"]
+    cases, known = sum(int(r["n"]) for r in truths), sum(int(r["by_construction"]) for r in truths)
+    yield page.section("distance", "Where methods fail: near zero",
+                       "<p>The distance is that of the nearest of the signs which decide a case, in exact arithmetic; <i>exact</i> is "
+                       "exact degeneracy. Bars are 95 % intervals; bins of fewer than ten cases are left out.</p>",
+                       by_distance(page, campaign))
+    if drawn := by_parameter(page, campaign):
+        yield page.section("parameters", "Where methods fail: far out, across scales, on slivers", drawn)
+    yield page.section("campaign", "The campaign: every subject on every family",
+                       f"<p>{cases:,} truths, each computed twice by formulations that share no code, {known:,} of them also known by "
+                       f"construction. {len(campaign.families('object')) or len(campaign.families('predicate'))} families, and sequences "
+                       f"of frames in exact contact, sweep from far from degenerate to exactly degenerate.</p>",
+                       subjects(page, campaign, "object"))
+    if any(r["level"] == "predicate" for r in campaign.tables["subjects"]):
+        yield page.section("predicates", "Predicates", "<p>The same families as seven points, by predicate. Answers higher than the truth "
+                           "are invented, lower ones missed.</p>", subjects(page, campaign, "predicate"))
+    yield page.section("families", "Which family breaks whom",
+                       "<p>Peers answer the surface question whatever is asked, unless they say otherwise.</p>", families(page, campaign))

@@ -1,0 +1,89 @@
+"""Figure 7, peers, scaling and ablation: what the performance experiments drew, where they were run, and peers' times beside their
+wrong answers."""
+
+import html
+import os
+
+from report_data import by, distinct, geometric_mean, read, share, times
+from report_page import Source
+
+EXPERIMENTS = (("peers", "Peers", "How does each library compare, in time and in wrong answers?"),
+               ("scaling", "Scaling", "How do time, preparation and memory grow with the number of triangles?"),
+               ("ablation", "Ablation", "What does each choice of the method cost, or bring?"))
+MADE_BY = ("seed", "version", "compiler", "flags", "processor", "command", "fcl")
+WORKLOAD = ("scenario", "object", "triangles", "ratio", "question")
+
+
+def source_of(name, asked, rows):
+    """From the columns that the experiment wrote; what it did not is said to be missing."""
+    def all_of(key):
+        return "; ".join(distinct(r[key] for r in rows if r.get(key))) or f"not recorded in {name}.csv"
+    compiler = all_of("compiler") + (f", flags {all_of('flags')}" if rows[0].get("flags") else "")
+    command = all_of("command") if rows[0].get("command") else f"build/tetracone experiment {name} --out out --seed {all_of('seed')}"
+    asked_of = f"{sum(int(r['poses']) for r in rows):,} answers, {len(rows):,} rows" if rows[0].get("poses") else f"{len(rows):,} rows"
+    return Source(asked, asked_of, all_of("seed"), command, all_of("version"), compiler, all_of("processor"))
+
+
+def drawing(page, name, source):
+    """The experiment's own figure, as it stands in OUT or OUT/figures."""
+    base = next((b for b in (f"figures/{name}", name) if os.path.exists(os.path.join(page.out, b + ".svg"))), None)
+    if base is None:
+        return ""
+    with open(os.path.join(page.out, base + ".svg"), encoding="utf-8") as file:
+        svg = file.read()
+    links = [f for f in (base + ".pdf",) if os.path.exists(os.path.join(page.out, f))]
+    return (f'<figure id="{name}-drawn"><div class="drawing on-white">{svg[svg.index("<svg"):]}</div><figcaption '
+            f'class=source>{page.made(source, name + ".csv")}'
+            + "".join(f' <a href="{f}">PDF</a>.' for f in links) + "</figcaption></figure>")
+
+
+def against_the_first(page, rows, source):
+    """Time as a multiple of the first subject's on the same workload, with the wrong answers beside it, in motion and near contact."""
+    key = lambda r: tuple(r[k] for k in WORKLOAD)
+    first = rows[0]["subject"]
+    reference = {key(r): float(r["mean_ns"]) for r in rows if r["subject"] == first}
+    groups = [(f"{'degenerate' if d == '1' else 'in motion'}, {q}", [r for r in rows if (r["degenerate"], r["question"]) == (d, q)])
+              for d in ("0", "1") for q in ("surface", "solid")]
+    groups = [(name, mine) for name, mine in groups if mine]
+    body, lines = [], []
+    for (subject,), mine in by(rows, "subject").items():
+        cells = [html.escape(subject)]
+        for name, group in groups:
+            own = [r for r in group if r["subject"] == subject]
+            if not own:
+                cells.append("–")
+                continue
+            wrong, asked = sum(int(r["false_positives"]) + int(r["false_negatives"]) for r in own), sum(int(r["poses"]) for r in own)
+            ratio = geometric_mean(1e6 * float(r["mean_ns"]) / reference[key(r)] for r in own if key(r) in reference) / 1e6
+            cells.append(f"{times(ratio)} ×; {share(wrong, asked)} wrong" if ratio == ratio else f"{share(wrong, asked)} wrong")
+            lines.append([subject, name, f"{ratio:.4g}" if ratio == ratio else "", wrong, asked])
+        body.append((mine[0].get("exact") == "1", cells))
+    data = page.table("peers_ratios", ["subject", "workloads", f"time_per_{first}".replace(" ", "_"), "wrong", "asked"], lines, source)
+    return f"<p>Times are multiples of those of <i>{html.escape(first)}</i> on the same poses, geometric means.</p>" + page.html_table(["subject"] + [name for name, _ in groups], body, source, data)
+
+
+def number(text):
+    try:
+        value = float(text)
+    except (TypeError, ValueError):
+        return html.escape(text or "")
+    return text if value == int(value) and len(text) < 9 else f"{value:.4g}"
+
+
+def sections(page, study, campaign):
+    for name, title, asked in EXPERIMENTS:
+        rows = read(os.path.join(page.out, name + ".csv"))
+        if not rows:
+            continue
+        source = source_of(name, asked, rows)
+        source.check()
+        columns = [c for c in rows[0] if c not in MADE_BY]
+        parts = [drawing(page, name, source)]
+        if name == "peers" and all(k in rows[0] for k in (*WORKLOAD, "subject", "degenerate", "mean_ns", "poses", "false_positives",
+                                                          "false_negatives")):
+            parts.append(against_the_first(page, rows, source))
+        if len(rows) <= 100 or len(parts) == 1:
+            table = page.html_table([html.escape(c.replace("_", " ")) for c in columns],
+                                    [(False, [number(r[c]) for c in columns]) for r in rows], source, name + ".csv")
+            parts.append(f"<details><summary>{len(rows):,} rows</summary>{table}</details>")
+        yield page.section(name, title, *parts)

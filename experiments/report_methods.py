@@ -1,0 +1,116 @@
+"""The page's frame: style, methods, how to cite."""
+
+import html
+import os
+import re
+
+from report_data import distinct
+
+KEY_OF_CHART = ("<p class=note>Each point is a way of answering. Across: time per query, geometric mean over the workloads; up: share of "
+                "answers that differ from the truth, bars are 95 % intervals (Wilson). The green band is none wrong; there the dotted line "
+                "reaches the bound that so many cases can give. Colour: kernel; shape: method; filled: exact by construction. Dashed: the "
+                "Pareto front.</p>")
+
+STYLE = """
+:root { color-scheme: light dark; --ink: #1b1b1b; --paper: #ffffff; --line: #d5d5d5; --shade: #e8f5f0; --link: #00527f; }
+@media (prefers-color-scheme: dark) { :root { --ink: #e8e8e8; --paper: #16181b; --line: #3a3f45; --shade: #17352c; --link: #7cc4f0; } }
+* { box-sizing: border-box; }
+body { font: 16px/1.5 system-ui, sans-serif; color: var(--ink); background: var(--paper); max-width: 72rem; margin: 0 auto; padding: 1rem; }
+h1 { font-size: 1.4rem; margin: 0; line-height: 1.2; } h2 { font-size: 1.2rem; margin: 2rem 0 0.4rem; }
+a { color: var(--link); } p { max-width: 60rem; }
+figure { margin: 0.5rem 0 1rem; } .drawing { overflow-x: auto; } .on-white { background: #fff; border-radius: 6px; }
+.drawing svg { width: 100%; min-width: 36rem; max-width: 72rem; height: auto; display: block; }
+.scroll { overflow-x: auto; } table { border-collapse: collapse; font-size: 0.82rem; }
+td { white-space: nowrap; } td:first-child { min-width: 8rem; } td:first-child, td small, .wrap td { white-space: normal; }
+.what { display: block; min-width: 12rem; }
+th, td { padding: 0.2rem 0.55rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
+tr.exact td { background: var(--shade); }
+.source, .note { font-size: 0.78rem; line-height: 1.4; } .source { opacity: 0.85; overflow-wrap: anywhere; max-width: none; }
+code { font-size: 0.92em; overflow-wrap: anywhere; }
+pre { overflow-x: auto; font-size: 0.8rem; padding: 0.6rem; border: 1px solid var(--line); border-radius: 6px; white-space: pre-wrap; }
+.claim { font-size: 1.02rem; margin: 0.2rem 0; max-width: none; }
+#verdicts { margin: 0.4rem 0 0; } #opening figure { margin-bottom: 0.2rem; }
+.verdicts { font-size: 0.76rem; line-height: 1.35; padding-left: 0; list-style: none; columns: 3 20rem; column-gap: 1.5rem;
+  margin: 0.3rem 0; }
+.verdicts li { break-inside: avoid; padding: 0.15rem 0.4rem; border-bottom: 1px solid var(--line); }
+.verdicts li.exact { background: var(--shade); }
+nav { font-size: 0.8rem; } nav a { margin-right: 0.8rem; white-space: nowrap; display: inline-block; } summary { cursor: pointer; }
+@media print {
+  :root { --ink: #000; --paper: #fff; --line: #bbb; --shade: #eef6f2; --link: #000; }
+  @page { size: A4; margin: 14mm; }
+  body { max-width: none; padding: 0; font-size: 9.5pt; } nav { display: none; } a { text-decoration: none; }
+  .drawing, .scroll { overflow: visible; } .drawing svg { min-width: 0; } table { font-size: 6.2pt; }
+  td, th { padding: 1pt 3pt; } td { white-space: normal; } td:first-child, .what { min-width: 0; }
+  figure, .verdicts li, tr { break-inside: avoid; } h2, h2 + p { break-after: avoid; } thead { display: table-header-group; }
+}
+"""
+
+METHODS = (
+    ("Definitions", "Every coordinate and every entry of a pose is a double, taken as the rational that it is; the placed polyhedron is "
+     "the exact affine image. <i>surface</i> asks whether the two closed surfaces share a point, <i>solid</i> whether the two closed "
+     "solids do: touching counts, in a single point too; one inside the other collides as solids, one inside the other's cavity does not."),
+    ("Truth", "An answer is right or wrong against the exact answer; there is no tolerance in the comparison. The campaign computes each "
+     "truth twice, by formulations that share no code with each other or with what they judge: CGAL's exact intersections over rationals, "
+     "and integers of GMP; a case on which the two disagree, or which contradicts what its family knows by construction, stops the "
+     "campaign. The study's truth is the first of the two."),
+    ("Subjects", "<i>tree</i> is the tetra-tree tuned within its own parameters, with boxes in its leaves; for the adaptive kernel, the "
+     "wide tree of oriented boxes. <i>paper</i> has the choices of Jiménez and Segura 2008; <i>brute</i> tests every edge against every "
+     "face. Peers are other libraries as their users run them, each in a process of its own. A subject that does not take an input is not "
+     "asked; a crash or a missing answer is counted as wrong."),
+    ("Families", "A family is a generator from (seed, index); its parameter sweeps from far from degenerate to exactly degenerate. They "
+     "are grouped for the panels thus: {regimes}. Sequences are motions in exact contact, frame by frame, by dyadic steps or rational "
+     "rotations."),
+    ("Distance", "The relative determinant is |D| / P, with D the determinant nearest to zero of those that decide the case and P the sum "
+     "of the absolute values of its products; in ulps it is the distance of the vertex from the plane, or of two lines, in units of the "
+     "last place of the largest coordinate. Both are exact."),
+    ("Statistics", "Shares are counts over cases with Wilson's 95 % interval; none in n is stated with its upper end, 3.84 / (n + 3.84). "
+     "Times are means per workload, combined by the geometric mean; each query's time in the study is the fastest of up to five passes on "
+     "one core, the rational kernel asked every fourth pose. Times of the campaign are of one pass and include making the bodies ready."),
+    ("Threats to validity", "The families are chosen to be hard: a share over them is no forecast for any application, only what can be "
+     "compared between subjects on equal cases. Cases of a family share their bodies at times, and frames of a sequence follow one "
+     "another, so that answers are not independent and intervals are too narrow there. Degenerate cases are over-weighted by design. "
+     "Objects are not the paper's, which were not published: two are of its counts of vertices and faces, two meshes are decimated to its "
+     "sizes, and the machine is another. Times are of one machine, with whatever else ran on it; compare them within one report. Peers may "
+     "be faster or surer with other settings. Both truths could be wrong alike; they share the input and the definition."))
+
+
+def bibtex(citation):
+    """The software's entry, from CITATION.cff."""
+    title, version, year = citation["title"], citation["version"], citation["year"]
+    return (f"@software{{tetracone,\n  title = {{{title}}},\n  author = {{{{{citation['author']}}}}},\n  version = {{{version}}},\n"
+            f"  year = {{{year}}}\n}}\n\n"
+            "@article{jimenez2008collision,\n  title = {Collision detection between complex polyhedra},\n  author = {Jim{\\'e}nez, Juan J. "
+            "and Segura, Rafael J.},\n  journal = {Computers \\& Graphics},\n  volume = {32},\n  number = {4},\n  pages = {402--411},\n  "
+            "year = {2008},\n  doi = {10.1016/j.cag.2008.05.002}\n}")
+
+
+def citation():
+    """The first title, version, date and author of CITATION.cff, which holds them a line each."""
+    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "CITATION.cff"), encoding="utf-8") as file:
+        text = file.read()
+    def first(key):
+        found = re.search(rf'^[ -]*{key}: *"?([^"\n]*)"?$', text, re.MULTILINE)
+        if not found:
+            raise ValueError(f"CITATION.cff: no {key}")
+        return found.group(1)
+    return dict(title=first("title"), version=first("version"), year=first("date-released")[:4], author=first("name"))
+
+
+def sections(page, study, campaign):
+    from campaign_data import REGIME
+    regimes = "; ".join(f"<i>{regime}</i>: {', '.join(f for f, r in REGIME.items() if r == regime)}"
+                        for regime in distinct(REGIME.values()))
+    yield page.section("methods", "Methods", *(f"<p><b>{title}.</b> {text.replace('{regimes}', regimes)}</p>" for title, text in METHODS))
+    seeds = distinct([r["seed"] for r in study.rows] + [r["seed"] for r in campaign.tables["runs"]])
+    yield page.section("cite", "How to cite", f"<p>Cite the software by its version, with the seed {', '.join(seeds)} of these numbers, "
+                       f"and the paper whose method it makes exact. The same entries are in "
+                       f"<code>CITATION.cff</code>.</p><pre>{html.escape(bibtex(citation()))}</pre>")
+
+
+def frame(opening, sections):
+    links = "".join(f'<a href="#{name}">{title}</a>' for section in sections
+                    for name, title in re.findall(r'^<section id="([^"]*)"><h2>([^<]*)</h2>', section))
+    return (f'<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, '
+            f'initial-scale=1">\n<title>Tetracone: speed against accuracy</title>\n'
+            f"<style>{STYLE}</style></head><body>\n<h1>Collision detection: speed against accuracy</h1>\n<section "
+            f"id=\"opening\">{opening}</section>\n<nav>{links}</nav>\n{''.join(sections)}\n</body></html>\n")

@@ -1,0 +1,111 @@
+"""The files of the report: figures as PDF and SVG, tables as CSV, and the page. Nothing leaves without what made it."""
+
+import csv
+import html
+import io
+import os
+from dataclasses import dataclass, fields, replace
+
+import matplotlib.pyplot as plt
+
+from report_data import distinct
+from report_style import GRID, INK, PAPER
+
+
+@dataclass(frozen=True)
+class Source:
+    """What made a figure or a table."""
+    asked: str    # the question, in a sentence
+    cases: str    # of how many answers
+    seed: str
+    command: str  # that makes it again
+    version: str
+    compiler: str
+    machine: str
+
+    @staticmethod
+    def of(rows, asked, cases, command, seed=None, compiler=None):
+        """From the columns of the rows themselves."""
+        def all_of(key):
+            return "; ".join(distinct(r[key] for r in rows))
+        return Source(asked, cases, seed or all_of("seed"), command, all_of("version"),
+                      compiler or f"{all_of('compiler')}, flags {all_of('flags')}",
+                      all_of("processor"))
+
+    def about(self, **changes):
+        return replace(self, **changes)
+
+    def check(self):
+        for field in fields(self):
+            if not str(getattr(self, field.name)).strip():
+                raise ValueError(f"a figure without its {field.name}: {self.asked or self.command}")
+
+    def line(self):
+        return f"{self.cases}; seed {self.seed}; version {self.version}; {self.compiler}; {self.machine}; {self.command}"
+
+
+class Page:
+    def __init__(self, out):
+        self.out = out
+        for folder in ("figures", "tables"):
+            os.makedirs(os.path.join(out, folder), exist_ok=True)
+
+    def write(self, name, text):
+        path = os.path.join(self.out, name)
+        part = path + ".part"
+        with open(part, "w", encoding="utf-8", newline="") as file:
+            file.write(text)
+        os.replace(part, path)
+
+    def table(self, name, header, lines, source):
+        """Writes OUT/tables/NAME.csv, what made it in the last columns of each row; gives its address."""
+        source.check()
+        buffer = io.StringIO()
+        made = [source.seed, source.version, source.compiler, source.machine, source.command]
+        csv.writer(buffer, lineterminator="\n").writerows([header + ["seed", "version", "compiler", "processor", "command"]] +
+                                                          [line + made for line in lines])
+        self.write(f"tables/{name}.csv", buffer.getvalue())
+        return f"tables/{name}.csv"
+
+    def figure(self, name, fig, source, data):
+        """Saves the figure as PDF and SVG; gives it for the page, with what made it and a link to its rows."""
+        source.check()
+        part = os.path.join(self.out, "figures", name + ".part")
+        fig.savefig(part, format="pdf", bbox_inches="tight", pad_inches=0.03,
+                    metadata={"CreationDate": None, "Title": source.asked, "Subject": source.line(), "Keywords": data})
+        os.replace(part, os.path.join(self.out, "figures", name + ".pdf"))
+        buffer = io.StringIO()
+        fig.savefig(buffer, format="svg", bbox_inches="tight", pad_inches=0.03,
+                    metadata={"Date": None, "Title": source.asked, "Description": source.line()})
+        plt.close(fig)
+        svg = buffer.getvalue()
+        self.write(f"figures/{name}.svg", svg.replace(PAPER, "#ffffff").replace("<svg ", '<svg style="background: #ffffff" ', 1))
+        drawing = svg[svg.index("<svg"):]
+        for colour, name_of_it in ((INK, "ink"), (GRID, "line"), (PAPER, "paper")):
+            drawing = drawing.replace(colour, f"var(--{name_of_it})")
+        drawing = drawing.replace("<svg ", f'<svg role="img" aria-label="{html.escape(source.asked)}" ', 1)
+        caption = f"<figcaption class=source>{self.made(source, data, name)}</figcaption>"
+        return f'<figure id="{name}"><div class=drawing>{drawing}</div>{caption}</figure>'
+
+    def made(self, source, data, figure=None):
+        files = (f'<a href="figures/{figure}.pdf">PDF</a>, ' if figure else "") + f'<a href="{data}">{data}</a>'
+        return (f"<b>Asked:</b> {html.escape(source.asked)} <b>Cases:</b> {html.escape(source.cases)}. <b>Seed:</b> "
+                f"{html.escape(source.seed)}. <b>Again:</b> <code>{html.escape(source.command)}</code>. <b>Version:</b> "
+                f"{html.escape(source.version)}, {html.escape(source.compiler)}. <b>Machine:</b> {html.escape(source.machine)}. "
+                f"<b>Files:</b> {files}.")
+
+    def html_table(self, head, body, source=None, data=None, of_text=False):
+        """A table of rows (shaded, cells of HTML), what made it below; one of text has lines that break."""
+        rows = "".join("<tr%s>%s</tr>" % (' class="exact"' if exact else "", "".join(f"<td>{c}</td>" for c in cells))
+                       for exact, cells in body)
+        kind = "scroll wrap" if of_text else "scroll"
+        names = "".join(f"<th>{h}</th>" for h in head)
+        table = f"<div class='{kind}'><table><thead><tr>{names}</tr></thead><tbody>{rows}</tbody></table></div>"
+        if source is None:
+            return table
+        source.check()
+        return table + f"<p class=source>{self.made(source, data)}</p>"
+
+    @staticmethod
+    def section(name, title, *parts):
+        return f'<section id="{name}"><h2>{title}</h2>{"".join(parts)}</section>'
