@@ -99,6 +99,9 @@ class Wide_tree {
     for (Index n = 0; n < nodes_.size(); ++n)
       for (int lane = 0; lane < nodes_[n].lane_count; ++lane)
         if (!is_leaf(n, lane)) child(n, lane);
+    nodes_.shrink_to_fit();
+    // Only making nodes needs these.
+    depths_ = {}, centroids_ = {}, gathered_ = {};
   }
 
   std::size_t node_count() const { return nodes_.size(); }

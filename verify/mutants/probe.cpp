@@ -7,6 +7,7 @@
 #include "kernel/segment_face.h"
 #include "kernel/tetrahedron.h"
 #include "tetratree/collision.h"
+#include "tetratree/wide_collision.h"
 #include "verify/case.h"
 #include "verify/random.h"
 
@@ -142,6 +143,17 @@ void judge(const char* subject, const tetratree::Config& config, const covering:
   if (collision(pose_a, pose_b, Question::solid) != (solid == 1)) wrong(std::string(subject) + ", solid in case " + std::to_string(number));
 }
 
+/// The fast tree, asked twice: the second time it begins with what it kept.
+void judge_wide(const covering::Polyhedron& a, const covering::Polyhedron& b, const Pose& pose_a, const Pose& pose_b, int surface, int solid, int number)
+{
+  tetratree::Wide_tree tree_a(a), tree_b(b);
+  tetratree::Wide_collision collision(tree_a, tree_b, tetratree::Coherence::last_frame);
+  for (int round = 0; round < 2; ++round) {
+    if (collision(pose_a, pose_b, Question::surface) != (surface == 1)) wrong("wide tree, surface in case " + std::to_string(number));
+    if (collision(pose_a, pose_b, Question::solid) != (solid == 1)) wrong("wide tree, solid in case " + std::to_string(number));
+  }
+}
+
 void judge_object(std::istream& in, int number)
 {
   int surface, solid;
@@ -158,6 +170,7 @@ void judge_object(std::istream& in, int number)
   judge<Adaptive>("adaptive spheres", plain, a, b, pose_a, pose_b, surface, solid, number);
   judge<Adaptive>("adaptive tree", tetratree::Config::fastest(), a, b, pose_a, pose_b, surface, solid, number);
   judge<Adaptive>("adaptive brute", tetratree::Config::brute(), a, b, pose_a, pose_b, surface, solid, number);
+  judge_wide(a, b, pose_a, pose_b, surface, solid, number);
   if (number % 16 == 0)
     judge<kernel::Rational_kernel>("rational tree", tetratree::Config::fastest(), a, b, pose_a, pose_b, surface, solid, number);
 }

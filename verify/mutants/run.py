@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Plants each error of mutants.json in a copy of the headers and asks probe.cpp whether it is noticed.
+"""Plants each error of mutants.json in a copy of the headers and asks probe.cpp whether it is noticed; or, where the list names one, a test
+of verify/test: of headers whose errors are hidden from all answers by what stands behind them.
 
 usage: run.py BUILD [--out FOLDER] [--only WORD]
 
 BUILD is a built tree with the target `mutant_cases`, which writes the cases and their truths. A mutant is killed when the probe finds a
-wrong answer or does not end. Exit status 1 when one survives, or when one does not compile: an error of the list. The results are kept
-in FOLDER (default BUILD/mutants) and not computed again: what was stopped goes on; remove the folder to begin anew.
+wrong answer, or the test fails, or either does not end. Exit status 1 when one survives, or when one does not compile: an error of the
+list. The results are kept in FOLDER (default BUILD/mutants) and not computed again: what was stopped goes on; remove the folder to begin anew.
 """
 import argparse
 import hashlib
@@ -21,6 +22,7 @@ SOURCE = HERE.parent.parent
 HEADERS = ("kernel", "covering", "tetratree")
 COMPILE = ["-std=c++20", "-O1", "-frounding-math", "-ffp-contract=off", "-DCGAL_USE_GMPXX=1"]
 LINK = ["-lhwy", "-lgmpxx", "-lgmp", "-lmpfr"]
+TEST = ["-Wno-psabi", "-DCGAL_NO_CDT_2_WARNING", "-DBOOST_TEST_DYN_LINK", "-DBOOST_TEST_MODULE=mutant", "-lboost_unit_test_framework"]
 SECONDS = 600  # a probe of right headers takes some 10
 
 
@@ -39,21 +41,27 @@ def copy_tree(folder):
         shutil.copy(SOURCE / "verify" / name, folder / "verify" / name)
 
 
-def probe(folder, cases, eigen):
-    """What the probe says of the headers in `folder`: "killed: ...", "survived" or "does not compile: ..."."""
+def test_source(mutant):
+    return SOURCE / "verify" / "test" / f"{mutant['test']}.cpp" if "test" in mutant else None
+
+
+def probe(folder, cases, eigen, test):
+    """What the probe, or the test if it is not None, says of the headers in `folder`: "killed: ...", "survived" or "does not compile: ..."."""
     program = folder / "probe"
     compiler = os.environ.get("CXX", "c++")
-    built = subprocess.run([compiler, *COMPILE, f"-I{folder}", f"-I{eigen}", str(HERE / "probe.cpp"), *LINK, "-o", str(program)],
+    source, options = (test, [f"-I{SOURCE}", *TEST]) if test else (HERE / "probe.cpp", [])
+    built = subprocess.run([compiler, *COMPILE, f"-I{folder}", f"-I{eigen}", str(source), *options, *LINK, "-o", str(program)],
                            capture_output=True, text=True)
     if built.returncode != 0:
         return "does not compile: " + next((line for line in built.stderr.splitlines() if "error" in line), "?")
     try:
-        run = subprocess.run([str(program), str(cases)], capture_output=True, text=True, timeout=SECONDS)
+        run = subprocess.run([str(program)] if test else [str(program), str(cases)], capture_output=True, text=True, timeout=SECONDS,
+                             env={**os.environ, "BOOST_TEST_COLOR_OUTPUT": "0"})
     except subprocess.TimeoutExpired:
         return "killed: does not end"
     if run.returncode == 0:
         return "survived"
-    lines = run.stdout.strip().splitlines()
+    lines = (run.stdout + run.stderr).strip().splitlines()
     return "killed: " + (lines[-1] if lines else f"ends with {run.returncode}")
 
 
@@ -94,14 +102,15 @@ def main():
     mutants = [m for m in json.loads((HERE / "mutants.json").read_text()) if args.only in m["name"]]
     bad = 0
     for mutant in [{"name": "none", "file": None}, *mutants]:
-        key = hashlib.sha256((digest.hexdigest() + json.dumps(mutant, sort_keys=True)).encode()).hexdigest()
+        test = test_source(mutant)
+        key = hashlib.sha256((digest.hexdigest() + json.dumps(mutant, sort_keys=True)).encode() + (test.read_bytes() if test else b"")).hexdigest()
         if key not in results:
             folder = out / "tree"
             copy_tree(folder)
             if mutant["file"]:
                 path = folder / mutant["file"]
                 path.write_text(planted(path.read_text(), mutant))
-            results[key] = probe(folder, cases, eigen_folder())
+            results[key] = probe(folder, cases, eigen_folder(), test)
             write(results_file, results)
         print(f"{mutant['name']:70}  {results[key]}", flush=True)
         expected = "survived" if mutant["file"] is None else "killed"

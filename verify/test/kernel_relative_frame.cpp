@@ -187,6 +187,35 @@ BOOST_AUTO_TEST_CASE(both_routes_keep_their_bound_for_scales_units_and_distances
   BOOST_TEST(known > 1500);
 }
 
+BOOST_AUTO_TEST_CASE(bodies_modelled_far_off_and_brought_together_keep_their_bound)
+{
+  // Placed origins are some 1 apart, while what they are summed from is up to 2^60: nearly all cancels.
+  Random random(10);
+  double worst = 0, worst_of_small = 0;
+  for (int k = 0; k < 1200; ++k) {
+    const int exponent = scenes::integer(random, 0, 60);
+    Pose a = k % 3 == 0 ? scenes::random_rotation(random, 5) : scenes::rounded(scenes::random_rotation(random, 5));
+    const Pose b = k % 4 == 0 ? scenes::random_rotation(random, 5) : scenes::rounded(scenes::random_rotation(random, 5));
+    if (k % 5 == 0) a = sheared(a);
+    const Local_units in_a{scenes::real_vertex(random, std::ldexp(1.0, exponent)), 1}, in_b{scenes::real_vertex(random, std::ldexp(1.0, exponent)), 1};
+    std::array<Rational, 12> entries;
+    for (int n = 0; n < 12; ++n) entries[n] = b.exact(n);
+    for (int i = 0; i < 3; ++i) {
+      Rational t = a.exact(4 * i + 3) + Rational(scenes::real(random, -1, 1));
+      for (int j = 0; j < 3; ++j) t += a.exact(4 * i + j) * Rational(in_a.origin[j]) - b.exact(4 * i + j) * Rational(in_b.origin[j]);
+      entries[4 * i + 3] = k % 2 == 0 ? Rational(nearest_double(t)) : t;
+    }
+    const Pose near(entries);
+    const double share = share_of_bound(a, in_a, near, in_b);
+    BOOST_TEST_REQUIRE(share >= 0);
+    worst = std::max(worst, share);
+    if (exponent >= 10 && exponent < 20 && k % 5 != 0) worst_of_small = std::max(worst_of_small, share);
+  }
+  BOOST_TEST_MESSAGE("largest error / bound: " << worst << ", where doubles suffice " << worst_of_small);
+  BOOST_TEST(worst <= 1);
+  BOOST_TEST(worst_of_small > 0.01);
+}
+
 BOOST_AUTO_TEST_CASE(entries_that_are_denormal_have_no_false_bound)
 {
   // Units so large that the image is of ordinary size, of a pose whose entries have few digits left.

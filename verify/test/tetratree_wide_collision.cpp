@@ -1,12 +1,16 @@
 #include "tetratree/wide_collision.h"
 
 #include "covering/repair.h"
+#include "tetratree/collision.h"
 #include "verify/brute.h"
 #include "verify/test/scenes.h"
 
 #include <boost/test/unit_test.hpp>
 
+#include <array>
+#include <cmath>
 #include <memory>
+#include <string>
 #include <vector>
 
 using namespace tetracone::tetratree;
@@ -114,6 +118,123 @@ BOOST_AUTO_TEST_CASE(a_solid_inside_another_collides_and_one_in_its_cavity_does_
       BOOST_TEST(!in_hollow(Pose(), turned_and_moved, Question::solid));
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(what_is_kept_from_the_last_pose_changes_no_answer)
+{
+  // Along trajectories of small steps through contact, and between far and near poses; against an object that keeps nothing, and the truth.
+  const auto all = bodies();
+  Random random(5);
+  int differ = 0, wrong = 0, yes = 0, no = 0;
+  for (const auto& a : all)
+    for (const auto& b : all) {
+      Wide_collision none(a->triangles, b->triangles), last(a->triangles, b->triangles, Coherence::last_frame), whole(a->whole, b->whole, Coherence::last_frame);
+      const Pose rotation = random_rotation(random, 3);
+      for (int k = -16; k <= 16; ++k) {
+        const double x = k / 2.0;
+        const Pose near = k % 2 == 0 ? composed(rotation, translation(x, 0.5, 0)) : translation(x, 1, 1), pose_b = k % 4 < 2 ? rotation : Pose();
+        const Pose pose_a = k % 5 == 0 ? composed(translation(1e6, 0, 0), near) : k % 7 == 0 ? random_affine(random, 2) : near;
+        const Question question = k % 3 == 0 ? Question::surface : Question::solid;
+        const bool answer = none(pose_a, pose_b, question);
+        differ += last(pose_a, pose_b, question) != answer;
+        differ += whole(pose_a, pose_b, question) != answer;
+        if (k % 4 == 0) wrong += answer != verify::collide(a->truth, pose_a, b->truth, pose_b, question);
+        ++(answer ? yes : no);
+      }
+    }
+  BOOST_TEST(differ == 0);
+  BOOST_TEST(wrong == 0);
+  BOOST_TEST(yes > 500);
+  BOOST_TEST(no > 500);
+}
+
+BOOST_AUTO_TEST_CASE(a_witness_or_a_direction_of_the_last_pose_saves_the_work)
+{
+  Body a(cube_with_tunnel()), b(cube(2));
+  Wide_collision last(a.triangles, b.triangles, Coherence::last_frame);
+  BOOST_TEST(last(Pose(), translation(2, 0, 0), Question::surface));
+  last.clear_counts();
+  BOOST_TEST(last(Pose(), translation(2.001, 0, 0), Question::surface));
+  BOOST_TEST(last.counts().box_tests == 0u);
+  BOOST_TEST(last.counts().leaf_pairs == 1u);
+  BOOST_TEST(!last(Pose(), translation(100, 0, 0), Question::surface));
+  BOOST_TEST(last(Pose(), translation(2, 0, 0), Question::surface));
+}
+
+BOOST_AUTO_TEST_CASE(bodies_of_unlike_sizes_end_and_are_right)
+{
+  // A tiny body that crosses a face of the large one, touches it in a vertex, is a hair off it, or is inside: sizes in one unit underflow and
+  // overflow in float, and their ratio in double.
+  int wrong = 0;
+  for (const double large : {1.0, 0x1p100, 0x1p1000})
+    for (const int ratio : {20, 59, 62, 130, 160, 500, 1010, 1050}) {
+      const double tiny = std::ldexp(large, -ratio);
+      if (tiny == 0) continue;
+      const Polyhedron wall = box({0, -large, -large}, {large, large, large});
+      struct {
+        Vertex at;
+        bool surface, solid;
+      } cases[] = {{{0, 0, 0}, true, true}, {{-tiny, 0, 0}, true, true}, {{-1.5 * tiny, 0, 0}, false, false}, {{1.5 * tiny, 0, 0}, false, true}, {{large / 2, 0, 0}, false, true}};
+      for (const auto& [at, surface, solid] : cases) {
+        const Polyhedron dust = moved(cube(1), tiny, at);
+        if (at[0] == large / 2 && dust.vertices[0] == dust.vertices[1]) continue;  // rounded to one point
+        Body a(wall), b(dust);
+        for (const Pose& pose : {Pose(), Pose::from_quaternion(1, 2, 3, 4)})
+          for (const bool swapped : {false, true}) {
+            Wide_collision collision(swapped ? b.triangles : a.triangles, swapped ? a.triangles : b.triangles, swapped ? Coherence::last_frame : Coherence::none);
+            for (int again = 0; again < 2; ++again) {
+              wrong += collision(pose, pose, Question::surface) != surface;
+              wrong += collision(pose, pose, Question::solid) != solid;
+            }
+          }
+      }
+    }
+  BOOST_TEST(wrong == 0);
+}
+
+BOOST_AUTO_TEST_CASE(poses_that_are_nearly_flat_or_far_off_in_size_end_and_are_right)
+{
+  Body a(cube(1)), b(star_prism());
+  int wrong = 0;
+  for (const double thin : {0x1p-30, 0x1p-100, 0x1p-300, 0x1p-600, 0x1p-1000})
+    for (const double height : {0.5, 1.0, std::nextafter(1.0, 2.0), 1.5})
+      for (int axis = 0; axis < 3; ++axis) {
+        std::array<double, 12> entries{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+        entries[5 * axis] = thin, entries[4 * axis + 3] = height;
+        for (const Body* other : {&a, &b}) {
+          Body second(other == &a ? cube(1) : star_prism());
+          const bool truth = verify::collide(a.truth, Pose(), second.truth, Pose(entries), Question::solid);
+          Wide_collision collision(a.triangles, second.triangles), other_way(second.triangles, a.triangles, Coherence::last_frame);
+          wrong += collision(Pose(), Pose(entries)) != truth;
+          wrong += other_way(Pose(entries), Pose()) != truth;
+        }
+      }
+  BOOST_TEST(wrong == 0);
+}
+
+BOOST_AUTO_TEST_CASE(the_papers_tree_in_rational_arithmetic_says_the_same)
+{
+  using Rational_tree = Tetra_tree<tetracone::kernel::Rational_kernel>;
+  Random random(6);
+  const std::vector<Polyhedron> shapes = {unit_cube(), cube_with_tunnel(), star_prism(), triangulated(cube(2)), blob(random, 2, 1, 3)};
+  int differ = 0, yes = 0, no = 0;
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    for (std::size_t j = 0; j < shapes.size(); ++j) {
+      const Config config = Config::fastest();
+      Rational_tree paper_a(shapes[i], config), paper_b(shapes[j], config);
+      Collision<tetracone::kernel::Rational_kernel> paper(paper_a, paper_b);
+      Wide_tree a(shapes[i]), b(shapes[j]);
+      Wide_collision wide(a, b, Coherence::last_frame);
+      for (int k = 0; k < 6; ++k) {
+        const Pose pose_a = any_pose(random, k % 5), pose_b = any_pose(random, (k + 3) % 5);
+        const bool expected = paper(pose_a, pose_b, Question::solid);
+        differ += wide(pose_a, pose_b, Question::solid) != expected;
+        ++(expected ? yes : no);
+      }
+    }
+  BOOST_TEST(differ == 0);
+  BOOST_TEST(yes > 20);
+  BOOST_TEST(no > 20);
 }
 
 BOOST_AUTO_TEST_CASE(work_is_counted)

@@ -58,7 +58,7 @@ BOOST_AUTO_TEST_CASE(every_element_is_in_one_leaf_and_in_all_boxes_above_it)
         kernel::Vector centre;
         for (int i = 0; i < 3; ++i) {
           for (int j = 0; j < 3; ++j) axes(j, i) = node.boxes.axis[i][j][lane];
-          centre[i] = double(node.boxes.centre[i][lane]) + double(node.origin[i]);
+          centre[i] = double(node.boxes.centre[i][lane]) + double(node.boxes.origin[i]);
         }
         for (const Index v : corners) {
           const auto& vertex = tree.model().vertices()[v];
@@ -80,6 +80,26 @@ BOOST_AUTO_TEST_CASE(every_element_is_in_one_leaf_and_in_all_boxes_above_it)
         if (!has[f]) expected += tree.model().covering().from(f).size();
       BOOST_TEST(corner_count == expected);
     }
+}
+
+BOOST_AUTO_TEST_CASE(the_reach_of_a_node_is_that_of_its_farthest_box)
+{
+  for (const Polyhedron& body : bodies()) {
+    Wide_tree tree(body);
+    tree.make_all();
+    int too_short = 0, too_long = 0;
+    for (Index n = 0; n < tree.node_count(); ++n) {
+      const kernel::Wide_boxes& boxes = tree.node(n).boxes;
+      double reach = 0;
+      for (int lane = 0; lane < tree.node(n).lane_count; ++lane)
+        reach = std::max(reach, std::hypot(double(boxes.centre[0][lane]), double(boxes.centre[1][lane]), double(boxes.centre[2][lane])) +
+                                    double(boxes.extent[0][lane]) + boxes.extent[1][lane] + boxes.extent[2][lane]);
+      too_short += boxes.reach < reach;
+      too_long += boxes.reach > 1.000001 * reach;
+    }
+    BOOST_TEST(too_short == 0);
+    BOOST_TEST(too_long == 0);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(nodes_are_made_when_they_are_entered)

@@ -1,0 +1,23 @@
+#include "tetratree/wide_node.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <cstddef>
+
+using namespace tetracone::tetratree;
+
+BOOST_AUTO_TEST_CASE(a_node_is_made_of_whole_cache_lines_and_its_boxes_begin_one)
+{
+  BOOST_TEST(alignof(Wide_node) == 64u);
+  BOOST_TEST(sizeof(Wide_node) % 64 == 0u);
+  BOOST_TEST(offsetof(Wide_node, boxes) == 0u);
+  BOOST_TEST(std::tuple_size_v<decltype(Wide_node::child)> == tetracone::kernel::lanes);
+  BOOST_TEST(std::tuple_size_v<decltype(Wide_node::first)> == tetracone::kernel::lanes + 1);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_no_node_is_negative)
+{
+  BOOST_TEST(Wide_node::leaf < 0);
+  BOOST_TEST(Wide_node::not_made < 0);
+  BOOST_TEST(Wide_node::leaf != Wide_node::not_made);
+}
