@@ -130,6 +130,7 @@ class Wide_tree {
       const bool is_triangle = polyhedron.is_triangle(f) && model_.covering().spanning(f);
       elements_.push_back({f, is_triangle ? std::array{loop[0], loop[1], loop[2]} : std::array{covering::none, covering::none, covering::none}});
     }
+    elements_.shrink_to_fit();
   }
 
   /// The unit is a power of two, so that local coordinates are the model's but for the rounding of a difference. Halves, since a
