@@ -21,7 +21,8 @@ inline constexpr std::size_t lanes = 8;
 struct alignas(32) Wide_boxes {
   float centre[3][lanes], axis[3][3][lanes], extent[3][lanes];
   float origin[3];
-  float reach;  ///< |c_k| + sum_i e_i of every lane is at most this, c relative to the origin
+  float reach;     ///< |c_k| + sum_i e_i of every lane is at most this, c relative to the origin
+  int lane_count;  ///< so many lanes hold a box, the first ones
 };
 inline constexpr double axis_defect = 0x1p-21;
 

@@ -80,7 +80,7 @@ class Support_table {
     Index n = 0;
     for (open.clear();; n = tree_->child(open.back().second / 8, int(open.back().second % 8)), open.pop_back()) {
       const std::size_t first = open.size();
-      for (int lane = 0; lane < tree_->node(n).lane_count; ++lane) {
+      for (int lane = 0; lane < tree_->node(n).boxes.lane_count; ++lane) {
         const double bound = box_reach(tree_->node(n).boxes, lane, d);
         if (bound <= best) continue;
         if (!tree_->is_leaf(n, lane)) {

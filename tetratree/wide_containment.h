@@ -79,8 +79,8 @@ class Wide_containment {
         sum += std::abs(box.centre[i]) + box.extent[i];
       }
       box.slack = kernel::wide_slack(sum, 0) + ray.slack;
-      unsigned met = kernel::overlapping(node.boxes, box, true) & ((1u << node.lane_count) - 1);
-      counts.box_tests += unsigned(node.lane_count);
+      unsigned met = kernel::overlapping(node.boxes, box, true) & ((1u << node.boxes.lane_count) - 1);
+      counts.box_tests += unsigned(node.boxes.lane_count);
       for (; met != 0; met &= met - 1) {
         const int lane = std::countr_zero(met);
         if (holder.tree->is_leaf(n, lane)) winding += winding_of(holder, holder.tree->element(n, lane), p, origin);

@@ -56,7 +56,7 @@ HWY_INLINE std::size_t store(Pair_stack& stack, std::size_t count, const Opening
   const int other = 1 - o.body;
   const kernel::Wide_boxes& boxes = o.node->boxes;
   const std::uint32_t first_id = std::uint32_t(o.node - trees.nodes[o.body]) * 8;
-  const std::size_t held = std::size_t(o.node->lane_count);
+  const std::size_t held = std::size_t(o.node->boxes.lane_count);
   for (std::size_t first = 0; first < kernel::lanes; first += hn::Lanes(tag)) {
     const auto mask = hn::And(simd::together<similarity>(simd::One_test{boxes, box, first}), hn::FirstN(tag, held > first ? held - first : 0));
     const auto extent = [&](int i) HWY_ATTR { return hn::Load(tag, boxes.extent[i] + first); };

@@ -74,7 +74,7 @@ class Wide_tree {
   Index child(Index n, int lane)
   {
     if (nodes_[n].child[lane] < 0) {
-      const Index made = make_node(nodes_[n].first[lane], nodes_[n].first[lane + 1], depths_[n] + 1);
+      const Index made = make_node(nodes_[n].first[lane], Wide_node::last_of(nodes_[n].child[lane]), depths_[n] + 1);
       nodes_[n].child[lane] = std::int32_t(made);
     }
     return Index(nodes_[n].child[lane]);
@@ -97,11 +97,13 @@ class Wide_tree {
   void make_all()
   {
     for (Index n = 0; n < nodes_.size(); ++n)
-      for (int lane = 0; lane < nodes_[n].lane_count; ++lane)
+      for (int lane = 0; lane < nodes_[n].boxes.lane_count; ++lane)
         if (!is_leaf(n, lane)) child(n, lane);
     nodes_.shrink_to_fit();
     // Only making nodes needs these.
-    depths_ = {}, centroids_ = {}, gathered_ = {};
+    depths_ = std::vector<std::uint8_t>();
+    centroids_ = std::vector<std::array<float, 3>>();
+    gathered_ = std::vector<Vector>();
   }
 
   std::size_t node_count() const { return nodes_.size(); }
@@ -223,12 +225,7 @@ class Wide_tree {
   {
     if (elements_.empty()) return;
     // One lane that holds everything.
-    Wide_node root{};
-    root.lane_count = 1;
-    root.first.fill(Index(elements_.size()));
-    root.first[0] = 0;
-    store_boxes(root);
-    nodes_.push_back(root);
+    nodes_.push_back(node_of({part(0, Index(elements_.size()))}));
     depths_.push_back(0);
   }
 
@@ -250,29 +247,27 @@ class Wide_tree {
       *largest = part(whole.first, middle);
       parts.insert(largest + 1, part(middle, whole.last));
     }
-    Wide_node node{};
-    node.lane_count = int(parts.size());
-    node.first.fill(parts.back().last);
-    for (std::size_t k = 0; k < parts.size(); ++k) node.first[k] = parts[k].first;
-    store_boxes(node);
     // By a fifth, not twofold: nodes are most of the memory.
     if (nodes_.size() == nodes_.capacity()) nodes_.reserve(nodes_.size() + nodes_.size() / 5 + 8);
-    nodes_.push_back(node);
+    nodes_.push_back(node_of(parts));
     depths_.push_back(std::uint8_t(std::min(depth, 250)));
     return Index(nodes_.size() - 1);
   }
 
-  void store_boxes(Wide_node& node)
+  /// A node of one to eight parts.
+  Wide_node node_of(const std::vector<Part>& parts) const
   {
+    Wide_node node{};
+    node.boxes.lane_count = int(parts.size());
     struct Lane {
       kernel::Oriented_box box;
       std::vector<Vector> points;
     };
     std::vector<Lane> all;
     Vector low = Vector::Constant(4), high = -low;
-    for (int lane = 0; lane < node.lane_count; ++lane) {
+    for (const Part& part : parts) {
       std::vector<Vector> points;
-      for (Index k = node.first[lane]; k < node.first[lane + 1]; ++k)
+      for (Index k = part.first; k < part.last; ++k)
         for_corners(elements_[order_[k]], [&](const Vector& p) { points.push_back(p); });
       const bool triangle = points.size() == 3;
       const auto box = triangle ? kernel::triangle_box(std::span<const Vector, 3>(points.data(), 3)) : kernel::fitted_box(points, 5);
@@ -283,15 +278,17 @@ class Wide_tree {
     Vector origin;
     for (int k = 0; k < 3; ++k) origin[k] = node.boxes.origin[k] = float(0.5 * (low[k] + high[k]));
     double reach = 0;
-    for (int lane = 0; lane < node.lane_count; ++lane) {
-      node.child[lane] = node.first[lane + 1] - node.first[lane] == 1 ? Wide_node::leaf : Wide_node::not_made;
+    for (std::size_t lane = 0; lane < parts.size(); ++lane) {
+      node.first[lane] = parts[lane].first;
+      node.child[lane] = parts[lane].last - parts[lane].first == 1 ? Wide_node::leaf : Wide_node::not_made(parts[lane].last);
       // A local coordinate is a difference and a power of two: one rounding, of at most 2.
-      kernel::store_lane(node.boxes, lane, all[lane].box, origin, all[lane].points, 0x1p-52);
+      kernel::store_lane(node.boxes, int(lane), all[lane].box, origin, all[lane].points, 0x1p-52);
       double sum = 0, square = 0;
       for (int i = 0; i < 3; ++i) sum += node.boxes.extent[i][lane], square += double(node.boxes.centre[i][lane]) * node.boxes.centre[i][lane];
       reach = std::max(reach, sum + std::sqrt(square));
     }
     node.boxes.reach = float(reach * 1.0000002);
+    return node;
   }
 
   covering::Model<Adaptive> model_;

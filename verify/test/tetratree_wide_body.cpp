@@ -31,7 +31,7 @@ BOOST_AUTO_TEST_CASE(a_box_is_a_lane_of_a_node_and_its_element_the_leaf_there)
   tree.make_all();
   Wide_body body(tree);
   for (Index n = 0; n < tree.node_count(); ++n)
-    for (int lane = 0; lane < tree.node(n).lane_count; ++lane)
+    for (int lane = 0; lane < tree.node(n).boxes.lane_count; ++lane)
       if (tree.is_leaf(n, lane)) BOOST_TEST(&body.element(8 * n + Index(lane)) == &tree.element(n, lane));
 }
 

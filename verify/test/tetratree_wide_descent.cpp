@@ -75,7 +75,7 @@ Pairs meeting(const Polyhedron& p, const Pose& pose_a, Wide_body& a, const Polyh
   for (const auto& [body, elements, count] : {std::tuple{&a, &of_a, p.face_count()}, {&b, &of_b, q.face_count()}}) {
     body->tree->make_all();
     for (Index n = 0; n < body->tree->node_count(); ++n)
-      for (int lane = 0; lane < body->tree->node(n).lane_count; ++lane)
+      for (int lane = 0; lane < body->tree->node(n).boxes.lane_count; ++lane)
         if (body->tree->is_leaf(n, lane)) elements->push_back(&body->tree->element(n, lane));
     BOOST_TEST(elements->size() == count);
   }

@@ -12,12 +12,16 @@ BOOST_AUTO_TEST_CASE(a_node_is_made_of_whole_cache_lines_and_its_boxes_begin_one
   BOOST_TEST(sizeof(Wide_node) % 64 == 0u);
   BOOST_TEST(offsetof(Wide_node, boxes) == 0u);
   BOOST_TEST(std::tuple_size_v<decltype(Wide_node::child)> == tetracone::kernel::lanes);
-  BOOST_TEST(std::tuple_size_v<decltype(Wide_node::first)> == tetracone::kernel::lanes + 1);
+  BOOST_TEST(std::tuple_size_v<decltype(Wide_node::first)> == tetracone::kernel::lanes);
+  BOOST_TEST(sizeof(Wide_node) == 576u);
 }
 
-BOOST_AUTO_TEST_CASE(what_is_no_node_is_negative)
+BOOST_AUTO_TEST_CASE(what_is_no_node_is_negative_and_says_where_its_elements_end)
 {
   BOOST_TEST(Wide_node::leaf < 0);
-  BOOST_TEST(Wide_node::not_made < 0);
-  BOOST_TEST(Wide_node::leaf != Wide_node::not_made);
+  for (const std::uint32_t last : {1u, 2u, 1000u, 0x7ffffffeu}) {
+    BOOST_TEST(Wide_node::not_made(last) < 0);
+    BOOST_TEST(Wide_node::not_made(last) != Wide_node::leaf);
+    BOOST_TEST(Wide_node::last_of(Wide_node::not_made(last)) == last);
+  }
 }

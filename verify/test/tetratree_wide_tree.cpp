@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(every_element_is_in_one_leaf_and_in_all_boxes_above_it)
           else corners.assign(e.corner.begin(), e.corner.end());
         } else {
           const Index child = tree.child(n, lane);
-          for (int k = 0; k < tree.node(child).lane_count; ++k)
+          for (int k = 0; k < tree.node(child).boxes.lane_count; ++k)
             for (const Index v : visit(child, k)) corners.push_back(v);
         }
         const Wide_node& node = tree.node(n);
@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(the_reach_of_a_node_is_that_of_its_farthest_box)
     for (Index n = 0; n < tree.node_count(); ++n) {
       const kernel::Wide_boxes& boxes = tree.node(n).boxes;
       double reach = 0;
-      for (int lane = 0; lane < tree.node(n).lane_count; ++lane)
+      for (int lane = 0; lane < tree.node(n).boxes.lane_count; ++lane)
         reach = std::max(reach, std::hypot(double(boxes.centre[0][lane]), double(boxes.centre[1][lane]), double(boxes.centre[2][lane])) +
                                     double(boxes.extent[0][lane]) + boxes.extent[1][lane] + boxes.extent[2][lane]);
       too_short += boxes.reach < reach;
