@@ -4,12 +4,12 @@
 #include "covering/check.h"
 #include "covering/read.h"
 #include "covering/repair.h"
+#include "verify/test/data_folder.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -19,22 +19,10 @@
 
 using namespace tetracone::covering;
 namespace fs = std::filesystem;
+using tetracone::verify::scenes::data_folder;
+using tetracone::verify::scenes::without_data;
 
 namespace {
-
-fs::path data_folder()
-{
-  const char* const named = std::getenv("TETRACONE_DATA");
-  return named ? fs::path(named) : fs::path(TETRACONE_SOURCE_DIR) / ".." / "shared" / "data";
-}
-
-/// True, with a word about it, where the data are not there.
-bool skipped()
-{
-  if (fs::is_directory(data_folder())) return false;
-  std::cout << "SKIPPED: no folder of real data; TETRACONE_DATA names another one\n";
-  return true;
-}
 
 std::vector<fs::path> model_files()
 {
@@ -88,7 +76,7 @@ const std::vector<Known> known = {
 
 BOOST_AUTO_TEST_CASE(every_file_is_read_or_refused_in_one_line_and_in_time)
 {
-  if (skipped()) return;
+  if (without_data()) return;
   std::size_t read = 0, refused = 0;
   for (const fs::path& file : model_files()) {
     const auto start = std::chrono::steady_clock::now();
@@ -119,7 +107,7 @@ BOOST_AUTO_TEST_CASE(every_file_is_read_or_refused_in_one_line_and_in_time)
 
 BOOST_AUTO_TEST_CASE(broken_files_are_refused)
 {
-  if (skipped()) return;
+  if (without_data()) return;
   for (const fs::path& file : model_files()) {
     const std::string name = file.filename().string();
     if (name.starts_with("corrupted_") || name.starts_with("truncated.") || name == "notenoughindices.obj")
@@ -129,7 +117,7 @@ BOOST_AUTO_TEST_CASE(broken_files_are_refused)
 
 BOOST_AUTO_TEST_CASE(known_models_are_what_they_are)
 {
-  if (skipped()) return;
+  if (without_data()) return;
   for (const Known& expected : known) {
     const fs::path file = data_folder() / expected.file;
     if (!fs::exists(file)) {
@@ -148,7 +136,7 @@ BOOST_AUTO_TEST_CASE(known_models_are_what_they_are)
 
 BOOST_AUTO_TEST_CASE(volumes_known_from_elsewhere_are_met_exactly)
 {
-  if (skipped()) return;
+  if (without_data()) return;
   BOOST_TEST((*check(read(data_folder() / "paper/polyA_32v_18f.poly")).volume == 592));
   BOOST_TEST(
       (*check(read(data_folder() / "paper/polyB_44v_29f.poly")).volume == tetracone::kernel::Rational(1295) / 2));
@@ -162,7 +150,7 @@ BOOST_AUTO_TEST_CASE(volumes_known_from_elsewhere_are_met_exactly)
 
 BOOST_AUTO_TEST_CASE(orientation_closes_what_it_can)
 {
-  if (skipped()) return;
+  if (without_data()) return;
   BOOST_TEST(closes_if_oriented(read(data_folder() / "bad/multibody.stl")));
   BOOST_TEST(closes_if_oriented(read(data_folder() / "bad/conrod.stl")));
   BOOST_TEST(!closes_if_oriented(read(data_folder() / "bad/nonmanifold.stl")));
