@@ -2,6 +2,7 @@
 #define TETRACONE_KERNEL_WIDE_OVERLAP_KERNEL_H
 // Included by kernel/wide_overlap.h, once for each target.
 #ifndef TETRACONE_SIMD_KERNEL
+#undef TETRACONE_KERNEL_WIDE_OVERLAP_KERNEL_H  // that header includes this one, again and again
 #include "kernel/wide_overlap.h"
 #else
 

@@ -2,6 +2,7 @@
 #define TETRACONE_KERNEL_WIDE_SIGNS_KERNEL_H
 // Included by kernel/wide_signs.h, once for each target.
 #ifndef TETRACONE_SIMD_KERNEL
+#undef TETRACONE_KERNEL_WIDE_SIGNS_KERNEL_H  // that header includes this one, again and again
 #include "kernel/wide_signs.h"
 #else
 

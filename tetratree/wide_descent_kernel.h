@@ -2,6 +2,7 @@
 #define TETRACONE_TETRATREE_WIDE_DESCENT_KERNEL_H
 // Included by tetratree/wide_descent.h, once for each target.
 #ifndef TETRACONE_SIMD_KERNEL
+#undef TETRACONE_TETRATREE_WIDE_DESCENT_KERNEL_H  // that header includes this one, again and again
 #include "tetratree/wide_descent.h"
 #else
 
