@@ -93,8 +93,7 @@ void run_compilers(const std::filesystem::path& out)
 {
   const std::vector<Build> all = builds();
   if (all.empty()) throw std::runtime_error("no compiler; expected g++ or clang++");
-  std::error_code error;
-  std::filesystem::create_directories(out, error);
+  make_folder(out);
   std::vector<std::string> rows(all.size());
   Progress progress("compilations", all.size());
   std::mutex one_at_a_time;

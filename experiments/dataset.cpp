@@ -182,8 +182,7 @@ class Meshes {
 void export_dataset(const std::filesystem::path& out, std::uint64_t cases, std::uint64_t seed)
 {
   const std::filesystem::path folder = out / "dataset";
-  std::error_code error;
-  std::filesystem::create_directories(folder / "meshes", error);
+  make_folder(folder / "meshes");
   Meshes meshes(folder / "meshes");
   Rows objects, predicates;
   Progress progress("cases", 2 * cases * verify::families().size());

@@ -111,10 +111,7 @@ class Fuzz {
       if (wanted.contains(subject.name)) object_subjects_.push_back({subject, subject.make()});
     for (const auto& subject : verify::predicate_subjects())
       if (wanted.contains(subject.name)) predicate_subjects_.push_back(&subject);
-    std::error_code error;
-    std::filesystem::create_directories(options.out, error);
-    if (!std::filesystem::is_directory(options.out))
-      throw kernel::Input_error(options.out.native(), 0, "cannot be made", "expected a folder that may be written");
+    make_folder(options.out);
   }
 
   /// Round after round, one case of each family and level and what mutation makes of it, until the time is up.

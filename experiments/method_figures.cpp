@@ -72,6 +72,7 @@ void run_method_figures(const std::filesystem::path& out, const std::filesystem:
 {
   if (out.native().find('\'') != std::string::npos) throw std::runtime_error("the folder's name holds a quote; expected one without");
   Model_file body = model.empty() ? generated(verify::blob(760, 1)) : load_model(model.native(), {}, true);
+  make_folder(out);
   const Tree tree(body.polyhedron, tetratree::Config());
 
   View_scene pair, faces;
@@ -82,7 +83,6 @@ void run_method_figures(const std::filesystem::path& out, const std::filesystem:
   const Json data = {{"pair", Json::parse(view_data(pair, "adaptive", verify::Method::tree))},
                      {"path", path_data(tree)},
                      {"faces", Json::parse(view_data(faces, "adaptive", verify::Method::tree))}};
-  std::filesystem::create_directories(out);
   write_whole(out / "method.json", data.dump() + "\n");
   const std::string command = "/usr/bin/python3 '" TETRACONE_SOURCE_DIR "/experiments/method_figures.py' '" + out.native() + "'";
   if (std::system(command.c_str()) != 0) throw std::runtime_error("the figures could not be drawn; expected python3 with matplotlib");

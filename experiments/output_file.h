@@ -12,6 +12,14 @@
 
 namespace tetracone::experiments {
 
+/// Makes a folder of results, where it is not there yet. Throws kernel::Input_error when it cannot be made: before the work, not after it.
+inline void make_folder(const std::filesystem::path& folder)
+{
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!std::filesystem::is_directory(folder)) throw kernel::Input_error(folder.native(), 0, "cannot be made", "expected a folder that may be written");
+}
+
 /// Writes the whole file under a temporary name beside it, then renames: a reader sees the old file or the new one, never a
 /// part. Throws kernel::Input_error when it cannot be written; then nothing is left behind.
 inline void write_whole(const std::filesystem::path& file, const std::string& text)

@@ -47,8 +47,7 @@ void run(const Options& options)
     return;
   }
   const std::filesystem::path folder = std::filesystem::path(options.out) / "tables";
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
+  make_folder(folder);
   for (const auto& [name, what] : tables)
     write_whole(folder / ("verify_" + std::string(name) + ".csv"), verify::table_as_csv(database, name));
   write_whole(folder / "verify_notes.csv", notes_as_csv());

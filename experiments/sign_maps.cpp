@@ -204,8 +204,7 @@ std::vector<std::string> answers(const Map& map, int row, int size)
 
 void run_sign_maps(const std::filesystem::path& out, int size)
 {
-  std::error_code error;
-  std::filesystem::create_directories(out, error);
+  make_folder(out);
   const auto all = maps(size);
   std::string table = "map,subject,row,answers,version,compiler,flags,processor\n";
   const std::string made_by =

@@ -73,8 +73,7 @@ constexpr std::array kernels = {"float", "double", "double-eps=1e-12", "double-e
 
 void run_stability(const std::filesystem::path& out, int ways, std::uint64_t seed)
 {
-  std::error_code error;
-  std::filesystem::create_directories(out, error);
+  make_folder(out);
   const auto all = motions(seed);
   std::string table = "motion,way,subject,threshold,error_doubles,error_ulps,seed,version,compiler,flags,processor\n";
   const std::string made_by = "," + std::to_string(seed) + "," TETRACONE_VERSION "," + compiler() + "," +

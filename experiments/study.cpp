@@ -165,9 +165,7 @@ void run_study(const Study_options& options)
   const std::string key = "v" TETRACONE_VERSION "-seed" + std::to_string(options.seed) + "-frames" + std::to_string(options.frames) +
                           "-rotations" + std::to_string(options.rotations);
   const std::filesystem::path parts = options.out / "study" / key;
-  std::error_code error;
-  std::filesystem::create_directories(parts, error);
-  if (error) throw kernel::Input_error(parts.native(), 0, "cannot be made", "expected a folder that may be written");
+  make_folder(parts);
 
   std::string table = header();
   for (std::size_t k = 0; k < workloads.size(); ++k) {

@@ -13,9 +13,7 @@ namespace tetracone::experiments {
 void write_table(const std::filesystem::path& out, const std::string& name, const std::string& key, const std::vector<Table_part>& parts)
 {
   const std::filesystem::path folder = out / name / ("v" TETRACONE_VERSION "-" + key);
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw kernel::Input_error(folder.native(), 0, "cannot be made", "expected a folder that may be written");
+  make_folder(folder);
 
   std::string table;
   Progress progress(name, parts.size());

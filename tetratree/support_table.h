@@ -77,17 +77,17 @@ class Support_table {
     double best = -4;
     Index at = 0;
     std::vector<std::pair<double, Index>>& open = open_;
-    Index n = 0;
-    for (open.clear();; n = tree_->child(open.back().second / 8, int(open.back().second % 8)), open.pop_back()) {
+    Index node = 0;
+    for (open.clear();; node = tree_->child(open.back().second / 8, int(open.back().second % 8)), open.pop_back()) {
       const std::size_t first = open.size();
-      for (int lane = 0; lane < tree_->node(n).boxes.lane_count; ++lane) {
-        const double bound = box_reach(tree_->node(n).boxes, lane, d);
+      for (int lane = 0; lane < tree_->node(node).boxes.lane_count; ++lane) {
+        const double bound = box_reach(tree_->node(node).boxes, lane, d);
         if (bound <= best) continue;
-        if (!tree_->is_leaf(n, lane)) {
-          open.push_back({bound, 8 * n + Index(lane)});
+        if (!tree_->is_leaf(node, lane)) {
+          open.push_back({bound, 8 * node + Index(lane)});
           continue;
         }
-        tree_->for_vertices(tree_->element(n, lane), [&](Index v) {
+        tree_->for_vertices(tree_->element(node, lane), [&](Index v) {
           const double reached = d.dot(tree_->local(v));
           if (reached > best) best = reached, at = v;
         });

@@ -48,3 +48,10 @@ BOOST_AUTO_TEST_CASE(every_picture_is_drawn_from_data_that_agree)
     for (const std::string ending : {".svg", ".pdf"}) BOOST_TEST(fs::file_size(out / "figures" / ("method_" + name + ending)) > 3000u, name);
   fs::remove_all(out);
 }
+
+BOOST_AUTO_TEST_CASE(a_folder_that_cannot_be_made_is_refused_before_the_work)
+{
+  const Temporary_file file("no_folder", "");
+  for (const std::string name : {"method", "sign-maps", "stability", "compilers", "dataset"})
+    check_refused("experiment " + name + " --out " + in_quotes(file.path() / "out"), "cannot be made");
+}
