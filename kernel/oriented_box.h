@@ -32,12 +32,12 @@ struct Spread {
 
   double size() const { return covariance.trace(); }
 
-  /// The direction of greatest spread.
-  Vector principal() const
+  /// Orthonormal columns, that of greatest spread the last; those of the identity where no direction is told from another.
+  Matrix principal_axes() const
   {
     Eigen::SelfAdjointEigenSolver<Matrix> solver;
     solver.computeDirect(covariance);
-    return solver.eigenvectors().col(2);
+    return size() > 0 && solver.eigenvectors().allFinite() ? solver.eigenvectors() : Matrix::Identity();
   }
 };
 
@@ -98,11 +98,7 @@ inline Matrix turned(const Matrix& axes, int about, double tangent)
 inline Oriented_box fitted_box(std::span<const Vector> points, int rounds)
 {
   const Spread spread(points);
-  Eigen::SelfAdjointEigenSolver<Matrix> solver;
-  solver.computeDirect(spread.covariance);
-  Matrix start = solver.eigenvectors();
-  // Undefined for points that are all the same.
-  if (!start.allFinite() || !(spread.size() > 0)) start = Matrix::Identity();
+  const Matrix start = spread.principal_axes();
   Oriented_box best(detail::axes_from(start.col(0), start.col(2)), points);
   double tangent = 0.5;
   for (int round = 0; round < rounds; ++round, tangent *= 0.5)

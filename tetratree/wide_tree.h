@@ -11,7 +11,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,8 +34,8 @@ struct Element {
 /// What is kept of the tetra-tree of JS08: a covering with one origin, elements gathered by tetra-cones about it, a bounding volume a
 /// cone, and the pairwise descent of two trees. What is different, and why:
 ///  - an element is in the one cone that holds its centroid, not in all that it meets: nothing is tested twice;
-///  - the first two levels are cones (octants, and their four parts); below them a cone's elements are split where they spread most, which is
-///    in depth where layers of the surface lie behind one another (the shells of a cone) and across it elsewhere;
+///  - cones are cut where it pays: by a plane through the origin, which leaves two cones, or by one across the direction in which its elements
+///    spread most, which parts layers of the surface that lie behind one another (the shells of a cone) and local patches;
 ///  - the bounding volume is an oriented box, which is tight on a patch of surface where a tetrahedron from the origin is not;
 ///  - nodes have eight parts, so that one box is compared with eight at once, in float, rounded outward.
 /// Faces are triangles, or are given as triangles with the polyhedron; others are leaves as a whole.
@@ -48,9 +50,10 @@ class Wide_tree {
   {
     collect_elements(polyhedron, triangles);
     choose_units();
+    making_.stamps.resize(polyhedron.vertices.size(), 0);
     order_.resize(elements_.size());
     std::iota(order_.begin(), order_.end(), Index(0));
-    for (const Element& element : elements_) centroids_.push_back(centroid(element));
+    for (const Element& element : elements_) making_.centroids.push_back(centroid(element));
     make_root();
   }
 
@@ -62,8 +65,9 @@ class Wide_tree {
   kernel::Vector local(Index v) const
   {
     const auto& vertex = model_.vertices()[v];
+    const double per_half = 2 / units_.unit;  // a power of two
     kernel::Vector p;
-    for (int k = 0; k < 3; ++k) p[k] = (0.5 * vertex[k] - 0.5 * units_.origin[k]) / (0.5 * units_.unit);
+    for (int k = 0; k < 3; ++k) p[k] = (0.5 * vertex[k] - 0.5 * units_.origin[k]) * per_half;
     return p;
   }
 
@@ -74,7 +78,7 @@ class Wide_tree {
   Index child(Index n, int lane)
   {
     if (nodes_[n].child[lane] < 0) {
-      const Index made = make_node(nodes_[n].first[lane], Wide_node::last_of(nodes_[n].child[lane]), depths_[n] + 1);
+      const Index made = make_node(nodes_[n].first[lane], Wide_node::last_of(nodes_[n].child[lane]));
       nodes_[n].child[lane] = std::int32_t(made);
     }
     return Index(nodes_[n].child[lane]);
@@ -100,10 +104,7 @@ class Wide_tree {
       for (int lane = 0; lane < nodes_[n].boxes.lane_count; ++lane)
         if (!is_leaf(n, lane)) child(n, lane);
     nodes_.shrink_to_fit();
-    // Only making nodes needs these.
-    depths_ = std::vector<std::uint8_t>();
-    centroids_ = std::vector<std::array<float, 3>>();
-    gathered_ = std::vector<Vector>();
+    making_ = {};
   }
 
   std::size_t node_count() const { return nodes_.size(); }
@@ -112,8 +113,8 @@ class Wide_tree {
   /// Without the model.
   std::size_t bytes() const
   {
-    return nodes_.capacity() * sizeof(Wide_node) + depths_.capacity() + elements_.capacity() * sizeof(Element) + order_.capacity() * sizeof(Index) +
-           centroids_.capacity() * sizeof(centroids_[0]);
+    return nodes_.capacity() * sizeof(Wide_node) + elements_.capacity() * sizeof(Element) + order_.capacity() * sizeof(Index) +
+           making_.bytes();
   }
 
  private:
@@ -160,65 +161,116 @@ class Wide_tree {
     sum /= count;
     return {float(sum[0]), float(sum[1]), float(sum[2])};
   }
-  Vector centroid_of(Index position) const
-  {
-    const auto& c = centroids_[order_[position]];
-    return {c[0], c[1], c[2]};
-  }
+  static Vector vector(const std::array<float, 3>& c) { return {c[0], c[1], c[2]}; }
+  Vector centroid_of(Index position) const { return vector(making_.centroids[order_[position]]); }
 
-  /// Elements first .. last of the order, and how far they spread.
+  /// Elements first .. last of the order, and how far their centroids spread: along the columns of `axes`, the last one the most.
   struct Part {
     Index first, last;
     double size;
-    Vector mean, axis;
+    Vector mean;
+    kernel::Matrix axes;
   };
 
   Part part(Index first, Index last)
   {
-    gathered_.clear();
-    for (Index k = first; k < last; ++k) gathered_.push_back(centroid_of(k));
-    const kernel::Spread spread(gathered_);
-    Part part{first, last, last - first > 1 ? std::max(spread.size(), 1e-300) : 0, spread.mean, Vector::Unit(0)};
-    if (last - first > 1) part.axis = spread.principal();
-    return part;
+    making_.gathered.clear();
+    for (Index k = first; k < last; ++k) making_.gathered.push_back(centroid_of(k));
+    const kernel::Spread spread(making_.gathered);
+    return {first, last, last - first > 1 ? std::max(spread.size(), 1e-300) : 0, spread.mean, spread.principal_axes()};
   }
 
-  /// Splits where the part spreads most, at its mean; in the middle of the order where all are on one side.
+  /// Planes, one through every point: all across one direction or, of a cone, all through the origin and a line there.
+  struct Pencil {
+    Vector across;
+    std::optional<Vector> along;  // of a cone: into it
+
+    /// Where the point's plane is among them. Of a cone, for points before the origin.
+    float place(const Vector& p) const { return float(along ? across.dot(p) / along->dot(p) : across.dot(p)); }
+  };
+
+  struct Cut {
+    Pencil pencil;
+    float place = 0;
+    double cost = std::numeric_limits<double>::infinity();
+  };
+
+  /// An element as cuts see it: its centroid, and its corners' bounds along the part's axes.
+  struct Sample {
+    Vector centroid, low, high;
+    float place;
+  };
+
+  /// Cuts the part in two, and returns where in the order: the boxes of both are small for what they hold. In the middle where all
+  /// elements are in one place.
   Index split(const Part& part)
   {
-    const auto begin = order_.begin() + part.first, end = order_.begin() + part.last;
-    const auto middle = std::partition(begin, end, [&](Index e) {
-      const auto& c = centroids_[e];
-      return part.axis.dot(Vector(c[0], c[1], c[2]) - part.mean) < 0;
-    });
-    if (middle == begin || middle == end) return part.first + (part.last - part.first) / 2;
-    return Index(middle - order_.begin());
-  }
-
-  /// Sorts the range by cone and returns the ends of the groups that are not empty.
-  template <class Cone>
-  std::vector<Index> by_cone(Index first, Index last, int cones, const Cone& cone)
-  {
-    std::vector<Index> ends;
-    for (int k = 0; k < cones; ++k) {
-      const auto begin = order_.begin() + first, end = order_.begin() + last;
-      const auto middle = std::partition(begin, end, [&](Index e) { return cone(centroids_[e]) == k; });
-      if (middle == begin) continue;
-      first = Index(middle - order_.begin());
-      ends.push_back(first);
+    const Index count = part.last - part.first, middle = part.first + count / 2;
+    if (count == 2) return middle;
+    making_.samples.clear();
+    const Index step = (count + most_samples - 1) / most_samples;
+    for (Index k = part.first; k < part.last; k += step) making_.samples.push_back(sample(order_[k], part.axes));
+    Cut best = best_cut({part.axes.col(2), {}});
+    if (const auto cones = cones_about(part)) {
+      const Cut into_cones = best_cut(*cones);
+      if (into_cones.cost < 1.03 * best.cost) best = into_cones;
     }
-    return ends;
+    const auto begin = order_.begin() + part.first, end = order_.begin() + part.last;
+    const auto cut = std::partition(begin, end, [&](Index e) { return best.pencil.place(vector(making_.centroids[e])) < best.place; });
+    return cut == begin || cut == end ? middle : Index(cut - order_.begin());
   }
 
-  static int octant(const std::array<float, 3>& c) { return (c[0] < 0) | (c[1] < 0) << 1 | (c[2] < 0) << 2; }
-
-  /// Of the octant's four parts by the midpoints of its edges: 0, 1, 2 at the axes, 3 in the middle.
-  static int quarter(const std::array<float, 3>& c)
+  Sample sample(Index e, const kernel::Matrix& axes) const
   {
-    const float sum = std::abs(c[0]) + std::abs(c[1]) + std::abs(c[2]);
-    for (int k = 0; k < 3; ++k)
-      if (2 * std::abs(c[k]) > sum) return k;
-    return 3;
+    Sample s{vector(making_.centroids[e]), Vector::Constant(8), Vector::Constant(-8), 0};
+    for_corners(elements_[e], [&](const Vector& p) {
+      const Vector along = axes.transpose() * p;
+      s.low = s.low.cwiseMin(along), s.high = s.high.cwiseMax(along);
+    });
+    return s;
+  }
+
+  /// Planes through the origin that cut the part where it spreads most, as seen from there; none where the origin is too near.
+  std::optional<Pencil> cones_about(const Part& part) const
+  {
+    constexpr double steep = 0.05;
+    const double distance = part.mean.norm();
+    if (!(distance > 0)) return {};
+    const Vector along = part.mean / distance, spread = part.axes.col(2), across = spread - spread.dot(along) * along;
+    if (!(across.norm() > steep)) return {};
+    for (const Sample& s : making_.samples)
+      if (!(s.centroid.dot(along) > steep * s.centroid.norm())) return {};
+    return Pencil{across.normalized(), along};
+  }
+
+  /// Of all planes of the pencil between two samples: that of the least surface of the boxes of both sides, along the part's axes, each times the root of
+  /// its count. (With the count itself, as for rays, or with lengths in place of surfaces, trees had more boxes to compare.)
+  Cut best_cut(const Pencil& pencil)
+  {
+    std::vector<Sample>& samples = making_.samples;
+    std::vector<double>& costs_after = making_.costs_after;
+    for (Sample& s : samples) s.place = pencil.place(s.centroid);
+    std::sort(samples.begin(), samples.end(), [](const Sample& p, const Sample& q) { return p.place < q.place; });
+    struct Side {
+      Vector low = Vector::Constant(8), high = -low;
+      int count = 0;
+
+      double cost_with(const Sample& s)
+      {
+        low = low.cwiseMin(s.low), high = high.cwiseMax(s.high), ++count;
+        const Vector e = high - low;
+        return std::sqrt(double(count)) * (e[0] * e[1] + e[1] * e[2] + e[2] * e[0]);
+      }
+    };
+    Side before, after;
+    costs_after.resize(samples.size());
+    for (std::size_t k = samples.size(); k-- > 1;) costs_after[k] = after.cost_with(samples[k]);
+    Cut best{pencil};
+    for (std::size_t k = 1; k < samples.size(); ++k) {
+      const double cost = before.cost_with(samples[k - 1]) + costs_after[k];
+      if (cost < best.cost && samples[k - 1].place < samples[k].place) best.cost = cost, best.place = samples[k].place;
+    }
+    return best;
   }
 
   void make_root()
@@ -226,19 +278,11 @@ class Wide_tree {
     if (elements_.empty()) return;
     // One lane that holds everything.
     nodes_.push_back(node_of({part(0, Index(elements_.size()))}));
-    depths_.push_back(0);
   }
 
-  Index make_node(Index first, Index last, int depth)
+  Index make_node(Index first, Index last)
   {
-    std::vector<Index> ends = {last};
-    if (depth == 1) ends = by_cone(first, last, 8, octant);
-    if (depth == 2) ends = by_cone(first, last, 4, quarter);
-    std::vector<Part> parts;
-    for (const Index end : ends) {
-      parts.push_back(part(first, end));
-      first = end;
-    }
+    std::vector<Part> parts = {part(first, last)};
     while (parts.size() < 8) {
       const auto largest = std::max_element(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.size < b.size; });
       if (largest->last - largest->first < 2) break;
@@ -250,12 +294,23 @@ class Wide_tree {
     // By a fifth, not twofold: nodes are most of the memory.
     if (nodes_.size() == nodes_.capacity()) nodes_.reserve(nodes_.size() + nodes_.size() / 5 + 8);
     nodes_.push_back(node_of(parts));
-    depths_.push_back(std::uint8_t(std::min(depth, 250)));
     return Index(nodes_.size() - 1);
   }
 
+  /// The corners of the part's elements, each once.
+  std::vector<Vector> corners_of(const Part& part)
+  {
+    std::vector<Vector> points;
+    ++making_.stamp;
+    for (Index k = part.first; k < part.last; ++k)
+      for_vertices(elements_[order_[k]], [&](Index v) {
+        if (making_.stamps[v] != making_.stamp) making_.stamps[v] = making_.stamp, points.push_back(local(v));
+      });
+    return points;
+  }
+
   /// A node of one to eight parts.
-  Wide_node node_of(const std::vector<Part>& parts) const
+  Wide_node node_of(const std::vector<Part>& parts)
   {
     Wide_node node{};
     node.boxes.lane_count = int(parts.size());
@@ -266,11 +321,9 @@ class Wide_tree {
     std::vector<Lane> all;
     Vector low = Vector::Constant(4), high = -low;
     for (const Part& part : parts) {
-      std::vector<Vector> points;
-      for (Index k = part.first; k < part.last; ++k)
-        for_corners(elements_[order_[k]], [&](const Vector& p) { points.push_back(p); });
+      std::vector<Vector> points = corners_of(part);
       const bool triangle = points.size() == 3;
-      const auto box = triangle ? kernel::triangle_box(std::span<const Vector, 3>(points.data(), 3)) : kernel::fitted_box(points, 5);
+      const auto box = triangle ? kernel::triangle_box(std::span<const Vector, 3>(points.data(), 3)) : kernel::fitted_box(points, fitting_rounds);
       low = low.cwiseMin(box.centre), high = high.cwiseMax(box.centre);
       all.push_back({box, std::move(points)});
     }
@@ -295,10 +348,23 @@ class Wide_tree {
   kernel::Local_units units_;
   std::vector<Element> elements_;
   std::vector<Index> order_;
-  std::vector<std::array<float, 3>> centroids_;
   std::vector<Wide_node> nodes_;
-  std::vector<std::uint8_t> depths_;
-  std::vector<Vector> gathered_;
+
+  /// What only the making of nodes needs.
+  struct Making {
+    std::vector<std::array<float, 3>> centroids;
+    std::vector<std::uint32_t> stamps;  // of vertices: when last gathered
+    std::uint32_t stamp = 0;
+    std::vector<Vector> gathered;
+    std::vector<Sample> samples;
+    std::vector<double> costs_after;
+
+    std::size_t bytes() const { return centroids.capacity() * sizeof(centroids[0]) + stamps.capacity() * sizeof(stamps[0]); }
+  };
+  Making making_;
+
+  static constexpr Index most_samples = 2048;
+  static constexpr int fitting_rounds = 8;
 };
 
 }  // namespace tetracone::tetratree

@@ -87,6 +87,17 @@ BOOST_AUTO_TEST_CASE(the_principal_direction_is_where_points_spread_most)
 {
   std::vector<Vector> all;
   for (int k = -5; k <= 5; ++k) all.emplace_back(3 * k, k % 2, 0.25 * (k % 3));
-  BOOST_TEST(std::abs(Spread(all).principal()[0]) > 0.99);
-  BOOST_TEST(Spread(std::vector<Vector>{Vector(1, 2, 3)}).size() == 0);
+  const Matrix axes = Spread(all).principal_axes();
+  BOOST_TEST(std::abs(axes(0, 2)) > 0.99);
+  BOOST_TEST((axes.transpose() * axes - Matrix::Identity()).cwiseAbs().maxCoeff() < 1e-12);
+  const auto along = [&](int k) {
+    double square = 0;
+    for (const Vector& p : all) square += std::pow(axes.col(k).dot(p - Spread(all).mean), 2);
+    return square;
+  };
+  BOOST_TEST(along(0) <= along(1));
+  BOOST_TEST(along(1) <= along(2));
+  const Spread of_one(std::vector<Vector>{Vector(1, 2, 3)});
+  BOOST_TEST(of_one.size() == 0);
+  BOOST_TEST((of_one.principal_axes() == Matrix::Identity()));
 }
