@@ -19,6 +19,95 @@ struct Local_units {
   double unit = 1;
 };
 
+/// D = (M_b o_b + t_b) - (M_a o_a + t_a): from where A's local origin is placed to where B's is.
+class Origins_apart {
+ public:
+  /// In double.
+  Origins_apart(const Pose& a, const Local_units& in_a, const Pose& b, const Local_units& in_b)
+  {
+    double terms = 0;  // the largest sum of magnitudes of a component's
+    for (int i = 0; i < 3; ++i) {
+      double sum = b[4 * i + 3] - a[4 * i + 3], magnitudes = std::abs(b[4 * i + 3]) + std::abs(a[4 * i + 3]);
+      for (int j = 0; j < 3; ++j) {
+        const double plus = b[4 * i + j] * in_b.origin[j], minus = a[4 * i + j] * in_a.origin[j];
+        sum += plus - minus, magnitudes += std::abs(plus) + std::abs(minus);
+      }
+      value_[i] = sum;
+      terms = std::max(terms, magnitudes);
+    }
+    // 8 roundings of the terms, and one of a fraction's entry.
+    finish(terms, 0, 9.1 * unit_roundoff<double> * terms);
+  }
+
+  /// In double-double: off by 4 u |D| + 2^-98 times the terms, and by 2 u times these where entries are rounded fractions.
+  static Origins_apart summed_twice_as_wide(const Pose& a, const Local_units& in_a, const Pose& b, const Local_units& in_b)
+  {
+    Origins_apart d;
+    double terms = 0;
+    for (int i = 0; i < 3; ++i) {
+      Sum sum;
+      for (int j = 0; j < 3; ++j) {
+        sum.add_product(b[4 * i + j], in_b.origin[j]);
+        sum.add_product(-a[4 * i + j], in_a.origin[j]);
+      }
+      sum.add(b[4 * i + 3]);
+      sum.add(-a[4 * i + 3]);
+      d.value_[i] = sum.high + sum.low;
+      terms = std::max(terms, sum.magnitude);
+    }
+    d.finish(terms, 4 * unit_roundoff<double>, (a.is_rational() || b.is_rational() ? 2 * unit_roundoff<double> : 0x1p-98) * terms);
+    return d;
+  }
+
+  double operator[](int i) const { return value_[i]; }
+  double largest() const { return largest_; }
+
+  /// Of one component.
+  double error() const { return error_; }
+
+  /// The largest sum of magnitudes of the terms of a component.
+  double terms() const { return terms_; }
+
+  Origins_apart operator-() const
+  {
+    Origins_apart reversed = *this;
+    for (double& x : reversed.value_) x = -x;
+    return reversed;
+  }
+
+ private:
+  Origins_apart() = default;
+
+  /// A sum in double-double.
+  struct Sum {
+    double high = 0, low = 0, magnitude = 0;
+
+    void add(double x)
+    {
+      const double sum = high + x, part = sum - high;
+      low += (high - (sum - part)) + (x - part);
+      high = sum;
+      magnitude += std::abs(x);
+    }
+    void add_product(double x, double y)
+    {
+      const double product = x * y;
+      low += std::fma(x, y, -product);
+      add(product);
+    }
+  };
+
+  void finish(double terms, double of_largest, double of_terms)
+  {
+    terms_ = terms;
+    largest_ = std::max({std::abs(value_[0]), std::abs(value_[1]), std::abs(value_[2])});
+    error_ = of_largest * largest_ + of_terms;
+  }
+
+  std::array<double, 3> value_{};
+  double largest_ = 0, terms_ = 0, error_ = 0;
+};
+
 /// The map from the local units of one placed body to those of another, in double, with a bound on its error: p -> linear p + offset, every
 /// coordinate of the image of a point with |p_k| <= 1 within `error` of the exact one. `error` is infinite where no bound is known (a
 /// pose that is nearly flat, numbers near the ends of the doubles' range).
@@ -29,22 +118,15 @@ class Relative_frame {
   Relative_frame() = default;
 
   /// From B's units to A's: (M_a^-1 (M_b (o_b + u_b p) + t_b - t_a) - o_a) / u_a.
-  Relative_frame(const Pose& a, const Local_units& in_a, const Pose& b, const Local_units& in_b)
+  Relative_frame(const Pose& a, const Local_units& in_a, const Pose& b, const Local_units& in_b) : Relative_frame(a, in_a, b, in_b, Origins_apart(a, in_a, b, in_b)) {}
+
+  /// The same, where D is known.
+  Relative_frame(const Pose& a, const Local_units& in_a, const Pose& b, const Local_units& in_b, const Origins_apart& d)
   {
-    if (!by_transpose(a, in_a, b, in_b)) by_inverse(a, in_a, b, in_b);
+    if (!by_transpose(a, in_a, b, in_b, d)) by_inverse(a, in_a, b, in_b);
   }
 
   double error() const { return error_; }
-
-  /// True when the cubes |p_k| <= 1 of the two are found apart, along an axis of A's. Sums of at most four numbers, rounded 4 times.
-  bool cubes_apart() const
-  {
-    for (int i = 0; i < 3; ++i) {
-      const double reach = 1 + std::abs(linear_[i][0]) + std::abs(linear_[i][1]) + std::abs(linear_[i][2]) + error_;
-      if (std::abs(offset_[i]) > reach * (1 + 8 * unit_roundoff<double>)) return true;
-    }
-    return false;
-  }
 
   /// linear = scale * (orthonormal columns but for `axis_defect`), with a scale that floats can carry, 2^-60 .. 2^60.
   bool is_similarity() const { return similarity_; }
@@ -73,78 +155,14 @@ class Relative_frame {
   }
 
  private:
-  /// A sum in double-double.
-  struct Sum {
-    double high = 0, low = 0, magnitude = 0;
-
-    void add(double x)
-    {
-      const double sum = high + x, part = sum - high;
-      low += (high - (sum - part)) + (x - part);
-      high = sum;
-      magnitude += std::abs(x);
-    }
-    void add_product(double x, double y)
-    {
-      const double product = x * y;
-      low += std::fma(x, y, -product);
-      add(product);
-    }
-  };
-
-  /// D = M_b o_b + t_b - M_a o_a - t_a: the difference of the placed origins, the largest component, and the sum of the magnitudes of the
-  /// terms of one component.
-  struct Difference {
-    Row value;
-    double largest = 0, terms = 0;
-
-    /// Summed in double-double: off by 4 u |D| + 2^-98 times the terms, and by 2 u times these where entries are rounded fractions.
-    double error(double of_terms) const { return 4 * unit_roundoff<double> * largest + of_terms * terms; }
-  };
-
-  static Difference wide_difference(const Pose& a, const Local_units& in_a, const Pose& b, const Local_units& in_b)
-  {
-    Difference d;
-    for (int i = 0; i < 3; ++i) {
-      Sum sum;
-      for (int j = 0; j < 3; ++j) {
-        sum.add_product(b[4 * i + j], in_b.origin[j]);
-        sum.add_product(-a[4 * i + j], in_a.origin[j]);
-      }
-      sum.add(b[4 * i + 3]);
-      sum.add(-a[4 * i + 3]);
-      d.value[i] = sum.high + sum.low;
-      d.terms = std::max(d.terms, sum.magnitude);
-      d.largest = std::max(d.largest, std::abs(d.value[i]));
-    }
-    return d;
-  }
-
-  static Difference difference(const Pose& a, const Local_units& in_a, const Pose& b, const Local_units& in_b)
-  {
-    Difference d;
-    for (int i = 0; i < 3; ++i) {
-      double sum = b[4 * i + 3] - a[4 * i + 3], terms = std::abs(b[4 * i + 3]) + std::abs(a[4 * i + 3]);
-      for (int j = 0; j < 3; ++j) {
-        const double plus = b[4 * i + j] * in_b.origin[j], minus = a[4 * i + j] * in_a.origin[j];
-        sum += plus - minus, terms += std::abs(plus) + std::abs(minus);
-      }
-      d.value[i] = sum;
-      d.terms = std::max(d.terms, terms);
-      d.largest = std::max(d.largest, std::abs(sum));
-    }
-    return d;
-  }
-
   /// Where M_a is a similarity but for 2^-24: the inverse is X = f M_a^T with f = 1 / s^2, rounded, s the length of its first column. Nothing is
   /// done where it is not, or numbers are near the ends of the range.
   ///
   /// With G = M_a^T M_a, each entry computed to 3.01 u s^2, rho = ||I - f G|| is what is computed, and 24 u for G's roundings, f's and those
   /// of fractions' entries. M_a^-1 = X + (I - X M_a) M_a^-1, so rows of the linear part are off by rho of their sums, which are
   /// below three times the longest column c, and by 5 roundings and two fractions' entries of products |col_i M_a| |col_j M_b| f, which is
-  /// (1 + 2^-23) times a column. Rows of X sum to at most sqrt(3) / s. The difference D in double is off by 8 roundings of its
-  /// terms, and one of a fraction's entry; when that is too much, it is summed again in double-double.
-  bool by_transpose(const Pose& a, const Local_units& in_a, const Pose& b, const Local_units& in_b)
+  /// (1 + 2^-23) times a column. Rows of X sum to at most sqrt(3) / s. When D's error in double is too much, it is summed again in double-double.
+  bool by_transpose(const Pose& a, const Local_units& in_a, const Pose& b, const Local_units& in_b, Origins_apart d)
   {
     constexpr double u = unit_roundoff<double>;
     const auto columns = [](const auto& p, const auto& q, int i, int j) { return p[i] * q[j] + p[4 + i] * q[4 + j] + p[8 + i] * q[8 + j]; };
@@ -156,20 +174,15 @@ class Relative_frame {
     const double f = 1 / square, scale = in_b.unit / in_a.unit, shrink = 1.7321 * std::sqrt(f) / in_a.unit;
     const double rho = row * f + 24 * u;
 
-    Difference d = difference(a, in_a, b, in_b);
-    double difference_error = 9.1 * u * d.terms;
-    if (!(difference_error * shrink <= 0x1p-30)) {
-      d = wide_difference(a, in_a, b, in_b);
-      difference_error = d.error(a.is_rational() || b.is_rational() ? 2 * u : 0x1p-98);
-    }
+    if (!(d.error() * shrink <= 0x1p-30)) d = Origins_apart::summed_twice_as_wide(a, in_a, b, in_b);
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j) linear_[i][j] = columns(m, n, i, j) * (f * scale);
-      offset_[i] = (m[i] * d.value[0] + m[4 + i] * d.value[1] + m[8 + i] * d.value[2]) * f / in_a.unit;
+      offset_[i] = (m[i] * d[0] + m[4 + i] * d[1] + m[8 + i] * d[2]) * f / in_a.unit;
     }
     const double longest = decide_similarity(), relative = 1.01 * rho + 16 * u;
-    const double error = relative * (3 * longest + shrink * d.largest) + shrink * difference_error;
+    const double error = relative * (3 * longest + shrink * d.largest()) + shrink * d.error();
     // Where the scale is far off, entries of M_b may be denormal.
-    const double top = std::max({longest, 1 / longest, scale, 1 / scale, d.terms, in_a.unit, 1 / in_a.unit});
+    const double top = std::max({longest, 1 / longest, scale, 1 / scale, d.terms(), in_a.unit, 1 / in_a.unit});
     if (top <= 0x1p200 && error <= std::numeric_limits<double>::max()) error_ = error * 1.01 + 0x1p-300;
     return true;
   }
@@ -184,8 +197,7 @@ class Relative_frame {
     const double residual = residual_norm(a, inverse), norm_x = norm(inverse), scale = in_b.unit / in_a.unit;
     if (!(residual < 0x1p-20)) return;
 
-    const Difference d = wide_difference(a, in_a, b, in_b);
-    const double difference_error = d.error(a.is_rational() || b.is_rational() ? 2 * u : 0x1p-98);
+    const Origins_apart d = Origins_apart::summed_twice_as_wide(a, in_a, b, in_b);
 
     double norm_b = 0;
     for (int i = 0; i < 3; ++i) {
@@ -195,13 +207,13 @@ class Relative_frame {
         for (int k = 0; k < 3; ++k) sum += inverse[i][k] * b[4 * k + j];
         linear_[i][j] = sum * scale;
       }
-      offset_[i] = (inverse[i][0] * d.value[0] + inverse[i][1] * d.value[1] + inverse[i][2] * d.value[2]) / in_a.unit;
+      offset_[i] = (inverse[i][0] * d[0] + inverse[i][1] * d[1] + inverse[i][2] * d[2]) / in_a.unit;
     }
     // Relative errors of the products X M_b and X D: 4 u for their own roundings, u for a fraction's entry, 2 rho for X.
     const double relative = 2 * residual + 8 * u;
-    const double error = norm_x * (norm_b * scale * relative + (d.largest * relative + difference_error * 1.01) / in_a.unit);
+    const double error = norm_x * (norm_b * scale * relative + (d.largest() * relative + d.error() * 1.01) / in_a.unit);
     // Beyond the gate something may have overflowed or underflowed: then nothing is known.
-    const double top = std::max({d.terms, norm_b, norm_x, scale, 1 / scale, in_a.unit, 1 / in_a.unit});
+    const double top = std::max({d.terms(), norm_b, norm_x, scale, 1 / scale, in_a.unit, 1 / in_a.unit});
     if (top <= 0x1p200 && error <= std::numeric_limits<double>::max()) error_ = error * 1.01 + 0x1p-300;
     decide_similarity();
   }

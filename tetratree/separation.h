@@ -10,76 +10,117 @@
 
 namespace tetracone::tetratree {
 
+using kernel::Pose;
+
 /// The search for a plane between two bodies: JS08 Theorem 2, in whatever direction separates instead of that of one reference tetrahedron, and in
-/// constant time a direction. A direction m separates when A lies beyond B along it: min m . a > max m . b, by the support tables.
+/// constant time a direction. A direction m separates when B lies beyond A along it: min m . b > max m . a, by the support tables.
 ///
-/// The first direction tried leads from B's origin to A's. One that fails is turned to where the bodies' difference comes nearest to 0, as
-/// far as the last support points tell (Gilbert, SIAM J. Control 4, 1966). All in B's local units.
+/// The first direction tried leads from A's origin to B's. One that fails is mirrored in the plane across the support points' difference (Chung and
+/// Wang, "Quick collision detection of polytopes in virtual environments", 1996); where bodies overlap far along it, the search is given up.
 class Separation {
  public:
-  explicit Separation(Wide_tree& a, Wide_tree& b) : a_(a), b_(b) {}
+  Separation(Wide_tree& a, Wide_tree& b) : a_(a), b_(b) {}
 
-  /// True when the placed bodies are found to be apart. `into_b` leads from A's units to B's.
-  bool operator()(const kernel::Relative_frame& into_b, int steps)
+  /// True when the placed bodies are found to be apart. `between` leads from A's placed origin to B's.
+  bool operator()(const Pose& pose_a, const Pose& pose_b, const kernel::Origins_apart& between, int steps)
   {
-    for (int i = 0; i < 3; ++i) direction_[i] = float(into_b.offset()[i]);
-    return from_here(into_b, steps);
+    return search({between[0], between[1], between[2]}, pose_a, pose_b, between, steps);
   }
 
   /// The same, begun with the last direction tried.
-  bool again(const kernel::Relative_frame& into_b, int steps) { return from_here(into_b, steps); }
+  bool again(const Pose& pose_a, const Pose& pose_b, const kernel::Origins_apart& between, int steps)
+  {
+    return search(last_, pose_a, pose_b, between, steps);
+  }
 
-  std::size_t bytes() const { return a_.bytes() + b_.bytes(); }
+  std::size_t bytes() const { return a_.table.bytes() + b_.table.bytes(); }
 
  private:
-  using Direction = Support_table::Direction;
+  using Vector = std::array<double, 3>;
 
-  bool from_here(const kernel::Relative_frame& into_b, int steps)
-  {
-    const auto& offset = into_b.offset();
-    float linear[3][3], t[3];
-    for (int i = 0; i < 3; ++i) {
-      t[i] = float(offset[i]);
-      for (int j = 0; j < 3; ++j) linear[i][j] = float(into_b.linear()[i][j]);
+  /// Where the origins are apart by no more than this share of the reach, the search hardly ever finds a plane: in 18 of 12,000 poses of contour
+  /// trajectories, and 2 of circular ones.
+  static constexpr double hopeless = 0.75;
+
+  struct Body {
+    explicit Body(Wide_tree& t) : vertices(t.model().vertices().data()), unit(t.units().unit), table(t)
+    {
+      is_in_range = unit >= 0x1p-200 && unit <= 0x1p200;
+      for (const double x : t.units().origin) is_in_range = is_in_range && std::abs(x) <= 0x1p200;
     }
-    const float spread = norm_of(linear);
-    Direction& m = direction_;
-    for (int k = 0; k < steps; ++k) {
-      Direction back;
-      for (int j = 0; j < 3; ++j) back[j] = -(linear[0][j] * m[0] + linear[1][j] * m[1] + linear[2][j] * m[2]);
-      const float norm = std::abs(m[0]) + std::abs(m[1]) + std::abs(m[2]), norm_back = std::abs(back[0]) + std::abs(back[1]) + std::abs(back[2]);
+    const kernel::Vertex* vertices;
+    double unit;
+    bool is_in_range;  // so that what underflows on the way, entries of poses included, is far below 1e-30
+    Support_table table;
+  };
+
+  /// A body under its pose.
+  class Placed {
+   public:
+    Placed(const Body& body, const Pose& pose) : vertices_(body.vertices), m_(pose.entries()), unit_(body.unit)
+    {
+      for (int i = 0; i < 3; ++i) magnitude_ += std::abs(m_[4 * i]) + std::abs(m_[4 * i + 1]) + std::abs(m_[4 * i + 2]);
+      magnitude_ *= unit_;
+    }
+
+    /// The sum of all magnitudes of unit M.
+    double magnitude() const { return magnitude_; }
+
+    /// unit M^T m.
+    Vector turned_back(const Vector& m) const
+    {
+      Vector back;
+      for (int j = 0; j < 3; ++j) back[j] = unit_ * (m_[j] * m[0] + m_[4 + j] * m[1] + m_[8 + j] * m[2]);
+      return back;
+    }
+
+    Vector image(Index v) const
+    {
+      const auto& p = vertices_[v];
+      Vector image;
+      for (int i = 0; i < 3; ++i) image[i] = m_[4 * i] * p[0] + m_[4 * i + 1] * p[1] + m_[4 * i + 2] * p[2] + m_[4 * i + 3];
+      return image;
+    }
+
+   private:
+    const kernel::Vertex* vertices_;
+    const std::array<double, 12>& m_;
+    double unit_, magnitude_ = 0;
+  };
+
+  /// m leads from A to B. Its slack: a direction turned back is a sum of three products, with a fraction's entry 4 roundings of each, and one more to
+  /// float; the distance is such a sum too; and so far may the origins' difference be off.
+  bool search(Vector m, const Pose& pose_a, const Pose& pose_b, const kernel::Origins_apart& between, int steps)
+  {
+    if (!(a_.is_in_range && b_.is_in_range)) return false;
+    const Placed a(a_, pose_a), b(b_, pose_b);
+    bool apart = false;
+    while (!apart && steps-- > 0) {
+      const Vector along_a = a.turned_back(m), along_b = b.turned_back({-m[0], -m[1], -m[2]});
+      const double norm = sum_of_magnitudes(m), norm_a = sum_of_magnitudes(along_a), norm_b = sum_of_magnitudes(along_b);
       // Also what is undefined ends here.
-      if (!(norm > 1e-30f && norm < 1e30f && norm_back > 1e-30f && norm_back < 1e30f)) return false;
-      const auto support_a = a_(back), support_b = b_(m);
-      const float distance = m[0] * t[0] + m[1] * t[1] + m[2] * t[2];
-      // `distance` and `back` are sums of three products, rounded 4 times a term; the terms of `back` sum to at most sqrt(3) times more than
-      // it does under a similarity, and to `spread` at any rate.
-      const float slack = (Support_table::slack + 8 * 0x1p-24f) * (norm + norm_back) + 8 * 0x1p-24f * (norm * (std::abs(t[0]) + std::abs(t[1]) + std::abs(t[2])) + norm * spread) +
-                          2 * norm * float(into_b.error());
-      if (distance - support_a.bound - support_b.bound > slack) return true;
+      if (!(norm > 1e-30 && norm < 1e30 && norm_a > 1e-30 && norm_a < 1e30 && norm_b > 1e-30 && norm_b < 1e30)) break;
+      const auto support_a = a_.table(along_a), support_b = b_.table(along_b);
+      const double distance = dot(m, {between[0], between[1], between[2]}), reach = support_a.bound + support_b.bound;
+      const double slack = (Support_table::slack + 0x1p-23) * (norm_a + norm_b) +
+                           norm * (8 * kernel::unit_roundoff<double> * (a.magnitude() + b.magnitude() + between.largest()) + between.error());
+      apart = distance - reach > slack;
+      last_ = m;
+      if (apart || !(distance > hopeless * reach)) break;
 
-      const Direction p = a_.point(support_a), q = b_.point(support_b);
-      Direction towards;
-      for (int i = 0; i < 3; ++i) towards[i] = linear[i][0] * p[0] + linear[i][1] * p[1] + linear[i][2] * p[2] + t[i] - q[i] - m[i];
-      const float square = towards[0] * towards[0] + towards[1] * towards[1] + towards[2] * towards[2];
-      const float along = -(m[0] * towards[0] + m[1] * towards[1] + m[2] * towards[2]);
-      if (!(along > 0)) return false;
-      const float share = std::min(1.0f, along / square);
-      for (int i = 0; i < 3; ++i) m[i] += share * towards[i];
+      const Vector p = a.image(support_a.vertex()), q = b.image(support_b.vertex());
+      const Vector w = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+      const double share = 2 * dot(m, w) / dot(w, w);
+      for (int i = 0; i < 3; ++i) m[i] -= share * w[i];
     }
-    return false;
+    return apart;
   }
 
-  /// The sum of all magnitudes: each row and column of the matrix sums to less.
-  static float norm_of(const float (&m)[3][3])
-  {
-    float sum = 0;
-    for (const auto& row : m) sum += std::abs(row[0]) + std::abs(row[1]) + std::abs(row[2]);
-    return sum;
-  }
+  static double dot(const Vector& v, const Vector& w) { return v[0] * w[0] + v[1] * w[1] + v[2] * w[2]; }
+  static double sum_of_magnitudes(const Vector& v) { return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]); }
 
-  Support_table a_, b_;
-  Direction direction_{};
+  Body a_, b_;
+  Vector last_{};  // direction tried
 };
 
 }  // namespace tetracone::tetratree

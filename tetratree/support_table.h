@@ -19,50 +19,60 @@ namespace tetracone::tetratree {
 /// query needs. A value is found when it is first asked for, from the tree's boxes.
 class Support_table {
  public:
-  using Direction = std::array<float, 3>;
 
-  struct Support {
-    float bound;  ///< h(d) is at most bound + `slack` |d|_1
-    Index vertex;  ///< one that reaches nearly so far
+  /// What is known about a direction of the lattice.
+  struct Value {
+    float reach;   ///< h is at most this
+    Index vertex;  ///< that reaches so far
   };
 
-  /// For what is rounded between values and bound: the coordinates in the lattice by 3 roundings of at most n, so the direction by less than 16 u of
-  /// |d|_1, which moves h by no more since |p_k| <= 1; three products and sums, 6 u.
+  /// What the corners of the lattice cone about a direction d tell.
+  struct Support {
+    float bound;  ///< h(d) is at most bound + `slack` |d|_1
+    std::array<float, 3> weight;
+    std::array<const Value*, 3> corner;
+
+    /// A vertex that reaches nearly so far.
+    Index vertex() const
+    {
+      const int larger = weight[1] > weight[0] ? 1 : 0;
+      return corner[weight[2] > weight[larger] ? 2 : larger]->vertex;
+    }
+  };
+
+  /// For what is rounded between values and bound: the coordinates in the lattice by 3 roundings of at most n and weights by two more, so the direction by
+  /// less than 20 u of |d|_1, which moves h by no more since |p_k| <= 1; three products and sums, 6 u.
   static constexpr float slack = 32 * 0x1p-24f;
 
   /// `tree` must outlive the table, and its root be made.
-  explicit Support_table(Wide_tree& tree) : tree_(&tree), values_(8 * (n + 1) * (n + 1), Support{0, covering::none}) {}
+  explicit Support_table(Wide_tree& tree) : tree_(&tree), values_(8 * (n + 1) * (n + 1), Value{0, covering::none}) {}
 
-  /// Requires components that are finite and not all 0, with a finite sum.
-  Support operator()(const Direction& d)
+  /// Requires a sum of magnitudes that a float can carry, and is not 0. Without branches that no processor could foretell.
+  Support operator()(const std::array<double, 3>& direction)
   {
+    const float d[3] = {float(direction[0]), float(direction[1]), float(direction[2])};
     const float sum = std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]), per = n / sum, y = std::abs(d[1]) * per, z = std::abs(d[2]) * per;
     const int octant = (d[0] < 0) | (d[1] < 0) << 1 | (d[2] < 0) << 2;
     const int i = std::min(int(y), n - 1), j = std::min(int(z), n - 1 - i);
     const float u = y - float(i), v = z - float(j), rest = 1 - u - v;
-    const bool beyond = rest < 0 && i + j < n - 1;  // in the other triangle of the lattice's rhombus
+    const int beyond = (rest < 0) & (i + j < n - 1);  // in the other triangle of the lattice's rhombus
     const int first = (octant * (n + 1) + i) * (n + 1) + j;
-    const Support &p = value(first + (beyond ? n + 2 : 0)), &q = value(first + n + 1), &r = value(first + 1);
-    const float of_p = beyond ? -rest : std::max(rest, 0.0f), of_q = beyond ? 1 - v : u, of_r = beyond ? 1 - u : v;
-    return {sum * (of_p * p.bound + of_q * q.bound + of_r * r.bound), of_p >= of_q ? (of_p >= of_r ? p.vertex : r.vertex) : of_q >= of_r ? q.vertex : r.vertex};
+    const float beside = float(beyond) * rest;
+    Support support{0, {std::max(rest - 2 * beside, 0.0f), u + beside, v + beside}, {&value(first + beyond * (n + 2)), &value(first + n + 1), &value(first + 1)}};
+    for (int k = 0; k < 3; ++k) support.bound += support.weight[k] * support.corner[k]->reach;
+    support.bound *= sum;
+    return support;
   }
 
-  /// The support point, in local units.
-  Direction point(const Support& support) const
-  {
-    const kernel::Vector p = tree_->local(support.vertex);
-    return {float(p[0]), float(p[1]), float(p[2])};
-  }
-
-  std::size_t bytes() const { return values_.capacity() * sizeof(Support); }
+  std::size_t bytes() const { return values_.capacity() * sizeof(Value); }
 
  private:
   static constexpr int n = 16;
 
   /// Of the lattice's point (n - i - j, i, j) / n in an octant, k = (octant (n + 1) + i) (n + 1) + j.
-  const Support& value(int k)
+  const Value& value(int k)
   {
-    Support& value = values_[k];
+    Value& value = values_[k];
     if (value.vertex == covering::none) {
       const int octant = k / ((n + 1) * (n + 1)), i = k / (n + 1) % (n + 1), j = k % (n + 1);
       value = found({signed_by(octant & 1, n - i - j), signed_by(octant & 2, i), signed_by(octant & 4, j)});
@@ -72,7 +82,7 @@ class Support_table {
   static double signed_by(int negative, int k) { return negative ? -double(k) / n : double(k) / n; }
 
   /// The best reach of a vertex in this direction: boxes in the order of the tree, those left out that reach no farther than what is known.
-  Support found(const kernel::Vector& d)
+  Value found(const kernel::Vector& d)
   {
     double best = -4;
     Index at = 0;
@@ -113,7 +123,7 @@ class Support_table {
   }
 
   Wide_tree* tree_;
-  std::vector<Support> values_;
+  std::vector<Value> values_;
   std::vector<std::pair<double, Index>> open_;
 };
 

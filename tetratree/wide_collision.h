@@ -28,7 +28,7 @@ enum class Coherence {
 
 /// Collision detection between two wide trees, exact. Build once, ask for many poses.
 ///
-/// Stages, each of which may end a query: the roots' boxes; a plane between the bodies (`Separation`); the descent of pairs of boxes, the larger one
+/// Stages, each of which may end a query: a plane between the bodies (`Separation`); the descent of pairs of boxes, the larger one
 /// first, its eight parts against the other box, carried into their frame with a slack that covers all rounding and the pose's; pairs of elements,
 /// which the adaptive kernel's exact signs decide. So the answer is that of all elements against all elements. Of solids whose surfaces share no point,
 /// `Wide_containment` tells whether one holds the other.
@@ -63,11 +63,11 @@ class Wide_collision {
   bool ask(const Pose& pose_a, const Pose& pose_b, Question question)
   {
     pose_a_ = &pose_a, pose_b_ = &pose_b, is_placed_ = false;
-    const kernel::Relative_frame into_b(pose_b, b_.tree->units(), pose_a, a_.tree->units());
-    if (are_apart(into_b)) return false;
-    a_.into_other = kernel::Box_map(into_b);
+    const kernel::Origins_apart between(pose_a, a_.tree->units(), pose_b, b_.tree->units());
+    if (are_apart(between)) return false;
+    a_.into_other = kernel::Box_map(kernel::Relative_frame(pose_b, b_.tree->units(), pose_a, a_.tree->units(), -between));
     if (witness_ && elements_meet(a_.element(witness_->first), b_.element(witness_->second))) return true;
-    b_.into_other = kernel::Box_map(pose_a, a_.tree->units(), pose_b, b_.tree->units());
+    b_.into_other = kernel::Box_map(kernel::Relative_frame(pose_a, a_.tree->units(), pose_b, b_.tree->units(), between));
     witness_.reset();
     if (surfaces_meet()) return true;
     if (question == Question::surface) return false;
@@ -76,12 +76,10 @@ class Wide_collision {
   }
 
   /// Whether a plane between the bodies is found at once.
-  bool are_apart(const kernel::Relative_frame& into_b)
+  bool are_apart(const kernel::Origins_apart& between)
   {
-    if (coherence_ == Coherence::last_frame && was_separated_ && separation_.again(into_b, 1)) return true;
-    was_separated_ = false;
-    if (into_b.cubes_apart()) return true;
-    was_separated_ = separation_(into_b, 4);
+    if (coherence_ == Coherence::last_frame && was_separated_ && separation_.again(*pose_a_, *pose_b_, between, 1)) return true;
+    was_separated_ = separation_(*pose_a_, *pose_b_, between, 3);
     return was_separated_;
   }
 
