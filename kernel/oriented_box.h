@@ -159,6 +159,27 @@ inline void store_lane(Wide_boxes& boxes, int lane, const Oriented_box& box, con
   for (int i = 0; i < 3; ++i) boxes.extent[i][lane] = std::nextafter(static_cast<float>(extent[i] + margin), std::numeric_limits<float>::infinity());
 }
 
+/// Where the triangle lies in the lane that `store_lane` has written for it; 0 where it is not as `Apex_code` says, which is checked.
+inline Apex_code apex_code(const Wide_boxes& boxes, int lane, const Vector& node_origin, std::span<const Vector, 3> corners)
+{
+  const double e1 = boxes.extent[1][lane], e2 = boxes.extent[2][lane], tolerance = apex_tolerance * (e1 + e2);
+  const Vector centre = node_origin + Vector(boxes.centre[0][lane], boxes.centre[1][lane], boxes.centre[2][lane]);
+  const auto along = [&](int i, const Vector& p) {
+    return (p - centre).dot(Vector(boxes.axis[i][0][lane], boxes.axis[i][1][lane], boxes.axis[i][2][lane]));
+  };
+  const Vector* top = &corners[0];
+  for (const Vector& p : corners)
+    if (along(2, p) > along(2, *top)) top = &p;
+  if (!(e1 > 0)) return 0;
+  const auto code = Apex_code(32768 + std::lround(32767 * std::clamp(along(1, *top) / e1, -1.0, 1.0)));
+  // Before the lines from (-e1, -e2) and from (e1, -e2) to the apex, each by its normal (x, y) and reach.
+  const double apex = apex_of(code);
+  for (const auto& [x, y, reach] : {std::array{-2 * e2, e1 * (1 + apex), e1 * e2 * (1 - apex)}, std::array{2 * e2, e1 * (1 - apex), e1 * e2 * (1 + apex)}})
+    for (const Vector& p : corners)
+      if (!(x * along(1, p) + y * along(2, p) <= reach + tolerance * (std::abs(x) + y))) return 0;
+  return code;
+}
+
 }  // namespace tetracone::kernel
 
 #endif

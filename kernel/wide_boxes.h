@@ -26,12 +26,19 @@ struct alignas(32) Wide_boxes {
 };
 inline constexpr double axis_defect = 0x1p-21;
 
+/// Where a triangle lies in its box: in the plane of axes 1 and 2, with corners (-e1, -e2), (e1, -e2) and (apex e1, e2), up to `apex_tolerance`
+/// (e1 + e2); kept in 16 bits, 0 for a box of something else.
+using Apex_code = std::uint16_t;
+inline constexpr float no_apex = 2;
+inline constexpr double apex_tolerance = 0x1p-15;
+inline float apex_of(Apex_code code) { return code == 0 ? no_apex : float(int(code) - 32768) * (1 / 32767.0f); }
+
 /// One box of the other body, carried into the frame of the eight and relative to their origin: a parallelepiped of centre c and half-edges
 /// extent[j] * edge[j], edge[j] of length nearly 1; normal[j] = edge[j+1] x edge[j+2]. For a similarity the edges are nearly orthonormal, and
-/// normals are not used. `slack` bounds, for each axis tried, all rounding: see `wide_slack`.
+/// normals are not used. `apex` says where in the box a triangle lies, if one does. `slack` bounds, for each axis tried, all rounding: see `wide_slack`.
 struct Single_box {
   alignas(16) float edge[3][4];  // the fourth is not used
-  float centre[3], extent[3], normal[3][3], slack;
+  float centre[3], extent[3], normal[3][3], slack, apex = no_apex;
 };
 
 /// The slack of a test among boxes of a node. With M = |t|_1 + reach + sum of extents, t the single box's centre relative to the node's

@@ -27,8 +27,9 @@ struct One_test {
 };
 
 /// The lanes whose box is not found apart from the single box: separating axes are the normals of both and the 9 cross products of edges. A gap is
-/// |distance| minus both reaches; with an infinite slack none is found, whatever overflowed.
-template <bool similarity, class Test>
+/// |distance| minus both reaches; with an infinite slack none is found, whatever overflowed. With `triangle`, a single box that holds one is cut down to
+/// it; only of similarities.
+template <bool similarity, bool triangle = false, class Test>
 HWY_INLINE auto together(const Test& test)
 {
   using Floats = typename Test::Floats;
@@ -103,17 +104,41 @@ HWY_INLINE auto together(const Test& test)
                                        crossed(t1, r02, t0, r12, e0, s12, e1, s02, f0, n21, f1, n20)));
   gap = hn::Max(hn::Max(gap, across0), hn::Max(across1, across2));
 
-  return hn::Not(hn::Gt(gap, all(box.slack)));
+  auto apart = hn::Gt(gap, all(box.slack));
+
+  if constexpr (similarity && triangle) {
+    // Below that, products underflow.
+    if (box.apex != no_apex && box.extent[2] > 0x1p-41f) {
+      // The triangle's two other edges, by their normals (-x, left) and (x, right) along the single box's edges 1 and 2, no unit vectors: so the
+      // slack is times x + left, or x + right. It is twice that of the other axes, for two more roundings a term, and the tolerance of the apex, twice, for
+      // the roundings of the extents.
+      const float length = box.extent[1], width = box.extent[2], x = 2 * width, left = length * (1 + box.apex), right = length * (1 - box.apex);
+      const float slack = 2 * box.slack + float(2 * apex_tolerance) * (length + width);
+      const auto number = [&](float value) HWY_ATTR { return hn::Set(test.tag, value); };
+      const Floats d1 = hn::Mul(number(x), hn::MulAdd(t2, r21, hn::MulAdd(t1, r11, hn::Mul(t0, r01)))), d2 = hn::MulAdd(t2, r22, hn::MulAdd(t1, r12, hn::Mul(t0, r02)));
+      const Floats x0 = hn::Mul(number(x), r01), x1 = hn::Mul(number(x), r11), x2 = hn::Mul(number(x), r21);
+      const auto beside = [&](Floats distance, float reach, Floats n0, Floats n1, Floats n2, float sum) HWY_ATTR {
+        const Floats beyond = hn::NegMulAdd(e2, hn::Abs(n2), hn::NegMulAdd(e1, hn::Abs(n1), hn::NegMulAdd(e0, hn::Abs(n0), hn::Sub(distance, number(reach)))));
+        return hn::Gt(beyond, number(slack * sum));
+      };
+      // t leads from the eight to the single one: their centres are at (-d1, -d2) / (x, 1).
+      const Floats l = number(left), r = number(right);
+      const auto beside_left = beside(hn::NegMulAdd(l, d2, d1), width * right, hn::NegMulAdd(l, r02, x0), hn::NegMulAdd(l, r12, x1), hn::NegMulAdd(l, r22, x2), x + left);
+      const auto beside_right = beside(hn::NegMulAdd(r, d2, hn::Neg(d1)), width * left, hn::MulAdd(r, r02, x0), hn::MulAdd(r, r12, x1), hn::MulAdd(r, r22, x2), x + right);
+      apart = hn::Or(apart, hn::Or(beside_left, beside_right));
+    }
+  }
+  return hn::Not(apart);
 }
 
 /// The lanes whose box may meet the single box.
-template <bool similarity>
+template <bool similarity, bool triangle = false>
 HWY_INLINE unsigned overlapping(const Wide_boxes& boxes, const Single_box& box)
 {
   unsigned found = 0;
   for (std::size_t first = 0; first < lanes; first += hn::Lanes(Float_tag())) {
     std::uint8_t bits[8];
-    hn::StoreMaskBits(Float_tag(), together<similarity>(One_test{boxes, box, first}), bits);
+    hn::StoreMaskBits(Float_tag(), together<similarity, triangle>(One_test{boxes, box, first}), bits);
     found |= unsigned(bits[0]) << first;
   }
   return found;
@@ -150,7 +175,8 @@ HWY_INLINE Single_box carried(const Wide_boxes& boxes, const Box_map& map, const
 
 inline HWY_ATTR unsigned overlapping_kernel(const Wide_boxes& boxes, const Single_box& box, bool similarity)
 {
-  return similarity ? overlapping<true>(boxes, box) : overlapping<false>(boxes, box);
+  if (!similarity) return overlapping<false>(boxes, box);
+  return box.apex == no_apex ? overlapping<true>(boxes, box) : overlapping<true, true>(boxes, box);
 }
 
 inline HWY_ATTR unsigned overlapping_mapped_kernel(const Wide_boxes& boxes, const Box_map& map, const Wide_boxes& from, int lane)

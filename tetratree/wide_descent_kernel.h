@@ -40,10 +40,12 @@ struct Opening {
   HWY_INLINE kernel::Single_box single(const Both_trees& trees) const
   {
     const int other = 1 - body, lane = int(box[other] % 8);
-    const kernel::Wide_boxes& from = trees.nodes[other][box[other] / 8].boxes;
-    if constexpr (!similarity) return (*trees.into[other])(node->boxes, from, lane);
+    const Wide_node& from = trees.nodes[other][box[other] / 8];
+    if constexpr (!similarity) return (*trees.into[other])(node->boxes, from.boxes, lane);
     const float magnitude = size[other] < 0 ? -size[other] : size[other];
-    return simd::carried(node->boxes, *trees.into[other], from, lane, body == 1 ? magnitude : magnitude / trees.scale);
+    kernel::Single_box single = simd::carried(node->boxes, *trees.into[other], from.boxes, lane, body == 1 ? magnitude : magnitude / trees.scale);
+    if (size[other] < 0) single.apex = kernel::apex_of(Wide_node::apex(from.child[lane]));
+    return single;
   }
 };
 
@@ -59,10 +61,12 @@ HWY_INLINE std::size_t store(Pair_stack& stack, std::size_t count, const Opening
   const std::uint32_t first_id = std::uint32_t(o.node - trees.nodes[o.body]) * 8;
   const std::size_t held = std::size_t(o.node->boxes.lane_count);
   for (std::size_t first = 0; first < kernel::lanes; first += hn::Lanes(tag)) {
-    const auto mask = hn::And(simd::together<similarity>(simd::One_test{boxes, box, first}), hn::FirstN(tag, held > first ? held - first : 0));
+    const simd::One_test test{boxes, box, first};
+    const auto together = o.size[other] < 0 ? simd::together<similarity, true>(test) : simd::together<similarity>(test);
+    const auto mask = hn::And(together, hn::FirstN(tag, held > first ? held - first : 0));
     const auto extent = [&](int i) HWY_ATTR { return hn::Load(tag, boxes.extent[i] + first); };
     const auto size = hn::Mul(hn::Set(tag, o.body == 0 ? trees.scale : 1.0f), hn::Add(extent(0), hn::Add(extent(1), extent(2))));
-    const auto is_leaf = hn::RebindMask(tag, hn::Eq(hn::LoadU(codes, o.node->child.data() + first), hn::Set(codes, Wide_node::leaf)));
+    const auto is_leaf = hn::RebindMask(tag, hn::Lt(hn::LoadU(codes, o.node->child.data() + first), hn::Set(codes, Wide_node::last_leaf + 1)));
     // Whole vectors: a masked store would keep the next pop waiting.
     hn::StoreU(hn::Compress(hn::Iota(ids, first_id + std::uint32_t(first)), hn::RebindMask(ids, mask)), ids, stack.boxes(o.body) + count);
     hn::StoreU(hn::Compress(hn::IfThenElse(is_leaf, hn::Neg(size), size), mask), tag, stack.sizes(o.body) + count);

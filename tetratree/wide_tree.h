@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -84,7 +85,7 @@ class Wide_tree {
     return Index(nodes_[n].child[lane]);
   }
 
-  bool is_leaf(Index n, int lane) const { return nodes_[n].child[lane] == Wide_node::leaf; }
+  bool is_leaf(Index n, int lane) const { return Wide_node::is_leaf(nodes_[n].child[lane]); }
   const Element& element(Index n, int lane) const { return elements_[order_[nodes_[n].first[lane]]]; }
 
   /// Calls what(v) for every corner v of the element.
@@ -133,6 +134,7 @@ class Wide_tree {
       const bool is_triangle = polyhedron.is_triangle(f) && model_.covering().spanning(f);
       elements_.push_back({f, is_triangle ? std::array{loop[0], loop[1], loop[2]} : std::array{covering::none, covering::none, covering::none}});
     }
+    assert(elements_.size() <= Wide_node::most_elements);
     elements_.shrink_to_fit();
   }
 
@@ -333,9 +335,13 @@ class Wide_tree {
     double reach = 0;
     for (std::size_t lane = 0; lane < parts.size(); ++lane) {
       node.first[lane] = parts[lane].first;
-      node.child[lane] = parts[lane].last - parts[lane].first == 1 ? Wide_node::leaf : Wide_node::not_made(parts[lane].last);
       // A local coordinate is a difference and a power of two: one rounding, of at most 2.
-      kernel::store_lane(node.boxes, int(lane), all[lane].box, origin, all[lane].points, 0x1p-52);
+      const std::vector<Vector>& points = all[lane].points;
+      kernel::store_lane(node.boxes, int(lane), all[lane].box, origin, points, 0x1p-52);
+      const bool is_leaf = parts[lane].last - parts[lane].first == 1;
+      node.child[lane] = !is_leaf             ? Wide_node::not_made(parts[lane].last)
+                         : points.size() == 3 ? Wide_node::leaf(kernel::apex_code(node.boxes, int(lane), origin, std::span<const Vector, 3>(points)))
+                                              : Wide_node::leaf(0);
       double sum = 0, square = 0;
       for (int i = 0; i < 3; ++i) sum += node.boxes.extent[i][lane], square += double(node.boxes.centre[i][lane]) * node.boxes.centre[i][lane];
       reach = std::max(reach, sum + std::sqrt(square));

@@ -101,3 +101,82 @@ BOOST_AUTO_TEST_CASE(the_principal_direction_is_where_points_spread_most)
   BOOST_TEST(of_one.size() == 0);
   BOOST_TEST((of_one.principal_axes() == Matrix::Identity()));
 }
+
+namespace {
+
+struct Lane {
+  Wide_boxes boxes{};
+  Vector node_origin;  // as near as a node's is
+  std::array<Vector, 3> corners;
+
+  Lane(const Oriented_box& box, const std::array<Vector, 3>& corners)
+      : node_origin(Vector(corners[0] + (corners[1] - corners[0]) * 3).cast<float>().cast<double>()), corners(corners)
+  {
+    store_lane(boxes, 3, box, node_origin, corners, 0);
+  }
+  Apex_code code() const { return apex_code(boxes, 3, node_origin, corners); }
+
+  /// The corner along axes 1 and 2 of the box, from its centre.
+  std::array<double, 2> in_plane(const Vector& p) const
+  {
+    std::array<double, 2> at{};
+    for (int i = 0; i < 2; ++i)
+      for (int k = 0; k < 3; ++k) at[i] += boxes.axis[i + 1][k][3] * (p[k] - (node_origin[k] + double(boxes.centre[k][3])));
+    return at;
+  }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_triangle_lies_in_its_box_where_its_apex_says)
+{
+  Random random(4);
+  int known = 0, tried = 0;
+  for (int k = 0; k < 3000; ++k) {
+    const double size = std::ldexp(1.0, -int(random() % 20));
+    std::array<Vector, 3> t;
+    for (Vector& p : t) p = 0.5 * Vector(real(random), real(random), real(random)) * size;
+    if (k % 4 == 1) t[2] = t[0] + 0.999 * (t[1] - t[0]) + 1e-3 * (t[2] - t[0]);  // a sliver, its apex over one end
+    if (k % 4 == 2) t[2] = 0.5 * (t[0] + t[1]) + 0.01 * (t[2] - t[0]);
+    if (k % 4 == 3) {  // with a right angle
+      const Vector leg = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
+      t[2] = t[0] + leg * (t[1] - t[0]).norm() * (0.1 + std::abs(real(random)));
+    }
+    const Lane lane(triangle_box(t), t);
+    const Apex_code code = lane.code();
+    ++tried;
+    if (code == 0) continue;
+    ++known;
+    const double e1 = lane.boxes.extent[1][3], e2 = lane.boxes.extent[2][3], apex = apex_of(code);
+    BOOST_TEST(std::abs(apex) <= 1);
+    // Within all three sides: on the left of each, seen along it, or beyond by the tolerance.
+    const std::array<std::array<double, 2>, 3> corner = {{{-e1, -e2}, {e1, -e2}, {apex * e1, e2}}};
+    for (int side = 0; side < 3; ++side) {
+      const auto &from = corner[side], &to = corner[(side + 1) % 3];
+      const double x = to[0] - from[0], y = to[1] - from[1], length = std::abs(x) + std::abs(y);
+      for (const Vector& p : t) {
+        const auto at = lane.in_plane(p);
+        BOOST_TEST(x * (at[1] - from[1]) - y * (at[0] - from[0]) >= -1.001 * apex_tolerance * (e1 + e2) * length);
+      }
+    }
+  }
+  BOOST_TEST(tried == 3000);
+  BOOST_TEST(known > 2900);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_no_triangle_along_its_box_has_no_apex)
+{
+  BOOST_TEST(apex_of(0) == no_apex);
+  BOOST_TEST(apex_of(1) == -1.0f);
+  BOOST_TEST(apex_of(32768) == 0.0f);
+  BOOST_TEST(apex_of(65535) == 1.0f);
+  const std::array<Vector, 3> t = {Vector(0, 0, 0), Vector(0.5, 0, 0), Vector(0.25, 0.25, 0)};
+  BOOST_TEST(apex_of(Lane(triangle_box(t), t).code()) == 0.0f);
+  // Upside down, along no side, and a point.
+  BOOST_TEST(Lane(Oriented_box(detail::axes_from(Vector(0, 0, -1), Vector(1, 0, 0)), t), t).code() == 0);
+  BOOST_TEST(Lane(Oriented_box(detail::axes_from(Vector(0, 0, 1), Vector(1, 1, 0)), t), t).code() == 0);
+  const std::array<Vector, 3> dot = {t[1], t[1], t[1]};
+  const Lane of_dot(triangle_box(dot), dot);
+  const Apex_code code = of_dot.code();
+  if (code != 0) BOOST_TEST(of_dot.boxes.extent[2][3] < 1e-6);  // of a box that is nothing but margin
+}

@@ -196,6 +196,92 @@ BOOST_AUTO_TEST_CASE(boxes_apart_by_a_plane_are_told_apart_by_each_of_the_15_axe
   }
 }
 
+namespace {
+
+/// A single box with a triangle in it, and points of its plane, as shares of the box's extents.
+struct Triangle {
+  Single_box box{};
+  Solid solid;
+  double apex;
+
+  explicit Triangle(Random& random) : solid{vector(random, 1), axes(random), Vector(0, real(random, 0.01, 1), real(random, 0.01, 1))}
+  {
+    if (random() % 4 == 0) solid.extent *= 0.01;
+    solid.round();
+    set(box, solid);
+    box.apex = random() % 5 == 0 ? (random() % 2 ? 1.0f : -1.0f) : float(real(random, -1, 1));
+    apex = box.apex;
+  }
+  Vector at(double x, double y) const { return solid.centre + x * solid.extent[1] * solid.edges.col(1) + y * solid.extent[2] * solid.edges.col(2); }
+  /// Of a point at height y in [-1, 1]: where the two slanted sides are.
+  double left(double y) const { return -1 + (1 + apex) * (y + 1) / 2; }
+  double right(double y) const { return 1 - (1 - apex) * (y + 1) / 2; }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(boxes_that_touch_a_triangle_are_never_told_apart_from_it)
+{
+  // Each with a point of its surface, most often a corner, on a side of the triangle or in it.
+  Random random(7);
+  for (const auto overlap : versions()) {
+    int told_apart = 0, without_slack = 0;
+    for (int k = 0; k < 6000; ++k) {
+      Triangle t(random);
+      Wide_boxes boxes{};
+      for (int lane = 0; lane < int(lanes); ++lane) {
+        const double y = real(random, -1, 1), share = lane % 3 == 0 ? 0 : lane % 3 == 1 ? 1 : real(random, 0, 1);
+        const Vector touched = t.at((1 - share) * t.left(y) + share * t.right(y), y);
+        Solid p{Vector::Zero(), axes(random), extents(random)};
+        p.round();
+        // Beyond a plane through that side, if it is one.
+        const Vector beyond = lane % 3 == 0   ? Vector(-2 * t.solid.extent[2] * t.solid.edges.col(1) + t.solid.extent[1] * (1 + t.apex) * t.solid.edges.col(2))
+                              : lane % 3 == 1 ? Vector(2 * t.solid.extent[2] * t.solid.edges.col(1) + t.solid.extent[1] * (1 - t.apex) * t.solid.edges.col(2))
+                                              : vector(random);
+        p.centre = touched - p.corner(-beyond);
+        p.round();
+        set(boxes, lane, p);
+        boxes.reach = std::max(boxes.reach, float(p.extent.sum() + p.centre.norm()) * 1.000001f);
+      }
+      t.box.slack = wide_slack(boxes.reach + t.solid.extent.sum() + t.solid.centre.cwiseAbs().sum(), 0);
+      told_apart += overlap(boxes, t.box, true) != 255;
+      t.box.slack = 0;
+      t.box.extent[0] += 1e-3f;  // so that only the sides can tell
+      without_slack += overlap(boxes, t.box, true) != 255;
+    }
+    BOOST_TEST(told_apart == 0);
+    BOOST_TEST_MESSAGE("told apart without slack: " << without_slack);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(boxes_in_the_corners_that_a_triangle_leaves_of_its_box_are_told_apart)
+{
+  Random random(8);
+  for (const auto overlap : versions()) {
+    int told_apart = 0, of_the_box = 0, tried = 0;
+    for (int k = 0; k < 6000; ++k) {
+      Triangle t(random);
+      Wide_boxes boxes{};
+      const double y = real(random, -0.9, 1), x = random() % 2 ? real(random, -1, t.left(y)) : real(random, t.right(y), 1);
+      const Vector left(t.left(y) - x, 0, 0), right(x - t.right(y), 0, 0);
+      const double beside = std::max(left[0], right[0]) * t.solid.extent[1];  // along the box
+      const double steep = 2 * t.solid.extent[2] / std::hypot(2 * t.solid.extent[2], t.solid.extent[1] * (1 + std::abs(t.apex)));
+      if (!(beside * steep > 0.01 * t.solid.extent.sum() + 2e-4)) continue;  // the slack is some 5e-5
+      ++tried;
+      const double size = 0.4 * beside * steep;
+      for (int lane = 0; lane < int(lanes); ++lane) set(boxes, lane, {t.at(x, y), axes(random), size / std::sqrt(3) * Vector(real(random, 0, 1), real(random, 0, 1), real(random, 0, 1))});
+      boxes.reach = float(t.at(x, y).norm() + 2 * size);
+      t.box.slack = wide_slack(boxes.reach + t.solid.extent.sum() + t.solid.centre.cwiseAbs().sum(), 0);
+      told_apart += overlap(boxes, t.box, true) == 0;
+      t.box.apex = no_apex;
+      of_the_box += overlap(boxes, t.box, true) == 255;
+    }
+    BOOST_TEST(tried > 2000);
+    BOOST_TEST(told_apart == tried);
+    BOOST_TEST(of_the_box == tried);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(lanes_are_compared_one_by_one)
 {
   Random random(4);
