@@ -131,6 +131,27 @@ BOOST_AUTO_TEST_CASE(cubes_in_contact_by_face_edge_or_vertex_are_never_apart)
   BOOST_TEST(beside > 600);
 }
 
+BOOST_AUTO_TEST_CASE(bodies_that_touch_where_placed_origins_are_hardly_known_are_never_apart)
+{
+  // A's vertices are far from its model's origin, so that rounding may move it by a tenth of its size; B touches it there.
+  Body a(moved(unit_cube(), 1, {0x1p50, 0, 0})), b(unit_cube());
+  Separation separation(a.tree, b.tree);
+  Random random(7);
+  int told_apart = 0, beside = 0;
+  for (int k = 0; k < 600; ++k) {
+    const Pose rotation = random_rotation(random, 9);
+    const auto placed_by = [&](const Rational& distance) {
+      std::array<Rational, 3> t;
+      for (int i = 0; i < 3; ++i) t[i] = rotation.exact(4 * i) * (Rational(0x1p50) + distance);
+      return Placed(a.tree, rotation, b.tree, plus(rotation, t));
+    };
+    told_apart += told_apart_by(separation, placed_by(k % 2 == 0 ? 1 : -1), 4);
+    beside += told_apart_by(separation, placed_by(k % 2 == 0 ? 9 : -9), 4);
+  }
+  BOOST_TEST(told_apart == 0);
+  BOOST_TEST(beside == 600);
+}
+
 BOOST_AUTO_TEST_CASE(bodies_clearly_apart_are_told_apart)
 {
   const auto all = bodies();
