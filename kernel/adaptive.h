@@ -3,6 +3,7 @@
 
 #include "kernel/double_double.h"
 #include "kernel/floating_point.h"
+#include "kernel/grid_signs.h"
 #include "kernel/number.h"
 #include "kernel/pose.h"
 #include "kernel/stage_counts.h"
@@ -27,8 +28,9 @@ namespace tetracone::kernel {
 /// enclose it. A sign is decided by the first stage that can:
 ///   1. filter: the double expression on the images, when it is beyond the bound on all rounding (or undecided);
 ///   2. zero exits: points that are the same vertex under the same pose, or exact coordinates of which every product has a factor 0;
-///   3. double-double: the same expression on images of twice the digits, when it is beyond its bound (or undecided);
-///   4. exact: the expression over the exact images, in CGAL::Mpzf; poses of fractions are multiplied by their denominators.
+///   3. grid: the expression in integers of 128 bits, where images are exact and whole numbers of a common power of two (or undecided);
+///   4. double-double: the same expression on images of twice the digits, when it is beyond its bound (or undecided);
+///   5. exact: the expression over the exact images, in CGAL::Mpzf; poses of fractions are multiplied by their denominators.
 ///      An image is found once a query for each vertex that asks for it.
 /// A point whose error is not known, beyond the magnitude gate, goes from the zero exits straight to the exact stage.
 /// Signs of points that share one pose are signs of the vertices themselves, times sign(det M).
@@ -189,6 +191,20 @@ class Adaptive {
     return std::nullopt;
   }
 
+  // --- grid ------------------------------------------------------------------------------------------------------
+
+  /// Exact, where images are exact and on a common grid; or undecided.
+  static Decision grid_volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
+  {
+    if (a.error != 0 || b.error != 0 || c.error != 0 || d.error != 0) return std::nullopt;
+    return kernel::grid_volume_sign(a.image, b.image, c.image, d.image);
+  }
+  static Decision grid_normal_sign(const Point_3& a, const Point_3& b, const Point_3& c, int axis)
+  {
+    if (a.error != 0 || b.error != 0 || c.error != 0) return std::nullopt;
+    return kernel::grid_normal_sign(a.image, b.image, c.image, axis);
+  }
+
   // --- double-double ------------------------------------------------------------------------------------------------
   // With u = 2^-53 an image is three exact products and three additions, each of relative error 3 u^2 (1 + 5u) of a partial sum below S:
   // 9 u^2 S; a fraction's entry is itself off by u^2, and its product by 7 u^2, of a term, 17 u^2 S in all: `error` = 20 u^2 S covers both.
@@ -333,6 +349,7 @@ class Adaptive {
       return unplaced * a.pose->determinant_sign();
     }
     if (!in_gate(a, b, c, d)) return ++decided_by().out_of_gate, exact_volume_sign(a, b, c, d);
+    if (const Decision sign = grid_volume_sign(a, b, c, d)) return ++decided_by().grid, *sign;
     if (const Decision sign = wide_volume_sign(a, b, c, d)) return ++decided_by().double_double, *sign;
     ++decided_by().exact;
     return exact_volume_sign(a, b, c, d);
@@ -342,6 +359,7 @@ class Adaptive {
   {
     if (const Decision sign = zero_normal_sign(a, b, c, axis)) return ++decided_by().zero, *sign;
     if (!in_gate(a, b, c)) return ++decided_by().out_of_gate, exact_normal_sign(a, b, c, axis);
+    if (const Decision sign = grid_normal_sign(a, b, c, axis)) return ++decided_by().grid, *sign;
     if (const Decision sign = wide_normal_sign(a, b, c, axis)) return ++decided_by().double_double, *sign;
     ++decided_by().exact;
     return exact_normal_sign(a, b, c, axis);

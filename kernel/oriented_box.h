@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <vector>
 
 namespace tetracone::kernel {
 
@@ -94,23 +95,30 @@ inline Matrix turned(const Matrix& axes, int about, double tangent)
 }  // namespace detail
 
 /// A box of little surface about the points: from the eigenvectors of their covariance, turned about each axis in turn while that makes the
-/// surface smaller, by `rounds` rounds of halved angles.
+/// surface smaller, by `rounds` rounds of halved angles. Of many points, some 500 tell how to turn.
 inline Oriented_box fitted_box(std::span<const Vector> points, int rounds)
 {
-  const Spread spread(points);
-  const Matrix start = spread.principal_axes();
-  Oriented_box best(detail::axes_from(start.col(0), start.col(2)), points);
+  constexpr std::size_t enough = 512;
+  std::vector<Vector> some;
+  std::span<const Vector> tried = points;
+  if (points.size() > enough) {
+    const std::size_t step = (points.size() + enough - 1) / enough;
+    for (std::size_t k = 0; k < points.size(); k += step) some.push_back(points[k]);
+    tried = some;
+  }
+  const Matrix start = Spread(points).principal_axes();
+  Oriented_box best(detail::axes_from(start.col(0), start.col(2)), tried);
   double tangent = 0.5;
   for (int round = 0; round < rounds; ++round, tangent *= 0.5)
     for (int axis = 0; axis < 3; ++axis)
       for (const double t : {tangent, -tangent}) {
-        const Oriented_box turned(detail::turned(best.axes, axis, t), points);
+        const Oriented_box turned(detail::turned(best.axes, axis, t), tried);
         if (turned.surface() < best.surface()) {
           best = turned;
           break;
         }
       }
-  return best;
+  return some.empty() ? best : Oriented_box(best.axes, points);
 }
 
 /// The box of a triangle: its plane, and along its longest edge.

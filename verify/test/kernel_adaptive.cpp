@@ -485,11 +485,11 @@ void each_sample(const Family& family, int count, const Visit& visit)
 BOOST_AUTO_TEST_CASE(every_stage_that_answers_is_right_and_the_counter_says_which_did)
 {
   int total = 0, wrong_filter = 0, wrong_zero = 0, wrong_exact = 0, wrong_sign = 0, wrong_stage = 0, other_bound = 0;
-  int by_identity = 0, by_zero_factors = 0, by_gate = 0, wide_decided = 0;
+  int by_identity = 0, by_zero_factors = 0, by_gate = 0, grid_decided = 0, wide_decided = 0;
   // One sign, by the first stage that answers.
-  const auto expected = [](const Decision& filtered, const Decision& zero, bool in_gate, const Decision& wide) {
+  const auto expected = [](const Decision& filtered, const Decision& zero, bool in_gate, const Decision& grid, const Decision& wide) {
     Stage_counts counts;
-    ++(filtered ? counts.filter : zero ? counts.zero : !in_gate ? counts.out_of_gate : wide ? counts.double_double : counts.exact);
+    ++(filtered ? counts.filter : zero ? counts.zero : !in_gate ? counts.out_of_gate : grid ? counts.grid : wide ? counts.double_double : counts.exact);
     return counts;
   };
   for (const Family& family : families()) {
@@ -498,7 +498,9 @@ BOOST_AUTO_TEST_CASE(every_stage_that_answers_is_right_and_the_counter_says_whic
       const auto& [a, b, c, d] = s.points;
       const Sign truth = CGAL::sign(sgn(volume(s.exact)));
       const Decision filtered = Adaptive::filtered_volume_sign(a, b, c, d);
-      const Decision wide = Adaptive::wide_volume_sign(a, b, c, d);
+      const Decision grid = Adaptive::grid_volume_sign(a, b, c, d), wide = Adaptive::wide_volume_sign(a, b, c, d);
+      wrong_exact += grid && *grid != truth;
+      grid_decided += !filtered && grid;
       decided += filtered.has_value();
       wide_decided += !filtered && wide;
       wrong_filter += (filtered && *filtered != truth) || (wide && *wide != truth);
@@ -524,9 +526,9 @@ BOOST_AUTO_TEST_CASE(every_stage_that_answers_is_right_and_the_counter_says_whic
       const bool one_frame = a.pose && a.pose == b.pose && a.pose == c.pose && a.pose == d.pose;
       if (one_frame && !filtered && !zero)
         wrong_stage += stages != expected(Adaptive::filtered_volume_sign(ha, hb, hc, hd), Adaptive::zero_volume_sign(ha, hb, hc, hd),
-                                          in_gate(ha, hb, hc, hd), Adaptive::wide_volume_sign(ha, hb, hc, hd));
+                                          in_gate(ha, hb, hc, hd), Adaptive::grid_volume_sign(ha, hb, hc, hd), Adaptive::wide_volume_sign(ha, hb, hc, hd));
       else
-        wrong_stage += stages != expected(filtered, zero, in_gate(a, b, c, d), wide);
+        wrong_stage += stages != expected(filtered, zero, in_gate(a, b, c, d), grid, wide);
       by_identity += !filtered && found_twice(4);
       by_zero_factors += !filtered && zero && !found_twice(4);
       by_gate += stages.out_of_gate;
@@ -535,14 +537,15 @@ BOOST_AUTO_TEST_CASE(every_stage_that_answers_is_right_and_the_counter_says_whic
       const Sign normal_truth = normal(s.exact[0], s.exact[1], s.exact[2], axis);
       const Decision normal_filtered = Adaptive::filtered_normal_sign(a, b, c, axis);
       const Decision normal_zero = Adaptive::zero_normal_sign(a, b, c, axis);
-      const Decision normal_wide = Adaptive::wide_normal_sign(a, b, c, axis);
+      const Decision normal_grid = Adaptive::grid_normal_sign(a, b, c, axis), normal_wide = Adaptive::wide_normal_sign(a, b, c, axis);
+      wrong_exact += normal_grid && *normal_grid != normal_truth;
       wrong_zero += normal_zero ? normal_truth != CGAL::ZERO : found_twice(3);
       wrong_filter += (normal_filtered && *normal_filtered != normal_truth) || (normal_wide && *normal_wide != normal_truth);
       other_bound += normal_filtered != normal_filter(a, b, c, axis).decision();
       other_bound += normal_wide != wide_normal_filter(a, b, c, axis).decision();
       before = Adaptive::decided_by();
       wrong_sign += Adaptive::normal_sign(a, b, c, axis) != normal_truth;
-      wrong_stage += Adaptive::decided_by() - before != expected(normal_filtered, normal_zero, in_gate(a, b, c), normal_wide);
+      wrong_stage += Adaptive::decided_by() - before != expected(normal_filtered, normal_zero, in_gate(a, b, c), normal_grid, normal_wide);
 
       const Sign difference_truth = difference(s.exact[0], s.exact[1], axis);
       const Decision difference_filtered = Adaptive::filtered_difference_sign(a, b, axis);
@@ -551,7 +554,7 @@ BOOST_AUTO_TEST_CASE(every_stage_that_answers_is_right_and_the_counter_says_whic
       wrong_filter += (difference_filtered && *difference_filtered != difference_truth) || (difference_wide && *difference_wide != difference_truth);
       before = Adaptive::decided_by();
       wrong_sign += Adaptive::difference_sign(a, b, axis) != difference_truth;
-      wrong_stage += Adaptive::decided_by() - before != expected(difference_filtered, difference_zero, in_gate(a, b), difference_wide);
+      wrong_stage += Adaptive::decided_by() - before != expected(difference_filtered, difference_zero, in_gate(a, b), {}, difference_wide);
 
       if (n++ % 8 == 0)
         wrong_exact += Adaptive::exact_volume_sign(a, b, c, d) != truth ||
@@ -577,6 +580,7 @@ BOOST_AUTO_TEST_CASE(every_stage_that_answers_is_right_and_the_counter_says_whic
   BOOST_TEST(by_zero_factors > 100);
   BOOST_TEST(by_gate > 1'000);
   BOOST_TEST(wide_decided > 10'000);
+  BOOST_TEST(grid_decided > 10'000);
   BOOST_TEST_MESSAGE("decided by double-double: " << wide_decided << " of " << total);
   BOOST_TEST(total >= 1'000'000);
 }
@@ -736,7 +740,7 @@ BOOST_AUTO_TEST_CASE(a_translation_keeps_images_exact_where_sums_are)
 BOOST_AUTO_TEST_CASE(fallbacks_are_counted_by_each_thread_alone)
 {
   const Point o = Adaptive::unmoved({0, 0, 0}), x = Adaptive::unmoved({1, 0, 0}), y = Adaptive::unmoved({0, 1, 0}),
-              z = Adaptive::unmoved({2, 3, 0}), w = Adaptive::unmoved({1, 3, 2}), v = Adaptive::unmoved({2, 6, 4});
+              z = Adaptive::unmoved({2, 3, 0}), w = Adaptive::unmoved({0.1, 0.3, 0.2}), v = Adaptive::unmoved({0.2, 0.6, 0.4});
   const auto before = Adaptive::exact_fallbacks();
   std::uint64_t there = 99;
   std::thread([&] {

@@ -29,9 +29,11 @@ BOOST_AUTO_TEST_CASE(each_stage_counts_the_sign_that_it_decides_and_no_other_doe
   BOOST_TEST((volume(at(2, 3, 1)) == Stage_counts{.filter = 1}));
   BOOST_TEST((volume(b) == Stage_counts{.zero = 1}));
   BOOST_TEST((volume(at(4, 3, 5 + 0x1p-50)) == Stage_counts{.double_double = 1}));
-  BOOST_TEST((volume(at(4, 3, 5)) == Stage_counts{.exact = 1}));
+  BOOST_TEST((volume(at(4, 3, 5)) == Stage_counts{.grid = 1}));
+  const auto off_grid = [&](double x, double y, double z) { return Adaptive::unmoved({x + 0x1p-50, y + 0x1p-50, z + 0x1p-50}); };
+  BOOST_TEST((counted([&] { Adaptive::volume_sign(off_grid(0, 0, 0), off_grid(1, 2, 3), off_grid(3, 1, 2), off_grid(4, 3, 5)); }) == Stage_counts{.exact = 1}));
   BOOST_TEST((volume(at(4e200, 3e200, 5e200)) == Stage_counts{.out_of_gate = 1}));
-  BOOST_TEST((counted([&] { Adaptive::normal_sign(o, b, at(2, 4, 7), 2); }) == Stage_counts{.exact = 1}));
+  BOOST_TEST((counted([&] { Adaptive::normal_sign(o, b, at(2, 4, 7), 2); }) == Stage_counts{.grid = 1}));
   BOOST_TEST((counted([&] { Adaptive::difference_sign(o, at(1e200, 0, 0), 0); }) == Stage_counts{.out_of_gate = 1}));
   BOOST_TEST((counted([&] { Adaptive::difference_sign(o, b, 0); }) == Stage_counts{.filter = 1}));
 }
@@ -51,9 +53,9 @@ BOOST_AUTO_TEST_CASE(fallbacks_are_what_the_exact_stage_decided_in_or_out_of_the
 {
   std::thread([] {
     BOOST_TEST(Adaptive::exact_fallbacks() == 0u);  // of this thread
-    Adaptive::decided_by() = {.filter = 16, .zero = 8, .double_double = 4, .exact = 2, .out_of_gate = 1};
+    Adaptive::decided_by() = {.filter = 32, .zero = 16, .grid = 8, .double_double = 4, .exact = 2, .out_of_gate = 1};
     BOOST_TEST(Adaptive::exact_fallbacks() == 3u);
-    BOOST_TEST(Adaptive::decided_by().total() == 31u);
+    BOOST_TEST(Adaptive::decided_by().total() == 63u);
     BOOST_TEST((Adaptive::decided_by() - Adaptive::decided_by() == Stage_counts{}));
   }).join();
 }
