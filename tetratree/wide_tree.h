@@ -16,6 +16,7 @@
 #include <numeric>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace tetracone::tetratree {
@@ -66,9 +67,8 @@ class Wide_tree {
   kernel::Vector local(Index v) const
   {
     const auto& vertex = model_.vertices()[v];
-    const double per_half = 2 / units_.unit;  // a power of two
     kernel::Vector p;
-    for (int k = 0; k < 3; ++k) p[k] = (0.5 * vertex[k] - 0.5 * units_.origin[k]) * per_half;
+    for (int k = 0; k < 3; ++k) p[k] = (0.5 * vertex[k] - 0.5 * units_.origin[k]) * per_half_unit_;
     return p;
   }
 
@@ -147,6 +147,7 @@ class Wide_tree {
     for (const auto& v : model_.vertices())
       for (int k = 0; k < 3; ++k) half_reach = std::max(half_reach, std::abs(0.5 * v[k] - 0.5 * units_.origin[k]));
     units_.unit = half_reach > 0 ? std::ldexp(1.0, std::clamp(std::ilogb(half_reach) + 2, -1000, 1023)) : 1;
+    per_half_unit_ = 2 / units_.unit;
   }
 
   template <class What>
@@ -200,7 +201,6 @@ class Wide_tree {
   /// An element as cuts see it: its centroid, and its corners' bounds along the part's axes.
   struct Sample {
     Vector centroid, low, high;
-    float place;
   };
 
   /// Cuts the part in two, and returns where in the order: the boxes of both are small for what they hold. In the middle where all
@@ -213,7 +213,7 @@ class Wide_tree {
     const Index step = (count + most_samples - 1) / most_samples;
     for (Index k = part.first; k < part.last; k += step) making_.samples.push_back(sample(order_[k], part.axes));
     Cut best = best_cut({part.axes.col(2), {}});
-    if (const auto cones = cones_about(part)) {
+    if (const auto cones = count > fewest_in_cones ? cones_about(part) : std::nullopt) {
       const Cut into_cones = best_cut(*cones);
       if (into_cones.cost < 1.03 * best.cost) best = into_cones;
     }
@@ -224,7 +224,7 @@ class Wide_tree {
 
   Sample sample(Index e, const kernel::Matrix& axes) const
   {
-    Sample s{vector(making_.centroids[e]), Vector::Constant(8), Vector::Constant(-8), 0};
+    Sample s{vector(making_.centroids[e]), Vector::Constant(8), Vector::Constant(-8)};
     for_corners(elements_[e], [&](const Vector& p) {
       const Vector along = axes.transpose() * p;
       s.low = s.low.cwiseMin(along), s.high = s.high.cwiseMax(along);
@@ -249,10 +249,12 @@ class Wide_tree {
   /// its count. (With the count itself, as for rays, or with lengths in place of surfaces, trees had more boxes to compare.)
   Cut best_cut(const Pencil& pencil)
   {
-    std::vector<Sample>& samples = making_.samples;
+    const std::vector<Sample>& samples = making_.samples;
     std::vector<double>& costs_after = making_.costs_after;
-    for (Sample& s : samples) s.place = pencil.place(s.centroid);
-    std::sort(samples.begin(), samples.end(), [](const Sample& p, const Sample& q) { return p.place < q.place; });
+    auto& order = making_.places;
+    order.clear();
+    for (std::size_t k = 0; k < samples.size(); ++k) order.push_back({pencil.place(samples[k].centroid), Index(k)});
+    std::sort(order.begin(), order.end());
     struct Side {
       Vector low = Vector::Constant(8), high = -low;
       int count = 0;
@@ -266,11 +268,11 @@ class Wide_tree {
     };
     Side before, after;
     costs_after.resize(samples.size());
-    for (std::size_t k = samples.size(); k-- > 1;) costs_after[k] = after.cost_with(samples[k]);
+    for (std::size_t k = samples.size(); k-- > 1;) costs_after[k] = after.cost_with(samples[order[k].second]);
     Cut best{pencil};
     for (std::size_t k = 1; k < samples.size(); ++k) {
-      const double cost = before.cost_with(samples[k - 1]) + costs_after[k];
-      if (cost < best.cost && samples[k - 1].place < samples[k].place) best.cost = cost, best.place = samples[k].place;
+      const double cost = before.cost_with(samples[order[k - 1].second]) + costs_after[k];
+      if (cost < best.cost && order[k - 1].first < order[k].first) best.cost = cost, best.place = order[k].first;
     }
     return best;
   }
@@ -352,6 +354,7 @@ class Wide_tree {
 
   covering::Model<Adaptive> model_;
   kernel::Local_units units_;
+  double per_half_unit_ = 2;  // of these; a power of two too
   std::vector<Element> elements_;
   std::vector<Index> order_;
   std::vector<Wide_node> nodes_;
@@ -363,13 +366,14 @@ class Wide_tree {
     std::uint32_t stamp = 0;
     std::vector<Vector> gathered;
     std::vector<Sample> samples;
+    std::vector<std::pair<float, Index>> places;  // of samples
     std::vector<double> costs_after;
 
     std::size_t bytes() const { return centroids.capacity() * sizeof(centroids[0]) + stamps.capacity() * sizeof(stamps[0]); }
   };
   Making making_;
 
-  static constexpr Index most_samples = 2048;
+  static constexpr Index most_samples = 1024, fewest_in_cones = 64;
   static constexpr int fitting_rounds = 8;
 };
 
