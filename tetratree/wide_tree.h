@@ -270,9 +270,11 @@ class Wide_tree {
     costs_after.resize(samples.size());
     for (std::size_t k = samples.size(); k-- > 1;) costs_after[k] = after.cost_with(samples[order[k].second]);
     Cut best{pencil};
+    const std::size_t fewest = samples.size() / 8;  // else elements that all reach everywhere would be cut off one by one
     for (std::size_t k = 1; k < samples.size(); ++k) {
       const double cost = before.cost_with(samples[order[k - 1].second]) + costs_after[k];
-      if (cost < best.cost && order[k - 1].first < order[k].first) best.cost = cost, best.place = order[k].first;
+      const bool is_even = k >= fewest && k + fewest <= samples.size();
+      if (is_even && cost < best.cost && order[k - 1].first < order[k].first) best.cost = cost, best.place = order[k].first;
     }
     return best;
   }

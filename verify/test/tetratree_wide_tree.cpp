@@ -124,3 +124,41 @@ BOOST_AUTO_TEST_CASE(a_body_without_faces_is_empty)
 {
   BOOST_TEST(Wide_tree(Polyhedron()).empty());
 }
+
+namespace {
+
+/// Nodes on the longest way down.
+int depth_of(Wide_tree& tree, Index n)
+{
+  int deepest = 0;
+  for (int lane = 0; lane < tree.node(n).boxes.lane_count; ++lane)
+    if (!tree.is_leaf(n, lane)) deepest = std::max(deepest, depth_of(tree, tree.child(n, lane)));
+  return deepest + 1;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(trees_are_shallow_whatever_lies_where)
+{
+  Random random(8);
+  constexpr int count = 3000;
+  Polyhedron everywhere, halving, stacked;
+  for (int k = 0; k < count; ++k) {
+    // Each as large as the whole; each half the size of the last; all in one place.
+    for (auto* body : {&everywhere, &halving, &stacked}) {
+      const Index first = Index(body->vertices.size());
+      const double size = body == &halving ? std::ldexp(1.0, -k / 4) : 1;
+      for (int corner = 0; corner < 3; ++corner) body->vertices.push_back({size * real(random, -1, 1), size * real(random, -1, 1), size * real(random, -1, 1)});
+      if (body == &stacked) body->vertices.resize(3);
+      const Index base = body == &stacked ? 0 : first;
+      body->add_polygon({base, base + 1, base + 2});
+    }
+  }
+  for (const Polyhedron* body : {&everywhere, &halving, &stacked}) {
+    Wide_tree tree(*body);
+    tree.make_all();
+    BOOST_TEST(tree.element_count() == std::size_t(count));
+    const int depth = depth_of(tree, 0);
+    BOOST_TEST(depth <= 30);  // 7/8 to the 60th of them is one
+  }
+}
