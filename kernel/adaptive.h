@@ -173,7 +173,7 @@ class Adaptive {
   static Decision zero_volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
   {
     if (identical(c, d) || identical(b, d) || identical(b, c) || identical(a, d) || identical(a, c) || identical(a, b)) return CGAL::ZERO;
-    if (a.error != 0 || b.error != 0 || c.error != 0 || d.error != 0) return std::nullopt;
+    if (!are_exact(a, b, c, d)) return std::nullopt;
     const auto is_0 = [&a](const Point_3& p, int k) { return p.image[k] == a.image[k]; };
     const auto vanishes = [&](int i, int j, int k) { return is_0(b, i) || is_0(c, j) || is_0(d, k); };
     if (vanishes(0, 1, 2) && vanishes(1, 2, 0) && vanishes(2, 0, 1) && vanishes(0, 2, 1) && vanishes(1, 0, 2) && vanishes(2, 1, 0)) return CGAL::ZERO;
@@ -184,7 +184,7 @@ class Adaptive {
   static Decision zero_normal_sign(const Point_3& a, const Point_3& b, const Point_3& c, int axis)
   {
     if (identical(b, c) || identical(a, c) || identical(a, b)) return CGAL::ZERO;
-    if (a.error != 0 || b.error != 0 || c.error != 0) return std::nullopt;
+    if (!are_exact(a, b, c)) return std::nullopt;
     const auto is_0 = [&a](const Point_3& p, int k) { return p.image[k] == a.image[k]; };
     const int i = (axis + 1) % 3, j = (axis + 2) % 3;
     if ((is_0(b, i) || is_0(c, j)) && (is_0(b, j) || is_0(c, i))) return CGAL::ZERO;
@@ -196,13 +196,11 @@ class Adaptive {
   /// Exact, where images are exact and on a common grid; or undecided.
   static Decision grid_volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
   {
-    if (a.error != 0 || b.error != 0 || c.error != 0 || d.error != 0) return std::nullopt;
-    return kernel::grid_volume_sign(a.image, b.image, c.image, d.image);
+    return are_exact(a, b, c, d) ? kernel::grid_volume_sign(a.image, b.image, c.image, d.image) : std::nullopt;
   }
   static Decision grid_normal_sign(const Point_3& a, const Point_3& b, const Point_3& c, int axis)
   {
-    if (a.error != 0 || b.error != 0 || c.error != 0) return std::nullopt;
-    return kernel::grid_normal_sign(a.image, b.image, c.image, axis);
+    return are_exact(a, b, c) ? kernel::grid_normal_sign(a.image, b.image, c.image, axis) : std::nullopt;
   }
 
   // --- double-double ------------------------------------------------------------------------------------------------
@@ -372,6 +370,13 @@ class Adaptive {
     if (const Decision sign = wide_difference_sign(a, b, axis)) return ++decided_by().double_double, *sign;
     ++decided_by().exact;
     return exact_difference_sign(a, b, axis);
+  }
+
+  /// Whether no image is rounded.
+  template <class... Points>
+  static bool are_exact(const Points&... points)
+  {
+    return ((points.error == 0) && ...);
   }
 
   /// Whether the errors of all points are known.
