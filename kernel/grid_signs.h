@@ -28,6 +28,7 @@ std::optional<std::array<std::array<std::int64_t, 3>, count>> on_grid(const std:
   for (std::size_t n = 0; n < count; ++n)
     for (int k = 0; k < 3; ++k) {
       const double x = (*points[n])[k], steps = x * per_step;
+      if (!(std::abs(steps) < 0x1p38)) return std::nullopt;  // undefined
       grid[n][k] = std::int64_t(steps);
       // A product that underflows is no whole number, or 0.
       if (double(grid[n][k]) != steps || (steps == 0 && x != 0)) return std::nullopt;
