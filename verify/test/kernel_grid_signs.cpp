@@ -108,8 +108,8 @@ BOOST_AUTO_TEST_CASE(what_is_on_no_such_grid_is_left_undecided)
   BOOST_TEST(!grid_volume_sign(a, a, a, a));
   // Where a product with the steps underflows.
   const Vertex large{0x1p300, 0, 0};
-  BOOST_TEST(!grid_volume_sign(large, b, c, {0, 0, 0x1p-1074}));
-  BOOST_TEST(!grid_normal_sign(large, {0, 0x1p-1074, 0}, c, 2));
+  BOOST_TEST(!grid_volume_sign(large, a, {0, 0x1p300, 0}, {0, 0, 0x1p-1074}));
+  BOOST_TEST(!grid_normal_sign(large, {0, 0x1p-1074, 0}, a, 2));
   BOOST_TEST(!grid_normal_sign({0x1p-301, 0, 0}, {0, 0x1p-301, 0}, {0, 0, 0}, 2));
 }
 
