@@ -36,9 +36,10 @@ struct Spread {
   /// Orthonormal columns, that of greatest spread the last; those of the identity where no direction is told from another.
   Matrix principal_axes() const
   {
+    if (!(size() > 0)) return Matrix::Identity();
     Eigen::SelfAdjointEigenSolver<Matrix> solver;
     solver.computeDirect(covariance);
-    return size() > 0 && solver.eigenvectors().allFinite() ? solver.eigenvectors() : Matrix::Identity();
+    return solver.eigenvectors().allFinite() ? solver.eigenvectors() : Matrix::Identity();
   }
 };
 

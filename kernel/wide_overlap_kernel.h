@@ -27,9 +27,9 @@ struct One_test {
 };
 
 /// The lanes whose box is not found apart from the single box: separating axes are the normals of both and the 9 cross products of edges. A gap is
-/// |distance| minus both reaches; with an infinite slack none is found, whatever overflowed. With `triangle`, a single box that holds one is cut down to
-/// it; only of similarities.
-template <bool similarity, bool triangle = false, class Test>
+/// |distance| minus both reaches; with an infinite slack none is found, whatever overflowed. Of a similarity, a single box that holds a triangle is cut
+/// down to it.
+template <bool similarity, class Test>
 HWY_INLINE auto together(const Test& test)
 {
   using Floats = typename Test::Floats;
@@ -106,7 +106,7 @@ HWY_INLINE auto together(const Test& test)
 
   auto apart = hn::Gt(gap, all(box.slack));
 
-  if constexpr (similarity && triangle) {
+  if constexpr (similarity) {
     // Below that, products underflow.
     if (box.apex != no_apex && box.extent[2] > 0x1p-41f) {
       // The triangle's two other edges, by their normals (-x, left) and (x, right) along the single box's edges 1 and 2, no unit vectors: so the
@@ -132,13 +132,13 @@ HWY_INLINE auto together(const Test& test)
 }
 
 /// The lanes whose box may meet the single box.
-template <bool similarity, bool triangle = false>
+template <bool similarity>
 HWY_INLINE unsigned overlapping(const Wide_boxes& boxes, const Single_box& box)
 {
   unsigned found = 0;
   for (std::size_t first = 0; first < lanes; first += hn::Lanes(Float_tag())) {
     std::uint8_t bits[8];
-    hn::StoreMaskBits(Float_tag(), together<similarity, triangle>(One_test{boxes, box, first}), bits);
+    hn::StoreMaskBits(Float_tag(), together<similarity>(One_test{boxes, box, first}), bits);
     found |= unsigned(bits[0]) << first;
   }
   return found;
@@ -175,8 +175,7 @@ HWY_INLINE Single_box carried(const Wide_boxes& boxes, const Box_map& map, const
 
 inline HWY_ATTR unsigned overlapping_kernel(const Wide_boxes& boxes, const Single_box& box, bool similarity)
 {
-  if (!similarity) return overlapping<false>(boxes, box);
-  return box.apex == no_apex ? overlapping<true>(boxes, box) : overlapping<true, true>(boxes, box);
+  return similarity ? overlapping<true>(boxes, box) : overlapping<false>(boxes, box);
 }
 
 inline HWY_ATTR unsigned overlapping_mapped_kernel(const Wide_boxes& boxes, const Box_map& map, const Wide_boxes& from, int lane)

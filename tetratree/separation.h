@@ -94,26 +94,25 @@ class Separation {
   {
     if (!(a_.is_in_range && b_.is_in_range)) return false;
     const Placed a(a_, pose_a), b(b_, pose_b);
-    bool apart = false;
-    while (!apart && steps-- > 0) {
+    for (; steps > 0; --steps) {
       const Vector along_a = a.turned_back(m), along_b = b.turned_back({-m[0], -m[1], -m[2]});
       const double norm = sum_of_magnitudes(m), norm_a = sum_of_magnitudes(along_a), norm_b = sum_of_magnitudes(along_b);
       // Also what is undefined ends here.
-      if (!(norm > 1e-30 && norm < 1e30 && norm_a > 1e-30 && norm_a < 1e30 && norm_b > 1e-30 && norm_b < 1e30)) break;
+      if (!(norm > 1e-30 && norm < 1e30 && norm_a > 1e-30 && norm_a < 1e30 && norm_b > 1e-30 && norm_b < 1e30)) return false;
       const auto support_a = a_.table(along_a), support_b = b_.table(along_b);
       const double distance = dot(m, {between[0], between[1], between[2]}), reach = support_a.bound + support_b.bound;
       const double slack = (Support_table::slack + 0x1p-23) * (norm_a + norm_b) +
                            norm * (8 * kernel::unit_roundoff<double> * (a.magnitude() + b.magnitude() + between.largest()) + between.error());
-      apart = distance - reach > slack;
       last_ = m;
-      if (apart || !(distance > hopeless * reach)) break;
+      if (distance - reach > slack) return true;
+      if (!(distance > hopeless * reach)) return false;
 
       const Vector p = a.image(support_a.vertex()), q = b.image(support_b.vertex());
       const Vector w = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
       const double share = 2 * dot(m, w) / dot(w, w);
       for (int i = 0; i < 3; ++i) m[i] -= share * w[i];
     }
-    return apart;
+    return false;
   }
 
   static double dot(const Vector& v, const Vector& w) { return v[0] * w[0] + v[1] * w[1] + v[2] * w[2]; }

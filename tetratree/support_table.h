@@ -19,7 +19,6 @@ namespace tetracone::tetratree {
 /// query needs. A value is found when it is first asked for, from the tree's boxes.
 class Support_table {
  public:
-
   /// What is known about a direction of the lattice.
   struct Value {
     float reach;   ///< h is at most this

@@ -61,9 +61,7 @@ HWY_INLINE std::size_t store(Pair_stack& stack, std::size_t count, const Opening
   const std::uint32_t first_id = std::uint32_t(o.node - trees.nodes[o.body]) * 8;
   const std::size_t held = std::size_t(o.node->boxes.lane_count);
   for (std::size_t first = 0; first < kernel::lanes; first += hn::Lanes(tag)) {
-    const simd::One_test test{boxes, box, first};
-    const auto together = o.size[other] < 0 ? simd::together<similarity, true>(test) : simd::together<similarity>(test);
-    const auto mask = hn::And(together, hn::FirstN(tag, held > first ? held - first : 0));
+    const auto mask = hn::And(simd::together<similarity>(simd::One_test{boxes, box, first}), hn::FirstN(tag, held > first ? held - first : 0));
     const auto extent = [&](int i) HWY_ATTR { return hn::Load(tag, boxes.extent[i] + first); };
     const auto size = hn::Mul(hn::Set(tag, o.body == 0 ? trees.scale : 1.0f), hn::Add(extent(0), hn::Add(extent(1), extent(2))));
     const auto is_leaf = hn::RebindMask(tag, hn::Lt(hn::LoadU(codes, o.node->child.data() + first), hn::Set(codes, Wide_node::last_leaf + 1)));

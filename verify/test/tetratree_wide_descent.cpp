@@ -140,8 +140,9 @@ BOOST_AUTO_TEST_CASE(triangles_that_touch_in_one_point_of_a_side_are_offered)
 {
   // One large triangle, and many small ones with a corner exactly on its sides, beyond them.
   Random random(6);
-  int missed = 0, touching = 0, offered = 0, possible = 0;
+  int missed = 0, touching = 0, offered = 0, offered_far = 0;
   for (int k = 0; k < 60; ++k) {
+    std::vector<int> side_of;
     Polyhedron large, small;
     large.vertices = {{0, 0, 0}, {1, 0, 0}, {real(random, -0.5, 1.5), real(random, 0.05, 1), 0}};
     for (Vertex& v : large.vertices)
@@ -149,6 +150,7 @@ BOOST_AUTO_TEST_CASE(triangles_that_touch_in_one_point_of_a_side_are_offered)
     large.add_polygon({0, 1, 2});
     for (int n = 0; n < 40; ++n) {
       const int side = integer(random, 0, 2);
+      side_of.push_back(side);
       const double share = integer(random, 0, 1024) / 1024.0;
       const Vertex &from = large.vertices[side], &to = large.vertices[(side + 1) % 3];
       const Index first = Index(small.vertices.size());
@@ -175,18 +177,28 @@ BOOST_AUTO_TEST_CASE(triangles_that_touch_in_one_point_of_a_side_are_offered)
       const Descended all = descended(descend, a, b);
       for (const auto& pair : truth) missed += !all.offered.contains(pair);
     }
-    // Moved aside by a hair, none meets, and most are told apart.
-    const Descended beside = [&] {
-      a.into_other = kernel::Box_map(translation(2, 0, 0), tree_b.units(), Pose(), tree_a.units());
-      b.into_other = kernel::Box_map(Pose(), tree_a.units(), translation(2, 0, 0), tree_b.units());
-      return descended(&descend, a, b);
-    }();
-    offered += int(beside.offered.size()), possible += 40;
+    // Clear of the sides none meets, though most are still in the large one's box; and most are told apart.
+    Polyhedron clear = small;
+    for (std::size_t n = 0; n < side_of.size(); ++n) {
+      const Vertex &from = large.vertices[side_of[n]], &to = large.vertices[(side_of[n] + 1) % 3];
+      for (std::size_t corner = 3 * n; corner < 3 * n + 3; ++corner) clear.vertices[corner][0] += 0.02 * (to[1] - from[1]), clear.vertices[corner][1] -= 0.02 * (to[0] - from[0]);
+    }
+    Wide_tree tree_clear(clear);
+    Wide_body c(tree_clear);
+    a.into_other = kernel::Box_map(pose, tree_clear.units(), pose, tree_a.units());
+    c.into_other = kernel::Box_map(pose, tree_a.units(), pose, tree_clear.units());
+    BOOST_TEST(meeting(large, pose, a, clear, pose, c).empty());
+    offered += int(descended(&descend, a, c).offered.size());
+    // Far away nothing is left to offer.
+    a.into_other = kernel::Box_map(translation(2, 0, 0), tree_b.units(), Pose(), tree_a.units());
+    b.into_other = kernel::Box_map(Pose(), tree_a.units(), translation(2, 0, 0), tree_b.units());
+    offered_far += int(descended(&descend, a, b).offered.size());
   }
   BOOST_TEST(missed == 0);
   BOOST_TEST(touching == 60 * 40);
-  BOOST_TEST(offered == 0);
-  BOOST_TEST(possible == 2400);
+  BOOST_TEST_MESSAGE("offered though clear: " << offered << " of 2400");
+  BOOST_TEST(offered < 400);  // of whole boxes 1500 are
+  BOOST_TEST(offered_far == 0);
 }
 
 BOOST_AUTO_TEST_CASE(children_that_are_made_on_the_way_change_nothing)
