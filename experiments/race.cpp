@@ -20,6 +20,17 @@ using kernel::Question;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
+/// The least that the clock says of nothing at all.
+double clock_ns()
+{
+  static const double least = [] {
+    double ns = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 1000; ++k) ns = std::min(ns, 1e9 * seconds_since(Clock::now()));
+    return ns;
+  }();
+  return least;
+}
+
 /// Bytes in use of the whole heap.
 std::size_t heap()
 {
@@ -82,28 +93,15 @@ class Laps {
   {
     if (timing_.passes == 0) runner_.ready->take_counts();
     const std::clock_t start = std::clock();  // of the processor: who had to wait for it is not the slower
-    double total = 0;
-    for (std::size_t i = 0; i < asked_.size(); ++i) {
-      const auto one = Clock::now();
-      const bool answer = ask(i);
-      const double ns = 1e9 * seconds_since(one);
-      total += ns;
-      fastest_[i] = std::min(fastest_[i], ns);
-      if (timing_.passes > 0) continue;
-      const bool truth = reference_[asked_[i]];
-      timing_.collisions += truth;
-      timing_.false_positives += answer && !truth;
-      timing_.false_negatives += !answer && truth;
-    }
+    double mean = clocked_pass();
     if (timing_.passes == 0) timing_.counts = runner_.ready->take_counts();
     ++timing_.passes;
-    // Where a query is so fast that the clock counts, the mean is that of a pass without it.
-    constexpr double clock_is_nothing_ns = 1e4;
-    double mean = total / asked_.size();
-    if (mean < clock_is_nothing_ns) {
-      const auto pass = Clock::now();
-      for (std::size_t i = 0; i < asked_.size(); ++i) found_ += ask(i);
-      mean = 1e9 * seconds_since(pass) / asked_.size();
+    // The clock counts where queries are fast, and so do the caches, which the contestant before has filled with its own: so the mean is of a pass
+    // without the clock, and the poses are clocked once more after it.
+    constexpr double long_ns = 1e8;
+    if (mean * double(asked_.size()) < long_ns) {
+      mean = pass();
+      clocked_pass();
     }
     mean_ = std::min(mean_, mean);
     seconds_ += double(std::clock() - start) / CLOCKS_PER_SEC;
@@ -121,6 +119,34 @@ class Laps {
   }
 
  private:
+  /// Mean time over the poses.
+  double pass()
+  {
+    const auto start = Clock::now();
+    for (std::size_t i = 0; i < asked_.size(); ++i) found_ += ask(i);
+    return 1e9 * seconds_since(start) / asked_.size();
+  }
+
+  /// The same, by a clock that times every pose for itself; the first time answers are judged.
+  double clocked_pass()
+  {
+    const double of_nothing = clock_ns();
+    double total = 0;
+    for (std::size_t i = 0; i < asked_.size(); ++i) {
+      const auto start = Clock::now();
+      const bool answer = ask(i);
+      const double ns = std::max(0.0, 1e9 * seconds_since(start) - of_nothing);
+      total += ns;
+      fastest_[i] = std::min(fastest_[i], ns);
+      if (timing_.passes > 0) continue;
+      const bool truth = reference_[asked_[i]];
+      timing_.collisions += truth;
+      timing_.false_positives += answer && !truth;
+      timing_.false_negatives += !answer && truth;
+    }
+    return total / asked_.size();
+  }
+
   bool ask(std::size_t i) { return runner_.ready->collide(Pose(), course_.poses_b[asked_[i]], question_); }
 
   Runner& runner_;

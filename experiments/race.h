@@ -22,12 +22,12 @@ struct Build {
 /// How one contestant answered one question on a course.
 struct Timing {
   std::size_t poses = 0, collisions = 0, false_positives = 0, false_negatives = 0;  ///< wrong: against `Race::reference`
-  double mean_ns = 0;                  ///< of the fastest pass over all poses
-  double median_ns = 0, p99_ns = 0;    ///< over the poses, of each the fastest pass; the clock's own 30 ns or so included
+  double mean_ns = 0;                ///< of the fastest pass over all poses
+  double median_ns = 0, p99_ns = 0;  ///< over the poses, of each the fastest pass, less the least that the clock says of nothing
   /// Over the poses, the mean of each one's fastest: this contestant's, the first's and FCL's on the very poses that this one was asked. Ratios of
   /// contestants that saw unequal poses are taken from these.
   double same_poses_ns = 0, first_same_poses_ns = 0, fcl_same_poses_ns = 0;
-  std::size_t passes = 0;
+  std::size_t passes = 0;            ///< of each kind: clocked, without the clock, and clocked again; a long one only the first
   tetratree::Counts counts;            ///< of one pass
 };
 
