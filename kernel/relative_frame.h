@@ -4,6 +4,7 @@
 #include "kernel/bounds.h"
 #include "kernel/floating_point.h"
 #include "kernel/pose.h"
+#include "kernel/short_vectors.h"
 
 #include <algorithm>
 #include <array>
@@ -25,18 +26,18 @@ class Origins_apart {
   /// In double.
   Origins_apart(const Pose& a, const Local_units& in_a, const Pose& b, const Local_units& in_b)
   {
-    double terms = 0;  // the largest sum of magnitudes of a component's
+    const Two_doubles a_first = {in_a.origin[0], in_a.origin[1]}, a_last = {in_a.origin[2], 1}, b_first = {in_b.origin[0], in_b.origin[1]}, b_last = {in_b.origin[2], 1};
+    Two_doubles sum[3], terms[3];  // of component i, in two parts
     for (int i = 0; i < 3; ++i) {
-      double sum = b[4 * i + 3] - a[4 * i + 3], magnitudes = std::abs(b[4 * i + 3]) + std::abs(a[4 * i + 3]);
-      for (int j = 0; j < 3; ++j) {
-        const double plus = b[4 * i + j] * in_b.origin[j], minus = a[4 * i + j] * in_a.origin[j];
-        sum += plus - minus, magnitudes += std::abs(plus) + std::abs(minus);
-      }
-      value_[i] = sum;
-      terms = std::max(terms, magnitudes);
+      const double *row_a = a.entries().data() + 4 * i, *row_b = b.entries().data() + 4 * i;
+      const Two_doubles p = two_from(row_a) * a_first, q = two_from(row_a + 2) * a_last, r = two_from(row_b) * b_first, s = two_from(row_b + 2) * b_last;
+      sum[i] = (r - p) + (s - q);
+      terms[i] = (magnitudes(p) + magnitudes(r)) + (magnitudes(q) + magnitudes(s));
     }
-    // 8 roundings of the terms, and one of a fraction's entry.
-    finish(terms, 0, 9.1 * unit_roundoff<double> * terms);
+    value_ = {sum[0][0] + sum[0][1], sum[1][0] + sum[1][1], sum[2][0] + sum[2][1]};
+    // 4 roundings of the terms, and one of a fraction's entry; the terms' own are 3 more of these.
+    const double most = std::max({terms[0][0] + terms[0][1], terms[1][0] + terms[1][1], terms[2][0] + terms[2][1]});
+    finish(most, 0, 5.1 * unit_roundoff<double> * most);
   }
 
   /// In double-double: off by 4 u |D| + 2^-98 times the terms, and by 2 u times these where entries are rounded fractions.

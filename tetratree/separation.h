@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 
 namespace tetracone::tetratree {
 
@@ -19,12 +21,12 @@ using kernel::Pose;
 /// Wang, "Quick collision detection of polytopes in virtual environments", 1996); where bodies overlap far along it, the search is given up.
 class Separation {
  public:
-  Separation(Wide_tree& a, Wide_tree& b) : a_(a), b_(b) {}
+  Separation(Wide_tree& a, Wide_tree& b) : Separation(a, b, std::max(a.units().unit, b.units().unit)) {}
 
   /// True when the placed bodies are found to be apart. `between` leads from A's placed origin to B's.
   bool operator()(const Pose& pose_a, const Pose& pose_b, const kernel::Origins_apart& between, int steps)
   {
-    return search({between[0], between[1], between[2]}, pose_a, pose_b, between, steps);
+    return search({between[0] * per_unit_, between[1] * per_unit_, between[2] * per_unit_}, pose_a, pose_b, between, steps);
   }
 
   /// The same, begun with the last direction tried.
@@ -40,74 +42,67 @@ class Separation {
 
   /// Where the origins are apart by no more than this share of the reach, the search hardly ever finds a plane: in 11 of 12,000 poses of contour
   /// trajectories, in none of circular ones.
-  static constexpr double hopeless = 0.75;
+  static constexpr float hopeless = 0.75f;
 
   struct Body {
-    explicit Body(Wide_tree& t) : vertices(t.model().vertices().data()), unit(t.units().unit), table(t)
-    {
-      is_in_range = unit >= 0x1p-200 && unit <= 0x1p200;
-      for (const double x : t.units().origin) is_in_range = is_in_range && std::abs(x) <= 0x1p200;
-    }
+    Body(Wide_tree& t, double larger_unit) : vertices(t.model().vertices().data()), unit(float(t.units().unit / larger_unit)), table(t) {}
     const kernel::Vertex* vertices;
-    double unit;
-    bool is_in_range;  // so that what underflows on the way, entries of poses included, is far below 1e-30
+    float unit;  // in the larger of both
     Support_table table;
   };
 
-  /// A body under its pose.
-  class Placed {
-   public:
-    Placed(const Body& body, const Pose& pose) : vertices_(body.vertices), m_(pose.entries()), unit_(body.unit)
-    {
-      for (int i = 0; i < 3; ++i) magnitude_ += std::abs(m_[4 * i]) + std::abs(m_[4 * i + 1]) + std::abs(m_[4 * i + 2]);
-      magnitude_ *= unit_;
-    }
+  Separation(Wide_tree& a, Wide_tree& b, double larger_unit) : a_(a, larger_unit), b_(b, larger_unit)
+  {
+    // So that what underflows on the way, entries of poses included, is far below 1e-15.
+    const auto in_range = [](const Wide_tree& tree) {
+      const auto& [origin, unit] = tree.units();
+      return unit >= 0x1p-200 && unit <= 0x1p200 && std::max({std::abs(origin[0]), std::abs(origin[1]), std::abs(origin[2])}) <= 0x1p200;
+    };
+    if (in_range(a) && in_range(b)) per_unit_ = 1 / larger_unit;
+  }
 
-    /// The sum of all magnitudes of unit M.
-    double magnitude() const { return magnitude_; }
+  /// unit M, in floats.
+  struct Rows {
+    kernel::Four_floats row[3], magnitudes;
+
+    Rows(const Body& body, const Pose& pose)
+    {
+      const kernel::Four_floats unit = {body.unit, body.unit, body.unit, 0};
+      for (int i = 0; i < 3; ++i) row[i] = kernel::four_rounded(pose.entries().data() + 4 * i) * unit;
+      magnitudes = kernel::magnitudes(row[0]) + kernel::magnitudes(row[1]) + kernel::magnitudes(row[2]);
+    }
 
     /// unit M^T m.
-    Vector turned_back(const Vector& m) const
-    {
-      Vector back;
-      for (int j = 0; j < 3; ++j) back[j] = unit_ * (m_[j] * m[0] + m_[4 + j] * m[1] + m_[8 + j] * m[2]);
-      return back;
-    }
-
-    Vector image(Index v) const
-    {
-      const auto& p = vertices_[v];
-      Vector image;
-      for (int i = 0; i < 3; ++i) image[i] = m_[4 * i] * p[0] + m_[4 * i + 1] * p[1] + m_[4 * i + 2] * p[2] + m_[4 * i + 3];
-      return image;
-    }
-
-   private:
-    const kernel::Vertex* vertices_;
-    const std::array<double, 12>& m_;
-    double unit_, magnitude_ = 0;
+    kernel::Four_floats turned_back(float m0, float m1, float m2) const { return m0 * row[0] + m1 * row[1] + m2 * row[2]; }
   };
 
-  /// m leads from A to B. Its slack: a direction turned back is a sum of three products, with a fraction's entry 4 roundings of each, and one more to
-  /// float; the distance is such a sum too; and so far may the origins' difference be off.
+  /// m leads from A to B. Its slack: a direction turned back is a sum of three products of rounded entries, 4 roundings and one of a fraction's entry; the
+  /// distance is such a sum too, of the origins' difference, which may be off itself.
   bool search(Vector m, const Pose& pose_a, const Pose& pose_b, const kernel::Origins_apart& between, int steps)
   {
-    if (!(a_.is_in_range && b_.is_in_range)) return false;
-    const Placed a(a_, pose_a), b(b_, pose_b);
+    constexpr float u = kernel::unit_roundoff<float>;
+    const Rows rows_a(a_, pose_a), rows_b(b_, pose_b);
+    const float apart[3] = {float(between[0] * per_unit_), float(between[1] * per_unit_), float(between[2] * per_unit_)};
+    const float magnitudes = kernel::sum_of_lanes(rows_a.magnitudes + rows_b.magnitudes)[0] + float(between.largest() * per_unit_);
     for (; steps > 0; --steps) {
-      const Vector along_a = a.turned_back(m), along_b = b.turned_back({-m[0], -m[1], -m[2]});
-      const double norm = sum_of_magnitudes(m), norm_a = sum_of_magnitudes(along_a), norm_b = sum_of_magnitudes(along_b);
+      const float m0 = float(m[0]), m1 = float(m[1]), m2 = float(m[2]), norm = std::abs(m0) + std::abs(m1) + std::abs(m2);
+      const kernel::Four_floats along_a = rows_a.turned_back(m0, m1, m2), along_b = rows_b.turned_back(-m0, -m1, -m2);
       // Also what is undefined ends here.
-      if (!(norm > 1e-30 && norm < 1e30 && norm_a > 1e-30 && norm_a < 1e30 && norm_b > 1e-30 && norm_b < 1e30)) return false;
-      const auto support_a = a_.table(along_a), support_b = b_.table(along_b);
-      const double distance = dot(m, {between[0], between[1], between[2]}), reach = support_a.bound + support_b.bound;
-      const double slack = (Support_table::slack + 0x1p-23) * (norm_a + norm_b) +
-                           norm * (8 * kernel::unit_roundoff<double> * (a.magnitude() + b.magnitude() + between.largest()) + between.error());
+      const float norm_a = kernel::sum_of_lanes(kernel::magnitudes(along_a))[0], norm_b = kernel::sum_of_lanes(kernel::magnitudes(along_b))[0];
+      if (!(norm > 1e-15f && norm_a > 1e-15f && norm_b > 1e-15f && norm < 1e15f && norm_a < 1e15f && norm_b < 1e15f)) return false;
+      const auto at_a = Support_table::place(along_a), at_b = Support_table::place(along_b);
+      float reach = reach_of(at_a, at_b);
+      if (!(reach < std::numeric_limits<float>::infinity())) {
+        a_.table.find(at_a), b_.table.find(at_b);
+        reach = reach_of(at_a, at_b);
+      }
+      const float distance = m0 * apart[0] + m1 * apart[1] + m2 * apart[2];
+      const float slack = Support_table::slack * (norm_a + norm_b) + norm * (6 * u * magnitudes + float(between.error() * per_unit_));
       last_ = m;
       if (distance - reach > slack) return true;
       if (!(distance > hopeless * reach)) return false;
 
-      const Vector p = a.image(support_a.vertex()), q = b.image(support_b.vertex());
+      const Vector p = image(pose_a, a_.vertices[a_.table.vertex(at_a)]), q = image(pose_b, b_.vertices[b_.table.vertex(at_b)]);
       const Vector w = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
       const double share = 2 * dot(m, w) / dot(w, w);
       for (int i = 0; i < 3; ++i) m[i] -= share * w[i];
@@ -115,11 +110,22 @@ class Separation {
     return false;
   }
 
+  float reach_of(const Support_table::Place& at_a, const Support_table::Place& at_b) const
+  {
+    return kernel::sum_of_lanes(a_.table.reach(at_a) + b_.table.reach(at_b))[0];
+  }
+
+  static Vector image(const Pose& pose, const kernel::Vertex& p)
+  {
+    Vector image;
+    for (int i = 0; i < 3; ++i) image[i] = pose[4 * i] * p[0] + pose[4 * i + 1] * p[1] + pose[4 * i + 2] * p[2] + pose[4 * i + 3];
+    return image;
+  }
   static double dot(const Vector& v, const Vector& w) { return v[0] * w[0] + v[1] * w[1] + v[2] * w[2]; }
-  static double sum_of_magnitudes(const Vector& v) { return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]); }
 
   Body a_, b_;
-  Vector last_{};  // direction tried
+  double per_unit_ = std::numeric_limits<double>::quiet_NaN();  // 1 / the larger unit, in which all is compared
+  Vector last_{};                                               // direction tried
 };
 
 }  // namespace tetracone::tetratree

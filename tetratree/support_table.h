@@ -1,11 +1,13 @@
 #ifndef TETRACONE_TETRATREE_SUPPORT_TABLE_H
 #define TETRACONE_TETRATREE_SUPPORT_TABLE_H
 
+#include "kernel/short_vectors.h"
 #include "tetratree/wide_tree.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -19,70 +21,76 @@ namespace tetracone::tetratree {
 /// query needs. A value is found when it is first asked for, from the tree's boxes.
 class Support_table {
  public:
-  /// What is known about a direction of the lattice.
-  struct Value {
-    float reach;   ///< h is at most this
-    Index vertex;  ///< that reaches so far
+  /// Where a direction d is in the lattice: corner 0 is number `first`, 1 the next, 2 and 3 the two beside them in the next row. Three of them have weights.
+  struct Place {
+    int first;
+    kernel::Four_floats weight;
+    float sum;  ///< |d|_1
   };
 
-  /// What the corners of the lattice cone about a direction d tell.
-  struct Support {
-    float bound;  ///< h(d) is at most bound + `slack` |d|_1
-    std::array<float, 3> weight;
-    std::array<const Value*, 3> corner;
-
-    /// A vertex that reaches nearly so far.
-    Index vertex() const
-    {
-      const int larger = weight[1] > weight[0] ? 1 : 0;
-      return corner[weight[2] > weight[larger] ? 2 : larger]->vertex;
-    }
-  };
-
-  /// For what is rounded between values and bound: the coordinates in the lattice by 3 roundings of at most n and weights by two more, so the direction by
-  /// less than 20 u of |d|_1, which moves h by no more since |p_k| <= 1; three products and sums, 6 u.
-  static constexpr float slack = 32 * 0x1p-24f;
+  /// For what is rounded between values and bound: the place by 4 roundings a coordinate, two of three coordinates once more for the third, so by 8 u |d|_1;
+  /// weights by 3, one of which may be below 0 by so much, 14 u |d|_1; both move h by no more, since |p_k| <= 1. Products and sums over four corners of |h| <= 18/16,
+  /// 8 u |d|_1.
+  static constexpr float slack = 40 * 0x1p-24f;
 
   /// `tree` must outlive the table, and its root be made.
-  explicit Support_table(Wide_tree& tree) : tree_(&tree), values_(8 * (n + 1) * (n + 1), Value{0, covering::none}) {}
+  explicit Support_table(Wide_tree& tree) : tree_(&tree), reach_(8 * row * row, unknown), vertex_(8 * row * row) {}
 
-  /// Requires a sum of magnitudes that a float can carry, and is not 0. Without branches that no processor could foretell.
-  Support operator()(const std::array<double, 3>& direction)
+  /// Requires d[3] = 0, and 1e-30 < |d|_1 < 1e30. Without branches that no processor could foretell.
+  static Place place(kernel::Four_floats d)
   {
-    const float d[3] = {float(direction[0]), float(direction[1]), float(direction[2])};
-    const float sum = std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]), per = n / sum, y = std::abs(d[1]) * per, z = std::abs(d[2]) * per;
+    const kernel::Four_floats magnitude = kernel::magnitudes(d), sum = kernel::sum_of_lanes(magnitude), at = magnitude * (float(n) / sum);
+    const kernel::Four_ints whole = __builtin_convertvector(at, kernel::Four_ints);
+    const kernel::Four_floats part = at - __builtin_convertvector(whole, kernel::Four_floats);
+    // In the triangle of corners 0, 1 and 2; where their weights would be below 0, in that of 3, 1 and 2.
+    const kernel::Four_floats rest = 1 - __builtin_shufflevector(part, part, 1, 1, 1, 1) - __builtin_shufflevector(part, part, 2, 2, 2, 2);
+    const kernel::Four_floats beyond = reinterpret_cast<kernel::Four_floats>(reinterpret_cast<kernel::Four_ints>(rest) & (rest < 0.0f));
+    const kernel::Four_floats weight = __builtin_shufflevector(rest, part, 0, 5, 6, 7) + beyond * kernel::Four_floats{-1, 1, 1, -1};
     const int octant = (d[0] < 0) | (d[1] < 0) << 1 | (d[2] < 0) << 2;
-    const int i = std::min(int(y), n - 1), j = std::min(int(z), n - 1 - i);
-    const float u = y - float(i), v = z - float(j), rest = 1 - u - v;
-    const int beyond = (rest < 0) & (i + j < n - 1);  // in the other triangle of the lattice's rhombus
-    const int first = (octant * (n + 1) + i) * (n + 1) + j;
-    const float beside = float(beyond) * rest;
-    Support support{0, {std::max(rest - 2 * beside, 0.0f), u + beside, v + beside}, {&value(first + beyond * (n + 2)), &value(first + n + 1), &value(first + 1)}};
-    for (int k = 0; k < 3; ++k) support.bound += support.weight[k] * support.corner[k]->reach;
-    support.bound *= sum;
-    return support;
+    return {(octant * row + whole[2]) * row + whole[1], weight, sum[0]};
   }
 
-  std::size_t bytes() const { return values_.capacity() * sizeof(Value); }
+  /// h(d) is at most the sum of these and `slack` |d|_1. Their sum is infinite or undefined where a corner's reach is not known yet.
+  kernel::Four_floats reach(const Place& p) const
+  {
+    const float* h = reach_.data() + p.first;
+    return p.weight * kernel::Four_floats{h[0], h[1], h[row], h[row + 1]} * p.sum;
+  }
+
+  /// Finds what is not known of the corners.
+  void find(const Place& p)
+  {
+    for (int corner = 0; corner < 4; ++corner) {
+      const int k = number(p, corner);
+      if (reach_[k] == unknown) find(k);
+    }
+  }
+
+  /// A vertex that reaches nearly as far. Requires that the corners are known.
+  Index vertex(const Place& p) const
+  {
+    int heaviest = 0;
+    for (int corner = 1; corner < 4; ++corner)
+      if (p.weight[corner] > p.weight[heaviest]) heaviest = corner;
+    return vertex_[number(p, heaviest)];
+  }
+
+  std::size_t bytes() const { return reach_.capacity() * sizeof(float) + vertex_.capacity() * sizeof(Index); }
 
  private:
-  static constexpr int n = 16;
+  /// Corner (n - i - j, i, j) / n of an octant has the number k = (octant row + j) row + i. The last of each row, and the last rows, are corners beyond the
+  /// octant, of no weight but by rounding.
+  static constexpr int n = 16, row = n + 2;
+  static constexpr float unknown = std::numeric_limits<float>::infinity();
 
-  /// Of the lattice's point (n - i - j, i, j) / n in an octant, k = (octant (n + 1) + i) (n + 1) + j.
-  const Value& value(int k)
-  {
-    Value& value = values_[k];
-    if (value.vertex == covering::none) {
-      const int octant = k / ((n + 1) * (n + 1)), i = k / (n + 1) % (n + 1), j = k % (n + 1);
-      value = found({signed_by(octant & 1, n - i - j), signed_by(octant & 2, i), signed_by(octant & 4, j)});
-    }
-    return value;
-  }
+  static int number(const Place& p, int corner) { return p.first + corner % 2 + corner / 2 * row; }
   static double signed_by(int negative, int k) { return negative ? -double(k) / n : double(k) / n; }
 
-  /// The best reach of a vertex in this direction: boxes in the order of the tree, those left out that reach no farther than what is known.
-  Value found(const kernel::Vector& d)
+  /// The best reach of a vertex in the direction of corner k: boxes in the order of the tree, those left out that reach no farther than what is known.
+  void find(int k)
   {
+    const int octant = k / (row * row), j = k / row % row, i = k % row;
+    const kernel::Vector d(signed_by(octant & 1, n - i - j), signed_by(octant & 2, i), signed_by(octant & 4, j));
     double best = -4;
     Index at = 0;
     std::vector<std::pair<double, Index>>& open = open_;
@@ -106,8 +114,8 @@ class Support_table {
       while (!open.empty() && open.back().first <= best) open.pop_back();
       if (open.empty()) break;
     }
-    // A local coordinate is off by 2^-52, the product by less than 2^-50.
-    return {std::nextafter(float(best + 0x1p-48), 2.0f), at};
+    // A local coordinate is off by 2^-52, the product by less than 2^-49.
+    reach_[k] = std::nextafter(float(best + 0x1p-48), unknown), vertex_[k] = at;
   }
 
   /// As far as the box reaches, and for its float numbers and axes (see `Wide_boxes`) a little farther.
@@ -122,7 +130,8 @@ class Support_table {
   }
 
   Wide_tree* tree_;
-  std::vector<Value> values_;
+  std::vector<float> reach_;  // h is at most this
+  std::vector<Index> vertex_;  // that reaches so far
   std::vector<std::pair<double, Index>> open_;
 };
 

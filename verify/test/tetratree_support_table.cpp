@@ -65,7 +65,17 @@ double reach(const Wide_tree& tree, const Direction& d)
 }
 
 double along(const Direction& d, const kernel::Vector& p) { return double(d[0]) * p[0] + double(d[1]) * p[1] + double(d[2]) * p[2]; }
-Support_table::Support support(Support_table& table, const Direction& d) { return table({d[0], d[1], d[2]}); }
+
+struct Support {
+  float bound;
+  Index vertex;
+};
+Support support(Support_table& table, const Direction& d)
+{
+  const auto place = Support_table::place(kernel::Four_floats{d[0], d[1], d[2], 0});
+  table.find(place);
+  return {kernel::sum_of_lanes(table.reach(place))[0], table.vertex(place)};
+}
 double sum(const Direction& d) { return std::abs(double(d[0])) + std::abs(double(d[1])) + std::abs(double(d[2])); }
 
 }  // namespace
@@ -91,7 +101,7 @@ BOOST_AUTO_TEST_CASE(the_bound_is_above_the_farthest_vertex_and_not_far_above)
       far_above += above > (name == "sphere" ? 0.01 * size * length : 2 * size * std::sqrt(2.0 / 3) / 16 * sum(d));
       if (size > 0) loosest = std::max(loosest, above / (size * length));
       // The support point of a lattice direction near by: less than 0.16 away from this one.
-      vertex_short += along(d, tree.local(found.vertex())) < exact - 0.32 * size * length - slack;
+      vertex_short += along(d, tree.local(found.vertex)) < exact - 0.32 * size * length - slack;
     }
     BOOST_TEST_INFO_SCOPE(name);
     BOOST_TEST_MESSAGE(name << ": bound above by " << loosest << " of the size");
@@ -99,6 +109,50 @@ BOOST_AUTO_TEST_CASE(the_bound_is_above_the_farthest_vertex_and_not_far_above)
     BOOST_TEST(far_above == 0);
     BOOST_TEST(vertex_short == 0);
   }
+}
+
+BOOST_AUTO_TEST_CASE(weights_make_the_direction_of_the_corners)
+{
+  // In the coordinates (n - i - j, i, j) / n of the corners in an octant.
+  Random random(5);
+  int off = 0, negative = 0, outside = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const Direction d = direction(random, k);
+    const auto place = Support_table::place(kernel::Four_floats{d[0], d[1], d[2], 0});
+    const int octant = place.first / (18 * 18), j = place.first / 18 % 18, i = place.first % 18;
+    outside += octant != (d[0] < 0) + 2 * (d[1] < 0) + 4 * (d[2] < 0) || i > 16 || j > 16;
+    double made[3] = {0, 0, 0};
+    for (int corner = 0; corner < 4; ++corner) {
+      const int y = i + corner % 2, z = j + corner / 2;
+      const double weight = place.weight[corner] * place.sum / 16;
+      negative += place.weight[corner] < -0x1p-22;
+      made[0] += weight * (16 - y - z), made[1] += weight * y, made[2] += weight * z;
+    }
+    double apart = 0;
+    for (int c = 0; c < 3; ++c) apart += std::abs(made[c] - std::abs(double(d[c])));
+    off += apart > Support_table::slack * sum(d);
+  }
+  BOOST_TEST(off == 0);
+  BOOST_TEST(negative == 0);
+  BOOST_TEST(outside == 0);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_not_known_has_no_finite_reach)
+{
+  Random random(6);
+  Wide_tree tree(unit_cube());
+  int finite = 0, not_found = 0;
+  for (int k = 0; k < 600; ++k) {
+    Support_table table(tree);
+    const Direction d = direction(random, k);
+    const auto place = Support_table::place(kernel::Four_floats{d[0], d[1], d[2], 0});
+    const auto reach = [&] { return kernel::sum_of_lanes(table.reach(place))[0]; };
+    finite += reach() < HUGE_VALF;
+    table.find(place);
+    not_found += !(reach() < HUGE_VALF);
+  }
+  BOOST_TEST(finite == 0);
+  BOOST_TEST(not_found == 0);
 }
 
 BOOST_AUTO_TEST_CASE(in_the_lattices_own_directions_the_bound_is_the_reach_and_the_vertex_has_it)
@@ -115,7 +169,7 @@ BOOST_AUTO_TEST_CASE(in_the_lattices_own_directions_the_bound_is_the_reach_and_t
           const auto found = support(table, d);
           const double exact = reach(tree, d), slack = double(Support_table::slack) * 16;
           off += std::abs(found.bound - exact) > slack;
-          short_of += along(d, tree.local(found.vertex())) < exact - 1e-5;
+          short_of += along(d, tree.local(found.vertex)) < exact - 1e-5;
         }
     BOOST_TEST(off == 0);
     BOOST_TEST(short_of == 0);
@@ -130,14 +184,14 @@ BOOST_AUTO_TEST_CASE(asked_again_or_by_another_table_the_answer_is_the_same)
   other_tree.make_all();
   Support_table table(tree), other(other_tree);
   std::vector<Direction> asked;
-  std::vector<Support_table::Support> answers;
+  std::vector<Support> answers;
   for (int k = 0; k < 2000; ++k) {
     asked.push_back(direction(random, k));
     answers.push_back(support(table, asked.back()));
   }
   int different = 0;
   for (std::size_t k = asked.size(); k-- > 0;) {  // the other way round
-    different += support(table, asked[k]).bound != answers[k].bound || support(table, asked[k]).vertex() != answers[k].vertex();
+    different += support(table, asked[k]).bound != answers[k].bound || support(table, asked[k]).vertex != answers[k].vertex;
     different += support(other, asked[k]).bound != answers[k].bound;
   }
   BOOST_TEST(different == 0);
