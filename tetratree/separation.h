@@ -84,6 +84,7 @@ class Separation {
     const Rows rows_a(a_, pose_a), rows_b(b_, pose_b);
     const float apart[3] = {float(between[0] * per_unit_), float(between[1] * per_unit_), float(between[2] * per_unit_)};
     const float magnitudes = kernel::sum_of_lanes(rows_a.magnitudes + rows_b.magnitudes)[0] + float(between.largest() * per_unit_);
+    if (!(magnitudes < 1e20f)) return false;  // so that no product of these below overflows
     for (; steps > 0; --steps) {
       const float m0 = float(m[0]), m1 = float(m[1]), m2 = float(m[2]), norm = std::abs(m0) + std::abs(m1) + std::abs(m2);
       const kernel::Four_floats along_a = rows_a.turned_back(m0, m1, m2), along_b = rows_b.turned_back(-m0, -m1, -m2);

@@ -196,6 +196,29 @@ BOOST_AUTO_TEST_CASE(a_stale_direction_stays_sound)
   BOOST_TEST(told > 200);
 }
 
+BOOST_AUTO_TEST_CASE(a_stale_direction_under_huge_poses_stays_sound)
+{
+  // Two tips that meet, stretched so far that products with the long direction from the frame before are beyond the floats.
+  Polyhedron tip = tetrahedron({-1.875, -0.25, 0}, {1.875, 0, 0}, {-1.875, 0.25, 0.25}, {-1.875, 0.25, -0.25}), other = tip;
+  for (Vertex& v : other.vertices)
+    for (double& x : v) x = -x;
+  Body a(tip), b(other);
+  int told_apart = 0, told = 0;
+  for (int exponent = 40; exponent < 130; ++exponent) {
+    const double stretch = std::ldexp(1.5, exponent);
+    const auto pose = [&](double t) { return Pose(std::array<double, 12>{stretch, 0, 0, t, stretch, 1, 0, t, stretch, 0, 1, t}); };
+    const auto touching = Placed(a.tree, pose(0), b.tree, pose(3.75 * stretch));
+    for (int length = 10; length < 60; ++length) {
+      Separation separation(a.tree, b.tree);
+      told += told_apart_by(separation, Placed(a.tree, Pose(), b.tree, translation(std::ldexp(2, length), std::ldexp(-1, length), std::ldexp(-1, length))), 3);
+      told_apart += told_apart_again(separation, touching, 1);
+      told_apart += told_apart_by(separation, touching, 3);
+    }
+  }
+  BOOST_TEST(told_apart == 0);
+  BOOST_TEST(told > 3000);
+}
+
 BOOST_AUTO_TEST_CASE(far_away_huge_tiny_and_unknown_it_ends_and_says_nothing_wrong)
 {
   Random random(6);
