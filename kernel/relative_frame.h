@@ -18,6 +18,12 @@ namespace tetracone::kernel {
 struct Local_units {
   Vertex origin{0, 0, 0};
   double unit = 1;
+
+  /// Within these bounds, what underflows of a pose's entries or of a product is far below all rounding; beyond, nothing may be said.
+  bool is_in_range() const
+  {
+    return unit >= 0x1p-200 && unit <= 0x1p200 && std::max({std::abs(origin[0]), std::abs(origin[1]), std::abs(origin[2])}) <= 0x1p200;
+  }
 };
 
 /// D = (M_b o_b + t_b) - (M_a o_a + t_a): from where A's local origin is placed to where B's is.
@@ -183,8 +189,8 @@ class Relative_frame {
     const double longest = decide_similarity(), relative = 1.01 * rho + 16 * u;
     const double error = relative * (3 * longest + shrink * d.largest()) + shrink * d.error();
     // Where the scale is far off, entries of M_b may be denormal.
-    const double top = std::max({longest, 1 / longest, scale, 1 / scale, d.terms(), in_a.unit, 1 / in_a.unit});
-    if (top <= 0x1p200 && error <= std::numeric_limits<double>::max()) error_ = error * 1.01 + 0x1p-300;
+    const double top = std::max({longest, 1 / longest, scale, 1 / scale, d.terms()});
+    if (top <= 0x1p200 && in_a.is_in_range() && in_b.is_in_range() && error <= std::numeric_limits<double>::max()) error_ = error * 1.01 + 0x1p-300;
     return true;
   }
 
@@ -214,8 +220,8 @@ class Relative_frame {
     const double relative = 2 * residual + 8 * u;
     const double error = norm_x * (norm_b * scale * relative + (d.largest() * relative + d.error() * 1.01) / in_a.unit);
     // Beyond the gate something may have overflowed or underflowed: then nothing is known.
-    const double top = std::max({d.terms(), norm_b, norm_x, scale, 1 / scale, in_a.unit, 1 / in_a.unit});
-    if (top <= 0x1p200 && error <= std::numeric_limits<double>::max()) error_ = error * 1.01 + 0x1p-300;
+    const double top = std::max({d.terms(), norm_b, norm_x, scale, 1 / scale});
+    if (top <= 0x1p200 && in_a.is_in_range() && in_b.is_in_range() && error <= std::numeric_limits<double>::max()) error_ = error * 1.01 + 0x1p-300;
     decide_similarity();
   }
 

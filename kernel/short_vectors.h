@@ -30,11 +30,11 @@ inline Two_doubles two_from(const double* p)
   return v;
 }
 
-/// The four doubles from p on, each rounded to the nearest float.
-inline Four_floats four_rounded(const double* p)
+/// The three doubles from p on, each rounded to the nearest float; and 0.
+inline Four_floats three_rounded(const double* p)
 {
   using Two_floats [[gnu::vector_size(8)]] = float;
-  return __builtin_shufflevector(__builtin_convertvector(two_from(p), Two_floats), __builtin_convertvector(two_from(p + 2), Two_floats), 0, 1, 2, 3);
+  return __builtin_shufflevector(__builtin_convertvector(two_from(p), Two_floats), Two_floats{float(p[2]), 0}, 0, 1, 2, 3);
 }
 
 }  // namespace tetracone::kernel

@@ -53,12 +53,7 @@ class Separation {
 
   Separation(Wide_tree& a, Wide_tree& b, double larger_unit) : a_(a, larger_unit), b_(b, larger_unit)
   {
-    // So that what underflows on the way, entries of poses included, is far below 1e-15.
-    const auto in_range = [](const Wide_tree& tree) {
-      const auto& [origin, unit] = tree.units();
-      return unit >= 0x1p-200 && unit <= 0x1p200 && std::max({std::abs(origin[0]), std::abs(origin[1]), std::abs(origin[2])}) <= 0x1p200;
-    };
-    if (in_range(a) && in_range(b)) per_unit_ = 1 / larger_unit;
+    if (a.units().is_in_range() && b.units().is_in_range()) per_unit_ = 1 / larger_unit;
   }
 
   /// unit M, in floats.
@@ -67,8 +62,7 @@ class Separation {
 
     Rows(const Body& body, const Pose& pose)
     {
-      const kernel::Four_floats unit = {body.unit, body.unit, body.unit, 0};
-      for (int i = 0; i < 3; ++i) row[i] = kernel::four_rounded(pose.entries().data() + 4 * i) * unit;
+      for (int i = 0; i < 3; ++i) row[i] = kernel::three_rounded(pose.entries().data() + 4 * i) * body.unit;
       magnitudes = kernel::magnitudes(row[0]) + kernel::magnitudes(row[1]) + kernel::magnitudes(row[2]);
     }
 

@@ -29,8 +29,8 @@ class Support_table {
   };
 
   /// For what is rounded between values and bound: the place by 4 roundings a coordinate, two of three coordinates once more for the third, so by 8 u |d|_1;
-  /// weights by 3, one of which may be below 0 by so much, 14 u |d|_1; both move h by no more, since |p_k| <= 1. Products and sums over four corners of |h| <= 18/16,
-  /// 8 u |d|_1.
+  /// weights, none of which comes out below 0, by 3 each, 14 u |d|_1; both move h by no more, since |p_k| <= 1. Products and sums over four corners of
+  /// |h| <= 18/16, 8 u |d|_1.
   static constexpr float slack = 40 * 0x1p-24f;
 
   /// `tree` must outlive the table, and its root be made.

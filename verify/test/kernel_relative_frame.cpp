@@ -236,6 +236,27 @@ BOOST_AUTO_TEST_CASE(entries_that_are_denormal_have_no_false_bound)
   BOOST_TEST(known < 280);
 }
 
+BOOST_AUTO_TEST_CASE(a_fraction_that_rounds_to_nothing_has_no_false_bound)
+{
+  // Times a coordinate near the largest double, it is as large as the body.
+  const double small = 0x1p-50;
+  int known = 0;
+  for (const int exponent : {0, 100, 199, 210, 900, 1000, 1022})
+    for (const int digits : {1, 49, 51, 99}) {
+      std::array<Rational, 12> entries;
+      for (Rational& x : entries) x = 0;
+      entries[0] = Rational(0x1p-1074) * Rational(digits) / Rational(100), entries[5] = entries[10] = small;
+      const Pose flat(entries), straight(std::array<double, 12>{small, 0, 0, 0, 0, small, 0, 0, 0, 0, small, 0});
+      const Local_units far{{std::ldexp(1.0, exponent), 0, 0}, 4};
+      for (const Pose& a : {straight, sheared(straight)}) {
+        const double share = share_of_bound(a, {}, flat, far);
+        BOOST_TEST(share <= 1);
+        known += share >= 0;
+      }
+    }
+  BOOST_TEST(known > 0);
+}
+
 BOOST_AUTO_TEST_CASE(what_overflows_has_no_bound)
 {
   // A column of B's that overflows, another that does not.

@@ -37,10 +37,10 @@ BOOST_AUTO_TEST_CASE(what_is_loaded_is_rounded_to_nearest_and_magnitudes_lose_th
   const auto all = numbers(random);
   int wrong = 0;
   for (std::size_t k = 0; k + 4 <= all.size(); ++k) {  // from any place in memory
-    const Four_floats four = four_rounded(&all[k]), of_four = magnitudes(four);
+    const Four_floats four = three_rounded(&all[k]), of_four = magnitudes(four);
     const Two_doubles two = two_from(&all[k]), of_two = magnitudes(two);
     for (int i = 0; i < 4; ++i) {
-      const float rounded = float(all[k + i]);
+      const float rounded = i == 3 ? 0 : float(all[k + i]);
       wrong += std::isnan(rounded) ? !std::isnan(four[i]) : !same(four[i], rounded);
       wrong += std::signbit(of_four[i]) || (!std::isnan(rounded) && !same(of_four[i], std::abs(rounded)));
     }

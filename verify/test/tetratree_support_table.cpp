@@ -125,7 +125,7 @@ BOOST_AUTO_TEST_CASE(weights_make_the_direction_of_the_corners)
     for (int corner = 0; corner < 4; ++corner) {
       const int y = i + corner % 2, z = j + corner / 2;
       const double weight = place.weight[corner] * place.sum / 16;
-      negative += place.weight[corner] < -0x1p-22;
+      negative += place.weight[corner] < 0;
       made[0] += weight * (16 - y - z), made[1] += weight * y, made[2] += weight * z;
     }
     double apart = 0;
