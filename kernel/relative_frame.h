@@ -188,8 +188,8 @@ class Relative_frame {
     }
     const double longest = decide_similarity(), relative = 1.01 * rho + 16 * u;
     const double error = relative * (3 * longest + shrink * d.largest()) + shrink * d.error();
-    // Where the scale is far off, entries of M_b may be denormal.
-    const double top = std::max({longest, 1 / longest, scale, 1 / scale, d.terms()});
+    // What is lost where entries of M_b are denormal is below 2^-300 then.
+    const double top = std::max({longest, 1 / longest, d.terms()});
     if (top <= 0x1p200 && in_a.is_in_range() && in_b.is_in_range() && error <= std::numeric_limits<double>::max()) error_ = error * 1.01 + 0x1p-300;
     return true;
   }
@@ -220,7 +220,7 @@ class Relative_frame {
     const double relative = 2 * residual + 8 * u;
     const double error = norm_x * (norm_b * scale * relative + (d.largest() * relative + d.error() * 1.01) / in_a.unit);
     // Beyond the gate something may have overflowed or underflowed: then nothing is known.
-    const double top = std::max({d.terms(), norm_b, norm_x, scale, 1 / scale});
+    const double top = std::max({d.terms(), norm_b, norm_x});
     if (top <= 0x1p200 && in_a.is_in_range() && in_b.is_in_range() && error <= std::numeric_limits<double>::max()) error_ = error * 1.01 + 0x1p-300;
     decide_similarity();
   }
