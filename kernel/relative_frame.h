@@ -32,11 +32,13 @@ class Origins_apart {
   /// In double.
   Origins_apart(const Pose& a, const Local_units& in_a, const Pose& b, const Local_units& in_b)
   {
-    const Two_doubles a_first = {in_a.origin[0], in_a.origin[1]}, a_last = {in_a.origin[2], 1}, b_first = {in_b.origin[0], in_b.origin[1]}, b_last = {in_b.origin[2], 1};
+    const Two_doubles a_first = {in_a.origin[0], in_a.origin[1]}, a_last = {in_a.origin[2], 1};
+    const Two_doubles b_first = {in_b.origin[0], in_b.origin[1]}, b_last = {in_b.origin[2], 1};
     Two_doubles sum[3], terms[3];  // of component i, in two parts
     for (int i = 0; i < 3; ++i) {
       const double *row_a = a.entries().data() + 4 * i, *row_b = b.entries().data() + 4 * i;
-      const Two_doubles p = two_from(row_a) * a_first, q = two_from(row_a + 2) * a_last, r = two_from(row_b) * b_first, s = two_from(row_b + 2) * b_last;
+      const Two_doubles p = two_from(row_a) * a_first, q = two_from(row_a + 2) * a_last;
+      const Two_doubles r = two_from(row_b) * b_first, s = two_from(row_b + 2) * b_last;
       sum[i] = (r - p) + (s - q);
       terms[i] = (magnitudes(p) + magnitudes(r)) + (magnitudes(q) + magnitudes(s));
     }
