@@ -56,9 +56,9 @@ def panel(axis, title, points):
     axis.set_xlabel("time per query, ns")
     axis.grid(True, which="major")
     axis.margins(x=0.2)
-    # What the key cannot tell apart, peers, is named too.
-    named = {subject for *_, subject, _ in pareto} | {"adaptive tree"} | {subject for *_, subject, _ in places
-                                                                          if method_of(subject) == "peer"}
+    # Both ends of the front; and peers, which the key cannot tell apart.
+    peers = {subject for *_, subject, _ in places if method_of(subject) == "peer"}
+    named = {subject for *_, subject, _ in pareto[:1] + pareto[-1:]} | {"adaptive tree"} | peers
     return ([(ns, y, short(subject), colour_of(kernel)) for ns, _, y, subject, kernel in places if subject in named],
             [(ns, y) for ns, _, y, *_ in places])
 
