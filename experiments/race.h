@@ -27,8 +27,8 @@ struct Timing {
   /// Over the poses, the mean of each one's fastest: this contestant's, the first's and FCL's on the very poses that this one was asked. Ratios of
   /// contestants that saw unequal poses are taken from these.
   double same_poses_ns = 0, first_same_poses_ns = 0, fcl_same_poses_ns = 0;
-  std::size_t passes = 0;            ///< of each kind: clocked, without the clock, and clocked again; a long one only the first
-  tetratree::Counts counts;            ///< of one pass
+  std::size_t passes = 0;    ///< of each kind: clocked, without the clock, and clocked again; a long one only the first
+  tetratree::Counts counts;  ///< of one pass
 };
 
 /// A contestant in the race: null where it does not take such bodies.

@@ -2,6 +2,7 @@
 #define TETRACONE_TETRATREE_SEPARATION_H
 
 #include "kernel/relative_frame.h"
+#include "kernel/short_vectors.h"
 #include "tetratree/support_table.h"
 
 #include <algorithm>
