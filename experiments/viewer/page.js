@@ -53,7 +53,6 @@ function writeFragment()
   for (const name of ['pose', 'level', 'opacity', 'shrink', 'theme']) if (state[name] !== start[name]) parts.push([name, state[name]]);
   written = '#' + parts.map(([name, value]) => name + '=' + value).join('&');
   history.replaceState(null, '', written);
-  document.documentElement.dataset.fragment = written;  // where tests can read it
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
