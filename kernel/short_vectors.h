@@ -10,6 +10,7 @@ namespace tetracone::kernel {
 
 using Four_floats [[gnu::vector_size(16)]] = float;
 using Four_ints [[gnu::vector_size(16)]] = std::int32_t;
+using Eight_shorts [[gnu::vector_size(16)]] = std::int16_t;
 using Two_doubles [[gnu::vector_size(16)]] = double;
 using Two_longs [[gnu::vector_size(16)]] = std::int64_t;
 
@@ -22,6 +23,21 @@ inline Four_floats sum_of_lanes(Four_floats v)
   v += __builtin_shufflevector(v, v, 1, 0, 3, 2);
   return v + __builtin_shufflevector(v, v, 2, 3, 0, 1);
 }
+inline Four_ints sum_of_lanes(Four_ints v)
+{
+  v += __builtin_shufflevector(v, v, 1, 0, 3, 2);
+  return v + __builtin_shufflevector(v, v, 2, 3, 0, 1);
+}
+
+/// Lane i in every lane.
+template <int i>
+Four_floats repeated(Four_floats v)
+{
+  return __builtin_shufflevector(v, v, i, i, i, i);
+}
+
+/// With 0 in the last lane.
+inline Four_floats first_three(Four_floats v) { return reinterpret_cast<Four_floats>(reinterpret_cast<Four_ints>(v) & Four_ints{-1, -1, -1, 0}); }
 
 inline Two_doubles two_from(const double* p)
 {
@@ -30,12 +46,8 @@ inline Two_doubles two_from(const double* p)
   return v;
 }
 
-/// The three doubles from p on, each rounded to the nearest float; and 0.
-inline Four_floats three_rounded(const double* p)
-{
-  using Two_floats [[gnu::vector_size(8)]] = float;
-  return __builtin_shufflevector(__builtin_convertvector(two_from(p), Two_floats), Two_floats{float(p[2]), 0}, 0, 1, 2, 3);
-}
+/// Four doubles, each rounded to the nearest float.
+inline Four_floats rounded(Two_doubles first, Two_doubles last) { return Four_floats{float(first[0]), float(first[1]), float(last[0]), float(last[1])}; }
 
 }  // namespace tetracone::kernel
 

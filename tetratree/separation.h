@@ -24,91 +24,146 @@ class Separation {
  public:
   Separation(Wide_tree& a, Wide_tree& b) : Separation(a, b, std::max(a.units().unit, b.units().unit)) {}
 
-  /// True when the placed bodies are found to be apart. `between` leads from A's placed origin to B's.
-  bool operator()(const Pose& pose_a, const Pose& pose_b, const kernel::Origins_apart& between, int steps)
+  /// True when the placed bodies are found to be apart, in at most `steps` > 0 directions; before these, where that is asked for, in the one
+  /// that told the bodies of the last call apart. Requires that both trees have a root.
+  bool operator()(const Pose& pose_a, const Pose& pose_b, int steps, bool last_one_first)
   {
-    return search({between[0] * per_unit_, between[1] * per_unit_, between[2] * per_unit_}, pose_a, pose_b, between, steps);
-  }
-
-  /// The same, begun with the last direction tried.
-  bool again(const Pose& pose_a, const Pose& pose_b, const kernel::Origins_apart& between, int steps)
-  {
-    return search(last_, pose_a, pose_b, between, steps);
+    const Placed placed(a_, b_, pose_a, pose_b, slack_);
+    const Floats m = last_one_first && were_apart_ ? last_ : placed.apart;
+    const Attempt first = attempt(placed, m);
+    if (!first.separates()) return search(Placed(placed), Attempt(first), m, pose_a, pose_b, steps, last_one_first);
+    last_ = m;
+    return were_apart_ = true;
   }
 
   std::size_t bytes() const { return a_.table.bytes() + b_.table.bytes(); }
 
  private:
+  using Floats = kernel::Four_floats;
+  using Doubles = kernel::Two_doubles;
   using Vector = std::array<double, 3>;
+  static constexpr float u = kernel::unit_roundoff<float>;
 
   /// Where the origins are apart by no more than this share of the reach, the search hardly ever finds a plane: in 11 of 12,000 poses of contour
   /// trajectories, in none of circular ones.
   static constexpr float hopeless = 0.75f;
 
   struct Body {
-    Body(Wide_tree& t, double larger_unit) : vertices(t.model().vertices().data()), unit(float(t.units().unit / larger_unit)), table(t) {}
+    /// `sign`: of its rows.
+    Body(Wide_tree& t, double larger_unit, int sign) : vertices(t.model().vertices().data()), table(t)
+    {
+      const kernel::Local_units& units = t.units();
+      const double per_unit = 1 / larger_unit;
+      const float unit = float(sign * units.unit * per_unit);
+      for (int i = 0; i < 2; ++i) origin[i] = Doubles{units.origin[2 * i], i == 0 ? units.origin[1] : 1} * per_unit;
+      scale = Floats{unit, unit, unit, float(sign * per_unit)};
+    }
     const kernel::Vertex* vertices;
-    float unit;  // in the larger of both
+    Doubles origin[2];  // (o, 1)
+    Floats scale;       // of a pose's rows
     Support_table table;
   };
 
-  Separation(Wide_tree& a, Wide_tree& b, double larger_unit) : a_(a, larger_unit), b_(b, larger_unit)
+  Separation(Wide_tree& a, Wide_tree& b, double larger_unit) : a_(a, larger_unit, 1), b_(b, larger_unit, -1)
   {
-    if (a.units().is_in_range() && b.units().is_in_range()) per_unit_ = 1 / larger_unit;
+    double farthest = 0;  // from the model's origin, in local units
+    bool is_in_range = true;
+    for (const Wide_tree* tree : {&a, &b}) {
+      const kernel::Local_units& units = tree->units();
+      for (int i = 0; i < 3; ++i) farthest = std::max(farthest, std::abs(units.origin[i]) / units.unit);
+      is_in_range = is_in_range && units.unit >= 0x1p-60 && units.unit <= 0x1p60;
+    }
+    if (!is_in_range) return;
+    const float of_rows = float(6 * (u + kernel::unit_roundoff<double> * farthest)), of_translation = float(6 * kernel::unit_roundoff<double>);
+    slack_ = Floats{of_rows, of_rows, of_rows, of_translation};
   }
 
-  /// unit M, in floats.
-  struct Rows {
-    kernel::Four_floats row[3], magnitudes;
+  /// Both poses, in the larger unit of both bodies.
+  struct Placed {
+    Floats row_a[3], row_b[3];  // unit M, and the translation in lane 3; those of B negated
+    Floats apart;               // D, from A's placed origin to B's
+    float slack;                // of distances and directions turned back, times |m|_1
 
-    Rows(const Body& body, const Pose& pose)
+    Placed(const Body& a, const Body& b, const Pose& pose_a, const Pose& pose_b, Floats slack_of_rows)
     {
-      for (int i = 0; i < 3; ++i) row[i] = kernel::three_rounded(pose.entries().data() + 4 * i) * body.unit;
-      magnitudes = kernel::magnitudes(row[0]) + kernel::magnitudes(row[1]) + kernel::magnitudes(row[2]);
+      Doubles part[3];  // of D, in two parts
+      for (int i = 0; i < 3; ++i) {
+        const double *from_a = pose_a.entries().data() + 4 * i, *from_b = pose_b.entries().data() + 4 * i;
+        const Doubles a_first = kernel::two_from(from_a), a_last = kernel::two_from(from_a + 2);
+        const Doubles b_first = kernel::two_from(from_b), b_last = kernel::two_from(from_b + 2);
+        part[i] = (b_first * b.origin[0] - a_first * a.origin[0]) + (b_last * b.origin[1] - a_last * a.origin[1]);
+        row_a[i] = kernel::rounded(a_first, a_last) * a.scale;
+        row_b[i] = kernel::rounded(b_first, b_last) * b.scale;
+      }
+      const Doubles first = __builtin_shufflevector(part[0], part[1], 0, 2) + __builtin_shufflevector(part[0], part[1], 1, 3);
+      const Doubles last = part[2] + __builtin_shufflevector(part[2], part[2], 1, 0);
+      apart = kernel::first_three(kernel::rounded(first, last));
+      const auto both = [this](int i) { return kernel::magnitudes(row_a[i]) + kernel::magnitudes(row_b[i]); };
+      slack = kernel::sum_of_lanes((both(0) + (both(1) + both(2))) * slack_of_rows + kernel::magnitudes(apart) * (6 * u))[0];
     }
-
-    /// unit M^T m.
-    kernel::Four_floats turned_back(float m0, float m1, float m2) const { return m0 * row[0] + m1 * row[1] + m2 * row[2]; }
   };
 
-  /// m leads from A to B. Its slack: a direction turned back is a sum of three products of rounded entries, 4 roundings and one of a fraction's entry; the
-  /// distance is such a sum too, of the origins' difference, which may be off itself.
-  bool search(Vector m, const Pose& pose_a, const Pose& pose_b, const kernel::Origins_apart& between, int steps)
-  {
-    constexpr float u = kernel::unit_roundoff<float>;
-    const Rows rows_a(a_, pose_a), rows_b(b_, pose_b);
-    const float apart[3] = {float(between[0] * per_unit_), float(between[1] * per_unit_), float(between[2] * per_unit_)};
-    const float magnitudes = kernel::sum_of_lanes(rows_a.magnitudes + rows_b.magnitudes)[0] + float(between.largest() * per_unit_);
-    if (!(magnitudes < 1e20f)) return false;  // so that no product of these below overflows
-    for (; steps > 0; --steps) {
-      const float m0 = float(m[0]), m1 = float(m[1]), m2 = float(m[2]), norm = std::abs(m0) + std::abs(m1) + std::abs(m2);
-      const kernel::Four_floats along_a = rows_a.turned_back(m0, m1, m2), along_b = rows_b.turned_back(-m0, -m1, -m2);
-      // Also what is undefined ends here.
-      const float norm_a = kernel::sum_of_lanes(kernel::magnitudes(along_a))[0], norm_b = kernel::sum_of_lanes(kernel::magnitudes(along_b))[0];
-      if (!(norm > 1e-15f && norm_a > 1e-15f && norm_b > 1e-15f && norm < 1e15f && norm_a < 1e15f && norm_b < 1e15f)) return false;
-      const auto at_a = Support_table::place(along_a), at_b = Support_table::place(along_b);
-      float reach = reach_of(at_a, at_b);
-      if (!(reach < std::numeric_limits<float>::infinity())) {
-        a_.table.find(at_a), b_.table.find(at_b);
-        reach = reach_of(at_a, at_b);
-      }
-      const float distance = m0 * apart[0] + m1 * apart[1] + m2 * apart[2];
-      const float slack = Support_table::slack * (norm_a + norm_b) + norm * (6 * u * magnitudes + float(between.error() * per_unit_));
-      last_ = m;
-      if (distance - reach > slack) return true;
-      if (!(distance > hopeless * reach)) return false;
+  /// What a direction has shown.
+  struct Attempt {
+    bool is_defined = false;
+    Support_table::Place at_a, at_b;
+    Floats reach;          // the sum of its lanes
+    float gap = 0, slack = 0;
 
-      const Vector p = image(pose_a, a_.vertices[a_.table.vertex(at_a)]), q = image(pose_b, b_.vertices[b_.table.vertex(at_b)]);
-      const Vector w = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
-      const double share = 2 * dot(m, w) / dot(w, w);
-      for (int i = 0; i < 3; ++i) m[i] -= share * w[i];
-    }
-    return false;
+    bool separates() const { return is_defined && gap > slack; }
+  };
+
+  /// m leads from A to B. A reach that is not known yet separates nothing: it is infinite or undefined.
+  ///
+  /// The slack beside the tables', each of these times |m|_1: directions turned back are sums of three products of rounded entries, off by 4 roundings and
+  /// one of a fraction's entry, of the rows; the distance is such a sum of D, rounded, off by 5 roundings of it; D itself is off by 5 in double of its
+  /// terms, which are translations and at most `farthest` times the rows.
+  [[gnu::always_inline]] Attempt attempt(const Placed& placed, Floats m) const
+  {
+    Attempt tried;
+    const auto turned_back = [&](const Floats* row) {
+      return kernel::first_three(kernel::repeated<0>(m) * row[0] + kernel::repeated<1>(m) * row[1] + kernel::repeated<2>(m) * row[2]);
+    };
+    const auto norm = [](Floats v) { return kernel::sum_of_lanes(kernel::magnitudes(v)); };
+    const Floats along_a = turned_back(placed.row_a), along_b = turned_back(placed.row_b), norm_a = norm(along_a), norm_b = norm(along_b);
+    const float norm_m = norm(m)[0];
+    // So that no product overflows, and what underflows is far below the slack; also what is undefined ends here.
+    if (!(placed.slack < 1e8f && norm_m < 1e14f && norm_a[0] > 1e-15f && norm_b[0] > 1e-15f)) return tried;
+    tried.is_defined = true;
+    tried.at_a = Support_table::place(along_a, norm_a), tried.at_b = Support_table::place(along_b, norm_b);
+    tried.reach = a_.table.reach(tried.at_a) + b_.table.reach(tried.at_b);
+    tried.gap = kernel::sum_of_lanes(m * placed.apart - tried.reach)[0];
+    tried.slack = Support_table::slack * (norm_a[0] + norm_b[0]) + norm_m * placed.slack;
+    return tried;
   }
 
-  float reach_of(const Support_table::Place& at_a, const Support_table::Place& at_b) const
+  /// What is left to do after a first attempt that did not separate. Kept apart from it, so that what decides most queries stays in registers.
+  [[gnu::noinline]] bool search(const Placed& placed, Attempt tried, Floats m, const Pose& pose_a, const Pose& pose_b, int steps, bool last_one_first)
   {
-    return kernel::sum_of_lanes(a_.table.reach(at_a) + b_.table.reach(at_b))[0];
+    const auto separates = [&] {
+      if (tried.is_defined && !(kernel::sum_of_lanes(tried.reach)[0] < std::numeric_limits<float>::infinity())) {
+        a_.table.find(tried.at_a), b_.table.find(tried.at_b);
+        tried = attempt(placed, m);
+      }
+      return tried.separates();
+    };
+    if (last_one_first && were_apart_ && !separates()) m = placed.apart, tried = attempt(placed, m);
+    were_apart_ = separates();
+    while (!were_apart_ && --steps > 0 && tried.is_defined && kernel::sum_of_lanes(m * placed.apart)[0] > hopeless * kernel::sum_of_lanes(tried.reach)[0]) {
+      m = mirrored(m, tried, pose_a, pose_b);
+      tried = attempt(placed, m);
+      were_apart_ = separates();
+    }
+    last_ = m;
+    return were_apart_;
+  }
+
+  Floats mirrored(Floats m, const Attempt& tried, const Pose& pose_a, const Pose& pose_b) const
+  {
+    const Vector p = image(pose_a, a_.vertices[a_.table.vertex(tried.at_a)]), q = image(pose_b, b_.vertices[b_.table.vertex(tried.at_b)]);
+    const Vector w = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+    const double share = 2 * (m[0] * w[0] + m[1] * w[1] + m[2] * w[2]) / (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+    return Floats{float(m[0] - share * w[0]), float(m[1] - share * w[1]), float(m[2] - share * w[2]), 0};
   }
 
   static Vector image(const Pose& pose, const kernel::Vertex& p)
@@ -117,11 +172,11 @@ class Separation {
     for (int i = 0; i < 3; ++i) image[i] = pose[4 * i] * p[0] + pose[4 * i + 1] * p[1] + pose[4 * i + 2] * p[2] + pose[4 * i + 3];
     return image;
   }
-  static double dot(const Vector& v, const Vector& w) { return v[0] * w[0] + v[1] * w[1] + v[2] * w[2]; }
 
   Body a_, b_;
-  double per_unit_ = std::numeric_limits<double>::quiet_NaN();  // 1 / the larger unit, in which all is compared
-  Vector last_{};                                               // direction tried
+  Floats slack_ = Floats{} + std::numeric_limits<float>::quiet_NaN();  // of the rows, where units are in range
+  Floats last_{};                                                      // direction tried
+  bool were_apart_ = false;                                            // by it
 };
 
 }  // namespace tetracone::tetratree

@@ -5,8 +5,11 @@
 #include "tetratree/wide_tree.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -25,36 +28,43 @@ class Support_table {
   struct Place {
     int first;
     kernel::Four_floats weight;
-    float sum;  ///< |d|_1
+    kernel::Four_floats sum;  ///< |d|_1, in every lane
   };
 
   /// For what is rounded between values and bound: the place by 4 roundings a coordinate, two of three coordinates once more for the third, so by 8 u |d|_1;
   /// weights, none of which comes out below 0, by 3 each, 14 u |d|_1; both move h by no more, since |p_k| <= 1. Products and sums over four corners of
-  /// |h| <= 18/16, 8 u |d|_1.
+  /// |h| <= 18/16, and of the difference from a distance, 8 u |d|_1.
   static constexpr float slack = 40 * 0x1p-24f;
 
   /// `tree` must outlive the table, and its root be made.
   explicit Support_table(Wide_tree& tree) : tree_(&tree), reach_(8 * row * row, unknown), vertex_(8 * row * row) {}
 
-  /// Requires d[3] = 0, and 1e-30 < |d|_1 < 1e30. Without branches that no processor could foretell.
-  static Place place(kernel::Four_floats d)
+  /// Requires d[3] = 0, and |d|_1, in every lane of `sum`, in 1e-30 .. 1e30. Without branches that no processor could foretell.
+  [[gnu::always_inline]] static Place place(kernel::Four_floats d, kernel::Four_floats sum)
   {
-    const kernel::Four_floats magnitude = kernel::magnitudes(d), sum = kernel::sum_of_lanes(magnitude), at = magnitude * (float(n) / sum);
-    const kernel::Four_ints whole = __builtin_convertvector(at, kernel::Four_ints);
-    const kernel::Four_floats part = at - __builtin_convertvector(whole, kernel::Four_floats);
+    using kernel::Eight_shorts, kernel::Four_floats, kernel::Four_ints;
+    const Four_floats at = kernel::magnitudes(d) * (float(n) / sum);
+    const Four_ints whole = __builtin_convertvector(at, Four_ints);
+    const Four_floats part = at - __builtin_convertvector(whole, Four_floats);
     // In the triangle of corners 0, 1 and 2; where their weights would be below 0, in that of 3, 1 and 2.
-    const kernel::Four_floats rest = 1 - __builtin_shufflevector(part, part, 1, 1, 1, 1) - __builtin_shufflevector(part, part, 2, 2, 2, 2);
-    const kernel::Four_floats beyond = reinterpret_cast<kernel::Four_floats>(reinterpret_cast<kernel::Four_ints>(rest) & (rest < 0.0f));
-    const kernel::Four_floats weight = __builtin_shufflevector(rest, part, 0, 5, 6, 7) + beyond * kernel::Four_floats{-1, 1, 1, -1};
-    const int octant = (d[0] < 0) | (d[1] < 0) << 1 | (d[2] < 0) << 2;
-    return {(octant * row + whole[2]) * row + whole[1], weight, sum[0]};
+    const Four_floats rest = 1 - kernel::repeated<1>(part) - kernel::repeated<2>(part);
+    const Four_ints beyond = reinterpret_cast<Four_ints>(rest) & (reinterpret_cast<Four_ints>(rest) >> 31);
+    constexpr std::int32_t minus = std::numeric_limits<std::int32_t>::min();
+    const Four_floats weight = __builtin_shufflevector(rest, part, 0, 5, 6, 7) + reinterpret_cast<Four_floats>(beyond ^ Four_ints{minus, 0, 0, minus});
+    // Products of the low halves, all there is of numbers up to 16.
+    static_assert(std::endian::native == std::endian::little);
+    const Four_ints in_octant = reinterpret_cast<Four_ints>(reinterpret_cast<Eight_shorts>(whole) * Eight_shorts{0, 0, 1, 0, row, 0, 0, 0});
+    const Four_ints octant = (reinterpret_cast<Four_ints>(d) >> 31) & Four_ints{row * row, 2 * row * row, 4 * row * row, 0};
+    return {kernel::sum_of_lanes(in_octant + octant)[0], weight, sum};
   }
 
   /// h(d) is at most the sum of these and `slack` |d|_1. Their sum is infinite or undefined where a corner's reach is not known yet.
   kernel::Four_floats reach(const Place& p) const
   {
-    const float* h = reach_.data() + p.first;
-    return p.weight * kernel::Four_floats{h[0], h[1], h[row], h[row + 1]} * p.sum;
+    double first, second;  // two and two
+    std::memcpy(&first, reach_.data() + p.first, sizeof first);
+    std::memcpy(&second, reach_.data() + p.first + row, sizeof second);
+    return p.weight * (reinterpret_cast<kernel::Four_floats>(kernel::Two_doubles{first, second}) * p.sum);
   }
 
   /// Finds what is not known of the corners.

@@ -41,11 +41,9 @@ class Wide_collision {
   /// Whether the two placed polyhedra collide. Requires det M != 0 of both poses, and closed polyhedra for `Question::solid`.
   bool operator()(const Pose& pose_a, const Pose& pose_b, Question question = Question::solid)
   {
-    const std::uint64_t fallbacks = kernel::Adaptive::exact_fallbacks();
     ++counts_.queries;
-    const bool answer = !a_.tree->empty() && !b_.tree->empty() && ask(pose_a, pose_b, question);
-    counts_.exact_fallbacks += kernel::Adaptive::exact_fallbacks() - fallbacks;
-    return answer;
+    if (a_.tree->empty() || b_.tree->empty() || separation_(pose_a, pose_b, 3, coherence_ == Coherence::last_frame)) return false;
+    return ask_trees(pose_a, pose_b, question);
   }
 
   const Counts& counts() const { return counts_; }
@@ -60,11 +58,20 @@ class Wide_collision {
   using Face = covering::Placed_face<Adaptive>;
   using Box = Wide_body::Box;
 
-  bool ask(const Pose& pose_a, const Pose& pose_b, Question question)
+  /// What no plane has decided.
+  [[gnu::noinline]] bool ask_trees(const Pose& pose_a, const Pose& pose_b, Question question)
   {
+    const std::uint64_t fallbacks = kernel::Adaptive::exact_fallbacks();
     pose_a_ = &pose_a, pose_b_ = &pose_b, is_placed_ = false;
+    const bool answer = trees_collide(question);
+    counts_.exact_fallbacks += kernel::Adaptive::exact_fallbacks() - fallbacks;
+    return answer;
+  }
+
+  bool trees_collide(Question question)
+  {
+    const Pose &pose_a = *pose_a_, &pose_b = *pose_b_;
     const kernel::Origins_apart between(pose_a, a_.tree->units(), pose_b, b_.tree->units());
-    if (are_apart(between)) return false;
     a_.into_other = kernel::Box_map(kernel::Relative_frame(pose_b, b_.tree->units(), pose_a, a_.tree->units(), -between));
     if (witness_ && elements_meet(a_.element(witness_->first), b_.element(witness_->second))) return true;
     b_.into_other = kernel::Box_map(kernel::Relative_frame(pose_a, a_.tree->units(), pose_b, b_.tree->units(), between));
@@ -73,14 +80,6 @@ class Wide_collision {
     if (question == Question::surface) return false;
     place();
     return containment_(a_, b_, counts_) || containment_(b_, a_, counts_);
-  }
-
-  /// Whether a plane between the bodies is found at once.
-  bool are_apart(const kernel::Origins_apart& between)
-  {
-    if (coherence_ == Coherence::last_frame && was_separated_ && separation_.again(*pose_a_, *pose_b_, between, 1)) return true;
-    was_separated_ = separation_(*pose_a_, *pose_b_, between, 3);
-    return was_separated_;
   }
 
   void place()
@@ -155,8 +154,7 @@ class Wide_collision {
   const Pose* pose_a_ = nullptr;
   const Pose* pose_b_ = nullptr;
   bool is_placed_ = false;  // at these
-  bool was_separated_ = false;                        // in the last pose, by the separation's direction
-  std::optional<std::pair<Box, Box>> witness_;        // elements that met in the last pose
+  std::optional<std::pair<Box, Box>> witness_;  // elements that met in the last pose
 };
 
 }  // namespace tetracone::tetratree

@@ -57,6 +57,9 @@ struct Both_trees {
 /// Why a descent has stopped: nothing is left; the top pair is two leaves; the top pair's larger box has children that must be made first.
 enum class Stop { nothing_left, leaves, no_child };
 
+/// So many pairs a descent opens by two a round at most.
+constexpr std::uint64_t opened_by_two = 32;
+
 /// Whether the first box of a pair is the larger one, which is opened.
 inline bool first_is_larger(float size_a, float size_b) { return size_a > size_b; }
 

@@ -76,7 +76,8 @@ HWY_INLINE std::size_t store(Pair_stack& stack, std::size_t count, const Opening
   return count;
 }
 
-/// Four pairs a round where so many are ready, so that none need wait for what the one before it brings; else two, or one.
+/// Four pairs a round where so many are ready, so that none need wait for what the one before it brings; else two, or one. At first two: bodies that
+/// meet are often known to after few openings, and what is opened beside these is in vain.
 template <bool similarity>
 HWY_ATTR Stop descend(Pair_stack& stack, Both_trees& trees)
 {
@@ -89,7 +90,7 @@ HWY_ATTR Stop descend(Pair_stack& stack, Both_trees& trees)
 
     const Opening first = opening(0), second = opening(1);
     if (!first.is_ready()) return first.stop;
-    if (top >= 3) {
+    if (top >= 3 && trees.opened >= opened_by_two) {
       const Opening third = opening(2), fourth = opening(3);
       if (second.is_ready() && third.is_ready() && fourth.is_ready()) {
         const kernel::Single_box of_first = single(first), of_second = single(second), of_third = single(third), of_fourth = single(fourth);

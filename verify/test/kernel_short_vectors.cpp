@@ -37,13 +37,15 @@ BOOST_AUTO_TEST_CASE(what_is_loaded_is_rounded_to_nearest_and_magnitudes_lose_th
   const auto all = numbers(random);
   int wrong = 0;
   for (std::size_t k = 0; k + 4 <= all.size(); ++k) {  // from any place in memory
-    const Four_floats four = three_rounded(&all[k]), of_four = magnitudes(four);
     const Two_doubles two = two_from(&all[k]), of_two = magnitudes(two);
+    const Four_floats four = rounded(two, two_from(&all[k + 2])), of_four = magnitudes(four), three = first_three(four);
     for (int i = 0; i < 4; ++i) {
-      const float rounded = i == 3 ? 0 : float(all[k + i]);
-      wrong += std::isnan(rounded) ? !std::isnan(four[i]) : !same(four[i], rounded);
-      wrong += std::signbit(of_four[i]) || (!std::isnan(rounded) && !same(of_four[i], std::abs(rounded)));
+      const float nearest = float(all[k + i]);
+      wrong += std::isnan(nearest) ? !std::isnan(four[i]) : !same(four[i], nearest);
+      wrong += std::signbit(of_four[i]) || (!std::isnan(nearest) && !same(of_four[i], std::abs(nearest)));
+      wrong += !same(three[i], i == 3 ? 0 : four[i]);
     }
+    wrong += !same(repeated<1>(four)[3], four[1]) || !same(repeated<2>(four)[0], four[2]);
     for (int i = 0; i < 2; ++i) wrong += !same(two[i], all[k + i]) || std::signbit(of_two[i]) || !same(std::abs(of_two[i]), std::abs(all[k + i]));
   }
   BOOST_TEST(wrong == 0);
@@ -62,5 +64,6 @@ BOOST_AUTO_TEST_CASE(every_lane_has_the_sum_of_pairs)
   }
   BOOST_TEST(wrong == 0);
   BOOST_TEST(sum_of_lanes(Four_floats{1, 2, 4, 8})[3] == 15);
+  for (int i = 0; i < 4; ++i) BOOST_TEST(sum_of_lanes(Four_ints{1, -2, 40000, 80000})[i] == 119999);
   BOOST_TEST(std::isnan(sum_of_lanes(Four_floats{1, std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(), 0})[0]));
 }

@@ -66,15 +66,20 @@ double reach(const Wide_tree& tree, const Direction& d)
 
 double along(const Direction& d, const kernel::Vector& p) { return double(d[0]) * p[0] + double(d[1]) * p[1] + double(d[2]) * p[2]; }
 
+Support_table::Place place(const Direction& d)
+{
+  const kernel::Four_floats four = {d[0], d[1], d[2], 0};
+  return Support_table::place(four, kernel::sum_of_lanes(kernel::magnitudes(four)));
+}
 struct Support {
   float bound;
   Index vertex;
 };
 Support support(Support_table& table, const Direction& d)
 {
-  const auto place = Support_table::place(kernel::Four_floats{d[0], d[1], d[2], 0});
-  table.find(place);
-  return {kernel::sum_of_lanes(table.reach(place))[0], table.vertex(place)};
+  const auto at = place(d);
+  table.find(at);
+  return {kernel::sum_of_lanes(table.reach(at))[0], table.vertex(at)};
 }
 double sum(const Direction& d) { return std::abs(double(d[0])) + std::abs(double(d[1])) + std::abs(double(d[2])); }
 
@@ -118,14 +123,14 @@ BOOST_AUTO_TEST_CASE(weights_make_the_direction_of_the_corners)
   int off = 0, negative = 0, outside = 0;
   for (int k = 0; k < 20000; ++k) {
     const Direction d = direction(random, k);
-    const auto place = Support_table::place(kernel::Four_floats{d[0], d[1], d[2], 0});
-    const int octant = place.first / (18 * 18), j = place.first / 18 % 18, i = place.first % 18;
-    outside += octant != (d[0] < 0) + 2 * (d[1] < 0) + 4 * (d[2] < 0) || i > 16 || j > 16;
+    const auto at = place(d);
+    const int octant = at.first / (18 * 18), j = at.first / 18 % 18, i = at.first % 18;
+    outside += octant != std::signbit(d[0]) + 2 * std::signbit(d[1]) + 4 * std::signbit(d[2]) || i > 16 || j > 16;
     double made[3] = {0, 0, 0};
     for (int corner = 0; corner < 4; ++corner) {
       const int y = i + corner % 2, z = j + corner / 2;
-      const double weight = place.weight[corner] * place.sum / 16;
-      negative += place.weight[corner] < 0;
+      const double weight = at.weight[corner] * at.sum[0] / 16;
+      negative += at.weight[corner] < 0;
       made[0] += weight * (16 - y - z), made[1] += weight * y, made[2] += weight * z;
     }
     double apart = 0;
@@ -145,10 +150,10 @@ BOOST_AUTO_TEST_CASE(what_is_not_known_has_no_finite_reach)
   for (int k = 0; k < 600; ++k) {
     Support_table table(tree);
     const Direction d = direction(random, k);
-    const auto place = Support_table::place(kernel::Four_floats{d[0], d[1], d[2], 0});
-    const auto reach = [&] { return kernel::sum_of_lanes(table.reach(place))[0]; };
+    const auto at = place(d);
+    const auto reach = [&] { return kernel::sum_of_lanes(table.reach(at))[0]; };
     finite += reach() < HUGE_VALF;
-    table.find(place);
+    table.find(at);
     not_found += !(reach() < HUGE_VALF);
   }
   BOOST_TEST(finite == 0);
