@@ -133,7 +133,7 @@ class Pose {
   CGAL::Mpzf weight() const { return whole_ ? whole_->weight : CGAL::Mpzf(1); }
 
   /// True when the map moves nothing: every image is the point itself, in every kernel.
-  bool is_identity() const { return !is_rational() && entries_ == Pose().entries_; }
+  bool is_identity() const { return is_translation_ && entries_[3] == 0 && entries_[7] == 0 && entries_[11] == 0; }
 
   /// True when M is the identity and t are doubles: an image is the vertex and t, added.
   bool is_translation() const { return is_translation_; }

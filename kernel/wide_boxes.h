@@ -57,18 +57,11 @@ class Box_map {
  public:
   Box_map() = default;
 
+  explicit Box_map(const Relative_frame& frame) : frame_(frame) { make_ready(); }
+
   /// From B's units to A's: see `Relative_frame`.
-  Box_map(const Pose& a, const Local_units& in_a, const Pose& b, const Local_units& in_b) : Box_map(Relative_frame(a, in_a, b, in_b)) {}
-  explicit Box_map(const Relative_frame& frame) : frame_(frame)
-  {
-    const auto& m = frame.linear();
-    const double shrink = 1 / frame.scale();
-    stretch_ = float(frame.scale()) * (1 + 0x1p-20f);
-    position_slack_ = wide_slack(0, frame.error());
-    for (int j = 0; j < 3; ++j)
-      for (int i = 0; i < 3; ++i) direction_[j][i] = float(m[i][j] * shrink), column_[j][i] = m[i][j];
-    for (int i = 0; i < 3; ++i) column_[3][i] = frame.offset()[i];
-  }
+  Box_map(const Pose& a, const Local_units& in_a, const Pose& b, const Local_units& in_b) : frame_(a, in_a, b, in_b) { make_ready(); }
+  Box_map(const Pose& a, const Local_units& in_a, const Pose& b, const Local_units& in_b, const Origins_apart& d) : frame_(a, in_a, b, in_b, d) { make_ready(); }
 
   const Relative_frame& frame() const { return frame_; }
   bool is_similarity() const { return frame_.is_similarity(); }
@@ -107,6 +100,17 @@ class Box_map {
   }
 
  private:
+  void make_ready()
+  {
+    const auto& m = frame_.linear();
+    const double shrink = 1 / frame_.scale();
+    stretch_ = float(frame_.scale()) * (1 + 0x1p-20f);
+    position_slack_ = wide_slack(0, frame_.error());
+    for (int j = 0; j < 3; ++j)
+      for (int i = 0; i < 3; ++i) direction_[j][i] = float(m[i][j] * shrink), column_[j][i] = m[i][j];
+    for (int i = 0; i < 3; ++i) column_[3][i] = frame_.offset()[i];
+  }
+
   void place_centre(Single_box& box, double sum, const Wide_boxes& boxes, const Wide_boxes& from, int lane) const
   {
     const auto centre = frame_(std::array{double(from.origin[0]) + double(from.centre[0][lane]), double(from.origin[1]) + double(from.centre[1][lane]),

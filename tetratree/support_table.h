@@ -29,6 +29,7 @@ class Support_table {
     int first;
     kernel::Four_floats weight;
     kernel::Four_floats sum;  ///< |d|_1, in every lane
+    kernel::Four_floats at;   ///< n d / |d|_1
   };
 
   /// For what is rounded between values and bound: the place by 4 roundings a coordinate, two of three coordinates once more for the third, so by 8 u |d|_1;
@@ -37,15 +38,15 @@ class Support_table {
   static constexpr float slack = 40 * 0x1p-24f;
 
   /// `tree` must outlive the table, and its root be made.
-  explicit Support_table(Wide_tree& tree) : tree_(&tree), reach_(8 * row * row, unknown), vertex_(8 * row * row) {}
+  explicit Support_table(Wide_tree& tree) : tree_(&tree), reach_(8 * row * row, unknown) {}
 
   /// Requires d[3] = 0, and |d|_1, in every lane of `sum`, in 1e-30 .. 1e30. Without branches that no processor could foretell.
   [[gnu::always_inline]] static Place place(kernel::Four_floats d, kernel::Four_floats sum)
   {
     using kernel::Eight_shorts, kernel::Four_floats, kernel::Four_ints;
-    const Four_floats at = kernel::magnitudes(d) * (float(n) / sum);
-    const Four_ints whole = __builtin_convertvector(at, Four_ints);
-    const Four_floats part = at - __builtin_convertvector(whole, Four_floats);
+    const Four_floats at = d * (float(n) / sum), in_octant = kernel::magnitudes(at);
+    const Four_ints whole = __builtin_convertvector(in_octant, Four_ints);
+    const Four_floats part = in_octant - __builtin_convertvector(whole, Four_floats);
     // In the triangle of corners 0, 1 and 2; where their weights would be below 0, in that of 3, 1 and 2.
     const Four_floats rest = 1 - kernel::repeated<1>(part) - kernel::repeated<2>(part);
     const Four_ints beyond = reinterpret_cast<Four_ints>(rest) & (reinterpret_cast<Four_ints>(rest) >> 31);
@@ -53,39 +54,44 @@ class Support_table {
     const Four_floats weight = __builtin_shufflevector(rest, part, 0, 5, 6, 7) + reinterpret_cast<Four_floats>(beyond ^ Four_ints{minus, 0, 0, minus});
     // Products of the low halves, all there is of numbers up to 16.
     static_assert(std::endian::native == std::endian::little);
-    const Four_ints in_octant = reinterpret_cast<Four_ints>(reinterpret_cast<Eight_shorts>(whole) * Eight_shorts{0, 0, 1, 0, row, 0, 0, 0});
+    const Four_ints corner = reinterpret_cast<Four_ints>(reinterpret_cast<Eight_shorts>(whole) * Eight_shorts{0, 0, 1, 0, row, 0, 0, 0});
     const Four_ints octant = (reinterpret_cast<Four_ints>(d) >> 31) & Four_ints{row * row, 2 * row * row, 4 * row * row, 0};
-    return {kernel::sum_of_lanes(in_octant + octant)[0], weight, sum};
+    return {kernel::sum_of_lanes(corner + octant)[0], weight, sum, at};
   }
 
   /// h(d) is at most the sum of these and `slack` |d|_1. Their sum is infinite or undefined where a corner's reach is not known yet.
   kernel::Four_floats reach(const Place& p) const
   {
-    double first, second;  // two and two
-    std::memcpy(&first, reach_.data() + p.first, sizeof first);
-    std::memcpy(&second, reach_.data() + p.first + row, sizeof second);
-    return p.weight * (reinterpret_cast<kernel::Four_floats>(kernel::Two_doubles{first, second}) * p.sum);
+    return p.weight * (corners(p) * p.sum);
   }
 
   /// Finds what is not known of the corners.
   void find(const Place& p)
   {
     for (int corner = 0; corner < 4; ++corner) {
-      const int k = number(p, corner);
-      if (reach_[k] == unknown) find(k);
+      const int k = p.first + corner % 2 + corner / 2 * row;
+      if (reach_[k] == unknown) reach_[k] = found(k);
     }
   }
 
-  /// A vertex that reaches nearly as far. Requires that the corners are known.
-  Index vertex(const Place& p) const
+  /// The point that reaches as far as the values say, exactly so far, in the directions of the three corners with weights: about where the body's farthest is.
+  /// Requires that the corners are known.
+  ///
+  /// On the face of corners 0, 1 and 2 of its octant, a point (x, y, z) with the directions' signs taken off reaches h_1 - h_0 = (y - x) / n and
+  /// h_2 - h_0 = (z - x) / n; on that of 3, 1 and 2 the differences are those from 2 to 3 and from 1 to 3.
+  kernel::Four_floats point(const Place& p) const
   {
-    int heaviest = 0;
-    for (int corner = 1; corner < 4; ++corner)
-      if (p.weight[corner] > p.weight[heaviest]) heaviest = corner;
-    return vertex_[number(p, heaviest)];
+    using kernel::Four_floats, kernel::Four_ints;
+    const Four_floats h = corners(p);
+    const Four_floats below = __builtin_shufflevector(h, h, 0, 1, 2, 0) - kernel::repeated<0>(h), beyond = kernel::repeated<3>(h) - __builtin_shufflevector(h, h, 3, 2, 1, 3);
+    const Four_ints is_beyond = kernel::repeated<3>(p.weight) > 0.0f;
+    const Four_floats step = reinterpret_cast<Four_floats>((reinterpret_cast<Four_ints>(beyond) & is_beyond) | (reinterpret_cast<Four_ints>(below) & ~is_beyond));
+    const Four_floats x = kernel::sum_of_lanes(p.weight * h - kernel::magnitudes(p.at) * step);
+    const Four_ints point = reinterpret_cast<Four_ints>(kernel::first_three(x + float(n) * step));
+    return reinterpret_cast<Four_floats>(point ^ (reinterpret_cast<Four_ints>(p.at) & std::numeric_limits<std::int32_t>::min()));
   }
 
-  std::size_t bytes() const { return reach_.capacity() * sizeof(float) + vertex_.capacity() * sizeof(Index); }
+  std::size_t bytes() const { return reach_.capacity() * sizeof(float); }
 
  private:
   /// Corner (n - i - j, i, j) / n of an octant has the number k = (octant row + j) row + i. The last of each row, and the last rows, are corners beyond the
@@ -93,16 +99,22 @@ class Support_table {
   static constexpr int n = 16, row = n + 2;
   static constexpr float unknown = std::numeric_limits<float>::infinity();
 
-  static int number(const Place& p, int corner) { return p.first + corner % 2 + corner / 2 * row; }
+  kernel::Four_floats corners(const Place& p) const
+  {
+    double first, second;  // two and two
+    std::memcpy(&first, reach_.data() + p.first, sizeof first);
+    std::memcpy(&second, reach_.data() + p.first + row, sizeof second);
+    return reinterpret_cast<kernel::Four_floats>(kernel::Two_doubles{first, second});
+  }
+
   static double signed_by(int negative, int k) { return negative ? -double(k) / n : double(k) / n; }
 
   /// The best reach of a vertex in the direction of corner k: boxes in the order of the tree, those left out that reach no farther than what is known.
-  void find(int k)
+  float found(int k)
   {
     const int octant = k / (row * row), j = k / row % row, i = k % row;
     const kernel::Vector d(signed_by(octant & 1, n - i - j), signed_by(octant & 2, i), signed_by(octant & 4, j));
     double best = -4;
-    Index at = 0;
     std::vector<std::pair<double, Index>>& open = open_;
     Index node = 0;
     for (open.clear();; node = tree_->child(open.back().second / 8, int(open.back().second % 8)), open.pop_back()) {
@@ -115,8 +127,7 @@ class Support_table {
           continue;
         }
         tree_->for_vertices(tree_->element(node, lane), [&](Index v) {
-          const double reached = d.dot(tree_->local(v));
-          if (reached > best) best = reached, at = v;
+          best = std::max(best, d.dot(tree_->local(v)));
         });
       }
       // The farthest last, to be opened first.
@@ -125,7 +136,7 @@ class Support_table {
       if (open.empty()) break;
     }
     // A local coordinate is off by 2^-52, the product by less than 2^-49.
-    reach_[k] = std::nextafter(float(best + 0x1p-48), unknown), vertex_[k] = at;
+    return std::nextafter(float(best + 0x1p-48), unknown);
   }
 
   /// As far as the box reaches, and for its float numbers and axes (see `Wide_boxes`) a little farther.
@@ -141,7 +152,6 @@ class Support_table {
 
   Wide_tree* tree_;
   std::vector<float> reach_;  // h is at most this
-  std::vector<Index> vertex_;  // that reaches so far
   std::vector<std::pair<double, Index>> open_;
 };
 

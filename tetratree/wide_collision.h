@@ -12,6 +12,7 @@
 #include "tetratree/wide_tree.h"
 
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -42,7 +43,7 @@ class Wide_collision {
   bool operator()(const Pose& pose_a, const Pose& pose_b, Question question = Question::solid)
   {
     ++counts_.queries;
-    if (a_.tree->empty() || b_.tree->empty() || separation_(pose_a, pose_b, 3, coherence_ == Coherence::last_frame)) return false;
+    if (a_.tree->empty() || b_.tree->empty() || separation_(pose_a, pose_b, 6, coherence_ == Coherence::last_frame)) return false;
     return ask_trees(pose_a, pose_b, question);
   }
 
@@ -70,11 +71,13 @@ class Wide_collision {
 
   bool trees_collide(Question question)
   {
-    const Pose &pose_a = *pose_a_, &pose_b = *pose_b_;
-    const kernel::Origins_apart between(pose_a, a_.tree->units(), pose_b, b_.tree->units());
-    a_.into_other = kernel::Box_map(kernel::Relative_frame(pose_b, b_.tree->units(), pose_a, a_.tree->units(), -between));
     if (witness_ && elements_meet(a_.element(witness_->first), b_.element(witness_->second))) return true;
-    b_.into_other = kernel::Box_map(kernel::Relative_frame(pose_a, a_.tree->units(), pose_b, b_.tree->units(), between));
+    const Pose &pose_a = *pose_a_, &pose_b = *pose_b_;
+    const kernel::Local_units &in_a = a_.tree->units(), &in_b = b_.tree->units();
+    const kernel::Origins_apart between(pose_a, in_a, pose_b, in_b);
+    // In place: a copy would wait until what is written piece by piece can be read whole.
+    std::construct_at(&a_.into_other, pose_b, in_b, pose_a, in_a, -between);
+    std::construct_at(&b_.into_other, pose_a, in_a, pose_b, in_b, between);
     witness_.reset();
     if (surfaces_meet()) return true;
     if (question == Question::surface) return false;

@@ -11,7 +11,13 @@ BOOST_AUTO_TEST_CASE(identity_moves_nothing)
 {
   BOOST_TEST(Pose().is_identity());
   BOOST_TEST(Pose().determinant_sign() == CGAL::POSITIVE);
-  BOOST_TEST(!Pose(std::array<double, 12>{1, 0, 0, 0x1p-1074, 0, 1, 0, 0, 0, 0, 1, 0}).is_identity());
+  for (int k = 0; k < 12; ++k) {
+    std::array<double, 12> entries = Pose().entries();
+    entries[k] = -entries[k];
+    BOOST_TEST(Pose(entries).is_identity() == (k % 5 != 0));  // -0 is 0
+    entries[k] = 0x1p-1074;
+    BOOST_TEST(!Pose(entries).is_identity());
+  }
 }
 
 BOOST_AUTO_TEST_CASE(eigen_round_trip_keeps_every_entry)
