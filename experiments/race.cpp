@@ -50,7 +50,7 @@ Runner prepare(const Contestant& contestant, const Race_course& course)
     const auto start = Clock::now();
     build(contestant.prepare_on_demand);
     for (std::size_t k = 0; k < std::min(Race::first_poses, course.poses_b.size()); ++k) {
-      runner.ready->collide(Pose(), course.poses_b[k], Question::surface);
+      runner.ready->collide(course.pose_a, course.poses_b[k], Question::surface);
       if (k == 0) runner.build.nodes_after_one = runner.ready->node_count();
     }
     runner.build.with_first_milliseconds = 1e3 * seconds_since(start);
@@ -147,7 +147,7 @@ class Laps {
     return total / asked_.size();
   }
 
-  bool ask(std::size_t i) { return runner_.ready->collide(Pose(), course_.poses_b[asked_[i]], question_); }
+  bool ask(std::size_t i) { return runner_.ready->collide(course_.pose_a, course_.poses_b[asked_[i]], question_); }
 
   Runner& runner_;
   const Race_course& course_;
@@ -198,7 +198,7 @@ const std::vector<char>& Race::reference(Question question)
   auto& known = question == Question::surface ? surface_ : solid_;
   if (known) return *known;
   known.emplace();
-  for (const Pose& pose : course_.poses_b) known->push_back(runners_[0].ready->collide(Pose(), pose, question));
+  for (const Pose& pose : course_.poses_b) known->push_back(runners_[0].ready->collide(course_.pose_a, pose, question));
   return *known;
 }
 
@@ -215,7 +215,7 @@ Race::Checked Race::check(Question question)
     const std::size_t stride = std::max<std::size_t>(1, frames.size() / wanted);
     for (std::size_t i = 0, asked = 0; i < frames.size() && asked < wanted; i += stride, ++asked) {
       ++checked.frames;
-      checked.wrong += verify::collide(a, Pose(), b, course_.poses_b[frames[i]], question) != hit;
+      checked.wrong += verify::collide(a, course_.pose_a, b, course_.poses_b[frames[i]], question) != hit;
     }
   }
   return checked;
