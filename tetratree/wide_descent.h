@@ -5,6 +5,7 @@
 #include "kernel/wide_overlap.h"
 #include "tetratree/wide_node.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -59,6 +60,15 @@ enum class Stop { nothing_left, leaves, no_child };
 
 /// So many pairs a descent opens by two a round at most.
 constexpr std::uint64_t opened_by_two = 32;
+
+/// For each set of lanes, as bits: their numbers in order, then zeros.
+inline constexpr auto lanes_in = [] {
+  std::array<std::array<std::uint8_t, kernel::lanes>, 1 << kernel::lanes> lanes{};
+  for (unsigned set = 0; set < lanes.size(); ++set)
+    for (unsigned lane = 0, count = 0; lane < kernel::lanes; ++lane)
+      if (set >> lane & 1) lanes[set][count++] = std::uint8_t(lane);
+  return lanes;
+}();
 
 /// Whether the first box of a pair is the larger one, which is opened.
 inline bool first_is_larger(float size_a, float size_b) { return size_a > size_b; }

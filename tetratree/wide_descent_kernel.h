@@ -65,9 +65,20 @@ HWY_INLINE std::size_t store(Pair_stack& stack, std::size_t count, const Opening
     const auto extent = [&](int i) HWY_ATTR { return hn::Load(tag, boxes.extent[i] + first); };
     const auto size = hn::Mul(hn::Set(tag, o.body == 0 ? trees.scale : 1.0f), hn::Add(extent(0), hn::Add(extent(1), extent(2))));
     const auto is_leaf = hn::RebindMask(tag, hn::Lt(hn::LoadU(codes, o.node->child.data() + first), hn::Set(codes, Wide_node::last_leaf + 1)));
+    const auto id = hn::Add(hn::Set(ids, first_id + std::uint32_t(first)), hn::Iota(ids, 0));
+    const auto signed_size = hn::IfThenElse(is_leaf, hn::Neg(size), size);
     // Whole vectors: a masked store would keep the next pop waiting.
-    hn::StoreU(hn::Compress(hn::Iota(ids, first_id + std::uint32_t(first)), hn::RebindMask(ids, mask)), ids, stack.boxes(o.body) + count);
-    hn::StoreU(hn::Compress(hn::IfThenElse(is_leaf, hn::Neg(size), size), mask), tag, stack.sizes(o.body) + count);
+#if HWY_TARGET <= HWY_AVX3
+    hn::StoreU(hn::Compress(id, hn::RebindMask(ids, mask)), ids, stack.boxes(o.body) + count);
+    hn::StoreU(hn::Compress(signed_size, mask), tag, stack.sizes(o.body) + count);
+#else
+    // No instruction does it: Highway 1.0.3's Compress would copy its table, a kilobyte, to the stack each time.
+    std::uint8_t set[8];
+    hn::StoreMaskBits(tag, mask, set);
+    const auto moved = hn::PromoteTo(codes, hn::LoadU(hn::Rebind<std::uint8_t, simd::Float_tag>(), lanes_in[set[0]].data()));
+    hn::StoreU(hn::TableLookupLanes(id, hn::IndicesFromVec(ids, moved)), ids, stack.boxes(o.body) + count);
+    hn::StoreU(hn::TableLookupLanes(signed_size, hn::IndicesFromVec(tag, moved)), tag, stack.sizes(o.body) + count);
+#endif
     hn::StoreU(hn::Set(ids, o.box[other]), ids, stack.boxes(other) + count);
     hn::StoreU(hn::Set(tag, o.size[other]), tag, stack.sizes(other) + count);
     count += hn::CountTrue(tag, mask);
