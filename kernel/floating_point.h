@@ -10,8 +10,8 @@
 #endif
 
 // Every sign of this library rests on IEEE double arithmetic rounded to nearest, evaluated as written.
-#ifdef __FAST_MATH__
-#error "tetracone cannot be compiled with -ffast-math: it breaks every exact sign"
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "tetracone cannot be compiled with -ffast-math or -ffinite-math-only: exact signs rest on what they break"
 #endif
 static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<double>::digits == 53);
 static_assert(std::numeric_limits<float>::is_iec559 && std::numeric_limits<float>::digits == 24);

@@ -65,7 +65,8 @@ struct Oriented_box {
 
 namespace detail {
 
-/// Right-handed axes of which the first is `first`, the second as near to `second` as can be. Requires first not 0.
+/// Right-handed axes of which the first is `first`, the second as near to `second` as can be. Requires that the squares of their
+/// lengths, times 1e-20, are no denormals.
 inline Matrix axes_from(const Vector& first, const Vector& second)
 {
   Matrix axes;
@@ -131,8 +132,9 @@ inline Oriented_box triangle_box(std::span<const Vector, 3> corners)
     const double here = (corners[(k + 1) % 3] - corners[k]).squaredNorm();
     if (here > length) longest = k, length = here;
   }
+  // So small that squares of its sides' products would underflow: as good as a point.
+  if (!(length > 0x1p-400)) return Oriented_box(Matrix::Identity(), corners);
   const Vector edge = corners[(longest + 1) % 3] - corners[longest];
-  if (!(length > 0)) return Oriented_box(Matrix::Identity(), corners);
   const Vector normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
   if (!(normal.squaredNorm() > 1e-24 * length * length)) return Oriented_box(detail::axes_from(edge, Vector(1, 0, 0)), corners);
   return Oriented_box(detail::axes_from(normal, edge), corners);

@@ -2,6 +2,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <array>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -55,6 +56,29 @@ BOOST_AUTO_TEST_CASE(a_stored_box_holds_its_points)
     }
     BOOST_TEST((axes.transpose() * axes - Matrix::Identity()).cwiseAbs().maxCoeff() <= axis_defect);
   }
+}
+
+BOOST_AUTO_TEST_CASE(boxes_of_triangles_of_any_size_have_orthonormal_axes)
+{
+  // Down to sides of one denormal: squares of sides and of normals underflow in between.
+  Random random(7);
+  int wrong = 0, tried = 0;
+  for (int exponent = -1074; exponent <= 0; ++exponent)
+    for (int k = 0; k < 24; ++k) {
+      const double d = std::ldexp(1 + std::abs(real(random)), exponent), e = k % 3 == 0 ? d : std::ldexp(d, -int(random() % 60));
+      std::array<Vector, 3> t = {Vector(d, 0, 0), Vector(-d, 0, 0), Vector(k % 2 == 0 ? 0 : d, 0, e)};
+      if (k % 4 >= 2)
+        for (Vector& p : t) p = Vector(0.5 * p[0] - 0.25 * p[2], 0.5 * p[0] + p[2], p[2] + 0.125 * p[0]);
+      for (const Oriented_box& box : {triangle_box(t), fitted_box(t, 2)}) {
+        ++tried;
+        wrong += !((box.axes.transpose() * box.axes - Matrix::Identity()).cwiseAbs().maxCoeff() <= 1e-14);
+        Wide_boxes boxes{};
+        store_lane(boxes, 0, box, Vector::Zero(), t, 0);
+        for (int i = 0; i < 3; ++i) wrong += !std::isfinite(boxes.extent[i][0]);
+      }
+    }
+  BOOST_TEST(wrong == 0);
+  BOOST_TEST(tried == 51600);
 }
 
 BOOST_AUTO_TEST_CASE(a_flat_cloud_gets_a_flat_box)

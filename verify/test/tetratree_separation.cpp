@@ -145,6 +145,22 @@ BOOST_AUTO_TEST_CASE(bodies_that_touch_where_placed_origins_are_hardly_known_are
   BOOST_TEST(beside == 600);
 }
 
+BOOST_AUTO_TEST_CASE(bodies_that_touch_far_from_both_origins_are_never_apart)
+{
+  // No translation tells of it: images of both bodies' origins are far, and their difference is small.
+  Body a(moved(unit_cube(), 1, {0x1p50, 0, 0})), b(moved(unit_cube(), 1, {0x1p50 + 1, 0, 0})), c(moved(unit_cube(), 1, {0x1p50 + 40, 0, 0}));
+  Separation of_touching(a.tree, b.tree), of_apart(a.tree, c.tree);
+  Random random(8);
+  int told_apart = 0, beside = 0;
+  for (int k = 0; k < 600; ++k) {
+    const Pose rotation = k % 2 == 0 ? random_rotation(random, 9) : rounded(random_rotation(random, 9));
+    told_apart += told_apart_by(of_touching, Placed{rotation, rotation}, 4);
+    beside += told_apart_by(of_apart, Placed{rotation, rotation}, 4);
+  }
+  BOOST_TEST(told_apart == 0);
+  BOOST_TEST(beside == 600);
+}
+
 BOOST_AUTO_TEST_CASE(bodies_clearly_apart_are_told_apart)
 {
   const auto all = bodies();

@@ -212,6 +212,27 @@ BOOST_AUTO_TEST_CASE(poses_that_are_nearly_flat_or_far_off_in_size_end_and_are_r
   BOOST_TEST(wrong == 0);
 }
 
+BOOST_AUTO_TEST_CASE(triangles_with_sides_of_any_size_are_found_in_a_face)
+{
+  // A triangle in a cube's face, beside the rest of its body, which is larger: as small as doubles get.
+  Wide_tree cube(triangulated(box({-1, 1, -1}, {1, 2, 1})));
+  int missed = 0, tried = 0;
+  for (int exponent = -1074; exponent < 0; ++exponent)
+    for (int k = 0; k < (exponent < -480 && exponent > -560 ? 32 : 2); ++k) {
+      const double d = std::ldexp(1 + k / 32.0, exponent);
+      Polyhedron small;
+      small.vertices = {{d, 1, 0}, {-d, 1, 0}, {0, 1, d}, {1, -1, 0}, {-1, -1, 0}, {0, -1, 0.5}, {0, -1, -0.5}};
+      for (const auto& [p, q, r] : {std::array<Index, 3>{0, 1, 2}, {3, 4, 5}, {3, 4, 6}}) small.add_polygon({p, q, r});
+      Wide_tree tree(small);
+      for (const Pose& pose : {Pose(), translation(0.25, 0, 0.25)}) {
+        ++tried;
+        missed += !Wide_collision(tree, cube)(pose, Pose(), Question::surface) + !Wide_collision(cube, tree)(Pose(), pose, Question::surface);
+      }
+    }
+  BOOST_TEST(missed == 0);
+  BOOST_TEST(tried > 9000);
+}
+
 BOOST_AUTO_TEST_CASE(the_papers_tree_in_rational_arithmetic_says_the_same)
 {
   using Rational_tree = Tetra_tree<tetracone::kernel::Rational_kernel>;
