@@ -64,7 +64,7 @@ struct Experiment {
 };
 constexpr std::array experiments = {
     Experiment{"study", "how fast and how often wrong is each kernel on the paper's trajectories and in exactly degenerate contact?", "3 min", study},
-    Experiment{"peers", "how fast are ours and FCL, CGAL, Bullet and ODE, in one run, and how often wrong?", "4 min", peers},
+    Experiment{"peers", "how fast are ours and FCL, CGAL, Bullet and ODE, in one run, and how often wrong?", "3 min", peers},
     Experiment{"scaling", "how do time, build and memory grow with the triangles of one geometry?", "2 min", scaling},
     Experiment{"ablation", "what does each choice of the paper cost, and each step to the fast tree bring?", "3 min", ablation},
     Experiment{"sign-maps", "what does each arithmetic answer at 256 x 256 neighbouring doubles about a degenerate place?", "2 min", sign_maps},

@@ -30,7 +30,7 @@ std::vector<Contestant> contestants(std::size_t triangles, bool degenerate)
 
 void run_peers(const Race_options& options)
 {
-  constexpr int passes = 12;
+  constexpr int passes = 60;
   constexpr double seconds = 0.3;
   const auto objects = std::make_shared<Race_objects>(options.models);
   std::vector<Table_part> parts;
