@@ -18,6 +18,9 @@ using Clock = std::chrono::steady_clock;
 using kernel::Pose;
 using kernel::Question;
 
+/// A's pose in every frame: made once, since the time of a query holds no other work.
+const Pose unmoved;
+
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// The least that the clock says of nothing at all.
@@ -50,7 +53,7 @@ Runner prepare(const Contestant& contestant, const Race_course& course)
     const auto start = Clock::now();
     build(contestant.prepare_on_demand);
     for (std::size_t k = 0; k < std::min(Race::first_poses, course.poses_b.size()); ++k) {
-      runner.ready->collide(course.pose_a, course.poses_b[k], Question::surface);
+      runner.ready->collide(unmoved, course.poses_b[k], Question::surface);
       if (k == 0) runner.build.nodes_after_one = runner.ready->node_count();
     }
     runner.build.with_first_milliseconds = 1e3 * seconds_since(start);
@@ -147,7 +150,7 @@ class Laps {
     return total / asked_.size();
   }
 
-  bool ask(std::size_t i) { return runner_.ready->collide(course_.pose_a, course_.poses_b[asked_[i]], question_); }
+  bool ask(std::size_t i) { return runner_.ready->collide(unmoved, course_.poses_b[asked_[i]], question_); }
 
   Runner& runner_;
   const Race_course& course_;
@@ -198,7 +201,7 @@ const std::vector<char>& Race::reference(Question question)
   auto& known = question == Question::surface ? surface_ : solid_;
   if (known) return *known;
   known.emplace();
-  for (const Pose& pose : course_.poses_b) known->push_back(runners_[0].ready->collide(course_.pose_a, pose, question));
+  for (const Pose& pose : course_.poses_b) known->push_back(runners_[0].ready->collide(unmoved, pose, question));
   return *known;
 }
 
@@ -215,7 +218,7 @@ Race::Checked Race::check(Question question)
     const std::size_t stride = std::max<std::size_t>(1, frames.size() / wanted);
     for (std::size_t i = 0, asked = 0; i < frames.size() && asked < wanted; i += stride, ++asked) {
       ++checked.frames;
-      checked.wrong += verify::collide(a, course_.pose_a, b, course_.poses_b[frames[i]], question) != hit;
+      checked.wrong += verify::collide(a, unmoved, b, course_.poses_b[frames[i]], question) != hit;
     }
   }
   return checked;

@@ -23,7 +23,6 @@ struct Race_course {
   covering::Polyhedron a, b;
   std::vector<kernel::Pose> poses_b;
   bool degenerate = false;
-  kernel::Pose pose_a;  ///< in every frame
 
   /// The file name of its rows.
   std::string name() const;
