@@ -101,7 +101,7 @@ void add_experiment_command(CLI::App& app)
   command->add_option("--models", options->study.models, "Folder that experiments/fetch_models.sh filled; default: its own");
   command->add_option("--frames", options->study.frames, "study: poses of each trajectory")->capture_default_str();
   command->add_option("--rotations", options->study.rotations, "study: poses of each degenerate scenario")->capture_default_str();
-  command->add_option("--race-frames", options->race_frames, "peers, scaling, ablation: poses of each trajectory")->capture_default_str();
+  command->add_option("--race-frames", options->race_frames, "peers, scaling, ablation: poses of each trajectory (peers: of each of eight circles)")->capture_default_str();
   command->add_option("--model", options->model, "method: a closed model; default: a star-shaped body of 760 triangles");
   command->add_option("--seed", options->study.seed, "Seed of every random choice")->capture_default_str();
   command->add_option("--cases", options->cases, "dataset: cases per family and level")->capture_default_str();

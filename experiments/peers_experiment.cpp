@@ -30,8 +30,9 @@ std::vector<Contestant> contestants(std::size_t triangles, bool degenerate)
 
 void run_peers(const Race_options& options)
 {
-  constexpr int passes = 60;
+  constexpr int passes = 200;
   constexpr double seconds = 0.3;
+  constexpr int circles = 8;  // one alone meets A in few places, and which they are would decide the mean
   const auto objects = std::make_shared<Race_objects>(options.models);
   std::vector<Table_part> parts;
   const auto add = [&](const std::string& name, std::function<Race_course()> make) {
@@ -50,7 +51,7 @@ void run_peers(const Race_options& options)
           const std::string part = trajectory + "-" + name + "-" + std::to_string(triangles) + "-" + std::to_string(ratio);
           const std::uint64_t seed = options.seed + 1000 * parts.size();
           add(part, [=, frames = options.frames, triangles = triangles] {
-            return on_trajectory((*objects)(name, triangles), name, trajectory, ratio, frames, seed);
+            return on_trajectory((*objects)(name, triangles), name, trajectory, ratio, frames, seed, trajectory == "circular" ? circles : 1);
           });
         }
   const int frames = options.frames, fewer = std::max(1, options.frames / 10);

@@ -116,20 +116,21 @@ const Polyhedron& Race_objects::operator()(const std::string& name, std::size_t 
   return found->second = normalised(triangles < mesh->face_count() ? decimate(*mesh, triangles) : *mesh);
 }
 
-Race_course on_trajectory(const Polyhedron& object, const std::string& name, const std::string& trajectory, double ratio, int frames, std::uint64_t seed)
+Race_course on_trajectory(const Polyhedron& object, const std::string& name, const std::string& trajectory, double ratio, int frames, std::uint64_t seed,
+                          int trajectories)
 {
   Race_course course{trajectory, name, ratio, object, scaled(object, 1 / ratio), {}};
   tetratree::Wide_tree a(course.a), b(object);
   tetratree::Wide_collision collide(a, b);
   const auto collides = [&](const Pose& pose) { return collide(Pose(), pose, Question::surface); };
-  const auto poses = trajectory == "circular" ? circular_trajectory(object, object, ratio, frames, seed, collides)
-                                              : contour_trajectory(object, object, ratio, frames, seed, collides);
-  for (const Pose& pose : poses) {
-    auto entries = pose.entries();
-    for (int row = 0; row < 3; ++row)
-      for (int column = 0; column < 3; ++column) entries[4 * row + column] *= ratio;
-    course.poses_b.emplace_back(entries);
-  }
+  const auto find = trajectory == "circular" ? circular_trajectory : contour_trajectory;
+  for (int k = 0; k < trajectories; ++k)
+    for (const Pose& pose : find(object, object, ratio, frames, seed + 100 * std::uint64_t(k), collides)) {
+      auto entries = pose.entries();
+      for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column) entries[4 * row + column] *= ratio;
+      course.poses_b.emplace_back(entries);
+    }
   return course;
 }
 

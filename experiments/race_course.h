@@ -46,8 +46,10 @@ class Race_objects {
   std::map<std::pair<std::string, std::size_t>, covering::Polyhedron> made_;
 };
 
-/// The object against itself, B 1 / ratio as large, on a trajectory of JS08 section 4, "circular" or "contour". Requires ratio a power of two.
-Race_course on_trajectory(const covering::Polyhedron& object, const std::string& name, const std::string& trajectory, double ratio, int frames, std::uint64_t seed);
+/// The object against itself, B 1 / ratio as large, on a trajectory of JS08 section 4, "circular" or "contour"; or on so many of the kind, one after the
+/// other, `frames` poses each. Requires ratio a power of two.
+Race_course on_trajectory(const covering::Polyhedron& object, const std::string& name, const std::string& trajectory, double ratio, int frames, std::uint64_t seed,
+                          int trajectories = 1);
 
 // Exactly degenerate contact: bodies turned so that no face lies along an axis, in poses whose doubles say it exactly. Every answer takes the exact path.
 

@@ -4,6 +4,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -64,6 +65,20 @@ BOOST_AUTO_TEST_CASE(a_contestant_that_takes_no_such_bodies_is_not_in_the_race)
   const Race_course course = three_poses();
   Race race(course, {wide(), peer("no such library")});
   BOOST_TEST(!race.run(Question::surface, 1, 1)[1]);
+}
+
+BOOST_AUTO_TEST_CASE(several_trajectories_follow_one_another_each_from_a_seed_of_its_own)
+{
+  const auto course = [body = verify::blob(300, 1)](int trajectories) { return on_trajectory(body, "blob", "circular", 8, 50, 3, trajectories); };
+  const Race_course several = course(3);
+  const auto one = course(1).poses_b, &three = several.poses_b;
+  BOOST_TEST(one.size() == 50u);
+  BOOST_REQUIRE(three.size() == 150u);
+  BOOST_TEST(std::equal(one.begin(), one.end(), three.begin()));
+  for (std::size_t k = 0; k < 50; ++k) BOOST_TEST((!(three[k] == three[50 + k]) && !(three[50 + k] == three[100 + k])));
+  // Two in each fifty are between 3 and 4.5 %.
+  Race race(several, {wide()});
+  BOOST_TEST(race.run(Question::surface, 1, 1)[0]->collisions == 6u);
 }
 
 BOOST_AUTO_TEST_CASE(time_memory_and_nodes_are_measured)
