@@ -180,13 +180,14 @@ class Relative_frame {
     const double g11 = std::abs(columns(m, m, 1, 1) - square), g22 = std::abs(columns(m, m, 2, 2) - square);
     const double row = std::max({g01 + g02, g11 + g01 + g12, g22 + g02 + g12});
     if (!(row <= 0x1p-24 * square && square >= 0x1p-100 && square <= 0x1p100)) return false;
-    const double f = 1 / square, scale = in_b.unit / in_a.unit, shrink = 1.7321 * std::sqrt(f) / in_a.unit;
+    const double f = 1 / square, per_unit = 1 / in_a.unit, shrink = 1.7321 * std::sqrt(f) * per_unit;
+    const double of_columns = f * (in_b.unit * per_unit), of_offset = f * per_unit;
     const double rho = row * f + 24 * u;
 
     if (!(d.error() * shrink <= 0x1p-30)) d = Origins_apart::summed_twice_as_wide(a, in_a, b, in_b);
     for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) linear_[i][j] = columns(m, n, i, j) * (f * scale);
-      offset_[i] = (m[i] * d[0] + m[4 + i] * d[1] + m[8 + i] * d[2]) * f / in_a.unit;
+      for (int j = 0; j < 3; ++j) linear_[i][j] = columns(m, n, i, j) * of_columns;
+      offset_[i] = (m[i] * d[0] + m[4 + i] * d[1] + m[8 + i] * d[2]) * of_offset;
     }
     const double longest = decide_similarity(), relative = 1.01 * rho + 16 * u;
     const double error = relative * (3 * longest + shrink * d.largest()) + shrink * d.error();

@@ -55,7 +55,7 @@ inline float wide_slack(double m, double position_error)
 /// A `Relative_frame` made ready to carry boxes.
 class Box_map {
  public:
-  Box_map() = default;
+  Box_map() : column_{}, direction_{} {}
 
   explicit Box_map(const Relative_frame& frame) : frame_(frame) { make_ready(); }
 
@@ -106,9 +106,12 @@ class Box_map {
     const double shrink = 1 / frame_.scale();
     stretch_ = float(frame_.scale()) * (1 + 0x1p-20f);
     position_slack_ = wide_slack(0, frame_.error());
-    for (int j = 0; j < 3; ++j)
+    for (int j = 0; j < 3; ++j) {
       for (int i = 0; i < 3; ++i) direction_[j][i] = float(m[i][j] * shrink), column_[j][i] = m[i][j];
+      direction_[j][3] = 0, column_[j][3] = 0;
+    }
     for (int i = 0; i < 3; ++i) column_[3][i] = frame_.offset()[i];
+    column_[3][3] = 0;
   }
 
   void place_centre(Single_box& box, double sum, const Wide_boxes& boxes, const Wide_boxes& from, int lane) const
@@ -124,8 +127,8 @@ class Box_map {
   }
 
   Relative_frame frame_;
-  alignas(32) double column_[4][4]{};
-  alignas(16) float direction_[3][4]{};
+  alignas(32) double column_[4][4];  // of each, the fourth is not used
+  alignas(16) float direction_[3][4];
   float stretch_ = 1, position_slack_ = 0;
 };
 
