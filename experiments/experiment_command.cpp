@@ -27,7 +27,7 @@ struct Options {
   bool list = false, full = false;
   Study_options study;
   std::uint64_t cases = 20;
-  int race_frames = 400;
+  int race_frames = 400, size = 256;
   std::filesystem::path model;
 };
 
@@ -51,7 +51,7 @@ void scaling(Options options) { run_scaling(race(options)); }
 void ablation(Options options) { run_ablation(race(options)); }
 
 void method(Options options) { run_method_figures(options.study.out, options.model); }
-void sign_maps(Options options) { run_sign_maps(options.study.out); }
+void sign_maps(Options options) { run_sign_maps(options.study.out, options.size); }
 void stability(Options options) { run_stability(options.study.out, options.full ? 400 : 20, options.study.seed); }
 
 void compilers(Options options) { run_compilers(options.study.out); }
@@ -63,11 +63,11 @@ struct Experiment {
   void (*run)(Options options);
 };
 constexpr std::array experiments = {
-    Experiment{"study", "how fast and how often wrong is each kernel on the paper's trajectories and in exactly degenerate contact?", "3 min", study},
+    Experiment{"study", "how fast and how often wrong is each kernel on the paper's trajectories and in exactly degenerate contact?", "2 min", study},
     Experiment{"peers", "how fast are ours and FCL, CGAL, Bullet and ODE, in one run, and how often wrong?", "3 min", peers},
     Experiment{"scaling", "how do time, build and memory grow with the triangles of one geometry?", "2 min", scaling},
     Experiment{"ablation", "what does each choice of the paper cost, and each step to the fast tree bring?", "3 min", ablation},
-    Experiment{"sign-maps", "what does each arithmetic answer at 256 x 256 neighbouring doubles about a degenerate place?", "2 min", sign_maps},
+    Experiment{"sign-maps", "what does each arithmetic answer at 256 x 256 neighbouring doubles about a degenerate place?", "1 min", sign_maps},
     Experiment{"stability", "how many doubles from the exact place does each kernel change its answer?", "1 min", stability},
     Experiment{"method", "what do covering, cones, bounding volumes and hull of the paper look like?", "1 min", method},
     Experiment{"compilers", "which compiler flags make which signs wrong?", "2 min", compilers},
@@ -83,8 +83,8 @@ void run(const Options& options)
   if (options.name.empty()) throw CLI::RequiredError("NAME");
   const auto chosen = std::find_if(experiments.begin(), experiments.end(), [&](const Experiment& e) { return e.name == options.name; });
   if (chosen == experiments.end()) throw CLI::ValidationError(options.name, "expected an experiment; --list names them");
-  if (options.study.frames < 1 || options.study.rotations < 1 || options.race_frames < 1)
-    throw CLI::ValidationError("--frames, --rotations, --race-frames", "expected numbers from 1");
+  if (options.study.frames < 1 || options.study.rotations < 1 || options.race_frames < 1 || options.size < 1)
+    throw CLI::ValidationError("--frames, --rotations, --race-frames, --size", "expected numbers from 1");
   if (options.study.out.native().find('\'') != std::string::npos) throw CLI::ValidationError("--out", "expected a name without '");
   chosen->run(options);
 }
@@ -102,6 +102,7 @@ void add_experiment_command(CLI::App& app)
   command->add_option("--frames", options->study.frames, "study: poses of each trajectory")->capture_default_str();
   command->add_option("--rotations", options->study.rotations, "study: poses of each degenerate scenario")->capture_default_str();
   command->add_option("--race-frames", options->race_frames, "peers, scaling, ablation: poses of each trajectory (peers: of each of eight circles)")->capture_default_str();
+  command->add_option("--size", options->size, "sign-maps: doubles along each side of a map")->capture_default_str();
   command->add_option("--model", options->model, "method: a closed model; default: a star-shaped body of 760 triangles");
   command->add_option("--seed", options->study.seed, "Seed of every random choice")->capture_default_str();
   command->add_option("--cases", options->cases, "dataset: cases per family and level")->capture_default_str();

@@ -7,8 +7,6 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -20,19 +18,10 @@ using verify::in_quotes;
 using verify::Run;
 using verify::run;
 using verify::Temporary_file;
+using verify::Temporary_folder;
 namespace fs = std::filesystem;
 
 namespace {
-
-/// A new folder, removed with this object.
-struct Folder {
-  fs::path path;
-  explicit Folder(const std::string& name) : path(fs::temp_directory_path() / ("tetracone_" + std::to_string(::getpid()) + "_" + name))
-  {
-    fs::remove_all(path);
-  }
-  ~Folder() { fs::remove_all(path); }
-};
 
 std::vector<fs::path> files_of(const fs::path& folder)
 {
@@ -58,11 +47,11 @@ std::optional<fs::path> case_with(const fs::path& folder, verify::Level level, c
 
 BOOST_AUTO_TEST_CASE(double_is_found_wrong_and_its_cases_replay)
 {
-  const Folder folder("fuzz_double");
-  const Run r = run("fuzz --seconds 6 --seed 3 --subject 'double brute' --out " + in_quotes(folder.path));
+  const Temporary_folder folder("fuzz_double");
+  const Run r = run("fuzz --seconds 6 --seed 3 --subject 'double brute' --out " + in_quotes(folder.path()));
   BOOST_TEST(r.status == 0, r.error);
   BOOST_TEST(r.out.find("double brute") != std::string::npos);
-  const auto files = files_of(folder.path);
+  const auto files = files_of(folder.path());
   BOOST_REQUIRE(!files.empty());
   for (const auto& path : files) {
     BOOST_TEST(verify::is_case_name(path), path);
@@ -87,10 +76,10 @@ BOOST_AUTO_TEST_CASE(double_is_found_wrong_and_its_cases_replay)
 
 BOOST_AUTO_TEST_CASE(predicates_are_found_wrong_and_replay_by_the_subjects_name)
 {
-  const Folder folder("fuzz_predicate");
-  const Run r = run("fuzz --seconds 4 --subject float --out " + in_quotes(folder.path));
+  const Temporary_folder folder("fuzz_predicate");
+  const Run r = run("fuzz --seconds 4 --subject float --out " + in_quotes(folder.path()));
   BOOST_TEST(r.status == 0, r.error);
-  const auto path = case_with(folder.path, verify::Level::predicate, "float");
+  const auto path = case_with(folder.path(), verify::Level::predicate, "float");
   BOOST_REQUIRE(path.has_value());
   const auto file = verify::read_case(*path);
   std::string wrong;
@@ -106,10 +95,10 @@ BOOST_AUTO_TEST_CASE(predicates_are_found_wrong_and_replay_by_the_subjects_name)
 
 BOOST_AUTO_TEST_CASE(exact_subjects_find_nothing)
 {
-  const Folder folder("fuzz_exact");
-  const Run r = run("fuzz --seconds 3 --subject adaptive --out " + in_quotes(folder.path));
+  const Temporary_folder folder("fuzz_exact");
+  const Run r = run("fuzz --seconds 3 --subject adaptive --out " + in_quotes(folder.path()));
   BOOST_TEST(r.status == 0, r.out << r.error);
-  BOOST_TEST(files_of(folder.path).empty());
+  BOOST_TEST(files_of(folder.path()).empty());
   BOOST_TEST(r.out.find("exact") != std::string::npos);
 }
 

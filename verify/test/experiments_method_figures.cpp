@@ -7,8 +7,6 @@
 #include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
 
-#include <unistd.h>
-
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -25,7 +23,8 @@ BOOST_AUTO_TEST_CASE(every_picture_is_drawn_from_data_that_agree)
     std::puts("skipped: no python3-matplotlib");
     return;
   }
-  const fs::path out = fs::temp_directory_path() / ("tetracone_method_" + std::to_string(::getpid()));
+  const Temporary_folder folder("method");
+  const fs::path& out = folder.path();
   const Run r = run("experiment method --out " + in_quotes(out));
   BOOST_TEST_REQUIRE(r.status == 0, r.error);
   std::ifstream in(out / "method.json");
@@ -46,7 +45,6 @@ BOOST_AUTO_TEST_CASE(every_picture_is_drawn_from_data_that_agree)
   }
   for (const std::string name : {"covering", "cone", "classification", "levels", "bounds", "tetrahedra", "spheres", "theorem_2"})
     for (const std::string ending : {".svg", ".pdf"}) BOOST_TEST(fs::file_size(out / "figures" / ("method_" + name + ending)) > 3000u, name);
-  fs::remove_all(out);
 }
 
 BOOST_AUTO_TEST_CASE(a_folder_that_cannot_be_made_is_refused_before_the_work)

@@ -29,6 +29,24 @@ class Temporary_file {
   std::filesystem::path path_;
 };
 
+/// The place of a new folder there, removed with all that it holds.
+class Temporary_folder {
+ public:
+  explicit Temporary_folder(const std::string& name)
+      : path_(std::filesystem::temp_directory_path() / ("tetracone_" + std::to_string(::getpid()) + "_" + name))
+  {
+    std::filesystem::remove_all(path_);
+  }
+  ~Temporary_folder() { std::filesystem::remove_all(path_); }
+  Temporary_folder(const Temporary_folder&) = delete;
+  Temporary_folder& operator=(const Temporary_folder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
 /// What `read` says of the file in the input error that it throws, behind the file's path: ":4: what is wrong; what was expected".
 template <class Read>
 std::string error_of(const Temporary_file& file, const Read& read)
