@@ -25,34 +25,46 @@ tetratree::Counts taken(Collision& collision)
 
 enum class Nodes { at_once, on_demand };
 
-class Wide_ready : public Ready {
- public:
-  template <class... Options>
-  Wide_ready(const Polyhedron& a, const Polyhedron& b, Nodes nodes, Options... options)
-      : a_(a, covering::triangulate_faces(a)), b_(b, covering::triangulate_faces(b)), collision_(a_, b_, options...)
+struct Wide_trees {
+  Wide_trees(const Polyhedron& polyhedron_a, const Polyhedron& polyhedron_b, Nodes nodes)
+      : a(polyhedron_a, covering::triangulate_faces(polyhedron_a)), b(polyhedron_b, covering::triangulate_faces(polyhedron_b))
   {
     if (nodes == Nodes::on_demand) return;
-    a_.make_all();
-    b_.make_all();
+    a.make_all();
+    b.make_all();
   }
+  tetratree::Wide_tree a, b;
+};
+
+class Wide_ready : public Ready {
+ public:
+  Wide_ready(std::shared_ptr<Wide_trees> trees, tetratree::Coherence coherence)
+      : trees_(std::move(trees)), collision_(trees_->a, trees_->b, coherence)
+  {
+  }
+
+  const std::shared_ptr<Wide_trees>& trees() const { return trees_; }
 
   bool collide(const Pose& pose_a, const Pose& pose_b, Question question) override { return collision_(pose_a, pose_b, question); }
   tetratree::Counts take_counts() override { return taken(collision_); }
-  std::size_t node_count() const override { return a_.node_count() + b_.node_count(); }
-  std::size_t tree_bytes() const override { return a_.bytes() + b_.bytes() + collision_.bytes(); }
+  std::size_t node_count() const override { return trees_->a.node_count() + trees_->b.node_count(); }
+  std::size_t tree_bytes() const override { return trees_->a.bytes() + trees_->b.bytes() + collision_.bytes(); }
 
  private:
-  tetratree::Wide_tree a_, b_;
+  std::shared_ptr<Wide_trees> trees_;
   tetratree::Wide_collision collision_;
 };
 
-template <class... Options>
-Contestant wide_as(const std::string& name, Options... options)
+Contestant wide_as(const std::string& name, tetratree::Coherence coherence)
 {
-  const auto prepare = [=](Nodes nodes) {
-    return [=](const Polyhedron& a, const Polyhedron& b) { return std::make_unique<Wide_ready>(a, b, nodes, options...); };
+  const auto prepare = [coherence](Nodes nodes) {
+    return [=](const Polyhedron& a, const Polyhedron& b) { return std::make_unique<Wide_ready>(std::make_shared<Wide_trees>(a, b, nodes), coherence); };
   };
-  return {name, true, true, true, 1, prepare(Nodes::at_once), prepare(Nodes::on_demand)};
+  const auto share = [coherence](const Ready& other) -> std::unique_ptr<Ready> {
+    const auto* wide = dynamic_cast<const Wide_ready*>(&other);
+    return wide ? std::make_unique<Wide_ready>(wide->trees(), coherence) : nullptr;
+  };
+  return {name, true, true, true, 1, prepare(Nodes::at_once), prepare(Nodes::on_demand), share};
 }
 
 template <class K>
@@ -83,7 +95,7 @@ template <class K>
 Contestant paper_over(const std::string& name, const tetratree::Config& config)
 {
   return {name, kernel::Kernel_traits<K>::exact_signs, true, true, 1,
-          [config](const Polyhedron& a, const Polyhedron& b) { return std::make_unique<Paper_ready<K>>(a, b, config); }, {}};
+          [config](const Polyhedron& a, const Polyhedron& b) { return std::make_unique<Paper_ready<K>>(a, b, config); }, {}, {}};
 }
 
 class Peer_ready : public Ready {
@@ -97,7 +109,7 @@ class Peer_ready : public Ready {
 
 }  // namespace
 
-Contestant wide() { return wide_as("tetracone"); }
+Contestant wide() { return wide_as("tetracone", tetratree::Coherence::none); }
 Contestant wide_with_last_frame() { return wide_as("tetracone with last frame", tetratree::Coherence::last_frame); }
 
 Contestant paper(const std::string& name, const tetratree::Config& config) { return paper_over<kernel::Double>(name, config); }
@@ -105,7 +117,7 @@ Contestant paper_adaptive(const std::string& name, const tetratree::Config& conf
 
 Contestant peer(const std::string& name, std::size_t one_in)
 {
-  Contestant result{name, false, name.starts_with("CGAL"), false, one_in, [](const Polyhedron&, const Polyhedron&) { return nullptr; }, {}};
+  Contestant result{name, false, name.starts_with("CGAL"), false, one_in, [](const Polyhedron&, const Polyhedron&) { return nullptr; }, {}, {}};
   for (const Peer& known : peers()) {
     if (known.name != name) continue;
     result.prepare = [prepare = known.prepare](const Polyhedron& a, const Polyhedron& b) -> std::unique_ptr<Ready> {

@@ -167,7 +167,14 @@ class Laps {
 
 Race::Race(const Race_course& course, const std::vector<Contestant>& contestants) : course_(course)
 {
-  for (const Contestant& contestant : contestants) runners_.push_back(prepare(contestant, course));
+  for (const Contestant& contestant : contestants) {
+    Runner runner = prepare(contestant, course);
+    std::unique_ptr<Ready> shared;
+    for (std::size_t k = 0; k < runners_.size() && !shared; ++k)
+      if (runner.ready && runners_[k].ready && contestant.share) shared = contestant.share(*runners_[k].ready);
+    if (shared) runner.ready = std::move(shared);
+    runners_.push_back(std::move(runner));
+  }
 }
 
 std::vector<std::optional<Timing>> Race::run(Question question, int passes, double seconds)

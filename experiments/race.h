@@ -34,7 +34,7 @@ struct Timing {
 /// A contestant in the race: null where it does not take such bodies.
 struct Runner {
   Contestant contestant;
-  std::unique_ptr<Ready> ready;
+  std::unique_ptr<Ready> ready;  ///< where that can be, on the trees of a contestant before it
   Build build;
 };
 

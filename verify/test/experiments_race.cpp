@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(wrong_answers_are_counted_by_their_kind_and_only_where_they
 {
   const Race_course course = three_poses();
   const Contestant denying{"denying", false, false, false, 2,
-                           [](const covering::Polyhedron&, const covering::Polyhedron&) { return std::make_unique<Denying>(); }, {}};
+                           [](const covering::Polyhedron&, const covering::Polyhedron&) { return std::make_unique<Denying>(); }, {}, {}};
   Race race(course, {wide(), denying});
   const auto surface = race.run(Question::surface, 2, 1);
   BOOST_TEST(surface[0]->poses == 4u);
@@ -79,6 +79,21 @@ BOOST_AUTO_TEST_CASE(several_trajectories_follow_one_another_each_from_a_seed_of
   // Two in each fifty are between 3 and 4.5 %.
   Race race(several, {wide()});
   BOOST_TEST(race.run(Question::surface, 1, 1)[0]->collisions == 6u);
+}
+
+BOOST_AUTO_TEST_CASE(with_the_last_frame_or_without_the_same_trees_are_asked)
+{
+  const Race_course course = on_trajectory(verify::blob(300, 1), "blob", "contour", 1, 10, 1);
+  const auto first = wide().prepare_on_demand(course.a, course.b), second = wide_with_last_frame().share(*first);
+  BOOST_REQUIRE(second);
+  const std::size_t few = second->node_count();
+  for (const Pose& pose : course.poses_b) BOOST_TEST(first->collide(Pose(), pose, Question::surface) == second->collide(Pose(), pose, Question::surface));
+  BOOST_TEST(second->node_count() > few);
+  BOOST_TEST(second->node_count() == first->node_count());
+  BOOST_TEST(first->take_counts().queries == 10u);
+  BOOST_TEST(second->take_counts().queries == 10u);
+  BOOST_TEST(!wide().share(Denying()));
+  BOOST_TEST(!peer("no such library").share);
 }
 
 BOOST_AUTO_TEST_CASE(time_memory_and_nodes_are_measured)
