@@ -59,7 +59,7 @@ void run_peers(const Race_options& options)
   add("face-on-face", [=, seed = options.seed] { return face_on_face(16, frames, seed); });
   add("one-ulp-apart", [=, seed = options.seed] { return sliding_apart(16, fewer, seed); });
   add("shell-in-shell", [=, seed = options.seed] { return shell_in_shell(7172, fewer, seed); });
-  write_table(options.out, "peers", options.key(), parts);
+  write_table(options.out, "peers", options.key() + "-circles" + std::to_string(circles), parts);
   draw_table("peers_figure.py", options.out);
 }
 
