@@ -83,8 +83,8 @@ void run(const Options& options)
   if (options.name.empty()) throw CLI::RequiredError("NAME");
   const auto chosen = std::find_if(experiments.begin(), experiments.end(), [&](const Experiment& e) { return e.name == options.name; });
   if (chosen == experiments.end()) throw CLI::ValidationError(options.name, "expected an experiment; --list names them");
-  if (options.study.frames < 1 || options.study.rotations < 1 || options.race_frames < 1 || options.size < 1)
-    throw CLI::ValidationError("--frames, --rotations, --race-frames, --size", "expected numbers from 1");
+  if (options.study.frames < 1 || options.study.rotations < 1 || options.race_frames < 1 )
+    throw CLI::ValidationError("--frames, --rotations, --race-frames", "expected numbers from 1");
   if (options.study.out.native().find('\'') != std::string::npos) throw CLI::ValidationError("--out", "expected a name without '");
   chosen->run(options);
 }
@@ -102,7 +102,7 @@ void add_experiment_command(CLI::App& app)
   command->add_option("--frames", options->study.frames, "study: poses of each trajectory")->capture_default_str();
   command->add_option("--rotations", options->study.rotations, "study: poses of each degenerate scenario")->capture_default_str();
   command->add_option("--race-frames", options->race_frames, "peers, scaling, ablation: poses of each trajectory (peers: of each of eight circles)")->capture_default_str();
-  command->add_option("--size", options->size, "sign-maps: doubles along each side of a map")->capture_default_str();
+  command->add_option("--size", options->size, "sign-maps: doubles along each side of a map")->check(CLI::Range(1, 4096))->capture_default_str();
   command->add_option("--model", options->model, "method: a closed model; default: a star-shaped body of 760 triangles");
   command->add_option("--seed", options->study.seed, "Seed of every random choice")->capture_default_str();
   command->add_option("--cases", options->cases, "dataset: cases per family and level")->capture_default_str();

@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_CASE(sign_maps_are_exact_where_they_say_so_and_rounding_shows)
   for (const auto& [name, lines] : maps) BOOST_TEST(lines.size() == std::size_t(size), name.first << ", " << name.second);
 
   // The moving point is (1/2 + column d, 1/2 + row d, 1/2 + size/2 d), the plane x + y = 2 z, with the triangle on the side x >= y of its edge. So the
-  // point is above the plane by (column + row - size) d; the segment goes from it to a point above, across x = y, and meets the triangle
+  // point is above the plane, which is -, by (column + row - size) d; the segment goes from it to a point above, across x = y, and meets the triangle
   // when it comes from below or the plane itself, with x >= y.
   const auto plane = [](int row, int column) { return row + column < size ? '+' : row + column > size ? '-' : '0'; };
   const auto triangle = [](int row, int column) { return row + column <= size && column >= row ? '+' : '-'; };
@@ -77,9 +77,9 @@ BOOST_AUTO_TEST_CASE(sign_maps_are_exact_where_they_say_so_and_rounding_shows)
   }
 }
 
-BOOST_AUTO_TEST_CASE(no_map_without_dots)
+BOOST_AUTO_TEST_CASE(a_size_that_no_map_has_is_refused)
 {
-  check_refused("experiment sign-maps --size 0", "--size");
+  for (const std::string size : {"0", "-1", "4097", "1000000000000", "nan", ""}) check_refused("experiment sign-maps --size '" + size + "'", "--size");
 }
 
 BOOST_AUTO_TEST_CASE(the_exact_kernel_changes_its_answer_at_the_exact_place_and_float_far_from_it)

@@ -11,14 +11,16 @@
 
 namespace tetracone::verify {
 
-/// A file in the system's folder for temporary files, with these bytes; removed with this object.
+/// A place of this process in the system's folder for temporary files.
+inline std::filesystem::path temporary_path(const std::string& name)
+{
+  return std::filesystem::temp_directory_path() / ("tetracone_" + std::to_string(::getpid()) + "_" + name);
+}
+
+/// A file at such a place, with these bytes; removed with this object.
 class Temporary_file {
  public:
-  Temporary_file(const std::string& name, const std::string& bytes)
-      : path_(std::filesystem::temp_directory_path() / ("tetracone_" + std::to_string(::getpid()) + "_" + name))
-  {
-    std::ofstream(path_, std::ios::binary) << bytes;
-  }
+  Temporary_file(const std::string& name, const std::string& bytes) : path_(temporary_path(name)) { std::ofstream(path_, std::ios::binary) << bytes; }
   ~Temporary_file() { std::filesystem::remove(path_); }
   Temporary_file(const Temporary_file&) = delete;
   Temporary_file& operator=(const Temporary_file&) = delete;
@@ -29,14 +31,10 @@ class Temporary_file {
   std::filesystem::path path_;
 };
 
-/// The place of a new folder there, removed with all that it holds.
+/// The same for a folder, which is not made yet; removed with all that it holds.
 class Temporary_folder {
  public:
-  explicit Temporary_folder(const std::string& name)
-      : path_(std::filesystem::temp_directory_path() / ("tetracone_" + std::to_string(::getpid()) + "_" + name))
-  {
-    std::filesystem::remove_all(path_);
-  }
+  explicit Temporary_folder(const std::string& name) : path_(temporary_path(name)) { std::filesystem::remove_all(path_); }
   ~Temporary_folder() { std::filesystem::remove_all(path_); }
   Temporary_folder(const Temporary_folder&) = delete;
   Temporary_folder& operator=(const Temporary_folder&) = delete;
