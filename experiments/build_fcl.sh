@@ -1,22 +1,18 @@
 #!/usr/bin/env bash
-# Builds FCL from Debian's sources with this project's flags: build_fcl.sh FOLDER [CMAKE_OPTION ...]. Then race against it by
-#   cmake --preset release -B build-fcl -Dfcl_DIR=FOLDER/lib/cmake/fcl && cmake --build build-fcl && build-fcl/tetracone experiment peers
-# Options of CMake come last and win: -DFCL_USE_HOST_NATIVE_ARCH=ON is for this machine alone. Needs apt-get, dpkg-dev and FCL's own libraries
-# (experiments/setup.sh's study packages); no root, and no change to apt's lists. Some 5 minutes on two cores.
+# Builds FCL from Debian's sources with this project's flags: build_fcl.sh FOLDER [CMAKE_OPTION ...]. Then race against it, into a folder of its own,
+# since rows that a folder has are not raced for again:
+#   cmake --preset release -B build-fcl -Dfcl_DIR=FOLDER/lib/cmake/fcl && cmake --build build-fcl && build-fcl/tetracone experiment peers --out out/fcl
+# Options of CMake come last and win: -DFCL_USE_HOST_NATIVE_ARCH=ON is for this machine alone. Installs the packages that are missing; apt's own
+# lists of sources stay as they are. Some 5 minutes on two cores.
 
-set -euo pipefail
+. "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-fail()
-{
-  echo "build_fcl: $1" >&2
-  exit "${2:-1}"
-}
-
-[[ $# -ge 1 && ${1:0:1} != - ]] || fail "expected a folder to install to: build_fcl.sh FOLDER [CMAKE_OPTION ...]" 2
-mkdir -p "$1" 2> /dev/null || fail "cannot make $1"
+[[ $# -ge 1 && ${1:0:1} != - ]] || { echo "build_fcl: expected a folder to install to: build_fcl.sh FOLDER [CMAKE_OPTION ...]" >&2; exit 2; }
+mkdir -p "$1" 2> /dev/null || fail "build_fcl: cannot make $1"
 folder=$(cd "$1" && pwd)
 shift
-command -v apt-get > /dev/null && command -v dpkg-source > /dev/null || fail "needs apt-get and dpkg-source (Debian's dpkg-dev)"
+command -v apt-get > /dev/null || fail "build_fcl: needs apt-get"
+install_packages "${build_packages[@]}" "${study_packages[@]}" dpkg-dev
 
 work=$(mktemp -d "$folder/build.XXXXXX")
 trap 'rm -rf "$work"' EXIT
@@ -35,15 +31,15 @@ apt()
 {
   apt-get -q -o Dir::Etc::SourceList=/dev/null -o Dir::Etc::SourceParts="$work/apt/parts" -o Dir::State::Lists="$work/apt/lists" -o Dir::Cache="$work/apt/cache" "$@"
 }
-{ apt update && (cd "$work/source" && apt source fcl); } > "$work/log" 2>&1 || fail "cannot get the sources of fcl: $(grep -m 1 '^E:' "$work/log" || tail -n 1 "$work/log")"
+{ apt update && (cd "$work/source" && apt source fcl); } > "$work/log" 2>&1 || fail "build_fcl: cannot get the sources of fcl: $(grep -m 1 '^E:' "$work/log" || tail -n 1 "$work/log")"
 source=$(find "$work/source" -mindepth 1 -maxdepth 1 -type d -name 'fcl-*')
-[[ -n $source ]] || fail "no folder fcl-* in the sources of fcl"
+[[ -n $source ]] || fail "build_fcl: no folder fcl-* in the sources of fcl"
 
 {
   cmake -S "$source" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS=-ffp-contract=off -DBUILD_TESTING=OFF \
     -DFCL_USE_X64_SSE=OFF -DCMAKE_INSTALL_PREFIX="$folder" -DCMAKE_INSTALL_LIBDIR=lib "$@" &&
-    cmake --build "$work/build" && cmake --install "$work/build"
-} > "$work/log" 2>&1 || fail "$(grep -m 1 -i 'error' "$work/log" || tail -n 1 "$work/log")"
+    cmake --build "$work/build" --parallel "$(jobs_at_once)" && cmake --install "$work/build"
+} > "$work/log" 2>&1 || fail "build_fcl: $(grep -m 1 -i 'error' "$work/log" || tail -n 1 "$work/log")"
 config=$(find "$folder/lib" -name fcl-config.cmake -print -quit)
-[[ -n $config ]] || fail "no fcl-config.cmake below $folder/lib"
+[[ -n $config ]] || fail "build_fcl: no fcl-config.cmake below $folder/lib"
 echo "fcl_DIR: $(dirname "$config")"
