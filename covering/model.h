@@ -4,7 +4,9 @@
 #include "covering/covering.h"
 #include "covering/polyhedron.h"
 #include "kernel/cone_lattice.h"
+#include "kernel/floating_point.h"
 #include "kernel/frame.h"
+#include "kernel/kernels.h"
 #include "kernel/segment_face.h"
 
 #include <cstdint>
@@ -15,7 +17,8 @@
 namespace tetracone::covering {
 
 /// A polyhedron as kernel K sees it: its covering, the origin O of the covering, and its vertices as points of K.
-/// Requires every face planar (see `repair.h`), for that is what the signs of a face mean.
+/// Requires every face planar (see `repair.h`), for that is what the signs of a face mean. Throws kernel::Unsound_floating_point when K decides
+/// exactly and floating point is not as that needs it.
 template <class K>
 class Model {
  public:
@@ -26,6 +29,7 @@ class Model {
         lattice_(kernel::cone_lattice(polyhedron.vertices)),
         origin_(kernel::point<K>(lattice_.origin))
   {
+    if constexpr (kernel::Kernel_traits<K>::exact_signs) kernel::require_exact_arithmetic();
     points_.reserve(vertices_.size());
     for (const Vertex& v : vertices_) points_.push_back(kernel::point<K>(v));
   }
@@ -61,9 +65,10 @@ class Placed_model {
     if constexpr (std::is_same_v<K, kernel::Adaptive>) exact_images_.resize(points_.size());
   }
 
-  /// Moves the model. `pose` must outlive its use here.
+  /// Moves the model. `pose` must outlive its use here. Throws as `Model` does.
   void place(const kernel::Pose& pose)
   {
+    if constexpr (kernel::Kernel_traits<K>::exact_signs) kernel::require_sound_floating_point();
     frame_ = kernel::Frame<K>(pose);
     determinant_sign_ = pose.determinant_sign();
     ++now_;

@@ -91,7 +91,7 @@ for family in dict.fromkeys(family for family, _ in count):
 
 std::string number(const kernel::Pose& pose, int k)
 {
-  return pose.is_rational() ? kernel::to_string(pose.exact(k)) : kernel::shortest(pose[k]);
+  return pose.is_rational() ? kernel::exact_text(pose.exact(k)) : kernel::shortest(pose[k]);
 }
 
 std::string of_distance(double log2)

@@ -76,7 +76,7 @@ class Adaptive {
       const double a = pose[4 * row] * vertex[0], b = pose[4 * row + 1] * vertex[1], c = pose[4 * row + 2] * vertex[2],
                    t = pose[4 * row + 3];
       point.image[row] = ((a + b) + c) + t;
-      largest = std::max(largest, ((std::abs(a) + std::abs(b)) + std::abs(c)) + std::abs(t));
+      largest = maximum(largest, ((std::abs(a) + std::abs(b)) + std::abs(c)) + std::abs(t));
     }
     const bool known = largest <= magnitude_gate && (!pose.is_rational() || magnitude(vertex) <= magnitude_gate);
     point.error = known ? 6 * unit_roundoff<double> * largest + underflow : std::numeric_limits<double>::infinity();
@@ -90,10 +90,10 @@ class Adaptive {
     double largest = 0, terms = 0, lost = 0;
     for (int k = 0; k < 3; ++k) {
       const double v = vertex[k], t = pose[4 * k + 3], sum = v + t, of_t = sum - v;
-      lost = std::max(lost, std::abs((v - (sum - of_t)) + (t - of_t)));
+      lost = maximum(lost, std::abs((v - (sum - of_t)) + (t - of_t)));
       point.image[k] = sum;
-      largest = std::max(largest, std::abs(sum));
-      terms = std::max({terms, std::abs(v), std::abs(t)});
+      largest = maximum(largest, std::abs(sum));
+      terms = maximum(terms, std::abs(v), std::abs(t));
     }
     point.error = !(terms <= magnitude_gate) ? std::numeric_limits<double>::infinity() : lost == 0 ? 0 : 1.001 * unit_roundoff<double> * largest;
     return point;
@@ -123,7 +123,7 @@ class Adaptive {
   /// The sign of det[b-a, c-a, d-a], or undecided.
   static Decision filtered_volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
   {
-    return filtered_volume_sign(a.image, b.image, c.image, d.image, a.error + std::max({b.error, c.error, d.error}));
+    return filtered_volume_sign(a.image, b.image, c.image, d.image, a.error + maximum(b.error, c.error, d.error));
   }
   static Decision filtered_volume_sign(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d, double error)
   {
@@ -131,9 +131,9 @@ class Adaptive {
     const double cx = c[0] - a[0], cy = c[1] - a[1], cz = c[2] - a[2];
     const double dx = d[0] - a[0], dy = d[1] - a[1], dz = d[2] - a[2];
     const double determinant = (by * cz - bz * cy) * dx + (bz * cx - bx * cz) * dy + (bx * cy - by * cx) * dz;
-    const double mx = std::max({std::abs(bx), std::abs(cx), std::abs(dx)});
-    const double my = std::max({std::abs(by), std::abs(cy), std::abs(dy)});
-    const double mz = std::max({std::abs(bz), std::abs(cz), std::abs(dz)});
+    const double mx = maximum(std::abs(bx), std::abs(cx), std::abs(dx));
+    const double my = maximum(std::abs(by), std::abs(cy), std::abs(dy));
+    const double mz = maximum(std::abs(bz), std::abs(cz), std::abs(dz));
     const double Mx = mx + error, My = my + error, Mz = mz + error;
     const double bound = volume_rounding * (Mx * My * Mz) + volume_motion * error * (My * Mz + mx * Mz + mx * my) + underflow;
     return beyond(determinant, bound);
@@ -143,13 +143,13 @@ class Adaptive {
   /// 1 product + 1 sum) = 8 roundings, and two replaced factors.
   static Decision filtered_normal_sign(const Point_3& a, const Point_3& b, const Point_3& c, int axis)
   {
-    return filtered_normal_sign(a.image, b.image, c.image, axis, a.error + std::max(b.error, c.error));
+    return filtered_normal_sign(a.image, b.image, c.image, axis, a.error + maximum(b.error, c.error));
   }
   static Decision filtered_normal_sign(const Vertex& a, const Vertex& b, const Vertex& c, int axis, double error)
   {
     const int i = (axis + 1) % 3, j = (axis + 2) % 3;
     const double bi = b[i] - a[i], bj = b[j] - a[j], ci = c[i] - a[i], cj = c[j] - a[j];
-    const double mi = std::max(std::abs(bi), std::abs(ci)), mj = std::max(std::abs(bj), std::abs(cj));
+    const double mi = maximum(std::abs(bi), std::abs(ci)), mj = maximum(std::abs(bj), std::abs(cj));
     const double bound = 9 * unit_roundoff<double> * ((mi + error) * (mj + error)) +
                          2.001 * error * ((mj + error) + mi) + underflow;
     return beyond(bi * cj - bj * ci, bound);
@@ -237,7 +237,7 @@ class Adaptive {
         magnitude += std::abs(entry.high * point.vertex[k]);
       }
       image.coordinate[row] = sum;
-      largest = std::max(largest, magnitude);
+      largest = maximum(largest, magnitude);
     }
     image.error = point.error <= std::numeric_limits<double>::max() ? 20 * u * u * largest + underflow : point.error;
     return image;
@@ -253,11 +253,11 @@ class Adaptive {
     for (int j = 0; j < 3; ++j)
       for (int k = 0; k < 3; ++k) {
         m[j][k] = p[j + 1].coordinate[k] - p[0].coordinate[k];
-        largest[k] = std::max(largest[k], std::abs(m[j][k].high));
+        largest[k] = maximum(largest[k], std::abs(m[j][k].high));
       }
     const Double_double determinant = (m[0][1] * m[1][2] - m[0][2] * m[1][1]) * m[2][0] + (m[0][2] * m[1][0] - m[0][0] * m[1][2]) * m[2][1] +
                                       (m[0][0] * m[1][1] - m[0][1] * m[1][0]) * m[2][2];
-    const double images = p[0].error + std::max({p[1].error, p[2].error, p[3].error});
+    const double images = p[0].error + maximum(p[1].error, p[2].error, p[3].error);
     std::array<double, 3> error, M;
     for (int k = 0; k < 3; ++k) error[k] = images + 3.02 * u2 * largest[k], M[k] = largest[k] + error[k];
     const double bound = 146 * u2 * (M[0] * M[1] * M[2]) +
@@ -273,8 +273,8 @@ class Adaptive {
     const Wide_image p = wide_image(a), q = wide_image(b), r = wide_image(c);
     const Double_double bi = q.coordinate[i] - p.coordinate[i], bj = q.coordinate[j] - p.coordinate[j];
     const Double_double ci = r.coordinate[i] - p.coordinate[i], cj = r.coordinate[j] - p.coordinate[j];
-    const double mi = std::max(std::abs(bi.high), std::abs(ci.high)), mj = std::max(std::abs(bj.high), std::abs(cj.high));
-    const double images = p.error + std::max(q.error, r.error);
+    const double mi = maximum(std::abs(bi.high), std::abs(ci.high)), mj = maximum(std::abs(bj.high), std::abs(cj.high));
+    const double images = p.error + maximum(q.error, r.error);
     const double ei = images + 3.02 * u2 * mi, ej = images + 3.02 * u2 * mj;
     const double bound = 22 * u2 * ((mi + ei) * (mj + ej)) + 2.001 * (ei * (mj + ej) + mi * ej) + underflow;
     return beyond((bi * cj - bj * ci).high, bound);
@@ -336,8 +336,7 @@ class Adaptive {
     return unfiltered_difference_sign(a, b, axis);
   }
 
-  // The same where the filter is known to be undecided, as after a batch of kernel/wide_signs.h. Out of line: the filter's callers
-  // are small then, and pay nothing for its being counted.
+  // The same where the filter is known to be undecided. Out of line: the filter's callers are small then, and pay nothing for its being counted.
 
   [[gnu::noinline]] static CGAL::Sign unfiltered_volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
   {
@@ -387,7 +386,7 @@ class Adaptive {
   }
 
  private:
-  static double magnitude(const Vertex& v) { return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); }
+  static double magnitude(const Vertex& v) { return maximum(std::abs(v[0]), std::abs(v[1]), std::abs(v[2])); }
 
   static Decision beyond(double value, double bound)
   {

@@ -5,7 +5,6 @@
 #include "kernel/number.h"
 #include "kernel/pose.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -85,7 +84,7 @@ class Bound_frame {
     B largest = 0;
     for (int i = 0; i < 3; ++i) {
       const B sum = (std::abs(m_[4 * i]) + std::abs(m_[4 * i + 1]) + std::abs(m_[4 * i + 2])) * reach + std::abs(m_[4 * i + 3]);
-      largest = std::max(largest, sum);
+      largest = maximum(largest, sum);
     }
     magnitude_ = largest * (1 + 16 * u);
     if constexpr (sound) {
@@ -97,8 +96,7 @@ class Bound_frame {
     for (int i = 0; i < 3; ++i) {
       B row = 0;
       for (int j = 0; j < 3; ++j) row += std::abs(m_[i] * m_[j] + m_[4 + i] * m_[4 + j] + m_[8 + i] * m_[8 + j]);
-      // Undefined where products overflow to both sides.
-      square = row <= std::numeric_limits<B>::max() ? std::max(square, row) : std::numeric_limits<B>::infinity();
+      square = maximum(square, row);  // undefined where products overflow to both sides: no ball of that radius is apart from another
     }
     if constexpr (sound) square += B(underflow_slack);
     stretch_ = identity_ ? 1 : std::sqrt(square) * (sound ? 1 + 32 * u : 1);
@@ -160,7 +158,7 @@ template <class B, bool sound>
 Ball<B> enclosing_ball(const Bound_point<B>& centre, std::span<const Bound_point<B>> points)
 {
   B largest = 0;
-  for (const auto& p : points) largest = std::max(largest, squared_length(difference(p, centre)));
+  for (const auto& p : points) largest = maximum(largest, squared_length(difference(p, centre)));
   B radius = std::sqrt(largest);
   if constexpr (sound) radius = std::sqrt(largest + B(underflow_slack)) * B(1 + 0x1p-46);
   return {centre, radius};
@@ -204,7 +202,7 @@ template <class B, bool sound>
 B projection_slack(const Bound_frame<B, sound>& a, const Bound_frame<B, sound>& b)
 {
   if constexpr (!sound) return 0;
-  return a.error() + b.error() + 8 * unit_roundoff<B> * std::max(a.magnitude(), b.magnitude());
+  return a.error() + b.error() + 8 * unit_roundoff<B> * maximum(a.magnitude(), b.magnitude());
 }
 
 /// The projections of the four corners of a tetrahedron on an axis, and the interval that they span.
@@ -215,17 +213,18 @@ struct Projection {
 
   [[gnu::always_inline]] Projection(const Bound_point<B>& axis, const Bound_tetrahedron<B>& t)
       : corner{dot(axis, t[0]), dot(axis, t[1]), dot(axis, t[2]), dot(axis, t[3])},
-        low(std::min(std::min(corner[0], corner[1]), std::min(corner[2], corner[3]))),
-        high(std::max(std::max(corner[0], corner[1]), std::max(corner[2], corner[3])))
+        low(minimum(corner[0], corner[1], corner[2], corner[3])),
+        high(maximum(corner[0], corner[1], corner[2], corner[3]))
   {
   }
 };
 
-/// True when the projections on `axis` are disjoint by more than slack * |axis|_1. Any axis is sound, whatever it was meant to be.
+/// True when the projections on `axis` are disjoint by more than slack * |axis|_1; never where any of these is undefined. Any axis is sound,
+/// whatever it was meant to be.
 template <class B>
 bool separated_along(const Bound_point<B>& axis, const Projection<B>& a, const Projection<B>& b, B slack)
 {
-  const B allowed = slack > 0 ? slack * norm_1(axis) + B(underflow_slack) : 0;
+  const B allowed = slack == 0 ? 0 : slack * norm_1(axis) + B(underflow_slack);
   return b.low - a.high > allowed || a.low - b.high > allowed;
 }
 
@@ -320,7 +319,8 @@ class Placed_half_space {
   B threshold_ = 0;
 };
 
-/// An axis-aligned box of placed points, grown by the error of the frame that placed them: of an edge, or of a face.
+/// An axis-aligned box of placed points, grown by the error of the frame that placed them: of an edge, or of a face. One with an undefined bound meets
+/// every box on that side.
 template <class B>
 struct Box {
   Bound_point<B> low, high;
@@ -330,28 +330,18 @@ struct Box {
   void add(const Bound_point<B>& p)
   {
     for (int k = 0; k < 3; ++k) {
-      // Written so that an undefined coordinate makes the box boundless.
-      low[k] = p[k] >= low[k] ? low[k] : p[k] < low[k] ? p[k] : -std::numeric_limits<B>::infinity();
-      high[k] = p[k] <= high[k] ? high[k] : p[k] > high[k] ? p[k] : std::numeric_limits<B>::infinity();
+      low[k] = minimum(low[k], p[k]);
+      high[k] = maximum(high[k], p[k]);
     }
-  }
-  void add(const Box& other)
-  {
-    for (int k = 0; k < 3; ++k) low[k] = std::min(low[k], other.low[k]), high[k] = std::max(high[k], other.high[k]);
   }
   void grow(B margin)
   {
-    if (margin == std::numeric_limits<B>::infinity()) {
-      // Also where a coordinate has overflowed: infinity minus infinity bounds nothing.
-      low.fill(-margin), high.fill(margin);
-      return;
-    }
     for (int k = 0; k < 3; ++k) low[k] -= margin, high[k] += margin;
   }
   bool meets(const Box& other) const
   {
-    return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] && other.low[1] <= high[1] &&
-           low[2] <= other.high[2] && other.low[2] <= high[2];
+    return !(low[0] > other.high[0] || other.low[0] > high[0] || low[1] > other.high[1] || other.low[1] > high[1] ||
+             low[2] > other.high[2] || other.low[2] > high[2]);
   }
 };
 

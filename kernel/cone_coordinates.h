@@ -3,6 +3,7 @@
 
 #include "kernel/bounds.h"
 #include "kernel/cone_lattice.h"
+#include "kernel/floating_point.h"
 
 #include <array>
 #include <cmath>
@@ -38,7 +39,7 @@ class Cone_coordinates {
         c[i] = dot(p, normal[i]) / scale;
         const B absolute =
             (std::abs(p[0] * normal[i][0]) + std::abs(p[1] * normal[i][1]) + std::abs(p[2] * normal[i][2])) / scale;
-        largest_[i] = std::max(largest_[i], absolute);
+        largest_[i] = maximum(largest_[i], absolute);
       }
       coordinates_.push_back(c);
     }
@@ -78,7 +79,7 @@ class Cone_coordinates {
       std::array<B, 3> length = {std::exp(x) / length_of_ray_[0], std::exp(y) / length_of_ray_[1],
                                  std::exp(-x - y) / length_of_ray_[2]};
       B farthest = 0;
-      for (const auto& c : coordinates_) farthest = std::max(farthest, c[0] / length[0] + c[1] / length[1] + c[2] / length[2]);
+      for (const auto& c : coordinates_) farthest = maximum(farthest, c[0] / length[0] + c[1] / length[1] + c[2] / length[2]);
       // As far as `bounded_by` asks, and not less: in a slender cone its allowance for rounding is many units.
       for (int i = 0; i < 3; ++i) farthest += (sound ? 17 : 1) * unit_roundoff<B> * largest_[i] / length[i];
       for (B& l : length) l *= farthest * (1 + 64 * unit_roundoff<B>);

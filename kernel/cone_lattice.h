@@ -1,6 +1,7 @@
 #ifndef TETRACONE_KERNEL_CONE_LATTICE_H
 #define TETRACONE_KERNEL_CONE_LATTICE_H
 
+#include "kernel/floating_point.h"
 #include "kernel/number.h"
 
 #include <algorithm>
@@ -41,17 +42,17 @@ inline Cone_lattice cone_lattice(std::span<const Vertex> vertices)
   double largest = 0;
   for (const Vertex& v : vertices) {
     for (int k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], v[k]);
-      high[k] = std::max(high[k], v[k]);
+      low[k] = minimum(low[k], v[k]);
+      high[k] = maximum(high[k], v[k]);
       mean[k] += v[k] / vertices.size();  // divided first: a sum of huge coordinates must not overflow
-      largest = std::max(largest, std::abs(v[k]));
+      largest = maximum(largest, std::abs(v[k]));
     }
   }
   // Exponents, not values: the extent of a huge model overflows.
   const auto exponent = [](double x) { return x == 0 ? -1074 : std::ilogb(x) + 1; };
   int extent = -1074;
-  for (int k = 0; k < 3; ++k) extent = std::max(extent, exponent(high[k] / 2 - low[k] / 2) + 1);
-  const int step = std::max({extent - 18, exponent(largest) - 51, -1074});
+  for (int k = 0; k < 3; ++k) extent = maximum(extent, exponent(high[k] / 2 - low[k] / 2) + 1);
+  const int step = maximum(extent - 18, exponent(largest) - 51, -1074);
 
   Cone_lattice lattice;
   lattice.step = std::ldexp(1.0, step);

@@ -1,11 +1,11 @@
 #ifndef TETRACONE_KERNEL_GRID_SIGNS_H
 #define TETRACONE_KERNEL_GRID_SIGNS_H
 
+#include "kernel/floating_point.h"
 #include "kernel/number.h"
 
 #include <CGAL/enum.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -21,7 +21,7 @@ template <std::size_t count>
 std::optional<std::array<std::array<std::int64_t, 3>, count>> on_grid(const std::array<const Vertex*, count>& points)
 {
   double largest = 0;
-  for (const Vertex* p : points) largest = std::max({largest, std::abs((*p)[0]), std::abs((*p)[1]), std::abs((*p)[2])});
+  for (const Vertex* p : points) largest = maximum(largest, std::abs((*p)[0]), std::abs((*p)[1]), std::abs((*p)[2]));
   if (!(largest >= 0x1p-300 && largest <= 0x1p300)) return std::nullopt;
   const double per_step = std::ldexp(1.0, 37 - std::ilogb(largest));
   std::array<std::array<std::int64_t, 3>, count> grid;

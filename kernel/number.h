@@ -112,6 +112,15 @@ inline std::string to_string(const Rational& value)
   return denominator == 1 ? digits(numerator) : digits(numerator) + "/" + digits(denominator);
 }
 
+/// What readers of poses take for exactly `value`: its shortest decimal where it is a double, else "n/d", an integer too.
+inline std::string exact_text(const Rational& value)
+{
+  const double nearest = nearest_double(value);
+  if (std::isfinite(nearest) && Rational(nearest) == value) return shortest(nearest);
+  const std::string fraction = to_string(value);
+  return fraction.find('/') == std::string::npos ? fraction + "/1" : fraction;
+}
+
 }  // namespace tetracone::kernel
 
 #endif

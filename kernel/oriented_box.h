@@ -1,13 +1,13 @@
 #ifndef TETRACONE_KERNEL_ORIENTED_BOX_H
 #define TETRACONE_KERNEL_ORIENTED_BOX_H
 
+#include "kernel/floating_point.h"
 #include "kernel/wide_boxes.h"
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -141,7 +141,8 @@ inline Oriented_box triangle_box(std::span<const Vector, 3> corners)
 }
 
 /// Writes the box into a lane, relative to the node's origin, in float. `points` are all that it must hold; the extents are found again for
-/// the float axes and centre. `point_error` bounds how far a coordinate of a point may be from the exact one.
+/// the float axes and centre, and axes that came out not orthonormal are those of the identity instead. `point_error` bounds how far a
+/// coordinate of a point may be from the exact one.
 ///
 /// With axes a_i that are orthonormal but for a defect d, y = p - c is sum_i s_i a_i with |s_i| <= |a_i . y| + 3 d max_k |a_k . y| (1 + 4 d);
 /// the sums below are rounded 6 times in double, far below 2^-40 of |y|_1.
@@ -158,13 +159,17 @@ inline void store_lane(Wide_boxes& boxes, int lane, const Oriented_box& box, con
     }
   }
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) assert(std::abs(axis[i].dot(axis[j]) - (i == j)) <= axis_defect);
+    for (int j = i; j < 3; ++j)
+      if (!(std::abs(axis[i].dot(axis[j]) - (i == j)) <= axis_defect)) {
+        store_lane(boxes, lane, Oriented_box(Matrix::Identity(), points), node_origin, points, point_error);
+        return;
+      }
   Vector extent = Vector::Zero();
   double size = 0;
   for (const Vector& p : points) {
     const Vector y = p - centre;
-    for (int i = 0; i < 3; ++i) extent[i] = std::max(extent[i], std::abs(axis[i].dot(y)));
-    size = std::max(size, y.cwiseAbs().sum());
+    for (int i = 0; i < 3; ++i) extent[i] = maximum(extent[i], std::abs(axis[i].dot(y)));
+    size = maximum(size, y.cwiseAbs().sum());
   }
   const double margin = 4 * axis_defect * extent.maxCoeff() + 0x1p-40 * size + 2 * point_error;
   for (int i = 0; i < 3; ++i) boxes.extent[i][lane] = std::nextafter(static_cast<float>(extent[i] + margin), std::numeric_limits<float>::infinity());

@@ -2,6 +2,7 @@
 #define TETRACONE_KERNEL_POSE_H
 
 #include "kernel/double_double.h"
+#include "kernel/floating_point.h"
 #include "kernel/number.h"
 
 #include <CGAL/Fraction_traits.h>
@@ -9,7 +10,6 @@
 #include <CGAL/enum.h>
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -149,7 +149,7 @@ class Pose {
       const double plus = entries_[4 + k] * entries_[8 + l], minus = entries_[4 + l] * entries_[8 + k];
       determinant += entries_[j] * (plus - minus);
       permanent += std::abs(entries_[j]) * (std::abs(plus) + std::abs(minus));
-      for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(entries_[4 * row + j]));
+      for (int row = 0; row < 3; ++row) largest = maximum(largest, std::abs(entries_[4 * row + j]));
     }
     if (largest <= 0x1p110 && std::abs(determinant) > 0x1p-49 * permanent + 0x1p-800)
       return determinant > 0 ? CGAL::POSITIVE : CGAL::NEGATIVE;

@@ -6,7 +6,6 @@
 #include "kernel/pose.h"
 #include "kernel/short_vectors.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -22,7 +21,7 @@ struct Local_units {
   /// Within these bounds, what underflows of a pose's entries or of a product is far below all rounding; beyond, nothing may be said.
   bool is_in_range() const
   {
-    return unit >= 0x1p-200 && unit <= 0x1p200 && std::max({std::abs(origin[0]), std::abs(origin[1]), std::abs(origin[2])}) <= 0x1p200;
+    return unit >= 0x1p-200 && unit <= 0x1p200 && maximum(std::abs(origin[0]), std::abs(origin[1]), std::abs(origin[2])) <= 0x1p200;
   }
 };
 
@@ -44,7 +43,7 @@ class Origins_apart {
     }
     value_ = {sum[0][0] + sum[0][1], sum[1][0] + sum[1][1], sum[2][0] + sum[2][1]};
     // 4 roundings of the terms, and one of a fraction's entry; the terms' own are 3 more of these.
-    const double most = std::max({terms[0][0] + terms[0][1], terms[1][0] + terms[1][1], terms[2][0] + terms[2][1]});
+    const double most = maximum(terms[0][0] + terms[0][1], terms[1][0] + terms[1][1], terms[2][0] + terms[2][1]);
     finish(most, 0, 5.1 * unit_roundoff<double> * most);
   }
 
@@ -62,7 +61,7 @@ class Origins_apart {
       sum.add(b[4 * i + 3]);
       sum.add(-a[4 * i + 3]);
       d.value_[i] = sum.high + sum.low;
-      terms = std::max(terms, sum.magnitude);
+      terms = maximum(terms, sum.magnitude);
     }
     d.finish(terms, 4 * unit_roundoff<double>, (a.is_rational() || b.is_rational() ? 2 * unit_roundoff<double> : 0x1p-98) * terms);
     return d;
@@ -109,7 +108,7 @@ class Origins_apart {
   void finish(double terms, double of_largest, double of_terms)
   {
     terms_ = terms;
-    largest_ = std::max({std::abs(value_[0]), std::abs(value_[1]), std::abs(value_[2])});
+    largest_ = maximum(std::abs(value_[0]), std::abs(value_[1]), std::abs(value_[2]));
     error_ = of_largest * largest_ + of_terms;
   }
 
@@ -136,6 +135,10 @@ class Relative_frame {
   }
 
   double error() const { return error_; }
+
+  /// How far the image of a point may be off that is itself off by `of_point` in a coordinate. The exact linear part L is within 2 `error` of this one in a
+  /// row's sum, so |L (p - q)| <= (norm + 2 error) of_point; 1.01 takes the second term, for of_point below 2^-10, and what is rounded here.
+  double error(double of_point) const { return 1.01 * (error_ + of_point * norm(linear_)); }
 
   /// linear = scale * (orthonormal columns but for `axis_defect`), with a scale that floats can carry, 2^-60 .. 2^60.
   bool is_similarity() const { return similarity_; }
@@ -178,7 +181,7 @@ class Relative_frame {
     const std::array<double, 12>&m = a.entries(), &n = b.entries();
     const double square = columns(m, m, 0, 0), g01 = std::abs(columns(m, m, 0, 1)), g02 = std::abs(columns(m, m, 0, 2)), g12 = std::abs(columns(m, m, 1, 2));
     const double g11 = std::abs(columns(m, m, 1, 1) - square), g22 = std::abs(columns(m, m, 2, 2) - square);
-    const double row = std::max({g01 + g02, g11 + g01 + g12, g22 + g02 + g12});
+    const double row = maximum(g01 + g02, g11 + g01 + g12, g22 + g02 + g12);
     if (!(row <= 0x1p-24 * square && square >= 0x1p-100 && square <= 0x1p100)) return false;
     const double f = 1 / square, per_unit = 1 / in_a.unit, shrink = 1.7321 * std::sqrt(f) * per_unit;
     const double of_columns = f * (in_b.unit * per_unit), of_offset = f * per_unit;
@@ -192,7 +195,7 @@ class Relative_frame {
     const double longest = decide_similarity(), relative = 1.01 * rho + 16 * u;
     const double error = relative * (3 * longest + shrink * d.largest()) + shrink * d.error();
     // What is lost where entries of M_b are denormal is below 2^-300 then.
-    const double top = std::max({longest, 1 / longest, d.terms()});
+    const double top = maximum(longest, 1 / longest, d.terms());
     if (top <= 0x1p200 && in_a.is_in_range() && in_b.is_in_range() && error <= std::numeric_limits<double>::max()) error_ = error * 1.01 + 0x1p-300;
     return true;
   }
@@ -211,7 +214,7 @@ class Relative_frame {
 
     double norm_b = 0;
     for (int i = 0; i < 3; ++i) {
-      norm_b = std::max(norm_b, std::abs(b[4 * i]) + std::abs(b[4 * i + 1]) + std::abs(b[4 * i + 2]));
+      norm_b = maximum(norm_b, std::abs(b[4 * i]) + std::abs(b[4 * i + 1]) + std::abs(b[4 * i + 2]));
       for (int j = 0; j < 3; ++j) {
         double sum = 0;
         for (int k = 0; k < 3; ++k) sum += inverse[i][k] * b[4 * k + j];
@@ -223,7 +226,7 @@ class Relative_frame {
     const double relative = 2 * residual + 8 * u;
     const double error = norm_x * (norm_b * scale * relative + (d.largest() * relative + d.error() * 1.01) / in_a.unit);
     // Beyond the gate something may have overflowed or underflowed: then nothing is known.
-    const double top = std::max({d.terms(), norm_b, norm_x});
+    const double top = maximum(d.terms(), norm_b, norm_x);
     if (top <= 0x1p200 && in_a.is_in_range() && in_b.is_in_range() && error <= std::numeric_limits<double>::max()) error_ = error * 1.01 + 0x1p-300;
     decide_similarity();
   }
@@ -246,7 +249,7 @@ class Relative_frame {
   static double norm(const std::array<Row, 3>& m)
   {
     double norm = 0;
-    for (const Row& row : m) norm = std::max(norm, std::abs(row[0]) + std::abs(row[1]) + std::abs(row[2]));
+    for (const Row& row : m) norm = maximum(norm, std::abs(row[0]) + std::abs(row[1]) + std::abs(row[2]));
     return norm;
   }
 
@@ -261,7 +264,7 @@ class Relative_frame {
         for (int k = 0; k < 3; ++k) sum += x[i][k] * a[4 * k + j], magnitude += std::abs(x[i][k] * a[4 * k + j]);
         row += std::abs(sum) + 6 * unit_roundoff<double> * magnitude;
       }
-      norm = std::max(norm, row);
+      norm = maximum(norm, row);
     }
     return norm;
   }

@@ -14,7 +14,7 @@
 /// for SSSE3, AVX2 and AVX-512.
 ///
 /// A kernel is an inline function of the namespace HWY_NAMESPACE within its folder's, in a file NAME_kernel.h without a guard, which NAME.h
-/// includes once for each target and of which it chooses a version (wide_signs_kernel.h and wide_signs.h are the example):
+/// includes once for each target and of which it chooses a version (wide_overlap_kernel.h and wide_overlap.h are the example):
 ///
 ///     #define TETRACONE_SIMD_KERNEL "kernel/NAME_kernel.h"
 ///     #include "kernel/simd_rounds.h"

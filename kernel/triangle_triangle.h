@@ -1,6 +1,7 @@
 #ifndef TETRACONE_KERNEL_TRIANGLE_TRIANGLE_H
 #define TETRACONE_KERNEL_TRIANGLE_TRIANGLE_H
 
+#include "kernel/floating_point.h"
 #include "kernel/kernels.h"
 #include "kernel/segment_face.h"
 #include "kernel/signs.h"
@@ -33,15 +34,15 @@ inline std::array<Sign, 3> sides<Adaptive>(const Corners<Adaptive>& triangle, co
   const double bx = b[0] - a[0], by = b[1] - a[1], bz = b[2] - a[2];
   const double cx = c[0] - a[0], cy = c[1] - a[1], cz = c[2] - a[2];
   const double nx = by * cz - bz * cy, ny = bz * cx - bx * cz, nz = bx * cy - by * cx;
-  double mx = std::max(std::abs(bx), std::abs(cx)), my = std::max(std::abs(by), std::abs(cy)), mz = std::max(std::abs(bz), std::abs(cz));
+  double mx = maximum(std::abs(bx), std::abs(cx)), my = maximum(std::abs(by), std::abs(cy)), mz = maximum(std::abs(bz), std::abs(cz));
   std::array<double, 3> determinant;
   for (int k = 0; k < 3; ++k) {
     const auto& d = points[k]->image;
     const double dx = d[0] - a[0], dy = d[1] - a[1], dz = d[2] - a[2];
     determinant[k] = nx * dx + ny * dy + nz * dz;
-    mx = std::max(mx, std::abs(dx)), my = std::max(my, std::abs(dy)), mz = std::max(mz, std::abs(dz));
+    mx = maximum(mx, std::abs(dx)), my = maximum(my, std::abs(dy)), mz = maximum(mz, std::abs(dz));
   }
-  const double error = triangle[0]->error + std::max({triangle[1]->error, triangle[2]->error, points[0]->error, points[1]->error, points[2]->error});
+  const double error = triangle[0]->error + maximum(triangle[1]->error, triangle[2]->error, points[0]->error, points[1]->error, points[2]->error);
   const double Mx = mx + error, My = my + error, Mz = mz + error;
   const double bound = 49 * unit_roundoff<double> * (Mx * My * Mz) + 6.001 * error * (My * Mz + mx * Mz + mx * my) + Adaptive::underflow;
   std::array<Sign, 3> side;

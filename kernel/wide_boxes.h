@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 /// Eight oriented boxes against one, at once.
 ///
@@ -34,7 +35,7 @@ inline constexpr double apex_tolerance = 0x1p-15;
 inline float apex_of(Apex_code code) { return code == 0 ? no_apex : float(int(code) - 32768) * (1 / 32767.0f); }
 
 /// One box of the other body, carried into the frame of the eight and relative to their origin: a parallelepiped of centre c and half-edges
-/// extent[j] * edge[j], edge[j] of length nearly 1; normal[j] = edge[j+1] x edge[j+2]. For a similarity the edges are nearly orthonormal, and
+/// extent[j] * edge[j], edge[j] of length nearly 1 where `slack` is finite; normal[j] = edge[j+1] x edge[j+2]. For a similarity the edges are nearly orthonormal, and
 /// normals are not used. `apex` says where in the box a triangle lies, if one does. `slack` bounds, for each axis tried, all rounding: see `wide_slack`.
 struct Single_box {
   alignas(16) float edge[3][4];  // the fourth is not used
@@ -87,7 +88,9 @@ class Box_map {
     double sum = boxes.reach;
     for (int j = 0; j < 3; ++j) {
       const auto edge = frame_.direction(std::array{from.axis[j][0][lane], from.axis[j][1][lane], from.axis[j][2][lane]});
-      const double length = std::sqrt(edge[0] * edge[0] + edge[1] * edge[1] + edge[2] * edge[2]);
+      const double square = edge[0] * edge[0] + edge[1] * edge[1] + edge[2] * edge[2], length = std::sqrt(square);
+      // Below that, products underflow and `edge` would not be of length 1: no lane is found apart.
+      if (!(square >= 0x1p-900)) sum = std::numeric_limits<double>::infinity();
       for (int i = 0; i < 3; ++i) box.edge[j][i] = float(edge[i] / length);
       sum += box.extent[j] = float(double(from.extent[j][lane]) * length) * (1 + 0x1p-20f);
     }

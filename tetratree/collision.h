@@ -2,6 +2,7 @@
 #define TETRACONE_TETRATREE_COLLISION_H
 
 #include "kernel/contact.h"
+#include "kernel/floating_point.h"
 #include "kernel/question.h"
 #include "tetratree/counts.h"
 #include "tetratree/placed_tree.h"
@@ -34,13 +35,15 @@ using kernel::Question;
 /// descended, not set by a walk over the whole tree; Theorem 2 asks for V0 beyond the plane too, without which a body whose
 /// origin lies inside the hull could be discarded. `solid` and `features` are extensions that the paper names.
 ///
-/// The config of the first tree decides how a query runs. Both trees must outlive the query object.
+/// The config of the first tree decides how a query runs. Both trees must outlive the query object. Where K decides exactly, making it and every query
+/// throw kernel::Unsound_floating_point when floating point is not as that needs it.
 template <class K>
 class Collision {
  public:
   Collision(Tetra_tree<K>& a, Tetra_tree<K>& b)
-      : config_(a.config()), a_(a), b_(b), sides_(std::max(a.model().vertices().size(), b.model().vertices().size()))
+      : config_(a.config()), a_(a), b_(b), sides_(kernel::maximum(a.model().vertices().size(), b.model().vertices().size()))
   {
+    if constexpr (sound) kernel::require_exact_arithmetic();
   }
 
   /// Whether the two placed polyhedra collide. Requires det M != 0 of both poses, and closed polyhedra for `Question::solid`.

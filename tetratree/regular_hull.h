@@ -3,9 +3,9 @@
 
 #include "kernel/bounds.h"
 #include "kernel/cone_lattice.h"
+#include "kernel/floating_point.h"
 #include "tetratree/tetra_cone.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -55,7 +55,7 @@ class Regular_hull {
 
   /// `longest_edge` is dmax, or negative when it is not known; `radius` bounds the distance of all vertices from V0.
   Regular_hull(const kernel::Bound_point<B>& origin, int level, B longest_edge, B radius)
-      : origin_(origin), level_(std::max(level, 1)), longest_edge_(longest_edge), radius_(radius)
+      : origin_(origin), level_(kernel::maximum(level, 1)), longest_edge_(longest_edge), radius_(radius)
   {
   }
 

@@ -1,11 +1,11 @@
 #ifndef TETRACONE_TETRATREE_SEPARATION_H
 #define TETRACONE_TETRATREE_SEPARATION_H
 
+#include "kernel/floating_point.h"
 #include "kernel/relative_frame.h"
 #include "kernel/short_vectors.h"
 #include "tetratree/support_table.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -23,7 +23,7 @@ using kernel::Pose;
 /// along it, the search is given up.
 class Separation {
  public:
-  Separation(Wide_tree& a, Wide_tree& b) : Separation(a, b, std::max(a.units().unit, b.units().unit)) {}
+  Separation(Wide_tree& a, Wide_tree& b) : Separation(a, b, kernel::maximum(a.units().unit, b.units().unit)) {}
 
   /// True when the placed bodies are found to be apart, in at most `steps` > 0 directions; before these, where that is asked for, in the one
   /// that told the bodies of the last call apart. Requires that both trees have a root.
@@ -69,7 +69,7 @@ class Separation {
     bool is_in_range = true;
     for (const Wide_tree* tree : {&a, &b}) {
       const kernel::Local_units& units = tree->units();
-      for (int i = 0; i < 3; ++i) farthest = std::max(farthest, std::abs(units.origin[i]) / units.unit);
+      for (int i = 0; i < 3; ++i) farthest = kernel::maximum(farthest, std::abs(units.origin[i]) / units.unit);
       is_in_range = is_in_range && units.unit >= 0x1p-60 && units.unit <= 0x1p60;
     }
     if (!is_in_range) return;

@@ -1,6 +1,7 @@
 #ifndef TETRACONE_TETRATREE_SUPPORT_TABLE_H
 #define TETRACONE_TETRATREE_SUPPORT_TABLE_H
 
+#include "kernel/floating_point.h"
 #include "kernel/short_vectors.h"
 #include "tetratree/wide_tree.h"
 
@@ -127,7 +128,7 @@ class Support_table {
           continue;
         }
         tree_->for_vertices(tree_->element(node, lane), [&](Index v) {
-          best = std::max(best, d.dot(tree_->local(v)));
+          best = kernel::maximum(best, d.dot(tree_->local(v)));
         });
       }
       // The farthest last, to be opened first.

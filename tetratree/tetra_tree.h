@@ -3,6 +3,7 @@
 
 #include "covering/model.h"
 #include "kernel/bounds.h"
+#include "kernel/floating_point.h"
 #include "tetratree/bounding_tetrahedron.h"
 #include "tetratree/classification.h"
 #include "tetratree/config.h"
@@ -60,7 +61,7 @@ class Tetra_tree {
   {
     const std::size_t count = triangles().size();
     assert(count > 0);
-    if (config_.depth == Config::by_size) config_.depth = std::ceil(std::log2(double(std::max<std::size_t>(count, 4))) / 2);
+    if (config_.depth == Config::by_size) config_.depth = std::ceil(std::log2(double(kernel::maximum(count, std::size_t{4}))) / 2);
     config_.depth = std::clamp(config_.depth, 0, kernel::max_cone_depth);
 
     elements_.resize(count);
@@ -109,7 +110,7 @@ class Tetra_tree {
   /// A bound on every coordinate of vertices and bounding tetrahedra: no edge of one is longer than 4 * sqrt(3) radii.
   B reach() const
   {
-    return std::max({std::abs(origin_[0]), std::abs(origin_[1]), std::abs(origin_[2])}) + 8 * radius_;
+    return kernel::maximum(std::abs(origin_[0]), std::abs(origin_[1]), std::abs(origin_[2])) + 8 * radius_;
   }
 
   const kernel::Bound_point<B>& origin() const { return origin_; }
@@ -123,9 +124,9 @@ class Tetra_tree {
       level = 1;
       for (const Node<B>& node : nodes_) {
         if (!node.is_leaf || node.level == 0) continue;
-        level = std::max(level, node.level);
+        level = kernel::maximum(level, node.level);
         for (int i = 1; i < 4; ++i)
-          longest = std::max(longest, std::sqrt(kernel::squared_length(kernel::difference(node.tetrahedron[i], node.tetrahedron[0]))));
+          longest = kernel::maximum(longest, std::sqrt(kernel::squared_length(kernel::difference(node.tetrahedron[i], node.tetrahedron[0]))));
       }
     }
     return {origin_, level, longest, radius_};

@@ -34,14 +34,19 @@ enum class Coherence {
 /// which the adaptive kernel's exact signs decide. So the answer is that of all elements against all elements. Of solids whose surfaces share no point,
 /// `Wide_containment` tells whether one holds the other.
 ///
-/// Both trees must outlive the query object.
+/// Both trees must outlive the query object. Making it and every query throw kernel::Unsound_floating_point when floating point is not as exact
+/// answers need it.
 class Wide_collision {
  public:
-  Wide_collision(Wide_tree& a, Wide_tree& b, Coherence coherence = Coherence::none) : a_(a), b_(b), separation_(a, b), coherence_(coherence) {}
+  Wide_collision(Wide_tree& a, Wide_tree& b, Coherence coherence = Coherence::none) : a_(a), b_(b), separation_(a, b), coherence_(coherence)
+  {
+    kernel::require_exact_arithmetic();
+  }
 
   /// Whether the two placed polyhedra collide. Requires det M != 0 of both poses, and closed polyhedra for `Question::solid`.
   bool operator()(const Pose& pose_a, const Pose& pose_b, Question question = Question::solid)
   {
+    kernel::require_sound_floating_point();
     ++counts_.queries;
     if (a_.tree->empty() || b_.tree->empty() || separation_(pose_a, pose_b, 6, coherence_ == Coherence::last_frame)) return false;
     return ask_trees(pose_a, pose_b, question);

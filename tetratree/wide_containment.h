@@ -2,11 +2,11 @@
 #define TETRACONE_TETRATREE_WIDE_CONTAINMENT_H
 
 #include "covering/inclusion.h"
+#include "kernel/floating_point.h"
 #include "kernel/wide_overlap.h"
 #include "tetratree/counts.h"
 #include "tetratree/wide_body.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -25,9 +25,10 @@ class Wide_containment {
   {
     for (const Index v : held.tree->model().covering().shell_vertices()) {
       const Row at = image(held, v);
-      if (is_outside(holder.tree->node(0).boxes, at, held.into_other.frame().error())) continue;
+      const double error = held.into_other.frame().error(Wide_tree::local_error);
+      if (is_outside(holder.tree->node(0).boxes, at, error)) continue;
       ++counts.inclusion_tests;
-      if (winding_number(holder, held, v, at, counts) != 0) return true;
+      if (winding_number(holder, held, v, beyond(at, error), counts) != 0) return true;
     }
     return false;
   }
@@ -45,7 +46,8 @@ class Wide_containment {
     return held.into_other.frame()(Row{at[0], at[1], at[2]});
   }
 
-  /// Of the root's box; for its float axes see `kernel::axis_defect`.
+  /// Of the root's box, whatever is undefined. A point of it is c + sum_i s_i a_i with |s_i| <= e_i, so that with axes of a defect d
+  /// |a_i . (p - c)| <= e_i + 3 d (1 + 4 d) |p - c|_1; the fourth d takes the roundings. p is off by `error` in a coordinate, and |a_i|_1 < 2.
   static bool is_outside(const kernel::Wide_boxes& root, const Row& at, double error)
   {
     double size = 0;
@@ -56,16 +58,16 @@ class Wide_containment {
     }
     for (int i = 0; i < 3; ++i) {
       const double along = from_centre[0] * root.axis[i][0][0] + from_centre[1] * root.axis[i][1][0] + from_centre[2] * root.axis[i][2][0];
-      if (std::abs(along) > root.extent[i][0] + 4 * kernel::axis_defect * size + 2 * error + 0x1p-40) return true;
+      if (std::abs(along) > root.extent[i][0] + 4 * kernel::axis_defect * size + 2 * error) return true;
     }
     return false;
   }
 
-  int winding_number(Wide_body& holder, Wide_body& held, Index v, const Row& at, Counts& counts)
+  /// `ray`: from the vertex away from the origin.
+  int winding_number(Wide_body& holder, Wide_body& held, Index v, const kernel::Single_box& ray, Counts& counts)
   {
     const Point& p = held.placed.point(v);
     const Point origin = holder.placed.frame()(holder.tree->model().origin());
-    const kernel::Single_box ray = beyond(at, held.into_other.frame().error());
     int winding = 0;
     nodes_.assign(1, 0);
     while (!nodes_.empty()) {
@@ -104,18 +106,20 @@ class Wide_containment {
   }
 
   /// A thin box about the part of the ray from the holder's origin through p that lies beyond p; where p is too near to the origin to tell the
-  /// direction, a box about everything. `error` is that of p's coordinates; `slack` of the box is the position's error.
+  /// direction, a box about everything. `error` is that of p's coordinates.
+  ///
+  /// The holder lies within 2 of its origin, so what of the exact ray can meet it is s p*, 1 <= s <= end / |p|, with p* the exact point: off by s `error`
+  /// in a coordinate from s p on the box's axis. The axis is rounded to float: by `end` times u for the centre, for the direction and for the
+  /// extent. `slack` takes both.
   static kernel::Single_box beyond(const Row& p, double error)
   {
-    error += 0x1p-40;
     const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
     kernel::Single_box box{};
     if (!(length > 0x1p20 * error) || !(length < 0x1p20)) {
       for (int i = 0; i < 3; ++i) box.edge[i][i] = 1, box.extent[i] = 4;
       return box;
     }
-    // Every point of the holder is within sqrt(3) of its origin; an error at p grows with the distance from it.
-    const double end = std::max(2.0, 1.5 * length);
+    const double end = kernel::maximum(2.0, 1.5 * length);
     const kernel::Matrix axes = kernel::detail::axes_from(kernel::Vector(p[0], p[1], p[2]), kernel::Vector(1, 0, 0));
     for (int i = 0; i < 3; ++i) {
       for (int k = 0; k < 3; ++k) box.edge[i][k] = float(axes(k, i));

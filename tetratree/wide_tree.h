@@ -2,6 +2,7 @@
 #define TETRACONE_TETRATREE_WIDE_TREE_H
 
 #include "covering/model.h"
+#include "kernel/floating_point.h"
 #include "kernel/kernels.h"
 #include "kernel/oriented_box.h"
 #include "kernel/relative_frame.h"
@@ -63,7 +64,10 @@ class Wide_tree {
   const kernel::Local_units& units() const { return units_; }
   bool empty() const { return elements_.empty(); }
 
-  /// A vertex in local units, off by at most 2^-52 in a coordinate.
+  /// How far a coordinate of `local` may be off: one rounding of a difference, of at most 1.
+  static constexpr double local_error = 0x1p-52;
+
+  /// A vertex in local units, off by at most `local_error` in a coordinate.
   kernel::Vector local(Index v) const
   {
     const auto& vertex = model_.vertices()[v];
@@ -101,6 +105,7 @@ class Wide_tree {
   /// Makes every node: from then on nothing changes.
   void make_all()
   {
+    kernel::require_sound_floating_point();
     for (Index n = 0; n < nodes_.size(); ++n)
       for (int lane = 0; lane < nodes_[n].boxes.lane_count; ++lane)
         if (!is_leaf(n, lane)) child(n, lane);
@@ -145,7 +150,7 @@ class Wide_tree {
     units_.origin = model_.lattice().origin;
     double half_reach = 0;
     for (const auto& v : model_.vertices())
-      for (int k = 0; k < 3; ++k) half_reach = std::max(half_reach, std::abs(0.5 * v[k] - 0.5 * units_.origin[k]));
+      for (int k = 0; k < 3; ++k) half_reach = kernel::maximum(half_reach, std::abs(0.5 * v[k] - 0.5 * units_.origin[k]));
     units_.unit = half_reach > 0 ? std::ldexp(1.0, std::clamp(std::ilogb(half_reach) + 2, -1000, 1023)) : 1;
     per_half_unit_ = 2 / units_.unit;
   }
@@ -180,7 +185,7 @@ class Wide_tree {
     making_.gathered.clear();
     for (Index k = first; k < last; ++k) making_.gathered.push_back(centroid_of(k));
     const kernel::Spread spread(making_.gathered);
-    return {first, last, last - first > 1 ? std::max(spread.size(), 1e-300) : 0, spread.mean, spread.principal_axes()};
+    return {first, last, last - first > 1 ? kernel::maximum(spread.size(), 1e-300) : 0, spread.mean, spread.principal_axes()};
   }
 
   /// Planes, one through every point: all across one direction or, of a cone, all through the origin and a line there.
@@ -339,16 +344,15 @@ class Wide_tree {
     double reach = 0;
     for (std::size_t lane = 0; lane < parts.size(); ++lane) {
       node.first[lane] = parts[lane].first;
-      // A local coordinate is a difference and a power of two: one rounding, of at most 2.
       const std::vector<Vector>& points = all[lane].points;
-      kernel::store_lane(node.boxes, int(lane), all[lane].box, origin, points, 0x1p-52);
+      kernel::store_lane(node.boxes, int(lane), all[lane].box, origin, points, local_error);
       const bool is_leaf = parts[lane].last - parts[lane].first == 1;
       node.child[lane] = !is_leaf             ? Wide_node::not_made(parts[lane].last)
                          : points.size() == 3 ? Wide_node::leaf(kernel::apex_code(node.boxes, int(lane), origin, std::span<const Vector, 3>(points)))
                                               : Wide_node::leaf(0);
       double sum = 0, square = 0;
       for (int i = 0; i < 3; ++i) sum += node.boxes.extent[i][lane], square += double(node.boxes.centre[i][lane]) * node.boxes.centre[i][lane];
-      reach = std::max(reach, sum + std::sqrt(square));
+      reach = kernel::maximum(reach, sum + std::sqrt(square));
     }
     node.boxes.reach = float(reach * 1.0000002);
     return node;

@@ -160,10 +160,8 @@ std::string text_of(double value)
 
 std::string text_of(const kernel::Rational& value)
 {
-  const double nearest = kernel::nearest_double(value);
-  if (kernel::Rational(nearest) == value) return text_of(nearest);
-  const std::string fraction = kernel::to_string(value);
-  return "\"" + fraction + (fraction.find('/') == std::string::npos ? "/1\"" : "\"");
+  const std::string text = kernel::exact_text(value);
+  return text.find('/') == std::string::npos ? text : "\"" + text + "\"";
 }
 
 std::string in_json(const std::string& text)

@@ -120,6 +120,8 @@ std::vector<Entry> entries()
        {0, 1, 2, 3, 4}, predicate_family::swept_primitives, object_family::swept_primitives},
       {"corpus", "shrunk counterexamples, and their neighbours", "ulps by which a coordinate is changed",
        {0, 1, 16}, predicate_family::corpus, object_family::corpus},
+      {"wild", "bodies and poses of any exponents, turned, sheared, mirrored and stretched along axes", "sum of the exponents of all factors",
+       {0, 30, 150, 500, 960}, predicate_family::wild, object_family::wild},
   };
 }
 

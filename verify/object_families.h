@@ -4,6 +4,8 @@
 #include "verify/case.h"
 #include "verify/random.h"
 
+#include <vector>
+
 /// The families' object level, each by the name that it has in `families()`, by theme: object_families_THEME.cpp. Random state and
 /// parameter in, all but `origin` out.
 namespace tetracone::verify::object_family {
@@ -23,11 +25,14 @@ Generator sliver, needle, tangent_fan;
 // shapes: faces and edges that are nearly or quite degenerate
 Generator nearly_collinear, degenerate_face, duplicates, non_planar_quads, t_junctions;
 // scales: exponents
-Generator far_from_origin, mixed_scales, cancelled_translation, exponent_gate, extreme_exponents;
+Generator far_from_origin, mixed_scales, cancelled_translation, exponent_gate, extreme_exponents, wild;
 // poses: the maps
 Generator special_poses, true_rotation, shear, nearly_singular, drifted_rotation;
 // motions: ends of sweeps, and the corpus
 Generator swept_contact, swept_primitives, corpus;
+
+/// Cases of `wild`, one after another on the same two bodies, for what a query keeps from pose to pose.
+std::vector<Object_case> wild_run(Random& random, double parameter, int count);
 
 }  // namespace tetracone::verify::object_family
 

@@ -154,4 +154,71 @@ Object_case extreme_exponents(Random& random, double parameter)
                 {exponent, exponent, exponent}, 0, common);
 }
 
+/// Blocks whose vertices are stretched along their axes, and whose poses undo that before a turn, a contact or a place inside, and a map of both; or
+/// tetrahedra whose coordinates have any exponents, corner on corner. With exact poses, or these rounded to doubles.
+std::vector<Object_case> wild_run(Random& random, double parameter, int count)
+{
+  const auto finished = [&](const Object_case& c) {
+    if (random.bits() % 2 == 0) return c;
+    const Object_case rounded = rounded_poses(c);
+    return rounded.pose_a.determinant_sign() == CGAL::ZERO || rounded.pose_b.determinant_sign() == CGAL::ZERO ? c : rounded;
+  };
+  std::vector<Object_case> cases;
+  if (random.bits() % 3 != 0) {
+    const int size = static_cast<int>(parameter) / 5;
+    const auto coordinate = [&] {
+      const double mantissa = random.symmetric();
+      return std::ldexp(mantissa, integer(random, -size, size));
+    };
+    const auto body = [&] {
+      std::array<kernel::Vertex, 4> corners;
+      for (kernel::Vertex& v : corners)
+        for (double& x : v) x = coordinate();
+      return tetrahedron(corners);
+    };
+    const Body a = body(), b = body();
+    for (int k = 0; k < count; ++k) {
+      const Pose turn = wild_map(random, size);
+      const Touching contact = vertex_on_vertex(random, a, b, turn);
+      const Rational gap = any_gap(random);
+      const Pose common = wild_map(random, size);
+      cases.push_back(finished(placed(random, contact, gap, common)));
+    }
+    return cases;
+  }
+  const int size = static_cast<int>(parameter) / 3;
+  const auto exponents = [&] {
+    std::array<int, 3> result{0, 0, 0};
+    if (random.bits() % 2 == 0)
+      for (int& e : result) e = size * integer(random, -1, 1);
+    return result;
+  };
+  const auto negative = [](const std::array<int, 3>& e) { return std::array{-e[0], -e[1], -e[2]}; };
+  const Shape& a = small_block(random);
+  const Shape& b = small_block(random);
+  const std::array<int, 3> of_a = exponents(), of_b = exponents();
+  for (int k = 0; k < count; ++k) {
+    Touching contact;
+    if (random.bits() % 4 == 0) {
+      // About the middle of the corners, some thirty times smaller.
+      Exact_vector middle = {0, 0, 0};
+      for (Index v = 0; v < a.body->vertices.size(); ++v) middle = sum(middle, Rational(1) / Rational(int(a.body->vertices.size())), a.vertex(v));
+      contact = {a.body, b.body, moved(composed(scaling(0x1p-5), any_turn(random)), middle), middle};
+    } else {
+      const Pose turn = any_turn(random);
+      contact = any_contact(random, a, b, turn);
+    }
+    const bool is_contact = contact.separated;
+    const Rational gap = is_contact ? any_gap(random) : Rational(0);
+    if (is_contact) contact.relative = moved(contact.relative, times(gap, scaled_to_one(contact.apart)));
+    const Pose common = wild_map(random, size);
+    Object_case c{moved_copy(a, of_a), moved_copy(b, of_b), composed(common, stretch(negative(of_a))), composed(common, composed(contact.relative, stretch(negative(of_b)))), {}, {}, {}};
+    if (is_contact && gap >= 0) c = with_answer(c, gap == 0);
+    cases.push_back(finished(c));
+  }
+  return cases;
+}
+
+Object_case wild(Random& random, double parameter) { return wild_run(random, parameter, 1).front(); }
+
 }  // namespace tetracone::verify::object_family

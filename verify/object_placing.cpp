@@ -73,6 +73,39 @@ std::array<Pose, 2> shear_and_inverse(Random& random, int size)
   return result;
 }
 
+Pose stretch(const std::array<int, 3>& exponents)
+{
+  return scaling(std::ldexp(1.0, exponents[0]), std::ldexp(1.0, exponents[1]), std::ldexp(1.0, exponents[2]));
+}
+
+Pose wild_map(Random& random, int size)
+{
+  const auto any_stretch = [&] {
+    const int all = integer(random, -size, size);
+    if (random.bits() % 3 == 0) return stretch({all, all, all});
+    const int second = integer(random, -size, size);
+    return stretch({all, second, random.bits() % 2 == 0 ? second : integer(random, -size, size)});
+  };
+  const auto any_turn = [&] {
+    switch (random.bits() % 5) {
+      case 0: return signed_permutation(integer(random, 0, 47));
+      case 1: return rational_rotation(random, 3);
+      case 2: return double_rotation(random);
+      case 3: return shear_and_inverse(random, 3)[0];
+      default: return motion(random, Motion::similarity);
+    }
+  };
+  const Pose before = any_stretch(), turn = any_turn(), after = random.bits() % 2 == 0 ? any_stretch() : Pose();
+  const Pose map = composed(after, composed(turn, before));
+  if (random.bits() % 2 == 0) return map;
+  Exact_vector shift;
+  for (Rational& x : shift) {
+    const double mantissa = random.symmetric();
+    x = Rational(std::ldexp(mantissa, integer(random, -size, size)));
+  }
+  return moved(map, shift);
+}
+
 Motion exact_motion(Random& random)
 {
   constexpr std::array<Motion, 10> kinds = {

@@ -42,6 +42,13 @@ Pose double_rotation(Random& random);
 /// A unimodular integer shear, x += s y for two pairs of axes, entries up to `size`; and its inverse.
 std::array<Pose, 2> shear_and_inverse(Random& random, int size);
 
+/// x -> diag(2^exponents) x.
+Pose stretch(const std::array<int, 3>& exponents);
+
+/// A map of any kind: a turn, reflection or shear between two stretches by up to 2^+-size along the axes, then perhaps a translation. Exact, and
+/// of rationals where the turn is.
+Pose wild_map(Random& random, int size);
+
 /// The map that both bodies of a case are put under at last. All but `rounded` keep a contact exactly.
 enum class Motion { identity, translation, permutation, rotation, similarity, shear, rounded };
 Motion exact_motion(Random& random);

@@ -53,6 +53,7 @@ Predicate_case cancelled_translation(Random& random, double f);
 Predicate_case exponent_gate(Random& random, double kind);
 Predicate_case extreme_exponents(Random& random, double kind);
 Predicate_case float_widened(Random& random, double bits);
+Predicate_case wild(Random& random, double exponents);
 
 // predicate_families_poses.cpp
 Predicate_case special_poses(Random& random, double which);

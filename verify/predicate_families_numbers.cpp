@@ -195,4 +195,20 @@ Predicate_case float_widened(Random& random, double bits)
   });
 }
 
+/// Each body stretched along its axes by powers of two and back by its pose, and both under a map of any kind.
+Predicate_case wild(Random& random, double exponents)
+{
+  const int size = static_cast<int>(exponents) / 3;
+  const auto frame = [&] {
+    std::array<int, 3> by;
+    for (int& e : by) e = integer(random, -size, size);
+    return object_family::stretch(by);
+  };
+  Frames f;
+  if (one_in(random, 2)) f.a = frame();
+  if (one_in(random, 2)) f.b = frame();
+  f.common = object_family::wild_map(random, size);
+  return any_contact(random, f);
+}
+
 }  // namespace tetracone::verify::predicate_family

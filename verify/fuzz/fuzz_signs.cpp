@@ -4,46 +4,15 @@
 #include "kernel/frame.h"
 #include "kernel/segment_face.h"
 #include "kernel/signs.h"
+#include "verify/fuzz/doubles.h"
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
 
 using namespace tetracone::kernel;
 
 namespace {
-
-/// Doubles from bytes: raw ones, or small numbers, which meet more often.
-class Doubles {
- public:
-  Doubles(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
-
-  double next()
-  {
-    const std::uint8_t kind = byte();
-    if (kind < 96) return double(std::int8_t(byte())) / 4;
-    if (kind < 160) return std::ldexp(double(std::int8_t(byte())), int(std::int8_t(byte())));
-    std::uint64_t bits = 0;
-    for (int k = 0; k < 8; ++k) bits = bits << 8 | byte();
-    double x;
-    std::memcpy(&x, &bits, sizeof x);
-    // Images must stay finite: a pose multiplies three coordinates and adds.
-    return std::isfinite(x) && std::abs(x) < 0x1p500 ? x : double(kind);
-  }
-
- private:
-  std::uint8_t byte()
-  {
-    if (size_ == 0) return 0;
-    --size_;
-    return *data_++;
-  }
-
-  const std::uint8_t* data_;
-  std::size_t size_;
-};
 
 void same(bool condition)
 {
@@ -54,7 +23,8 @@ void same(bool condition)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  Doubles doubles(data, size);
+  // Images must stay finite: a pose multiplies three coordinates and adds.
+  tetracone::verify::Doubles doubles(data, size, 0x1p500);
   std::array<double, 12> entries_a, entries_b;
   for (double& x : entries_a) x = doubles.next();
   for (double& x : entries_b) x = doubles.next();

@@ -3,6 +3,7 @@
 #include "verify/brute.h"
 #include "verify/exact_motion.h"
 #include "verify/families.h"
+#include "verify/object_families.h"
 #include "verify/predicate_truth.h"
 #include "verify/test/scenes.h"
 
@@ -22,7 +23,7 @@ void write(const Vertex& v)
 }
 void write(const Pose& pose)
 {
-  for (int k = 0; k < 12; ++k) std::cout << ' ' << (pose.is_rational() ? kernel::to_string(pose.exact(k)) : kernel::shortest(pose[k]));
+  for (int k = 0; k < 12; ++k) std::cout << ' ' << (pose.is_rational() ? kernel::exact_text(pose.exact(k)) : kernel::shortest(pose[k]));
 }
 void write(const covering::Polyhedron& body)
 {
@@ -133,6 +134,14 @@ void write_spike()
   write(scenes::box({-1.875, -1.875, -1.875}, {0.125, 0.125, 0.125}), around, Pose(), Pose());
 }
 
+/// Bodies and poses of any exponents, where bounds overflow.
+void write_wild(Random& random)
+{
+  constexpr double exponents[] = {30, 150, 500, 960};
+  for (int run = 0; run < 160; ++run)
+    for (const Object_case& c : object_family::wild_run(random, exponents[run % 4], 4)) write(*c.a, *c.b, c.pose_a, c.pose_b);
+}
+
 /// The same vertices in both bodies, under poses that differ by an ulp; and nearly flat tetrahedra, of which p is a corner, under one pose.
 void write_near(Random& random)
 {
@@ -167,6 +176,7 @@ int main(int argc, char** argv)
   write_one_shell_inside();
   write_spike();
   write_near(random);
+  write_wild(random);
   for (const Family& family : families()) {
     for (int k = 0; k < predicate_cases; ++k) write(family.predicate_case(3, k));
     for (int k = 0; k < object_cases; ++k) {

@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(few_frames_get_the_nearest_whole_number)
     BOOST_TEST(circle * 20 < frames);
     if (frames > 20) BOOST_TEST(circle > 0);
     const int contour = scene.colliding(contour_trajectory(scene.a, scene.b, 1, frames, 5, scene.collides));
-    BOOST_TEST(std::abs(contour - 0.075 * frames) <= std::max(0.5, 0.02 * frames), frames << ": " << contour);
+    BOOST_TEST(std::abs(contour - 0.075 * frames) <= kernel::maximum(0.5, 0.02 * frames), frames << ": " << contour);
   }
 }
 
@@ -128,7 +128,7 @@ BOOST_AUTO_TEST_CASE(contour_frames_are_close_to_the_border)
   const double size = std::sqrt(3.0) / 16;
   for (const Pose& pose : contour_trajectory(scene.a, scene.b, 16, 200, 3, scene.collides)) {
     double outside = -1;
-    for (const int k : {3, 7, 11}) outside = std::max(outside, std::abs(pose[k]) - 1);
+    for (const int k : {3, 7, 11}) outside = kernel::maximum(outside, std::abs(pose[k]) - 1);
     BOOST_TEST(outside > 0);
     BOOST_TEST(outside < size + 0.06);
   }

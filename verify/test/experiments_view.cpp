@@ -2,6 +2,7 @@
 
 #include "experiments/view_command.h"
 
+#include "kernel/floating_point.h"
 #include "verify/test/program.h"
 #include "verify/test/temporary_file.h"
 
@@ -134,7 +135,7 @@ BOOST_AUTO_TEST_CASE(covering_tree_and_hull_are_those_of_the_body)
     for (int i = 0; i < 3; ++i) {
       double square = 0;
       for (int k = 0; k < 3; ++k) square += std::pow(nodes["tetrahedron"][9 * n + 3 * i + k].get<double>() - body["covering"]["origin"][k].get<double>(), 2);
-      dmax = std::max(dmax, std::sqrt(square));
+      dmax = tetracone::kernel::maximum(dmax, std::sqrt(square));
     }
     for (const int face : nodes["faces"][n]) faces.insert(face);
   }

@@ -151,6 +151,16 @@ Strings ways_to_gpl(const std::string& path, const std::string& way, std::set<st
   return found;
 }
 
+/// What drops NaN by the order of its arguments: `maximum` and `minimum` of kernel/floating_point.h keep it. Text has no NaN.
+Strings drops_nan(const std::string& path, const std::string& text)
+{
+  Strings wrong;
+  if ((folder_of(path) != "kernel" && folder_of(path) != "tetratree") || path == "kernel/text_lines.h") return wrong;
+  for (const std::string name : {"std::max(", "std::max<", "std::min(", "std::min<", "std::minmax(", "std::fmax(", "std::fmin("})
+    if (text.find(name) != std::string::npos) wrong.push_back(path + ": " + name.substr(0, name.size() - 1) + " may drop NaN; kernel::maximum or minimum");
+  return wrong;
+}
+
 /// The test of a header includes it first, so that the header is known to compile alone.
 Strings late_own_header(const std::string& path, const std::string& text)
 {
@@ -253,6 +263,15 @@ BOOST_AUTO_TEST_CASE(gpl_parts_of_cgal_are_told_from_lgpl_ones)
   BOOST_TEST(ways_to_gpl("CGAL/Exact_predicates_exact_constructions_kernel.h", "", seen).empty());
   BOOST_TEST(ways_to_gpl("CGAL/AABB_tree.h", "", seen).size() == 1);
   BOOST_TEST(ways_to_gpl("covering/read.h", "", seen).size() == 1);
+}
+
+BOOST_AUTO_TEST_CASE(no_bound_is_made_by_what_may_drop_nan)
+{
+  check_each_source(drops_nan);
+  BOOST_TEST(drops_nan("kernel/bounds.h", "worst = std::max({x, y, z});").size() == 1);
+  BOOST_TEST(drops_nan("tetratree/tree.h", "least = std::min<double>(x, y);").size() == 1);
+  BOOST_TEST(drops_nan("kernel/bounds.h", "worst = maximum(x, y, z);").empty());
+  BOOST_TEST(drops_nan("covering/check.h", "first = std::min(a, b);").empty());
 }
 
 BOOST_AUTO_TEST_CASE(the_test_of_a_header_includes_it_first)

@@ -162,7 +162,7 @@ struct Filter {
   }
 };
 
-double magnitude(double a, double b, double c) { return std::max({std::abs(a), std::abs(b), std::abs(c)}); }
+double magnitude(double a, double b, double c) { return maximum(std::abs(a), std::abs(b), std::abs(c)); }
 
 /// The filter with its constants weakened by factors.
 Filter volume_filter(const Point& a, const Point& b, const Point& c, const Point& d, double rounding = 1,
@@ -172,7 +172,7 @@ Filter volume_filter(const Point& a, const Point& b, const Point& c, const Point
   const auto [bx, by, bz] = minus_a(b);
   const auto [cx, cy, cz] = minus_a(c);
   const auto [dx, dy, dz] = minus_a(d);
-  const double error = a.error + std::max({b.error, c.error, d.error});
+  const double error = a.error + maximum(b.error, c.error, d.error);
   return {Differences<double>{bx, by, bz, cx, cy, cz, dx, dy, dz}.determinant(),
           volume_bound<double>(magnitude(bx, cx, dx), magnitude(by, cy, dy), magnitude(bz, cz, dz), error,
                                rounding * volume_rounding, motion * volume_motion, Adaptive::underflow)};
@@ -184,8 +184,8 @@ Filter normal_filter(const Point& a, const Point& b, const Point& c, int axis, d
   const double bi = b.image[i] - a.image[i], bj = b.image[j] - a.image[j], ci = c.image[i] - a.image[i],
                cj = c.image[j] - a.image[j];
   return {bi * cj - bj * ci,
-          normal_bound<double>(std::max(std::abs(bi), std::abs(ci)), std::max(std::abs(bj), std::abs(cj)),
-                               a.error + std::max(b.error, c.error), rounding * normal_rounding, motion * normal_motion,
+          normal_bound<double>(maximum(std::abs(bi), std::abs(ci)), maximum(std::abs(bj), std::abs(cj)),
+                               a.error + maximum(b.error, c.error), rounding * normal_rounding, motion * normal_motion,
                                Adaptive::underflow)};
 }
 
@@ -208,7 +208,7 @@ Wide_filter wide_volume_filter(const Point& a, const Point& b, const Point& c, c
   const auto [dx, dy, dz] = s.coordinate - p.coordinate;
   const std::array<double, 3> m = {magnitude(bx.high, cx.high, dx.high), magnitude(by.high, cy.high, dy.high), magnitude(bz.high, cz.high, dz.high)};
   return {Differences<Double_double>{bx, by, bz, cx, cy, cz, dx, dy, dz}.determinant(),
-          wide_volume_bound<double>(m, p.error + std::max({q.error, r.error, s.error}), wide_difference, wide_volume_rounding, volume_motion,
+          wide_volume_bound<double>(m, p.error + maximum(q.error, r.error, s.error), wide_difference, wide_volume_rounding, volume_motion,
                                     Adaptive::underflow)};
 }
 
@@ -218,8 +218,8 @@ Wide_filter wide_normal_filter(const Point& a, const Point& b, const Point& c, i
   const auto p = Adaptive::wide_image(a), q = Adaptive::wide_image(b), r = Adaptive::wide_image(c);
   const Wide_vertex qp = q.coordinate - p.coordinate, rp = r.coordinate - p.coordinate;
   return {qp[i] * rp[j] - qp[j] * rp[i],
-          wide_normal_bound<double>(std::max(std::abs(qp[i].high), std::abs(rp[i].high)), std::max(std::abs(qp[j].high), std::abs(rp[j].high)),
-                                    p.error + std::max(q.error, r.error), wide_difference, wide_normal_rounding, normal_motion, Adaptive::underflow)};
+          wide_normal_bound<double>(maximum(std::abs(qp[i].high), std::abs(rp[i].high)), maximum(std::abs(qp[j].high), std::abs(rp[j].high)),
+                                    p.error + maximum(q.error, r.error), wide_difference, wide_normal_rounding, normal_motion, Adaptive::underflow)};
 }
 
 // --- samples ---------------------------------------------------------------------------------------------------------
@@ -797,7 +797,7 @@ BOOST_AUTO_TEST_CASE(image_and_error_enclose_the_exact_image_at_every_scale)
     for (int i = 0; i < 3; ++i) {
       const mpq_class off = abs(mpq_class(mpq_class(p.image[i]) - mpq_class(exact[i], exact.w)));
       wrong += off > p.error;
-      largest = std::max(largest, mpq_class(off / mpq_class(p.error)).get_d());
+      largest = maximum(largest, mpq_class(off / mpq_class(p.error)).get_d());
     }
   }
   BOOST_TEST(wrong == 0);
@@ -1372,25 +1372,25 @@ BOOST_AUTO_TEST_CASE(observed_errors_are_within_the_bounds_and_are_recorded)
     each_sample(family, 1'500, [&](const Sample& s) {
       const auto& [a, b, c, d] = s.points;
       const Filter filter = volume_filter(a, b, c, d);
-      if (filter.bound < infinity) here = std::max(here, ratio(filter, exact_volume(s)));
+      if (filter.bound < infinity) here = maximum(here, ratio(filter, exact_volume(s)));
       const Filter area = normal_filter(a, b, c, 2);
-      if (area.bound < infinity) here_normal = std::max(here_normal, ratio(area, exact_area(s, 2)));
+      if (area.bound < infinity) here_normal = maximum(here_normal, ratio(area, exact_area(s, 2)));
       const Wide_filter wide = wide_volume_filter(a, b, c, d), wide_area = wide_normal_filter(a, b, c, 2);
-      if (wide.bound < infinity) here_wide = std::max(here_wide, ratio(wide, exact_volume(s)));
-      if (wide_area.bound < infinity) here_wide_normal = std::max(here_wide_normal, ratio(wide_area, exact_area(s, 2)));
+      if (wide.bound < infinity) here_wide = maximum(here_wide, ratio(wide, exact_volume(s)));
+      if (wide_area.bound < infinity) here_wide_normal = maximum(here_wide_normal, ratio(wide_area, exact_area(s, 2)));
       const auto image = Adaptive::wide_image(a);
       for (int k = 0; k < 3 && 0 < image.error && image.error < infinity; ++k) {
         const mpq_class off = whole(image.coordinate[k]) - mpq_class(s.exact[0][k], s.exact[0].w);
-        here_image = std::max(here_image, mpq_class(abs(off) / mpq_class(image.error)).get_d());
+        here_image = maximum(here_image, mpq_class(abs(off) / mpq_class(image.error)).get_d());
       }
     });
     BOOST_TEST_MESSAGE(family.name << ": double-double " << here_wide << " (volume), " << here_wide_normal << " (normal), " << here_image << " (image)");
-    wide_largest = std::max(wide_largest, here_wide);
-    wide_normal_largest = std::max(wide_normal_largest, here_wide_normal);
-    wide_image_largest = std::max(wide_image_largest, here_image);
+    wide_largest = maximum(wide_largest, here_wide);
+    wide_normal_largest = maximum(wide_normal_largest, here_wide_normal);
+    wide_image_largest = maximum(wide_image_largest, here_image);
     BOOST_TEST_MESSAGE(family.name << ": observed error/bound " << here << " (volume), " << here_normal << " (normal)");
-    volume_largest = std::max(volume_largest, here);
-    normal_largest = std::max(normal_largest, here_normal);
+    volume_largest = maximum(volume_largest, here);
+    normal_largest = maximum(normal_largest, here_normal);
   }
   BOOST_TEST(volume_largest <= 1);
   BOOST_TEST(normal_largest <= 1);
@@ -1445,10 +1445,10 @@ BOOST_AUTO_TEST_CASE(an_adversary_who_climbs_does_not_reach_the_bounds)
         x = step % 3 == 0 ? random.real() : x * (1 + std::ldexp(random.real(), -random.from(1, 52)));
         const double here = value();
         if (here < best) x = before;
-        best = std::max(best, here);
+        best = maximum(best, here);
       }
       double& reached = wide ? wide_reached : volume_reached;
-      reached = std::max(reached, best);
+      reached = maximum(reached, best);
     }
   BOOST_TEST_MESSAGE("an adversary reaches " << volume_reached << " (filter), " << wide_reached << " (double-double) of the bound of a volume");
   BOOST_TEST(volume_reached <= 1);

@@ -85,7 +85,7 @@ double reach_of(const Points& points)
 {
   double reach = 0;
   for (const Vertex& p : points)
-    for (const double x : p) reach = std::max(reach, std::abs(x));
+    for (const double x : p) reach = maximum(reach, std::abs(x));
   return reach;
 }
 
@@ -491,7 +491,7 @@ BOOST_AUTO_TEST_CASE(a_point_of_the_body_is_never_beyond_its_half_space)
         if (d > offset) offset = d, contact = p;
       }
       half_space.offset = rounded_up(offset);
-      const double reach = std::max(reach_of(t->a), reach_of({half_space.origin}));
+      const double reach = maximum(reach_of(t->a), reach_of({half_space.origin}));
       const Pose pose_b =
           bringing(t->pose_b, rationals::exactly(t->b[0]), rationals::image(t->pose_a, rationals::exactly(contact)));
       if (!is_usable(pose_b)) continue;
@@ -563,9 +563,7 @@ BOOST_AUTO_TEST_CASE(boxes_of_bodies_that_touch_meet)
         return box;
       };
       const Box<double> a = box(t->a, t->pose_a), b = box(t->b, t->pose_b);
-      Box<double> all;
-      all.add(a);
-      wrong += !a.meets(b) || !b.meets(a) || !all.meets(b) || !b.meets(all);
+      wrong += !a.meets(b) || !b.meets(a);
     }
   BOOST_TEST(wrong == 0);
   BOOST_TEST(tried > 1500);
@@ -598,9 +596,6 @@ BOOST_AUTO_TEST_CASE(an_undefined_box_meets_everything)
       box.grow(infinity);
       BOOST_TEST(box.meets(small));
       BOOST_TEST(small.meets(box));
-      Box<double> all;
-      all.add(box);
-      BOOST_TEST(all.meets(small));
     }
 }
 

@@ -1,5 +1,6 @@
 #include "kernel/double_double.h"
 
+#include "kernel/floating_point.h"
 #include "kernel/number.h"
 
 #include <boost/test/unit_test.hpp>
@@ -57,9 +58,9 @@ BOOST_AUTO_TEST_CASE(errors_are_within_the_published_bounds)
     Double_double b = pair(random);
     // Nearly all cancels, every third time.
     if (k % 3 == 0) b = Double_double(-a.high, -a.low * (1 + 0x1p-20)) + Double_double(real(random) * 0x1p-90);
-    of_sum = std::max(of_sum, error(a + b, exact(a) + exact(b)));
-    of_sum = std::max(of_sum, error(a - b, exact(a) - exact(b)));
-    of_product = std::max(of_product, error(a * b, exact(a) * exact(b)));
+    of_sum = maximum(of_sum, error(a + b, exact(a) + exact(b)));
+    of_sum = maximum(of_sum, error(a - b, exact(a) - exact(b)));
+    of_product = maximum(of_product, error(a * b, exact(a) * exact(b)));
   }
   BOOST_TEST_MESSAGE("in units of u^2: sum " << of_sum << ", product " << of_product);
   BOOST_TEST(of_sum <= 3.01);
@@ -96,7 +97,7 @@ BOOST_AUTO_TEST_CASE(an_adversary_who_climbs_stays_within_the_published_bounds)
         if (here >= best) a = c, b = d, best = here;
       }
       double& reached = product ? of_product : of_sum;
-      reached = std::max(reached, best);
+      reached = maximum(reached, best);
     }
   BOOST_TEST_MESSAGE("an adversary reaches, in units of u^2: sum " << of_sum << ", product " << of_product);
   BOOST_TEST(of_sum <= 3.01);
@@ -170,7 +171,7 @@ struct Small {
           for (const int sign : {1, -1}) {
             const Pair z = {sign * y.high, sign * y.low};
             const Whole right = x.value() + z.value(), off = sum(x, z).value() - right;
-            if (off != 0) largest = std::max(largest, right == 0 ? HUGE_VAL : std::abs(double(off) / double(right)));
+            if (off != 0) largest = maximum(largest, right == 0 ? HUGE_VAL : std::abs(double(off) / double(right)));
           }
     }
     return std::ldexp(largest, 2 * digits);
@@ -182,7 +183,7 @@ struct Small {
     for (const Pair& x : a)
       for (const Pair& y : a) {
         const Whole right = x.value() * y.value(), off = product(x, y).value() - right;
-        largest = std::max(largest, std::abs(double(off) / double(right)));
+        largest = maximum(largest, std::abs(double(off) / double(right)));
       }
     return std::ldexp(largest, 2 * digits);
   }

@@ -2,24 +2,20 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <cfenv>
+#include "verify/test/keep_environment.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
 #include <thread>
 
 using tetracone::kernel::floating_point_is_sound;
+using tetracone::kernel::maximum;
+using tetracone::kernel::minimum;
 using tetracone::kernel::unit_roundoff;
+using tetracone::verify::Keep_environment;
 
 namespace {
-
-/// The calling thread's floating point as it was, at the end of the scope.
-class Keep_environment {
- public:
-  Keep_environment() { std::fegetenv(&environment_); }
-  ~Keep_environment() { std::fesetenv(&environment_); }
-  Keep_environment(const Keep_environment&) = delete;
-
- private:
-  std::fenv_t environment_;
-};
 
 bool is_sound_in_a_new_thread()
 {
@@ -67,6 +63,35 @@ BOOST_AUTO_TEST_CASE(a_change_in_one_thread_is_no_change_in_another)
 {
   std::thread([] { std::fesetround(FE_UPWARD); }).join();
   BOOST_TEST(floating_point_is_sound());
+}
+
+BOOST_AUTO_TEST_CASE(what_decides_exactly_refuses_an_environment_that_is_not_sound)
+{
+  using tetracone::kernel::require_exact_arithmetic, tetracone::kernel::require_sound_floating_point;
+  BOOST_CHECK_NO_THROW(require_exact_arithmetic());
+  using tetracone::kernel::Unsound_floating_point;
+  BOOST_TEST(tetracone::verify::not_refused<Unsound_floating_point>([] { require_sound_floating_point(); }) == 0);
+  BOOST_TEST(tetracone::verify::not_refused<Unsound_floating_point>([] { require_exact_arithmetic(); }) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(the_largest_and_the_least_keep_nan_in_any_place_and_order)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  for (int place = 0; place < 3; ++place) {
+    std::array<double, 3> x = {1, infinity, -2};
+    x[place] = nan;
+    BOOST_TEST(std::isnan(maximum(x[0], x[1], x[2])));
+    BOOST_TEST(std::isnan(minimum(x[0], x[1], x[2])));
+  }
+  for (const auto& [a, b, c] : {std::array{1.0, 2.0, 3.0}, {3.0, 1.0, 2.0}, {2.0, 3.0, 1.0}, {3.0, 2.0, 1.0}}) {
+    BOOST_TEST(maximum(a, b, c) == 3);
+    BOOST_TEST(minimum(a, b, c) == 1);
+  }
+  BOOST_TEST(maximum(-infinity, infinity) == infinity);
+  BOOST_TEST(minimum(-infinity, infinity) == -infinity);
+  BOOST_TEST(maximum(3, -7) == 3);
+  BOOST_TEST(minimum(3u, 7u) == 3u);
+  BOOST_TEST(maximum(2.5f) == 2.5f);
 }
 
 BOOST_AUTO_TEST_CASE(unit_roundoff_is_half_the_step_after_one)

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -79,6 +80,32 @@ BOOST_AUTO_TEST_CASE(boxes_of_triangles_of_any_size_have_orthonormal_axes)
     }
   BOOST_TEST(wrong == 0);
   BOOST_TEST(tried == 51600);
+}
+
+BOOST_AUTO_TEST_CASE(axes_that_are_not_orthonormal_are_not_stored)
+{
+  Random random(8);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto all = points(random, 12, 0);
+  for (int kind = 0; kind < 6; ++kind) {
+    Oriented_box box = fitted_box(all, 1);
+    Matrix& axes = box.axes;
+    if (kind == 0) axes.col(1).setZero();
+    if (kind == 1) axes.col(2) = axes.col(0);
+    if (kind == 2) axes *= 1 + 0x1p-20;
+    if (kind == 3) axes(1, 2) = nan;
+    if (kind == 4) axes.setConstant(nan), box.centre.setConstant(nan);
+    if (kind == 5) axes.col(0) *= std::numeric_limits<double>::infinity();
+    Wide_boxes boxes{};
+    store_lane(boxes, 2, box, Vector::Zero(), all, 0);
+    for (const Vector& p : all)
+      for (int i = 0; i < 3; ++i) {
+        double along = 0;
+        for (int j = 0; j < 3; ++j) along += (p[j] - boxes.centre[j][2]) * boxes.axis[i][j][2];
+        BOOST_TEST(std::abs(along) <= boxes.extent[i][2]);
+        for (int j = 0; j < 3; ++j) BOOST_TEST(boxes.axis[i][j][2] == (i == j));
+      }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_flat_cloud_gets_a_flat_box)

@@ -87,12 +87,54 @@ BOOST_AUTO_TEST_CASE(no_image_is_farther_off_than_the_error_says)
     const Row right = exact(a, in_a, b, in_b, p);
     if (!(frame.error() < HUGE_VAL)) continue;
     ++known;
-    for (int i = 0; i < 3; ++i) worst = std::max(worst, std::abs(nearest_double(Rational(Rational(image[i]) - right[i]))) / frame.error());
+    for (int i = 0; i < 3; ++i) worst = maximum(worst, std::abs(nearest_double(Rational(Rational(image[i]) - right[i]))) / frame.error());
   }
   BOOST_TEST_MESSAGE("largest error / bound: " << worst << " over " << known);
   BOOST_TEST(known > 3000);
   BOOST_TEST(worst <= 1);
   BOOST_TEST(worst > 0.001);
+}
+
+BOOST_AUTO_TEST_CASE(a_point_that_is_off_itself_has_an_image_off_by_no_more_than_the_error_of_both)
+{
+  // From 2^-40 to 2^40 as large: where B is the larger, what its point is off by is most of it.
+  Random random(14);
+  double worst = 0;
+  int known = 0;
+  for (int k = 0; k < 3000; ++k) {
+    const Pose a = any_pose(random, k), b = any_pose(random, k / 6);
+    if (a.determinant_sign() == CGAL::ZERO || b.determinant_sign() == CGAL::ZERO) continue;
+    const Local_units in_a{scenes::real_vertex(random, 2), 1}, in_b{scenes::real_vertex(random, 2), std::ldexp(1.0, int(random() % 81) - 40)};
+    const Relative_frame frame(a, in_a, b, in_b);
+    const double off = std::ldexp(1.0, -10 - int(random() % 43)), error = frame.error(off);
+    if (!(error < HUGE_VAL)) continue;
+    ++known;
+    Vertex right = scenes::real_vertex(random, 0.5), p = right;
+    for (double& x : p) x += random() % 2 == 0 ? off : -off;
+    const auto image = frame(p);
+    const Row of_right = exact(a, in_a, b, in_b, right);
+    for (int i = 0; i < 3; ++i) worst = maximum(worst, std::abs(nearest_double(Rational(Rational(image[i]) - of_right[i]))) / error);
+  }
+  BOOST_TEST_MESSAGE("largest error / bound: " << worst << " over " << known);
+  BOOST_TEST(known > 2000);
+  BOOST_TEST(worst <= 1);
+  BOOST_TEST(worst > 0.9);
+}
+
+BOOST_AUTO_TEST_CASE(squares_that_overflow_make_no_similarity_and_no_bound)
+{
+  // Of columns (1, 0, 0), (0, h, h), (0, -h, h) in any order: entries of M^T M are infinity minus infinity. Such a pose lengthens its axes unlike, whatever
+  // is rounded: no similarity. The inverse has its own limits.
+  for (const int exponent : {20, 300, 511, 512, 700, 1000})
+    for (int turn = 0; turn < 3; ++turn) {
+      const double h = std::ldexp(1.0, exponent);
+      std::array<double, 12> entries{};
+      const int i = turn, j = (turn + 1) % 3, k = (turn + 2) % 3;
+      entries[5 * i] = 1, entries[5 * j] = h, entries[5 * k] = h, entries[4 * j + k] = -h, entries[4 * k + j] = h;
+      const Relative_frame frame(Pose(entries), {}, Pose(), {});
+      BOOST_TEST(!frame.is_similarity());
+      if (exponent > 300) BOOST_TEST(std::isinf(frame.error()));
+    }
 }
 
 BOOST_AUTO_TEST_CASE(rotations_are_similarities_and_shears_are_not)
@@ -147,7 +189,7 @@ double share_of_bound(const Pose& a, const Local_units& in_a, const Pose& b, con
     const Row right = exact(a, in_a, b, in_b, p);
     for (int i = 0; i < 3; ++i) {
       const Rational off = Rational(image[i]) - right[i], bound(frame.error());
-      worst = std::max(worst, std::abs(nearest_double(Rational(off / bound))));
+      worst = maximum(worst, std::abs(nearest_double(Rational(off / bound))));
     }
   }
   return worst;
@@ -179,7 +221,7 @@ BOOST_AUTO_TEST_CASE(both_routes_keep_their_bound_for_scales_units_and_distances
       continue;
     }
     ++known;
-    worst = std::max(worst, share);
+    worst = maximum(worst, share);
   }
   BOOST_TEST_MESSAGE("largest error / bound: " << worst << "; known " << known << ", unknown " << unknown);
   BOOST_TEST(worst <= 1);
@@ -208,8 +250,8 @@ BOOST_AUTO_TEST_CASE(bodies_modelled_far_off_and_brought_together_keep_their_bou
     const Pose near(entries);
     const double share = share_of_bound(a, in_a, near, in_b);
     BOOST_TEST_REQUIRE(share >= 0);
-    worst = std::max(worst, share);
-    if (exponent >= 10 && exponent < 20 && k % 5 != 0) worst_of_small = std::max(worst_of_small, share);
+    worst = maximum(worst, share);
+    if (exponent >= 10 && exponent < 20 && k % 5 != 0) worst_of_small = maximum(worst_of_small, share);
   }
   BOOST_TEST_MESSAGE("largest error / bound: " << worst << ", where doubles suffice " << worst_of_small);
   BOOST_TEST(worst <= 1);
@@ -309,13 +351,13 @@ BOOST_AUTO_TEST_CASE(the_origins_are_as_far_apart_as_said)
         right += plus - minus, terms += CGAL::abs(plus) + CGAL::abs(minus);
       }
       const auto off = [&](double x) { return std::abs(nearest_double(Rational(Rational(x) - right))); };
-      if (d.error() > 0) worst = std::max(worst, off(d[i]) / d.error());
-      if (wide.error() > 0) worst_wide = std::max(worst_wide, off(wide[i]) / wide.error());
+      if (d.error() > 0) worst = maximum(worst, off(d[i]) / d.error());
+      if (wide.error() > 0) worst_wide = maximum(worst_wide, off(wide[i]) / wide.error());
       BOOST_TEST(off(d[i]) <= d.error());
       BOOST_TEST(off(wide[i]) <= wide.error());
       BOOST_TEST(nearest_double(terms) <= d.terms() * (1 + 1e-14));
       BOOST_TEST((-d)[i] == -d[i]);
-      largest = std::max(largest, std::abs(d[i]));
+      largest = maximum(largest, std::abs(d[i]));
     }
     BOOST_TEST(d.largest() == largest);
     BOOST_TEST((-d).error() == d.error());

@@ -1,6 +1,6 @@
 // A translation unit that has a Highway kernel of its own, of the usual form, after the library's.
 #include "kernel/simd.h"
-#include "kernel/wide_signs.h"
+#include "kernel/wide_overlap.h"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "verify/test/kernel_simd.cpp"
 #include <hwy/foreach_target.h>
@@ -68,7 +68,8 @@ namespace tetracone::kernel {
 std::vector<std::int64_t> targets()
 {
   std::vector<std::int64_t> found;
-  for (const Simd_version<Filtered_volume_signs>& version : std::initializer_list<Simd_version<Filtered_volume_signs>> TETRACONE_SIMD_VERSIONS(filtered_volume_signs_kernel))
+  using Overlapping = unsigned(const Wide_boxes&, const Single_box&, bool);
+  for (const Simd_version<Overlapping>& version : std::initializer_list<Simd_version<Overlapping>> TETRACONE_SIMD_VERSIONS(overlapping_kernel))
     found.push_back(version.target);
   return found;
 }

@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_CASE(boxes_that_touch_are_never_told_apart)
         p.centre = single.corner(n) - p.corner(-n);
         p.round();
         set(boxes, lane, p);
-        boxes.reach = std::max(boxes.reach, float(p.extent.sum() + p.centre.norm()) * 1.000001f);
+        boxes.reach = maximum(boxes.reach, float(p.extent.sum() + p.centre.norm()) * 1.000001f);
       }
       Single_box box{};
       set(box, single);
@@ -241,7 +241,7 @@ BOOST_AUTO_TEST_CASE(boxes_that_touch_a_triangle_are_never_told_apart_from_it)
         p.centre = touched - p.corner(-beyond);
         p.round();
         set(boxes, lane, p);
-        boxes.reach = std::max(boxes.reach, float(p.extent.sum() + p.centre.norm()) * 1.000001f);
+        boxes.reach = maximum(boxes.reach, float(p.extent.sum() + p.centre.norm()) * 1.000001f);
       }
       t.box.slack = wide_slack(boxes.reach + t.solid.extent.sum() + t.solid.centre.cwiseAbs().sum(), 0);
       told_apart += overlap(boxes, t.box, true) != 255;
@@ -264,7 +264,7 @@ BOOST_AUTO_TEST_CASE(boxes_in_the_corners_that_a_triangle_leaves_of_its_box_are_
       Wide_boxes boxes{};
       const double y = real(random, -0.9, 1), x = random() % 2 ? real(random, -1, t.left(y)) : real(random, t.right(y), 1);
       const Vector left(t.left(y) - x, 0, 0), right(x - t.right(y), 0, 0);
-      const double beside = std::max(left[0], right[0]) * t.solid.extent[1];  // along the box
+      const double beside = maximum(left[0], right[0]) * t.solid.extent[1];  // along the box
       const double steep = 2 * t.solid.extent[2] / std::hypot(2 * t.solid.extent[2], t.solid.extent[1] * (1 + std::abs(t.apex)));
       if (!(beside * steep > 0.01 * t.solid.extent.sum() + 2e-4)) continue;  // the slack is some 5e-5
       ++tried;
@@ -419,7 +419,7 @@ BOOST_AUTO_TEST_CASE(mapped_boxes_that_touch_are_never_told_apart)
       a.centre = at - origin - a.corner(-out);
       a.round();
       set(boxes, other, a);
-      boxes.reach = std::max(boxes.reach, float(a.extent.sum() + a.centre.norm()) * 1.000001f);
+      boxes.reach = maximum(boxes.reach, float(a.extent.sum() + a.centre.norm()) * 1.000001f);
     }
     for (std::size_t version = 0; version < told_apart.size(); ++version)
       told_apart[version] += int(lanes) - std::popcount(mapped_versions()[version](boxes, map, from, lane));
@@ -447,7 +447,7 @@ BOOST_AUTO_TEST_CASE(mapped_boxes_that_are_clearly_apart_are_told_apart)
     for (int other = 0; other < int(lanes); ++other) {
       const Solid a{vector(random).normalized() * (size + 3), axes(random), extents(random)};
       set(boxes, other, a);
-      boxes.reach = std::max(boxes.reach, float(a.extent.sum() + a.centre.norm()) * 1.000001f);
+      boxes.reach = maximum(boxes.reach, float(a.extent.sum() + a.centre.norm()) * 1.000001f);
     }
     for (const auto mapped : mapped_versions()) missed += std::popcount(mapped(boxes, map, from, 2));
   }

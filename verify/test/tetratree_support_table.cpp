@@ -60,7 +60,7 @@ Direction direction(Random& random, int kind)
 double reach(const Wide_tree& tree, const Direction& d)
 {
   double best = -HUGE_VAL;
-  for (Index v = 0; v < tree.model().vertices().size(); ++v) best = std::max(best, kernel::Vector(d[0], d[1], d[2]).dot(tree.local(v)));
+  for (Index v = 0; v < tree.model().vertices().size(); ++v) best = kernel::maximum(best, kernel::Vector(d[0], d[1], d[2]).dot(tree.local(v)));
   return best;
 }
 
@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(the_bound_is_above_the_farthest_vertex_and_not_far_above)
     Wide_tree tree(body);
     Support_table table(tree);
     double size = 0;
-    for (Index v = 0; v < body.vertices.size(); ++v) size = std::max(size, tree.local(v).norm());
+    for (Index v = 0; v < body.vertices.size(); ++v) size = kernel::maximum(size, tree.local(v).norm());
     Random random(2);
     int below = 0, far_above = 0, point_off = 0;
     double loosest = 0;
@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(the_bound_is_above_the_farthest_vertex_and_not_far_above)
       // most twice the size and the second at most sqrt(2/3) / 16 |d|_1. Of a round body far less.
       const double above = double(found.bound) - slack - exact;
       far_above += above > (name == "sphere" ? 0.01 * size * length : 2 * size * std::sqrt(2.0 / 3) / 16 * sum(d));
-      if (size > 0) loosest = std::max(loosest, above / (size * length));
+      if (size > 0) loosest = kernel::maximum(loosest, above / (size * length));
       point_off += std::abs(along(d, found.point) - found.bound) > 4 * slack;
     }
     BOOST_TEST_INFO_SCOPE(name);

@@ -3,6 +3,7 @@
 #include "covering/repair.h"
 #include "tetratree/collision.h"
 #include "verify/brute.h"
+#include "verify/test/keep_environment.h"
 #include "verify/test/scenes.h"
 
 #include <boost/test/unit_test.hpp>
@@ -256,6 +257,44 @@ BOOST_AUTO_TEST_CASE(the_papers_tree_in_rational_arithmetic_says_the_same)
   BOOST_TEST(differ == 0);
   BOOST_TEST(yes > 20);
   BOOST_TEST(no > 20);
+}
+
+BOOST_AUTO_TEST_CASE(no_tree_is_made_and_no_query_answered_where_floating_point_is_not_sound)
+{
+  // A denormal apart: under denormals-are-zero these met.
+  const Polyhedron left = box({-1, 0, 0}, {0, 1, 1}), right = box({0x1p-1074, 0, 0}, {1, 1, 1});
+  using tetracone::kernel::Unsound_floating_point;
+  Wide_tree a(left), b(right);
+  Wide_collision collision(a, b), last(a, b, Coherence::last_frame);
+  const auto refused = [](const auto& ask) { return verify::not_refused<Unsound_floating_point>(ask) == 0; };
+  BOOST_TEST(refused([&] { Wide_tree tree(left); }));
+  BOOST_TEST(refused([&] { a.make_all(); }));
+  BOOST_TEST(refused([&] { Wide_collision fresh(a, b); }));
+  for (const Pose& pose : {Pose(), translation(100, 0, 0)})
+    for (Wide_collision* ask : {&collision, &last}) {
+      BOOST_TEST(refused([&] { (*ask)(Pose(), pose); }));
+      BOOST_TEST(!(*ask)(Pose(), pose));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(an_anisotropic_pose_whose_squares_overflow_is_no_similarity)
+{
+  // Columns (1, 0, 0), (0, h, h), (0, -h, h): entries of M^T M are infinity minus infinity.
+  Body a(cube(1)), cross(box({0, -1, -1}, {2, 1, 1})), inside(box({-0.5, -1, -1}, {0.5, 1, 1}));
+  int wrong = 0;
+  for (const int exponent : {200, 511, 512, 600, 900, 1000}) {
+    const double h = std::ldexp(1.0, exponent), small = std::ldexp(1.0, -exponent);
+    const Pose pose_a(std::array<double, 12>{1, 0, 0, 0, 0, h, -h, 0, 0, h, h, 0}), pose_b(std::array<double, 12>{1, 0, 0, 0, 0, small, 0, 0, 0, 0, small, 0});
+    for (Body* b : {&cross, &inside})
+      for (const Question question : {Question::surface, Question::solid}) {
+        const bool truth = verify::collide(a.truth, pose_a, b->truth, pose_b, question);
+        for (const Coherence coherence : {Coherence::none, Coherence::last_frame}) {
+          wrong += Wide_collision(a.triangles, b->triangles, coherence)(pose_a, pose_b, question) != truth;
+          wrong += Wide_collision(b->whole, a.whole, coherence)(pose_b, pose_a, question) != truth;
+        }
+      }
+  }
+  BOOST_TEST(wrong == 0);
 }
 
 BOOST_AUTO_TEST_CASE(work_is_counted)

@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(the_reach_of_a_node_is_that_of_its_farthest_box)
       const kernel::Wide_boxes& boxes = tree.node(n).boxes;
       double reach = 0;
       for (int lane = 0; lane < tree.node(n).boxes.lane_count; ++lane)
-        reach = std::max(reach, std::hypot(double(boxes.centre[0][lane]), double(boxes.centre[1][lane]), double(boxes.centre[2][lane])) +
+        reach = kernel::maximum(reach, std::hypot(double(boxes.centre[0][lane]), double(boxes.centre[1][lane]), double(boxes.centre[2][lane])) +
                                     double(boxes.extent[0][lane]) + boxes.extent[1][lane] + boxes.extent[2][lane]);
       too_short += boxes.reach < reach;
       too_long += boxes.reach > 1.000001 * reach;

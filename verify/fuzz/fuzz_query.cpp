@@ -1,0 +1,81 @@
+// Two small bodies and up to eight pairs of poses from raw bytes: what the fast tree and the paper's tree answer, with and without the memory of the last
+// pose, is what all pairs of elements give in rational arithmetic.
+
+#include "kernel/kernels.h"
+#include "tetratree/collision.h"
+#include "tetratree/wide_collision.h"
+#include "verify/brute.h"
+#include "verify/fuzz/doubles.h"
+
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+
+using namespace tetracone;
+using kernel::Pose;
+using kernel::Question;
+
+namespace {
+
+/// A closed surface of triangles on four to six vertices, flat or not, or one triangle and its back.
+covering::Polyhedron body(verify::Doubles& doubles)
+{
+  constexpr int apexes_about[] = {0, 3, 3, 4};
+  const int kind = doubles.byte() % 4, corners = apexes_about[kind];
+  covering::Polyhedron body;
+  body.vertices.resize(kind == 0 ? 3 : kind == 1 ? 4 : std::size_t(corners) + 2);
+  for (kernel::Vertex& v : body.vertices)
+    for (double& x : v) x = doubles.next();
+  if (kind == 0) {
+    body.add_polygon({0, 1, 2});
+    body.add_polygon({0, 2, 1});
+    return body;
+  }
+  // A ring of corners about an axis, closed by one apex and a triangle or by two apexes.
+  for (covering::Index k = 0; k < covering::Index(corners); ++k) {
+    const covering::Index next = (k + 1) % covering::Index(corners), top = covering::Index(corners);
+    body.add_polygon({k, next, top});
+    if (kind != 1) body.add_polygon({next, k, top + 1});
+  }
+  if (kind == 1) body.add_polygon({0, 2, 1});
+  return body;
+}
+
+Pose pose(verify::Doubles& doubles)
+{
+  std::array<double, 12> entries;
+  for (double& x : entries) x = doubles.next();
+  return Pose(entries);
+}
+
+void same(bool condition)
+{
+  if (!condition) std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  // An image is three products and a sum: below the largest double.
+  verify::Doubles doubles(data, size, 0x1p510);
+  const covering::Polyhedron a = body(doubles), b = body(doubles);
+  const verify::Brute_body truth_a(a), truth_b(b);
+  tetratree::Wide_tree fast_a(a), fast_b(b);
+  tetratree::Wide_collision fast(fast_a, fast_b), remembering(fast_a, fast_b, tetratree::Coherence::last_frame), other_way(fast_b, fast_a);
+  using Tree = tetratree::Tetra_tree<kernel::Adaptive>;
+  Tree paper_a(a), paper_b(b);
+  tetratree::Collision<kernel::Adaptive> paper(paper_a, paper_b);
+  for (int k = 0; k < 8 && (k == 0 || !doubles.empty()); ++k) {
+    const Pose pose_a = pose(doubles), pose_b = pose(doubles);
+    if (pose_a.determinant_sign() == CGAL::ZERO || pose_b.determinant_sign() == CGAL::ZERO) continue;
+    for (const Question question : {Question::surface, Question::solid}) {
+      const bool truth = verify::collide(truth_a, pose_a, truth_b, pose_b, question);
+      same(fast(pose_a, pose_b, question) == truth);
+      same(remembering(pose_a, pose_b, question) == truth);
+      same(other_way(pose_b, pose_a, question) == truth);
+      same(paper(pose_a, pose_b, question) == truth);
+    }
+  }
+  return 0;
+}

@@ -1,0 +1,12 @@
+// What a user's unit does under the flags that it is compiled with: status 0 when the library would answer, 3 when it refuses at run time.
+#include "kernel/floating_point.h"
+
+#include <iostream>
+
+int main()
+try {
+  tetracone::kernel::require_exact_arithmetic();
+} catch (const tetracone::kernel::Unsound_floating_point& e) {
+  std::cout << e.what() << '\n';
+  return 3;
+}

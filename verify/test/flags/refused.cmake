@@ -1,0 +1,57 @@
+# Compiles probe.cpp by each compiler that is there, with flags that change the arithmetic and with flags that don't: the first are refused by the compiler
+# or, where no macro tells, at run time; the others are not.
+
+file(MAKE_DIRECTORY ${WORK})
+
+# outcome(COMPILER FLAGS): "accepted", "refused to compile" or "refused to run".
+function(outcome compiler flags)
+  separate_arguments(list UNIX_COMMAND "${flags}")
+  execute_process(COMMAND ${compiler} -std=c++20 ${list} -I${SOURCE} ${SOURCE}/verify/test/flags/probe.cpp -o ${WORK}/probe
+                  RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE errors)
+  if(NOT status EQUAL 0)
+    if(NOT errors MATCHES "tetracone cannot be compiled with")
+      message(FATAL_ERROR "${compiler} ${flags}: ${errors}")
+    endif()
+    set(found "refused to compile" PARENT_SCOPE)
+    return()
+  endif()
+  execute_process(COMMAND ${WORK}/probe RESULT_VARIABLE status OUTPUT_VARIABLE said)
+  if(status EQUAL 0)
+    set(found "accepted" PARENT_SCOPE)
+  elseif(status EQUAL 3 AND said MATCHES "floating point: .*expected ")
+    set(found "refused to run" PARENT_SCOPE)
+  else()
+    message(FATAL_ERROR "${compiler} ${flags}: status ${status}, ${said}")
+  endif()
+endfunction()
+
+set(sound "-O0" "-O2" "-O3 -ffp-contract=off" "-O2 -fno-math-errno -fno-trapping-math" "-O2 -frounding-math")
+set(unsound "-O2 -ffast-math" "-Ofast" "-O2 -ffinite-math-only" "-O2 -funsafe-math-optimizations" "-O2 -freciprocal-math"
+    "-O2 -fassociative-math -fno-signed-zeros -fno-trapping-math" "-O2 -ffast-math -fno-finite-math-only")
+# Contraction needs an instruction that multiplies and adds.
+file(STRINGS /proc/cpuinfo has_fma REGEX "^flags.* fma( |$)" LIMIT_COUNT 1)
+if(has_fma)
+  list(APPEND sound "-O2 -mfma -ffp-contract=off")
+  list(APPEND unsound "-O2 -mfma -ffp-contract=fast")
+endif()
+
+foreach(name g++ clang++)
+  find_program(compiler_${name} ${name})
+  if(NOT compiler_${name})
+    message(STATUS "${name}: not there")
+    continue()
+  endif()
+  foreach(flags IN LISTS sound)
+    outcome(${compiler_${name}} "${flags}")
+    if(NOT found STREQUAL "accepted")
+      message(SEND_ERROR "${name} ${flags}: ${found}")
+    endif()
+  endforeach()
+  foreach(flags IN LISTS unsound)
+    outcome(${compiler_${name}} "${flags}")
+    message(STATUS "${name} ${flags}: ${found}")
+    if(found STREQUAL "accepted")
+      message(SEND_ERROR "${name} ${flags}: accepted, and would give wrong signs")
+    endif()
+  endforeach()
+endforeach()
