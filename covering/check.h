@@ -1,12 +1,12 @@
 #ifndef TETRACONE_COVERING_CHECK_H
 #define TETRACONE_COVERING_CHECK_H
 
-#include "covering/covering.h"
-#include "covering/edge_uses.h"
-#include "covering/orient.h"
-#include "covering/planarity.h"
-#include "covering/polyhedron.h"
-#include "kernel/number.h"
+#include "tetracone/covering/covering.h"
+#include "tetracone/covering/edge_uses.h"
+#include "tetracone/covering/orient.h"
+#include "tetracone/covering/planarity.h"
+#include "tetracone/covering/polyhedron.h"
+#include "tetracone/kernel/number/number.h"
 
 #include <CGAL/enum.h>
 
@@ -155,7 +155,7 @@ struct Check {
   std::vector<Index> isolated_vertices;                ///< vertices of no face
 };
 
-/// Counts of one shell, its genus, volume and orientation.
+/// Query_statistics of one shell, its genus, volume and orientation.
 inline Shell check_shell(const Polyhedron& shell)
 {
   Shell result;
@@ -171,7 +171,7 @@ inline Shell check_shell(const Polyhedron& shell)
   if (result.closed && is_manifold(shell)) result.genus = static_cast<std::size_t>((2 - result.euler) / 2);
   if (result.closed) {
     result.volume = volume(shell);
-    const CGAL::Sign sign = CGAL::sign(*result.volume);
+    const auto sign = CGAL::Sign(sgn(*result.volume));
     result.orientation = sign == CGAL::POSITIVE   ? Orientation::outward
                          : sign == CGAL::NEGATIVE ? Orientation::inward
                                                   : Orientation::flat;

@@ -1,10 +1,10 @@
 #ifndef TETRACONE_COVERING_COVERING_H
 #define TETRACONE_COVERING_COVERING_H
 
-#include "covering/polyhedron.h"
-#include "kernel/number.h"
-#include "kernel/spanning.h"
-#include "kernel/volume.h"
+#include "tetracone/covering/polyhedron.h"
+#include "tetracone/kernel/number/number.h"
+#include "tetracone/kernel/predicate/plane_basis.h"
+#include "tetracone/kernel/number/volume.h"
 
 #include <algorithm>
 #include <array>
@@ -58,7 +58,7 @@ class Covering {
   std::span<const Index> to(Index f) const { return part(to_, f); }
 
   /// Three vertices of the face that span its plane; nothing when all its corners are on one line.
-  const std::optional<std::array<Index, 3>>& spanning(Index f) const { return spanning_[f]; }
+  const std::optional<std::array<Index, 3>>& plane_basis(Index f) const { return plane_bases_[f]; }
 
   /// A vertex of each connected part of the surface, at least: of each maximal set of loops connected through shared vertices.
   /// Loops, not faces: a face of several loops need not be connected.
@@ -126,13 +126,13 @@ class Covering {
   void span_face(const Polyhedron& polyhedron, Index f)
   {
     const auto corners = from(f);
-    const auto triple = kernel::spanning_triangle(corners.size(), [&](std::size_t k) -> const Vertex& {
+    const auto triple = kernel::plane_basis(corners.size(), [&](std::size_t k) -> const Vertex& {
       return polyhedron.vertices[corners[k]];
     });
     if (triple)
-      spanning_.push_back(std::array<Index, 3>{corners[(*triple)[0]], corners[(*triple)[1]], corners[(*triple)[2]]});
+      plane_bases_.push_back(std::array<Index, 3>{corners[(*triple)[0]], corners[(*triple)[1]], corners[(*triple)[2]]});
     else
-      spanning_.push_back(std::nullopt);
+      plane_bases_.push_back(std::nullopt);
   }
 
   void collect_shells(const Polyhedron& polyhedron)
@@ -156,7 +156,7 @@ class Covering {
   std::vector<std::array<Index, 2>> edges_;
   std::vector<Index> from_, to_;
   std::vector<std::size_t> face_corner_begin_;
-  std::vector<std::optional<std::array<Index, 3>>> spanning_;
+  std::vector<std::optional<std::array<Index, 3>>> plane_bases_;
   std::vector<Index> shell_vertices_;
 };
 

@@ -1,7 +1,7 @@
 #ifndef TETRACONE_COVERING_EDGE_USES_H
 #define TETRACONE_COVERING_EDGE_USES_H
 
-#include "covering/polyhedron.h"
+#include "tetracone/covering/polyhedron.h"
 
 #include <algorithm>
 #include <cstddef>

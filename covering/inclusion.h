@@ -1,8 +1,8 @@
 #ifndef TETRACONE_COVERING_INCLUSION_H
 #define TETRACONE_COVERING_INCLUSION_H
 
-#include "covering/model.h"
-#include "kernel/signs.h"
+#include "tetracone/covering/model.h"
+#include "tetracone/kernel/predicate/signs.h"
 
 namespace tetracone::covering {
 

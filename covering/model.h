@@ -1,13 +1,13 @@
 #ifndef TETRACONE_COVERING_MODEL_H
 #define TETRACONE_COVERING_MODEL_H
 
-#include "covering/covering.h"
-#include "covering/polyhedron.h"
-#include "kernel/cone_lattice.h"
-#include "kernel/floating_point.h"
-#include "kernel/frame.h"
-#include "kernel/kernels.h"
-#include "kernel/segment_face.h"
+#include "tetracone/covering/covering.h"
+#include "tetracone/covering/polyhedron.h"
+#include "tetracone/kernel/bound/cone_lattice.h"
+#include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/predicate/frame.h"
+#include "tetracone/kernel/predicate/kernels.h"
+#include "tetracone/kernel/predicate/segment_face.h"
 
 #include <cstdint>
 #include <memory>
@@ -116,8 +116,8 @@ class Placed_face {
   const Point& from(std::size_t k) const { return body_.point(covering().from(face_)[k]); }
   const Point& to(std::size_t k) const { return body_.point(covering().to(face_)[k]); }
   const Point& origin() const { return from(0); }
-  bool is_degenerate() const { return !covering().spanning(face_); }
-  const Point& spanning(int k) const { return body_.point((*covering().spanning(face_))[k]); }
+  bool is_degenerate() const { return !covering().plane_basis(face_); }
+  const Point& plane_basis(int k) const { return body_.point((*covering().plane_basis(face_))[k]); }
 
  private:
   const Covering& covering() const { return body_.model().covering(); }

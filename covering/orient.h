@@ -1,9 +1,9 @@
 #ifndef TETRACONE_COVERING_ORIENT_H
 #define TETRACONE_COVERING_ORIENT_H
 
-#include "covering/covering.h"
-#include "covering/edge_uses.h"
-#include "covering/polyhedron.h"
+#include "tetracone/covering/covering.h"
+#include "tetracone/covering/edge_uses.h"
+#include "tetracone/covering/polyhedron.h"
 
 #include <CGAL/enum.h>
 
@@ -138,7 +138,7 @@ inline Oriented apply_orientation(const Polyhedron& polyhedron, std::vector<bool
     }
     const Polyhedron group = part(polyhedron, faces, turned);
     if (is_closed(group)) {
-      if (CGAL::sign(volume(group)) == CGAL::NEGATIVE) turn_all();
+      if (sgn(volume(group)) < 0) turn_all();
     } else {
       const auto changes = std::ranges::count_if(faces, [&](Index f) { return turned[f]; });
       if (2 * changes > std::ssize(faces)) turn_all();

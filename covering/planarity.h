@@ -1,8 +1,8 @@
 #ifndef TETRACONE_COVERING_PLANARITY_H
 #define TETRACONE_COVERING_PLANARITY_H
 
-#include "covering/polyhedron.h"
-#include "kernel/number.h"
+#include "tetracone/covering/polyhedron.h"
+#include "tetracone/kernel/number/number.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

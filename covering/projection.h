@@ -1,8 +1,8 @@
 #ifndef TETRACONE_COVERING_PROJECTION_H
 #define TETRACONE_COVERING_PROJECTION_H
 
-#include "covering/polyhedron.h"
-#include "kernel/number.h"
+#include "tetracone/covering/polyhedron.h"
+#include "tetracone/kernel/number/number.h"
 
 namespace tetracone::covering {
 

@@ -1,7 +1,7 @@
 // A case file of any bytes: read or refused with Input_error; what is read is written and read again as the same.
 
-#include "kernel/input_error.h"
-#include "verify/case_file.h"
+#include "tetracone/covering/io/input_error.h"
+#include "verify/cases/case_file.h"
 
 #include <cstdint>
 #include <cstdlib>
@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Case_file file;
   try {
     file = parse_case(std::string(reinterpret_cast<const char*>(data), size), "fuzzed.case.json");
-  } catch (const tetracone::kernel::Input_error&) {
+  } catch (const tetracone::covering::Input_error&) {
     return 0;
   }
   const std::string text = to_json(file);

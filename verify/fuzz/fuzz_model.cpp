@@ -1,11 +1,11 @@
 // A model file of any bytes: read, checked and repaired, or refused with Input_error; nothing else. The environment's FORMAT is the suffix.
 
-#include "covering/check.h"
-#include "covering/covering.h"
-#include "covering/orient.h"
-#include "covering/read.h"
-#include "covering/repair.h"
-#include "kernel/input_error.h"
+#include "tetracone/covering/check.h"
+#include "tetracone/covering/covering.h"
+#include "tetracone/covering/orient.h"
+#include "tetracone/covering/io/read.h"
+#include "tetracone/covering/repair/repair.h"
+#include "tetracone/covering/io/input_error.h"
 #include "verify/fuzz/scratch_file.h"
 
 #include <cstdint>
@@ -24,7 +24,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   covering::Polyhedron polyhedron;
   try {
     polyhedron = covering::read(file.path());
-  } catch (const tetracone::kernel::Input_error&) {
+  } catch (const tetracone::covering::Input_error&) {
     return 0;
   }
   const covering::Check check = covering::check(polyhedron);

@@ -1,9 +1,9 @@
 // Any five points and two poses: every sign of the adaptive kernel is that of rational arithmetic, and so is what a segment and a
 // triangle have in common.
 
-#include "kernel/frame.h"
-#include "kernel/segment_face.h"
-#include "kernel/signs.h"
+#include "tetracone/kernel/predicate/frame.h"
+#include "tetracone/kernel/predicate/segment_face.h"
+#include "tetracone/kernel/predicate/signs.h"
 #include "verify/fuzz/doubles.h"
 
 #include <array>

@@ -1,11 +1,11 @@
 // Writes cases of all families with their true answers, and bodies that touch exactly, as the text that probe.cpp reads.
 
-#include "verify/brute.h"
-#include "verify/exact_motion.h"
-#include "verify/families.h"
-#include "verify/object_families.h"
-#include "verify/predicate_truth.h"
-#include "verify/test/scenes.h"
+#include "verify/truth/cgal_truth.h"
+#include "verify/cases/exact_motion.h"
+#include "verify/cases/families.h"
+#include "verify/cases/object_families.h"
+#include "verify/truth/predicate_truth.h"
+#include "verify/test/support/scenes.h"
 
 #include <cstdlib>
 #include <iostream>

@@ -1,15 +1,15 @@
 // Judges the adaptive and the rational kernel by cases whose answers are known: exit status 1 at the first wrong one.
 // Its headers may be mutants, so it takes cases and truths as text, made by cases.cpp from headers that are not.
 
-#include "covering/inclusion.h"
-#include "kernel/adaptive.h"
-#include "kernel/read_poses.h"
-#include "kernel/segment_face.h"
-#include "kernel/tetrahedron.h"
-#include "tetratree/collision.h"
-#include "tetratree/wide_collision.h"
-#include "verify/case.h"
-#include "verify/random.h"
+#include "tetracone/covering/inclusion.h"
+#include "tetracone/kernel/predicate/adaptive.h"
+#include "tetracone/covering/io/read_poses.h"
+#include "tetracone/kernel/predicate/segment_face.h"
+#include "tetracone/kernel/predicate/tetrahedron.h"
+#include "tetracone/tetratree/paper/collision.h"
+#include "tetracone/tetratree/fast/bvh8_collision.h"
+#include "verify/cases/case.h"
+#include "verify/cases/random.h"
 
 #include <array>
 #include <cmath>
@@ -146,8 +146,8 @@ void judge(const char* subject, const tetratree::Config& config, const covering:
 /// The fast tree, asked twice: the second time it begins with what it kept.
 void judge_wide(const covering::Polyhedron& a, const covering::Polyhedron& b, const Pose& pose_a, const Pose& pose_b, int surface, int solid, int number)
 {
-  tetratree::Wide_tree tree_a(a), tree_b(b);
-  tetratree::Wide_collision collision(tree_a, tree_b, tetratree::Coherence::last_frame);
+  tetratree::Bvh8 tree_a(a), tree_b(b);
+  tetratree::Bvh8_collision collision(tree_a, tree_b, tetratree::Coherence::last_frame);
   for (int round = 0; round < 2; ++round) {
     if (collision(pose_a, pose_b, Question::surface) != (surface == 1)) wrong("wide tree, surface in case " + std::to_string(number));
     if (collision(pose_a, pose_b, Question::solid) != (solid == 1)) wrong("wide tree, solid in case " + std::to_string(number));
@@ -249,9 +249,9 @@ void judge_wide_stage(int rounds)
   for (const double e : {0.0, u2, 0x1p-80, infinity}) {
     const double volume = e == infinity ? 1 : 185 * u2 + 36 * e, normal = e == infinity ? 1 : 31 * u2 + 8 * e, difference = e == infinity ? 1 : 2 * e;
     const Adaptive::Point_3 o = at(0, 0, 0, e);
-    for (const double h : {volume, -volume}) silent(Adaptive::wide_volume_sign(o, at(1, 0, 1, e), at(0, 1, 0, e), at(0, 0, h, e)), "volume");
-    for (const double h : {normal, -normal}) silent(Adaptive::wide_normal_sign(o, at(1, 1, 0, e), at(0, h, 0, e), 2), "normal");
-    if (e != 0) silent(Adaptive::wide_difference_sign(at(difference, 0, 0, e), o, 0), "difference");
+    for (const double h : {volume, -volume}) silent(Adaptive::double_double_volume_sign(o, at(1, 0, 1, e), at(0, 1, 0, e), at(0, 0, h, e)), "volume");
+    for (const double h : {normal, -normal}) silent(Adaptive::double_double_normal_sign(o, at(1, 1, 0, e), at(0, h, 0, e), 2), "normal");
+    if (e != 0) silent(Adaptive::double_double_difference_sign(at(difference, 0, 0, e), o, 0), "difference");
   }
 
   verify::Random random(3);
@@ -262,7 +262,7 @@ void judge_wide_stage(int rounds)
     const Pose pose(entries);
     const Vertex v = vertex(1);
     const Adaptive::Point_3 p = Adaptive::placed(v, pose);
-    const Adaptive::Wide_image image = Adaptive::wide_image(p);
+    const Adaptive::Double_double_image image = Adaptive::double_double_image(p);
     for (int row = 0; row < 3; ++row) {
       Rational exact = entries[4 * row + 3], computed = Rational(image.coordinate[row].high) + Rational(image.coordinate[row].low), sum = abs(exact);
       for (int k = 0; k < 3; ++k) exact += entries[4 * row + k] * Rational(v[k]), sum += abs(Rational(entries[4 * row + k] * Rational(v[k])));
@@ -276,7 +276,7 @@ void judge_wide_stage(int rounds)
       point = Adaptive::unmoved({x, y, -(x + y)});
     }
     for (int k = 0; k < 2; ++k) {
-      const Adaptive::Decision decision = Adaptive::wide_volume_sign(q[0], q[1], q[2], q[3]);
+      const Adaptive::Decision decision = Adaptive::double_double_volume_sign(q[0], q[1], q[2], q[3]);
       if (decision && *decision != Adaptive::exact_volume_sign(q[0], q[1], q[2], q[3])) wrong("double-double stage of the volume sign");
       q[k] = p;
     }

@@ -35,10 +35,10 @@ def planted(text, mutant):
 def copy_tree(folder):
     shutil.rmtree(folder, ignore_errors=True)
     for name in HEADERS:
-        shutil.copytree(SOURCE / name, folder / name)
-    (folder / "verify").mkdir()
+        shutil.copytree(SOURCE / name, folder / "tetracone" / name)
+    (folder / "verify" / "cases").mkdir(parents=True)
     for name in ("case.h", "random.h"):
-        shutil.copy(SOURCE / "verify" / name, folder / "verify" / name)
+        shutil.copy(SOURCE / "verify" / "cases" / name, folder / "verify" / "cases" / name)
 
 
 def test_source(mutant):
@@ -94,7 +94,7 @@ def main():
     # A result counts for the headers, the cases and the probe that it was found with.
     digest = hashlib.sha256(cases.read_bytes() + (HERE / "probe.cpp").read_bytes())
     for name in HEADERS:
-        for header in sorted((SOURCE / name).glob("*.h")):
+        for header in sorted((SOURCE / name).rglob("*.[hi]*")):
             digest.update(header.read_bytes())
     results_file = out / "results.json"
     results = json.loads(results_file.read_text()) if results_file.exists() else {}
@@ -108,7 +108,7 @@ def main():
             folder = out / "tree"
             copy_tree(folder)
             if mutant["file"]:
-                path = folder / mutant["file"]
+                path = folder / "tetracone" / mutant["file"]
                 path.write_text(planted(path.read_text(), mutant))
             results[key] = probe(folder, cases, eigen_folder(), test)
             write(results_file, results)

@@ -6,7 +6,7 @@ file(MAKE_DIRECTORY ${WORK})
 # outcome(COMPILER FLAGS): "accepted", "refused to compile" or "refused to run".
 function(outcome compiler flags)
   separate_arguments(list UNIX_COMMAND "${flags}")
-  execute_process(COMMAND ${compiler} -std=c++20 ${list} -I${SOURCE} ${SOURCE}/verify/test/flags/probe.cpp -o ${WORK}/probe
+  execute_process(COMMAND ${compiler} -std=c++20 ${list} -I${INCLUDE} ${SOURCE}/verify/test/flags/probe.cpp -o ${WORK}/probe
                   RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE errors)
   if(NOT status EQUAL 0)
     if(NOT errors MATCHES "tetracone cannot be compiled with")

@@ -1,0 +1,177 @@
+#ifndef TETRACONE_COVERING_IO_READ_POLY_H
+#define TETRACONE_COVERING_IO_READ_POLY_H
+
+#include "tetracone/covering/orient.h"
+#include "tetracone/covering/projection.h"
+#include "tetracone/covering/io/read_model.h"
+#include "tetracone/covering/io/read_scan.h"
+
+#include <CGAL/enum.h>
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tetracone::covering {
+
+/// The nodes of a TetGen file: "count dimension attributes markers", then a line a node, "index x y z ...".
+struct Poly_nodes {
+  std::vector<kernel::Vertex> vertices;
+  std::uint64_t first = 0;  ///< the index of the first one: 0 or 1
+};
+
+inline Poly_nodes scan_poly_nodes(Text_lines& lines)
+{
+  Poly_nodes nodes;
+  lines.need_next("expected the count of nodes, 3, and the counts of attributes and markers");
+  const std::size_t count = lines.count_ahead(lines.words()[0], "count of nodes", 8);  // "1 0 0 0" and a line's end
+  if (lines.words().size() > 1 && lines.count(1, "dimension") != 3)
+    lines.fail(in_quotes(lines.words()[1]) + " as dimension", "expected 3");
+  std::uint64_t extra = 0;
+  for (std::size_t k = 2; k < lines.words().size(); ++k) {
+    const std::uint64_t columns = lines.count(k, k == 2 ? "count of attributes" : "count of markers");
+    if (k > 3 || columns > lines.bytes_left())
+      lines.fail(in_quotes(lines.words()[k]) + " in the line of the nodes", "expected counts of columns");
+    extra += columns;
+  }
+  nodes.vertices.reserve(count);
+  for (std::size_t v = 0; v < count; ++v) {
+    lines.need_next("expected node " + std::to_string(v + 1) + " of " + std::to_string(count));
+    const std::uint64_t index = lines.count(0, "index of a node");
+    if (v == 0 && index > 1) lines.fail("first node " + std::to_string(index), "expected 0 or 1");
+    if (v == 0) nodes.first = index;
+    if (index != nodes.first + v)
+      lines.fail("node " + in_quotes(lines.words()[0]), "expected " + std::to_string(nodes.first + v));
+    nodes.vertices.push_back(lines.point(1));
+    if (lines.words().size() > 4 + extra)
+      lines.fail("a node of " + std::to_string(lines.words().size()) + " numbers",
+                 "expected at most " + std::to_string(4 + extra));
+    for (std::size_t k = 4; k < lines.words().size(); ++k) lines.number(k, "attribute or marker");
+  }
+  return nodes;
+}
+
+/// The polyhedron with each hole loop turned against its face's outer loop, by the signs of their areas in the
+/// projection of the outer loop; a loop of area 0 stays. Adds the number of loops turned to `count`.
+inline Polyhedron turn_hole_loops(const Polyhedron& polyhedron, std::size_t& count)
+{
+  Polyhedron result;
+  result.vertices = polyhedron.vertices;
+  std::vector<std::vector<Index>> loops;
+  for (Index f = 0; f < polyhedron.face_count(); ++f) {
+    loops.clear();
+    int axis = 0;
+    CGAL::Sign outer = CGAL::ZERO;
+    for (std::size_t k = 0; k < polyhedron.loop_count(f); ++k) {
+      const Loop loop = polyhedron.loop(f, k);
+      loops.emplace_back(loop.begin(), loop.end());
+      if (polyhedron.loop_count(f) == 1) continue;
+      if (k == 0) axis = projection_axis(polyhedron, loop);
+      const auto sign = CGAL::Sign(sgn(projected_area(polyhedron, loop, axis)));
+      if (k == 0)
+        outer = sign;
+      else if (sign != CGAL::ZERO && sign == outer) {
+        std::reverse(loops.back().begin(), loops.back().end());
+        ++count;
+      }
+    }
+    result.add_face(loops);
+  }
+  return result;
+}
+
+/// Reads the facets, and the hole points of the volume behind them, into `model`. The regions, last in the file, are
+/// not read.
+inline void scan_poly_facets(Text_lines& lines, const Poly_nodes& nodes, Read_model& model)
+{
+  Polyhedron& polyhedron = model.polyhedron;
+  polyhedron.vertices = nodes.vertices;
+  lines.need_next("expected the count of facets");
+  const std::size_t facets = lines.count_ahead(lines.words()[0], "count of facets", 4);
+  std::vector<std::vector<Index>> loops;
+  for (std::size_t f = 0; f < facets; ++f) {
+    lines.need_next("expected facet " + std::to_string(f + 1) + " of " + std::to_string(facets));
+    const std::size_t polygons = lines.count_ahead(lines.words()[0], "count of polygons", 2);
+    const std::size_t holes = lines.words().size() > 1 ? lines.count_ahead(lines.words()[1], "count of holes", 8) : 0;
+    for (std::size_t k = 2; k < lines.words().size(); ++k) lines.number(k, "marker of a facet");
+    if (polygons == 0) lines.fail("a facet of no polygon", "expected at least 1");
+    if (holes != polygons - 1)
+      lines.fail(std::to_string(polygons) + " polygons and " + std::to_string(holes) + " hole points in a facet",
+                 "expected the outer polygon first, and one hole point for each other");
+    loops.clear();
+    for (std::size_t k = 0; k < polygons; ++k) {
+      lines.need_next("expected polygon " + std::to_string(k + 1) + " of facet " + std::to_string(f + 1));
+      const std::uint64_t corners = lines.count(0, "count of corners");
+      if (corners > lines.words().size() + lines.bytes_left())
+        lines.fail(std::to_string(corners) + " as count of corners", "expected a count that the file can hold");
+      need_corners(lines, corners);
+      std::vector<Index> loop;
+      for (std::size_t word = 1; loop.size() < corners; ++word) {
+        // A long polygon may go on in the next line.
+        if (word == lines.words().size()) {
+          lines.need_next("expected corner " + std::to_string(loop.size() + 1) + " of " + std::to_string(corners));
+          word = 0;
+        }
+        const std::uint64_t index = lines.count(word, "node of a polygon");
+        if (index < nodes.first || index - nodes.first >= nodes.vertices.size())
+          lines.fail("node " + std::to_string(index) + " with " + std::to_string(nodes.vertices.size()) + " nodes",
+                     "expected an index from " + std::to_string(nodes.first) + " to " +
+                         std::to_string(nodes.first + nodes.vertices.size() - 1));
+        loop.push_back(static_cast<Index>(index - nodes.first));
+        if (loop.size() == corners && word + 1 != lines.words().size())
+          lines.fail("more nodes than the polygon counts", "expected " + std::to_string(corners));
+      }
+      loops.push_back(loop);
+    }
+    for (std::size_t k = 0; k < holes; ++k) {
+      lines.need_next("expected hole point " + std::to_string(k + 1) + " of facet " + std::to_string(f + 1));
+      lines.point(1);
+    }
+    polyhedron.add_face(loops);
+  }
+  if (!lines.next()) return;
+  const std::size_t points = lines.count_ahead(lines.words()[0], "count of hole points", 8);
+  for (std::size_t k = 0; k < points; ++k) {
+    lines.need_next("expected hole point " + std::to_string(k + 1) + " of " + std::to_string(points));
+    lines.point(1);
+  }
+  if (points != 0)
+    model.notes.push_back("hole points of the volume are not used: only the facets' directions make a cavity");
+}
+
+/// Reads a TetGen .poly file: nodes (none: they are in the .node file beside it), facets of one or more polygons with a
+/// hole point for each but the first, which is the outer one, then hole points of the volume and regions, which are not
+/// used (a note says where there are hole points). Indices count from 0 or 1 as the first node says, '#' starts a
+/// comment.
+///
+/// The format orders neither facets nor hole loops. Loops stand as given where the directed edges then cancel; else
+/// hole loops are turned against their outer loop, and, where that is not enough, facets are oriented across their
+/// edges (`orient_across_edges`). `Read_model::loops_turned` and `facets_turned` say that it was done.
+inline Read_model read_poly(const std::filesystem::path& path, std::string_view text)
+{
+  Read_model model;
+  Text_lines lines(path.native(), text, '#');
+  Poly_nodes nodes = scan_poly_nodes(lines);
+  if (nodes.vertices.empty()) {
+    const auto node_path = std::filesystem::path(path).replace_extension(".node");
+    const std::string node_text = covering::read_bytes(node_path);
+    Text_lines node_lines(node_path.native(), node_text, '#');
+    nodes = scan_poly_nodes(node_lines);
+    if (node_lines.next()) node_lines.fail("more lines than the first one counts", "expected the end of the file");
+  }
+  scan_poly_facets(lines, nodes, model);
+  if (is_closed(model.polyhedron)) return model;
+  model.polyhedron = turn_hole_loops(model.polyhedron, model.loops_turned);
+  if (is_closed(model.polyhedron)) return model;
+  Oriented oriented = orient_across_edges(model.polyhedron);
+  model.facets_turned = oriented.turned.size();
+  model.polyhedron = std::move(oriented.polyhedron);
+  return model;
+}
+
+}  // namespace tetracone::covering
+
+#endif

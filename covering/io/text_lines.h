@@ -1,0 +1,156 @@
+#ifndef TETRACONE_COVERING_IO_TEXT_LINES_H
+#define TETRACONE_COVERING_IO_TEXT_LINES_H
+
+#include "tetracone/covering/io/input_error.h"
+#include "tetracone/kernel/number/number.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace tetracone::covering {
+
+/// All bytes of a file. Throws Input_error where there is no such file, it cannot be read, or it is no file with an end
+/// (a folder, a device).
+inline std::string read_bytes(const std::filesystem::path& file)
+{
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) throw Input_error(file.native(), 0, "no such file", "expected a file to read");
+  if (std::filesystem::is_directory(status)) throw Input_error(file.native(), 0, "is a folder", "expected a file");
+  if (!std::filesystem::is_regular_file(status) && !std::filesystem::is_fifo(status))
+    throw Input_error(file.native(), 0, "is a device", "expected a file");
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw Input_error(file.native(), 0, "cannot be opened", "expected a file that may be read");
+  std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  if (in.bad()) throw Input_error(file.native(), 0, "cannot be read to its end", "expected a file that may be read");
+  return bytes;
+}
+
+/// The unsigned decimal integer that `word` is, whole. Nothing when it is none or does not fit.
+inline std::optional<std::uint64_t> parse_count(std::string_view word)
+{
+  std::uint64_t value = 0;
+  const char* const end = word.data() + word.size();
+  const auto [rest, error] = std::from_chars(word.data(), end, value);
+  if (rest != end || error != std::errc()) return std::nullopt;
+  return value;
+}
+
+/// The lines of a text that hold at least one word, each split into its words at white space, with its number. Every
+/// error is thrown as an Input_error at the current line. The text must outlive this object.
+class Text_lines {
+ public:
+  /// What follows the character `comment` on a line is skipped; '\0': no comments.
+  Text_lines(std::string file, std::string_view text, char comment)
+      : file_(std::move(file)), text_(text), comment_(comment)
+  {}
+
+  /// Goes to the next line with a word; false at the end of the text, where the current line is the last one.
+  bool next()
+  {
+    words_.clear();
+    while (rest_ < text_.size() && words_.empty()) {
+      ++line_;
+      const std::size_t end = std::min(text_.find('\n', rest_), text_.size());
+      split(text_.substr(rest_, end - rest_));
+      rest_ = std::min(end + 1, text_.size());
+    }
+    return !words_.empty();
+  }
+
+  /// As `next()`, where the text may not end yet: `expected` says what should come.
+  void need_next(const std::string& expected)
+  {
+    if (!next()) fail(line_ == 0 ? "the file is empty" : "the file ends here", expected);
+  }
+
+  std::size_t line() const { return line_; }
+  const std::string& file() const { return file_; }
+  const std::vector<std::string_view>& words() const { return words_; }
+
+  /// Where the next line begins, in bytes from the start of the text.
+  std::size_t offset() const { return rest_; }
+  std::size_t bytes_left() const { return text_.size() - rest_; }
+
+  [[noreturn]] void fail(std::string_view wrong, std::string_view expected) const
+  {
+    throw Input_error(file_, line_, wrong, expected);
+  }
+
+  /// Word `k` as a finite number, `what` names it: the double nearest to the decimal.
+  double number(std::size_t k, const std::string& what) const
+  {
+    if (k >= words_.size()) fail("the line ends before " + what, "expected a number");
+    const auto value = kernel::parse_double(words_[k]);
+    if (!value) fail(in_quotes(words_[k]) + " as " + what, "expected a finite decimal number");
+    return *value;
+  }
+
+  /// Words `k`, `k`+1 and `k`+2 as a point.
+  kernel::Vertex point(std::size_t k) const
+  {
+    return {number(k, "coordinate x"), number(k + 1, "coordinate y"), number(k + 2, "coordinate z")};
+  }
+
+  /// A word as an integer from 0, `what` names it.
+  std::uint64_t count(std::string_view word, const std::string& what) const
+  {
+    const auto value = parse_count(word);
+    if (!value) fail(in_quotes(word) + " as " + what, "expected an integer from 0");
+    return *value;
+  }
+
+  /// Word `k` as an integer from 0, `what` names it.
+  std::uint64_t count(std::size_t k, const std::string& what) const
+  {
+    if (k >= words_.size()) fail("the line ends before " + what, "expected an integer");
+    return count(words_[k], what);
+  }
+
+  /// A word as a count of things in the lines that follow, each on at least `bytes` bytes: fails where the text is too
+  /// short for them, so that a wrong count reserves no memory.
+  std::size_t count_ahead(std::string_view word, const std::string& what, std::size_t bytes) const
+  {
+    const std::uint64_t value = count(word, what);
+    // The last line needs no end.
+    if (value > (bytes_left() + 1) / bytes || value > std::numeric_limits<std::uint32_t>::max())
+      fail(std::string(word) + " as " + what + ", with " + std::to_string(bytes_left()) + " bytes left in the file",
+           "expected a count that the file can hold");
+    return value;
+  }
+
+ private:
+  void split(std::string_view line)
+  {
+    if (comment_ != '\0') line = line.substr(0, line.find(comment_));
+    constexpr std::string_view white = " \t\r\v\f";
+    for (std::size_t begin = line.find_first_not_of(white); begin != std::string_view::npos;) {
+      const std::size_t end = std::min(line.find_first_of(white, begin), line.size());
+      words_.push_back(line.substr(begin, end - begin));
+      begin = line.find_first_not_of(white, end);
+    }
+  }
+
+  std::string file_;
+  std::string_view text_;
+  char comment_;
+  std::size_t rest_ = 0;
+  std::size_t line_ = 0;
+  std::vector<std::string_view> words_;
+};
+
+}  // namespace tetracone::covering
+
+#endif

@@ -1,0 +1,116 @@
+#include "experiments/accuracy/compilers.h"
+
+#include "experiments/support/build_info.h"
+#include "experiments/support/output_file.h"
+#include "experiments/support/progress.h"
+
+#include <tbb/parallel_for.h>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace tetracone::experiments {
+namespace {
+
+constexpr std::array flags = {"-O0",
+                              "-O2 -ffp-contract=off",
+                              "-O3 -ffp-contract=off",
+                              "-O3",
+                              "-O3 -march=native -ffp-contract=off",
+                              "-O3 -march=native",
+                              "-O3 -march=native -ffp-contract=fast",
+                              "-O3 -ffast-math",
+                              "-O3 -march=native -ffast-math"};
+
+struct Ran {
+  int status;
+  std::string out;
+};
+
+Ran run(const std::string& command)
+{
+  Ran ran{-1, ""};
+  std::FILE* pipe = popen((command + " 2>/dev/null").c_str(), "r");
+  if (pipe == nullptr) return ran;
+  char buffer[4096];
+  while (const std::size_t got = std::fread(buffer, 1, sizeof buffer, pipe)) ran.out.append(buffer, got);
+  const int status = pclose(pipe);
+  ran.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return ran;
+}
+
+/// One compiler with one set of flags.
+struct Build {
+  std::string compiler, flags;
+  bool with_adaptive;
+};
+
+std::vector<Build> builds()
+{
+  std::vector<Build> all;
+  for (const char* compiler : {"g++", "clang++"}) {
+    if (run(std::string(compiler) + " --version").status != 0) continue;
+    for (const std::string set : flags) {
+      // Our headers refuse -ffast-math, which is a row; what it does to the others is asked without them.
+      all.push_back({compiler, set, true});
+      if (set.find("-ffast-math") != std::string::npos) all.push_back({compiler, set, false});
+    }
+  }
+  return all;
+}
+
+std::string rows_of(const Build& build, const std::filesystem::path& program)
+{
+  std::string version = run(build.compiler + " -dumpfullversion -dumpversion").out;
+  version = version.substr(0, version.find('\n'));
+  const std::string made_by = build.compiler + "," + version + "," + build.flags + ",";
+  const std::string compile = build.compiler + " -std=c++20 -w " + build.flags + (build.with_adaptive ? " -DADAPTIVE" : "") +
+                              " -frounding-math -I'" TETRACONE_INCLUDE_FOLDER "' " TETRACONE_INCLUDE_FLAGS " '" TETRACONE_SOURCE_DIR
+                              "/experiments/accuracy/compiler_probe.cpp' -lgmp -lmpfr -o '" + program.native() + "'";
+  if (run(compile).status != 0) return build.with_adaptive ? made_by + "adaptive,,0,0,refused to compile\n" : made_by + ",,0,0,did not compile\n";
+  const Ran ran = run("'" + program.native() + "'");
+  std::filesystem::remove(program);
+  if (ran.status != 0) return made_by + ",,0,0,crashed\n";
+  std::string rows;
+  for (std::size_t at = 0; at < ran.out.size();) {
+    const std::size_t end = ran.out.find('\n', at);
+    rows += made_by + ran.out.substr(at, end - at) + ",ran\n";
+    at = end + 1;
+  }
+  return rows;
+}
+
+}  // namespace
+
+void run_compilers(const std::filesystem::path& out)
+{
+  const std::vector<Build> all = builds();
+  if (all.empty()) throw std::runtime_error("no compiler; expected g++ or clang++");
+  make_folder(out);
+  std::vector<std::string> rows(all.size());
+  Progress progress("compilations", all.size());
+  std::mutex one_at_a_time;
+  tbb::parallel_for(std::size_t(0), all.size(), [&](std::size_t k) {
+    const std::string name = "tetracone_probe_" + std::to_string(getpid()) + "_" + std::to_string(k);
+    rows[k] = rows_of(all[k], std::filesystem::temp_directory_path() / name);
+    const std::lock_guard lock(one_at_a_time);
+    progress.step();
+  });
+  std::string table = "compiler,compiler_version,flags,subject,test,n,wrong,outcome,version,processor\n";
+  for (const std::string& part : rows)
+    for (std::size_t at = 0; at < part.size();) {
+      const std::size_t end = part.find('\n', at);
+      table += part.substr(at, end - at) + "," TETRACONE_VERSION "," + processor() + "\n";
+      at = end + 1;
+    }
+  write_whole(out / "compilers.csv", table);
+}
+
+}  // namespace tetracone::experiments

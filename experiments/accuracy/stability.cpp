@@ -1,0 +1,116 @@
+#include "experiments/accuracy/stability.h"
+
+#include "experiments/support/build_info.h"
+#include "experiments/support/output_file.h"
+#include "experiments/support/progress.h"
+#include "tetracone/kernel/number/number.h"
+#include "verify/cases/exact_motion.h"
+#include "verify/cases/object_placing.h"
+#include "verify/cases/shape_generators.h"
+#include "verify/cases/random.h"
+#include "verify/subjects/subject.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tetracone::experiments {
+namespace {
+
+using kernel::Pose;
+using kernel::Question;
+using verify::object_family::composed;
+using verify::object_family::rational_rotation;
+
+/// Whether the bodies collide with the second at this place of its way.
+using Collides = std::function<bool(double)>;
+
+/// Places on the way: collision at `in`, none at `out_of`; both positive, neighbouring doubles when found.
+struct Threshold {
+  double in, out_of;
+};
+
+/// The last place without contact before `bracket.in`, by bisection over doubles; both ends may answer alike: then the nearer end.
+Threshold bisected(Threshold bracket, const Collides& collides)
+{
+  auto in = std::bit_cast<std::int64_t>(bracket.in), out_of = std::bit_cast<std::int64_t>(bracket.out_of);
+  while (out_of - in > 1) {
+    const std::int64_t middle = in + (out_of - in) / 2;
+    (collides(std::bit_cast<double>(middle)) ? in : out_of) = middle;
+  }
+  return {std::bit_cast<double>(in), std::bit_cast<double>(out_of)};
+}
+
+/// The first contact of the way from `far` inwards, within a sixty-fourth of it.
+std::optional<Threshold> first_contact(double far, const Collides& collides)
+{
+  for (int k = 64; k > 1; --k)
+    if (collides(far * (k - 1) / 64)) return Threshold{far * (k - 1) / 64, far * k / 64};
+  return std::nullopt;
+}
+
+struct Motion {
+  std::string name;
+  covering::Polyhedron a, b;
+};
+
+std::vector<Motion> motions(std::uint64_t seed)
+{
+  return {{"cube at a cube", verify::normalised(verify::unit_cube()), verify::normalised(verify::unit_cube())},
+          {"faces with holes", verify::complex_one(), verify::complex_two()},
+          {"mesh at a mesh", verify::blob(512, seed), verify::blob(512, seed + 1)}};
+}
+
+constexpr std::array kernels = {"float", "double", "double-eps=1e-12", "double-eps=rel:1e-12", "epick", "adaptive"};
+
+}  // namespace
+
+void run_stability(const std::filesystem::path& out, int ways, std::uint64_t seed)
+{
+  make_folder(out);
+  const auto all = motions(seed);
+  std::string table = "motion,way,subject,threshold,error_doubles,error_ulps,seed,version,compiler,flags,processor\n";
+  const std::string made_by = "," + std::to_string(seed) + "," TETRACONE_VERSION "," + compiler() + "," +
+                              compiler_flags() + "," + processor() + "\n";
+  Progress progress("thresholds", all.size() * std::size_t(ways));
+  verify::Random random(seed);
+  for (const Motion& motion : all) {
+    std::vector<std::pair<verify::Subject, std::unique_ptr<verify::Prepared_pair>>> subjects;
+    for (const char* kernel : kernels) {
+      const auto subject = *verify::Subject::parse(kernel, verify::Method::tree);
+      subjects.emplace_back(subject, verify::prepare(subject, motion.a, motion.b));
+    }
+    const auto truth = verify::prepare(*verify::Subject::parse("rational", verify::Method::brute), motion.a, motion.b);
+    for (int way = 0; way < ways; ++way, progress.step()) {
+      const Pose common = rational_rotation(random, 3), turned = rational_rotation(random, 3);
+      const auto asked = [&](verify::Prepared_pair& pair) {
+        return [&](double t) {
+          return pair.collide(common, composed(common, composed(Pose::translation(t, 0, 0), turned)), Question::solid);
+        };
+      };
+      const auto exact = asked(*subjects.back().second);
+      const auto bracket = first_contact(4, exact);
+      if (!bracket) continue;
+      const Threshold right = bisected(*bracket, exact);
+      if (!asked(*truth)(right.in) || asked(*truth)(right.out_of))
+        throw std::logic_error("stability, " + motion.name + ", way " + std::to_string(way) +
+                               ": the truth denies the exact threshold");
+      for (const auto& [subject, pair] : subjects) {
+        const double own = bisected(*bracket, asked(*pair)).out_of;
+        const auto doubles = std::abs(std::bit_cast<std::int64_t>(own) - std::bit_cast<std::int64_t>(right.out_of));
+        table += motion.name + "," + std::to_string(way) + "," + subject.name() + "," + kernel::shortest(right.out_of) +
+                 "," + std::to_string(doubles) + "," +
+                 kernel::shortest(std::abs(own - right.out_of) / verify::ulp(right.out_of)) + made_by;
+      }
+    }
+  }
+  write_whole(out / "stability.csv", table);
+}
+
+}  // namespace tetracone::experiments

@@ -1,0 +1,281 @@
+#include "experiments/cli/check_command.h"
+
+#include "tetracone/covering/check.h"
+#include "tetracone/covering/io/read.h"
+#include "tetracone/covering/repair/repair.h"
+#include "tetracone/kernel/number/number.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tetracone::experiments {
+namespace {
+
+using covering::Check;
+using covering::Read_model;
+using covering::Shell;
+using kernel::Rational;
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  std::vector<std::string> models;
+  bool json = false;
+  bool strict = false;
+  bool orient = false;
+  bool merge = false;
+};
+
+/// A model as `check` looks at it: read, then merged and oriented where the user says so.
+struct Checked {
+  std::string file;
+  Read_model model;
+  std::size_t vertices_merged = 0;
+  std::size_t faces_oriented = 0;
+  Check check;
+  bool closes_if_oriented = false;
+};
+
+Checked look_at(const std::string& file, const Options& options)
+{
+  Checked result;
+  result.file = file;
+  result.model = covering::read_model(file);
+  auto& polyhedron = result.model.polyhedron;
+  if (options.merge) {
+    const std::size_t before = polyhedron.vertices.size();
+    polyhedron = covering::merge_equal_vertices(polyhedron);
+    result.vertices_merged = before - polyhedron.vertices.size();
+  }
+  if (options.orient) {
+    auto oriented = covering::orient(polyhedron);
+    result.faces_oriented = oriented.turned.size();
+    polyhedron = std::move(oriented.polyhedron);
+  }
+  result.check = covering::check(polyhedron);
+  result.closes_if_oriented = result.check.closed || covering::closes_if_oriented(polyhedron);
+  return result;
+}
+
+/// A name as JSON and a terminal can take it: bytes that are no printable ASCII become '?'.
+std::string printable(std::string text)
+{
+  std::ranges::replace_if(
+      text, [](unsigned char c) { return c < 0x20 || c >= 0x7f; }, '?');
+  return text;
+}
+
+Json optional_rational(const std::optional<Rational>& value)
+{
+  return value ? Json(kernel::to_string(*value)) : Json(nullptr);
+}
+
+Json optional_double(const std::optional<Rational>& value)
+{
+  return value ? Json(kernel::nearest_double(*value)) : Json(nullptr);
+}
+
+Json to_json(const Checked& checked)
+{
+  const Check& check = checked.check;
+  Json json;
+  json["file"] = printable(checked.file);
+  json["closed"] = check.closed;
+  json["planar"] = check.off_plane.empty();
+  json["vertices"] = check.vertices;
+  json["used_vertices"] = check.used_vertices;
+  json["faces"] = check.faces;
+  json["triangles"] = check.triangles;
+  json["edges"] = check.edges;
+  json["corners"] = check.corners;
+  json["holed_faces"] = check.holed_faces.size();
+  json["hole_loops"] = check.hole_loops;
+  json["orientation"] = to_string(check.orientation);
+  json["volume"] = optional_rational(check.volume);
+  json["volume_double"] = optional_double(check.volume);
+  json["closes_if_oriented"] = checked.closes_if_oriented;
+  json["border_edges"] = check.border_edges;
+  json["non_manifold_edges"] = check.non_manifold_edges;
+  json["open_edges"] = Json::array();
+  for (const auto& edge : check.open_edges)
+    json["open_edges"].push_back(
+        {{"from", edge.from}, {"to", edge.to}, {"uses", edge.uses}, {"reverse_uses", edge.reverse_uses}});
+  json["shells"] = Json::array();
+  for (const Shell& shell : check.shells)
+    json["shells"].push_back({{"vertices", shell.vertices},
+                              {"edges", shell.edges},
+                              {"faces", shell.faces},
+                              {"hole_loops", shell.hole_loops},
+                              {"closed", shell.closed},
+                              {"euler", shell.euler},
+                              {"genus", shell.genus ? Json(*shell.genus) : Json(nullptr)},
+                              {"orientation", to_string(shell.orientation)},
+                              {"volume", optional_rational(shell.volume)},
+                              {"volume_double", optional_double(shell.volume)}});
+  json["off_plane"] = Json::array();
+  for (const auto& face : check.off_plane)
+    json["off_plane"].push_back({{"face", face.face},
+                                 {"vertex", face.vertex},
+                                 {"squared_distance", kernel::to_string(face.squared_distance)},
+                                 {"distance", face.distance}});
+  json["degenerate_faces"] = check.degenerate_faces;
+  json["degenerate_edges"] = check.degenerate_edges;
+  json["repeated_vertices"] = check.repeated_vertices;
+  json["isolated_vertices"] = check.isolated_vertices;
+  json["loops_turned"] = checked.model.loops_turned;
+  json["facets_turned"] = checked.model.facets_turned;
+  json["vertices_merged"] = checked.vertices_merged;
+  json["faces_oriented"] = checked.faces_oriented;
+  json["notes"] = checked.model.notes;
+  return json;
+}
+
+/// "12 edges", "1 edge".
+std::string counted(std::size_t count, const std::string& noun)
+{
+  if (count == 1) return "1 " + noun;
+  return std::to_string(count) + " " + (noun == "vertex" ? "vertices" : noun + "s");
+}
+
+/// The first few of a list, then dots.
+template <class List, class Show>
+std::string first_few(const List& list, Show show)
+{
+  constexpr std::size_t few = 5;
+  std::string text;
+  for (std::size_t k = 0; k < list.size() && k < few; ++k) text += (k == 0 ? "" : ", ") + show(list[k]);
+  return text + (list.size() > few ? ", ..." : "");
+}
+
+/// An exact volume as a person wants it: the fraction where it is short, and the nearest double.
+std::string volume_text(const Rational& volume)
+{
+  const std::string exact = kernel::to_string(volume);
+  const std::string nearest = kernel::shortest(kernel::nearest_double(volume));
+  if (exact == nearest) return exact;
+  return exact.size() <= 40 ? exact + " (" + nearest + ")" : nearest + " (nearest; exact with --json)";
+}
+
+std::string shell_text(const Shell& shell)
+{
+  std::string text = counted(shell.faces, "face") + ", " + std::string(to_string(shell.orientation));
+  if (shell.genus)
+    text += ", genus " + std::to_string(*shell.genus);
+  else if (shell.closed)
+    text += ", no 2-manifold";
+  if (shell.volume) text += ", volume " + volume_text(*shell.volume);
+  return text;
+}
+
+std::string to_text(const Checked& checked)
+{
+  const Check& check = checked.check;
+  std::ostringstream out;
+  const auto row = [&out](const std::string& name, const std::string& value) {
+    out << "  " << name << std::string(name.size() < 20 ? 20 - name.size() : 1, ' ') << value << '\n';
+  };
+  const auto number = [](auto value) { return std::to_string(value); };
+  out << printable(checked.file) << '\n';
+
+  row("vertices",
+      number(check.vertices) +
+          (check.isolated_vertices.empty() ? "" : ", " + number(check.isolated_vertices.size()) + " of no face") +
+          (check.repeated_vertices.empty()
+               ? ""
+               : ", " + number(check.repeated_vertices.size()) + " repeat one before them"));
+  row("faces", number(check.faces) + ", " + counted(check.triangles, "triangle") +
+                   (check.holed_faces.empty()
+                        ? ""
+                        : ", " + number(check.holed_faces.size()) + " with " + counted(check.hole_loops, "hole loop")));
+  row("edges",
+      number(check.edges) + (check.border_edges == 0 ? "" : ", " + number(check.border_edges) + " of one face") +
+          (check.non_manifold_edges == 0 ? "" : ", " + number(check.non_manifold_edges) + " of more than two"));
+
+  if (check.closed) {
+    row("closed", "yes");
+  } else {
+    row("closed", "NO: " + counted(check.open_edges.size(), "directed edge") +
+                      " without enough reverse: " + first_few(check.open_edges, [](const auto& edge) {
+                        return std::to_string(edge.from) + "->" + std::to_string(edge.to);
+                      }));
+    row("", checked.closes_if_oriented ? "consistent orientation would close it: --orient"
+                                       : "consistent orientation alone would not close it");
+    if (!check.repeated_vertices.empty()) row("", "equal vertices can be merged: --merge");
+  }
+  if (check.volume) row("volume", volume_text(*check.volume) + ", " + std::string(to_string(check.orientation)));
+  row("shells", number(check.shells.size()));
+  constexpr std::size_t most_shells = 10;
+  for (std::size_t k = 0; k < check.shells.size() && k < most_shells; ++k) row("", shell_text(check.shells[k]));
+  if (check.shells.size() > most_shells) row("", "...");
+
+  if (check.off_plane.empty()) {
+    row("planar", "yes, every face exactly");
+  } else {
+    const auto worst = std::ranges::max_element(check.off_plane, {}, &covering::Off_plane::distance);
+    row("planar", "NO: " + counted(check.off_plane.size(), "face") + ", at most " + kernel::shortest(worst->distance) +
+                      " off (face " + number(worst->face) + ", vertex " + number(worst->vertex) + ")");
+  }
+  const auto index = [](covering::Index k) { return std::to_string(k); };
+  if (!check.degenerate_faces.empty())
+    row("degenerate faces", number(check.degenerate_faces.size()) + ": " + first_few(check.degenerate_faces, index));
+  if (!check.degenerate_edges.empty())
+    row("degenerate edges",
+        number(check.degenerate_edges.size()) + ": " + first_few(check.degenerate_edges, [](const auto& edge) {
+          return std::to_string(edge[0]) + "-" + std::to_string(edge[1]);
+        }));
+  if (checked.model.loops_turned != 0)
+    row("done on reading", counted(checked.model.loops_turned, "hole loop") + " turned against the outer loop");
+  if (checked.model.facets_turned != 0)
+    row("done on reading", counted(checked.model.facets_turned, "facet") + " oriented across the edges");
+  if (checked.vertices_merged != 0) row("done by --merge", counted(checked.vertices_merged, "vertex") + " merged");
+  if (checked.faces_oriented != 0) row("done by --orient", counted(checked.faces_oriented, "face") + " turned round");
+  for (const std::string& note : checked.model.notes) row("note", note);
+  return out.str();
+}
+
+void run(const Options& options)
+{
+  // Nothing is printed before every model is read.
+  std::string text;
+  Json json = Json::array();
+  bool found = false;
+  for (const std::string& file : options.models) {
+    const Checked checked = look_at(file, options);
+    found = found || !checked.check.closed || (options.strict && !checked.check.off_plane.empty());
+    if (options.json)
+      json.push_back(to_json(checked));
+    else
+      text += to_text(checked);
+  }
+  if (options.json) text = json.dump(2) + "\n";
+  std::cout << text;
+  if (found) throw CLI::RuntimeError(1);
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& app)
+{
+  CLI::App* command =
+      app.add_subcommand("check", "What a model is: closed, planar, its counts, shells and exact volume");
+  const auto options = std::make_shared<Options>();
+  command->add_option("MODEL", options->models, "OFF, OBJ, PLY, STL or TetGen .poly files")->required();
+  command->add_flag("--json", options->json, "One array, an object a model; rationals are strings n/d");
+  command->add_flag("--strict", options->strict, "Exit 1 also where a face is not exactly planar");
+  command->add_flag("--merge", options->merge, "Merge vertices with exactly equal coordinates first");
+  command->add_flag("--orient", options->orient,
+                    "Orient faces consistently first; what is closed as it stands is left alone");
+  command->footer(
+      "Vertices and faces count from 0. Exit status: 0 all closed, 1 some model is no closed polyhedron, 2 bad input.\n"
+      "Example: tetracone check --strict cat.off house.poly");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace tetracone::experiments

@@ -1,0 +1,272 @@
+#include "experiments/cli/collide_command.h"
+
+#include "tetracone/covering/edge_uses.h"
+#include "experiments/support/output_file.h"
+#include "experiments/support/progress.h"
+#include "experiments/support/scene_options.h"
+#include "verify/cases/case_file.h"
+#include "verify/subjects/predicate_subject.h"
+#include "verify/subjects/subject.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tetracone::experiments {
+namespace {
+
+using kernel::Feature_pair;
+using kernel::Pose;
+using kernel::Question;
+using verify::Subject;
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  Scene_names names;
+  std::string csv, question = "solid", kernel = "adaptive", method = "tree";
+  bool features = false, json = false, time = false;
+  int repeat = 1;
+};
+
+/// What is asked: two models, or the bodies of a case file, and their poses.
+struct Scene {
+  Model_file a, b;
+  Pose_pairs poses;
+  Question question;
+};
+
+Scene read_scene(const Options& options, Question question)
+{
+  if (options.names.b.empty())
+    throw CLI::ValidationError("collide " + options.names.a, "expected a second model, B: only a case file, *.case.json, has both bodies");
+  Pose_pairs poses = read_pose_pairs(options.names);
+  const bool solid = question == Question::solid && !options.features;
+  Model_file a = load_model(options.names.a, options.names.models, solid), b = load_model(options.names.b, options.names.models, solid);
+  return {std::move(a), std::move(b), std::move(poses), question};
+}
+
+Scene scene_of(const verify::Object_case& c, const std::string& file, Question question, bool must_be_solid)
+{
+  const auto body = [&](const covering::Polyhedron& polyhedron, const char* name) {
+    if (must_be_solid && !covering::is_closed(polyhedron))
+      throw covering::Input_error(file, 0, "body " + std::string(name) + " is an open surface and has no solid",
+                                "expected --question surface");
+    return whole_body(file, polyhedron);
+  };
+  return {body(*c.a, "a"), body(*c.b, "b"), {{c.pose_a}, {c.pose_b}}, question};
+}
+
+struct Row {
+  int answer = 0;  // of a predicate, also -1
+  double nanoseconds = std::numeric_limits<double>::infinity();
+  tetratree::Query_statistics counts;
+};
+
+std::vector<Row> ask(verify::Prepared_pair& pair, const Pose_pairs& poses, Question question, int passes)
+{
+  using Clock = std::chrono::steady_clock;
+  std::vector<Row> rows(poses.count());
+  Progress progress("poses", rows.size() * passes);
+  for (int pass = 0; pass < passes; ++pass)
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const auto start = Clock::now();
+      rows[k].answer = pair.collide(poses.of_a(k), poses.of_b(k), question);
+      const double ns = std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+      rows[k].nanoseconds = std::min(rows[k].nanoseconds, ns);
+      rows[k].counts = pair.take_counts();
+      progress.step();
+    }
+  return rows;
+}
+
+std::string rows_as_csv(const std::vector<Row>& rows, bool time)
+{
+  std::string text = time ? "pose,answer,ns,bounding_tests,primitive_tests,exact_fallbacks\n" : "pose,answer\n";
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const Row& row = rows[k];
+    text += std::to_string(k) + "," + std::to_string(row.answer);
+    if (time)
+      text += "," + std::to_string(static_cast<long long>(row.nanoseconds)) + "," + std::to_string(row.counts.bounding_tests()) + "," +
+              std::to_string(row.counts.primitive_tests()) + "," + std::to_string(row.counts.exact_fallbacks);
+    text += "\n";
+  }
+  return text;
+}
+
+std::string rows_as_json(const std::vector<Row>& rows, bool time)
+{
+  Json json = Json::array();
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    Json row = {{"pose", k}, {"answer", rows[k].answer}};
+    if (time) {
+      row["ns"] = static_cast<long long>(rows[k].nanoseconds);
+      row["bounding_tests"] = rows[k].counts.bounding_tests();
+      row["primitive_tests"] = rows[k].counts.primitive_tests();
+      row["exact_fallbacks"] = rows[k].counts.exact_fallbacks;
+    }
+    json.push_back(row);
+  }
+  return json.dump(1) + "\n";
+}
+
+// A feature of a pose, one line: body 0 is an edge of A against a face of B, body 1 the other way round.
+std::string features_as_text(const std::vector<std::vector<Feature_pair>>& features, const std::string& header,
+                             const std::string& separator)
+{
+  std::string text = header;
+  for (std::size_t k = 0; k < features.size(); ++k)
+    for (const Feature_pair& f : features[k]) {
+      for (const auto number : {k, std::size_t(f.body), std::size_t(f.edge_from), std::size_t(f.edge_to), std::size_t(f.face)})
+        text += std::to_string(number) + separator;
+      text += std::string(to_string(f.kind)) + "\n";
+    }
+  return text;
+}
+
+std::string features_as_json(const std::vector<std::vector<Feature_pair>>& features)
+{
+  Json json = Json::array();
+  for (std::size_t k = 0; k < features.size(); ++k) {
+    Json pairs = Json::array();
+    for (const Feature_pair& f : features[k])
+      pairs.push_back({{"body", f.body}, {"edge", {f.edge_from, f.edge_to}}, {"face", f.face}, {"kind", to_string(f.kind)}});
+    json.push_back({{"pose", k}, {"features", pairs}});
+  }
+  return json.dump(1) + "\n";
+}
+
+std::string rows_as_text(const std::vector<Row>& rows, const Options& options)
+{
+  if (options.json) return rows_as_json(rows, options.time);
+  if (!options.csv.empty()) return rows_as_csv(rows, options.time);
+  std::string text;
+  for (const Row& row : rows) text += std::to_string(row.answer) + "\n";
+  return text;
+}
+
+std::string features_of(verify::Prepared_pair& pair, const Scene& scene, const Options& options)
+{
+  std::vector<std::vector<Feature_pair>> features;
+  Progress progress("poses", scene.poses.count());
+  for (std::size_t k = 0; k < scene.poses.count(); ++k) {
+    auto found = pair.features(scene.poses.of_a(k), scene.poses.of_b(k));
+    // Faces are named as the file has them.
+    for (Feature_pair& f : found) f.face = (f.body == 0 ? scene.b : scene.a).source_face[f.face];
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    features.push_back(std::move(found));
+    progress.step();
+  }
+  if (options.json) return features_as_json(features);
+  return options.csv.empty() ? features_as_text(features, "", " ")
+                             : features_as_text(features, "pose,body,edge_from,edge_to,face,kind\n", ",");
+}
+
+std::string answers_of(const Scene& scene, const Subject& subject, const Options& options)
+{
+  const auto pair = verify::prepare(subject, scene.a.polyhedron, scene.b.polyhedron);
+  if (options.features) return features_of(*pair, scene, options);
+  return rows_as_text(ask(*pair, scene.poses, scene.question, options.time ? options.repeat : 1), options);
+}
+
+/// The answer of the subject of predicates that has the kernel's name.
+std::string answer_of(const verify::Case_file& c, const Options& options)
+{
+  for (const auto& [given, name] :
+       {std::pair(options.features, "--features"), {options.time, "--time"}, {options.method != "tree", "--method"}})
+    if (given) throw CLI::ValidationError(name, "expected with bodies; " + options.names.a + " asks a predicate");
+  const auto& subjects = verify::predicate_subjects();
+  const auto subject = std::find_if(subjects.begin(), subjects.end(), [&](const auto& each) { return each.name == options.kernel; });
+  if (subject == subjects.end()) {
+    std::string names;
+    for (const auto& each : subjects) names += (names.empty() ? "" : ", ") + each.name;
+    throw CLI::ValidationError("--kernel " + options.kernel, "expected a subject of predicates: " + names);
+  }
+  const std::optional<int> answer = subject->answer(*c.predicate, *c.points);
+  if (!answer)
+    throw covering::Input_error(options.names.a, 0, options.kernel + " does not answer " + to_string(*c.predicate) + " on these points",
+                              "expected another kernel, or points of which it is asked");
+  Row row;
+  row.answer = *answer;
+  return rows_as_text({row}, options);
+}
+
+void run(const Options& options, bool question_is_given)
+{
+  auto question = kernel::parse_question(options.question);
+  const auto method = verify::parse_method(options.method);
+  if (!question) throw CLI::ValidationError("--question " + options.question, "expected solid or surface");
+  if (!method) throw CLI::ValidationError("--method " + options.method, "expected tree, paper or brute");
+  if (options.time && options.csv.empty() && !options.json)
+    throw CLI::ValidationError("--time", "expected --csv or --json to hold the times");
+  if (options.time && options.features) throw CLI::ValidationError("--time", "expected without --features");
+  if (options.json && !options.csv.empty()) throw CLI::ValidationError("--json", "expected without --csv");
+  if (options.repeat < 1) throw CLI::ValidationError("--repeat", "expected a number from 1");
+
+  std::optional<verify::Case_file> c;
+  if (verify::is_case_name(options.names.a)) {
+    options.names.refuse_all_but_case();
+    c = verify::read_case(options.names.a);
+  }
+  std::string text;
+  if (c && c->level == verify::Level::predicate) {
+    if (question_is_given) throw CLI::ValidationError("--question", "expected with bodies; " + options.names.a + " asks a predicate");
+    text = answer_of(*c, options);
+  } else {
+    const auto subject = Subject::parse(options.kernel, *method);
+    if (!subject)
+      throw CLI::ValidationError("--kernel " + options.kernel,
+                                 "expected adaptive, double, float, double-eps=E, epick, epeck or rational");
+    if (c && !question_is_given) question = c->question;
+    const bool solid = *question == Question::solid && !options.features;
+    text = answers_of(c ? scene_of(*c->object, options.names.a, *question, solid) : read_scene(options, *question), *subject, options);
+  }
+  if (options.csv.empty()) std::cout << text;
+  else write_whole(options.csv, text);
+}
+
+}  // namespace
+
+void add_collide_command(CLI::App& app)
+{
+  CLI::App* command = app.add_subcommand("collide", "Whether two models collide: one answer a pose");
+  const auto options = std::make_shared<Options>();
+  command
+      ->add_option("A", options->names.a,
+                   "Model: OFF, OBJ, PLY, STL or TetGen .poly; or a case file, *.case.json, that holds all")
+      ->required();
+  command->add_option("B", options->names.b, "Model");
+  const CLI::Option* question =
+      command
+          ->add_option("--question", options->question,
+                       "solid: do the solids share a point; surface: do the surfaces; of a case file: its own")
+          ->capture_default_str();
+  command->add_option("--kernel", options->kernel, "adaptive, double, float, double-eps=E, epick, epeck or rational")
+      ->capture_default_str();
+  command
+      ->add_option("--method", options->method,
+                   "tree: the kernel's fastest; paper: Jimenez & Segura's; brute: all pairs")
+      ->capture_default_str();
+  command->add_flag("--features", options->features, "All colliding pairs (edge of one, face of the other) instead of the answer");
+  command->add_option("--csv", options->csv, "Write a table to this file");
+  command->add_flag("--json", options->json, "Write JSON to standard output");
+  command->add_flag("--time", options->time, "With --csv or --json: nanoseconds and work of each pose");
+  command->add_option("--repeat", options->repeat, "With --time: passes over all poses, of which the fastest counts")
+      ->capture_default_str();
+  options->names.add_options_to(*command);
+  command->footer(
+      "Prints 1 or 0 for each pose. With --features: a line for each pair: pose, body (0: edge of A, face of B), edge, face, kind.\n"
+      "A case file of a predicate prints that predicate's answer.\n"
+      "Example: tetracone collide cat.off house.poly --pose-b poses.txt --kernel epick --csv answers.csv --time");
+  command->callback([options, question] { run(*options, question->count() > 0); });
+}
+
+}  // namespace tetracone::experiments

@@ -1,0 +1,114 @@
+#include "experiments/cli/experiment_command.h"
+
+#include "experiments/speed/ablation_experiment.h"
+#include "experiments/accuracy/compilers.h"
+#include "experiments/accuracy/dataset.h"
+#include "experiments/report/draw_report.h"
+#include "experiments/report/method_figures.h"
+#include "experiments/speed/peers_experiment.h"
+#include "experiments/speed/scaling_experiment.h"
+#include "experiments/accuracy/sign_maps.h"
+#include "experiments/accuracy/stability.h"
+#include "experiments/speed/study.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace tetracone::experiments {
+namespace {
+
+struct Options {
+  std::string name;
+  bool list = false, full = false;
+  Study_options study;
+  std::uint64_t cases = 20;
+  int race_frames = 400, size = 256;
+  std::filesystem::path model;
+};
+
+std::filesystem::path models(const Options& options)
+{
+  return options.study.models.empty() ? TETRACONE_SOURCE_DIR "/.cache/models" : options.study.models;
+}
+
+void study(Options options)
+{
+  if (options.full) options.study.frames *= 20, options.study.rotations *= 20;
+  options.study.models = models(options);
+  run_study(options.study);
+  draw_report(options.study.out);
+}
+
+Race_options race(const Options& options) { return {options.study.out, models(options), options.race_frames, options.full, options.study.seed}; }
+
+void peers(Options options) { run_peers(race(options)); }
+void scaling(Options options) { run_scaling(race(options)); }
+void ablation(Options options) { run_ablation(race(options)); }
+
+void method(Options options) { run_method_figures(options.study.out, options.model); }
+void sign_maps(Options options) { run_sign_maps(options.study.out, options.size); }
+void stability(Options options) { run_stability(options.study.out, options.full ? 400 : 20, options.study.seed); }
+
+void compilers(Options options) { run_compilers(options.study.out); }
+
+void dataset(Options options) { export_dataset(options.study.out, options.full ? 20 * options.cases : options.cases, options.study.seed); }
+
+struct Experiment {
+  std::string_view name, question, time;
+  void (*run)(Options options);
+};
+constexpr std::array experiments = {
+    Experiment{"study", "how fast and how often wrong is each kernel on the paper's trajectories and in exactly degenerate contact?", "2 min", study},
+    Experiment{"peers", "how fast are ours and FCL, CGAL, Bullet and ODE, in one run, and how often wrong?", "3 min", peers},
+    Experiment{"scaling", "how do time, build and memory grow with the triangles of one geometry?", "2 min", scaling},
+    Experiment{"ablation", "what does each choice of the paper cost, and each step to the fast tree bring?", "3 min", ablation},
+    Experiment{"sign-maps", "what does each arithmetic answer at 256 x 256 neighbouring doubles about a degenerate place?", "1 min", sign_maps},
+    Experiment{"stability", "how many doubles from the exact place does each kernel change its answer?", "1 min", stability},
+    Experiment{"method", "what do covering, cones, bounding volumes and hull of the paper look like?", "1 min", method},
+    Experiment{"compilers", "which compiler flags make which signs wrong?", "2 min", compilers},
+    Experiment{"dataset", "cases of every family with their exact truth, as CSV and JSON for other libraries", "1 min", dataset},
+};
+
+void run(const Options& options)
+{
+  if (options.list) {
+    for (const Experiment& e : experiments) std::cout << e.name << "  (" << e.time << ")  " << e.question << '\n';
+    return;
+  }
+  if (options.name.empty()) throw CLI::RequiredError("NAME");
+  const auto chosen = std::find_if(experiments.begin(), experiments.end(), [&](const Experiment& e) { return e.name == options.name; });
+  if (chosen == experiments.end()) throw CLI::ValidationError(options.name, "expected an experiment; --list names them");
+  if (options.study.frames < 1 || options.study.rotations < 1 || options.race_frames < 1 )
+    throw CLI::ValidationError("--frames, --rotations, --race-frames", "expected numbers from 1");
+  if (options.study.out.native().find('\'') != std::string::npos) throw CLI::ValidationError("--out", "expected a name without '");
+  chosen->run(options);
+}
+
+}  // namespace
+
+void add_experiment_command(CLI::App& app)
+{
+  CLI::App* command = app.add_subcommand("experiment", "One question: its CSV and its figure");
+  const auto options = std::make_shared<Options>();
+  command->add_option("NAME", options->name, "The experiment");
+  command->add_flag("--list", options->list, "Name the experiments, with the time of their default size");
+  command->add_option("--out", options->study.out, "Folder of the results")->capture_default_str();
+  command->add_option("--models", options->study.models, "Folder that experiments/support/fetch_models.sh filled; default: its own");
+  command->add_option("--frames", options->study.frames, "study: poses of each trajectory")->capture_default_str();
+  command->add_option("--rotations", options->study.rotations, "study: poses of each degenerate scenario")->capture_default_str();
+  command->add_option("--race-frames", options->race_frames, "peers, scaling, ablation: poses of each trajectory (peers: of each of eight circles)")->capture_default_str();
+  command->add_option("--size", options->size, "sign-maps: doubles along each side of a map")->check(CLI::Range(1, 4096))->capture_default_str();
+  command->add_option("--model", options->model, "method: a closed model; default: a star-shaped body of 760 triangles");
+  command->add_option("--seed", options->study.seed, "Seed of every random choice")->capture_default_str();
+  command->add_option("--cases", options->cases, "dataset: cases per family and level")->capture_default_str();
+  command->add_flag("--full", options->full, "Twenty times as many poses or cases; peers and scaling: larger objects; ablation: all poses; stability: more ways");
+  command->footer("Stopped and started again with the same words, it goes on where it was.\nExample: tetracone experiment study --out out");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace tetracone::experiments

@@ -1,0 +1,279 @@
+#include "experiments/cli/fuzz_command.h"
+
+#include "tetracone/covering/edge_uses.h"
+#include "experiments/support/output_file.h"
+#include "experiments/support/progress.h"
+#include "verify/cases/case_file.h"
+#include "verify/cases/families.h"
+#include "verify/shrink/mutate.h"
+#include "verify/subjects/object_subject.h"
+#include "verify/subjects/predicate_subject.h"
+#include "verify/truth/predicate_truth.h"
+#include "verify/cases/random.h"
+#include "verify/shrink/shrink.h"
+#include "verify/shrink/wrong_answers.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace tetracone::experiments {
+namespace {
+
+using kernel::Question;
+using verify::Family;
+using verify::Object_case;
+using verify::Outcome;
+using verify::Predicate_case;
+
+struct Options {
+  double seconds = 60;
+  std::uint64_t seed = 1;
+  std::string subject;
+  std::filesystem::path out = "out/fuzz";
+};
+
+/// Cases of predicates for each case of objects, which takes that much longer.
+constexpr int predicates_a_round = 8;
+/// A small find of today is worth more than the smallest one of tomorrow.
+constexpr verify::Shrink_budget budget{4000, 1};
+
+struct Tally {
+  std::uint64_t asked = 0, false_positives = 0, false_negatives = 0, failures = 0, kinds = 0;
+
+  std::uint64_t wrong() const { return false_positives + false_negatives + failures; }
+  /// Counts an answer, nothing for a failure, and says what it is; empty when it is right.
+  std::string add(std::optional<int> answer, int truth)
+  {
+    ++asked;
+    if (answer == truth) return "";
+    if (!answer) return ++failures, "failed";
+    return *answer > truth ? (++false_positives, "fp") : (++false_negatives, "fn");
+  }
+};
+
+/// By default: the kernels that users choose from, with their trees.
+bool is_default(const std::string& name)
+{
+  const std::string_view kernel = std::string_view(name).substr(0, name.find(' '));
+  constexpr std::array<std::string_view, 4> kernels = {"double", "float", "epick", "adaptive"};
+  return std::find(kernels.begin(), kernels.end(), kernel) != kernels.end() && !name.ends_with(" brute");
+}
+
+/// Which names `wanted` stands for: itself and what goes on after a space, else what begins with it.
+std::set<std::string> chosen(const std::vector<std::string>& names, const std::string& wanted)
+{
+  const auto those = [&](auto&& is_wanted) {
+    std::set<std::string> some;
+    std::copy_if(names.begin(), names.end(), std::inserter(some, some.end()), is_wanted);
+    return some;
+  };
+  if (wanted.empty()) return those(is_default);
+  auto some = those([&](const std::string& name) { return name == wanted || name.starts_with(wanted + " "); });
+  if (some.empty()) some = those([&](const std::string& name) { return name.starts_with(wanted); });
+  if (some.empty()) {
+    std::string list;
+    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+    throw CLI::ValidationError("--subject " + wanted, "expected one of " + list + ", or how some of them begin");
+  }
+  return some;
+}
+
+/// Letters, digits, dots; a '-' for anything else.
+std::string file_safe(std::string name)
+{
+  for (char& c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '.') c = '-';
+  return name;
+}
+
+class Fuzz {
+ public:
+  explicit Fuzz(const Options& options) : options_(options), progress_("seconds", std::size_t(options.seconds))
+  {
+    std::vector<std::string> names;
+    for (const auto& subject : verify::object_subjects()) names.push_back(subject.name);
+    for (const auto& subject : verify::predicate_subjects()) names.push_back(subject.name);
+    const auto wanted = chosen(names, options.subject);
+    for (auto& subject : verify::object_subjects())
+      if (wanted.contains(subject.name)) object_subjects_.push_back({subject, subject.make()});
+    for (const auto& subject : verify::predicate_subjects())
+      if (wanted.contains(subject.name)) predicate_subjects_.push_back(&subject);
+    make_folder(options.out);
+  }
+
+  /// Round after round, one case of each family and level and what mutation makes of it, until the time is up.
+  void run()
+  {
+    for (std::uint64_t round = 0;; ++round)
+      for (const Family& family : verify::families()) {
+        // Families before it in a round have not changed what this one draws.
+        verify::Random random(verify::Random(options_.seed ^ (std::uint64_t(family.number) << 32)).bits() ^ round);
+        if (!object_subjects_.empty()) {
+          const Object_case c = family.object_case(options_.seed, round);
+          if (!try_objects(c) || !try_objects(verify::mutated(c, random))) return;
+        }
+        for (int k = 0; k < predicates_a_round && !predicate_subjects_.empty(); ++k) {
+          const Predicate_case c = family.predicate_case(options_.seed, predicates_a_round * round + k);
+          if (!try_predicates(c) || !try_predicates(verify::mutated(c, random))) return;
+        }
+      }
+  }
+
+  /// A line a subject and level.
+  void print() const
+  {
+    std::printf("%-9s  %-40s %10s %10s %10s %9s %6s\n", "level", "subject", "answers", "false +", "false -", "failures", "kinds");
+    for (const auto& [who, tally] : tallies_)
+      std::printf("%-9s  %-40s %10llu %10llu %10llu %9llu %6llu%s\n", to_string(who.first), who.second.c_str(),
+                  (unsigned long long)tally.asked, (unsigned long long)tally.false_positives,
+                  (unsigned long long)tally.false_negatives, (unsigned long long)tally.failures,
+                  (unsigned long long)tally.kinds,
+                  !exact_.contains(who.second) ? ""
+                  : tally.wrong() > 0          ? "  exact, and WRONG"
+                                               : "  exact");
+  }
+
+  bool exact_was_wrong() const
+  {
+    return std::any_of(tallies_.begin(), tallies_.end(), [&](const auto& entry) {
+      return exact_.contains(entry.first.second) && entry.second.wrong() > 0;
+    });
+  }
+
+ private:
+  struct At_work {
+    verify::Object_subject subject;
+    std::unique_ptr<verify::Answering> answer;
+  };
+
+  /// False when the time is up.
+  bool go_on()
+  {
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    const auto whole = std::size_t(std::min(seconds, options_.seconds));
+    progress_.step(whole - std::exchange(shown_, whole));
+    return seconds < options_.seconds;
+  }
+
+  Tally& tally(verify::Level level, const std::string& subject, bool is_exact)
+  {
+    if (is_exact) exact_.insert(subject);
+    return tallies_[{level, subject}];
+  }
+
+  bool try_objects(const Object_case& c)
+  {
+    const bool closed = covering::is_closed(*c.a) && covering::is_closed(*c.b);
+    for (const Question question : {Question::surface, Question::solid}) {
+      if (question == Question::solid && !closed) continue;
+      const bool truth = verify::true_answer(c, question);
+      for (At_work& each : object_subjects_) {
+        if (!go_on()) return false;
+        const Outcome answer = (*each.answer)(c, question);
+        if (answer == Outcome::not_asked) continue;
+        Tally& mine = tally(verify::Level::object, each.subject.name, each.subject.is_exact);
+        const std::string kind = mine.add(answer == Outcome::failed ? std::nullopt : std::optional<int>(answer == Outcome::yes), truth);
+        if (kind.empty() || !is_new(each.subject.name, c.origin.family, std::string(to_string(question)), kind)) continue;
+        ++mine.kinds;
+        const Object_case small = verify::shrink(c, question, verify::same_error(*each.answer, question, answer, truth), budget);
+        const auto size = [](const Object_case& x) {
+          return std::to_string(verify::face_count(x)) + " faces, " + std::to_string(verify::size_of(x).bits) + " bits";
+        };
+        write(verify::case_file_of(small, question, each.subject, answer), name_, size(c) + " -> " + size(small));
+      }
+    }
+    return true;
+  }
+
+  bool try_predicates(const Predicate_case& c)
+  {
+    for (const verify::Predicate predicate : verify::all_predicates) {
+      const std::optional<int> truth = verify::true_answer(predicate, c);
+      if (!truth) continue;
+      for (const verify::Predicate_subject* subject : predicate_subjects_) {
+        if (!go_on()) return false;
+        const std::optional<int> answer = subject->answer(predicate, c);
+        if (!answer) continue;
+        Tally& mine = tally(verify::Level::predicate, subject->name, subject->is_exact);
+        const std::string kind = mine.add(*answer == verify::no_answer ? std::nullopt : answer, *truth);
+        if (kind.empty() || !is_new(subject->name, c.origin.family, to_string(predicate), kind)) continue;
+        ++mine.kinds;
+        const Predicate_case small = verify::shrink(c, verify::same_error(*subject, predicate, c, *answer, *truth), budget);
+        const auto size = [](const Predicate_case& x) { return std::to_string(verify::size_of(x).bits) + " bits"; };
+        write(verify::case_file_of(small, predicate, *subject, *answer), name_, size(c) + " -> " + size(small));
+      }
+    }
+    return true;
+  }
+
+  bool is_new(const std::string& subject, const std::string& family, const std::string& question, const std::string& kind)
+  {
+    name_ = file_safe(subject + "-" + family + "-" + question + "-" + kind) + ".case.json";
+    return names_.insert(name_).second;
+  }
+
+  void write(verify::Case_file file, const std::string& name, const std::string& sizes)
+  {
+    file.version = TETRACONE_VERSION;
+    const std::filesystem::path path = options_.out / name;
+    write_whole(path, verify::to_json(file));
+    std::printf("%s: %s; %s\n", path.c_str(), file.cause.c_str(), sizes.c_str());
+    std::fflush(stdout);
+  }
+
+  Options options_;
+  Progress progress_;
+  std::size_t shown_ = 0;  // seconds
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::vector<At_work> object_subjects_;
+  std::vector<const verify::Predicate_subject*> predicate_subjects_;
+  std::map<std::pair<verify::Level, std::string>, Tally> tallies_;
+  std::set<std::string> exact_, names_;
+  std::string name_;  // of the last find
+};
+
+void run(const Options& options)
+{
+  bool exact_was_wrong = false;
+  {
+    Fuzz fuzz(options);
+    fuzz.run();
+    fuzz.print();
+    exact_was_wrong = fuzz.exact_was_wrong();
+  }
+  if (exact_was_wrong) throw CLI::RuntimeError(1);
+}
+
+}  // namespace
+
+void add_fuzz_command(CLI::App& app)
+{
+  CLI::App* command = app.add_subcommand("fuzz", "New wrong answers on fresh and mutated cases, shrunk, each a case file");
+  const auto options = std::make_shared<Options>();
+  command->add_option("--seconds", options->seconds, "Time to spend")->capture_default_str()->check(CLI::Range(0.0, 1e9));
+  command->add_option("--seed", options->seed, "Seed of all cases")->capture_default_str()->check(CLI::Range(0ul, 1ul << 62));
+  command->add_option(
+      "--subject", options->subject,
+      "Only this subject, or those whose names begin so; default: the trees of double, float, epick and adaptive");
+  command->add_option("--out", options->out, "Folder of the case files")->capture_default_str();
+  command->footer(
+      "Each new kind of wrong answer (subject, family, question, direction) is written once.\n"
+      "Exit status 1: an exact subject was wrong.\n"
+      "Example: tetracone fuzz --seconds 600 --subject \"double brute\" --out out/fuzz");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace tetracone::experiments

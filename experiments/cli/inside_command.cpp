@@ -1,0 +1,63 @@
+#include "experiments/cli/inside_command.h"
+
+#include "tetracone/covering/io/read_points.h"
+#include "experiments/support/model_file.h"
+#include "experiments/support/progress.h"
+#include "tetracone/tetratree/paper/placed_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tetracone::experiments {
+namespace {
+
+struct Options {
+  std::string model, points;
+  Model_options models;
+};
+
+void run(const Options& options)
+{
+  using K = kernel::Adaptive;
+  const auto points = covering::read_points(options.points);
+  const Model_file model = load_model(options.model, options.models, true);
+  tetratree::Tetra_tree<K> tree(model.polyhedron, tetratree::Config::fastest());
+  tetratree::Placed_tree<K> placed(tree);
+  placed.place(kernel::Pose());
+
+  std::string text;
+  Progress progress("points", points.size());
+  for (const covering::Point_numbers& p : points) {
+    // A point of fractions is the coordinate origin under an exact translation.
+    const bool fractions = std::ranges::any_of(p, [](const kernel::Number& x) { return x.fraction.has_value(); });
+    covering::Location at;
+    if (fractions) {
+      const kernel::Pose translation(std::array<kernel::Rational, 12>{1, 0, 0, p[0].exact(), 0, 1, 0, p[1].exact(), 0, 0, 1, p[2].exact()});
+      at = placed.locate(K::placed({0, 0, 0}, translation));
+    } else {
+      at = placed.locate(K::unmoved({p[0].nearest, p[1].nearest, p[2].nearest}));
+    }
+    text += std::to_string(static_cast<int>(at)) + "\n";
+    progress.step();
+  }
+  std::cout << text;
+}
+
+}  // namespace
+
+void add_inside_command(CLI::App& app)
+{
+  CLI::App* command = app.add_subcommand("inside", "Where points are: 1 inside the solid, 0 on its surface, -1 outside");
+  const auto options = std::make_shared<Options>();
+  command->add_option("MODEL", options->model, "A closed model: OFF, OBJ, PLY, STL or TetGen .poly")->required();
+  command->add_option("POINTS", options->points, "Points: one a line, three numbers, decimals or fractions n/d; '#' comments")->required();
+  options->models.add_to(*command);
+  command->footer("One line a point. Example: tetracone inside house.poly points.txt");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace tetracone::experiments

@@ -1,0 +1,208 @@
+#include "experiments/cli/verify_command.h"
+
+#include "experiments/support/build_info.h"
+#include "experiments/support/output_file.h"
+#include "experiments/peers/peers.h"
+#include "experiments/support/progress.h"
+#include "verify/campaign/campaign.h"
+#include "verify/cases/case_file.h"
+#include "verify/subjects/object_subject.h"
+#include "verify/subjects/predicate_subject.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace tetracone::experiments {
+namespace {
+
+using verify::Campaign;
+using verify::Database;
+
+struct Options {
+  std::string db = "out/verify.db", shard = "0/1", level;
+  std::vector<std::string> families, subjects;
+  std::uint64_t cases = 0;
+  Campaign campaign;
+};
+
+/// "i/n" with 0 <= i < n.
+void parse_shard(const std::string& text, Campaign& campaign)
+{
+  int i = 0, n = 0, end = 0;
+  if (std::sscanf(text.c_str(), "%d/%d%n", &i, &n, &end) != 2 || end != int(text.size()) || i < 0 || n <= i || n > 1'000'000)
+    throw CLI::ValidationError("--shard " + text, "expected i/n with 0 <= i < n");
+  campaign.shard = i, campaign.shards = n;
+}
+
+/// The subject of that name, or all whose names begin with it and a space.
+bool is_named(const std::string& subject, const std::string& name) { return subject == name || subject.starts_with(name + " "); }
+
+/// Those of the list that one of the names stands for. Marks the names that stood for one.
+template <class Subject>
+std::vector<Subject> chosen(const std::vector<Subject>& all, const std::vector<std::string>& names, std::set<std::string>& known)
+{
+  if (names.empty()) return all;
+  std::vector<Subject> some;
+  for (const Subject& subject : all) {
+    bool wanted = false;
+    for (const std::string& name : names)
+      if (is_named(subject.name, name)) wanted = true, known.insert(name);
+    if (wanted) some.push_back(subject);
+  }
+  return some;
+}
+
+void choose_subjects(const Options& options, Campaign& campaign)
+{
+  auto objects = verify::object_subjects();
+  for (auto& peer : peer_subjects(std::filesystem::read_symlink("/proc/self/exe").native())) objects.push_back(std::move(peer));
+  std::set<std::string> known;
+  campaign.predicate_subjects = chosen(verify::predicate_subjects(), options.subjects, known);
+  campaign.object_subjects = chosen(objects, options.subjects, known);
+  for (const std::string& name : options.subjects)
+    if (!known.contains(name)) {
+      std::string list;
+      for (const auto& subject : objects) list += (list.empty() ? "" : ", ") + subject.name;
+      throw CLI::ValidationError("--subject " + name, "expected one of " + list + " or of the predicate subjects");
+    }
+}
+
+void choose_families(const Options& options, Campaign& campaign)
+{
+  for (const std::string& name : options.families) {
+    const verify::Family* family = verify::find_family(name);
+    if (!family) {
+      std::string list;
+      for (const auto& known : verify::families()) list += (list.empty() ? "" : ", ") + std::string(known.name);
+      throw CLI::ValidationError("--family " + name, "expected one of " + list);
+    }
+    campaign.families.push_back(family);
+  }
+  if (!options.families.empty()) {
+    campaign.sequence_frames = 0;
+    return;
+  }
+  for (const auto& family : verify::families()) campaign.families.push_back(&family);
+}
+
+void choose_sizes(const Options& options, Campaign& campaign)
+{
+  if (options.cases != 0) campaign.predicate_cases = campaign.object_cases = options.cases;
+  if (options.level == "predicate") campaign.object_cases = 0, campaign.sequence_frames = 0;
+  else if (options.level == "object") campaign.predicate_cases = 0;
+  else if (!options.level.empty()) throw CLI::ValidationError("--level " + options.level, "expected predicate or object");
+}
+
+/// Keeps the case on which the truths disagree beside the database.
+[[noreturn]] void stop(const verify::Truths_disagree& found, const std::filesystem::path& db)
+{
+  verify::Case_file file;
+  file.version = TETRACONE_VERSION;
+  file.cause = found.what();
+  if (found.object) {
+    file.level = verify::Level::object;
+    file.object = found.object;
+    file.question = found.question;
+  } else {
+    file.level = verify::Level::predicate;
+    file.points = found.points;
+    file.predicate = found.predicate;
+  }
+  const std::filesystem::path path = db.native() + ".truths-disagree.case.json";
+  write_whole(path, verify::to_json(file));
+  std::cerr << path.native() << ": " << found.what() << '\n';
+  throw CLI::RuntimeError(1);
+}
+
+/// A line a subject, and whether an exact one was wrong.
+bool print_summary(Database& database, const Campaign& campaign)
+{
+  std::set<std::string> exact;
+  for (const auto& subject : campaign.predicate_subjects)
+    if (subject.is_exact) exact.insert("predicate " + subject.name);
+  for (const auto& subject : campaign.object_subjects)
+    if (subject.is_exact) exact.insert("object " + subject.name);
+  Database::Statement rows(database, "SELECT level, subject, sum(n), sum(false_positives), sum(false_negatives), sum(failures), sum(not_asked) FROM tally "
+                                     "JOIN run ON run = id WHERE axis = 'rho' AND seed = ?1 GROUP BY level, subject ORDER BY level, subject");
+  bool exact_was_wrong = false;
+  std::printf("%-9s  %-40s %10s %10s %10s %9s %9s\n", "level", "subject", "answers", "false +", "false -", "failures", "not asked");
+  for (rows.with(campaign.seed); rows.next();) {
+    const std::string name = rows.text(0) + " " + rows.text(1);
+    const bool wrong = rows.integer(3) + rows.integer(4) + rows.integer(5) > 0;
+    exact_was_wrong = exact_was_wrong || (wrong && exact.contains(name));
+    std::printf("%-9s  %-40s %10lld %10lld %10lld %9lld %9lld%s\n", rows.text(0).c_str(), rows.text(1).c_str(), (long long)rows.integer(2),
+                (long long)rows.integer(3), (long long)rows.integer(4), (long long)rows.integer(5), (long long)rows.integer(6),
+                exact.contains(name) ? wrong ? "  exact, and WRONG" : "  exact" : "");
+  }
+  return exact_was_wrong;
+}
+
+void run(Options options)
+{
+  Campaign& campaign = options.campaign;
+  parse_shard(options.shard, campaign);
+  choose_families(options, campaign);
+  choose_sizes(options, campaign);
+  choose_subjects(options, campaign);
+  campaign.made_by = {TETRACONE_VERSION, compiler(), compiler_flags(), processor()};
+
+  const std::filesystem::path db = options.db;
+  std::error_code error;
+  if (db.has_parent_path()) std::filesystem::create_directories(db.parent_path(), error);
+  Database database(db, Database::Mode::write);
+  {
+    Progress progress("cases", verify::case_count(campaign));
+    try {
+      verify::run_campaign(database, campaign, [&](std::uint64_t cases) { progress.step(cases); });
+    } catch (const verify::Truths_disagree& found) {
+      stop(found, db);
+    }
+  }
+  if (print_summary(database, campaign)) throw CLI::RuntimeError(1);
+}
+
+}  // namespace
+
+void add_verify_command(CLI::App& app)
+{
+  CLI::App* command = app.add_subcommand("verify", "A campaign: every subject on every family of cases, against two exact truths");
+  const auto options = std::make_shared<Options>();
+  command->add_option("--db", options->db, "Database of the results (SQLite)")->capture_default_str();
+  command->add_option("--cases", options->cases, "Cases per family and level; default: 400 of predicates, 24 of objects")->check(CLI::Range(1ul, 1'000'000'000ul));
+  command->add_option("--seed", options->campaign.seed, "Seed of all cases")->capture_default_str()->check(CLI::Range(0ul, 1ul << 62));
+  command->add_option("--shard", options->shard, "i/n: every n-th batch from batch i; `tetracone merge` joins the databases")->capture_default_str();
+  command->add_option("--family", options->families, "Only this family; may be given again")->allow_extra_args(false);
+  command->add_option("--subject", options->subjects, "Only this subject, or a kernel with all its methods; may be given again")->allow_extra_args(false);
+  command->add_option("--level", options->level, "Only this level: predicate or object");
+  command->add_option("--frames", options->campaign.sequence_frames, "Frames of each sequence of exact contact")->capture_default_str()->check(CLI::Range(0, 100'000));
+  command->footer(
+      "Run again with the same words, it goes on where it was; with more cases or other subjects, it adds what is missing.\n"
+      "Exit status 1: an exact subject was wrong, or the truths disagree.\n"
+      "Example: tetracone verify --db out/verify.db --family sliver --subject double");
+  command->callback([options] { run(*options); });
+}
+
+void add_merge_command(CLI::App& app)
+{
+  struct Files {
+    std::string into;
+    std::vector<std::string> from;
+  };
+  CLI::App* command = app.add_subcommand("merge", "Join the databases of several campaigns or shards");
+  const auto files = std::make_shared<Files>();
+  command->add_option("INTO", files->into, "Database that takes all; made when it is not there")->required();
+  command->add_option("FROM", files->from, "Databases of `tetracone verify`")->required();
+  command->footer("A batch that both have is refused, and nothing of that file is taken.\nExample: tetracone merge all.db shard0.db shard1.db");
+  command->callback([files] {
+    Database into(files->into, Database::Mode::write);
+    for (const std::string& from : files->from) verify::merge(into, from);
+  });
+}
+
+}  // namespace tetracone::experiments

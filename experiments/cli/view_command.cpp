@@ -1,0 +1,93 @@
+#include "experiments/cli/view_command.h"
+
+#include "experiments/support/output_file.h"
+#include "experiments/viewer/view_data.h"
+#include "experiments/viewer/view_scene.h"
+#include "experiments/viewer/viewer_files.h"
+
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace tetracone::experiments {
+namespace {
+
+struct Options {
+  Scene_names names;
+  std::string question, kernel = "double", method = "tree", out;
+};
+
+/// The text with every character that could end a script, or a piece of HTML, as an escape of JSON.
+std::string safe_in_script(const std::string& json)
+{
+  std::string text;
+  for (const char c : json) {
+    if (c == '<') text += "\\u003c";
+    else text += c;
+  }
+  return text;
+}
+
+/// The template with each {{name}} replaced; a part is not searched for names again.
+std::string filled(std::string_view page, std::initializer_list<std::pair<std::string_view, std::string_view>> parts)
+{
+  std::string text;
+  while (!page.empty()) {
+    const auto begin = page.find("{{"), end = page.find("}}", begin);
+    text += page.substr(0, begin);
+    if (begin == page.npos) break;
+    for (const auto& [name, part] : parts)
+      if (page.substr(begin + 2, end - begin - 2) == name) text += part;
+    page.remove_prefix(end + 2);
+  }
+  return text;
+}
+
+void run(const Options& options)
+{
+  std::optional<kernel::Question> question;
+  if (!options.question.empty() && !(question = kernel::parse_question(options.question)))
+    throw CLI::ValidationError("--question " + options.question, "expected solid or surface");
+  const auto method = verify::parse_method(options.method);
+  if (!method) throw CLI::ValidationError("--method " + options.method, "expected tree, paper or brute");
+  if (viewer::three_js.empty())
+    throw std::runtime_error("view was built without three.js; expected Debian's libjs-three where this program was configured");
+
+  const View_scene scene = read_view_scene(options.names, question);
+  const std::string data = safe_in_script(view_data(scene, options.kernel, *method));
+  write_whole(options.out, filled(viewer::page_html, {{"style", viewer::style_css},
+                                                      {"three", viewer::three_js},
+                                                      {"data", data},
+                                                      {"bodies", viewer::bodies_js},
+                                                      {"bounds", viewer::bounds_js},
+                                                      {"camera", viewer::camera_js},
+                                                      {"page", viewer::page_js}}));
+}
+
+}  // namespace
+
+void add_view_command(CLI::App& app)
+{
+  CLI::App* command = app.add_subcommand("view", "One self-contained page in 3D of a case or of models under poses");
+  const auto options = std::make_shared<Options>();
+  Scene_names& names = options->names;
+  command->add_option("A", names.a, "Model: OFF, OBJ, PLY, STL or TetGen .poly; or a case file, *.case.json, that holds all")->required();
+  command->add_option("B", names.b, "Model; without it A is shown alone");
+  command->add_option("--out", options->out, "The page, FILE.html")->required();
+  command->add_option("--question", options->question, "solid or surface; default: solid, or the case file's own");
+  command
+      ->add_option("--kernel", options->kernel,
+                   "Whose answers are compared with the exact ones: adaptive, double, float, double-eps=E, epick, epeck or rational")
+      ->capture_default_str();
+  command->add_option("--method", options->method, "tree: the kernel's fastest; paper: Jimenez & Segura's; brute: all pairs")->capture_default_str();
+  names.add_options_to(*command);
+  command->footer(
+      "Wrong answers of the kernel are marked on the time line, and the pairs of features that it loses or invents in the picture.\n"
+      "Example: tetracone view cat.off house.poly --pose-b poses.txt --kernel float --out scene.html");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace tetracone::experiments

@@ -1,0 +1,18 @@
+#ifndef TETRACONE_EXPERIMENTS_PEERS_FCL_PEER_H
+#define TETRACONE_EXPERIMENTS_PEERS_FCL_PEER_H
+
+#include "tetracone/covering/polyhedron.h"
+#include "verify/subjects/subject.h"
+
+#include <memory>
+
+namespace tetracone::experiments {
+
+/// FCL (Debian's package) on BVHModel<OBBRSS> of doubles, as its users run it: one contact, no cost. It answers the *surface*
+/// question, whatever is asked: it has no solids. Faces are triangulated; its transforms are rigid, so a pose must be a rotation
+/// times a power of two: the scale goes into the vertices of the body, exactly. Null when the program was built without FCL.
+std::unique_ptr<verify::Prepared_pair> prepare_fcl(const covering::Polyhedron& a, const covering::Polyhedron& b, double scale_b);
+
+}  // namespace tetracone::experiments
+
+#endif

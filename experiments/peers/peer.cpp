@@ -1,0 +1,80 @@
+#include "experiments/peers/peer.h"
+
+#include "tetracone/covering/planarity.h"
+#include "tetracone/covering/repair/repair.h"
+
+#include <cmath>
+
+namespace tetracone::experiments {
+
+std::optional<Peer_mesh> peer_mesh(const covering::Polyhedron& polyhedron)
+{
+  Peer_mesh mesh;
+  for (covering::Index f = 0; f < polyhedron.face_count(); ++f) {
+    if (polyhedron.is_triangle(f)) {
+      const auto loop = polyhedron.loop(f, 0);
+      mesh.triangles.push_back({loop[0], loop[1], loop[2]});
+      continue;
+    }
+    auto parts = covering::repair::constrained_delaunay(polyhedron, f);
+    if (!parts && covering::planarity(polyhedron, f) == covering::Planarity::degenerate) parts = covering::repair::fan(polyhedron, f);
+    if (!parts) return std::nullopt;
+    mesh.triangles.insert(mesh.triangles.end(), parts->begin(), parts->end());
+  }
+  if (mesh.triangles.empty()) return std::nullopt;
+
+  constexpr covering::Index unused = ~covering::Index{0};
+  std::vector<covering::Index> number(polyhedron.vertices.size(), unused);
+  for (auto& triangle : mesh.triangles)
+    for (covering::Index& corner : triangle) {
+      if (number[corner] == unused) {
+        number[corner] = static_cast<covering::Index>(mesh.vertices.size());
+        mesh.vertices.push_back(polyhedron.vertices[corner]);
+      }
+      corner = number[corner];
+    }
+  return mesh;
+}
+
+bool is_rigid(const kernel::Pose& pose)
+{
+  constexpr double tolerance = 1e-9;
+  for (int i = 0; i < 3; ++i)
+    for (int j = i; j < 3; ++j) {
+      double product = 0;
+      for (int k = 0; k < 3; ++k) product += pose[4 * i + k] * pose[4 * j + k];
+      if (!(std::abs(product - (i == j)) <= tolerance)) return false;
+    }
+  return pose.determinant_sign() == CGAL::POSITIVE;
+}
+
+const std::vector<Peer>& peers()
+{
+  static const std::vector<Peer> all = {
+#ifdef TETRACONE_WITH_FCL
+      {"FCL OBBRSS", "FCL, BVHModel<OBBRSS>, one contact: surfaces only, so a solid inside a solid is missed; double", false, prepare_fcl_obbrss},
+      {"FCL AABB", "FCL, BVHModel<AABB>, one contact: surfaces only, so a solid inside a solid is missed; double", false, prepare_fcl_aabb},
+#endif
+#ifdef TETRACONE_WITH_BULLET
+      {"Bullet GImpact", "Bullet, GImpact meshes, margin 0: surfaces only, so a solid inside a solid is missed; float, and near counts as touching",
+       false, prepare_bullet},
+#endif
+#ifdef TETRACONE_WITH_ODE
+      {"ODE trimesh", "ODE, trimesh against trimesh by OPCODE: surfaces only, so a solid inside a solid is missed; double, and near counts as touching",
+       false, prepare_ode},
+#endif
+#ifdef TETRACONE_WITH_CCD
+      {"libccd GJK", "libccd, ccdGJKIntersect on the vertices, at most 100 iterations: convex solids only; double, with tolerances", true,
+       prepare_libccd_gjk},
+      {"libccd MPR", "libccd, ccdMPRIntersect on the vertices, at most 100 iterations: convex solids only; double, with tolerances", true,
+       prepare_libccd_mpr},
+#endif
+      {"CGAL RMCD EPICK", "CGAL, Rigid_triangle_mesh_collision_detection: manifold meshes; surfaces, and solids by inclusion; exact predicates on points "
+                          "that the motion has rounded", false, prepare_cgal_epick},
+      {"CGAL RMCD EPECK", "CGAL, Rigid_triangle_mesh_collision_detection: manifold meshes; surfaces, and solids by inclusion; exact for a pose of doubles, "
+                          "and a rational pose is rounded to doubles first", false, prepare_cgal_epeck},
+  };
+  return all;
+}
+
+}  // namespace tetracone::experiments

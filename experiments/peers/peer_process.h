@@ -1,0 +1,38 @@
+#ifndef TETRACONE_EXPERIMENTS_PEERS_PEER_PROCESS_H
+#define TETRACONE_EXPERIMENTS_PEERS_PEER_PROCESS_H
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+namespace tetracone::experiments {
+
+/// `program peer-worker NAME` as a child with a socket to it, killed when this goes. Not for two threads at a time.
+class Peer_process {
+ public:
+  using Deadline = std::chrono::steady_clock::time_point;
+
+  /// Throws std::runtime_error when it cannot be started, or does not say in half a minute that it is ready.
+  Peer_process(const std::string& program, const std::string& name);
+  ~Peer_process();
+  Peer_process(const Peer_process&) = delete;
+  Peer_process& operator=(const Peer_process&) = delete;
+
+  /// Sends the message and waits for the byte that answers it; nothing when the child dies or the deadline passes first.
+  std::optional<char> ask(const std::string& message, Deadline deadline);
+
+ private:
+  void stop();
+  bool send(const std::string& message, Deadline deadline);
+  std::optional<char> receive(Deadline deadline);
+  bool wait_for(short event, Deadline deadline) const;
+
+  int socket_ = -1;
+  pid_t child_ = -1;
+};
+
+}  // namespace tetracone::experiments
+
+#endif

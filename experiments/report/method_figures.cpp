@@ -1,0 +1,91 @@
+#include "experiments/report/method_figures.h"
+
+#include "experiments/support/output_file.h"
+#include "experiments/viewer/view_data.h"
+#include "experiments/viewer/view_scene.h"
+#include "tetracone/tetratree/paper/tetra_tree.h"
+#include "verify/cases/shape_generators.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace tetracone::experiments {
+namespace {
+
+using covering::Index;
+using kernel::Pose;
+using Tree = tetratree::Tetra_tree<kernel::Adaptive>;
+using Json = nlohmann::ordered_json;
+
+Model_file generated(covering::Polyhedron polyhedron)
+{
+  std::vector<Index> source(polyhedron.face_count());
+  std::iota(source.begin(), source.end(), Index(0));
+  return {"generated", std::move(polyhedron), std::move(source)};
+}
+
+/// The image of the model by a point, 0.8 radii from V0 towards the vertex that is farthest from it: both reach beyond it, and neither
+/// hull holds the other's V0.
+Pose facing(const Tree& tree)
+{
+  const auto& origin = tree.origin();
+  const auto difference = [&](const kernel::Vertex& v) { return std::array{v[0] - origin[0], v[1] - origin[1], v[2] - origin[2]}; };
+  const auto length = [&](const kernel::Vertex& v) {
+    const auto d = difference(v);
+    return std::hypot(d[0], d[1], d[2]);
+  };
+  const auto& vertices = tree.model().vertices();
+  const auto reach = difference(*std::ranges::max_element(vertices, {}, length));
+  std::array<double, 12> entries{-1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0};
+  for (int k = 0; k < 3; ++k) entries[4 * k + 3] = 2 * (origin[k] + 0.8 * reach[k]);
+  return Pose(entries);
+}
+
+/// From the octant with most tetrahedra down, always into the child with most: cone and tetrahedra.
+Json path_data(const Tree& tree)
+{
+  Json path = Json::array();
+  const auto size = [&](Index n) { return tree.node(n).end - tree.node(n).begin; };
+  for (Index n = Tree::root(); !tree.node(n).is_leaf;) {
+    const auto& parent = tree.node(n);
+    Index largest = parent.first_child;
+    for (Index child = parent.first_child; child < parent.first_child + parent.child_count; ++child)
+      if (size(child) > size(largest)) largest = child;
+    n = largest;
+    const auto elements = tree.elements(tree.node(n));
+    path.push_back({{"rays", tree.node(n).cone.ray}, {"node", n - 1}, {"tetrahedra", std::vector<Index>(elements.begin(), elements.end())}});
+  }
+  return path;
+}
+
+}  // namespace
+
+void run_method_figures(const std::filesystem::path& out, const std::filesystem::path& model)
+{
+  if (out.native().find('\'') != std::string::npos) throw std::runtime_error("the folder's name holds a quote; expected one without");
+  Model_file body = model.empty() ? generated(verify::blob(760, 1)) : load_model(model.native(), {}, true);
+  make_folder(out);
+  const Tree tree(body.polyhedron, tetratree::Config());
+
+  View_scene pair, faces;
+  pair.bodies = {body, body};
+  pair.poses = {{Pose()}, {facing(tree)}};
+  faces.bodies = {generated(verify::complex_two())};
+  faces.poses = {{Pose()}, {Pose()}};
+  const Json data = {{"pair", Json::parse(view_data(pair, "adaptive", verify::Method::tree))},
+                     {"path", path_data(tree)},
+                     {"faces", Json::parse(view_data(faces, "adaptive", verify::Method::tree))}};
+  write_whole(out / "method.json", data.dump() + "\n");
+  const std::string command = "/usr/bin/python3 '" TETRACONE_SOURCE_DIR "/experiments/report/method_figures.py' '" + out.native() + "'";
+  if (std::system(command.c_str()) != 0) throw std::runtime_error("the figures could not be drawn; expected python3 with matplotlib");
+}
+
+}  // namespace tetracone::experiments

@@ -1,0 +1,33 @@
+#ifndef TETRACONE_EXPERIMENTS_SPEED_RACE_ROWS_H
+#define TETRACONE_EXPERIMENTS_SPEED_RACE_ROWS_H
+
+#include "experiments/speed/race.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace tetracone::experiments {
+
+/// What the experiments of speed run on.
+struct Race_options {
+  std::filesystem::path out = "out";
+  std::filesystem::path models;  ///< the folder that fetch_models.sh filled
+  int frames = 400;              ///< poses of each trajectory
+  bool full = false;             ///< larger objects too
+  std::uint64_t seed = 1;
+
+  /// What rows depend on.
+  std::string key() const
+  {
+    return "seed" + std::to_string(seed) + "-frames" + std::to_string(frames) + (full ? "-full" : "");
+  }
+};
+
+/// Runs these contestants on the course, the first one the reference, and returns a row for each question, first surface and, when `solid`, then
+/// solid, and each contestant that takes it: times, wrong answers, build, memory, counts. A CSV with its header.
+std::string race_rows(const Race_course& course, const std::vector<Contestant>& contestants, bool solid, int passes, double seconds, std::uint64_t seed);
+
+}  // namespace tetracone::experiments
+
+#endif

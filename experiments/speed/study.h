@@ -1,0 +1,27 @@
+#ifndef TETRACONE_EXPERIMENTS_SPEED_STUDY_H
+#define TETRACONE_EXPERIMENTS_SPEED_STUDY_H
+
+#include <cstdint>
+#include <filesystem>
+
+namespace tetracone::experiments {
+
+/// What the study runs on.
+struct Study_options {
+  std::filesystem::path out = "out";
+  std::filesystem::path models;  ///< the folder that fetch_models.sh filled with libcgal-demo's meshes
+  int frames = 60;               ///< poses of each trajectory
+  int rotations = 100;           ///< rotations of each degenerate scenario
+  std::uint64_t seed = 1;
+};
+
+/// The robustness and time study: every subject on the trajectories of JS08 section 4 and on exactly degenerate contacts, its answers
+/// judged by the truth, its time measured. Writes out/study.csv, one row for each workload, question and subject.
+///
+/// Each workload's rows are kept under out/study/ as soon as they are there; started again with the same options, the study goes on after
+/// the last of them. Throws covering::Input_error when the models are not there or `out` cannot be written.
+void run_study(const Study_options& options);
+
+}  // namespace tetracone::experiments
+
+#endif

@@ -1,0 +1,218 @@
+#include "experiments/speed/trajectory.h"
+
+#include "verify/cases/shape_generators.h"
+#include "verify/cases/random.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace tetracone::experiments {
+
+using namespace verify;
+namespace {
+
+using kernel::Pose;
+
+Vector sum(const Vector& a, double s, const Vector& b) { return {a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]}; }
+
+/// B turning: from a random rotation about a random axis, twice round in the whole trajectory.
+class Turning_body {
+ public:
+  Turning_body(const covering::Polyhedron& b, double ratio, Random& random)
+      : centre_(centroid(b)), scale_(1 / ratio), start_(random.quaternion()), axis_(random.direction())
+  {
+  }
+
+  /// B with its centroid at `position`, at `time` from 0 to 1.
+  Pose pose(const Vector& position, double time) const
+  {
+    const auto [c, s] = turn(time);  // of half the angle
+    const auto [x, y, z] = axis_;
+    const auto [p, q, r, t] = start_;
+    // The product of the quaternions (c, s axis) and start.
+    const Rotation m = rotation(c * p - s * (x * q + y * r + z * t), c * q + s * (x * p + y * t - z * r),
+                                c * r + s * (y * p + z * q - x * t), c * t + s * (z * p + x * r - y * q));
+    std::array<double, 12> entries;
+    for (int row = 0; row < 3; ++row) {
+      double image = 0;
+      for (int column = 0; column < 3; ++column) {
+        entries[4 * row + column] = scale_ * m[row][column];
+        image += entries[4 * row + column] * centre_[column];
+      }
+      entries[4 * row + 3] = position[row] - image;
+    }
+    return Pose(entries);
+  }
+
+ private:
+  Vector centre_;
+  double scale_;
+  std::array<double, 4> start_;
+  Vector axis_;
+};
+
+/// How many frames are to collide, at least and at most.
+struct Range {
+  int low, high;
+
+  /// From `least` to `most` of the frames; where no whole number is there, `otherwise`.
+  static Range of(int frames, double least, double most, int otherwise)
+  {
+    const Range range = {static_cast<int>(std::ceil(least * frames)), static_cast<int>(std::floor(most * frames))};
+    return range.low <= range.high ? range : Range{otherwise, otherwise};
+  }
+};
+
+/// All frames at one distance: near collides, far does not.
+template <class At>
+class Frames {
+ public:
+  /// `at(frame, distance)` is a pose.
+  Frames(int count, const At& at, const Collides& collides, Range range)
+      : count_(count), at_(at), collides_(collides), range_(range)
+  {
+  }
+
+  /// How many collide at this distance; above the range, counting stops.
+  int colliding(double distance) const
+  {
+    int found = 0;
+    for (int k = 0; k < count_ && found <= range_.high; ++k) found += collides_(at_(k, distance));
+    return found;
+  }
+
+  /// A distance between at which a number in range collides. Requires more than that at `near`, fewer at `far`, and
+  /// thus finds one, unless several frames begin to collide at the same number: then the far side of it, with fewer.
+  double between(double near, double far) const
+  {
+    for (;;) {
+      const double middle = near / 2 + far / 2;
+      if (middle <= near || middle >= far) return far;
+      const int found = colliding(middle);
+      if (found >= range_.low && found <= range_.high) return middle;
+      (found > range_.high ? near : far) = middle;
+    }
+  }
+
+  std::vector<Pose> poses(double distance) const
+  {
+    std::vector<Pose> result;
+    for (int k = 0; k < count_; ++k) result.push_back(at_(k, distance));
+    return result;
+  }
+
+ private:
+  int count_;
+  const At& at_;
+  const Collides& collides_;
+  Range range_;
+};
+
+}  // namespace
+
+std::vector<Pose> circular_trajectory(const covering::Polyhedron& a, const covering::Polyhedron& b, double ratio,
+                                      int frames, std::uint64_t seed, const Collides& collides)
+{
+  assert(ratio > 0 && frames >= 1);
+  Random random(seed);
+  const Turning_body body(b, ratio, random);
+  const Vector centre = centroid(a);
+  const double size = radius(a), jitter = 0.02 * size;
+  const auto [w, x, y, z] = random.quaternion();
+  const Rotation plane = rotation(w, x, y, z);
+  std::vector<Vector> jitters;
+  for (int k = 0; k < frames; ++k) jitters.push_back(random.in_ball());
+
+  const auto at = [&](int k, double distance) {
+    const double time = double(k) / frames;
+    const auto [c, s] = turn(time);
+    const Vector on_circle = sum(sum(centre, distance * c, plane[0]), distance * s, plane[1]);
+    return body.pose(sum(on_circle, jitter, jitters[k]), time);
+  };
+  const Range range = Range::of(frames, 0.03, 0.045, (frames - 1) / 20);
+  const Frames all(frames, at, collides, range);
+
+  const double outside = 1.01 * (size + radius(b) / ratio + jitter);  // nothing collides
+  if (range.high == 0) return all.poses(outside);
+  constexpr int steps = 64;
+  for (int step = 1; step <= steps; ++step) {
+    const double distance = outside * (steps - step) / steps;
+    const int found = all.colliding(distance);
+    if (found < range.low) continue;
+    return all.poses(found <= range.high ? distance : all.between(distance, outside * (steps - step + 1) / steps));
+  }
+  return all.poses(outside);
+}
+
+std::vector<Pose> contour_trajectory(const covering::Polyhedron& a, const covering::Polyhedron& b, double ratio,
+                                     int frames, std::uint64_t seed, const Collides& collides)
+{
+  assert(ratio > 0 && frames >= 1);
+  Random random(seed);
+  const Turning_body body(b, ratio, random);
+  const Vector centre = centroid(a);
+  const double size = radius(a), size_b = radius(b) / ratio;
+  const auto [w, x, y, z] = random.quaternion();
+  const Rotation pole = rotation(w, x, y, z);
+
+  // Turns of a spiral whose neighbouring windings are as far apart as its neighbouring frames.
+  const double windings = std::sqrt(frames * std::numbers::pi) / 2;
+  const auto time = [frames](int k) { return (k + 0.5) / frames; };
+  const auto direction = [&](int k) {
+    const double height = 1 - 2 * time(k), across = std::sqrt(1 - height * height);
+    const auto [c, s] = turn(windings * time(k));
+    return sum(sum(sum({0, 0, 0}, across * c, pole[0]), across * s, pole[1]), height, pole[2]);
+  };
+  const auto on_ray = [&](int k, double distance) {
+    return body.pose(sum(centre, distance, direction(k)), time(k));
+  };
+
+  std::vector<double> touching;
+  const double outside = 1.01 * (size + size_b), step = size_b / 2;
+  for (int k = 0; k < frames; ++k) {
+    double far = outside, near = outside - step;
+    while (near > 0 && !collides(on_ray(k, near))) {
+      far = near;
+      near -= step;
+    }
+    if (near <= 0) {
+      touching.push_back(touching.empty() ? outside : touching.back());
+      continue;
+    }
+    while (far - near > size / 2048) {
+      const double middle = near / 2 + far / 2;
+      (collides(on_ray(k, middle)) ? near : far) = middle;
+    }
+    touching.push_back(far);
+  }
+
+  const double jitter = 1.6 * size * (0.005 + 0.005 / ratio);
+  std::vector<Vector> jitters;
+  for (int k = 0; k < frames; ++k) jitters.push_back(random.in_ball());
+  const auto at = [&](int k, double gap) {
+    return body.pose(sum(sum(centre, touching[k] + gap, direction(k)), jitter, jitters[k]), time(k));
+  };
+  const int nearest = static_cast<int>(std::lround(0.075 * frames));
+  const Range range = Range::of(frames, 0.055, 0.095, nearest);
+  const Frames all(frames, at, collides, range);
+
+  // Two thirds of the jitter for a plane border; else that far out or in until the number is passed.
+  double near = 0.625 * jitter, far = near;
+  for (double stride = jitter / 4; all.colliding(near) < range.low && near > -size; stride *= 2) {
+    far = near;
+    near -= stride;
+  }
+  for (double stride = jitter / 4; all.colliding(far) > range.high && far < outside; stride *= 2) {
+    near = far;
+    far += stride;
+  }
+  const int found_near = all.colliding(near), found_far = all.colliding(far);
+  if (found_far >= range.low && found_far <= range.high) return all.poses(far);
+  if (found_near >= range.low && found_near <= range.high) return all.poses(near);
+  return all.poses(all.between(near, far));
+}
+
+}  // namespace tetracone::experiments

@@ -1,0 +1,205 @@
+#include "experiments/speed/workloads.h"
+
+#include "verify/cases/shape_generators.h"
+#include "verify/cases/random.h"
+#include "experiments/speed/trajectory.h"
+#include "tetracone/covering/io/input_error.h"
+#include "verify/subjects/subject.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace tetracone::experiments {
+
+using namespace verify;
+namespace {
+
+using covering::Polyhedron;
+using kernel::Pose;
+using kernel::Question;
+using kernel::Rational;
+using Shift = std::array<Rational, 3>;
+
+/// The four objects of the time study, each made once, when it is first asked for.
+class Objects {
+ public:
+  explicit Objects(std::filesystem::path models) : models_(std::move(models)) {}
+
+  const Polyhedron& operator[](const std::string& name)
+  {
+    auto& object = name == "complex-1" ? one_ : name == "complex-2" ? two_ : name == "cat-size" ? cat_ : horse_;
+    if (!object) object = std::make_unique<Polyhedron>(make(name));
+    return *object;
+  }
+
+ private:
+  Polyhedron make(const std::string& name) const
+  {
+    if (name == "complex-1") return complex_one();
+    if (name == "complex-2") return complex_two();
+    const auto mesh = name == "cat-size" ? small_mesh(models_) : large_mesh(models_);
+    if (!mesh)
+      throw covering::Input_error(models_.native(), 0, "the meshes of libcgal-demo are not there", "expected them: run experiments/support/fetch_models.sh");
+    return *mesh;
+  }
+
+  std::filesystem::path models_;
+  std::unique_ptr<Polyhedron> one_, two_, cat_, horse_;
+};
+
+Workload on_trajectory(Objects& objects, const std::string& trajectory, const std::string& a, const std::string& b, double ratio,
+                       int frames, std::uint64_t seed)
+{
+  Workload w{"trajectory", trajectory, a, b, objects[a], objects[b], 1 / ratio, {Pose()}, {}, {Question::surface}};
+  const auto pair = verify::prepare(*verify::Subject::parse("double"), w.a, w.b);
+  const auto collides = [&pair](const Pose& pose_b) { return pair->collide(Pose(), pose_b, Question::surface); };
+  w.poses_b = trajectory == "circular" ? circular_trajectory(w.a, w.b, ratio, frames, seed, collides)
+                                       : contour_trajectory(w.a, w.b, ratio, frames, seed, collides);
+  return w;
+}
+
+Pose rounded(const Pose& pose) { return Pose(pose.entries()); }
+
+/// Both bodies under one random rotation R, and B moved by a shift in A's frame: poses R and R o shift. Exact: R is the rotation of an
+/// integer quaternion and the contact in A's frame is kept exactly; else both poses are rounded to doubles first.
+void add_poses(Workload& w, Random& random, const Shift& shift, bool exact)
+{
+  std::array<int, 4> q{0, 0, 0, 0};
+  while (q == std::array<int, 4>{0, 0, 0, 0})
+    for (int& x : q) x = static_cast<int>(random.bits() % 19) - 9;
+  const Pose rotation = Pose::from_quaternion(q[0], q[1], q[2], q[3]);
+  Shift t;
+  for (int i = 0; i < 3; ++i) {
+    t[i] = 0;
+    for (int j = 0; j < 3; ++j) t[i] += rotation.exact(4 * i + j) * shift[j];
+  }
+  const Pose moved = Pose::from_quaternion(q[0], q[1], q[2], q[3], t);
+  w.poses_a.push_back(exact ? rotation : rounded(rotation));
+  w.poses_b.push_back(exact ? moved : rounded(moved));
+}
+
+Workload degenerate(const std::string& scenario, const std::string& a_name, Polyhedron a, const std::string& b_name, Polyhedron b)
+{
+  return {"degenerate", scenario, a_name, b_name, std::move(a), std::move(b), 1, {}, {}, {Question::surface, Question::solid}};
+}
+
+/// 2^-k, exactly.
+Rational power_of_two(int k) { return Rational(std::ldexp(1.0, k)); }
+
+/// Two unit cubes that share a face, an edge or a vertex.
+Workload cubes(const std::string& scenario, const Shift& shift, bool exact, int rotations, Random random)
+{
+  Workload w = degenerate(scenario, "cube", unit_cube(), "cube", unit_cube());
+  for (int k = 0; k < rotations; ++k) add_poses(w, random, shift, exact);
+  return w;
+}
+
+/// Two unit cubes face to face with a gap, or an overlap, of 2^-20 down to 2^-60: both answers in turn.
+Workload cubes_with_gap(int rotations, Random random)
+{
+  Workload w = degenerate("gap of 2^-20 to 2^-60", "cube", unit_cube(), "cube", unit_cube());
+  for (int k = 0; k < rotations; ++k) {
+    const Rational gap = power_of_two(-20 - 40 * k / rotations);
+    add_poses(w, random, {k % 2 == 0 ? Rational(1 + gap) : Rational(1 - gap), Rational(1) / 3, Rational(1) / 7}, true);
+  }
+  return w;
+}
+
+/// A small cube strictly inside a big one.
+Workload nested(int rotations, Random random)
+{
+  Workload w = degenerate("nested", "cube", unit_cube(), "small cube", box({0, 0, 0}, {0.25, 0.25, 0.25}));
+  for (int k = 0; k < rotations; ++k)
+    add_poses(w, random, {Rational(1) / (3 + k % 5), Rational(3) / 8, Rational(1) / 3}, true);
+  return w;
+}
+
+/// A small cube in the cavity of a box: free, and touching the wall from inside, in turn.
+Workload in_cavity(int rotations, Random random)
+{
+  Workload w = degenerate("in a cavity", "box with cavity", box_with_cavity(0.5, 0.25), "small cube",
+                          box({-0.125, -0.125, -0.125}, {0.125, 0.125, 0.125}));
+  for (int k = 0; k < rotations; ++k)
+    add_poses(w, random, {k % 2 == 0 ? Rational(1) / 8 : Rational(1) / 9, Rational(1) / 9, Rational(1) / 11}, true);
+  return w;
+}
+
+/// The complex polyhedra side by side: B's bounding box touches A's in x, or is a hair off it, in turn.
+Workload stacked(Objects& objects, int rotations, Random random)
+{
+  Workload w = degenerate("stacked", "complex-1", objects["complex-1"], "complex-2", objects["complex-2"]);
+  double high = w.a.vertices[0][0], low = w.b.vertices[0][0];
+  for (const auto& v : w.a.vertices) high = std::max(high, v[0]);
+  for (const auto& v : w.b.vertices) low = std::min(low, v[0]);
+  for (int k = 0; k < rotations; ++k) {
+    const auto aside = [&random] { return Rational(static_cast<int>(random.bits() % 65) - 32) / 128; };
+    const Rational gap = k % 2 == 0 ? Rational(0) : power_of_two(-50);
+    add_poses(w, random, {Rational(high) - Rational(low) + gap, aside(), aside()}, true);
+  }
+  return w;
+}
+
+/// The mesh against itself, extreme vertex on extreme vertex along a random direction, or off by 2^-50 along it, in turn.
+Workload vertex_on_vertex(Objects& objects, int rotations, Random random)
+{
+  Workload w = degenerate("vertex on vertex", "cat-size", objects["cat-size"], "cat-size", objects["cat-size"]);
+  for (int k = 0; k < rotations; ++k) {
+    std::array<double, 3> d;
+    for (double& x : d) x = static_cast<int>(random.bits() % 129) - 64;
+    if (d == std::array<double, 3>{0, 0, 0}) d[0] = 1;
+    const auto along = [&d](const kernel::Vertex& v) -> Rational {
+      return Rational(d[0]) * Rational(v[0]) + Rational(d[1]) * Rational(v[1]) + Rational(d[2]) * Rational(v[2]);
+    };
+    const auto less = [&along](const kernel::Vertex& u, const kernel::Vertex& v) { return along(u) < along(v); };
+    const auto& vertices = w.a.vertices;
+    const kernel::Vertex highest = *std::max_element(vertices.begin(), vertices.end(), less);
+    const kernel::Vertex lowest = *std::min_element(vertices.begin(), vertices.end(), less);
+    const Rational gap = k % 2 == 0 ? Rational(0) : power_of_two(-56);
+    Shift shift;
+    for (int i = 0; i < 3; ++i) shift[i] = Rational(highest[i]) - Rational(lowest[i]) + gap * Rational(d[i]);
+    add_poses(w, random, shift, true);
+  }
+  return w;
+}
+
+}  // namespace
+
+std::vector<Named_workload> study_workloads(const std::filesystem::path& models, int frames, int rotations, std::uint64_t seed)
+{
+  const auto objects = std::make_shared<Objects>(models);
+  std::vector<Named_workload> list;
+
+  const auto add_trajectory = [&](const std::string& trajectory, const std::string& a, const std::string& b, int ratio) {
+    list.push_back({trajectory + "-" + a + "-" + b + "-" + std::to_string(ratio), [=, number = list.size()] {
+                      return on_trajectory(*objects, trajectory, a, b, ratio, frames, seed + 1000 * number);
+                    }});
+  };
+  const std::array<std::string, 4> names = {"complex-1", "complex-2", "cat-size", "horse-size"};
+  for (const char* trajectory : {"circular", "contour"}) {
+    for (std::size_t i = 0; i < names.size(); ++i)
+      for (std::size_t j = i; j < names.size(); ++j) add_trajectory(trajectory, names[i], names[j], 1);
+    for (const int ratio : {2, 4, 8, 16}) add_trajectory(trajectory, "horse-size", "horse-size", ratio);
+  }
+
+  const auto add = [&](const std::string& name, auto make) {
+    list.push_back({"degenerate-" + name, [=, random = Random(seed + 1000 * list.size())] { return make(random); }});
+  };
+  for (const bool exact : {true, false}) {
+    const std::string suffix = exact ? "" : " (rounded poses)";
+    const std::string file = exact ? "" : "-rounded";
+    add("face" + file, [=](Random r) { return cubes("shared face" + suffix, {1, 0, 0}, exact, rotations, r); });
+    add("edge" + file, [=](Random r) { return cubes("shared edge" + suffix, {1, 1, 0}, exact, rotations, r); });
+    add("vertex" + file, [=](Random r) { return cubes("shared vertex" + suffix, {1, 1, 1}, exact, rotations, r); });
+  }
+  add("gap", [=](Random r) { return cubes_with_gap(rotations, r); });
+  add("nested", [=](Random r) { return nested(rotations, r); });
+  add("cavity", [=](Random r) { return in_cavity(rotations, r); });
+  add("stacked", [=](Random r) { return stacked(*objects, rotations, r); });
+  add("vertex-on-vertex", [=](Random r) { return vertex_on_vertex(*objects, rotations, r); });
+  return list;
+}
+
+}  // namespace tetracone::experiments

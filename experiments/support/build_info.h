@@ -1,0 +1,42 @@
+#ifndef TETRACONE_EXPERIMENTS_SUPPORT_BUILD_INFO_H
+#define TETRACONE_EXPERIMENTS_SUPPORT_BUILD_INFO_H
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+
+namespace tetracone::experiments {
+
+/// Without commas and quotes: a field of a CSV.
+inline std::string field(std::string text)
+{
+  std::replace(text.begin(), text.end(), ',', ';');
+  std::erase(text, '"');
+  return text;
+}
+
+inline std::string compiler()
+{
+#ifdef __clang__
+  return field("clang " __clang_version__);
+#else
+  return field("g++ " __VERSION__);
+#endif
+}
+
+/// The flags that the program was built with.
+inline std::string compiler_flags() { return field(TETRACONE_FLAGS); }
+
+/// The processor's own name, where the system tells.
+inline std::string processor()
+{
+  std::ifstream cpuinfo("/proc/cpuinfo");
+  for (std::string line; std::getline(cpuinfo, line);) {
+    if (line.starts_with("model name")) return field(line.substr(std::min(line.size(), line.find(':') + 2)));
+  }
+  return "unknown";
+}
+
+}  // namespace tetracone::experiments
+
+#endif

@@ -1,0 +1,41 @@
+#ifndef TETRACONE_EXPERIMENTS_SUPPORT_MODEL_FILE_H
+#define TETRACONE_EXPERIMENTS_SUPPORT_MODEL_FILE_H
+
+#include "tetracone/covering/polyhedron.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+namespace tetracone::experiments {
+
+/// What a user says about how models are taken.
+struct Model_options {
+  bool strict = false;  ///< refuse a face that is not exactly planar instead of replacing it by triangles
+  bool orient = false;  ///< orient faces consistently first
+  bool merge = false;   ///< merge vertices with exactly equal coordinates first
+
+  void add_to(CLI::App& command)
+  {
+    command.add_flag("--strict", strict, "Refuse a face that is not exactly planar; else it is replaced by triangles");
+    command.add_flag("--merge", merge, "Merge vertices with exactly equal coordinates first");
+    command.add_flag("--orient", orient, "Orient faces consistently first; what is closed as it stands is left alone");
+  }
+};
+
+/// A model of a file, fit for a tree: every face is planar.
+struct Model_file {
+  std::string file;
+  covering::Polyhedron polyhedron;
+  std::vector<covering::Index> source_face;  ///< the face of the file that each face is, or is a triangle of
+};
+
+/// Reads a model, merged and oriented as the options say, its non-planar faces replaced by triangles, with one line on stderr
+/// that says so. Throws covering::Input_error for an unreadable file, with `strict` for a non-planar face, and with `must_be_solid`
+/// for an open surface: what is open, and whether consistent orientation alone would close it.
+Model_file load_model(const std::string& file, const Model_options& options, bool must_be_solid);
+
+}  // namespace tetracone::experiments
+
+#endif

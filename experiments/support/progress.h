@@ -1,0 +1,51 @@
+#ifndef TETRACONE_EXPERIMENTS_SUPPORT_PROGRESS_H
+#define TETRACONE_EXPERIMENTS_SUPPORT_PROGRESS_H
+
+#include <unistd.h>
+
+#include <chrono>
+#include <cstddef>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+namespace tetracone::experiments {
+
+/// A progress line on stderr: share done, count per second, time left. Shown on a terminal only, from the second second on.
+class Progress {
+ public:
+  Progress(std::string what, std::size_t total) : what_(std::move(what)), total_(total), shown_(isatty(STDERR_FILENO) != 0) {}
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  ~Progress()
+  {
+    if (printed_) std::fputs("\r\033[K", stderr);
+  }
+
+  void step(std::size_t count = 1)
+  {
+    done_ += count;
+    if (!shown_) return;
+    const double seconds = seconds_since(start_);
+    if (seconds < 2 || (printed_ && seconds_since(last_) < 0.2)) return;
+    last_ = Clock::now();
+    printed_ = true;
+    const double rate = done_ / seconds, left = rate > 0 ? (total_ - done_) / rate : 0;
+    std::fprintf(stderr, "\r\033[K%s: %zu of %zu (%.0f %%), %.3g a second, %.0f s left", what_.c_str(), done_, total_,
+                 100.0 * done_ / total_, rate, left);
+    std::fflush(stderr);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
+
+  std::string what_;
+  std::size_t total_, done_ = 0;
+  bool shown_, printed_ = false;
+  Clock::time_point start_ = Clock::now(), last_ = start_;
+};
+
+}  // namespace tetracone::experiments
+
+#endif

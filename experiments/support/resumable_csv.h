@@ -1,0 +1,27 @@
+#ifndef TETRACONE_EXPERIMENTS_SUPPORT_RESUMABLE_CSV_H
+#define TETRACONE_EXPERIMENTS_SUPPORT_RESUMABLE_CSV_H
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace tetracone::experiments {
+
+/// Some rows of a table, made when they are asked for.
+struct Table_part {
+  std::string name;                  ///< a file name
+  std::function<std::string()> make; ///< a CSV with its header
+};
+
+/// Writes out/NAME.csv from its parts in order. Each is kept under out/NAME/KEY/ as soon as it is made and not made again: stopped and started with
+/// the same key, this goes on where it was. `key` says what the rows depend on. Progress goes to stderr on a terminal.
+/// Throws covering::Input_error when `out` cannot be written.
+void write_table(const std::filesystem::path& out, const std::string& name, const std::string& key, const std::vector<Table_part>& parts);
+
+/// Draws the table: runs the script of this folder, `script OUT`, which prints its summary. Throws std::runtime_error when it fails.
+void draw_table(const std::string& script, const std::filesystem::path& out);
+
+}  // namespace tetracone::experiments
+
+#endif

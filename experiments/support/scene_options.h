@@ -1,0 +1,44 @@
+#ifndef TETRACONE_EXPERIMENTS_SUPPORT_SCENE_OPTIONS_H
+#define TETRACONE_EXPERIMENTS_SUPPORT_SCENE_OPTIONS_H
+
+#include "experiments/support/model_file.h"
+#include "tetracone/kernel/number/pose.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace tetracone::experiments {
+
+/// How a user names a scene: one or two models with their poses, or a case file alone.
+struct Scene_names {
+  std::string a, b, poses_a, poses_b;
+  Model_options models;
+
+  /// The options of models and poses. What A and B may be is the command's to say.
+  void add_options_to(CLI::App& command);
+
+  /// Throws CLI::ValidationError when something is named beside a case file, which holds both bodies and poses.
+  void refuse_all_but_case() const;
+};
+
+/// The poses of two bodies, in pairs; one pose of either serves all of the other.
+struct Pose_pairs {
+  std::vector<kernel::Pose> a, b;
+
+  std::size_t count() const { return std::max(a.size(), b.size()); }
+  const kernel::Pose& of_a(std::size_t k) const { return a[a.size() == 1 ? 0 : k]; }
+  const kernel::Pose& of_b(std::size_t k) const { return b[b.size() == 1 ? 0 : k]; }
+};
+
+/// The poses of both files, of a file that is not named the identity. Throws covering::Input_error for bad files, and for numbers of poses
+/// that do not go together.
+Pose_pairs read_pose_pairs(const Scene_names& names);
+
+/// A polyhedron that comes from no file of its own.
+Model_file whole_body(const std::string& name, const covering::Polyhedron& polyhedron);
+
+}  // namespace tetracone::experiments
+
+#endif

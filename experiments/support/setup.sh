@@ -1,0 +1,79 @@
+# What ./test and ./reproduce share: the Debian packages, and how to build. Sourced by bash, not run.
+
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+
+# To build the program and its tests.
+build_packages=(g++ cmake ninja-build libcgal-dev libgmp-dev libmpfr-dev libeigen3-dev libhwy-dev libboost-dev libboost-test-dev
+  libcli11-dev nlohmann-json3-dev libsqlite3-dev libtbb-dev
+  librapidcheck-dev libjs-three)
+# For the fuzz targets.
+fuzz_packages=(clang libclang-rt-14-dev)
+# For the tests of the report and of the page in 3D, which skip without them.
+test_packages=(python3 python3-matplotlib python3-pil python3-selenium chromium chromium-driver)
+# For the study: the peers that it compares with, and the figures of its report.
+study_packages=(libfcl-dev libbullet-dev libode-dev libccd-dev python3 python3-matplotlib)
+
+fail()
+{
+  printf '%s\n' "$@" >&2
+  exit 1
+}
+
+# install_packages PACKAGE...: those that are not there, by apt, as root or with sudo; says nothing when all are there.
+install_packages()
+{
+  local package missing=() sudo=()
+  if ! command -v dpkg-query > /dev/null || ! command -v apt-get > /dev/null; then
+    echo "not a Debian machine: these are taken to be there: $*"
+    return
+  fi
+  for package; do
+    dpkg-query -W -f '${db:Status-Status}\n' "$package" 2> /dev/null | grep -qx installed || missing+=("$package")
+  done
+  ((${#missing[@]})) || return 0
+
+  if ((EUID != 0)); then
+    command -v sudo > /dev/null || fail "not root and no sudo; install first: apt-get install ${missing[*]}"
+    sudo=(sudo)
+  fi
+  echo "installing: ${missing[*]}"
+  local log
+  log=$(mktemp)
+  # What update can't reach, install may not need: its own status decides.
+  "${sudo[@]}" apt-get -q update > "$log" 2>&1 < /dev/null || true
+  if ! "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o DPkg::Lock::Timeout=300 \
+    install --no-install-recommends "${missing[@]}" >> "$log" 2>&1 < /dev/null; then
+    tail -n 20 "$log" >&2
+    rm -f "$log"
+    fail "could not install: ${missing[*]}"
+  fi
+  rm -f "$log"
+}
+
+# How many compilations at once: a processor and 2 GB of memory each.
+jobs_at_once()
+{
+  local processors gigabytes
+  processors=$(nproc)
+  gigabytes=$(awk '/^MemAvailable:/ { print int($2 / 2000000) }' /proc/meminfo)
+  ((gigabytes < processors)) && processors=$gigabytes
+  ((processors > 1)) || processors=1
+  echo "$processors"
+}
+
+# build PRESET [CMAKE OPTION...]: configures quietly and builds.
+build()
+{
+  local log preset=$1
+  shift
+  log=$(mktemp)
+  echo "building: $preset"
+  if ! (cd "$root" && cmake --preset "$preset" "$@") > "$log" 2>&1; then
+    cat "$log" >&2
+    rm -f "$log"
+    fail "could not configure: cmake --preset $preset"
+  fi
+  rm -f "$log"
+  (cd "$root" && cmake --build --preset "$preset" --parallel "$(jobs_at_once)")
+}

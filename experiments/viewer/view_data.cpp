@@ -1,0 +1,247 @@
+#include "experiments/viewer/view_data.h"
+
+#include "tetracone/covering/repair/repair.h"
+#include "experiments/support/progress.h"
+#include "tetracone/kernel/predicate/signs.h"
+#include "tetracone/tetratree/paper/collision.h"
+#include "verify/subjects/predicate_subject.h"
+#include "verify/truth/predicate_truth.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace tetracone::experiments {
+namespace {
+
+using covering::Index;
+using covering::Polyhedron;
+using kernel::Feature_pair;
+using kernel::Pose;
+using verify::Subject;
+using K = kernel::Adaptive;
+using Tree = tetratree::Tetra_tree<K>;
+using Node = tetratree::Node<Tree::B>;
+using Json = nlohmann::ordered_json;
+
+// More pairs of features in one pose than anybody can see make the page too long to load.
+constexpr std::size_t most_features = 2000;
+
+/// Six digits are enough to draw by.
+double short_number(double x)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", x);
+  return std::strtod(text, nullptr);
+}
+
+template <class Point>
+void append(Json& numbers, const Point& p)
+{
+  for (int k = 0; k < 3; ++k) numbers.push_back(short_number(p[k]));
+}
+
+Json faces_data(const Polyhedron& polyhedron)
+{
+  Json faces = Json::array();
+  for (Index f = 0; f < polyhedron.face_count(); ++f) {
+    Json loops = Json::array();
+    for (std::size_t l = 0; l < polyhedron.loop_count(f); ++l) {
+      const covering::Loop loop = polyhedron.loop(f, l);
+      loops.push_back(std::vector<Index>(loop.begin(), loop.end()));
+    }
+    faces.push_back(std::move(loops));
+  }
+  return faces;
+}
+
+/// Face and corners of each triangle. A face that no triangulation covers is drawn by its covering's triangles, as one loop would be.
+Json triangles_data(const Polyhedron& polyhedron, const covering::Covering& covering)
+{
+  Json triangles = Json::array();
+  const auto add = [&](Index face, const std::array<Index, 3>& t) {
+    for (const Index i : {face, t[0], t[1], t[2]}) triangles.push_back(i);
+  };
+  std::set<Index> covered;
+  for (const auto& t : covering::triangulate_faces(polyhedron)) {
+    add(t.face, t.corner);
+    covered.insert(t.face);
+  }
+  for (const auto& t : covering.triangles())
+    if (!covered.contains(t.face)) add(t.face, t.corner);
+  return triangles;
+}
+
+Json covering_data(const covering::Model<K>& model)
+{
+  Json triangles = Json::array(), signs = Json::array();
+  for (const auto& t : model.covering().triangles()) {
+    for (const Index v : t.corner) triangles.push_back(v);
+    signs.push_back(int(kernel::volume_sign<K>(model.origin(), model.point(t.corner[0]), model.point(t.corner[1]), model.point(t.corner[2]))));
+  }
+  return {{"origin", model.lattice().origin}, {"triangles", triangles}, {"signs", signs}};
+}
+
+Json nodes_data(const Tree& tree)
+{
+  Json level = Json::array(), leaf = Json::array(), tetrahedron = Json::array(), sphere = Json::array(), faces = Json::array();
+  for (Index n = 1; n < tree.node_count(); ++n) {
+    const Node& node = tree.node(n);
+    level.push_back(node.level);
+    leaf.push_back(int(node.is_leaf));
+    for (int i = 1; i < 4; ++i) append(tetrahedron, node.tetrahedron[i]);
+    append(sphere, node.sphere.centre);
+    sphere.push_back(short_number(node.sphere.radius));
+    faces.push_back(Json::array());
+    if (node.is_leaf)
+      for (const Index face : tree.faces(node)) faces.back().push_back(face);
+  }
+  return {{"level", level}, {"leaf", leaf}, {"tetrahedron", tetrahedron}, {"sphere", sphere}, {"faces", faces}};
+}
+
+/// The level of the deepest leaf, and dmax, the longest edge from V0 of a leaf's bounding tetrahedron (see `Tetra_tree::regular_hull`).
+Json hull_data(const Tree& tree)
+{
+  using Hull = tetratree::Regular_hull<Tree::B, Tree::sound>;
+  int level = 1;
+  double longest = 0;
+  for (Index n = 1; n < tree.node_count(); ++n) {
+    const Node& node = tree.node(n);
+    if (!node.is_leaf) continue;
+    level = std::max(level, node.level);
+    for (int i = 1; i < 4; ++i) {
+      const auto edge = kernel::difference(node.tetrahedron[i], node.tetrahedron[0]);
+      longest = std::max(longest, std::hypot(edge[0], edge[1], edge[2]));
+    }
+  }
+  return {{"level", level}, {"dmax", level <= Hull::deepest_convex_level ? short_number(longest) : -1.0}};
+}
+
+Json body_data(const Model_file& body, const Tree& tree)
+{
+  Json vertices = Json::array();
+  for (const auto& v : body.polyhedron.vertices)
+    for (const double x : v) vertices.push_back(x);
+  return {{"name", std::filesystem::path(body.file).filename().string()},
+          {"vertices", vertices},
+          {"faces", faces_data(body.polyhedron)},
+          {"source", body.source_face},
+          {"triangles", triangles_data(body.polyhedron, tree.model().covering())},
+          {"covering", covering_data(tree.model())},
+          {"depth", tree.config().depth},
+          {"nodes", nodes_data(tree)},
+          {"hull", hull_data(tree)}};
+}
+
+Json poses_data(const std::vector<Pose>& poses)
+{
+  Json rows = Json::array();
+  for (const Pose& pose : poses) rows.push_back(pose.entries());
+  return rows;
+}
+
+/// The exact pairs and the subject's, each once, with who found them.
+Json features_data(const std::vector<Feature_pair>& exact, const std::vector<Feature_pair>& found)
+{
+  const auto key = [](const Feature_pair& f) { return std::tuple(f.body, f.edge_from, f.edge_to, f.face); };
+  const auto without = [&](const std::vector<Feature_pair>& all, const Feature_pair& f) {
+    return !std::ranges::binary_search(all, key(f), {}, key);
+  };
+  Json rows = Json::array();
+  const auto add = [&](const Feature_pair& f, int mark) {
+    if (rows.size() < most_features) rows.push_back({f.body, f.edge_from, f.edge_to, f.face, int(f.kind), mark});
+  };
+  // What is wrong first: the limit must not hide it.
+  for (const Feature_pair& f : found)
+    if (without(exact, f)) add(f, 2);
+  for (const Feature_pair& f : exact)
+    if (without(found, f)) add(f, 1);
+  for (const Feature_pair& f : exact)
+    if (!without(found, f)) add(f, 0);
+  return rows;
+}
+
+void add_answers(Json& data, const View_scene& scene, const Subject& subject, Tree& a, Tree& b)
+{
+  const Polyhedron &body_a = scene.bodies[0].polyhedron, &body_b = scene.bodies[1].polyhedron;
+  const auto exact = verify::prepare(Subject(), body_a, body_b), judged = verify::prepare(subject, body_a, body_b);
+  tetratree::Collision<K> query(a, b);
+  Json answers = Json::array(), truths = Json::array(), features = Json::array(), counts = Json::array(), left = Json::array();
+  Progress progress("poses", scene.poses.count());
+  for (std::size_t k = 0; k < scene.poses.count(); ++k) {
+    const Pose &pose_a = scene.poses.of_a(k), &pose_b = scene.poses.of_b(k);
+    truths.push_back(int(exact->collide(pose_a, pose_b, scene.question)));
+    answers.push_back(int(judged->collide(pose_a, pose_b, scene.question)));
+    const auto pairs = exact->features(pose_a, pose_b);
+    counts.push_back(pairs.size());
+    features.push_back(features_data(pairs, judged->features(pose_a, pose_b)));
+    std::set<std::size_t> left_a, left_b;
+    query.any_leaf_pair(pose_a, pose_b, [&](const Node& leaf_a, const Node& leaf_b) {
+      left_a.insert(&leaf_a - &a.node(1));
+      left_b.insert(&leaf_b - &b.node(1));
+      return false;
+    });
+    left.push_back({left_a, left_b});
+    progress.step();
+  }
+  data["subject"] = subject.name();
+  data["exact"] = truths;
+  data["answer"] = answers;
+  data["features"] = features;
+  data["feature_counts"] = counts;
+  data["left"] = left;
+}
+
+void add_answer_of_predicate(Json& data, const verify::Case_file& c, const std::string& kernel)
+{
+  const auto& subjects = verify::predicate_subjects();
+  const auto subject = std::ranges::find(subjects, kernel, &verify::Predicate_subject::name);
+  if (subject == subjects.end()) {
+    std::string names;
+    for (const auto& each : subjects) names += (names.empty() ? "" : ", ") + each.name;
+    throw CLI::ValidationError("--kernel " + kernel, "expected a subject of predicates: " + names);
+  }
+  const auto as_json = [](const std::optional<int>& answer) { return answer ? Json(*answer) : Json(nullptr); };
+  data["subject"] = subject->name;
+  data["exact"] = Json::array({as_json(verify::true_answer(*c.predicate, *c.points))});
+  data["answer"] = Json::array({as_json(subject->answer(*c.predicate, *c.points))});
+}
+
+Json case_data(const verify::Case_file& c)
+{
+  Json wrong = Json::array();
+  for (const auto& each : c.wrong) wrong.push_back(each.subject);
+  return {{"cause", c.cause}, {"family", c.origin().family}, {"seed", c.origin().seed}, {"index", c.origin().index}, {"wrong", wrong}};
+}
+
+}  // namespace
+
+std::string view_data(const View_scene& scene, const std::string& kernel, verify::Method method)
+{
+  const bool predicate = scene.from && scene.from->level == verify::Level::predicate, pair = scene.bodies.size() == 2;
+  const auto subject = Subject::parse(kernel, method);
+  if (!subject && !predicate)
+    throw CLI::ValidationError("--kernel " + kernel, "expected adaptive, double, float, double-eps=E, epick, epeck or rational");
+
+  // The paper's own choices: they are what there is to see.
+  std::vector<Tree> trees;
+  for (const Model_file& body : scene.bodies) trees.emplace_back(body.polyhedron, tetratree::Config());
+  Json data = {{"name", scene.name}, {"version", TETRACONE_VERSION}, {"bodies", Json::array()}};
+  for (std::size_t k = 0; k < trees.size(); ++k) data["bodies"].push_back(body_data(scene.bodies[k], trees[k]));
+  data["poses"] = {poses_data(scene.poses.a), poses_data(scene.poses.b)};
+  const char* const question = scene.question == kernel::Question::solid ? "solid" : "surface";
+  if (pair) data["question"] = predicate ? verify::to_string(*scene.from->predicate) : question;
+  if (predicate) add_answer_of_predicate(data, *scene.from, kernel);
+  else if (pair) add_answers(data, scene, *subject, trees[0], trees[1]);
+  if (scene.from) data["case"] = case_data(*scene.from);
+  return data.dump();
+}
+
+}  // namespace tetracone::experiments

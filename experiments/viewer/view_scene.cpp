@@ -1,0 +1,95 @@
+#include "experiments/viewer/view_scene.h"
+
+#include "tetracone/covering/edge_uses.h"
+#include "tetracone/covering/io/input_error.h"
+
+#include <filesystem>
+#include <initializer_list>
+#include <numeric>
+#include <utility>
+
+namespace tetracone::experiments {
+namespace {
+
+using covering::Index;
+using covering::Polyhedron;
+using kernel::Pose;
+using kernel::Question;
+using verify::Predicate;
+
+std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+
+/// The polyhedron of all triangles of the points, or the one face that they are.
+Polyhedron simplex(std::initializer_list<kernel::Vertex> points)
+{
+  Polyhedron polyhedron;
+  polyhedron.vertices = points;
+  if (points.size() == 4) {
+    for (const auto& [i, j, k] : {std::array<Index, 3>{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}) polyhedron.add_polygon({i, j, k});
+  } else {
+    std::vector<Index> loop(points.size());
+    std::iota(loop.begin(), loop.end(), Index(0));
+    polyhedron.add_polygon(loop);
+  }
+  return polyhedron;
+}
+
+std::pair<Polyhedron, Polyhedron> bodies_of(Predicate predicate, const verify::Predicate_case& c)
+{
+  const auto& v = c.v;
+  switch (predicate) {
+    case Predicate::orientation: return {simplex({v[1], v[2], v[3]}), simplex({c.p})};
+    case Predicate::segment_triangle: return {simplex({v[1], v[2], v[3]}), simplex({c.p, c.q})};
+    case Predicate::classification: return {simplex({v[0], v[1], v[2], v[3]}), simplex({c.p, c.q, c.r})};
+    case Predicate::tetra_cone:
+    case Predicate::tetrahedron:
+    case Predicate::solid: break;
+  }
+  return {simplex({v[0], v[1], v[2], v[3]}), simplex({c.p})};
+}
+
+View_scene scene_of_case(const std::string& file, std::optional<Question> question)
+{
+  View_scene scene;
+  scene.name = file_name(file);
+  scene.from = verify::read_case(file);
+  const verify::Case_file& c = *scene.from;
+  if (c.level == verify::Level::predicate) {
+    if (question) throw CLI::ValidationError("--question", "expected with bodies; " + file + " asks a predicate");
+    const auto [a, b] = bodies_of(*c.predicate, *c.points);
+    scene.bodies = {whole_body("A", a), whole_body("B", b)};
+    scene.poses = {{c.points->pose_a}, {c.points->pose_b}};
+    return scene;
+  }
+  scene.question = question.value_or(c.question);
+  for (const auto& body : {c.object->a, c.object->b})
+    if (scene.question == Question::solid && !covering::is_closed(*body))
+      throw covering::Input_error(file, 0, "a body is an open surface and has no solid", "expected --question surface");
+  scene.bodies = {whole_body("A", *c.object->a), whole_body("B", *c.object->b)};
+  scene.poses = {{c.object->pose_a}, {c.object->pose_b}};
+  return scene;
+}
+
+}  // namespace
+
+View_scene read_view_scene(const Scene_names& names, std::optional<Question> question)
+{
+  if (verify::is_case_name(names.a)) {
+    names.refuse_all_but_case();
+    return scene_of_case(names.a, question);
+  }
+
+  View_scene scene;
+  scene.question = question.value_or(Question::solid);
+  scene.poses = read_pose_pairs(names);
+  const bool pair = !names.b.empty(), solid = pair && scene.question == Question::solid;
+  if (!pair && !names.poses_b.empty()) throw CLI::ValidationError("--pose-b", "expected with a second model, B");
+  scene.name = file_name(names.a) + (pair ? " and " + file_name(names.b) : "");
+  scene.bodies.push_back(load_model(names.a, names.models, solid));
+  if (pair) scene.bodies.push_back(load_model(names.b, names.models, solid));
+  for (const Model_file& body : scene.bodies)
+    if (body.polyhedron.face_count() == 0) throw covering::Input_error(body.file, 0, "no faces", "expected something to show");
+  return scene;
+}
+
+}  // namespace tetracone::experiments

@@ -1,0 +1,30 @@
+#ifndef TETRACONE_EXPERIMENTS_VIEWER_VIEW_SCENE_H
+#define TETRACONE_EXPERIMENTS_VIEWER_VIEW_SCENE_H
+
+#include "experiments/support/scene_options.h"
+#include "tetracone/kernel/predicate/question.h"
+#include "verify/cases/case_file.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tetracone::experiments {
+
+/// One or two bodies under poses.
+struct View_scene {
+  std::string name;                ///< of the files, without their folders
+  std::vector<Model_file> bodies;  ///< one or two
+  Pose_pairs poses;
+  kernel::Question question = kernel::Question::solid;
+  std::optional<verify::Case_file> from;  ///< the case file, if it is one's
+};
+
+/// Reads a scene. The bodies of a predicate's case are the points, segments, triangles and tetrahedra that it is asked of. `question`:
+/// that of two bodies; nothing: solid, or the case file's own. Throws covering::Input_error for bad input and
+/// CLI::ValidationError for names that do not go together.
+View_scene read_view_scene(const Scene_names& names, std::optional<kernel::Question> question);
+
+}  // namespace tetracone::experiments
+
+#endif

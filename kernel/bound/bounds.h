@@ -1,0 +1,350 @@
+#ifndef TETRACONE_KERNEL_BOUND_BOUNDS_H
+#define TETRACONE_KERNEL_BOUND_BOUNDS_H
+
+#include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/number/number.h"
+#include "tetracone/kernel/number/pose.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+
+/// Bounding volumes and the tests that separate them, over a rounded number type B (double or float).
+///
+/// Every test may only answer "separated" or "not known", and is written so that NaN and infinity mean "not known".
+/// With `sound` each comparison carries a slack that covers all rounding on the way (of the volume, of the pose, of the test),
+/// so that "separated" is a proof. Without it the arithmetic decides as it comes, as the paper's program does.
+namespace tetracone::kernel {
+
+template <class B>
+using Bound_point = std::array<B, 3>;
+
+template <class B>
+Bound_point<B> difference(const Bound_point<B>& a, const Bound_point<B>& b)
+{
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+template <class B>
+B dot(const Bound_point<B>& a, const Bound_point<B>& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+template <class B>
+Bound_point<B> cross(const Bound_point<B>& a, const Bound_point<B>& b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+template <class B>
+B norm_1(const Bound_point<B>& a)
+{
+  return std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]);
+}
+template <class B>
+B squared_length(const Bound_point<B>& a)
+{
+  return dot(a, a);
+}
+
+/// A vertex in the arithmetic of the bounds. Exact in double; float rounds it.
+template <class B>
+Bound_point<B> bound_point(const Vertex& v)
+{
+  return {static_cast<B>(v[0]), static_cast<B>(v[1]), static_cast<B>(v[2])};
+}
+
+/// Sound tests separate nothing beyond this magnitude: up to it no expression here overflows.
+inline constexpr double magnitude_gate = 0x1p250;
+
+/// What sound tests in double add to a quantity that may have underflowed. What underflows, be it a product or an entry of a
+/// pose that was a fraction, loses at most 2^-1074; some ten of these, each times a coordinate or offset below 2^254,
+/// stay below it.
+inline constexpr double underflow_slack = 0x1p-800;
+
+template <class B>
+struct Ball {
+  Bound_point<B> centre{};
+  B radius = -1;  ///< negative: empty
+};
+
+/// A pose in the arithmetic of the bounds, and how far its images can be off.
+///
+/// All points that are placed lie in the cube |x|, |y|, |z| <= reach. With S = max_i sum_j |M_ij| * reach + |t_i|:
+/// placing rounds at most 4 times a term (4.001 u S), an entry that was a fraction once (1.001 u S), and a point of the cube
+/// that was itself computed in the model's frame at most 2 more (2.001 u S): `error` = 8 u S covers all, and `magnitude` =
+/// S (1 + 16 u) covers every coordinate. `stretch` bounds the factor by which M lengthens: ||M||^2 <= max row sum of |M^T M|.
+template <class B, bool sound>
+class Bound_frame {
+ public:
+  Bound_frame() = default;
+  Bound_frame(const Pose& pose, B reach) : identity_(pose.is_identity())
+  {
+    for (int k = 0; k < 12; ++k) m_[k] = static_cast<B>(pose[k]);
+    constexpr B u = unit_roundoff<B>;
+    B largest = 0;
+    for (int i = 0; i < 3; ++i) {
+      const B sum = (std::abs(m_[4 * i]) + std::abs(m_[4 * i + 1]) + std::abs(m_[4 * i + 2])) * reach + std::abs(m_[4 * i + 3]);
+      largest = maximum(largest, sum);
+    }
+    magnitude_ = largest * (1 + 16 * u);
+    if constexpr (sound) {
+      // Beyond the gate a product of three coordinates could overflow: nothing is separated then.
+      const bool in_range = reach <= B(magnitude_gate) && magnitude_ <= B(magnitude_gate);
+      error_ = in_range ? 8 * u * magnitude_ + B(underflow_slack) : std::numeric_limits<B>::infinity();
+    }
+    B square = 0;
+    for (int i = 0; i < 3; ++i) {
+      B row = 0;
+      for (int j = 0; j < 3; ++j) row += std::abs(m_[i] * m_[j] + m_[4 + i] * m_[4 + j] + m_[8 + i] * m_[8 + j]);
+      square = maximum(square, row);  // undefined where products overflow to both sides: no ball of that radius is apart from another
+    }
+    if constexpr (sound) square += B(underflow_slack);
+    stretch_ = identity_ ? 1 : std::sqrt(square) * (sound ? 1 + 32 * u : 1);
+  }
+
+  Bound_point<B> operator()(const Bound_point<B>& p) const
+  {
+    if (identity_) return p;
+    return {m_[0] * p[0] + m_[1] * p[1] + m_[2] * p[2] + m_[3], m_[4] * p[0] + m_[5] * p[1] + m_[6] * p[2] + m_[7],
+            m_[8] * p[0] + m_[9] * p[1] + m_[10] * p[2] + m_[11]};
+  }
+
+  /// A multiple of M^-1 v, by cofactors: the direction in the model's frame that the map turns into v, up to a positive
+  /// factor when multiplied by sign(det M). Rounded.
+  Bound_point<B> pulled_back(const Bound_point<B>& v) const
+  {
+    if (identity_) return v;
+    Bound_point<B> result{0, 0, 0};
+    for (int i = 0; i < 3; ++i) {
+      const int p = (i + 1) % 3, q = (i + 2) % 3;
+      for (int j = 0; j < 3; ++j) {
+        const int k = (j + 1) % 3, l = (j + 2) % 3;
+        result[j] += (m_[4 * p + k] * m_[4 * q + l] - m_[4 * p + l] * m_[4 * q + k]) * v[i];
+      }
+    }
+    return result;
+  }
+
+  B error() const { return error_; }
+  B magnitude() const { return magnitude_; }
+  B stretch() const { return stretch_; }
+  const std::array<B, 12>& entries() const { return m_; }
+
+ private:
+  std::array<B, 12> m_{};
+  B error_ = 0, magnitude_ = 0, stretch_ = 1;
+  bool identity_ = true;
+};
+
+/// A ball placed: centre moved, radius stretched. Sound: its radius grows by the error of the centre (sqrt(3) < 2 coordinates).
+template <class B, bool sound>
+Ball<B> placed(const Bound_frame<B, sound>& frame, const Ball<B>& ball)
+{
+  return {frame(ball.centre), ball.radius * frame.stretch() + 2 * frame.error()};
+}
+
+/// True when the two closed balls share no point. Sound: distance^2 and radius^2 are each off by at most 8 u, and the difference
+/// of the centres by u, relative; 2^-44 covers them.
+template <class B, bool sound>
+bool separated(const Ball<B>& a, const Ball<B>& b)
+{
+  const B distance_2 = squared_length(difference(a.centre, b.centre)), radius = a.radius + b.radius;
+  if constexpr (sound) return distance_2 > radius * radius * B(1 + 0x1p-44) + B(underflow_slack);
+  return distance_2 > radius * radius;
+}
+
+/// A ball about `centre` that holds all points: the largest distance, rounded up when sound.
+template <class B, bool sound>
+Ball<B> enclosing_ball(const Bound_point<B>& centre, std::span<const Bound_point<B>> points)
+{
+  B largest = 0;
+  for (const auto& p : points) largest = maximum(largest, squared_length(difference(p, centre)));
+  B radius = std::sqrt(largest);
+  if constexpr (sound) radius = std::sqrt(largest + B(underflow_slack)) * B(1 + 0x1p-46);
+  return {centre, radius};
+}
+
+/// The mean of the points. Requires at least one.
+template <class B>
+Bound_point<B> centroid(std::span<const Bound_point<B>> points)
+{
+  Bound_point<B> sum{0, 0, 0};
+  for (const auto& p : points)
+    for (int k = 0; k < 3; ++k) sum[k] += p[k] / B(points.size());
+  return sum;
+}
+
+/// Near the centre of the smallest enclosing ball: walks from `start` towards the farthest point in shrinking steps
+/// (Badoiu & Clarkson 2003); after n steps the radius is within a factor 1 + O(1/sqrt n) of the smallest.
+template <class B>
+Bound_point<B> improved_centre(Bound_point<B> start, std::span<const Bound_point<B>> points, int steps)
+{
+  Bound_point<B> best = start;
+  B best_radius = std::numeric_limits<B>::infinity();
+  for (int n = 1; n <= steps; ++n) {
+    const Bound_point<B>* farthest = nullptr;
+    B radius = -1;
+    for (const auto& p : points)
+      if (const B d = squared_length(difference(p, start)); d > radius) radius = d, farthest = &p;
+    if (radius < best_radius) best = start, best_radius = radius;
+    if (farthest == nullptr) break;
+    for (int k = 0; k < 3; ++k) start[k] += ((*farthest)[k] - start[k]) / B(n + 1);
+  }
+  return best;
+}
+
+template <class B>
+using Bound_tetrahedron = std::array<Bound_point<B>, 4>;
+
+/// How much an interval of dot products with `axis` may be off, both bodies together, a unit of |axis|_1: the errors of the points
+/// and 3 u of rounding a dot product of coordinates up to the larger magnitude (8 u with the final difference).
+template <class B, bool sound>
+B projection_slack(const Bound_frame<B, sound>& a, const Bound_frame<B, sound>& b)
+{
+  if constexpr (!sound) return 0;
+  return a.error() + b.error() + 8 * unit_roundoff<B> * maximum(a.magnitude(), b.magnitude());
+}
+
+/// The projections of the four corners of a tetrahedron on an axis, and the interval that they span.
+template <class B>
+struct Projection {
+  std::array<B, 4> corner;
+  B low, high;
+
+  [[gnu::always_inline]] Projection(const Bound_point<B>& axis, const Bound_tetrahedron<B>& t)
+      : corner{dot(axis, t[0]), dot(axis, t[1]), dot(axis, t[2]), dot(axis, t[3])},
+        low(minimum(corner[0], corner[1], corner[2], corner[3])),
+        high(maximum(corner[0], corner[1], corner[2], corner[3]))
+  {
+  }
+};
+
+/// True when the projections on `axis` are disjoint by more than slack * |axis|_1; never where any of these is undefined. Any axis is sound,
+/// whatever it was meant to be.
+template <class B>
+bool separated_along(const Bound_point<B>& axis, const Projection<B>& a, const Projection<B>& b, B slack)
+{
+  const B allowed = slack == 0 ? 0 : slack * norm_1(axis) + B(underflow_slack);
+  return b.low - a.high > allowed || a.low - b.high > allowed;
+}
+
+/// True when the two tetrahedra are found to share no point. The axes are the 8 face normals and, with `all_axes`, the 36 cross
+/// products of edges, with which the test is complete (separating axis theorem) up to rounding and slack. A corner of one that lies
+/// between the face and the opposite corner of the other along all four of its normals is inside it: then no axis is left to try.
+template <class B>
+bool separated(const Bound_tetrahedron<B>& a, const Bound_tetrahedron<B>& b, bool all_axes, B slack)
+{
+  using Edges = std::array<Bound_point<B>, 6>;
+  const auto edges_of = [](const Bound_tetrahedron<B>& t) {
+    return Edges{difference(t[1], t[0]), difference(t[2], t[0]), difference(t[3], t[0]),
+                 difference(t[2], t[1]), difference(t[3], t[1]), difference(t[3], t[2])};
+  };
+  const Edges e = edges_of(a), f = edges_of(b);
+  bool corner_inside = false;
+  const auto face_normals_separate = [&](const Bound_tetrahedron<B>& self, const Edges& g, const Bound_tetrahedron<B>& other) {
+    std::array<bool, 4> inside{true, true, true, true};
+    // The far face 1 2 3, which separates most often, then 0 1 2, 0 2 3, 0 3 1.
+    constexpr std::array<std::array<int, 2>, 4> faces = {{{3, 4}, {0, 1}, {1, 2}, {2, 0}}};
+    for (const auto& [i, j] : faces) {
+      const Bound_point<B> axis = cross(g[i], g[j]);
+      const Projection<B> mine(axis, self), its(axis, other);
+      if (separated_along(axis, mine, its, slack)) return true;
+      for (int k = 0; k < 4; ++k) inside[k] = inside[k] && mine.low <= its.corner[k] && its.corner[k] <= mine.high;
+    }
+    corner_inside = corner_inside || inside[0] || inside[1] || inside[2] || inside[3];
+    return false;
+  };
+  if (face_normals_separate(a, e, b) || face_normals_separate(b, f, a)) return true;
+  if (!all_axes || corner_inside) return false;
+  for (const auto& edge_a : e)
+    for (const auto& edge_b : f) {
+      const Bound_point<B> axis = cross(edge_a, edge_b);
+      if (separated_along(axis, Projection<B>(axis, a), Projection<B>(axis, b), slack)) return true;
+    }
+  return false;
+}
+
+/// A half-space that holds a body, in the body's frame: normal . (x - origin) <= offset for every point x of it.
+template <class B>
+struct Half_space {
+  Bound_point<B> normal, origin;
+  B offset;
+};
+
+/// A half-space placed with its body, asked which points of another body lie strictly beyond it.
+///
+/// With C the cofactors of M, N = C n: N . (Mx - MO) = det M (n . (x - O)), so |N . (y - y_O)| <= |det M| offset for every image y.
+/// A cofactor rounds 3 times, N twice more, entries that were fractions twice: |N^ - N| <= 10 u sum_j |C_ij| |n_j| =: 10 u A_i, and
+/// |y - y_O| <= 2 magnitude; the determinant is off by 10 u of its permanent. `threshold` takes all of it, and the slack of a
+/// projection on N^ covers the points asked.
+template <class B, bool sound>
+class Placed_half_space {
+ public:
+  Placed_half_space(const Bound_frame<B, sound>& frame, const Half_space<B>& half_space, int determinant_sign)
+  {
+    const auto& m = frame.entries();
+    B determinant = 0, permanent = 0, absolute_sum = 0;
+    for (int i = 0; i < 3; ++i) {
+      const int p = (i + 1) % 3, q = (i + 2) % 3;
+      normal_[i] = 0;
+      for (int j = 0; j < 3; ++j) {
+        const int k = (j + 1) % 3, l = (j + 2) % 3;
+        const B plus = m[4 * p + k] * m[4 * q + l], minus = m[4 * p + l] * m[4 * q + k];
+        normal_[i] += (plus - minus) * half_space.normal[j];
+        absolute_sum += (std::abs(plus) + std::abs(minus)) * std::abs(half_space.normal[j]);
+        if (j == 0) {
+          determinant += m[4 * i] * (plus - minus);
+          permanent += std::abs(m[4 * i]) * (std::abs(plus) + std::abs(minus));
+        }
+      }
+      normal_[i] *= B(determinant_sign);
+    }
+    origin_ = frame(half_space.origin);
+    threshold_ = std::abs(determinant) * half_space.offset;
+    if constexpr (sound) {
+      constexpr B u = unit_roundoff<B>;
+      threshold_ = (threshold_ + 16 * u * permanent * half_space.offset + 32 * u * absolute_sum * frame.magnitude()) *
+                       B(1 + 0x1p-40) + B(underflow_slack);
+    }
+  }
+
+  /// The body's half-space ends before the point; `slack` is the `projection_slack` of the two bodies.
+  bool is_beyond(const Bound_point<B>& point, B slack) const
+  {
+    return dot(normal_, difference(point, origin_)) > threshold_ + slack * norm_1(normal_);
+  }
+
+ private:
+  Bound_point<B> normal_{}, origin_{};
+  B threshold_ = 0;
+};
+
+/// An axis-aligned box of placed points, grown by the error of the frame that placed them: of an edge, or of a face. One with an undefined bound meets
+/// every box on that side.
+template <class B>
+struct Box {
+  Bound_point<B> low, high;
+
+  Box() { low.fill(std::numeric_limits<B>::infinity()), high.fill(-std::numeric_limits<B>::infinity()); }
+
+  void add(const Bound_point<B>& p)
+  {
+    for (int k = 0; k < 3; ++k) {
+      low[k] = minimum(low[k], p[k]);
+      high[k] = maximum(high[k], p[k]);
+    }
+  }
+  void grow(B margin)
+  {
+    for (int k = 0; k < 3; ++k) low[k] -= margin, high[k] += margin;
+  }
+  bool meets(const Box& other) const
+  {
+    return !(low[0] > other.high[0] || other.low[0] > high[0] || low[1] > other.high[1] || other.low[1] > high[1] ||
+             low[2] > other.high[2] || other.low[2] > high[2]);
+  }
+};
+
+}  // namespace tetracone::kernel
+
+#endif

@@ -1,0 +1,121 @@
+#ifndef TETRACONE_KERNEL_BOUND_CONE_COORDINATES_H
+#define TETRACONE_KERNEL_BOUND_CONE_COORDINATES_H
+
+#include "tetracone/kernel/bound/bounds.h"
+#include "tetracone/kernel/bound/cone_lattice.h"
+#include "tetracone/kernel/number/floating_point.h"
+
+#include <array>
+#include <cmath>
+#include <span>
+#include <vector>
+
+namespace tetracone::kernel {
+
+/// Coordinates of points along the rays of a cone: p = V0 + c_1 V_1 + c_2 V_2 + c_3 V_3, with V_i the vectors to lattice points.
+/// What a bounding tetrahedron asks of them is whether all points lie on V0's side of a plane that cuts ray i at length_i V_i:
+/// whether sum_i c_i / length_i <= 1, the sign of the barycentric coordinate at V0.
+///
+/// Sound: c_i = ((p - V0) . N_i) / D with N_i, D exact (products of integers below 2^13), so a rounding of p - V0, one of each of 3
+/// products and 2 sums and one of the division: |error| <= 6 u A_i, A_i = sum_k |p - V0|_k |N_ik| / D. Over the largest A_i of all
+/// points, sum_i (16 u A_i) / length_i covers the error of the whole form; `bounded_by` asks for that much more.
+template <class B, bool sound>
+class Cone_coordinates {
+ public:
+  /// The points relative to the origin, of which the farthest is at most `radius` away. Requires det[V1, V2, V3] > 0.
+  Cone_coordinates(const std::array<Direction, 3>& ray, B step, std::span<const Bound_point<B>> relative, B radius)
+  {
+    std::array<Bound_point<B>, 3> v;
+    for (int i = 0; i < 3; ++i) v[i] = {B(ray[i][0]), B(ray[i][1]), B(ray[i][2])};
+    const std::array<Bound_point<B>, 3> normal = {cross(v[1], v[2]), cross(v[2], v[0]), cross(v[0], v[1])};
+    const B determinant = dot(v[0], normal[0]);
+    volume_ = determinant * step * step * step / 6;
+    for (int i = 0; i < 3; ++i) length_of_ray_[i] = std::sqrt(squared_length(v[i])) * step;
+    const B scale = determinant * step;
+    coordinates_.reserve(relative.size());
+    for (const auto& p : relative) {
+      std::array<B, 3> c;
+      for (int i = 0; i < 3; ++i) {
+        c[i] = dot(p, normal[i]) / scale;
+        const B absolute =
+            (std::abs(p[0] * normal[i][0]) + std::abs(p[1] * normal[i][1]) + std::abs(p[2] * normal[i][2])) / scale;
+        largest_[i] = maximum(largest_[i], absolute);
+      }
+      coordinates_.push_back(c);
+    }
+    // The plane through the unit points of the rays has distance h from V0: rays of length radius / h keep it beyond all points.
+    std::array<Bound_point<B>, 3> unit;
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k) unit[i][k] = v[i][k] * step / length_of_ray_[i];
+    const Bound_point<B> plane = cross(difference(unit[1], unit[0]), difference(unit[2], unit[0]));
+    const B height = std::abs(dot(plane, unit[0])) / std::sqrt(squared_length(plane));
+    for (int i = 0; i < 3; ++i) isosceles_[i] = radius / height * (sound ? B(1 + 0x1p-30) : B(1)) / length_of_ray_[i];
+  }
+
+  bool bounded_by(const std::array<B, 3>& length) const
+  {
+    B allowed = 1;
+    if constexpr (sound) {
+      for (int i = 0; i < 3; ++i) allowed -= 16 * unit_roundoff<B> * largest_[i] / length[i];
+      allowed -= 4 * unit_roundoff<B>;
+    }
+    for (const auto& c : coordinates_)
+      if (!(c[0] / length[0] + c[1] / length[1] + c[2] / length[2] <= allowed)) return false;
+    return true;
+  }
+
+  /// Three edges of one length that bound every point within the radius.
+  const std::array<B, 3>& isosceles() const { return isosceles_; }
+
+  /// The volume of the tetrahedron cut off at these lengths.
+  B volume(const std::array<B, 3>& length) const { return volume_ * length[0] * length[1] * length[2]; }
+
+  /// Lengths that bound all points, of nearly the least volume: a pattern search over the two ratios of the lengths, the third
+  /// number following from the farthest point. No edge grows beyond 4 times the isosceles ones; `start` bounds.
+  std::array<B, 3> least_volume(const std::array<B, 3>& start) const
+  {
+    const auto lengths = [this](B x, B y) {
+      // Lengths of the rays in the ratio e^x : e^y : e^(-x-y), scaled until the farthest point lies on the plane.
+      std::array<B, 3> length = {std::exp(x) / length_of_ray_[0], std::exp(y) / length_of_ray_[1],
+                                 std::exp(-x - y) / length_of_ray_[2]};
+      B farthest = 0;
+      for (const auto& c : coordinates_) farthest = maximum(farthest, c[0] / length[0] + c[1] / length[1] + c[2] / length[2]);
+      // As far as `bounded_by` asks, and not less: in a slender cone its allowance for rounding is many units.
+      for (int i = 0; i < 3; ++i) farthest += (sound ? 17 : 1) * unit_roundoff<B> * largest_[i] / length[i];
+      for (B& l : length) l *= farthest * (1 + 64 * unit_roundoff<B>);
+      return length;
+    };
+    std::array<B, 3> best = start;
+    B best_volume = volume(start), x = 0, y = 0;
+    const B widest = std::log(B(2));
+    for (B stride = widest / 2; stride > B(1e-3); stride /= 2) {
+      for (bool moved = true; moved;) {
+        moved = false;
+        const std::array<std::array<B, 2>, 6> moves = {
+            {{stride, 0}, {-stride, 0}, {0, stride}, {0, -stride}, {stride, -stride}, {-stride, stride}}};
+        for (const auto& [dx, dy] : moves) {
+          if (std::abs(x + dx) > widest || std::abs(y + dy) > widest || std::abs(x + dx + y + dy) > widest) continue;
+          const auto candidate = lengths(x + dx, y + dy);
+          const B candidate_volume = volume(candidate);
+          bool long_edge = false;
+          for (int i = 0; i < 3; ++i) long_edge = long_edge || candidate[i] > 4 * isosceles_[i];
+          // Of no volume: no point is on the cone's side of V0, or it underflowed.
+          if (candidate_volume > 0 && candidate_volume < best_volume && !long_edge && bounded_by(candidate)) {
+            best = candidate, best_volume = candidate_volume, x += dx, y += dy, moved = true;
+            break;
+          }
+        }
+      }
+    }
+    return best;
+  }
+
+ private:
+  std::vector<std::array<B, 3>> coordinates_;
+  std::array<B, 3> largest_{0, 0, 0}, length_of_ray_{}, isosceles_{};
+  B volume_ = 0;
+};
+
+}  // namespace tetracone::kernel
+
+#endif

@@ -1,0 +1,30 @@
+#ifndef TETRACONE_KERNEL_BOUND_OBB8_OVERLAP_H
+#define TETRACONE_KERNEL_BOUND_OBB8_OVERLAP_H
+
+#include "tetracone/kernel/simd/simd.h"
+#include "tetracone/kernel/bound/obb8.h"
+
+#define TETRACONE_SIMD_KERNEL "tetracone/kernel/bound/obb8_overlap_simd.inl"
+#include "tetracone/kernel/simd/simd_rounds.h"
+
+namespace tetracone::kernel {
+
+/// The lanes of `boxes` that are not found apart from the single box, as bits; lanes that hold nothing may be among them.
+inline unsigned overlapping(const Obb8& boxes, const Single_box& box, bool similarity)
+{
+  using Function = unsigned(const Obb8&, const Single_box&, bool);
+  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(overlapping_kernel));
+  return fastest(boxes, box, similarity);
+}
+
+/// The same of box `lane` of `from`, which `map` carries into the frame of `boxes`.
+inline unsigned overlapping(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane)
+{
+  using Function = unsigned(const Obb8&, const Box_map&, const Obb8&, int);
+  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(overlapping_mapped_kernel));
+  return fastest(boxes, map, from, lane);
+}
+
+}  // namespace tetracone::kernel
+
+#endif

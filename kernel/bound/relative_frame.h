@@ -1,0 +1,294 @@
+#ifndef TETRACONE_KERNEL_BOUND_RELATIVE_FRAME_H
+#define TETRACONE_KERNEL_BOUND_RELATIVE_FRAME_H
+
+#include "tetracone/kernel/bound/bounds.h"
+#include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/number/pose.h"
+#include "tetracone/kernel/simd/short_vectors.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace tetracone::kernel {
+
+/// Where a body's local units are: p local is origin + unit * p in the model's coordinates. `unit` is a power of two and the body lies
+/// within |p_k| <= 1.
+struct Local_scale {
+  Vertex origin{0, 0, 0};
+  double unit = 1;
+
+  /// Within these bounds, what underflows of a pose's entries or of a product is far below all rounding; beyond, nothing may be said.
+  bool is_in_range() const
+  {
+    return unit >= 0x1p-200 && unit <= 0x1p200 && maximum(std::abs(origin[0]), std::abs(origin[1]), std::abs(origin[2])) <= 0x1p200;
+  }
+};
+
+/// D = (M_b o_b + t_b) - (M_a o_a + t_a): from where A's local origin is placed to where B's is.
+class Origin_offset {
+ public:
+  /// In double.
+  Origin_offset(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b)
+  {
+    const Two_doubles a_first = {in_a.origin[0], in_a.origin[1]}, a_last = {in_a.origin[2], 1};
+    const Two_doubles b_first = {in_b.origin[0], in_b.origin[1]}, b_last = {in_b.origin[2], 1};
+    Two_doubles sum[3], terms[3];  // of component i, in two parts
+    for (int i = 0; i < 3; ++i) {
+      const double *row_a = a.entries().data() + 4 * i, *row_b = b.entries().data() + 4 * i;
+      const Two_doubles p = two_from(row_a) * a_first, q = two_from(row_a + 2) * a_last;
+      const Two_doubles r = two_from(row_b) * b_first, s = two_from(row_b + 2) * b_last;
+      sum[i] = (r - p) + (s - q);
+      terms[i] = (magnitudes(p) + magnitudes(r)) + (magnitudes(q) + magnitudes(s));
+    }
+    value_ = {sum[0][0] + sum[0][1], sum[1][0] + sum[1][1], sum[2][0] + sum[2][1]};
+    // 4 roundings of the terms, and one of a fraction's entry; the terms' own are 3 more of these.
+    const double most = maximum(terms[0][0] + terms[0][1], terms[1][0] + terms[1][1], terms[2][0] + terms[2][1]);
+    finish(most, 0, 5.1 * unit_roundoff<double> * most);
+  }
+
+  /// In double-double: off by 4 u |D| + 2^-98 times the terms, and by 2 u times these where entries are rounded fractions.
+  static Origin_offset summed_twice_as_wide(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b)
+  {
+    Origin_offset d;
+    double terms = 0;
+    for (int i = 0; i < 3; ++i) {
+      Sum sum;
+      for (int j = 0; j < 3; ++j) {
+        sum.add_product(b[4 * i + j], in_b.origin[j]);
+        sum.add_product(-a[4 * i + j], in_a.origin[j]);
+      }
+      sum.add(b[4 * i + 3]);
+      sum.add(-a[4 * i + 3]);
+      d.value_[i] = sum.high + sum.low;
+      terms = maximum(terms, sum.magnitude);
+    }
+    d.finish(terms, 4 * unit_roundoff<double>, (a.is_rational() || b.is_rational() ? 2 * unit_roundoff<double> : 0x1p-98) * terms);
+    return d;
+  }
+
+  double operator[](int i) const { return value_[i]; }
+  double largest() const { return largest_; }
+
+  /// Of one component.
+  double error() const { return error_; }
+
+  /// The largest sum of magnitudes of the terms of a component.
+  double terms() const { return terms_; }
+
+  Origin_offset operator-() const
+  {
+    Origin_offset reversed = *this;
+    for (double& x : reversed.value_) x = -x;
+    return reversed;
+  }
+
+ private:
+  Origin_offset() = default;
+
+  /// A sum in double-double.
+  struct Sum {
+    double high = 0, low = 0, magnitude = 0;
+
+    void add(double x)
+    {
+      const double sum = high + x, part = sum - high;
+      low += (high - (sum - part)) + (x - part);
+      high = sum;
+      magnitude += std::abs(x);
+    }
+    void add_product(double x, double y)
+    {
+      const double product = x * y;
+      low += std::fma(x, y, -product);
+      add(product);
+    }
+  };
+
+  void finish(double terms, double of_largest, double of_terms)
+  {
+    terms_ = terms;
+    largest_ = maximum(std::abs(value_[0]), std::abs(value_[1]), std::abs(value_[2]));
+    error_ = of_largest * largest_ + of_terms;
+  }
+
+  std::array<double, 3> value_{};
+  double largest_ = 0, terms_ = 0, error_ = 0;
+};
+
+/// The map from the local units of one placed body to those of another, in double, with a bound on its error: p -> linear p + offset, every
+/// coordinate of the image of a point with |p_k| <= 1 within `error` of the exact one. `error` is infinite where no bound is known (a
+/// pose that is nearly flat, numbers near the ends of the doubles' range).
+class Relative_frame {
+ public:
+  using Row = std::array<double, 3>;
+
+  Relative_frame() = default;
+
+  /// From B's units to A's: (M_a^-1 (M_b (o_b + u_b p) + t_b - t_a) - o_a) / u_a.
+  Relative_frame(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b) : Relative_frame(a, in_a, b, in_b, Origin_offset(a, in_a, b, in_b)) {}
+
+  /// The same, where D is known.
+  Relative_frame(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b, const Origin_offset& d)
+  {
+    if (!by_transpose(a, in_a, b, in_b, d)) by_inverse(a, in_a, b, in_b);
+  }
+
+  double error() const { return error_; }
+
+  /// How far the image of a point may be off that is itself off by `of_point` in a coordinate. The exact linear part L is within 2 `error` of this one in a
+  /// row's sum, so |L (p - q)| <= (norm + 2 error) of_point; 1.01 takes the second term, for of_point below 2^-10, and what is rounded here.
+  double error(double of_point) const { return 1.01 * (error_ + of_point * norm(linear_)); }
+
+  /// linear = scale * (orthonormal columns but for `axis_defect`), with a scale that floats can carry, 2^-60 .. 2^60.
+  bool is_similarity() const { return similarity_; }
+
+  /// The length of the first column: the factor by which a similarity lengthens.
+  double scale() const { return scale_; }
+
+  const std::array<Row, 3>& linear() const { return linear_; }
+  const Row& offset() const { return offset_; }
+
+  template <class Number>
+  Row operator()(const std::array<Number, 3>& p) const
+  {
+    Row image = direction(p);
+    for (int i = 0; i < 3; ++i) image[i] += offset_[i];
+    return image;
+  }
+
+  /// The linear part alone.
+  template <class Number>
+  Row direction(const std::array<Number, 3>& p) const
+  {
+    Row image;
+    for (int i = 0; i < 3; ++i) image[i] = linear_[i][0] * double(p[0]) + linear_[i][1] * double(p[1]) + linear_[i][2] * double(p[2]);
+    return image;
+  }
+
+ private:
+  /// Where M_a is a similarity but for 2^-24: the inverse is X = f M_a^T with f = 1 / s^2, rounded, s the length of its first column. Nothing is
+  /// done where it is not, or numbers are near the ends of the range.
+  ///
+  /// With G = M_a^T M_a, each entry computed to 3.01 u s^2, rho = ||I - f G|| is what is computed, and 24 u for G's roundings, f's and those
+  /// of fractions' entries. M_a^-1 = X + (I - X M_a) M_a^-1, so rows of the linear part are off by rho of their sums, which are
+  /// below three times the longest column c, and by 5 roundings and two fractions' entries of products |col_i M_a| |col_j M_b| f, which is
+  /// (1 + 2^-23) times a column. Rows of X sum to at most sqrt(3) / s. When D's error in double is too much, it is summed again in double-double.
+  bool by_transpose(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b, Origin_offset d)
+  {
+    constexpr double u = unit_roundoff<double>;
+    const auto columns = [](const auto& p, const auto& q, int i, int j) { return p[i] * q[j] + p[4 + i] * q[4 + j] + p[8 + i] * q[8 + j]; };
+    const std::array<double, 12>&m = a.entries(), &n = b.entries();
+    const double square = columns(m, m, 0, 0), g01 = std::abs(columns(m, m, 0, 1)), g02 = std::abs(columns(m, m, 0, 2)), g12 = std::abs(columns(m, m, 1, 2));
+    const double g11 = std::abs(columns(m, m, 1, 1) - square), g22 = std::abs(columns(m, m, 2, 2) - square);
+    const double row = maximum(g01 + g02, g11 + g01 + g12, g22 + g02 + g12);
+    if (!(row <= 0x1p-24 * square && square >= 0x1p-100 && square <= 0x1p100)) return false;
+    const double f = 1 / square, per_unit = 1 / in_a.unit, shrink = 1.7321 * std::sqrt(f) * per_unit;
+    const double of_columns = f * (in_b.unit * per_unit), of_offset = f * per_unit;
+    const double rho = row * f + 24 * u;
+
+    if (!(d.error() * shrink <= 0x1p-30)) d = Origin_offset::summed_twice_as_wide(a, in_a, b, in_b);
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) linear_[i][j] = columns(m, n, i, j) * of_columns;
+      offset_[i] = (m[i] * d[0] + m[4 + i] * d[1] + m[8 + i] * d[2]) * of_offset;
+    }
+    const double longest = decide_similarity(), relative = 1.01 * rho + 16 * u;
+    const double error = relative * (3 * longest + shrink * d.largest()) + shrink * d.error();
+    // What is lost where entries of M_b are denormal is below 2^-300 then.
+    const double top = maximum(longest, 1 / longest, d.terms());
+    if (top <= 0x1p200 && in_a.is_in_range() && in_b.is_in_range() && error <= std::numeric_limits<double>::max()) error_ = error * 1.01 + 0x1p-300;
+    return true;
+  }
+
+  /// With X the inverse of M_a as computed and rho >= ||I - X M_a||: M_a^-1 differs from X by at most rho / (1 - rho) ||X||. Norms are maxima
+  /// of row sums.
+  void by_inverse(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b)
+  {
+    constexpr double u = unit_roundoff<double>;
+    std::array<Row, 3> inverse;
+    if (!invert(a, inverse)) return;
+    const double residual = residual_norm(a, inverse), norm_x = norm(inverse), scale = in_b.unit / in_a.unit;
+    if (!(residual < 0x1p-20)) return;
+
+    const Origin_offset d = Origin_offset::summed_twice_as_wide(a, in_a, b, in_b);
+
+    double norm_b = 0;
+    for (int i = 0; i < 3; ++i) {
+      norm_b = maximum(norm_b, std::abs(b[4 * i]) + std::abs(b[4 * i + 1]) + std::abs(b[4 * i + 2]));
+      for (int j = 0; j < 3; ++j) {
+        double sum = 0;
+        for (int k = 0; k < 3; ++k) sum += inverse[i][k] * b[4 * k + j];
+        linear_[i][j] = sum * scale;
+      }
+      offset_[i] = (inverse[i][0] * d[0] + inverse[i][1] * d[1] + inverse[i][2] * d[2]) / in_a.unit;
+    }
+    // Relative errors of the products X M_b and X D: 4 u for their own roundings, u for a fraction's entry, 2 rho for X.
+    const double relative = 2 * residual + 8 * u;
+    const double error = norm_x * (norm_b * scale * relative + (d.largest() * relative + d.error() * 1.01) / in_a.unit);
+    // Beyond the gate something may have overflowed or underflowed: then nothing is known.
+    const double top = maximum(d.terms(), norm_b, norm_x);
+    if (top <= 0x1p200 && in_a.is_in_range() && in_b.is_in_range() && error <= std::numeric_limits<double>::max()) error_ = error * 1.01 + 0x1p-300;
+    decide_similarity();
+  }
+
+  static bool invert(const Pose& a, std::array<Row, 3>& inverse)
+  {
+    const auto m = [&a](int i, int j) { return a[4 * i + j]; };
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        const int k = (i + 1) % 3, l = (i + 2) % 3, n = (j + 1) % 3, o = (j + 2) % 3;
+        inverse[j][i] = m(k, n) * m(l, o) - m(k, o) * m(l, n);
+      }
+    const double determinant = m(0, 0) * inverse[0][0] + m(0, 1) * inverse[1][0] + m(0, 2) * inverse[2][0];
+    if (!(std::abs(determinant) > 0x1p-200 && std::abs(determinant) < 0x1p200)) return false;
+    for (Row& row : inverse)
+      for (double& x : row) x /= determinant;
+    return true;
+  }
+
+  static double norm(const std::array<Row, 3>& m)
+  {
+    double norm = 0;
+    for (const Row& row : m) norm = maximum(norm, std::abs(row[0]) + std::abs(row[1]) + std::abs(row[2]));
+    return norm;
+  }
+
+  /// At least ||I - X M_a||: as computed, and 5 u a term for the computation and a fraction's entry.
+  static double residual_norm(const Pose& a, const std::array<Row, 3>& x)
+  {
+    double norm = 0;
+    for (int i = 0; i < 3; ++i) {
+      double row = 0;
+      for (int j = 0; j < 3; ++j) {
+        double sum = i == j ? -1 : 0, magnitude = 1;
+        for (int k = 0; k < 3; ++k) sum += x[i][k] * a[4 * k + j], magnitude += std::abs(x[i][k] * a[4 * k + j]);
+        row += std::abs(sum) + 6 * unit_roundoff<double> * magnitude;
+      }
+      norm = maximum(norm, row);
+    }
+    return norm;
+  }
+
+  /// Returns the length of the longest column or, of no similarity, a bound on it that is undefined where any entry is.
+  double decide_similarity()
+  {
+    const auto column = [this](int i, int j) {
+      return linear_[0][i] * linear_[0][j] + linear_[1][i] * linear_[1][j] + linear_[2][i] * linear_[2][j];
+    };
+    const double square = column(0, 0), second = column(1, 1), third = column(2, 2), tolerance = square * 0x1p-24;
+    similarity_ = square >= 0x1p-120 && square <= 0x1p120 && std::abs(second - square) <= tolerance && std::abs(third - square) <= tolerance && std::abs(column(0, 1)) <= tolerance &&
+                  std::abs(column(1, 2)) <= tolerance && std::abs(column(0, 2)) <= tolerance;
+    scale_ = std::sqrt(square);
+    return similarity_ ? scale_ * (1 + 0x1p-23) : std::sqrt(square + second + third);
+  }
+
+  std::array<Row, 3> linear_{};
+  Row offset_{};
+  double error_ = std::numeric_limits<double>::infinity();
+  double scale_ = 0;
+  bool similarity_ = false;
+};
+
+}  // namespace tetracone::kernel
+
+#endif

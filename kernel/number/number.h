@@ -1,0 +1,116 @@
+#ifndef TETRACONE_KERNEL_NUMBER_NUMBER_H
+#define TETRACONE_KERNEL_NUMBER_NUMBER_H
+
+#include <gmpxx.h>
+
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+namespace tetracone::kernel {
+
+/// Exact rational number: every double is one, and so is every fraction n/d of a pose. GMP's own, in lowest terms.
+using Rational = mpq_class;
+
+/// A point of a model, in the model's own frame. Each coordinate is a finite double and stands for exactly that rational.
+using Vertex = std::array<double, 3>;
+
+/// The double nearest to the decimal number that `text` is, whole: "1e-400" is 0, denormals are kept.
+/// Nothing when `text` is not a decimal number, or its nearest double is not finite ("nan", "inf", "1e400").
+inline std::optional<double> parse_double(std::string_view text)
+{
+  if (text.starts_with('+')) {
+    text.remove_prefix(1);
+    if (text.starts_with('-')) return std::nullopt;
+  }
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  if (rest != end || error == std::errc::invalid_argument) return std::nullopt;
+  if (error == std::errc::result_out_of_range) {
+    // Out of range is either end of it: from_chars leaves the value alone, strtod tells which end.
+    value = std::strtod(std::string(text).c_str(), nullptr);
+  }
+  if (!std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+/// The exact rational of a fraction "n/d" of decimal integers, in lowest terms. Nothing when `text` is none, or d is 0.
+inline std::optional<Rational> parse_fraction(std::string_view text)
+{
+  const auto slash = text.find('/');
+  if (slash == std::string_view::npos) return std::nullopt;
+  const auto integer = [](std::string_view digits, bool sign_allowed) {
+    if (sign_allowed && (digits.starts_with('-') || digits.starts_with('+'))) digits.remove_prefix(1);
+    return !digits.empty() && digits.find_first_not_of("0123456789") == std::string_view::npos;
+  };
+  std::string_view numerator = text.substr(0, slash);
+  const std::string_view denominator = text.substr(slash + 1);
+  if (!integer(numerator, true) || !integer(denominator, false)) return std::nullopt;
+  if (numerator.starts_with('+')) numerator.remove_prefix(1);
+  // GMP reads a leading 0 as octal: strip it.
+  const auto decimal = [](std::string_view digits) {
+    const bool negative = digits.starts_with('-');
+    if (negative) digits.remove_prefix(1);
+    const auto first = digits.find_first_not_of('0');
+    const std::string kept(first == std::string_view::npos ? "0" : digits.substr(first));
+    return Rational((negative ? "-" : "") + kept);
+  };
+  const Rational divisor = decimal(denominator);
+  if (divisor == 0) return std::nullopt;
+  return Rational(decimal(numerator) / divisor);
+}
+
+/// The double nearest to `value`, ties to even; infinite when |value| is beyond the largest double.
+inline double nearest_double(const Rational& value)
+{
+  // A rational's own conversion may truncate: it names a double at most one step off, and the candidates are compared exactly.
+  const double start = value.get_d();
+  if (!std::isfinite(start)) return start;
+  double best = start;
+  Rational error = abs(Rational(value - Rational(start)));
+  for (const double candidate : {std::nextafter(start, -HUGE_VAL), std::nextafter(start, HUGE_VAL)}) {
+    if (!std::isfinite(candidate)) continue;
+    const Rational distance = abs(Rational(value - Rational(candidate)));
+    const bool even = (std::bit_cast<std::uint64_t>(candidate) & 1) == 0;
+    if (distance < error || (distance == error && even)) {
+      best = candidate;
+      error = distance;
+    }
+  }
+  return best;
+}
+
+/// The shortest decimal that reads back as exactly `value`.
+inline std::string shortest(double value)
+{
+  std::array<char, 32> buffer{};
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  return {buffer.data(), result.ptr};
+}
+
+/// "n/d" in lowest terms, or "n" when the denominator is 1.
+inline std::string to_string(const Rational& value)
+{
+  return value.get_str();
+}
+
+/// What readers of poses take for exactly `value`: its shortest decimal where it is a double, else "n/d", an integer too.
+inline std::string exact_text(const Rational& value)
+{
+  const double nearest = nearest_double(value);
+  if (std::isfinite(nearest) && Rational(nearest) == value) return shortest(nearest);
+  const std::string fraction = to_string(value);
+  return fraction.find('/') == std::string::npos ? fraction + "/1" : fraction;
+}
+
+}  // namespace tetracone::kernel
+
+#endif

@@ -1,0 +1,183 @@
+#ifndef TETRACONE_KERNEL_NUMBER_POSE_H
+#define TETRACONE_KERNEL_NUMBER_POSE_H
+
+#include "tetracone/kernel/number/double_double.h"
+#include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/number/number.h"
+
+#include <CGAL/Mpzf.h>
+#include <CGAL/enum.h>
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace tetracone::kernel {
+
+/// The affine map x -> M x + t that places a model, taken exactly.
+///
+/// Twelve numbers, row-major 3x4: row i is (M_i0, M_i1, M_i2, t_i). Every entry stands for exactly the rational that it
+/// is; M need not be a rotation (in doubles it almost never is). A map that must be truly rigid has rational entries.
+/// What a kernel does with a pose is what its users get:
+///  - float, double, double-eps: the entries are rounded to the kernel's number type and so is every image;
+///  - EPICK: the entries are rounded to double, the image is computed and rounded in double, then decided exactly;
+///  - EPECK, rational, adaptive: the exact image of the exact entries.
+/// Requires det M != 0 wherever a pose is used (see `determinant_sign`).
+class Pose {
+ public:
+  /// The identity.
+  Pose() : entries_{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0} {}
+
+  /// Twelve finite doubles, row-major 3x4.
+  explicit Pose(const std::array<double, 12>& entries) : entries_(entries), is_translation_(is_unit(entries)) {}
+
+  /// Twelve rationals, row-major 3x4, each with a finite nearest double. Entries that are all doubles give the same pose as the doubles.
+  explicit Pose(const std::array<Rational, 12>& entries)
+  {
+    bool all_doubles = true;
+    for (int k = 0; k < 12; ++k) {
+      entries_[k] = nearest_double(entries[k]);
+      assert(std::isfinite(entries_[k]));
+      all_doubles = all_doubles && Rational(entries_[k]) == entries[k];
+    }
+    is_translation_ = all_doubles && is_unit(entries_);
+    if (all_doubles) return;
+    rationals_.assign(entries.begin(), entries.end());
+    mpz_class common = 1;
+    for (int k = 0; k < 12; ++k) {
+      lows_[k] = nearest_double(Rational(entries[k] - Rational(entries_[k])));
+      common = lcm(common, entries[k].get_den());
+    }
+    auto whole = std::make_shared<Whole>();
+    whole->weight = mpzf(common);
+    for (int k = 0; k < 12; ++k) whole->entries[k] = mpzf(mpz_class(entries[k].get_num() * (common / entries[k].get_den())));
+    whole_ = std::move(whole);
+  }
+
+  static Pose translation(double x, double y, double z)
+  {
+    return Pose(std::array<double, 12>{1, 0, 0, x, 0, 1, 0, y, 0, 0, 1, z});
+  }
+
+  /// The doubles of the matrix, taken exactly.
+  static Pose from_eigen(const Eigen::Affine3d& map)
+  {
+    std::array<double, 12> entries;
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 4; ++column) entries[4 * row + column] = map(row, column);
+    return Pose(entries);
+  }
+
+  /// The nearest double of each entry.
+  Eigen::Affine3d to_eigen() const
+  {
+    Eigen::Affine3d map = Eigen::Affine3d::Identity();
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 4; ++column) map(row, column) = entries_[4 * row + column];
+    return map;
+  }
+
+  /// Truly rigid: the rotation of the integer quaternion (w, x, y, z), then the translation t.
+  /// The entries are the rationals of R = N / (w^2 + x^2 + y^2 + z^2). Requires a quaternion that is not zero.
+  static Pose from_quaternion(int w, int x, int y, int z, const std::array<Rational, 3>& t = {0, 0, 0})
+  {
+    const long ww = long(w) * w, xx = long(x) * x, yy = long(y) * y, zz = long(z) * z;
+    const long norm = ww + xx + yy + zz;
+    assert(norm != 0);
+    const long xy = long(x) * y, xz = long(x) * z, yz = long(y) * z, wx = long(w) * x, wy = long(w) * y, wz = long(w) * z;
+    const std::array<long, 9> n = {ww + xx - yy - zz, 2 * (xy - wz),     2 * (xz + wy),
+                                   2 * (xy + wz),     ww - xx + yy - zz, 2 * (yz - wx),
+                                   2 * (xz - wy),     2 * (yz + wx),     ww - xx - yy + zz};
+    std::array<Rational, 12> entries;
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column < 3; ++column) entries[4 * row + column] = Rational(n[3 * row + column]) / Rational(norm);
+      entries[4 * row + 3] = t[row];
+    }
+    return Pose(entries);
+  }
+
+  /// Entry `k` of the row-major 3x4 matrix, rounded to the nearest double; exact unless `is_rational()`.
+  double operator[](int k) const { return entries_[k]; }
+  const std::array<double, 12>& entries() const { return entries_; }
+
+  /// True when some entry is no double.
+  bool is_rational() const { return !rationals_.empty(); }
+
+  /// Entry `k` as a sum of two doubles: exact unless `is_rational()`, else off by at most 2^-106 of it, or by 2^-1074.
+  Double_double wide(int k) const { return {entries_[k], lows_[k]}; }
+
+  /// Entry `k`, exactly.
+  Rational exact(int k) const { return is_rational() ? rationals_[k] : Rational(entries_[k]); }
+
+  /// The entries times `weight`, a positive integer, exactly: binary fractions, also where the entries are none.
+  CGAL::Mpzf whole(int k) const { return whole_ ? whole_->entries[k] : CGAL::Mpzf(entries_[k]); }
+  CGAL::Mpzf weight() const { return whole_ ? whole_->weight : CGAL::Mpzf(1); }
+
+  /// True when the map moves nothing: every image is the point itself, in every kernel.
+  bool is_identity() const { return is_translation_ && entries_[3] == 0 && entries_[7] == 0 && entries_[11] == 0; }
+
+  /// True when M is the identity and t are doubles: an image is the vertex and t, added.
+  bool is_translation() const { return is_translation_; }
+
+  /// The sign of det M, exact. Zero: the map is flat and no pose.
+  CGAL::Sign determinant_sign() const
+  {
+    // In double first: 6 products of 3 entries, at most 8 roundings each (entries rounded from fractions included). Within the gate
+    // nothing overflows, and what underflow loses, 2^-1074 times two entries, is far below the absolute term.
+    double determinant = 0, permanent = 0, largest = 0;
+    for (int j = 0; j < 3; ++j) {
+      const int k = (j + 1) % 3, l = (j + 2) % 3;
+      const double plus = entries_[4 + k] * entries_[8 + l], minus = entries_[4 + l] * entries_[8 + k];
+      determinant += entries_[j] * (plus - minus);
+      permanent += std::abs(entries_[j]) * (std::abs(plus) + std::abs(minus));
+      for (int row = 0; row < 3; ++row) largest = maximum(largest, std::abs(entries_[4 * row + j]));
+    }
+    if (largest <= 0x1p110 && std::abs(determinant) > 0x1p-49 * permanent + 0x1p-800)
+      return determinant > 0 ? CGAL::POSITIVE : CGAL::NEGATIVE;
+
+    const auto m = [this](int row, int column) { return exact(4 * row + column); };
+    const Rational exactly = m(0, 0) * (m(1, 1) * m(2, 2) - m(1, 2) * m(2, 1)) -
+                             m(0, 1) * (m(1, 0) * m(2, 2) - m(1, 2) * m(2, 0)) +
+                             m(0, 2) * (m(1, 0) * m(2, 1) - m(1, 1) * m(2, 0));
+    return CGAL::Sign(sgn(exactly));
+  }
+
+  friend bool operator==(const Pose& a, const Pose& b) { return a.entries_ == b.entries_ && a.rationals_ == b.rationals_; }
+
+ private:
+  struct Whole {
+    std::array<CGAL::Mpzf, 12> entries;
+    CGAL::Mpzf weight;
+  };
+
+  static bool is_unit(const std::array<double, 12>& m)
+  {
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        if (m[4 * i + j] != (i == j ? 1 : 0)) return false;
+    return true;
+  }
+
+  static CGAL::Mpzf mpzf(const mpz_class& integer)
+  {
+    const mpz_srcptr z = integer.get_mpz_t();
+    static_assert(GMP_LIMB_BITS == 64 && sizeof(unsigned long) == 8);
+    CGAL::Mpzf value = 0;
+    for (std::size_t k = mpz_size(z); k-- > 0;) value = value * CGAL::Mpzf(0x1p64) + CGAL::Mpzf((unsigned long)(mpz_getlimbn(z, mp_size_t(k))));
+    return mpz_sgn(z) < 0 ? -value : value;
+  }
+
+  std::array<double, 12> entries_;
+  bool is_translation_ = true;
+  std::array<double, 12> lows_{};     // what rounding took from a fraction, rounded
+  std::vector<Rational> rationals_;  // empty, or the twelve exact entries
+  std::shared_ptr<const Whole> whole_;  // of these
+};
+
+}  // namespace tetracone::kernel
+
+#endif

@@ -1,0 +1,50 @@
+#ifndef TETRACONE_KERNEL_PREDICATE_CONTACT_H
+#define TETRACONE_KERNEL_PREDICATE_CONTACT_H
+
+#include <compare>
+#include <cstdint>
+#include <string_view>
+
+namespace tetracone::kernel {
+
+/// How a closed edge and a closed face meet. Where they share exactly one point, the kind names the dimensions of the two
+/// elements (vertex, edge, face) whose relative interior holds that point, the lower one first; a degenerate edge is a
+/// vertex. Where they share more than one point they lie in one plane.
+enum class Contact {
+  none,
+  vertex_vertex,
+  vertex_edge,  ///< an end of the edge inside an edge of the face, or a vertex of the face inside the edge
+  vertex_face,
+  edge_edge,
+  edge_face,
+  coplanar_overlap
+};
+
+constexpr std::string_view to_string(Contact contact)
+{
+  switch (contact) {
+    case Contact::none: return "none";
+    case Contact::vertex_vertex: return "vertex-vertex";
+    case Contact::vertex_edge: return "vertex-edge";
+    case Contact::vertex_face: return "vertex-face";
+    case Contact::edge_edge: return "edge-edge";
+    case Contact::edge_face: return "edge-face";
+    case Contact::coplanar_overlap: return "coplanar overlap";
+  }
+  return "none";
+}
+
+/// An edge of one of two bodies A and B and a face of the other that share a point. Ordered by its members, in their order.
+struct Feature_pair {
+  int body;                 ///< 0: an edge of A and a face of B; 1: an edge of B and a face of A
+  std::uint32_t edge_from;  ///< the edge's vertices, edge_from <= edge_to: an edge has no direction here,
+  std::uint32_t edge_to;    ///< and the two are equal only where a loop goes from a vertex to itself
+  std::uint32_t face;
+  Contact kind;
+
+  friend auto operator<=>(const Feature_pair&, const Feature_pair&) = default;
+};
+
+}  // namespace tetracone::kernel
+
+#endif

@@ -1,0 +1,30 @@
+#ifndef TETRACONE_KERNEL_PREDICATE_QUESTION_H
+#define TETRACONE_KERNEL_PREDICATE_QUESTION_H
+
+#include <optional>
+#include <string_view>
+
+namespace tetracone::kernel {
+
+/// What is asked of two placed polyhedra.
+enum class Question {
+  solid,   ///< do the two closed solids share a point? One inside the other collides, one inside the other's cavity does not
+  surface  ///< do the two closed surfaces share a point? Touching in a single point counts
+};
+
+constexpr std::string_view to_string(Question question)
+{
+  return question == Question::solid ? "solid" : "surface";
+}
+
+/// The question of that name; nothing when there is none.
+constexpr std::optional<Question> parse_question(std::string_view name)
+{
+  if (name == "solid") return Question::solid;
+  if (name == "surface") return Question::surface;
+  return std::nullopt;
+}
+
+}  // namespace tetracone::kernel
+
+#endif

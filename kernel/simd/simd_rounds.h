@@ -1,0 +1,34 @@
+#ifndef TETRACONE_KERNEL_SIMD_SIMD_ROUNDS_H
+#define TETRACONE_KERNEL_SIMD_SIMD_ROUNDS_H
+// Includes the file that TETRACONE_SIMD_KERNEL names once for each target: see kernel/simd/simd.h. Once more for every kernel.
+#include "tetracone/kernel/simd/simd.h"
+
+#ifdef TETRACONE_SIMD_KERNEL
+#ifndef TETRACONE_SIMD_NO_SSSE3
+#undef HWY_TARGET
+#define HWY_TARGET HWY_SSSE3
+#include <hwy/ops/set_macros-inl.h>
+#include TETRACONE_SIMD_KERNEL
+#endif
+#ifndef TETRACONE_SIMD_NO_AVX2
+#undef HWY_TARGET
+#define HWY_TARGET HWY_AVX2
+#include <hwy/ops/set_macros-inl.h>
+#include TETRACONE_SIMD_KERNEL
+#endif
+#ifndef TETRACONE_SIMD_NO_AVX3
+#undef HWY_TARGET
+#define HWY_TARGET HWY_AVX3
+#include <hwy/ops/set_macros-inl.h>
+#include TETRACONE_SIMD_KERNEL
+#endif
+#undef HWY_TARGET
+#define HWY_TARGET HWY_STATIC_TARGET
+#include <hwy/ops/set_macros-inl.h>
+#include TETRACONE_SIMD_KERNEL
+#undef TETRACONE_SIMD_KERNEL
+#endif
+
+// Included again for the next target.
+#undef TETRACONE_KERNEL_SIMD_SIMD_ROUNDS_H
+#endif

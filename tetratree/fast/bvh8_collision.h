@@ -1,0 +1,170 @@
+#ifndef TETRACONE_TETRATREE_FAST_BVH8_COLLISION_H
+#define TETRACONE_TETRATREE_FAST_BVH8_COLLISION_H
+
+#include "tetracone/kernel/predicate/question.h"
+#include "tetracone/kernel/predicate/segment_face.h"
+#include "tetracone/kernel/predicate/triangle_triangle.h"
+#include "tetracone/tetratree/query_statistics.h"
+#include "tetracone/tetratree/fast/separating_direction.h"
+#include "tetracone/tetratree/fast/placed_bvh8.h"
+#include "tetracone/tetratree/fast/bvh8_containment.h"
+#include "tetracone/tetratree/fast/bvh8_descent.h"
+#include "tetracone/tetratree/fast/bvh8.h"
+
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace tetracone::tetratree {
+
+using kernel::Pose;
+using kernel::Question;
+
+/// What a query object keeps from one pose to the next.
+enum class Coherence {
+  none,
+  last_frame  ///< the direction that separated the bodies, and the pair of elements that met: tried first in the next pose
+};
+
+/// Collision detection between two wide trees, exact. Build once, ask for many poses.
+///
+/// Stages, each of which may end a query: a plane between the bodies (`Separating_direction`); the descent of pairs of boxes, the larger one
+/// first, its eight parts against the other box, carried into their frame with a slack that covers all rounding and the pose's; pairs of elements,
+/// which the adaptive kernel's exact signs decide. So the answer is that of all elements against all elements. Of solids whose surfaces share no point,
+/// `Bvh8_containment` tells whether one holds the other.
+///
+/// Both trees must outlive the query object. Making it and every query throw kernel::Unsound_floating_point when floating point is not as exact
+/// answers need it.
+class Bvh8_collision {
+ public:
+  Bvh8_collision(Bvh8& a, Bvh8& b, Coherence coherence = Coherence::none) : a_(a), b_(b), separating_direction_(a, b), coherence_(coherence)
+  {
+    kernel::require_exact_arithmetic();
+  }
+
+  /// Whether the two placed polyhedra collide. Requires det M != 0 of both poses, and closed polyhedra for `Question::solid`.
+  bool operator()(const Pose& pose_a, const Pose& pose_b, Question question = Question::solid)
+  {
+    kernel::require_sound_floating_point();
+    ++counts_.queries;
+    if (a_.tree->empty() || b_.tree->empty() || separating_direction_(pose_a, pose_b, 6, coherence_ == Coherence::last_frame)) return false;
+    return ask_trees(pose_a, pose_b, question);
+  }
+
+  const Query_statistics& counts() const { return counts_; }
+  void clear_counts() { counts_ = {}; }
+
+  /// Of the tables of reach; the trees have their own.
+  std::size_t bytes() const { return separating_direction_.bytes(); }
+
+ private:
+  using Adaptive = kernel::Adaptive;
+  using Point = kernel::Point<Adaptive>;
+  using Face = covering::Placed_face<Adaptive>;
+  using Box = Placed_bvh8::Box;
+
+  /// What no plane has decided.
+  [[gnu::noinline]] bool ask_trees(const Pose& pose_a, const Pose& pose_b, Question question)
+  {
+    const std::uint64_t fallbacks = kernel::Adaptive::exact_fallbacks();
+    pose_a_ = &pose_a, pose_b_ = &pose_b, is_placed_ = false;
+    const bool answer = trees_collide(question);
+    counts_.exact_fallbacks += kernel::Adaptive::exact_fallbacks() - fallbacks;
+    return answer;
+  }
+
+  bool trees_collide(Question question)
+  {
+    if (witness_ && elements_meet(a_.element(witness_->first), b_.element(witness_->second))) return true;
+    const Pose &pose_a = *pose_a_, &pose_b = *pose_b_;
+    const kernel::Local_scale &in_a = a_.tree->units(), &in_b = b_.tree->units();
+    const kernel::Origin_offset between(pose_a, in_a, pose_b, in_b);
+    // In place: a copy would wait until what is written piece by piece can be read whole.
+    std::construct_at(&a_.into_other, pose_b, in_b, pose_a, in_a, -between);
+    std::construct_at(&b_.into_other, pose_a, in_a, pose_b, in_b, between);
+    witness_.reset();
+    if (surfaces_meet()) return true;
+    if (question == Question::surface) return false;
+    place();
+    return containment_(a_, b_, counts_) || containment_(b_, a_, counts_);
+  }
+
+  void place()
+  {
+    if (is_placed_) return;
+    a_.placed.place(*pose_a_), b_.placed.place(*pose_b_);
+    is_placed_ = true;
+  }
+
+  bool surfaces_meet()
+  {
+    // Of a similarity it is between these. Else sizes tell no more than which box to open; but none may become 0 or undefined.
+    const double factor = a_.into_other.frame().scale();
+    const float scale = factor >= 0x1p-60 && factor <= 0x1p60 ? float(factor) : 1;
+    stack_.clear();
+    stack_.push(0, 0, a_.size() * scale, b_.size());
+    Both_trees trees{{a_.tree->nodes(), b_.tree->nodes()}, {&a_.into_other, &b_.into_other}, scale};
+    bool meet = false;
+    for (Stop stop; !meet && (stop = descend(stack_, trees)) != Stop::nothing_left;) {
+      const Box box_a = stack_.box(0), box_b = stack_.box(1);
+      if (stop == Stop::leaves) {
+        stack_.pop();
+        meet = elements_meet(a_.element(box_a), b_.element(box_b));
+        if (meet && coherence_ == Coherence::last_frame) witness_ = {box_a, box_b};
+      } else {
+        const int larger = first_is_larger(stack_.size(0), stack_.size(1)) ? 0 : 1;
+        Bvh8& tree = *(larger == 0 ? a_ : b_).tree;
+        const Box box = larger == 0 ? box_a : box_b;
+        tree.child(box / 8, int(box % 8));
+        trees.nodes[0] = a_.tree->nodes(), trees.nodes[1] = b_.tree->nodes();
+      }
+    }
+    counts_.pairs_visited += trees.opened, counts_.box_tests += trees.compared;
+    return meet;
+  }
+
+  bool elements_meet(const Element& a, const Element& b)
+  {
+    place();
+    ++counts_.leaf_pairs;
+    if (a.is_whole_face() || b.is_whole_face()) return edges_meet(a_, a, b_, b) || edges_meet(b_, b, a_, a);
+    ++counts_.triangle_tests;
+    return kernel::triangles_meet<Adaptive>(a_.corners(a), b_.corners(b));
+  }
+
+  /// The edges of an element against one, of which either is a whole face.
+  bool edges_meet(Placed_bvh8& body, const Element& with_edges, Placed_bvh8& other, const Element& face)
+  {
+    const auto meets = [&](const Point& p, const Point& q) {
+      ++counts_.edge_face_tests;
+      if (face.is_whole_face()) return kernel::segment_face<Adaptive>(p, q, Face(other.placed, face.face)) != kernel::Contact::none;
+      const auto t = other.corners(face);
+      return kernel::segment_face<Adaptive>(p, q, kernel::Triangle<Adaptive>{*t[0], *t[1], *t[2]}) != kernel::Contact::none;
+    };
+    if (with_edges.is_whole_face()) {
+      const Face edges(body.placed, with_edges.face);
+      for (std::size_t k = 0; k < edges.edge_count(); ++k)
+        if (meets(edges.from(k), edges.to(k))) return true;
+      return false;
+    }
+    const auto p = body.corners(with_edges);
+    return meets(*p[0], *p[1]) || meets(*p[1], *p[2]) || meets(*p[2], *p[0]);
+  }
+
+  Placed_bvh8 a_, b_;
+  Separating_direction separating_direction_;
+  Bvh8_containment containment_;
+  Pair_stack stack_;
+  Query_statistics counts_;
+  Coherence coherence_;
+
+  const Pose* pose_a_ = nullptr;
+  const Pose* pose_b_ = nullptr;
+  bool is_placed_ = false;  // at these
+  std::optional<std::pair<Box, Box>> witness_;  // elements that met in the last pose
+};
+
+}  // namespace tetracone::tetratree
+
+#endif

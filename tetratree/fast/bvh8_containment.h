@@ -1,0 +1,138 @@
+#ifndef TETRACONE_TETRATREE_FAST_BVH8_CONTAINMENT_H
+#define TETRACONE_TETRATREE_FAST_BVH8_CONTAINMENT_H
+
+#include "tetracone/covering/inclusion.h"
+#include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/bound/obb8_overlap.h"
+#include "tetracone/tetratree/query_statistics.h"
+#include "tetracone/tetratree/fast/placed_bvh8.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <vector>
+
+namespace tetracone::tetratree {
+
+/// Whether a solid holds a shell of another body, through its wide tree.
+///
+/// The winding number about a vertex is the signed sum over the covering (JS08 Theorem 1). Of its tetrahedra only those can count whose face is met by the
+/// ray from the vertex away from the covering's origin: these the tree finds, and the exact signs decide them.
+class Bvh8_containment {
+ public:
+  /// Requires surfaces that share no point: then each shell is inside or outside as a whole, and one vertex of it tells.
+  bool operator()(Placed_bvh8& holder, Placed_bvh8& held, Query_statistics& counts)
+  {
+    for (const Index v : held.tree->model().covering().shell_vertices()) {
+      const Row at = image(held, v);
+      const double error = held.into_other.frame().error(Bvh8::local_error);
+      if (is_outside(holder.tree->node(0).boxes, at, error)) continue;
+      ++counts.inclusion_tests;
+      if (winding_number(holder, held, v, beyond(at, error), counts) != 0) return true;
+    }
+    return false;
+  }
+
+ private:
+  using Adaptive = kernel::Adaptive;
+  using Point = kernel::Point<Adaptive>;
+  using Row = kernel::Relative_frame::Row;
+  using Face = covering::Placed_face<Adaptive>;
+
+  /// The vertex in the holder's local units.
+  static Row image(const Placed_bvh8& held, Index v)
+  {
+    const kernel::Vector at = held.tree->local(v);
+    return held.into_other.frame()(Row{at[0], at[1], at[2]});
+  }
+
+  /// Of the root's box, whatever is undefined. A point of it is c + sum_i s_i a_i with |s_i| <= e_i, so that with axes of a defect d
+  /// |a_i . (p - c)| <= e_i + 3 d (1 + 4 d) |p - c|_1; the fourth d takes the roundings. p is off by `error` in a coordinate, and |a_i|_1 < 2.
+  static bool is_outside(const kernel::Obb8& root, const Row& at, double error)
+  {
+    double size = 0;
+    Row from_centre;
+    for (int k = 0; k < 3; ++k) {
+      from_centre[k] = at[k] - (double(root.origin[k]) + double(root.centre[k][0]));
+      size += std::abs(from_centre[k]);
+    }
+    for (int i = 0; i < 3; ++i) {
+      const double along = from_centre[0] * root.axis[i][0][0] + from_centre[1] * root.axis[i][1][0] + from_centre[2] * root.axis[i][2][0];
+      if (std::abs(along) > root.extent[i][0] + 4 * kernel::axis_defect * size + 2 * error) return true;
+    }
+    return false;
+  }
+
+  /// `ray`: from the vertex away from the origin.
+  int winding_number(Placed_bvh8& holder, Placed_bvh8& held, Index v, const kernel::Single_box& ray, Query_statistics& counts)
+  {
+    const Point& p = held.placed.point(v);
+    const Point origin = holder.placed.frame()(holder.tree->model().origin());
+    int winding = 0;
+    nodes_.assign(1, 0);
+    while (!nodes_.empty()) {
+      const Index n = nodes_.back();
+      nodes_.pop_back();
+      const Bvh8_node& node = holder.tree->node(n);
+      kernel::Single_box box = ray;
+      double sum = node.boxes.reach;
+      for (int i = 0; i < 3; ++i) {
+        box.centre[i] = float(double(ray.centre[i]) - double(node.boxes.origin[i]));
+        sum += std::abs(box.centre[i]) + box.extent[i];
+      }
+      box.slack = kernel::obb8_slack(sum, 0) + ray.slack;
+      unsigned met = kernel::overlapping(node.boxes, box, true) & ((1u << node.boxes.lane_count) - 1);
+      counts.box_tests += unsigned(node.boxes.lane_count);
+      for (; met != 0; met &= met - 1) {
+        const int lane = std::countr_zero(met);
+        if (holder.tree->is_leaf(n, lane)) winding += winding_of(holder, holder.tree->element(n, lane), p, origin);
+        else nodes_.push_back(holder.tree->child(n, lane));
+      }
+    }
+    return winding;
+  }
+
+  static int winding_of(Placed_bvh8& holder, const Element& element, const Point& p, const Point& origin)
+  {
+    if (!element.is_whole_face()) {
+      const auto t = holder.corners(element);
+      return covering::signed_inclusion<Adaptive>(p, origin, *t[0], *t[1], *t[2]);
+    }
+    const Face face(holder.placed, element.face);
+    int winding = 0;
+    for (std::size_t k = 0; k < face.edge_count(); ++k)
+      winding += covering::signed_inclusion<Adaptive>(p, origin, face.origin(), face.from(k), face.to(k));
+    return winding;
+  }
+
+  /// A thin box about the part of the ray from the holder's origin through p that lies beyond p; where p is too near to the origin to tell the
+  /// direction, a box about everything. `error` is that of p's coordinates.
+  ///
+  /// The holder lies within 2 of its origin, so what of the exact ray can meet it is s p*, 1 <= s <= end / |p|, with p* the exact point: off by s `error`
+  /// in a coordinate from s p on the box's axis. The axis is rounded to float: by `end` times u for the centre, for the direction and for the
+  /// extent. `slack` takes both.
+  static kernel::Single_box beyond(const Row& p, double error)
+  {
+    const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+    kernel::Single_box box{};
+    if (!(length > 0x1p20 * error) || !(length < 0x1p20)) {
+      for (int i = 0; i < 3; ++i) box.edge[i][i] = 1, box.extent[i] = 4;
+      return box;
+    }
+    const double end = kernel::maximum(2.0, 1.5 * length);
+    const kernel::Matrix axes = kernel::detail::axes_from(kernel::Vector(p[0], p[1], p[2]), kernel::Vector(1, 0, 0));
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k) box.edge[i][k] = float(axes(k, i));
+      box.centre[i] = float(0.5 * (1 + end / length) * p[i]);
+    }
+    box.extent[0] = float(0.5 * (end - length));
+    box.slack = kernel::obb8_slack(0, error * end / length) + 64 * 0x1p-24f * float(end);
+    return box;
+  }
+
+  std::vector<Index> nodes_;
+};
+
+}  // namespace tetracone::tetratree
+
+#endif

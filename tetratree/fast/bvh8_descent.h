@@ -1,0 +1,93 @@
+#ifndef TETRACONE_TETRATREE_FAST_BVH8_DESCENT_H
+#define TETRACONE_TETRATREE_FAST_BVH8_DESCENT_H
+
+#include "tetracone/kernel/simd/simd.h"
+#include "tetracone/kernel/bound/obb8_overlap.h"
+#include "tetracone/tetratree/fast/bvh8_node.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace tetracone::tetratree {
+
+/// Pairs of boxes, one of each body, that may meet, with their sizes: sums of extents, in the units of the second body, negative for
+/// a leaf. Box k of node n is 8 n + k.
+class Pair_stack {
+ public:
+  std::size_t count() const { return count_; }
+  bool empty() const { return count_ == 0; }
+  std::uint32_t box(int body) const { return box_[body][count_ - 1]; }
+  float size(int body) const { return size_[body][count_ - 1]; }
+
+  void clear() { count_ = 0; }
+  void pop() { --count_; }
+  void push(std::uint32_t a, std::uint32_t b, float size_a, float size_b)
+  {
+    reserve();
+    box_[0][count_] = a, box_[1][count_] = b, size_[0][count_] = size_a, size_[1][count_] = size_b;
+    ++count_;
+  }
+
+  // For the descent, which writes whole vectors of lanes and then says how many of them count.
+  void reserve()
+  {
+    if (count_ + 5 * kernel::lanes <= box_[0].size()) return;
+    for (int body = 0; body < 2; ++body) box_[body].resize(2 * count_ + 256), size_[body].resize(2 * count_ + 256);
+  }
+  std::uint32_t* boxes(int body) { return box_[body].data(); }
+  float* sizes(int body) { return size_[body].data(); }
+  void set_count(std::size_t count) { count_ = count; }
+
+ private:
+  std::vector<std::uint32_t> box_[2];
+  std::vector<float> size_[2];
+  std::size_t count_ = 0;
+};
+
+/// Two bodies as a descent sees them.
+struct Both_trees {
+  const Bvh8_node* nodes[2];
+  const kernel::Box_map* into[2];  ///< of body k: into the frame of the other
+  float scale;                     ///< from the first body's units to the second's
+
+  std::uint64_t opened = 0, compared = 0;  ///< pairs opened so far, boxes compared
+};
+
+/// Why a descent has stopped: nothing is left; the top pair is two leaves; the top pair's larger box has children that must be made first.
+enum class Stop { nothing_left, leaves, no_child };
+
+/// So many pairs a descent opens by two a round at most.
+constexpr std::uint64_t opened_by_two = 32;
+
+/// For each set of lanes, as bits: their numbers in order, then zeros.
+inline constexpr auto lanes_in = [] {
+  std::array<std::array<std::uint8_t, kernel::lanes>, 1 << kernel::lanes> lanes{};
+  for (unsigned set = 0; set < lanes.size(); ++set)
+    for (unsigned lane = 0, count = 0; lane < kernel::lanes; ++lane)
+      if (set >> lane & 1) lanes[set][count++] = std::uint8_t(lane);
+  return lanes;
+}();
+
+/// Whether the first box of a pair is the larger one, which is opened.
+inline bool first_is_larger(float size_a, float size_b) { return size_a > size_b; }
+
+}  // namespace tetracone::tetratree
+
+#define TETRACONE_SIMD_KERNEL "tetracone/tetratree/fast/bvh8_descent_simd.inl"
+#include "tetracone/kernel/simd/simd_rounds.h"
+
+namespace tetracone::tetratree {
+
+/// Opens pairs, the top one first: the parts of its larger box against the other box, those that may meet pushed. Stops where the caller is needed.
+inline Stop descend(Pair_stack& stack, Both_trees& trees)
+{
+  using Function = Stop(Pair_stack&, Both_trees&);
+  static Function* const fastest = kernel::fastest_version<Function>(TETRACONE_SIMD_VERSIONS(descend_kernel));
+  return fastest(stack, trees);
+}
+
+}  // namespace tetracone::tetratree
+
+#endif

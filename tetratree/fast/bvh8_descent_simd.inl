@@ -1,0 +1,135 @@
+#ifndef TETRACONE_TETRATREE_FAST_BVH8_DESCENT_SIMD_INL
+#define TETRACONE_TETRATREE_FAST_BVH8_DESCENT_SIMD_INL
+// Included by tetratree/fast/bvh8_descent.h, once for each target.
+#ifndef TETRACONE_SIMD_KERNEL
+#undef TETRACONE_TETRATREE_FAST_BVH8_DESCENT_SIMD_INL  // that header includes this one, again and again
+#include "tetracone/tetratree/fast/bvh8_descent.h"
+#else
+
+HWY_BEFORE_NAMESPACE();
+namespace tetracone::tetratree::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+namespace simd = kernel::HWY_NAMESPACE;
+
+/// A pair whose larger box is to be replaced by its parts.
+struct Opening {
+  int body;  // of the larger box
+  std::uint32_t box[2];
+  float size[2];
+  const Bvh8_node* node = nullptr;  // the parts
+  Stop stop = Stop::nothing_left;   // else: why it cannot be opened
+
+  HWY_INLINE Opening(Pair_stack& stack, std::size_t position, const Both_trees& trees)
+  {
+    for (int k = 0; k < 2; ++k) box[k] = stack.boxes(k)[position], size[k] = stack.sizes(k)[position];
+    body = first_is_larger(size[0], size[1]) ? 0 : 1;
+    if (size[body] < 0) {
+      stop = Stop::leaves;
+      return;
+    }
+    const std::int32_t child = trees.nodes[body][box[body] / 8].child[box[body] % 8];
+    if (child < 0) stop = Stop::no_child;
+    else node = trees.nodes[body] + child;
+  }
+
+  HWY_INLINE bool is_ready() const { return stop == Stop::nothing_left; }
+
+  /// The other box, in the frame of the parts.
+  template <bool similarity>
+  HWY_INLINE kernel::Single_box single(const Both_trees& trees) const
+  {
+    const int other = 1 - body, lane = int(box[other] % 8);
+    const Bvh8_node& from = trees.nodes[other][box[other] / 8];
+    if constexpr (!similarity) return (*trees.into[other])(node->boxes, from.boxes, lane);
+    const float magnitude = size[other] < 0 ? -size[other] : size[other];
+    kernel::Single_box single = simd::carried(node->boxes, *trees.into[other], from.boxes, lane, body == 1 ? magnitude : magnitude / trees.scale);
+    if (size[other] < 0) single.apex = kernel::apex_of(Bvh8_node::apex(from.child[lane]));
+    return single;
+  }
+};
+
+/// Writes the pairs of the parts that may meet the other box to the stack, from position `count` on; returns the position after them.
+template <bool similarity>
+HWY_INLINE std::size_t store(Pair_stack& stack, std::size_t count, const Opening& o, const kernel::Single_box& box, Both_trees& trees)
+{
+  constexpr simd::Float_tag tag;
+  constexpr hn::RebindToUnsigned<simd::Float_tag> ids;
+  constexpr hn::RebindToSigned<simd::Float_tag> codes;
+  const int other = 1 - o.body;
+  const kernel::Obb8& boxes = o.node->boxes;
+  const std::uint32_t first_id = std::uint32_t(o.node - trees.nodes[o.body]) * 8;
+  const std::size_t held = std::size_t(o.node->boxes.lane_count);
+  for (std::size_t first = 0; first < kernel::lanes; first += hn::Lanes(tag)) {
+    const auto mask = hn::And(simd::together<similarity>(simd::One_test{boxes, box, first}), hn::FirstN(tag, held > first ? held - first : 0));
+    const auto extent = [&](int i) HWY_ATTR { return hn::Load(tag, boxes.extent[i] + first); };
+    const auto size = hn::Mul(hn::Set(tag, o.body == 0 ? trees.scale : 1.0f), hn::Add(extent(0), hn::Add(extent(1), extent(2))));
+    const auto is_leaf = hn::RebindMask(tag, hn::Lt(hn::LoadU(codes, o.node->child.data() + first), hn::Set(codes, Bvh8_node::last_leaf + 1)));
+    const auto id = hn::Add(hn::Set(ids, first_id + std::uint32_t(first)), hn::Iota(ids, 0));
+    const auto signed_size = hn::IfThenElse(is_leaf, hn::Neg(size), size);
+    // Whole vectors: a masked store would keep the next pop waiting.
+#if HWY_TARGET <= HWY_AVX3
+    hn::StoreU(hn::Compress(id, hn::RebindMask(ids, mask)), ids, stack.boxes(o.body) + count);
+    hn::StoreU(hn::Compress(signed_size, mask), tag, stack.sizes(o.body) + count);
+#else
+    // No instruction does it: Highway 1.0.3's Compress would copy its table, a kilobyte, to the stack each time.
+    std::uint8_t set[8];
+    hn::StoreMaskBits(tag, mask, set);
+    const auto moved = hn::PromoteTo(codes, hn::LoadU(hn::Rebind<std::uint8_t, simd::Float_tag>(), lanes_in[set[0]].data()));
+    hn::StoreU(hn::TableLookupLanes(id, hn::IndicesFromVec(ids, moved)), ids, stack.boxes(o.body) + count);
+    hn::StoreU(hn::TableLookupLanes(signed_size, hn::IndicesFromVec(tag, moved)), tag, stack.sizes(o.body) + count);
+#endif
+    hn::StoreU(hn::Set(ids, o.box[other]), ids, stack.boxes(other) + count);
+    hn::StoreU(hn::Set(tag, o.size[other]), tag, stack.sizes(other) + count);
+    count += hn::CountTrue(tag, mask);
+  }
+  ++trees.opened, trees.compared += held;
+  return count;
+}
+
+/// Four pairs a round where so many are ready, so that none need wait for what the one before it brings; else two, or one. At first two: bodies that
+/// meet are often known to after few openings, and what is opened beside these is in vain.
+template <bool similarity>
+HWY_ATTR Stop descend(Pair_stack& stack, Both_trees& trees)
+{
+  while (!stack.empty()) {
+    stack.reserve();
+    const std::size_t top = stack.count() - 1;
+    const auto opening = [&](std::size_t below) HWY_ATTR { return Opening(stack, top >= below ? top - below : 0, trees); };
+    const auto single = [&](const Opening& o) HWY_ATTR { return o.template single<similarity>(trees); };
+    const auto put = [&](std::size_t count, const Opening& o, const kernel::Single_box& box) HWY_ATTR { return store<similarity>(stack, count, o, box, trees); };
+
+    const Opening first = opening(0), second = opening(1);
+    if (!first.is_ready()) return first.stop;
+    if (top >= 3 && trees.opened >= opened_by_two) {
+      const Opening third = opening(2), fourth = opening(3);
+      if (second.is_ready() && third.is_ready() && fourth.is_ready()) {
+        const kernel::Single_box of_first = single(first), of_second = single(second), of_third = single(third), of_fourth = single(fourth);
+        stack.set_count(put(put(put(put(top - 3, fourth, of_fourth), third, of_third), second, of_second), first, of_first));
+        continue;
+      }
+    }
+    const kernel::Single_box of_first = single(first);
+    if (top >= 1 && second.is_ready()) {
+      const kernel::Single_box of_second = single(second);
+      stack.set_count(put(put(top - 1, second, of_second), first, of_first));
+    } else {
+      stack.set_count(put(top, first, of_first));
+    }
+  }
+  return Stop::nothing_left;
+}
+
+inline HWY_ATTR Stop descend_kernel(Pair_stack& stack, Both_trees& trees)
+{
+  return trees.into[0]->is_similarity() && trees.into[1]->is_similarity() ? descend<true>(stack, trees) : descend<false>(stack, trees);
+}
+
+}  // namespace tetracone::tetratree::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
+
+// Included again for the next target.
+#undef TETRACONE_TETRATREE_FAST_BVH8_DESCENT_SIMD_INL
+#endif

@@ -1,0 +1,40 @@
+#ifndef TETRACONE_TETRATREE_PAPER_BOUNDING_TETRAHEDRON_H
+#define TETRACONE_TETRATREE_PAPER_BOUNDING_TETRAHEDRON_H
+
+#include "tetracone/kernel/bound/cone_coordinates.h"
+#include "tetracone/tetratree/paper/config.h"
+#include "tetracone/tetratree/paper/tetra_cone.h"
+
+namespace tetracone::tetratree {
+
+/// The bounding tetrahedron V0 V'1 V'2 V'3 of what lies in a tetra-cone (JS08 Definition 5): V'i on ray i, and every vertex of the
+/// classified tetrahedra on the same side of the plane V'1 V'2 V'3 as V0. Given by the shares `length[i]` = |V0 V'i| / |V0 Vi|.
+///
+/// `shortened`: an isosceles tetrahedron as long as the farthest vertex needs, then the loop of section 2.3.1: each edge in turn is
+/// shortened by a share; if the tetrahedron no longer bounds, it is lengthened again by a share; and kept if it bounds.
+/// `tightest`: the plane of least volume that bounds.
+/// Departure: the test "bounds" is the sign of the barycentric coordinate at V0 of all vertices at once, as the largest of the linear
+/// forms sum_i c_i / length_i, where c are a vertex's coordinates along the rays.
+template <class B, bool sound>
+std::array<B, 3> bounding_tetrahedron(const kernel::Cone_coordinates<B, sound>& vertices, const Config& config)
+{
+  std::array<B, 3> length = vertices.isosceles();
+  if (config.far_plane == Far_plane::tightest) return vertices.least_volume(length);
+  const B shorter = B(1 - config.shorten_by), longer = B(1 + config.lengthen_by);
+  for (int round = 0; round < config.shortening_rounds; ++round) {
+    bool changed = false;
+    for (int i = 0; i < 3; ++i) {
+      const B before = length[i];
+      length[i] = before * shorter;
+      if (!vertices.bounded_by(length)) length[i] *= longer;
+      if (!vertices.bounded_by(length)) length[i] = before;
+      changed = changed || length[i] != before;
+    }
+    if (!changed) break;
+  }
+  return length;
+}
+
+}  // namespace tetracone::tetratree
+
+#endif

@@ -1,0 +1,299 @@
+#ifndef TETRACONE_TETRATREE_PAPER_COLLISION_H
+#define TETRACONE_TETRATREE_PAPER_COLLISION_H
+
+#include "tetracone/kernel/predicate/contact.h"
+#include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/predicate/question.h"
+#include "tetracone/tetratree/query_statistics.h"
+#include "tetracone/tetratree/paper/placed_tree.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+namespace tetracone::tetratree {
+
+using kernel::Contact;
+using kernel::Feature_pair;
+using kernel::Pose;
+using kernel::Question;
+
+/// Collision detection between two tetra-trees (JS08 Algorithm 1). Build once, ask for many poses.
+///
+/// A query first takes the reference bounding tetrahedron of each body (Theorem 2), then descends both trees, discarding a pair of
+/// nodes by Theorem 2, by spheres and by bounding tetrahedra in this order, and tests the edges in one leaf against the faces in
+/// the other, both ways; real edges only, never inner ones of the covering.
+///
+/// Exact kernels: the answer is that of all edges against all faces. A point y where an edge e of A meets a face f of B lies in a
+/// leaf cone of each tree; e is on a covering triangle through y, which is classified in A's, and so is one of f through y
+/// in B's. What lies in a cone is held by its bounding tetrahedron and sphere, rounded outward; so this pair of leaves is
+/// never discarded. And two faces that share a point share one on an edge of either.
+///
+/// Departures from the listing: the choice of the node to descend (see `Descent`); flags of Theorem 2 are decided when a node is
+/// descended, not set by a walk over the whole tree; Theorem 2 asks for V0 beyond the plane too, without which a body whose
+/// origin lies inside the hull could be discarded. `solid` and `features` are extensions that the paper names.
+///
+/// The config of the first tree decides how a query runs. Both trees must outlive the query object. Where K decides exactly, making it and every query
+/// throw kernel::Unsound_floating_point when floating point is not as that needs it.
+template <class K>
+class Collision {
+ public:
+  Collision(Tetra_tree<K>& a, Tetra_tree<K>& b)
+      : config_(a.config()), a_(a), b_(b), sides_(kernel::maximum(a.model().vertices().size(), b.model().vertices().size()))
+  {
+    if constexpr (sound) kernel::require_exact_arithmetic();
+  }
+
+  /// Whether the two placed polyhedra collide. Requires det M != 0 of both poses, and closed polyhedra for `Question::solid`.
+  bool operator()(const Pose& pose_a, const Pose& pose_b, Question question = Question::solid)
+  {
+    const Fallbacks fallbacks(counts_);
+    begin(pose_a, pose_b);
+    if (roots_apart()) return false;
+    if (descend_from_roots([this](const Node<B>& a, const Node<B>& b) { return leaves_meet(a, b); })) return true;
+    return question == Question::solid && (holds_a_shell(a_, b_) || holds_a_shell(b_, a_));
+  }
+
+  /// Calls leaf_test(node of A, node of B) for the pairs of leaves that the query does not discard, until one returns true: the
+  /// descent alone, with a leaf test of the caller's. Returns whether one did.
+  template <class Leaf_test>
+  bool any_leaf_pair(const Pose& pose_a, const Pose& pose_b, const Leaf_test& leaf_test)
+  {
+    begin(pose_a, pose_b);
+    return !roots_apart() && descend_from_roots(leaf_test);
+  }
+
+  /// All pairs of an edge of one and a face of the other that share a point, with the kind of their contact, sorted.
+  std::vector<Feature_pair> features(const Pose& pose_a, const Pose& pose_b)
+  {
+    const Fallbacks fallbacks(counts_);
+    std::vector<Feature_pair> found;
+    features_ = &found;
+    any_leaf_pair(pose_a, pose_b, [this](const Node<B>& a, const Node<B>& b) { return leaves_meet(a, b); });
+    features_ = nullptr;
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+  }
+
+  /// The choices by which queries run; those of the build have been made.
+  Config& config() { return config_; }
+
+  Placed_tree<K>& a() { return a_; }
+  Placed_tree<K>& b() { return b_; }
+
+  const Query_statistics& counts() const { return counts_; }
+  void clear_counts() { counts_ = {}; }
+
+ private:
+  using B = typename Tetra_tree<K>::B;
+  static constexpr bool sound = Tetra_tree<K>::sound;
+  static constexpr Index root = Tetra_tree<K>::root();
+  using Body = Placed_tree<K>;
+  using Plane = std::optional<kernel::Placed_half_space<B, sound>>;
+
+  /// Query_statistics the exact stage of the adaptive kernel over its lifetime.
+  struct Fallbacks {
+    Query_statistics& counts;
+    std::uint64_t before = now();
+
+    explicit Fallbacks(Query_statistics& c) : counts(c) {}
+    ~Fallbacks() { counts.exact_fallbacks += now() - before; }
+    static std::uint64_t now()
+    {
+      if constexpr (std::is_same_v<K, kernel::Adaptive>) return kernel::Adaptive::exact_fallbacks();
+      return 0;
+    }
+  };
+
+  void begin(const Pose& pose_a, const Pose& pose_b)
+  {
+    ++counts_.queries;
+    a_.place(pose_a);
+    b_.place(pose_b);
+    slack_ = kernel::projection_slack(a_.frame(), b_.frame());
+    determinant_a_ = std::abs(volume_factor(a_)), determinant_b_ = std::abs(volume_factor(b_));
+    plane_a_.reset(), plane_b_.reset();
+  }
+
+  static B volume_factor(const Body& body)
+  {
+    const auto& m = body.frame().entries();
+    return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8]) + m[2] * (m[4] * m[9] - m[5] * m[8]);
+  }
+
+  // The spheres of the whole bodies; where neither has a tree, nothing is discarded.
+  bool roots_apart()
+  {
+    const Node<B>&a = a_.tree().node(root), &b = b_.tree().node(root);
+    return !(a.is_leaf && b.is_leaf) && spheres_apart(a, b);
+  }
+
+  template <class Leaf_test>
+  bool descend_from_roots(const Leaf_test& leaf_test)
+  {
+    if (config_.regular_hull) {
+      plane_a_ = reference(a_, b_);
+      plane_b_ = reference(b_, a_);
+    }
+    return descend(root, root, leaf_test);
+  }
+
+  // The plane of `body` that faces `other`, when it can discard anything: when the other's V0, a vertex of all its bounding
+  // tetrahedra, is beyond it.
+  Plane reference(const Body& body, const Body& other) const
+  {
+    const auto plane = body.reference(other.origin());
+    return plane.is_beyond(other.origin(), slack_) ? Plane(plane) : std::nullopt;
+  }
+
+  bool beyond(const Plane& plane, const Body& body, const Node<B>& node)
+  {
+    if (!plane || node.level == 0) return false;
+    ++counts_.hull_tests;
+    for (int i = 1; i < 4; ++i)
+      if (!plane->is_beyond(body.frame()(node.tetrahedron[i]), slack_)) return false;
+    ++counts_.discarded_by_hull;
+    return true;
+  }
+
+  bool spheres_apart(const Node<B>& a, const Node<B>& b)
+  {
+    if (!config_.spheres) return false;
+    ++counts_.sphere_tests;
+    const bool apart = kernel::separated<B, sound>(a_.sphere(a), b_.sphere(b));
+    counts_.discarded_by_sphere += apart;
+    return apart;
+  }
+
+  bool tetrahedra_apart(const Node<B>& a, const Node<B>& b)
+  {
+    if (!config_.tetrahedra || a.level == 0 || b.level == 0) return false;
+    ++counts_.tetrahedron_tests;
+    const bool apart = kernel::separated<B>(a_.tetrahedron(a), b_.tetrahedron(b), config_.all_axes, slack_);
+    counts_.discarded_by_tetrahedron += apart;
+    return apart;
+  }
+
+  // A pair of nodes: true when a contact was found and one is enough.
+  template <class Leaf_test>
+  bool visit(Index na, Index nb, const Leaf_test& leaf_test)
+  {
+    ++counts_.pairs_visited;
+    const Node<B>&a = a_.tree().node(na), &b = b_.tree().node(nb);
+    if (spheres_apart(a, b) || tetrahedra_apart(a, b)) return false;
+    return descend(na, nb, leaf_test);
+  }
+
+  template <class Leaf_test>
+  bool descend(Index na, Index nb, const Leaf_test& leaf_test)
+  {
+    const Node<B>&a = a_.tree().node(na), &b = b_.tree().node(nb);
+    if (a.is_leaf && b.is_leaf) return leaf_test(a, b);
+    if (config_.descent == Descent::both && !a.is_leaf && !b.is_leaf)
+      return for_children_of_a(na, [&](Index child_a) {
+        return for_children_of_b(nb, [&](Index child_b) { return visit(child_a, child_b, leaf_test); });
+      });
+    const bool a_first = b.is_leaf || (!a.is_leaf && a.volume * determinant_a_ > b.volume * determinant_b_);
+    if (a_first) return for_children_of_a(na, [&](Index child) { return visit(child, nb, leaf_test); });
+    return for_children_of_b(nb, [&](Index child) { return visit(na, child, leaf_test); });
+  }
+
+  template <class Visit>
+  bool for_children_of_a(Index n, const Visit& visit_child)
+  {
+    return for_children(a_, n, plane_b_, visit_child);
+  }
+  template <class Visit>
+  bool for_children_of_b(Index n, const Visit& visit_child)
+  {
+    return for_children(b_, n, plane_a_, visit_child);
+  }
+  template <class Visit>
+  bool for_children(Body& body, Index n, const Plane& plane_of_other, const Visit& visit_child)
+  {
+    const Node<B>& parent = body.tree().with_children(n);
+    const Index first = parent.first_child, end = first + parent.child_count;
+    for (Index child = first; child < end; ++child)
+      if (!beyond(plane_of_other, body, body.tree().node(child)) && visit_child(child)) return true;
+    return false;
+  }
+
+  bool leaves_meet(const Node<B>& a, const Node<B>& b)
+  {
+    ++counts_.leaf_pairs;
+    return edges_meet_faces(a_, a, b_, b, 0) || edges_meet_faces(b_, b, a_, a, 1);
+  }
+
+  // The edges in `leaf` of `body` against the faces in `other_leaf` of `other`. The side of a vertex against a face's plane, which
+  // most pairs need only to be told apart, is decided once for all edges at that vertex.
+  bool edges_meet_faces(Body& body, const Node<B>& leaf, Body& other, const Node<B>& other_leaf, int body_number)
+  {
+    const auto edges = body.tree().edges(leaf);
+    const auto& ends = body.tree().model().covering().edges();
+    edge_boxes_.clear();
+    if (config_.leaf_boxes)
+      for (const Index edge : edges) edge_boxes_.push_back(body.edge_box(edge));
+    for (const Index face : other.tree().faces(other_leaf)) {
+      const covering::Placed_face<K> placed(other.body(), face);
+      const bool is_triangle = placed.edge_count() == 3, is_degenerate = placed.is_degenerate();
+      ++face_now_;
+      const auto side = [&](Index v) {
+        if (is_degenerate) return kernel::ZERO;
+        Side& known = sides_[v];
+        if (known.decided_at != face_now_)
+          known = {face_now_, kernel::volume_sign<K>(placed.plane_basis(0), placed.plane_basis(1), placed.plane_basis(2), body.body().point(v))};
+        return known.sign;
+      };
+      for (std::size_t k = 0; k < edges.size(); ++k) {
+        if (config_.leaf_boxes && !edge_boxes_[k].meets(other.face_box(face))) {
+          ++counts_.discarded_by_box;
+          continue;
+        }
+        ++counts_.edge_face_tests;
+        const auto& [from, to] = ends[edges[k]];
+        const kernel::Sign side_from = side(from), side_to = side(to);
+        if (side_from == side_to && side_from != kernel::ZERO) continue;
+        const kernel::Point<K>&p = body.body().point(from), &q = body.body().point(to);
+        const Contact contact = is_triangle && !is_degenerate
+                                    ? kernel::segment_triangle<K>(p, q, placed.plane_basis(0), placed.plane_basis(1), placed.plane_basis(2), side_from, side_to)
+                                    : kernel::segment_face<K>(p, q, placed, side_from, side_to);
+        if (contact == Contact::none) continue;
+        if (features_ == nullptr) return true;
+        features_->push_back({body_number, from, to, face, contact});
+      }
+    }
+    return false;
+  }
+
+  // Requires surfaces that share no point: then each shell is inside or outside as a whole, and one vertex of it tells.
+  bool holds_a_shell(Body& holder, Body& held)
+  {
+    for (const Index v : held.tree().model().covering().shell_vertices()) {
+      ++counts_.inclusion_tests;
+      if (holder.contains(held.body().point(v))) return true;
+    }
+    return false;
+  }
+
+  Config config_;
+  Body a_, b_;
+  B slack_ = 0, determinant_a_ = 1, determinant_b_ = 1;
+  Plane plane_a_, plane_b_;
+  std::vector<Feature_pair>* features_ = nullptr;
+
+  struct Side {
+    std::uint64_t decided_at = 0;  // the face, by `face_now_`
+    kernel::Sign sign = kernel::ZERO;
+  };
+  std::vector<Side> sides_;                  // of the vertices of either body against the face at hand
+  std::uint64_t face_now_ = 0;
+  std::vector<kernel::Box<B>> edge_boxes_;  // of the leaf at hand
+  Query_statistics counts_;
+};
+
+}  // namespace tetracone::tetratree
+
+#endif

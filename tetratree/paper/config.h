@@ -1,0 +1,85 @@
+#ifndef TETRACONE_TETRATREE_PAPER_CONFIG_H
+#define TETRACONE_TETRATREE_PAPER_CONFIG_H
+
+#include <cstddef>
+
+namespace tetracone::tetratree {
+
+/// How the far plane of a bounding tetrahedron is found (JS08 section 2.3.1).
+enum class Far_plane {
+  shortened,  ///< the paper's loop: from an isosceles tetrahedron, edges are shortened one at a time while it still bounds
+  tightest    ///< the plane of least volume, by a search over its two directions
+};
+
+/// How the centre of a bounding sphere is found (JS08 section 2.3.2). The radius is always the distance of the farthest vertex.
+enum class Sphere_centre {
+  centroid,  ///< the paper's: the mean of the vertices
+  improved   ///< close to the centre of the smallest enclosing ball
+};
+
+/// Which of two nodes that may touch is descended.
+enum class Descent {
+  larger_first,  ///< the one of larger volume, as section 3 advises
+  both           ///< both at once, as the listing in the appendix does
+};
+
+/// Everything that can be chosen about a tetra-tree and its queries. The default is the paper's method.
+struct Config {
+  /// Deepest level of tetra-cones (the octants are level 1); 0 lets the tree be one list without cones. Default: so many levels
+  /// that a cone of the last one holds about one triangle of a star-shaped object ("adjusted to the number of vertices").
+  static constexpr int by_size = -1;
+  int depth = by_size;
+
+  /// A cone with at most so many tetrahedra is a leaf.
+  std::size_t leaf_size = 8;
+
+  /// Nodes are made when a query first enters their parent, instead of all at the start.
+  bool on_demand = false;
+
+  Far_plane far_plane = Far_plane::shortened;
+  /// The loop of `Far_plane::shortened`: rounds over the three edges, share by which an edge is shortened, and share by which it is
+  /// lengthened again when that was too much.
+  int shortening_rounds = 60;
+  double shorten_by = 0.03, lengthen_by = 0.015;
+
+  Sphere_centre sphere_centre = Sphere_centre::centroid;
+
+  /// Theorem 2: discard a bounding tetrahedron that lies beyond the plane of the other body's reference bounding tetrahedron.
+  bool regular_hull = true;
+
+  /// Discard pairs of nodes by their bounding spheres, and by their bounding tetrahedra.
+  bool spheres = true;
+  bool tetrahedra = true;
+
+  Descent descent = Descent::larger_first;
+
+  /// Bounding tetrahedra are compared along all 44 axes, which is the whole test of two tetrahedra, or along their 8 face
+  /// normals only.
+  bool all_axes = true;
+
+  /// In leaves, edges and faces whose axis-aligned boxes are apart are not tested further. Not in the paper.
+  bool leaf_boxes = false;
+
+  /// The fastest choice known for the paper's structure, all within it but the boxes in leaves.
+  static Config fastest()
+  {
+    Config config;
+    config.far_plane = Far_plane::tightest;
+    config.sphere_centre = Sphere_centre::improved;
+    config.regular_hull = false;
+    config.leaf_boxes = true;
+    return config;
+  }
+
+  /// No tree: every edge against every face.
+  static Config brute()
+  {
+    Config config;
+    config.depth = 0;
+    return config;
+  }
+};
+
+}  // namespace tetracone::tetratree
+
+#endif

@@ -1,0 +1,369 @@
+#include "verify/campaign/campaign.h"
+
+#include "tetracone/covering/io/input_error.h"
+#include "verify/cases/shape_library.h"
+#include "verify/truth/cgal_truth.h"
+#include "verify/campaign/campaign_schema.h"
+#include "verify/truth/distance_to_degeneracy.h"
+#include "verify/campaign/findings.h"
+#include "verify/truth/integer_truth.h"
+#include "verify/truth/predicate_truth.h"
+#include "verify/relations/metamorphic_relations.h"
+#include "verify/cases/sequences.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for_each.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <mutex>
+#include <tuple>
+#include <utility>
+
+namespace tetracone::verify {
+namespace {
+
+using kernel::Question;
+
+constexpr std::uint64_t predicate_batch = 200, object_batch = 10;
+constexpr std::uint64_t relation_stride = 4;    // each such case is tried with one relation, all of them in turn
+constexpr const char* truth_name = "truth";
+constexpr std::array questions = {Question::surface, Question::solid};
+
+std::string name_of(Question question) { return std::string(kernel::to_string(question)); }
+
+/// A piece of a campaign, done as a whole: cases first .. last of a family, or one sequence.
+struct Batch {
+  Level level;
+  const Family* family;
+  const Sequence* sequence;  // instead of a family
+  std::uint64_t number, first, last;
+
+  std::string family_name() const { return sequence ? "sequence " + sequence->name : std::string(family->name); }
+};
+
+/// Which relation case k is tried with: each family begins with another one.
+std::size_t relation_turn(const Batch& batch, std::uint64_t k) { return k / relation_stride + std::size_t(batch.family->number); }
+
+std::vector<Batch> batches(const Campaign& campaign, const std::vector<Sequence>& sequences)
+{
+  std::vector<Batch> all;
+  const auto add = [&](Level level, const Family* family, std::uint64_t cases, std::uint64_t size) {
+    for (std::uint64_t number = 0; number * size < cases; ++number)
+      if (int((family->number + number) % std::uint64_t(campaign.shards)) == campaign.shard)
+        all.push_back({level, family, nullptr, number, number * size, std::min(cases, (number + 1) * size)});
+  };
+  for (const Family* family : campaign.families) add(Level::predicate, family, campaign.predicate_cases, predicate_batch);
+  for (const Family* family : campaign.families) add(Level::object, family, campaign.object_cases, object_batch);
+  for (std::size_t k = 0; k < sequences.size(); ++k)
+    if (int(k % std::size_t(campaign.shards)) == campaign.shard)
+      all.push_back({Level::object, nullptr, &sequences[k], 0, 0, sequences[k].frames.size()});
+  return all;
+}
+
+std::vector<Sequence> sequences_of(const Campaign& campaign)
+{
+  if (campaign.sequence_frames == 0) return {};
+  return sequences(campaign.seed, campaign.sequence_frames);
+}
+
+/// What the database has of a seed: cases by batch and subject.
+class Done {
+ public:
+  Done(Database& database, std::uint64_t seed)
+  {
+    Database::Statement rows(database, "SELECT level, family, batch, subject, cases FROM done WHERE seed = ?1");
+    for (rows.with(seed); rows.next();)
+      cases_[{rows.text(0), rows.text(1), std::uint64_t(rows.integer(2)), rows.text(3)}] = std::uint64_t(rows.integer(4));
+  }
+
+  /// The first case of the batch that the subject has not been asked.
+  std::uint64_t next(const Batch& batch, const std::string& subject) const
+  {
+    const auto found = cases_.find({verify::to_string(batch.level), batch.family_name(), batch.number, subject});
+    return batch.first + (found == cases_.end() ? 0 : found->second);
+  }
+
+ private:
+  std::map<std::tuple<std::string, std::string, std::uint64_t, std::string>, std::uint64_t> cases_;
+};
+
+/// Who is wanted for the cases of a batch: the subjects, and the truth, that have not been asked them before.
+class Wanted {
+ public:
+  template <class Subject>
+  Wanted(const Batch& batch, const std::vector<Subject>& subjects, const Done& done) : last_(batch.last)
+  {
+    for (const Subject& subject : subjects) names_.push_back(subject.name);
+    names_.push_back(truth_name);
+    for (const std::string& name : names_) next_.push_back(done.next(batch, name));
+  }
+
+  bool subject(std::size_t s, std::uint64_t k) const { return next_[s] <= k; }
+  bool truth(std::uint64_t k) const { return next_.back() <= k; }
+  bool anyone(std::uint64_t k) const { return std::ranges::any_of(next_, [k](std::uint64_t next) { return next <= k; }); }
+
+  /// When the batch is done: what each has been asked now.
+  void add_done(Findings& found) const
+  {
+    for (std::size_t s = 0; s < names_.size(); ++s)
+      if (next_[s] < last_) found.add_done(names_[s], last_ - next_[s]);
+  }
+
+ private:
+  std::vector<std::string> names_;   // the truth's is the last
+  std::vector<std::uint64_t> next_;  // the first case that each has not been asked
+  std::uint64_t last_;
+};
+
+/// Calls what() and returns its result and the nanoseconds that it took.
+template <class What>
+auto timed(const What& what)
+{
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  auto result = what();
+  return std::pair(std::move(result), std::uint64_t(std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - start).count()));
+}
+
+Random random_of(const Origin& origin, std::size_t relation) { return Random(origin.seed * 1'000'003 + origin.index * 101 + relation); }
+
+// --- predicates -----------------------------------------------------------------------------------------------------
+
+std::optional<int> truth_of(const Predicate_case& c, Predicate predicate)
+{
+  const auto first = true_answer(predicate, c), second = integer_truth::answer(predicate, c);
+  if (first != second) throw Truths_disagree("the two truths of a predicate disagree", c, predicate);
+  return first;
+}
+
+Findings ask_predicates(const Campaign& campaign, const Batch& batch, const Done& done)
+{
+  static const std::vector<Relation> relations = predicate_relations();
+  Findings found(batch.level, batch.family_name());
+  const auto& subjects = campaign.predicate_subjects;
+  const Wanted wanted(batch, subjects, done);
+
+  for (std::uint64_t k = batch.first; k < batch.last; ++k) {
+    if (!wanted.anyone(k)) continue;
+    const Predicate_case c = batch.family->predicate_case(campaign.seed, k);
+    for (const Predicate predicate : all_predicates) {
+      const std::string question = verify::to_string(predicate);
+      const auto truth = truth_of(c, predicate);
+      if (!truth) continue;
+      if (wanted.truth(k)) found.add_truth(question, *truth > 0, false);
+      const Distance away = distance(predicate, c);
+      for (std::size_t s = 0; s < subjects.size(); ++s) {
+        if (!wanted.subject(s, k)) continue;
+        const auto [value, ns] = timed([&] { return subjects[s].answer(predicate, c); });
+        if (!value) continue;  // another predicate's formulation
+        const Findings::Answer answer{value, false};
+        found.add_answer(subjects[s].name, question, away, *truth, answer, ns);
+        if (*value != *truth && k < kept_one_by_one) found.add_wrong(c.origin, subjects[s].name, question, away, *truth, answer, {});
+      }
+    }
+    if (k % relation_stride == 0) {
+      const std::size_t number = relation_turn(batch, k) % relations.size();
+      const Relation& relation = relations[number];
+      for (std::size_t s = 0; s < subjects.size(); ++s)
+        for (const Predicate predicate : all_predicates) {
+          if (!wanted.subject(s, k)) continue;
+          Random random = random_of(c.origin, number);
+          const Verdict verdict = check(relation, c, predicate, subjects[s], random);
+          if (verdict == Verdict::not_applicable) continue;  // most relations are about one predicate
+          found.add_relation(std::string(relation.name), subjects[s].name, verify::to_string(predicate), true,
+                             verdict == Verdict::violated);
+        }
+    }
+  }
+  wanted.add_done(found);
+  return found;
+}
+
+// --- objects --------------------------------------------------------------------------------------------------------
+
+bool truth_of(const Object_case& c, const Placed_body& a, const Placed_body& b, Question question)
+{
+  const bool first = verify::collide(a, b, question), second = integer_truth::collide(c, question);
+  if (first != second) throw Truths_disagree("the two truths disagree", c, question);
+  if (c.known(question) && *c.known(question) != first)
+    throw Truths_disagree("the truths disagree with what the family knows by construction", c, question);
+  return first;
+}
+
+/// The subjects of one thread at work.
+using Answerings = std::vector<std::unique_ptr<Answering>>;
+
+Answerings make_answerings(const Campaign& campaign)
+{
+  Answerings answerings;
+  for (const Object_subject& subject : campaign.object_subjects) answerings.push_back(subject.make());
+  return answerings;
+}
+
+Findings::Answer as_answer(Outcome outcome)
+{
+  if (outcome == Outcome::not_asked) return {{}, true};
+  if (outcome == Outcome::failed) return {};
+  return {outcome == Outcome::yes ? 1 : 0, false};
+}
+
+Findings ask_objects(const Campaign& campaign, const Batch& batch, const Done& done, Answerings& answerings)
+{
+  static const std::vector<Relation> relations = object_relations();
+  Findings found(batch.level, batch.family_name());
+  const auto& subjects = campaign.object_subjects;
+  const Wanted wanted(batch, subjects, done);
+  // Answer after answer in a sequence, by subject and question: to count its changes.
+  std::map<std::pair<std::size_t, Question>, std::vector<int>> answers;
+  std::map<Question, std::vector<int>> truths;
+
+  for (std::uint64_t k = batch.first; k < batch.last; ++k) {
+    if (!wanted.anyone(k)) continue;
+    const Object_case c = batch.sequence ? batch.sequence->frames[k] : batch.family->object_case(campaign.seed, k);
+    const Brute_body body_a(*c.a), body_b(*c.b);
+    const Placed_body a(body_a, c.pose_a), b(body_b, c.pose_b);
+    const Distance away = distance(c);
+    const bool try_relation = !batch.sequence && k % relation_stride == 0;
+    const std::size_t number = batch.sequence ? 0 : relation_turn(batch, k) % relations.size();
+    const Question of_relation = questions[k / relation_stride % 2];
+    std::map<Question, bool> truth;
+    for (const Question question : questions) {
+      truth[question] = truth_of(c, a, b, question);
+      if (wanted.truth(k)) found.add_truth(name_of(question), truth[question], c.known(question).has_value());
+      truths[question].push_back(truth[question]);
+    }
+    for (std::size_t s = 0; s < subjects.size(); ++s) {
+      if (!wanted.subject(s, k)) continue;
+      const std::string& name = subjects[s].name;
+      for (const Question question : questions) {
+        const auto [outcome, ns] = timed([&] { return (*answerings[s])(c, question); });
+        const Findings::Answer answer = as_answer(outcome);
+        found.add_answer(name, name_of(question), away, truth[question], answer, ns);
+        answers[{s, question}].push_back(answer.value.value_or(-1));
+        if (answer.not_asked || answer.value == int(truth[question])) continue;
+        const auto stage = subjects[s].own && answer.value ? blame(*subjects[s].own, c, question, truth[question]) : std::nullopt;
+        if (stage) found.add_blame(name, name_of(question), *stage);
+        if (k < kept_one_by_one) found.add_wrong(c.origin, name, name_of(question), away, truth[question], answer, stage);
+      }
+      if (!try_relation) continue;
+      Random random = random_of(c.origin, number);
+      const Verdict verdict = check(relations[number], c, of_relation, *answerings[s], random);
+      found.add_relation(std::string(relations[number].name), name, name_of(of_relation), verdict != Verdict::not_applicable,
+                         verdict == Verdict::violated);
+    }
+  }
+  if (batch.sequence)
+    for (const auto& [asked, given] : answers) {
+      const std::vector<int>& right = truths[asked.second];
+      if (given.size() != right.size()) continue;  // asked before: counted before
+      const auto changes = [](const std::vector<int>& of) {
+        int count = 0;
+        for (std::size_t k = 1; k < of.size(); ++k) count += of[k] != of[k - 1];
+        return count;
+      };
+      int wrong = 0;
+      for (std::size_t k = 0; k < given.size(); ++k) wrong += given[k] != right[k];
+      found.add_flips(subjects[asked.first].name, name_of(asked.second), int(given.size()), wrong, changes(given), changes(right));
+    }
+  wanted.add_done(found);
+  return found;
+}
+
+std::int64_t run_number(Database& database, const Campaign& campaign)
+{
+  const Provenance& p = campaign.made_by;
+  const bool meshes = real_meshes_available();
+  Database::Transaction transaction(database);
+  Database::Statement(database, "INSERT OR IGNORE INTO run (version, compiler, flags, processor, seed, real_meshes) VALUES (?1, ?2, ?3, ?4, ?5, ?6)")
+      .run(p.version, p.compiler, p.flags, p.processor, campaign.seed, meshes);
+  Database::Statement row(database, "SELECT id FROM run WHERE version = ?1 AND compiler = ?2 AND flags = ?3 AND processor = ?4 AND seed = ?5 "
+                                    "AND real_meshes = ?6");
+  row.with(p.version, p.compiler, p.flags, p.processor, campaign.seed, meshes).next();
+  const std::int64_t id = row.integer(0);
+  row.next();
+  transaction.commit();
+  return id;
+}
+
+}  // namespace
+
+std::uint64_t case_count(const Campaign& campaign)
+{
+  std::uint64_t count = 0;
+  const auto sequences = sequences_of(campaign);
+  for (const Batch& batch : batches(campaign, sequences)) count += batch.last - batch.first;
+  return count;
+}
+
+void run_campaign(Database& database, const Campaign& campaign, const std::function<void(std::uint64_t)>& done)
+{
+  database.run(campaign_schema);
+  const std::int64_t run = run_number(database, campaign);
+  const Done before(database, campaign.seed);
+  const auto sequences = sequences_of(campaign);
+  tbb::enumerable_thread_specific<Answerings> answerings([&] { return make_answerings(campaign); });
+  std::mutex one_at_a_time;
+  const auto todo = batches(campaign, sequences);
+  tbb::parallel_for_each(todo, [&](const Batch& batch) {
+    const Findings found = batch.level == Level::predicate ? ask_predicates(campaign, batch, before)
+                                                           : ask_objects(campaign, batch, before, answerings.local());
+    const std::lock_guard lock(one_at_a_time);
+    Database::Transaction transaction(database);
+    found.store(database, run, campaign.seed, batch.number);
+    transaction.commit();
+    done(batch.last - batch.first);
+  });
+}
+
+void merge(Database& into, const std::filesystem::path& from)
+{
+  { const Database readable(from, Database::Mode::read); }  // a clear word when it is not there
+  into.run(campaign_schema);
+  Database::Statement(into, "ATTACH ?1 AS other").run(from.native());
+  struct Detach {
+    Database& database;
+    ~Detach()
+    {
+      try {
+        database.run("DETACH other");
+      } catch (const covering::Input_error&) {
+      }
+    }
+  } const detach{into};
+  Database::Transaction transaction(into);
+  Database::Statement twice(into, "SELECT level, family, batch, subject FROM done JOIN other.done USING (seed, level, family, batch, subject) LIMIT 1");
+  if (twice.with().next())
+    throw covering::Input_error(from.native(), 0, "batch " + twice.text(2) + " of " + twice.text(0) + " " + twice.text(1) + " asked of " + twice.text(3) +
+                                  " is in " + into.file().native() + " already", "expected shards of one campaign, or other seeds");
+  into.run(R"(
+    INSERT OR IGNORE INTO run (version, compiler, flags, processor, seed, real_meshes)
+      SELECT version, compiler, flags, processor, seed, real_meshes FROM other.run;
+    CREATE TEMP TABLE renumbered AS SELECT there.id AS there, here.id AS here FROM other.run AS there
+      JOIN main.run AS here USING (version, compiler, flags, processor, seed, real_meshes);
+    INSERT INTO main.done SELECT * FROM other.done;
+    INSERT INTO main.tally SELECT here, level, family, subject, question, axis, bin, n, false_positives, false_negatives, failures, not_asked
+      FROM other.tally JOIN renumbered ON run = there WHERE true ON CONFLICT DO UPDATE SET n = n + excluded.n,
+      false_positives = false_positives + excluded.false_positives, false_negatives = false_negatives + excluded.false_negatives,
+      failures = failures + excluded.failures, not_asked = not_asked + excluded.not_asked;
+    INSERT INTO main.truth SELECT here, level, family, question, n, positives, by_construction FROM other.truth JOIN renumbered ON run = there
+      WHERE true ON CONFLICT DO UPDATE SET n = n + excluded.n, positives = positives + excluded.positives,
+      by_construction = by_construction + excluded.by_construction;
+    INSERT INTO main.wrong SELECT here, level, family, number, parameter, subject, question, truth, answer, log2_rho, log2_ulps, stage
+      FROM other.wrong JOIN renumbered ON run = there WHERE true;
+    INSERT INTO main.blame SELECT here, level, family, subject, question, stage, n FROM other.blame JOIN renumbered ON run = there
+      WHERE true ON CONFLICT DO UPDATE SET n = n + excluded.n;
+    INSERT INTO main.relation SELECT here, level, family, relation, subject, question, tried, violated, not_applicable
+      FROM other.relation JOIN renumbered ON run = there WHERE true ON CONFLICT DO UPDATE SET tried = tried + excluded.tried,
+      violated = violated + excluded.violated, not_applicable = not_applicable + excluded.not_applicable;
+    INSERT INTO main.flips SELECT here, sequence, subject, question, frames, wrong, changes, true_changes
+      FROM other.flips JOIN renumbered ON run = there WHERE true;
+    INSERT INTO main.time SELECT here, level, family, subject, question, n, nanoseconds FROM other.time JOIN renumbered ON run = there
+      WHERE true ON CONFLICT DO UPDATE SET n = n + excluded.n, nanoseconds = nanoseconds + excluded.nanoseconds;
+    DROP TABLE renumbered;
+  )");
+  transaction.commit();
+}
+
+}  // namespace tetracone::verify

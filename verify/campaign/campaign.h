@@ -1,0 +1,70 @@
+#ifndef TETRACONE_VERIFY_CAMPAIGN_CAMPAIGN_H
+#define TETRACONE_VERIFY_CAMPAIGN_CAMPAIGN_H
+
+#include "verify/cases/case.h"
+#include "verify/campaign/database.h"
+#include "verify/cases/families.h"
+#include "verify/subjects/object_subject.h"
+#include "verify/subjects/predicate_subject.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace tetracone::verify {
+
+/// What made a row.
+struct Provenance {
+  std::string version, compiler, flags, processor;
+};
+
+/// Which cases are asked of whom. Default sizes take a few minutes on two cores.
+struct Campaign {
+  std::uint64_t seed = 1;
+  std::uint64_t predicate_cases = 400, object_cases = 24;  ///< per family; 0: not that level
+  int sequence_frames = 16;                                ///< of each exact sequence; 0: none
+  int shard = 0, shards = 1;                               ///< this process does each `shards`-th batch, from `shard`
+  std::vector<const Family*> families;
+  std::vector<Predicate_subject> predicate_subjects;
+  std::vector<Object_subject> object_subjects;
+  Provenance made_by;
+};
+
+/// The two truths, or a truth and what a family knows by construction, answer one case differently: one of them is wrong, and nothing
+/// that the campaign says could be trusted.
+class Truths_disagree : public std::runtime_error {
+ public:
+  Truths_disagree(const std::string& what, Object_case c, kernel::Question question)
+      : std::runtime_error(what), object(std::move(c)), question(question)
+  {
+  }
+  Truths_disagree(const std::string& what, Predicate_case c, Predicate predicate)
+      : std::runtime_error(what), points(std::move(c)), predicate(predicate)
+  {
+  }
+
+  std::optional<Object_case> object;
+  kernel::Question question = kernel::Question::solid;
+  std::optional<Predicate_case> points;
+  Predicate predicate = Predicate::orientation;
+};
+
+/// How many cases the campaign has in all, those already in the database included.
+std::uint64_t case_count(const Campaign& campaign);
+
+/// Judges all subjects on all cases, on all cores, and adds what it finds to the database (schema: campaign_schema.h). What the database
+/// has of this seed already is not done again: a campaign that was stopped, even killed, goes on where it was, one with more cases or
+/// other subjects adds what is missing. The rows depend on the campaign only, not on threads, shards or interruptions; the table `time`
+/// apart. `done` is called with the number of cases just done or found, from several threads, one at a time.
+/// Throws Truths_disagree; covering::Input_error when the database cannot be used.
+void run_campaign(Database& database, const Campaign& campaign, const std::function<void(std::uint64_t)>& done);
+
+/// Adds to `into` what `from` has. Throws covering::Input_error, and changes nothing, when both have a batch of the same cases and subject.
+void merge(Database& into, const std::filesystem::path& from);
+
+}  // namespace tetracone::verify
+
+#endif

@@ -1,0 +1,50 @@
+#ifndef TETRACONE_VERIFY_CAMPAIGN_CAMPAIGN_SCHEMA_H
+#define TETRACONE_VERIFY_CAMPAIGN_CAMPAIGN_SCHEMA_H
+
+#include <cstdint>
+
+namespace tetracone::verify {
+
+/// The tables of a campaign's database. Every row names the `run` that made it: version, compiler, flags, processor and seed.
+///  - done: how many cases of a batch a subject has been asked; the subject 'truth' stands for the truths.
+///  - tally: answers by subject, question (or predicate) and distance to degeneracy. Each answer is counted once on each axis: 'rho'
+///    (bins of log2 of the relative determinant) and 'ulps' (bins of log2 of the distance in ulps); `bin` is the floor, exactly_degenerate
+///    where the distance is 0, not_near where no determinant was near. False positive: higher than the truth; false negative: lower.
+///    not_asked: the subject does not take such input; failures: crash, hang or exception.
+///  - truth: cases by question, how many of them have a positive answer, and how many were also known by construction. Each is
+///    the answer of both truths.
+///  - wrong: the wrong answers among the first `kept_one_by_one` cases of each family, one by one.
+///  - blame: wrong answers of rounding trees by the stage of first divergence.
+///  - relation: how often a metamorphic relation was tried, did not apply, and was violated.
+///  - flips: how often the answer changed in a sequence of frames, and how often the truth did.
+///  - time: nanoseconds, preparation included; of this machine and run.
+inline constexpr int exactly_degenerate = -9999, not_near = 9999;
+inline constexpr std::uint64_t kept_one_by_one = 200;
+
+inline constexpr const char* campaign_schema = R"(
+CREATE TABLE IF NOT EXISTS run (id INTEGER PRIMARY KEY, version TEXT, compiler TEXT, flags TEXT, processor TEXT, seed INTEGER,
+  real_meshes INTEGER, UNIQUE (version, compiler, flags, processor, seed, real_meshes));
+CREATE TABLE IF NOT EXISTS done (seed INTEGER, level TEXT, family TEXT, batch INTEGER, subject TEXT, cases INTEGER,
+  PRIMARY KEY (seed, level, family, batch, subject)) WITHOUT ROWID;
+CREATE TABLE IF NOT EXISTS tally (run INTEGER, level TEXT, family TEXT, subject TEXT, question TEXT, axis TEXT, bin INTEGER,
+  n INTEGER, false_positives INTEGER, false_negatives INTEGER, failures INTEGER, not_asked INTEGER,
+  PRIMARY KEY (run, level, family, subject, question, axis, bin)) WITHOUT ROWID;
+CREATE TABLE IF NOT EXISTS truth (run INTEGER, level TEXT, family TEXT, question TEXT, n INTEGER, positives INTEGER, by_construction INTEGER,
+  PRIMARY KEY (run, level, family, question)) WITHOUT ROWID;
+CREATE TABLE IF NOT EXISTS wrong (run INTEGER, level TEXT, family TEXT, number INTEGER, parameter REAL, subject TEXT, question TEXT,
+  truth INTEGER, answer INTEGER, log2_rho REAL, log2_ulps REAL, stage TEXT,
+  PRIMARY KEY (run, level, family, number, subject, question)) WITHOUT ROWID;
+CREATE TABLE IF NOT EXISTS blame (run INTEGER, level TEXT, family TEXT, subject TEXT, question TEXT, stage TEXT, n INTEGER,
+  PRIMARY KEY (run, level, family, subject, question, stage)) WITHOUT ROWID;
+CREATE TABLE IF NOT EXISTS relation (run INTEGER, level TEXT, family TEXT, relation TEXT, subject TEXT, question TEXT,
+  tried INTEGER, violated INTEGER, not_applicable INTEGER,
+  PRIMARY KEY (run, level, family, relation, subject, question)) WITHOUT ROWID;
+CREATE TABLE IF NOT EXISTS flips (run INTEGER, sequence TEXT, subject TEXT, question TEXT, frames INTEGER, wrong INTEGER,
+  changes INTEGER, true_changes INTEGER, PRIMARY KEY (run, sequence, subject, question)) WITHOUT ROWID;
+CREATE TABLE IF NOT EXISTS time (run INTEGER, level TEXT, family TEXT, subject TEXT, question TEXT, n INTEGER, nanoseconds INTEGER,
+  PRIMARY KEY (run, level, family, subject, question)) WITHOUT ROWID;
+)";
+
+}  // namespace tetracone::verify
+
+#endif

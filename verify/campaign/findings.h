@@ -1,0 +1,84 @@
+#ifndef TETRACONE_VERIFY_CAMPAIGN_FINDINGS_H
+#define TETRACONE_VERIFY_CAMPAIGN_FINDINGS_H
+
+#include "verify/subjects/blame.h"
+#include "verify/cases/case.h"
+#include "verify/campaign/database.h"
+#include "verify/truth/distance_to_degeneracy.h"
+
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace tetracone::verify {
+
+/// What a batch of cases found, before it goes into the database as one transaction. Names are kept as they stand in its tables.
+class Findings {
+ public:
+  /// The answer that the subject gave, if it gave one, and whether it did not take the question.
+  struct Answer {
+    std::optional<int> value;
+    bool not_asked = false;
+  };
+
+  Findings(Level level, std::string family) : level_(to_string(level)), family_(std::move(family)) {}
+
+  void add_truth(const std::string& question, bool positive, bool by_construction);
+  void add_answer(const std::string& subject, const std::string& question, const Distance& distance, int truth, const Answer& answer,
+                  std::uint64_t nanoseconds);
+  void add_wrong(const Origin& origin, const std::string& subject, const std::string& question, const Distance& distance, int truth,
+                 const Answer& answer, std::optional<Stage> stage);
+  void add_blame(const std::string& subject, const std::string& question, Stage stage);
+  void add_relation(const std::string& relation, const std::string& subject, const std::string& question, bool applicable, bool violated);
+  void add_flips(const std::string& subject, const std::string& question, int frames, int wrong, int changes, int true_changes);
+
+  /// `cases` more of the batch have been asked of the subject.
+  void add_done(const std::string& subject, std::uint64_t cases) { done_[subject] += cases; }
+
+  /// Adds everything to the tables. Call within a transaction.
+  void store(Database& database, std::int64_t run, std::uint64_t seed, std::uint64_t batch) const;
+
+ private:
+  using Asked = std::pair<std::string, std::string>;  // subject or relation, question
+  struct Tally {
+    std::int64_t n = 0, false_positives = 0, false_negatives = 0, failures = 0, not_asked = 0;
+  };
+  struct Truth {
+    std::int64_t n = 0, positives = 0, by_construction = 0;
+  };
+  struct Tried {
+    std::int64_t tried = 0, violated = 0, not_applicable = 0;
+  };
+  struct Time {
+    std::int64_t n = 0, nanoseconds = 0;
+  };
+  struct Flips {
+    std::int64_t frames = 0, wrong = 0, changes = 0, true_changes = 0;
+  };
+  struct Wrong {
+    Origin origin;
+    std::string subject, question;
+    Distance distance;
+    int truth;
+    Answer answer;
+    std::string stage;
+  };
+
+  std::string level_, family_;
+  std::map<std::string, Truth> truth_;
+  std::map<std::pair<Asked, std::pair<const char*, int>>, Tally> tally_;  // on an axis, in a bin
+  std::map<Asked, Time> time_;
+  std::map<std::pair<Asked, std::string>, std::int64_t> blame_;
+  std::map<std::tuple<std::string, std::string, std::string>, Tried> relation_;  // relation, subject, question
+  std::map<Asked, Flips> flips_;
+  std::vector<Wrong> wrong_;
+  std::map<std::string, std::uint64_t> done_;
+};
+
+}  // namespace tetracone::verify
+
+#endif

@@ -1,0 +1,74 @@
+#ifndef TETRACONE_VERIFY_CASES_JSON_FIELD_H
+#define TETRACONE_VERIFY_CASES_JSON_FIELD_H
+
+#include "tetracone/covering/io/input_error.h"
+#include "tetracone/kernel/number/number.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace tetracone::verify {
+
+/// A JSON text of a file, parsed. Throws covering::Input_error with the line where it is no JSON.
+struct Json_text {
+  Json_text(std::string text, std::string file);
+
+  std::string text, file;
+  nlohmann::json root;
+};
+
+/// A value of a JSON text that knows its place: every way of taking it as something that it is not throws covering::Input_error with the
+/// line of the value and its path. Must not outlive the text.
+class Json_field {
+ public:
+  explicit Json_field(const Json_text& text) : text_(&text), value_(&text.root) {}
+
+  /// Throws Input_error at this value: what is wrong; what was expected.
+  [[noreturn]] void fail(std::string_view wrong, std::string_view expected) const;
+
+  /// The member of an object; it must be there.
+  Json_field member(const std::string& name) const;
+  bool has(const std::string& name) const;
+
+  /// Fails unless this is an object of these members and no others (each may be missing).
+  void only(std::initializer_list<std::string_view> names) const;
+
+  /// The elements of an array: at least `least` of them, or exactly as many; `what` names them.
+  std::vector<Json_field> items(std::size_t least, std::string_view what) const;
+  std::vector<Json_field> exactly(std::size_t count, std::string_view what) const;
+
+  /// A string of one line.
+  std::string text() const;
+  std::uint64_t unsigned_integer(std::uint64_t largest) const;
+  int integer(int least, int largest) const;
+
+  /// A finite number, exactly: a decimal stands for its nearest double, a string "n/d" for itself.
+  kernel::Rational rational() const;
+  /// The same, where it has to be a double.
+  double number() const;
+
+  bool is_string() const { return value_->is_string(); }
+  bool is_number() const { return value_->is_number(); }
+
+ private:
+  Json_field(const Json_field& parent, std::string step, const nlohmann::json& value)
+      : text_(parent.text_), value_(&value), path_(parent.path_)
+  {
+    path_.push_back(std::move(step));
+  }
+
+  const Json_text* text_;
+  const nlohmann::json* value_;
+  std::vector<std::string> path_;  // names and numbers of members from the root
+};
+
+}  // namespace tetracone::verify
+
+#endif

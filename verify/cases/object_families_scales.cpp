@@ -1,0 +1,224 @@
+#include "verify/cases/object_families.h"
+#include "verify/cases/object_placing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace tetracone::verify::object_family {
+namespace {
+
+/// Blocks times this have integer coordinates.
+constexpr int grid = 6;
+
+Touching block_contact(Random& random, const Shape& a, const Shape& b)
+{
+  return any_contact(random, a, b, signed_permutation(integer(random, 0, 23)));
+}
+
+/// F o pose o G^-1 for F: x -> diag(2^exponents) x + to and G: x -> diag(2^exponents) x + from, each shift in all three coordinates.
+/// (2^exponents itself may be no pose: its inverse is beyond the doubles.)
+Pose reframed(const Pose& pose, const std::array<int, 3>& exponents, double from, double to)
+{
+  std::array<Rational, 12> entries;
+  for (int i = 0; i < 3; ++i) {
+    entries[4 * i + 3] = power_of_two(exponents[i]) * pose.exact(4 * i + 3) + Rational(to);
+    for (int j = 0; j < 3; ++j) {
+      entries[4 * i + j] = power_of_two(exponents[i] - exponents[j]) * pose.exact(4 * i + j);
+      entries[4 * i + 3] -= entries[4 * i + j] * Rational(from);
+    }
+  }
+  return Pose(entries);
+}
+
+/// The contact opened by the gap and then seen in another frame, both bodies with it.
+Object_case framed(Random& random, const Shape& a, const Shape& b, Touching contact, const Rational& gap,
+                   const std::array<int, 3>& exponents, double shift, const Pose& common)
+{
+  contact.relative = moved(contact.relative, times(gap, scaled_to_one(contact.apart)));
+  const Pose relative = reframed(contact.relative, exponents, shift, shift);
+  const Object_case c = placed(random, moved_copy(a, exponents, shift), moved_copy(b, exponents, shift), relative, common);
+  if (gap == 0) return with_answer(c, true);
+  return gap > 0 && contact.separated ? with_answer(c, false) : c;
+}
+
+/// Turns that leave axes of different scales where they are.
+Pose axis_turn(Random& random)
+{
+  const std::uint64_t draw = random.bits();
+  const auto sign = [draw](int bit) { return (draw >> bit & 1) == 0 ? 1.0 : -1.0; };
+  return scaling(sign(0), sign(1), sign(2));
+}
+
+/// 0, or up to 8 of 2^exponent each way.
+Rational few(Random& random, int exponent)
+{
+  if (random.bits() % 2 == 0) return 0;
+  return Rational(integer(random, 0, 2) == 0 ? -integer(random, 1, 8) : integer(random, 1, 8)) * power_of_two(exponent);
+}
+
+}  // namespace
+
+/// Contacts moved away by their poses or with their vertices; off by a few ulps of there.
+Object_case far_from_origin(Random& random, double parameter)
+{
+  const int f = static_cast<int>(parameter);
+  const double far = std::ldexp(1.0, f);
+  const Shape& a = any_block(random);
+  const Shape& b = any_block(random);
+  if (random.bits() % 2 == 0) {
+    const Shape& other = any_shape(random);
+    const Touching contact = any_contact(random, a, other, any_turn(random));
+    const auto share = [&]() -> Rational { return Rational(integer(random, -1, 1)) * Rational(far); };
+    const Exact_vector shift = {share(), share(), Rational(far)};
+    const Pose common = moved(motion(random, exact_motion(random)), shift);
+    return placed(random, contact, few(random, f - 52), common);
+  }
+  const Touching contact = block_contact(random, a, b);
+  const Pose common = motion(random, exact_motion(random));
+  return framed(random, a, b, contact, few(random, f - 52 - grid), {grid, grid, grid}, far, common);
+}
+
+/// B is smaller by 2^s, in its pose or in its vertices.
+Object_case mixed_scales(Random& random, double parameter)
+{
+  const int s = static_cast<int>(parameter);
+  const Shape& a = any_shape(random);
+  const Shape& b = any_block(random);
+  Touching contact = any_contact(random, a, b, composed(scaling(std::ldexp(1.0, -s)), any_turn(random)));
+  if (random.bits() % 2 == 0) {
+    contact.b = moved_copy(b, -s);
+    contact.relative = composed(contact.relative, scaling(std::ldexp(1.0, s)));
+  }
+  const Rational gap = random.bits() % 2 == 0 ? few(random, -s - 4) : any_gap(random);
+  return placed(random, contact, gap);
+}
+
+/// B's vertices are about 2^f from its origin, and its translation brings them back; exactly, or with poses rounded to doubles.
+Object_case cancelled_translation(Random& random, double parameter)
+{
+  const int f = static_cast<int>(parameter);
+  const double far = std::ldexp(1.0, f);
+  const Shape& a = any_block(random);
+  const Shape& b = any_block(random);
+  Touching contact = any_contact(random, a, b, any_turn(random));
+  contact.relative = reframed(contact.relative, {grid, grid, grid}, far, 0);
+  contact.a = moved_copy(a, grid);
+  contact.b = moved_copy(b, grid, far);
+  const Rational gap = random.bits() % 2 == 0 ? few(random, f - 52) : any_gap(random);
+  return placed(random, contact, gap, random.bits() % 4 == 0 ? Motion::rounded : exact_motion(random));
+}
+
+Object_case exponent_gate(Random& random, double parameter)
+{
+  const int kind = static_cast<int>(parameter), within = integer(random, 0, 3);
+  const Shape& a = any_block(random);
+  const Shape& b = any_block(random);
+  const Pose common = signed_permutation(random.bits() % 2 == 0 ? 0 : integer(random, 0, 23));
+  if (kind == 4) {
+    std::array<int, 3> exponents = {110, -110, 0};
+    std::rotate(exponents.begin(), exponents.begin() + within % 3, exponents.end());
+    const Touching contact = any_contact(random, a, b, axis_turn(random));
+    return framed(random, a, b, contact, any_gap(random), exponents, 0, common);
+  }
+  const int exponent = std::array{-106 + within, 110 - within, -111 - within, 111 + within}[kind];
+  const Touching contact = block_contact(random, a, b);
+  return framed(random, a, b, contact, any_gap(random), {exponent, exponent, exponent}, 0, common);
+}
+
+/// A block of few faces: where no bound holds, every pair is decided by numbers of thousands of bits.
+static const Shape& small_block(Random& random)
+{
+  for (;;) {
+    const Shape& shape = any_block(random);
+    if (shape.body->face_count() <= 8) return shape;
+  }
+}
+
+/// Denormal bodies are multiples of 2^-1070, so that most contacts are doubles; large ones reach 2^1021, and their images 2^1023.
+Object_case extreme_exponents(Random& random, double parameter)
+{
+  const int kind = static_cast<int>(parameter);
+  const Shape& a = small_block(random);
+  const Shape& b = small_block(random);
+  const Pose common = signed_permutation(random.bits() % 2 == 0 ? 0 : integer(random, 0, 23));
+  if (kind == 2) {
+    std::array<int, 3> exponents = {664, -664, integer(random, -1, 1) * 332};
+    std::rotate(exponents.begin(), exponents.begin() + integer(random, 0, 2), exponents.end());
+    const Touching contact = any_contact(random, a, b, axis_turn(random));
+    return framed(random, a, b, contact, any_gap(random), exponents, 0, common);
+  }
+  const int exponent = kind == 0 ? -1064 : 1020;
+  const Touching contact = block_contact(random, a, b);
+  return framed(random, a, b, contact, random.bits() % 2 == 0 ? few(random, -9) : any_gap(random),
+                {exponent, exponent, exponent}, 0, common);
+}
+
+/// Blocks whose vertices are stretched along their axes, and whose poses undo that before a turn, a contact or a place inside, and a map of both; or
+/// tetrahedra whose coordinates have any exponents, corner on corner. With exact poses, or these rounded to doubles.
+std::vector<Object_case> wild_run(Random& random, double parameter, int count)
+{
+  const auto finished = [&](const Object_case& c) {
+    if (random.bits() % 2 == 0) return c;
+    const Object_case rounded = rounded_poses(c);
+    return rounded.pose_a.determinant_sign() == CGAL::ZERO || rounded.pose_b.determinant_sign() == CGAL::ZERO ? c : rounded;
+  };
+  std::vector<Object_case> cases;
+  if (random.bits() % 3 != 0) {
+    const int size = static_cast<int>(parameter) / 5;
+    const auto coordinate = [&] {
+      const double mantissa = random.symmetric();
+      return std::ldexp(mantissa, integer(random, -size, size));
+    };
+    const auto body = [&] {
+      std::array<kernel::Vertex, 4> corners;
+      for (kernel::Vertex& v : corners)
+        for (double& x : v) x = coordinate();
+      return tetrahedron(corners);
+    };
+    const Body a = body(), b = body();
+    for (int k = 0; k < count; ++k) {
+      const Pose turn = wild_map(random, size);
+      const Touching contact = vertex_on_vertex(random, a, b, turn);
+      const Rational gap = any_gap(random);
+      const Pose common = wild_map(random, size);
+      cases.push_back(finished(placed(random, contact, gap, common)));
+    }
+    return cases;
+  }
+  const int size = static_cast<int>(parameter) / 3;
+  const auto exponents = [&] {
+    std::array<int, 3> result{0, 0, 0};
+    if (random.bits() % 2 == 0)
+      for (int& e : result) e = size * integer(random, -1, 1);
+    return result;
+  };
+  const auto negative = [](const std::array<int, 3>& e) { return std::array{-e[0], -e[1], -e[2]}; };
+  const Shape& a = small_block(random);
+  const Shape& b = small_block(random);
+  const std::array<int, 3> of_a = exponents(), of_b = exponents();
+  for (int k = 0; k < count; ++k) {
+    Touching contact;
+    if (random.bits() % 4 == 0) {
+      // About the middle of the corners, some thirty times smaller.
+      Exact_vector middle = {0, 0, 0};
+      for (Index v = 0; v < a.body->vertices.size(); ++v) middle = sum(middle, Rational(1) / Rational(int(a.body->vertices.size())), a.vertex(v));
+      contact = {a.body, b.body, moved(composed(scaling(0x1p-5), any_turn(random)), middle), middle};
+    } else {
+      const Pose turn = any_turn(random);
+      contact = any_contact(random, a, b, turn);
+    }
+    const bool is_contact = contact.separated;
+    const Rational gap = is_contact ? any_gap(random) : Rational(0);
+    if (is_contact) contact.relative = moved(contact.relative, times(gap, scaled_to_one(contact.apart)));
+    const Pose common = wild_map(random, size);
+    Object_case c{moved_copy(a, of_a), moved_copy(b, of_b), composed(common, stretch(negative(of_a))), composed(common, composed(contact.relative, stretch(negative(of_b)))), {}, {}, {}};
+    if (is_contact && gap >= 0) c = with_answer(c, gap == 0);
+    cases.push_back(finished(c));
+  }
+  return cases;
+}
+
+Object_case wild(Random& random, double parameter) { return wild_run(random, parameter, 1).front(); }
+
+}  // namespace tetracone::verify::object_family

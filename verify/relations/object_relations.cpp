@@ -1,0 +1,459 @@
+#include "tetracone/covering/covering.h"
+#include "tetracone/kernel/predicate/adaptive.h"
+#include "verify/cases/exact_motion.h"
+#include "verify/relations/metamorphic_relations.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace tetracone::verify {
+namespace {
+
+using covering::Index;
+using covering::Polyhedron;
+using kernel::Adaptive;
+using kernel::Pose;
+using kernel::Question;
+using kernel::Rational;
+using kernel::Vertex;
+using Answer = std::optional<bool>;
+using Loops = std::vector<std::vector<Index>>;
+
+Answer ask(Answering& subject, const Object_case& c, Question question)
+{
+  const Outcome outcome = subject(c, question);
+  return outcome == Outcome::yes ? Answer(true) : outcome == Outcome::no ? Answer(false) : std::nullopt;
+}
+
+Verdict same(const Object_case& c, const Object_case& twin, Question question, Answering& subject)
+{
+  const Answer answer = ask(subject, c, question);
+  if (!answer) return Verdict::not_applicable;
+  const Answer of_twin = ask(subject, twin, question);
+  if (!of_twin) return Verdict::not_applicable;
+  return *answer == *of_twin ? Verdict::holds : Verdict::violated;
+}
+
+/// One of the two bodies of a case, with its pose.
+struct Body {
+  std::shared_ptr<const Polyhedron>& polyhedron;
+  Pose& pose;
+
+  void become(Polyhedron changed) { polyhedron = std::make_shared<const Polyhedron>(std::move(changed)); }
+};
+Body body(Object_case& c, std::size_t which) { return which == 0 ? Body{c.a, c.pose_a} : Body{c.b, c.pose_b}; }
+
+Loops loops_of(const Polyhedron& polyhedron, Index f)
+{
+  Loops loops;
+  for (std::size_t l = 0; l < polyhedron.loop_count(f); ++l) {
+    const auto loop = polyhedron.loop(f, l);
+    loops.emplace_back(loop.begin(), loop.end());
+  }
+  return loops;
+}
+
+/// The polyhedron with the vertices of `what` and the faces that change(loops of face, add) adds for each of its faces.
+template <class Change>
+Polyhedron with_faces(std::vector<Vertex> vertices, const Polyhedron& what, const Change& change)
+{
+  Polyhedron result;
+  result.vertices = std::move(vertices);
+  for (Index f = 0; f < what.face_count(); ++f) change(f, loops_of(what, f), result);
+  return result;
+}
+
+template <class Change>
+std::optional<Polyhedron> with_vertices(const Polyhedron& what, const Change& change)
+{
+  Polyhedron result = what;
+  for (Vertex& v : result.vertices) {
+    const std::optional<Vertex> moved = change(v);
+    if (!moved) return std::nullopt;
+    v = *moved;
+  }
+  return result;
+}
+
+/// The largest coordinate of a vertex or of a translation.
+double scale_of(const Object_case& c)
+{
+  double largest = 0;
+  for (const auto& polyhedron : {c.a, c.b})
+    for (const Vertex& v : polyhedron->vertices) largest = std::max(largest, magnitude(v));
+  for (const Pose* pose : {&c.pose_a, &c.pose_b})
+    for (const int k : {3, 7, 11}) largest = std::max(largest, std::abs((*pose)[k]));
+  return largest;
+}
+
+// --- motions ------------------------------------------------------------------------------------------------------------
+
+Verdict absorbed(const Object_case& c, Question question, Answering& subject, Random& random)
+{
+  Object_case twin = c;
+  bool changed = false;
+  for (const std::size_t which : {0, 1}) {
+    Body it = body(twin, which);
+    if (it.pose.is_identity()) continue;
+    if (auto placed = with_vertices(*it.polyhedron, [&](const Vertex& v) { return exact_image(it.pose, v); }))
+      it.become(std::move(*placed)), it.pose = Pose(), changed = true;
+  }
+  if (!changed) {  // the part of a motion that any double can take: a permutation of the axes
+    Body it = body(twin, one_of(random, 2));
+    const auto p = Signed_permutation::any(random);
+    it.become(*with_vertices(*it.polyhedron, [&](const Vertex& v) -> std::optional<Vertex> { return p(v); }));
+    it.pose = turned_back(it.pose, p);
+  }
+  return same(c, twin, question, subject);
+}
+
+Verdict swap(const Object_case& c, Question question, Answering& subject, Random&)
+{
+  Object_case twin = c;
+  std::swap(twin.a, twin.b);
+  std::swap(twin.pose_a, twin.pose_b);
+  return same(c, twin, question, subject);
+}
+
+Verdict relative(const Object_case& c, Question question, Answering& subject, Random& random)
+{
+  Object_case twin = c;
+  const std::size_t which = one_of(random, 2);
+  Body still = body(twin, which), other = body(twin, 1 - which);
+  if (still.pose.is_identity()) return Verdict::not_applicable;
+  const auto pose = seen_from(still.pose, other.pose);
+  if (!pose) return Verdict::not_applicable;
+  other.pose = *pose, still.pose = Pose();
+  return same(c, twin, question, subject);
+}
+
+Verdict common_motion(const Object_case& c, Question question, Answering& subject, Random& random)
+{
+  Object_case twin = c;
+  const auto p = Signed_permutation::any(random);
+  twin.pose_a = turned(p, c.pose_a), twin.pose_b = turned(p, c.pose_b);
+  bool changed = !p.is_identity();
+  const double unit = 4096 * ulp(scale_of(c));
+  for (int k = 0; k < 3; ++k) {
+    std::array<Rational, 3> d{0, 0, 0};
+    d[k] = Rational(unit * double(one_of(random, 4096)));
+    const auto a = translated(twin.pose_a, d), b = translated(twin.pose_b, d);
+    if (a && b) twin.pose_a = *a, twin.pose_b = *b, changed = true;
+  }
+  return changed ? same(c, twin, question, subject) : Verdict::not_applicable;
+}
+
+Verdict scaling(const Object_case& c, Question question, Answering& subject, Random& random)
+{
+  const int exponent = (one_of(random, 2) == 0 ? 1 : -1) * int(1 + one_of(random, 40));
+  Object_case twin = c;
+  for (const std::size_t which : {0, 1}) {
+    Body it = body(twin, which);
+    auto bodies = with_vertices(*it.polyhedron, [&](const Vertex& v) { return exact_scaled(v, exponent); });
+    const auto pose = scaled(it.pose, exponent);
+    if (!bodies || !pose) return Verdict::not_applicable;
+    it.become(std::move(*bodies)), it.pose = *pose;
+  }
+  return same(c, twin, question, subject);
+}
+
+// --- the same surface from other elements -------------------------------------------------------------------------------
+
+/// The body with an edge split in its middle: a triangle at it becomes two, any other face gets a corner more.
+std::optional<Polyhedron> with_split_edge(const Polyhedron& what, Random& random)
+{
+  const covering::Covering covering(what);
+  const auto& edges = covering.edges();
+  for (int attempt = 0; attempt < 16; ++attempt) {
+    const auto [u, v] = edges[one_of(random, edges.size())];
+    const auto middle = exact_middle(what.vertices[u], what.vertices[v]);
+    if (u == v || !middle) continue;
+    std::vector<Vertex> vertices = what.vertices;
+    const Index m = vertices.size();
+    vertices.push_back(*middle);
+    return with_faces(vertices, what, [&](Index f, Loops loops, Polyhedron& result) {
+      std::size_t uses = 0;
+      for (auto& loop : loops) {
+        std::vector<Index> longer;
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+          const Index from = loop[k], to = loop[(k + 1) % loop.size()];
+          longer.push_back(from);
+          if ((from == u && to == v) || (from == v && to == u)) longer.push_back(m), ++uses;
+        }
+        loop = longer;
+      }
+      if (!what.is_triangle(f) || uses != 1) return result.add_face(loops);
+      std::vector<Index>& loop = loops[0];  // from m on: m, to, opposite, from
+      std::rotate(loop.begin(), std::find(loop.begin(), loop.end(), m), loop.end());
+      result.add_polygon({loop[0], loop[1], loop[2]});
+      result.add_polygon({loop[0], loop[2], loop[3]});
+    });
+  }
+  return std::nullopt;
+}
+
+/// b and d are on either side of the line through a and c, all in one plane: then abcd is the triangles abc and acd.
+bool is_diagonal(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d)
+{
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto turn = [&](const Vertex& x) {
+      return Adaptive::normal_sign(Adaptive::unmoved(a), Adaptive::unmoved(c), Adaptive::unmoved(x), axis);
+    };
+    if (turn(b) * turn(d) == CGAL::NEGATIVE) return true;
+  }
+  return false;
+}
+
+/// The body with a triangle split in three at an inner point, or a quadrangle in two along a diagonal.
+std::optional<Polyhedron> with_split_face(const Polyhedron& what, Random& random)
+{
+  for (int attempt = 0; attempt < 16; ++attempt) {
+    const Index split = one_of(random, what.face_count());
+    if (what.loop_count(split) != 1) continue;
+    const auto loop = what.loop(split, 0);
+    const std::size_t n = loop.size(), start = one_of(random, n);
+    const auto corner = [&](std::size_t k) { return loop[(start + k) % n]; };
+    const auto vertex = [&](std::size_t k) -> const Vertex& { return what.vertices[corner(k)]; };
+    std::vector<Vertex> vertices = what.vertices;
+    std::vector<std::vector<Index>> parts;
+    if (n == 3) {
+      const auto side = exact_middle(vertex(0), vertex(1));
+      const auto inner = side ? exact_middle(*side, vertex(2)) : std::nullopt;
+      if (!inner) continue;
+      const Index m = vertices.size();
+      vertices.push_back(*inner);
+      for (std::size_t k = 0; k < 3; ++k) parts.push_back({corner(k), corner(k + 1), m});
+    } else if (n == 4 && is_diagonal(vertex(0), vertex(1), vertex(2), vertex(3))) {
+      parts = {{corner(0), corner(1), corner(2)}, {corner(0), corner(2), corner(3)}};
+    } else {
+      continue;
+    }
+    return with_faces(vertices, what, [&](Index f, const Loops& loops, Polyhedron& result) {
+      if (f != split) return result.add_face(loops);
+      for (const auto& part : parts) result.add_polygon(part);
+    });
+  }
+  return std::nullopt;
+}
+
+/// The relation that a change of one body, chosen at random, changes no answer.
+template <std::optional<Polyhedron> (*change)(const Polyhedron&, Random&)>
+Verdict unchanged_by(const Object_case& c, Question question, Answering& subject, Random& random)
+{
+  Object_case twin = c;
+  Body it = body(twin, one_of(random, 2));
+  auto changed = change(*it.polyhedron, random);
+  if (!changed) return Verdict::not_applicable;
+  it.become(std::move(*changed));
+  return same(c, twin, question, subject);
+}
+
+template <class Sequence>
+void shuffle(Sequence& sequence, Random& random)
+{
+  for (std::size_t k = sequence.size(); k > 1; --k) std::swap(sequence[k - 1], sequence[one_of(random, k)]);
+}
+
+std::optional<Polyhedron> reordered(const Polyhedron& what, Random& random)
+{
+  std::vector<Index> place(what.vertices.size()), order(what.face_count());
+  std::iota(place.begin(), place.end(), Index(0));
+  std::iota(order.begin(), order.end(), Index(0));
+  shuffle(place, random), shuffle(order, random);
+  Polyhedron result;
+  result.vertices.resize(place.size());
+  for (std::size_t v = 0; v < place.size(); ++v) result.vertices[place[v]] = what.vertices[v];
+  for (const Index f : order) {
+    Loops loops = loops_of(what, f);
+    for (auto& loop : loops) {
+      for (Index& v : loop) v = place[v];
+      std::rotate(loop.begin(), loop.begin() + one_of(random, loop.size()), loop.end());
+    }
+    result.add_face(loops);
+  }
+  return result;
+}
+
+std::optional<Polyhedron> wound_backwards(const Polyhedron& what, Random&)
+{
+  return with_faces(what.vertices, what, [](Index, Loops loops, Polyhedron& result) {
+    for (auto& loop : loops) std::reverse(loop.begin(), loop.end());
+    result.add_face(loops);
+  });
+}
+
+// --- more and less of a body --------------------------------------------------------------------------------------------
+
+struct Corners {
+  Vertex low, high;
+  double extent;
+};
+Corners corners_of(const Polyhedron& what)
+{
+  Corners box{what.vertices[0], what.vertices[0], 0};
+  for (const Vertex& v : what.vertices)
+    for (int k = 0; k < 3; ++k) box.low[k] = std::min(box.low[k], v[k]), box.high[k] = std::max(box.high[k], v[k]);
+  for (int k = 0; k < 3; ++k) box.extent = std::max(box.extent, box.high[k] - box.low[k]);
+  return box;
+}
+
+/// The body with a tetrahedron more: anywhere about it, or, as winding numbers of shells in one another add up, beside its box.
+std::optional<Polyhedron> with_tetrahedron(const Polyhedron& what, bool beside, Random& random)
+{
+  const Corners box = corners_of(what);
+  Vertex corner;
+  for (int k = 0; k < 3; ++k) corner[k] = box.low[k] + random.unit() * box.extent;
+  const std::size_t axis = one_of(random, 3);
+  if (beside) corner[axis] = box.high[axis] + box.extent * (0.125 + random.unit());
+  Polyhedron result = what;
+  const Index first = result.vertices.size();
+  result.vertices.push_back(corner);
+  for (int k = 0; k < 3; ++k) {
+    Vertex further = corner;
+    further[k] += box.extent * (0.25 + random.unit());
+    result.vertices.push_back(further);
+  }
+  for (Index v = first; v < first + 4; ++v)
+    if (!std::isfinite(magnitude(result.vertices[v])) || (beside && !(result.vertices[v][axis] > box.high[axis]))) return std::nullopt;
+  for (const auto& [a, b, c] : {std::array<Index, 3>{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}})
+    result.add_polygon({first + a, first + b, first + c});
+  return result;
+}
+
+Verdict adding(const Object_case& c, Question question, Answering& subject, Random& random)
+{
+  Object_case twin = c;
+  Body it = body(twin, one_of(random, 2));
+  auto more = with_tetrahedron(*it.polyhedron, question == Question::solid, random);
+  if (!more) return Verdict::not_applicable;
+  it.become(std::move(*more));
+  if (ask(subject, c, question) != true) return Verdict::not_applicable;
+  const Answer with_more = ask(subject, twin, question);
+  return !with_more ? Verdict::not_applicable : *with_more ? Verdict::holds : Verdict::violated;
+}
+
+Verdict removing(const Object_case& c, Question question, Answering& subject, Random& random)
+{
+  // Without a face a surface is less of it, but no solid's.
+  if (question != Question::surface) return Verdict::not_applicable;
+  Object_case twin = c;
+  Body it = body(twin, one_of(random, 2));
+  if (it.polyhedron->face_count() < 2) return Verdict::not_applicable;
+  const Index removed = one_of(random, it.polyhedron->face_count());
+  it.become(with_faces(it.polyhedron->vertices, *it.polyhedron, [&](Index f, const Loops& loops, Polyhedron& result) {
+    if (f != removed) result.add_face(loops);
+  }));
+  if (ask(subject, c, question) != false) return Verdict::not_applicable;
+  const Answer with_less = ask(subject, twin, question);
+  return !with_less ? Verdict::not_applicable : *with_less ? Verdict::violated : Verdict::holds;
+}
+
+// --- another origin of the covering -------------------------------------------------------------------------------------
+
+/// The origin is the mean of all vertices, of those that no face has too: a vertex repeated draws it there, a far one elsewhere.
+std::optional<Polyhedron> with_unused_vertices(const Polyhedron& what, Random& random)
+{
+  Polyhedron result = what;
+  const Corners box = corners_of(what);
+  Vertex unused = what.vertices[one_of(random, what.vertices.size())];
+  if (one_of(random, 2) == 0)
+    for (double& coordinate : unused) coordinate += 8 * box.extent * random.symmetric();
+  if (!std::isfinite(magnitude(unused))) return std::nullopt;
+  result.vertices.insert(result.vertices.end(), 1 + one_of(random, 4 * what.vertices.size()), unused);
+  return result;
+}
+
+Verdict opposite_moves(const Object_case& c, Question question, Answering& subject, Random& random)
+{
+  Object_case twin = c;
+  Body it = body(twin, one_of(random, 2));
+  double largest = 0;
+  for (const Vertex& v : it.polyhedron->vertices) largest = std::max(largest, magnitude(v));
+  const double unit = ulp(largest) * std::ldexp(1.0, int(one_of(random, 53)));
+  for (int attempt = 0; attempt < 8; ++attempt) {
+    Vertex d;
+    for (double& coordinate : d) coordinate = unit * double(int(one_of(random, 17)) - 8);
+    auto moved = with_vertices(*it.polyhedron, [&](const Vertex& v) { return exact_sum(v, d); });
+    const auto pose = translated_back(it.pose, d);
+    if (!moved || !pose || d == Vertex{0, 0, 0}) continue;
+    it.become(std::move(*moved)), it.pose = *pose;
+    return same(c, twin, question, subject);
+  }
+  return Verdict::not_applicable;
+}
+
+// --- along a translation ------------------------------------------------------------------------------------------------
+
+/// Requires a closed polyhedron. True when its solid is the convex hull of its vertices: every face has all of them on one side, which
+/// leaves one region inside, and that has a winding number, for there is a volume.
+bool is_convex(const Polyhedron& what)
+{
+  const covering::Covering covering(what);
+  for (Index f = 0; f < what.face_count(); ++f) {
+    const auto& base = covering.plane_basis(f);
+    if (!base) return false;
+    const auto point = [&](Index v) { return Adaptive::unmoved(what.vertices[v]); };
+    CGAL::Sign side = CGAL::ZERO;
+    for (const auto& [from, to] : covering.edges())
+      for (const Index v : {from, to}) {
+        const CGAL::Sign of_v = Adaptive::volume_sign(point((*base)[0]), point((*base)[1]), point((*base)[2]), point(v));
+        if (of_v * side == CGAL::NEGATIVE) return false;
+        if (of_v != CGAL::ZERO) side = of_v;
+      }
+  }
+  return covering::volume(what) != 0;
+}
+
+Verdict monotone(const Object_case& c, Question question, Answering& subject, Random& random)
+{
+  // A surface inside another convex one does not meet it, on either side of that it does.
+  if (question != Question::solid || !is_convex(*c.a) || !is_convex(*c.b)) return Verdict::not_applicable;
+  const int axis = one_of(random, 3);
+  const double step = std::ldexp(ulp(scale_of(c)), int(std::array{0, 0, 2, 24}[one_of(random, 4)]));
+  std::vector<bool> answers;
+  for (int k = -2; k <= 2; ++k) {
+    std::array<Rational, 3> d{0, 0, 0};
+    d[axis] = Rational(k) * Rational(step);
+    const auto pose = translated(c.pose_b, d);
+    if (!pose) continue;
+    Object_case twin = c;
+    twin.pose_b = *pose;
+    if (const Answer answer = ask(subject, twin, question)) answers.push_back(*answer);
+  }
+  if (answers.size() < 3) return Verdict::not_applicable;
+  const auto first = std::find(answers.begin(), answers.end(), true);
+  const auto end = std::find(first, answers.end(), false);
+  return std::find(end, answers.end(), true) == answers.end() ? Verdict::holds : Verdict::violated;
+}
+
+}  // namespace
+
+std::vector<Relation> object_relations()
+{
+  const auto relation = [](std::string_view name, std::string_view what, auto check) {
+    return Relation{name, what, Level::object, check, nullptr};
+  };
+  return {
+      relation("R3 absorbed", "a motion done to the vertices beforehand, exactly, gives the same answer", absorbed),
+      relation("R5 swap", "A and B may be swapped", swap),
+      relation("R5 relative", "one body may stand still and the other be moved as seen from it, where the inverse motion is exact", relative),
+      relation("R6 motion", "a common permutation of the axes and translation gives the same answer", common_motion),
+      relation("R6 scale", "everything times a power of two gives the same answer", scaling),
+      relation("R7 edge", "an edge split in its middle, for all faces at it, gives the same answer", unchanged_by<with_split_edge>),
+      relation("R7 face", "a face split at an inner point or along a diagonal gives the same answer", unchanged_by<with_split_face>),
+      relation("R8 order", "vertices, faces and the first corners of loops may stand in any order", unchanged_by<reordered>),
+      relation("R8 winding", "all loops may run the other way round", unchanged_by<wound_backwards>),
+      relation("R9 adding", "a shell more keeps a collision", adding),
+      relation("R9 removing", "a face less keeps surfaces apart", removing),
+      relation("R10 unused", "vertices of no face, which move the covering's origin, give the same answer", unchanged_by<with_unused_vertices>),
+      relation("R10 opposite", "vertices moved and the pose moved back, exactly, give the same answer", opposite_moves),
+      relation("R13 monotone", "along a translation, convex solids meet in one stretch", monotone),
+  };
+}
+
+}  // namespace tetracone::verify

@@ -1,0 +1,145 @@
+#include "verify/subjects/blame.h"
+
+#include "tetracone/covering/inclusion.h"
+#include "tetracone/tetratree/paper/collision.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace tetracone::verify {
+namespace {
+
+using covering::Covering;
+using covering::Index;
+using kernel::Epick;
+using kernel::Question;
+
+/// A body as rounding has left it: the images of its vertices, on which EPICK's signs are exact.
+struct Rounded_body {
+  std::vector<Epick::Point_3> points;
+  Epick::Point_3 origin;
+  const Covering* covering;
+
+  template <class K>
+  explicit Rounded_body(covering::Placed_model<K>& body)
+      : origin(exactly<K>(body.frame()(body.model().origin()))), covering(&body.model().covering())
+  {
+    for (Index v = 0; v < body.model().vertices().size(); ++v) points.push_back(exactly<K>(body.point(v)));
+  }
+
+  /// No coordinate has overflowed.
+  bool is_finite() const
+  {
+    return std::all_of(points.begin(), points.end(), [](const auto& p) { return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()); });
+  }
+
+  template <class K>
+  static Epick::Point_3 exactly(const kernel::Point<K>& p)
+  {
+    return {double(p.x()), double(p.y()), double(p.z())};
+  }
+};
+
+/// A face of a rounded body, as `kernel::segment_face` wants it.
+struct Rounded_face {
+  const Rounded_body& body;
+  Index face;
+
+  std::size_t edge_count() const { return body.covering->from(face).size(); }
+  const Epick::Point_3& from(std::size_t k) const { return body.points[body.covering->from(face)[k]]; }
+  const Epick::Point_3& to(std::size_t k) const { return body.points[body.covering->to(face)[k]]; }
+  const Epick::Point_3& origin() const { return from(0); }
+  bool is_degenerate() const { return !body.covering->plane_basis(face); }
+  const Epick::Point_3& plane_basis(int k) const { return body.points[(*body.covering->plane_basis(face))[k]]; }
+};
+
+using Meeting = std::set<std::pair<Index, Index>>;  // edge of the one, face of the other
+
+Meeting meeting(const Rounded_body& with_edges, const Rounded_body& with_faces, std::size_t face_count)
+{
+  Meeting pairs;
+  const auto& edges = with_edges.covering->edges();
+  for (Index f = 0; f < face_count; ++f)
+    for (Index e = 0; e < edges.size(); ++e) {
+      const Rounded_face face{with_faces, f};
+      const auto &p = with_edges.points[edges[e][0]], &q = with_edges.points[edges[e][1]];
+      if (kernel::segment_face<Epick>(p, q, face) != kernel::Contact::none) pairs.insert({e, f});
+    }
+  return pairs;
+}
+
+/// Some shell of `held` is in the solid of `holder`, by exact signs.
+bool holds_a_shell(const Rounded_body& holder, const Rounded_body& held)
+{
+  const auto& shells = held.covering->shell_vertices();
+  return std::any_of(shells.begin(), shells.end(), [&](Index v) {
+    int winding = 0;
+    for (const covering::Covering_triangle& t : holder.covering->triangles())
+      winding += covering::signed_inclusion<Epick>(held.points[v], holder.origin, holder.points[t.corner[0]],
+                                                   holder.points[t.corner[1]], holder.points[t.corner[2]]);
+    return winding != 0;
+  });
+}
+
+bool any_in(const Meeting& pairs, std::span<const Index> edges, std::span<const Index> faces)
+{
+  return std::any_of(pairs.begin(), pairs.end(), [&](const auto& pair) {
+    return std::find(edges.begin(), edges.end(), pair.first) != edges.end() &&
+           std::find(faces.begin(), faces.end(), pair.second) != faces.end();
+  });
+}
+
+template <class K>
+std::optional<Stage> blame_in(const tetratree::Config& config, const Object_case& c, Question question, bool truth)
+{
+  using Tree = tetratree::Tetra_tree<K>;
+  using Node = tetratree::Node<typename Tree::B>;
+  Tree tree_a(*c.a, config), tree_b(*c.b, config);
+  tetratree::Collision<K> collision(tree_a, tree_b);
+  if (collision(c.pose_a, c.pose_b, question) == truth) return std::nullopt;
+
+  const Rounded_body a(collision.a().body()), b(collision.b().body());
+  // A point at infinity has lost its place, and has no exact signs.
+  if (!a.is_finite() || !b.is_finite()) return Stage::pose;
+  const Meeting a_in_b = meeting(a, b, c.b->face_count()), b_in_a = meeting(b, a, c.a->face_count());
+  const bool contained = question == Question::solid && (holds_a_shell(a, b) || holds_a_shell(b, a));
+  if ((contained || !a_in_b.empty() || !b_in_a.empty()) != truth) return Stage::pose;
+
+  // From here on, discarding one thing more at a time.
+  const auto exact_leaves = [&](const Node& leaf_a, const Node& leaf_b) {
+    return any_in(a_in_b, tree_a.edges(leaf_a), tree_b.faces(leaf_b)) || any_in(b_in_a, tree_b.edges(leaf_b), tree_a.faces(leaf_a));
+  };
+  tetratree::Config& discards = collision.config();
+  const auto wrong_with = [&](bool spheres, bool tetrahedra, bool hull) {
+    discards.spheres = spheres, discards.tetrahedra = tetrahedra, discards.regular_hull = hull;
+    return (contained || collision.any_leaf_pair(c.pose_a, c.pose_b, exact_leaves)) != truth;
+  };
+  if (wrong_with(false, false, false)) return Stage::classification;
+  if (wrong_with(true, false, false)) return Stage::bounding_sphere;
+  if (wrong_with(true, true, false)) return Stage::bounding_tetrahedron;
+  if (wrong_with(true, true, config.regular_hull)) return Stage::regular_hull;
+  if ((contained || collision(c.pose_a, c.pose_b, Question::surface)) != truth) return Stage::leaf_sign;
+  return Stage::containment;
+}
+
+}  // namespace
+
+std::optional<Stage> blame(const Subject& subject, const Object_case& c, Question question, bool truth)
+{
+  const tetratree::Config config = config_of(subject.method);
+  switch (subject.kernel) {
+    case Kernel_name::double_: return blame_in<kernel::Double>(config, c, question, truth);
+    case Kernel_name::float_: return blame_in<kernel::Float>(config, c, question, truth);
+    case Kernel_name::epick: return blame_in<kernel::Epick>(config, c, question, truth);
+    case Kernel_name::double_eps:
+      kernel::Tolerant::tolerance() = subject.tolerance;
+      return blame_in<kernel::Tolerant>(config, c, question, truth);
+    default: return std::nullopt;
+  }
+}
+
+}  // namespace tetracone::verify

@@ -1,0 +1,77 @@
+#ifndef TETRACONE_VERIFY_SUBJECTS_SUBJECT_H
+#define TETRACONE_VERIFY_SUBJECTS_SUBJECT_H
+
+#include "tetracone/covering/polyhedron.h"
+#include "tetracone/kernel/predicate/contact.h"
+#include "tetracone/kernel/number/pose.h"
+#include "tetracone/kernel/predicate/question.h"
+#include "tetracone/kernel/predicate/tolerant.h"
+#include "tetracone/tetratree/paper/config.h"
+#include "tetracone/tetratree/query_statistics.h"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tetracone::verify {
+
+enum class Kernel_name { adaptive, double_, float_, double_eps, epick, epeck, rational };
+
+/// How a subject finds its answer.
+enum class Method {
+  tree,   ///< the fastest tree that the kernel has
+  paper,  ///< the tetra-tree of JS08 with the paper's choices
+  brute   ///< every edge against every face; with the rational kernel: the truth of `brute.h`, which shares no code with the others
+};
+
+/// A way of answering: a kernel and a method. What is compared, timed and judged.
+struct Subject {
+  Kernel_name kernel = Kernel_name::adaptive;
+  kernel::Tolerance tolerance;  ///< of double_eps
+  Method method = Method::tree;
+
+  /// The kernel by its name: adaptive, double, float, epick, epeck, rational, double-eps=E or double-eps=rel:E with E >= 0 finite:
+  /// a sign is zero up to E, absolute, or relative to the sum of its products. Nothing when there is none such.
+  static std::optional<Subject> parse(std::string_view kernel, Method method = Method::tree);
+
+  /// "adaptive tree", "double-eps=1e-12 brute".
+  std::string name() const;
+  std::string kernel_name() const;
+
+  /// True when every answer is right by construction.
+  bool is_exact() const
+  {
+    return kernel == Kernel_name::adaptive || kernel == Kernel_name::epeck || kernel == Kernel_name::rational;
+  }
+};
+
+std::string_view to_string(Method method);
+
+/// The choices of trees and queries that the method stands for.
+tetratree::Config config_of(Method method);
+std::optional<Method> parse_method(std::string_view name);
+
+/// Two polyhedra made ready for one subject: built once, asked for many poses. Faces must be planar.
+class Prepared_pair {
+ public:
+  virtual ~Prepared_pair() = default;
+
+  virtual bool collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, kernel::Question question) = 0;
+  virtual std::vector<kernel::Feature_pair> features(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
+
+  /// Work since the last call; zero for a method that counts nothing.
+  virtual tetratree::Query_statistics take_counts() = 0;
+
+  /// Bytes of both trees, and the nodes in them.
+  virtual std::size_t bytes() const = 0;
+  virtual std::size_t node_count() const = 0;
+};
+
+std::unique_ptr<Prepared_pair> prepare(const Subject& subject, const covering::Polyhedron& a, const covering::Polyhedron& b);
+
+}  // namespace tetracone::verify
+
+#endif

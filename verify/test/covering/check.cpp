@@ -1,0 +1,312 @@
+#include "tetracone/covering/check.h"
+
+#include "verify/test/support/scenes.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <random>
+#include <utility>
+#include <vector>
+
+using namespace tetracone::covering;
+using tetracone::kernel::Rational;
+namespace scenes = tetracone::verify::scenes;
+
+namespace {
+
+/// The box [x, x+size]^3, outward or inward, appended.
+void add_cube(Polyhedron& polyhedron, double x, double size, bool outward = true)
+{
+  const Index base = static_cast<Index>(polyhedron.vertices.size());
+  for (const double z : {x, x + size})
+    for (const auto& [u, v] : {std::pair{x, x}, {x + size, x}, {x + size, x + size}, {x, x + size}})
+      polyhedron.vertices.push_back({u, v, z});
+  const std::vector<std::vector<Index>> faces = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                                                 {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  for (auto face : faces) {
+    for (Index& v : face) v += base;
+    if (!outward) std::reverse(face.begin(), face.end());
+    polyhedron.add_polygon(face);
+  }
+}
+
+Polyhedron cube()
+{
+  Polyhedron polyhedron;
+  add_cube(polyhedron, 0, 1);
+  return polyhedron;
+}
+
+/// The definition, by the letter.
+bool closed_by_brute_force(const Polyhedron& polyhedron)
+{
+  std::map<std::pair<Index, Index>, int> uses;
+  for (Index f = 0; f < polyhedron.face_count(); ++f)
+    for (std::size_t k = 0; k < polyhedron.loop_count(f); ++k) {
+      const Loop loop = polyhedron.loop(f, k);
+      for (std::size_t j = 0; j < loop.size(); ++j) ++uses[{loop[j], loop[(j + 1) % loop.size()]}];
+    }
+  return std::ranges::all_of(uses, [&](const auto& entry) {
+    const auto reverse = uses.find({entry.first.second, entry.first.first});
+    return reverse != uses.end() && reverse->second == entry.second;
+  });
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(test_check)
+
+BOOST_AUTO_TEST_CASE(a_cube_is_a_cube)
+{
+  const Check c = check(cube());
+  BOOST_TEST(c.vertices == 8u);
+  BOOST_TEST(c.used_vertices == 8u);
+  BOOST_TEST(c.faces == 6u);
+  BOOST_TEST(c.triangles == 0u);
+  BOOST_TEST(c.edges == 12u);
+  BOOST_TEST(c.corners == 24u);
+  BOOST_TEST(c.closed);
+  BOOST_TEST(c.open_edges.empty());
+  BOOST_TEST(c.border_edges == 0u);
+  BOOST_TEST(c.non_manifold_edges == 0u);
+  BOOST_REQUIRE(c.shells.size() == 1u);
+  BOOST_TEST(c.shells[0].euler == 2);
+  BOOST_TEST(c.shells[0].genus.value() == 0u);
+  BOOST_TEST((c.volume.value() == 1));
+  BOOST_TEST((c.orientation == Orientation::outward));
+  BOOST_TEST(c.off_plane.empty());
+  BOOST_TEST(c.degenerate_faces.empty());
+  BOOST_TEST(c.degenerate_edges.empty());
+  BOOST_TEST(c.repeated_vertices.empty());
+  BOOST_TEST(c.isolated_vertices.empty());
+}
+
+BOOST_AUTO_TEST_CASE(holed_faces_count_for_the_genus)
+{
+  const Check c = check(scenes::square_frame());
+  BOOST_TEST(c.closed);
+  BOOST_TEST((c.volume.value() == 8));
+  BOOST_TEST(c.hole_loops == 2u);
+  BOOST_TEST((c.holed_faces == std::vector<Index>{0, 1}));
+  BOOST_REQUIRE(c.shells.size() == 1u);
+  BOOST_TEST(c.shells[0].euler == 0);
+  BOOST_TEST(c.shells[0].genus.value() == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(a_torus_has_genus_one_and_no_planar_face)
+{
+  const Check c = check(scenes::torus(7, 5));
+  BOOST_TEST(c.closed);
+  BOOST_TEST(c.shells.at(0).genus.value() == 1u);
+  BOOST_TEST((c.orientation == Orientation::outward));
+}
+
+BOOST_AUTO_TEST_CASE(shells_have_their_own_volume_and_orientation)
+{
+  Polyhedron p;
+  add_cube(p, 0, 4);
+  add_cube(p, 1, 1, false);  // a cavity
+  Check c = check(p);
+  BOOST_TEST(c.closed);
+  BOOST_REQUIRE(c.shells.size() == 2u);
+  BOOST_TEST((c.shells[0].volume.value() == 64));
+  BOOST_TEST((c.shells[1].volume.value() == -1));
+  BOOST_TEST((c.volume.value() == 63));
+  BOOST_TEST((c.orientation == Orientation::mixed));
+  Polyhedron inward;
+  add_cube(inward, 0, 2, false);
+  add_cube(inward, 5, 1, false);
+  c = check(inward);
+  BOOST_TEST((c.volume.value() == -9));
+  BOOST_TEST((c.orientation == Orientation::inward));
+}
+
+BOOST_AUTO_TEST_CASE(the_volume_is_exact_where_doubles_are_not)
+{
+  Polyhedron p;
+  add_cube(p, 0, 0.1);
+  const Rational side(0.1);
+  BOOST_TEST((check(p).volume.value() == side * side * side));
+}
+
+BOOST_AUTO_TEST_CASE(an_open_surface_names_its_open_edges)
+{
+  Polyhedron p = cube();
+  Polyhedron open;
+  open.vertices = p.vertices;
+  for (Index f = 1; f < 6; ++f) open.add_polygon(p.loop(f, 0));
+  const Check c = check(open);
+  BOOST_TEST(!c.closed);
+  BOOST_TEST(!c.volume.has_value());
+  BOOST_TEST((c.orientation == Orientation::open));
+  BOOST_TEST(c.border_edges == 4u);
+  BOOST_REQUIRE(c.open_edges.size() == 4u);
+  // The missing face is 0 3 2 1: what is left runs 0 1 2 3.
+  BOOST_TEST(c.open_edges[0].from == 0u);
+  BOOST_TEST(c.open_edges[0].to == 1u);
+  BOOST_TEST(c.open_edges[0].uses == 1u);
+  BOOST_TEST(c.open_edges[0].reverse_uses == 0u);
+  BOOST_TEST(c.open_edges[3].from == 3u);
+  BOOST_TEST(!c.shells.at(0).genus.has_value());
+}
+
+BOOST_AUTO_TEST_CASE(a_turned_face_opens_each_of_its_edges_by_two)
+{
+  const Polyhedron p = cube();
+  Polyhedron turned;
+  turned.vertices = p.vertices;
+  for (Index f = 0; f < 6; ++f) append_face(turned, p, f, f == 2);
+  const Check c = check(turned);
+  BOOST_TEST(!c.closed);
+  BOOST_TEST(c.border_edges == 0u);
+  BOOST_REQUIRE(c.open_edges.size() == 4u);
+  for (const auto& edge : c.open_edges) BOOST_TEST((edge.uses == 2u && edge.reverse_uses == 0u));
+}
+
+BOOST_AUTO_TEST_CASE(closed_agrees_with_the_definition_on_random_faces)
+{
+  std::mt19937 random(5);
+  int closed = 0;
+  for (int round = 0; round < 4000; ++round) {
+    Polyhedron p;
+    p.vertices.resize(4);
+    const auto corner = [&random] { return static_cast<Index>(random() % 4); };
+    // Faces and sometimes their reverses, with repeated corners and loops of one and two corners.
+    for (int f = 0; f < 3; ++f) {
+      std::vector<std::vector<Index>> loops(1 + random() % 2);
+      for (auto& loop : loops) {
+        loop.resize(1 + random() % 4);
+        std::ranges::generate(loop, corner);
+      }
+      p.add_face(loops);
+      if (random() % 2 == 0) continue;
+      for (auto& loop : loops) std::ranges::reverse(loop);
+      p.add_face(loops);
+    }
+    const bool expected = closed_by_brute_force(p);
+    closed += expected;
+    BOOST_TEST(is_closed(p) == expected);
+    BOOST_TEST(check(p).closed == expected);
+  }
+  BOOST_TEST(closed > 100);
+}
+
+BOOST_AUTO_TEST_CASE(two_cubes_that_share_an_edge_are_closed_and_no_manifold)
+{
+  Polyhedron p;
+  add_cube(p, 0, 1);
+  add_cube(p, 1, 1);
+  // Vertex 6 = (1,1,1) of the first is vertex 8 of the second: they touch in a point.
+  Polyhedron touching;
+  touching.vertices = p.vertices;
+  for (Index f = 0; f < p.face_count(); ++f) {
+    std::vector<Index> loop(p.loop(f, 0).begin(), p.loop(f, 0).end());
+    std::ranges::replace(loop, Index{8}, Index{6});
+    touching.add_polygon(loop);
+  }
+  const Check c = check(touching);
+  BOOST_TEST(c.closed);
+  BOOST_TEST(c.shells.size() == 1u);
+  BOOST_TEST(c.non_manifold_edges == 0u);
+  BOOST_TEST(!c.shells[0].genus.has_value());
+  BOOST_TEST((c.isolated_vertices == std::vector<Index>{8}));
+  BOOST_TEST((c.repeated_vertices == std::vector<Index>{8}));
+  BOOST_TEST((c.volume.value() == 2));
+}
+
+BOOST_AUTO_TEST_CASE(degenerate_elements_are_named)
+{
+  Polyhedron p = cube();
+  p.vertices.push_back({0.5, 0, 0});  // 8: on the edge 0-1
+  p.vertices.push_back({1, 0, 0});    // 9: repeats 1
+  p.vertices.push_back({7, 7, 7});    // 10: of no face
+  p.add_polygon({0, 8, 1});           // on one line
+  p.add_polygon({1, 8, 0});
+  p.add_polygon({1, 9, 2});  // an edge of length 0
+  p.add_polygon({2, 9, 1});
+  p.add_polygon({3, 3, 4});  // a corner twice
+  p.add_polygon({4, 3, 3});
+  const Check c = check(p);
+  BOOST_TEST(c.closed);
+  BOOST_TEST((c.volume.value() == 1));
+  BOOST_TEST((c.degenerate_faces == std::vector<Index>{6, 7, 8, 9, 10, 11}));
+  BOOST_TEST((c.degenerate_edges == std::vector<std::array<Index, 2>>{{1, 9}, {3, 3}}));
+  BOOST_TEST((c.repeated_vertices == std::vector<Index>{9}));
+  BOOST_TEST((c.isolated_vertices == std::vector<Index>{10}));
+  BOOST_TEST(c.used_vertices == 10u);
+}
+
+BOOST_AUTO_TEST_CASE(a_flat_closed_shell_is_flat)
+{
+  Polyhedron p;
+  p.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  p.add_polygon({0, 1, 2});
+  p.add_polygon({2, 1, 0});
+  const Check c = check(p);
+  BOOST_TEST(c.closed);
+  BOOST_TEST((c.orientation == Orientation::flat));
+  BOOST_TEST(c.shells.at(0).genus.value() == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(the_deviation_of_a_lifted_corner_is_exact)
+{
+  // The unit square with its third corner lifted by h. p = 0, q = the lifted corner (the farthest), r = 1; the plane
+  // through them is y h - z = 0 in (x, y, z), or x h - z = 0: the corner left over is h / sqrt(1 + h^2) off.
+  for (const double h : {0.25, 0x1p-30, 1.0, 0x1p-600}) {
+    Polyhedron p;
+    p.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, h}, {0, 1, 0}};
+    p.add_polygon({0, 1, 2, 3});
+    BOOST_TEST((planarity(p, 0) == Planarity::off_plane));
+    const Off_plane off = deviation(p, 0);
+    BOOST_TEST((off.squared_distance == Rational(h) * Rational(h) / (1 + Rational(h) * Rational(h))));
+    BOOST_TEST(off.vertex == 3u);
+    BOOST_TEST(std::abs(off.distance - h / std::hypot(1.0, h)) <= 4e-16 * h);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(of_equally_distant_vertices_the_first_is_named)
+{
+  Polyhedron p;
+  p.vertices = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {1, 3, 1}, {1, 2, -1}};
+  p.add_polygon({0, 1, 2, 4, 3});
+  BOOST_TEST(deviation(p, 0).vertex == 4u);
+  BOOST_TEST((deviation(p, 0).squared_distance == 1));
+}
+
+BOOST_AUTO_TEST_CASE(planarity_is_the_same_for_every_order_of_corners)
+{
+  std::array<Index, 5> order = {0, 1, 2, 3, 4};
+  for (const double h : {0.0, 0x1p-1074, 1e-17}) {
+    do {
+      Polyhedron p;
+      // The first three corners are on one line.
+      p.vertices = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, h}, {1, 1, 0}};
+      p.add_polygon(order);
+      BOOST_TEST((planarity(p, 0) == (h == 0 ? Planarity::planar : Planarity::off_plane)));
+    } while (std::next_permutation(order.begin(), order.end()));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_hole_off_the_plane_of_its_face_counts)
+{
+  Polyhedron p = scenes::square_frame();
+  p.vertices[4][2] = -0.5;
+  const Check c = check(p);
+  BOOST_REQUIRE(!c.off_plane.empty());
+  BOOST_TEST(c.off_plane[0].face == 0u);
+  BOOST_TEST(c.off_plane[0].vertex == 4u);
+  BOOST_TEST((c.off_plane[0].squared_distance == Rational(1) / 4));
+}
+
+BOOST_AUTO_TEST_CASE(square_roots_reach_beyond_the_range_of_squares)
+{
+  for (const double a : {1.0, 3.0, 0x1p-1000, 0x1p-537, 0x1p-1022, 0x1p1000, 0x1.8p513})
+    BOOST_TEST(square_root(Rational(a) * Rational(a)) == a);
+  BOOST_TEST(square_root(0) == 0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,299 @@
+#include "tetracone/covering/covering.h"
+
+#include "verify/test/support/rationals.h"
+#include "verify/test/support/scenes.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+using namespace tetracone::covering;
+using tetracone::kernel::Rational;
+namespace rationals = tetracone::verify::rationals;
+namespace scenes = tetracone::verify::scenes;
+using rationals::Vector;
+using scenes::Random;
+
+namespace {
+
+Vector vertex(const Polyhedron& body, Index v) { return rationals::exactly(body.vertices[v]); }
+
+// The sum of the signed indicator functions of the tetrahedra O W A B; nothing where p is on the border of one.
+std::optional<int> signed_sum(const Polyhedron& body, const Covering& covering, const Vector& o, const Vector& p)
+{
+  int sum = 0;
+  for (const Covering_triangle& t : covering.triangles()) {
+    const std::array<Vector, 4> corner = {o, vertex(body, t.corner[0]), vertex(body, t.corner[1]),
+                                          vertex(body, t.corner[2])};
+    const auto volume = [](const std::array<Vector, 4>& c) {
+      return rationals::sign(rationals::determinant(rationals::minus(c[1], c[0]), rationals::minus(c[2], c[0]),
+                                                    rationals::minus(c[3], c[0])));
+    };
+    const int whole = volume(corner);
+    if (whole == 0) continue;
+    bool inside = true, border = false;
+    for (int k = 0; k < 4; ++k) {
+      std::array<Vector, 4> replaced = corner;
+      replaced[k] = p;
+      const int part = volume(replaced);
+      inside = inside && part != -whole;
+      border = border || part == 0;
+    }
+    if (inside && border) return std::nullopt;
+    if (inside) sum += whole;
+  }
+  return sum;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(test_covering)
+
+BOOST_AUTO_TEST_CASE(the_signed_tetrahedra_sum_to_the_winding_number_for_any_origin)
+{
+  Random random(1);
+  for (const auto& [name, body] : scenes::closed_bodies()) {
+    BOOST_TEST_CONTEXT(name)
+    {
+      const Covering covering(body);
+      int inside = 0, wrong = 0, decided = 0;
+      for (int n = 0; n < 40; ++n) {
+        const Vector o = rationals::exactly(scenes::grid_vertex(random, 5));
+        Vector p;
+        for (Rational& x : p) x = Rational(scenes::integer(random, -350, 350)) / Rational(101);
+        const auto sum = signed_sum(body, covering, o, p);
+        if (!sum || rationals::is_on_surface(body, p)) continue;
+        const int truth = rationals::winding_number(body, p);
+        ++decided;
+        wrong += *sum != truth;
+        inside += truth != 0;
+      }
+      BOOST_TEST(wrong == 0);
+      BOOST_TEST(decided > 30);
+      BOOST_TEST((inside > 0 || name == "tetrahedra" || name == "tetrahedron"));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(known_volumes_are_exact)
+{
+  const std::map<std::string, Rational> known = {{"cube", 64},
+                                                 {"cube of triangles", 64},
+                                                 {"inward cube", -64},
+                                                 {"tetrahedron", Rational(27) / Rational(6)},
+                                                 {"star prism", 24},
+                                                 {"tunnel", 6 * 6 * 6 - 2 * 2 * 6},
+                                                 {"cavity", 216 - 64},
+                                                 {"nested shells", 216 - 64 + 8},
+                                                 {"shells in one another", 216 + 64},
+                                                 {"spur", 64},
+                                                 {"degenerate faces", 64}};
+  int found = 0;
+  for (const auto& [name, body] : scenes::closed_bodies()) {
+    BOOST_TEST_CONTEXT(name)
+    {
+      BOOST_TEST((Rational(6 * volume(body)) == rationals::six_volumes(body)));
+      const auto at = known.find(name);
+      if (at == known.end()) continue;
+      ++found;
+      BOOST_TEST((volume(body) == at->second));
+    }
+  }
+  BOOST_TEST(found == int(known.size()));
+
+  Random random(2);
+  const scenes::Voxels voxels(random, 3);
+  BOOST_TEST((volume(voxels.solid()) == std::count(voxels.full.begin(), voxels.full.end(), true)));
+}
+
+BOOST_AUTO_TEST_CASE(volume_stays_under_other_orders_and_other_corners_first)
+{
+  Random random(3);
+  for (const auto& [name, body] : scenes::closed_bodies()) {
+    BOOST_TEST_CONTEXT(name)
+    {
+      const Rational expected = volume(body);
+      for (int n = 0; n < 5; ++n) BOOST_TEST((volume(scenes::shuffled(body, random)) == expected));
+      BOOST_TEST((volume(scenes::turned(body)) == -expected));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(volume_stays_under_exact_translation_and_scales_by_the_cube_of_a_power_of_two)
+{
+  for (const auto& [name, body] : scenes::closed_bodies()) {
+    BOOST_TEST_CONTEXT(name)
+    {
+      const Rational expected = volume(body);
+      BOOST_TEST((volume(scenes::moved(body, 1, {0x1p40, -0x1p39, 3})) == expected));
+      for (const int power : {1, -1, 300, -300, 1000, -1060}) {
+        const Rational scale = Rational(std::ldexp(1.0, power));
+        BOOST_TEST((volume(scenes::moved(body, std::ldexp(1.0, power))) == Rational(expected * scale * scale * scale)));
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(every_real_edge_is_a_side_of_a_triangle_of_each_of_its_faces)
+{
+  for (const auto& [name, body] : scenes::closed_bodies()) {
+    BOOST_TEST_CONTEXT(name)
+    {
+      const Covering covering(body);
+      std::set<std::array<Index, 2>> all;
+      int missing = 0;
+      for (Index f = 0; f < body.face_count(); ++f)
+        for (std::size_t l = 0; l < body.loop_count(f); ++l) {
+          const Loop loop = body.loop(f, l);
+          for (std::size_t k = 0; k < loop.size(); ++k) {
+            const Index a = loop[k], b = loop[(k + 1) % loop.size()];
+            const std::array<Index, 2> edge = {std::min(a, b), std::max(a, b)};
+            all.insert(edge);
+            bool found = false;
+            for (const Covering_triangle& t : covering.triangles())
+              for (int i = 0; i < 3 && t.face == f; ++i)
+                found = found || (t.edge[i] != none && covering.edges()[t.edge[i]] == edge);
+            missing += !found;
+          }
+        }
+      BOOST_TEST(missing == 0);
+      BOOST_TEST(std::equal(all.begin(), all.end(), covering.edges().begin(), covering.edges().end()));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_side_that_is_marked_joins_the_corners_of_its_edge_and_an_unmarked_one_is_no_edge_of_the_face)
+{
+  for (const auto& [name, body] : scenes::closed_bodies()) {
+    BOOST_TEST_CONTEXT(name)
+    {
+      const Covering covering(body);
+      int wrong = 0;
+      for (const Covering_triangle& t : covering.triangles())
+        for (int i = 0; i < 3; ++i) {
+          const Index a = t.corner[i], b = t.corner[(i + 1) % 3];
+          const std::array<Index, 2> side = {std::min(a, b), std::max(a, b)};
+          const auto from = covering.from(t.face), to = covering.to(t.face);
+          bool real = false;
+          for (std::size_t k = 0; k < from.size(); ++k)
+            real = real || (from[k] == a && to[k] == b) || (from[k] == b && to[k] == a);
+          wrong += real != (t.edge[i] != none);
+          wrong += t.edge[i] != none && covering.edges()[t.edge[i]] != side;
+          wrong += t.corner[0] != from[0];
+        }
+      BOOST_TEST(wrong == 0);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_triangle_is_its_own_covering)
+{
+  for (const Polyhedron& body :
+       {scenes::triangulated(scenes::cube(1)), scenes::tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1})}) {
+    const Covering covering(body);
+    BOOST_REQUIRE(covering.triangles().size() == body.face_count());
+    for (Index f = 0; f < body.face_count(); ++f) {
+      const Covering_triangle& t = covering.triangles()[f];
+      const Loop loop = body.loop(f, 0);
+      BOOST_TEST(t.face == f);
+      BOOST_TEST(std::equal(t.corner.begin(), t.corner.end(), loop.begin(), loop.end()));
+      for (const Index edge : t.edge) BOOST_TEST(edge != none);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_polygon_has_a_triangle_for_each_edge_that_does_not_end_in_its_first_corner)
+{
+  const auto triangles_of = [](const Covering& covering, Index f) {
+    return std::count_if(covering.triangles().begin(), covering.triangles().end(),
+                         [f](const auto& t) { return t.face == f; });
+  };
+  const Covering star(scenes::star_prism());
+  BOOST_TEST(triangles_of(star, 0) == 8 - 2);
+  BOOST_TEST(triangles_of(star, 2) == 4 - 2);
+  // Top with a hole: the outer square without W, and all four edges of the hole.
+  const Polyhedron tunnel = scenes::cube_with_tunnel();
+  BOOST_TEST(triangles_of(Covering(tunnel), tunnel.face_count() - 1) == 2 + 4);
+}
+
+BOOST_AUTO_TEST_CASE(directed_edges_run_around_each_loop_and_begin_with_the_first_corner)
+{
+  const Polyhedron tunnel = scenes::cube_with_tunnel();
+  const Covering covering(tunnel);
+  for (Index f = 0; f < tunnel.face_count(); ++f) {
+    std::size_t n = 0;
+    for (std::size_t l = 0; l < tunnel.loop_count(f); ++l) {
+      const Loop loop = tunnel.loop(f, l);
+      for (std::size_t k = 0; k < loop.size(); ++k, ++n) {
+        BOOST_TEST(covering.from(f)[n] == loop[k]);
+        BOOST_TEST(covering.to(f)[n] == loop[(k + 1) % loop.size()]);
+      }
+    }
+    BOOST_TEST(covering.from(f).size() == n);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(spanning_corners_are_off_one_line_and_missing_only_where_all_corners_are_on_one)
+{
+  for (const auto& [name, body] : scenes::closed_bodies()) {
+    BOOST_TEST_CONTEXT(name)
+    {
+      const Covering covering(body);
+      for (Index f = 0; f < body.face_count(); ++f) {
+        const auto& spanning = covering.plane_basis(f);
+        BOOST_TEST(spanning.has_value() == !rationals::is_zero(rationals::normal(body, f)));
+        if (!spanning) continue;
+        const Vector a = vertex(body, (*spanning)[0]), b = vertex(body, (*spanning)[1]),
+                     c = vertex(body, (*spanning)[2]);
+        BOOST_TEST(!rationals::is_zero(rationals::outer(rationals::minus(b, a), rationals::minus(c, a))));
+        for (const Index v : *spanning)
+          BOOST_TEST((std::find(covering.from(f).begin(), covering.from(f).end(), v) != covering.from(f).end()));
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_vertex_speaks_for_each_connected_shell)
+{
+  const auto count = [](const Polyhedron& body) { return Covering(body).shell_vertices().size(); };
+  BOOST_TEST(count(scenes::cube(1)) == 1u);
+  BOOST_TEST(count(scenes::cube_with_cavity()) == 2u);
+  Random random(4);
+  BOOST_TEST(count(scenes::random_tetrahedra(random, 5, 3)) == 5u);
+  // Unused vertices are on no surface.
+  Polyhedron unused;
+  unused.vertices.push_back({9, 9, 9});
+  scenes::append(unused, scenes::cube(1));
+  BOOST_TEST(count(unused) == 1u);
+  BOOST_TEST(Covering(unused).shell_vertices()[0] != 0u);
+}
+
+BOOST_AUTO_TEST_CASE(two_boxes_joined_by_a_face_of_two_outer_loops_are_two_parts_of_the_surface)
+{
+  // Legal: the face's points are two squares that share no point, so one vertex cannot speak for both boxes.
+  const Polyhedron left = scenes::box({0, 0, 0}, {1, 1, 1}), right = scenes::box({5, 0, 0}, {6, 1, 1});
+  Polyhedron both;
+  for (const Polyhedron* box : {&left, &right}) {
+    const Index first = both.vertices.size();
+    both.vertices.insert(both.vertices.end(), box->vertices.begin(), box->vertices.end());
+    for (Index f = 0; f < 5; ++f) {
+      std::vector<Index> loop;
+      for (const Index v : box->loop(f, 0)) loop.push_back(first + v);
+      both.add_polygon(loop);
+    }
+  }
+  both.add_face({{4, 5, 7, 6}, {12, 13, 15, 14}});
+  BOOST_TEST((volume(both) == 2));
+  std::set<bool> sides;
+  const Covering covering(both);
+  for (const Index v : covering.shell_vertices()) sides.insert(both.vertices[v][0] > 3);
+  BOOST_TEST(sides.size() == 2u);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

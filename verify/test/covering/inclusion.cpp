@@ -1,0 +1,173 @@
+#include "tetracone/covering/inclusion.h"
+
+#include "verify/test/support/rationals.h"
+#include "verify/test/support/scenes.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <set>
+#include <tuple>
+#include <vector>
+
+using namespace tetracone::covering;
+using namespace tetracone::kernel;
+namespace rationals = tetracone::verify::rationals;
+namespace scenes = tetracone::verify::scenes;
+using scenes::Random;
+
+namespace {
+
+using Exact_signs = std::tuple<Epick, Rational_kernel, Adaptive>;
+using Exact_motions = std::tuple<Epeck, Rational_kernel, Adaptive>;
+
+Location truth_of(const Polyhedron& body, const Vertex& v)
+{
+  const rationals::Vector p = rationals::exactly(v);
+  if (rationals::is_on_surface(body, p)) return Location::on_surface;
+  return rationals::winding_number(body, p) != 0 ? Location::inside : Location::outside;
+}
+
+/// Points where the covering of a body is degenerate: its vertices, the origin, midpoints of all pairs of these, and
+/// small integers.
+std::vector<Vertex> hard_points(const Polyhedron& body, const Vertex& origin, Random& random)
+{
+  std::vector<Vertex> points = {origin};
+  for (int n = 0; n < 40; ++n) points.push_back(scenes::grid_vertex(random, 4));
+  for (int n = 0; n < 60; ++n) {
+    const auto any = [&]() -> Vertex {
+      return scenes::integer(random, 0, 3) == 0
+                 ? origin
+                 : body.vertices[scenes::integer(random, 0, int(body.vertices.size()) - 1)];
+    };
+    // On an inner facet O W A, an inner edge O W, or the plane of faces.
+    const Vertex a = any(), b = any(), c = any();
+    Vertex p;
+    for (int k = 0; k < 3; ++k) p[k] = n % 2 == 0 ? (a[k] + b[k]) / 2 : a[k] / 2 + b[k] / 4 + c[k] / 4;
+    points.push_back(p);
+  }
+  return points;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(test_inclusion)
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(voxel_solids_hold_the_points_that_their_cells_hold, K, Exact_signs)
+{
+  Random random(1);
+  const int solids = std::is_same_v<K, Rational_kernel> ? 1 : 4;
+  for (int n = 0; n < solids; ++n) {
+    const scenes::Voxels voxels(random, 3, 0.3 + 0.15 * n);
+    const Model<K> model(voxels.solid());
+    Placed_model<K> placed(model);
+    placed.place(Pose());
+    int wrong = 0;
+    for (int x = -1; x <= 7; ++x)
+      for (int y = -1; y <= 7; ++y)
+        for (int z = -1; z <= 7; ++z)
+          wrong += int(locate<K>(point<K>({x / 2.0, y / 2.0, z / 2.0}), placed)) != voxels.where(x, y, z);
+    BOOST_TEST(wrong == 0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(every_kind_of_body_locates_points_where_its_covering_is_degenerate, K, Exact_signs)
+{
+  Random random(2);
+  std::set<Location> seen;
+  for (const auto& [name, body] : scenes::closed_bodies()) {
+    BOOST_TEST_CONTEXT(name)
+    {
+      const Model<K> model(body);
+      Placed_model<K> placed(model);
+      placed.place(Pose());
+      int wrong = 0;
+      for (const Vertex& p : hard_points(body, model.lattice().origin, random)) {
+        const Location truth = truth_of(body, p);
+        wrong += locate<K>(point<K>(p), placed) != truth;
+        seen.insert(truth);
+      }
+      BOOST_TEST(wrong == 0);
+    }
+  }
+  BOOST_TEST(seen.size() == 3u);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(winding_numbers_are_those_of_a_ray_and_turn_their_sign_with_the_pose, K, Exact_motions)
+{
+  Random random(3);
+  std::set<int> seen;
+  for (const auto& [name, body] : scenes::closed_bodies()) {
+    BOOST_TEST_CONTEXT(name)
+    {
+      const Model<K> model(body);
+      Placed_model<K> placed(model);
+      std::vector<Pose> poses = {Pose(), scenes::random_affine(random), scenes::random_rotation(random),
+                                 scenes::rounded(scenes::random_rotation(random)),
+                                 Pose(std::array<double, 12>{-1, 0, 0, 0x1p50, 0, 1, 0, 0x1p-50, 0, 0, 1, 0.1})};
+      const auto points = hard_points(body, model.lattice().origin, random);
+      for (const Pose& pose : poses) {
+        placed.place(pose);
+        const Frame<K> frame(pose);
+        int wrong = 0;
+        for (std::size_t n = 0; n < points.size(); n += 4) {
+          const rationals::Vector p = rationals::exactly(points[n]);
+          const Point<K> q = frame(point<K>(points[n]));
+          const bool on_surface = rationals::is_on_surface(body, p);
+          wrong += (locate<K>(q, placed) == Location::on_surface) != on_surface;
+          if (on_surface) continue;
+          const int winding = rationals::winding_number(body, p);
+          wrong += winding_number<K>(q, placed) != winding * int(pose.determinant_sign());
+          seen.insert(winding);
+        }
+        BOOST_TEST(wrong == 0);
+      }
+    }
+  }
+  BOOST_TEST(seen.contains(-1));
+  BOOST_TEST(seen.contains(0));
+  BOOST_TEST(seen.contains(1));
+  BOOST_TEST(seen.contains(2));
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(orders_of_vertices_and_faces_and_powers_of_two_change_no_location, K, Exact_signs)
+{
+  Random random(4);
+  const scenes::Voxels voxels(random, 2, 0.5);
+  const Polyhedron body = voxels.solid();
+  for (const double scale : {1.0, 0x1p-1060, 0x1p1020}) {
+    if (!std::is_same_v<K, Adaptive> && scale < 1) continue;  // slow
+    const Model<K> model(scenes::moved(scenes::shuffled(body, random), scale));
+    Placed_model<K> placed(model);
+    placed.place(Pose());
+    int wrong = 0;
+    for (int x = -1; x <= 5; ++x)
+      for (int y = -1; y <= 5; ++y)
+        for (int z = -1; z <= 5; ++z)
+          wrong +=
+              int(locate<K>(point<K>({scale * x / 2, scale * y / 2, scale * z / 2}), placed)) != voxels.where(x, y, z);
+    BOOST_TEST(wrong == 0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_tetrahedron_of_the_covering_holds_a_point_with_its_own_sign, K, Exact_motions)
+{
+  const auto at = [](double x, double y, double z) { return point<K>({x, y, z}); };
+  const auto o = at(0, 0, 0), x = at(4, 0, 0), y = at(0, 4, 0), z = at(0, 0, 4);
+  BOOST_TEST(signed_inclusion<K>(at(1, 1, 1), o, x, y, z) == 1);
+  BOOST_TEST(signed_inclusion<K>(at(1, 1, 1), o, y, x, z) == -1);
+  BOOST_TEST(signed_inclusion<K>(at(3, 3, 3), o, x, y, z) == 0);
+  BOOST_TEST(signed_inclusion<K>(at(1, 1, 1), o, x, y, at(1, 1, 0)) == 0);  // flat
+  // On its border: the point moved by (e, e^2, e^3) is in exactly one of the two tetrahedra on the two sides.
+  const auto below = at(0, 0, -4);
+  for (const auto& p : {at(1, 1, 0), at(1, 0, 0), at(0, 1, 0), at(0, 0, 0)}) {
+    BOOST_TEST(signed_inclusion<K>(p, o, x, y, z) == 1);
+    BOOST_TEST(signed_inclusion<K>(p, o, y, x, below) == 0);
+  }
+  BOOST_TEST(signed_inclusion<K>(at(4, 0, 0), o, x, y, z) == 0);
+}
+
+// Planted and seen to fail: weights of 1/2 on borders instead of the moved point, in all tests but that of powers of
+// two.
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,457 @@
+#include "tetracone/covering/io/read.h"
+
+#include "verify/test/support/temporary_file.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <bit>
+#include <cstring>
+#include <string>
+#include <vector>
+
+using namespace tetracone::covering;
+using tetracone::verify::Temporary_file;
+
+namespace {
+
+const std::string models = std::string(TETRACONE_SOURCE_DIR) + "/verify/test/models/";
+const std::string note = "a dialect that CGAL's reader does not take: read by the scan alone";
+
+Read_model read_text(const std::string& suffix, const std::string& text)
+{
+  const Temporary_file file("model" + suffix, text);
+  return read_model(file.path());
+}
+
+std::string error_of(const std::string& suffix, const std::string& text)
+{
+  return tetracone::verify::error_of(Temporary_file("model" + suffix, text), [](const auto& path) { read_model(path); });
+}
+
+bool fails_at(const std::string& error, const std::string& line)
+{
+  return error.starts_with(line + ": ") && error.find("; expected") != std::string::npos;
+}
+
+std::vector<Index> loop(const Polyhedron& polyhedron, Index f, std::size_t k = 0)
+{
+  const Loop found = polyhedron.loop(f, k);
+  return {found.begin(), found.end()};
+}
+
+bool same(const Polyhedron& a, const Polyhedron& b)
+{
+  if (a.vertices != b.vertices || a.face_count() != b.face_count()) return false;
+  for (Index f = 0; f < a.face_count(); ++f)
+    if (a.loop_count(f) != b.loop_count(f) || loop(a, f) != loop(b, f)) return false;
+  return true;
+}
+
+/// The bytes of a number, of either byte order.
+template <class Number>
+std::string bytes(Number number, bool big = false)
+{
+  std::string result(sizeof number, '\0');
+  std::memcpy(result.data(), &number, sizeof number);
+  if ((std::endian::native == std::endian::big) != big) std::reverse(result.begin(), result.end());
+  return result;
+}
+
+const std::string triangle_off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+const std::string tetrahedron_vertices = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+const std::string tetrahedron_faces = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+const std::string tetrahedron_off = "OFF\n4 4 6\n" + tetrahedron_vertices + tetrahedron_faces;
+
+std::string binary_stl(const std::vector<std::array<float, 9>>& triangles, std::uint32_t count)
+{
+  std::string text = "solid, says this binary file";
+  text.resize(80, ' ');
+  text += bytes(count);
+  for (const auto& triangle : triangles) {
+    text += std::string(12, '\0');
+    for (const float x : triangle) text += bytes(x);
+    text += std::string(2, '\0');
+  }
+  return text;
+}
+
+const std::vector<std::array<float, 9>> tetrahedron_triangles = {{0, 0, 0, 0, 1, 0, 1, 0, 0},
+                                                                 {0, 0, 0, 1, 0, 0, 0, 0, 1},
+                                                                 {1, 0, 0, 0, 1, 0, -0.0f, 0, 1},
+                                                                 {0, 1, 0, 0, 0, -0.0f, 0, 0, 1}};
+
+std::string binary_ply(bool big)
+{
+  std::string text = std::string("ply\nformat binary_") + (big ? "big" : "little") +
+                     "_endian 1.0\ncomment a tetrahedron\nelement vertex 4\nproperty float x\nproperty uchar "
+                     "flag\nproperty double z\nproperty float y\n"
+                     "element face 4\nproperty int label\nproperty list uchar int vertex_indices\nelement tail "
+                     "1\nproperty list ushort float w\nend_header\n";
+  const float x[] = {0, 1, 0, 0}, y[] = {0, 0, 1, 0};
+  const double z[] = {0, 0, 0, 0.1};
+  for (int v = 0; v < 4; ++v) text += bytes(x[v], big) + "\7" + bytes(z[v], big) + bytes(y[v], big);
+  const int faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  for (const auto& face : faces) {
+    text += bytes(std::int32_t{-7}, big) + "\3";
+    for (const int v : face) text += bytes(std::int32_t{v}, big);
+  }
+  return text + bytes(std::uint16_t{2}, big) + bytes(1.5f, big) + bytes(std::numeric_limits<float>::quiet_NaN(), big);
+}
+
+std::string ascii_ply(const std::string& coordinate, const std::string& index, const std::string& last = "0.1")
+{
+  return "ply\nformat ascii 1.0\nelement vertex 4\nproperty " + coordinate + " x\nproperty " + coordinate +
+         " y\nproperty " + coordinate + " z\nelement face 4\nproperty list uchar " + index +
+         " vertex_index\nend_header\n0 0 0\n1 0 0\n0 1 0\n0 0 " + last + "\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(test_read)
+
+BOOST_AUTO_TEST_CASE(the_same_tetrahedron_comes_out_of_every_format)
+{
+  const Polyhedron off = read_text(".off", tetrahedron_off).polyhedron;
+  BOOST_TEST(off.vertices.size() == 4u);
+  BOOST_TEST(off.face_count() == 4u);
+  BOOST_TEST(is_closed(off));
+  const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  BOOST_TEST(same(off, read_text(".obj", obj).polyhedron));
+  BOOST_TEST(same(off, read_text(".ply", ascii_ply("double", "int", "1")).polyhedron));
+  BOOST_TEST(same(off, read(models + "tetrahedron.poly")));
+  // STL numbers the vertices as they come: 0 2 1 3.
+  const Polyhedron stl = read_text(".stl", binary_stl(tetrahedron_triangles, 4)).polyhedron;
+  BOOST_TEST(stl.vertices.size() == 4u);
+  BOOST_TEST(is_closed(stl));
+  BOOST_TEST((loop(stl, 2) == std::vector<Index>{2, 1, 3}));
+}
+
+BOOST_AUTO_TEST_CASE(cgal_reads_the_usual_files_and_agrees)
+{
+  BOOST_TEST(read_model(models + "cube.off").notes.empty());
+  BOOST_TEST(read_model(models + "lifted.obj").notes.empty());
+  BOOST_TEST(read_model(models + "open.stl").notes.empty());
+  BOOST_TEST(read_text(".ply", binary_ply(false)).notes.empty());
+  BOOST_TEST(read_text(".ply", binary_ply(true)).notes.empty());
+  BOOST_TEST(read_text(".stl", binary_stl(tetrahedron_triangles, 4)).notes.empty());
+}
+
+BOOST_AUTO_TEST_CASE(suffixes_have_any_case_and_unknown_ones_are_refused)
+{
+  BOOST_TEST(read_text(".OFF", triangle_off).polyhedron.face_count() == 1u);
+  BOOST_TEST(error_of(".xyz", triangle_off) == ": unknown suffix '.xyz'; expected .off, .obj, .ply, .stl or .poly");
+  BOOST_TEST(error_of("", triangle_off) == ": no suffix; expected .off, .obj, .ply, .stl or .poly");
+}
+
+BOOST_AUTO_TEST_CASE(what_is_no_file_is_refused)
+{
+  BOOST_CHECK_THROW(read("no/such/file.off"), Input_error);
+  BOOST_CHECK_THROW(read(models), Input_error);
+  BOOST_CHECK_THROW(read(""), Input_error);
+  for (const char* suffix : {".off", ".obj", ".ply", ".stl", ".poly"}) {
+    BOOST_TEST(error_of(suffix, "") == ": the file is empty; expected a model");
+    BOOST_TEST(error_of(suffix, "\n \n").find("; expected") != std::string::npos, suffix);
+    BOOST_TEST(error_of(suffix, std::string(200, '\0')).find("; expected") != std::string::npos, suffix);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(coordinates_are_nearest_doubles_in_every_text_format)
+{
+  const std::vector<std::string> words = {
+      "0.1", "1e-400", "5e-324", "2.2250738585072011e-308", "9007199254740993", "1.7976931348623157e308", "-1e-5"};
+  for (const std::string& word : words) {
+    const double expected = *tetracone::kernel::parse_double(word);
+    BOOST_TEST(read_text(".off", "OFF\n3 1 0\n0 0 " + word + "\n1 0 0\n0 1 0\n3 0 1 2\n").polyhedron.vertices[0][2] ==
+                   expected,
+               word);
+    BOOST_TEST(
+        read_text(".obj", "v 0 0 " + word + "\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").polyhedron.vertices[0][2] == expected,
+        word);
+    BOOST_TEST(read_text(".ply", ascii_ply("double", "int", word)).polyhedron.vertices[3][2] == expected, word);
+    BOOST_TEST(read_text(".ply", ascii_ply("float", "int", word)).polyhedron.vertices[3][2] == expected, word);
+    const std::string stl = "solid\nfacet normal 0 0 nan\nouter loop\nvertex 1 0 " + word +
+                            "\nvertex 0 1 0\nvertex 0 0 0\nendloop\nendfacet\nendsolid\n";
+    BOOST_TEST(read_text(".stl", stl).polyhedron.vertices[0][2] == expected, word);
+  }
+  BOOST_TEST(read_text(".ply", binary_ply(false)).polyhedron.vertices[3][2] == 0.1);
+}
+
+BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite_are_refused_with_their_line)
+{
+  for (const std::string word : {"nan", "-nan", "inf", "-inf", "1e400", "-1e400", "x", "1/2", "0x10", "1.0.0", "1,5"}) {
+    BOOST_TEST(fails_at(error_of(".off", "OFF\n3 1 0\n0 0 0\n1 0 " + word + "\n0 1 0\n3 0 1 2\n"), ":4"), word);
+    BOOST_TEST(fails_at(error_of(".obj", "v 0 0 0\nv 1 0 " + word + "\nv 0 1 0\nf 1 2 3\n"), ":2"), word);
+    BOOST_TEST(fails_at(error_of(".ply", ascii_ply("double", "int", word)), ":13"), word);
+    BOOST_TEST(fails_at(error_of(".stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 1 0 " + word + "\n"), ":4"),
+               word);
+    BOOST_TEST(fails_at(error_of(".poly", "2 3 0 0\n1 0 0 0\n2 0 0 " + word + "\n"), ":3"), word);
+  }
+  auto triangles = tetrahedron_triangles;
+  triangles[1][4] = std::numeric_limits<float>::infinity();
+  BOOST_TEST(
+      error_of(".stl", binary_stl(triangles, 4)).starts_with(": triangle 1 has a coordinate that is no finite number"));
+}
+
+BOOST_AUTO_TEST_CASE(every_truncation_is_read_or_refused_in_one_line)
+{
+  const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  const std::vector<std::pair<std::string, std::string>> files = {{".off", tetrahedron_off},
+                                                                  {".obj", obj},
+                                                                  {".ply", ascii_ply("double", "int")},
+                                                                  {".ply", binary_ply(true)},
+                                                                  {".stl", binary_stl(tetrahedron_triangles, 4)}};
+  for (const auto& [suffix, text] : files)
+    for (std::size_t length = 0; length < text.size(); ++length) {
+      const std::string error = error_of(suffix, text.substr(0, length));
+      // Text may lack its last line end or the end of its last number; an OBJ does not say how many faces it has.
+      if (error == "no error")
+        BOOST_TEST((suffix == ".obj" || length + 4 > text.size()));
+      else
+        BOOST_TEST(error.find("; expected") != std::string::npos);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(counts_beyond_the_file_are_refused_without_reserving_for_them)
+{
+  for (const std::string huge :
+       {"1000000", "4294967295", "4294967296", "18446744073709551615", "99999999999999999999999", "-1"}) {
+    BOOST_TEST(fails_at(error_of(".off", "OFF\n" + huge + " 1 0\n0 0 0\n"), ":2"), huge);
+    BOOST_TEST(fails_at(error_of(".off", "OFF\n3 " + huge + " 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), ":2"), huge);
+    BOOST_TEST(fails_at(error_of(".off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n" + huge + " 0 1 2\n"), ":6"), huge);
+    BOOST_TEST(fails_at(error_of(".poly", huge + " 3 0 0\n1 0 0 0\n"), ":1"), huge);
+    BOOST_TEST(fails_at(error_of(".ply", "ply\nformat ascii 1.0\nelement vertex " + huge + "\n"), ":3"), huge);
+  }
+  BOOST_TEST(error_of(".stl", binary_stl(tetrahedron_triangles, 0xffffffff))
+                 .starts_with(": binary STL of 4294967295 triangles in 284 bytes"));
+  const std::string list =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list int int vertex_indices\nend_header\n";
+  BOOST_TEST(error_of(".ply", list + bytes(std::int32_t{0x7fffffff})).find("count of vertex_indices") !=
+             std::string::npos);
+  BOOST_TEST(error_of(".ply", list + bytes(std::int32_t{-3})).find("-3 as count") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(faces_of_less_than_three_corners_are_refused)
+{
+  BOOST_TEST(error_of(".off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1  \n") ==
+             ":6: a face of 2 corners; expected at least 3");
+  BOOST_TEST(error_of(".off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n0 0 0 0\n") ==
+             ":6: a face of 0 corners; expected at least 3");
+  BOOST_TEST(error_of(".obj", "v 0 0 0\nv 1 0 0\nf 1 2\n") == ":3: a face of 2 corners; expected at least 3");
+  BOOST_TEST(error_of(".obj", "v 0 0 0\nv 1 0 0\nf\n") == ":3: a face of 0 corners; expected at least 3");
+  BOOST_TEST(error_of(".poly", "3 3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n1 0\n1 0\n1 1\n") ==
+             ":7: a face of 1 corner; expected at least 3");
+}
+
+BOOST_AUTO_TEST_CASE(models_without_a_face_are_refused)
+{
+  BOOST_TEST(error_of(".off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n") == ": no face; expected a model with faces");
+  BOOST_TEST(error_of(".obj", "v 0 0 0\n") == ": no face; expected a model with faces");
+  BOOST_TEST(error_of(".stl", "solid\nendsolid\n") == ": no face; expected a model with faces");
+  BOOST_TEST(error_of(".stl", binary_stl({}, 0)) == ": no face; expected a model with faces");
+}
+
+BOOST_AUTO_TEST_CASE(off_takes_comments_blank_lines_colours_and_normals)
+{
+  const Polyhedron plain = read_text(".off", tetrahedron_off).polyhedron;
+  const std::string commented = "# first\n\n  OFF # keyword\n# counts\n4 4 6 # here\n\n" + tetrahedron_vertices +
+                                "# faces\n" + tetrahedron_faces + "\n# end\n";
+  BOOST_TEST(same(plain, read_text(".off", commented).polyhedron));
+  BOOST_TEST(read_text(".off", commented).notes.empty());
+  BOOST_TEST(same(plain, read_text(".off", "OFF 4 4 0\r\n" + tetrahedron_vertices + tetrahedron_faces).polyhedron));
+  const std::string tail = tetrahedron_vertices + "3 0 2 1 0.5 0.5 0.5\n3 0 1 3 255 0 0\n3 1 2 3 7\n3 2 0 3\n";
+  BOOST_TEST(same(plain, read_text(".off", "OFF\n4 4 6\n" + tail).polyhedron));
+  const std::string coloured = "0 0 0 255 0 0\n1 0 0 0.5 0 0 1\n0 1 0\n0 0 1 3\n";
+  BOOST_TEST(same(plain, read_text(".off", "COFF\n4 4 6\n" + coloured + tetrahedron_faces).polyhedron));
+  const std::string normals = "0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n0 0 1 0 0 1\n";
+  BOOST_TEST(same(plain, read_text(".off", "NOFF\n4 4 6\n" + normals + tetrahedron_faces).polyhedron));
+  const std::string textured = "0 0 0 0.5 0.5\n1 0 0 0 1\n0 1 0 1 0\n0 0 1 1 1\n";
+  BOOST_TEST(same(plain, read_text(".off", "STOFF\n4 4 6\n" + textured + tetrahedron_faces).polyhedron));
+  // What CGAL's reader does not take.
+  const Read_model stuck = read_text(".off", " \tOFF4 4 6\n" + tetrahedron_vertices + tetrahedron_faces);
+  BOOST_TEST(same(plain, stuck.polyhedron));
+  BOOST_TEST(stuck.notes.at(0) == note);
+  BOOST_TEST(same(plain, read_text(".off", "OFF\n4 4\n" + tetrahedron_vertices + tetrahedron_faces).polyhedron));
+}
+
+BOOST_AUTO_TEST_CASE(off_refuses_what_it_cannot_mean)
+{
+  BOOST_TEST(fails_at(error_of(".off", "4 4 6\n" + tetrahedron_vertices), ":1"));
+  BOOST_TEST(fails_at(error_of(".off", "OFF BINARY\n"), ":1"));
+  BOOST_TEST(fails_at(error_of(".off", "4OFF\n1 1 1\n"), ":1"));
+  BOOST_TEST(fails_at(error_of(".off", "nOFF 3\n1 1 1\n"), ":1"));
+  BOOST_TEST(fails_at(error_of(".off", "OFF\n4\n4 6\n"), ":2"));
+  BOOST_TEST(fails_at(error_of(".off", "OFF\n3 1 0\n0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), ":3"));
+  BOOST_TEST(fails_at(error_of(".off", "OFF\n3 1 0\n0 0 0 z\n1 0 0\n0 1 0\n3 0 1 2\n"), ":3"));
+  BOOST_TEST(fails_at(error_of(".off", "NOFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), ":3"));
+  BOOST_TEST(fails_at(error_of(".off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"), ":6"));
+  BOOST_TEST(fails_at(error_of(".off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 -1 2\n"), ":6"));
+  BOOST_TEST(fails_at(error_of(".off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1.5 2\n"), ":6"));
+  BOOST_TEST(fails_at(error_of(".off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n"), ":6"));
+  BOOST_TEST(fails_at(error_of(".off", triangle_off + "3 0 1 2\n"), ":7"));
+}
+
+BOOST_AUTO_TEST_CASE(obj_takes_negative_indices_and_every_form_of_corner)
+{
+  const std::string vertices =
+      "# tetrahedron\nmtllib a.mtl\no thing\nv 0 0 0\nv 1 0 0 1\nv 0 1 0 0.5 0.5 0.5\nv 0 0 1\nvt 0 0\nvn 0 0 1\ng "
+      "1\ns off\nusemtl\n";
+  const Polyhedron plain = read_text(".off", tetrahedron_off).polyhedron;
+  for (const std::string faces : {"f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n",
+                                  "f 1/1 3/1 2/1\nf 1/1/1 2/1/1 4/1/1\nf 2//1 3//1 4//1 # last\nf 3/ 1// 4/1/\n",
+                                  "f -4 -2 -3\nf -4 -3 -1\nf -3/-1/-1 -2/-1/-1 -1/-1/-1\nf 3 -4 4\n"}) {
+    const Read_model model = read_text(".obj", vertices + faces);
+    BOOST_TEST(same(plain, model.polyhedron), faces);
+    BOOST_TEST(model.notes.empty(), faces);
+  }
+  for (const std::string faces : {"f 1\t3\t2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n", "f 1 \\\n3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n",
+                                  "l 1 2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"}) {
+    const Read_model model = read_text(".obj", vertices + faces);
+    BOOST_TEST(same(plain, model.polyhedron), faces);
+    BOOST_TEST(model.notes.at(0) == note, faces);
+  }
+  BOOST_TEST(same(
+      plain,
+      read_text(".obj", "4 4\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n").polyhedron));
+}
+
+BOOST_AUTO_TEST_CASE(obj_refuses_what_it_cannot_mean)
+{
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (const std::string face : {"f 0 1 2", "f 1 2 -4", "f 1 2 x", "f 1 2 3.0", "f 1 2 /3", "f 1 2 3/4/5/6",
+                                 "f 1 2 3/x", "f 1 2 99999999999999999999", "q 1 2 3", "f 1 2 3 \\"})
+    BOOST_TEST(fails_at(error_of(".obj", vertices + face + "\n"), ":4"), face);
+  // An index may come before its vertex, if it comes: the first one that does not is named.
+  BOOST_TEST(read_text(".obj", "f 1 2 3\n" + vertices).polyhedron.face_count() == 1u);
+  BOOST_TEST(fails_at(error_of(".obj", "f 1 2 3\n" + vertices + "f 1 2 4\nf 1 2 9\n"), ":5"));
+  BOOST_TEST(fails_at(error_of(".obj", "v 0 0\n"), ":1"));
+  BOOST_TEST(fails_at(error_of(".obj", "v 0 0 0 0 0\n"), ":1"));
+  BOOST_TEST(error_of(".obj", "3 2\n" + vertices + "f 1 2 3\n") ==
+             ": 3 vertices and 1 faces; expected 3 and 2 as the first line counts");
+}
+
+BOOST_AUTO_TEST_CASE(polygons_stay_polygons)
+{
+  for (const char* name : {"cube.off", "lifted.obj"}) {
+    const Polyhedron cube = read(models + name);
+    BOOST_TEST(cube.vertices.size() == 8u);
+    BOOST_TEST(cube.face_count() == 6u);
+    BOOST_TEST(is_closed(cube));
+    for (Index f = 0; f < 6; ++f) BOOST_TEST(cube.loop(f, 0).size() == 4u);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(ply_takes_any_order_and_type_of_properties)
+{
+  for (const bool big : {false, true}) {
+    const Polyhedron model = read_text(".ply", binary_ply(big)).polyhedron;
+    BOOST_TEST(model.vertices.size() == 4u);
+    BOOST_TEST((model.vertices[2] == tetracone::kernel::Vertex{0, 1, 0}));
+    BOOST_TEST((model.vertices[3] == tetracone::kernel::Vertex{0, 0, 0.1}));
+    BOOST_TEST(is_closed(model));
+  }
+  const Polyhedron plain = read_text(".ply", ascii_ply("double", "int")).polyhedron;
+  for (const std::string index : {"char", "uchar", "short", "ushort", "uint", "int32", "uint8"})
+    BOOST_TEST(same(plain, read_text(".ply", ascii_ply("float64", index)).polyhedron), index);
+  BOOST_TEST(
+      same(read_text(".off", tetrahedron_off).polyhedron, read_text(".ply", ascii_ply("int", "int", "1")).polyhedron));
+  std::string late = ascii_ply("double", "int");
+  late.insert(4, "comment before the format\n\nobj_info x\n");
+  BOOST_TEST(same(plain, read_text(".ply", late).polyhedron));
+  BOOST_TEST(read_text(".ply", late).notes.at(0) == note);
+}
+
+BOOST_AUTO_TEST_CASE(ply_refuses_what_it_cannot_mean)
+{
+  const std::string good = ascii_ply("double", "int");
+  const auto without = [&good](const std::string& line) {
+    std::string text = good;
+    return text.erase(text.find(line), line.size());
+  };
+  const auto instead = [&good](const std::string& line, const std::string& other) {
+    std::string text = good;
+    return text.replace(text.find(line), line.size(), other);
+  };
+  BOOST_TEST(fails_at(error_of(".ply", "plyx\n"), ":1"));
+  BOOST_TEST(fails_at(error_of(".ply", without("format ascii 1.0\n")), ":8"));
+  BOOST_TEST(fails_at(error_of(".ply", without("property double x\n")), ":3"));
+  BOOST_TEST(fails_at(error_of(".ply", without("property list uchar int vertex_index\n")), ":7"));
+  BOOST_TEST(fails_at(error_of(".ply", without("element vertex 4\n")), ":3"));
+  BOOST_TEST(fails_at(error_of(".ply", instead("property double x", "property real x")), ":4"));
+  BOOST_TEST(fails_at(error_of(".ply", instead("property double y", "property double x")), ":5"));
+  BOOST_TEST(fails_at(error_of(".ply", instead("list uchar int", "list float int")), ":8"));
+  BOOST_TEST(fails_at(error_of(".ply", instead("list uchar int", "list uchar float")), ":7"));
+  BOOST_TEST(fails_at(error_of(".ply", instead("ascii 1.0", "ascii 2.0")), ":2"));
+  BOOST_TEST(fails_at(error_of(".ply", instead("ascii", "binary")), ":2"));
+  BOOST_TEST(fails_at(error_of(".ply", instead("3 0 2 1\n", "3 0 2 4\n")), ":14"));
+  BOOST_TEST(fails_at(error_of(".ply", instead("3 0 2 1\n", "3 0 2 -1\n")), ":14"));
+  BOOST_TEST(fails_at(error_of(".ply", instead("3 0 2 1\n", "4 0 2 1\n")), ":14"));
+  BOOST_TEST(fails_at(error_of(".ply", instead("3 0 2 1\n", "3 0 2 1 0\n")), ":14"));
+  BOOST_TEST(fails_at(error_of(".ply", instead("3 0 2 1\n", "300 0 2 1\n")), ":14"));
+  BOOST_TEST(fails_at(error_of(".ply", instead("1 0 0\n", "1 0\n")), ":11"));
+  BOOST_TEST(fails_at(error_of(".ply", good + "1\n"), ":18"));
+  BOOST_TEST(error_of(".ply", binary_ply(false) + "x").starts_with(": 1 bytes behind the last element"));
+  BOOST_TEST(error_of(".ply", binary_ply(false) + "\n") == "no error");
+}
+
+BOOST_AUTO_TEST_CASE(stl_merges_exactly_equal_vertices_and_nothing_else)
+{
+  const Polyhedron open = read(models + "open.stl");
+  BOOST_TEST(open.vertices.size() == 4u);
+  BOOST_TEST(open.face_count() == 3u);
+  auto triangles = tetrahedron_triangles;
+  triangles[2][0] = std::nextafter(1.0f, 2.0f);
+  const Polyhedron cracked = read_text(".stl", binary_stl(triangles, 4)).polyhedron;
+  BOOST_TEST(cracked.vertices.size() == 5u);
+  BOOST_TEST(!is_closed(cracked));
+}
+
+BOOST_AUTO_TEST_CASE(stl_takes_several_solids_capitals_and_odd_names)
+{
+  const std::string facet =
+      "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+  BOOST_TEST(
+      read_text(".stl", "solid a\n" + facet + "endsolid a\nsolid b\n" + facet + "endsolid\n").polyhedron.face_count() ==
+      2u);
+  const Read_model named = read_text(".stl", "solid a solid facet\n" + facet + "endsolid a solid facet\n");
+  BOOST_TEST(named.polyhedron.face_count() == 1u);
+  BOOST_TEST(named.notes.at(0) == note);
+  std::string capitals = "solid a\n" + facet + "endsolid a\n";
+  for (char& c : capitals) c = static_cast<char>(std::toupper(c));
+  BOOST_TEST(read_text(".stl", capitals).polyhedron.face_count() == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(stl_refuses_what_it_cannot_mean)
+{
+  const std::string facet =
+      "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+  BOOST_TEST(fails_at(error_of(".stl", "solid\n" + facet), ":8"));
+  BOOST_TEST(fails_at(error_of(".stl", "solid\n" + facet.substr(0, 60) + "\nendsolid\n"), ":6"));
+  BOOST_TEST(fails_at(error_of(".stl", "solid\nfacet 0 0 1\n"), ":2"));
+  BOOST_TEST(fails_at(error_of(".stl", "solid\nvertex 0 0 1\n"), ":2"));
+  BOOST_TEST(fails_at(error_of(".stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n"), ":4"));
+  BOOST_TEST(fails_at(error_of(".stl", "solid\n" + facet + "endsolid\nmore\n"), ":10"));
+  BOOST_TEST(fails_at(
+      error_of(
+          ".stl",
+          "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nvertex 1 1 0\nendloop\n"),
+      ":7"));
+  BOOST_TEST(error_of(".stl", binary_stl(tetrahedron_triangles, 5)) ==
+             ": binary STL of 5 triangles in 284 bytes; expected 334 bytes");
+  BOOST_TEST(error_of(".stl", binary_stl(tetrahedron_triangles, 4) + "x").starts_with(": "));
+}
+
+BOOST_AUTO_TEST_CASE(merging_keeps_the_first_of_equal_vertices_and_all_loops)
+{
+  Polyhedron polyhedron;
+  polyhedron.vertices = {{0, 0, 0}, {1, 0, 0}, {-0.0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}};
+  polyhedron.add_face({{0, 1, 3}, {2, 4, 5}});
+  const Polyhedron merged = merge_equal_vertices(polyhedron);
+  BOOST_TEST(merged.vertices.size() == 3u);
+  BOOST_TEST((loop(merged, 0) == std::vector<Index>{0, 1, 2}));
+  BOOST_TEST((loop(merged, 0, 1) == std::vector<Index>{0, 1, 0}));
+  BOOST_TEST(!std::signbit(merged.vertices[0][0]));
+  BOOST_TEST(same(merged, merge_equal_vertices(merged)));
+}
+
+BOOST_AUTO_TEST_SUITE_END()

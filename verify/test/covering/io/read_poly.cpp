@@ -1,0 +1,198 @@
+#include "tetracone/covering/io/read_poly.h"
+
+#include "tetracone/covering/io/read.h"
+#include "verify/test/support/temporary_file.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace tetracone::covering;
+using tetracone::kernel::Rational;
+using tetracone::verify::Temporary_file;
+
+namespace {
+
+const std::string models = std::string(TETRACONE_SOURCE_DIR) + "/verify/test/models/";
+
+Read_model read_text(const std::string& text)
+{
+  const Temporary_file file("model.poly", text);
+  return read_model(file.path());
+}
+
+std::string error_of(const std::string& text)
+{
+  return tetracone::verify::error_of(Temporary_file("model.poly", text), [](const auto& path) { read_model(path); });
+}
+
+std::string nodes(const std::vector<std::array<double, 3>>& points, int base)
+{
+  std::string text = std::to_string(points.size()) + " 3 0 0\n";
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    text += std::to_string(k + base);
+    for (const double x : points[k]) text += " " + tetracone::kernel::shortest(x);
+    text += "\n";
+  }
+  return text;
+}
+
+const std::vector<std::array<double, 3>> cube_points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                                        {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+const std::vector<std::vector<int>> cube_faces = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                                                  {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+
+std::string facets(const std::vector<std::vector<int>>& faces, int base)
+{
+  std::string text = std::to_string(faces.size()) + " 0\n";
+  for (const auto& face : faces) {
+    text.append("1\n").append(std::to_string(face.size()));
+    for (const int v : face) text.append(" ").append(std::to_string(v + base));
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(test_read_poly)
+
+BOOST_AUTO_TEST_CASE(hole_loops_are_turned_against_their_outer_loop_and_facets_across_their_edges)
+{
+  const Read_model frame = read_model(models + "frame.poly");
+  BOOST_TEST(frame.polyhedron.vertices.size() == 16u);
+  BOOST_TEST(frame.polyhedron.face_count() == 10u);
+  BOOST_TEST(frame.polyhedron.loop_count(0) == 2u);
+  BOOST_TEST(is_closed(frame.polyhedron));
+  BOOST_TEST((volume(frame.polyhedron) == 8));
+  BOOST_TEST(frame.loops_turned == 2u);
+  BOOST_TEST(frame.facets_turned != 0u);
+}
+
+BOOST_AUTO_TEST_CASE(what_closes_as_it_stands_is_left_alone_inward_too)
+{
+  auto inward = cube_faces;
+  for (auto& face : inward) std::reverse(face.begin(), face.end());
+  for (const int base : {0, 1}) {
+    const Read_model out = read_text(nodes(cube_points, base) + facets(cube_faces, base) + "0\n0\n");
+    BOOST_TEST((volume(out.polyhedron) == 1));
+    BOOST_TEST(out.facets_turned == 0u);
+    const Read_model in = read_text(nodes(cube_points, base) + facets(inward, base) + "0\n");
+    BOOST_TEST((volume(in.polyhedron) == -1));
+    BOOST_TEST(in.facets_turned == 0u);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(every_choice_of_turned_facets_gives_the_outward_cube_unless_it_was_closed)
+{
+  for (unsigned turned = 0; turned < 64; ++turned) {
+    auto faces = cube_faces;
+    for (int f = 0; f < 6; ++f)
+      if (turned >> f & 1) std::reverse(faces[f].begin(), faces[f].end());
+    const Read_model model = read_text(nodes(cube_points, 1) + facets(faces, 1) + "0\n");
+    BOOST_TEST(is_closed(model.polyhedron));
+    BOOST_TEST((volume(model.polyhedron) == (turned == 63 ? -1 : 1)));
+    BOOST_TEST(model.facets_turned == (turned == 63 ? 0 : std::popcount(turned)));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(nodes_may_stand_in_a_file_of_their_own)
+{
+  const Polyhedron tetrahedron = read(models + "tetrahedron.poly");
+  BOOST_TEST(tetrahedron.vertices.size() == 4u);
+  BOOST_TEST(is_closed(tetrahedron));
+  BOOST_TEST((volume(tetrahedron) == Rational(1) / 6));
+  // Without the file, the error names it.
+  const Temporary_file lonely("lonely.poly", "0 3 0 0\n1\n1\n3 0 1 2\n");
+  try {
+    read(lonely.path());
+    BOOST_ERROR("no error");
+  } catch (const Input_error& error) {
+    BOOST_TEST(std::string(error.what()).ends_with("lonely.node: no such file; expected a file to read"));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(hole_points_and_regions_behind_the_facets_are_passed_over)
+{
+  const Read_model model =
+      read_text(nodes(cube_points, 0) + facets(cube_faces, 0) + "1\n1 0.5 0.5 0.5\n1\n1 0.5 0.5 0.5 1 0.1\n");
+  BOOST_TEST((volume(model.polyhedron) == 1));
+  BOOST_TEST(model.notes.at(0) == "hole points of the volume are not used: only the facets' directions make a cavity");
+}
+
+BOOST_AUTO_TEST_CASE(an_open_facet_list_stays_open)
+{
+  const std::vector<std::vector<int>> lid(cube_faces.begin(), cube_faces.begin() + 5);
+  BOOST_TEST(!is_closed(read_text(nodes(cube_points, 0) + facets(lid, 0)).polyhedron));
+}
+
+BOOST_AUTO_TEST_CASE(a_hole_loop_is_turned_in_a_projection_where_it_has_area)
+{
+  // A frame in each coordinate plane, and a skew one: the hole must come out against the outer loop.
+  for (int axis = 0; axis < 4; ++axis) {
+    Polyhedron polyhedron;
+    const auto add = [&](double u, double v) {
+      polyhedron.vertices.push_back(axis == 0   ? Vertex{0, u, v}
+                                    : axis == 1 ? Vertex{u, 0, v}
+                                    : axis == 2 ? Vertex{u, v, 0}
+                                                : Vertex{u, v, u + v});
+    };
+    for (const auto& [u, v] : {std::pair{0, 0}, {3, 0}, {3, 3}, {0, 3}, {1, 1}, {2, 1}, {2, 2}, {1, 2}}) add(u, v);
+    for (const bool same : {true, false}) {
+      Polyhedron face = polyhedron;
+      if (same)
+        face.add_face({{0, 1, 2, 3}, {4, 5, 6, 7}});
+      else
+        face.add_face({{0, 1, 2, 3}, {7, 6, 5, 4}});
+      std::size_t turned = 0;
+      const Polyhedron result = turn_hole_loops(face, turned);
+      BOOST_TEST(turned == (same ? 1u : 0u));
+      BOOST_TEST(result.loop(0, 1)[0] == 7u);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_first_thing_wrong_is_named_with_its_line)
+{
+  const std::string points = nodes(cube_points, 1);
+  const auto fails_at = [](const std::string& error, const std::string& line) {
+    return error.starts_with(line + ": ") && error.find("; expected") != std::string::npos;
+  };
+  BOOST_TEST(fails_at(error_of("2 2 0 0\n1 0 0\n2 1 0\n"), ":1"));
+  BOOST_TEST(fails_at(error_of("1 3 0 0\n2 0 0 0\n"), ":2"));
+  BOOST_TEST(fails_at(error_of("2 3 0 0\n1 0 0 0\n3 0 0 0\n"), ":3"));
+  BOOST_TEST(fails_at(error_of("2 3 0 0\n1 0 0 0\n2 0 0 # y is missing\n"), ":3"));
+  BOOST_TEST(fails_at(error_of("2 3 0 0\n1 0 0 0\n2 0 0 0 7\n"), ":3"));
+  BOOST_TEST(fails_at(error_of("2 3 0 0\n1 0 0 0 # the last one\n"), ":2"));
+  BOOST_TEST(fails_at(error_of(points), ":9"));
+  BOOST_TEST(fails_at(error_of(points + "1\n"), ":10"));
+  BOOST_TEST(fails_at(error_of(points + "99999\n1\n3 1 2 3\n"), ":10"));
+  BOOST_TEST(fails_at(error_of(points + "1\n0 # no polygon\n"), ":11"));
+  BOOST_TEST(fails_at(error_of(points + "1\n1\n3 1 2 9\n"), ":12"));
+  BOOST_TEST(fails_at(error_of(points + "1\n1\n3 1 2 0\n"), ":12"));
+  BOOST_TEST(fails_at(error_of(points + "1\n1\n3 1 2\n"), ":12"));
+  BOOST_TEST(fails_at(error_of(points + "1\n1\n3 1 2 3 4\n"), ":12"));
+  BOOST_TEST(fails_at(error_of(points + "1\n1\n2 1 2\n"), ":12"));
+  BOOST_TEST(fails_at(error_of(points + "1\n1\n4294967298 1 2\n"), ":12"));
+  BOOST_TEST(fails_at(error_of(points + "1\n2 0\n4 1 2 3 4\n3 5 6 7\n"), ":11"));
+  BOOST_TEST(fails_at(error_of(points + "1\n2 1\n4 1 2 3 4\n3 5 6 7\n1 0 x 0\n"), ":14"));
+  BOOST_TEST(fails_at(error_of(points + "1\n1\n3 1 2 3\n2\n1 0 0 0\n"), ":13"));
+  BOOST_TEST(error_of(points + "0\n") == ": no face; expected a model with faces");
+}
+
+BOOST_AUTO_TEST_CASE(every_truncation_is_read_or_refused_in_one_line)
+{
+  const std::string text = tetracone::covering::read_bytes(models + "frame.poly");
+  for (std::size_t length = 0; length < text.size(); ++length) {
+    const std::string error = error_of(text.substr(0, length));
+    BOOST_TEST((error == "no error" ||
+                (error.find("; expected") != std::string::npos && error.find('\n') == std::string::npos)));
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

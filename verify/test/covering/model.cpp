@@ -1,0 +1,143 @@
+#include "tetracone/covering/model.h"
+
+#include "verify/test/support/rationals.h"
+#include "verify/test/support/scenes.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+#include <tuple>
+
+using namespace tetracone::covering;
+using namespace tetracone::kernel;
+namespace rationals = tetracone::verify::rationals;
+namespace scenes = tetracone::verify::scenes;
+
+namespace {
+
+using Exact_motions = std::tuple<Rational_kernel, Adaptive>;
+using Vertex_kernels = std::tuple<Double, Epick, Rational_kernel, Adaptive>;
+
+// The exact image of a placed point.
+template <class K>
+rationals::Vector exactly(const Point<K>& p)
+{
+  if constexpr (std::is_same_v<K, Adaptive>)
+    return p.pose == nullptr ? rationals::exactly(p.vertex) : rationals::image(*p.pose, rationals::exactly(p.vertex));
+  else
+    return {Rational(p.x()), Rational(p.y()), Rational(p.z())};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(test_model)
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_model_has_the_vertices_as_points_and_its_origin_in_its_lattice, K, Vertex_kernels)
+{
+  for (const auto& [name, body] : scenes::closed_bodies()) {
+    BOOST_TEST_CONTEXT(name)
+    {
+      const Model<K> model(body);
+      BOOST_TEST(model.face_count() == body.face_count());
+      BOOST_REQUIRE(model.vertices().size() == body.vertices.size());
+      for (Index v = 0; v < body.vertices.size(); ++v)
+        BOOST_TEST((exactly<K>(model.point(v)) == rationals::exactly(body.vertices[v])));
+      BOOST_TEST((exactly<K>(model.origin()) == rationals::exactly(model.lattice().origin)));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(placed_points_are_the_exact_images_pose_after_pose, K, Exact_motions)
+{
+  scenes::Random random(1);
+  const Polyhedron body = scenes::cube_with_tunnel();
+  const Model<K> model(body);
+  Placed_model<K> placed(model);
+  std::vector<Pose> poses;
+  for (int n = 0; n < 10; ++n) {
+    poses.push_back(scenes::random_rotation(random, 5, {Rational(1) / Rational(3), 2, n}));
+    poses.push_back(scenes::rounded(poses.back()));
+    poses.push_back(scenes::random_affine(random));
+    poses.push_back(Pose());
+  }
+  for (const Pose& pose : poses) {
+    placed.place(pose);
+    BOOST_TEST(placed.determinant_sign() == pose.determinant_sign());
+    int wrong = 0;
+    for (const int pass : {1, 2})  // the second from what the first kept
+      for (Index v = 0; v < body.vertices.size(); v += pass)
+        wrong += exactly<K>(placed.point(v)) != rationals::image(pose, rationals::exactly(body.vertices[v]));
+    BOOST_TEST(wrong == 0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_point_not_asked_for_at_one_pose_is_placed_at_the_next, K, Exact_motions)
+{
+  const Model<K> model(scenes::unit_cube());
+  Placed_model<K> placed(model);
+  const Pose first = scenes::translation(1, 0, 0), second = scenes::translation(5, 0, 0);
+  placed.place(first);
+  BOOST_TEST((exactly<K>(placed.point(0)) == rationals::Vector{1, 0, 0}));
+  placed.place(second);
+  BOOST_TEST((exactly<K>(placed.point(0)) == rationals::Vector{5, 0, 0}));
+  BOOST_TEST((exactly<K>(placed.point(7)) == rationals::Vector{6, 1, 1}));
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_placed_face_shows_the_loops_of_its_face_at_the_pose, K, Exact_motions)
+{
+  scenes::Random random(2);
+  for (const auto& [name, body] : scenes::closed_bodies()) {
+    BOOST_TEST_CONTEXT(name)
+    {
+      const Model<K> model(body);
+      Placed_model<K> placed(model);
+      const Pose pose = scenes::random_affine(random);
+      placed.place(pose);
+      const auto at = [&](Index v) { return rationals::image(pose, rationals::exactly(body.vertices[v])); };
+      for (Index f = 0; f < body.face_count(); ++f) {
+        const Placed_face<K> face(placed, f);
+        std::size_t n = 0;
+        int wrong = 0;
+        for (std::size_t l = 0; l < body.loop_count(f); ++l) {
+          const Loop loop = body.loop(f, l);
+          for (std::size_t k = 0; k < loop.size(); ++k, ++n)
+            wrong +=
+                exactly<K>(face.from(n)) != at(loop[k]) || exactly<K>(face.to(n)) != at(loop[(k + 1) % loop.size()]);
+        }
+        BOOST_TEST(wrong == 0);
+        BOOST_TEST(face.edge_count() == n);
+        BOOST_TEST((exactly<K>(face.origin()) == at(body.loop(f, 0)[0])));
+        BOOST_TEST(face.is_degenerate() == rationals::is_zero(rationals::normal(body, f)));
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_segment_of_one_point_meets_a_face_exactly_where_the_point_is_on_it, K, Exact_motions)
+{
+  scenes::Random random(3);
+  for (const auto& [name, body] : scenes::closed_bodies()) {
+    BOOST_TEST_CONTEXT(name)
+    {
+      const Model<K> model(body);
+      Placed_model<K> placed(model);
+      const Pose pose = scenes::random_affine(random);
+      placed.place(pose);
+      const Frame<K> frame(pose);
+      int wrong = 0, on = 0;
+      for (int n = 0; n < 40; ++n) {
+        const Vertex p = scenes::grid_vertex(random, 3);
+        const Point<K> q = frame(point<K>(p));
+        for (Index f = 0; f < body.face_count(); ++f) {
+          const bool truth = rationals::is_on_face(body, f, rationals::exactly(p));
+          wrong += (segment_face<K>(q, q, placed, f) != Contact::none) != truth;
+          on += truth;
+        }
+      }
+      BOOST_TEST(wrong == 0);
+      BOOST_TEST(on > 0);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

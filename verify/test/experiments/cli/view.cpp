@@ -1,0 +1,228 @@
+// Runs the program itself: the pages of `tetracone view`, what they hold, and, in headless Chromium where it is installed, what they show.
+
+#include "experiments/cli/view_command.h"
+
+#include "tetracone/kernel/number/floating_point.h"
+#include "verify/test/support/program.h"
+#include "verify/test/support/temporary_file.h"
+
+#include <boost/test/unit_test.hpp>
+#include <nlohmann/json.hpp>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+
+using namespace tetracone::verify;
+using Json = nlohmann::json;
+
+namespace {
+
+const std::string source = TETRACONE_SOURCE_DIR;
+const std::string models = source + "/verify/test/models/";
+const std::string cube = models + "cube.off";
+
+std::string bytes(const std::filesystem::path& file)
+{
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// The page that these words give, and the data in it.
+struct Page {
+  std::string html;
+  Json data;
+
+  explicit Page(const std::string& words)
+  {
+    const Temporary_file file("page.html", "");
+    const Run r = run("view " + words + " --out " + in_quotes(file.path()));
+    BOOST_TEST_REQUIRE(r.status == 0, words << ": " << r.error);
+    BOOST_TEST(r.out.empty());
+    html = bytes(file.path());
+    const std::string open = "id=\"data\">";
+    const auto begin = html.find(open) + open.size();
+    data = Json::parse(html.substr(begin, html.find("</script>", begin) - begin));
+  }
+};
+
+/// Unit cubes, the second moved along x: overlapping, touching, one ulp apart, apart by less than a float can say, and far apart.
+const std::string poses = "1 0 0 0.5 0 1 0 0 0 0 1 0\n"
+                          "1 0 0 1 0 1 0 0 0 0 1 0\n"
+                          "1 0 0 1.0000000000000002 0 1 0 0 0 0 1 0\n"
+                          "1 0 0 1.0000000001 0 1 0 0 0 0 1 0\n"
+                          "1 0 0 2 0 1 0 0 0 0 1 0\n";
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(test_view)
+
+BOOST_AUTO_TEST_CASE(answers_stand_beside_the_exact_ones_pose_by_pose)
+{
+  const Temporary_file file("poses.txt", poses);
+  const Json data = Page(cube + " " + cube + " --kernel float --pose-b " + in_quotes(file.path())).data;
+  BOOST_TEST(data["subject"] == "float tree");
+  BOOST_TEST(data["question"] == "solid");
+  BOOST_TEST(data["exact"] == Json({1, 1, 0, 0, 0}));
+  BOOST_TEST(data["answer"] == Json({1, 1, 1, 1, 0}));
+  BOOST_TEST(data["poses"][0].size() == 1u);
+  BOOST_TEST(data["poses"][1][2][3] == 1.0000000000000002);
+  BOOST_TEST(Page(cube + " " + cube + " --kernel adaptive --pose-b " + in_quotes(file.path())).data["answer"] == data["exact"]);
+}
+
+BOOST_AUTO_TEST_CASE(features_say_which_pairs_the_kernel_loses_and_invents)
+{
+  const Temporary_file file("poses.txt", poses);
+  const Json data = Page(cube + " " + cube + " --kernel float --pose-b " + in_quotes(file.path())).data;
+  const auto marks = [&](int pose, int mark) {
+    int count = 0;
+    for (const Json& f : data["features"][pose]) count += f[5] == mark;
+    return count;
+  };
+  // Touching in a square: each edge of a touching face overlaps the other's face, and each edge that ends in it touches it.
+  BOOST_TEST(data["feature_counts"][1].get<int>() > 0);
+  BOOST_TEST(marks(1, 0) == data["feature_counts"][1].get<int>());
+  BOOST_TEST(data["feature_counts"][2] == 0);
+  BOOST_TEST(marks(2, 2) == marks(1, 0));  // in float the third pose is the second
+  BOOST_TEST(marks(2, 0) + marks(2, 1) == 0);
+  BOOST_TEST(marks(4, 0) + marks(4, 1) + marks(4, 2) == 0);
+  // A query that finds a pair tested its leaves.
+  for (int pose = 0; pose < 2; ++pose)
+    for (int body = 0; body < 2; ++body) BOOST_TEST(!data["left"][pose][body].empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_lost_pair_of_the_corpus_is_marked)
+{
+  const Json data = Page(source + "/verify/corpus/double-false-negative-pose-vertex-edge.case.json").data;
+  BOOST_TEST(data["exact"] == Json::array({1}));
+  BOOST_TEST(data["answer"] == Json::array({0}));
+  BOOST_TEST(data["case"]["family"] == "degenerate-face");
+  BOOST_TEST(!data["features"][0].empty());
+  for (const Json& f : data["features"][0]) BOOST_TEST(f[5] == 1);
+}
+
+BOOST_AUTO_TEST_CASE(covering_tree_and_hull_are_those_of_the_body)
+{
+  const Json body = Page(cube).data["bodies"][0];
+  const auto vertex = [&](std::size_t v, int k) { return body["vertices"][3 * v + k].get<double>(); };
+  // The signed sum over the covering is six times the volume.
+  const auto corner = [&](std::size_t t, int i, int k) {
+    return vertex(body["covering"]["triangles"][3 * t + i], k) - body["covering"]["origin"][k].get<double>();
+  };
+  const std::size_t count = body["covering"]["signs"].size();
+  double volume = 0;
+  for (std::size_t t = 0; t < count; ++t) {
+    double determinant = 0;
+    for (int k = 0; k < 3; ++k)
+      determinant += corner(t, 0, k) * (corner(t, 1, (k + 1) % 3) * corner(t, 2, (k + 2) % 3) - corner(t, 1, (k + 2) % 3) * corner(t, 2, (k + 1) % 3));
+    BOOST_TEST((determinant > 0) - (determinant < 0) == body["covering"]["signs"][t].get<int>());
+    volume += determinant / 6;
+  }
+  BOOST_TEST(volume == 1, boost::test_tools::tolerance(1e-12));
+
+  // Every face is in some leaf, and its sphere holds the vertices.
+  const Json& nodes = body["nodes"];
+  std::set<int> faces;
+  double dmax = 0;
+  for (std::size_t n = 0; n < nodes["level"].size(); ++n) {
+    if (nodes["leaf"][n] == 0) continue;
+    for (int i = 0; i < 3; ++i) {
+      double square = 0;
+      for (int k = 0; k < 3; ++k) square += std::pow(nodes["tetrahedron"][9 * n + 3 * i + k].get<double>() - body["covering"]["origin"][k].get<double>(), 2);
+      dmax = tetracone::kernel::maximum(dmax, std::sqrt(square));
+    }
+    for (const int face : nodes["faces"][n]) faces.insert(face);
+  }
+  BOOST_TEST(faces.size() == body["faces"].size());
+  BOOST_TEST(body["hull"]["dmax"].get<double>() == dmax, boost::test_tools::tolerance(1e-5));
+  BOOST_TEST(body["hull"]["dmax"].get<double>() >= std::sqrt(0.75) * (1 - 1e-5));  // it holds the corners of the cube
+}
+
+BOOST_AUTO_TEST_CASE(every_face_is_drawn_also_one_with_a_hole)
+{
+  const Json body = Page(models + "frame.poly").data["bodies"][0];
+  double area = 0;
+  const auto difference = [&](std::size_t t, int i, int k) {
+    return body["vertices"][3 * body["triangles"][4 * t + 1 + i].get<std::size_t>() + k].get<double>() -
+           body["vertices"][3 * body["triangles"][4 * t + 1].get<std::size_t>() + k].get<double>();
+  };
+  std::set<int> faces;
+  for (std::size_t t = 0; t < body["triangles"].size() / 4; ++t) {
+    double square = 0;
+    for (int k = 0; k < 3; ++k)
+      square += std::pow(difference(t, 1, (k + 1) % 3) * difference(t, 2, (k + 2) % 3) - difference(t, 1, (k + 2) % 3) * difference(t, 2, (k + 1) % 3), 2);
+    area += std::sqrt(square) / 2;
+    faces.insert(body["triangles"][4 * t].get<int>());
+  }
+  BOOST_TEST(faces.size() == body["faces"].size());
+  // Top and bottom 3 x 3 without 1 x 1, four outer walls 3 x 1, four inner ones 1 x 1.
+  BOOST_TEST(area == 2 * 8 + 4 * 3 + 4, boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(every_case_of_the_corpus_gives_a_page)
+{
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(source + "/verify/corpus")) {
+    if (!entry.path().native().ends_with(".case.json")) continue;
+    const Json data = Page(in_quotes(entry.path())).data, c = Json::parse(bytes(entry.path()));
+    ++count;
+    const Json truth = c["level"] == "object" ? c["truth"][c["question"].get<std::string>()] : c["truth"];
+    BOOST_TEST(data["exact"][0] == truth, entry.path());
+  }
+  BOOST_TEST(count >= 30);
+}
+
+BOOST_AUTO_TEST_CASE(a_page_asks_for_nothing_from_outside)
+{
+  const Page page(cube);
+  BOOST_TEST(page.html.find("default-src 'none'") != std::string::npos);
+  for (const std::string outside : {"src=\"", "<link rel=\"stylesheet\"", "import(", "@import", "fetch(\""})
+    BOOST_TEST(page.html.find(outside) == std::string::npos, outside);
+  BOOST_TEST(page.html.find("{{") == std::string::npos);  // three.js and ours: no name of the template is left
+  BOOST_TEST(page.html.find("Permission is hereby granted") != std::string::npos);  // three.js' licence goes with it
+}
+
+BOOST_AUTO_TEST_CASE(a_name_cannot_end_the_script_it_stands_in)
+{
+  const Temporary_file model("x<!--<script>.off", bytes(cube));
+  const Page page(in_quotes(model.path()));
+  BOOST_TEST(page.html.find("x<!--<script>") == std::string::npos);
+  BOOST_TEST(page.data["name"].get<std::string>().ends_with("x<!--<script>.off"));
+}
+
+BOOST_AUTO_TEST_CASE(bad_words_are_refused_and_leave_no_file)
+{
+  const std::filesystem::path page = std::filesystem::temp_directory_path() / ("tetracone_refused_" + std::to_string(::getpid()) + ".html");
+  const std::string out = " --out " + in_quotes(page), corpus = source + "/verify/corpus/";
+  check_refused("view " + cube, "--out");
+  check_refused("view" + out);
+  check_refused("view nowhere.off" + out, "nowhere.off");
+  check_refused("view " + cube + " " + cube + " --kernel exact" + out, "--kernel exact");
+  check_refused("view " + cube + " " + cube + " --question both" + out, "--question both");
+  check_refused("view " + cube + " " + cube + " --method fast" + out, "--method fast");
+  check_refused("view " + cube + " --pose-b " + models + "poses.txt" + out, "--pose-b");
+  check_refused("view " + models + "open.stl " + cube + out, "open.stl");
+  check_refused("view " + corpus + "double-false-negative-orientation.case.json " + cube + out, "B");
+  check_refused("view " + corpus + "double-false-negative-orientation.case.json --kernel fast" + out, "--kernel fast");
+  check_refused("view " + cube + " --out /nowhere/page.html", "/nowhere/page.html");
+  const Temporary_file two("two.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 0 0 1 0 0 0 0 1 0\n");
+  check_refused("view " + cube + " " + cube + " --pose-a " + in_quotes(two.path()) + " --pose-b " + models + "poses.txt" + out, "3 poses");
+  BOOST_TEST(!std::filesystem::exists(page));
+}
+
+BOOST_AUTO_TEST_CASE(in_a_browser_pages_show_what_they_should)
+{
+  const int status = std::system(("/usr/bin/python3 " + in_quotes(source + "/verify/test/experiments/cli/view.py") + " " + in_quotes(program)).c_str());
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 77) BOOST_TEST_MESSAGE("skipped: see the line above");
+  else BOOST_TEST(status == 0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

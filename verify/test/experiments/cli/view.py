@@ -1,0 +1,204 @@
+"""experiments_view.py PROGRAM: pages of `tetracone view` in headless Chromium, by what they say of themselves and by screenshots.
+
+Status 0: all is as it should be; 1: something is not, in a line each; 77: no Chromium or no Python imaging library here.
+"""
+
+import base64
+import io
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+try:
+    import numpy
+    from PIL import Image
+    from selenium import webdriver
+    from selenium.webdriver.chrome.service import Service
+    from selenium.webdriver.support.wait import WebDriverWait
+except ImportError:
+    print("skipped: no python3-pil, python3-numpy and python3-selenium")
+    sys.exit(77)
+chromium, chromedriver = shutil.which("chromium"), shutil.which("chromedriver")
+if not chromium or not chromedriver:
+    print("skipped: no chromium and chromedriver")
+    sys.exit(77)
+
+program = sys.argv[1]
+source = pathlib.Path(__file__).resolve().parents[4]
+models = source / "verify" / "test" / "models"
+failures = []
+
+
+def check(right, what):
+    if not right:
+        failures.append(what)
+        print("wrong:", what, file=sys.stderr)
+
+
+class Browser:
+    """Chromium without a screen, drawing in software. A page is asked when it says that it is ready, however long that takes."""
+
+    def __enter__(self):
+        options = webdriver.ChromeOptions()
+        options.binary_location = chromium
+        for flag in ("headless", "no-sandbox", "use-angle=swiftshader", "enable-unsafe-swiftshader", "hide-scrollbars", "no-first-run",
+                     "disable-background-networking", "disable-component-update", "disable-sync"):
+            options.add_argument(f"--{flag}")
+        self.driver = webdriver.Chrome(service=Service(chromedriver), options=options)
+        self.driver.set_script_timeout(100)
+        return self
+
+    def __exit__(self, *_):
+        self.driver.quit()
+
+    def open(self, page, fragment, size=(900, 600)):
+        self.driver.get("about:blank")  # a new fragment alone would not load the page again
+        metrics = {"width": size[0], "height": size[1], "deviceScaleFactor": 1, "mobile": False}
+        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", metrics)
+        self.driver.get(f"file://{page}#{fragment}")
+        WebDriverWait(self.driver, 100).until(lambda driver: driver.execute_script("return document.getElementById('state').textContent"))
+
+    def state(self, page, fragment=""):
+        self.open(page, fragment)
+        return self.driver.execute_script("""
+          writeFragment();
+          return {...JSON.parse(element('state').textContent), fragment: location.hash.slice(1),
+                  verdict: element('verdict').textContent, contacts: element('contacts').textContent};""")
+
+    def work(self, page, steps):
+        """The state, and the canvas as a picture, after each step: {name: script}, one after the other in the same page."""
+        self.open(page, "")
+        results = {name: self.driver.execute_async_script("""
+          const done = arguments[0], wait = time => new Promise(after => setTimeout(after, time));
+          clearTimeout(writing);  // the page's own address must not come between a step's and its event
+          (async () => { %s })().then(async () => {
+            do await wait(10); while (waiting);
+            renderer.render(scene, camera.lens);
+            done({...JSON.parse(element('state').textContent), picture: canvas.toDataURL()});
+          });""" % script) for name, script in steps.items()}
+        for name, result in results.items():
+            check(result["errors"] == [], f"{name}: {result['errors']}")
+            png = base64.b64decode(result["picture"].split(",")[1])
+            result["picture"] = numpy.asarray(Image.open(io.BytesIO(png)).convert("RGB")).astype(int)
+        return results
+
+    def picture(self, page, fragment="", size=(900, 600)):
+        self.open(page, fragment, size)
+        return numpy.asarray(Image.open(io.BytesIO(self.driver.get_screenshot_as_png())).convert("RGB")).astype(int)
+
+
+def view(out, *words):
+    subprocess.run([program, "view", *map(str, words), "--out", str(out)], check=True)
+    return out
+
+
+def near(picture, colour):
+    """How many pixels of the bodies' part of the picture have about this colour."""
+    return int((abs(picture[90:-80, :-270] - numpy.array(colour)).max(axis=2) <= 2).sum())
+
+
+def marks(picture):
+    """Pixels of the colour of wrong answers where the time line is."""
+    return int((abs(picture[-60:] - numpy.array((213, 94, 0))).max(axis=2) < 10).sum())
+
+
+def differ(a, b):
+    return int((abs(a - b).max(axis=2) > 12).sum())
+
+
+def hue(picture, name):
+    """Pixels of the bodies' part whose hue is that of a colour of the style sheet, however lit."""
+    part = picture[90:-80, :-270] / 255
+    red, green, blue = part[..., 0], part[..., 1], part[..., 2]
+    vivid = part.max(axis=2) - part.min(axis=2) > 0.15
+    rule = {"a": (blue > green) & (green > red), "b": (green > blue) & (blue > red), "orange": (red > green) & (green > blue)}[name]
+    return int((vivid & rule).sum())
+
+
+with tempfile.TemporaryDirectory(prefix="tetracone_view_") as name, Browser() as browser:
+    folder = pathlib.Path(name)
+    poses = folder / "poses.txt"
+    # Overlapping, touching, apart by less than a float can say, apart.
+    poses.write_text("".join(f"1 0 0 {x} 0 1 0 0.25 0 0 1 0.25\n" for x in ("0.5", "1", "1.0000000001", "1.75")))
+    pair = view(folder / "pair.html", models / "cube.off", models / "cube.off", "--pose-b", poses, "--kernel", "float")
+    case = view(folder / "case.html", source / "verify" / "corpus" / "double-false-negative-pose-vertex-edge.case.json")
+    predicate = view(folder / "predicate.html", source / "verify" / "corpus" / "double-false-negative-segment-triangle.case.json")
+    alone = view(folder / "alone.html", models / "frame.poly")
+    # Its bounds, rounded outward, are far beyond single precision.
+    denormal = view(folder / "denormal.html", source / "verify" / "corpus" / "double-paper-false-negative-regular-hull-vertex-vertex.case.json")
+
+    # Every page loads without an error and draws something.
+    for page in (case, predicate, alone, denormal):
+        state = browser.state(page, "show=a,b,edges,features,left,covering,tetrahedra,spheres,hull")
+        check(state["ready"] and state["errors"] == [], f"{page.name}: {state['errors']}")
+        check(state["triangles"] + state["lines"] + state["points"] > 0, f"{page.name} draws nothing")
+    state = browser.state(case)
+    check("exact: collide" in state["verdict"] and "double tree: apart" in state["verdict"] and "wrong" in state["verdict"], f"verdict: {state['verdict']}")
+    check("2 lost" in state["contacts"], f"contacts: {state['contacts']}")
+    check("wrong" in browser.state(predicate)["verdict"], "the predicate's case is not said to be wrong")
+
+    # What each control is for: by the address, then by hand.
+    layers = ("edges", "features", "left", "covering", "tetrahedra", "spheres", "hull")
+    address = {"plain": "pose=1&show=a,b", "a": "pose=1&show=a", "pose 2": "pose=2", "pose 3": "pose=3", "pose 0": "pose=0",
+               "odd": "pose=999&level=-3&show=nonsense,a&opacity=x&camera=1,2,no&theme=blue&shrink="}
+    address |= {layer: f"pose=1&show=a,b,{layer}&opacity=0.3" for layer in layers} | {"faint": "pose=1&show=a,b&opacity=0.3"}
+    drag = "for (const [type, x] of [['pointerdown', 300], ['pointermove', 350], ['pointerup', 350]]) canvas.dispatchEvent(new PointerEvent(type, {clientX: x, clientY: 300, pointerId: 1, buttons: 1}));"
+    steps = {name: f"location.hash = '{text}'" for name, text in address.items()} | {
+        "start": "location.hash = 'pose=0'", "next wrong": "element('next-wrong').click()", "before": "location.hash = 'pose=0&again'; return wait(20).then(() => element('before').click())",
+        "slider": "element('pose').value = 1; element('pose').dispatchEvent(new Event('input'))",
+        "box on": "document.querySelector('[data-show=hull]').click()", "box off": "document.querySelector('[data-show=hull]').click()",
+        "fit": "element('fit').click()", "drag": "canvas.setPointerCapture = () => {};" + drag, "wheel": "canvas.dispatchEvent(new WheelEvent('wheel', {deltaY: -100}))",
+        "to contact": "element('to-contact').click()", "theme": "element('theme').click()",
+        "play": "const before = state.pose; element('play').click(); while (state.pose === before) await wait(10);",
+        "pause": "element('play').click(); const at = state.pose; await wait(500); if (state.pose !== at) errors.push('it plays on'); changed()"}
+    done = browser.work(pair, steps)
+    drawn = {name: result["triangles"] + result["lines"] for name, result in done.items()}
+    check(done["plain"]["wrong"] == [2], f"wrong poses: {done['plain']['wrong']}")
+    check(done["a"]["triangles"] * 2 == done["plain"]["triangles"], "B is not hidden")
+    for layer in layers:
+        check(drawn[layer] > drawn["plain"], f"{layer} adds nothing")
+        check(differ(done[layer]["picture"], done["faint"]["picture"]) > 300, f"{layer} does not change the picture")
+    check([done[f"pose {k}"]["exact"] for k in (0, 2, 3)] == [1, 0, 0], "exact answers by pose")
+    check([done[f"pose {k}"]["answer"] for k in (0, 2, 3)] == [1, 1, 0], "answers by pose")
+    odd = done["odd"]
+    check(odd["ready"] and odd["pose"] == 3 and odd["level"] == 1 and odd["show"] == ["a"], f"an odd fragment: pose {odd['pose']}, level {odd['level']}, show {odd['show']}")
+    check(done["next wrong"]["pose"] == 2, "'Next wrong' goes to the wrong pose")
+    check(done["before"]["pose"] == 3, "the pose before the first is the last")
+    check(done["slider"]["pose"] == 1, "the slider")
+    check("hull" in done["box on"]["show"] and "hull" not in done["box off"]["show"], "the hull's box")
+    camera = {name: [float(x) for x in result["camera"].split(",")] for name, result in done.items()}
+    check(abs(camera["drag"][0] - camera["fit"][0] + 20) < 1e-6 and camera["drag"][1:] == camera["fit"][1:], f"a drag turns {camera['fit']} to {camera['drag']}")
+    check(camera["wheel"][2] < camera["drag"][2] and camera["wheel"][3:] == camera["drag"][3:], "the wheel brings nearer")
+    check(camera["to contact"][2] < camera["fit"][2], "'Go to contact' goes nearer")
+    check(done["theme"]["picture"][5, 5].tolist() != done["to contact"]["picture"][5, 5].tolist(), "light or dark")
+    done = browser.work(alone, {str(level): f"location.hash = 'show=a,tetrahedra&level={level}'" for level in (1, 2, 3)})
+    drawn = [done[str(level)]["triangles"] for level in (1, 2, 3)]
+    check(drawn[0] < drawn[1] < drawn[2], f"levels 1, 2 and 3 draw {drawn} triangles")
+
+    # What a page writes as its address gives the same page again.
+    given = browser.state(pair, "pose=1&show=a,b,hull&camera=30,40,6,0.1,0.2,0.3&opacity=0.4")
+    check(given["camera"] == "30,40,6,0.1,0.2,0.3", f"camera: {given['camera']}")
+    again = browser.state(pair, given["fragment"])
+    check(again == given, f"fragment {given['fragment']} gives {again}, expected {given}")
+
+    # Screenshots: what must be there.
+    bodies = browser.picture(pair, "pose=3&show=a,b&opacity=1")
+    check(hue(bodies, "a") > 5000 and hue(bodies, "b") > 5000 and hue(bodies, "orange") == 0, "two bodies, blue and green")
+    check(near(bodies, (255, 255, 255)) > 50000, "a light background")
+    check(differ(bodies, browser.picture(pair, "pose=3&show=a,b&opacity=1")) == 0, "the same address gives the same picture")
+    one = browser.picture(pair, "pose=3&show=a&opacity=1")
+    check(hue(one, "a") > 5000 and hue(one, "b") == 0, "A alone")
+    contact = browser.picture(pair, "pose=0&show=a,b,features&opacity=1")
+    check(hue(contact, "orange") > 500, "colliding edges are orange")
+    check(marks(contact) > 50, "the wrong pose is marked on the time line")
+    clean = view(folder / "clean.html", models / "cube.off", models / "cube.off", "--pose-b", poses, "--kernel", "adaptive")
+    check(marks(browser.picture(clean, "pose=0")) == 0, "no mark where nothing is wrong")
+    dark = browser.picture(pair, "pose=3&show=a,b&opacity=1&theme=dark")
+    check(near(dark, (21, 24, 27)) > 50000 and hue(dark, "a") > 5000, "a dark background")
+    phone = browser.picture(pair, "pose=3&show=a,b", size=(360, 640))
+    check(phone.shape[:2] == (640, 360) and differ(phone, numpy.full_like(phone, 255)) > 3000, "a phone's picture")
+
+sys.exit(1 if failures else 0)

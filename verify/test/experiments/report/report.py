@@ -1,0 +1,289 @@
+#!/usr/bin/python3
+"""Tests of experiments/report/report.py: what the page says is what the rows say, and no figure is without what made it."""
+
+import csv
+import html
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True
+SOURCE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "..", "experiments", "report")
+sys.path.insert(0, SOURCE)
+
+try:
+    import matplotlib  # noqa: F401
+except ImportError:
+    print("skipped: no matplotlib")
+    sys.exit(77)
+from report_data import share, wilson  # noqa: E402
+from report_page import Source  # noqa: E402
+
+STUDY_COUNTS = ("mean_ns median_ns p99_ns build_ms bytes nodes pairs_visited discarded_by_hull discarded_by_sphere "
+                "discarded_by_tetrahedron bounding_tests primitive_tests exact_fallbacks").split()
+MADE = dict(seed="7", version="9.9.9", compiler="g++ 1", flags="-O7", processor="Abacus")
+SUBJECTS = (("double tree", "double", "tree", 0, 4), ("adaptive tree", "adaptive", "tree", 1, 0), ("double paper", "double", "paper", 0, 3),
+            ("FCL OBBRSS", "FCL", "peer", 0, 5))
+SCENES = (("trajectory", "circular", "x", "x", 1, "surface"), ("trajectory", "circular", "x", "x", 2, "surface"),
+          ("trajectory", "contour", "x", "x", 1, "surface"),
+          ("trajectory", "contour", "x", "x", 2, "surface"), ("degenerate", "shared face", "cube", "cube", 1, "surface"),
+          ("degenerate", "shared edge (rounded poses)", "cube", "cube", 1, "surface"),
+          ("degenerate", "nested", "cube", "small cube", 1, "solid"))
+
+
+def study():
+    rows = []
+    for k, scene in enumerate(SCENES):
+        for s, (subject, kernel, method, exact, wrong) in enumerate(SUBJECTS):
+            row = dict(zip(("regime", "scenario", "a", "b", "ratio", "question"), scene), subject=subject, kernel=kernel, method=method,
+                       exact=exact, poses=50, collisions=20,
+                       false_positives=0, false_negatives=wrong if scene[0] == "degenerate" else 0,
+                       **{c: 1000 * (s + 1) + k for c in STUDY_COUNTS}, **MADE)
+            rows.append(row)
+    return rows
+
+
+def campaign():
+    """Tables by name, small but whole: every section has something to draw."""
+    asked = [(level, s, q) for level, subjects, questions in (("object", ("double brute", "double tree", "adaptive tree", "FCL OBBRSS"),
+                                                               ("solid", "surface")),
+                                                             ("predicate", ("double", "adaptive", "float"), ("segment-triangle",)))
+             for s in subjects for q in questions]
+    errors, sweeps, needs, times = [], [], [], []
+    for family, parameters in (("random", (0.0,)), ("far-from-origin", (0.0, 10.0)), ("mixed-scales", (0.0, 10.0)), ("sliver", (2.0, 10.0)),
+                               ("nested", (0.25,)), ("stacked", (0.0,))):
+        for level, subject, question in asked:
+            wrong = 0 if "adaptive" in subject else 3
+            errors.append(dict(level=level, family=family, subject=subject, question=question, n=40, false_positives=1 if wrong else 0,
+                               false_negatives=2 if wrong else 0, failures=0))
+            sweeps += [dict(level=level, family=family, parameter=p, subject=subject, question=question, n=20, rate=wrong / 20, low=0,
+                            high=1) for p in parameters]
+            times.append(dict(level=level, family=family, subject=subject, question=question, n=40, mean_nanoseconds=5000))
+        needs += [dict(level="object", family=family, question="surface", bin=b, n=10) for b in (-9999, -60, -30, 9999)]
+    subjects = [dict(level=l, subject=s, question=q, n=240, false_positives=6 if "adaptive" not in s else 0,
+                     false_negatives=12 if "adaptive" not in s else 0, failures=0, not_asked=0) for l, s, q in asked]
+    return dict(
+        errors=errors, sweeps=sweeps, needs=needs, times=times, subjects=subjects,
+        distance=[dict(level=l, subject=s, question=q, axis=a, bin=b, n=60, rate=0 if "adaptive" in s else 0.05, low=0, high=1)
+                  for l, s, q in asked for a in ("rho", "ulps") for b in (-9999, -8, 0, 9999)],
+        blame=[dict(subject="double tree", family="sliver", question="solid", stage=stage, n=n)
+               for stage, n in (("pose", 7), ("leaf sign", 5))],
+        relations=[dict(level=l, relation=k, subject=s, tried=40, violated=0 if "adaptive" in s else 2, not_applicable=0,
+                        rate=0 if "adaptive" in s else 0.05, low=0, high=1)
+                   for l, s, _ in asked for k in ("R3 absorbed", "R5 swap")],
+        flips=[dict(sequence=f"sequence cube {m}", subject=s, question="surface", frames=60, wrong=0 if "adaptive" in s else 9,
+                    changes=t + (0 if "adaptive" in s else 6), true_changes=t)
+               for m, t in (("sliding on a floor", 0), ("rolling", 0), ("down onto a face", 1)) for s in ("double tree", "adaptive tree")],
+        truth=[dict(level=l, family=f, question="surface", n=40, positives=20, by_construction=5) for l in ("object", "predicate")
+               for f in ("random", "sliver")],
+        runs=[dict(run=1, real_meshes=1, **MADE)])
+
+
+def signs():
+    return [dict(map="barycentric coordinate", subject=s, row=row, answers="-0+" if s == "exact" else "-++", **MADE)
+            for s in ("double", "exact") for row in range(3)]
+
+
+def thresholds():
+    return [dict(motion="cube at a cube", way=w, subject=s, threshold=1.5, error_doubles=e, error_ulps=e, **MADE) for w in range(3)
+            for s, e in (("double tree", 12), ("adaptive tree", 0))]
+
+
+def compilers():
+    return [dict(compiler="g++", compiler_version="1", flags="-O0", subject="double", test=t, n=100, wrong=w, outcome="ran",
+                 version="9.9.9", processor="Abacus") for t, w in (("random", 0), ("grid", 30))]
+
+
+def peers():
+    return [dict(scenario="circular", object="x", triangles=9, ratio=1, degenerate=0, question="surface", subject=s, exact=e, poses=50,
+                 false_positives=0, false_negatives=w, mean_ns=ns, **MADE)
+            for s, e, w, ns in (("tetracone", 1, 0, 1000), ("FCL", 0, 5, 500))]
+
+
+def write(path, rows):
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        table = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
+        table.writeheader()
+        table.writerows(rows)
+
+
+def files_of(folder):
+    found = {}
+    for root, _, names in os.walk(folder):
+        for name in names:
+            with open(os.path.join(root, name), "rb") as file:
+                found[os.path.relpath(os.path.join(root, name), folder)] = file.read()
+    return found
+
+
+def draw(out, with_study=None, with_campaign=None, everything=True):
+    if with_study is not None:
+        write(f"{out}/study.csv", with_study)
+    for name, rows in (with_campaign or {}).items():
+        write(f"{out}/tables/verify_{name}.csv", rows)
+    if everything:
+        for name, rows in (("sign_maps", signs()), ("stability", thresholds()), ("compilers", compilers()), ("peers", peers())):
+            write(f"{out}/{name}.csv", rows)
+    done = subprocess.run([sys.executable, "-B", os.path.join(SOURCE, "report.py"), out], capture_output=True, text=True)
+    if done.returncode:
+        raise AssertionError(done.stderr)
+    with open(f"{out}/report.html", encoding="utf-8") as file:
+        return file.read()
+
+
+def claim_of(page):
+    return re.sub("<[^>]*>", "", re.search(r'<p class="claim">(.*?)</p>', page, re.DOTALL).group(1))
+
+
+def verdict_of(page, subject):
+    return re.search(rf"<li[^>]*><b>{re.escape(subject)}</b>: (.*?)</li>", page, re.DOTALL).group(1)
+
+
+class Whole_report(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.out = os.path.join(cls.folder.name, "out")
+        cls.page = draw(cls.out, study(), campaign())
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_every_figure_says_what_made_it(self):
+        figures = re.findall(r'<figure id="([^"]*)">(.*?)</figure>', self.page, re.DOTALL)
+        expected = {"speed_against_accuracy", "speed_against_accuracy_cold", "errors_by_distance", "errors_by_parameter", "flips",
+                    "thresholds", "sign_maps", "frames_per_second",
+                    "relative_sizes", "stages", "blame", "relations", "compilers", "needs", "digits"}
+        self.assertEqual({name for name, _ in figures}, expected)
+        self.assertEqual(self.page.count("<svg"), len(figures), "a drawing outside a figure")
+        for name, figure in figures:
+            caption = re.search("<figcaption class=source>(.*?)</figcaption>", figure, re.DOTALL)
+            self.assertIsNotNone(caption, name)
+            text = html.unescape(re.sub("<[^>]*>", "", caption.group(1)))
+            for label, what in (("Asked", ".{10,}?"), ("Cases", "[0-9].*?"), ("Seed", "[^ ].*?"), ("Again", "build/tetracone .*?"),
+                                ("Version", "9.9.9, .*?"), ("Machine", "Abacus.*?")):
+                self.assertRegex(text, rf"{label}: {what}\. ?[A-Z]", f"{name}: {label}")
+            tables = re.findall(r'href="([^"]*\.csv)"', caption.group(1))
+            self.assertTrue(tables, name)
+            for file in tables + [f"figures/{name}.pdf", f"figures/{name}.svg"]:
+                self.assertTrue(os.path.exists(f"{self.out}/{file}"), file)
+
+    def test_every_row_of_a_table_says_what_made_it(self):
+        names = [n for n in os.listdir(f"{self.out}/tables") if not n.startswith("verify_")]
+        self.assertGreater(len(names), 12)
+        for name in names:
+            with open(f"{self.out}/tables/{name}", newline="", encoding="utf-8") as file:
+                rows = list(csv.DictReader(file))
+            self.assertTrue(rows, name)
+            for row in rows:
+                for key in ("seed", "version", "compiler", "processor", "command"):
+                    self.assertTrue(row[key], f"{name}: {key}")
+
+    def test_every_link_leads_somewhere(self):
+        for target in re.findall(r'<a href="([^"#]+)"', self.page):
+            self.assertTrue(os.path.exists(f"{self.out}/{target}"), target)
+        for anchor in re.findall(r'<a href="#([^"]+)"', self.page):
+            self.assertIn(f'id="{anchor}"', self.page)
+
+    def test_the_page_needs_no_network(self):
+        self.assertEqual(re.findall(r'(?:src|href)="(?:https?:)?//[^"]*"', self.page), [])
+        self.assertNotIn("<script", self.page)
+        self.assertNotIn("@import", self.page)
+
+    def test_the_colours_of_the_page_reach_the_drawings(self):
+        drawing = re.search("<svg.*?</svg>", self.page, re.DOTALL).group(0)
+        self.assertIn("var(--ink)", drawing)
+        self.assertNotIn("#1a1b1c", drawing)
+
+    def test_a_second_run_writes_the_same_bytes(self):
+        with tempfile.TemporaryDirectory() as other:
+            draw(other, study(), campaign())
+            self.assertEqual(files_of(self.out), files_of(other))
+
+    def test_a_wrong_answer_of_an_exact_kernel_changes_the_claim(self):
+        self.assertIn(" 0 wrong answers of 1,070 ", claim_of(self.page))  # 7 scenes of 50, and 3 questions of 240 in the campaign
+        rows = study()
+        rows[1]["false_negatives"] = 2
+        self.assertEqual(rows[1]["subject"], "adaptive tree")
+        with tempfile.TemporaryDirectory() as other:
+            page = draw(other, rows, campaign(), everything=False)
+        self.assertIn(" 2 wrong answers of 1,070 ", claim_of(page))
+        self.assertIn("wrong in 2 of 200 (1 %) random", verdict_of(page, "adaptive tree"))
+        self.assertIn("right in all 350 of the study", verdict_of(self.page, "adaptive tree"))
+
+    def test_a_value_of_the_campaign_changes_its_sentence(self):
+        self.assertIn("campaign: 36 of 480 (7.5 %) wrong", verdict_of(self.page, "double tree"))
+        tables = campaign()
+        row = next(r for r in tables["errors"] if r["subject"] == "double tree" and r["family"] == "sliver")
+        row["false_negatives"] = 29
+        with tempfile.TemporaryDirectory() as other:
+            sentence = verdict_of(draw(other, study(), tables, everything=False), "double tree")
+        self.assertIn("campaign: 63 of 480 (13 %) wrong, breaks most on <i>sliver</i> (41 %)", sentence)
+
+    def test_a_slow_row_breaks_the_papers_statement(self):
+        self.assertIn("holds; slowest", self.page)
+        rows = study()
+        for row in rows:
+            if row["subject"] == "double paper" and row["scenario"] == "contour" and row["ratio"] == 2:
+                row["mean_ns"] = 40_000_000
+        with tempfile.TemporaryDirectory() as other:
+            page = draw(other, rows, everything=False)
+        self.assertIn("<b>not</b> in 1 of 4; slowest 25 (contour, x / x)", page)
+        self.assertNotIn("<b>not</b> in 1 of 4", self.page)
+
+    def test_peers_are_ratios_with_their_wrong_answers(self):
+        self.assertIn("<td>0.5 ×; 5 of 50 (10 %) wrong</td>", self.page)
+        self.assertIn("<td>1 ×; 0 of 50 (&lt; 7.1 %) wrong</td>", self.page)
+
+    def test_none_wrong_is_stated_with_its_bound(self):
+        self.assertIn("0 of 350 (&lt; 1.1 %)", share(0, 350))
+        self.assertRegex(self.page, r"0 of 50 \(&lt; 7\.1 %\)")
+
+    def test_the_citation_is_that_of_the_file(self):
+        with open(os.path.join(SOURCE, "..", "CITATION.cff"), encoding="utf-8") as file:
+            text = file.read()
+        version = re.search(r"^version: (.*)$", text, re.MULTILINE).group(1)
+        self.assertIn(f"version = {{{version}}}", self.page)
+        self.assertIn("@article{jimenez2008collision", self.page)
+
+
+class Parts(unittest.TestCase):
+    def test_a_study_alone_is_a_report(self):
+        with tempfile.TemporaryDirectory() as out:
+            self.assertIn('id="paper"', draw(out, study(), everything=False))
+
+    def test_a_campaign_alone_is_a_report(self):
+        with tempfile.TemporaryDirectory() as out:
+            page = draw(out, with_campaign=campaign(), everything=False)
+            self.assertIn('id="speed_against_accuracy_cold"', page)
+            self.assertIn("0 wrong answers of 720", claim_of(page))
+
+    def test_an_empty_folder_is_refused_in_a_line(self):
+        with tempfile.TemporaryDirectory() as out:
+            done = subprocess.run([sys.executable, "-B", os.path.join(SOURCE, "report.py"), out], capture_output=True, text=True)
+            self.assertNotEqual(done.returncode, 0)
+            self.assertRegex(done.stderr, r"^[^\n]*study\.csv: no such file; expected [^\n]*\n$")
+            self.assertEqual(os.listdir(out), [])
+
+    def test_a_figure_without_its_source_is_refused(self):
+        whole = Source("Why?", "3", "1", "make", "1", "cc", "Abacus")
+        whole.check()
+        for field in ("asked", "cases", "seed", "command", "version", "compiler", "machine"):
+            with self.assertRaises(ValueError):
+                whole.about(**{field: " "}).check()
+
+    def test_wilson_is_the_interval_of_the_textbook(self):
+        for (wrong, n), (low, high) in {(10, 100): (0.05522914, 0.17436566), (5, 10): (0.2365931, 0.7634069),
+                                        (0, 10): (0, 0.2775328)}.items():
+            self.assertAlmostEqual(wilson(wrong, n)[0], low, 6)
+            self.assertAlmostEqual(wilson(wrong, n)[1], high, 6)
+        self.assertEqual(wilson(0, 0), (0, 1))
+
+
+if __name__ == "__main__":
+    unittest.main()

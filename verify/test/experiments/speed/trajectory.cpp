@@ -1,0 +1,150 @@
+#include "experiments/speed/trajectory.h"
+
+#include "verify/cases/shape_generators.h"
+#include "verify/subjects/subject.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <vector>
+
+using namespace tetracone;
+using namespace tetracone::experiments;
+using namespace tetracone::verify;
+using kernel::Pose;
+
+namespace {
+
+/// The surface question about two objects, in double: fast, and right but for hair-thin cases that do not matter here.
+struct Scene {
+  Polyhedron a, b;
+  std::shared_ptr<verify::Prepared_pair> pair;
+  Collides collides;
+
+  Scene(const Polyhedron& first, const Polyhedron& second)
+      : a(first), b(second), pair(verify::prepare(*verify::Subject::parse("double"), a, b))
+  {
+    collides = [p = pair](const Pose& pose) { return p->collide(Pose(), pose, kernel::Question::surface); };
+  }
+
+  int colliding(const std::vector<Pose>& poses) const
+  {
+    int found = 0;
+    for (const Pose& pose : poses) found += collides(pose);
+    return found;
+  }
+};
+
+std::uint64_t hash(const std::vector<Pose>& poses)
+{
+  std::uint64_t h = 14695981039346656037u;  // FNV-1a, of words
+  for (const Pose& pose : poses)
+    for (const double entry : pose.entries()) h = (h ^ std::bit_cast<std::uint64_t>(entry)) * 1099511628211u;
+  return h;
+}
+
+const std::vector<Scene>& scenes()
+{
+  static const std::vector<Scene> all = {{complex_one(), complex_two()}, {complex_two(), blob(200, 4)},
+                                         {torus_knot(640), complex_one()}, {unit_cube(), unit_cube()}};
+  return all;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(test_trajectory)
+
+BOOST_AUTO_TEST_CASE(on_the_circle_between_3_and_4_5_percent_collide)
+{
+  std::uint64_t seed = 1;
+  for (const Scene& scene : scenes())
+    for (const double ratio : {1, 4, 16}) {
+      const auto poses = circular_trajectory(scene.a, scene.b, ratio, 100, ++seed, scene.collides);
+      const int found = scene.colliding(poses);
+      BOOST_TEST(poses.size() == 100u);
+      BOOST_TEST((found == 3 || found == 4), "seed " << seed << " ratio " << ratio << ": " << found);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(along_the_contour_between_5_and_10_percent_collide)
+{
+  std::uint64_t seed = 1;
+  for (const Scene& scene : scenes())
+    for (const double ratio : {1, 4, 16}) {
+      const auto poses = contour_trajectory(scene.a, scene.b, ratio, 100, ++seed, scene.collides);
+      const int found = scene.colliding(poses);
+      BOOST_TEST(poses.size() == 100u);
+      BOOST_TEST((found >= 6 && found <= 9), "seed " << seed << " ratio " << ratio << ": " << found);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(few_frames_get_the_nearest_whole_number)
+{
+  const Scene& scene = scenes()[0];
+  for (const int frames : {1, 10, 20, 21, 40, 50, 70}) {
+    const int circle = scene.colliding(circular_trajectory(scene.a, scene.b, 1, frames, 5, scene.collides));
+    BOOST_TEST(circle * 20 < frames);
+    if (frames > 20) BOOST_TEST(circle > 0);
+    const int contour = scene.colliding(contour_trajectory(scene.a, scene.b, 1, frames, 5, scene.collides));
+    BOOST_TEST(std::abs(contour - 0.075 * frames) <= kernel::maximum(0.5, 0.02 * frames), frames << ": " << contour);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_seed_means_the_same_poses_each_time)
+{
+  const Scene& scene = scenes()[0];
+  const auto circle = [&](std::uint64_t seed) {
+    return hash(circular_trajectory(scene.a, scene.b, 2, 60, seed, scene.collides));
+  };
+  const auto contour = [&](std::uint64_t seed) {
+    return hash(contour_trajectory(scene.a, scene.b, 2, 60, seed, scene.collides));
+  };
+  BOOST_TEST(circle(1) == circle(1));
+  BOOST_TEST(circle(1) != circle(2));
+  BOOST_TEST(contour(1) == contour(1));
+  BOOST_TEST(contour(1) != contour(2));
+  // The same on every machine, too.
+  BOOST_TEST(circle(1) == 2464733422047427051u);
+  BOOST_TEST(contour(1) == 16816156988353229294u);
+}
+
+BOOST_AUTO_TEST_CASE(the_scale_is_in_the_pose)
+{
+  const Scene& scene = scenes()[0];
+  for (const double ratio : {1, 8})
+    for (const Pose& pose : contour_trajectory(scene.a, scene.b, ratio, 20, 3, scene.collides))
+      for (int row = 0; row < 3; ++row) {
+        const double x = pose[4 * row], y = pose[4 * row + 1], z = pose[4 * row + 2];
+        BOOST_TEST(std::abs(std::sqrt(x * x + y * y + z * z) * ratio - 1) < 1e-14);
+      }
+}
+
+BOOST_AUTO_TEST_CASE(contour_frames_are_close_to_the_border)
+{
+  // About a cube of half-width 1, a small one: every frame has its centre in the layer that its size and the gap allow.
+  const Scene scene(box({-1, -1, -1}, {1, 1, 1}), box({-1, -1, -1}, {1, 1, 1}));
+  const double size = std::sqrt(3.0) / 16;
+  for (const Pose& pose : contour_trajectory(scene.a, scene.b, 16, 200, 3, scene.collides)) {
+    double outside = -1;
+    for (const int k : {3, 7, 11}) outside = kernel::maximum(outside, std::abs(pose[k]) - 1);
+    BOOST_TEST(outside > 0);
+    BOOST_TEST(outside < size + 0.06);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(one_that_never_collides_ends_all_the_same)
+{
+  const Scene& scene = scenes()[0];
+  const Collides never = [](const Pose&) { return false; };
+  BOOST_TEST(circular_trajectory(scene.a, scene.b, 1, 100, 1, never).size() == 100u);
+  BOOST_TEST(contour_trajectory(scene.a, scene.b, 1, 100, 1, never).size() == 100u);
+  const Collides always = [](const Pose&) { return true; };
+  BOOST_TEST(circular_trajectory(scene.a, scene.b, 1, 100, 1, always).size() == 100u);
+  BOOST_TEST(contour_trajectory(scene.a, scene.b, 1, 100, 1, always).size() == 100u);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

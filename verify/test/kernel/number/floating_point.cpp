@@ -1,0 +1,108 @@
+#include "tetracone/kernel/number/floating_point.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include "verify/test/support/keep_environment.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <thread>
+
+using tetracone::kernel::floating_point_is_sound;
+using tetracone::kernel::maximum;
+using tetracone::kernel::minimum;
+using tetracone::kernel::unit_roundoff;
+using tetracone::verify::Keep_environment;
+
+namespace {
+
+bool is_sound_in_a_new_thread()
+{
+  bool sound = false;
+  std::thread([&sound] { sound = floating_point_is_sound(); }).join();
+  return sound;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(test_floating_point)
+
+BOOST_AUTO_TEST_CASE(floating_point_is_sound_by_default)
+{
+  BOOST_TEST(floating_point_is_sound());
+  BOOST_TEST(is_sound_in_a_new_thread());
+}
+
+BOOST_AUTO_TEST_CASE(each_directed_rounding_is_noticed_and_inherited_by_threads)
+{
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    const Keep_environment keep;
+    BOOST_REQUIRE(std::fesetround(mode) == 0);
+    const bool here = floating_point_is_sound(), there = is_sound_in_a_new_thread();
+    std::fesetround(FE_TONEAREST);  // Boost.Test prints numbers
+    BOOST_TEST(!here);
+    BOOST_TEST(!there);
+  }
+  BOOST_TEST(floating_point_is_sound());
+}
+
+#if defined(__SSE2__)
+BOOST_AUTO_TEST_CASE(flush_to_zero_and_denormals_are_zero_are_noticed_and_inherited_by_threads)
+{
+  for (const unsigned bits : {0x8000u, 0x0040u, 0x8040u}) {
+    const Keep_environment keep;
+    _mm_setcsr(_mm_getcsr() | bits);
+    const bool here = floating_point_is_sound(), there = is_sound_in_a_new_thread();
+    BOOST_TEST(!here);
+    BOOST_TEST(!there);
+  }
+  BOOST_TEST(floating_point_is_sound());
+}
+#endif
+
+BOOST_AUTO_TEST_CASE(a_change_in_one_thread_is_no_change_in_another)
+{
+  std::thread([] { std::fesetround(FE_UPWARD); }).join();
+  BOOST_TEST(floating_point_is_sound());
+}
+
+BOOST_AUTO_TEST_CASE(what_decides_exactly_refuses_an_environment_that_is_not_sound)
+{
+  using tetracone::kernel::require_exact_arithmetic, tetracone::kernel::require_sound_floating_point;
+  BOOST_CHECK_NO_THROW(require_exact_arithmetic());
+  using tetracone::kernel::Unsound_floating_point;
+  BOOST_TEST(tetracone::verify::not_refused<Unsound_floating_point>([] { require_sound_floating_point(); }) == 0);
+  BOOST_TEST(tetracone::verify::not_refused<Unsound_floating_point>([] { require_exact_arithmetic(); }) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(the_largest_and_the_least_keep_nan_in_any_place_and_order)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  for (int place = 0; place < 3; ++place) {
+    std::array<double, 3> x = {1, infinity, -2};
+    x[place] = nan;
+    BOOST_TEST(std::isnan(maximum(x[0], x[1], x[2])));
+    BOOST_TEST(std::isnan(minimum(x[0], x[1], x[2])));
+  }
+  for (const auto& [a, b, c] : {std::array{1.0, 2.0, 3.0}, {3.0, 1.0, 2.0}, {2.0, 3.0, 1.0}, {3.0, 2.0, 1.0}}) {
+    BOOST_TEST(maximum(a, b, c) == 3);
+    BOOST_TEST(minimum(a, b, c) == 1);
+  }
+  BOOST_TEST(maximum(-infinity, infinity) == infinity);
+  BOOST_TEST(minimum(-infinity, infinity) == -infinity);
+  BOOST_TEST(maximum(3, -7) == 3);
+  BOOST_TEST(minimum(3u, 7u) == 3u);
+  BOOST_TEST(maximum(2.5f) == 2.5f);
+}
+
+BOOST_AUTO_TEST_CASE(unit_roundoff_is_half_the_step_after_one)
+{
+  volatile double one = 1;
+  BOOST_TEST(one + unit_roundoff<double> == 1);  // a tie, to even
+  BOOST_TEST(one + unit_roundoff<double> * (1 + 0x1p-52) > 1);
+  BOOST_TEST(unit_roundoff<double> == 0x1p-53);
+  BOOST_TEST(unit_roundoff<float> == 0x1p-24f);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,128 @@
+#include "tetracone/kernel/number/number.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <cstring>
+#include <limits>
+#include <random>
+
+using namespace tetracone::kernel;
+
+namespace {
+
+/// A random finite double of any exponent, denormals included.
+double any_double(std::mt19937_64& random)
+{
+  while (true) {
+    const double value = std::bit_cast<double>(random());
+    if (std::isfinite(value)) return value;
+  }
+}
+
+Rational distance(const Rational& a, double b) { return abs(Rational(a - Rational(b))); }
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(test_number)
+
+BOOST_AUTO_TEST_CASE(decimals_become_the_nearest_double)
+{
+  BOOST_TEST(parse_double("0.1").value() == 0.1);
+  BOOST_TEST(parse_double("+.5").value() == 0.5);
+  BOOST_TEST(parse_double("5.").value() == 5);
+  BOOST_TEST(parse_double("-1E+2").value() == -100);
+  BOOST_TEST(parse_double("5e-324").value() == 0x1p-1074);
+  BOOST_TEST(parse_double("1.7976931348623157e308").value() == std::numeric_limits<double>::max());
+  // Ties go to even, and the least digit behind a tie decides.
+  BOOST_TEST(parse_double("9007199254740993").value() == 9007199254740992.0);
+  BOOST_TEST(parse_double("9007199254740993.00000000000000000000001").value() == 9007199254740994.0);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_too_small_is_zero_with_its_sign)
+{
+  BOOST_TEST(parse_double("1e-400").value() == 0);
+  BOOST_TEST(!std::signbit(parse_double("1e-400").value()));
+  BOOST_TEST(std::signbit(parse_double("-1e-400").value()));
+  BOOST_TEST(std::signbit(parse_double("-0").value()));
+}
+
+BOOST_AUTO_TEST_CASE(words_that_are_no_finite_decimals_are_refused)
+{
+  for (const char* word :
+       {"",    "+",   "-",  ".",  "nan", "-nan", "inf", "-inf", "infinity", "1e400", "-1e400", "0x10",
+        "1,5", "1/2", "1 ", " 1", "1e",  "--1",  "+-1", "++1",  "1.2.3",    "1d5",   "1f",     "one"})
+    BOOST_TEST(!parse_double(word).has_value(), word);
+}
+
+BOOST_AUTO_TEST_CASE(fractions_are_exact_and_decimal)
+{
+  BOOST_TEST((parse_fraction("1/3").value() == Rational(1) / 3));
+  BOOST_TEST((parse_fraction("-4/6").value() == Rational(-2) / 3));
+  BOOST_TEST((parse_fraction("+010/08").value() == Rational(5) / 4));
+  BOOST_TEST((parse_fraction("0/7").value() == 0));
+  BOOST_TEST(
+      (parse_fraction("123456789012345678901234567890/3").value() * 3 == Rational("123456789012345678901234567890")));
+}
+
+BOOST_AUTO_TEST_CASE(what_is_written_of_a_rational_reads_back_as_exactly_it)
+{
+  for (const char* word : {"1/3", "-22/7", "123456789012345678901234567890/1", "-1000000000000000000000000000000000000001/1"}) BOOST_TEST(exact_text(Rational(*parse_fraction(word))) == word);
+  for (const double x : {0.0, 1.5, -0x1p-1074, 1e300, 3e22}) BOOST_TEST(exact_text(Rational(x)) == shortest(x));
+}
+
+BOOST_AUTO_TEST_CASE(words_that_are_no_fractions_are_refused)
+{
+  for (const char* word : {"", "/", "1/", "/2", "1/0", "1/00", "1/-2", "1/+2", "1.5/2", "1/2.0", "1/2/3", "a/b", "1",
+                           "--1/2", "1 /2", "0x1/2"})
+    BOOST_TEST(!parse_fraction(word).has_value(), word);
+}
+
+BOOST_AUTO_TEST_CASE(no_neighbour_is_nearer_than_the_nearest_double)
+{
+  std::mt19937_64 random(1);
+  for (int k = 0; k < 2000; ++k) {
+    const double a = any_double(random), b = any_double(random);
+    if (b == 0) continue;
+    const Rational value = Rational(a) / Rational(b);
+    const double nearest = nearest_double(value);
+    if (!std::isfinite(nearest)) continue;
+    for (const double other : {std::nextafter(nearest, -HUGE_VAL), std::nextafter(nearest, HUGE_VAL)}) {
+      if (std::isfinite(other)) BOOST_TEST((distance(value, nearest) <= distance(value, other)));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_double_is_its_own_nearest_double_and_ties_go_to_even)
+{
+  std::mt19937_64 random(2);
+  for (int k = 0; k < 2000; ++k) {
+    const double a = any_double(random);
+    BOOST_TEST(nearest_double(Rational(a)) == a);
+  }
+  BOOST_TEST(nearest_double(Rational(1) + Rational(0x1p-53)) == 1);
+  BOOST_TEST(nearest_double(Rational(1) + Rational(0x1.8p-52)) == 1 + 0x1p-51);
+  BOOST_TEST(nearest_double(-Rational(1) - Rational(0x1p-53)) == -1);
+}
+
+BOOST_AUTO_TEST_CASE(the_shortest_decimal_reads_back_as_the_same_bits)
+{
+  std::mt19937_64 random(3);
+  for (int k = 0; k < 20000; ++k) {
+    const double a = any_double(random);
+    const auto back = parse_double(shortest(a));
+    BOOST_REQUIRE(back.has_value());
+    BOOST_TEST(std::bit_cast<std::uint64_t>(*back) == std::bit_cast<std::uint64_t>(a));
+  }
+  BOOST_TEST(shortest(0.1) == "0.1");
+}
+
+BOOST_AUTO_TEST_CASE(rationals_print_in_lowest_terms_and_read_back)
+{
+  BOOST_TEST(to_string(Rational(4) / 6) == "2/3");
+  BOOST_TEST(to_string(Rational(-6) / 3) == "-2");
+  BOOST_TEST(to_string(Rational(0)) == "0");
+  const Rational value = Rational(-22) / 7;
+  BOOST_TEST((parse_fraction(to_string(value)).value() == value));
+}
+
+BOOST_AUTO_TEST_SUITE_END()

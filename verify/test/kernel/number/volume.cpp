@@ -1,0 +1,69 @@
+#include "tetracone/kernel/number/volume.h"
+
+#include "verify/test/support/rationals.h"
+#include "verify/test/support/scenes.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+
+using namespace tetracone::kernel;
+namespace rationals = tetracone::verify::rationals;
+namespace scenes = tetracone::verify::scenes;
+
+namespace {
+
+Rational exact_determinant(const Vertex& o, const Vertex& a, const Vertex& b, const Vertex& c)
+{
+  using namespace rationals;
+  return determinant(minus(exactly(a), exactly(o)), minus(exactly(b), exactly(o)), minus(exactly(c), exactly(o)));
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(test_volume)
+
+BOOST_AUTO_TEST_CASE(an_empty_sum_is_zero) { BOOST_TEST((Volume_sum().value() == 0)); }
+
+BOOST_AUTO_TEST_CASE(the_unit_corner_counts_one_and_its_mirror_image_minus_one)
+{
+  Volume_sum sum;
+  sum.add({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
+  BOOST_TEST((sum.value() == 1));
+  sum.add({0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1});
+  sum.add({0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1});
+  BOOST_TEST((sum.value() == -1));
+}
+
+BOOST_AUTO_TEST_CASE(sums_are_exact_at_every_scale_and_mixture_of_scales)
+{
+  scenes::Random random(1);
+  Volume_sum sum;
+  Rational truth = 0;
+  int wrong = 0;
+  for (int n = 0; n < 300; ++n) {
+    std::array<Vertex, 4> v;
+    for (Vertex& p : v) {
+      p = scenes::real_vertex(random, 1);
+      for (double& x : p) x = std::ldexp(x, n < 100 ? 0 : scenes::integer(random, -1074, 1023));
+    }
+    if (n % 7 == 0) v[3] = v[2];
+    sum.add(v[0], v[1], v[2], v[3]);
+    truth += exact_determinant(v[0], v[1], v[2], v[3]);
+    wrong += sum.value() != truth;
+  }
+  BOOST_TEST(wrong == 0);
+}
+
+BOOST_AUTO_TEST_CASE(the_ends_of_the_range_of_double_are_exact)
+{
+  for (const double scale : {0x1p-1074, 0x1.8p-1023, 0x1.fffffffffffffp1023}) {
+    Volume_sum sum;
+    sum.add({0, 0, 0}, {scale, 0, 0}, {0, scale, 0}, {0, 0, scale});
+    BOOST_TEST((sum.value() == Rational(scale) * Rational(scale) * Rational(scale)));
+    sum.add({-scale, -scale, -scale}, {scale, 0, 0}, {0, scale, 0}, {0, 0, scale});
+    BOOST_TEST((sum.value() == 5 * Rational(scale) * Rational(scale) * Rational(scale)));
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

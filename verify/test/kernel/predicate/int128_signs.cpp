@@ -1,0 +1,131 @@
+#include "tetracone/kernel/predicate/int128_signs.h"
+
+#include "verify/test/support/rationals.h"
+#include "verify/test/support/scenes.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace tetracone::kernel;
+namespace rationals = tetracone::verify::rationals;
+using namespace tetracone::verify::scenes;
+using Points = std::array<Vertex, 4>;
+
+namespace {
+
+Rational minor(const std::array<std::array<Rational, 3>, 2>& m, int i, int j) { return m[0][i] * m[1][j] - m[0][j] * m[1][i]; }
+
+CGAL::Sign volume(const Points& p)
+{
+  std::array<std::array<Rational, 3>, 3> m;
+  for (int n = 0; n < 3; ++n)
+    for (int k = 0; k < 3; ++k) m[n][k] = Rational(p[n + 1][k]) - Rational(p[0][k]);
+  const std::array<std::array<Rational, 3>, 2> upper = {m[0], m[1]};
+  return CGAL::sign(Rational(m[2][0] * minor(upper, 1, 2) - m[2][1] * minor(upper, 0, 2) + m[2][2] * minor(upper, 0, 1)));
+}
+
+CGAL::Sign normal(const Points& p, int axis)
+{
+  std::array<std::array<Rational, 3>, 2> m;
+  for (int n = 0; n < 2; ++n)
+    for (int k = 0; k < 3; ++k) m[n][k] = Rational(p[n + 1][k]) - Rational(p[0][k]);
+  return CGAL::sign(Rational(minor(m, (axis + 1) % 3, (axis + 2) % 3)));
+}
+
+/// Whole numbers of `bits` bits times 2^scale, at the ends of their range every other time; coplanar if asked.
+Points on_a_grid(Random& random, int bits, int scale, bool coplanar)
+{
+  const auto number = [&] {
+    const double most = std::ldexp(1.0, bits) - 1;
+    const double x = random() % 2 ? most - double(random() % 3) : std::floor(real(random, 0, 1) * most);
+    return random() % 2 ? x : -x;
+  };
+  Points p;
+  for (Vertex& v : p)
+    for (double& x : v) x = number();
+  if (coplanar)
+    for (int k = 0; k < 3; ++k) {
+      p[1][k] = std::trunc(p[1][k] / 8), p[2][k] = std::trunc(p[2][k] / 8), p[0][k] = std::trunc(p[0][k] / 8);
+      p[3][k] = p[1][k] + p[2][k] - p[0][k];
+    }
+  for (Vertex& v : p)
+    for (double& x : v) x = std::ldexp(x, scale);
+  return p;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(test_int128_signs)
+
+BOOST_AUTO_TEST_CASE(points_of_a_grid_have_their_exact_signs)
+{
+  Random random(1);
+  int zero = 0, decided = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const Points p = on_a_grid(random, 2 + k % 37, integer(random, -250, 200), k % 2 == 0);
+    const auto sign = int128_volume_sign(p[0], p[1], p[2], p[3]);
+    const bool all_zero = std::all_of(p.begin(), p.end(), [](const Vertex& v) { return v == Vertex{0, 0, 0}; });
+    BOOST_TEST_REQUIRE(sign.has_value() == !all_zero);
+    if (!sign) continue;
+    ++decided;
+    BOOST_TEST(*sign == volume(p));
+    zero += *sign == CGAL::ZERO;
+    const auto component = int128_normal_sign(p[0], p[1], p[2], k % 3);
+    if (component) BOOST_TEST(*component == normal(p, k % 3));
+  }
+  BOOST_TEST(zero > 9000);
+  BOOST_TEST(decided > 19000);
+}
+
+BOOST_AUTO_TEST_CASE(the_extreme_corners_of_the_grid_do_not_overflow)
+{
+  // All tetrahedra with corners of the largest cube: determinants as large as they get.
+  const double most = 0x1p38 - 1;
+  for (int corners = 0; corners < 4096; ++corners) {
+    Points p;
+    for (int n = 0; n < 4; ++n)
+      for (int k = 0; k < 3; ++k) p[n][k] = corners >> (3 * n + k) & 1 ? most : -most;
+    const auto sign = int128_volume_sign(p[0], p[1], p[2], p[3]);
+    BOOST_TEST_REQUIRE(sign.has_value());
+    BOOST_TEST(*sign == volume(p));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_is_on_no_such_grid_is_left_undecided)
+{
+  const Vertex a{0, 0, 0}, b{1, 0, 0}, c{0, 1, 0};
+  const auto sign = [&](double z) { return int128_volume_sign(a, b, c, {0.25, 0.25, z}); };
+  BOOST_TEST((sign(0) == CGAL::ZERO));
+  BOOST_TEST((sign(0x1p-37) == volume({a, b, c, {0.25, 0.25, 0x1p-37}})));
+  BOOST_TEST(!sign(0x1p-38));
+  BOOST_TEST(!sign(1e-300));
+  BOOST_TEST(!sign(0x1p-1074));
+  BOOST_TEST(!sign(0.1));
+  BOOST_TEST(!sign(0x1p301));
+  BOOST_TEST(!sign(std::numeric_limits<double>::infinity()));
+  BOOST_TEST(!sign(std::numeric_limits<double>::quiet_NaN()));
+  BOOST_TEST(!int128_volume_sign(a, a, a, a));
+  // Where a product with the steps underflows.
+  const Vertex large{0x1p300, 0, 0};
+  BOOST_TEST(!int128_volume_sign(large, a, {0, 0x1p300, 0}, {0, 0, 0x1p-1074}));
+  BOOST_TEST(!int128_normal_sign(large, {0, 0x1p-1074, 0}, a, 2));
+  BOOST_TEST(!int128_normal_sign({0x1p-301, 0, 0}, {0, 0x1p-301, 0}, {0, 0, 0}, 2));
+}
+
+BOOST_AUTO_TEST_CASE(exchanging_two_points_changes_the_sign)
+{
+  Random random(2);
+  for (int k = 0; k < 2000; ++k) {
+    const Points p = on_a_grid(random, 1 + k % 38, 0, k % 4 == 0);
+    const auto sign = int128_volume_sign(p[0], p[1], p[2], p[3]);
+    if (!sign) continue;
+    BOOST_TEST((int128_volume_sign(p[1], p[0], p[2], p[3]) == -*sign));
+    BOOST_TEST((int128_volume_sign(p[0], p[1], p[3], p[2]) == -*sign));
+    BOOST_TEST((int128_volume_sign(p[3], p[1], p[2], p[0]) == -*sign));
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

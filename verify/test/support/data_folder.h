@@ -1,0 +1,27 @@
+#ifndef TETRACONE_VERIFY_TEST_SUPPORT_DATA_FOLDER_H
+#define TETRACONE_VERIFY_TEST_SUPPORT_DATA_FOLDER_H
+
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+
+namespace tetracone::verify::scenes {
+
+/// The folder of real data, which is not part of the project.
+inline std::filesystem::path data_folder()
+{
+  const char* const named = std::getenv("TETRACONE_DATA");
+  return named ? std::filesystem::path(named) : std::filesystem::path(TETRACONE_SOURCE_DIR) / ".." / "shared" / "data";
+}
+
+/// True, with a word about it, where the data are not there.
+inline bool without_data()
+{
+  if (std::filesystem::is_directory(data_folder())) return false;
+  std::cout << "SKIPPED: no folder of real data; TETRACONE_DATA names another one\n";
+  return true;
+}
+
+}  // namespace tetracone::verify::scenes
+
+#endif

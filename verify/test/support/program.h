@@ -1,0 +1,59 @@
+#ifndef TETRACONE_VERIFY_TEST_SUPPORT_PROGRAM_H
+#define TETRACONE_VERIFY_TEST_SUPPORT_PROGRAM_H
+
+#include "verify/test/support/temporary_file.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+/// The program `tetracone`, run as its users run it.
+namespace tetracone::verify {
+
+inline const std::string program = TETRACONE_PROGRAM;
+
+/// What a run of the program left.
+struct Run {
+  int status;
+  std::string out, error;
+};
+
+inline std::string in_quotes(const std::filesystem::path& path) { return "'" + path.native() + "'"; }
+
+/// Runs the program with these words, in the shell's quoting. A test that it does not leave by itself fails.
+inline Run run(const std::string& words)
+{
+  const Temporary_file error("stderr", "");
+  std::FILE* const pipe = ::popen((in_quotes(program) + " " + words + " 2>" + in_quotes(error.path())).c_str(), "r");
+  BOOST_REQUIRE(pipe);
+  Run result;
+  char buffer[4096];
+  for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, pipe)) != 0;) result.out.append(buffer, n);
+  const int status = ::pclose(pipe);
+  BOOST_REQUIRE(WIFEXITED(status));
+  result.status = WEXITSTATUS(status);
+  std::ifstream in(error.path());
+  result.error.assign(std::istreambuf_iterator<char>(in), {});
+  return result;
+}
+
+/// Status 2, nothing on standard output, one line on standard error, in which `says` stands.
+inline void check_refused(const std::string& words, const std::string& says = "")
+{
+  const Run r = run(words);
+  BOOST_TEST(r.status == 2, words);
+  BOOST_TEST(r.out.empty(), words);
+  BOOST_TEST(r.error.find('\n') + 1 == r.error.size(), words << ": " << r.error);
+  BOOST_TEST(r.error.size() > 10, words);
+  BOOST_TEST(r.error.find(says) != std::string::npos, words << ": " << r.error);
+}
+
+}  // namespace tetracone::verify
+
+#endif

@@ -1,0 +1,172 @@
+#ifndef TETRACONE_VERIFY_TEST_SUPPORT_RATIONALS_H
+#define TETRACONE_VERIFY_TEST_SUPPORT_RATIONALS_H
+
+#include "tetracone/covering/polyhedron.h"
+#include "tetracone/kernel/number/number.h"
+#include "tetracone/kernel/number/pose.h"
+
+#include <array>
+#include <optional>
+#include <random>
+#include <vector>
+
+/// Plain rational geometry for tests: what the code under test is compared with. No predicate of the library is used.
+namespace tetracone::verify::rationals {
+
+using covering::Index;
+using covering::Polyhedron;
+using kernel::Pose;
+using kernel::Rational;
+using kernel::Vertex;
+
+using Vector = std::array<Rational, 3>;
+
+inline Vector exactly(const Vertex& v) { return {Rational(v[0]), Rational(v[1]), Rational(v[2])}; }
+
+inline Vector minus(const Vector& a, const Vector& b)
+{
+  return {Rational(a[0] - b[0]), Rational(a[1] - b[1]), Rational(a[2] - b[2])};
+}
+inline Vector plus(const Vector& a, const Vector& b)
+{
+  return {Rational(a[0] + b[0]), Rational(a[1] + b[1]), Rational(a[2] + b[2])};
+}
+inline Vector times(const Rational& s, const Vector& a)
+{
+  return {Rational(s * a[0]), Rational(s * a[1]), Rational(s * a[2])};
+}
+inline Rational inner(const Vector& a, const Vector& b) { return Rational(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]); }
+inline Vector outer(const Vector& a, const Vector& b)
+{
+  return {Rational(a[1] * b[2] - a[2] * b[1]), Rational(a[2] * b[0] - a[0] * b[2]),
+          Rational(a[0] * b[1] - a[1] * b[0])};
+}
+inline Rational determinant(const Vector& a, const Vector& b, const Vector& c) { return inner(outer(a, b), c); }
+inline bool is_zero(const Vector& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
+inline int sign(const Rational& a) { return (a > 0) - (a < 0); }
+
+/// The exact image.
+inline Vector image(const Pose& pose, const Vector& p)
+{
+  Vector result;
+  for (int i = 0; i < 3; ++i)
+    result[i] =
+        pose.exact(4 * i) * p[0] + pose.exact(4 * i + 1) * p[1] + pose.exact(4 * i + 2) * p[2] + pose.exact(4 * i + 3);
+  return result;
+}
+
+/// p is on the closed segment ab.
+inline bool is_on_segment(const Vector& p, const Vector& a, const Vector& b)
+{
+  return is_zero(outer(minus(b, a), minus(p, a))) && inner(minus(p, a), minus(p, b)) <= 0;
+}
+
+/// A normal of the face's plane, of any sign; zero when its corners are on one line.
+inline Vector normal(const Polyhedron& polyhedron, Index f)
+{
+  const Vector a = exactly(polyhedron.vertices[polyhedron.loop(f, 0)[0]]);
+  std::optional<Vector> along;
+  for (std::size_t l = 0; l < polyhedron.loop_count(f); ++l)
+    for (const Index v : polyhedron.loop(f, l)) {
+      const Vector d = minus(exactly(polyhedron.vertices[v]), a);
+      if (is_zero(d)) continue;
+      if (!along) along = d;
+      const Vector n = outer(*along, d);
+      if (!is_zero(n)) return n;
+    }
+  return {0, 0, 0};
+}
+
+inline bool is_on_loops(const Polyhedron& polyhedron, Index f, const Vector& p)
+{
+  for (std::size_t l = 0; l < polyhedron.loop_count(f); ++l) {
+    const auto loop = polyhedron.loop(f, l);
+    for (std::size_t k = 0; k < loop.size(); ++k)
+      if (is_on_segment(p, exactly(polyhedron.vertices[loop[k]]),
+                        exactly(polyhedron.vertices[loop[(k + 1) % loop.size()]])))
+        return true;
+  }
+  return false;
+}
+
+/// The winding number of the face's loops about a point of its plane off the loops, seen from where `n` points to.
+inline int winding_in_plane(const Polyhedron& polyhedron, Index f, const Vector& n, const Vector& p)
+{
+  int drop = 0;
+  while (n[drop] == 0) ++drop;
+  const int u = (drop + 1) % 3, v = (drop + 2) % 3;
+  int winding = 0;
+  for (std::size_t l = 0; l < polyhedron.loop_count(f); ++l) {
+    const auto loop = polyhedron.loop(f, l);
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const Vector a = exactly(polyhedron.vertices[loop[k]]),
+                   b = exactly(polyhedron.vertices[loop[(k + 1) % loop.size()]]);
+      const bool from_above = a[v] > p[v], to_above = b[v] > p[v];
+      if (from_above == to_above) continue;
+      const int turn = sign(Rational((b[u] - a[u]) * (p[v] - a[v]) - (b[v] - a[v]) * (p[u] - a[u])));
+      if (to_above && turn > 0) ++winding;
+      if (from_above && turn < 0) --winding;
+    }
+  }
+  return winding * sign(n[drop]);
+}
+
+/// p is on the closed face.
+inline bool is_on_face(const Polyhedron& polyhedron, Index f, const Vector& p)
+{
+  if (is_on_loops(polyhedron, f, p)) return true;
+  const Vector n = normal(polyhedron, f);
+  if (is_zero(n) || inner(n, minus(p, exactly(polyhedron.vertices[polyhedron.loop(f, 0)[0]]))) != 0) return false;
+  return winding_in_plane(polyhedron, f, n, p) != 0;
+}
+
+inline bool is_on_surface(const Polyhedron& polyhedron, const Vector& p)
+{
+  for (Index f = 0; f < polyhedron.face_count(); ++f)
+    if (is_on_face(polyhedron, f, p)) return true;
+  return false;
+}
+
+/// The winding number of the polyhedron about p: signed crossings of a ray, another one where it meets a loop.
+/// Requires p off the surface.
+inline int winding_number(const Polyhedron& polyhedron, const Vector& p)
+{
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> coordinate(-1000, 1000);
+  for (;;) {
+    const Vector direction = {coordinate(random), coordinate(random), coordinate(random)};
+    int winding = 0;
+    bool clean = true;
+    for (Index f = 0; f < polyhedron.face_count() && clean; ++f) {
+      const Vector n = normal(polyhedron, f);
+      if (is_zero(n)) continue;
+      const Rational speed = inner(n, direction);
+      clean = speed != 0;
+      if (!clean) continue;
+      const Rational distance = inner(n, minus(exactly(polyhedron.vertices[polyhedron.loop(f, 0)[0]]), p)) / speed;
+      if (distance <= 0) continue;
+      const Vector y = plus(p, times(distance, direction));
+      clean = !is_on_loops(polyhedron, f, y);
+      if (clean) winding += sign(speed) * winding_in_plane(polyhedron, f, n, y);
+    }
+    if (clean) return winding;
+  }
+}
+
+/// Six times the volume by the divergence theorem, triangle fans of every loop about the loop's own first corner.
+inline Rational six_volumes(const Polyhedron& polyhedron)
+{
+  Rational sum = 0;
+  for (Index f = 0; f < polyhedron.face_count(); ++f)
+    for (std::size_t l = 0; l < polyhedron.loop_count(f); ++l) {
+      const auto loop = polyhedron.loop(f, l);
+      for (std::size_t k = 1; k + 1 < loop.size(); ++k)
+        sum += determinant(exactly(polyhedron.vertices[loop[0]]), exactly(polyhedron.vertices[loop[k]]),
+                           exactly(polyhedron.vertices[loop[k + 1]]));
+    }
+  return sum;
+}
+
+}  // namespace tetracone::verify::rationals
+
+#endif

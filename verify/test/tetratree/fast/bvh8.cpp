@@ -1,0 +1,168 @@
+#include "tetracone/tetratree/fast/bvh8.h"
+
+#include "tetracone/covering/repair/repair.h"
+#include "verify/test/support/scenes.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <vector>
+
+using namespace tetracone::tetratree;
+namespace covering = tetracone::covering;
+namespace kernel = tetracone::kernel;
+using namespace tetracone::verify::scenes;
+
+namespace {
+
+std::vector<Polyhedron> bodies()
+{
+  Random random(1);
+  std::vector<Polyhedron> all = {unit_cube(), cube_with_cavity(), cube_with_tunnel(), star_prism(), blob(random, 4, 0.5, 1.5), random_tetrahedra(random, 30, 9)};
+  all.push_back(moved(unit_cube(), 0x1p-200, {0, 0, 0}));
+  all.push_back(moved(unit_cube(), 1, {0x1p40, 0, 0}));
+  Polyhedron dot;
+  dot.vertices = {{1, 2, 3}};
+  dot.add_polygon({0});
+  all.push_back(dot);
+  return all;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(test_bvh8)
+
+BOOST_AUTO_TEST_CASE(every_element_is_in_one_leaf_and_in_all_boxes_above_it)
+{
+  for (const Polyhedron& body : bodies())
+    for (const bool with_triangles : {false, true}) {
+      const auto triangles = with_triangles ? covering::triangulate_faces(body) : std::vector<covering::Face_triangle>();
+      Bvh8 tree(body, triangles);
+      std::size_t leaves = 0;
+      std::size_t outside = 0;
+      // The elements under a lane are checked against its box, and each leaf is counted.
+      const std::function<std::vector<Index>(Index, int)> visit = [&](Index n, int lane) {
+        std::vector<Index> corners;
+        if (tree.is_leaf(n, lane)) {
+          const Element& e = tree.element(n, lane);
+          ++leaves;
+          if (e.is_whole_face()) corners.assign(tree.model().covering().from(e.face).begin(), tree.model().covering().from(e.face).end());
+          else corners.assign(e.corner.begin(), e.corner.end());
+        } else {
+          const Index child = tree.child(n, lane);
+          for (int k = 0; k < tree.node(child).boxes.lane_count; ++k)
+            for (const Index v : visit(child, k)) corners.push_back(v);
+        }
+        const Bvh8_node& node = tree.node(n);
+        kernel::Matrix axes;
+        kernel::Vector centre;
+        for (int i = 0; i < 3; ++i) {
+          for (int j = 0; j < 3; ++j) axes(j, i) = node.boxes.axis[i][j][lane];
+          centre[i] = double(node.boxes.centre[i][lane]) + double(node.boxes.origin[i]);
+        }
+        for (const Index v : corners) {
+          const auto& vertex = tree.model().vertices()[v];
+          kernel::Vector p;
+          for (int i = 0; i < 3; ++i) p[i] = (vertex[i] - tree.units().origin[i]) / tree.units().unit;
+          const kernel::Vector s = axes.fullPivLu().solve(p - centre);
+          for (int i = 0; i < 3; ++i) outside += std::abs(s[i]) > double(node.boxes.extent[i][lane]) + 1e-15;
+          outside += p.cwiseAbs().maxCoeff() > 1;
+        }
+        return corners;
+      };
+      std::size_t corner_count = visit(0, 0).size();
+      BOOST_TEST(outside == 0u);
+      BOOST_TEST(leaves == tree.element_count());
+      std::size_t expected = 3 * triangles.size();
+      std::vector<bool> has(body.face_count(), false);
+      for (const auto& t : triangles) has[t.face] = true;
+      for (Index f = 0; f < body.face_count(); ++f)
+        if (!has[f]) expected += tree.model().covering().from(f).size();
+      BOOST_TEST(corner_count == expected);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_reach_of_a_node_is_that_of_its_farthest_box)
+{
+  for (const Polyhedron& body : bodies()) {
+    Bvh8 tree(body);
+    tree.make_all();
+    int too_short = 0, too_long = 0;
+    for (Index n = 0; n < tree.node_count(); ++n) {
+      const kernel::Obb8& boxes = tree.node(n).boxes;
+      double reach = 0;
+      for (int lane = 0; lane < tree.node(n).boxes.lane_count; ++lane)
+        reach = kernel::maximum(reach, std::hypot(double(boxes.centre[0][lane]), double(boxes.centre[1][lane]), double(boxes.centre[2][lane])) +
+                                    double(boxes.extent[0][lane]) + boxes.extent[1][lane] + boxes.extent[2][lane]);
+      too_short += boxes.reach < reach;
+      too_long += boxes.reach > 1.000001 * reach;
+    }
+    BOOST_TEST(too_short == 0);
+    BOOST_TEST(too_long == 0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(nodes_are_made_when_they_are_entered)
+{
+  Random random(2);
+  const Polyhedron body = blob(random, 4, 0.5, 1.5);
+  Bvh8 lazy(body), whole(body);
+  BOOST_TEST(lazy.node_count() == 1u);
+  whole.make_all();
+  const std::size_t all = whole.node_count();
+  BOOST_TEST(all > body.face_count() / 8);
+  whole.make_all();
+  BOOST_TEST(whole.node_count() == all);
+  lazy.child(0, 0);
+  BOOST_TEST(lazy.node_count() == 2u);
+  BOOST_TEST(lazy.child(0, 0) == 1u);
+  BOOST_TEST(lazy.node_count() == 2u);
+  BOOST_TEST(whole.bytes() < 400 * body.face_count());
+}
+
+BOOST_AUTO_TEST_CASE(a_body_without_faces_is_empty)
+{
+  BOOST_TEST(Bvh8(Polyhedron()).empty());
+}
+
+namespace {
+
+/// Nodes on the longest way down.
+int depth_of(Bvh8& tree, Index n)
+{
+  int deepest = 0;
+  for (int lane = 0; lane < tree.node(n).boxes.lane_count; ++lane)
+    if (!tree.is_leaf(n, lane)) deepest = std::max(deepest, depth_of(tree, tree.child(n, lane)));
+  return deepest + 1;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(trees_are_shallow_whatever_lies_where)
+{
+  Random random(8);
+  constexpr int count = 3000;
+  Polyhedron everywhere, halving, stacked;
+  for (int k = 0; k < count; ++k) {
+    // Each as large as the whole; each half the size of the last; all in one place.
+    for (auto* body : {&everywhere, &halving, &stacked}) {
+      const Index first = Index(body->vertices.size());
+      const double size = body == &halving ? std::ldexp(1.0, -k / 4) : 1;
+      for (int corner = 0; corner < 3; ++corner) body->vertices.push_back({size * real(random, -1, 1), size * real(random, -1, 1), size * real(random, -1, 1)});
+      if (body == &stacked) body->vertices.resize(3);
+      const Index base = body == &stacked ? 0 : first;
+      body->add_polygon({base, base + 1, base + 2});
+    }
+  }
+  for (const Polyhedron* body : {&everywhere, &halving, &stacked}) {
+    Bvh8 tree(*body);
+    tree.make_all();
+    BOOST_TEST(tree.element_count() == std::size_t(count));
+    const int depth = depth_of(tree, 0);
+    BOOST_TEST(depth <= 30);  // 7/8 to the 60th of them is one
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,264 @@
+#include "tetracone/tetratree/fast/bvh8_descent.h"
+
+#include "tetracone/covering/repair/repair.h"
+#include "tetracone/tetratree/fast/placed_bvh8.h"
+#include "verify/test/support/scenes.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace tetracone::tetratree {
+
+using Descend = Stop(Pair_stack&, Both_trees&);
+
+/// Every version that this processor has.
+std::vector<Descend*> versions()
+{
+  std::vector<Descend*> found;
+  for (const kernel::Simd_version<Descend>& version : std::initializer_list<kernel::Simd_version<Descend>> TETRACONE_SIMD_VERSIONS(descend_kernel))
+    if (version.target & (hwy::SupportedTargets() | HWY_STATIC_TARGET)) found.push_back(version.function);
+  return found;
+}
+
+}  // namespace tetracone::tetratree
+
+using namespace tetracone::tetratree;
+namespace covering = tetracone::covering;
+namespace kernel = tetracone::kernel;
+using namespace tetracone::verify::scenes;
+
+namespace {
+
+using Pairs = std::set<std::pair<const Element*, const Element*>>;
+
+struct Descended {
+  Pairs offered;
+  std::size_t repeated = 0, made = 0;
+  Both_trees trees;
+};
+
+/// All pairs of leaves that a whole descent offers.
+Descended descended(Descend* descend, Placed_bvh8& a, Placed_bvh8& b)
+{
+  const double factor = a.into_other.frame().scale();
+  const float scale = factor >= 0x1p-60 && factor <= 0x1p60 ? float(factor) : 1;
+  Descended result{{}, 0, 0, {{a.tree->nodes(), b.tree->nodes()}, {&a.into_other, &b.into_other}, scale}};
+  Pair_stack stack;
+  stack.push(0, 0, a.size() * scale, b.size());
+  for (Stop stop; (stop = descend(stack, result.trees)) != Stop::nothing_left;) {
+    const std::uint32_t box_a = stack.box(0), box_b = stack.box(1);
+    if (stop == Stop::leaves) {
+      stack.pop();
+      if (!result.offered.insert({&a.element(box_a), &b.element(box_b)}).second) ++result.repeated;
+      continue;
+    }
+    const bool first = first_is_larger(stack.size(0), stack.size(1));
+    const std::uint32_t box = first ? box_a : box_b;
+    (first ? a : b).tree->child(box / 8, int(box % 8));
+    ++result.made;
+    result.trees.nodes[0] = a.tree->nodes(), result.trees.nodes[1] = b.tree->nodes();
+  }
+  return result;
+}
+
+/// All pairs of elements that meet, without a tree.
+Pairs meeting(const Polyhedron& p, const Pose& pose_a, Placed_bvh8& a, const Polyhedron& q, const Pose& pose_b, Placed_bvh8& b)
+{
+  a.placed.place(pose_a), b.placed.place(pose_b);
+  Pairs pairs;
+  std::vector<const Element*> of_a, of_b;
+  for (const auto& [body, elements, count] : {std::tuple{&a, &of_a, p.face_count()}, {&b, &of_b, q.face_count()}}) {
+    body->tree->make_all();
+    for (Index n = 0; n < body->tree->node_count(); ++n)
+      for (int lane = 0; lane < body->tree->node(n).boxes.lane_count; ++lane)
+        if (body->tree->is_leaf(n, lane)) elements->push_back(&body->tree->element(n, lane));
+    BOOST_TEST(elements->size() == count);
+  }
+  for (const Element* x : of_a)
+    for (const Element* y : of_b)
+      if (kernel::triangles_meet<kernel::Adaptive>(a.corners(*x), b.corners(*y))) pairs.insert({x, y});
+  return pairs;
+}
+
+struct Scene {
+  Polyhedron a, b;
+  Pose pose_a, pose_b;
+};
+
+/// Bodies of triangles, many pairs of which meet, and under one pose touch exactly.
+std::vector<Scene> scenes()
+{
+  Random random(1);
+  const std::vector<Polyhedron> bodies = {triangulated(cube(1)), blob(random, 2, 0.5, 1.5), blob(random, 3, 1, 1), triangulated(torus(9, 6)), random_tetrahedra(random, 12, 3),
+                                          tetrahedron({0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {0, 0, 3})};
+  std::vector<Scene> all;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    for (std::size_t j = 0; j < bodies.size(); ++j)
+      for (int k = 0; k < 5; ++k) {
+        const Pose rotation = random_rotation(random, 4, {1, Rational(1) / 3, 0}), affine = random_affine(random, 2);
+        const Pose poses[][2] = {{Pose(), translation(1, 0, 0)}, {rotation, rotation}, {rounded(rotation), random_rotation(random, 3)}, {affine, affine}, {rotation, affine}};
+        all.push_back({bodies[i], moved(bodies[j], k == 2 ? 1.0 / 64 : 1), poses[k][0], poses[k][1]});
+      }
+  return all;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(test_bvh8_descent)
+
+BOOST_AUTO_TEST_CASE(every_pair_of_leaves_that_meet_is_offered_once)
+{
+  int missed = 0, met = 0, offered = 0, possible = 0, similar = 0;
+  for (const Scene& scene : scenes()) {
+    Bvh8 tree_a(scene.a), tree_b(scene.b);
+    Placed_bvh8 a(tree_a), b(tree_b);
+    a.into_other = kernel::Box_map(scene.pose_b, tree_b.units(), scene.pose_a, tree_a.units());
+    b.into_other = kernel::Box_map(scene.pose_a, tree_a.units(), scene.pose_b, tree_b.units());
+    similar += a.into_other.is_similarity();
+    const Pairs truth = meeting(scene.a, scene.pose_a, a, scene.b, scene.pose_b, b);
+    for (Descend* descend : versions()) {
+      const Descended all = descended(descend, a, b);
+      for (const auto& pair : truth) missed += !all.offered.contains(pair);
+      met += int(truth.size()), offered += int(all.offered.size());
+      possible += int(tree_a.element_count() * tree_b.element_count());
+      BOOST_TEST(all.repeated == 0u);
+      BOOST_TEST(all.made == 0u);  // all were there
+      BOOST_TEST(all.trees.compared <= 8 * all.trees.opened);
+    }
+  }
+  BOOST_TEST(missed == 0);
+  BOOST_TEST(met > 20000);
+  BOOST_TEST(offered < possible / 2);
+  BOOST_TEST(similar > 50);
+  BOOST_TEST(similar < 150);
+}
+
+BOOST_AUTO_TEST_CASE(triangles_that_touch_in_one_point_of_a_side_are_offered)
+{
+  // One large triangle, and many small ones with a corner exactly on its sides, beyond them.
+  Random random(6);
+  int missed = 0, touching = 0, offered = 0, offered_far = 0;
+  for (int k = 0; k < 60; ++k) {
+    std::vector<int> side_of;
+    Polyhedron large, small;
+    large.vertices = {{0, 0, 0}, {1, 0, 0}, {real(random, -0.5, 1.5), real(random, 0.05, 1), 0}};
+    for (Vertex& v : large.vertices)
+      for (double& x : v) x = std::ldexp(std::round(std::ldexp(x, 20)), -20);
+    large.add_polygon({0, 1, 2});
+    for (int n = 0; n < 40; ++n) {
+      const int side = integer(random, 0, 2);
+      side_of.push_back(side);
+      const double share = integer(random, 0, 1024) / 1024.0;
+      const Vertex &from = large.vertices[side], &to = large.vertices[(side + 1) % 3];
+      const Index first = Index(small.vertices.size());
+      Vertex at;
+      for (int i = 0; i < 3; ++i) at[i] = from[i] + share * (to[i] - from[i]);  // exact
+      small.vertices.push_back(at);
+      const double length = n % 2 == 0 ? 0.02 : 0.2;
+      for (int corner = 0; corner < 2; ++corner) {
+        // Away from the side, in the large one's plane or out of it.
+        const double out = real(random, 0.1, 1) * length, along = real(random, -1, 1) * length;
+        small.vertices.push_back({at[0] + out * (to[1] - from[1]) + along * (to[0] - from[0]), at[1] - out * (to[0] - from[0]) + along * (to[1] - from[1]), n % 3 == 0 ? 0 : length * real(random, -1, 1)});
+      }
+      small.add_polygon({first, first + 1, first + 2});
+    }
+    const Pose pose = k % 3 == 0 ? Pose() : k % 3 == 1 ? random_rotation(random, 5, {Rational(1) / 3, 2, 0}) : rounded(random_rotation(random, 5));
+    Bvh8 tree_a(large), tree_b(small);
+    Placed_bvh8 a(tree_a), b(tree_b);
+    a.into_other = kernel::Box_map(pose, tree_b.units(), pose, tree_a.units());
+    b.into_other = kernel::Box_map(pose, tree_a.units(), pose, tree_b.units());
+    BOOST_TEST(a.into_other.is_similarity());
+    const Pairs truth = meeting(large, pose, a, small, pose, b);
+    touching += int(truth.size());
+    for (Descend* descend : versions()) {
+      const Descended all = descended(descend, a, b);
+      for (const auto& pair : truth) missed += !all.offered.contains(pair);
+    }
+    // Clear of the sides none meets, though most are still in the large one's box; and most are told apart.
+    Polyhedron clear = small;
+    for (std::size_t n = 0; n < side_of.size(); ++n) {
+      const Vertex &from = large.vertices[side_of[n]], &to = large.vertices[(side_of[n] + 1) % 3];
+      for (std::size_t corner = 3 * n; corner < 3 * n + 3; ++corner) clear.vertices[corner][0] += 0.02 * (to[1] - from[1]), clear.vertices[corner][1] -= 0.02 * (to[0] - from[0]);
+    }
+    Bvh8 tree_clear(clear);
+    Placed_bvh8 c(tree_clear);
+    a.into_other = kernel::Box_map(pose, tree_clear.units(), pose, tree_a.units());
+    c.into_other = kernel::Box_map(pose, tree_a.units(), pose, tree_clear.units());
+    BOOST_TEST(meeting(large, pose, a, clear, pose, c).empty());
+    offered += int(descended(&descend, a, c).offered.size());
+    // Far away nothing is left to offer.
+    a.into_other = kernel::Box_map(translation(2, 0, 0), tree_b.units(), Pose(), tree_a.units());
+    b.into_other = kernel::Box_map(Pose(), tree_a.units(), translation(2, 0, 0), tree_b.units());
+    offered_far += int(descended(&descend, a, b).offered.size());
+  }
+  BOOST_TEST(missed == 0);
+  BOOST_TEST(touching == 60 * 40);
+  BOOST_TEST_MESSAGE("offered though clear: " << offered << " of 2400");
+  BOOST_TEST(offered < 400);  // of whole boxes 1500 are
+  BOOST_TEST(offered_far == 0);
+}
+
+BOOST_AUTO_TEST_CASE(children_that_are_made_on_the_way_change_nothing)
+{
+  int made = 0, tried = 0;
+  for (const Scene& scene : scenes()) {
+    if (++tried % 4 != 0) continue;
+    Bvh8 lazy_a(scene.a), lazy_b(scene.b);
+    Placed_bvh8 a(lazy_a), b(lazy_b);
+    a.into_other = kernel::Box_map(scene.pose_b, lazy_b.units(), scene.pose_a, lazy_a.units());
+    b.into_other = kernel::Box_map(scene.pose_a, lazy_a.units(), scene.pose_b, lazy_b.units());
+    // The same element may move in the order while its leaf is not yet made: compared by corners.
+    const auto by_corners = [](const Pairs& pairs) {
+      std::vector<std::array<Index, 6>> all;
+      for (const auto& [x, y] : pairs) all.push_back({x->corner[0], x->corner[1], x->corner[2], y->corner[0], y->corner[1], y->corner[2]});
+      std::sort(all.begin(), all.end());
+      return all;
+    };
+    const Descended first = descended(&descend, a, b);
+    made += int(first.made);
+    const Descended again = descended(&descend, a, b);
+    BOOST_TEST(again.made == 0u);
+    BOOST_TEST((by_corners(first.offered) == by_corners(again.offered)));
+    lazy_a.make_all(), lazy_b.make_all();
+    BOOST_TEST((by_corners(descended(&descend, a, b).offered) == by_corners(first.offered)));
+  }
+  BOOST_TEST(made > 100);
+}
+
+BOOST_AUTO_TEST_CASE(a_pair_of_leaves_is_handed_back_at_once_and_an_empty_stack_too)
+{
+  Polyhedron one;
+  one.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  one.add_polygon({0, 1, 2});
+  Bvh8 tree(one);
+  Placed_bvh8 a(tree), b(tree);
+  a.into_other = b.into_other = kernel::Box_map(Pose(), tree.units(), Pose(), tree.units());
+  Both_trees trees{{tree.nodes(), tree.nodes()}, {&a.into_other, &b.into_other}, 1};
+  Pair_stack stack;
+  BOOST_TEST((descend(stack, trees) == Stop::nothing_left));
+  stack.push(0, 0, a.size(), b.size());
+  BOOST_TEST((descend(stack, trees) == Stop::leaves));
+  BOOST_TEST(stack.count() == 1u);
+  BOOST_TEST(trees.opened == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(the_stack_keeps_pairs_in_order_however_many)
+{
+  Pair_stack stack;
+  for (std::uint32_t k = 0; k < 5000; ++k) stack.push(k, 2 * k, float(k), -float(k));
+  for (std::uint32_t k = 5000; k-- > 0; stack.pop()) {
+    BOOST_TEST_REQUIRE(stack.count() == k + 1);
+    BOOST_TEST((stack.box(0) == k && stack.box(1) == 2 * k && stack.size(0) == float(k) && stack.size(1) == -float(k)));
+  }
+  BOOST_TEST(stack.empty());
+  stack.push(1, 2, 3, 4);
+  stack.clear();
+  BOOST_TEST(stack.empty());
+}
+
+BOOST_AUTO_TEST_SUITE_END()

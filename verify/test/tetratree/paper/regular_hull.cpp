@@ -1,0 +1,208 @@
+#include "tetracone/tetratree/paper/regular_hull.h"
+
+#include "tetracone/kernel/predicate/adaptive.h"
+#include "tetracone/tetratree/paper/tetra_tree.h"
+#include "verify/test/support/rationals.h"
+#include "verify/test/support/scenes.h"
+
+#include <CGAL/Interval_nt.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+using namespace tetracone::tetratree;
+using namespace tetracone::kernel;
+namespace rationals = tetracone::verify::rationals;
+namespace scenes = tetracone::verify::scenes;
+using scenes::Random;
+
+namespace {
+
+using Hull = Regular_hull<double, true>;
+using Interval = CGAL::Interval_nt_advanced;
+
+std::vector<Tetra_cone> cones_of_level(int level)
+{
+  std::vector<Tetra_cone> cones;
+  for (int k = 0; k < 8; ++k) cones.push_back(Tetra_cone::octant(k));
+  for (int l = 1; l < level; ++l) {
+    std::vector<Tetra_cone> finer;
+    for (const Tetra_cone& cone : cones)
+      for (int k = 0; k < 4; ++k) finer.push_back(cone.child(k));
+    cones = std::move(finer);
+  }
+  return cones;
+}
+
+/// An edge of the hull and a cone at it: the hull's facets on both sides of an edge stand next to one another when
+/// sorted.
+struct Side {
+  std::array<Direction, 2> edge;
+  const Tetra_cone* cone;
+  Direction opposite;
+
+  bool operator<(const Side& other) const { return edge < other.edge; }
+};
+
+// Requires rounding upward.
+std::array<Interval, 3> unit(const Direction& d)
+{
+  const std::array<Interval, 3> v = {Interval(d[0]), Interval(d[1]), Interval(d[2])};
+  const Interval length = CGAL::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  return {v[0] / length, v[1] / length, v[2] / length};
+}
+
+/// det[b-a, c-a, d-a] of the unit vectors, enclosed.
+Interval volume(const Direction& a, const Direction& b, const Direction& c, const Direction& d)
+{
+  const auto p = unit(a), q = unit(b), r = unit(c), s = unit(d);
+  std::array<Interval, 3> x, y, z;
+  for (int k = 0; k < 3; ++k) x[k] = q[k] - p[k], y[k] = r[k] - p[k], z[k] = s[k] - p[k];
+  return (x[1] * y[2] - x[2] * y[1]) * z[0] + (x[2] * y[0] - x[0] * y[2]) * z[1] + (x[0] * y[1] - x[1] * y[0]) * z[2];
+}
+
+// All of the tree's vertices in the half-space, in rationals.
+int vertices_beyond(const Half_space<double>& half_space, const std::vector<Vertex>& vertices)
+{
+  int beyond = 0;
+  for (const Vertex& v : vertices) {
+    const rationals::Vector from_origin =
+        rationals::minus(rationals::exactly(v), rationals::exactly(half_space.origin));
+    beyond += rationals::inner(rationals::exactly(half_space.normal), from_origin) > Rational(half_space.offset);
+  }
+  return beyond;
+}
+
+Vertex middle_of(const Tetra_cone& cone)
+{
+  Vertex middle{0, 0, 0};
+  for (const Direction& ray : cone.ray)
+    for (int k = 0; k < 3; ++k) middle[k] += ray[k];
+  return middle;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(test_regular_hull)
+
+// The proof that Theorem 2 needs. The hull of a level is closed and star-shaped about V0: its facets are those of the
+// cones, each of which V0 sees from inside (the determinant of its rays is positive). Such a surface is convex when
+// it is so at every edge: when the far corner of the one facet is strictly below the plane of the other. The corners
+// are irrational; intervals decide every sign.
+BOOST_AUTO_TEST_CASE(the_hull_of_every_level_in_use_is_convex)
+{
+  BOOST_TEST(Hull::deepest_convex_level >= 1);
+  for (int level = 1; level <= Hull::deepest_convex_level; ++level) {
+    const std::vector<Tetra_cone> cones = cones_of_level(level);
+    std::vector<Side> sides;
+    int inside_out = 0;
+    for (const Tetra_cone& cone : cones) {
+      const auto& [a, b, c] = cone.ray;
+      const auto minor = [&](int i, int j) { return std::int64_t(b[i]) * c[j] - std::int64_t(b[j]) * c[i]; };
+      inside_out += a[0] * minor(1, 2) + a[1] * minor(2, 0) + a[2] * minor(0, 1) <= 0;
+      for (int i = 0; i < 3; ++i) {
+        const Direction &p = cone.ray[i], &q = cone.ray[(i + 1) % 3];
+        sides.push_back({{std::min(p, q), std::max(p, q)}, &cone, cone.ray[(i + 2) % 3]});
+      }
+    }
+    std::sort(sides.begin(), sides.end());
+    BOOST_TEST(inside_out == 0);
+    BOOST_REQUIRE(sides.size() == 3 * cones.size());
+    int unpaired = 0, not_proved = 0;
+    const CGAL::Protect_FPU_rounding<true> upward;
+    for (std::size_t k = 0; k < sides.size(); k += 2) {
+      unpaired += sides[k].edge != sides[k + 1].edge || (k > 0 && sides[k - 1].edge == sides[k].edge);
+      const auto& [a, b, c] = sides[k].cone->ray;
+      not_proved += !(volume(a, b, c, sides[k + 1].opposite).sup() < 0);
+    }
+    BOOST_TEST(unpaired == 0);
+    BOOST_TEST(not_proved == 0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_cone_towards_a_direction_holds_it)
+{
+  Random random(1);
+  int wrong = 0;
+  for (int n = 0; n < 5'000; ++n) {
+    const int level = 1 + n % max_cone_depth;
+    const Vertex d = scenes::grid_vertex(random, n % 2 == 0 ? 2 : 1000);
+    if (d == Vertex{0, 0, 0}) continue;
+    const Tetra_cone cone = cone_towards<double>(d, level);
+    for (int k = 0; k < 3; ++k) {
+      const auto ray = [&](int i) {
+        return rationals::Vector{cone.ray[i % 3][0], cone.ray[i % 3][1], cone.ray[i % 3][2]};
+      };
+      wrong += rationals::inner(rationals::outer(ray(k), ray(k + 1)), rationals::exactly(d)) < 0;
+    }
+    // Its level: the determinant of the rays is a quarter of the parent's.
+    wrong += rationals::determinant({cone.ray[0][0], cone.ray[0][1], cone.ray[0][2]},
+                                    {cone.ray[1][0], cone.ray[1][1], cone.ray[1][2]},
+                                    {cone.ray[2][0], cone.ray[2][1], cone.ray[2][2]}) !=
+             Rational(std::ldexp(1.0, 3 * max_cone_depth - 2 * (level - 1)));
+  }
+  BOOST_TEST(wrong == 0);
+}
+
+BOOST_AUTO_TEST_CASE(every_vertex_is_in_the_half_space_of_every_facet)
+{
+  Random random(2);
+  int beyond = 0, leaf_levels_differ = 0;
+  for (int n = 0; n < 20; ++n) {
+    const auto body = n % 3 == 0   ? scenes::random_tetrahedra(random, 6, 5)
+                      : n % 3 == 1 ? scenes::blob(random, 2, 0.3, 1)
+                                   : scenes::moved(scenes::blob(random, 2, 0.05, 2), n % 2 == 0 ? 1 : 1e-120,
+                                                   {n % 2 == 0 ? 3.0 : 0, 0, 0});
+    Config config;
+    config.depth = 1 + n % 6;
+    config.leaf_size = 1 + n % 5;
+    config.far_plane = n % 2 == 0 ? Far_plane::shortened : Far_plane::tightest;
+    config.on_demand = n % 10 == 9;
+    const Tetra_tree<Adaptive> tree(body, config);
+    const Hull hull = tree.regular_hull();
+    int lowest = max_cone_depth, deepest = 0;
+    for (Index k = 0; k < tree.node_count(); ++k)
+      if (tree.node(k).is_leaf)
+        lowest = std::min(lowest, tree.node(k).level), deepest = std::max(deepest, tree.node(k).level);
+    leaf_levels_differ += lowest < deepest;
+    for (const Tetra_cone& cone : cones_of_level(std::min(config.depth, 3))) {
+      Vertex d = middle_of(cone);
+      for (double& x : d) x += scenes::real(random, -0.1, 0.1) * lattice_size / 16;
+      beyond += vertices_beyond(hull.towards(d), body.vertices);
+    }
+  }
+  BOOST_TEST(beyond == 0);
+  BOOST_TEST(leaf_levels_differ > 3);
+}
+
+BOOST_AUTO_TEST_CASE(the_plane_of_the_hull_is_at_dmax_and_that_of_the_sphere_at_the_radius)
+{
+  // Octants: the plane through the points at distance d of the three axes is d / sqrt(3) away.
+  const Half_space<double> by_hull = Hull({1, 2, 3}, 1, 6, 5).towards({1, 1, 1});
+  const double length = std::sqrt(squared_length(by_hull.normal));
+  BOOST_TEST(by_hull.offset / length == 6 / std::sqrt(3.0), boost::test_tools::tolerance(1e-9));
+  BOOST_TEST((by_hull.origin == Vertex{1, 2, 3}));
+  // Not known, or a level that is not proved convex: the sphere of all vertices.
+  for (const Hull& hull : {Hull({0, 0, 0}, 1, -1, 5), Hull({0, 0, 0}, Hull::deepest_convex_level + 1, 6, 5)}) {
+    const Half_space<double> plane = hull.towards({1, 1, 1});
+    BOOST_TEST(plane.offset / std::sqrt(squared_length(plane.normal)) == 5, boost::test_tools::tolerance(1e-9));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_normal_faces_the_direction_asked_for)
+{
+  Random random(3);
+  for (int n = 0; n < 500; ++n) {
+    const Vertex d = scenes::real_vertex(random, 1);
+    const Half_space<double> plane = Hull({0, 0, 0}, 1 + n % 8, 1, 1).towards(d);
+    BOOST_TEST(dot(plane.normal, d) > 0);
+    BOOST_TEST(plane.offset > 0);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

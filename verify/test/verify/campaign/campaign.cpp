@@ -1,0 +1,223 @@
+#include "verify/campaign/campaign.h"
+
+#include "tetracone/covering/io/input_error.h"
+#include "verify/truth/cgal_truth.h"
+#include "verify/truth/predicate_truth.h"
+#include "verify/campaign/tables.h"
+#include "verify/test/support/scenes.h"
+#include "verify/test/support/temporary_file.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+using namespace tetracone::verify;
+namespace scenes = tetracone::verify::scenes;
+using scenes::Polyhedron;
+using scenes::Pose;
+using tetracone::covering::Input_error;
+using Mode = Database::Mode;
+
+namespace {
+
+// Families of the test's own: cheap, and of known answers.
+
+Predicate_case points(tetracone::verify::Random& random, double)
+{
+  const auto grid = [&] { return tetracone::kernel::Vertex{double(random.bits() % 5), double(random.bits() % 5), double(random.bits() % 5)}; };
+  return {{grid(), grid(), grid(), grid()}, grid(), grid(), grid(), Pose(), Pose(), {}};
+}
+
+Object_case cubes(tetracone::verify::Random& random, double gap)
+{
+  static const auto cube = std::make_shared<const Polyhedron>(scenes::unit_cube());
+  const bool touch = random.bits() % 2 == 0;
+  return {cube, cube, Pose(), Pose::translation(touch ? 1 : 1 + gap, 0.25, 0), {}, touch, touch};
+}
+
+Object_case nonsense(tetracone::verify::Random& random, double gap)
+{
+  Object_case c = cubes(random, gap);
+  c.surface = !*c.surface;
+  return c;
+}
+
+const Family cheap{1, "cheap", "", "gap", {1, 0.5}, points, cubes};
+const Family cheap_too{2, "cheap-too", "", "gap", {0.25}, points, cubes};
+const Family lying{3, "lying", "", "gap", {1}, points, nonsense};
+
+class Says_no : public Answering {
+ public:
+  Outcome operator()(const Object_case&, Question) override { return Outcome::no; }
+};
+class Fails : public Answering {
+ public:
+  Outcome operator()(const Object_case&, Question) override { return Outcome::failed; }
+};
+class Declines : public Answering {
+ public:
+  Outcome operator()(const Object_case&, Question) override { return Outcome::not_asked; }
+};
+
+Object_subject says_no{"says no", false, "", {}, [] { return std::make_unique<Says_no>(); }};
+Object_subject fails{"fails", false, "", {}, [] { return std::make_unique<Fails>(); }};
+Object_subject declines{"declines", false, "", {}, [] { return std::make_unique<Declines>(); }};
+
+Predicate_subject right{"right", true, "", [](Predicate predicate, const Predicate_case& c) { return true_answer(predicate, c); }};
+Predicate_subject low{"low", false, "", [](Predicate, const Predicate_case&) { return std::optional<int>(-7); }};
+
+Campaign small()
+{
+  Campaign campaign;
+  campaign.seed = 5;
+  campaign.predicate_cases = 450, campaign.object_cases = 25, campaign.sequence_frames = 0;
+  campaign.families = {&cheap, &cheap_too};
+  campaign.predicate_subjects = {right, low};
+  campaign.object_subjects = {object_subject(*Subject::parse("adaptive")), object_subject(*Subject::parse("double", Method::paper)), says_no, fails, declines};
+  campaign.made_by = {"0", "compiler", "flags", "processor"};
+  return campaign;
+}
+
+std::string name_of(const char* name) { return std::string("campaign_") + name + ".db"; }
+
+struct Results {
+  explicit Results(const char* name) : file(name_of(name), ""), database(file.path(), Mode::write) {}
+  Results& with(const Campaign& campaign)
+  {
+    run_campaign(database, campaign, [](std::uint64_t) {});
+    return *this;
+  }
+
+  /// Every row but those of the tables of time.
+  std::string rows()
+  {
+    std::string all;
+    for (const auto& [name, what] : tables())
+      if (!std::string_view(name).starts_with("time")) all += std::string(name) + "\n" + table_as_csv(database, name);
+    Database::Statement done(database, "SELECT * FROM done ORDER BY 1, 2, 3, 4, 5");
+    for (done.with(); done.next();)
+      for (int k = 0; k < done.columns(); ++k) all += done.text(k) + (k + 1 == done.columns() ? "\n" : ",");
+    return all;
+  }
+
+  std::int64_t sum(const std::string& what, const std::string& where)
+  {
+    Database::Statement row(database, "SELECT sum(" + what + ") FROM tally WHERE axis = 'rho' AND " + where);
+    row.with().next();
+    return row.integer(0);
+  }
+
+  Temporary_file file;
+  Database database;
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(test_campaign)
+
+BOOST_AUTO_TEST_CASE(planted_answers_are_counted_as_what_they_are)
+{
+  Results results("planted");
+  results.with(small());
+  Database::Statement truth(results.database, "SELECT sum(n), sum(positives), sum(by_construction) FROM truth WHERE level = 'object'");
+  BOOST_TEST_REQUIRE(truth.with().next());
+  const auto n = truth.integer(0), positives = truth.integer(1);
+  BOOST_TEST(n == 2 * 2 * 25);
+  BOOST_TEST(truth.integer(2) == n);
+  BOOST_TEST(positives > 0);
+  BOOST_TEST(positives < n);
+  BOOST_TEST(results.sum("n", "subject = 'says no'") == n);
+  BOOST_TEST(results.sum("false_negatives", "subject = 'says no'") == positives);
+  BOOST_TEST(results.sum("false_positives", "subject = 'says no'") == 0);
+  BOOST_TEST(results.sum("failures", "subject = 'fails'") == n);
+  BOOST_TEST(results.sum("not_asked", "subject = 'declines'") == n);
+  BOOST_TEST(results.sum("n", "subject = 'declines'") == 0);
+  BOOST_TEST(results.sum("n", "subject = 'adaptive tree'") == n);
+  BOOST_TEST(results.sum("false_positives + false_negatives + failures", "subject = 'adaptive tree'") == 0);
+  BOOST_TEST(results.sum("false_positives + false_negatives + failures", "subject = 'right'") == 0);
+  BOOST_TEST(results.sum("n", "subject = 'low'") == results.sum("false_negatives", "subject = 'low'"));
+  BOOST_TEST(results.sum("n", "subject = 'low' AND question = 'orientation'") == 2 * 450);
+  // Both axes count each answer once.
+  Database::Statement axes(results.database, "SELECT sum(CASE axis WHEN 'rho' THEN n ELSE -n END), sum(n) FROM tally");
+  BOOST_TEST_REQUIRE(axes.with().next());
+  BOOST_TEST(axes.integer(0) == 0);
+  BOOST_TEST(axes.integer(1) > 0);
+}
+
+BOOST_AUTO_TEST_CASE(run_again_it_adds_nothing)
+{
+  Results results("again");
+  const std::string once = results.with(small()).rows();
+  BOOST_TEST(once.size() > 1000);
+  BOOST_TEST((results.with(small()).rows() == once));
+  BOOST_TEST((Results("other").with(small()).rows() == once));
+}
+
+BOOST_AUTO_TEST_CASE(cases_and_subjects_added_later_make_the_same_rows)
+{
+  const std::string at_once = Results("at_once").with(small()).rows();
+  Results results("later");
+  Campaign part = small();
+  part.predicate_cases = 130, part.object_cases = 7;
+  part.object_subjects.resize(2);
+  part.predicate_subjects = {low};
+  results.with(part);
+  BOOST_TEST((results.rows() != at_once));
+  BOOST_TEST((results.with(small()).rows() == at_once));
+}
+
+BOOST_AUTO_TEST_CASE(shards_merge_to_the_whole)
+{
+  const std::string whole = Results("whole").with(small()).rows();
+  Results merged("merged");
+  for (const int shard : {2, 0, 1}) {
+    Results part(("shard" + std::to_string(shard)).c_str());
+    Campaign campaign = small();
+    campaign.shard = shard, campaign.shards = 3;
+    part.with(campaign);
+    BOOST_TEST((part.rows() != whole));
+    merge(merged.database, part.file.path());
+    if (shard != 0) continue;
+    const std::string before = merged.rows();
+    BOOST_CHECK_THROW(merge(merged.database, part.file.path()), Input_error);
+    BOOST_TEST((merged.rows() == before));
+  }
+  BOOST_TEST((merged.rows() == whole));
+  BOOST_CHECK_THROW(merge(merged.database, merged.file.path().native() + ".not-there"), Input_error);
+}
+
+BOOST_AUTO_TEST_CASE(a_truth_that_is_contradicted_stops_the_campaign)
+{
+  Results results("lying");
+  Campaign campaign = small();
+  campaign.families = {&cheap, &lying};
+  try {
+    results.with(campaign);
+    BOOST_ERROR("no contradiction was found");
+  } catch (const Truths_disagree& found) {
+    BOOST_TEST_REQUIRE(found.object.has_value());
+    BOOST_TEST(found.object->origin.family == "lying");
+    BOOST_TEST((found.question == Question::surface));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(case_count_is_what_is_reported_done)
+{
+  Results results("count");
+  std::uint64_t done = 0;
+  Campaign campaign = small();
+  campaign.sequence_frames = 3, campaign.object_subjects = {says_no};
+  run_campaign(results.database, campaign, [&](std::uint64_t cases) { done += cases; });
+  BOOST_TEST(done == case_count(campaign));
+  BOOST_TEST(done > 2 * 475);
+  Database::Statement flips(results.database, "SELECT count(*), max(changes), max(true_changes) FROM flips");
+  BOOST_TEST_REQUIRE(flips.with().next());
+  BOOST_TEST(flips.integer(0) > 0);
+  BOOST_TEST(flips.integer(1) == 0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,121 @@
+#include "verify/campaign/tables.h"
+
+#include "tetracone/covering/io/input_error.h"
+#include "verify/campaign/campaign_schema.h"
+#include "verify/test/support/temporary_file.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+using namespace tetracone::verify;
+
+BOOST_AUTO_TEST_SUITE(test_tables)
+
+BOOST_AUTO_TEST_CASE(wilson_is_the_interval_of_the_textbook)
+{
+  // By hand: 10 of 100: (0.0552, 0.1744); 0 of 10: (0, 0.2775); 5 of 10: (0.2366, 0.7634).
+  BOOST_TEST(std::abs(wilson(10, 100).low - 0.05522914) < 1e-6);
+  BOOST_TEST(std::abs(wilson(10, 100).high - 0.17436566) < 1e-6);
+  BOOST_TEST(wilson(0, 10).low == 0);
+  BOOST_TEST(std::abs(wilson(0, 10).high - 3.841458820694124 / (10 + 3.841458820694124)) < 1e-12);
+  BOOST_TEST(std::abs(wilson(5, 10).low - 0.2365931) < 1e-6);
+  BOOST_TEST(std::abs(wilson(5, 10).high - 0.7634069) < 1e-6);
+}
+
+BOOST_AUTO_TEST_CASE(wilson_is_symmetric_and_narrows)
+{
+  for (const int n : {1, 2, 7, 100, 100000})
+    for (const int hits : {0, 1, n / 2, n - 1, n}) {
+      const Interval here = wilson(hits, n), mirrored = wilson(n - hits, n), more = wilson(4 * hits, 4 * n);
+      BOOST_TEST(std::abs(here.low - (1 - mirrored.high)) < 1e-12);
+      BOOST_TEST(here.low <= double(hits) / n);
+      BOOST_TEST(here.high >= double(hits) / n);
+      BOOST_TEST(more.high - more.low < here.high - here.low);
+    }
+  BOOST_TEST(wilson(0, 0).low == 0);
+  BOOST_TEST(wilson(0, 0).high == 1);
+}
+
+BOOST_AUTO_TEST_CASE(tables_add_up_and_quote)
+{
+  const Temporary_file file("tables.db", "");
+  Database database(file.path(), Database::Mode::write);
+  database.run(campaign_schema);
+  database.run(R"(
+    INSERT INTO run VALUES (1, '1', 'c,d', 'f "g"', 'p', 7, 0);
+    INSERT INTO tally VALUES (1, 'object', 'f', 's', 'solid', 'rho', 0, 10, 1, 2, 1, 0);
+    INSERT INTO tally VALUES (1, 'object', 'f', 's', 'solid', 'rho', 1, 5, 0, 0, 0, 3);
+    INSERT INTO tally VALUES (1, 'object', 'f', 's', 'solid', 'ulps', 1, 15, 1, 2, 1, 3);
+  )");
+  BOOST_TEST(table_as_csv(database, "errors") ==
+             "level,family,subject,question,n,false_positives,false_negatives,failures\nobject,f,s,solid,15,1,2,1\n");
+  BOOST_TEST(table_as_csv(database, "runs") ==
+             "run,version,compiler,flags,processor,seed,real_meshes\n1,1,\"c,d\",\"f \"\"g\"\"\",p,7,0\n");
+  BOOST_TEST(table_as_csv(database, "rates").starts_with(
+      "level,family,subject,question,n,not_asked,rate,low,high\nobject,f,s,solid,15,3,0.26666666666666666,"));
+  for (const auto& [name, what] : tables()) BOOST_TEST(!table_as_csv(database, name).empty(), name);
+}
+
+BOOST_AUTO_TEST_CASE(a_sweep_has_all_cases_of_each_parameter)
+{
+  // The family edge-in-face-plane sweeps 0, 1, 2, 3: of six cases two have 0, two have 1, one has 2, one has 3.
+  const Temporary_file file("sweeps.db", "");
+  Database database(file.path(), Database::Mode::write);
+  database.run(campaign_schema);
+  database.run(R"(
+    INSERT INTO run VALUES (1, '1', 'c', 'f', 'p', 7, 0);
+    INSERT INTO done VALUES (7, 'object', 'edge-in-face-plane', 0, 's', 4), (7, 'object', 'edge-in-face-plane', 1, 's', 2);
+    INSERT INTO tally VALUES (1, 'object', 'edge-in-face-plane', 's', 'solid', 'rho', 0, 4, 1, 0, 0, 0);
+    INSERT INTO tally VALUES (1, 'object', 'edge-in-face-plane', 's', 'solid', 'rho', 1, 2, 0, 0, 0, 0);
+    INSERT INTO wrong VALUES (1, 'object', 'edge-in-face-plane', 5, 1, 's', 'solid', 0, 1, -3, 2, NULL);
+  )");
+  const std::string sweep = table_as_csv(database, "sweeps"), start = "object,edge-in-face-plane,";
+  BOOST_TEST(sweep.starts_with("level,family,parameter,subject,question,n,rate,low,high\n"));
+  BOOST_TEST(sweep.find(start + "0.0,s,solid,2,0,0,") != std::string::npos);
+  BOOST_TEST(sweep.find(start + "1.0,s,solid,2,0.5,") != std::string::npos);
+  BOOST_TEST(sweep.find(start + "2.0,s,solid,1,0,0,") != std::string::npos);
+  BOOST_TEST(sweep.find(start + "3.0,s,solid,1,0,0,") != std::string::npos);
+  BOOST_TEST(std::count(sweep.begin(), sweep.end(), '\n') == 5);
+}
+
+BOOST_AUTO_TEST_CASE(a_sweep_leaves_out_what_was_not_asked_whole)
+{
+  const Temporary_file file("parts.db", "");
+  Database database(file.path(), Database::Mode::write);
+  database.run(campaign_schema);
+  // Of t a shard is missing, of u two cases were not asked: nobody knows of which parameters.
+  database.run(R"(
+    INSERT INTO run VALUES (1, '1', 'c', 'f', 'p', 7, 0);
+    INSERT INTO done VALUES (7, 'object', 'edge-in-face-plane', 1, 't', 4), (7, 'object', 'edge-in-face-plane', 0, 'u', 4);
+    INSERT INTO tally VALUES (1, 'object', 'edge-in-face-plane', 't', 'solid', 'rho', 0, 4, 1, 0, 0, 0);
+    INSERT INTO tally VALUES (1, 'object', 'edge-in-face-plane', 'u', 'solid', 'rho', 0, 2, 0, 0, 0, 2);
+  )");
+  BOOST_TEST(table_as_csv(database, "sweeps") == "level,family,parameter,subject,question,n,rate,low,high\n");
+}
+
+BOOST_AUTO_TEST_CASE(needs_count_each_case_once)
+{
+  const Temporary_file file("needs.db", "");
+  Database database(file.path(), Database::Mode::write);
+  database.run(campaign_schema);
+  // A peer that was not asked everything says nothing of the cases.
+  database.run(R"(
+    INSERT INTO tally VALUES (1, 'object', 'f', 's', 'solid', 'rho', -9999, 10, 1, 2, 1, 0);
+    INSERT INTO tally VALUES (2, 'object', 'f', 's', 'solid', 'rho', -9999, 3, 0, 0, 0, 0);
+    INSERT INTO tally VALUES (1, 'object', 'f', 'peer', 'solid', 'rho', -9999, 7, 0, 0, 0, 3);
+    INSERT INTO tally VALUES (1, 'object', 'f', 's', 'solid', 'ulps', -9999, 99, 0, 0, 0, 0);
+  )");
+  BOOST_TEST(table_as_csv(database, "needs") == "level,family,question,bin,n\nobject,f,solid,-9999,13\n");
+}
+
+BOOST_AUTO_TEST_CASE(another_database_is_refused)
+{
+  const Temporary_file file("other.db", "");
+  Database database(file.path(), Database::Mode::write);
+  BOOST_CHECK_THROW(table_as_csv(database, "errors"), tetracone::covering::Input_error);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

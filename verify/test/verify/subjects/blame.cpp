@@ -1,0 +1,161 @@
+#include "verify/subjects/blame.h"
+
+#include "tetracone/kernel/predicate/frame.h"
+#include "verify/truth/cgal_truth.h"
+#include "verify/test/support/scenes.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <map>
+#include <memory>
+#include <string>
+
+using namespace tetracone::verify;
+using namespace tetracone::verify::scenes;
+namespace kernel = tetracone::kernel;
+using tetracone::verify::Question;
+
+namespace {
+
+Object_case object_case(const Polyhedron& a, const Pose& pose_a, const Polyhedron& b, const Pose& pose_b)
+{
+  return {std::make_shared<const Polyhedron>(a), std::make_shared<const Polyhedron>(b), pose_a, pose_b, {}, {}, {}};
+}
+
+bool truth_of(const Object_case& c, Question question)
+{
+  return collide(Brute_body(*c.a), c.pose_a, Brute_body(*c.b), c.pose_b, question);
+}
+
+/// The body with its images in K for vertices. Requires triangles: other faces need not stay planar.
+template <class K>
+Polyhedron rounded_body(Polyhedron body, const Pose& pose)
+{
+  const kernel::Frame<K> frame(pose);
+  for (Vertex& v : body.vertices) {
+    const auto image = frame(kernel::point<K>(v));
+    v = {double(image.x()), double(image.y()), double(image.z())};
+  }
+  return body;
+}
+
+template <class K>
+bool right_on_rounded_images(const Object_case& c, Question question, bool truth)
+{
+  return truth_of(object_case(rounded_body<K>(*c.a, c.pose_a), Pose(), rounded_body<K>(*c.b, c.pose_b), Pose()), question) == truth;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(test_blame)
+
+BOOST_AUTO_TEST_CASE(an_exact_subject_or_a_right_answer_has_no_stage)
+{
+  const Object_case apart = object_case(unit_cube(), Pose(), unit_cube(), translation(3, 0, 0));
+  for (const char* name : {"adaptive", "rational", "epeck", "double", "float", "epick"})
+    BOOST_TEST(!blame(*Subject::parse(name), apart, Question::solid, false).has_value(), name);
+  // Even when the truth given is a lie, an exact subject is not blamed.
+  BOOST_TEST(!blame(*Subject::parse("adaptive"), apart, Question::solid, true).has_value());
+}
+
+BOOST_AUTO_TEST_CASE(the_pose_is_to_blame_exactly_when_exact_signs_of_rounded_images_go_wrong)
+{
+  Random random(7);
+  std::map<std::string, int> stages;
+  const Polyhedron cube = triangulated(unit_cube()), box = triangulated(scenes::box({0, 0, 0}, {0.5, 0.25, 0.5}));
+  for (int k = 0; k < 400; ++k) {
+    const Pose rotation = random_rotation(random, 9);
+    const std::array<Rational, 3> shifts[] = {{1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, Rational(1) / 3, Rational(1) / 7}};
+    const auto& shift = shifts[k % 4];
+    std::array<Rational, 12> moved;
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column < 4; ++column) moved[4 * row + column] = rotation.exact(4 * row + column);
+      for (int column = 0; column < 3; ++column) moved[4 * row + 3] += rotation.exact(4 * row + column) * shift[column];
+    }
+    const Object_case c = object_case(cube, rotation, k % 2 ? cube : box, Pose(moved));
+    const Question question = k % 3 == 0 ? Question::solid : Question::surface;
+    const bool truth = truth_of(c, question);
+    for (const Method method : {Method::tree, Method::paper, Method::brute}) {
+      const auto judge = [&]<class K>(const char* name, K) {
+        const Subject subject = *Subject::parse(name, method);
+        const bool right = prepare(subject, *c.a, *c.b)->collide(c.pose_a, c.pose_b, question) == truth;
+        const auto stage = blame(subject, c, question, truth);
+        BOOST_TEST(stage.has_value() != right);
+        if (!stage) return;
+        ++stages[std::string(name) + " " + to_string(*stage)];
+        BOOST_TEST((*stage == Stage::pose) != (right_on_rounded_images<K>(c, question, truth)));
+        // Without a tree nothing but signs can go wrong; exact signs on rounded images can go wrong in nothing else.
+        if (method == Method::brute) BOOST_TEST((*stage == Stage::pose || *stage == Stage::leaf_sign || *stage == Stage::containment));
+        if (subject.kernel == Kernel_name::epick) BOOST_TEST((*stage == Stage::pose));
+      };
+      judge("double", kernel::Double());
+      judge("epick", kernel::Epick());
+      judge("float", kernel::Float());
+    }
+  }
+  for (const auto& [name, count] : stages) BOOST_TEST_MESSAGE(name << ": " << count);
+  BOOST_TEST(stages["double pose"] > 0);
+  BOOST_TEST(stages["epick pose"] > 0);
+  BOOST_TEST(stages["float pose"] > 0);
+}
+
+BOOST_AUTO_TEST_CASE(the_pose_is_to_blame_where_it_takes_a_coordinate_beyond_the_largest_number)
+{
+  // 1e39 is a double and no float: to float these meet in no point, or in any.
+  const Object_case together = object_case(unit_cube(), translation(1e39, 0, 0), unit_cube(), translation(1e39, 0, 0));
+  const Object_case apart = object_case(unit_cube(), translation(1e39, 0, 0), unit_cube(), translation(3e39, 0, 0));
+  int blamed = 0;
+  for (const Object_case* c : {&together, &apart}) {
+    const bool truth = truth_of(*c, Question::solid);
+    BOOST_TEST(truth == (c == &together));
+    const auto stage = blame(*Subject::parse("float"), *c, Question::solid, truth);
+    if (stage) BOOST_TEST((*stage == Stage::pose));
+    blamed += stage.has_value();
+  }
+  BOOST_TEST(blamed > 0);
+}
+
+BOOST_AUTO_TEST_CASE(unmoved_bodies_leave_only_the_signs_to_blame)
+{
+  // A vertex of B is a point of a face of A, rounded; the rest of B is beyond the face.
+  Random random(11);
+  int wrong = 0, wrong_epick = 0;
+  for (int k = 0; k < 300; ++k) {
+    const Vertex p = real_vertex(random, 1), q = real_vertex(random, 1), r = real_vertex(random, 1), top = real_vertex(random, 1);
+    const double s = real(random, 0.1, 0.4), t = real(random, 0.1, 0.4);
+    Vertex on, far, far_1, far_2;
+    for (int i = 0; i < 3; ++i) {
+      on[i] = p[i] + s * (q[i] - p[i]) + t * (r[i] - p[i]);
+      far[i] = on[i] + 2 * (on[i] - top[i]);
+      far_1[i] = far[i] + (q[i] - p[i]) / 8, far_2[i] = far[i] + (r[i] - p[i]) / 8;
+    }
+    const Object_case c = object_case(tetrahedron(p, q, r, top), Pose(), tetrahedron(on, far, far_1, far_2), Pose());
+    const bool truth = truth_of(c, Question::surface);
+    const auto stage = blame(*Subject::parse("double", Method::brute), c, Question::surface, truth);
+    if (stage) BOOST_TEST((*stage == Stage::leaf_sign));
+    wrong += stage.has_value();
+    wrong_epick += blame(*Subject::parse("epick", Method::brute), c, Question::surface, truth).has_value();
+  }
+  BOOST_TEST(wrong > 0);
+  BOOST_TEST(wrong_epick == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_sphere_in_double_that_rejects_touching_cubes_is_to_blame)
+{
+  // Two cubes of half width 1 that touch in a vertex: sqrt(0.75) rounded, twice, squared, is below 3. Unrotated: images are exact.
+  const Object_case c = object_case(unit_cube(), Pose(), unit_cube(), translation(1, 1, 1));
+  const auto stage = blame(*Subject::parse("double", Method::paper), c, Question::solid, true);
+  BOOST_TEST_REQUIRE(stage.has_value());
+  BOOST_TEST((*stage == Stage::bounding_sphere));
+  BOOST_TEST(!blame(*Subject::parse("double", Method::brute), c, Question::solid, true).has_value());
+}
+
+BOOST_AUTO_TEST_CASE(an_absolute_tolerance_is_to_blame_where_it_closes_a_gap)
+{
+  const Object_case c = object_case(unit_cube(), Pose(), moved(unit_cube(), 0x1p-20, {0.5, 0.5, 1 + 0x1p-12}), Pose());
+  const auto stage = blame(*Subject::parse("double-eps=1e-3", Method::brute), c, Question::surface, false);
+  BOOST_TEST_REQUIRE(stage.has_value());
+  BOOST_TEST((*stage == Stage::leaf_sign));
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,382 @@
+#include "verify/subjects/predicate_subject.h"
+
+#include "verify/cases/random.h"
+#include "verify/subjects/segment_triangle_formulations.h"
+#include "verify/test/support/rationals.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+using namespace tetracone;
+using namespace tetracone::verify;
+using rationals::determinant;
+using rationals::inner;
+using rationals::minus;
+using rationals::outer;
+using rationals::sign;
+
+namespace {
+
+using Exact = rationals::Vector;
+
+/// Whether the convex hull of the points holds the origin. By Caratheodory it does so exactly when the hull of some affinely
+/// independent few does; of these the origin's coordinates have one sign. All that is asked of predicates here comes down to it.
+bool hull_holds_origin(const std::vector<Exact>& x)
+{
+  const Exact origin = {0, 0, 0};
+  const std::size_t n = x.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (rationals::is_zero(x[i])) return true;
+    for (std::size_t j = i + 1; j < n; ++j) {
+      if (rationals::is_on_segment(origin, x[i], x[j])) return true;
+      for (std::size_t k = j + 1; k < n; ++k) {
+        const Exact normal = outer(minus(x[j], x[i]), minus(x[k], x[i]));
+        if (!rationals::is_zero(normal) && inner(normal, x[i]) == 0) {
+          const auto turn = [&](const Exact& a, const Exact& b) { return sign(inner(outer(a, b), normal)); };
+          if (turn(x[i], x[j]) >= 0 && turn(x[j], x[k]) >= 0 && turn(x[k], x[i]) >= 0) return true;
+        }
+        for (std::size_t l = k + 1; l < n; ++l) {
+          const int volume = sign(determinant(minus(x[j], x[i]), minus(x[k], x[i]), minus(x[l], x[i])));
+          if (volume == 0) continue;
+          if (sign(determinant(x[j], x[k], x[l])) * volume >= 0 && sign(determinant(x[i], x[l], x[k])) * volume >= 0 &&
+              sign(determinant(x[i], x[j], x[l])) * volume >= 0 && sign(determinant(x[j], x[i], x[k])) * volume >= 0)
+            return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+std::vector<Exact> differences(const std::vector<Exact>& a, const std::vector<Exact>& b)
+{
+  std::vector<Exact> result;
+  for (const Exact& x : a)
+    for (const Exact& y : b) result.push_back(minus(x, y));
+  return result;
+}
+
+/// The answer by the definition in `Predicate`; nothing where it is not asked.
+std::optional<int> expected(Predicate predicate, const Predicate_case& c)
+{
+  const auto placed = [](const kernel::Pose& pose, const kernel::Vertex& v) { return rationals::image(pose, rationals::exactly(v)); };
+  std::vector<Exact> v;
+  for (const auto& corner : c.v) v.push_back(placed(c.pose_a, corner));
+  const Exact p = placed(c.pose_b, c.p), q = placed(c.pose_b, c.q), r = placed(c.pose_b, c.r);
+  const bool flat = determinant(minus(v[1], v[0]), minus(v[2], v[0]), minus(v[3], v[0])) == 0;
+  const bool flat_triangle = determinant(minus(p, v[0]), minus(q, v[0]), minus(r, v[0])) == 0;
+  // x is in the cone when x - v0 = sum of a_i (v_i - v0) with no a_i negative.
+  const std::vector<Exact> rays_back = {minus(v[0], v[1]), minus(v[0], v[2]), minus(v[0], v[3])};
+  const auto with_rays_back = [&](std::vector<Exact> points) {
+    points.insert(points.end(), rays_back.begin(), rays_back.end());
+    return points;
+  };
+  switch (predicate) {
+    case Predicate::orientation: return sign(determinant(minus(v[1], p), minus(v[2], p), minus(v[3], p)));
+    case Predicate::tetra_cone:
+      if (flat) return std::nullopt;
+      return hull_holds_origin(with_rays_back({minus(p, v[0])}));
+    case Predicate::tetrahedron:
+      if (flat) return std::nullopt;
+      return hull_holds_origin(differences(v, {p}));
+    case Predicate::segment_triangle: return hull_holds_origin(differences({p, q}, {v[1], v[2], v[3]}));
+    case Predicate::solid:
+      for (std::size_t k = 0; k < 4; ++k) {
+        std::vector<Exact> face = v;
+        face.erase(face.begin() + k);
+        if (hull_holds_origin(differences(face, {p}))) return 0;
+      }
+      return hull_holds_origin(differences(v, {p})) ? 1 : -1;
+    case Predicate::classification:
+      if (flat || flat_triangle) return std::nullopt;
+      return hull_holds_origin(with_rays_back({minus(p, v[0]), minus(q, v[0]), minus(r, v[0])}));
+  }
+  return std::nullopt;
+}
+
+const Predicate_subject& subject(const std::string& name)
+{
+  const auto& all = predicate_subjects();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Predicate_subject& s) { return s.name == name; });
+  BOOST_REQUIRE_MESSAGE(found != all.end(), name);
+  return *found;
+}
+
+/// The points of a case, to be filled in a loop.
+std::array<kernel::Vertex*, 7> points(Predicate_case& c) { return {&c.v[0], &c.v[1], &c.v[2], &c.v[3], &c.p, &c.q, &c.r}; }
+
+int below(Random& random, int n) { return int(random.bits() % std::uint64_t(n)); }
+
+/// Points of a small grid: every degenerate position comes up by itself.
+Predicate_case grid_case(Random& random, int size)
+{
+  Predicate_case c{};
+  for (kernel::Vertex* v : points(c))
+    for (double& x : *v) x = below(random, 2 * size + 1) - size;
+  return c;
+}
+
+Predicate_case random_case(Random& random)
+{
+  Predicate_case c{};
+  for (kernel::Vertex* v : points(c))
+    for (double& x : *v) x = random.symmetric();
+  return c;
+}
+
+/// One and the same rounded rotation for both bodies: no grid point is placed exactly, no position relative to the others changes.
+kernel::Pose rounded_rotation(Random& random)
+{
+  const auto q = random.quaternion();
+  const auto m = rotation(q[0], q[1], q[2], q[3]);
+  return kernel::Pose(std::array<double, 12>{m[0][0], m[0][1], m[0][2], 0.1, m[1][0], m[1][1], m[1][2], -0.3, m[2][0], m[2][1], m[2][2], 0.7});
+}
+
+/// p rounded from the triangle's plane, q beyond it or beside.
+Predicate_case nearly_on_plane(Random& random)
+{
+  Predicate_case c = random_case(random);
+  const double s = random.unit(), t = random.unit();
+  for (int k = 0; k < 3; ++k) c.p[k] = c.v[1][k] + s * (c.v[2][k] - c.v[1][k]) + t * (c.v[3][k] - c.v[1][k]);
+  return c;
+}
+
+/// How many of the n cases the subject answers wrongly, over all predicates that it has and that are asked; `asked` counts these.
+struct Tally {
+  int asked = 0, wrong = 0;
+};
+Tally tally(const Predicate_subject& s, int n, const std::function<Predicate_case()>& make)
+{
+  Tally result;
+  for (int k = 0; k < n; ++k) {
+    const Predicate_case c = make();
+    for (const Predicate predicate : all_predicates) {
+      const auto truth = expected(predicate, c);
+      const auto answer = s.answer(predicate, c);
+      if (!truth || !answer) continue;
+      ++result.asked;
+      result.wrong += *answer != *truth;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(test_predicate_subject)
+
+BOOST_AUTO_TEST_CASE(names_are_unique_and_what_is_not_ours_says_where_it_comes_from)
+{
+  std::set<std::string> names;
+  for (const Predicate_subject& s : predicate_subjects()) {
+    BOOST_TEST(names.insert(s.name).second, s.name);
+    const bool ours = s.answer(Predicate::orientation, Predicate_case{}).has_value();
+    BOOST_TEST(s.note.empty() == ours, s.name);
+    for (const Predicate predicate : all_predicates)
+      BOOST_TEST(s.answer(predicate, Predicate_case{}).has_value() == (ours || predicate == Predicate::segment_triangle), s.name);
+  }
+  for (const char* name : {"adaptive", "rational", "epeck", "epick", "double", "double-eps=1e-12", "double-eps=rel:1e-12", "float"})
+    BOOST_TEST(names.contains(name), name);
+  BOOST_TEST(!subject("rational jimenez-segura-feito-sign-error").is_exact);
+}
+
+BOOST_AUTO_TEST_CASE(every_predicate_gives_each_of_its_answers_on_the_grid)
+{
+  Random random(3);
+  std::map<Predicate, std::set<int>> seen;
+  for (int k = 0; k < 500; ++k) {
+    const Predicate_case c = grid_case(random, 2);
+    for (const Predicate predicate : all_predicates)
+      if (const auto truth = expected(predicate, c)) seen[predicate].insert(*truth);
+  }
+  for (const Predicate predicate : all_predicates) {
+    const bool three = predicate == Predicate::orientation || predicate == Predicate::solid;
+    BOOST_TEST(seen[predicate].size() == (three ? 3u : 2u), to_string(predicate));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(exact_subjects_are_right_on_degenerate_and_random_cases_under_every_pose)
+{
+  const kernel::Pose turned = kernel::Pose::from_quaternion(3, -1, 2, 5, {kernel::Rational(1) / 3, 0, -2});
+  const kernel::Pose mirrored(std::array<double, 12>{0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0});
+  const kernel::Pose sheared(std::array<double, 12>{1, 3, 0, 1, 0, 1, 0, 0, -2, 0, 1, 0});
+  for (const char* name : {"adaptive", "rational", "epeck"}) {
+    const Predicate_subject& s = subject(name);
+    BOOST_TEST(s.is_exact);
+    Random random(11);
+    int turn = 0;
+    const auto result = tally(s, 600, [&] {
+      Predicate_case c = turn % 4 == 3 ? nearly_on_plane(random) : grid_case(random, turn % 2 == 0 ? 1 : 2);
+      switch (turn++ % 7) {
+        case 0: break;
+        case 1: c.pose_a = c.pose_b = turned; break;
+        case 2: c.pose_a = c.pose_b = rounded_rotation(random); break;
+        case 3: c.pose_a = mirrored, c.pose_b = kernel::Pose::translation(1, 0, 0); break;
+        case 4: c.pose_a = sheared, c.pose_b = mirrored; break;
+        case 5: c.pose_b = turned; break;
+        default: c.pose_a = rounded_rotation(random), c.pose_b = sheared; break;
+      }
+      return c;
+    });
+    BOOST_TEST(result.wrong == 0, name);
+    BOOST_TEST(result.asked > 2500, name);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(small_grids_where_they_stand_are_exact_in_every_kernel)
+{
+  for (const char* name : {"epick", "double", "double-eps=1e-12", "double-eps=rel:1e-12", "float"}) {
+    Random random(5);
+    const auto result = tally(subject(name), 300, [&] { return grid_case(random, 2); });
+    BOOST_TEST(result.wrong == 0, name);
+    BOOST_TEST(result.asked > 1000, name);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(rounding_kernels_are_wrong_next_to_degenerate_positions_and_exact_predicates_only_once_points_are_moved)
+{
+  const auto wrong = [](const char* name, bool moved) {
+    Random random(7);
+    return tally(subject(name), 300, [&] {
+             Predicate_case c = nearly_on_plane(random);
+             if (moved) c.pose_a = c.pose_b = rounded_rotation(random);
+             return c;
+           }).wrong;
+  };
+  for (const char* name : {"double", "double-eps=1e-12", "double-eps=rel:1e-12", "float"}) BOOST_TEST(wrong(name, false) > 0, name);
+  BOOST_TEST(wrong("epick", false) == 0);
+  BOOST_TEST(wrong("epick", true) > 0);
+  BOOST_TEST(wrong("adaptive", true) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(every_formulation_is_right_on_a_segment_clearly_through_a_triangle_and_clearly_beside_it)
+{
+  Predicate_case through;
+  through.v = {{{9, 9, 9}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
+  through.p = {1, 1, -1}, through.q = {1, 1, 1};
+  Predicate_case beside = through, above = through;
+  beside.p = {3, 3, -1}, beside.q = {3, 3, 1};
+  above.p = {1, 1, 2}, above.q = {1, 1, 1};
+  for (const Predicate_subject& s : predicate_subjects()) {
+    for (Predicate_case c : {through, beside, above}) {
+      for (int turn = 0; turn < 4; ++turn) {
+        if (turn % 2 == 1) std::swap(c.p, c.q);
+        if (turn == 2) std::swap(c.v[1], c.v[2]);
+        BOOST_TEST(*s.answer(Predicate::segment_triangle, c) == *expected(Predicate::segment_triangle, c), s.name);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(only_cgal_and_we_decide_coplanar_segments)
+{
+  Predicate_case c{};  // inside the triangle
+  c.v = {{{9, 9, 9}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
+  c.p = {1, 1, 0}, c.q = {1, 2, 0};
+  for (const Predicate_subject& s : predicate_subjects()) {
+    const bool decides = s.note.empty() || s.name.ends_with("cgal");
+    BOOST_TEST(*s.answer(Predicate::segment_triangle, c) == int(decides), s.name);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(cgal_answers_degenerate_segments_and_triangles_too)
+{
+  for (const char* name : {"double cgal", "epick cgal", "float cgal"}) {
+    Random random(13);
+    const auto result = tally(subject(name), 1500, [&] {
+      Predicate_case c = grid_case(random, 1);
+      if (below(random, 3) == 0) c.q = c.p;
+      if (below(random, 3) == 0) c.v[2] = c.v[1];
+      if (below(random, 5) == 0) c.v[3] = c.v[1];
+      return c;
+    });
+    BOOST_TEST(result.wrong == 0, name);
+    BOOST_TEST(result.asked == 1500, name);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_published_wrong_sign_loses_every_segment_that_starts_on_the_plane_and_no_other)
+{
+  using formulations::First_end_on_plane;
+  using formulations::jimenez_segura_feito;
+  using Integers = std::array<long, 3>;
+  const auto volume = [](const Integers& a, const Integers& b, const Integers& c, const Integers& d) {
+    const auto minus_a = [&a](const Integers& x) { return Integers{x[0] - a[0], x[1] - a[1], x[2] - a[2]}; };
+    const Integers x = minus_a(b), y = minus_a(c), z = minus_a(d);
+    const long det = (x[1] * y[2] - x[2] * y[1]) * z[0] + (x[2] * y[0] - x[0] * y[2]) * z[1] + (x[0] * y[1] - x[1] * y[0]) * z[2];
+    return (det > 0) - (det < 0);
+  };
+  const auto real = [](const Integers& x) { return formulations::Vector<double>{double(x[0]), double(x[1]), double(x[2])}; };
+  Random random(20240601);
+  int hits = 0, on_plane = 0, lost_on_plane = 0, other_errors = 0, errors_of_right = 0, errors_of_segura = 0;
+  for (int k = 0; k < 1'000'000; ++k) {
+    std::array<Integers, 5> x;
+    for (Integers& point : x)
+      for (long& coordinate : point) coordinate = below(random, 7) - 3;
+    const auto& [p, q, a, b, c] = x;
+    const int side_p = volume(a, b, c, p), side_q = volume(a, b, c, q);
+    if (side_p == 0 && side_q == 0) continue;
+    const int ab = volume(p, q, a, b), bc = volume(p, q, b, c), ca = volume(p, q, c, a);
+    const bool hit = side_p != side_q && std::max({ab, bc, ca}) - std::min({ab, bc, ca}) < 2;
+    hits += hit;
+    on_plane += hit && side_p == 0;
+    errors_of_right += jimenez_segura_feito(real(p), real(q), real(a), real(b), real(c), 0.0) != hit;
+    errors_of_segura += formulations::segura_feito(real(p), real(q), real(a), real(b), real(c)) != hit;
+    const bool erring = jimenez_segura_feito<First_end_on_plane::sign_error>(real(p), real(q), real(a), real(b), real(c), 0.0);
+    lost_on_plane += hit && side_p == 0 && !erring;
+    other_errors += erring != hit && !(hit && side_p == 0);
+  }
+  BOOST_TEST(hits > 100'000);
+  BOOST_TEST(on_plane > 10'000);
+  BOOST_TEST(lost_on_plane == on_plane);
+  BOOST_TEST(other_errors == 0);
+  BOOST_TEST(errors_of_right == 0);
+  BOOST_TEST(errors_of_segura == 0);
+  BOOST_TEST_MESSAGE("hits " << hits << ", of them first end on the plane " << on_plane);
+}
+
+BOOST_AUTO_TEST_CASE(exact_arithmetic_repeats_the_wrong_sign)
+{
+  Random random(17);
+  const auto& in_double = subject("double jimenez-segura-feito-sign-error");
+  const auto& in_rational = subject("rational jimenez-segura-feito-sign-error");
+  int wrong = 0;
+  for (int k = 0; k < 3000; ++k) {
+    const Predicate_case c = grid_case(random, 3);
+    const auto rounded = in_double.answer(Predicate::segment_triangle, c), exact = in_rational.answer(Predicate::segment_triangle, c);
+    BOOST_TEST((rounded == exact));
+    wrong += *exact != *expected(Predicate::segment_triangle, c);
+  }
+  BOOST_TEST(wrong > 0);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_no_volume_at_all_is_answered_without_a_crash)
+{
+  Random random(23);
+  for (const double size : {1e308, 1e200, 1e-200, 5e-324, 0.0}) {
+    for (int k = 0; k < 20; ++k) {
+      Predicate_case c = grid_case(random, 1);
+      for (kernel::Vertex* v : points(c))
+        for (double& x : *v) x *= size;
+      if (k % 2 == 1) c.pose_a = c.pose_b = rounded_rotation(random);
+      for (const Predicate_subject& s : predicate_subjects())
+        for (const Predicate predicate : all_predicates) {
+          const auto answer = s.answer(predicate, c);
+          if (s.is_exact && answer) {
+            const auto truth = expected(predicate, c);
+            if (truth) BOOST_TEST(*answer == *truth, s.name << " " << to_string(predicate));
+          }
+        }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,271 @@
+#include "verify/subjects/subject.h"
+
+#include "verify/test/support/scenes.h"
+#include "verify/truth/cgal_truth.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+using namespace tetracone::verify;
+using namespace tetracone::verify::scenes;
+using tetracone::tetratree::Query_statistics;
+
+namespace {
+
+const std::vector<std::string> kernels = {"adaptive", "double", "float",   "double-eps=1e-13", "double-eps=rel:1e-15",
+                                          "epick",    "epeck",  "rational"};
+const std::vector<Method> methods = {Method::tree, Method::paper, Method::brute};
+
+std::vector<Subject> all_subjects()
+{
+  std::vector<Subject> subjects;
+  for (const std::string& kernel : kernels)
+    for (const Method method : methods) subjects.push_back(Subject::parse(kernel, method).value());
+  return subjects;
+}
+
+bool is_truth(const Subject& subject)
+{
+  return subject.kernel == Kernel_name::rational && subject.method == Method::brute;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(test_subject)
+
+BOOST_AUTO_TEST_CASE(names_are_read_back)
+{
+  for (const std::string& kernel : kernels)
+    for (const Method method : methods) {
+      const auto subject = Subject::parse(kernel, method);
+      BOOST_TEST_REQUIRE(subject.has_value(), kernel);
+      BOOST_TEST(subject->kernel_name() == kernel);
+      BOOST_TEST(subject->name() == kernel + " " + std::string(to_string(method)));
+      BOOST_TEST((subject->method == method));
+      const auto again = Subject::parse(subject->kernel_name(), subject->method).value();
+      BOOST_TEST((again.kernel == subject->kernel));
+      BOOST_TEST(again.tolerance.absolute == subject->tolerance.absolute);
+      BOOST_TEST(again.tolerance.relative == subject->tolerance.relative);
+    }
+  BOOST_TEST(Subject::parse("adaptive")->name() == "adaptive tree");
+  BOOST_TEST(Subject().name() == "adaptive tree");
+}
+
+BOOST_AUTO_TEST_CASE(methods_are_read_back)
+{
+  for (const Method method : methods) BOOST_TEST((parse_method(to_string(method)) == method));
+  for (const char* bad : {"", "Tree", "trees", "tree ", "brute,tree"}) BOOST_TEST(!parse_method(bad).has_value(), bad);
+}
+
+BOOST_AUTO_TEST_CASE(tolerances_are_read_as_doubles)
+{
+  BOOST_TEST(Subject::parse("double-eps=1e-12")->tolerance.absolute == 1e-12);
+  BOOST_TEST(Subject::parse("double-eps=1e-12")->tolerance.relative == 0);
+  BOOST_TEST(Subject::parse("double-eps=rel:0.125")->tolerance.relative == 0.125);
+  BOOST_TEST(Subject::parse("double-eps=rel:0.125")->tolerance.absolute == 0);
+  BOOST_TEST(Subject::parse("double-eps=0")->tolerance.absolute == 0);
+  BOOST_TEST(Subject::parse("double-eps=0")->kernel_name() == "double-eps=0");
+  BOOST_TEST(Subject::parse("double-eps=5e-324")->tolerance.absolute == std::numeric_limits<double>::denorm_min());
+  BOOST_TEST(Subject::parse("double-eps=0.1000000000000000055511151231257827")->kernel_name() == "double-eps=0.1");
+}
+
+BOOST_AUTO_TEST_CASE(bad_words_are_no_kernels)
+{
+  for (const char* bad : {"",
+                          " ",
+                          "Adaptive",
+                          "adaptive ",
+                          " adaptive",
+                          "adaptiv",
+                          "doubles",
+                          "double-eps",
+                          "double-eps=",
+                          "double-eps=-1",
+                          "double-eps=-0",
+                          "double-eps=-1e-400",
+                          "double-eps=nan",
+                          "double-eps=-nan",
+                          "double-eps=inf",
+                          "double-eps=infinity",
+                          "double-eps=1e400",
+                          "double-eps=1e-12x",
+                          "double-eps= 1",
+                          "double-eps=1 ",
+                          "double-eps=1,5",
+                          "double-eps=0x1p-3",
+                          "double-eps=1/2",
+                          "double-eps=rel",
+                          "double-eps=rel:",
+                          "double-eps=rel:-1",
+                          "double-eps=rel:nan",
+                          "double-eps=rel:rel:1",
+                          "double-eps=abs:1",
+                          "double-eps:1",
+                          "double=1",
+                          "epick=1",
+                          "rational\n"})
+    BOOST_TEST(!Subject::parse(bad).has_value(), "'" << bad << "' was read");
+}
+
+BOOST_AUTO_TEST_CASE(three_kernels_are_exact)
+{
+  for (const std::string& kernel : kernels)
+    BOOST_TEST(Subject::parse(kernel)->is_exact() ==
+               (kernel == "adaptive" || kernel == "epeck" || kernel == "rational"));
+}
+
+BOOST_AUTO_TEST_CASE(every_subject_answers_as_the_truth_where_nothing_is_degenerate)
+{
+  Random random(21);
+  const std::vector<std::pair<Polyhedron, Polyhedron>> pairs = {
+      {blob(random, 1, 1.5, 2), star_prism()},
+      {triangulated(cube(2)), blob(random, 1, 0.5, 1)},
+      {cube_with_tunnel(), box({-0.5, -0.5, -2}, {0.5, 0.75, 2})},
+      {cube_with_cavity(), blob(random, 1, 0.5, 1)}};
+  int surfaces = 0, nested = 0, apart = 0;
+  for (const auto& [a, b] : pairs) {
+    std::vector<std::unique_ptr<Prepared_pair>> prepared;
+    for (const Subject& subject : all_subjects()) prepared.push_back(prepare(subject, a, b));
+    const Brute_body truth_a(a), truth_b(b);
+    for (int round = 0; round < 7; ++round) {
+      Pose turn = random_rotation(random, 9);
+      std::array<double, 12> entries = turn.entries();
+      for (int k = 3; k < 12; k += 4) entries[k] = real(random, -2.5, 2.5) * (round % 3 == 0 ? 0.1 : 1);
+      const Pose pose_a = rounded(random_rotation(random, 9)), pose_b(entries);
+      const bool solid = collide(truth_a, pose_a, truth_b, pose_b),
+                 surface = collide(truth_a, pose_a, truth_b, pose_b, Question::surface);
+      ++(surface ? surfaces : solid ? nested : apart);
+      const auto pairs_of_features = features(truth_a, pose_a, truth_b, pose_b);
+      for (std::size_t k = 0; k < prepared.size(); ++k) {
+        BOOST_TEST_INFO_SCOPE(all_subjects()[k].name() << ", round " << round);
+        BOOST_TEST(prepared[k]->collide(pose_a, pose_b, Question::solid) == solid);
+        BOOST_TEST(prepared[k]->collide(pose_a, pose_b, Question::surface) == surface);
+        if (round % 3 == 0) BOOST_TEST((prepared[k]->features(pose_a, pose_b) == pairs_of_features));
+      }
+    }
+  }
+  BOOST_TEST(surfaces > 5);
+  BOOST_TEST(nested > 2);
+  BOOST_TEST(apart > 2);
+}
+
+BOOST_AUTO_TEST_CASE(exact_subjects_answer_as_the_truth_on_cubes_that_touch)
+{
+  Random random(22);
+  const Polyhedron a = unit_cube(), b = triangulated(unit_cube());
+  const Brute_body truth_a(a), truth_b(b);
+  std::vector<Subject> subjects = all_subjects();
+  std::vector<std::unique_ptr<Prepared_pair>> prepared;
+  for (const Subject& subject : subjects) prepared.push_back(prepare(subject, a, b));
+  std::vector<int> wrong(subjects.size());
+  int seen[2] = {0, 0};
+  const std::array<std::array<double, 3>, 4> steps = {{{1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {-1, 0.5, 0.25}}};
+  for (int round = 0; round < 30; ++round) {
+    const Pose turn = random_rotation(random, 9);
+    const auto& [x, y, z] = steps[round % 4];
+    const Pose beside = composed(turn, translation(x, y, z));
+    for (const bool round_it : {false, true}) {  // truly rigid: they touch; in doubles, who knows
+      const Pose pose_a = round_it ? rounded(turn) : turn, pose_b = round_it ? rounded(beside) : beside;
+      const bool expected = collide(truth_a, pose_a, truth_b, pose_b);
+      if (!round_it) BOOST_TEST(expected);
+      ++seen[expected];
+      const auto pairs = features(truth_a, pose_a, truth_b, pose_b);
+      for (std::size_t k = 0; k < subjects.size(); ++k) {
+        const Question question = round % 2 ? Question::solid : Question::surface;
+        const bool right = prepared[k]->collide(pose_a, pose_b, question) == expected &&
+                           (round % 5 != 0 || prepared[k]->features(pose_a, pose_b) == pairs);
+        wrong[k] += !right;
+        if (subjects[k].is_exact())
+          BOOST_TEST(right, subjects[k].name() << " in round " << round << " beside " << x << " " << y << " " << z);
+      }
+    }
+  }
+  BOOST_TEST((seen[0] > 5 && seen[1] > 30));
+  for (std::size_t k = 0; k < subjects.size(); ++k) {
+    const std::string name = subjects[k].kernel_name();
+    if (name == "double" || name == "float" || name == "epick")
+      BOOST_TEST(wrong[k] > 0, subjects[k].name() << " is never wrong");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(exact_subjects_answer_as_the_truth_on_bodies_of_every_kind)
+{
+  Random random(23);
+  const auto bodies = closed_bodies();
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Named& a = bodies[i];
+    const Named& b = bodies[(5 * i + 3) % bodies.size()];
+    const Brute_body truth_a(a.body), truth_b(b.body);
+    std::vector<Subject> subjects;
+    for (const Subject& subject : all_subjects())
+      if (subject.is_exact() && (subject.kernel == Kernel_name::adaptive || subject.method == Method::tree))
+        subjects.push_back(subject);
+    std::vector<std::unique_ptr<Prepared_pair>> prepared;
+    for (const Subject& subject : subjects) prepared.push_back(prepare(subject, a.body, b.body));
+    const Pose turn = i % 2 ? Pose() : random_rotation(random, 3);
+    const Pose step = translation(integer(random, -4, 4), integer(random, -3, 3), integer(random, -2, 2) * 0.5);
+    const Pose pose_b = composed(turn, step);
+    const bool solid = collide(truth_a, turn, truth_b, pose_b),
+               surface = collide(truth_a, turn, truth_b, pose_b, Question::surface);
+    const auto pairs = features(truth_a, turn, truth_b, pose_b);
+    for (std::size_t k = 0; k < subjects.size(); ++k) {
+      BOOST_TEST_INFO_SCOPE(subjects[k].name() << ": " << a.name << " and " << b.name);
+      BOOST_TEST(prepared[k]->collide(turn, pose_b, Question::solid) == solid);
+      BOOST_TEST(prepared[k]->collide(turn, pose_b, Question::surface) == surface);
+      BOOST_TEST((prepared[k]->features(turn, pose_b) == pairs));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_tolerance_is_its_own_subjects_and_nobody_elses)
+{
+  const auto plain = prepare(*Subject::parse("double-eps=0"), unit_cube(), unit_cube());
+  const auto coarse = prepare(*Subject::parse("double-eps=0.25"), unit_cube(), unit_cube());
+  const auto in_double = prepare(*Subject::parse("double"), unit_cube(), unit_cube());
+  Random random(24);
+  int differ = 0;
+  for (int round = 0; round < 20; ++round) {
+    const Pose a = rounded(random_rotation(random)),
+               b = translation(real(random, -1.5, 1.5), real(random, -1.5, 1.5), real(random, -1.5, 1.5));
+    const bool expected = in_double->collide(a, b, Question::solid);
+    differ += coarse->features(a, b) != in_double->features(a, b);
+    BOOST_TEST(plain->collide(a, b, Question::solid) == expected);
+    differ += coarse->collide(a, b, Question::solid) != expected;
+    BOOST_TEST((plain->features(a, b) == in_double->features(a, b)));
+  }
+  BOOST_TEST(differ > 0);
+}
+
+BOOST_AUTO_TEST_CASE(work_is_counted_since_it_was_last_asked_for)
+{
+  for (const Subject& subject : all_subjects()) {
+    BOOST_TEST_INFO_SCOPE(subject.name());
+    const auto pair = prepare(subject, star_prism(), cube(1));
+    BOOST_TEST(pair->take_counts().queries == 0u);
+    const Pose turn = Pose::from_quaternion(3, 1, -2, 1);
+    pair->collide(turn, Pose(), Question::solid);
+    pair->collide(Pose(), translation(1, 1, 0), Question::surface);
+    pair->features(turn, Pose());
+    const Query_statistics counts = pair->take_counts(), after = pair->take_counts();
+    BOOST_TEST(after.queries == 0u);
+    BOOST_TEST(after.primitive_tests() == 0u);
+    if (is_truth(subject)) {
+      BOOST_TEST(counts.queries == 0u);
+      BOOST_TEST(pair->bytes() == 0u);
+      BOOST_TEST(pair->node_count() == 0u);
+      continue;
+    }
+    BOOST_TEST(counts.queries == 3u);
+    BOOST_TEST(counts.primitive_tests() > 0u);
+    BOOST_TEST((counts.exact_fallbacks > 0) == (subject.kernel == Kernel_name::adaptive));
+    BOOST_TEST(pair->bytes() > 0u);
+    BOOST_TEST(pair->node_count() >= 2u);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

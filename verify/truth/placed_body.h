@@ -1,0 +1,132 @@
+#ifndef TETRACONE_VERIFY_TRUTH_PLACED_BODY_H
+#define TETRACONE_VERIFY_TRUTH_PLACED_BODY_H
+
+#include "tetracone/kernel/number/pose.h"
+#include "verify/truth/brute_body.h"
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Interval_nt.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace tetracone::verify {
+
+/// The kernel of the filter: every coordinate an interval that holds the exact one, rounding mode set by the user.
+using Enclosing = CGAL::Simple_cartesian<CGAL::Interval_nt_advanced>;
+
+/// A body at a pose: the image of each of its points, enclosed in intervals at once and exact when it is asked for.
+/// Not for two threads at a time: exact images are kept.
+class Placed_body {
+ public:
+  /// Requires det M != 0, and the body to outlive this.
+  Placed_body(const Brute_body& body, const kernel::Pose& pose) : body_(&body), exact_(body.points().size())
+  {
+    for (int k = 0; k < 12; ++k) pose_[k] = pose.exact(k);
+    enclose();
+  }
+
+  const Brute_body& body() const { return *body_; }
+
+  /// The image of point `v` of the body; an Enclosing one only under upward rounding and where `is_enclosed()`.
+  template <class K>
+  const typename K::Point_3& image(Index v) const
+  {
+    if constexpr (std::same_as<K, Enclosing>) {
+      return enclosing_[v];
+    } else {
+      if (!exact_[v]) exact_[v] = exact_image(body_->points()[v]);
+      return *exact_[v];
+    }
+  }
+
+  /// False when numbers are so large that intervals could overflow: then everything is decided exactly.
+  bool is_enclosed() const { return enclosed_; }
+
+  /// The outward-rounded box of the images of `corners`. Finite: what is beyond a quarter of the doubles' range is moved
+  /// to its end, in order, so that boxes that meet still do.
+  template <class Corners>
+  CGAL::Bbox_3 box(const Corners& corners) const
+  {
+    CGAL::Bbox_3 box;
+    for (const Index v : corners) box += point_box(v);
+    return box;
+  }
+
+  CGAL::Bbox_3 box(const Element& element) const { return box(element.corners); }
+
+ private:
+  Exact::Point_3 exact_image(const Exact::Point_3& p) const
+  {
+    const auto row = [&](int i) {
+      return kernel::Rational(pose_[i] * p.x() + pose_[i + 1] * p.y() + pose_[i + 2] * p.z() + pose_[i + 3]);
+    };
+    return {row(0), row(4), row(8)};
+  }
+
+  void enclose()
+  {
+    using Interval = CGAL::Interval_nt_advanced;
+    std::array<Interval, 12> m;
+    for (int k = 0; k < 12; ++k) m[k] = CGAL::to_interval(pose_[k]);
+    std::vector<std::array<std::pair<double, double>, 3>> bounds;
+    for (const Exact::Point_3& p : body_->points())
+      bounds.push_back({CGAL::to_interval(p.x()), CGAL::to_interval(p.y()), CGAL::to_interval(p.z())});
+    const CGAL::Protect_FPU_rounding<true> upward;
+    for (const auto& [x, y, z] : bounds) {
+      const auto row = [&](int i) { return m[i] * Interval(x) + m[i + 1] * Interval(y) + m[i + 2] * Interval(z) + m[i + 3]; };
+      enclosing_.emplace_back(row(0), row(4), row(8));
+      for (int i = 0; i < 3; ++i) {
+        // Products of up to four such coordinates stay finite; a NaN compares false.
+        const double limit = 0x1p200;
+        enclosed_ = enclosed_ && enclosing_.back()[i].inf() > -limit && enclosing_.back()[i].sup() < limit;
+      }
+    }
+  }
+
+  CGAL::Bbox_3 point_box(Index v) const
+  {
+    std::array<std::pair<double, double>, 3> bounds;
+    for (int i = 0; i < 3; ++i) {
+      if (enclosed_) {
+        bounds[i] = {enclosing_[v][i].inf(), enclosing_[v][i].sup()};
+      } else {
+        const double end = std::numeric_limits<double>::max() / 4;
+        const auto [low, high] = CGAL::to_interval(image<Exact>(v)[i]);
+        bounds[i] = {std::clamp(low, -end, end), std::clamp(high, -end, end)};
+      }
+    }
+    return {bounds[0].first, bounds[1].first, bounds[2].first, bounds[0].second, bounds[1].second, bounds[2].second};
+  }
+
+  const Brute_body* body_;
+  std::array<kernel::Rational, 12> pose_;
+  std::vector<Enclosing::Point_3> enclosing_;
+  bool enclosed_ = true;
+  mutable std::vector<std::optional<Exact::Point_3>> exact_;
+};
+
+/// The exact value of a predicate on images of two bodies: `predicate(kernel)` in interval arithmetic and, where that is
+/// not certain, in rational arithmetic.
+template <class Predicate>
+auto decide(const Placed_body& a, const Placed_body& b, Predicate&& predicate)
+{
+  if (a.is_enclosed() && b.is_enclosed()) {
+    const CGAL::Protect_FPU_rounding<true> upward;
+    try {
+      return predicate(Enclosing());
+    } catch (const CGAL::Uncertain_conversion_exception&) {
+    }
+  }
+  return predicate(Exact());
+}
+
+}  // namespace tetracone::verify
+
+#endif
