@@ -33,7 +33,7 @@ void run(const Options& options)
   Progress progress("points", points.size());
   for (const covering::Point_numbers& p : points) {
     // A point of fractions is the coordinate origin under an exact translation.
-    const bool fractions = std::ranges::any_of(p, [](const kernel::Number& x) { return x.fraction.has_value(); });
+    const bool fractions = std::ranges::any_of(p, [](const covering::Number& x) { return x.fraction.has_value(); });
     covering::Location at;
     if (fractions) {
       const kernel::Pose translation(std::array<kernel::Rational, 12>{1, 0, 0, p[0].exact(), 0, 1, 0, p[1].exact(), 0, 0, 1, p[2].exact()});
