@@ -1,7 +1,7 @@
 #ifndef TETRACONE_COVERING_POLYHEDRON_H
 #define TETRACONE_COVERING_POLYHEDRON_H
 
-#include "tetracone/kernel/number/number.h"
+#include "tetracone/kernel/number/vertex.h"
 
 #include <algorithm>
 #include <array>

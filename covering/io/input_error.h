@@ -1,8 +1,9 @@
 #ifndef TETRACONE_COVERING_IO_INPUT_ERROR_H
 #define TETRACONE_COVERING_IO_INPUT_ERROR_H
 
+#include "tetracone/kernel/number/error.h"
+
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -10,10 +11,10 @@ namespace tetracone::covering {
 
 /// What is wrong in a user's file. `what()` is one line, "file:line: what is wrong; what was expected"; line 0 stands
 /// for no line (a binary file, or the file as a whole) and is left out with its colon.
-class Input_error : public std::runtime_error {
+class Input_error : public Error {
  public:
   Input_error(std::string_view file, std::size_t line, std::string_view wrong, std::string_view expected)
-      : std::runtime_error(message(file, line, wrong, expected))
+        : Error(message(file, line, wrong, expected))
   {}
 
  private:

@@ -1,103 +1,16 @@
 #ifndef TETRACONE_COVERING_IO_READ_H
 #define TETRACONE_COVERING_IO_READ_H
 
-#include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/io/read_model.h"
-#include "tetracone/covering/io/read_obj.h"
-#include "tetracone/covering/io/read_off.h"
-#include "tetracone/covering/io/read_ply.h"
-#include "tetracone/covering/io/read_poly.h"
-#include "tetracone/covering/io/read_scan.h"
-#include "tetracone/covering/io/read_stl.h"
+#include "tetracone/covering/polyhedron.h"
 
-#include <CGAL/IO/OBJ.h>
-#include <CGAL/IO/OFF.h>
-#include <CGAL/IO/PLY.h>
-#include <CGAL/IO/STL.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <algorithm>
 #include <filesystem>
-#include <numeric>
-#include <optional>
-#include <sstream>
-#include <string>
-#include <string_view>
-#include <system_error>
-#include <utility>
-#include <vector>
 
 namespace tetracone::covering {
 
 /// Vertices with exactly equal coordinates (-0.0 equals 0.0) become one, the first of them; faces and loops stay as
 /// they are.
-inline Polyhedron merge_equal_vertices(const Polyhedron& polyhedron)
-{
-  const auto& vertices = polyhedron.vertices;
-  std::vector<Index> order(vertices.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  std::ranges::sort(order,
-                    [&](Index a, Index b) { return vertices[a] != vertices[b] ? vertices[a] < vertices[b] : a < b; });
-  std::vector<Index> first(vertices.size()), number(vertices.size());
-  for (std::size_t k = 0; k < order.size(); ++k)
-    first[order[k]] = k > 0 && vertices[order[k]] == vertices[order[k - 1]] ? first[order[k - 1]] : order[k];
-  Polyhedron result;
-  for (Index v = 0; v < vertices.size(); ++v) {
-    if (first[v] == v) {
-      number[v] = static_cast<Index>(result.vertices.size());
-      result.vertices.push_back(vertices[v]);
-    } else {
-      number[v] = number[first[v]];
-    }
-  }
-  std::vector<std::vector<Index>> loops;
-  for (Index f = 0; f < polyhedron.face_count(); ++f) {
-    loops.clear();
-    for (std::size_t k = 0; k < polyhedron.loop_count(f); ++k) {
-      loops.emplace_back();
-      for (const Index v : polyhedron.loop(f, k)) loops.back().push_back(number[v]);
-    }
-    result.add_face(loops);
-  }
-  return result;
-}
-
-namespace cgal {
-
-using Point = CGAL::Simple_cartesian<double>::Point_3;
-
-struct Soup {
-  std::vector<Point> points;
-  std::vector<std::vector<std::size_t>> polygons;
-};
-
-/// The polygon soup that CGAL reads from the text; nothing where CGAL refuses it.
-inline std::optional<Soup> read(const std::string& suffix, const std::string& text)
-{
-  std::istringstream in(text, std::ios::binary);
-  Soup soup;
-  const bool done = suffix == ".off"   ? CGAL::IO::read_OFF(in, soup.points, soup.polygons)
-                    : suffix == ".obj" ? CGAL::IO::read_OBJ(in, soup.points, soup.polygons)
-                    : suffix == ".ply" ? CGAL::IO::read_PLY(in, soup.points, soup.polygons)
-                                       : CGAL::IO::read_STL(in, soup.points, soup.polygons);
-  if (!done) return std::nullopt;
-  return soup;
-}
-
-/// True when CGAL's soup is the scanned one: the same counts, the same indices and, unless CGAL rounds to float, the
-/// same coordinates.
-inline bool agrees(const Soup& soup, const Polyhedron& scanned, bool compare_coordinates)
-{
-  if (soup.points.size() != scanned.vertices.size() || soup.polygons.size() != scanned.face_count()) return false;
-  for (std::size_t v = 0; compare_coordinates && v < soup.points.size(); ++v)
-    for (int axis = 0; axis < 3; ++axis)
-      if (soup.points[v][axis] != scanned.vertices[v][axis]) return false;
-  for (Index f = 0; f < soup.polygons.size(); ++f)
-    if (!std::ranges::equal(soup.polygons[f], scanned.loop(f, 0))) return false;
-  return true;
-}
-
-}  // namespace cgal
+Polyhedron merge_equal_vertices(const Polyhedron& polyhedron);
 
 /// Reads a model: OFF, OBJ, PLY (text and binary), STL (text and binary) or TetGen .poly, by the suffix in any case of
 /// letters.
@@ -113,49 +26,10 @@ inline bool agrees(const Soup& soup, const Polyhedron& scanned, bool compare_coo
 /// Throws Input_error at the first thing that is wrong: no file, an unknown suffix, a word that is no number, nan,
 /// infinity or overflow, an index out of range, a face of less than three corners, missing or surplus data, a count
 /// that the file cannot hold, no face at all.
-inline Read_model read_model(const std::filesystem::path& path)
-{
-  std::string suffix = path.extension().native();
-  std::ranges::transform(suffix, suffix.begin(),
-                         [](unsigned char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c); });
-  const std::string& file = path.native();
-  const bool known = suffix == ".off" || suffix == ".obj" || suffix == ".ply" || suffix == ".stl" || suffix == ".poly";
-  // What is no file at all is said first.
-  std::error_code ignored;
-  if (!known && std::filesystem::is_regular_file(path, ignored))
-    throw Input_error(file, 0, (suffix.empty() ? "no suffix" : "unknown suffix " + in_quotes(suffix)),
-                      "expected .off, .obj, .ply, .stl or .poly");
-  const std::string text = covering::read_bytes(path);
-  if (!known) throw Input_error(file, 0, "unknown suffix", "expected .off, .obj, .ply, .stl or .poly");
-  if (text.empty()) throw Input_error(file, 0, "the file is empty", "expected a model");
-
-  Read_model model;
-  if (suffix == ".poly") {
-    model = read_poly(path, text);
-  } else {
-    Scan scan = suffix == ".off"   ? scan_off(file, text)
-                : suffix == ".obj" ? scan_obj(file, text)
-                : suffix == ".ply" ? scan_ply(file, text)
-                                   : scan_stl(file, text);
-    model.polyhedron = suffix == ".stl" ? merge_equal_vertices(scan.soup) : std::move(scan.soup);
-    if (model.polyhedron.face_count() != 0) {
-      if (!scan.cgal_knows) {
-        model.notes.emplace_back("a dialect that CGAL's reader does not take: read by the scan alone");
-      } else {
-        const auto soup = cgal::read(suffix, text);
-        if (!soup || !cgal::agrees(*soup, model.polyhedron, !scan.single_coordinates))
-          throw Input_error(file, 0, "CGAL's reader finds something else in it than the scan",
-                            "expected that both agree");
-      }
-    }
-  }
-  if (model.polyhedron.face_count() == 0) throw Input_error(file, 0, "no face", "expected a model with faces");
-  model.name = path.filename().native();
-  return model;
-}
+Read_model read_model(const std::filesystem::path& path);
 
 /// The polyhedron of `read_model`.
-inline Polyhedron read(const std::filesystem::path& path) { return read_model(path).polyhedron; }
+Polyhedron read(const std::filesystem::path& path);
 
 }  // namespace tetracone::covering
 

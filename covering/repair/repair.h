@@ -1,192 +1,44 @@
 #ifndef TETRACONE_COVERING_REPAIR_REPAIR_H
 #define TETRACONE_COVERING_REPAIR_REPAIR_H
 
-// Uses CGAL's triangulations and Polygon_mesh_processing, which are GPL: readers, checks and programs may include this
-// file, the header-only core may not.
+// By CGAL's triangulations and Polygon_mesh_processing, which are GPL, and so is what links this.
 
-#include "tetracone/covering/edge_uses.h"
 #include "tetracone/covering/orient.h"
-#include "tetracone/covering/planarity.h"
 #include "tetracone/covering/polyhedron.h"
-#include "tetracone/covering/projection.h"
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
-
-#include <algorithm>
 #include <array>
-#include <cstddef>
 #include <map>
 #include <optional>
-#include <set>
-#include <utility>
 #include <vector>
 
 namespace tetracone::covering {
 
 namespace repair {
 
-/// How often the directed edge (a, b), a < b, is used more than its reverse; edges that cancel have no entry.
-using Boundary = std::map<std::array<Index, 2>, int>;
-
-inline void add_edge(Boundary& boundary, Index a, Index b)
-{
-  if (a == b) return;
-  const std::array edge{std::min(a, b), std::max(a, b)};
-  const int change = a < b ? 1 : -1;
-  if ((boundary[edge] += change) == 0) boundary.erase(edge);
-}
-
 using Triangle = std::array<Index, 3>;
 
-inline Boundary boundary_of(const std::vector<Triangle>& triangles)
-{
-  Boundary boundary;
-  for (const Triangle& t : triangles)
-    for (int k = 0; k < 3; ++k) add_edge(boundary, t[k], t[(k + 1) % 3]);
-  return boundary;
-}
-
-struct Label {
-  bool reached = false;
-  int winding = 0;
-};
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Vertex_base = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
-using Face_base =
-    CGAL::Constrained_triangulation_face_base_2<Kernel, CGAL::Triangulation_face_base_with_info_2<Label, Kernel>>;
-using Structure = CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>;
-// Where constraints cross, no triangulation is wanted: the tag makes the insertion throw.
-using Triangulation =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_tag>;
+/// How often the directed edge (a, b), a < b, is used more than its reverse; edges that cancel have no entry.
+using Boundary = std::map<std::array<Index, 2>, int>;
+void add_edge(Boundary& boundary, Index a, Index b);
+Boundary boundary_of(const std::vector<Triangle>& triangles);
 
 /// The triangles of face `f` by constrained Delaunay triangulation of its projection along the largest component of the
 /// outer loop's Newell normal: each triangle of the plane as often, and in the direction, as its winding number about
 /// the loops says. Nothing where the projected loops cross, pass through another corner, or put two corners in one
 /// point.
-inline std::optional<std::vector<Triangle>> constrained_delaunay(const Polyhedron& polyhedron, Index f)
-{
-  const int axis = projection_axis(polyhedron, polyhedron.loop(f, 0));
-  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-  Boundary boundary;
-  Triangulation triangulation;
-  std::map<Index, Triangulation::Vertex_handle> handles;
-  for (const Index corner : corners(polyhedron, f)) {
-    if (handles.contains(corner)) continue;
-    const Vertex& p = polyhedron.vertices[corner];
-    const std::size_t before = triangulation.number_of_vertices();
-    const auto handle = triangulation.insert(Kernel::Point_2(p[u], p[v]));
-    if (triangulation.number_of_vertices() == before) return std::nullopt;
-    handle->info() = corner;
-    handles[corner] = handle;
-  }
-  for_each_directed_edge(polyhedron, f, [&boundary](Index a, Index b) { add_edge(boundary, a, b); });
-  try {
-    // Each edge once, for the tag takes a second time for a crossing; edges that cancel bound nothing.
-    for (const auto& [edge, uses] : boundary) triangulation.insert_constraint(handles[edge[0]], handles[edge[1]]);
-  } catch (const Triangulation::Intersection_of_constraints_exception&) {
-    return std::nullopt;
-  }
-  if (triangulation.dimension() < 2) return std::nullopt;
-
-  // Winding numbers spread from the infinite face; crossing the directed edge (a, b) from its right to its left adds 1.
-  for (auto face = triangulation.all_faces_begin(); face != triangulation.all_faces_end(); ++face) face->info() = {};
-  std::vector<Triangulation::Face_handle> queue{triangulation.infinite_face()};
-  queue[0]->info() = {true, 0};
-  std::vector<Triangle> triangles;
-  for (std::size_t next = 0; next < queue.size(); ++next) {
-    const auto face = queue[next];
-    const int winding = face->info().winding;
-    if (!triangulation.is_infinite(face)) {
-      Triangle t;
-      for (int k = 0; k < 3; ++k) t[k] = face->vertex(k)->info();
-      if (winding < 0) std::swap(t[1], t[2]);
-      triangles.insert(triangles.end(), std::abs(winding), t);
-    }
-    for (int k = 0; k < 3; ++k) {
-      const auto neighbour = face->neighbor(k);
-      if (neighbour->info().reached) continue;
-      int beyond = winding;
-      const auto a = face->vertex((k + 1) % 3), b = face->vertex((k + 2) % 3);
-      if (!triangulation.is_infinite(a) && !triangulation.is_infinite(b)) {
-        // This face is on the left of (a, b), the neighbour on its right.
-        const Index i = a->info(), j = b->info();
-        if (const auto found = boundary.find({std::min(i, j), std::max(i, j)}); found != boundary.end())
-          beyond -= i < j ? found->second : -found->second;
-      }
-      neighbour->info() = {true, beyond};
-      queue.push_back(neighbour);
-    }
-  }
-  if (boundary_of(triangles) != boundary) return std::nullopt;
-  return triangles;
-}
+std::optional<std::vector<Triangle>> constrained_delaunay(const Polyhedron& polyhedron, Index f);
 
 /// The triangles that join the first corner of each loop of face `f` to that loop's edges. As a chain they have the
 /// face's boundary; a fan that folds over itself or fills a hole is there all the same, and the opposite fan cancels it
 /// only in the winding number.
-inline std::vector<Triangle> fan(const Polyhedron& polyhedron, Index f)
-{
-  std::vector<Triangle> triangles;
-  for (std::size_t k = 0; k < polyhedron.loop_count(f); ++k) {
-    const Loop loop = polyhedron.loop(f, k);
-    for (std::size_t j = 1; j + 1 < loop.size(); ++j) triangles.push_back({loop[0], loop[j], loop[j + 1]});
-  }
-  return triangles;
-}
-
-/// Collects which polygons CGAL turned round.
-struct Turn_visitor : CGAL::Polygon_mesh_processing::Default_orientation_visitor {
-  explicit Turn_visitor(std::vector<bool>& turns) : turned(turns) {}
-  void polygon_orientation_reversed(std::size_t polygon) { turned[polygon] = !turned[polygon]; }
-  std::vector<bool>& turned;
-};
-
-/// `turns_across_edges` by CGAL's orient_polygon_soup, which knows only single loops that visit a vertex once; the
-/// vertices that it duplicates are not taken over. Nothing where the polyhedron has other faces.
-inline std::optional<std::vector<bool>> turns_by_cgal(const Polyhedron& polyhedron)
-{
-  std::vector<Kernel::Point_3> points(polyhedron.vertices.size());
-  std::vector<std::vector<std::size_t>> polygons;
-  for (Index f = 0; f < polyhedron.face_count(); ++f) {
-    if (polyhedron.loop_count(f) != 1) return std::nullopt;
-    const Loop loop = polyhedron.loop(f, 0);
-    polygons.emplace_back(loop.begin(), loop.end());
-    auto sorted = polygons.back();
-    std::ranges::sort(sorted);
-    if (sorted.size() < 3 || std::ranges::adjacent_find(sorted) != sorted.end()) return std::nullopt;
-  }
-  std::vector<bool> turned(polygons.size());
-  Turn_visitor visitor(turned);
-  CGAL::Polygon_mesh_processing::orient_polygon_soup(points, polygons, CGAL::parameters::visitor(visitor));
-  return turned;
-}
+std::vector<Triangle> fan(const Polyhedron& polyhedron, Index f);
 
 }  // namespace repair
 
 /// Triangles that cover exactly each face of more than one triangle's corners, in its direction and as often as its winding number says, without
 /// new vertices; none for triangles, and for faces where that is not possible: where loops cross, pass through a corner,
 /// or have an edge that bounds nothing. Requires planar faces.
-inline std::vector<Face_triangle> triangulate_faces(const Polyhedron& polyhedron)
-{
-  std::vector<Face_triangle> all;
-  for (Index f = 0; f < polyhedron.face_count(); ++f) {
-    if (polyhedron.is_triangle(f)) continue;
-    const auto triangles = repair::constrained_delaunay(polyhedron, f);
-    if (!triangles) continue;
-    std::set<std::array<Index, 2>> sides;
-    for (const auto& t : *triangles)
-      for (int k = 0; k < 3; ++k) sides.insert({std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])});
-    bool all_edges = true;
-    for_each_directed_edge(polyhedron, f, [&](Index a, Index b) { all_edges = all_edges && sides.contains({std::min(a, b), std::max(a, b)}); });
-    if (!all_edges) continue;
-    for (const auto& t : *triangles) all.push_back({f, t});
-  }
-  return all;
-}
+std::vector<Face_triangle> triangulate_faces(const Polyhedron& polyhedron);
 
 /// A polyhedron whose faces are all planar, and where they come from.
 struct Triangulated {
@@ -199,41 +51,15 @@ struct Triangulated {
 /// Replaces each face that is not exactly planar, that face alone, by triangles with exactly its directed loop edges as
 /// their boundary: what was closed stays closed. By CGAL's constrained Delaunay triangulation (see
 /// `repair::constrained_delaunay`), and where that is impossible by `repair::fan`. Vertices stay as they are.
-inline Triangulated triangulate_non_planar(const Polyhedron& polyhedron)
-{
-  Triangulated result;
-  result.polyhedron.vertices = polyhedron.vertices;
-  for (Index f = 0; f < polyhedron.face_count(); ++f) {
-    if (polyhedron.is_triangle(f) || planarity(polyhedron, f) != Planarity::off_plane) {
-      append_face(result.polyhedron, polyhedron, f, false);
-      result.source.push_back(f);
-      continue;
-    }
-    result.replaced.push_back(f);
-    auto triangles = repair::constrained_delaunay(polyhedron, f);
-    if (!triangles) {
-      result.fanned.push_back(f);
-      triangles = repair::fan(polyhedron, f);
-    }
-    for (const auto& triangle : *triangles) {
-      result.polyhedron.add_polygon(triangle);
-      result.source.push_back(f);
-    }
-  }
-  return result;
-}
+Triangulated triangulate_non_planar(const Polyhedron& polyhedron);
 
 /// The polyhedron with its faces oriented consistently across edges that two faces share: by CGAL where all faces are
 /// single loops that visit a vertex once, else breadth-first. What closes as it stands is left alone, what becomes
 /// closed is turned outward (`apply_orientation`).
-inline Oriented orient(const Polyhedron& polyhedron)
-{
-  const auto turned = repair::turns_by_cgal(polyhedron);
-  return apply_orientation(polyhedron, turned ? *turned : turns_across_edges(polyhedron));
-}
+Oriented orient(const Polyhedron& polyhedron);
 
 /// Whether consistent orientation alone closes the polyhedron (true for one that is closed already).
-inline bool closes_if_oriented(const Polyhedron& polyhedron) { return is_closed(orient(polyhedron).polyhedron); }
+bool closes_if_oriented(const Polyhedron& polyhedron);
 
 }  // namespace tetracone::covering
 

@@ -62,18 +62,35 @@ jobs_at_once()
   echo "$processors"
 }
 
-# build PRESET [CMAKE OPTION...]: configures quietly and builds.
+# Copies its input; behind a line that counts, "[12/80] ..." of a build or " 3/90 Test ..." of tests, how long the rest will take at this pace.
+with_time_left()
+{
+  awk -v start="$(date +%s)" '
+    match($0, /^(\[[0-9]+\/[0-9]+\]| *[0-9]+\/[0-9]+ Test)/) {
+      split(substr($0, RSTART, RLENGTH), part, /[^0-9]+/)
+      done = part[1] == "" ? part[2] : part[1]; all = part[1] == "" ? part[3] : part[2]
+      "date +%s" | getline now; close("date +%s")
+      if (done > 0) left = sprintf("   (%d min %02d s left)", (now - start) * (all - done) / done / 60, (now - start) * (all - done) / done % 60)
+      print $0 left; fflush(); next
+    }
+    { print; fflush() }'
+}
+
+# build PRESET [-D...] [--target TARGET...]: configures quietly and builds.
 build()
 {
-  local log preset=$1
+  local log preset=$1 options=() targets=()
   shift
+  while (($#)); do
+    if [[ $1 == --target ]]; then targets+=(--target "$2"); shift 2; else options+=("$1"); shift; fi
+  done
   log=$(mktemp)
   echo "building: $preset"
-  if ! (cd "$root" && cmake --preset "$preset" "$@") > "$log" 2>&1; then
+  if ! (cd "$root" && cmake --preset "$preset" "${options[@]}") > "$log" 2>&1; then
     cat "$log" >&2
     rm -f "$log"
     fail "could not configure: cmake --preset $preset"
   fi
   rm -f "$log"
-  (cd "$root" && cmake --build --preset "$preset" --parallel "$(jobs_at_once)")
+  (cd "$root" && cmake --build --preset "$preset" --parallel "$(jobs_at_once)" "${targets[@]}") | with_time_left
 }

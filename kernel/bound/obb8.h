@@ -24,6 +24,7 @@ struct alignas(32) Obb8 {
   float origin[3];
   float reach;     ///< |c_k| + sum_i e_i of every lane is at most this, c relative to the origin
   int lane_count;  ///< so many lanes hold a box, the first ones
+  std::uint32_t marked;  ///< lanes, as bits, that mean something to whoever keeps the boxes
 };
 inline constexpr double axis_defect = 0x1p-21;
 

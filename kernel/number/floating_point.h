@@ -1,13 +1,14 @@
 #ifndef TETRACONE_KERNEL_NUMBER_FLOATING_POINT_H
 #define TETRACONE_KERNEL_NUMBER_FLOATING_POINT_H
 
+#include "tetracone/kernel/number/error.h"
+
 #include <cfenv>
 #include <cfloat>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
 #include <limits>
-#include <stdexcept>
 #include <type_traits>
 
 #if defined(__SSE2__)
@@ -101,9 +102,9 @@ inline bool floating_point_is_sound()
 }
 
 /// Thrown by what decides exactly, when floating point is not as it must be.
-class Unsound_floating_point : public std::runtime_error {
+class Unsound_floating_point : public Error {
  public:
-  using std::runtime_error::runtime_error;
+  using Error::Error;
 };
 
 /// Throws Unsound_floating_point when the calling thread's floating point is not sound. Asked by every query that decides exactly; a caller of

@@ -1,6 +1,8 @@
 #ifndef TETRACONE_KERNEL_NUMBER_NUMBER_H
 #define TETRACONE_KERNEL_NUMBER_NUMBER_H
 
+#include "tetracone/kernel/number/vertex.h"
+
 #include <gmpxx.h>
 
 #include <array>
@@ -18,9 +20,6 @@ namespace tetracone::kernel {
 
 /// Exact rational number: every double is one, and so is every fraction n/d of a pose. GMP's own, in lowest terms.
 using Rational = mpq_class;
-
-/// A point of a model, in the model's own frame. Each coordinate is a finite double and stands for exactly that rational.
-using Vertex = std::array<double, 3>;
 
 /// The double nearest to the decimal number that `text` is, whole: "1e-400" is 0, denormals are kept.
 /// Nothing when `text` is not a decimal number, or its nearest double is not finite ("nan", "inf", "1e400").

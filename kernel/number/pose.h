@@ -14,7 +14,6 @@
 #include <cmath>
 #include <memory>
 #include <utility>
-#include <vector>
 
 namespace tetracone::kernel {
 
@@ -46,16 +45,16 @@ class Pose {
     }
     is_translation_ = all_doubles && is_unit(entries_);
     if (all_doubles) return;
-    rationals_.assign(entries.begin(), entries.end());
+    auto fractions = std::make_shared<Fractions>();
+    fractions->exact = entries;
     mpz_class common = 1;
     for (int k = 0; k < 12; ++k) {
-      lows_[k] = nearest_double(Rational(entries[k] - Rational(entries_[k])));
+      fractions->lows[k] = nearest_double(Rational(entries[k] - Rational(entries_[k])));
       common = lcm(common, entries[k].get_den());
     }
-    auto whole = std::make_shared<Whole>();
-    whole->weight = mpzf(common);
-    for (int k = 0; k < 12; ++k) whole->entries[k] = mpzf(mpz_class(entries[k].get_num() * (common / entries[k].get_den())));
-    whole_ = std::move(whole);
+    fractions->weight = mpzf(common);
+    for (int k = 0; k < 12; ++k) fractions->whole[k] = mpzf(mpz_class(entries[k].get_num() * (common / entries[k].get_den())));
+    fractions_ = std::move(fractions);
   }
 
   static Pose translation(double x, double y, double z)
@@ -105,17 +104,17 @@ class Pose {
   const std::array<double, 12>& entries() const { return entries_; }
 
   /// True when some entry is no double.
-  bool is_rational() const { return !rationals_.empty(); }
+  bool is_rational() const { return fractions_ != nullptr; }
 
   /// Entry `k` as a sum of two doubles: exact unless `is_rational()`, else off by at most 2^-106 of it, or by 2^-1074.
-  Double_double wide(int k) const { return {entries_[k], lows_[k]}; }
+  Double_double double_double(int k) const { return {entries_[k], fractions_ ? fractions_->lows[k] : 0}; }
 
   /// Entry `k`, exactly.
-  Rational exact(int k) const { return is_rational() ? rationals_[k] : Rational(entries_[k]); }
+  Rational exact(int k) const { return fractions_ ? fractions_->exact[k] : Rational(entries_[k]); }
 
   /// The entries times `weight`, a positive integer, exactly: binary fractions, also where the entries are none.
-  CGAL::Mpzf whole(int k) const { return whole_ ? whole_->entries[k] : CGAL::Mpzf(entries_[k]); }
-  CGAL::Mpzf weight() const { return whole_ ? whole_->weight : CGAL::Mpzf(1); }
+  CGAL::Mpzf whole(int k) const { return fractions_ ? fractions_->whole[k] : CGAL::Mpzf(entries_[k]); }
+  CGAL::Mpzf weight() const { return fractions_ ? fractions_->weight : CGAL::Mpzf(1); }
 
   /// True when the map moves nothing: every image is the point itself, in every kernel.
   bool is_identity() const { return is_translation_ && entries_[3] == 0 && entries_[7] == 0 && entries_[11] == 0; }
@@ -146,11 +145,16 @@ class Pose {
     return CGAL::Sign(sgn(exactly));
   }
 
-  friend bool operator==(const Pose& a, const Pose& b) { return a.entries_ == b.entries_ && a.rationals_ == b.rationals_; }
+  friend bool operator==(const Pose& a, const Pose& b)
+  {
+    return a.entries_ == b.entries_ && a.is_rational() == b.is_rational() && (!a.is_rational() || a.fractions_->exact == b.fractions_->exact);
+  }
 
  private:
-  struct Whole {
-    std::array<CGAL::Mpzf, 12> entries;
+  struct Fractions {
+    std::array<Rational, 12> exact;
+    std::array<double, 12> lows{};         // what rounding took from each, rounded
+    std::array<CGAL::Mpzf, 12> whole;      // each times the weight
     CGAL::Mpzf weight;
   };
 
@@ -173,9 +177,7 @@ class Pose {
 
   std::array<double, 12> entries_;
   bool is_translation_ = true;
-  std::array<double, 12> lows_{};     // what rounding took from a fraction, rounded
-  std::vector<Rational> rationals_;  // empty, or the twelve exact entries
-  std::shared_ptr<const Whole> whole_;  // of these
+  std::shared_ptr<const Fractions> fractions_;  // null where every entry is a double
 };
 
 }  // namespace tetracone::kernel

@@ -229,10 +229,10 @@ class Adaptive {
     constexpr double u = unit_roundoff<double>;
     double largest = 0;
     for (int row = 0; row < 3; ++row) {
-      Double_double sum = pose.wide(4 * row + 3);
+      Double_double sum = pose.double_double(4 * row + 3);
       double magnitude = std::abs(pose[4 * row + 3]);
       for (int k = 0; k < 3; ++k) {
-        const Double_double entry = pose.wide(4 * row + k);
+        const Double_double entry = pose.double_double(4 * row + k);
         sum = sum + (entry.low == 0 ? Double_double::product(entry.high, point.vertex[k]) : entry * Double_double(point.vertex[k]));
         magnitude += std::abs(entry.high * point.vertex[k]);
       }

@@ -25,6 +25,25 @@ constexpr std::optional<Question> parse_question(std::string_view name)
   return std::nullopt;
 }
 
+/// How two placed bodies stand to one another.
+enum class Relation {
+  apart,     ///< no common point of what was asked
+  surfaces,  ///< the surfaces share a point
+  a_in_b,    ///< solids: the surfaces share none, and a shell of A is inside B
+  b_in_a     ///< solids: the other way round
+};
+
+constexpr std::string_view to_string(Relation relation)
+{
+  switch (relation) {
+    case Relation::apart: return "apart";
+    case Relation::surfaces: return "surfaces";
+    case Relation::a_in_b: return "a_in_b";
+    case Relation::b_in_a: return "b_in_a";
+  }
+  return "apart";
+}
+
 }  // namespace tetracone::kernel
 
 #endif

@@ -1,16 +1,11 @@
 #ifndef TETRACONE_KERNEL_PREDICATE_TOLERANT_H
 #define TETRACONE_KERNEL_PREDICATE_TOLERANT_H
 
+#include "tetracone/kernel/predicate/tolerance.h"
+
 #include <CGAL/Simple_cartesian.h>
 
 namespace tetracone::kernel {
-
-/// When a computed value counts as zero: |value| <= absolute, or |value| <= relative * (the sum of the absolute values of
-/// the products it was summed from). Both zero: plain double.
-struct Tolerance {
-  double absolute = 0;
-  double relative = 0;
-};
 
 /// Double with a tolerance, the way robust codes are usually written: each sign is computed in double and is ZERO within
 /// the tolerance. A kernel under study, and the only place of this library where an epsilon decides.

@@ -20,6 +20,7 @@ namespace tetracone::tetratree {
 
 using kernel::Pose;
 using kernel::Question;
+using kernel::Relation;
 
 /// What a query object keeps from one pose to the next.
 enum class Coherence {
@@ -38,7 +39,7 @@ enum class Coherence {
 /// answers need it.
 class Bvh8_collision {
  public:
-  Bvh8_collision(Bvh8& a, Bvh8& b, Coherence coherence = Coherence::none) : a_(a), b_(b), separating_direction_(a, b), coherence_(coherence)
+  Bvh8_collision(const Bvh8& a, const Bvh8& b, Coherence coherence = Coherence::none) : a_(a), b_(b), separating_direction_(a, b), coherence_(coherence)
   {
     kernel::require_exact_arithmetic();
   }
@@ -46,9 +47,15 @@ class Bvh8_collision {
   /// Whether the two placed polyhedra collide. Requires det M != 0 of both poses, and closed polyhedra for `Question::solid`.
   bool operator()(const Pose& pose_a, const Pose& pose_b, Question question = Question::solid)
   {
+    return relation(pose_a, pose_b, question) != Relation::apart;
+  }
+
+  /// How they stand to one another. Requires the same.
+  Relation relation(const Pose& pose_a, const Pose& pose_b, Question question = Question::solid)
+  {
     kernel::require_sound_floating_point();
     ++counts_.queries;
-    if (a_.tree->empty() || b_.tree->empty() || separating_direction_(pose_a, pose_b, 6, coherence_ == Coherence::last_frame)) return false;
+    if (a_.tree->empty() || b_.tree->empty() || separating_direction_(pose_a, pose_b, 6, coherence_ == Coherence::last_frame)) return Relation::apart;
     return ask_trees(pose_a, pose_b, question);
   }
 
@@ -65,29 +72,29 @@ class Bvh8_collision {
   using Box = Placed_bvh8::Box;
 
   /// What no plane has decided.
-  [[gnu::noinline]] bool ask_trees(const Pose& pose_a, const Pose& pose_b, Question question)
+  [[gnu::noinline]] Relation ask_trees(const Pose& pose_a, const Pose& pose_b, Question question)
   {
     const std::uint64_t fallbacks = kernel::Adaptive::exact_fallbacks();
     pose_a_ = &pose_a, pose_b_ = &pose_b, is_placed_ = false;
-    const bool answer = trees_collide(question);
+    const Relation answer = relation_of_trees(question);
     counts_.exact_fallbacks += kernel::Adaptive::exact_fallbacks() - fallbacks;
     return answer;
   }
 
-  bool trees_collide(Question question)
+  Relation relation_of_trees(Question question)
   {
-    if (witness_ && elements_meet(a_.element(witness_->first), b_.element(witness_->second))) return true;
+    if (witness_ && elements_meet(a_.element(witness_->first), b_.element(witness_->second))) return Relation::surfaces;
     const Pose &pose_a = *pose_a_, &pose_b = *pose_b_;
-    const kernel::Local_scale &in_a = a_.tree->units(), &in_b = b_.tree->units();
+    const kernel::Local_scale &in_a = a_.tree->scale(), &in_b = b_.tree->scale();
     const kernel::Origin_offset between(pose_a, in_a, pose_b, in_b);
     // In place: a copy would wait until what is written piece by piece can be read whole.
     std::construct_at(&a_.into_other, pose_b, in_b, pose_a, in_a, -between);
     std::construct_at(&b_.into_other, pose_a, in_a, pose_b, in_b, between);
     witness_.reset();
-    if (surfaces_meet()) return true;
-    if (question == Question::surface) return false;
+    if (surfaces_meet()) return Relation::surfaces;
+    if (question == Question::surface) return Relation::apart;
     place();
-    return containment_(a_, b_, counts_) || containment_(b_, a_, counts_);
+    return containment_(a_, b_, counts_) ? Relation::b_in_a : containment_(b_, a_, counts_) ? Relation::a_in_b : Relation::apart;
   }
 
   void place()
@@ -114,10 +121,9 @@ class Bvh8_collision {
         if (meet && coherence_ == Coherence::last_frame) witness_ = {box_a, box_b};
       } else {
         const int larger = first_is_larger(stack_.size(0), stack_.size(1)) ? 0 : 1;
-        Bvh8& tree = *(larger == 0 ? a_ : b_).tree;
+        const Bvh8& tree = *(larger == 0 ? a_ : b_).tree;
         const Box box = larger == 0 ? box_a : box_b;
         tree.child(box / 8, int(box % 8));
-        trees.nodes[0] = a_.tree->nodes(), trees.nodes[1] = b_.tree->nodes();
       }
     }
     counts_.pairs_visited += trees.opened, counts_.box_tests += trees.compared;

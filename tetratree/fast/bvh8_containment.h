@@ -25,7 +25,7 @@ class Bvh8_containment {
   {
     for (const Index v : held.tree->model().covering().shell_vertices()) {
       const Row at = image(held, v);
-      const double error = held.into_other.frame().error(Bvh8::local_error);
+      const double error = held.into_other.frame().error(Bvh8_elements::local_error);
       if (is_outside(holder.tree->node(0).boxes, at, error)) continue;
       ++counts.inclusion_tests;
       if (winding_number(holder, held, v, beyond(at, error), counts) != 0) return true;

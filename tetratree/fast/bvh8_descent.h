@@ -70,6 +70,14 @@ inline constexpr auto lanes_in = [] {
   return lanes;
 }();
 
+/// For each set of lanes, as bits: the sign bit in these lanes.
+inline constexpr auto signs_in = [] {
+  std::array<std::array<std::uint32_t, kernel::lanes>, 1 << kernel::lanes> signs{};
+  for (unsigned set = 0; set < signs.size(); ++set)
+    for (unsigned lane = 0; lane < kernel::lanes; ++lane) signs[set][lane] = (set >> lane & 1) << 31;
+  return signs;
+}();
+
 /// Whether the first box of a pair is the larger one, which is opened.
 inline bool first_is_larger(float size_a, float size_b) { return size_a > size_b; }
 

@@ -28,7 +28,7 @@ struct Opening {
       stop = Stop::leaves;
       return;
     }
-    const std::int32_t child = trees.nodes[body][box[body] / 8].child[box[body] % 8];
+    const std::int32_t child = trees.nodes[body][box[body] / 8].child_of(int(box[body] % 8));
     if (child < 0) stop = Stop::no_child;
     else node = trees.nodes[body] + child;
   }
@@ -64,9 +64,8 @@ HWY_INLINE std::size_t store(Pair_stack& stack, std::size_t count, const Opening
     const auto mask = hn::And(simd::together<similarity>(simd::One_test{boxes, box, first}), hn::FirstN(tag, held > first ? held - first : 0));
     const auto extent = [&](int i) HWY_ATTR { return hn::Load(tag, boxes.extent[i] + first); };
     const auto size = hn::Mul(hn::Set(tag, o.body == 0 ? trees.scale : 1.0f), hn::Add(extent(0), hn::Add(extent(1), extent(2))));
-    const auto is_leaf = hn::RebindMask(tag, hn::Lt(hn::LoadU(codes, o.node->child.data() + first), hn::Set(codes, Bvh8_node::last_leaf + 1)));
     const auto id = hn::Add(hn::Set(ids, first_id + std::uint32_t(first)), hn::Iota(ids, 0));
-    const auto signed_size = hn::IfThenElse(is_leaf, hn::Neg(size), size);
+    const auto signed_size = hn::Or(size, hn::BitCast(tag, hn::LoadU(ids, signs_in[o.node->boxes.marked].data() + first)));
     // Whole vectors: a masked store would keep the next pop waiting.
 #if HWY_TARGET <= HWY_AVX3
     hn::StoreU(hn::Compress(id, hn::RebindMask(ids, mask)), ids, stack.boxes(o.body) + count);

@@ -16,11 +16,11 @@ struct Placed_bvh8 {
   using Point = kernel::Point<Adaptive>;
   using Box = Index;
 
-  Bvh8* tree;
+  const Bvh8* tree;
   covering::Placed_model<Adaptive> placed;
   kernel::Box_map into_other;  ///< from this body's local units to the other's
 
-  explicit Placed_bvh8(Bvh8& t) : tree(&t), placed(t.model()) {}
+  explicit Placed_bvh8(const Bvh8& t) : tree(&t), placed(t.model()) {}
 
   const Element& element(Box box) const { return tree->element(box / 8, int(box % 8)); }
 

@@ -23,7 +23,7 @@ using kernel::Pose;
 /// along it, the search is given up.
 class Separating_direction {
  public:
-  Separating_direction(Bvh8& a, Bvh8& b) : Separating_direction(a, b, kernel::maximum(a.units().unit, b.units().unit)) {}
+  Separating_direction(const Bvh8& a, const Bvh8& b) : Separating_direction(a, b, kernel::maximum(a.scale().unit, b.scale().unit)) {}
 
   /// True when the placed bodies are found to be apart, in at most `steps` > 0 directions; before these, where that is asked for, in the one
   /// that told the bodies of the last call apart. Requires that both trees have a root.
@@ -50,9 +50,9 @@ class Separating_direction {
 
   struct Body {
     /// `sign`: of its rows.
-    Body(Bvh8& t, double larger_unit, int sign) : table(t)
+    Body(const Bvh8& t, double larger_unit, int sign) : table(t)
     {
-      const kernel::Local_scale& units = t.units();
+      const kernel::Local_scale& units = t.scale();
       const double per_unit = 1 / larger_unit;
       const float unit = float(sign * units.unit * per_unit);
       for (int i = 0; i < 2; ++i) origin[i] = Doubles{units.origin[2 * i], i == 0 ? units.origin[1] : 1} * per_unit;
@@ -63,12 +63,12 @@ class Separating_direction {
     Support_table table;
   };
 
-  Separating_direction(Bvh8& a, Bvh8& b, double larger_unit) : a_(a, larger_unit, 1), b_(b, larger_unit, -1)
+  Separating_direction(const Bvh8& a, const Bvh8& b, double larger_unit) : a_(a, larger_unit, 1), b_(b, larger_unit, -1)
   {
     double farthest = 0;  // from the model's origin, in local units
     bool is_in_range = true;
     for (const Bvh8* tree : {&a, &b}) {
-      const kernel::Local_scale& units = tree->units();
+      const kernel::Local_scale& units = tree->scale();
       for (int i = 0; i < 3; ++i) farthest = kernel::maximum(farthest, std::abs(units.origin[i]) / units.unit);
       is_in_range = is_in_range && units.unit >= 0x1p-60 && units.unit <= 0x1p60;
     }

@@ -39,7 +39,7 @@ class Support_table {
   static constexpr float slack = 40 * 0x1p-24f;
 
   /// `tree` must outlive the table, and its root be made.
-  explicit Support_table(Bvh8& tree) : tree_(&tree), reach_(8 * row * row, unknown) {}
+  explicit Support_table(const Bvh8& tree) : tree_(&tree), reach_(8 * row * row, unknown) {}
 
   /// Requires d[3] = 0, and |d|_1, in every lane of `sum`, in 1e-30 .. 1e30. Without branches that no processor could foretell.
   [[gnu::always_inline]] static Place place(kernel::Four_floats d, kernel::Four_floats sum)
@@ -151,7 +151,7 @@ class Support_table {
     return reach;
   }
 
-  Bvh8* tree_;
+  const Bvh8* tree_;
   std::vector<float> reach_;  // h is at most this
   std::vector<std::pair<double, Index>> open_;
 };

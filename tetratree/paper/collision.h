@@ -19,6 +19,7 @@ using kernel::Contact;
 using kernel::Feature_pair;
 using kernel::Pose;
 using kernel::Question;
+using kernel::Relation;
 
 /// Collision detection between two tetra-trees (JS08 Algorithm 1). Build once, ask for many poses.
 ///
@@ -49,11 +50,18 @@ class Collision {
   /// Whether the two placed polyhedra collide. Requires det M != 0 of both poses, and closed polyhedra for `Question::solid`.
   bool operator()(const Pose& pose_a, const Pose& pose_b, Question question = Question::solid)
   {
+    return relation(pose_a, pose_b, question) != Relation::apart;
+  }
+
+  /// How they stand to one another. Requires the same.
+  Relation relation(const Pose& pose_a, const Pose& pose_b, Question question = Question::solid)
+  {
     const Fallbacks fallbacks(counts_);
     begin(pose_a, pose_b);
-    if (roots_apart()) return false;
-    if (descend_from_roots([this](const Node<B>& a, const Node<B>& b) { return leaves_meet(a, b); })) return true;
-    return question == Question::solid && (holds_a_shell(a_, b_) || holds_a_shell(b_, a_));
+    if (roots_apart()) return Relation::apart;
+    if (descend_from_roots([this](const Node<B>& a, const Node<B>& b) { return leaves_meet(a, b); })) return Relation::surfaces;
+    if (question == Question::surface) return Relation::apart;
+    return holds_a_shell(a_, b_) ? Relation::b_in_a : holds_a_shell(b_, a_) ? Relation::a_in_b : Relation::apart;
   }
 
   /// Calls leaf_test(node of A, node of B) for the pairs of leaves that the query does not discard, until one returns true: the

@@ -1,5 +1,6 @@
 #include "verify/shrink/mutate.h"
 
+#include "tetracone/covering/planarity.h"
 #include "tetracone/covering/repair/repair.h"
 #include "verify/cases/case_numbers.h"
 #include "verify/cases/exact_map.h"

@@ -1,13 +1,12 @@
 #include "verify/subjects/subject.h"
 
-#include "tetracone/covering/repair/repair.h"
 #include "tetracone/kernel/number/number.h"
-#include "tetracone/tetratree/paper/collision.h"
-#include "tetracone/tetratree/fast/bvh8_collision.h"
+#include "tetracone/tetratree/door/repair.h"
 #include "verify/truth/cgal_truth.h"
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace tetracone::verify {
@@ -25,82 +24,53 @@ constexpr std::array<std::pair<Kernel_name, std::string_view>, 7> kernel_names =
 constexpr std::array<std::pair<Method, std::string_view>, 3> method_names = {
     {{Method::tree, "tree"}, {Method::paper, "paper"}, {Method::brute, "brute"}}};
 
-template <class K>
-class Tree_pair : public Prepared_pair {
+/// By the library's own door. Each question is a query, made when it is first asked.
+class Query_pair : public Prepared_pair {
  public:
-  Tree_pair(const Subject& subject, const covering::Polyhedron& a, const covering::Polyhedron& b)
-      : use_(subject), a_(a, config_of(subject.method)), b_(b, config_of(subject.method)), collision_(a_, b_)
+  Query_pair(const Subject& subject, const covering::Polyhedron& a, const covering::Polyhedron& b)
+      : options_{subject.kernel, subject.method, subject.tolerance, false}, a_(triangulated_body(a)), b_(triangulated_body(b))
   {
   }
 
   bool collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, kernel::Question question) override
   {
-    use_.now();
-    return collision_(pose_a, pose_b, question);
-  }
-
-  std::vector<kernel::Feature_pair> features(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
-  {
-    use_.now();
-    return collision_.features(pose_a, pose_b);
-  }
-
-  tetratree::Query_statistics take_counts() override
-  {
-    const tetratree::Query_statistics counts = collision_.counts();
-    collision_.clear_counts();
-    return counts;
-  }
-
-  std::size_t bytes() const override { return a_.bytes() + b_.bytes(); }
-  std::size_t node_count() const override { return a_.node_count() + b_.node_count(); }
-
- private:
-  // The tolerance belongs to the thread, and the tree is built with it too: set before the trees, and again for each query.
-  struct Tolerance_in_use {
-    explicit Tolerance_in_use(const Subject& subject) : tolerance(subject.tolerance) { now(); }
-    void now() const { kernel::Tolerant::tolerance() = tolerance; }
-    kernel::Tolerance tolerance;
-  };
-
-  Tolerance_in_use use_;
-  tetratree::Tetra_tree<K> a_, b_;
-  tetratree::Collision<K> collision_;
-};
-
-/// The fast tree of the adaptive kernel. Features are asked of the tetra-tree, which is made when they are.
-class Wide_pair : public Prepared_pair {
- public:
-  Wide_pair(const Subject& subject, const covering::Polyhedron& a, const covering::Polyhedron& b)
-      : subject_(subject), polyhedron_a_(a), polyhedron_b_(b), a_(a, covering::triangulate_faces(a)), b_(b, covering::triangulate_faces(b)), collision_(a_, b_)
-  {
-  }
-
-  bool collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, kernel::Question question) override
-  {
-    return collision_(pose_a, pose_b, question);
+    return bool(query(question).collide(pose_a, pose_b));
   }
   std::vector<kernel::Feature_pair> features(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
   {
-    if (!of_features_) of_features_ = std::make_unique<Tree_pair<kernel::Adaptive>>(subject_, polyhedron_a_, polyhedron_b_);
-    return of_features_->features(pose_a, pose_b);
+    return query(kernel::Question::surface).features(pose_a, pose_b);
   }
   tetratree::Query_statistics take_counts() override
   {
-    tetratree::Query_statistics counts = collision_.counts();
-    collision_.clear_counts();
-    if (of_features_) counts += of_features_->take_counts();
+    tetratree::Query_statistics counts;
+    for (auto& query : queries_)
+      if (query) counts += query->statistics(), query->clear_statistics();
     return counts;
   }
-  std::size_t bytes() const override { return a_.bytes() + b_.bytes() + collision_.bytes(); }
-  std::size_t node_count() const override { return a_.node_count() + b_.node_count(); }
+  std::size_t bytes() const override
+  {
+    for (const auto& query : queries_)
+      if (query) return query->bytes();
+    return 0;
+  }
+  std::size_t node_count() const override
+  {
+    for (const auto& query : queries_)
+      if (query) return query->node_count();
+    return 0;
+  }
 
  private:
-  Subject subject_;
-  covering::Polyhedron polyhedron_a_, polyhedron_b_;
-  tetratree::Bvh8 a_, b_;
-  tetratree::Bvh8_collision collision_;
-  std::unique_ptr<Tree_pair<kernel::Adaptive>> of_features_;
+  Query& query(kernel::Question question)
+  {
+    auto& query = queries_[question == kernel::Question::solid ? 1 : 0];
+    if (!query) query.emplace(a_, b_, question, options_);
+    return *query;
+  }
+
+  Query_options options_;
+  Body a_, b_;
+  std::array<std::optional<Query>, 2> queries_;
 };
 
 class Truth_pair : public Prepared_pair {
@@ -181,19 +151,8 @@ std::string Subject::name() const
 
 std::unique_ptr<Prepared_pair> prepare(const Subject& subject, const covering::Polyhedron& a, const covering::Polyhedron& b)
 {
-  switch (subject.kernel) {
-    case Kernel_name::adaptive:
-      if (subject.method == Method::tree) return std::make_unique<Wide_pair>(subject, a, b);
-      return std::make_unique<Tree_pair<kernel::Adaptive>>(subject, a, b);
-    case Kernel_name::double_: return std::make_unique<Tree_pair<kernel::Double>>(subject, a, b);
-    case Kernel_name::float_: return std::make_unique<Tree_pair<kernel::Float>>(subject, a, b);
-    case Kernel_name::double_eps: return std::make_unique<Tree_pair<kernel::Tolerant>>(subject, a, b);
-    case Kernel_name::epick: return std::make_unique<Tree_pair<kernel::Epick>>(subject, a, b);
-    case Kernel_name::epeck: return std::make_unique<Tree_pair<kernel::Epeck>>(subject, a, b);
-    case Kernel_name::rational: break;
-  }
-  if (subject.method == Method::brute) return std::make_unique<Truth_pair>(a, b);
-  return std::make_unique<Tree_pair<kernel::Rational_kernel>>(subject, a, b);
+  if (subject.kernel == Kernel_name::rational && subject.method == Method::brute) return std::make_unique<Truth_pair>(a, b);
+  return std::make_unique<Query_pair>(subject, a, b);
 }
 
 }  // namespace tetracone::verify

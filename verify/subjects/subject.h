@@ -7,6 +7,7 @@
 #include "tetracone/kernel/predicate/question.h"
 #include "tetracone/kernel/predicate/tolerant.h"
 #include "tetracone/tetratree/paper/config.h"
+#include "tetracone/tetratree/door/query_options.h"
 #include "tetracone/tetratree/query_statistics.h"
 
 #include <cstddef>
@@ -18,14 +19,10 @@
 
 namespace tetracone::verify {
 
-enum class Kernel_name { adaptive, double_, float_, double_eps, epick, epeck, rational };
+using Kernel_name = tetracone::Kernel;
 
-/// How a subject finds its answer.
-enum class Method {
-  tree,   ///< the fastest tree that the kernel has
-  paper,  ///< the tetra-tree of JS08 with the paper's choices
-  brute   ///< every edge against every face; with the rational kernel: the truth of `brute.h`, which shares no code with the others
-};
+/// How a subject finds its answer. `brute` with the rational kernel is the truth of `cgal_truth.h`, which shares no code with the others.
+using tetracone::Method;
 
 /// A way of answering: a kernel and a method. What is compared, timed and judged.
 struct Subject {

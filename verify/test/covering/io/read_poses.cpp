@@ -7,6 +7,7 @@
 #include <string>
 
 using namespace tetracone::kernel;
+using namespace tetracone::covering;
 using tetracone::verify::Temporary_file;
 
 namespace {

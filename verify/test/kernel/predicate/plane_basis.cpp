@@ -17,7 +17,7 @@ namespace {
 
 std::optional<std::array<std::size_t, 3>> plane_basis(const std::vector<Vertex>& corners)
 {
-  return plane_basis(corners.size(), [&](std::size_t k) -> const Vertex& { return corners[k]; });
+  return tetracone::kernel::plane_basis(corners.size(), [&](std::size_t k) -> const Vertex& { return corners[k]; });
 }
 
 bool collinear(const Vertex& a, const Vertex& b, const Vertex& c)

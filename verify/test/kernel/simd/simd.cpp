@@ -49,6 +49,17 @@ struct Only {
 
 }  // namespace
 
+namespace tetracone::kernel {
+std::vector<std::int64_t> targets()
+{
+  std::vector<std::int64_t> found;
+  using Overlapping = unsigned(const Obb8&, const Single_box&, bool);
+  for (const Simd_version<Overlapping>& version : std::initializer_list<Simd_version<Overlapping>> TETRACONE_SIMD_VERSIONS(overlapping_kernel))
+    found.push_back(version.target);
+  return found;
+}
+}  // namespace tetracone::kernel
+
 BOOST_AUTO_TEST_SUITE(test_simd)
 
 BOOST_AUTO_TEST_CASE(a_unit_keeps_its_own_kernels) { BOOST_TEST(user::HWY_DYNAMIC_DISPATCH(doubled)(21) == 42); }
@@ -65,17 +76,6 @@ BOOST_AUTO_TEST_CASE(the_first_version_that_the_processor_has_is_chosen)
   BOOST_TEST(chosen(HWY_STATIC_TARGET) == 0);
   BOOST_TEST(chosen(std::int64_t(1) << 40) == 0);  // of another architecture: what all have
 }
-
-namespace tetracone::kernel {
-std::vector<std::int64_t> targets()
-{
-  std::vector<std::int64_t> found;
-  using Overlapping = unsigned(const Obb8&, const Single_box&, bool);
-  for (const Simd_version<Overlapping>& version : std::initializer_list<Simd_version<Overlapping>> TETRACONE_SIMD_VERSIONS(overlapping_kernel))
-    found.push_back(version.target);
-  return found;
-}
-}  // namespace tetracone::kernel
 
 BOOST_AUTO_TEST_CASE(versions_differ_in_target_and_end_with_what_every_processor_has)
 {

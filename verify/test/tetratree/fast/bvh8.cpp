@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(every_element_is_in_one_leaf_and_in_all_boxes_above_it)
         for (const Index v : corners) {
           const auto& vertex = tree.model().vertices()[v];
           kernel::Vector p;
-          for (int i = 0; i < 3; ++i) p[i] = (vertex[i] - tree.units().origin[i]) / tree.units().unit;
+          for (int i = 0; i < 3; ++i) p[i] = (vertex[i] - tree.scale().origin[i]) / tree.scale().unit;
           const kernel::Vector s = axes.fullPivLu().solve(p - centre);
           for (int i = 0; i < 3; ++i) outside += std::abs(s[i]) > double(node.boxes.extent[i][lane]) + 1e-15;
           outside += p.cwiseAbs().maxCoeff() > 1;

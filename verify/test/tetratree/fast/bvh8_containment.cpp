@@ -37,8 +37,8 @@ struct Placed_pair {
       : pose_holder(of_holder), pose_held(of_held), holder(holder_tree), held(held_tree)
   {
     holder.placed.place(pose_holder), held.placed.place(pose_held);
-    holder.into_other = kernel::Box_map(pose_held, held_tree.units(), pose_holder, holder_tree.units());
-    held.into_other = kernel::Box_map(pose_holder, holder_tree.units(), pose_held, held_tree.units());
+    holder.into_other = kernel::Box_map(pose_held, held_tree.scale(), pose_holder, holder_tree.scale());
+    held.into_other = kernel::Box_map(pose_holder, holder_tree.scale(), pose_held, held_tree.scale());
   }
   Pose pose_holder, pose_held;
   Placed_bvh8 holder, held;

@@ -117,8 +117,8 @@ BOOST_AUTO_TEST_CASE(every_pair_of_leaves_that_meet_is_offered_once)
   for (const Scene& scene : scenes()) {
     Bvh8 tree_a(scene.a), tree_b(scene.b);
     Placed_bvh8 a(tree_a), b(tree_b);
-    a.into_other = kernel::Box_map(scene.pose_b, tree_b.units(), scene.pose_a, tree_a.units());
-    b.into_other = kernel::Box_map(scene.pose_a, tree_a.units(), scene.pose_b, tree_b.units());
+    a.into_other = kernel::Box_map(scene.pose_b, tree_b.scale(), scene.pose_a, tree_a.scale());
+    b.into_other = kernel::Box_map(scene.pose_a, tree_a.scale(), scene.pose_b, tree_b.scale());
     similar += a.into_other.is_similarity();
     const Pairs truth = meeting(scene.a, scene.pose_a, a, scene.b, scene.pose_b, b);
     for (Descend* descend : versions()) {
@@ -170,8 +170,8 @@ BOOST_AUTO_TEST_CASE(triangles_that_touch_in_one_point_of_a_side_are_offered)
     const Pose pose = k % 3 == 0 ? Pose() : k % 3 == 1 ? random_rotation(random, 5, {Rational(1) / 3, 2, 0}) : rounded(random_rotation(random, 5));
     Bvh8 tree_a(large), tree_b(small);
     Placed_bvh8 a(tree_a), b(tree_b);
-    a.into_other = kernel::Box_map(pose, tree_b.units(), pose, tree_a.units());
-    b.into_other = kernel::Box_map(pose, tree_a.units(), pose, tree_b.units());
+    a.into_other = kernel::Box_map(pose, tree_b.scale(), pose, tree_a.scale());
+    b.into_other = kernel::Box_map(pose, tree_a.scale(), pose, tree_b.scale());
     BOOST_TEST(a.into_other.is_similarity());
     const Pairs truth = meeting(large, pose, a, small, pose, b);
     touching += int(truth.size());
@@ -187,13 +187,13 @@ BOOST_AUTO_TEST_CASE(triangles_that_touch_in_one_point_of_a_side_are_offered)
     }
     Bvh8 tree_clear(clear);
     Placed_bvh8 c(tree_clear);
-    a.into_other = kernel::Box_map(pose, tree_clear.units(), pose, tree_a.units());
-    c.into_other = kernel::Box_map(pose, tree_a.units(), pose, tree_clear.units());
+    a.into_other = kernel::Box_map(pose, tree_clear.scale(), pose, tree_a.scale());
+    c.into_other = kernel::Box_map(pose, tree_a.scale(), pose, tree_clear.scale());
     BOOST_TEST(meeting(large, pose, a, clear, pose, c).empty());
     offered += int(descended(&descend, a, c).offered.size());
     // Far away nothing is left to offer.
-    a.into_other = kernel::Box_map(translation(2, 0, 0), tree_b.units(), Pose(), tree_a.units());
-    b.into_other = kernel::Box_map(Pose(), tree_a.units(), translation(2, 0, 0), tree_b.units());
+    a.into_other = kernel::Box_map(translation(2, 0, 0), tree_b.scale(), Pose(), tree_a.scale());
+    b.into_other = kernel::Box_map(Pose(), tree_a.scale(), translation(2, 0, 0), tree_b.scale());
     offered_far += int(descended(&descend, a, b).offered.size());
   }
   BOOST_TEST(missed == 0);
@@ -210,8 +210,8 @@ BOOST_AUTO_TEST_CASE(children_that_are_made_on_the_way_change_nothing)
     if (++tried % 4 != 0) continue;
     Bvh8 lazy_a(scene.a), lazy_b(scene.b);
     Placed_bvh8 a(lazy_a), b(lazy_b);
-    a.into_other = kernel::Box_map(scene.pose_b, lazy_b.units(), scene.pose_a, lazy_a.units());
-    b.into_other = kernel::Box_map(scene.pose_a, lazy_a.units(), scene.pose_b, lazy_b.units());
+    a.into_other = kernel::Box_map(scene.pose_b, lazy_b.scale(), scene.pose_a, lazy_a.scale());
+    b.into_other = kernel::Box_map(scene.pose_a, lazy_a.scale(), scene.pose_b, lazy_b.scale());
     // The same element may move in the order while its leaf is not yet made: compared by corners.
     const auto by_corners = [](const Pairs& pairs) {
       std::vector<std::array<Index, 6>> all;
@@ -237,7 +237,7 @@ BOOST_AUTO_TEST_CASE(a_pair_of_leaves_is_handed_back_at_once_and_an_empty_stack_
   one.add_polygon({0, 1, 2});
   Bvh8 tree(one);
   Placed_bvh8 a(tree), b(tree);
-  a.into_other = b.into_other = kernel::Box_map(Pose(), tree.units(), Pose(), tree.units());
+  a.into_other = b.into_other = kernel::Box_map(Pose(), tree.scale(), Pose(), tree.scale());
   Both_trees trees{{tree.nodes(), tree.nodes()}, {&a.into_other, &b.into_other}, 1};
   Pair_stack stack;
   BOOST_TEST((descend(stack, trees) == Stop::nothing_left));

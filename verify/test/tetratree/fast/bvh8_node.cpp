@@ -22,7 +22,7 @@ BOOST_AUTO_TEST_CASE(what_is_no_node_is_negative_and_says_where_its_elements_end
 {
   for (const std::uint32_t last : {1u, 2u, 1000u, Bvh8_node::most_elements}) {
     BOOST_TEST(Bvh8_node::not_made(last) < 0);
-    BOOST_TEST(!Bvh8_node::is_leaf(Bvh8_node::not_made(last)));
+    BOOST_TEST(!(Bvh8_node::not_made(last) <= Bvh8_node::last_leaf));
     BOOST_TEST(Bvh8_node::last_of(Bvh8_node::not_made(last)) == last);
   }
 }
@@ -32,10 +32,10 @@ BOOST_AUTO_TEST_CASE(a_leaf_is_negative_and_says_where_its_triangle_lies)
   for (const int apex : {0, 1, 32768, 65535}) {
     const std::int32_t code = Bvh8_node::leaf(tetracone::kernel::Apex_code(apex));
     BOOST_TEST(code < 0);
-    BOOST_TEST(Bvh8_node::is_leaf(code));
+    BOOST_TEST((code <= Bvh8_node::last_leaf));
     BOOST_TEST(Bvh8_node::apex(code) == apex);
   }
-  for (const std::int32_t node : {0, 1, 1000000, 0x7fffffff}) BOOST_TEST(!Bvh8_node::is_leaf(node));
+  for (const std::int32_t node : {0, 1, 1000000, 0x7fffffff}) BOOST_TEST(!(node <= Bvh8_node::last_leaf));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

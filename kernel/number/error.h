@@ -1,0 +1,16 @@
+#ifndef TETRACONE_KERNEL_NUMBER_ERROR_H
+#define TETRACONE_KERNEL_NUMBER_ERROR_H
+
+#include <stdexcept>
+
+namespace tetracone {
+
+/// What a caller or a file has done wrong: `what()` is one line, "what is wrong; what was expected". Every exception of the library is one.
+class Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace tetracone
+
+#endif

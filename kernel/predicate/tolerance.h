@@ -1,0 +1,15 @@
+#ifndef TETRACONE_KERNEL_PREDICATE_TOLERANCE_H
+#define TETRACONE_KERNEL_PREDICATE_TOLERANCE_H
+
+namespace tetracone::kernel {
+
+/// When a computed value counts as zero: |value| <= absolute, or |value| <= relative * (the sum of the absolute values of
+/// the products it was summed from). Both zero: plain double.
+struct Tolerance {
+  double absolute = 0;
+  double relative = 0;
+};
+
+}  // namespace tetracone::kernel
+
+#endif

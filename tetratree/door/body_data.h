@@ -1,0 +1,62 @@
+#ifndef TETRACONE_TETRATREE_DOOR_BODY_DATA_H
+#define TETRACONE_TETRATREE_DOOR_BODY_DATA_H
+
+#include "tetracone/covering/edge_uses.h"
+#include "tetracone/covering/polyhedron.h"
+#include "tetracone/tetratree/fast/bvh8.h"
+#include "tetracone/tetratree/paper/config.h"
+#include "tetracone/tetratree/paper/tetra_tree.h"
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tetracone::detail {
+
+/// What copies of a `Body` share. What is not yet here is made once, by the first thread that asks for it.
+struct Body_data {
+  Body_data(covering::Polyhedron polyhedron, std::vector<covering::Face_triangle> triangles)
+      : polyhedron(std::move(polyhedron)), triangles(std::move(triangles))
+  {
+  }
+
+  const covering::Polyhedron polyhedron;
+  const std::vector<covering::Face_triangle> triangles;
+
+  bool is_closed() const
+  {
+    std::call_once(closed_once_, [this] { closed_ = covering::is_closed(polyhedron); });
+    return closed_;
+  }
+
+  const tetratree::Bvh8& bvh8() const
+  {
+    std::call_once(bvh8_once_, [this] { bvh8_.emplace(polyhedron, triangles); });
+    return *bvh8_;
+  }
+
+  /// The tetra-tree over K of this config, `name`d so; all of its nodes are made.
+  template <class K>
+  std::shared_ptr<tetratree::Tetra_tree<K>> tetra_tree(const std::string& name, const tetratree::Config& config) const
+  {
+    const std::lock_guard lock(trees_lock_);
+    std::shared_ptr<void>& tree = trees_[name];
+    if (!tree) tree = std::make_shared<tetratree::Tetra_tree<K>>(polyhedron, config);
+    return std::static_pointer_cast<tetratree::Tetra_tree<K>>(tree);
+  }
+
+ private:
+  mutable std::once_flag closed_once_, bvh8_once_;
+  mutable bool closed_ = false;
+  mutable std::optional<tetratree::Bvh8> bvh8_;
+  mutable std::mutex trees_lock_;
+  mutable std::map<std::string, std::shared_ptr<void>> trees_;
+};
+
+}  // namespace tetracone::detail
+
+#endif

@@ -1,0 +1,53 @@
+#include "tetracone/kernel/predicate/adaptive.h"
+#include "tetracone/tetratree/door/solver.h"
+#include "tetracone/tetratree/fast/bvh8_collision.h"
+
+namespace tetracone::detail {
+namespace {
+
+class Bvh8_solver : public Solver {
+ public:
+  Bvh8_solver(const Shared_body& a, const Shared_body& b, const Query_options& options)
+      : a_(a), b_(b), options_(options),
+        collision_(a->bvh8(), b->bvh8(), options.remember ? tetratree::Coherence::last_frame : tetratree::Coherence::none)
+  {
+  }
+
+  Relation relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question) override
+  {
+    return collision_.relation(pose_a, pose_b, question);
+  }
+  std::vector<Feature_pair> features(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
+  {
+    if (!of_features_) of_features_ = tetra_tree_solver<kernel::Adaptive>(a_, b_, options_);
+    return of_features_->features(pose_a, pose_b);
+  }
+  Query_statistics statistics() const override
+  {
+    Query_statistics all = collision_.counts();
+    if (of_features_) all += of_features_->statistics();
+    return all;
+  }
+  void clear_statistics() override
+  {
+    collision_.clear_counts();
+    if (of_features_) of_features_->clear_statistics();
+  }
+  std::size_t bytes() const override { return a_->bvh8().bytes() + b_->bvh8().bytes() + collision_.bytes(); }
+  std::size_t node_count() const override { return a_->bvh8().node_count() + b_->bvh8().node_count(); }
+
+ private:
+  Shared_body a_, b_;
+  Query_options options_;
+  tetratree::Bvh8_collision collision_;
+  std::unique_ptr<Solver> of_features_;  // the tetra-tree's, made when features are asked for
+};
+
+}  // namespace
+
+std::unique_ptr<Solver> bvh8_solver(const Shared_body& a, const Shared_body& b, const Query_options& options)
+{
+  return std::make_unique<Bvh8_solver>(a, b, options);
+}
+
+}  // namespace tetracone::detail

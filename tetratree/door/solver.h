@@ -1,0 +1,37 @@
+#ifndef TETRACONE_TETRATREE_DOOR_SOLVER_H
+#define TETRACONE_TETRATREE_DOOR_SOLVER_H
+
+#include "tetracone/kernel/number/pose.h"
+#include "tetracone/tetratree/door/body_data.h"
+#include "tetracone/tetratree/door/tetracone.h"
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace tetracone::detail {
+
+/// What answers a query: a tree of a kernel for each body.
+class Solver {
+ public:
+  virtual ~Solver() = default;
+  virtual Relation relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question) = 0;
+  virtual std::vector<Feature_pair> features(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
+  virtual Query_statistics statistics() const = 0;
+  virtual void clear_statistics() = 0;
+  virtual std::size_t bytes() const = 0;
+  virtual std::size_t node_count() const = 0;
+};
+
+using Shared_body = std::shared_ptr<const Body_data>;
+
+/// The paper's tree over K with the method's choices. Each kernel is a unit of its own.
+template <class K>
+std::unique_ptr<Solver> tetra_tree_solver(const Shared_body& a, const Shared_body& b, const Query_options& options);
+
+/// The fast tree of the adaptive kernel.
+std::unique_ptr<Solver> bvh8_solver(const Shared_body& a, const Shared_body& b, const Query_options& options);
+
+}  // namespace tetracone::detail
+
+#endif

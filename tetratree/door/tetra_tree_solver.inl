@@ -1,0 +1,65 @@
+#ifndef TETRACONE_TETRATREE_DOOR_TETRA_TREE_SOLVER_INL
+#define TETRACONE_TETRATREE_DOOR_TETRA_TREE_SOLVER_INL
+// Included by the one unit of each kernel.
+
+#include "tetracone/kernel/predicate/tolerant.h"
+#include "tetracone/tetratree/door/solver.h"
+#include "tetracone/tetratree/paper/collision.h"
+
+#include <string>
+
+namespace tetracone::detail {
+
+template <class K>
+class Tetra_tree_solver : public Solver {
+ public:
+  Tetra_tree_solver(const Shared_body& a, const Shared_body& b, const Query_options& options)
+      : tolerance_(options.tolerance), body_a_(a), body_b_(b), a_(tree(*a, options)), b_(tree(*b, options)), collision_(*a_, *b_)
+  {
+  }
+
+  Relation relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question) override
+  {
+    use_tolerance(tolerance_);
+    return collision_.relation(pose_a, pose_b, question);
+  }
+  std::vector<Feature_pair> features(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
+  {
+    use_tolerance(tolerance_);
+    return collision_.features(pose_a, pose_b);
+  }
+  Query_statistics statistics() const override { return collision_.counts(); }
+  void clear_statistics() override { collision_.clear_counts(); }
+  std::size_t bytes() const override { return a_->bytes() + b_->bytes(); }
+  std::size_t node_count() const override { return a_->node_count() + b_->node_count(); }
+
+ private:
+  using Tree = tetratree::Tetra_tree<K>;
+
+  // The tolerance belongs to the thread, and the tree is built with it too.
+  static void use_tolerance(const Tolerance& tolerance) { kernel::Tolerant::tolerance() = tolerance; }
+
+  static std::shared_ptr<Tree> tree(const Body_data& body, const Query_options& options)
+  {
+    use_tolerance(options.tolerance);
+    const std::string name = std::to_string(int(options.kernel)) + ' ' + std::to_string(int(options.method)) + ' ' + std::to_string(options.tolerance.absolute) + ' ' +
+                             std::to_string(options.tolerance.relative);
+    const auto config = options.method == Method::tree ? tetratree::Config::fastest() : options.method == Method::brute ? tetratree::Config::brute() : tetratree::Config();
+    return body.tetra_tree<K>(name, config);
+  }
+
+  Tolerance tolerance_;
+  Shared_body body_a_, body_b_;
+  std::shared_ptr<Tree> a_, b_;
+  tetratree::Collision<K> collision_;
+};
+
+template <class K>
+std::unique_ptr<Solver> tetra_tree_solver(const Shared_body& a, const Shared_body& b, const Query_options& options)
+{
+  return std::make_unique<Tetra_tree_solver<K>>(a, b, options);
+}
+
+}  // namespace tetracone::detail
+
+#endif

@@ -1,0 +1,157 @@
+#ifndef TETRACONE_TETRATREE_DOOR_TETRACONE_H
+#define TETRACONE_TETRATREE_DOOR_TETRACONE_H
+
+#include "tetracone/covering/polyhedron.h"
+#include "tetracone/kernel/number/error.h"
+#include "tetracone/kernel/predicate/contact.h"
+#include "tetracone/kernel/predicate/question.h"
+#include "tetracone/tetratree/door/query_options.h"
+#include "tetracone/tetratree/query_statistics.h"
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <ostream>
+#include <span>
+#include <string>
+#include <vector>
+
+/// Whether two placed polyhedra collide, exactly. The door: a compiled library behind the standard library's types. Templates for every kernel are under
+/// tetracone/kernel, tetracone/covering and tetracone/tetratree.
+namespace tetracone {
+
+namespace kernel {
+class Pose;
+}
+namespace detail {
+struct Body_data;
+struct Query_data;
+}
+
+using covering::Face_triangle;
+using covering::Polyhedron;
+using kernel::Contact;
+using kernel::Feature_pair;
+using kernel::Question;
+using kernel::Relation;
+using tetratree::Query_statistics;
+
+/// The affine map x -> M x + t that places a body, taken exactly: M need not be a perfect rotation. Immutable, cheap to copy.
+class Pose {
+ public:
+  /// The identity.
+  Pose();
+
+  /// Row-major 3x4: row i is (M_i0, M_i1, M_i2, t_i). Throws Error for a number that is not finite, and where det M = 0.
+  explicit Pose(const std::array<double, 12>& rows);
+
+  /// The same of decimals or fractions "n/d", for a rotation that is truly one.
+  static Pose from_text(const std::array<std::string, 12>& rows);
+
+  static Pose translation(double x, double y, double z);
+
+  ~Pose();
+  Pose(const Pose& other);
+  Pose& operator=(const Pose& other);
+
+  /// The nearest doubles; the numbers themselves unless the pose was made of fractions.
+  const std::array<double, 12>& rows() const;
+
+  const kernel::Pose& exact() const { return *reinterpret_cast<const kernel::Pose*>(storage_); }
+
+ private:
+  alignas(8) std::byte storage_[120];
+};
+
+/// A polyhedron that queries can be asked about. Immutable, cheap to copy (copies share their data), and safe from any number of threads at once while what
+/// queries need of it is still being made.
+///
+/// Legal are open and closed surfaces, several shells, cavities, non-manifold and degenerate elements, faces with holes. An open surface has no solid.
+class Body {
+ public:
+  /// Throws Error for no face, an index out of range, a coordinate that is not finite, and a face that is not exactly planar (with the face and its
+  /// deviation; tetracone/repair.h replaces such faces by triangles).
+  explicit Body(Polyhedron polyhedron);
+
+  /// `triangles`: for some faces, triangles that cover exactly the face (as tetracone/repair.h makes them). Faces of more corners without are split where
+  /// they are convex, and else taken as a whole.
+  Body(Polyhedron polyhedron, std::vector<Face_triangle> triangles);
+
+  // Copies alone: a body is never empty.
+  Body(const Body&) = default;
+  Body& operator=(const Body&) = default;
+
+  const Polyhedron& polyhedron() const;
+
+  /// True when every directed edge occurs as often as its reverse: then the body bounds a solid.
+  bool is_closed() const;
+
+ private:
+  friend class Query;
+  friend Body read_body(const std::filesystem::path& file);
+  explicit Body(const std::filesystem::path& file);
+
+  std::shared_ptr<const detail::Body_data> data_;
+};
+
+/// Reads OFF, OBJ, PLY, STL or TetGen .poly, by the suffix. Throws Error, "file:line: what is wrong; what was expected", for a file that is not one, and as
+/// `Body` does.
+Body read_body(const std::filesystem::path& file);
+
+/// The answer for one pose of each body.
+class Answer {
+ public:
+  explicit Answer(Relation relation) : relation_(relation) {}
+
+  /// True when the bodies collide.
+  explicit operator bool() const { return relation_ != Relation::apart; }
+
+  Relation relation() const { return relation_; }
+
+ private:
+  Relation relation_;
+};
+
+inline std::ostream& operator<<(std::ostream& out, Relation relation) { return out << to_string(relation); }
+
+/// Two bodies and a question, asked for many poses. Keeps work from one pose to the next: one query per thread.
+class Query {
+ public:
+  /// Throws Error when an open surface is asked for its solid.
+  Query(const Body& a, const Body& b, Question question = Question::solid, const Query_options& options = {});
+
+  ~Query();
+  Query(Query&&) noexcept;
+  Query& operator=(Query&&) noexcept;
+
+  /// Throws Error when the thread's floating point is not as exact answers need it, and for a query that has been moved from.
+  Answer collide(const Pose& pose_a, const Pose& pose_b);
+
+  /// The same of poses of the templates. Requires det M != 0.
+  Answer collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
+
+  /// The answers for n poses of each body, or for one of A and n of B, or n of A and one of B. Throws Error for other counts.
+  std::vector<Answer> collide(std::span<const Pose> poses_a, std::span<const Pose> poses_b);
+
+  /// All pairs of an edge of one and a face of the other that share a point, with the kind of contact, sorted.
+  std::vector<Feature_pair> features(const Pose& pose_a, const Pose& pose_b);
+  std::vector<Feature_pair> features(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
+
+  /// Work since the last `clear_statistics`.
+  Query_statistics statistics() const;
+  void clear_statistics();
+
+  /// Bytes and nodes of the trees of both bodies that this query asks, as far as they have been made.
+  std::size_t bytes() const;
+  std::size_t node_count() const;
+
+ private:
+  detail::Query_data& data() const;
+
+  std::unique_ptr<detail::Query_data> data_;
+};
+
+}  // namespace tetracone
+
+#endif

@@ -1,0 +1,109 @@
+#ifndef TETRACONE_TETRATREE_FAST_BVH8_ELEMENTS_H
+#define TETRACONE_TETRATREE_FAST_BVH8_ELEMENTS_H
+
+#include "tetracone/covering/model.h"
+#include "tetracone/kernel/bound/oriented_box.h"
+#include "tetracone/kernel/bound/relative_frame.h"
+#include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/predicate/kernels.h"
+#include "tetracone/tetratree/fast/bvh8_node.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace tetracone::tetratree {
+
+using covering::Face_triangle;
+using covering::Index;
+
+/// What a leaf holds: a triangle, or a whole face that has not been triangulated.
+struct Element {
+  Index face;
+  std::array<Index, 3> corner;  ///< corner[0] == covering::none: the whole face
+  bool is_whole_face() const { return corner[0] == covering::none; }
+};
+
+/// A body as its tree sees it: the model, its elements, and its local units.
+class Bvh8_elements {
+ public:
+  using Adaptive = kernel::Adaptive;
+
+  /// `triangles`: for each face that has some, triangles that cover exactly the face. Requires planar faces.
+  Bvh8_elements(const covering::Polyhedron& polyhedron, std::span<const Face_triangle> triangles) : model_(polyhedron)
+  {
+    collect_elements(polyhedron, triangles);
+    choose_scale();
+  }
+
+  const covering::Model<Adaptive>& model() const { return model_; }
+  const kernel::Local_scale& scale() const { return scale_; }
+  Index count() const { return Index(elements_.size()); }
+  const Element& operator[](Index e) const { return elements_[e]; }
+  std::size_t bytes() const { return elements_.capacity() * sizeof(Element); }
+
+  /// How far a coordinate of `local` may be off: one rounding of a difference, of at most 1.
+  static constexpr double local_error = 0x1p-52;
+
+  /// A vertex in local units, off by at most `local_error` in a coordinate.
+  kernel::Vector local(Index v) const
+  {
+    const auto& vertex = model_.vertices()[v];
+    kernel::Vector p;
+    for (int k = 0; k < 3; ++k) p[k] = (0.5 * vertex[k] - 0.5 * scale_.origin[k]) * per_half_unit_;
+    return p;
+  }
+
+  /// Calls what(v) for every corner v of the element.
+  template <class What>
+  void for_vertices(const Element& element, const What& what) const
+  {
+    if (element.is_whole_face())
+      for (const Index v : model_.covering().from(element.face)) what(v);
+    else
+      for (const Index v : element.corner) what(v);
+  }
+
+ private:
+  void collect_elements(const covering::Polyhedron& polyhedron, std::span<const Face_triangle> triangles)
+  {
+    std::vector<bool> has_triangles(polyhedron.face_count(), false);
+    for (const Face_triangle& t : triangles) {
+      has_triangles[t.face] = true;
+      elements_.push_back({t.face, t.corner});
+    }
+    for (Index f = 0; f < polyhedron.face_count(); ++f) {
+      if (has_triangles[f]) continue;
+      const auto loop = polyhedron.loop(f, 0);
+      const bool is_triangle = polyhedron.is_triangle(f) && model_.covering().plane_basis(f);
+      elements_.push_back({f, is_triangle ? std::array{loop[0], loop[1], loop[2]} : std::array{covering::none, covering::none, covering::none}});
+    }
+    assert(elements_.size() <= Bvh8_node::most_elements);
+    elements_.shrink_to_fit();
+  }
+
+  /// The unit is a power of two, so that local coordinates are the model's but for the rounding of a difference. Halves, since a
+  /// difference of the largest doubles overflows.
+  void choose_scale()
+  {
+    scale_.origin = model_.lattice().origin;
+    double half_reach = 0;
+    for (const auto& v : model_.vertices())
+      for (int k = 0; k < 3; ++k) half_reach = kernel::maximum(half_reach, std::abs(0.5 * v[k] - 0.5 * scale_.origin[k]));
+    scale_.unit = half_reach > 0 ? std::ldexp(1.0, std::clamp(std::ilogb(half_reach) + 2, -1000, 1023)) : 1;
+    per_half_unit_ = 2 / scale_.unit;
+  }
+
+  covering::Model<Adaptive> model_;
+  kernel::Local_scale scale_;
+  double per_half_unit_ = 2;  // of the scale; a power of two too
+  std::vector<Element> elements_;
+};
+
+}  // namespace tetracone::tetratree
+
+#endif

@@ -1,0 +1,56 @@
+#ifndef TETRACONE_TETRATREE_FAST_RESERVED_ARRAY_H
+#define TETRACONE_TETRATREE_FAST_RESERVED_ARRAY_H
+
+#include <sys/mman.h>
+
+#include <atomic>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <type_traits>
+
+namespace tetracone::tetratree {
+
+/// An array that grows and never moves: address space for `capacity` elements is reserved at once, memory taken page by page as it is written. One thread at
+/// a time may append, while others read what they know to be there.
+template <class T>
+class Reserved_array {
+  static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
+
+ public:
+  explicit Reserved_array(std::size_t capacity) : capacity_(capacity)
+  {
+    if (capacity == 0) return;
+    void* const space = ::mmap(nullptr, capacity * sizeof(T), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (space == MAP_FAILED) throw std::bad_alloc();
+    data_ = static_cast<T*>(space);
+  }
+  ~Reserved_array()
+  {
+    if (data_ != nullptr) ::munmap(data_, capacity_ * sizeof(T));
+  }
+  Reserved_array(const Reserved_array&) = delete;
+
+  T* data() const { return data_; }
+  std::uint32_t size() const { return size_.load(std::memory_order_relaxed); }
+
+  /// Returns its number. Requires room.
+  std::uint32_t push_back(const T& element)
+  {
+    const std::uint32_t n = size();
+    assert(n < capacity_);
+    new (data_ + n) T(element);
+    size_.store(n + 1, std::memory_order_relaxed);
+    return n;
+  }
+
+ private:
+  T* data_ = nullptr;
+  std::size_t capacity_;
+  std::atomic<std::uint32_t> size_ = 0;
+};
+
+}  // namespace tetracone::tetratree
+
+#endif

@@ -1,0 +1,258 @@
+#include "tetracone/tetratree/door/tetracone.h"
+
+#include "tetracone/kernel/number/pose.h"
+#include "tetracone/tetratree/door/repair.h"
+#include "verify/test/support/keep_environment.h"
+#include "verify/test/support/scenes.h"
+#include "verify/test/support/temporary_file.h"
+#include "verify/truth/cgal_truth.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <type_traits>
+#include <vector>
+
+namespace scenes = tetracone::verify::scenes;
+namespace verify = tetracone::verify;
+using tetracone::Answer;
+using tetracone::Body;
+using tetracone::Error;
+using tetracone::Kernel;
+using tetracone::Method;
+using tetracone::Polyhedron;
+using tetracone::Pose;
+using tetracone::Query;
+using tetracone::Question;
+using tetracone::Relation;
+
+namespace {
+
+Polyhedron open_box()
+{
+  Polyhedron open = scenes::unit_cube(), result;
+  result.vertices = open.vertices;
+  for (std::uint32_t f = 0; f + 1 < open.face_count(); ++f) result.add_polygon(open.loop(f, 0));
+  return result;
+}
+
+Polyhedron with_corner(double x)
+{
+  Polyhedron p = scenes::unit_cube();
+  p.vertices[7][0] = x;
+  return p;
+}
+
+Polyhedron naming(std::uint32_t vertex)
+{
+  Polyhedron p = scenes::unit_cube();
+  p.add_polygon({0, 1, vertex});
+  return p;
+}
+
+Pose turned(const std::array<double, 9>& m) { return Pose(std::array<double, 12>{m[0], m[1], m[2], 0, m[3], m[4], m[5], 0, m[6], m[7], m[8], 0}); }
+
+/// What the Error says; empty when there is none.
+template <class Ask>
+std::string said(const Ask& ask)
+{
+  try {
+    ask();
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+const std::vector<Kernel> exact_kernels = {Kernel::adaptive, Kernel::epeck, Kernel::rational};
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(test_tetracone)
+
+BOOST_AUTO_TEST_CASE(every_misuse_has_its_line)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Body box(scenes::unit_cube()), open(open_box());
+  const std::vector<Pose> two(2), three(3);
+  Query query(box, box), moved_from(box, box);
+  const Query moved_to = std::move(moved_from);
+  const auto is = [](const std::string& line, const std::string& expected) { BOOST_TEST(line == expected); };
+
+  is(said([&] { Query(open, box); }), "query: body a is open at 4 edges, first at the edge from vertex 4 to 5; expected a closed surface for Question::solid");
+  is(said([&] { Query(box, open); }), "query: body b is open at 4 edges, first at the edge from vertex 4 to 5; expected a closed surface for Question::solid");
+  is(said([&] { Query(open, open, Question::surface); }), "");
+  is(said([&] { turned({1, 0, 0, 0, 1, 0, 1, 1, 0}); }), "pose: the 3x3 part has determinant 0; expected a matrix that flattens nothing");
+  is(said([&] { turned({1, 0, 0, 0, nan, 0, 0, 0, 1}); }), "pose: entry 6 of 12 is nan; expected a finite number");
+  is(said([&] { Pose::translation(0, 0, HUGE_VAL); }), "pose: entry 12 of 12 is inf; expected a finite number");
+  is(said([&] { Pose::from_text({"1", "0", "0", "1/0", "0", "1", "0", "0", "0", "0", "1", "0"}); }),
+     "pose: entry 4 of 12 is '1/0'; expected a finite decimal number or a fraction n/d");
+  is(said([&] { Body{Polyhedron()}; }), "body: no face; expected a body with faces");
+  is(said([&] { Body{with_corner(nan)}; }), "body: vertex 7 has the coordinate nan; expected finite coordinates");
+  is(said([&] { Body{naming(8)}; }), "body: face 6 names vertex 8 of 8 vertices; expected numbers from 0 to 8, the last excluded");
+  is(said([&] { Body{with_corner(1.5)}; }).substr(0, 48), "body: face 1 has a corner 0.288675134594812" "9 off");
+  is(said([&] { Body(scenes::unit_cube(), {{9, {0, 1, 2}}}); }), "body: a triangle of face 9 of 6; expected a face's number");
+  is(said([&] { Body(scenes::unit_cube(), {{0, {0, 1, 8}}}); }), "body: a triangle names vertex 8; expected a vertex's number");
+  is(said([&] { moved_from.collide(Pose(), Pose()); }), "query: moved from; expected one that still has its bodies");
+  is(said([&] { query.collide(two, three); }), "query: 2 poses of a and 3 of b; expected as many, or one of either");
+  is(said([&] { tetracone::read_body("no such file.off"); }), "no such file.off: no such file; expected a file to read");
+  const verify::Temporary_file bent("bent.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n1 1 0.5\n0 1 0\n4 0 1 2 3\n3 0 2 1\n3 0 3 2\n3 0 1 3\n");
+  const std::string line = said([&] { tetracone::read_body(bent.path()); });
+  BOOST_TEST(line.find("bent.off: face 0 has a corner ") != std::string::npos, line);
+  BOOST_TEST(verify::not_refused<Error>([&] { query.collide(Pose(), Pose()); }) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(bodies_and_poses_may_be_temporaries_copies_and_moved_from)
+{
+  Body kept(scenes::unit_cube());
+  const Body taken = std::move(kept);
+  Query query(kept, Body(scenes::cube(0.25)));  // what was moved from is a copy still, what was temporary is shared
+  BOOST_TEST(bool(query.collide(Pose(), Pose::translation(0, 0, 0))));
+  std::vector<Query> queries;
+  for (int k = 0; k < 20; ++k) queries.emplace_back(taken, Body(scenes::cube(0.25)));
+  for (Query& q : queries) BOOST_TEST(bool(q.collide(Pose(), Pose())));
+  Pose pose = Pose::translation(1, 2, 3);
+  const Pose copy = pose;
+  pose = Pose();
+  BOOST_TEST((copy.rows() == std::array<double, 12>{1, 0, 0, 1, 0, 1, 0, 2, 0, 0, 1, 3}));
+  BOOST_TEST((pose.rows() == Pose().rows()));
+  static_assert(std::is_copy_constructible_v<Body> && !std::is_copy_constructible_v<Query>);
+}
+
+BOOST_AUTO_TEST_CASE(an_answer_says_how_the_bodies_stand_to_one_another)
+{
+  const Body large(scenes::cube(2)), small(scenes::cube(0.5));
+  for (const Kernel kernel : {Kernel::adaptive, Kernel::double_, Kernel::float_, Kernel::double_eps, Kernel::epick, Kernel::epeck, Kernel::rational})
+    for (const Method method : {Method::tree, Method::paper, Method::brute}) {
+      const tetracone::Query_options options{kernel, method, {}, false};
+      Query query(large, small, Question::solid, options), other_way(small, large, Question::solid, options), surface(large, small, Question::surface, options);
+      const auto relation = [](Query& q, double x) { return q.collide(Pose(), Pose::translation(x, 0, 0)).relation(); };
+      BOOST_TEST((relation(query, 0) == Relation::b_in_a));
+      BOOST_TEST((relation(other_way, 0) == Relation::a_in_b));
+      BOOST_TEST((relation(surface, 0) == Relation::apart));
+      BOOST_TEST((relation(query, 2) == Relation::surfaces));
+      BOOST_TEST((relation(query, 2.5) == Relation::surfaces));
+      BOOST_TEST((relation(query, 3) == Relation::apart));
+      BOOST_TEST(bool(query.collide(Pose(), Pose())));
+      BOOST_TEST(!query.collide(Pose(), Pose::translation(3, 0, 0)));
+    }
+  std::ostringstream out;
+  out << Relation::apart << ' ' << Relation::surfaces << ' ' << Relation::a_in_b << ' ' << Relation::b_in_a;
+  BOOST_TEST(out.str() == "apart surfaces a_in_b b_in_a");
+}
+
+BOOST_AUTO_TEST_CASE(polygons_with_holes_are_served_with_and_without_the_parts_that_are_gpl)
+{
+  scenes::Random random(3);
+  const std::vector<Polyhedron> shapes = {scenes::cube_with_tunnel(), scenes::star_prism(), scenes::cube_with_cavity(), scenes::unit_cube()};
+  int wrong = 0, yes = 0, no = 0;
+  for (const Polyhedron& p : shapes)
+    for (const Polyhedron& q : shapes) {
+      const verify::Brute_body truth_a(p), truth_b(q);
+      Query core((Body(p)), Body(q)), with_triangles(tetracone::triangulated_body(p), tetracone::triangulated_body(q));
+      for (int k = 0; k < 12; ++k) {
+        const auto pose = k % 2 == 0 ? scenes::random_rotation(random, 3, {scenes::Rational(scenes::integer(random, -3, 3)), 1, 0}) : scenes::translation(scenes::integer(random, -6, 6) / 2.0, 0.5, 0);
+        const bool truth = verify::collide(truth_a, tetracone::kernel::Pose(), truth_b, pose, Question::solid);
+        wrong += bool(core.collide(tetracone::kernel::Pose(), pose)) != truth;
+        wrong += bool(with_triangles.collide(tetracone::kernel::Pose(), pose)) != truth;
+        ++(truth ? yes : no);
+      }
+    }
+  BOOST_TEST(wrong == 0);
+  BOOST_TEST(yes > 30);
+  BOOST_TEST(no > 30);
+}
+
+BOOST_AUTO_TEST_CASE(many_poses_have_the_answers_of_each)
+{
+  const Body a(scenes::cube_with_tunnel()), b(scenes::cube(0.5));
+  Query query(a, b), remembering(a, b, Question::solid, {.remember = true});
+  std::vector<Pose> poses;
+  for (int k = -20; k <= 20; ++k) poses.push_back(Pose::translation(k / 4.0, k / 8.0, 0.25));
+  const std::vector<Pose> one = {Pose()};
+  const std::vector<Answer> answers = query.collide(one, poses), other_way = remembering.collide(poses, one);
+  BOOST_REQUIRE(answers.size() == poses.size());
+  BOOST_REQUIRE(other_way.size() == poses.size());
+  int yes = 0;
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    BOOST_TEST((answers[k].relation() == query.collide(Pose(), poses[k]).relation()));
+    BOOST_TEST((other_way[k].relation() == query.collide(poses[k], Pose()).relation()));
+    yes += bool(answers[k]);
+  }
+  BOOST_TEST(yes > 5);
+  BOOST_TEST(yes < 36);
+  BOOST_TEST(query.collide(std::vector<Pose>(), {}).empty());
+}
+
+BOOST_AUTO_TEST_CASE(a_pose_of_fractions_is_taken_exactly)
+{
+  // A third of a turn's rotation has no doubles; cubes that touch under it, and a hair off.
+  const Body cube(scenes::unit_cube());
+  Query query(cube, cube);
+  const auto at = [](const std::string& x) { return Pose::from_text({"3/5", "-4/5", "0", x, "4/5", "3/5", "0", "0", "0", "0", "1", "0"}); };
+  const Pose origin = at("0");
+  const auto beside = [](const std::string& x, const std::string& y) { return Pose::from_text({"3/5", "-4/5", "0", x, "4/5", "3/5", "0", y, "0", "0", "1", "0"}); };
+  BOOST_TEST(bool(query.collide(origin, beside("3/5", "4/5"))));
+  BOOST_TEST(!query.collide(origin, beside("3000000000000000000000000000001/5000000000000000000000000000000", "4/5")));
+}
+
+BOOST_AUTO_TEST_CASE(threads_share_fresh_bodies)
+{
+  scenes::Random random(7);
+  for (int round = 0; round < 6; ++round) {
+    const Body a(scenes::blob(random, 5, 1, 1.2)), b(scenes::blob(random, 5, 1, 1.2));
+    std::vector<Pose> poses;
+    for (int k = 0; k < 60; ++k) poses.push_back(Pose::translation(scenes::real(random, -2.5, 2.5), scenes::real(random, -1, 1), scenes::real(random, -1, 1)));
+    std::vector<std::vector<bool>> answers(8);
+    std::vector<std::thread> threads;
+    for (auto& mine : answers)
+      threads.emplace_back([&] {
+        Query query(a, b);
+        for (const Pose& pose : poses) mine.push_back(bool(query.collide(Pose(), pose)));
+      });
+    for (std::thread& thread : threads) thread.join();
+    Query alone((Body(a.polyhedron())), Body(b.polyhedron()));
+    for (std::size_t k = 0; k < poses.size(); ++k)
+      for (const auto& mine : answers) BOOST_TEST(mine[k] == bool(alone.collide(Pose(), poses[k])));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_repair_does_is_said)
+{
+  const auto bent = tetracone::repaired(with_corner(1.5));
+  BOOST_TEST(bent.replaced.size() == 2u);
+  BOOST_TEST(!bent.turned);
+  BOOST_CHECK_NO_THROW(Body{bent.polyhedron});
+  Polyhedron one_turned = scenes::unit_cube(), all;
+  all.vertices = one_turned.vertices;
+  for (std::uint32_t f = 0; f < one_turned.face_count(); ++f) {
+    std::vector<std::uint32_t> loop(one_turned.loop(f, 0).begin(), one_turned.loop(f, 0).end());
+    if (f == 2) std::reverse(loop.begin(), loop.end());
+    all.add_polygon(loop);
+  }
+  BOOST_TEST(!Body(all).is_closed());
+  const auto mended = tetracone::repaired(all);
+  BOOST_TEST(mended.turned);
+  BOOST_TEST(Body(mended.polyhedron).is_closed());
+  BOOST_TEST(said([&] { Query(Body(all), Body(all)); }).find("(consistent orientation may close it: tetracone/repair.h)") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(work_is_counted_and_features_are_found)
+{
+  const Body a(scenes::unit_cube());
+  Query query(a, a);
+  BOOST_TEST(bool(query.collide(Pose(), Pose::translation(0.5, 0.25, 0))));
+  BOOST_TEST(query.statistics().queries == 1u);
+  BOOST_TEST(query.node_count() > 0u);
+  BOOST_TEST(query.bytes() > 0u);
+  BOOST_TEST(!query.features(Pose(), Pose::translation(1, 0, 0)).empty());
+  BOOST_TEST(query.features(Pose(), Pose::translation(2, 0, 0)).empty());
+  query.clear_statistics();
+  BOOST_TEST(query.statistics().queries == 0u);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
