@@ -15,11 +15,11 @@ struct Query_statistics {
   std::uint64_t discarded_by_sphere = 0;
   std::uint64_t tetrahedron_tests = 0;
   std::uint64_t discarded_by_tetrahedron = 0;
-  std::uint64_t box_tests = 0;                ///< oriented boxes compared with one of the other body, in the wide tree
+  std::uint64_t box_tests = 0;                ///< oriented boxes compared with one of the other body, in the fast tree
   std::uint64_t leaf_pairs = 0;
   std::uint64_t discarded_by_box = 0;         ///< pairs of an edge and a face in a leaf pair whose boxes are apart
   std::uint64_t edge_face_tests = 0;
-  std::uint64_t triangle_tests = 0;           ///< pairs of triangles, in the wide tree
+  std::uint64_t triangle_tests = 0;           ///< pairs of triangles, in the fast tree
   std::uint64_t inclusion_tests = 0;          ///< vertices of a shell against the other solid
   std::uint64_t exact_fallbacks = 0;          ///< signs that the adaptive kernel had to find in exact arithmetic
 

@@ -10,6 +10,7 @@
 #include "experiments/accuracy/sign_maps.h"
 #include "experiments/accuracy/stability.h"
 #include "experiments/speed/study.h"
+#include "experiments/speed/threads_experiment.h"
 
 #include <algorithm>
 #include <array>
@@ -49,6 +50,7 @@ Race_options race(const Options& options) { return {options.study.out, models(op
 void peers(Options options) { run_peers(race(options)); }
 void scaling(Options options) { run_scaling(race(options)); }
 void ablation(Options options) { run_ablation(race(options)); }
+void threads(Options options) { run_threads(options.study.out, options.race_frames, options.study.seed); }
 
 void method(Options options) { run_method_figures(options.study.out, options.model); }
 void sign_maps(Options options) { run_sign_maps(options.study.out, options.size); }
@@ -67,6 +69,7 @@ constexpr std::array experiments = {
     Experiment{"peers", "how fast are ours and FCL, CGAL, Bullet and ODE, in one run, and how often wrong?", "3 min", peers},
     Experiment{"scaling", "how do time, build and memory grow with the triangles of one geometry?", "2 min", scaling},
     Experiment{"ablation", "what does each choice of the paper cost, and each step to the fast tree bring?", "3 min", ablation},
+    Experiment{"threads", "how do queries on shared bodies scale with threads, while nodes are made and after?", "10 s", threads},
     Experiment{"sign-maps", "what does each arithmetic answer at 256 x 256 neighbouring doubles about a degenerate place?", "1 min", sign_maps},
     Experiment{"stability", "how many doubles from the exact place does each kernel change its answer?", "1 min", stability},
     Experiment{"method", "what do covering, cones, bounding volumes and hull of the paper look like?", "1 min", method},
@@ -101,7 +104,7 @@ void add_experiment_command(CLI::App& app)
   command->add_option("--models", options->study.models, "Folder that experiments/support/fetch_models.sh filled; default: its own");
   command->add_option("--frames", options->study.frames, "study: poses of each trajectory")->capture_default_str();
   command->add_option("--rotations", options->study.rotations, "study: poses of each degenerate scenario")->capture_default_str();
-  command->add_option("--race-frames", options->race_frames, "peers, scaling, ablation: poses of each trajectory (peers: of each of eight circles)")->capture_default_str();
+  command->add_option("--race-frames", options->race_frames, "peers, scaling, ablation, threads: poses of each trajectory (peers: of each of eight circles)")->capture_default_str();
   command->add_option("--size", options->size, "sign-maps: doubles along each side of a map")->check(CLI::Range(1, 4096))->capture_default_str();
   command->add_option("--model", options->model, "method: a closed model; default: a star-shaped body of 760 triangles");
   command->add_option("--seed", options->study.seed, "Seed of every random choice")->capture_default_str();

@@ -24,7 +24,7 @@ Config changed(Config config, Change change)
 std::vector<Contestant> contestants(std::size_t triangles, std::size_t one_in)
 {
   const Config as_published, tuned = changed(as_published, [](Config& c) { c.regular_hull = false; });
-  std::vector<Contestant> list = {wide(), wide_with_last_frame(), peer("FCL OBBRSS")};
+  std::vector<Contestant> list = {fast(), fast_with_last_frame(), peer("FCL OBBRSS")};
   const auto add = [&](const std::string& name, const Config& config) { list.push_back(paper(name, config).every(one_in)); };
 
   // From the listing to the fast tree: each step keeps the ones before.

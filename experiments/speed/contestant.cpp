@@ -1,11 +1,12 @@
 #include "experiments/speed/contestant.h"
 
-#include "tetracone/covering/repair/repair.h"
 #include "experiments/peers/peer.h"
 #include "tetracone/kernel/predicate/kernels.h"
 #include "tetracone/tetratree/paper/collision.h"
-#include "tetracone/tetratree/fast/bvh8_collision.h"
+#include "tetracone/tetratree/door/repair.h"
+#include "tetracone/tetratree/fast/bvh8_node.h"
 
+#include <optional>
 #include <utility>
 
 namespace tetracone::experiments {
@@ -25,44 +26,55 @@ tetratree::Query_statistics taken(Collision& collision)
 
 enum class Nodes { at_once, on_demand };
 
-struct Wide_trees {
-  Wide_trees(const Polyhedron& polyhedron_a, const Polyhedron& polyhedron_b, Nodes nodes)
-      : a(polyhedron_a, covering::triangulate_faces(polyhedron_a)), b(polyhedron_b, covering::triangulate_faces(polyhedron_b))
+struct Bodies {
+  Bodies(const Polyhedron& polyhedron_a, const Polyhedron& polyhedron_b, Nodes nodes) : a(triangulated_body(polyhedron_a)), b(triangulated_body(polyhedron_b))
   {
-    if (nodes == Nodes::on_demand) return;
-    a.make_all();
-    b.make_all();
+    if (nodes == Nodes::at_once) a.make_all(), b.make_all();
   }
-  tetratree::Bvh8 a, b;
+  Body a, b;
 };
 
-class Wide_ready : public Ready {
+class Fast_ready : public Ready {
  public:
-  Wide_ready(std::shared_ptr<Wide_trees> trees, tetratree::Coherence coherence)
-      : trees_(std::move(trees)), collision_(trees_->a, trees_->b, coherence)
+  Fast_ready(const Bodies& bodies, bool remember)
+      : bodies_(bodies), surface_(bodies.a, bodies.b, Question::surface, {.remember = remember}), remember_(remember)
   {
   }
 
-  const std::shared_ptr<Wide_trees>& trees() const { return trees_; }
+  const Bodies& bodies() const { return bodies_; }
 
-  bool collide(const Pose& pose_a, const Pose& pose_b, Question question) override { return collision_(pose_a, pose_b, question); }
-  tetratree::Query_statistics take_counts() override { return taken(collision_); }
-  std::size_t node_count() const override { return trees_->a.node_count() + trees_->b.node_count(); }
-  std::size_t tree_bytes() const override { return trees_->a.bytes() + trees_->b.bytes() + collision_.bytes(); }
+  bool collide(const Pose& pose_a, const Pose& pose_b, Question question) override
+  {
+    if (question == Question::surface) return bool(surface_.collide(pose_a, pose_b));
+    if (!solid_) solid_.emplace(bodies_.a, bodies_.b, Question::solid, Query_options{.remember = remember_});
+    return bool(solid_->collide(pose_a, pose_b));
+  }
+  tetratree::Query_statistics take_counts() override
+  {
+    tetratree::Query_statistics counts = surface_.statistics();
+    surface_.clear_statistics();
+    if (solid_) counts += solid_->statistics(), solid_->clear_statistics();
+    return counts;
+  }
+  std::size_t node_count() const override { return surface_.node_count(); }
+  std::size_t tree_bytes() const override { return surface_.bytes(); }
+  std::size_t mapped_bytes() const override { return node_count() * sizeof(tetratree::Bvh8_node); }
 
  private:
-  std::shared_ptr<Wide_trees> trees_;
-  tetratree::Bvh8_collision collision_;
+  Bodies bodies_;
+  Query surface_;
+  std::optional<Query> solid_;
+  bool remember_;
 };
 
-Contestant wide_as(const std::string& name, tetratree::Coherence coherence)
+Contestant fast_as(const std::string& name, bool remember)
 {
-  const auto prepare = [coherence](Nodes nodes) {
-    return [=](const Polyhedron& a, const Polyhedron& b) { return std::make_unique<Wide_ready>(std::make_shared<Wide_trees>(a, b, nodes), coherence); };
+  const auto prepare = [remember](Nodes nodes) {
+    return [=](const Polyhedron& a, const Polyhedron& b) { return std::make_unique<Fast_ready>(Bodies(a, b, nodes), remember); };
   };
-  const auto share = [coherence](const Ready& other) -> std::unique_ptr<Ready> {
-    const auto* wide = dynamic_cast<const Wide_ready*>(&other);
-    return wide ? std::make_unique<Wide_ready>(wide->trees(), coherence) : nullptr;
+  const auto share = [remember](const Ready& other) -> std::unique_ptr<Ready> {
+    const auto* fast = dynamic_cast<const Fast_ready*>(&other);
+    return fast ? std::make_unique<Fast_ready>(fast->bodies(), remember) : nullptr;
   };
   return {name, true, true, true, 1, prepare(Nodes::at_once), prepare(Nodes::on_demand), share};
 }
@@ -109,8 +121,8 @@ class Peer_ready : public Ready {
 
 }  // namespace
 
-Contestant wide() { return wide_as("tetracone", tetratree::Coherence::none); }
-Contestant wide_with_last_frame() { return wide_as("tetracone with last frame", tetratree::Coherence::last_frame); }
+Contestant fast() { return fast_as("tetracone", false); }
+Contestant fast_with_last_frame() { return fast_as("tetracone with last frame", true); }
 
 Contestant paper(const std::string& name, const tetratree::Config& config) { return paper_over<kernel::Double>(name, config); }
 Contestant paper_adaptive(const std::string& name, const tetratree::Config& config) { return paper_over<kernel::Adaptive>(name, config); }

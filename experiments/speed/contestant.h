@@ -29,6 +29,9 @@ class Ready {
 
   /// Bytes of trees and tables without the models; 0 where it is not known.
   virtual std::size_t tree_bytes() const { return 0; }
+
+  /// Bytes that are not of the heap.
+  virtual std::size_t mapped_bytes() const { return 0; }
   virtual double copies() const { return 1; }
 };
 
@@ -56,8 +59,8 @@ struct Contestant {
 };
 
 /// The fast tree of the adaptive kernel; and with what the last frame told remembered: poses in the order of a motion.
-Contestant wide();
-Contestant wide_with_last_frame();
+Contestant fast();
+Contestant fast_with_last_frame();
 
 /// The paper's tree in double with these choices, or over the adaptive kernel.
 Contestant paper(const std::string& name, const tetratree::Config& config);

@@ -13,8 +13,8 @@ std::vector<Contestant> contestants(std::size_t triangles, bool degenerate)
   const std::size_t many = degenerate ? 20 : 1;
   const bool large = triangles > 20000;
   std::vector<Contestant> list = {
-      wide(),
-      wide_with_last_frame(),
+      fast(),
+      fast_with_last_frame(),
       peer("FCL OBBRSS"),
       paper("paper tree in double", tetratree::Config::fastest()).every(triangles > 2000 ? 10 : 1),
       peer("CGAL RMCD EPICK", (large ? 20 : 4)),

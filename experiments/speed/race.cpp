@@ -62,7 +62,7 @@ Runner prepare(const Contestant& contestant, const Race_course& course)
   }
   const std::size_t before = heap();
   runner.build.milliseconds = build(contestant.prepare);
-  runner.build.bytes = heap() - before;
+  runner.build.bytes = heap() - before + (runner.ready ? runner.ready->mapped_bytes() : 0);
   constexpr double soon_milliseconds = 100;
   if (!runner.ready || runner.build.milliseconds > soon_milliseconds) return runner;
   runner.ready.reset();

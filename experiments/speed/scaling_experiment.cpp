@@ -9,7 +9,7 @@ namespace {
 
 std::vector<Contestant> contestants(std::size_t triangles)
 {
-  std::vector<Contestant> list = {wide(), wide_with_last_frame(), peer("FCL OBBRSS"), peer("CGAL RMCD EPICK", 20)};
+  std::vector<Contestant> list = {fast(), fast_with_last_frame(), peer("FCL OBBRSS"), peer("CGAL RMCD EPICK", 20)};
   if (triangles <= 10000) list.push_back(paper("paper tree in double", tetratree::Config::fastest()).every(10));
   return list;
 }

@@ -149,7 +149,7 @@ HWY_INLINE Single_box carried(const Obb8& boxes, const Box_map& map, const Obb8&
 {
   Single_box box;
   constexpr hn::CappedTag<float, 4> tag;
-  constexpr hn::CappedTag<double, 4> wide;
+  constexpr hn::CappedTag<double, 4> doubles;
   for (std::size_t k = 0; k < 4; k += hn::Lanes(tag)) {
     const auto c0 = hn::Load(tag, map.direction(0) + k), c1 = hn::Load(tag, map.direction(1) + k), c2 = hn::Load(tag, map.direction(2) + k);
     for (int j = 0; j < 3; ++j) {
@@ -163,10 +163,10 @@ HWY_INLINE Single_box carried(const Obb8& boxes, const Box_map& map, const Obb8&
   double centre[3];
   alignas(32) double at[4];
   for (int i = 0; i < 3; ++i) centre[i] = double(from.origin[i]) + double(from.centre[i][lane]);
-  for (std::size_t k = 0; k < 4; k += hn::Lanes(wide)) {
-    const auto column = [&](int j) HWY_ATTR { return hn::Load(wide, map.column(j) + k); };
-    const auto all = [&](double x) HWY_ATTR { return hn::Set(wide, x); };
-    hn::Store(hn::MulAdd(column(2), all(centre[2]), hn::MulAdd(column(1), all(centre[1]), hn::MulAdd(column(0), all(centre[0]), column(3)))), wide, at + k);
+  for (std::size_t k = 0; k < 4; k += hn::Lanes(doubles)) {
+    const auto column = [&](int j) HWY_ATTR { return hn::Load(doubles, map.column(j) + k); };
+    const auto all = [&](double x) HWY_ATTR { return hn::Set(doubles, x); };
+    hn::Store(hn::MulAdd(column(2), all(centre[2]), hn::MulAdd(column(1), all(centre[1]), hn::MulAdd(column(0), all(centre[0]), column(3)))), doubles, at + k);
   }
   for (int i = 0; i < 3; ++i) box.centre[i] = float(at[i] - double(boxes.origin[i]));
   box.slack = map.slack(boxes.reach, size);

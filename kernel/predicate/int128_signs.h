@@ -42,11 +42,11 @@ inline std::optional<CGAL::Sign> int128_volume_sign(const Vertex& a, const Verte
 {
   const auto grid = on_grid<4>({&a, &b, &c, &d});
   if (!grid) return std::nullopt;
-  using Wide = __int128;
+  using Int128 = __int128;
   const auto& [p, q, r, s] = *grid;
-  const Wide bx = q[0] - p[0], by = q[1] - p[1], bz = q[2] - p[2], cx = r[0] - p[0], cy = r[1] - p[1], cz = r[2] - p[2];
-  const Wide dx = s[0] - p[0], dy = s[1] - p[1], dz = s[2] - p[2];
-  const Wide determinant = (by * cz - bz * cy) * dx + (bz * cx - bx * cz) * dy + (bx * cy - by * cx) * dz;
+  const Int128 bx = q[0] - p[0], by = q[1] - p[1], bz = q[2] - p[2], cx = r[0] - p[0], cy = r[1] - p[1], cz = r[2] - p[2];
+  const Int128 dx = s[0] - p[0], dy = s[1] - p[1], dz = s[2] - p[2];
+  const Int128 determinant = (by * cz - bz * cy) * dx + (bz * cx - bx * cz) * dy + (bx * cy - by * cx) * dz;
   return determinant > 0 ? CGAL::POSITIVE : determinant < 0 ? CGAL::NEGATIVE : CGAL::ZERO;
 }
 
@@ -55,10 +55,10 @@ inline std::optional<CGAL::Sign> int128_normal_sign(const Vertex& a, const Verte
 {
   const auto grid = on_grid<3>({&a, &b, &c});
   if (!grid) return std::nullopt;
-  using Wide = __int128;
+  using Int128 = __int128;
   const int i = (axis + 1) % 3, j = (axis + 2) % 3;
   const auto& [p, q, r] = *grid;
-  const Wide component = Wide(q[i] - p[i]) * (r[j] - p[j]) - Wide(q[j] - p[j]) * (r[i] - p[i]);
+  const Int128 component = Int128(q[i] - p[i]) * (r[j] - p[j]) - Int128(q[j] - p[j]) * (r[i] - p[i]);
   return component > 0 ? CGAL::POSITIVE : component < 0 ? CGAL::NEGATIVE : CGAL::ZERO;
 }
 

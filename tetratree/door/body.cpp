@@ -76,6 +76,8 @@ const Polyhedron& Body::polyhedron() const { return data_->polyhedron; }
 
 bool Body::is_closed() const { return data_->is_closed(); }
 
+void Body::make_all() const { data_->bvh8().make_all(); }
+
 Body read_body(const std::filesystem::path& file) { return Body(file); }
 
 }  // namespace tetracone

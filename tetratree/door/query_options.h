@@ -3,6 +3,8 @@
 
 #include "tetracone/kernel/predicate/tolerance.h"
 
+#include <string_view>
+
 namespace tetracone {
 
 using kernel::Tolerance;
@@ -16,6 +18,11 @@ enum class Method {
   paper,  ///< the tetra-tree of JS08 with the paper's choices
   brute   ///< every edge against every face
 };
+
+constexpr std::string_view to_string(Method method)
+{
+  return method == Method::tree ? "tree" : method == Method::paper ? "paper" : "brute";
+}
 
 /// What else a query can be told.
 struct Query_options {

@@ -87,6 +87,9 @@ class Body {
   /// True when every directed edge occurs as often as its reverse: then the body bounds a solid.
   bool is_closed() const;
 
+  /// Makes now what queries of the adaptive kernel's fast tree would make when they first need it.
+  void make_all() const;
+
  private:
   friend class Query;
   friend Body read_body(const std::filesystem::path& file);

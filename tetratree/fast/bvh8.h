@@ -70,13 +70,14 @@ class Bvh8 {
     elements_.for_vertices(element, what);
   }
 
-  /// Makes every node, and gives back what only the making needs. Not while another thread asks the tree.
-  void make_all()
+  /// Makes every node, and gives back what only the making needs.
+  void make_all() const
   {
     kernel::require_sound_floating_point();
     for (Index n = 0; n < nodes_.size(); ++n)
       for (int lane = 0; lane < node(n).boxes.lane_count; ++lane)
         if (!is_leaf(n, lane)) child(n, lane);
+    const std::lock_guard lock(making_);
     builder_.reset();
   }
 

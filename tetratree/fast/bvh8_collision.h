@@ -28,7 +28,7 @@ enum class Coherence {
   last_frame  ///< the direction that separated the bodies, and the pair of elements that met: tried first in the next pose
 };
 
-/// Collision detection between two wide trees, exact. Build once, ask for many poses.
+/// Collision detection between two `Bvh8`, exact. Build once, ask for many poses.
 ///
 /// Stages, each of which may end a query: a plane between the bodies (`Separating_direction`); the descent of pairs of boxes, the larger one
 /// first, its eight parts against the other box, carried into their frame with a slack that covers all rounding and the pose's; pairs of elements,

@@ -14,7 +14,7 @@
 
 namespace tetracone::tetratree {
 
-/// Whether a solid holds a shell of another body, through its wide tree.
+/// Whether a solid holds a shell of another body, through its `Bvh8`.
 ///
 /// The winding number about a vertex is the signed sum over the covering (JS08 Theorem 1). Of its tetrahedra only those can count whose face is met by the
 /// ray from the vertex away from the covering's origin: these the tree finds, and the exact signs decide them.

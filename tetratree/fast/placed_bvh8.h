@@ -10,7 +10,7 @@
 
 namespace tetracone::tetratree {
 
-/// A wide tree under a pose, as a query uses it. A box is lane k of node n, 8 n + k.
+/// A `Bvh8` under a pose, as a query uses it. A box is lane k of node n, 8 n + k.
 struct Placed_bvh8 {
   using Adaptive = kernel::Adaptive;
   using Point = kernel::Point<Adaptive>;

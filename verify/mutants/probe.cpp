@@ -149,8 +149,8 @@ void judge_wide(const covering::Polyhedron& a, const covering::Polyhedron& b, co
   tetratree::Bvh8 tree_a(a), tree_b(b);
   tetratree::Bvh8_collision collision(tree_a, tree_b, tetratree::Coherence::last_frame);
   for (int round = 0; round < 2; ++round) {
-    if (collision(pose_a, pose_b, Question::surface) != (surface == 1)) wrong("wide tree, surface in case " + std::to_string(number));
-    if (collision(pose_a, pose_b, Question::solid) != (solid == 1)) wrong("wide tree, solid in case " + std::to_string(number));
+    if (collision(pose_a, pose_b, Question::surface) != (surface == 1)) wrong("fast tree, surface in case " + std::to_string(number));
+    if (collision(pose_a, pose_b, Question::solid) != (solid == 1)) wrong("fast tree, solid in case " + std::to_string(number));
   }
 }
 

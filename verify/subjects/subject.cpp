@@ -21,8 +21,6 @@ constexpr std::array<std::pair<Kernel_name, std::string_view>, 7> kernel_names =
     {Kernel_name::epeck, "epeck"},
     {Kernel_name::rational, "rational"},
 }};
-constexpr std::array<std::pair<Method, std::string_view>, 3> method_names = {
-    {{Method::tree, "tree"}, {Method::paper, "paper"}, {Method::brute, "brute"}}};
 
 /// By the library's own door. Each question is a query, made when it is first asked.
 class Query_pair : public Prepared_pair {
@@ -95,11 +93,6 @@ class Truth_pair : public Prepared_pair {
 
 }  // namespace
 
-std::string_view to_string(Method method)
-{
-  return method_names[static_cast<std::size_t>(method)].second;
-}
-
 tetratree::Config config_of(Method method)
 {
   if (method == Method::tree) return tetratree::Config::fastest();
@@ -109,8 +102,8 @@ tetratree::Config config_of(Method method)
 
 std::optional<Method> parse_method(std::string_view name)
 {
-  for (const auto& [method, known] : method_names)
-    if (name == known) return method;
+  for (const Method method : {Method::tree, Method::paper, Method::brute})
+    if (name == to_string(method)) return method;
   return std::nullopt;
 }
 

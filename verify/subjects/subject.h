@@ -45,7 +45,7 @@ struct Subject {
   }
 };
 
-std::string_view to_string(Method method);
+using tetracone::to_string;
 
 /// The choices of trees and queries that the method stands for.
 tetratree::Config config_of(Method method);

@@ -1,4 +1,4 @@
-// Real models with holes in their faces (not part of the project): the wide tree, over faces as they are and over their triangles, against the
+// Real models with holes in their faces (not part of the project): the fast tree, over faces as they are and over their triangles, against the
 // paper's tree in rational arithmetic, which shares neither tree nor signs with it.
 
 #include "tetracone/covering/check.h"

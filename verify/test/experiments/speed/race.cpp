@@ -40,7 +40,7 @@ BOOST_AUTO_TEST_CASE(wrong_answers_are_counted_by_their_kind_and_only_where_they
   const Race_course course = three_poses();
   const Contestant denying{"denying", false, false, false, 2,
                            [](const covering::Polyhedron&, const covering::Polyhedron&) { return std::make_unique<Denying>(); }, {}, {}};
-  Race race(course, {wide(), denying});
+  Race race(course, {fast(), denying});
   const auto surface = race.run(Question::surface, 2, 1);
   BOOST_TEST(surface[0]->poses == 4u);
   BOOST_TEST(surface[0]->collisions == 2u);
@@ -54,7 +54,7 @@ BOOST_AUTO_TEST_CASE(wrong_answers_are_counted_by_their_kind_and_only_where_they
 BOOST_AUTO_TEST_CASE(the_reference_agrees_with_the_truth_on_frames_of_both_answers)
 {
   const Race_course course = three_poses();
-  Race race(course, {wide()});
+  Race race(course, {fast()});
   for (const Question question : {Question::surface, Question::solid}) {
     const auto checked = race.check(question);
     BOOST_TEST(checked.frames == 4u);
@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(the_reference_agrees_with_the_truth_on_frames_of_both_answe
 BOOST_AUTO_TEST_CASE(a_contestant_that_takes_no_such_bodies_is_not_in_the_race)
 {
   const Race_course course = three_poses();
-  Race race(course, {wide(), peer("no such library")});
+  Race race(course, {fast(), peer("no such library")});
   BOOST_TEST(!race.run(Question::surface, 1, 1)[1]);
 }
 
@@ -79,14 +79,14 @@ BOOST_AUTO_TEST_CASE(several_trajectories_follow_one_another_each_from_a_seed_of
   BOOST_TEST(std::equal(one.begin(), one.end(), three.begin()));
   for (std::size_t k = 0; k < 50; ++k) BOOST_TEST((!(three[k] == three[50 + k]) && !(three[50 + k] == three[100 + k])));
   // Two in each fifty are between 3 and 4.5 %.
-  Race race(several, {wide()});
+  Race race(several, {fast()});
   BOOST_TEST(race.run(Question::surface, 1, 1)[0]->collisions == 6u);
 }
 
 BOOST_AUTO_TEST_CASE(with_the_last_frame_or_without_the_same_trees_are_asked)
 {
   const Race_course course = on_trajectory(verify::blob(300, 1), "blob", "contour", 1, 10, 1);
-  const auto first = wide().prepare_on_demand(course.a, course.b), second = wide_with_last_frame().share(*first);
+  const auto first = fast().prepare_on_demand(course.a, course.b), second = fast_with_last_frame().share(*first);
   BOOST_REQUIRE(second);
   const std::size_t few = second->node_count();
   for (const Pose& pose : course.poses_b) BOOST_TEST(first->collide(Pose(), pose, Question::surface) == second->collide(Pose(), pose, Question::surface));
@@ -94,14 +94,14 @@ BOOST_AUTO_TEST_CASE(with_the_last_frame_or_without_the_same_trees_are_asked)
   BOOST_TEST(second->node_count() == first->node_count());
   BOOST_TEST(first->take_counts().queries == 10u);
   BOOST_TEST(second->take_counts().queries == 10u);
-  BOOST_TEST(!wide().share(Denying()));
+  BOOST_TEST(!fast().share(Denying()));
   BOOST_TEST(!peer("no such library").share);
 }
 
 BOOST_AUTO_TEST_CASE(time_memory_and_nodes_are_measured)
 {
   const Race_course course = on_trajectory(verify::blob(2000, 1), "blob", "contour", 1, 20, 1);
-  Race race(course, {wide()});
+  Race race(course, {fast()});
   const Build& build = race.runners()[0].build;
   BOOST_TEST(build.milliseconds > 0);
   BOOST_TEST(build.bytes > 100u * (course.a.face_count() + course.b.face_count()));

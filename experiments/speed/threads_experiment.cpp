@@ -1,0 +1,81 @@
+#include "experiments/speed/threads_experiment.h"
+
+#include "experiments/support/build_info.h"
+#include "experiments/support/output_file.h"
+#include "experiments/speed/trajectory.h"
+#include "tetracone/kernel/number/number.h"
+#include "tetracone/tetratree/door/tetracone.h"
+#include "verify/cases/shape_generators.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace tetracone::experiments {
+namespace {
+
+/// Nanoseconds a query of `count` threads that ask the poses in turn, `rounds` times over, each by a query of its own; and how many of them hit.
+struct Lap {
+  double nanoseconds;
+  long hits;
+};
+
+Lap lap(const Body& a, const Body& b, const std::vector<kernel::Pose>& poses, int count, int rounds)
+{
+  std::atomic<std::size_t> next = 0;
+  std::atomic<long> hits = 0;
+  const std::size_t all = poses.size() * std::size_t(rounds);
+  const auto work = [&] {
+    Query query(a, b, Question::surface);
+    const kernel::Pose unmoved;
+    constexpr std::size_t at_once = 64;
+    long mine = 0;
+    for (std::size_t begin; (begin = next.fetch_add(at_once)) < all;)
+      for (std::size_t k = begin; k < std::min(begin + at_once, all); ++k) mine += bool(query.collide(unmoved, poses[k % poses.size()]));
+    hits += mine;
+  };
+  const auto start = std::chrono::steady_clock::now();
+  std::vector<std::thread> threads;
+  for (int k = 1; k < count; ++k) threads.emplace_back(work);
+  work();
+  for (std::thread& thread : threads) thread.join();
+  const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - start;
+  return {time.count() / double(all), hits};
+}
+
+}  // namespace
+
+void run_threads(const std::filesystem::path& out, int frames, std::uint64_t seed)
+{
+  make_folder(out);
+  const int processors = int(std::max(1u, std::thread::hardware_concurrency()));
+  const covering::Polyhedron object = verify::blob(7172, seed);
+  const Body reference(object);
+  Query of_reference(reference, reference, Question::surface);
+  const auto poses = contour_trajectory(object, object, 1, frames, seed, [&](const kernel::Pose& pose) { return bool(of_reference.collide(kernel::Pose(), pose)); });
+  std::string table = "threads,bodies,ns,speedup,hits,poses,seed,version,compiler,flags,processor\n";
+  std::printf("%8s  %-6s  %10s  %8s\n", "threads", "bodies", "ns a query", "speed-up");
+  for (const std::string bodies : {"fresh", "warm"}) {
+    double alone = 0;
+    for (int count = 1; count <= 2 * processors; count *= 2) {
+      Lap best{0, 0};
+      for (int pass = 0; pass < 5; ++pass) {
+        const Body a(object), b(object);
+        if (bodies == "warm") a.make_all(), b.make_all();
+        const Lap now = lap(a, b, poses, count, bodies == "warm" ? 20 : 1);
+        if (pass == 0 || now.nanoseconds < best.nanoseconds) best = now;
+      }
+      if (count == 1) alone = best.nanoseconds;
+      table += std::to_string(count) + "," + bodies + "," + kernel::shortest(best.nanoseconds) + "," + kernel::shortest(alone / best.nanoseconds) + "," + std::to_string(best.hits) + "," +
+               std::to_string(poses.size()) + "," + std::to_string(seed) + "," TETRACONE_VERSION "," + compiler() + "," + compiler_flags() + "," + processor() + "\n";
+      std::printf("%8d  %-6s  %10.0f  %8.2f\n", count, bodies.c_str(), best.nanoseconds, alone / best.nanoseconds);
+    }
+  }
+  write_whole(out / "threads.csv", table);
+}
+
+}  // namespace tetracone::experiments

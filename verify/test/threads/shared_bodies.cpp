@@ -1,0 +1,72 @@
+// Many threads on fresh bodies, whose trees are made while all of them ask; built with ThreadSanitizer, which ends the program at a data race.
+
+#include "tetracone/tetratree/door/tetracone.h"
+
+#include "verify/cases/random.h"
+
+#include <cmath>
+#include <cstdio>
+#include <thread>
+#include <vector>
+
+using namespace tetracone;
+
+namespace {
+
+/// A closed surface about 0, its radius waving: 2 n^2 triangles about.
+Polyhedron waves(int n, double height)
+{
+  Polyhedron body;
+  const auto point = [&](double u, double v) {
+    const auto [cos_u, sin_u] = verify::turn(u);
+    const auto [cos_v, sin_v] = verify::turn(v);
+    const auto [wave, unused] = verify::turn(5 * u + 2 * v);
+    const double r = 1 + height * wave;
+    body.vertices.push_back({r * cos_u * sin_v, r * sin_u * sin_v, r * cos_v});
+  };
+  point(0, 0);
+  for (int i = 1; i < n; ++i)
+    for (int k = 0; k < n; ++k) point(double(k) / n, 0.5 * i / n);
+  point(0, 0.5);
+  const auto at = [n](int i, int k) { return std::uint32_t(1 + (i - 1) * n + (k + n) % n); };
+  const auto last = std::uint32_t(body.vertices.size() - 1);
+  for (int k = 0; k < n; ++k) {
+    body.add_polygon({0, at(1, k), at(1, k + 1)});
+    body.add_polygon({last, at(n - 1, k + 1), at(n - 1, k)});
+    for (int i = 1; i + 1 < n; ++i) {
+      body.add_polygon({at(i, k), at(i + 1, k), at(i + 1, k + 1)});
+      body.add_polygon({at(i, k), at(i + 1, k + 1), at(i, k + 1)});
+    }
+  }
+  return body;
+}
+
+}  // namespace
+
+int main()
+{
+  verify::Random random(1);
+  long wrong = 0, hits = 0;
+  for (int round = 0; round < 3; ++round) {
+    const Body a(waves(24, 0.2)), b(waves(20, 0.3));
+    std::vector<Pose> poses;
+    for (int k = 0; k < 80; ++k) {
+      const auto [x, y, z] = random.in_ball();
+      poses.push_back(Pose::translation(3 * x, 3 * y, 3 * z));
+    }
+    std::vector<std::vector<Answer>> answers(8);
+    std::vector<std::thread> threads;
+    for (std::size_t t = 0; t < answers.size(); ++t)
+      threads.emplace_back([&, t] {
+        Query query(a, b, t % 2 == 0 ? Question::solid : Question::surface, {.remember = t % 4 < 2});
+        if (t == 5) a.make_all();
+        answers[t] = query.collide(std::vector<Pose>(1), poses);
+      });
+    for (std::thread& thread : threads) thread.join();
+    for (std::size_t t = 2; t < answers.size(); ++t)
+      for (std::size_t k = 0; k < poses.size(); ++k) wrong += answers[t][k].relation() != answers[t % 2][k].relation();
+    for (const Answer& answer : answers[0]) hits += bool(answer);
+  }
+  std::printf("%ld answers differ, %ld hits\n", wrong, hits);
+  return wrong == 0 && hits > 10 && hits < 230 ? 0 : 1;
+}
