@@ -55,7 +55,6 @@ HWY_INLINE std::size_t store(Pair_stack& stack, std::size_t count, const Opening
 {
   constexpr simd::Float_tag tag;
   constexpr hn::RebindToUnsigned<simd::Float_tag> ids;
-  constexpr hn::RebindToSigned<simd::Float_tag> codes;
   const int other = 1 - o.body;
   const kernel::Obb8& boxes = o.node->boxes;
   const std::uint32_t first_id = std::uint32_t(o.node - trees.nodes[o.body]) * 8;
@@ -72,9 +71,10 @@ HWY_INLINE std::size_t store(Pair_stack& stack, std::size_t count, const Opening
     hn::StoreU(hn::Compress(signed_size, mask), tag, stack.sizes(o.body) + count);
 #else
     // No instruction does it: Highway 1.0.3's Compress would copy its table, a kilobyte, to the stack each time.
+    constexpr hn::RebindToSigned<simd::Float_tag> lane_numbers;
     std::uint8_t set[8];
     hn::StoreMaskBits(tag, mask, set);
-    const auto moved = hn::PromoteTo(codes, hn::LoadU(hn::Rebind<std::uint8_t, simd::Float_tag>(), lanes_in[set[0]].data()));
+    const auto moved = hn::PromoteTo(lane_numbers, hn::LoadU(hn::Rebind<std::uint8_t, simd::Float_tag>(), lanes_in[set[0]].data()));
     hn::StoreU(hn::TableLookupLanes(id, hn::IndicesFromVec(ids, moved)), ids, stack.boxes(o.body) + count);
     hn::StoreU(hn::TableLookupLanes(signed_size, hn::IndicesFromVec(tag, moved)), tag, stack.sizes(o.body) + count);
 #endif

@@ -2,6 +2,7 @@
 // closed, genus, or that it is refused in one line.
 
 #include "tetracone/covering/check.h"
+#include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/io/read.h"
 #include "tetracone/covering/repair/repair.h"
 #include "verify/test/support/data_folder.h"

@@ -1,5 +1,8 @@
 #include "tetracone/covering/io/read.h"
 
+#include "tetracone/covering/edge_uses.h"
+#include "tetracone/covering/io/input_error.h"
+#include "tetracone/kernel/number/number.h"
 #include "verify/test/support/temporary_file.h"
 
 #include <boost/test/unit_test.hpp>

@@ -1,7 +1,9 @@
 #include "tetracone/covering/repair/repair.h"
 
 #include "tetracone/covering/check.h"
-
+#include "tetracone/covering/edge_uses.h"
+#include "tetracone/covering/planarity.h"
+#include "tetracone/covering/projection.h"
 #include "verify/test/support/scenes.h"
 
 #include <boost/test/unit_test.hpp>
