@@ -28,8 +28,8 @@ constexpr std::string_view to_string(Method method)
 struct Query_options {
   Kernel kernel = Kernel::adaptive;
   Method method = Method::tree;
-  Tolerance tolerance;    ///< of Kernel::double_eps
-  bool remember = false;  ///< keep from pose to pose what decided the last one: for motions in small steps. Changes no answer
+  Tolerance tolerance = {};  ///< of Kernel::double_eps
+  bool remember = false;     ///< keep from pose to pose what decided the last one: for motions in small steps. Changes no answer
 };
 
 }  // namespace tetracone

@@ -23,7 +23,8 @@ namespace tetracone {
 
 namespace kernel {
 class Pose;
-}
+inline std::ostream& operator<<(std::ostream& out, Relation relation) { return out << to_string(relation); }
+}  // namespace kernel
 namespace detail {
 struct Body_data;
 struct Query_data;
@@ -115,8 +116,6 @@ class Answer {
  private:
   Relation relation_;
 };
-
-inline std::ostream& operator<<(std::ostream& out, Relation relation) { return out << to_string(relation); }
 
 /// Two bodies and a question, asked for many poses. Keeps work from one pose to the next: one query per thread.
 class Query {
