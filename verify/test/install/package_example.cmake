@@ -1,5 +1,5 @@
-# Installs BUILD into an empty prefix, builds the first ```cpp block of SOURCE/README.md against what was installed, runs
-# it as `example cube.off tetrahedron.off` where those two files are, and compares its output with the next ```text block.
+# Installs BUILD into an empty prefix. Builds each ```cpp block of SOURCE/README.md against what was installed, runs it as
+# `example_N cube.off tetrahedron.off` where those two files are, and compares its output with the ```text block that follows it.
 
 set(work ${BUILD}/package_example)
 file(REMOVE_RECURSE ${work})
@@ -35,29 +35,47 @@ endfunction()
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${work}/prefix)
 
 if(NOT EXISTS ${SOURCE}/README.md)
-  message(FATAL_ERROR "README.md: not there; its first C++ block is the example that this test builds")
+  message(FATAL_ERROR "README.md: not there; its C++ blocks are the examples that this test builds")
 endif()
 file(READ ${SOURCE}/README.md text)
-take_block(cpp)
-file(WRITE ${work}/example.cpp "${block}")
-take_block(text)
-set(expected "${block}")
+set(count 0)
+while(TRUE)
+  string(FIND "${text}" "\n```cpp\n" begin)
+  if(begin EQUAL -1)
+    break()
+  endif()
+  math(EXPR count "${count} + 1")
+  take_block(cpp)
+  file(WRITE ${work}/examples/example_${count}.cpp "${block}")
+  string(FIND "${text}" "\n```text\n" output_begin)
+  string(FIND "${text}" "\n```cpp\n" next_begin)
+  if(output_begin EQUAL -1 OR (NOT next_begin EQUAL -1 AND next_begin LESS output_begin))
+    message(FATAL_ERROR "README.md: no \`\`\`text block with the output of C++ block ${count} before the next one")
+  endif()
+  take_block(text)
+  set(expected_${count} "${block}")
+endwhile()
+if(count EQUAL 0)
+  message(FATAL_ERROR "README.md: no \`\`\`cpp block; expected the examples")
+endif()
 
 foreach(model cube tetrahedron)
   file(COPY ${SOURCE}/verify/test/install/${model}.off DESTINATION ${work})
 endforeach()
 run(${CMAKE_COMMAND} -S ${SOURCE}/verify/test/install -B ${work}/build -G ${GENERATOR} -D CMAKE_BUILD_TYPE=Release
     -D CMAKE_PREFIX_PATH=${work}/prefix -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}
-    -D EXAMPLE=${work}/example.cpp)
+    -D EXAMPLES=${work}/examples)
 run(${CMAKE_COMMAND} --build ${work}/build)
 run(${work}/build/both_prefixes)
 
-run(${work}/build/example cube.off tetrahedron.off)
-if(NOT output STREQUAL expected)
-  message(NOTICE "printed:\n${output}\nexpected:\n${expected}")
-  message(FATAL_ERROR "the README's example does not print what the README says")
-endif()
-message(STATUS "the README's example printed what the README says")
+foreach(number RANGE 1 ${count})
+  run(${work}/build/example_${number} cube.off tetrahedron.off)
+  if(NOT output STREQUAL expected_${number})
+    message(NOTICE "printed:\n${output}\nexpected:\n${expected_${number}}")
+    message(FATAL_ERROR "C++ block ${number} of README.md does not print what README.md says")
+  endif()
+endforeach()
+message(STATUS "the ${count} examples of README.md printed what it says")
 
 # The program is installed where it was built, and works from there.
 if(EXISTS ${work}/prefix/bin/tetracone)
