@@ -46,7 +46,7 @@ class Pose {
   /// Row-major 3x4: row i is (M_i0, M_i1, M_i2, t_i). Throws Error for a number that is not finite, and where det M = 0.
   explicit Pose(const std::array<double, 12>& rows);
 
-  /// The same of decimals or fractions "n/d", for a rotation that is truly one.
+  /// Of decimals or fractions "n/d": a rotation that is truly one has rational numbers. Throws as for doubles, and for a text that is no number.
   static Pose from_text(const std::array<std::string, 12>& rows);
 
   static Pose translation(double x, double y, double z);
@@ -131,7 +131,7 @@ class Query {
   /// Throws Error when the thread's floating point is not as exact answers need it, and for a query that has been moved from.
   Answer collide(const Pose& pose_a, const Pose& pose_b);
 
-  /// The same of poses of the templates. Requires det M != 0.
+  /// By poses of the templates (`exact`). Requires det M != 0.
   Answer collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
 
   /// The answers for n poses of each body, or for one of A and n of B, or n of A and one of B. Throws Error for other counts.
