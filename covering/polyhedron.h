@@ -29,7 +29,7 @@ using Loop = std::span<const Index>;
 /// Every coordinate is a finite double and is taken exactly.
 class Polyhedron {
  public:
-  std::vector<Vertex> vertices;
+  std::vector<Vertex> vertices;  ///< by their numbers; faces may leave some unused
 
   /// Appends a face; the first loop is the outer one. Requires at least one loop, no loop empty.
   template <class Loops>
@@ -43,6 +43,7 @@ class Polyhedron {
     assert(face_end_.empty() ? !loop_end_.empty() : loop_end_.size() > face_end_.back());
     face_end_.push_back(loop_end_.size());
   }
+  /// Appends a face of loops in braces: `add_face({{0, 1, 2, 3}, {4, 5, 6}})`.
   void add_face(std::initializer_list<std::initializer_list<Index>> loops) { add_face<decltype(loops)>(loops); }
 
   /// Appends a face of one loop.
@@ -51,8 +52,10 @@ class Polyhedron {
   {
     add_face(std::span<const Corners, 1>(&loop, 1));
   }
+  /// Appends a face of one loop in braces: `add_polygon({0, 1, 2})`.
   void add_polygon(std::initializer_list<Index> loop) { add_polygon<std::initializer_list<Index>>(loop); }
 
+  /// The number of faces.
   std::size_t face_count() const { return face_end_.size(); }
 
   /// The number of loops of face `f`: 1, and one more for each hole.
@@ -98,8 +101,8 @@ inline void append(Polyhedron& to, const Polyhedron& what, bool turned = false)
 
 /// A triangle that is part of a face; its corners are vertices of the polyhedron.
 struct Face_triangle {
-  Index face;
-  std::array<Index, 3> corner;
+  Index face;                   ///< the face that it is part of
+  std::array<Index, 3> corner;  ///< numbers of vertices, in the face's direction
 };
 
 }  // namespace tetracone::covering

@@ -71,9 +71,9 @@ constexpr std::array experiments = {
     Experiment{"ablation", "what does each choice of the paper cost, and each step to the fast tree bring?", "3 min", ablation},
     Experiment{"threads", "how do queries on shared bodies scale with threads, while nodes are made and after?", "10 s", threads},
     Experiment{"sign-maps", "what does each arithmetic answer at 256 x 256 neighbouring doubles about a degenerate place?", "1 min", sign_maps},
-    Experiment{"stability", "how many doubles from the exact place does each kernel change its answer?", "1 min", stability},
-    Experiment{"method", "what do covering, cones, bounding volumes and hull of the paper look like?", "1 min", method},
-    Experiment{"compilers", "which compiler flags make which signs wrong?", "2 min", compilers},
+    Experiment{"stability", "how many doubles from the exact place does each kernel change its answer?", "10 s", stability},
+    Experiment{"method", "what do covering, cones, bounding volumes and hull of the paper look like?", "10 s", method},
+    Experiment{"compilers", "which compiler flags make which signs wrong?", "1 min", compilers},
     Experiment{"dataset", "cases of every family with their exact truth, as CSV and JSON for other libraries", "1 min", dataset},
 };
 

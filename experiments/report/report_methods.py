@@ -86,7 +86,7 @@ def bibtex(citation):
 
 def citation():
     """The first title, version, date and author of CITATION.cff, which holds them a line each."""
-    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "CITATION.cff"), encoding="utf-8") as file:
+    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "CITATION.cff"), encoding="utf-8") as file:
         text = file.read()
     def first(key):
         found = re.search(rf'^[ -]*{key}: *"?([^"\n]*)"?$', text, re.MULTILINE)

@@ -12,7 +12,7 @@
 /// Eight oriented boxes against one, at once.
 ///
 /// Boxes live in a body's local units, relative to the origin of their node, in float; every comparison carries a slack, so that a box
-/// that is said to be apart is apart in exact arithmetic. The comparison itself is in wide_overlap.h.
+/// that is said to be apart is apart in exact arithmetic. The comparison itself is in obb8_overlap.h.
 namespace tetracone::kernel {
 
 inline constexpr std::size_t lanes = 8;

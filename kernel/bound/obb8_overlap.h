@@ -17,7 +17,7 @@ inline unsigned overlapping(const Obb8& boxes, const Single_box& box, bool simil
   return fastest(boxes, box, similarity);
 }
 
-/// The same of box `lane` of `from`, which `map` carries into the frame of `boxes`.
+/// The lanes of `boxes` that are not found apart from box `lane` of `from`, which `map` carries into the frame of `boxes`.
 inline unsigned overlapping(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane)
 {
   using Function = unsigned(const Obb8&, const Box_map&, const Obb8&, int);

@@ -27,7 +27,7 @@ namespace tetracone::kernel {
 /// A point is a vertex and the pose that places it; its image is never rounded, only approximated: `image` and `error`
 /// enclose it. A sign is decided by the first stage that can:
 ///   1. filter: the double expression on the images, when it is beyond the bound on all rounding (or undecided);
-///   2. zero exits: points that are the same vertex under the same pose, or exact coordinates of which every product has a factor 0;
+///   2. zero exits: points that are the same vertex under the same pose, or exact coordinates where every product has a factor 0;
 ///   3. grid: the expression in integers of 128 bits, where images are exact and whole numbers of a common power of two (or undecided);
 ///   4. double-double: the same expression on images of twice the digits, when it is beyond its bound (or undecided);
 ///   5. exact: the expression over the exact images, in CGAL::Mpzf; poses of fractions are multiplied by their denominators.
@@ -83,7 +83,7 @@ class Adaptive {
     return point;
   }
 
-  /// The same of a pose that only translates: one sum a coordinate, off by u of it, and by nothing where what it loses, which TwoSum (Knuth) tells, is 0.
+  /// The image under a pose that only translates: one sum a coordinate. Relative error u; exact where TwoSum's (Knuth) remainder is 0.
   static Point_3 translated(const Vertex& vertex, const Pose& pose)
   {
     Point_3 point{{}, 0, vertex, &pose};
@@ -180,7 +180,7 @@ class Adaptive {
     return std::nullopt;
   }
 
-  /// The same of (b-a) x (c-a) in the component `axis`.
+  /// The sign of component `axis` of (b-a) x (c-a), where identity or zero factors decide it.
   static Decision zero_normal_sign(const Point_3& a, const Point_3& b, const Point_3& c, int axis)
   {
     if (identical(b, c) || identical(a, c) || identical(a, b)) return CGAL::ZERO;

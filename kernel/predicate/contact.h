@@ -11,15 +11,16 @@ namespace tetracone::kernel {
 /// elements (vertex, edge, face) whose relative interior holds that point, the lower one first; a degenerate edge is a
 /// vertex. Where they share more than one point they lie in one plane.
 enum class Contact {
-  none,
-  vertex_vertex,
-  vertex_edge,  ///< an end of the edge inside an edge of the face, or a vertex of the face inside the edge
-  vertex_face,
-  edge_edge,
-  edge_face,
-  coplanar_overlap
+  none,           ///< no common point
+  vertex_vertex,  ///< an end of the edge at a vertex of the face
+  vertex_edge,    ///< an end of the edge inside an edge of the face, or a vertex of the face inside the edge
+  vertex_face,    ///< an end of the edge inside the face
+  edge_edge,      ///< the edge crosses an edge of the face
+  edge_face,      ///< the edge goes through the inside of the face
+  coplanar_overlap  ///< more than one common point, in the plane of the face
 };
 
+/// The name, in words joined by '-' or a blank.
 constexpr std::string_view to_string(Contact contact)
 {
   switch (contact) {
@@ -39,9 +40,10 @@ struct Feature_pair {
   int body;                 ///< 0: an edge of A and a face of B; 1: an edge of B and a face of A
   std::uint32_t edge_from;  ///< the edge's vertices, edge_from <= edge_to: an edge has no direction here,
   std::uint32_t edge_to;    ///< and the two are equal only where a loop goes from a vertex to itself
-  std::uint32_t face;
-  Contact kind;
+  std::uint32_t face;       ///< the face's number
+  Contact kind;             ///< how they meet
 
+  /// By the members, in their order.
   friend auto operator<=>(const Feature_pair&, const Feature_pair&) = default;
 };
 

@@ -50,7 +50,7 @@ inline std::optional<CGAL::Sign> int128_volume_sign(const Vertex& a, const Verte
   return determinant > 0 ? CGAL::POSITIVE : determinant < 0 ? CGAL::NEGATIVE : CGAL::ZERO;
 }
 
-/// The same of (b-a) x (c-a) in the component `axis`.
+/// The sign of component `axis` of (b-a) x (c-a), on the same conditions.
 inline std::optional<CGAL::Sign> int128_normal_sign(const Vertex& a, const Vertex& b, const Vertex& c, int axis)
 {
   const auto grid = on_grid<3>({&a, &b, &c});

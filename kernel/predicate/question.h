@@ -12,6 +12,7 @@ enum class Question {
   surface  ///< do the two closed surfaces share a point? Touching in a single point counts
 };
 
+/// "solid" or "surface".
 constexpr std::string_view to_string(Question question)
 {
   return question == Question::solid ? "solid" : "surface";
@@ -33,6 +34,7 @@ enum class Relation {
   b_in_a     ///< solids: the other way round
 };
 
+/// The enumerator's own name.
 constexpr std::string_view to_string(Relation relation)
 {
   switch (relation) {

@@ -13,10 +13,10 @@
 /// Vectors of numbers by Highway, chosen at run time: kernels are compiled for what every processor of the architecture has (x86-64: SSE2),
 /// for SSSE3, AVX2 and AVX-512.
 ///
-/// A kernel is an inline function of the namespace HWY_NAMESPACE within its folder's, in a file NAME_kernel.h without a guard, which NAME.h
-/// includes once for each target and of which it chooses a version (wide_overlap_kernel.h and wide_overlap.h are the example):
+/// A kernel is an inline function of the namespace HWY_NAMESPACE within its folder's, in a file NAME_simd.inl. NAME.h includes that file once
+/// for each target and chooses a version. Example: kernel/bound/obb8_overlap_simd.inl and obb8_overlap.h.
 ///
-///     #define TETRACONE_SIMD_KERNEL "tetracone/kernel/NAME_kernel.h"
+///     #define TETRACONE_SIMD_KERNEL "tetracone/FOLDER/ROOM/NAME_simd.inl"
 ///     #include "tetracone/kernel/simd/simd_rounds.h"
 ///
 ///     inline Function* name()

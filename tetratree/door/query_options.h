@@ -19,6 +19,7 @@ enum class Method {
   brute   ///< every edge against every face
 };
 
+/// The enumerator's own name.
 constexpr std::string_view to_string(Method method)
 {
   return method == Method::tree ? "tree" : method == Method::paper ? "paper" : "brute";
@@ -26,10 +27,10 @@ constexpr std::string_view to_string(Method method)
 
 /// What else a query can be told.
 struct Query_options {
-  Kernel kernel = Kernel::adaptive;
-  Method method = Method::tree;
-  Tolerance tolerance = {};  ///< of Kernel::double_eps
-  bool remember = false;     ///< keep from pose to pose what decided the last one: for motions in small steps. Changes no answer
+  Kernel kernel = Kernel::adaptive;  ///< the arithmetic
+  Method method = Method::tree;      ///< the way to the answer
+  Tolerance tolerance = {};          ///< of Kernel::double_eps
+  bool remember = false;             ///< keep from pose to pose what decided the last one: for motions in small steps. Changes no answer
 };
 
 }  // namespace tetracone

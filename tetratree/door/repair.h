@@ -12,7 +12,7 @@ namespace tetracone {
 
 /// A polyhedron made legal, and what was done to it.
 struct Repaired {
-  Polyhedron polyhedron;
+  Polyhedron polyhedron;                  ///< what is legal now
   std::vector<covering::Index> replaced;  ///< faces that were not planar, each now some triangles; numbers of before
   bool turned = false;                    ///< faces were turned round so that the surface closes
 };

@@ -23,6 +23,7 @@ namespace tetracone {
 
 namespace kernel {
 class Pose;
+/// Writes the name: apart, surfaces, a_in_b, b_in_a.
 inline std::ostream& operator<<(std::ostream& out, Relation relation) { return out << to_string(relation); }
 }  // namespace kernel
 namespace detail {
@@ -47,18 +48,22 @@ class Pose {
   /// Row-major 3x4: row i is (M_i0, M_i1, M_i2, t_i). Throws Error for a number that is not finite, and where det M = 0.
   explicit Pose(const std::array<double, 12>& rows);
 
-  /// The same of decimals or fractions "n/d", for a rotation that is truly one.
+  /// Of decimals or fractions "n/d": a rotation that is truly one has rational numbers. Throws as for doubles, and for a text that is no number.
   static Pose from_text(const std::array<std::string, 12>& rows);
 
+  /// x -> x + (x, y, z). Throws Error for a number that is not finite.
   static Pose translation(double x, double y, double z);
 
   ~Pose();
+  /// Copies share the fractions of a pose that has some.
   Pose(const Pose& other);
+  /// As the copy.
   Pose& operator=(const Pose& other);
 
   /// The nearest doubles; the numbers themselves unless the pose was made of fractions.
   const std::array<double, 12>& rows() const;
 
+  /// The pose of the templates.
   const kernel::Pose& exact() const { return *reinterpret_cast<const kernel::Pose*>(storage_); }
 
  private:
@@ -79,10 +84,12 @@ class Body {
   /// they are convex, and else taken as a whole.
   Body(Polyhedron polyhedron, std::vector<Face_triangle> triangles);
 
-  // Copies alone: a body is never empty.
+  /// Copies share everything. There is no move: a body is never empty.
   Body(const Body&) = default;
+  /// As the copy.
   Body& operator=(const Body&) = default;
 
+  /// What it was made of.
   const Polyhedron& polyhedron() const;
 
   /// True when every directed edge occurs as often as its reverse: then the body bounds a solid.
@@ -106,11 +113,13 @@ Body read_body(const std::filesystem::path& file);
 /// The answer for one pose of each body.
 class Answer {
  public:
+  /// The answer that says this.
   explicit Answer(Relation relation) : relation_(relation) {}
 
   /// True when the bodies collide.
   explicit operator bool() const { return relation_ != Relation::apart; }
 
+  /// How the bodies stand; of `Question::surface`, `apart` or `surfaces`.
   Relation relation() const { return relation_; }
 
  private:
@@ -120,17 +129,19 @@ class Answer {
 /// Two bodies and a question, asked for many poses. Keeps work from one pose to the next: one query per thread.
 class Query {
  public:
-  /// Throws Error when an open surface is asked for its solid.
+  /// The query shares the bodies' data and outlives them. Throws Error when an open surface is asked for its solid.
   Query(const Body& a, const Body& b, Question question = Question::solid, const Query_options& options = {});
 
   ~Query();
+  /// What is moved from answers with an Error.
   Query(Query&&) noexcept;
+  /// As the constructor.
   Query& operator=(Query&&) noexcept;
 
-  /// Throws Error when the thread's floating point is not as exact answers need it, and for a query that has been moved from.
+  /// How the bodies stand under these poses. Throws Error when the thread's floating point is not as exact answers need it, and for a query that has been moved from.
   Answer collide(const Pose& pose_a, const Pose& pose_b);
 
-  /// The same of poses of the templates. Requires det M != 0.
+  /// By poses of the templates (`exact`). Requires det M != 0.
   Answer collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
 
   /// The answers for n poses of each body, or for one of A and n of B, or n of A and one of B. Throws Error for other counts.
@@ -138,14 +149,17 @@ class Query {
 
   /// All pairs of an edge of one and a face of the other that share a point, with the kind of contact, sorted.
   std::vector<Feature_pair> features(const Pose& pose_a, const Pose& pose_b);
+  /// By poses of the templates. Requires det M != 0.
   std::vector<Feature_pair> features(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
 
   /// Work since the last `clear_statistics`.
   Query_statistics statistics() const;
+  /// Sets all counts to 0.
   void clear_statistics();
 
-  /// Bytes and nodes of the trees of both bodies that this query asks, as far as they have been made.
+  /// Bytes of the trees of both bodies that this query asks, as far as they have been made.
   std::size_t bytes() const;
+  /// Nodes of these trees.
   std::size_t node_count() const;
 
  private:

@@ -20,7 +20,7 @@
 
 namespace tetracone::tetratree {
 
-/// Makes the nodes of a `Bvh8`, in any order. Not for two threads at a time.
+/// Makes the nodes of a `Bvh8`, in any order. Not thread-safe: `Bvh8` calls it under a lock.
 class Bvh8_builder {
  public:
   /// `elements` must outlive the builder. `order` becomes that of the leaves: a node's making changes its own range of it alone.

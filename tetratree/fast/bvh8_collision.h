@@ -87,7 +87,7 @@ class Bvh8_collision {
     const Pose &pose_a = *pose_a_, &pose_b = *pose_b_;
     const kernel::Local_scale &in_a = a_.tree->scale(), &in_b = b_.tree->scale();
     const kernel::Origin_offset between(pose_a, in_a, pose_b, in_b);
-    // In place: a copy would wait until what is written piece by piece can be read whole.
+    // In place: a copy would stall on store forwarding.
     std::construct_at(&a_.into_other, pose_b, in_b, pose_a, in_a, -between);
     std::construct_at(&b_.into_other, pose_a, in_a, pose_b, in_b, between);
     witness_.reset();

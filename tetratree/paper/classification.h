@@ -28,7 +28,7 @@ Classified classify(const Cone_points<K>& t, const Point<K>& a, const Point<K>& 
   using kernel::ZERO;
   const std::array<const Point<K>*, 3> corner = {&a, &b, &c}, ray = {&t.v1, &t.v2, &t.v3};
 
-  // beyond[k][i]: the side of corner i against the plane of T opposite ray k, through the rays k+1 and k+2.
+  // side[k][i]: the side of corner i against the plane of T opposite ray k, through the rays k+1 and k+2.
   std::array<std::array<Sign, 3>, 3> side;
   for (int k = 0; k < 3; ++k) {
     bool all_outside = true;

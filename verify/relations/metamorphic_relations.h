@@ -14,8 +14,8 @@
 /// without knowing a right answer. A twin is made in rational arithmetic or by operations on doubles that are checked to be exact;
 /// where it would have to be rounded, the relation does not apply.
 ///
-/// The numbers R1 to R13 are those of the list that the project started from. R12 (batched signs equal scalar ones) is not here:
-/// nothing is batched yet.
+/// The numbers R1 to R13 are parts of the relations' names. R12 (signs in vectors equal scalar ones) is no relation of cases: the tests of
+/// kernel/bound and tetratree/fast hold each version of the vectors against scalar arithmetic.
 namespace tetracone::verify {
 
 enum class Verdict { holds, violated, not_applicable };

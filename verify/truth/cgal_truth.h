@@ -19,8 +19,7 @@
 #include <utility>
 #include <vector>
 
-/// The truth (see "Exact, and how the other answers are judged"): rational arithmetic on all pairs of elements whose
-/// outward-rounded boxes meet. No tree of ours and no predicate of ours: triangulation, box pairs, intersection tests and
+/// The truth: rational arithmetic on all pairs of elements whose outward-rounded boxes meet. No tree of ours and no predicate of ours: triangulation, box pairs, intersection tests and
 /// orientations are CGAL's, a pair is decided in CGAL's intervals where these are certain and in rationals elsewhere.
 namespace tetracone::verify {
 
@@ -168,7 +167,7 @@ inline bool collide(const Placed_body& a, const Placed_body& b, Question questio
   return question == Question::solid && (detail::contains(a, b) || detail::contains(b, a));
 }
 
-/// The same with the bodies placed for this once. Requires poses whose det M is not 0.
+/// Places the bodies and answers. Requires poses whose det M is not 0.
 inline bool collide(const Brute_body& a, const Pose& pose_a, const Brute_body& b, const Pose& pose_b,
                     Question question = Question::solid)
 {
@@ -254,7 +253,7 @@ inline std::vector<Feature_pair> features(const Placed_body& a, const Placed_bod
   return features;
 }
 
-/// The same with the bodies placed for this once. Requires poses whose det M is not 0.
+/// Places the bodies and lists them. Requires poses whose det M is not 0.
 inline std::vector<Feature_pair> features(const Brute_body& a, const Pose& pose_a, const Brute_body& b, const Pose& pose_b)
 {
   return features(Placed_body(a, pose_a), Placed_body(b, pose_b));

@@ -1,4 +1,4 @@
-// Installed headers are found under the package's prefix and under the folder's own, and are the same file.
+// The templates' installed headers are found in angle brackets and in quotes, and are the same file.
 #include <tetracone/kernel/predicate/contact.h>
 #include "tetracone/kernel/predicate/contact.h"
 
