@@ -19,7 +19,7 @@ using Point_numbers = std::array<Number, 3>;
 /// a number is none or is not finite, or the file holds no point.
 inline std::vector<Point_numbers> read_points(const std::filesystem::path& file)
 {
-  const std::string text = read_bytes(file);
+  const std::string text = read_text(file);
   Text_lines lines(file.native(), text, '#');
   std::vector<Point_numbers> points;
   while (lines.next()) points.push_back(read_numbers<3>(lines, "the coordinates of a point"));

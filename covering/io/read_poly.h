@@ -157,7 +157,7 @@ inline Read_model read_poly(const std::filesystem::path& path, std::string_view 
   Poly_nodes nodes = scan_poly_nodes(lines);
   if (nodes.vertices.empty()) {
     const auto node_path = std::filesystem::path(path).replace_extension(".node");
-    const std::string node_text = covering::read_bytes(node_path);
+    const std::string node_text = covering::read_text(node_path);
     Text_lines node_lines(node_path.native(), node_text, '#');
     nodes = scan_poly_nodes(node_lines);
     if (node_lines.next()) node_lines.fail("more lines than the first one counts", "expected the end of the file");

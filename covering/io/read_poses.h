@@ -51,7 +51,7 @@ std::array<Number, N> read_numbers(const Text_lines& lines, const std::string& w
 /// (exactly), or the file holds no pose.
 inline std::vector<kernel::Pose> read_poses(const std::filesystem::path& file)
 {
-  const std::string text = read_bytes(file);
+  const std::string text = read_text(file);
   Text_lines lines(file.native(), text, '#');
   std::vector<kernel::Pose> poses;
   while (lines.next()) {

@@ -129,12 +129,15 @@ inline Scan scan_stl_text(const std::string& file, std::string_view text)
   return scan;
 }
 
+/// Whether the size is the one that a binary STL file's count of triangles asks for.
+inline bool has_size_of_binary_stl(std::string_view text) { return text.size() >= 84 && text.size() == 84 + 50 * little_endian(text, 80, 4); }
+
 /// Scans an STL file: binary where its size is the one that its count of triangles asks for, else text where it begins
 /// with `solid` and holds no zero byte, else a binary file that is broken.
 inline Scan scan_stl(const std::string& file, std::string_view text)
 {
   if (text.empty()) throw Input_error(file, 0, "the file is empty", "expected an STL file");
-  if (text.size() >= 84 && text.size() == 84 + 50 * little_endian(text, 80, 4)) {
+  if (has_size_of_binary_stl(text)) {
     Scan scan = scan_stl_binary(file, text);
     // CGAL tries such a file as text first.
     scan.cgal_knows = scan.cgal_knows && text.find("facet") == std::string_view::npos;

@@ -38,6 +38,20 @@ inline std::string read_bytes(const std::filesystem::path& file)
   return bytes;
 }
 
+/// A text as all readers here take it: without a UTF-8 byte order mark, and with line feeds where carriage returns alone end its lines.
+/// Throws Input_error for UTF-16.
+inline std::string as_text(const std::string& file, std::string bytes)
+{
+  if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff"))
+    throw Input_error(file, 0, "is text in UTF-16", "expected UTF-8 or ASCII");
+  if (bytes.starts_with("\xef\xbb\xbf")) bytes.erase(0, 3);
+  if (bytes.find('\n') == std::string::npos) std::ranges::replace(bytes, '\r', '\n');
+  return bytes;
+}
+
+/// The text of a file. Throws Input_error as `read_bytes` and `as_text` do.
+inline std::string read_text(const std::filesystem::path& file) { return as_text(file.native(), read_bytes(file)); }
+
 /// The unsigned decimal integer that `word` is, whole. Nothing when it is none or does not fit.
 inline std::optional<std::uint64_t> parse_count(std::string_view word)
 {

@@ -294,7 +294,7 @@ Case_file parse_case(const std::string& text, const std::string& name)
   return file;
 }
 
-Case_file read_case(const std::filesystem::path& path) { return parse_case(covering::read_bytes(path), path.native()); }
+Case_file read_case(const std::filesystem::path& path) { return parse_case(covering::read_text(path), path.native()); }
 
 std::string to_json(const Case_file& file)
 {
