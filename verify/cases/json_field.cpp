@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 
 namespace tetracone::verify {
 namespace {
@@ -10,6 +11,16 @@ namespace {
 std::size_t line_at(std::string_view text, std::size_t position)
 {
   return 1 + std::size_t(std::count(text.begin(), text.begin() + std::ptrdiff_t(std::min(position, text.size())), '\n'));
+}
+
+constexpr const char* blanks = " \t\r\n";
+
+/// Behind the string of JSON that begins at `at`.
+std::size_t behind_string(std::string_view text, std::size_t at)
+{
+  for (++at; at < text.size() && text[at] != '"'; ++at)
+    if (text[at] == '\\') ++at;
+  return at + 1;
 }
 
 /// Goes through a text that is known to be JSON, to find where a value stands: the parsed value does not say.
@@ -29,7 +40,7 @@ class Walk {
       bool found = !object && std::to_string(k) == step;
       if (object) {
         const std::size_t begin = at_;
-        skip_string();
+        at_ = behind_string(text_, at_);
         found = text_.substr(begin + 1, at_ - begin - 2) == step;
         at_ = text_.find(':', at_) + 1;
         skip_blanks();
@@ -41,16 +52,9 @@ class Walk {
     }
   }
 
-  void skip_blanks() { at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size()); }
+  void skip_blanks() { at_ = std::min(text_.find_first_not_of(blanks, at_), text_.size()); }
 
  private:
-  void skip_string()
-  {
-    for (++at_; at_ < text_.size() && text_[at_] != '"'; ++at_)
-      if (text_[at_] == '\\') ++at_;
-    ++at_;
-  }
-
   void skip_value()
   {
     std::size_t depth = 0;
@@ -59,10 +63,7 @@ class Walk {
       if (depth == 0 && (c == ',' || c == '}' || c == ']')) return;
       if (c == '{' || c == '[') ++depth;
       if (c == '}' || c == ']') --depth;
-      if (c == '"') {
-        skip_string();
-        --at_;
-      }
+      if (c == '"') at_ = behind_string(text_, at_) - 1;
     }
   }
 
@@ -77,6 +78,22 @@ std::size_t line_of(std::string_view text, const std::vector<std::string>& path)
   for (const std::string& step : path)
     if (!walk.enter(step)) break;
   return line_at(text, walk.position());
+}
+
+/// Where a name begins that its object has had before; nothing: all are different. The text must be JSON.
+std::optional<std::size_t> repeated_name(std::string_view text)
+{
+  std::vector<std::set<std::string>> names;  // of the objects and, empty, the arrays around
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char c = text[at];
+    if (c == '{' || c == '[') names.emplace_back();
+    if (c == '}' || c == ']') names.pop_back();
+    if (c != '"') continue;
+    const std::size_t end = behind_string(text, at), next = text.find_first_not_of(blanks, end);
+    if (next < text.size() && text[next] == ':' && !names.back().insert(nlohmann::json::parse(text.substr(at, end - at)).get<std::string>()).second) return at;
+    at = end - 1;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -96,6 +113,9 @@ Json_text::Json_text(std::string text_given, std::string file_given) : text(std:
     throw covering::Input_error(file, line_at(text, text.find(digits)), covering::in_quotes(digits) + " is beyond the largest double",
                               "expected finite numbers");
   }
+  if (const auto place = repeated_name(text))
+    throw covering::Input_error(file, line_at(text, *place), covering::in_quotes(text.substr(*place + 1, behind_string(text, *place) - *place - 2)) + " a second time",
+                                "expected each name of an object once");
 }
 
 void Json_field::fail(std::string_view wrong, std::string_view expected) const
