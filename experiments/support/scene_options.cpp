@@ -1,5 +1,6 @@
 #include "experiments/support/scene_options.h"
 
+#include "experiments/support/output_file.h"
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/io/read_poses.h"
 
@@ -26,6 +27,15 @@ void Scene_names::refuse_all_but_case() const
                                     {models.merge, "--merge"},
                                     {models.orient, "--orient"}})
     if (given) throw CLI::ValidationError(name, "expected without a case file: " + a + " holds both bodies and poses");
+}
+
+void Scene_names::refuse_as_output(const std::filesystem::path& output) const
+{
+  std::vector<std::filesystem::path> inputs = {a, b, poses_a, poses_b};
+  // The vertices of TetGen's A.poly may be in A.node.
+  for (std::filesystem::path model : {a, b})
+    if (model.extension() == ".poly") inputs.push_back(model.replace_extension(".node"));
+  refuse_input(output, inputs);
 }
 
 Pose_pairs read_pose_pairs(const Scene_names& names)

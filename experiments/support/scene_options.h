@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct Scene_names {
 
   /// Throws CLI::ValidationError when something is named beside a case file, which holds both bodies and poses.
   void refuse_all_but_case() const;
+
+  /// Throws covering::Input_error when the output is a file of the scene.
+  void refuse_as_output(const std::filesystem::path& output) const;
 };
 
 /// The poses of two bodies, in pairs; one pose of either serves all of the other.
