@@ -155,7 +155,7 @@ void run(Options options)
   const std::filesystem::path db = options.db;
   std::error_code error;
   if (db.has_parent_path()) std::filesystem::create_directories(db.parent_path(), error);
-  Database database(db, Database::Mode::write);
+  Database database = verify::open_campaign(db);
   {
     Progress progress("cases", verify::case_count(campaign));
     try {
@@ -200,7 +200,12 @@ void add_merge_command(CLI::App& app)
   command->add_option("FROM", files->from, "Databases of `tetracone verify`")->required();
   command->footer("A batch that both have is refused, and nothing of that file is taken.\nExample: tetracone merge all.db shard0.db shard1.db");
   command->callback([files] {
-    Database into(files->into, Database::Mode::write);
+    // Nothing is made before all are known to be what they should.
+    for (const std::string& from : files->from) {
+      verify::require_campaign(from);
+      refuse_input(files->into, {from});
+    }
+    Database into = verify::open_campaign(files->into);
     for (const std::string& from : files->from) verify::merge(into, from);
   });
 }

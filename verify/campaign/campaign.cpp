@@ -271,6 +271,16 @@ Findings ask_objects(const Campaign& campaign, const Batch& batch, const Done& d
   return found;
 }
 
+/// All of them or none: what has some is another program's.
+void make_tables(Database& database)
+{
+  Database::Transaction transaction(database);
+  database.run(campaign_schema);
+  transaction.commit();
+}
+
+void require_tables(Database& database) { Database::Statement(database, "SELECT real_meshes, cases, not_asked FROM run, done, tally"); }
+
 std::int64_t run_number(Database& database, const Campaign& campaign)
 {
   const Provenance& p = campaign.made_by;
@@ -299,7 +309,7 @@ std::uint64_t case_count(const Campaign& campaign)
 
 void run_campaign(Database& database, const Campaign& campaign, const std::function<void(std::uint64_t)>& done)
 {
-  database.run(campaign_schema);
+  make_tables(database);
   const std::int64_t run = run_number(database, campaign);
   const Done before(database, campaign.seed);
   const auto sequences = sequences_of(campaign);
@@ -317,10 +327,26 @@ void run_campaign(Database& database, const Campaign& campaign, const std::funct
   });
 }
 
+void require_campaign(const std::filesystem::path& file)
+{
+  Database database(file, Database::Mode::read);
+  require_tables(database);
+}
+
+Database open_campaign(const std::filesystem::path& file)
+{
+  std::error_code missing;
+  if (std::filesystem::file_size(file, missing) != 0 && !missing) {
+    Database there(file, Database::Mode::read);
+    if (Database::Statement(there, "SELECT 1 FROM sqlite_master").with().next()) require_tables(there);
+  }
+  return Database(file, Database::Mode::write);
+}
+
 void merge(Database& into, const std::filesystem::path& from)
 {
-  { const Database readable(from, Database::Mode::read); }  // a clear word when it is not there
-  into.run(campaign_schema);
+  require_campaign(from);
+  make_tables(into);
   Database::Statement(into, "ATTACH ?1 AS other").run(from.native());
   struct Detach {
     Database& database;

@@ -8,6 +8,7 @@
 #include "verify/subjects/predicate_subject.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <stdexcept>
@@ -61,6 +62,12 @@ std::uint64_t case_count(const Campaign& campaign);
 /// apart. `done` is called with the number of cases just done or found, from several threads, one at a time.
 /// Throws Truths_disagree; covering::Input_error when the database cannot be used.
 void run_campaign(Database& database, const Campaign& campaign, const std::function<void(std::uint64_t)>& done);
+
+/// Opens a campaign's database to write; makes it when it is not there. Throws covering::Input_error, and changes nothing, when the file is something else.
+Database open_campaign(const std::filesystem::path& file);
+
+/// Throws covering::Input_error when the file is no database of a campaign.
+void require_campaign(const std::filesystem::path& file);
 
 /// Adds to `into` what `from` has. Throws covering::Input_error, and changes nothing, when both have a batch of the same cases and subject.
 void merge(Database& into, const std::filesystem::path& from);

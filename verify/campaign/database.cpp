@@ -4,17 +4,56 @@
 
 #include <sqlite3.h>
 
+#include <cctype>
+#include <chrono>
+#include <thread>
+
 namespace tetracone::verify {
+
+namespace {
+
+constexpr std::chrono::seconds longest_wait{60};
+
+/// The file as SQLite's URI that takes no lock and wants nothing beside the file: true where nobody can write it.
+std::string immutable(const std::filesystem::path& file)
+{
+  constexpr std::string_view hex = "0123456789abcdef";
+  std::string uri = "file:";
+  for (const unsigned char c : file.native()) {
+    if (std::isalnum(c) || c == '/' || c == '.') uri += char(c);
+    else uri += {'%', hex[c / 16], hex[c % 16]};
+  }
+  return uri + "?immutable=1";
+}
+
+int execute(sqlite3* database, const char* sql) { return sqlite3_exec(database, sql, nullptr, nullptr, nullptr); }
+
+}  // namespace
 
 Database::Database(const std::filesystem::path& file, Mode mode) : file_(file)
 {
+  if (mode == Mode::read) {
+    open(file.native(), SQLITE_OPEN_READONLY);
+    // A write-ahead database wants files beside it also to be read. Without them nobody is writing it.
+    const int status = execute(database_.get(), "SELECT 1 FROM sqlite_master");
+    if ((status == SQLITE_CANTOPEN || status == SQLITE_READONLY) && !std::filesystem::exists(file.native() + "-wal")) open(immutable(file), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+    return;
+  }
+  open(file.native(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+  // SQLite itself does not wait for this one.
+  const auto start = std::chrono::steady_clock::now();
+  while (execute(database_.get(), "PRAGMA journal_mode = WAL") == SQLITE_BUSY && std::chrono::steady_clock::now() - start < longest_wait)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  run("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
+}
+
+void Database::open(const std::string& name, int flags)
+{
   sqlite3* handle = nullptr;
-  const int flags = mode == Mode::write ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE : SQLITE_OPEN_READONLY;
-  const int status = sqlite3_open_v2(file.c_str(), &handle, flags, nullptr);
+  const int status = sqlite3_open_v2(name.c_str(), &handle, flags, nullptr);
   database_.reset(handle);
   if (status != SQLITE_OK) throw covering::Input_error(file_.native(), 0, "cannot be opened", "expected a database that `tetracone verify` wrote");
-  sqlite3_busy_timeout(handle, 60'000);
-  if (mode == Mode::write) run("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
+  sqlite3_busy_timeout(handle, int(std::chrono::milliseconds(longest_wait).count()));
 }
 
 Database::~Database() = default;
@@ -31,12 +70,12 @@ void Database::refuse() const
 
 void Database::run(const std::string& sql)
 {
-  if (sqlite3_exec(database_.get(), sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) refuse();
+  if (execute(database_.get(), sql.c_str()) != SQLITE_OK) refuse();
 }
 
 Database::Transaction::~Transaction()
 {
-  if (open_) sqlite3_exec(database_.database_.get(), "ROLLBACK", nullptr, nullptr, nullptr);
+  if (open_) execute(database_.database_.get(), "ROLLBACK");
 }
 
 void Database::Transaction::commit()

@@ -19,7 +19,7 @@ class Database {
   enum class Mode { read, write };
 
   /// Opens the file; `Mode::write` makes it when it is not there, in write-ahead mode, so that a killed process leaves whole transactions
-  /// only. Throws too when the file is no database.
+  /// only; it waits for another process that does the same. `Mode::read` needs no more than the file itself. Throws too when the file is no database.
   Database(const std::filesystem::path& file, Mode mode);
   ~Database();
   Database(const Database&) = delete;
@@ -94,6 +94,7 @@ class Database {
 
  private:
   friend class Statement;
+  void open(const std::string& name, int flags);
   [[noreturn]] void refuse() const;
 
   struct Close {

@@ -1,5 +1,6 @@
 // `tetracone verify`, `merge` and `report` as their users run them.
 
+#include "verify/campaign/database.h"
 #include "verify/test/support/program.h"
 #include "verify/test/support/temporary_file.h"
 
@@ -12,6 +13,8 @@
 
 #include <chrono>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <random>
 #include <string>
 #include <thread>
@@ -131,6 +134,75 @@ BOOST_AUTO_TEST_CASE(bad_words_are_one_line_and_status_2)
   for (const std::string& arguments : {"verify --db " + text.path().native(), "report " + text.path().native(), "report " + db.path,
                                        "report " + text.path().native() + " --table errors", "merge " + db.path + "2/none " + db.path})
     check_refused(arguments);
+}
+
+BOOST_AUTO_TEST_CASE(two_that_start_together_on_a_new_database_share_the_work)
+{
+  const Database_file whole("whole"), shared("shared");
+  const std::string words = "--cases 20 --frames 0 --family sliver --subject double";
+  BOOST_TEST(run("verify --db " + whole.path + " " + words).status == 0);
+  for (int round = 0; round < 4; ++round) {
+    shared.clear();
+    // Each adds its own shard to one file.
+    const auto shard = [&](int k) { return " verify --shard " + std::to_string(k) + "/4 --db " + shared.path + " " + words; };
+    std::string others;
+    for (int k = 1; k < 4; ++k) others += in_quotes(program) + shard(k) + " >/dev/null 2>&1 & ";
+    run(shard(0) + "; wait", others);
+    BOOST_TEST((tables(shared.path) == tables(whole.path)));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_database_is_not_merged_into_itself)
+{
+  const Database_file db("self"), link("link");
+  BOOST_TEST(run("verify --db " + db.path + " --cases 4 --family random --subject double").status == 0);
+  const std::string before = tables(db.path);
+  std::filesystem::create_symlink(db.path, link.path);
+  check_refused("merge " + db.path + " " + db.path, "is an input too");
+  check_refused("merge " + db.path + " " + link.path, "is an input too");
+  check_refused("merge " + link.path + " " + db.path, "is an input too");
+  BOOST_TEST(tables(db.path) == before);
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_be_merged_leaves_no_target)
+{
+  const Database_file db("source"), target("target");
+  const Temporary_file empty("empty.db", "");
+  BOOST_TEST(run("verify --db " + db.path + " --cases 4 --family random --subject double").status == 0);
+  for (const std::string& sources : {target.path + ".missing", db.path + " " + target.path + ".missing", empty.path().native()}) {
+    check_refused("merge " + target.path + " " + sources, "verify");
+    BOOST_TEST(!std::filesystem::exists(target.path), sources);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(another_programs_database_is_refused_and_left_as_it_is)
+{
+  const Database_file theirs("theirs"), ours("ours");
+  Database(theirs.path, Database::Mode::write).run("PRAGMA journal_mode = DELETE; CREATE TABLE done (what TEXT); INSERT INTO done VALUES ('dishes')");
+  BOOST_TEST(run("verify --db " + ours.path + " --cases 4 --family random --subject double").status == 0);
+  const auto bytes = [&] {
+    std::ifstream in(theirs.path, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  const std::string before = bytes();
+  for (const std::string& words : {"verify --cases 4 --family random --subject double --db " + theirs.path, "merge " + theirs.path + " " + ours.path,
+                                   "merge " + ours.path + " " + theirs.path, "report " + theirs.path})
+    check_refused(words, theirs.path + ": no such table: ");
+  BOOST_TEST(bytes() == before);
+}
+
+BOOST_AUTO_TEST_CASE(a_report_without_memory_is_one_line)
+{
+  const Database_file db("memory");
+  const Temporary_folder out("memory_report");
+  BOOST_TEST(run("verify --db " + db.path + " --cases 4 --family random --subject double").status == 0);
+  for (const std::string kilobytes : {"150000", "250000", "400000", "600000"}) {
+    const Run r = run("report " + db.path + " --out " + in_quotes(out.path()), "ulimit -v " + kilobytes + "; ");
+    if (r.status == 0) continue;
+    BOOST_TEST(r.status == 2, kilobytes);
+    BOOST_TEST(r.error.find('\n') + 1 == r.error.size(), kilobytes << ": " << r.error);
+    BOOST_TEST(r.error.find("Traceback") == std::string::npos, r.error);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

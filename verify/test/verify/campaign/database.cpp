@@ -5,6 +5,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <unistd.h>
+
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -80,6 +82,30 @@ BOOST_FIXTURE_TEST_CASE(what_is_no_database_is_refused_with_its_name, Fresh)
   Database database(file.path(), Mode::write);
   BOOST_CHECK_EXCEPTION(Database::Statement(database, "SELECT * FROM nothing"), Input_error, names_the_file(file.path()));
   BOOST_CHECK_EXCEPTION(database.run("no SQL"), Input_error, names_the_file(file.path()));
+}
+
+BOOST_FIXTURE_TEST_CASE(an_archived_database_is_read_where_nothing_may_be_written, Fresh)
+{
+  const Temporary_folder folder("archive ?#%");
+  std::filesystem::create_directory(folder.path());
+  const auto path = folder.path() / "a b%3f.db";
+  Database(path, Mode::write).run("CREATE TABLE t (a); INSERT INTO t VALUES (7)");
+  BOOST_TEST(!std::filesystem::exists(path.native() + "-wal"));
+  std::filesystem::permissions(folder.path(), std::filesystem::perms(0555));
+  // The superuser may write anywhere.
+  const bool super = ::geteuid() == 0;
+  if (super) BOOST_TEST_REQUIRE(::seteuid(65534) == 0);
+  std::string read;
+  try {
+    Database database(path, Mode::read);
+    Database::Statement rows(database, "SELECT a FROM t");
+    if (rows.with().next()) read = rows.text(0);
+  } catch (const Input_error& error) {
+    read = error.what();
+  }
+  if (super) BOOST_TEST_REQUIRE(::seteuid(0) == 0);
+  std::filesystem::permissions(folder.path(), std::filesystem::perms(0755));
+  BOOST_TEST(read == "7");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
