@@ -3,7 +3,6 @@
 #include "experiments/speed/ablation_experiment.h"
 #include "experiments/accuracy/compilers.h"
 #include "experiments/accuracy/dataset.h"
-#include "experiments/report/draw_report.h"
 #include "experiments/report/method_figures.h"
 #include "experiments/speed/peers_experiment.h"
 #include "experiments/speed/scaling_experiment.h"
@@ -11,6 +10,7 @@
 #include "experiments/accuracy/stability.h"
 #include "experiments/speed/study.h"
 #include "experiments/speed/threads_experiment.h"
+#include "experiments/support/draw.h"
 
 #include <algorithm>
 #include <array>
@@ -42,7 +42,7 @@ void study(Options options)
   if (options.full) options.study.frames *= 20, options.study.rotations *= 20;
   options.study.models = models(options);
   run_study(options.study);
-  draw_report(options.study.out);
+  draw("report.py", options.study.out);
 }
 
 Race_options race(const Options& options) { return {options.study.out, models(options), options.race_frames, options.full, options.study.seed}; }
@@ -86,8 +86,6 @@ void run(const Options& options)
   if (options.name.empty()) throw CLI::RequiredError("NAME");
   const auto chosen = std::find_if(experiments.begin(), experiments.end(), [&](const Experiment& e) { return e.name == options.name; });
   if (chosen == experiments.end()) throw CLI::ValidationError(options.name, "expected an experiment; --list names them");
-  if (options.study.frames < 1 || options.study.rotations < 1 || options.race_frames < 1 )
-    throw CLI::ValidationError("--frames, --rotations, --race-frames", "expected numbers from 1");
   if (options.study.out.native().find('\'') != std::string::npos) throw CLI::ValidationError("--out", "expected a name without '");
   chosen->run(options);
 }
@@ -98,17 +96,18 @@ void add_experiment_command(CLI::App& app)
 {
   CLI::App* command = app.add_subcommand("experiment", "One question: its CSV and its figure");
   const auto options = std::make_shared<Options>();
+  const CLI::Range poses(1, 1'000'000);
   command->add_option("NAME", options->name, "The experiment");
   command->add_flag("--list", options->list, "Name the experiments, with the time of their default size");
   command->add_option("--out", options->study.out, "Folder of the results")->capture_default_str();
   command->add_option("--models", options->study.models, "Folder that experiments/support/fetch_models.sh filled; default: its own");
-  command->add_option("--frames", options->study.frames, "study: poses of each trajectory")->capture_default_str();
-  command->add_option("--rotations", options->study.rotations, "study: poses of each degenerate scenario")->capture_default_str();
-  command->add_option("--race-frames", options->race_frames, "peers, scaling, ablation, threads: poses of each trajectory (peers: of each of eight circles)")->capture_default_str();
+  command->add_option("--frames", options->study.frames, "study: poses of each trajectory")->check(poses)->capture_default_str();
+  command->add_option("--rotations", options->study.rotations, "study: poses of each degenerate scenario")->check(poses)->capture_default_str();
+  command->add_option("--race-frames", options->race_frames, "peers, scaling, ablation, threads: poses of each trajectory (peers: of each of eight circles)")->check(poses)->capture_default_str();
   command->add_option("--size", options->size, "sign-maps: doubles along each side of a map")->check(CLI::Range(1, 4096))->capture_default_str();
   command->add_option("--model", options->model, "method: a closed model; default: a star-shaped body of 760 triangles");
-  command->add_option("--seed", options->study.seed, "Seed of every random choice")->capture_default_str();
-  command->add_option("--cases", options->cases, "dataset: cases per family and level")->capture_default_str();
+  command->add_option("--seed", options->study.seed, "Seed of every random choice")->check(CLI::Range(0ul, 1ul << 62))->capture_default_str();
+  command->add_option("--cases", options->cases, "dataset: cases per family and level")->check(CLI::Range(1ul, 1'000'000ul))->capture_default_str();
   command->add_flag("--full", options->full, "Twenty times as many poses or cases; peers and scaling: larger objects; ablation: all poses; stability: more ways");
   command->footer("Stopped and started again with the same words, it goes on where it was.\nExample: tetracone experiment study --out out");
   command->callback([options] { run(*options); });

@@ -1,9 +1,9 @@
 #include "experiments/cli/report_command.h"
 
-#include "experiments/report/draw_report.h"
+#include "experiments/support/draw.h"
 #include "experiments/support/output_file.h"
 #include "experiments/peers/peer.h"
-#include "verify/campaign/database.h"
+#include "verify/campaign/campaign.h"
 #include "verify/subjects/predicate_subject.h"
 #include "verify/campaign/tables.h"
 
@@ -36,6 +36,7 @@ std::string notes_as_csv()
 void run(const Options& options)
 {
   const auto& tables = verify::tables();
+  verify::require_campaign(options.db);
   verify::Database database(options.db, verify::Database::Mode::read);
   if (!options.table.empty()) {
     if (std::none_of(tables.begin(), tables.end(), [&](const auto& table) { return table.first == options.table; })) {
@@ -51,7 +52,7 @@ void run(const Options& options)
   for (const auto& [name, what] : tables)
     write_whole(folder / ("verify_" + std::string(name) + ".csv"), verify::table_as_csv(database, name));
   write_whole(folder / "verify_notes.csv", notes_as_csv());
-  draw_report(options.out);
+  draw("report.py", options.out);
 }
 
 }  // namespace

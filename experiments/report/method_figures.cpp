@@ -1,5 +1,6 @@
 #include "experiments/report/method_figures.h"
 
+#include "experiments/support/draw.h"
 #include "experiments/support/output_file.h"
 #include "experiments/viewer/view_data.h"
 #include "experiments/viewer/view_scene.h"
@@ -11,9 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <numeric>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -70,7 +69,6 @@ Json path_data(const Tree& tree)
 
 void run_method_figures(const std::filesystem::path& out, const std::filesystem::path& model)
 {
-  if (out.native().find('\'') != std::string::npos) throw std::runtime_error("the folder's name holds a quote; expected one without");
   Model_file body = model.empty() ? generated(verify::blob(760, 1)) : load_model(model.native(), {}, true);
   make_folder(out);
   const Tree tree(body.polyhedron, tetratree::Config());
@@ -84,8 +82,7 @@ void run_method_figures(const std::filesystem::path& out, const std::filesystem:
                      {"path", path_data(tree)},
                      {"faces", Json::parse(view_data(faces, "adaptive", verify::Method::tree))}};
   write_whole(out / "method.json", data.dump() + "\n");
-  const std::string command = "/usr/bin/python3 '" TETRACONE_SOURCE_DIR "/experiments/report/method_figures.py' '" + out.native() + "'";
-  if (std::system(command.c_str()) != 0) throw std::runtime_error("the figures could not be drawn; expected python3 with matplotlib");
+  draw("method_figures.py", out);
 }
 
 }  // namespace tetracone::experiments

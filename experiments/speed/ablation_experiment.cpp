@@ -1,5 +1,6 @@
 #include "experiments/speed/ablation_experiment.h"
 
+#include "experiments/support/draw.h"
 #include "experiments/support/resumable_csv.h"
 
 #include <cmath>
@@ -85,7 +86,7 @@ void run_ablation(const Race_options& options)
                          }});
       }
   write_table(options.out, "ablation", options.key(), parts);
-  draw_table("ablation_figure.py", options.out);
+  draw("ablation_figure.py", options.out);
 }
 
 }  // namespace tetracone::experiments

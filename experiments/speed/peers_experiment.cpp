@@ -1,5 +1,6 @@
 #include "experiments/speed/peers_experiment.h"
 
+#include "experiments/support/draw.h"
 #include "experiments/support/resumable_csv.h"
 
 #include <memory>
@@ -60,7 +61,7 @@ void run_peers(const Race_options& options)
   add("one-ulp-apart", [=, seed = options.seed] { return sliding_apart(16, fewer, seed); });
   add("shell-in-shell", [=, seed = options.seed] { return shell_in_shell(7172, fewer, seed); });
   write_table(options.out, "peers", options.key() + "-circles" + std::to_string(circles), parts);
-  draw_table("peers_figure.py", options.out);
+  draw("peers_figure.py", options.out);
 }
 
 }  // namespace tetracone::experiments

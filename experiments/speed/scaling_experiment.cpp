@@ -1,5 +1,6 @@
 #include "experiments/speed/scaling_experiment.h"
 
+#include "experiments/support/draw.h"
 #include "experiments/support/resumable_csv.h"
 
 #include <memory>
@@ -34,7 +35,7 @@ void run_scaling(const Race_options& options)
                            return race_rows(course, contestants(triangles), false, passes, seconds, options.seed);
                          }});
   write_table(options.out, "scaling", options.key(), parts);
-  draw_table("scaling_figure.py", options.out);
+  draw("scaling_figure.py", options.out);
 }
 
 }  // namespace tetracone::experiments

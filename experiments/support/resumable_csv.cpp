@@ -4,10 +4,6 @@
 #include "experiments/support/progress.h"
 #include "tetracone/covering/io/text_lines.h"
 
-#include <cstdlib>
-#include <stdexcept>
-#include <system_error>
-
 namespace tetracone::experiments {
 
 void write_table(const std::filesystem::path& out, const std::string& name, const std::string& key, const std::vector<Table_part>& parts)
@@ -25,13 +21,6 @@ void write_table(const std::filesystem::path& out, const std::string& name, cons
     progress.step();
   }
   write_whole(out / (name + ".csv"), table);
-}
-
-void draw_table(const std::string& script, const std::filesystem::path& out)
-{
-  if (out.native().find('\'') != std::string::npos) throw std::runtime_error("the folder's name holds a quote; expected one without");
-  const std::string command = "/usr/bin/python3 '" TETRACONE_SOURCE_DIR "/experiments/report/" + script + "' '" + out.native() + "'";
-  if (std::system(command.c_str()) != 0) throw std::runtime_error("the figures could not be drawn; expected python3 with matplotlib");
 }
 
 }  // namespace tetracone::experiments

@@ -19,9 +19,6 @@ struct Table_part {
 /// Throws covering::Input_error when `out` cannot be written.
 void write_table(const std::filesystem::path& out, const std::string& name, const std::string& key, const std::vector<Table_part>& parts);
 
-/// Draws the table: runs the script of this folder, `script OUT`, which prints its summary. Throws std::runtime_error when it fails.
-void draw_table(const std::string& script, const std::filesystem::path& out);
-
 }  // namespace tetracone::experiments
 
 #endif

@@ -255,7 +255,7 @@ BOOST_AUTO_TEST_CASE(an_include_of_a_room_that_is_not_beside_is_noticed)
   BOOST_TEST(wrong_includes("kernel/bound/bounds.h", "#include \"tetracone/kernel/predicate/signs.h\"").size() == 1);
   BOOST_TEST(wrong_includes("tetratree/fast/bvh8.h", "#include \"tetracone/tetratree/paper/config.h\"").size() == 1);
   BOOST_TEST(wrong_includes("verify/cases/case.h", "#include \"verify/truth/truth.h\"").size() == 1);
-  BOOST_TEST(wrong_includes("experiments/cli/tetracone.cpp", "#include \"experiments/report/draw_report.h\"").empty());
+  BOOST_TEST(wrong_includes("experiments/cli/tetracone.cpp", "#include \"experiments/report/method_figures.h\"").empty());
 }
 
 BOOST_AUTO_TEST_CASE(every_header_has_the_guard_of_its_name)

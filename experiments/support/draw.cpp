@@ -1,0 +1,62 @@
+#include "experiments/support/draw.h"
+
+#include "tetracone/covering/io/input_error.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <iostream>
+#include <stdexcept>
+#include <system_error>
+
+namespace tetracone::experiments {
+namespace {
+
+struct Ran {
+  int status;
+  std::string errors;
+};
+
+/// Runs it in a shell: its output is ours, its errors are kept.
+Ran run(const std::string& command)
+{
+  std::cout.flush();
+  const int output = ::dup(STDOUT_FILENO);
+  std::FILE* const pipe = ::popen((command + " 2>&1 >&" + std::to_string(output)).c_str(), "r");
+  const std::error_code error(errno, std::generic_category());
+  ::close(output);
+  if (!pipe) throw std::system_error(error, "no shell can be started");
+  Ran ran;
+  char buffer[4096];
+  for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, pipe)) != 0;) ran.errors.append(buffer, n);
+  ran.status = ::pclose(pipe);
+  return ran;
+}
+
+std::string last_line(std::string text)
+{
+  while (text.ends_with('\n')) text.pop_back();
+  return text.substr(text.rfind('\n') + 1);
+}
+
+}  // namespace
+
+void draw(const std::string& script, const std::filesystem::path& out)
+{
+  if (out.native().find('\'') != std::string::npos) throw std::runtime_error("the folder's name holds a quote; expected one without");
+  const std::filesystem::path path = std::filesystem::path(TETRACONE_SOURCE_DIR "/experiments/report") / script;
+  if (!std::filesystem::exists(path)) throw covering::Input_error(path.native(), 0, "no such file", "expected the sources that this program was built from");
+  const Ran ran = run("/usr/bin/python3 '" + path.native() + "' '" + out.native() + "'");
+  if (ran.status == 0) {
+    std::cerr << ran.errors;
+    return;
+  }
+  // A script that knows what is wrong says it in our way; Python's own last line is the error behind its trace.
+  const std::string last = last_line(ran.errors);
+  if (last.find("; expected") != std::string::npos) throw std::runtime_error(last);
+  throw std::runtime_error(script + " failed: " + (last.empty() ? "status " + std::to_string(ran.status) : last) +
+                           "; expected python3 with matplotlib, and enough memory");
+}
+
+}  // namespace tetracone::experiments
