@@ -18,10 +18,14 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <new>
 #include <string>
+#include <system_error>
+#include <vector>
 
 namespace {
 
@@ -31,6 +35,24 @@ int complain(std::string message)
   message.resize(std::min(message.find('\n'), message.size()));
   std::cerr << "tetracone: " << message << '\n';
   return 2;
+}
+
+/// The status of what is done, but where its output did not all go out.
+int finish(int status)
+{
+  if (std::cout.flush() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+  return complain("standard output cannot be written: " + std::generic_category().message(errno) + "; expected a file or a reader that takes all");
+}
+
+constexpr const char* empty_word = "an empty word; expected a value";
+
+/// An empty word is what an unset variable of a shell leaves: no option takes it.
+void refuse_empty_words(CLI::App& app)
+{
+  const CLI::Validator not_empty([](std::string& word) { return word.empty() ? empty_word : std::string(); }, "");
+  for (CLI::App* command : app.get_subcommands({}))
+    for (CLI::Option* option : command->get_options())
+      if (option->get_items_expected_max() > 0) option->check(not_empty);
 }
 
 }  // namespace
@@ -55,19 +77,19 @@ int main(int argc, char** argv)
   tetracone::experiments::add_report_command(app);
   tetracone::experiments::add_view_command(app);
   tetracone::experiments::add_peer_worker_command(app);
+  refuse_empty_words(app);
 
   try {
+    // Behind `--name=` CLI11 would take the next word.
+    for (const std::string& word : std::vector<std::string>(argv, argv + argc))
+      if (word.starts_with("--") && word.find('=') == word.size() - 1) throw CLI::ValidationError(word, empty_word);
     app.parse(argc, argv);
     if (app.get_subcommands().empty()) return complain("no command; tetracone --help lists them");
-    std::cout.flush();
-    if (!std::cout) return complain("standard output cannot be written");
-    return 0;
+    return finish(0);
   } catch (const CLI::RuntimeError& status) {
-    std::cout.flush();
-    if (!std::cout) return complain("standard output cannot be written");
-    return status.get_exit_code();
+    return finish(status.get_exit_code());
   } catch (const CLI::Success& help_or_version) {
-    return app.exit(help_or_version);
+    return finish(app.exit(help_or_version));
   } catch (const CLI::ParseError& error) {
     return complain(std::string(error.what()) + "; tetracone --help says what is expected");
   } catch (const tetracone::covering::Input_error& error) {
