@@ -1,6 +1,7 @@
 #include "experiments/cli/collide_command.h"
 
 #include "tetracone/covering/edge_uses.h"
+#include "tetracone/covering/io/input_error.h"
 #include "experiments/support/output_file.h"
 #include "experiments/support/progress.h"
 #include "experiments/support/scene_options.h"
@@ -32,6 +33,7 @@ using Json = nlohmann::ordered_json;
 struct Options {
   Scene_names names;
   std::string csv, question = "solid", kernel = "adaptive", method = "tree";
+  std::vector<std::string> compare;
   bool features = false, json = false, time = false;
   int repeat = 1;
 };
@@ -170,33 +172,57 @@ std::string features_of(verify::Prepared_pair& pair, const Scene& scene, const O
                              : features_as_text(features, "pose,body,edge_from,edge_to,face,kind\n", ",");
 }
 
-std::string answers_of(const Scene& scene, const Subject& subject, const Options& options)
+/// The answers of several kernels side by side.
+std::string columns_as_text(const std::vector<std::string>& kernels, const std::vector<std::vector<Row>>& columns, const Options& options)
 {
-  const auto pair = verify::prepare(subject, scene.a.polyhedron, scene.b.polyhedron);
-  if (options.features) return features_of(*pair, scene, options);
-  return rows_as_text(ask(*pair, scene.poses, scene.question, options.time ? options.repeat : 1), options);
+  const bool csv = !options.csv.empty();
+  Json json = Json::array();
+  std::string text = csv ? "pose" : "";
+  if (csv)
+    for (const std::string& kernel : kernels) text += "," + kernel;
+  if (csv) text += "\n";
+  for (std::size_t k = 0; k < columns.front().size(); ++k) {
+    Json answers;
+    if (csv) text += std::to_string(k);
+    for (std::size_t i = 0; i < kernels.size(); ++i) {
+      answers[kernels[i]] = columns[i][k].answer;
+      text += (csv ? "," : i == 0 ? "" : " ") + std::to_string(columns[i][k].answer);
+    }
+    text += "\n";
+    if (options.json) json.push_back({{"pose", k}, {"answers", answers}});
+  }
+  return options.json ? json.dump(1) + "\n" : text;
 }
 
 /// The answer of the subject of predicates that has the kernel's name.
-std::string answer_of(const verify::Case_file& c, const Options& options)
+Row answer_of(const verify::Case_file& c, const std::string& kernel, const std::string& file)
 {
-  for (const auto& [given, name] :
-       {std::pair(options.features, "--features"), {options.time, "--time"}, {options.method != "tree", "--method"}})
-    if (given) throw CLI::ValidationError(name, "expected with bodies; " + options.names.a + " asks a predicate");
   const auto& subjects = verify::predicate_subjects();
-  const auto subject = std::find_if(subjects.begin(), subjects.end(), [&](const auto& each) { return each.name == options.kernel; });
+  const auto subject = std::find_if(subjects.begin(), subjects.end(), [&](const auto& each) { return each.name == kernel; });
   if (subject == subjects.end()) {
     std::string names;
     for (const auto& each : subjects) names += (names.empty() ? "" : ", ") + each.name;
-    throw CLI::ValidationError("--kernel " + options.kernel, "expected a subject of predicates: " + names);
+    throw CLI::ValidationError("--kernel " + kernel, "expected a subject of predicates: " + names);
   }
   const std::optional<int> answer = subject->answer(*c.predicate, *c.points);
   if (!answer)
-    throw covering::Input_error(options.names.a, 0, options.kernel + " does not answer " + to_string(*c.predicate) + " on these points",
+    throw covering::Input_error(file, 0, kernel + " does not answer " + to_string(*c.predicate) + " on these points",
                               "expected another kernel, or points of which it is asked");
   Row row;
   row.answer = *answer;
-  return rows_as_text({row}, options);
+  return row;
+}
+
+/// The kernels in the order of their answers.
+std::vector<std::string> kernels_of(const Options& options)
+{
+  std::vector<std::string> kernels = {options.kernel};
+  for (const std::string& kernel : options.compare) {
+    if (std::find(kernels.begin(), kernels.end(), kernel) != kernels.end())
+      throw CLI::ValidationError("--compare " + kernel, "expected each kernel once, and not that of --kernel, which comes first");
+    kernels.push_back(kernel);
+  }
+  return kernels;
 }
 
 void run(const Options& options, bool question_is_given)
@@ -208,27 +234,45 @@ void run(const Options& options, bool question_is_given)
   if (options.time && options.csv.empty() && !options.json)
     throw CLI::ValidationError("--time", "expected --csv or --json to hold the times");
   if (options.time && options.features) throw CLI::ValidationError("--time", "expected without --features");
+  if (!options.compare.empty() && (options.time || options.features))
+    throw CLI::ValidationError("--compare", "expected without --time and --features");
   if (options.json && !options.csv.empty()) throw CLI::ValidationError("--json", "expected without --csv");
   if (options.repeat < 1) throw CLI::ValidationError("--repeat", "expected a number from 1");
+  const std::vector<std::string> kernels = kernels_of(options);
+  if (!options.csv.empty()) options.names.refuse_as_output(options.csv);
 
   std::optional<verify::Case_file> c;
   if (verify::is_case_name(options.names.a)) {
     options.names.refuse_all_but_case();
     c = verify::read_case(options.names.a);
   }
+  std::vector<std::vector<Row>> columns;
   std::string text;
   if (c && c->level == verify::Level::predicate) {
-    if (question_is_given) throw CLI::ValidationError("--question", "expected with bodies; " + options.names.a + " asks a predicate");
-    text = answer_of(*c, options);
+    for (const auto& [given, name] : {std::pair(question_is_given, "--question"),
+                                      {options.features, "--features"},
+                                      {options.time, "--time"},
+                                      {options.method != "tree", "--method"}})
+      if (given) throw CLI::ValidationError(name, "expected with bodies; " + options.names.a + " asks a predicate");
+    for (const std::string& kernel : kernels) columns.push_back({answer_of(*c, kernel, options.names.a)});
   } else {
-    const auto subject = Subject::parse(options.kernel, *method);
-    if (!subject)
-      throw CLI::ValidationError("--kernel " + options.kernel,
-                                 "expected adaptive, double, float, double-eps=E, epick, epeck or rational");
+    std::vector<Subject> subjects;
+    for (const std::string& kernel : kernels) {
+      const auto subject = Subject::parse(kernel, *method);
+      if (!subject)
+        throw CLI::ValidationError("--kernel " + kernel, "expected adaptive, double, float, double-eps=E, epick, epeck or rational");
+      subjects.push_back(*subject);
+    }
     if (c && !question_is_given) question = c->question;
     const bool solid = *question == Question::solid && !options.features;
-    text = answers_of(c ? scene_of(*c->object, options.names.a, *question, solid) : read_scene(options, *question), *subject, options);
+    const Scene scene = c ? scene_of(*c->object, options.names.a, *question, solid) : read_scene(options, *question);
+    for (const Subject& subject : subjects) {
+      const auto pair = verify::prepare(subject, scene.a.polyhedron, scene.b.polyhedron);
+      if (options.features) text = features_of(*pair, scene, options);
+      else columns.push_back(ask(*pair, scene.poses, scene.question, options.time ? options.repeat : 1));
+    }
   }
+  if (!options.features) text = options.compare.empty() ? rows_as_text(columns.front(), options) : columns_as_text(kernels, columns, options);
   if (options.csv.empty()) std::cout << text;
   else write_whole(options.csv, text);
 }
@@ -251,6 +295,9 @@ void add_collide_command(CLI::App& app)
           ->capture_default_str();
   command->add_option("--kernel", options->kernel, "adaptive, double, float, double-eps=E, epick, epeck or rational")
       ->capture_default_str();
+  command->add_option("--compare", options->compare, "Kernels asked beside --kernel, as K,K: a column each behind its own, blanks between them; in the CSV headed by name")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command
       ->add_option("--method", options->method,
                    "tree: the kernel's fastest; paper: Jimenez & Segura's; brute: all pairs")
@@ -265,6 +312,7 @@ void add_collide_command(CLI::App& app)
   command->footer(
       "Prints 1 or 0 for each pose. With --features: a line for each pair: pose, body (0: edge of A, face of B), edge, face, kind.\n"
       "A case file of a predicate prints that predicate's answer.\n"
+      "With --compare double,float a line is `1 1 0`: the answers of adaptive (or of --kernel), double and float; CSV: pose,adaptive,double,float.\n"
       "Example: tetracone collide cat.off house.poly --pose-b poses.txt --kernel epick --csv answers.csv --time");
   command->callback([options, question] { run(*options, question->count() > 0); });
 }

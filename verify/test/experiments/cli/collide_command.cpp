@@ -1,0 +1,66 @@
+// Runs the program itself: the answers of several kernels side by side, and poses of long fractions.
+
+#include "experiments/cli/collide_command.h"
+
+#include "verify/test/support/program.h"
+#include "verify/test/support/temporary_file.h"
+
+#include <boost/test/unit_test.hpp>
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <string>
+
+using namespace tetracone::verify;
+
+namespace {
+
+const std::string source = TETRACONE_SOURCE_DIR;
+const std::string cube = source + "/verify/test/models/cube.off";
+
+/// Unit cubes that touch, then by less apart than a float can say, then far apart.
+const std::string poses = "1 0 0 1 0 1 0 0 0 0 1 0\n"
+                          "1 0 0 1.0000000001 0 1 0 0 0 0 1 0\n"
+                          "1 0 0 3 0 1 0 0 0 0 1 0\n";
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(test_collide_command)
+
+BOOST_AUTO_TEST_CASE(kernels_compared_answer_side_by_side)
+{
+  const Temporary_file file("poses.txt", poses), csv("compared.csv", "");
+  const std::string words = "collide " + cube + " " + cube + " --pose-b " + in_quotes(file.path());
+  const std::string compared = words + " --compare float,rational";
+  BOOST_TEST(run(compared).out == "1 1 1\n0 1 0\n0 0 0\n");
+  BOOST_TEST(run(words + " --kernel float --compare adaptive").out == "1 1\n1 0\n0 0\n");
+  BOOST_TEST(run(compared + " --csv /dev/stdout").out == "pose,adaptive,float,rational\n0,1,1,1\n1,0,1,0\n2,0,0,0\n");
+  const auto json = nlohmann::json::parse(run(compared + " --json").out);
+  BOOST_TEST(json.size() == 3u);
+  BOOST_TEST((json[1] == nlohmann::json{{"pose", 1}, {"answers", {{"adaptive", 0}, {"float", 1}, {"rational", 0}}}}));
+  check_refused(words + " --compare float,foo", "expected adaptive");
+  check_refused(words + " --compare float,float", "each kernel once");
+  check_refused(words + " --compare adaptive", "each kernel once");
+  check_refused(compared + " --features", "without --time and --features");
+  check_refused(compared + " --time --json", "without --time and --features");
+}
+
+BOOST_AUTO_TEST_CASE(fractions_of_a_hundred_thousand_digits_are_read_in_seconds)
+{
+  // x = 1 + 10^-100000 in both rows of one pose: an exactly known gap that no double holds.
+  const std::string n = "1" + std::string(99999, '0') + "1", d = "1" + std::string(100000, '0');
+  const Temporary_file file("long.txt", "1 0 0 " + n + "/" + d + " 0 1 0 0 0 0 1 0\n");
+  const auto start = std::chrono::steady_clock::now();
+  const Run r = run("collide " + cube + " " + cube + " --pose-b " + in_quotes(file.path()));
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  BOOST_TEST(r.out == "0\n", r.error);
+  BOOST_TEST(seconds < 20);
+}
+
+BOOST_AUTO_TEST_CASE(a_name_that_comes_twice_in_a_case_file_is_refused)
+{
+  const Temporary_file file("twice.case.json", "{\"format\": 1,\n \"level\": \"object\",\n \"a\": {\"x\": [{\"y\": 1}, {\"y\": 2}],\n  \"\\u0078\": 2}}\n");
+  check_refused("collide " + in_quotes(file.path()), ":4: '\\u0078' a second time; expected each name of an object once");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
