@@ -31,7 +31,8 @@ constexpr const char* readme = R"(# Collisions with exact truth
 Configurations of two polyhedra under two poses, and of seven points, most of them degenerate or nearly so, each with its true answer. Made
 by `tetracone experiment dataset`; every truth was computed twice, in rational and in integer arithmetic that share no code.
 
-All numbers are exact. A decimal stands for the double nearest to it, a fraction n/d for itself. A pose is x -> M x + t, row-major 3x4, and is
+All numbers are exact. A decimal stands for the double nearest to it, a fraction n/d for itself. In JSON decimals are numbers, `surface` and
+`solid` true or false, and fractions, `inf` and `-inf` strings. A pose is x -> M x + t, row-major 3x4, and is
 taken exactly: M is a true rotation only where its entries are fractions.
 
 - `cases.csv`, `cases.json`: one row a case. `id`; `family`, `index`, `parameter`, `seed`: what made it; `mesh_a`, `mesh_b`: files in `meshes/` (OFF, closed, triangles,
@@ -47,7 +48,7 @@ taken exactly: M is a true rotation only where its entries are fractions.
 
 constexpr const char* example = R"(#!/usr/bin/env python3
 """Counts the wrong answers of `collide` on the cases. Put your library in its place."""
-import csv
+import json
 import os
 from collections import Counter
 from fractions import Fraction
@@ -75,30 +76,35 @@ def collide(a, faces_a, b, faces_b):
 
 
 meshes, count = {}, Counter()
-with open(os.path.join(folder, "cases.csv")) as file:
-    for row in csv.DictReader(file):
+with open(os.path.join(folder, "cases.json")) as file:
+    for row in json.load(file):
         for name in (row["mesh_a"], row["mesh_b"]):
             if name not in meshes:
                 meshes[name] = read_off(name)
         (a, faces_a), (b, faces_b) = meshes[row["mesh_a"]], meshes[row["mesh_b"]]
         answer = collide(placed(a, row, "a"), faces_a, placed(b, row, "b"), faces_b)
-        truth = row["solid"] == "1"
         count[row["family"], "cases"] += 1
-        count[row["family"], "wrong"] += answer != truth
+        count[row["family"], "wrong"] += answer != row["solid"]
 for family in dict.fromkeys(family for family, _ in count):
     print(f"{family}: {count[family, 'wrong']} wrong of {count[family, 'cases']}")
 )";
 
-std::string number(const kernel::Pose& pose, int k)
+/// A double is a number, any other rational a string n/d.
+Json number(const kernel::Pose& pose, int k)
 {
-  return pose.is_rational() ? kernel::exact_text(pose.exact(k)) : kernel::shortest(pose[k]);
+  if (!pose.is_rational()) return pose[k];
+  const std::string text = kernel::exact_text(pose.exact(k));
+  return text.find('/') == std::string::npos ? Json(pose[k]) : Json(text);
 }
 
-std::string of_distance(double log2)
+/// JSON has no number for an infinite one.
+Json finite_or_text(double x)
 {
-  if (std::isinf(log2)) return log2 < 0 ? "-inf" : "inf";
-  return kernel::shortest(std::round(16 * log2) / 16);
+  if (std::isinf(x)) return x < 0 ? "-inf" : "inf";
+  return x;
 }
+
+Json of_distance(double log2) { return finite_or_text(std::round(16 * log2) / 16); }
 
 /// The polyhedron as triangles, without new vertices.
 covering::Polyhedron as_triangles(const covering::Polyhedron& polyhedron)
@@ -120,10 +126,11 @@ covering::Polyhedron as_triangles(const covering::Polyhedron& polyhedron)
 class Rows {
  public:
   void begin() { row_ = Json::object(); }
-  void add(const std::string& column, const std::string& value)
+  /// A value as JSON has it; CSV knows no strings, and 1 and 0 for true and false.
+  void add(const std::string& column, const Json& value)
   {
     if (json_.empty()) header_ += (header_.empty() ? "" : ",") + column;
-    line_ += (line_.empty() ? "" : ",") + value;
+    line_ += (line_.empty() ? "" : ",") + csv_of(value);
     row_[column] = value;
   }
   void end()
@@ -136,6 +143,13 @@ class Rows {
   std::string json() const { return json_.dump(0) + "\n"; }
 
  private:
+  static std::string csv_of(const Json& value)
+  {
+    if (value.is_string()) return value.get<std::string>();
+    if (value.is_boolean()) return value.get<bool>() ? "1" : "0";
+    return value.is_number_float() ? kernel::shortest(value.get<double>()) : value.dump();
+  }
+
   std::string header_, line_, csv_;
   Json row_, json_ = Json::array();
 };
@@ -149,9 +163,9 @@ void add_origin(Rows& rows, const verify::Origin& origin)
 {
   rows.add("id", origin.family + "-" + std::to_string(origin.index));
   rows.add("family", origin.family);
-  rows.add("index", std::to_string(origin.index));
-  rows.add("parameter", std::isinf(origin.parameter) ? "inf" : kernel::shortest(origin.parameter));
-  rows.add("seed", std::to_string(origin.seed));
+  rows.add("index", origin.index);
+  rows.add("parameter", finite_or_text(origin.parameter));
+  rows.add("seed", origin.seed);
 }
 
 void agree(bool same)
@@ -199,7 +213,7 @@ void export_dataset(const std::filesystem::path& out, std::uint64_t cases, std::
       for (const Question question : {Question::surface, Question::solid}) {
         const bool truth = verify::collide(a, c.pose_a, b, c.pose_b, question);
         agree(truth == verify::integer_truth::collide(c, question));
-        objects.add(question == Question::solid ? "solid" : "surface", truth ? "1" : "0");
+        objects.add(question == Question::solid ? "solid" : "surface", truth);
       }
       const verify::Distance away = verify::distance(c);
       objects.add("log2_rho", of_distance(away.log2_rho));
@@ -217,14 +231,14 @@ void export_dataset(const std::filesystem::path& out, std::uint64_t cases, std::
         predicates.begin();
         add_origin(predicates, p.origin);
         predicates.add("predicate", verify::to_string(predicate));
-        predicates.add("truth", std::to_string(*truth));
+        predicates.add("truth", *truth);
         const verify::Distance from = verify::distance(predicate, p);
         predicates.add("log2_rho", of_distance(from.log2_rho));
         predicates.add("log2_ulps", of_distance(from.log2_ulps));
         const std::pair<const char*, const kernel::Vertex*> points[] = {{"v0", &p.v[0]}, {"v1", &p.v[1]}, {"v2", &p.v[2]}, {"v3", &p.v[3]},
                                                                         {"p", &p.p},     {"q", &p.q},     {"r", &p.r}};
         for (const auto& [name, point] : points)
-          for (int i = 0; i < 3; ++i) predicates.add(name + std::string(1, "xyz"[i]), kernel::shortest((*point)[i]));
+          for (int i = 0; i < 3; ++i) predicates.add(name + std::string(1, "xyz"[i]), (*point)[i]);
         add_pose(predicates, 'a', p.pose_a);
         add_pose(predicates, 'b', p.pose_b);
         predicates.end();
