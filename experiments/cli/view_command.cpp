@@ -56,6 +56,7 @@ void run(const Options& options)
   if (viewer::three_js.empty())
     throw std::runtime_error("view was built without three.js; expected Debian's libjs-three where this program was configured");
 
+  options.names.refuse_as_output(options.out);
   const View_scene scene = read_view_scene(options.names, question);
   const std::string data = safe_in_script(view_data(scene, options.kernel, *method));
   write_whole(options.out, filled(viewer::page_html, {{"style", viewer::style_css},
@@ -85,6 +86,7 @@ void add_view_command(CLI::App& app)
   command->add_option("--method", options->method, "tree: the kernel's fastest; paper: Jimenez & Segura's; brute: all pairs")->capture_default_str();
   names.add_options_to(*command);
   command->footer(
+      "Of more than 50,000 triangles in all the page shows bodies and answers alone; more than 1,000,000 are refused.\n"
       "Wrong answers of the kernel are marked on the time line, and the pairs of features that it loses or invents in the picture.\n"
       "Example: tetracone view cat.off house.poly --pose-b poses.txt --kernel float --out scene.html");
   command->callback([options] { run(*options); });

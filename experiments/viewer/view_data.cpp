@@ -1,5 +1,6 @@
 #include "experiments/viewer/view_data.h"
 
+#include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/repair/repair.h"
 #include "experiments/support/progress.h"
 #include "tetracone/kernel/predicate/signs.h"
@@ -14,6 +15,8 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <iostream>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -33,6 +36,14 @@ using Json = nlohmann::ordered_json;
 
 // More pairs of features in one pose than anybody can see make the page too long to load.
 constexpr std::size_t most_features = 2000;
+
+std::size_t triangle_count(const Polyhedron& polyhedron)
+{
+  std::size_t count = 0;
+  for (Index f = 0; f < polyhedron.face_count(); ++f)
+    for (std::size_t l = 0; l < polyhedron.loop_count(f); ++l) count += polyhedron.loop(f, l).size();
+  return count - 2 * polyhedron.face_count();
+}
 
 /// Six digits are enough to draw by.
 double short_number(double x)
@@ -124,7 +135,7 @@ Json hull_data(const Tree& tree)
   return {{"level", level}, {"dmax", level <= Hull::deepest_convex_level ? short_number(longest) : -1.0}};
 }
 
-Json body_data(const Model_file& body, const Tree& tree)
+Json body_data(const Model_file& body, const covering::Covering& covering)
 {
   Json vertices = Json::array();
   for (const auto& v : body.polyhedron.vertices)
@@ -133,11 +144,15 @@ Json body_data(const Model_file& body, const Tree& tree)
           {"vertices", vertices},
           {"faces", faces_data(body.polyhedron)},
           {"source", body.source_face},
-          {"triangles", triangles_data(body.polyhedron, tree.model().covering())},
-          {"covering", covering_data(tree.model())},
-          {"depth", tree.config().depth},
-          {"nodes", nodes_data(tree)},
-          {"hull", hull_data(tree)}};
+          {"triangles", triangles_data(body.polyhedron, covering)}};
+}
+
+void add_method(Json& body, const Tree& tree)
+{
+  body["covering"] = covering_data(tree.model());
+  body["depth"] = tree.config().depth;
+  body["nodes"] = nodes_data(tree);
+  body["hull"] = hull_data(tree);
 }
 
 Json poses_data(const std::vector<Pose>& poses)
@@ -168,32 +183,50 @@ Json features_data(const std::vector<Feature_pair>& exact, const std::vector<Fea
   return rows;
 }
 
-void add_answers(Json& data, const View_scene& scene, const Subject& subject, Tree& a, Tree& b)
+/// The leaves of A and of B in the pairs that the query does not discard; nothing where there are too many pairs.
+std::optional<std::array<std::set<std::size_t>, 2>> leaves_left(tetratree::Collision<K>& query, const Tree& a, const Tree& b, const Pose& pose_a, const Pose& pose_b)
+{
+  std::array<std::set<std::size_t>, 2> left;
+  std::size_t pairs = 0;
+  const bool too_many = query.any_leaf_pair(pose_a, pose_b, [&](const Node& leaf_a, const Node& leaf_b) {
+    left[0].insert(&leaf_a - &a.node(1));
+    left[1].insert(&leaf_b - &b.node(1));
+    return ++pairs > most_leaf_pairs;
+  });
+  if (too_many) return std::nullopt;
+  return left;
+}
+
+/// `trees`: of both bodies, or none.
+void add_answers(Json& data, const View_scene& scene, const Subject& subject, std::vector<Tree>& trees)
 {
   const Polyhedron &body_a = scene.bodies[0].polyhedron, &body_b = scene.bodies[1].polyhedron;
   const auto exact = verify::prepare(Subject(), body_a, body_b), judged = verify::prepare(subject, body_a, body_b);
-  tetratree::Collision<K> query(a, b);
+  std::optional<tetratree::Collision<K>> query;
+  if (!trees.empty()) query.emplace(trees[0], trees[1]);
   Json answers = Json::array(), truths = Json::array(), features = Json::array(), counts = Json::array(), left = Json::array();
   Progress progress("poses", scene.poses.count());
   for (std::size_t k = 0; k < scene.poses.count(); ++k) {
     const Pose &pose_a = scene.poses.of_a(k), &pose_b = scene.poses.of_b(k);
     truths.push_back(int(exact->collide(pose_a, pose_b, scene.question)));
     answers.push_back(int(judged->collide(pose_a, pose_b, scene.question)));
-    const auto pairs = exact->features(pose_a, pose_b);
-    counts.push_back(pairs.size());
-    features.push_back(features_data(pairs, judged->features(pose_a, pose_b)));
-    std::set<std::size_t> left_a, left_b;
-    query.any_leaf_pair(pose_a, pose_b, [&](const Node& leaf_a, const Node& leaf_b) {
-      left_a.insert(&leaf_a - &a.node(1));
-      left_b.insert(&leaf_b - &b.node(1));
-      return false;
-    });
-    left.push_back({left_a, left_b});
     progress.step();
+    if (!query) continue;
+    if (const auto leaves = leaves_left(*query, trees[0], trees[1], pose_a, pose_b)) {
+      const auto pairs = exact->features(pose_a, pose_b);
+      counts.push_back(pairs.size());
+      features.push_back(features_data(pairs, judged->features(pose_a, pose_b)));
+      left.push_back(*leaves);
+    } else {
+      counts.push_back(nullptr);
+      features.push_back(Json::array());
+      left.push_back({Json::array(), Json::array()});
+    }
   }
   data["subject"] = subject.name();
   data["exact"] = truths;
   data["answer"] = answers;
+  if (!query) return;
   data["features"] = features;
   data["feature_counts"] = counts;
   data["left"] = left;
@@ -230,16 +263,25 @@ std::string view_data(const View_scene& scene, const std::string& kernel, verify
   if (!subject && !predicate)
     throw CLI::ValidationError("--kernel " + kernel, "expected adaptive, double, float, double-eps=E, epick, epeck or rational");
 
+  std::size_t triangles = 0;
+  for (const Model_file& body : scene.bodies) triangles += triangle_count(body.polyhedron);
+  if (triangles > most_triangles)
+    throw covering::Input_error(scene.name, 0, std::to_string(triangles) + " triangles", "expected at most " + std::to_string(most_triangles) + " in a page");
+
   // The paper's own choices: they are what there is to see.
   std::vector<Tree> trees;
-  for (const Model_file& body : scene.bodies) trees.emplace_back(body.polyhedron, tetratree::Config());
+  if (triangles <= most_detailed)
+    for (const Model_file& body : scene.bodies) trees.emplace_back(body.polyhedron, tetratree::Config());
+  else
+    std::cerr << scene.name << ": " << triangles << " triangles, more than " << most_detailed << ": the page shows bodies and answers alone\n";
   Json data = {{"name", scene.name}, {"version", TETRACONE_VERSION}, {"bodies", Json::array()}};
-  for (std::size_t k = 0; k < trees.size(); ++k) data["bodies"].push_back(body_data(scene.bodies[k], trees[k]));
+  for (const Model_file& body : scene.bodies) data["bodies"].push_back(body_data(body, covering::Covering(body.polyhedron)));
+  for (std::size_t k = 0; k < trees.size(); ++k) add_method(data["bodies"][k], trees[k]);
   data["poses"] = {poses_data(scene.poses.a), poses_data(scene.poses.b)};
   const char* const question = scene.question == kernel::Question::solid ? "solid" : "surface";
   if (pair) data["question"] = predicate ? verify::to_string(*scene.from->predicate) : question;
   if (predicate) add_answer_of_predicate(data, *scene.from, kernel);
-  else if (pair) add_answers(data, scene, *subject, trees[0], trees[1]);
+  else if (pair) add_answers(data, scene, *subject, trees);
   if (scene.from) data["case"] = case_data(*scene.from);
   return data.dump();
 }

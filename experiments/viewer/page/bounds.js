@@ -10,7 +10,7 @@ function nodesAt(body, level)
   return nodes;
 }
 
-function deepest(body) { return body.nodes.level.reduce((most, level) => Math.max(most, level), 1); }
+function deepest(body) { return !body.nodes ? 1 : body.nodes.level.reduce((most, level) => Math.max(most, level), 1); }
 
 // Neighbours in the tree differ in hue, about the body's own colour.
 function shade(body, i)

@@ -3,6 +3,7 @@
 
 const element = id => document.getElementById(id);
 const canvas = element('picture'), pair = bodies.length === 2, hasFeatures = Boolean(data.features);
+const hasMethod = bodies.every(body => body.nodes);  // a large body has no more than its surface
 const layers = ['a', 'b', 'edges', 'features', 'left', 'covering', 'tetrahedra', 'spheres', 'hull'];
 const most = Math.max(...bodies.map(deepest));
 const fewFaces = bodies.every(body => body.faces.length < 500);  // through which one sees the contacts
@@ -104,10 +105,12 @@ function update()
     body.surface.visible = state.opacity > 0;
     body.edges.visible = state.show.has('edges');
   }
-  layer('covering', which + state.shrink, () => onBodies(body => coveringObject(body, state.shrink)));
-  layer('tetrahedra', which + state.level, () => onBodies(body => boundingTetrahedra(body, state.level)));
-  layer('spheres', which + state.level, () => onBodies(body => boundingSpheres(body, state.level)));
-  layer('hull', which, () => onBodies(regularHull));
+  if (hasMethod) {
+    layer('covering', which + state.shrink, () => onBodies(body => coveringObject(body, state.shrink)));
+    layer('tetrahedra', which + state.level, () => onBodies(body => boundingTetrahedra(body, state.level)));
+    layer('spheres', which + state.level, () => onBodies(body => boundingSpheres(body, state.level)));
+    layer('hull', which, () => onBodies(regularHull));
+  }
   // Rods keep their width on the screen, but for steps of a quarter.
   const radius = 0.003 * Math.pow(1.25, Math.round(Math.log(camera.view.distance) / Math.log(1.25)));
   if (hasFeatures) {
@@ -159,6 +162,7 @@ function contactsText(k)
 {
   if (!hasFeatures) return '';
   const shown = featuresOf(k), count = data.feature_counts[k];
+  if (count === null) return 'Too many leaves are left to look for edges that meet faces.';
   const lost = shown.filter(f => f[5] === 1).length, invented = shown.filter(f => f[5] === 2).length;
   if (!count && !invented) return data.exact[k] ? 'No edge meets a face: one body is inside the other.' : '';
   const byKind = kinds.map((kind, i) => [shown.filter(f => f[4] === i && f[5] < 2).length, kind]).filter(([n]) => n)
@@ -272,6 +276,7 @@ element('level').max = most;
 element('source').textContent = (data.case ? data.case.cause + '; family ' + data.case.family + ', seed ' + data.case.seed + ', index ' + data.case.index + '. ' : '') +
                                 'tetracone ' + data.version;
 element('panel').open = innerWidth > 640;
+element('method').hidden = !hasMethod;
 for (const part of document.querySelectorAll('[data-answers]')) part.hidden = !hasFeatures;
 
 fitted = !readFragment();

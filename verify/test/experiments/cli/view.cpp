@@ -13,11 +13,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <numbers>
 #include <set>
 #include <string>
 
@@ -60,6 +62,23 @@ const std::string poses = "1 0 0 0.5 0 1 0 0 0 0 1 0\n"
                           "1 0 0 1.0000000000000002 0 1 0 0 0 0 1 0\n"
                           "1 0 0 1.0000000001 0 1 0 0 0 0 1 0\n"
                           "1 0 0 2 0 1 0 0 0 0 1 0\n";
+
+/// A torus of n x n quadrilaterals, halved.
+std::string torus(int n)
+{
+  const double step = 2 * std::numbers::pi / n;
+  std::string text = "OFF\n" + std::to_string(n * n) + " " + std::to_string(2 * n * n) + " 0\n";
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const double r = 2 + 0.7 * std::cos(j * step);
+      text += std::to_string(r * std::cos(i * step)) + " " + std::to_string(r * std::sin(i * step)) + " " + std::to_string(0.7 * std::sin(j * step)) + "\n";
+    }
+  const auto vertex = [n](int i, int j) { return " " + std::to_string(i % n * n + j % n); };
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      text += "3" + vertex(i, j) + vertex(i + 1, j) + vertex(i + 1, j + 1) + "\n3" + vertex(i, j) + vertex(i + 1, j + 1) + vertex(i, j + 1) + "\n";
+  return text;
+}
 
 }  // namespace
 
@@ -165,6 +184,29 @@ BOOST_AUTO_TEST_CASE(every_face_is_drawn_also_one_with_a_hole)
   BOOST_TEST(faces.size() == body["faces"].size());
   // Top and bottom 3 x 3 without 1 x 1, four outer walls 3 x 1, four inner ones 1 x 1.
   BOOST_TEST(area == 2 * 8 + 4 * 3 + 4, boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(large_bodies_are_shown_in_linear_time)
+{
+  const Temporary_file thirty("thirty.off", torus(125)), half("half.off", torus(500)), huge("huge.off", torus(708));
+  const auto start = std::chrono::steady_clock::now();
+  const Json one = Page(in_quotes(thirty.path())).data["bodies"][0];
+  BOOST_TEST(one["faces"].size() == 2u * 125 * 125);
+  BOOST_TEST(one["nodes"]["level"].size() > 1000u);
+  // Twice the same: all leaves are left.
+  const Temporary_file small("small.off", torus(60));
+  const Json same = Page(in_quotes(small.path()) + " " + in_quotes(small.path())).data;
+  BOOST_TEST(same["feature_counts"][0].is_null());
+  BOOST_TEST(same["features"][0].empty());
+  BOOST_TEST(same["exact"] == Json::array({1}));
+  // Half a million triangles, without the method.
+  const Temporary_file page("page.html", "");
+  const Run r = run("view " + in_quotes(half.path()) + " --out " + in_quotes(page.path()));
+  BOOST_TEST(r.status == 0);
+  BOOST_TEST(r.error.find("500000 triangles, more than 50000: the page shows bodies and answers alone\n") != std::string::npos, r.error);
+  BOOST_TEST(bytes(page.path()).find("\"nodes\"") == std::string::npos);
+  check_refused("view " + in_quotes(huge.path()) + " --out " + in_quotes(page.path()), "1002528 triangles; expected at most 1000000 in a page");
+  BOOST_TEST(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < 120);
 }
 
 BOOST_AUTO_TEST_CASE(every_case_of_the_corpus_gives_a_page)
