@@ -80,10 +80,11 @@ std::size_t line_of(std::string_view text, const std::vector<std::string>& path)
   return line_at(text, walk.position());
 }
 
-/// Where a name begins that its object has had before; nothing: all are different. The text must be JSON.
+/// Where a name begins that its object has had before; nothing: all are different. The text must be JSON, which ends at its first zero byte for the parser.
 std::optional<std::size_t> repeated_name(std::string_view text)
 {
   std::vector<std::set<std::string>> names;  // of the objects and, empty, the arrays around
+  text = text.substr(0, text.find('\0'));
   for (std::size_t at = 0; at < text.size(); ++at) {
     const char c = text[at];
     if (c == '{' || c == '[') names.emplace_back();

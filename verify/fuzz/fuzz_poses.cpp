@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstdlib>
 
+namespace covering = tetracone::covering;
 namespace kernel = tetracone::kernel;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
@@ -24,7 +25,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   } catch (const covering::Input_error&) {
   }
   try {
-    for (const auto& point : tetracone::covering::read_points(file.path()))
+    for (const auto& point : covering::read_points(file.path()))
       for (const auto& number : point)
         if (!std::isfinite(number.nearest)) std::abort();
   } catch (const covering::Input_error&) {

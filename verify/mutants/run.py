@@ -45,11 +45,13 @@ def test_source(mutant):
     return SOURCE / "verify" / "test" / f"{mutant['test']}.cpp" if "test" in mutant else None
 
 
-def probe(folder, cases, eigen, test):
+def probe(folder, cases, eigen, test, build):
     """What the probe, or the test if it is not None, says of the headers in `folder`: "killed: ...", "survived" or "does not compile: ..."."""
     program = folder / "probe"
     compiler = os.environ.get("CXX", "c++")
-    source, options = (test, [f"-I{SOURCE}", *TEST]) if test else (HERE / "probe.cpp", [])
+    # Readers and repair are the built ones: a mutant is in the headers.
+    libraries = [str(build / "libtetracone_repair.a"), str(build / "libtetracone.a")]
+    source, options = (test, [f"-I{SOURCE}", *libraries, *TEST]) if test else (HERE / "probe.cpp", [])
     built = subprocess.run([compiler, *COMPILE, f"-I{folder}", f"-I{eigen}", str(source), *options, *LINK, "-o", str(program)],
                            capture_output=True, text=True)
     if built.returncode != 0:
@@ -110,7 +112,7 @@ def main():
             if mutant["file"]:
                 path = folder / "tetracone" / mutant["file"]
                 path.write_text(planted(path.read_text(), mutant))
-            results[key] = probe(folder, cases, eigen_folder(), test)
+            results[key] = probe(folder, cases, eigen_folder(), test, args.build)
             write(results_file, results)
         print(f"{mutant['name']:70}  {results[key]}", flush=True)
         expected = "survived" if mutant["file"] is None else "killed"

@@ -79,8 +79,8 @@ class Placed_body {
     for (const Exact::Point_3& p : body_->points())
       bounds.push_back({CGAL::to_interval(p.x()), CGAL::to_interval(p.y()), CGAL::to_interval(p.z())});
     const CGAL::Protect_FPU_rounding<true> upward;
-    for (const auto& [x, y, z] : bounds) {
-      const auto row = [&](int i) { return m[i] * Interval(x) + m[i + 1] * Interval(y) + m[i + 2] * Interval(z) + m[i + 3]; };
+    for (const auto& point : bounds) {
+      const auto row = [&](int i) { return m[i] * Interval(point[0]) + m[i + 1] * Interval(point[1]) + m[i + 2] * Interval(point[2]) + m[i + 3]; };
       enclosing_.emplace_back(row(0), row(4), row(8));
       for (int i = 0; i < 3; ++i) {
         // Products of up to four such coordinates stay finite; a NaN compares false.

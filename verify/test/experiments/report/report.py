@@ -245,7 +245,7 @@ class Whole_report(unittest.TestCase):
         self.assertRegex(self.page, r"0 of 50 \(&lt; 7\.1 %\)")
 
     def test_the_citation_is_that_of_the_file(self):
-        with open(os.path.join(SOURCE, "..", "CITATION.cff"), encoding="utf-8") as file:
+        with open(os.path.join(SOURCE, "..", "..", "CITATION.cff"), encoding="utf-8") as file:
             text = file.read()
         version = re.search(r"^version: (.*)$", text, re.MULTILINE).group(1)
         self.assertIn(f"version = {{{version}}}", self.page)

@@ -1,4 +1,3 @@
-#define CGAL_NO_CDT_2_WARNING  // of loops that cross: few and small here
 
 #include "verify/truth/integer_truth.h"
 
