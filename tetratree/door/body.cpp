@@ -1,4 +1,3 @@
-#include "tetracone/covering/check.h"
 #include "tetracone/covering/edge_uses.h"
 #include "tetracone/covering/io/read.h"
 #include "tetracone/covering/planarity.h"
