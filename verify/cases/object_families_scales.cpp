@@ -1,5 +1,6 @@
 #include "verify/cases/object_families.h"
 #include "verify/cases/object_placing.h"
+#include "verify/cases/shape_generators.h"
 
 #include <algorithm>
 #include <array>
@@ -154,8 +155,41 @@ Object_case extreme_exponents(Random& random, double parameter)
                 {exponent, exponent, exponent}, 0, common);
 }
 
-/// Blocks whose vertices are stretched along their axes, and whose poses undo that before a turn, a contact or a place inside, and a map of both; or
-/// tetrahedra whose coordinates have any exponents, corner on corner. With exact poses, or these rounded to doubles.
+/// Needles and plates: boxes about the origin, each stretched along its axes by its own powers of two and then turned about one of them by an eighth, or
+/// not; they touch or pierce one another along that axis. Their axes differ by more than a double's square can hold.
+std::vector<Object_case> boxes_on_an_axis(Random& random, int size, int count)
+{
+  const int axis = integer(random, 0, 2), u = (axis + 1) % 3, v = (axis + 2) % 3;
+  const auto half_lengths = [&] { return kernel::Vertex{dyadic(random, 3), dyadic(random, 3), dyadic(random, 3)}; };
+  const auto about_origin = [](const kernel::Vertex& half) { return shared(box({-half[0], -half[1], -half[2]}, half)); };
+  const kernel::Vertex half_a = half_lengths(), half_b = half_lengths();
+  const Body a = about_origin(half_a), b = about_origin(half_b);
+
+  const auto turned_about_axis = [&](const std::array<int, 3>& exponents) {
+    std::array<double, 12> entries = stretch(exponents).entries();
+    if (random.bits() % 4 != 0) entries[4 * u + v] = -entries[4 * v + v], entries[4 * v + u] = entries[4 * u + u];
+    return Pose(entries);
+  };
+  std::vector<Object_case> cases;
+  for (int k = 0; k < count; ++k) {
+    std::array<int, 3> of_a, of_b;
+    of_a[u] = size * integer(random, -1, 1), of_a[v] = random.bits() % 4 != 0 ? of_a[u] : integer(random, -size, size);
+    for (const int i : {u, v}) of_b[i] = random.bits() % 4 == 0 ? integer(random, -size, size) : integer(random, -8, 24) - of_a[i];
+    of_a[axis] = integer(random, -2, 2), of_b[axis] = integer(random, -2, 2);
+    const Pose pose_a = turned_about_axis(of_a), pose_b = turned_about_axis(of_b);
+    Exact_vector shift = {0, 0, 0};
+    const int eighths = integer(random, 0, 9);
+    shift[axis] = Rational(std::ldexp(half_a[axis], of_a[axis]) + std::ldexp(half_b[axis], of_b[axis])) * eighths / 8;
+    const Pose common = signed_permutation(integer(random, 0, 47));
+    Object_case c{a, b, composed(common, pose_a), composed(common, moved(pose_b, shift)), {}, {}, {}};
+    if (random.bits() % 2 == 0) std::swap(c.a, c.b), std::swap(c.pose_a, c.pose_b);
+    cases.push_back(eighths < 8 ? with_answer(c, {}, true) : with_answer(c, eighths == 8));
+  }
+  return cases;
+}
+
+/// Blocks whose vertices are stretched along their axes, and whose poses undo that before a turn, a contact or a place inside, and a map of both;
+/// tetrahedra whose coordinates have any exponents, corner on corner; or boxes on an axis. With exact poses, or these rounded to doubles.
 std::vector<Object_case> wild_run(Random& random, double parameter, int count)
 {
   const auto finished = [&](const Object_case& c) {
@@ -164,7 +198,9 @@ std::vector<Object_case> wild_run(Random& random, double parameter, int count)
     return rounded.pose_a.determinant_sign() == CGAL::ZERO || rounded.pose_b.determinant_sign() == CGAL::ZERO ? c : rounded;
   };
   std::vector<Object_case> cases;
-  if (random.bits() % 3 != 0) {
+  const std::uint64_t kind = random.bits() % 3;
+  if (kind == 0) return boxes_on_an_axis(random, static_cast<int>(parameter) * 3 / 4, count);
+  if (kind != 1) {
     const int size = static_cast<int>(parameter) / 5;
     const auto coordinate = [&] {
       const double mantissa = random.symmetric();

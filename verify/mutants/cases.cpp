@@ -137,9 +137,9 @@ void write_spike()
 /// Bodies and poses of any exponents, where bounds overflow.
 void write_wild(Random& random)
 {
-  constexpr double exponents[] = {30, 150, 500, 960};
-  for (int run = 0; run < 160; ++run)
-    for (const Object_case& c : object_family::wild_run(random, exponents[run % 4], 4)) write(*c.a, *c.b, c.pose_a, c.pose_b);
+  constexpr double exponents[] = {30, 150, 500, 960, 960};
+  for (int run = 0; run < 200; ++run)
+    for (const Object_case& c : object_family::wild_run(random, exponents[run % 5], 4)) write(*c.a, *c.b, c.pose_a, c.pose_b);
 }
 
 /// The same vertices in both bodies, under poses that differ by an ulp; and nearly flat tetrahedra, of which p is a corner, under one pose.
