@@ -3,8 +3,8 @@
 
 #include "tetracone/covering/polyhedron.h"
 #include "tetracone/kernel/number/number.h"
-#include "tetracone/kernel/predicate/plane_basis.h"
 #include "tetracone/kernel/number/volume.h"
+#include "tetracone/kernel/predicate/plane_basis.h"
 
 #include <algorithm>
 #include <array>
@@ -24,16 +24,17 @@ inline constexpr Index none = std::numeric_limits<Index>::max();
 struct Covering_triangle {
   Index face;
   std::array<Index, 3> corner;  ///< W, from, to: vertex numbers
-  std::array<Index, 3> edge;    ///< real edges of the polyhedron on its sides W-from, from-to, to-W; `none` for inner sides
+  std::array<Index, 3> edge;    ///< real edges of the polyhedron on its sides W-from, from-to, to-W; `none` for inner
+                                ///< sides
 };
 
 /// The covering of a polyhedron: for each face the triangles that join the origin W of the face to its directed edges
 /// (JS08 Theorem 1, Definitions 1 and 2), with the polyhedron's real edges and its connected parts.
 ///
-/// W is the first corner of the face: exactly on its plane, where a rounded centroid is not, and a triangle becomes its own covering,
-/// one tetrahedron instead of three. (Departure from the paper, which proposes the centroid; Theorem 1 allows any point.)
-/// Edges that end in W span no triangle; they are sides of the triangles beside them, and where a face has no such
-/// triangle a flat one carries them, so that each real edge is on some triangle of its face.
+/// W is the first corner of the face: exactly on its plane, where a rounded centroid is not, and a triangle becomes its
+/// own covering, one tetrahedron instead of three. (Departure from the paper, which proposes the centroid; Theorem 1
+/// allows any point.) Edges that end in W span no triangle; they are sides of the triangles beside them, and where a
+/// face has no such triangle a flat one carries them, so that each real edge is on some triangle of its face.
 class Covering {
  public:
   explicit Covering(const Polyhedron& polyhedron)
@@ -60,8 +61,8 @@ class Covering {
   /// Three vertices of the face that span its plane; nothing when all its corners are on one line.
   const std::optional<std::array<Index, 3>>& plane_basis(Index f) const { return plane_bases_[f]; }
 
-  /// A vertex of each connected part of the surface, at least: of each maximal set of loops connected through shared vertices.
-  /// Loops, not faces: a face of several loops need not be connected.
+  /// A vertex of each connected part of the surface, at least: of each maximal set of loops connected through shared
+  /// vertices. Loops, not faces: a face of several loops need not be connected.
   const std::vector<Index>& shell_vertices() const { return shell_vertices_; }
 
  private:
@@ -92,7 +93,8 @@ class Covering {
   void cover_face(const Polyhedron& polyhedron, Index f)
   {
     const Index w = polyhedron.loop(f, 0)[0];
-    std::vector<std::pair<Index, bool>> neighbours;  // of W along the face's edges, and whether a triangle has that side
+    std::vector<std::pair<Index, bool>> neighbours;  // of W along the face's edges, and whether a triangle has that
+                                                     // side
     const std::size_t first = from_.size();
     for (std::size_t l = 0; l < polyhedron.loop_count(f); ++l) {
       const Loop loop = polyhedron.loop(f, l);
@@ -126,9 +128,8 @@ class Covering {
   void span_face(const Polyhedron& polyhedron, Index f)
   {
     const auto corners = from(f);
-    const auto triple = kernel::plane_basis(corners.size(), [&](std::size_t k) -> const Vertex& {
-      return polyhedron.vertices[corners[k]];
-    });
+    const auto triple = kernel::plane_basis(
+        corners.size(), [&](std::size_t k) -> const Vertex& { return polyhedron.vertices[corners[k]]; });
     if (triple)
       plane_bases_.push_back(std::array<Index, 3>{corners[(*triple)[0]], corners[(*triple)[1]], corners[(*triple)[2]]});
     else
@@ -160,8 +161,9 @@ class Covering {
   std::vector<Index> shell_vertices_;
 };
 
-/// The signed volume, exactly: 1/6 of the sum of the determinants of the covering's tetrahedra (JS08 Theorem 1), positive for
-/// outward faces. Independent of every W, and of O when the polyhedron is closed; here O is the first vertex.
+/// The signed volume, exactly: 1/6 of the sum of the determinants of the covering's tetrahedra (JS08 Theorem 1),
+/// positive for outward faces. Independent of every W, and of O when the polyhedron is closed; here O is the first
+/// vertex.
 inline kernel::Rational volume(const Polyhedron& polyhedron)
 {
   kernel::Volume_sum sum;

@@ -17,8 +17,8 @@
 namespace tetracone::covering {
 
 /// A polyhedron as kernel K sees it: its covering, the origin O of the covering, and its vertices as points of K.
-/// Requires every face planar (see `repair.h`), for that is what the signs of a face mean. Throws kernel::Unsound_floating_point when K decides
-/// exactly and floating point is not as that needs it.
+/// Requires every face planar (see `repair.h`), for that is what the signs of a face mean. Throws
+/// kernel::Unsound_floating_point when K decides exactly and floating point is not as that needs it.
 template <class K>
 class Model {
  public:
@@ -101,7 +101,8 @@ class Placed_model {
   std::vector<Point> points_;
   std::vector<std::uint64_t> placed_at_;
   std::uint64_t now_ = 0;
-  std::vector<std::unique_ptr<kernel::Adaptive::Exact_image>> exact_images_;  // of the adaptive kernel: made when a sign asks for one
+  std::vector<std::unique_ptr<kernel::Adaptive::Exact_image>> exact_images_;  // of the adaptive kernel: made when a
+                                                                              // sign asks for one
 };
 
 /// A face of a placed model, as `kernel::segment_face` wants it.

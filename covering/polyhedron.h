@@ -24,9 +24,9 @@ using Index = std::uint32_t;
 using Loop = std::span<const Index>;
 
 /// Vertices, and faces of one or more closed loops: the first loop of a face is its outer boundary, the others are its
-/// holes, which run the other way round. Nothing else is asked: open or closed, several shells, non-manifold, degenerate
-/// and repeated elements are all representable (see `check.h` for what a polyhedron is).
-/// Every coordinate is a finite double and is taken exactly.
+/// holes, which run the other way round. Nothing else is asked: open or closed, several shells, non-manifold,
+/// degenerate and repeated elements are all representable (see `check.h` for what a polyhedron is). Every coordinate is
+/// a finite double and is taken exactly.
 class Polyhedron {
  public:
   std::vector<Vertex> vertices;  ///< by their numbers; faces may leave some unused
@@ -81,7 +81,8 @@ class Polyhedron {
   std::vector<std::size_t> face_end_;  // face f is loops face_end_[f-1] .. face_end_[f]
 };
 
-/// Appends the vertices and the faces of `what`, which must be another polyhedron; with every loop turned round when `turned`.
+/// Appends the vertices and the faces of `what`, which must be another polyhedron; with every loop turned round when
+/// `turned`.
 inline void append(Polyhedron& to, const Polyhedron& what, bool turned = false)
 {
   assert(&to != &what);

@@ -9,8 +9,9 @@
 
 namespace tetracone::covering {
 
-/// The fan of triangles from the first corner of each face of one loop and more than three corners whose other corners go round it in one half-plane: as
-/// they do in every strictly convex face. These triangles cover exactly the face. Exact; nothing for other faces.
+/// The fan of triangles from the first corner of each face of one loop and more than three corners whose other corners
+/// go round it in one half-plane: as they do in every strictly convex face. These triangles cover exactly the face.
+/// Exact; nothing for other faces.
 inline std::vector<Face_triangle> star_faces(const Polyhedron& polyhedron)
 {
   using kernel::Adaptive;
@@ -21,10 +22,13 @@ inline std::vector<Face_triangle> star_faces(const Polyhedron& polyhedron)
     const auto point = [&](std::size_t k) { return Adaptive::unmoved(polyhedron.vertices[loop[k]]); };
     const int axis = kernel::projection_axis<Adaptive>(point(0), point(1), point(2));
     if (axis < 0) continue;
-    const auto turn = [&](std::size_t j, std::size_t k) { return kernel::normal_sign<Adaptive>(point(0), point(j), point(k), axis); };
+    const auto turn = [&](std::size_t j, std::size_t k) {
+      return kernel::normal_sign<Adaptive>(point(0), point(j), point(k), axis);
+    };
     const kernel::Sign way = turn(1, 2);
     bool goes_round = true;
-    for (std::size_t k = 2; goes_round && k + 1 < loop.size(); ++k) goes_round = turn(k, k + 1) == way && turn(1, k + 1) == way;
+    for (std::size_t k = 2; goes_round && k + 1 < loop.size(); ++k)
+      goes_round = turn(k, k + 1) == way && turn(1, k + 1) == way;
     if (!goes_round) continue;
     for (std::size_t k = 1; k + 1 < loop.size(); ++k) all.push_back({f, {loop[0], loop[k], loop[k + 1]}});
   }

@@ -14,7 +14,7 @@ namespace tetracone::covering {
 class Input_error : public Error {
  public:
   Input_error(std::string_view file, std::size_t line, std::string_view wrong, std::string_view expected)
-        : Error(message(file, line, wrong, expected))
+      : Error(message(file, line, wrong, expected))
   {}
 
  private:

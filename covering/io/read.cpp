@@ -113,7 +113,8 @@ Read_model read_model(const std::filesystem::path& path)
   std::string text = covering::read_bytes(path);
   if (!known) throw Input_error(file, 0, "unknown suffix", "expected .off, .obj, .ply, .stl or .poly");
   if (text.empty()) throw Input_error(file, 0, "the file is empty", "expected a model");
-  const bool binary = (suffix == ".stl" && has_size_of_binary_stl(text)) || (suffix == ".ply" && text.find("format binary") != std::string::npos);
+  const bool binary = (suffix == ".stl" && has_size_of_binary_stl(text)) ||
+                      (suffix == ".ply" && text.find("format binary") != std::string::npos);
   if (!binary) text = as_text(file, std::move(text));
 
   Read_model model;

@@ -1,10 +1,10 @@
 #ifndef TETRACONE_COVERING_IO_READ_POLY_H
 #define TETRACONE_COVERING_IO_READ_POLY_H
 
-#include "tetracone/covering/orient.h"
-#include "tetracone/covering/projection.h"
 #include "tetracone/covering/io/read_model.h"
 #include "tetracone/covering/io/read_scan.h"
+#include "tetracone/covering/orient.h"
+#include "tetracone/covering/projection.h"
 
 #include <CGAL/enum.h>
 

@@ -1,8 +1,8 @@
 #ifndef TETRACONE_COVERING_IO_READ_POSES_H
 #define TETRACONE_COVERING_IO_READ_POSES_H
 
-#include "tetracone/kernel/number/pose.h"
 #include "tetracone/covering/io/text_lines.h"
+#include "tetracone/kernel/number/pose.h"
 
 #include <array>
 #include <cmath>
@@ -69,7 +69,8 @@ inline std::vector<kernel::Pose> read_poses(const std::filesystem::path& file)
     } else {
       poses.emplace_back(nearest);
     }
-    if (poses.back().determinant_sign() == CGAL::ZERO) lines.fail("the 3x3 part has determinant 0", "expected a matrix that flattens nothing");
+    if (poses.back().determinant_sign() == CGAL::ZERO)
+      lines.fail("the 3x3 part has determinant 0", "expected a matrix that flattens nothing");
   }
   if (poses.empty()) throw Input_error(file.native(), 0, "holds no pose", "expected twelve numbers a line");
   return poses;

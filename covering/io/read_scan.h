@@ -1,8 +1,8 @@
 #ifndef TETRACONE_COVERING_IO_READ_SCAN_H
 #define TETRACONE_COVERING_IO_READ_SCAN_H
 
-#include "tetracone/covering/polyhedron.h"
 #include "tetracone/covering/io/text_lines.h"
+#include "tetracone/covering/polyhedron.h"
 
 #include <cstdint>
 #include <string>
@@ -13,8 +13,8 @@ namespace tetracone::covering {
 using covering::in_quotes;
 using covering::Input_error;
 using covering::parse_count;
-using kernel::parse_double;
 using covering::Text_lines;
+using kernel::parse_double;
 
 /// What a scan found in a file before CGAL reads it. The scans exist because CGAL's readers give no line numbers,
 /// believe the counts of a header and skip what they do not know; they refuse with an Input_error the first thing that

@@ -130,7 +130,10 @@ inline Scan scan_stl_text(const std::string& file, std::string_view text)
 }
 
 /// Whether the size is the one that a binary STL file's count of triangles asks for.
-inline bool has_size_of_binary_stl(std::string_view text) { return text.size() >= 84 && text.size() == 84 + 50 * little_endian(text, 80, 4); }
+inline bool has_size_of_binary_stl(std::string_view text)
+{
+  return text.size() >= 84 && text.size() == 84 + 50 * little_endian(text, 80, 4);
+}
 
 /// Scans an STL file: binary where its size is the one that its count of triangles asks for, else text where it begins
 /// with `solid` and holds no zero byte, else a binary file that is broken.

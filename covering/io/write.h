@@ -46,8 +46,7 @@ inline Vertex point_inside(const Polyhedron& polyhedron, Loop loop)
     const Point p = flat(k);
     if (p == a || p == b || p == c) continue;
     const bool in_triangle = !CGAL::right_turn(a, c, p) && !CGAL::right_turn(c, b, p) && !CGAL::right_turn(b, a, p);
-    if (in_triangle && (!farthest || CGAL::has_smaller_signed_distance_to_line(b, a, flat(*farthest), p)))
-      farthest = k;
+    if (in_triangle && (!farthest || CGAL::has_smaller_signed_distance_to_line(b, a, flat(*farthest), p))) farthest = k;
   }
   Vertex inside;
   for (int i = 0; i < 3; ++i)
@@ -62,8 +61,8 @@ inline Vertex point_inside(const Polyhedron& polyhedron, Loop loop)
 /// Requires faces of one loop each, for OFF cannot say a hole.
 inline std::string write_off(const Polyhedron& polyhedron)
 {
-  std::string text = "OFF\n" + std::to_string(polyhedron.vertices.size()) + ' ' +
-                     std::to_string(polyhedron.face_count()) + " 0\n";
+  std::string text =
+      "OFF\n" + std::to_string(polyhedron.vertices.size()) + ' ' + std::to_string(polyhedron.face_count()) + " 0\n";
   for (const Vertex& v : polyhedron.vertices) text += write::coordinates(v) + '\n';
   for (Index f = 0; f < polyhedron.face_count(); ++f) {
     assert(polyhedron.loop_count(f) == 1);
@@ -94,8 +93,8 @@ inline std::string write_poly(const Polyhedron& polyhedron)
       text += '\n';
     }
     for (std::size_t k = 1; k < loops; ++k)
-      text += std::to_string(k) + ' ' + write::coordinates(write::point_inside(polyhedron, polyhedron.loop(f, k))) +
-              '\n';
+      text +=
+          std::to_string(k) + ' ' + write::coordinates(write::point_inside(polyhedron, polyhedron.loop(f, k))) + '\n';
   }
   return text + "0\n";
 }

@@ -167,7 +167,9 @@ std::vector<Face_triangle> triangulate_faces(const Polyhedron& polyhedron)
     for (const auto& t : *triangles)
       for (int k = 0; k < 3; ++k) sides.insert({std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])});
     bool all_edges = true;
-    for_each_directed_edge(polyhedron, f, [&](Index a, Index b) { all_edges = all_edges && sides.contains({std::min(a, b), std::max(a, b)}); });
+    for_each_directed_edge(polyhedron, f, [&](Index a, Index b) {
+      all_edges = all_edges && sides.contains({std::min(a, b), std::max(a, b)});
+    });
     if (!all_edges) continue;
     for (const auto& t : *triangles) all.push_back({f, t});
   }

@@ -35,9 +35,9 @@ std::vector<Triangle> fan(const Polyhedron& polyhedron, Index f);
 
 }  // namespace repair
 
-/// Triangles that cover exactly each face of more than one triangle's corners, in its direction and as often as its winding number says, without
-/// new vertices; none for triangles, and for faces where that is not possible: where loops cross, pass through a corner,
-/// or have an edge that bounds nothing. Requires planar faces.
+/// Triangles that cover exactly each face of more than one triangle's corners, in its direction and as often as its
+/// winding number says, without new vertices; none for triangles, and for faces where that is not possible: where loops
+/// cross, pass through a corner, or have an edge that bounds nothing. Requires planar faces.
 std::vector<Face_triangle> triangulate_faces(const Polyhedron& polyhedron);
 
 /// A polyhedron whose faces are all planar, and where they come from.

@@ -1,6 +1,6 @@
-// Compiled by `tetracone experiment compilers` with one set of flags after another: how often is the sign of four points wrong?
-// The points, and the right sign, come from integer arithmetic alone, which no flag changes. One line a test:
-// subject,test,n,wrong.
+// Compiled by `tetracone experiment compilers` with one set of flags after another: how often is the sign of four
+// points wrong? The points, and the right sign, come from integer arithmetic alone, which no flag changes. One line a
+// test: subject,test,n,wrong.
 //
 // With -ffast-math our own headers refuse to compile: ADAPTIVE is not defined then.
 
@@ -145,7 +145,10 @@ void test(const char* subject, const Sign& sign_of)
   struct {
     const char* name;
     Quadruple (*make)();
-  } const tests[] = {{"random", random_points}, {"rounded on the plane", rounded_on_plane}, {"coplanar grid", coplanar_grid}, {"a point twice", repeated_point}};
+  } const tests[] = {{"random", random_points},
+                     {"rounded on the plane", rounded_on_plane},
+                     {"coplanar grid", coplanar_grid},
+                     {"a point twice", repeated_point}};
   for (const auto& [name, make] : tests) {
     state = 1;
     int wrong = 0;

@@ -71,10 +71,13 @@ std::string rows_of(const Build& build, const std::filesystem::path& program)
   std::string version = run(build.compiler + " -dumpfullversion -dumpversion").out;
   version = version.substr(0, version.find('\n'));
   const std::string made_by = build.compiler + "," + version + "," + build.flags + ",";
-  const std::string compile = build.compiler + " -std=c++20 -w " + build.flags + (build.with_adaptive ? " -DADAPTIVE" : "") +
-                              " -frounding-math -I'" TETRACONE_INCLUDE_FOLDER "' " TETRACONE_INCLUDE_FLAGS " '" TETRACONE_SOURCE_DIR
-                              "/experiments/accuracy/compiler_probe.cpp' -lgmp -lmpfr -o '" + program.native() + "'";
-  if (run(compile).status != 0) return build.with_adaptive ? made_by + "adaptive,,0,0,refused to compile\n" : made_by + ",,0,0,did not compile\n";
+  const std::string compile = build.compiler + " -std=c++20 -w " + build.flags +
+                              (build.with_adaptive ? " -DADAPTIVE" : "") +
+                              " -frounding-math -I'" TETRACONE_INCLUDE_FOLDER "' " TETRACONE_INCLUDE_FLAGS
+                              " '" TETRACONE_SOURCE_DIR "/experiments/accuracy/compiler_probe.cpp' -lgmp -lmpfr -o '" +
+                              program.native() + "'";
+  if (run(compile).status != 0)
+    return build.with_adaptive ? made_by + "adaptive,,0,0,refused to compile\n" : made_by + ",,0,0,did not compile\n";
   const Ran ran = run("'" + program.native() + "'");
   std::filesystem::remove(program);
   if (ran.status != 0) return made_by + ",,0,0,crashed\n";

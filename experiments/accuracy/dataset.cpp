@@ -1,14 +1,14 @@
 #include "experiments/accuracy/dataset.h"
 
-#include "tetracone/covering/repair/repair.h"
-#include "tetracone/covering/io/write.h"
 #include "experiments/support/output_file.h"
 #include "experiments/support/progress.h"
 #include "tetracone/covering/io/input_error.h"
+#include "tetracone/covering/io/write.h"
+#include "tetracone/covering/repair/repair.h"
 #include "tetracone/kernel/number/number.h"
+#include "verify/cases/families.h"
 #include "verify/truth/cgal_truth.h"
 #include "verify/truth/distance_to_degeneracy.h"
-#include "verify/cases/families.h"
 #include "verify/truth/integer_truth.h"
 #include "verify/truth/predicate_truth.h"
 
@@ -235,8 +235,8 @@ void export_dataset(const std::filesystem::path& out, std::uint64_t cases, std::
         const verify::Distance from = verify::distance(predicate, p);
         predicates.add("log2_rho", of_distance(from.log2_rho));
         predicates.add("log2_ulps", of_distance(from.log2_ulps));
-        const std::pair<const char*, const kernel::Vertex*> points[] = {{"v0", &p.v[0]}, {"v1", &p.v[1]}, {"v2", &p.v[2]}, {"v3", &p.v[3]},
-                                                                        {"p", &p.p},     {"q", &p.q},     {"r", &p.r}};
+        const std::pair<const char*, const kernel::Vertex*> points[] = {
+            {"v0", &p.v[0]}, {"v1", &p.v[1]}, {"v2", &p.v[2]}, {"v3", &p.v[3]}, {"p", &p.p}, {"q", &p.q}, {"r", &p.r}};
         for (const auto& [name, point] : points)
           for (int i = 0; i < 3; ++i) predicates.add(name + std::string(1, "xyz"[i]), (*point)[i]);
         add_pose(predicates, 'a', p.pose_a);

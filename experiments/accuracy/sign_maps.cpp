@@ -1,18 +1,18 @@
 #include "experiments/accuracy/sign_maps.h"
 
-#include "experiments/support/build_info.h"
 #include "experiments/accuracy/contracted.h"
+#include "experiments/support/build_info.h"
 #include "experiments/support/output_file.h"
 #include "experiments/support/progress.h"
 #include "tetracone/kernel/predicate/frame.h"
 #include "tetracone/kernel/predicate/segment_face.h"
 #include "tetracone/tetratree/paper/classification.h"
 #include "tetracone/tetratree/paper/collision.h"
-#include "verify/truth/integer_truth.h"
 #include "verify/cases/object_placing.h"
 #include "verify/cases/shape_generators.h"
 #include "verify/subjects/predicate_subject.h"
 #include "verify/subjects/subject.h"
+#include "verify/truth/integer_truth.h"
 
 #include <tbb/parallel_for.h>
 

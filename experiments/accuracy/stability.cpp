@@ -6,8 +6,8 @@
 #include "tetracone/kernel/number/number.h"
 #include "verify/cases/exact_motion.h"
 #include "verify/cases/object_placing.h"
-#include "verify/cases/shape_generators.h"
 #include "verify/cases/random.h"
+#include "verify/cases/shape_generators.h"
 #include "verify/subjects/subject.h"
 
 #include <array>
@@ -36,7 +36,8 @@ struct Threshold {
   double in, out_of;
 };
 
-/// The last place without contact before `bracket.in`, by bisection over doubles; both ends may answer alike: then the nearer end.
+/// The last place without contact before `bracket.in`, by bisection over doubles; both ends may answer alike: then the
+/// nearer end.
 Threshold bisected(Threshold bracket, const Collides& collides)
 {
   auto in = std::bit_cast<std::int64_t>(bracket.in), out_of = std::bit_cast<std::int64_t>(bracket.out_of);

@@ -1,10 +1,10 @@
 #include "experiments/cli/collide_command.h"
 
-#include "tetracone/covering/edge_uses.h"
-#include "tetracone/covering/io/input_error.h"
 #include "experiments/support/output_file.h"
 #include "experiments/support/progress.h"
 #include "experiments/support/scene_options.h"
+#include "tetracone/covering/edge_uses.h"
+#include "tetracone/covering/io/input_error.h"
 #include "verify/cases/case_file.h"
 #include "verify/subjects/predicate_subject.h"
 #include "verify/subjects/subject.h"
@@ -48,10 +48,12 @@ struct Scene {
 Scene read_scene(const Options& options, Question question)
 {
   if (options.names.b.empty())
-    throw CLI::ValidationError("collide " + options.names.a, "expected a second model, B: only a case file, *.case.json, has both bodies");
+    throw CLI::ValidationError("collide " + options.names.a,
+                               "expected a second model, B: only a case file, *.case.json, has both bodies");
   Pose_pairs poses = read_pose_pairs(options.names);
   const bool solid = question == Question::solid && !options.features;
-  Model_file a = load_model(options.names.a, options.names.models, solid), b = load_model(options.names.b, options.names.models, solid);
+  Model_file a = load_model(options.names.a, options.names.models, solid),
+             b = load_model(options.names.b, options.names.models, solid);
   return {std::move(a), std::move(b), std::move(poses), question};
 }
 
@@ -60,7 +62,7 @@ Scene scene_of(const verify::Object_case& c, const std::string& file, Question q
   const auto body = [&](const covering::Polyhedron& polyhedron, const char* name) {
     if (must_be_solid && !covering::is_closed(polyhedron))
       throw covering::Input_error(file, 0, "body " + std::string(name) + " is an open surface and has no solid",
-                                "expected --question surface");
+                                  "expected --question surface");
     return whole_body(file, polyhedron);
   };
   return {body(*c.a, "a"), body(*c.b, "b"), {{c.pose_a}, {c.pose_b}}, question};
@@ -96,8 +98,9 @@ std::string rows_as_csv(const std::vector<Row>& rows, bool time)
     const Row& row = rows[k];
     text += std::to_string(k) + "," + std::to_string(row.answer);
     if (time)
-      text += "," + std::to_string(static_cast<long long>(row.nanoseconds)) + "," + std::to_string(row.counts.bounding_tests()) + "," +
-              std::to_string(row.counts.primitive_tests()) + "," + std::to_string(row.counts.exact_fallbacks);
+      text += "," + std::to_string(static_cast<long long>(row.nanoseconds)) + "," +
+              std::to_string(row.counts.bounding_tests()) + "," + std::to_string(row.counts.primitive_tests()) + "," +
+              std::to_string(row.counts.exact_fallbacks);
     text += "\n";
   }
   return text;
@@ -126,7 +129,8 @@ std::string features_as_text(const std::vector<std::vector<Feature_pair>>& featu
   std::string text = header;
   for (std::size_t k = 0; k < features.size(); ++k)
     for (const Feature_pair& f : features[k]) {
-      for (const auto number : {k, std::size_t(f.body), std::size_t(f.edge_from), std::size_t(f.edge_to), std::size_t(f.face)})
+      for (const auto number :
+           {k, std::size_t(f.body), std::size_t(f.edge_from), std::size_t(f.edge_to), std::size_t(f.face)})
         text += std::to_string(number) + separator;
       text += std::string(to_string(f.kind)) + "\n";
     }
@@ -139,7 +143,8 @@ std::string features_as_json(const std::vector<std::vector<Feature_pair>>& featu
   for (std::size_t k = 0; k < features.size(); ++k) {
     Json pairs = Json::array();
     for (const Feature_pair& f : features[k])
-      pairs.push_back({{"body", f.body}, {"edge", {f.edge_from, f.edge_to}}, {"face", f.face}, {"kind", to_string(f.kind)}});
+      pairs.push_back(
+          {{"body", f.body}, {"edge", {f.edge_from, f.edge_to}}, {"face", f.face}, {"kind", to_string(f.kind)}});
     json.push_back({{"pose", k}, {"features", pairs}});
   }
   return json.dump(1) + "\n";
@@ -173,7 +178,8 @@ std::string features_of(verify::Prepared_pair& pair, const Scene& scene, const O
 }
 
 /// The answers of several kernels side by side.
-std::string columns_as_text(const std::vector<std::string>& kernels, const std::vector<std::vector<Row>>& columns, const Options& options)
+std::string columns_as_text(const std::vector<std::string>& kernels, const std::vector<std::vector<Row>>& columns,
+                            const Options& options)
 {
   const bool csv = !options.csv.empty();
   Json json = Json::array();
@@ -198,7 +204,8 @@ std::string columns_as_text(const std::vector<std::string>& kernels, const std::
 Row answer_of(const verify::Case_file& c, const std::string& kernel, const std::string& file)
 {
   const auto& subjects = verify::predicate_subjects();
-  const auto subject = std::find_if(subjects.begin(), subjects.end(), [&](const auto& each) { return each.name == kernel; });
+  const auto subject =
+      std::find_if(subjects.begin(), subjects.end(), [&](const auto& each) { return each.name == kernel; });
   if (subject == subjects.end()) {
     std::string names;
     for (const auto& each : subjects) names += (names.empty() ? "" : ", ") + each.name;
@@ -207,7 +214,7 @@ Row answer_of(const verify::Case_file& c, const std::string& kernel, const std::
   const std::optional<int> answer = subject->answer(*c.predicate, *c.points);
   if (!answer)
     throw covering::Input_error(file, 0, kernel + " does not answer " + to_string(*c.predicate) + " on these points",
-                              "expected another kernel, or points of which it is asked");
+                                "expected another kernel, or points of which it is asked");
   Row row;
   row.answer = *answer;
   return row;
@@ -219,7 +226,8 @@ std::vector<std::string> kernels_of(const Options& options)
   std::vector<std::string> kernels = {options.kernel};
   for (const std::string& kernel : options.compare) {
     if (std::find(kernels.begin(), kernels.end(), kernel) != kernels.end())
-      throw CLI::ValidationError("--compare " + kernel, "expected each kernel once, and not that of --kernel, which comes first");
+      throw CLI::ValidationError("--compare " + kernel,
+                                 "expected each kernel once, and not that of --kernel, which comes first");
     kernels.push_back(kernel);
   }
   return kernels;
@@ -260,7 +268,8 @@ void run(const Options& options, bool question_is_given)
     for (const std::string& kernel : kernels) {
       const auto subject = Subject::parse(kernel, *method);
       if (!subject)
-        throw CLI::ValidationError("--kernel " + kernel, "expected adaptive, double, float, double-eps=E, epick, epeck or rational");
+        throw CLI::ValidationError("--kernel " + kernel,
+                                   "expected adaptive, double, float, double-eps=E, epick, epeck or rational");
       subjects.push_back(*subject);
     }
     if (c && !question_is_given) question = c->question;
@@ -268,13 +277,19 @@ void run(const Options& options, bool question_is_given)
     const Scene scene = c ? scene_of(*c->object, options.names.a, *question, solid) : read_scene(options, *question);
     for (const Subject& subject : subjects) {
       const auto pair = verify::prepare(subject, scene.a.polyhedron, scene.b.polyhedron);
-      if (options.features) text = features_of(*pair, scene, options);
-      else columns.push_back(ask(*pair, scene.poses, scene.question, options.time ? options.repeat : 1));
+      if (options.features)
+        text = features_of(*pair, scene, options);
+      else
+        columns.push_back(ask(*pair, scene.poses, scene.question, options.time ? options.repeat : 1));
     }
   }
-  if (!options.features) text = options.compare.empty() ? rows_as_text(columns.front(), options) : columns_as_text(kernels, columns, options);
-  if (options.csv.empty()) std::cout << text;
-  else write_whole(options.csv, text);
+  if (!options.features)
+    text =
+        options.compare.empty() ? rows_as_text(columns.front(), options) : columns_as_text(kernels, columns, options);
+  if (options.csv.empty())
+    std::cout << text;
+  else
+    write_whole(options.csv, text);
 }
 
 }  // namespace
@@ -295,14 +310,18 @@ void add_collide_command(CLI::App& app)
           ->capture_default_str();
   command->add_option("--kernel", options->kernel, "adaptive, double, float, double-eps=E, epick, epeck or rational")
       ->capture_default_str();
-  command->add_option("--compare", options->compare, "Kernels asked beside --kernel, as K,K: a column each behind its own, blanks between them; in the CSV headed by name")
+  command
+      ->add_option("--compare", options->compare,
+                   "Kernels asked beside --kernel, as K,K: a column each behind its own, blanks between them; in the "
+                   "CSV headed by name")
       ->delimiter(',')
       ->allow_extra_args(false);
   command
       ->add_option("--method", options->method,
                    "tree: the kernel's fastest; paper: Jimenez & Segura's; brute: all pairs")
       ->capture_default_str();
-  command->add_flag("--features", options->features, "All colliding pairs (edge of one, face of the other) instead of the answer");
+  command->add_flag("--features", options->features,
+                    "All colliding pairs (edge of one, face of the other) instead of the answer");
   command->add_option("--csv", options->csv, "Write a table to this file");
   command->add_flag("--json", options->json, "Write JSON to standard output");
   command->add_flag("--time", options->time, "With --csv or --json: nanoseconds and work of each pose");
@@ -310,9 +329,11 @@ void add_collide_command(CLI::App& app)
       ->capture_default_str();
   options->names.add_options_to(*command);
   command->footer(
-      "Prints 1 or 0 for each pose. With --features: a line for each pair: pose, body (0: edge of A, face of B), edge, face, kind.\n"
+      "Prints 1 or 0 for each pose. With --features: a line for each pair: pose, body (0: edge of A, face of B), edge, "
+      "face, kind.\n"
       "A case file of a predicate prints that predicate's answer.\n"
-      "With --compare double,float a line is `1 1 0`: the answers of adaptive (or of --kernel), double and float; CSV: pose,adaptive,double,float.\n"
+      "With --compare double,float a line is `1 1 0`: the answers of adaptive (or of --kernel), double and float; CSV: "
+      "pose,adaptive,double,float.\n"
       "Example: tetracone collide cat.off house.poly --pose-b poses.txt --kernel epick --csv answers.csv --time");
   command->callback([options, question] { run(*options, question->count() > 0); });
 }

@@ -1,13 +1,13 @@
 #include "experiments/cli/experiment_command.h"
 
-#include "experiments/speed/ablation_experiment.h"
 #include "experiments/accuracy/compilers.h"
 #include "experiments/accuracy/dataset.h"
-#include "experiments/report/method_figures.h"
-#include "experiments/speed/peers_experiment.h"
-#include "experiments/speed/scaling_experiment.h"
 #include "experiments/accuracy/sign_maps.h"
 #include "experiments/accuracy/stability.h"
+#include "experiments/report/method_figures.h"
+#include "experiments/speed/ablation_experiment.h"
+#include "experiments/speed/peers_experiment.h"
+#include "experiments/speed/scaling_experiment.h"
 #include "experiments/speed/study.h"
 #include "experiments/speed/threads_experiment.h"
 #include "experiments/support/draw.h"
@@ -45,7 +45,10 @@ void study(Options options)
   draw("report.py", options.study.out);
 }
 
-Race_options race(const Options& options) { return {options.study.out, models(options), options.race_frames, options.full, options.study.seed}; }
+Race_options race(const Options& options)
+{
+  return {options.study.out, models(options), options.race_frames, options.full, options.study.seed};
+}
 
 void peers(Options options) { run_peers(race(options)); }
 void scaling(Options options) { run_scaling(race(options)); }
@@ -58,23 +61,36 @@ void stability(Options options) { run_stability(options.study.out, options.full 
 
 void compilers(Options options) { run_compilers(options.study.out); }
 
-void dataset(Options options) { export_dataset(options.study.out, options.full ? 20 * options.cases : options.cases, options.study.seed); }
+void dataset(Options options)
+{
+  export_dataset(options.study.out, options.full ? 20 * options.cases : options.cases, options.study.seed);
+}
 
 struct Experiment {
   std::string_view name, question, time;
   void (*run)(Options options);
 };
 constexpr std::array experiments = {
-    Experiment{"study", "how fast and how often wrong is each kernel on the paper's trajectories and in exactly degenerate contact?", "2 min", study},
-    Experiment{"peers", "how fast are ours and FCL, CGAL, Bullet and ODE, in one run, and how often wrong?", "3 min", peers},
+    Experiment{
+        "study",
+        "how fast and how often wrong is each kernel on the paper's trajectories and in exactly degenerate contact?",
+        "2 min", study},
+    Experiment{"peers", "how fast are ours and FCL, CGAL, Bullet and ODE, in one run, and how often wrong?", "3 min",
+               peers},
     Experiment{"scaling", "how do time, build and memory grow with the triangles of one geometry?", "2 min", scaling},
-    Experiment{"ablation", "what does each choice of the paper cost, and each step to the fast tree bring?", "3 min", ablation},
-    Experiment{"threads", "how do queries on shared bodies scale with threads, while nodes are made and after?", "10 s", threads},
-    Experiment{"sign-maps", "what does each arithmetic answer at 256 x 256 neighbouring doubles about a degenerate place?", "1 min", sign_maps},
-    Experiment{"stability", "how many doubles from the exact place does each kernel change its answer?", "10 s", stability},
+    Experiment{"ablation", "what does each choice of the paper cost, and each step to the fast tree bring?", "3 min",
+               ablation},
+    Experiment{"threads", "how do queries on shared bodies scale with threads, while nodes are made and after?", "10 s",
+               threads},
+    Experiment{"sign-maps",
+               "what does each arithmetic answer at 256 x 256 neighbouring doubles about a degenerate place?", "1 min",
+               sign_maps},
+    Experiment{"stability", "how many doubles from the exact place does each kernel change its answer?", "10 s",
+               stability},
     Experiment{"method", "what do covering, cones, bounding volumes and hull of the paper look like?", "10 s", method},
     Experiment{"compilers", "which compiler flags make which signs wrong?", "1 min", compilers},
-    Experiment{"dataset", "cases of every family with their exact truth, as CSV and JSON for other libraries", "1 min", dataset},
+    Experiment{"dataset", "cases of every family with their exact truth, as CSV and JSON for other libraries", "1 min",
+               dataset},
 };
 
 void run(const Options& options)
@@ -84,9 +100,12 @@ void run(const Options& options)
     return;
   }
   if (options.name.empty()) throw CLI::RequiredError("NAME");
-  const auto chosen = std::find_if(experiments.begin(), experiments.end(), [&](const Experiment& e) { return e.name == options.name; });
-  if (chosen == experiments.end()) throw CLI::ValidationError(options.name, "expected an experiment; --list names them");
-  if (options.study.out.native().find('\'') != std::string::npos) throw CLI::ValidationError("--out", "expected a name without '");
+  const auto chosen =
+      std::find_if(experiments.begin(), experiments.end(), [&](const Experiment& e) { return e.name == options.name; });
+  if (chosen == experiments.end())
+    throw CLI::ValidationError(options.name, "expected an experiment; --list names them");
+  if (options.study.out.native().find('\'') != std::string::npos)
+    throw CLI::ValidationError("--out", "expected a name without '");
   chosen->run(options);
 }
 
@@ -100,16 +119,36 @@ void add_experiment_command(CLI::App& app)
   command->add_option("NAME", options->name, "The experiment");
   command->add_flag("--list", options->list, "Name the experiments, with the time of their default size");
   command->add_option("--out", options->study.out, "Folder of the results")->capture_default_str();
-  command->add_option("--models", options->study.models, "Folder that experiments/support/fetch_models.sh filled; default: its own");
-  command->add_option("--frames", options->study.frames, "study: poses of each trajectory")->check(poses)->capture_default_str();
-  command->add_option("--rotations", options->study.rotations, "study: poses of each degenerate scenario")->check(poses)->capture_default_str();
-  command->add_option("--race-frames", options->race_frames, "peers, scaling, ablation, threads: poses of each trajectory (peers: of each of eight circles)")->check(poses)->capture_default_str();
-  command->add_option("--size", options->size, "sign-maps: doubles along each side of a map")->check(CLI::Range(1, 4096))->capture_default_str();
-  command->add_option("--model", options->model, "method: a closed model; default: a star-shaped body of 760 triangles");
-  command->add_option("--seed", options->study.seed, "Seed of every random choice")->check(CLI::Range(0ul, 1ul << 62))->capture_default_str();
-  command->add_option("--cases", options->cases, "dataset: cases per family and level")->check(CLI::Range(1ul, 1'000'000ul))->capture_default_str();
-  command->add_flag("--full", options->full, "Twenty times as many poses or cases; peers and scaling: larger objects; ablation: all poses; stability: more ways");
-  command->footer("Stopped and started again with the same words, it goes on where it was.\nExample: tetracone experiment study --out out");
+  command->add_option("--models", options->study.models,
+                      "Folder that experiments/support/fetch_models.sh filled; default: its own");
+  command->add_option("--frames", options->study.frames, "study: poses of each trajectory")
+      ->check(poses)
+      ->capture_default_str();
+  command->add_option("--rotations", options->study.rotations, "study: poses of each degenerate scenario")
+      ->check(poses)
+      ->capture_default_str();
+  command
+      ->add_option("--race-frames", options->race_frames,
+                   "peers, scaling, ablation, threads: poses of each trajectory (peers: of each of eight circles)")
+      ->check(poses)
+      ->capture_default_str();
+  command->add_option("--size", options->size, "sign-maps: doubles along each side of a map")
+      ->check(CLI::Range(1, 4096))
+      ->capture_default_str();
+  command->add_option("--model", options->model,
+                      "method: a closed model; default: a star-shaped body of 760 triangles");
+  command->add_option("--seed", options->study.seed, "Seed of every random choice")
+      ->check(CLI::Range(0ul, 1ul << 62))
+      ->capture_default_str();
+  command->add_option("--cases", options->cases, "dataset: cases per family and level")
+      ->check(CLI::Range(1ul, 1'000'000ul))
+      ->capture_default_str();
+  command->add_flag("--full", options->full,
+                    "Twenty times as many poses or cases; peers and scaling: larger objects; ablation: all poses; "
+                    "stability: more ways");
+  command->footer(
+      "Stopped and started again with the same words, it goes on where it was.\nExample: tetracone experiment study "
+      "--out out");
   command->callback([options] { run(*options); });
 }
 

@@ -1,17 +1,17 @@
 #include "experiments/cli/fuzz_command.h"
 
-#include "tetracone/covering/edge_uses.h"
 #include "experiments/support/output_file.h"
 #include "experiments/support/progress.h"
+#include "tetracone/covering/edge_uses.h"
 #include "verify/cases/case_file.h"
 #include "verify/cases/families.h"
+#include "verify/cases/random.h"
 #include "verify/shrink/mutate.h"
+#include "verify/shrink/shrink.h"
+#include "verify/shrink/wrong_answers.h"
 #include "verify/subjects/object_subject.h"
 #include "verify/subjects/predicate_subject.h"
 #include "verify/truth/predicate_truth.h"
-#include "verify/cases/random.h"
-#include "verify/shrink/shrink.h"
-#include "verify/shrink/wrong_answers.h"
 
 #include <algorithm>
 #include <array>
@@ -135,7 +135,8 @@ class Fuzz {
   /// A line a subject and level.
   void print() const
   {
-    std::printf("%-9s  %-40s %10s %10s %10s %9s %6s\n", "level", "subject", "answers", "false +", "false -", "failures", "kinds");
+    std::printf("%-9s  %-40s %10s %10s %10s %9s %6s\n", "level", "subject", "answers", "false +", "false -", "failures",
+                "kinds");
     for (const auto& [who, tally] : tallies_)
       std::printf("%-9s  %-40s %10llu %10llu %10llu %9llu %6llu%s\n", to_string(who.first), who.second.c_str(),
                   (unsigned long long)tally.asked, (unsigned long long)tally.false_positives,
@@ -185,10 +186,13 @@ class Fuzz {
         const Outcome answer = (*each.answer)(c, question);
         if (answer == Outcome::not_asked) continue;
         Tally& mine = tally(verify::Level::object, each.subject.name, each.subject.is_exact);
-        const std::string kind = mine.add(answer == Outcome::failed ? std::nullopt : std::optional<int>(answer == Outcome::yes), truth);
-        if (kind.empty() || !is_new(each.subject.name, c.origin.family, std::string(to_string(question)), kind)) continue;
+        const std::string kind =
+            mine.add(answer == Outcome::failed ? std::nullopt : std::optional<int>(answer == Outcome::yes), truth);
+        if (kind.empty() || !is_new(each.subject.name, c.origin.family, std::string(to_string(question)), kind))
+          continue;
         ++mine.kinds;
-        const Object_case small = verify::shrink(c, question, verify::same_error(*each.answer, question, answer, truth), budget);
+        const Object_case small =
+            verify::shrink(c, question, verify::same_error(*each.answer, question, answer, truth), budget);
         const auto size = [](const Object_case& x) {
           return std::to_string(verify::face_count(x)) + " faces, " + std::to_string(verify::size_of(x).bits) + " bits";
         };
@@ -211,7 +215,8 @@ class Fuzz {
         const std::string kind = mine.add(*answer == verify::no_answer ? std::nullopt : answer, *truth);
         if (kind.empty() || !is_new(subject->name, c.origin.family, to_string(predicate), kind)) continue;
         ++mine.kinds;
-        const Predicate_case small = verify::shrink(c, verify::same_error(*subject, predicate, c, *answer, *truth), budget);
+        const Predicate_case small =
+            verify::shrink(c, verify::same_error(*subject, predicate, c, *answer, *truth), budget);
         const auto size = [](const Predicate_case& x) { return std::to_string(verify::size_of(x).bits) + " bits"; };
         write(verify::case_file_of(small, predicate, *subject, *answer), name_, size(c) + " -> " + size(small));
       }
@@ -219,7 +224,8 @@ class Fuzz {
     return true;
   }
 
-  bool is_new(const std::string& subject, const std::string& family, const std::string& question, const std::string& kind)
+  bool is_new(const std::string& subject, const std::string& family, const std::string& question,
+              const std::string& kind)
   {
     name_ = file_safe(subject + "-" + family + "-" + question + "-" + kind) + ".case.json";
     return names_.insert(name_).second;
@@ -247,7 +253,8 @@ class Fuzz {
 
 void run(const Options& options)
 {
-  if (!(options.seconds >= 0 && options.seconds <= 1e9)) throw CLI::ValidationError("--seconds", "expected a number from 0 to 1e9");
+  if (!(options.seconds >= 0 && options.seconds <= 1e9))
+    throw CLI::ValidationError("--seconds", "expected a number from 0 to 1e9");
   bool exact_was_wrong = false;
   {
     Fuzz fuzz(options);
@@ -262,10 +269,13 @@ void run(const Options& options)
 
 void add_fuzz_command(CLI::App& app)
 {
-  CLI::App* command = app.add_subcommand("fuzz", "New wrong answers on fresh and mutated cases, shrunk, each a case file");
+  CLI::App* command =
+      app.add_subcommand("fuzz", "New wrong answers on fresh and mutated cases, shrunk, each a case file");
   const auto options = std::make_shared<Options>();
   command->add_option("--seconds", options->seconds, "Time to spend")->capture_default_str();
-  command->add_option("--seed", options->seed, "Seed of all cases")->capture_default_str()->check(CLI::Range(0ul, 1ul << 62));
+  command->add_option("--seed", options->seed, "Seed of all cases")
+      ->capture_default_str()
+      ->check(CLI::Range(0ul, 1ul << 62));
   command->add_option(
       "--subject", options->subject,
       "Only this subject, or those whose names begin so; default: the trees of double, float, epick and adaptive");

@@ -1,8 +1,8 @@
 #include "experiments/cli/inside_command.h"
 
-#include "tetracone/covering/io/read_points.h"
 #include "experiments/support/model_file.h"
 #include "experiments/support/progress.h"
+#include "tetracone/covering/io/read_points.h"
 #include "tetracone/tetratree/paper/placed_tree.h"
 
 #include <algorithm>
@@ -36,7 +36,8 @@ void run(const Options& options)
     const bool fractions = std::ranges::any_of(p, [](const covering::Number& x) { return x.fraction.has_value(); });
     covering::Location at;
     if (fractions) {
-      const kernel::Pose translation(std::array<kernel::Rational, 12>{1, 0, 0, p[0].exact(), 0, 1, 0, p[1].exact(), 0, 0, 1, p[2].exact()});
+      const kernel::Pose translation(
+          std::array<kernel::Rational, 12>{1, 0, 0, p[0].exact(), 0, 1, 0, p[1].exact(), 0, 0, 1, p[2].exact()});
       at = placed.locate(K::placed({0, 0, 0}, translation));
     } else {
       at = placed.locate(K::unmoved({p[0].nearest, p[1].nearest, p[2].nearest}));
@@ -51,10 +52,14 @@ void run(const Options& options)
 
 void add_inside_command(CLI::App& app)
 {
-  CLI::App* command = app.add_subcommand("inside", "Where points are: 1 inside the solid, 0 on its surface, -1 outside");
+  CLI::App* command =
+      app.add_subcommand("inside", "Where points are: 1 inside the solid, 0 on its surface, -1 outside");
   const auto options = std::make_shared<Options>();
   command->add_option("MODEL", options->model, "A closed model: OFF, OBJ, PLY, STL or TetGen .poly")->required();
-  command->add_option("POINTS", options->points, "Points: one a line, three numbers, decimals or fractions n/d; '#' comments")->required();
+  command
+      ->add_option("POINTS", options->points,
+                   "Points: one a line, three numbers, decimals or fractions n/d; '#' comments")
+      ->required();
   options->models.add_to(*command);
   command->footer("One line a point. Example: tetracone inside house.poly points.txt");
   command->callback([options] { run(*options); });

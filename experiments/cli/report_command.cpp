@@ -1,11 +1,11 @@
 #include "experiments/cli/report_command.h"
 
+#include "experiments/peers/peer.h"
 #include "experiments/support/draw.h"
 #include "experiments/support/output_file.h"
-#include "experiments/peers/peer.h"
 #include "verify/campaign/campaign.h"
-#include "verify/subjects/predicate_subject.h"
 #include "verify/campaign/tables.h"
+#include "verify/subjects/predicate_subject.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -29,7 +29,8 @@ std::string notes_as_csv()
     if (!note.empty()) csv += level + "," + subject + ",\"" + note + "\"\n";
   };
   for (const Peer& peer : peers()) add("object", peer.name, peer.note);
-  for (const verify::Predicate_subject& subject : verify::predicate_subjects()) add("predicate", subject.name, subject.note);
+  for (const verify::Predicate_subject& subject : verify::predicate_subjects())
+    add("predicate", subject.name, subject.note);
   return csv;
 }
 
@@ -63,9 +64,14 @@ void add_report_command(CLI::App& app)
   const auto options = std::make_shared<Options>();
   command->add_option("DB", options->db, "Database that `tetracone verify` wrote")->required();
   command->add_option("--table", options->table, "Print this one table as CSV");
-  command->add_option("--out", options->out, "Folder of the results: OUT/report.html, and each table as OUT/tables/verify_NAME.csv")->capture_default_str();
+  command
+      ->add_option("--out", options->out,
+                   "Folder of the results: OUT/report.html, and each table as OUT/tables/verify_NAME.csv")
+      ->capture_default_str();
   std::string footer = "Tables:";
-  for (const auto& [name, what] : verify::tables()) footer += "\n  " + std::string(name) + std::string(12 - std::min<std::size_t>(11, name.size()), ' ') + std::string(what);
+  for (const auto& [name, what] : verify::tables())
+    footer +=
+        "\n  " + std::string(name) + std::string(12 - std::min<std::size_t>(11, name.size()), ' ') + std::string(what);
   command->footer(footer + "\nExample: tetracone report out/verify.db --table errors");
   command->callback([options] { run(*options); });
 }

@@ -5,7 +5,8 @@
 
 namespace tetracone::experiments {
 
-/// `tetracone report`: the tables of a campaign's database, what is noted of other libraries and formulations, and the page.
+/// `tetracone report`: the tables of a campaign's database, what is noted of other libraries and formulations, and the
+/// page.
 void add_report_command(CLI::App& app);
 
 }  // namespace tetracone::experiments

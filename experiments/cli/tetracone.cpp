@@ -8,12 +8,12 @@
 #include "experiments/cli/experiment_command.h"
 #include "experiments/cli/fuzz_command.h"
 #include "experiments/cli/inside_command.h"
-#include "experiments/peers/peer_worker.h"
 #include "experiments/cli/report_command.h"
 #include "experiments/cli/verify_command.h"
 #include "experiments/cli/view_command.h"
-#include "tetracone/kernel/number/floating_point.h"
+#include "experiments/peers/peer_worker.h"
 #include "tetracone/covering/io/input_error.h"
+#include "tetracone/kernel/number/floating_point.h"
 
 #include <CLI/CLI.hpp>
 
@@ -41,7 +41,8 @@ int complain(std::string message)
 int finish(int status)
 {
   if (std::cout.flush() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
-  return complain("standard output cannot be written: " + std::generic_category().message(errno) + "; expected a file or a reader that takes all");
+  return complain("standard output cannot be written: " + std::generic_category().message(errno) +
+                  "; expected a file or a reader that takes all");
 }
 
 constexpr const char* empty_word = "an empty word; expected a value";

@@ -1,8 +1,8 @@
 #include "experiments/cli/verify_command.h"
 
+#include "experiments/peers/peers.h"
 #include "experiments/support/build_info.h"
 #include "experiments/support/output_file.h"
-#include "experiments/peers/peers.h"
 #include "experiments/support/progress.h"
 #include "verify/campaign/campaign.h"
 #include "verify/cases/case_file.h"
@@ -35,17 +35,22 @@ struct Options {
 void parse_shard(const std::string& text, Campaign& campaign)
 {
   int i = 0, n = 0, end = 0;
-  if (std::sscanf(text.c_str(), "%d/%d%n", &i, &n, &end) != 2 || end != int(text.size()) || i < 0 || n <= i || n > 1'000'000)
+  if (std::sscanf(text.c_str(), "%d/%d%n", &i, &n, &end) != 2 || end != int(text.size()) || i < 0 || n <= i ||
+      n > 1'000'000)
     throw CLI::ValidationError("--shard " + text, "expected i/n with 0 <= i < n");
   campaign.shard = i, campaign.shards = n;
 }
 
 /// The subject of that name, or all whose names begin with it and a space.
-bool is_named(const std::string& subject, const std::string& name) { return subject == name || subject.starts_with(name + " "); }
+bool is_named(const std::string& subject, const std::string& name)
+{
+  return subject == name || subject.starts_with(name + " ");
+}
 
 /// Those of the list that one of the names stands for. Marks the names that stood for one.
 template <class Subject>
-std::vector<Subject> chosen(const std::vector<Subject>& all, const std::vector<std::string>& names, std::set<std::string>& known)
+std::vector<Subject> chosen(const std::vector<Subject>& all, const std::vector<std::string>& names,
+                            std::set<std::string>& known)
 {
   if (names.empty()) return all;
   std::vector<Subject> some;
@@ -61,7 +66,8 @@ std::vector<Subject> chosen(const std::vector<Subject>& all, const std::vector<s
 void choose_subjects(const Options& options, Campaign& campaign)
 {
   auto objects = verify::object_subjects();
-  for (auto& peer : peer_subjects(std::filesystem::read_symlink("/proc/self/exe").native())) objects.push_back(std::move(peer));
+  for (auto& peer : peer_subjects(std::filesystem::read_symlink("/proc/self/exe").native()))
+    objects.push_back(std::move(peer));
   std::set<std::string> known;
   campaign.predicate_subjects = chosen(verify::predicate_subjects(), options.subjects, known);
   campaign.object_subjects = chosen(objects, options.subjects, known);
@@ -94,9 +100,12 @@ void choose_families(const Options& options, Campaign& campaign)
 void choose_sizes(const Options& options, Campaign& campaign)
 {
   if (options.cases != 0) campaign.predicate_cases = campaign.object_cases = options.cases;
-  if (options.level == "predicate") campaign.object_cases = 0, campaign.sequence_frames = 0;
-  else if (options.level == "object") campaign.predicate_cases = 0;
-  else if (!options.level.empty()) throw CLI::ValidationError("--level " + options.level, "expected predicate or object");
+  if (options.level == "predicate")
+    campaign.object_cases = 0, campaign.sequence_frames = 0;
+  else if (options.level == "object")
+    campaign.predicate_cases = 0;
+  else if (!options.level.empty())
+    throw CLI::ValidationError("--level " + options.level, "expected predicate or object");
 }
 
 /// Keeps the case on which the truths disagree beside the database.
@@ -128,16 +137,21 @@ bool print_summary(Database& database, const Campaign& campaign)
     if (subject.is_exact) exact.insert("predicate " + subject.name);
   for (const auto& subject : campaign.object_subjects)
     if (subject.is_exact) exact.insert("object " + subject.name);
-  Database::Statement rows(database, "SELECT level, subject, sum(n), sum(false_positives), sum(false_negatives), sum(failures), sum(not_asked) FROM tally "
-                                     "JOIN run ON run = id WHERE axis = 'rho' AND seed = ?1 GROUP BY level, subject ORDER BY level, subject");
+  Database::Statement rows(
+      database,
+      "SELECT level, subject, sum(n), sum(false_positives), sum(false_negatives), sum(failures), sum(not_asked) FROM "
+      "tally "
+      "JOIN run ON run = id WHERE axis = 'rho' AND seed = ?1 GROUP BY level, subject ORDER BY level, subject");
   bool exact_was_wrong = false;
-  std::printf("%-9s  %-40s %10s %10s %10s %9s %9s\n", "level", "subject", "answers", "false +", "false -", "failures", "not asked");
+  std::printf("%-9s  %-40s %10s %10s %10s %9s %9s\n", "level", "subject", "answers", "false +", "false -", "failures",
+              "not asked");
   for (rows.with(campaign.seed); rows.next();) {
     const std::string name = rows.text(0) + " " + rows.text(1);
     const bool wrong = rows.integer(3) + rows.integer(4) + rows.integer(5) > 0;
     exact_was_wrong = exact_was_wrong || (wrong && exact.contains(name));
-    std::printf("%-9s  %-40s %10lld %10lld %10lld %9lld %9lld%s\n", rows.text(0).c_str(), rows.text(1).c_str(), (long long)rows.integer(2),
-                (long long)rows.integer(3), (long long)rows.integer(4), (long long)rows.integer(5), (long long)rows.integer(6),
+    std::printf("%-9s  %-40s %10lld %10lld %10lld %9lld %9lld%s\n", rows.text(0).c_str(), rows.text(1).c_str(),
+                (long long)rows.integer(2), (long long)rows.integer(3), (long long)rows.integer(4),
+                (long long)rows.integer(5), (long long)rows.integer(6),
                 exact.contains(name) ? wrong ? "  exact, and WRONG" : "  exact" : "");
   }
   return exact_was_wrong;
@@ -171,18 +185,32 @@ void run(Options options)
 
 void add_verify_command(CLI::App& app)
 {
-  CLI::App* command = app.add_subcommand("verify", "A campaign: every subject on every family of cases, against two exact truths");
+  CLI::App* command =
+      app.add_subcommand("verify", "A campaign: every subject on every family of cases, against two exact truths");
   const auto options = std::make_shared<Options>();
   command->add_option("--db", options->db, "Database of the results (SQLite)")->capture_default_str();
-  command->add_option("--cases", options->cases, "Cases per family and level; default: 400 of predicates, 24 of objects")->check(CLI::Range(1ul, 1'000'000'000ul));
-  command->add_option("--seed", options->campaign.seed, "Seed of all cases")->capture_default_str()->check(CLI::Range(0ul, 1ul << 62));
-  command->add_option("--shard", options->shard, "i/n: every n-th batch from batch i; `tetracone merge` joins the databases")->capture_default_str();
+  command
+      ->add_option("--cases", options->cases, "Cases per family and level; default: 400 of predicates, 24 of objects")
+      ->check(CLI::Range(1ul, 1'000'000'000ul));
+  command->add_option("--seed", options->campaign.seed, "Seed of all cases")
+      ->capture_default_str()
+      ->check(CLI::Range(0ul, 1ul << 62));
+  command
+      ->add_option("--shard", options->shard,
+                   "i/n: every n-th batch from batch i; `tetracone merge` joins the databases")
+      ->capture_default_str();
   command->add_option("--family", options->families, "Only this family; may be given again")->allow_extra_args(false);
-  command->add_option("--subject", options->subjects, "Only this subject, or a kernel with all its methods; may be given again")->allow_extra_args(false);
+  command
+      ->add_option("--subject", options->subjects,
+                   "Only this subject, or a kernel with all its methods; may be given again")
+      ->allow_extra_args(false);
   command->add_option("--level", options->level, "Only this level: predicate or object");
-  command->add_option("--frames", options->campaign.sequence_frames, "Frames of each sequence of exact contact")->capture_default_str()->check(CLI::Range(0, 100'000));
+  command->add_option("--frames", options->campaign.sequence_frames, "Frames of each sequence of exact contact")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 100'000));
   command->footer(
-      "Run again with the same words, it goes on where it was; with more cases or other subjects, it adds what is missing.\n"
+      "Run again with the same words, it goes on where it was; with more cases or other subjects, it adds what is "
+      "missing.\n"
       "Exit status 1: an exact subject was wrong, or the truths disagree.\n"
       "Example: tetracone verify --db out/verify.db --family sliver --subject double");
   command->callback([options] { run(*options); });
@@ -198,7 +226,9 @@ void add_merge_command(CLI::App& app)
   const auto files = std::make_shared<Files>();
   command->add_option("INTO", files->into, "Database that takes all; made when it is not there")->required();
   command->add_option("FROM", files->from, "Databases of `tetracone verify`")->required();
-  command->footer("A batch that both have is refused, and nothing of that file is taken.\nExample: tetracone merge all.db shard0.db shard1.db");
+  command->footer(
+      "A batch that both have is refused, and nothing of that file is taken.\nExample: tetracone merge all.db "
+      "shard0.db shard1.db");
   command->callback([files] {
     // Nothing is made before all are known to be what they should.
     for (const std::string& from : files->from) {

@@ -25,8 +25,10 @@ std::string safe_in_script(const std::string& json)
 {
   std::string text;
   for (const char c : json) {
-    if (c == '<') text += "\\u003c";
-    else text += c;
+    if (c == '<')
+      text += "\\u003c";
+    else
+      text += c;
   }
   return text;
 }
@@ -54,7 +56,8 @@ void run(const Options& options)
   const auto method = verify::parse_method(options.method);
   if (!method) throw CLI::ValidationError("--method " + options.method, "expected tree, paper or brute");
   if (viewer::three_js.empty())
-    throw std::runtime_error("view was built without three.js; expected Debian's libjs-three where this program was configured");
+    throw std::runtime_error(
+        "view was built without three.js; expected Debian's libjs-three where this program was configured");
 
   options.names.refuse_as_output(options.out);
   const View_scene scene = read_view_scene(options.names, question);
@@ -75,19 +78,27 @@ void add_view_command(CLI::App& app)
   CLI::App* command = app.add_subcommand("view", "One self-contained page in 3D of a case or of models under poses");
   const auto options = std::make_shared<Options>();
   Scene_names& names = options->names;
-  command->add_option("A", names.a, "Model: OFF, OBJ, PLY, STL or TetGen .poly; or a case file, *.case.json, that holds all")->required();
+  command
+      ->add_option("A", names.a,
+                   "Model: OFF, OBJ, PLY, STL or TetGen .poly; or a case file, *.case.json, that holds all")
+      ->required();
   command->add_option("B", names.b, "Model; without it A is shown alone");
   command->add_option("--out", options->out, "The page, FILE.html")->required();
   command->add_option("--question", options->question, "solid or surface; default: solid, or the case file's own");
   command
       ->add_option("--kernel", options->kernel,
-                   "Whose answers are compared with the exact ones: adaptive, double, float, double-eps=E, epick, epeck or rational")
+                   "Whose answers are compared with the exact ones: adaptive, double, float, double-eps=E, epick, "
+                   "epeck or rational")
       ->capture_default_str();
-  command->add_option("--method", options->method, "tree: the kernel's fastest; paper: Jimenez & Segura's; brute: all pairs")->capture_default_str();
+  command
+      ->add_option("--method", options->method,
+                   "tree: the kernel's fastest; paper: Jimenez & Segura's; brute: all pairs")
+      ->capture_default_str();
   names.add_options_to(*command);
   command->footer(
       "Of more than 50,000 triangles in all the page shows bodies and answers alone; more than 1,000,000 are refused.\n"
-      "Wrong answers of the kernel are marked on the time line, and the pairs of features that it loses or invents in the picture.\n"
+      "Wrong answers of the kernel are marked on the time line, and the pairs of features that it loses or invents in "
+      "the picture.\n"
       "Example: tetracone view cat.off house.poly --pose-b poses.txt --kernel float --out scene.html");
   command->callback([options] { run(*options); });
 }

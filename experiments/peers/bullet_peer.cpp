@@ -16,8 +16,9 @@ class Body {
       for (const double x : v) coordinates_.push_back(static_cast<btScalar>(x));
     for (const auto& triangle : mesh.triangles)
       for (const covering::Index corner : triangle) corners_.push_back(static_cast<int>(corner));
-    array_ = std::make_unique<btTriangleIndexVertexArray>(static_cast<int>(mesh.triangles.size()), corners_.data(), 3 * sizeof(int),
-                                                          static_cast<int>(mesh.vertices.size()), coordinates_.data(), 3 * sizeof(btScalar));
+    array_ = std::make_unique<btTriangleIndexVertexArray>(static_cast<int>(mesh.triangles.size()), corners_.data(),
+                                                          3 * sizeof(int), static_cast<int>(mesh.vertices.size()),
+                                                          coordinates_.data(), 3 * sizeof(btScalar));
     shape_ = std::make_unique<btGImpactMeshShape>(array_.get());
     shape_->setMargin(0);
     shape_->updateBound();
@@ -27,7 +28,8 @@ class Body {
   const btCollisionObject& placed(const kernel::Pose& pose)
   {
     const auto entry = [&pose](int row, int column) { return static_cast<btScalar>(pose[4 * row + column]); };
-    const btMatrix3x3 m(entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 0), entry(1, 1), entry(1, 2), entry(2, 0), entry(2, 1), entry(2, 2));
+    const btMatrix3x3 m(entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 0), entry(1, 1), entry(1, 2), entry(2, 0),
+                        entry(2, 1), entry(2, 2));
     object_.setWorldTransform(btTransform(m, btVector3(entry(0, 3), entry(1, 3), entry(2, 3))));
     return object_;
   }
@@ -44,12 +46,18 @@ class Body {
 struct Any_contact : btManifoldResult {
   using btManifoldResult::btManifoldResult;
   bool found = false;
-  void addContactPoint(const btVector3&, const btVector3&, btScalar distance) override { found = found || distance <= 0; }
+  void addContactPoint(const btVector3&, const btVector3&, btScalar distance) override
+  {
+    found = found || distance <= 0;
+  }
 };
 
 class Bullet_pair : public Peer_pair {
  public:
-  Bullet_pair(const Peer_mesh& a, const Peer_mesh& b) : a_(a), b_(b) { btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher_); }
+  Bullet_pair(const Peer_mesh& a, const Peer_mesh& b) : a_(a), b_(b)
+  {
+    btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher_);
+  }
 
   bool collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, kernel::Question) override
   {
@@ -57,7 +65,8 @@ class Bullet_pair : public Peer_pair {
     const btCollisionObjectWrapper wrapped_a(nullptr, a.getCollisionShape(), &a, a.getWorldTransform(), -1, -1);
     const btCollisionObjectWrapper wrapped_b(nullptr, b.getCollisionShape(), &b, b.getWorldTransform(), -1, -1);
     // Not btCollisionWorld::contactPairTest: it asks for closest points, for which GImpact does not register.
-    btCollisionAlgorithm* const algorithm = dispatcher_.findAlgorithm(&wrapped_a, &wrapped_b, nullptr, BT_CONTACT_POINT_ALGORITHMS);
+    btCollisionAlgorithm* const algorithm =
+        dispatcher_.findAlgorithm(&wrapped_a, &wrapped_b, nullptr, BT_CONTACT_POINT_ALGORITHMS);
     Any_contact contact(&wrapped_a, &wrapped_b);
     algorithm->processCollision(&wrapped_a, &wrapped_b, btDispatcherInfo(), &contact);
     algorithm->~btCollisionAlgorithm();
@@ -73,6 +82,9 @@ class Bullet_pair : public Peer_pair {
 
 }  // namespace
 
-std::unique_ptr<Peer_pair> prepare_bullet(const Peer_mesh& a, const Peer_mesh& b) { return std::make_unique<Bullet_pair>(a, b); }
+std::unique_ptr<Peer_pair> prepare_bullet(const Peer_mesh& a, const Peer_mesh& b)
+{
+  return std::make_unique<Bullet_pair>(a, b);
+}
 
 }  // namespace tetracone::experiments

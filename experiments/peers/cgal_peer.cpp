@@ -28,7 +28,9 @@ std::optional<Mesh<K>> surface_mesh(const Peer_mesh& mesh)
 template <class K>
 class Cgal_pair : public Peer_pair {
  public:
-  Cgal_pair(Mesh<K> a, Mesh<K> b) : a_(std::move(a)), b_(std::move(b)), id_a_(collision_.add_mesh(a_)), id_b_(collision_.add_mesh(b_)) {}
+  Cgal_pair(Mesh<K> a, Mesh<K> b)
+      : a_(std::move(a)), b_(std::move(b)), id_a_(collision_.add_mesh(a_)), id_b_(collision_.add_mesh(b_))
+  {}
 
   bool collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, kernel::Question question) override
   {
@@ -59,7 +61,13 @@ std::unique_ptr<Peer_pair> prepare(const Peer_mesh& a, const Peer_mesh& b)
 
 }  // namespace
 
-std::unique_ptr<Peer_pair> prepare_cgal_epick(const Peer_mesh& a, const Peer_mesh& b) { return prepare<kernel::Epick>(a, b); }
-std::unique_ptr<Peer_pair> prepare_cgal_epeck(const Peer_mesh& a, const Peer_mesh& b) { return prepare<kernel::Epeck>(a, b); }
+std::unique_ptr<Peer_pair> prepare_cgal_epick(const Peer_mesh& a, const Peer_mesh& b)
+{
+  return prepare<kernel::Epick>(a, b);
+}
+std::unique_ptr<Peer_pair> prepare_cgal_epeck(const Peer_mesh& a, const Peer_mesh& b)
+{
+  return prepare<kernel::Epeck>(a, b);
+}
 
 }  // namespace tetracone::experiments

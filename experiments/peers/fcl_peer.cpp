@@ -45,14 +45,14 @@ class Fcl_pair : public Peer_pair {
  public:
   Fcl_pair(const Peer_mesh& a, const Peer_mesh& b, double scale_b)
       : a_(build<Volume>(a, 1)), b_(build<Volume>(b, scale_b)), scale_b_(scale_b)
-  {
-  }
+  {}
 
   bool collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, kernel::Question) override
   {
     const fcl::CollisionRequestd request(1, false);
     fcl::CollisionResultd result;
-    return fcl::collide<double>(a_.get(), transform(pose_a, 1), b_.get(), transform(pose_b, scale_b_), request, result) > 0;
+    return fcl::collide<double>(a_.get(), transform(pose_a, 1), b_.get(), transform(pose_b, scale_b_), request,
+                                result) > 0;
   }
 
   std::size_t bytes() const { return a_->memUsage(false) + b_->memUsage(false); }
@@ -71,7 +71,9 @@ Peer_mesh mesh_of(const covering::Polyhedron& polyhedron)
 
 class Studied : public verify::Prepared_pair {
  public:
-  Studied(const covering::Polyhedron& a, const covering::Polyhedron& b, double scale_b) : pair_(mesh_of(a), mesh_of(b), scale_b) {}
+  Studied(const covering::Polyhedron& a, const covering::Polyhedron& b, double scale_b)
+      : pair_(mesh_of(a), mesh_of(b), scale_b)
+  {}
 
   bool collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, kernel::Question question) override
   {
@@ -98,7 +100,8 @@ std::unique_ptr<Peer_pair> prepare_fcl_aabb(const Peer_mesh& a, const Peer_mesh&
   return std::make_unique<Fcl_pair<fcl::AABBd>>(a, b, 1);
 }
 
-std::unique_ptr<verify::Prepared_pair> prepare_fcl(const covering::Polyhedron& a, const covering::Polyhedron& b, double scale_b)
+std::unique_ptr<verify::Prepared_pair> prepare_fcl(const covering::Polyhedron& a, const covering::Polyhedron& b,
+                                                   double scale_b)
 {
   return std::make_unique<Studied>(a, b, scale_b);
 }

@@ -1,5 +1,5 @@
-#include "tetracone/covering/repair/repair.h"
 #include "experiments/peers/peer.h"
+#include "tetracone/covering/repair/repair.h"
 #include "tetracone/kernel/predicate/signs.h"
 
 #include <ccd/ccd.h>
@@ -9,8 +9,8 @@ namespace {
 
 using kernel::Adaptive;
 
-/// True when the mesh bounds the convex hull of its vertices: it closes, and every face has all vertices on its plane or on one side,
-/// the same for every face. (Then each face is on the hull's boundary, and nothing cancels.) Exact.
+/// True when the mesh bounds the convex hull of its vertices: it closes, and every face has all vertices on its plane
+/// or on one side, the same for every face. (Then each face is on the hull's boundary, and nothing cancels.) Exact.
 bool is_convex(const Peer_mesh& mesh)
 {
   if (!covering::repair::boundary_of(mesh.triangles).empty()) return false;
@@ -50,8 +50,11 @@ void support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* farthe
   const Body& body = *static_cast<const Body*>(object);
   const auto& m = body.pose->entries();
   kernel::Vertex turned;  // the direction in the body's frame
-  for (int k = 0; k < 3; ++k) turned[k] = m[k] * direction->v[0] + m[4 + k] * direction->v[1] + m[8 + k] * direction->v[2];
-  const auto along = [&turned](const kernel::Vertex& v) { return turned[0] * v[0] + turned[1] * v[1] + turned[2] * v[2]; };
+  for (int k = 0; k < 3; ++k)
+    turned[k] = m[k] * direction->v[0] + m[4 + k] * direction->v[1] + m[8 + k] * direction->v[2];
+  const auto along = [&turned](const kernel::Vertex& v) {
+    return turned[0] * v[0] + turned[1] * v[1] + turned[2] * v[2];
+  };
   const kernel::Vertex* best = &body.vertices.front();
   for (const auto& v : body.vertices)
     if (along(v) > along(*best)) best = &v;
@@ -96,7 +99,13 @@ std::unique_ptr<Peer_pair> prepare(const Peer_mesh& a, const Peer_mesh& b, Libcc
 
 }  // namespace
 
-std::unique_ptr<Peer_pair> prepare_libccd_gjk(const Peer_mesh& a, const Peer_mesh& b) { return prepare(a, b, ccdGJKIntersect); }
-std::unique_ptr<Peer_pair> prepare_libccd_mpr(const Peer_mesh& a, const Peer_mesh& b) { return prepare(a, b, ccdMPRIntersect); }
+std::unique_ptr<Peer_pair> prepare_libccd_gjk(const Peer_mesh& a, const Peer_mesh& b)
+{
+  return prepare(a, b, ccdGJKIntersect);
+}
+std::unique_ptr<Peer_pair> prepare_libccd_mpr(const Peer_mesh& a, const Peer_mesh& b)
+{
+  return prepare(a, b, ccdMPRIntersect);
+}
 
 }  // namespace tetracone::experiments

@@ -13,8 +13,8 @@ class Body {
     for (const auto& triangle : mesh.triangles)
       for (const covering::Index corner : triangle) corners_.push_back(static_cast<dTriIndex>(corner));
     data_ = dGeomTriMeshDataCreate();
-    dGeomTriMeshDataBuildDouble(data_, vertices_.data(), sizeof(kernel::Vertex), static_cast<int>(vertices_.size()), corners_.data(),
-                                static_cast<int>(corners_.size()), 3 * sizeof(dTriIndex));
+    dGeomTriMeshDataBuildDouble(data_, vertices_.data(), sizeof(kernel::Vertex), static_cast<int>(vertices_.size()),
+                                corners_.data(), static_cast<int>(corners_.size()), 3 * sizeof(dTriIndex));
     geometry_ = dCreateTriMesh(nullptr, data_, nullptr, nullptr, nullptr);
   }
   Body(const Body&) = delete;

@@ -20,8 +20,8 @@ struct Peer_mesh {
   std::vector<std::array<covering::Index, 3>> triangles;
 };
 
-/// The polyhedron's faces triangulated by constrained Delaunay triangulation, a degenerate face by a fan. Nothing where a face cannot be
-/// triangulated (its loops touch themselves or each other), or there is no triangle at all.
+/// The polyhedron's faces triangulated by constrained Delaunay triangulation, a degenerate face by a fan. Nothing where
+/// a face cannot be triangulated (its loops touch themselves or each other), or there is no triangle at all.
 std::optional<Peer_mesh> peer_mesh(const covering::Polyhedron& polyhedron);
 
 /// True when the pose's doubles are a rotation and a translation: rows orthonormal to 1e-9, and no reflection.
@@ -39,8 +39,8 @@ class Peer_pair {
 /// A library with one of its ways to answer.
 struct Peer {
   std::string name;
-  std::string note;     ///< the question that it really answers, its number type and its tolerance
-  bool solids_only;     ///< it knows solids and no surfaces: `Question::surface` is not asked
+  std::string note;  ///< the question that it really answers, its number type and its tolerance
+  bool solids_only;  ///< it knows solids and no surfaces: `Question::surface` is not asked
 
   /// Null when the peer does not take such meshes.
   std::unique_ptr<Peer_pair> (*prepare)(const Peer_mesh& a, const Peer_mesh& b);

@@ -20,7 +20,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Starts it with `socket` as standard input and no other file of ours; what libraries print goes nowhere. An error number, or 0.
+/// Starts it with `socket` as standard input and no other file of ours; what libraries print goes nowhere. An error
+/// number, or 0.
 int start(const std::string& program, const std::string& name, int socket, pid_t& child)
 {
   posix_spawn_file_actions_t files;
@@ -72,7 +73,8 @@ void Peer_process::stop()
 {
   ::close(socket_);
   ::kill(child_, SIGKILL);
-  while (::waitpid(child_, nullptr, 0) < 0 && errno == EINTR) {}
+  while (::waitpid(child_, nullptr, 0) < 0 && errno == EINTR) {
+  }
 }
 
 std::optional<char> Peer_process::ask(const std::string& message, Deadline deadline)
@@ -85,10 +87,12 @@ bool Peer_process::send(const std::string& message, Deadline deadline)
 {
   for (std::size_t sent = 0; sent < message.size();) {
     const ssize_t part = ::send(socket_, message.data() + sent, message.size() - sent, MSG_NOSIGNAL | MSG_DONTWAIT);
-    if (part >= 0) sent += static_cast<std::size_t>(part);
+    if (part >= 0)
+      sent += static_cast<std::size_t>(part);
     else if (errno == EAGAIN) {
       if (!wait_for(POLLOUT, deadline)) return false;
-    } else if (errno != EINTR) return false;
+    } else if (errno != EINTR)
+      return false;
   }
   return true;
 }

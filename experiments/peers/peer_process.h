@@ -20,7 +20,8 @@ class Peer_process {
   Peer_process(const Peer_process&) = delete;
   Peer_process& operator=(const Peer_process&) = delete;
 
-  /// Sends the message and waits for the byte that answers it; nothing when the child dies or the deadline passes first.
+  /// Sends the message and waits for the byte that answers it; nothing when the child dies or the deadline passes
+  /// first.
   std::optional<char> ask(const std::string& message, Deadline deadline);
 
  private:

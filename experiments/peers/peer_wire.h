@@ -20,18 +20,15 @@ enum class Message : char { models = 'm', question = 'q' };
 enum class Answer : char { ready = 'r', no = '0', yes = '1', not_taken = 'n', failed = 'f' };
 
 template <class T>
-  requires std::is_trivially_copyable_v<T>
+requires std::is_trivially_copyable_v<T>
 void append(std::string& bytes, const T* values, std::size_t count)
 {
   bytes.append(reinterpret_cast<const char*>(values), count * sizeof(T));
 }
 
 template <class T>
-  requires std::is_trivially_copyable_v<T>
-void append(std::string& bytes, const T& value)
-{
-  append(bytes, &value, 1);
-}
+requires std::is_trivially_copyable_v<T>
+void append(std::string& bytes, const T& value) { append(bytes, &value, 1); }
 
 inline void append(std::string& bytes, const covering::Polyhedron& polyhedron)
 {

@@ -109,7 +109,10 @@ struct Misbehaving : Peer_pair {
     if (question == kernel::Question::surface) misbehave();
     return false;
   }
-  static std::unique_ptr<Peer_pair> prepare(const Peer_mesh&, const Peer_mesh&) { return std::make_unique<Misbehaving>(); }
+  static std::unique_ptr<Peer_pair> prepare(const Peer_mesh&, const Peer_mesh&)
+  {
+    return std::make_unique<Misbehaving>();
+  }
 };
 
 void crash() { std::abort(); }
@@ -127,18 +130,20 @@ std::optional<Peer> find_peer(const std::string& name)
   return std::nullopt;
 }
 
-/// Dies with its parent even while a peer hangs: when the socket's other end goes. (A signal at the parent's death, by prctl, comes at the
-/// death of the thread that started us, and a campaign's threads come and go.)
+/// Dies with its parent even while a peer hangs: when the socket's other end goes. (A signal at the parent's death, by
+/// prctl, comes at the death of the thread that started us, and a campaign's threads come and go.)
 void die_with_parent()
 {
   std::thread([] {
     pollfd socket = {STDIN_FILENO, 0, 0};  // a hang-up is told unasked
-    while (::poll(&socket, 1, -1) <= 0) {}
+    while (::poll(&socket, 1, -1) <= 0) {
+    }
     ::_exit(0);
   }).detach();
 }
 
-/// Dies with its parent, not by a closed socket nor by the Ctrl-C that its parent handles; leaves no core, and takes no machine down.
+/// Dies with its parent, not by a closed socket nor by the Ctrl-C that its parent handles; leaves no core, and takes no
+/// machine down.
 void behave_as_child()
 {
   die_with_parent();

@@ -18,8 +18,7 @@ class Asking : public verify::Answering {
  public:
   Asking(std::string program, std::string name, bool solids_only, std::chrono::milliseconds limit)
       : program_(std::move(program)), name_(std::move(name)), solids_only_(solids_only), limit_(limit)
-  {
-  }
+  {}
 
   Outcome operator()(const Object_case& c, kernel::Question question) override
   {
@@ -57,15 +56,16 @@ class Asking : public verify::Answering {
   std::string message_;
 };
 
-verify::Object_subject subject(const std::string& program, const std::string& name, const std::string& note, bool solids_only,
-                               std::chrono::milliseconds limit)
+verify::Object_subject subject(const std::string& program, const std::string& name, const std::string& note,
+                               bool solids_only, std::chrono::milliseconds limit)
 {
   return {name, false, note, std::nullopt, [=] { return std::make_unique<Asking>(program, name, solids_only, limit); }};
 }
 
 }  // namespace
 
-verify::Object_subject peer_subject(const std::string& program, const std::string& name, std::chrono::milliseconds limit)
+verify::Object_subject peer_subject(const std::string& program, const std::string& name,
+                                    std::chrono::milliseconds limit)
 {
   for (const Peer& peer : peers())
     if (peer.name == name) return subject(program, name, peer.note, peer.solids_only, limit);

@@ -9,10 +9,11 @@
 
 namespace tetracone::experiments {
 
-/// Every peer of this build as a subject of a campaign: `program`, the path of this program, is started for each one that answers as
-/// `program peer-worker NAME`, when it is first asked. What the peer gets wrong stays in its process: a crash, an exception, or no answer in
-/// 10 seconds is `Outcome::failed`, and the next question starts it again. A pose that is not rigid is not asked, nor are
-/// polyhedra that the peer does not take. Throws std::runtime_error when `program` cannot be started.
+/// Every peer of this build as a subject of a campaign: `program`, the path of this program, is started for each one
+/// that answers as `program peer-worker NAME`, when it is first asked. What the peer gets wrong stays in its process: a
+/// crash, an exception, or no answer in 10 seconds is `Outcome::failed`, and the next question starts it again. A pose
+/// that is not rigid is not asked, nor are polyhedra that the peer does not take. Throws std::runtime_error when
+/// `program` cannot be started.
 std::vector<verify::Object_subject> peer_subjects(const std::string& program);
 
 /// The peer of this name, with this limit for one question, the building of its trees included.

@@ -31,12 +31,14 @@ Model_file generated(covering::Polyhedron polyhedron)
   return {"generated", std::move(polyhedron), std::move(source)};
 }
 
-/// The image of the model by a point, 0.8 radii from V0 towards the vertex that is farthest from it: both reach beyond it, and neither
-/// hull holds the other's V0.
+/// The image of the model by a point, 0.8 radii from V0 towards the vertex that is farthest from it: both reach beyond
+/// it, and neither hull holds the other's V0.
 Pose facing(const Tree& tree)
 {
   const auto& origin = tree.origin();
-  const auto difference = [&](const kernel::Vertex& v) { return std::array{v[0] - origin[0], v[1] - origin[1], v[2] - origin[2]}; };
+  const auto difference = [&](const kernel::Vertex& v) {
+    return std::array{v[0] - origin[0], v[1] - origin[1], v[2] - origin[2]};
+  };
   const auto length = [&](const kernel::Vertex& v) {
     const auto d = difference(v);
     return std::hypot(d[0], d[1], d[2]);
@@ -60,7 +62,9 @@ Json path_data(const Tree& tree)
       if (size(child) > size(largest)) largest = child;
     n = largest;
     const auto elements = tree.elements(tree.node(n));
-    path.push_back({{"rays", tree.node(n).cone.ray}, {"node", n - 1}, {"tetrahedra", std::vector<Index>(elements.begin(), elements.end())}});
+    path.push_back({{"rays", tree.node(n).cone.ray},
+                    {"node", n - 1},
+                    {"tetrahedra", std::vector<Index>(elements.begin(), elements.end())}});
   }
   return path;
 }

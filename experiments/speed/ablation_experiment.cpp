@@ -12,7 +12,10 @@ namespace {
 using tetratree::Config;
 
 /// The paper's tree of so many levels more, or fewer, than its default.
-int depth(std::size_t triangles, int more) { return std::max(1, static_cast<int>(std::ceil(std::log2(double(triangles)) / 2)) + more); }
+int depth(std::size_t triangles, int more)
+{
+  return std::max(1, static_cast<int>(std::ceil(std::log2(double(triangles)) / 2)) + more);
+}
 
 template <class Change>
 Config changed(Config config, Change change)
@@ -24,9 +27,11 @@ Config changed(Config config, Change change)
 /// The names are the table's: `ablation_figure.py` knows them by their first word.
 std::vector<Contestant> contestants(std::size_t triangles, std::size_t one_in)
 {
-  const Config as_published, tuned = changed(as_published, [](Config& c) { c.regular_hull = false; });
+  const Config as_published, tuned = changed(as_published, [](Config&c) { c.regular_hull = false; });
   std::vector<Contestant> list = {fast(), fast_with_last_frame(), peer("FCL OBBRSS")};
-  const auto add = [&](const std::string& name, const Config& config) { list.push_back(paper(name, config).every(one_in)); };
+  const auto add = [&](const std::string& name, const Config& config) {
+    list.push_back(paper(name, config).every(one_in));
+  };
 
   // From the listing to the fast tree: each step keeps the ones before.
   Config config = as_published;
@@ -47,19 +52,24 @@ std::vector<Contestant> contestants(std::size_t triangles, std::size_t one_in)
   // One choice of the paper's at a time. Two of them are thousands of times slower.
   const std::size_t rare = 5;
   add("without spheres", changed(as_published, [](Config& c) { c.spheres = false; }));
-  list.push_back(paper("without tetrahedra", changed(as_published, [](Config& c) { c.tetrahedra = false; })).every(one_in * rare));
+  list.push_back(
+      paper("without tetrahedra", changed(as_published, [](Config& c) { c.tetrahedra = false; })).every(one_in * rare));
   add("without Theorem 2", changed(as_published, [](Config& c) { c.regular_hull = false; }));
   add("with 8 axes instead of 44", changed(as_published, [](Config& c) { c.all_axes = false; }));
   add("with both nodes descended", changed(as_published, [](Config& c) { c.descent = tetratree::Descent::both; }));
-  list.push_back(paper("with one cone level", changed(as_published, [](Config& c) { c.depth = 1; })).every(one_in * rare));
-  add("with smaller spheres", changed(as_published, [](Config& c) { c.sphere_centre = tetratree::Sphere_centre::improved; }));
-  add("with the tightest far plane", changed(as_published, [](Config& c) { c.far_plane = tetratree::Far_plane::tightest; }));
+  list.push_back(
+      paper("with one cone level", changed(as_published, [](Config& c) { c.depth = 1; })).every(one_in * rare));
+  add("with smaller spheres",
+      changed(as_published, [](Config& c) { c.sphere_centre = tetratree::Sphere_centre::improved; }));
+  add("with the tightest far plane",
+      changed(as_published, [](Config& c) { c.far_plane = tetratree::Far_plane::tightest; }));
   add("with boxes in leaves", changed(as_published, [](Config& c) { c.leaf_boxes = true; }));
 
   // Within the paper's own parameters.
   for (const std::size_t leaf_size : {2, 4, 8, 16})
     for (const int more : {-1, 0, 1})
-      add("tuned leaf " + std::to_string(leaf_size) + " depth " + (more > 0 ? "+" : "") + std::to_string(more), changed(tuned, [&](Config& c) {
+      add("tuned leaf " + std::to_string(leaf_size) + " depth " + (more > 0 ? "+" : "") + std::to_string(more),
+          changed(tuned, [&](Config& c) {
             c.leaf_size = leaf_size;
             c.depth = depth(triangles, more);
           }));
@@ -73,7 +83,8 @@ void run_ablation(const Race_options& options)
   constexpr int passes = 5;
   const auto objects = std::make_shared<Race_objects>(options.models);
   std::vector<Table_part> parts;
-  for (const auto& [triangles, names] : {std::pair<std::size_t, std::vector<std::string>>{760, {"blob", "bunny"}}, {7172, {"camel", "knot2"}}})
+  for (const auto& [triangles, names] :
+       {std::pair<std::size_t, std::vector<std::string>>{760, {"blob", "bunny"}}, {7172, {"camel", "knot2"}}})
     for (const std::string& name : names)
       for (const std::string trajectory : {"circular", "contour"}) {
         const bool large = triangles > 2000;
@@ -81,8 +92,10 @@ void run_ablation(const Race_options& options)
         const std::size_t one_in = large && !options.full ? 20 : 1;
         const double seconds = large ? 0.1 : 0.2;
         parts.push_back({trajectory + "-" + name + "-" + std::to_string(triangles), [=, triangles = triangles] {
-                           const Race_course course = on_trajectory((*objects)(name, triangles), name, trajectory, 1, options.frames, seed);
-                           return race_rows(course, contestants(course.a.face_count(), one_in), false, passes, seconds, options.seed);
+                           const Race_course course =
+                               on_trajectory((*objects)(name, triangles), name, trajectory, 1, options.frames, seed);
+                           return race_rows(course, contestants(course.a.face_count(), one_in), false, passes, seconds,
+                                            options.seed);
                          }});
       }
   write_table(options.out, "ablation", options.key(), parts);

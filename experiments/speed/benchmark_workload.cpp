@@ -1,11 +1,11 @@
 #include "experiments/speed/benchmark_workload.h"
 
-#include "tetracone/covering/repair/repair.h"
 #include "experiments/speed/trajectory.h"
 #include "tetracone/covering/io/input_error.h"
+#include "tetracone/covering/repair/repair.h"
 #include "tetracone/tetratree/fast/bvh8_collision.h"
-#include "verify/cases/shape_generators.h"
 #include "verify/cases/random.h"
+#include "verify/cases/shape_generators.h"
 
 #include <array>
 #include <cmath>
@@ -25,9 +25,11 @@ Polyhedron triangulated(const Polyhedron& polyhedron)
 {
   Polyhedron result;
   result.vertices = polyhedron.vertices;
-  for (const auto& triangle : covering::triangulate_faces(polyhedron)) result.add_polygon({triangle.corner[0], triangle.corner[1], triangle.corner[2]});
+  for (const auto& triangle : covering::triangulate_faces(polyhedron))
+    result.add_polygon({triangle.corner[0], triangle.corner[1], triangle.corner[2]});
   for (covering::Index f = 0; f < polyhedron.face_count(); ++f)
-    if (polyhedron.is_triangle(f)) result.add_polygon({polyhedron.loop(f, 0)[0], polyhedron.loop(f, 0)[1], polyhedron.loop(f, 0)[2]});
+    if (polyhedron.is_triangle(f))
+      result.add_polygon({polyhedron.loop(f, 0)[0], polyhedron.loop(f, 0)[1], polyhedron.loop(f, 0)[2]});
   return result;
 }
 
@@ -40,11 +42,14 @@ Polyhedron scaled(Polyhedron polyhedron, double factor)
 
 Polyhedron plate(int squares)
 {
-  return triangulated(voxel_solid(std::vector<bool>(static_cast<std::size_t>(squares) * squares, true), squares, squares, 1));
+  return triangulated(
+      voxel_solid(std::vector<bool>(static_cast<std::size_t>(squares) * squares, true), squares, squares, 1));
 }
 
-/// 15/16 of the rotation by the quaternion (3, 1, 2, 1): its entries are whole sixteenths, so that turned dyadic points are exact.
-constexpr std::array<std::array<double, 3>, 3> turned = {{{5 / 16., -2 / 16., 14 / 16.}, {10 / 16., 11 / 16., -2 / 16.}, {-10 / 16., 10 / 16., 5 / 16.}}};
+/// 15/16 of the rotation by the quaternion (3, 1, 2, 1): its entries are whole sixteenths, so that turned dyadic points
+/// are exact.
+constexpr std::array<std::array<double, 3>, 3> turned = {
+    {{5 / 16., -2 / 16., 14 / 16.}, {10 / 16., 11 / 16., -2 / 16.}, {-10 / 16., 10 / 16., 5 / 16.}}};
 
 Vertex turn_exactly(const Vertex& v)
 {
@@ -56,9 +61,10 @@ Vertex turn_exactly(const Vertex& v)
 /// A multiple of 2^-10 in [-1, 1).
 double dyadic(Random& random) { return std::floor(1024 * random.symmetric()) / 1024; }
 
-/// The body, turned so that its faces lie along no axis, and itself on top of it, `height` up and shifted sideways by up to `range`; with
-/// `lift`, one ulp more in a coordinate. All numbers are exact.
-Race_course slid(const std::string& scenario, const std::string& object, Polyhedron body, double range, double height, bool lift, int frames, std::uint64_t seed)
+/// The body, turned so that its faces lie along no axis, and itself on top of it, `height` up and shifted sideways by
+/// up to `range`; with `lift`, one ulp more in a coordinate. All numbers are exact.
+Race_course slid(const std::string& scenario, const std::string& object, Polyhedron body, double range, double height,
+                 bool lift, int frames, std::uint64_t seed)
 {
   for (Vertex& v : body.vertices) v = turn_exactly(v);
   Race_course course{scenario, object, 1, body, body, {}, true};
@@ -76,7 +82,8 @@ Race_course slid(const std::string& scenario, const std::string& object, Polyhed
 
 std::string Race_course::name() const
 {
-  std::string text = scenario + "-" + object + "-" + std::to_string(a.face_count()) + "-" + std::to_string(static_cast<int>(ratio));
+  std::string text =
+      scenario + "-" + object + "-" + std::to_string(a.face_count()) + "-" + std::to_string(static_cast<int>(ratio));
   for (char& c : text)
     if (c == ' ') c = '-';
   return text;
@@ -89,10 +96,12 @@ double star_share(const Polyhedron& polyhedron)
   for (covering::Index f = 0; f < polyhedron.face_count(); ++f) {
     const auto loop = polyhedron.loop(f, 0);
     for (std::size_t k = 1; k + 1 < loop.size(); ++k) {
-      std::array<Vertex, 3> p = {polyhedron.vertices[loop[0]], polyhedron.vertices[loop[k]], polyhedron.vertices[loop[k + 1]]};
+      std::array<Vertex, 3> p = {polyhedron.vertices[loop[0]], polyhedron.vertices[loop[k]],
+                                 polyhedron.vertices[loop[k + 1]]};
       for (Vertex& v : p)
         for (int i = 0; i < 3; ++i) v[i] -= centre[i];
-      const double volume = p[0][0] * (p[1][1] * p[2][2] - p[1][2] * p[2][1]) - p[0][1] * (p[1][0] * p[2][2] - p[1][2] * p[2][0]) +
+      const double volume = p[0][0] * (p[1][1] * p[2][2] - p[1][2] * p[2][1]) -
+                            p[0][1] * (p[1][0] * p[2][2] - p[1][2] * p[2][0]) +
                             p[0][2] * (p[1][0] * p[2][1] - p[1][1] * p[2][0]);
       ++corners;
       positive += volume > 0;
@@ -107,17 +116,21 @@ const Polyhedron& Race_objects::operator()(const std::string& name, std::size_t 
   if (!is_new) return found->second;
   if (name == "blob") return found->second = blob(triangles, 1);
   if (name == "knot") return found->second = round_torus_knot(triangles);
-  const char* file = name == "bunny" ? "bunny00" : name == "anchor" ? "anchor_dense" : name == "elephant" ? "refined_elephant" : name.c_str();
+  const char* file = name == "bunny"      ? "bunny00"
+                     : name == "anchor"   ? "anchor_dense"
+                     : name == "elephant" ? "refined_elephant"
+                                          : name.c_str();
   const auto mesh = demo_mesh(models_, file);
   if (!mesh) {
     made_.erase(found);
-    throw covering::Input_error(models_.native(), 0, "the meshes of libcgal-demo are not there", "expected them: run experiments/support/fetch_models.sh");
+    throw covering::Input_error(models_.native(), 0, "the meshes of libcgal-demo are not there",
+                                "expected them: run experiments/support/fetch_models.sh");
   }
   return found->second = normalised(triangles < mesh->face_count() ? decimate(*mesh, triangles) : *mesh);
 }
 
-Race_course on_trajectory(const Polyhedron& object, const std::string& name, const std::string& trajectory, double ratio, int frames, std::uint64_t seed,
-                          int trajectories)
+Race_course on_trajectory(const Polyhedron& object, const std::string& name, const std::string& trajectory,
+                          double ratio, int frames, std::uint64_t seed, int trajectories)
 {
   Race_course course{trajectory, name, ratio, object, scaled(object, 1 / ratio), {}};
   tetratree::Bvh8 a(course.a), b(object);

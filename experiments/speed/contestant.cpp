@@ -2,9 +2,9 @@
 
 #include "experiments/peers/peer.h"
 #include "tetracone/kernel/predicate/kernels.h"
-#include "tetracone/tetratree/paper/collision.h"
 #include "tetracone/tetratree/door/repair.h"
 #include "tetracone/tetratree/fast/bvh8_node.h"
+#include "tetracone/tetratree/paper/collision.h"
 
 #include <optional>
 #include <utility>
@@ -27,7 +27,8 @@ tetratree::Query_statistics taken(Collision& collision)
 enum class Nodes { at_once, on_demand };
 
 struct Bodies {
-  Bodies(const Polyhedron& polyhedron_a, const Polyhedron& polyhedron_b, Nodes nodes) : a(triangulated_body(polyhedron_a)), b(triangulated_body(polyhedron_b))
+  Bodies(const Polyhedron& polyhedron_a, const Polyhedron& polyhedron_b, Nodes nodes)
+      : a(triangulated_body(polyhedron_a)), b(triangulated_body(polyhedron_b))
   {
     if (nodes == Nodes::at_once) a.make_all(), b.make_all();
   }
@@ -38,8 +39,7 @@ class Fast_ready : public Ready {
  public:
   Fast_ready(const Bodies& bodies, bool remember)
       : bodies_(bodies), surface_(bodies.a, bodies.b, Question::surface, {.remember = remember}), remember_(remember)
-  {
-  }
+  {}
 
   const Bodies& bodies() const { return bodies_; }
 
@@ -70,7 +70,9 @@ class Fast_ready : public Ready {
 Contestant fast_as(const std::string& name, bool remember)
 {
   const auto prepare = [remember](Nodes nodes) {
-    return [=](const Polyhedron& a, const Polyhedron& b) { return std::make_unique<Fast_ready>(Bodies(a, b, nodes), remember); };
+    return [=](const Polyhedron& a, const Polyhedron& b) {
+      return std::make_unique<Fast_ready>(Bodies(a, b, nodes), remember);
+    };
   };
   const auto share = [remember](const Ready& other) -> std::unique_ptr<Ready> {
     const auto* fast = dynamic_cast<const Fast_ready*>(&other);
@@ -91,9 +93,14 @@ double copies_in_leaves(const tetratree::Tetra_tree<K>& tree)
 template <class K>
 class Paper_ready : public Ready {
  public:
-  Paper_ready(const Polyhedron& a, const Polyhedron& b, const tetratree::Config& config) : a_(a, config), b_(b, config), collision_(a_, b_) {}
+  Paper_ready(const Polyhedron& a, const Polyhedron& b, const tetratree::Config& config)
+      : a_(a, config), b_(b, config), collision_(a_, b_)
+  {}
 
-  bool collide(const Pose& pose_a, const Pose& pose_b, Question question) override { return collision_(pose_a, pose_b, question); }
+  bool collide(const Pose& pose_a, const Pose& pose_b, Question question) override
+  {
+    return collision_(pose_a, pose_b, question);
+  }
   tetratree::Query_statistics take_counts() override { return taken(collision_); }
   std::size_t node_count() const override { return a_.node_count() + b_.node_count(); }
   double copies() const override { return (copies_in_leaves(a_) + copies_in_leaves(b_)) / 2; }
@@ -106,14 +113,23 @@ class Paper_ready : public Ready {
 template <class K>
 Contestant paper_over(const std::string& name, const tetratree::Config& config)
 {
-  return {name, kernel::Kernel_traits<K>::exact_signs, true, true, 1,
-          [config](const Polyhedron& a, const Polyhedron& b) { return std::make_unique<Paper_ready<K>>(a, b, config); }, {}, {}};
+  return {name,
+          kernel::Kernel_traits<K>::exact_signs,
+          true,
+          true,
+          1,
+          [config](const Polyhedron& a, const Polyhedron& b) { return std::make_unique<Paper_ready<K>>(a, b, config); },
+          {},
+          {}};
 }
 
 class Peer_ready : public Ready {
  public:
   explicit Peer_ready(std::unique_ptr<Peer_pair> pair) : pair_(std::move(pair)) {}
-  bool collide(const Pose& pose_a, const Pose& pose_b, Question question) override { return pair_->collide(pose_a, pose_b, question); }
+  bool collide(const Pose& pose_a, const Pose& pose_b, Question question) override
+  {
+    return pair_->collide(pose_a, pose_b, question);
+  }
 
  private:
   std::unique_ptr<Peer_pair> pair_;
@@ -124,12 +140,20 @@ class Peer_ready : public Ready {
 Contestant fast() { return fast_as("tetracone", false); }
 Contestant fast_with_last_frame() { return fast_as("tetracone with last frame", true); }
 
-Contestant paper(const std::string& name, const tetratree::Config& config) { return paper_over<kernel::Double>(name, config); }
-Contestant paper_adaptive(const std::string& name, const tetratree::Config& config) { return paper_over<kernel::Adaptive>(name, config); }
+Contestant paper(const std::string& name, const tetratree::Config& config)
+{
+  return paper_over<kernel::Double>(name, config);
+}
+Contestant paper_adaptive(const std::string& name, const tetratree::Config& config)
+{
+  return paper_over<kernel::Adaptive>(name, config);
+}
 
 Contestant peer(const std::string& name, std::size_t one_in)
 {
-  Contestant result{name, false, name.starts_with("CGAL"), false, one_in, [](const Polyhedron&, const Polyhedron&) { return nullptr; }, {}, {}};
+  Contestant result{name,  false,  name.starts_with("CGAL"),
+                    false, one_in, [](const Polyhedron&, const Polyhedron&) { return nullptr; },
+                    {},    {}};
   for (const Peer& known : peers()) {
     if (known.name != name) continue;
     result.prepare = [prepare = known.prepare](const Polyhedron& a, const Polyhedron& b) -> std::unique_ptr<Ready> {

@@ -13,7 +13,8 @@
 #include <string>
 #include <vector>
 
-/// Who is timed in the experiments of speed, behind one door: ours without the harness's wrapping, and the peers in this process.
+/// Who is timed in the experiments of speed, behind one door: ours without the harness's wrapping, and the peers in
+/// this process.
 namespace tetracone::experiments {
 
 /// Two bodies made ready by a contestant.
@@ -23,7 +24,8 @@ class Ready {
 
   virtual bool collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, kernel::Question question) = 0;
 
-  /// Work since the last call, nodes made so far, and how many copies of a triangle the leaves hold in the mean; none for a peer.
+  /// Work since the last call, nodes made so far, and how many copies of a triangle the leaves hold in the mean; none
+  /// for a peer.
   virtual tetratree::Query_statistics take_counts() { return {}; }
   virtual std::size_t node_count() const { return 0; }
 
@@ -37,17 +39,17 @@ class Ready {
 
 struct Contestant {
   std::string name;
-  bool exact = false;         ///< every answer is right by construction
+  bool exact = false;  ///< every answer is right by construction
   bool knows_solids = false;
-  bool counts_work = false;   ///< `Ready::take_counts` tells something
-  std::size_t one_in = 1;     ///< asks every so many-th pose: slow ones see fewer
+  bool counts_work = false;  ///< `Ready::take_counts` tells something
+  std::size_t one_in = 1;    ///< asks every so many-th pose: slow ones see fewer
 
   using Prepare = std::function<std::unique_ptr<Ready>(const covering::Polyhedron& a, const covering::Polyhedron& b)>;
-  Prepare prepare;             ///< its result is null when such bodies are not taken
-  Prepare prepare_on_demand;   ///< empty where nodes are not made on demand
+  Prepare prepare;            ///< its result is null when such bodies are not taken
+  Prepare prepare_on_demand;  ///< empty where nodes are not made on demand
 
-  /// Of one that differs from another in the query alone: its own query on what that one has made ready, or null. Whoever asks the same trees has the
-  /// same places in memory, which move times by some per cent.
+  /// Of one that differs from another in the query alone: its own query on what that one has made ready, or null.
+  /// Whoever asks the same trees has the same places in memory, which move times by some per cent.
   std::function<std::unique_ptr<Ready>(const Ready& other)> share;
 
   Contestant every(std::size_t n) const

@@ -23,7 +23,9 @@ std::vector<Contestant> contestants(std::size_t triangles, bool degenerate)
       peer("Bullet GImpact", large ? 20 : 4),
       peer("ODE trimesh", large ? 20 : 4),
   };
-  if (large) std::erase_if(list, [](const Contestant& c) { return c.name.starts_with("paper"); });  // minutes a pass on what is not star-shaped
+  if (large)
+    std::erase_if(list, [](const Contestant& c) { return c.name.starts_with("paper"); });  // minutes a pass on what is
+                                                                                           // not star-shaped
   return list;
 }
 
@@ -39,20 +41,24 @@ void run_peers(const Race_options& options)
   const auto add = [&](const std::string& name, std::function<Race_course()> make) {
     parts.push_back({name, [=, seed = options.seed] {
                        const Race_course course = make();
-                       return race_rows(course, contestants(course.a.face_count(), course.degenerate), true, passes, seconds, seed);
+                       return race_rows(course, contestants(course.a.face_count(), course.degenerate), true, passes,
+                                        seconds, seed);
                      }});
   };
 
-  std::vector<std::pair<std::size_t, std::vector<std::string>>> sizes = {{760, {"blob", "bunny", "knot2"}}, {7172, {"bunny", "camel", "knot2", "anchor"}}};
+  std::vector<std::pair<std::size_t, std::vector<std::string>>> sizes = {{760, {"blob", "bunny", "knot2"}},
+                                                                         {7172, {"bunny", "camel", "knot2", "anchor"}}};
   if (options.full) sizes.push_back({70000, {"blob", "bunny", "elephant", "knot"}});
   for (const auto& [triangles, names] : sizes)
     for (const std::string& name : names)
       for (const int ratio : {1, 8})
         for (const std::string trajectory : {"circular", "contour"}) {
-          const std::string part = trajectory + "-" + name + "-" + std::to_string(triangles) + "-" + std::to_string(ratio);
+          const std::string part =
+              trajectory + "-" + name + "-" + std::to_string(triangles) + "-" + std::to_string(ratio);
           const std::uint64_t seed = options.seed + 1000 * parts.size();
           add(part, [=, frames = options.frames, triangles = triangles] {
-            return on_trajectory((*objects)(name, triangles), name, trajectory, ratio, frames, seed, trajectory == "circular" ? circles : 1);
+            return on_trajectory((*objects)(name, triangles), name, trajectory, ratio, frames, seed,
+                                 trajectory == "circular" ? circles : 1);
           });
         }
   const int frames = options.frames, fewer = std::max(1, options.frames / 10);

@@ -99,8 +99,8 @@ class Laps {
     double mean = clocked_pass();
     if (timing_.passes == 0) timing_.counts = runner_.ready->take_counts();
     ++timing_.passes;
-    // The clock counts where queries are fast, and so do the caches, which the contestant before has filled with its own: so the mean is of a pass
-    // without the clock, and the poses are clocked once more after it.
+    // The clock counts where queries are fast, and so do the caches, which the contestant before has filled with its
+    // own: so the mean is of a pass without the clock, and the poses are clocked once more after it.
     constexpr double long_ns = 1e8;
     if (mean * double(asked_.size()) < long_ns) {
       mean = pass();
@@ -115,7 +115,9 @@ class Laps {
     Timing timing = timing_;
     std::vector<double> sorted = fastest_;
     std::sort(sorted.begin(), sorted.end());
-    const auto at = [&sorted](double share) { return sorted[std::min(sorted.size() - 1, static_cast<std::size_t>(share * sorted.size()))]; };
+    const auto at = [&sorted](double share) {
+      return sorted[std::min(sorted.size() - 1, static_cast<std::size_t>(share * sorted.size()))];
+    };
     timing.poses = asked_.size();
     timing.mean_ns = mean_, timing.median_ns = at(0.5), timing.p99_ns = at(0.99);
     return timing;
@@ -183,7 +185,8 @@ std::vector<std::optional<Timing>> Race::run(Question question, int passes, doub
   std::vector<std::optional<Laps>> laps;
   for (Runner& runner : runners_) {
     laps.emplace_back();
-    if (runner.ready && (question == Question::surface || runner.contestant.knows_solids)) laps.back().emplace(runner, course_, question, answers);
+    if (runner.ready && (question == Question::surface || runner.contestant.knows_solids))
+      laps.back().emplace(runner, course_, question, answers);
   }
   for (int pass = 0; pass < passes; ++pass)
     for (auto& each : laps)

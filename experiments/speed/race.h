@@ -1,8 +1,8 @@
 #ifndef TETRACONE_EXPERIMENTS_SPEED_RACE_H
 #define TETRACONE_EXPERIMENTS_SPEED_RACE_H
 
-#include "experiments/speed/contestant.h"
 #include "experiments/speed/benchmark_workload.h"
+#include "experiments/speed/contestant.h"
 
 #include <cstddef>
 #include <memory>
@@ -21,13 +21,15 @@ struct Build {
 
 /// How one contestant answered one question on a course.
 struct Timing {
-  std::size_t poses = 0, collisions = 0, false_positives = 0, false_negatives = 0;  ///< wrong: against `Race::reference`
+  std::size_t poses = 0, collisions = 0, false_positives = 0, false_negatives = 0;  ///< wrong: against
+                                                                                    ///< `Race::reference`
   double mean_ns = 0;                ///< of the fastest pass over all poses
-  double median_ns = 0, p99_ns = 0;  ///< over the poses, of each the fastest pass, less the least that the clock says of nothing
-  /// Over the poses, the mean of each one's fastest: this contestant's, the first's and FCL's on the very poses that this one was asked. Ratios of
-  /// contestants that saw unequal poses are taken from these.
+  double median_ns = 0, p99_ns = 0;  ///< over the poses, of each the fastest pass, less the least that the clock says
+                                     ///< of nothing
+  /// Over the poses, the mean of each one's fastest: this contestant's, the first's and FCL's on the very poses that
+  /// this one was asked. Ratios of contestants that saw unequal poses are taken from these.
   double same_poses_ns = 0, first_same_poses_ns = 0, fcl_same_poses_ns = 0;
-  std::size_t passes = 0;    ///< of each kind: clocked, without the clock, and clocked again; a long one only the first
+  std::size_t passes = 0;  ///< of each kind: clocked, without the clock, and clocked again; a long one only the first
   tetratree::Query_statistics counts;  ///< of one pass
 };
 
@@ -38,7 +40,8 @@ struct Runner {
   Build build;
 };
 
-/// Contestants on one course: made ready one after the other, asked in turn, pass by pass, so that what slows the machine for a while slows all.
+/// Contestants on one course: made ready one after the other, asked in turn, pass by pass, so that what slows the
+/// machine for a while slows all.
 class Race {
  public:
   static constexpr std::size_t first_poses = 100;
@@ -47,11 +50,13 @@ class Race {
 
   const std::vector<Runner>& runners() const { return runners_; }
 
-  /// Asks all runners that know the question. After its first pass, one that has had `seconds` of the processor rests. Absent: not asked.
+  /// Asks all runners that know the question. After its first pass, one that has had `seconds` of the processor rests.
+  /// Absent: not asked.
   std::vector<std::optional<Timing>> run(kernel::Question question, int passes, double seconds);
 
-  /// The answers that all are held against: the first contestant's, which must be exact and see every pose, as FCL must where it is among them. Checked on a sample by the truth of
-  /// `verify/truth/cgal_truth.h`, which shares no code with it: of so many frames, so many were wrong.
+  /// The answers that all are held against: the first contestant's, which must be exact and see every pose, as FCL must
+  /// where it is among them. Checked on a sample by the truth of `verify/truth/cgal_truth.h`, which shares no code with
+  /// it: of so many frames, so many were wrong.
   struct Checked {
     std::size_t frames = 0, wrong = 0;
   };

@@ -7,30 +7,57 @@ namespace {
 
 using kernel::Question;
 
-Csv_row row(const Race_course& course, Question question, const Runner& runner, const Timing& timing, const Race::Checked& checked, std::uint64_t seed)
+Csv_row row(const Race_course& course, Question question, const Runner& runner, const Timing& timing,
+            const Race::Checked& checked, std::uint64_t seed)
 {
-  const double poses = static_cast<double>(timing.poses), triangles = static_cast<double>(course.a.face_count() + course.b.face_count());
+  const double poses = static_cast<double>(timing.poses),
+               triangles = static_cast<double>(course.a.face_count() + course.b.face_count());
   Csv_row row;
-  row.add("scenario", course.scenario).add("object", course.object).add("triangles", course.a.face_count()).add("star_share", star_share(course.a))
-      .add("ratio", course.ratio).add("degenerate", course.degenerate ? 1 : 0).add("question", std::string(to_string(question)))
-      .add("subject", runner.contestant.name).add("exact", runner.contestant.exact ? 1 : 0).add("poses", timing.poses)
-      .add("collisions", timing.collisions).add("false_positives", timing.false_positives).add("false_negatives", timing.false_negatives)
-      .add("reference_checked", checked.frames).add("reference_wrong", checked.wrong).add("passes", timing.passes).add("mean_ns", timing.mean_ns)
-      .add("median_ns", timing.median_ns).add("p99_ns", timing.p99_ns).add("same_poses_ns", timing.same_poses_ns)
-      .add("tetracone_same_poses_ns", timing.first_same_poses_ns).add("fcl_same_poses_ns", timing.fcl_same_poses_ns).add("build_ms", runner.build.milliseconds)
+  row.add("scenario", course.scenario)
+      .add("object", course.object)
+      .add("triangles", course.a.face_count())
+      .add("star_share", star_share(course.a))
+      .add("ratio", course.ratio)
+      .add("degenerate", course.degenerate ? 1 : 0)
+      .add("question", std::string(to_string(question)))
+      .add("subject", runner.contestant.name)
+      .add("exact", runner.contestant.exact ? 1 : 0)
+      .add("poses", timing.poses)
+      .add("collisions", timing.collisions)
+      .add("false_positives", timing.false_positives)
+      .add("false_negatives", timing.false_negatives)
+      .add("reference_checked", checked.frames)
+      .add("reference_wrong", checked.wrong)
+      .add("passes", timing.passes)
+      .add("mean_ns", timing.mean_ns)
+      .add("median_ns", timing.median_ns)
+      .add("p99_ns", timing.p99_ns)
+      .add("same_poses_ns", timing.same_poses_ns)
+      .add("tetracone_same_poses_ns", timing.first_same_poses_ns)
+      .add("fcl_same_poses_ns", timing.fcl_same_poses_ns)
+      .add("build_ms", runner.build.milliseconds)
       .add("bytes_per_triangle", static_cast<double>(runner.build.bytes) / triangles);
-  if (runner.ready->tree_bytes() > 0) row.add("tree_bytes_per_triangle", static_cast<double>(runner.ready->tree_bytes()) / triangles);
-  else row.none("tree_bytes_per_triangle");
+  if (runner.ready->tree_bytes() > 0)
+    row.add("tree_bytes_per_triangle", static_cast<double>(runner.ready->tree_bytes()) / triangles);
+  else
+    row.none("tree_bytes_per_triangle");
   const auto& c = timing.counts;
   if (runner.contestant.counts_work) {
-    row.add("bounding_tests", c.bounding_tests() / poses).add("pairs_visited", c.pairs_visited / poses).add("leaf_pairs", c.leaf_pairs / poses)
-        .add("primitive_tests", c.primitive_tests() / poses).add("exact_fallbacks", c.exact_fallbacks / poses)
-        .add("nodes", runner.ready->node_count()).add("copies", runner.ready->copies());
+    row.add("bounding_tests", c.bounding_tests() / poses)
+        .add("pairs_visited", c.pairs_visited / poses)
+        .add("leaf_pairs", c.leaf_pairs / poses)
+        .add("primitive_tests", c.primitive_tests() / poses)
+        .add("exact_fallbacks", c.exact_fallbacks / poses)
+        .add("nodes", runner.ready->node_count())
+        .add("copies", runner.ready->copies());
   } else {
-    for (const char* name : {"bounding_tests", "pairs_visited", "leaf_pairs", "primitive_tests", "exact_fallbacks", "nodes", "copies"}) row.none(name);
+    for (const char* name :
+         {"bounding_tests", "pairs_visited", "leaf_pairs", "primitive_tests", "exact_fallbacks", "nodes", "copies"})
+      row.none(name);
   }
   if (runner.contestant.prepare_on_demand) {
-    row.add("build_and_hundred_ms", runner.build.with_first_milliseconds).add("nodes_after_one", runner.build.nodes_after_one)
+    row.add("build_and_hundred_ms", runner.build.with_first_milliseconds)
+        .add("nodes_after_one", runner.build.nodes_after_one)
         .add("nodes_after_hundred", runner.build.nodes_after_first);
   } else {
     for (const char* name : {"build_and_hundred_ms", "nodes_after_one", "nodes_after_hundred"}) row.none(name);
@@ -40,7 +67,8 @@ Csv_row row(const Race_course& course, Question question, const Runner& runner, 
 
 }  // namespace
 
-std::string race_rows(const Race_course& course, const std::vector<Contestant>& contestants, bool solid, int passes, double seconds, std::uint64_t seed)
+std::string race_rows(const Race_course& course, const std::vector<Contestant>& contestants, bool solid, int passes,
+                      double seconds, std::uint64_t seed)
 {
   Race race(course, contestants);
   std::string header, lines;

@@ -30,7 +30,8 @@ void run_scaling(const Race_options& options)
     for (const std::string trajectory : {"circular", "contour"})
       for (const std::size_t triangles : sizes)
         parts.push_back({trajectory + "-" + name + "-" + std::to_string(triangles), [=] {
-                           Race_course course = on_trajectory((*objects)(name, of_poses), name, trajectory, 1, options.frames, options.seed);
+                           Race_course course = on_trajectory((*objects)(name, of_poses), name, trajectory, 1,
+                                                              options.frames, options.seed);
                            course.a = course.b = (*objects)(name, triangles);
                            return race_rows(course, contestants(triangles), false, passes, seconds, options.seed);
                          }});

@@ -15,11 +15,13 @@ struct Study_options {
   std::uint64_t seed = 1;
 };
 
-/// The robustness and time study: every subject on the trajectories of JS08 section 4 and on exactly degenerate contacts, its answers
-/// judged by the truth, its time measured. Writes out/study.csv, one row for each workload, question and subject.
+/// The robustness and time study: every subject on the trajectories of JS08 section 4 and on exactly degenerate
+/// contacts, its answers judged by the truth, its time measured. Writes out/study.csv, one row for each workload,
+/// question and subject.
 ///
-/// Each workload's rows are kept under out/study/ as soon as they are there; started again with the same options, the study goes on after
-/// the last of them. Throws covering::Input_error when the models are not there or `out` cannot be written.
+/// Each workload's rows are kept under out/study/ as soon as they are there; started again with the same options, the
+/// study goes on after the last of them. Throws covering::Input_error when the models are not there or `out` cannot be
+/// written.
 void run_study(const Study_options& options);
 
 }  // namespace tetracone::experiments

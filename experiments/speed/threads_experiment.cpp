@@ -1,8 +1,8 @@
 #include "experiments/speed/threads_experiment.h"
 
+#include "experiments/speed/trajectory.h"
 #include "experiments/support/build_info.h"
 #include "experiments/support/output_file.h"
-#include "experiments/speed/trajectory.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/tetratree/door/tetracone.h"
 #include "verify/cases/shape_generators.h"
@@ -18,7 +18,8 @@
 namespace tetracone::experiments {
 namespace {
 
-/// Nanoseconds a query of `count` threads that ask the poses in turn, `rounds` times over, each by a query of its own; and how many of them hit.
+/// Nanoseconds a query of `count` threads that ask the poses in turn, `rounds` times over, each by a query of its own;
+/// and how many of them hit.
 struct Lap {
   double nanoseconds;
   long hits;
@@ -35,7 +36,8 @@ Lap lap(const Body& a, const Body& b, const std::vector<kernel::Pose>& poses, in
     constexpr std::size_t at_once = 64;
     long mine = 0;
     for (std::size_t begin; (begin = next.fetch_add(at_once)) < all;)
-      for (std::size_t k = begin; k < std::min(begin + at_once, all); ++k) mine += bool(query.collide(unmoved, poses[k % poses.size()]));
+      for (std::size_t k = begin; k < std::min(begin + at_once, all); ++k)
+        mine += bool(query.collide(unmoved, poses[k % poses.size()]));
     hits += mine;
   };
   const auto start = std::chrono::steady_clock::now();
@@ -56,7 +58,9 @@ void run_threads(const std::filesystem::path& out, int frames, std::uint64_t see
   const covering::Polyhedron object = verify::blob(7172, seed);
   const Body reference(object);
   Query of_reference(reference, reference, Question::surface);
-  const auto poses = contour_trajectory(object, object, 1, frames, seed, [&](const kernel::Pose& pose) { return bool(of_reference.collide(kernel::Pose(), pose)); });
+  const auto poses = contour_trajectory(object, object, 1, frames, seed, [&](const kernel::Pose& pose) {
+    return bool(of_reference.collide(kernel::Pose(), pose));
+  });
   std::string table = "threads,bodies,ns,speedup,hits,poses,seed,version,compiler,flags,processor\n";
   std::printf("%8s  %-6s  %10s  %8s\n", "threads", "bodies", "ns a query", "speed-up");
   for (const std::string bodies : {"fresh", "warm"}) {
@@ -70,8 +74,10 @@ void run_threads(const std::filesystem::path& out, int frames, std::uint64_t see
         if (pass == 0 || now.nanoseconds < best.nanoseconds) best = now;
       }
       if (count == 1) alone = best.nanoseconds;
-      table += std::to_string(count) + "," + bodies + "," + kernel::shortest(best.nanoseconds) + "," + kernel::shortest(alone / best.nanoseconds) + "," + std::to_string(best.hits) + "," +
-               std::to_string(poses.size()) + "," + std::to_string(seed) + "," TETRACONE_VERSION "," + compiler() + "," + compiler_flags() + "," + processor() + "\n";
+      table += std::to_string(count) + "," + bodies + "," + kernel::shortest(best.nanoseconds) + "," +
+               kernel::shortest(alone / best.nanoseconds) + "," + std::to_string(best.hits) + "," +
+               std::to_string(poses.size()) + "," + std::to_string(seed) + "," TETRACONE_VERSION "," + compiler() +
+               "," + compiler_flags() + "," + processor() + "\n";
       std::printf("%8d  %-6s  %10.0f  %8.2f\n", count, bodies.c_str(), best.nanoseconds, alone / best.nanoseconds);
     }
   }

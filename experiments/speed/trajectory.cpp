@@ -1,7 +1,7 @@
 #include "experiments/speed/trajectory.h"
 
-#include "verify/cases/shape_generators.h"
 #include "verify/cases/random.h"
+#include "verify/cases/shape_generators.h"
 
 #include <algorithm>
 #include <array>
@@ -23,8 +23,7 @@ class Turning_body {
  public:
   Turning_body(const covering::Polyhedron& b, double ratio, Random& random)
       : centre_(centroid(b)), scale_(1 / ratio), start_(random.quaternion()), axis_(random.direction())
-  {
-  }
+  {}
 
   /// B with its centroid at `position`, at `time` from 0 to 1.
   Pose pose(const Vector& position, double time) const
@@ -73,8 +72,7 @@ class Frames {
   /// `at(frame, distance)` is a pose.
   Frames(int count, const At& at, const Collides& collides, Range range)
       : count_(count), at_(at), collides_(collides), range_(range)
-  {
-  }
+  {}
 
   /// How many collide at this distance; above the range, counting stops.
   int colliding(double distance) const
@@ -166,9 +164,7 @@ std::vector<Pose> contour_trajectory(const covering::Polyhedron& a, const coveri
     const auto [c, s] = turn(windings * time(k));
     return sum(sum(sum({0, 0, 0}, across * c, pole[0]), across * s, pole[1]), height, pole[2]);
   };
-  const auto on_ray = [&](int k, double distance) {
-    return body.pose(sum(centre, distance, direction(k)), time(k));
-  };
+  const auto on_ray = [&](int k, double distance) { return body.pose(sum(centre, distance, direction(k)), time(k)); };
 
   std::vector<double> touching;
   const double outside = 1.01 * (size + size_b), step = size_b / 2;

@@ -32,8 +32,8 @@ std::vector<kernel::Pose> circular_trajectory(const covering::Polyhedron& a, con
 /// distance, about two thirds of that, is the one with which 5.5 % to 9.5 % of the frames collide; where no whole
 /// number of frames is in that range, the nearest to 7.5 %. Where B reaches A's centroid without touching (through a
 /// tunnel), it keeps the distance of the frame before. Asks some 15 to 40 times a frame.
-std::vector<kernel::Pose> contour_trajectory(const covering::Polyhedron& a, const covering::Polyhedron& b,
-                                             double ratio, int frames, std::uint64_t seed, const Collides& collides);
+std::vector<kernel::Pose> contour_trajectory(const covering::Polyhedron& a, const covering::Polyhedron& b, double ratio,
+                                             int frames, std::uint64_t seed, const Collides& collides);
 
 }  // namespace tetracone::experiments
 

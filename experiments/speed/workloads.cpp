@@ -1,9 +1,9 @@
 #include "experiments/speed/workloads.h"
 
-#include "verify/cases/shape_generators.h"
-#include "verify/cases/random.h"
 #include "experiments/speed/trajectory.h"
 #include "tetracone/covering/io/input_error.h"
+#include "verify/cases/random.h"
+#include "verify/cases/shape_generators.h"
 #include "verify/subjects/subject.h"
 
 #include <algorithm>
@@ -42,7 +42,8 @@ class Objects {
     if (name == "complex-2") return complex_two();
     const auto mesh = name == "cat-size" ? small_mesh(models_) : large_mesh(models_);
     if (!mesh)
-      throw covering::Input_error(models_.native(), 0, "the meshes of libcgal-demo are not there", "expected them: run experiments/support/fetch_models.sh");
+      throw covering::Input_error(models_.native(), 0, "the meshes of libcgal-demo are not there",
+                                  "expected them: run experiments/support/fetch_models.sh");
     return *mesh;
   }
 
@@ -50,8 +51,8 @@ class Objects {
   std::unique_ptr<Polyhedron> one_, two_, cat_, horse_;
 };
 
-Workload on_trajectory(Objects& objects, const std::string& trajectory, const std::string& a, const std::string& b, double ratio,
-                       int frames, std::uint64_t seed)
+Workload on_trajectory(Objects& objects, const std::string& trajectory, const std::string& a, const std::string& b,
+                       double ratio, int frames, std::uint64_t seed)
 {
   Workload w{"trajectory", trajectory, a, b, objects[a], objects[b], 1 / ratio, {Pose()}, {}, {Question::surface}};
   const auto pair = verify::prepare(*verify::Subject::parse("double"), w.a, w.b);
@@ -63,8 +64,9 @@ Workload on_trajectory(Objects& objects, const std::string& trajectory, const st
 
 Pose rounded(const Pose& pose) { return Pose(pose.entries()); }
 
-/// Both bodies under one random rotation R, and B moved by a shift in A's frame: poses R and R o shift. Exact: R is the rotation of an
-/// integer quaternion and the contact in A's frame is kept exactly; else both poses are rounded to doubles first.
+/// Both bodies under one random rotation R, and B moved by a shift in A's frame: poses R and R o shift. Exact: R is the
+/// rotation of an integer quaternion and the contact in A's frame is kept exactly; else both poses are rounded to
+/// doubles first.
 void add_poses(Workload& w, Random& random, const Shift& shift, bool exact)
 {
   std::array<int, 4> q{0, 0, 0, 0};
@@ -81,9 +83,11 @@ void add_poses(Workload& w, Random& random, const Shift& shift, bool exact)
   w.poses_b.push_back(exact ? moved : rounded(moved));
 }
 
-Workload degenerate(const std::string& scenario, const std::string& a_name, Polyhedron a, const std::string& b_name, Polyhedron b)
+Workload degenerate(const std::string& scenario, const std::string& a_name, Polyhedron a, const std::string& b_name,
+                    Polyhedron b)
 {
-  return {"degenerate", scenario, a_name, b_name, std::move(a), std::move(b), 1, {}, {}, {Question::surface, Question::solid}};
+  return {"degenerate", scenario, a_name, b_name, std::move(a),
+          std::move(b), 1,        {},     {},     {Question::surface, Question::solid}};
 }
 
 /// 2^-k, exactly.
@@ -142,7 +146,8 @@ Workload stacked(Objects& objects, int rotations, Random random)
   return w;
 }
 
-/// The mesh against itself, extreme vertex on extreme vertex along a random direction, or off by 2^-50 along it, in turn.
+/// The mesh against itself, extreme vertex on extreme vertex along a random direction, or off by 2^-50 along it, in
+/// turn.
 Workload vertex_on_vertex(Objects& objects, int rotations, Random random)
 {
   Workload w = degenerate("vertex on vertex", "cat-size", objects["cat-size"], "cat-size", objects["cat-size"]);
@@ -167,12 +172,14 @@ Workload vertex_on_vertex(Objects& objects, int rotations, Random random)
 
 }  // namespace
 
-std::vector<Named_workload> study_workloads(const std::filesystem::path& models, int frames, int rotations, std::uint64_t seed)
+std::vector<Named_workload> study_workloads(const std::filesystem::path& models, int frames, int rotations,
+                                            std::uint64_t seed)
 {
   const auto objects = std::make_shared<Objects>(models);
   std::vector<Named_workload> list;
 
-  const auto add_trajectory = [&](const std::string& trajectory, const std::string& a, const std::string& b, int ratio) {
+  const auto add_trajectory = [&](const std::string& trajectory, const std::string& a, const std::string& b,
+                                  int ratio) {
     list.push_back({trajectory + "-" + a + "-" + b + "-" + std::to_string(ratio), [=, number = list.size()] {
                       return on_trajectory(*objects, trajectory, a, b, ratio, frames, seed + 1000 * number);
                     }});

@@ -20,7 +20,7 @@ struct Workload {
   std::string scenario;  ///< circular, contour, or the kind of contact
   std::string a_name, b_name;
   covering::Polyhedron a, b;
-  double scale_b = 1;    ///< by how much the poses of B scale it: 1 / relative size, a power of two
+  double scale_b = 1;  ///< by how much the poses of B scale it: 1 / relative size, a power of two
   std::vector<kernel::Pose> poses_a, poses_b;  ///< as many of A as of B, or one
   std::vector<kernel::Question> questions;
 
@@ -33,11 +33,12 @@ struct Named_workload {
   std::function<Workload()> make;
 };
 
-/// The workloads of the study: the four objects of JS08 Fig. 15 (two complex polyhedra, a mesh of the cat's size and one of the horse's)
-/// in all pairs on both trajectories of its section 4, the largest against itself at relative sizes 1:2 to 1:16, and scenarios of
-/// exactly degenerate contact, `rotations` poses each. `models` is the folder that fetch_models.sh filled.
-/// Throws covering::Input_error when a mesh is not there.
-std::vector<Named_workload> study_workloads(const std::filesystem::path& models, int frames, int rotations, std::uint64_t seed);
+/// The workloads of the study: the four objects of JS08 Fig. 15 (two complex polyhedra, a mesh of the cat's size and
+/// one of the horse's) in all pairs on both trajectories of its section 4, the largest against itself at relative sizes
+/// 1:2 to 1:16, and scenarios of exactly degenerate contact, `rotations` poses each. `models` is the folder that
+/// fetch_models.sh filled. Throws covering::Input_error when a mesh is not there.
+std::vector<Named_workload> study_workloads(const std::filesystem::path& models, int frames, int rotations,
+                                            std::uint64_t seed);
 
 }  // namespace tetracone::experiments
 

@@ -27,7 +27,8 @@ class Csv_row {
   {
     if (value == 0 || !std::isfinite(value)) return add(name, kernel::shortest(value));
     const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - 3);
-    return add(name, kernel::shortest(unit < 1 ? std::round(value / unit) / std::round(1 / unit) : std::round(value / unit) * unit));
+    return add(name, kernel::shortest(unit < 1 ? std::round(value / unit) / std::round(1 / unit)
+                                               : std::round(value / unit) * unit));
   }
   /// A field that this row has no value for.
   Csv_row& none(const std::string& name) { return add(name, std::string()); }
@@ -35,7 +36,11 @@ class Csv_row {
   /// What made the row.
   Csv_row& add_origin(std::uint64_t seed)
   {
-    return add("seed", seed).add("version", TETRACONE_VERSION).add("compiler", compiler()).add("flags", compiler_flags()).add("processor", processor())
+    return add("seed", seed)
+        .add("version", TETRACONE_VERSION)
+        .add("compiler", compiler())
+        .add("flags", compiler_flags())
+        .add("processor", processor())
         .add("fcl", TETRACONE_FCL);
   }
 

@@ -44,9 +44,12 @@ std::string last_line(std::string text)
 
 void draw(const std::string& script, const std::filesystem::path& out)
 {
-  if (out.native().find('\'') != std::string::npos) throw std::runtime_error("the folder's name holds a quote; expected one without");
+  if (out.native().find('\'') != std::string::npos)
+    throw std::runtime_error("the folder's name holds a quote; expected one without");
   const std::filesystem::path path = std::filesystem::path(TETRACONE_SOURCE_DIR "/experiments/report") / script;
-  if (!std::filesystem::exists(path)) throw covering::Input_error(path.native(), 0, "no such file", "expected the sources that this program was built from");
+  if (!std::filesystem::exists(path))
+    throw covering::Input_error(path.native(), 0, "no such file",
+                                "expected the sources that this program was built from");
   const Ran ran = run("/usr/bin/python3 '" + path.native() + "' '" + out.native() + "'");
   if (ran.status == 0) {
     std::cerr << ran.errors;

@@ -1,9 +1,9 @@
 #include "experiments/support/model_file.h"
 
 #include "tetracone/covering/check.h"
+#include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/io/read.h"
 #include "tetracone/covering/repair/repair.h"
-#include "tetracone/covering/io/input_error.h"
 
 #include <algorithm>
 #include <iostream>
@@ -22,12 +22,13 @@ Model_file load_model(const std::string& file, const Model_options& options, boo
     const auto& edge = check.open_edges.front();
     const bool orientation_alone = covering::closes_if_oriented(polyhedron);
     throw covering::Input_error(file, 0,
-                              "an open surface has no solid: " + std::to_string(check.open_edges.size()) +
-                                  " directed edges without enough reverse, the first from vertex " + std::to_string(edge.from) +
-                                  " to " + std::to_string(edge.to),
-                              orientation_alone ? "expected a closed polyhedron; consistent orientation would close it: --orient"
-                                                : "expected a closed polyhedron, or --question surface; consistent orientation "
-                                                  "alone would not close it");
+                                "an open surface has no solid: " + std::to_string(check.open_edges.size()) +
+                                    " directed edges without enough reverse, the first from vertex " +
+                                    std::to_string(edge.from) + " to " + std::to_string(edge.to),
+                                orientation_alone
+                                    ? "expected a closed polyhedron; consistent orientation would close it: --orient"
+                                    : "expected a closed polyhedron, or --question surface; consistent orientation "
+                                      "alone would not close it");
   }
 
   auto triangulated = covering::triangulate_non_planar(polyhedron);

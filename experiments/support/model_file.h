@@ -31,9 +31,9 @@ struct Model_file {
   std::vector<covering::Index> source_face;  ///< the face of the file that each face is, or is a triangle of
 };
 
-/// Reads a model, merged and oriented as the options say, its non-planar faces replaced by triangles, with one line on stderr
-/// that says so. Throws covering::Input_error for an unreadable file, with `strict` for a non-planar face, and with `must_be_solid`
-/// for an open surface: what is open, and whether consistent orientation alone would close it.
+/// Reads a model, merged and oriented as the options say, its non-planar faces replaced by triangles, with one line on
+/// stderr that says so. Throws covering::Input_error for an unreadable file, with `strict` for a non-planar face, and
+/// with `must_be_solid` for an open surface: what is open, and whether consistent orientation alone would close it.
 Model_file load_model(const std::string& file, const Model_options& options, bool must_be_solid);
 
 }  // namespace tetracone::experiments

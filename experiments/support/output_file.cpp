@@ -68,7 +68,8 @@ std::error_code write_somehow(const fs::path& file, std::string_view text)
   return fs::is_regular_file(status) ? replace(followed(file), text) : write_to(file, 0, text);
 }
 
-[[noreturn]] void refuse(const fs::path& file, const std::string& what, const std::error_code& why, const char* expected)
+[[noreturn]] void refuse(const fs::path& file, const std::string& what, const std::error_code& why,
+                         const char* expected)
 {
   throw covering::Input_error(file.native(), 0, what + (why ? ": " + why.message() : ""), expected);
 }
@@ -79,19 +80,22 @@ void make_folder(const fs::path& folder)
 {
   std::error_code error, ignored;
   fs::create_directories(folder, error);
-  if (!fs::is_directory(folder, ignored)) refuse(folder, "cannot be made", error, "expected a folder that may be written");
+  if (!fs::is_directory(folder, ignored))
+    refuse(folder, "cannot be made", error, "expected a folder that may be written");
 }
 
 void write_whole(const fs::path& file, const std::string& text)
 {
-  if (const std::error_code error = write_somehow(file, text)) refuse(file, "cannot be written", error, "expected a file in a folder that may be written");
+  if (const std::error_code error = write_somehow(file, text))
+    refuse(file, "cannot be written", error, "expected a file in a folder that may be written");
 }
 
 void refuse_input(const fs::path& output, const std::vector<fs::path>& inputs)
 {
   std::error_code none;
   for (const fs::path& input : inputs)
-    if (fs::equivalent(output, input, none)) refuse(output, "is an input too: " + input.native(), {}, "expected another file for the results");
+    if (fs::equivalent(output, input, none))
+      refuse(output, "is an input too: " + input.native(), {}, "expected another file for the results");
 }
 
 }  // namespace tetracone::experiments

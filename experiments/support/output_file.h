@@ -7,12 +7,14 @@
 
 namespace tetracone::experiments {
 
-/// Makes a folder of results, where it is not there yet. Throws covering::Input_error when it cannot be made: before the work, not after it.
+/// Makes a folder of results, where it is not there yet. Throws covering::Input_error when it cannot be made: before
+/// the work, not after it.
 void make_folder(const std::filesystem::path& folder);
 
-/// Writes the whole file under a temporary name beside it, then renames: a reader sees the old file or the new one, never a part. Links are
-/// followed. A device or a FIFO, and the file that standard output already is, are written as they are. Throws covering::Input_error, with
-/// the system's reason, when it cannot be written; then nothing is left behind.
+/// Writes the whole file under a temporary name beside it, then renames: a reader sees the old file or the new one,
+/// never a part. Links are followed. A device or a FIFO, and the file that standard output already is, are written as
+/// they are. Throws covering::Input_error, with the system's reason, when it cannot be written; then nothing is left
+/// behind.
 void write_whole(const std::filesystem::path& file, const std::string& text);
 
 /// Throws covering::Input_error when `output` is one of the files, under whatever name. Call before the work.

@@ -11,10 +11,13 @@
 
 namespace tetracone::experiments {
 
-/// A progress line on stderr: share done, count per second, time left. Shown on a terminal only, from the second second on.
+/// A progress line on stderr: share done, count per second, time left. Shown on a terminal only, from the second second
+/// on.
 class Progress {
  public:
-  Progress(std::string what, std::size_t total) : what_(std::move(what)), total_(total), shown_(isatty(STDERR_FILENO) != 0) {}
+  Progress(std::string what, std::size_t total)
+      : what_(std::move(what)), total_(total), shown_(isatty(STDERR_FILENO) != 0)
+  {}
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   ~Progress()

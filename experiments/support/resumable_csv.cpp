@@ -6,7 +6,8 @@
 
 namespace tetracone::experiments {
 
-void write_table(const std::filesystem::path& out, const std::string& name, const std::string& key, const std::vector<Table_part>& parts)
+void write_table(const std::filesystem::path& out, const std::string& name, const std::string& key,
+                 const std::vector<Table_part>& parts)
 {
   const std::filesystem::path folder = out / name / ("v" TETRACONE_VERSION "-" + key);
   make_folder(folder);

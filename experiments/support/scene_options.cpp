@@ -13,7 +13,8 @@ using kernel::Pose;
 
 void Scene_names::add_options_to(CLI::App& command)
 {
-  command.add_option("--pose-a", poses_a, "Poses of A: one a line, 12 numbers, row-major 3x4; decimals or fractions n/d");
+  command.add_option("--pose-a", poses_a,
+                     "Poses of A: one a line, 12 numbers, row-major 3x4; decimals or fractions n/d");
   command.add_option("--pose-b", poses_b, "Poses of B; one pose in either file serves all of the other");
   models.add_to(command);
 }
@@ -40,11 +41,14 @@ void Scene_names::refuse_as_output(const std::filesystem::path& output) const
 
 Pose_pairs read_pose_pairs(const Scene_names& names)
 {
-  const auto read = [](const std::string& file) { return file.empty() ? std::vector<Pose>{Pose()} : covering::read_poses(file); };
+  const auto read = [](const std::string& file) {
+    return file.empty() ? std::vector<Pose>{Pose()} : covering::read_poses(file);
+  };
   Pose_pairs poses{read(names.poses_a), read(names.poses_b)};
   if (poses.a.size() != poses.b.size() && poses.a.size() != 1 && poses.b.size() != 1)
-    throw covering::Input_error(names.poses_b, 0, std::to_string(poses.b.size()) + " poses",
-                              "expected " + std::to_string(poses.a.size()) + " as in " + names.poses_a + ", or one pose in either file");
+    throw covering::Input_error(
+        names.poses_b, 0, std::to_string(poses.b.size()) + " poses",
+        "expected " + std::to_string(poses.a.size()) + " as in " + names.poses_a + ", or one pose in either file");
   return poses;
 }
 

@@ -36,8 +36,8 @@ struct Pose_pairs {
   const kernel::Pose& of_b(std::size_t k) const { return b[b.size() == 1 ? 0 : k]; }
 };
 
-/// The poses of both files, of a file that is not named the identity. Throws covering::Input_error for bad files, and for numbers of poses
-/// that do not go together.
+/// The poses of both files, of a file that is not named the identity. Throws covering::Input_error for bad files, and
+/// for numbers of poses that do not go together.
 Pose_pairs read_pose_pairs(const Scene_names& names);
 
 /// A polyhedron that comes from no file of its own.

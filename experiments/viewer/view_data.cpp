@@ -1,8 +1,8 @@
 #include "experiments/viewer/view_data.h"
 
+#include "experiments/support/progress.h"
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/repair/repair.h"
-#include "experiments/support/progress.h"
 #include "tetracone/kernel/predicate/signs.h"
 #include "tetracone/tetratree/paper/collision.h"
 #include "verify/subjects/predicate_subject.h"
@@ -73,7 +73,8 @@ Json faces_data(const Polyhedron& polyhedron)
   return faces;
 }
 
-/// Face and corners of each triangle. A face that no triangulation covers is drawn by its covering's triangles, as one loop would be.
+/// Face and corners of each triangle. A face that no triangulation covers is drawn by its covering's triangles, as one
+/// loop would be.
 Json triangles_data(const Polyhedron& polyhedron, const covering::Covering& covering)
 {
   Json triangles = Json::array();
@@ -95,14 +96,16 @@ Json covering_data(const covering::Model<K>& model)
   Json triangles = Json::array(), signs = Json::array();
   for (const auto& t : model.covering().triangles()) {
     for (const Index v : t.corner) triangles.push_back(v);
-    signs.push_back(int(kernel::volume_sign<K>(model.origin(), model.point(t.corner[0]), model.point(t.corner[1]), model.point(t.corner[2]))));
+    signs.push_back(int(kernel::volume_sign<K>(model.origin(), model.point(t.corner[0]), model.point(t.corner[1]),
+                                               model.point(t.corner[2]))));
   }
   return {{"origin", model.lattice().origin}, {"triangles", triangles}, {"signs", signs}};
 }
 
 Json nodes_data(const Tree& tree)
 {
-  Json level = Json::array(), leaf = Json::array(), tetrahedron = Json::array(), sphere = Json::array(), faces = Json::array();
+  Json level = Json::array(), leaf = Json::array(), tetrahedron = Json::array(), sphere = Json::array(),
+       faces = Json::array();
   for (Index n = 1; n < tree.node_count(); ++n) {
     const Node& node = tree.node(n);
     level.push_back(node.level);
@@ -117,7 +120,8 @@ Json nodes_data(const Tree& tree)
   return {{"level", level}, {"leaf", leaf}, {"tetrahedron", tetrahedron}, {"sphere", sphere}, {"faces", faces}};
 }
 
-/// The level of the deepest leaf, and dmax, the longest edge from V0 of a leaf's bounding tetrahedron (see `Tetra_tree::regular_hull`).
+/// The level of the deepest leaf, and dmax, the longest edge from V0 of a leaf's bounding tetrahedron (see
+/// `Tetra_tree::regular_hull`).
 Json hull_data(const Tree& tree)
 {
   using Hull = tetratree::Regular_hull<Tree::B, Tree::sound>;
@@ -184,7 +188,8 @@ Json features_data(const std::vector<Feature_pair>& exact, const std::vector<Fea
 }
 
 /// The leaves of A and of B in the pairs that the query does not discard; nothing where there are too many pairs.
-std::optional<std::array<std::set<std::size_t>, 2>> leaves_left(tetratree::Collision<K>& query, const Tree& a, const Tree& b, const Pose& pose_a, const Pose& pose_b)
+std::optional<std::array<std::set<std::size_t>, 2>> leaves_left(tetratree::Collision<K>& query, const Tree& a,
+                                                                const Tree& b, const Pose& pose_a, const Pose& pose_b)
 {
   std::array<std::set<std::size_t>, 2> left;
   std::size_t pairs = 0;
@@ -204,7 +209,8 @@ void add_answers(Json& data, const View_scene& scene, const Subject& subject, st
   const auto exact = verify::prepare(Subject(), body_a, body_b), judged = verify::prepare(subject, body_a, body_b);
   std::optional<tetratree::Collision<K>> query;
   if (!trees.empty()) query.emplace(trees[0], trees[1]);
-  Json answers = Json::array(), truths = Json::array(), features = Json::array(), counts = Json::array(), left = Json::array();
+  Json answers = Json::array(), truths = Json::array(), features = Json::array(), counts = Json::array(),
+       left = Json::array();
   Progress progress("poses", scene.poses.count());
   for (std::size_t k = 0; k < scene.poses.count(); ++k) {
     const Pose &pose_a = scene.poses.of_a(k), &pose_b = scene.poses.of_b(k);
@@ -251,7 +257,11 @@ Json case_data(const verify::Case_file& c)
 {
   Json wrong = Json::array();
   for (const auto& each : c.wrong) wrong.push_back(each.subject);
-  return {{"cause", c.cause}, {"family", c.origin().family}, {"seed", c.origin().seed}, {"index", c.origin().index}, {"wrong", wrong}};
+  return {{"cause", c.cause},
+          {"family", c.origin().family},
+          {"seed", c.origin().seed},
+          {"index", c.origin().index},
+          {"wrong", wrong}};
 }
 
 }  // namespace
@@ -261,27 +271,33 @@ std::string view_data(const View_scene& scene, const std::string& kernel, verify
   const bool predicate = scene.from && scene.from->level == verify::Level::predicate, pair = scene.bodies.size() == 2;
   const auto subject = Subject::parse(kernel, method);
   if (!subject && !predicate)
-    throw CLI::ValidationError("--kernel " + kernel, "expected adaptive, double, float, double-eps=E, epick, epeck or rational");
+    throw CLI::ValidationError("--kernel " + kernel,
+                               "expected adaptive, double, float, double-eps=E, epick, epeck or rational");
 
   std::size_t triangles = 0;
   for (const Model_file& body : scene.bodies) triangles += triangle_count(body.polyhedron);
   if (triangles > most_triangles)
-    throw covering::Input_error(scene.name, 0, std::to_string(triangles) + " triangles", "expected at most " + std::to_string(most_triangles) + " in a page");
+    throw covering::Input_error(scene.name, 0, std::to_string(triangles) + " triangles",
+                                "expected at most " + std::to_string(most_triangles) + " in a page");
 
   // The paper's own choices: they are what there is to see.
   std::vector<Tree> trees;
   if (triangles <= most_detailed)
     for (const Model_file& body : scene.bodies) trees.emplace_back(body.polyhedron, tetratree::Config());
   else
-    std::cerr << scene.name << ": " << triangles << " triangles, more than " << most_detailed << ": the page shows bodies and answers alone\n";
+    std::cerr << scene.name << ": " << triangles << " triangles, more than " << most_detailed
+              << ": the page shows bodies and answers alone\n";
   Json data = {{"name", scene.name}, {"version", TETRACONE_VERSION}, {"bodies", Json::array()}};
-  for (const Model_file& body : scene.bodies) data["bodies"].push_back(body_data(body, covering::Covering(body.polyhedron)));
+  for (const Model_file& body : scene.bodies)
+    data["bodies"].push_back(body_data(body, covering::Covering(body.polyhedron)));
   for (std::size_t k = 0; k < trees.size(); ++k) add_method(data["bodies"][k], trees[k]);
   data["poses"] = {poses_data(scene.poses.a), poses_data(scene.poses.b)};
   const char* const question = scene.question == kernel::Question::solid ? "solid" : "surface";
   if (pair) data["question"] = predicate ? verify::to_string(*scene.from->predicate) : question;
-  if (predicate) add_answer_of_predicate(data, *scene.from, kernel);
-  else if (pair) add_answers(data, scene, *subject, trees);
+  if (predicate)
+    add_answer_of_predicate(data, *scene.from, kernel);
+  else if (pair)
+    add_answers(data, scene, *subject, trees);
   if (scene.from) data["case"] = case_data(*scene.from);
   return data.dump();
 }

@@ -25,7 +25,8 @@ Polyhedron simplex(std::initializer_list<kernel::Vertex> points)
   Polyhedron polyhedron;
   polyhedron.vertices = points;
   if (points.size() == 4) {
-    for (const auto& [i, j, k] : {std::array<Index, 3>{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}) polyhedron.add_polygon({i, j, k});
+    for (const auto& [i, j, k] : {std::array<Index, 3>{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}})
+      polyhedron.add_polygon({i, j, k});
   } else {
     std::vector<Index> loop(points.size());
     std::iota(loop.begin(), loop.end(), Index(0));
@@ -88,7 +89,8 @@ View_scene read_view_scene(const Scene_names& names, std::optional<Question> que
   scene.bodies.push_back(load_model(names.a, names.models, solid));
   if (pair) scene.bodies.push_back(load_model(names.b, names.models, solid));
   for (const Model_file& body : scene.bodies)
-    if (body.polyhedron.face_count() == 0) throw covering::Input_error(body.file, 0, "no faces", "expected something to show");
+    if (body.polyhedron.face_count() == 0)
+      throw covering::Input_error(body.file, 0, "no faces", "expected something to show");
   return scene;
 }
 

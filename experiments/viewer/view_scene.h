@@ -20,9 +20,9 @@ struct View_scene {
   std::optional<verify::Case_file> from;  ///< the case file, if it is one's
 };
 
-/// Reads a scene. The bodies of a predicate's case are the points, segments, triangles and tetrahedra that it is asked of. `question`:
-/// that of two bodies; nothing: solid, or the case file's own. Throws covering::Input_error for bad input and
-/// CLI::ValidationError for names that do not go together.
+/// Reads a scene. The bodies of a predicate's case are the points, segments, triangles and tetrahedra that it is asked
+/// of. `question`: that of two bodies; nothing: solid, or the case file's own. Throws covering::Input_error for bad
+/// input and CLI::ValidationError for names that do not go together.
 View_scene read_view_scene(const Scene_names& names, std::optional<kernel::Question> question);
 
 }  // namespace tetracone::experiments

@@ -3,7 +3,8 @@
 
 #include <string_view>
 
-/// The files of experiments/viewer/page/ and three.js, as they were when the program was built: CMake writes their definitions.
+/// The files of experiments/viewer/page/ and three.js, as they were when the program was built: CMake writes their
+/// definitions.
 namespace tetracone::experiments::viewer {
 
 extern const std::string_view page_html, style_css, bodies_js, bounds_js, camera_js, page_js;

@@ -13,8 +13,8 @@
 /// Bounding volumes and the tests that separate them, over a rounded number type B (double or float).
 ///
 /// Every test may only answer "separated" or "not known", and is written so that NaN and infinity mean "not known".
-/// With `sound` each comparison carries a slack that covers all rounding on the way (of the volume, of the pose, of the test),
-/// so that "separated" is a proof. Without it the arithmetic decides as it comes, as the paper's program does.
+/// With `sound` each comparison carries a slack that covers all rounding on the way (of the volume, of the pose, of the
+/// test), so that "separated" is a proof. Without it the arithmetic decides as it comes, as the paper's program does.
 namespace tetracone::kernel {
 
 template <class B>
@@ -56,9 +56,9 @@ Bound_point<B> bound_point(const Vertex& v)
 /// Sound tests separate nothing beyond this magnitude: up to it no expression here overflows.
 inline constexpr double magnitude_gate = 0x1p250;
 
-/// What sound tests in double add to a quantity that may have underflowed. What underflows, be it a product or an entry of a
-/// pose that was a fraction, loses at most 2^-1074; some ten of these, each times a coordinate or offset below 2^254,
-/// stay below it.
+/// What sound tests in double add to a quantity that may have underflowed. What underflows, be it a product or an entry
+/// of a pose that was a fraction, loses at most 2^-1074; some ten of these, each times a coordinate or offset below
+/// 2^254, stay below it.
 inline constexpr double underflow_slack = 0x1p-800;
 
 template <class B>
@@ -70,9 +70,10 @@ struct Ball {
 /// A pose in the arithmetic of the bounds, and how far its images can be off.
 ///
 /// All points that are placed lie in the cube |x|, |y|, |z| <= reach. With S = max_i sum_j |M_ij| * reach + |t_i|:
-/// placing rounds at most 4 times a term (4.001 u S), an entry that was a fraction once (1.001 u S), and a point of the cube
-/// that was itself computed in the model's frame at most 2 more (2.001 u S): `error` = 8 u S covers all, and `magnitude` =
-/// S (1 + 16 u) covers every coordinate. `stretch` bounds the factor by which M lengthens: ||M||^2 <= max row sum of |M^T M|.
+/// placing rounds at most 4 times a term (4.001 u S), an entry that was a fraction once (1.001 u S), and a point of the
+/// cube that was itself computed in the model's frame at most 2 more (2.001 u S): `error` = 8 u S covers all, and
+/// `magnitude` = S (1 + 16 u) covers every coordinate. `stretch` bounds the factor by which M lengthens: ||M||^2 <= max
+/// row sum of |M^T M|.
 template <class B, bool sound>
 class Bound_frame {
  public:
@@ -83,7 +84,8 @@ class Bound_frame {
     constexpr B u = unit_roundoff<B>;
     B largest = 0;
     for (int i = 0; i < 3; ++i) {
-      const B sum = (std::abs(m_[4 * i]) + std::abs(m_[4 * i + 1]) + std::abs(m_[4 * i + 2])) * reach + std::abs(m_[4 * i + 3]);
+      const B sum =
+          (std::abs(m_[4 * i]) + std::abs(m_[4 * i + 1]) + std::abs(m_[4 * i + 2])) * reach + std::abs(m_[4 * i + 3]);
       largest = maximum(largest, sum);
     }
     magnitude_ = largest * (1 + 16 * u);
@@ -96,7 +98,8 @@ class Bound_frame {
     for (int i = 0; i < 3; ++i) {
       B row = 0;
       for (int j = 0; j < 3; ++j) row += std::abs(m_[i] * m_[j] + m_[4 + i] * m_[4 + j] + m_[8 + i] * m_[8 + j]);
-      square = maximum(square, row);  // undefined where products overflow to both sides: no ball of that radius is apart from another
+      square = maximum(square, row);  // undefined where products overflow to both sides: no ball of that radius is
+                                      // apart from another
     }
     if constexpr (sound) square += B(underflow_slack);
     stretch_ = identity_ ? 1 : std::sqrt(square) * (sound ? 1 + 32 * u : 1);
@@ -136,15 +139,16 @@ class Bound_frame {
   bool identity_ = true;
 };
 
-/// A ball placed: centre moved, radius stretched. Sound: its radius grows by the error of the centre (sqrt(3) < 2 coordinates).
+/// A ball placed: centre moved, radius stretched. Sound: its radius grows by the error of the centre (sqrt(3) < 2
+/// coordinates).
 template <class B, bool sound>
 Ball<B> placed(const Bound_frame<B, sound>& frame, const Ball<B>& ball)
 {
   return {frame(ball.centre), ball.radius * frame.stretch() + 2 * frame.error()};
 }
 
-/// True when the two closed balls share no point. Sound: distance^2 and radius^2 are each off by at most 8 u, and the difference
-/// of the centres by u, relative; 2^-44 covers them.
+/// True when the two closed balls share no point. Sound: distance^2 and radius^2 are each off by at most 8 u, and the
+/// difference of the centres by u, relative; 2^-44 covers them.
 template <class B, bool sound>
 bool separated(const Ball<B>& a, const Ball<B>& b)
 {
@@ -196,8 +200,9 @@ Bound_point<B> improved_centre(Bound_point<B> start, std::span<const Bound_point
 template <class B>
 using Bound_tetrahedron = std::array<Bound_point<B>, 4>;
 
-/// How much an interval of dot products with `axis` may be off, both bodies together, a unit of |axis|_1: the errors of the points
-/// and 3 u of rounding a dot product of coordinates up to the larger magnitude (8 u with the final difference).
+/// How much an interval of dot products with `axis` may be off, both bodies together, a unit of |axis|_1: the errors of
+/// the points and 3 u of rounding a dot product of coordinates up to the larger magnitude (8 u with the final
+/// difference).
 template <class B, bool sound>
 B projection_slack(const Bound_frame<B, sound>& a, const Bound_frame<B, sound>& b)
 {
@@ -215,12 +220,11 @@ struct Projection {
       : corner{dot(axis, t[0]), dot(axis, t[1]), dot(axis, t[2]), dot(axis, t[3])},
         low(minimum(corner[0], corner[1], corner[2], corner[3])),
         high(maximum(corner[0], corner[1], corner[2], corner[3]))
-  {
-  }
+  {}
 };
 
-/// True when the projections on `axis` are disjoint by more than slack * |axis|_1; never where any of these is undefined. Any axis is sound,
-/// whatever it was meant to be.
+/// True when the projections on `axis` are disjoint by more than slack * |axis|_1; never where any of these is
+/// undefined. Any axis is sound, whatever it was meant to be.
 template <class B>
 bool separated_along(const Bound_point<B>& axis, const Projection<B>& a, const Projection<B>& b, B slack)
 {
@@ -228,9 +232,10 @@ bool separated_along(const Bound_point<B>& axis, const Projection<B>& a, const P
   return b.low - a.high > allowed || a.low - b.high > allowed;
 }
 
-/// True when the two tetrahedra are found to share no point. The axes are the 8 face normals and, with `all_axes`, the 36 cross
-/// products of edges, with which the test is complete (separating axis theorem) up to rounding and slack. A corner of one that lies
-/// between the face and the opposite corner of the other along all four of its normals is inside it: then no axis is left to try.
+/// True when the two tetrahedra are found to share no point. The axes are the 8 face normals and, with `all_axes`, the
+/// 36 cross products of edges, with which the test is complete (separating axis theorem) up to rounding and slack. A
+/// corner of one that lies between the face and the opposite corner of the other along all four of its normals is
+/// inside it: then no axis is left to try.
 template <class B>
 bool separated(const Bound_tetrahedron<B>& a, const Bound_tetrahedron<B>& b, bool all_axes, B slack)
 {
@@ -241,7 +246,8 @@ bool separated(const Bound_tetrahedron<B>& a, const Bound_tetrahedron<B>& b, boo
   };
   const Edges e = edges_of(a), f = edges_of(b);
   bool corner_inside = false;
-  const auto face_normals_separate = [&](const Bound_tetrahedron<B>& self, const Edges& g, const Bound_tetrahedron<B>& other) {
+  const auto face_normals_separate = [&](const Bound_tetrahedron<B>& self, const Edges& g,
+                                         const Bound_tetrahedron<B>& other) {
     std::array<bool, 4> inside{true, true, true, true};
     // The far face 1 2 3, which separates most often, then 0 1 2, 0 2 3, 0 3 1.
     constexpr std::array<std::array<int, 2>, 4> faces = {{{3, 4}, {0, 1}, {1, 2}, {2, 0}}};
@@ -273,10 +279,10 @@ struct Half_space {
 
 /// A half-space placed with its body, asked which points of another body lie strictly beyond it.
 ///
-/// With C the cofactors of M, N = C n: N . (Mx - MO) = det M (n . (x - O)), so |N . (y - y_O)| <= |det M| offset for every image y.
-/// A cofactor rounds 3 times, N twice more, entries that were fractions twice: |N^ - N| <= 10 u sum_j |C_ij| |n_j| =: 10 u A_i, and
-/// |y - y_O| <= 2 magnitude; the determinant is off by 10 u of its permanent. `threshold` takes all of it, and the slack of a
-/// projection on N^ covers the points asked.
+/// With C the cofactors of M, N = C n: N . (Mx - MO) = det M (n . (x - O)), so |N . (y - y_O)| <= |det M| offset for
+/// every image y. A cofactor rounds 3 times, N twice more, entries that were fractions twice: |N^ - N| <= 10 u sum_j
+/// |C_ij| |n_j| =: 10 u A_i, and |y - y_O| <= 2 magnitude; the determinant is off by 10 u of its permanent. `threshold`
+/// takes all of it, and the slack of a projection on N^ covers the points asked.
 template <class B, bool sound>
 class Placed_half_space {
  public:
@@ -304,7 +310,8 @@ class Placed_half_space {
     if constexpr (sound) {
       constexpr B u = unit_roundoff<B>;
       threshold_ = (threshold_ + 16 * u * permanent * half_space.offset + 32 * u * absolute_sum * frame.magnitude()) *
-                       B(1 + 0x1p-40) + B(underflow_slack);
+                       B(1 + 0x1p-40) +
+                   B(underflow_slack);
     }
   }
 
@@ -319,8 +326,8 @@ class Placed_half_space {
   B threshold_ = 0;
 };
 
-/// An axis-aligned box of placed points, grown by the error of the frame that placed them: of an edge, or of a face. One with an undefined bound meets
-/// every box on that side.
+/// An axis-aligned box of placed points, grown by the error of the frame that placed them: of an edge, or of a face.
+/// One with an undefined bound meets every box on that side.
 template <class B>
 struct Box {
   Bound_point<B> low, high;

@@ -12,13 +12,14 @@
 
 namespace tetracone::kernel {
 
-/// Coordinates of points along the rays of a cone: p = V0 + c_1 V_1 + c_2 V_2 + c_3 V_3, with V_i the vectors to lattice points.
-/// What a bounding tetrahedron asks of them is whether all points lie on V0's side of a plane that cuts ray i at length_i V_i:
-/// whether sum_i c_i / length_i <= 1, the sign of the barycentric coordinate at V0.
+/// Coordinates of points along the rays of a cone: p = V0 + c_1 V_1 + c_2 V_2 + c_3 V_3, with V_i the vectors to
+/// lattice points. What a bounding tetrahedron asks of them is whether all points lie on V0's side of a plane that cuts
+/// ray i at length_i V_i: whether sum_i c_i / length_i <= 1, the sign of the barycentric coordinate at V0.
 ///
-/// Sound: c_i = ((p - V0) . N_i) / D with N_i, D exact (products of integers below 2^13), so a rounding of p - V0, one of each of 3
-/// products and 2 sums and one of the division: |error| <= 6 u A_i, A_i = sum_k |p - V0|_k |N_ik| / D. Over the largest A_i of all
-/// points, sum_i (16 u A_i) / length_i covers the error of the whole form; `bounded_by` asks for that much more.
+/// Sound: c_i = ((p - V0) . N_i) / D with N_i, D exact (products of integers below 2^13), so a rounding of p - V0, one
+/// of each of 3 products and 2 sums and one of the division: |error| <= 6 u A_i, A_i = sum_k |p - V0|_k |N_ik| / D.
+/// Over the largest A_i of all points, sum_i (16 u A_i) / length_i covers the error of the whole form; `bounded_by`
+/// asks for that much more.
 template <class B, bool sound>
 class Cone_coordinates {
  public:
@@ -43,7 +44,8 @@ class Cone_coordinates {
       }
       coordinates_.push_back(c);
     }
-    // The plane through the unit points of the rays has distance h from V0: rays of length radius / h keep it beyond all points.
+    // The plane through the unit points of the rays has distance h from V0: rays of length radius / h keep it beyond
+    // all points.
     std::array<Bound_point<B>, 3> unit;
     for (int i = 0; i < 3; ++i)
       for (int k = 0; k < 3; ++k) unit[i][k] = v[i][k] * step / length_of_ray_[i];
@@ -70,8 +72,9 @@ class Cone_coordinates {
   /// The volume of the tetrahedron cut off at these lengths.
   B volume(const std::array<B, 3>& length) const { return volume_ * length[0] * length[1] * length[2]; }
 
-  /// Lengths that bound all points, of nearly the least volume: a pattern search over the two ratios of the lengths, the third
-  /// number following from the farthest point. No edge grows beyond 4 times the isosceles ones; `start` bounds.
+  /// Lengths that bound all points, of nearly the least volume: a pattern search over the two ratios of the lengths,
+  /// the third number following from the farthest point. No edge grows beyond 4 times the isosceles ones; `start`
+  /// bounds.
   std::array<B, 3> least_volume(const std::array<B, 3>& start) const
   {
     const auto lengths = [this](B x, B y) {
@@ -79,7 +82,8 @@ class Cone_coordinates {
       std::array<B, 3> length = {std::exp(x) / length_of_ray_[0], std::exp(y) / length_of_ray_[1],
                                  std::exp(-x - y) / length_of_ray_[2]};
       B farthest = 0;
-      for (const auto& c : coordinates_) farthest = maximum(farthest, c[0] / length[0] + c[1] / length[1] + c[2] / length[2]);
+      for (const auto& c : coordinates_)
+        farthest = maximum(farthest, c[0] / length[0] + c[1] / length[1] + c[2] / length[2]);
       // As far as `bounded_by` asks, and not less: in a slender cone its allowance for rounding is many units.
       for (int i = 0; i < 3; ++i) farthest += (sound ? 17 : 1) * unit_roundoff<B> * largest_[i] / length[i];
       for (B& l : length) l *= farthest * (1 + 64 * unit_roundoff<B>);

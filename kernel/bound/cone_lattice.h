@@ -18,9 +18,9 @@ using Direction = std::array<std::int32_t, 3>;
 inline constexpr int max_cone_depth = 12;
 inline constexpr std::int32_t lattice_size = 1 << max_cone_depth;
 
-/// Origin and step of a lattice of directions, chosen so that every point origin + step * direction is exact in double (and,
-/// for a model that lies about the coordinate origin, in float): the rays of all tetra-cones then run through points
-/// that no kernel rounds.
+/// Origin and step of a lattice of directions, chosen so that every point origin + step * direction is exact in double
+/// (and, for a model that lies about the coordinate origin, in float): the rays of all tetra-cones then run through
+/// points that no kernel rounds.
 ///
 /// The origin is the centroid of the vertices, rounded to a multiple of step = 2^k. With e the extent and s the largest
 /// coordinate of the model, step >= 2^-18 e and step >= 2^-51 s; |origin| <= s and the lattice reaches 2^12 steps,

@@ -11,44 +11,47 @@
 
 /// Eight oriented boxes against one, at once.
 ///
-/// Boxes live in a body's local units, relative to the origin of their node, in float; every comparison carries a slack, so that a box
-/// that is said to be apart is apart in exact arithmetic. The comparison itself is in obb8_overlap.h.
+/// Boxes live in a body's local units, relative to the origin of their node, in float; every comparison carries a
+/// slack, so that a box that is said to be apart is apart in exact arithmetic. The comparison itself is in
+/// obb8_overlap.h.
 namespace tetracone::kernel {
 
 inline constexpr std::size_t lanes = 8;
 
-/// Box k is {c + sum_i s_i a_i, |s_i| <= e_i} with centre c = origin + centre[.][k], nearly orthonormal axes a_i = axis[i][.][k] and
-/// e_i = extent[i][k]. "Nearly": a_i . a_j differs from 1 or 0 by at most `axis_defect`.
+/// Box k is {c + sum_i s_i a_i, |s_i| <= e_i} with centre c = origin + centre[.][k], nearly orthonormal axes a_i =
+/// axis[i][.][k] and e_i = extent[i][k]. "Nearly": a_i . a_j differs from 1 or 0 by at most `axis_defect`.
 struct alignas(32) Obb8 {
   float centre[3][lanes], axis[3][3][lanes], extent[3][lanes];
   float origin[3];
-  float reach;     ///< |c_k| + sum_i e_i of every lane is at most this, c relative to the origin
-  int lane_count;  ///< so many lanes hold a box, the first ones
+  float reach;           ///< |c_k| + sum_i e_i of every lane is at most this, c relative to the origin
+  int lane_count;        ///< so many lanes hold a box, the first ones
   std::uint32_t marked;  ///< lanes, as bits, that mean something to whoever keeps the boxes
 };
 inline constexpr double axis_defect = 0x1p-21;
 
-/// Where a triangle lies in its box: in the plane of axes 1 and 2, with corners (-e1, -e2), (e1, -e2) and (apex e1, e2), up to `apex_tolerance`
-/// (e1 + e2); kept in 16 bits, 0 for a box of something else.
+/// Where a triangle lies in its box: in the plane of axes 1 and 2, with corners (-e1, -e2), (e1, -e2) and (apex e1,
+/// e2), up to `apex_tolerance` (e1 + e2); kept in 16 bits, 0 for a box of something else.
 using Apex_code = std::uint16_t;
 inline constexpr float no_apex = 2;
 inline constexpr double apex_tolerance = 0x1p-15;
 inline float apex_of(Apex_code code) { return code == 0 ? no_apex : float(int(code) - 32768) * (1 / 32767.0f); }
 
-/// One box of the other body, carried into the frame of the eight and relative to their origin: a parallelepiped of centre c and half-edges
-/// extent[j] * edge[j], edge[j] of length nearly 1 where `slack` is finite; normal[j] = edge[j+1] x edge[j+2]. For a similarity the edges are nearly orthonormal, and
-/// normals are not used. `apex` says where in the box a triangle lies, if one does. `slack` bounds, for each axis tried, all rounding: see `obb8_slack`.
+/// One box of the other body, carried into the frame of the eight and relative to their origin: a parallelepiped of
+/// centre c and half-edges extent[j] * edge[j], edge[j] of length nearly 1 where `slack` is finite; normal[j] =
+/// edge[j+1] x edge[j+2]. For a similarity the edges are nearly orthonormal, and normals are not used. `apex` says
+/// where in the box a triangle lies, if one does. `slack` bounds, for each axis tried, all rounding: see `obb8_slack`.
 struct Single_box {
   alignas(16) float edge[3][4];  // the fourth is not used
   float centre[3], extent[3], normal[3][3], slack, apex = no_apex;
 };
 
-/// The slack of a test among boxes of a node. With M = |t|_1 + reach + sum of extents, t the single box's centre relative to the node's
-/// origin and reach a bound on |c_k| + sum_i e_i of every lane, each side of each of the 15 inequalities is a sum of at most
-/// six terms below 2 M, each rounded at most 6 times (a dot product of three, a product, two sums; fewer where products and sums are
-/// fused) on top of the roundings of its factors to float (1 each; an edge carried over in float, 4) and of the axes' defect (8 u): below 60 u M in
-/// all, both sides together. `position_error` bounds how far, in one coordinate, any point of the single box is from where it belongs; no
-/// axis is longer than sqrt(3) (1 + 2^-20). The last term is for what underflows.
+/// The slack of a test among boxes of a node. With M = |t|_1 + reach + sum of extents, t the single box's centre
+/// relative to the node's origin and reach a bound on |c_k| + sum_i e_i of every lane, each side of each of the 15
+/// inequalities is a sum of at most six terms below 2 M, each rounded at most 6 times (a dot product of three, a
+/// product, two sums; fewer where products and sums are fused) on top of the roundings of its factors to float (1 each;
+/// an edge carried over in float, 4) and of the axes' defect (8 u): below 60 u M in all, both sides together.
+/// `position_error` bounds how far, in one coordinate, any point of the single box is from where it belongs; no axis is
+/// longer than sqrt(3) (1 + 2^-20). The last term is for what underflows.
 inline float obb8_slack(double m, double position_error)
 {
   return static_cast<float>(64 * 0x1p-24 * m + 8 * position_error) * (1 + 0x1p-20f) + 0x1p-100f;
@@ -62,8 +65,15 @@ class Box_map {
   explicit Box_map(const Relative_frame& frame) : frame_(frame) { make_ready(); }
 
   /// From B's units to A's: see `Relative_frame`.
-  Box_map(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b) : frame_(a, in_a, b, in_b) { make_ready(); }
-  Box_map(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b, const Origin_offset& d) : frame_(a, in_a, b, in_b, d) { make_ready(); }
+  Box_map(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b) : frame_(a, in_a, b, in_b)
+  {
+    make_ready();
+  }
+  Box_map(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b, const Origin_offset& d)
+      : frame_(a, in_a, b, in_b, d)
+  {
+    make_ready();
+  }
 
   const Relative_frame& frame() const { return frame_; }
   bool is_similarity() const { return frame_.is_similarity(); }
@@ -78,8 +88,8 @@ class Box_map {
   const double* column(int j) const { return column_[j]; }
   float stretch() const { return stretch_; }
 
-  /// As `obb8_slack`, wherever the single box is: when |t|_2 is above the sum of reach and extents, the boxes are apart, whatever is computed. Else
-  /// |t|_1 is at most sqrt(3) times that sum, and M at most 2.74 times.
+  /// As `obb8_slack`, wherever the single box is: when |t|_2 is above the sum of reach and extents, the boxes are
+  /// apart, whatever is computed. Else |t|_1 is at most sqrt(3) times that sum, and M at most 2.74 times.
   float slack(float reach, float size) const { return 3 * 64 * 0x1p-24f * (reach + size) + position_slack_; }
 
   /// The whole single box, for any map.
@@ -88,7 +98,8 @@ class Box_map {
     Single_box box;
     double sum = boxes.reach;
     for (int j = 0; j < 3; ++j) {
-      const auto edge = frame_.direction(std::array{from.axis[j][0][lane], from.axis[j][1][lane], from.axis[j][2][lane]});
+      const auto edge =
+          frame_.direction(std::array{from.axis[j][0][lane], from.axis[j][1][lane], from.axis[j][2][lane]});
       const double square = edge[0] * edge[0] + edge[1] * edge[1] + edge[2] * edge[2], length = std::sqrt(square);
       // Below that, products underflow and `edge` would not be of length 1: no lane is found apart.
       if (!(square >= 0x1p-900)) sum = std::numeric_limits<double>::infinity();
@@ -120,7 +131,8 @@ class Box_map {
 
   void place_centre(Single_box& box, double sum, const Obb8& boxes, const Obb8& from, int lane) const
   {
-    const auto centre = frame_(std::array{double(from.origin[0]) + double(from.centre[0][lane]), double(from.origin[1]) + double(from.centre[1][lane]),
+    const auto centre = frame_(std::array{double(from.origin[0]) + double(from.centre[0][lane]),
+                                          double(from.origin[1]) + double(from.centre[1][lane]),
                                           double(from.origin[2]) + double(from.centre[2][lane])});
     for (int i = 0; i < 3; ++i) {
       const double t = centre[i] - double(boxes.origin[i]);

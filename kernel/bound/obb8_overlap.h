@@ -1,15 +1,16 @@
 #ifndef TETRACONE_KERNEL_BOUND_OBB8_OVERLAP_H
 #define TETRACONE_KERNEL_BOUND_OBB8_OVERLAP_H
 
-#include "tetracone/kernel/simd/simd.h"
 #include "tetracone/kernel/bound/obb8.h"
+#include "tetracone/kernel/simd/simd.h"
 
 #define TETRACONE_SIMD_KERNEL "tetracone/kernel/bound/obb8_overlap_simd.inl"
 #include "tetracone/kernel/simd/simd_rounds.h"
 
 namespace tetracone::kernel {
 
-/// The lanes of `boxes` that are not found apart from the single box, as bits; lanes that hold nothing may be among them.
+/// The lanes of `boxes` that are not found apart from the single box, as bits; lanes that hold nothing may be among
+/// them.
 inline unsigned overlapping(const Obb8& boxes, const Single_box& box, bool similarity)
 {
   using Function = unsigned(const Obb8&, const Single_box&, bool);
@@ -17,7 +18,8 @@ inline unsigned overlapping(const Obb8& boxes, const Single_box& box, bool simil
   return fastest(boxes, box, similarity);
 }
 
-/// The lanes of `boxes` that are not found apart from box `lane` of `from`, which `map` carries into the frame of `boxes`.
+/// The lanes of `boxes` that are not found apart from box `lane` of `from`, which `map` carries into the frame of
+/// `boxes`.
 inline unsigned overlapping(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane)
 {
   using Function = unsigned(const Obb8&, const Box_map&, const Obb8&, int);

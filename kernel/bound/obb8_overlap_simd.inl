@@ -26,9 +26,9 @@ struct One_test {
   HWY_INLINE Floats all(const float& x) const { return hn::Set(tag, x); }
 };
 
-/// The lanes whose box is not found apart from the single box: separating axes are the normals of both and the 9 cross products of edges. A gap is
-/// |distance| minus both reaches; with an infinite slack none is found, whatever overflowed. Of a similarity, a single box that holds a triangle is cut
-/// down to it.
+/// The lanes whose box is not found apart from the single box: separating axes are the normals of both and the 9 cross
+/// products of edges. A gap is |distance| minus both reaches; with an infinite slack none is found, whatever
+/// overflowed. Of a similarity, a single box that holds a triangle is cut down to it.
 template <bool similarity, class Test>
 HWY_INLINE auto together(const Test& test)
 {
@@ -38,22 +38,25 @@ HWY_INLINE auto together(const Test& test)
   const auto load = [&](const float* lane) HWY_ATTR { return test.load(lane); };
   const auto all = [&](const float& x) HWY_ATTR { return test.all(x); };
 
-  const Floats x = hn::Sub(all(box.centre[0]), load(boxes.centre[0])), y = hn::Sub(all(box.centre[1]), load(boxes.centre[1])),
+  const Floats x = hn::Sub(all(box.centre[0]), load(boxes.centre[0])),
+               y = hn::Sub(all(box.centre[1]), load(boxes.centre[1])),
                z = hn::Sub(all(box.centre[2]), load(boxes.centre[2]));
   const Floats e0 = load(boxes.extent[0]), e1 = load(boxes.extent[1]), e2 = load(boxes.extent[2]);
   const Floats f0 = all(box.extent[0]), f1 = all(box.extent[1]), f2 = all(box.extent[2]);
   Floats t0, t1, t2, r00, r01, r02, r10, r11, r12, r20, r21, r22;
   const auto along = [&](int i, Floats& t, Floats& r0, Floats& r1, Floats& r2) HWY_ATTR {
     const Floats a0 = load(boxes.axis[i][0]), a1 = load(boxes.axis[i][1]), a2 = load(boxes.axis[i][2]);
-    const auto dot = [&](const float* v) HWY_ATTR { return hn::MulAdd(a2, all(v[2]), hn::MulAdd(a1, all(v[1]), hn::Mul(a0, all(v[0])))); };
+    const auto dot = [&](const float* v) HWY_ATTR {
+      return hn::MulAdd(a2, all(v[2]), hn::MulAdd(a1, all(v[1]), hn::Mul(a0, all(v[0]))));
+    };
     t = hn::MulAdd(a2, z, hn::MulAdd(a1, y, hn::Mul(a0, x)));
     r0 = dot(box.edge[0]), r1 = dot(box.edge[1]), r2 = dot(box.edge[2]);
   };
   along(0, t0, r00, r01, r02);
   along(1, t1, r10, r11, r12);
   along(2, t2, r20, r21, r22);
-  const Floats s00 = hn::Abs(r00), s01 = hn::Abs(r01), s02 = hn::Abs(r02), s10 = hn::Abs(r10), s11 = hn::Abs(r11), s12 = hn::Abs(r12),
-               s20 = hn::Abs(r20), s21 = hn::Abs(r21), s22 = hn::Abs(r22);
+  const Floats s00 = hn::Abs(r00), s01 = hn::Abs(r01), s02 = hn::Abs(r02), s10 = hn::Abs(r10), s11 = hn::Abs(r11),
+               s12 = hn::Abs(r12), s20 = hn::Abs(r20), s21 = hn::Abs(r21), s22 = hn::Abs(r22);
 
   // The normals of the eight.
   const auto own = [&](Floats t, Floats e, Floats s0, Floats s1, Floats s2) HWY_ATTR {
@@ -68,40 +71,44 @@ HWY_INLINE auto together(const Test& test)
     return hn::NegMulAdd(e2, s2, hn::NegMulAdd(e1, s1, hn::NegMulAdd(e0, s0, hn::Sub(distance, reach))));
   };
   if constexpr (similarity) {
-    gap = hn::Max(gap, hn::Max(other(r00, r10, r20, f0, s00, s10, s20),
-                               hn::Max(other(r01, r11, r21, f1, s01, s11, s21), other(r02, r12, r22, f2, s02, s12, s22))));
+    gap = hn::Max(gap,
+                  hn::Max(other(r00, r10, r20, f0, s00, s10, s20),
+                          hn::Max(other(r01, r11, r21, f1, s01, s11, s21), other(r02, r12, r22, f2, s02, s12, s22))));
   } else {
     const auto normals = [&](int j, Floats& n0, Floats& n1, Floats& n2) HWY_ATTR {
       const auto dot = [&](int i) HWY_ATTR {
         const float* v = box.normal[j];
-        return hn::MulAdd(load(boxes.axis[i][2]), all(v[2]), hn::MulAdd(load(boxes.axis[i][1]), all(v[1]), hn::Mul(load(boxes.axis[i][0]), all(v[0]))));
+        return hn::MulAdd(load(boxes.axis[i][2]), all(v[2]),
+                          hn::MulAdd(load(boxes.axis[i][1]), all(v[1]), hn::Mul(load(boxes.axis[i][0]), all(v[0]))));
       };
-      const float height = box.edge[j][0] * box.normal[j][0] + box.edge[j][1] * box.normal[j][1] + box.edge[j][2] * box.normal[j][2];
+      const float height =
+          box.edge[j][0] * box.normal[j][0] + box.edge[j][1] * box.normal[j][1] + box.edge[j][2] * box.normal[j][2];
       const Floats m0 = dot(0), m1 = dot(1), m2 = dot(2);
       n0 = hn::Abs(m0), n1 = hn::Abs(m1), n2 = hn::Abs(m2);
-      gap = hn::Max(gap, other(m0, m1, m2, hn::Set(test.tag, box.extent[j] * (height < 0 ? -height : height)), n0, n1, n2));
+      gap = hn::Max(gap,
+                    other(m0, m1, m2, hn::Set(test.tag, box.extent[j] * (height < 0 ? -height : height)), n0, n1, n2));
     };
     normals(0, n00, n10, n20);
     normals(1, n01, n11, n21);
     normals(2, n02, n12, n22);
   }
 
-  // a_i x edge_j has the components 0, -r[m][j], r[l][j] along a_i, a_l, a_m; edges k of the single box reach along it as a_i does along
-  // the box's normals.
-  const auto crossed = [&](Floats tm, Floats rl, Floats tl, Floats rm, Floats el, Floats sm, Floats em, Floats sl, Floats fk, Floats no,
-                           Floats fo, Floats nk) HWY_ATTR {
+  // a_i x edge_j has the components 0, -r[m][j], r[l][j] along a_i, a_l, a_m; edges k of the single box reach along it
+  // as a_i does along the box's normals.
+  const auto crossed = [&](Floats tm, Floats rl, Floats tl, Floats rm, Floats el, Floats sm, Floats em, Floats sl,
+                           Floats fk, Floats no, Floats fo, Floats nk) HWY_ATTR {
     const Floats distance = hn::Abs(hn::NegMulAdd(tl, rm, hn::Mul(tm, rl)));
     return hn::NegMulAdd(fo, nk, hn::NegMulAdd(fk, no, hn::NegMulAdd(em, sl, hn::NegMulAdd(el, sm, distance))));
   };
   const Floats across0 = hn::Max(crossed(t2, r10, t1, r20, e1, s20, e2, s10, f1, n02, f2, n01),
-                               hn::Max(crossed(t2, r11, t1, r21, e1, s21, e2, s11, f2, n00, f0, n02),
-                                       crossed(t2, r12, t1, r22, e1, s22, e2, s12, f0, n01, f1, n00)));
+                                 hn::Max(crossed(t2, r11, t1, r21, e1, s21, e2, s11, f2, n00, f0, n02),
+                                         crossed(t2, r12, t1, r22, e1, s22, e2, s12, f0, n01, f1, n00)));
   const Floats across1 = hn::Max(crossed(t0, r20, t2, r00, e2, s00, e0, s20, f1, n12, f2, n11),
-                               hn::Max(crossed(t0, r21, t2, r01, e2, s01, e0, s21, f2, n10, f0, n12),
-                                       crossed(t0, r22, t2, r02, e2, s02, e0, s22, f0, n11, f1, n10)));
+                                 hn::Max(crossed(t0, r21, t2, r01, e2, s01, e0, s21, f2, n10, f0, n12),
+                                         crossed(t0, r22, t2, r02, e2, s02, e0, s22, f0, n11, f1, n10)));
   const Floats across2 = hn::Max(crossed(t1, r00, t0, r10, e0, s10, e1, s00, f1, n22, f2, n21),
-                               hn::Max(crossed(t1, r01, t0, r11, e0, s11, e1, s01, f2, n20, f0, n22),
-                                       crossed(t1, r02, t0, r12, e0, s12, e1, s02, f0, n21, f1, n20)));
+                                 hn::Max(crossed(t1, r01, t0, r11, e0, s11, e1, s01, f2, n20, f0, n22),
+                                         crossed(t1, r02, t0, r12, e0, s12, e1, s02, f0, n21, f1, n20)));
   gap = hn::Max(hn::Max(gap, across0), hn::Max(across1, across2));
 
   auto apart = hn::Gt(gap, all(box.slack));
@@ -109,22 +116,28 @@ HWY_INLINE auto together(const Test& test)
   if constexpr (similarity) {
     // Below that, products underflow.
     if (box.apex != no_apex && box.extent[2] > 0x1p-41f) {
-      // The triangle's two other edges, by their normals (-x, left) and (x, right) along the single box's edges 1 and 2, no unit vectors: so the
-      // slack is times x + left, or x + right. It is twice that of the other axes, for two more roundings a term, and the tolerance of the apex, twice, for
-      // the roundings of the extents.
-      const float length = box.extent[1], width = box.extent[2], x = 2 * width, left = length * (1 + box.apex), right = length * (1 - box.apex);
+      // The triangle's two other edges, by their normals (-x, left) and (x, right) along the single box's edges 1 and
+      // 2, no unit vectors: so the slack is times x + left, or x + right. It is twice that of the other axes, for two
+      // more roundings a term, and the tolerance of the apex, twice, for the roundings of the extents.
+      const float length = box.extent[1], width = box.extent[2], x = 2 * width, left = length * (1 + box.apex),
+                  right = length * (1 - box.apex);
       const float slack = 2 * box.slack + float(2 * apex_tolerance) * (length + width);
       const auto number = [&](float value) HWY_ATTR { return hn::Set(test.tag, value); };
-      const Floats d1 = hn::Mul(number(x), hn::MulAdd(t2, r21, hn::MulAdd(t1, r11, hn::Mul(t0, r01)))), d2 = hn::MulAdd(t2, r22, hn::MulAdd(t1, r12, hn::Mul(t0, r02)));
+      const Floats d1 = hn::Mul(number(x), hn::MulAdd(t2, r21, hn::MulAdd(t1, r11, hn::Mul(t0, r01)))),
+                   d2 = hn::MulAdd(t2, r22, hn::MulAdd(t1, r12, hn::Mul(t0, r02)));
       const Floats x0 = hn::Mul(number(x), r01), x1 = hn::Mul(number(x), r11), x2 = hn::Mul(number(x), r21);
       const auto beside = [&](Floats distance, float reach, Floats n0, Floats n1, Floats n2, float sum) HWY_ATTR {
-        const Floats beyond = hn::NegMulAdd(e2, hn::Abs(n2), hn::NegMulAdd(e1, hn::Abs(n1), hn::NegMulAdd(e0, hn::Abs(n0), hn::Sub(distance, number(reach)))));
+        const Floats beyond = hn::NegMulAdd(
+            e2, hn::Abs(n2),
+            hn::NegMulAdd(e1, hn::Abs(n1), hn::NegMulAdd(e0, hn::Abs(n0), hn::Sub(distance, number(reach)))));
         return hn::Gt(beyond, number(slack * sum));
       };
       // t leads from the eight to the single one: their centres are at (-d1, -d2) / (x, 1).
       const Floats l = number(left), r = number(right);
-      const auto beside_left = beside(hn::NegMulAdd(l, d2, d1), width * right, hn::NegMulAdd(l, r02, x0), hn::NegMulAdd(l, r12, x1), hn::NegMulAdd(l, r22, x2), x + left);
-      const auto beside_right = beside(hn::NegMulAdd(r, d2, hn::Neg(d1)), width * left, hn::MulAdd(r, r02, x0), hn::MulAdd(r, r12, x1), hn::MulAdd(r, r22, x2), x + right);
+      const auto beside_left = beside(hn::NegMulAdd(l, d2, d1), width * right, hn::NegMulAdd(l, r02, x0),
+                                      hn::NegMulAdd(l, r12, x1), hn::NegMulAdd(l, r22, x2), x + left);
+      const auto beside_right = beside(hn::NegMulAdd(r, d2, hn::Neg(d1)), width * left, hn::MulAdd(r, r02, x0),
+                                       hn::MulAdd(r, r12, x1), hn::MulAdd(r, r22, x2), x + right);
       apart = hn::Or(apart, hn::Or(beside_left, beside_right));
     }
   }
@@ -144,17 +157,20 @@ HWY_INLINE unsigned overlapping(const Obb8& boxes, const Single_box& box)
   return found;
 }
 
-/// Box `lane` of `from`, carried into the frame of `boxes` by a similarity. `size` is at least the sum of its extents there.
+/// Box `lane` of `from`, carried into the frame of `boxes` by a similarity. `size` is at least the sum of its extents
+/// there.
 HWY_INLINE Single_box carried(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane, float size)
 {
   Single_box box;
   constexpr hn::CappedTag<float, 4> tag;
   constexpr hn::CappedTag<double, 4> doubles;
   for (std::size_t k = 0; k < 4; k += hn::Lanes(tag)) {
-    const auto c0 = hn::Load(tag, map.direction(0) + k), c1 = hn::Load(tag, map.direction(1) + k), c2 = hn::Load(tag, map.direction(2) + k);
+    const auto c0 = hn::Load(tag, map.direction(0) + k), c1 = hn::Load(tag, map.direction(1) + k),
+               c2 = hn::Load(tag, map.direction(2) + k);
     for (int j = 0; j < 3; ++j) {
-      const auto edge = hn::MulAdd(c2, hn::Set(tag, from.axis[j][2][lane]),
-                                   hn::MulAdd(c1, hn::Set(tag, from.axis[j][1][lane]), hn::Mul(c0, hn::Set(tag, from.axis[j][0][lane]))));
+      const auto edge = hn::MulAdd(
+          c2, hn::Set(tag, from.axis[j][2][lane]),
+          hn::MulAdd(c1, hn::Set(tag, from.axis[j][1][lane]), hn::Mul(c0, hn::Set(tag, from.axis[j][0][lane]))));
       hn::Store(edge, tag, box.edge[j] + k);
     }
   }
@@ -166,7 +182,9 @@ HWY_INLINE Single_box carried(const Obb8& boxes, const Box_map& map, const Obb8&
   for (std::size_t k = 0; k < 4; k += hn::Lanes(doubles)) {
     const auto column = [&](int j) HWY_ATTR { return hn::Load(doubles, map.column(j) + k); };
     const auto all = [&](double x) HWY_ATTR { return hn::Set(doubles, x); };
-    hn::Store(hn::MulAdd(column(2), all(centre[2]), hn::MulAdd(column(1), all(centre[1]), hn::MulAdd(column(0), all(centre[0]), column(3)))), doubles, at + k);
+    hn::Store(hn::MulAdd(column(2), all(centre[2]),
+                         hn::MulAdd(column(1), all(centre[1]), hn::MulAdd(column(0), all(centre[0]), column(3)))),
+              doubles, at + k);
   }
   for (int i = 0; i < 3; ++i) box.centre[i] = float(at[i] - double(boxes.origin[i]));
   box.slack = map.slack(boxes.reach, size);

@@ -1,8 +1,8 @@
 #ifndef TETRACONE_KERNEL_BOUND_ORIENTED_BOX_H
 #define TETRACONE_KERNEL_BOUND_ORIENTED_BOX_H
 
-#include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/bound/obb8.h"
+#include "tetracone/kernel/number/floating_point.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -33,7 +33,8 @@ struct Spread {
 
   double size() const { return covariance.trace(); }
 
-  /// Orthonormal columns, that of greatest spread the last; those of the identity where no direction is told from another.
+  /// Orthonormal columns, that of greatest spread the last; those of the identity where no direction is told from
+  /// another.
   Matrix principal_axes() const
   {
     if (!(size() > 0)) return Matrix::Identity();
@@ -65,8 +66,8 @@ struct Oriented_box {
 
 namespace detail {
 
-/// Right-handed axes of which the first is `first`, the second as near to `second` as can be. Requires that the squares of their
-/// lengths, times 1e-20, are no denormals.
+/// Right-handed axes of which the first is `first`, the second as near to `second` as can be. Requires that the squares
+/// of their lengths, times 1e-20, are no denormals.
 inline Matrix axes_from(const Vector& first, const Vector& second)
 {
   Matrix axes;
@@ -96,8 +97,9 @@ inline Matrix turned(const Matrix& axes, int about, double tangent)
 
 }  // namespace detail
 
-/// A box of little surface about the points: from the eigenvectors of their covariance, turned about each axis in turn while that makes the
-/// surface smaller, by `rounds` rounds of halved angles. Of many points, some 500 tell how to turn.
+/// A box of little surface about the points: from the eigenvectors of their covariance, turned about each axis in turn
+/// while that makes the surface smaller, by `rounds` rounds of halved angles. Of many points, some 500 tell how to
+/// turn.
 inline Oriented_box fitted_box(std::span<const Vector> points, int rounds)
 {
   constexpr std::size_t enough = 512;
@@ -136,17 +138,19 @@ inline Oriented_box triangle_box(std::span<const Vector, 3> corners)
   if (!(length > 0x1p-400)) return Oriented_box(Matrix::Identity(), corners);
   const Vector edge = corners[(longest + 1) % 3] - corners[longest];
   const Vector normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-  if (!(normal.squaredNorm() > 1e-24 * length * length)) return Oriented_box(detail::axes_from(edge, Vector(1, 0, 0)), corners);
+  if (!(normal.squaredNorm() > 1e-24 * length * length))
+    return Oriented_box(detail::axes_from(edge, Vector(1, 0, 0)), corners);
   return Oriented_box(detail::axes_from(normal, edge), corners);
 }
 
-/// Writes the box into a lane, relative to the node's origin, in float. `points` are all that it must hold; the extents are found again for
-/// the float axes and centre, and axes that came out not orthonormal are those of the identity instead. `point_error` bounds how far a
-/// coordinate of a point may be from the exact one.
+/// Writes the box into a lane, relative to the node's origin, in float. `points` are all that it must hold; the extents
+/// are found again for the float axes and centre, and axes that came out not orthonormal are those of the identity
+/// instead. `point_error` bounds how far a coordinate of a point may be from the exact one.
 ///
-/// With axes a_i that are orthonormal but for a defect d, y = p - c is sum_i s_i a_i with |s_i| <= |a_i . y| + 3 d max_k |a_k . y| (1 + 4 d);
-/// the sums below are rounded 6 times in double, far below 2^-40 of |y|_1.
-inline void store_lane(Obb8& boxes, int lane, const Oriented_box& box, const Vector& node_origin, std::span<const Vector> points, double point_error)
+/// With axes a_i that are orthonormal but for a defect d, y = p - c is sum_i s_i a_i with |s_i| <= |a_i . y| + 3 d
+/// max_k |a_k . y| (1 + 4 d); the sums below are rounded 6 times in double, far below 2^-40 of |y|_1.
+inline void store_lane(Obb8& boxes, int lane, const Oriented_box& box, const Vector& node_origin,
+                       std::span<const Vector> points, double point_error)
 {
   std::array<Vector, 3> axis;
   Vector centre;
@@ -172,10 +176,13 @@ inline void store_lane(Obb8& boxes, int lane, const Oriented_box& box, const Vec
     size = maximum(size, y.cwiseAbs().sum());
   }
   const double margin = 4 * axis_defect * extent.maxCoeff() + 0x1p-40 * size + 2 * point_error;
-  for (int i = 0; i < 3; ++i) boxes.extent[i][lane] = std::nextafter(static_cast<float>(extent[i] + margin), std::numeric_limits<float>::infinity());
+  for (int i = 0; i < 3; ++i)
+    boxes.extent[i][lane] =
+        std::nextafter(static_cast<float>(extent[i] + margin), std::numeric_limits<float>::infinity());
 }
 
-/// Where the triangle lies in the lane that `store_lane` has written for it; 0 where it is not as `Apex_code` says, which is checked.
+/// Where the triangle lies in the lane that `store_lane` has written for it; 0 where it is not as `Apex_code` says,
+/// which is checked.
 inline Apex_code apex_code(const Obb8& boxes, int lane, const Vector& node_origin, std::span<const Vector, 3> corners)
 {
   const double e1 = boxes.extent[1][lane], e2 = boxes.extent[2][lane], tolerance = apex_tolerance * (e1 + e2);
@@ -190,7 +197,8 @@ inline Apex_code apex_code(const Obb8& boxes, int lane, const Vector& node_origi
   const auto code = Apex_code(32768 + std::lround(32767 * std::clamp(along(1, *top) / e1, -1.0, 1.0)));
   // Before the lines from (-e1, -e2) and from (e1, -e2) to the apex, each by its normal (x, y) and reach.
   const double apex = apex_of(code);
-  for (const auto& [x, y, reach] : {std::array{-2 * e2, e1 * (1 + apex), e1 * e2 * (1 - apex)}, std::array{2 * e2, e1 * (1 - apex), e1 * e2 * (1 + apex)}})
+  for (const auto& [x, y, reach] : {std::array{-2 * e2, e1 * (1 + apex), e1 * e2 * (1 - apex)},
+                                    std::array{2 * e2, e1 * (1 - apex), e1 * e2 * (1 + apex)}})
     for (const Vector& p : corners)
       if (!(x * along(1, p) + y * along(2, p) <= reach + tolerance * (std::abs(x) + y))) return 0;
   return code;

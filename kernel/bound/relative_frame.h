@@ -12,16 +12,18 @@
 
 namespace tetracone::kernel {
 
-/// Where a body's local units are: p local is origin + unit * p in the model's coordinates. `unit` is a power of two and the body lies
-/// within |p_k| <= 1.
+/// Where a body's local units are: p local is origin + unit * p in the model's coordinates. `unit` is a power of two
+/// and the body lies within |p_k| <= 1.
 struct Local_scale {
   Vertex origin{0, 0, 0};
   double unit = 1;
 
-  /// Within these bounds, what underflows of a pose's entries or of a product is far below all rounding; beyond, nothing may be said.
+  /// Within these bounds, what underflows of a pose's entries or of a product is far below all rounding; beyond,
+  /// nothing may be said.
   bool is_in_range() const
   {
-    return unit >= 0x1p-200 && unit <= 0x1p200 && maximum(std::abs(origin[0]), std::abs(origin[1]), std::abs(origin[2])) <= 0x1p200;
+    return unit >= 0x1p-200 && unit <= 0x1p200 &&
+           maximum(std::abs(origin[0]), std::abs(origin[1]), std::abs(origin[2])) <= 0x1p200;
   }
 };
 
@@ -47,8 +49,10 @@ class Origin_offset {
     finish(most, 0, 5.1 * unit_roundoff<double> * most);
   }
 
-  /// In double-double: off by 4 u |D| + 2^-98 times the terms, and by 2 u times these where entries are rounded fractions.
-  static Origin_offset summed_twice_as_wide(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b)
+  /// In double-double: off by 4 u |D| + 2^-98 times the terms, and by 2 u times these where entries are rounded
+  /// fractions.
+  static Origin_offset summed_twice_as_wide(const Pose& a, const Local_scale& in_a, const Pose& b,
+                                            const Local_scale& in_b)
   {
     Origin_offset d;
     double terms = 0;
@@ -63,7 +67,8 @@ class Origin_offset {
       d.value_[i] = sum.high + sum.low;
       terms = maximum(terms, sum.magnitude);
     }
-    d.finish(terms, 4 * unit_roundoff<double>, (a.is_rational() || b.is_rational() ? 2 * unit_roundoff<double> : 0x1p-98) * terms);
+    d.finish(terms, 4 * unit_roundoff<double>,
+             (a.is_rational() || b.is_rational() ? 2 * unit_roundoff<double> : 0x1p-98) * terms);
     return d;
   }
 
@@ -116,9 +121,9 @@ class Origin_offset {
   double largest_ = 0, terms_ = 0, error_ = 0;
 };
 
-/// The map from the local units of one placed body to those of another, in double, with a bound on its error: p -> linear p + offset, every
-/// coordinate of the image of a point with |p_k| <= 1 within `error` of the exact one. `error` is infinite where no bound is known (a
-/// pose that is nearly flat, numbers near the ends of the doubles' range).
+/// The map from the local units of one placed body to those of another, in double, with a bound on its error: p ->
+/// linear p + offset, every coordinate of the image of a point with |p_k| <= 1 within `error` of the exact one. `error`
+/// is infinite where no bound is known (a pose that is nearly flat, numbers near the ends of the doubles' range).
 class Relative_frame {
  public:
   using Row = std::array<double, 3>;
@@ -126,7 +131,9 @@ class Relative_frame {
   Relative_frame() = default;
 
   /// From B's units to A's: (M_a^-1 (M_b (o_b + u_b p) + t_b - t_a) - o_a) / u_a.
-  Relative_frame(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b) : Relative_frame(a, in_a, b, in_b, Origin_offset(a, in_a, b, in_b)) {}
+  Relative_frame(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b)
+      : Relative_frame(a, in_a, b, in_b, Origin_offset(a, in_a, b, in_b))
+  {}
 
   /// The same, where D is known.
   Relative_frame(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b, const Origin_offset& d)
@@ -136,8 +143,9 @@ class Relative_frame {
 
   double error() const { return error_; }
 
-  /// How far the image of a point may be off that is itself off by `of_point` in a coordinate. The exact linear part L is within 2 `error` of this one in a
-  /// row's sum, so |L (p - q)| <= (norm + 2 error) of_point; 1.01 takes the second term, for of_point below 2^-10, and what is rounded here.
+  /// How far the image of a point may be off that is itself off by `of_point` in a coordinate. The exact linear part L
+  /// is within 2 `error` of this one in a row's sum, so |L (p - q)| <= (norm + 2 error) of_point; 1.01 takes the second
+  /// term, for of_point below 2^-10, and what is rounded here.
   double error(double of_point) const { return 1.01 * (error_ + of_point * norm(linear_)); }
 
   /// linear = scale * (orthonormal columns but for `axis_defect`), with a scale that floats can carry, 2^-60 .. 2^60.
@@ -162,24 +170,29 @@ class Relative_frame {
   Row direction(const std::array<Number, 3>& p) const
   {
     Row image;
-    for (int i = 0; i < 3; ++i) image[i] = linear_[i][0] * double(p[0]) + linear_[i][1] * double(p[1]) + linear_[i][2] * double(p[2]);
+    for (int i = 0; i < 3; ++i)
+      image[i] = linear_[i][0] * double(p[0]) + linear_[i][1] * double(p[1]) + linear_[i][2] * double(p[2]);
     return image;
   }
 
  private:
-  /// Where M_a is a similarity but for 2^-24: the inverse is X = f M_a^T with f = 1 / s^2, rounded, s the length of its first column. Nothing is
-  /// done where it is not, or numbers are near the ends of the range.
+  /// Where M_a is a similarity but for 2^-24: the inverse is X = f M_a^T with f = 1 / s^2, rounded, s the length of its
+  /// first column. Nothing is done where it is not, or numbers are near the ends of the range.
   ///
-  /// With G = M_a^T M_a, each entry computed to 3.01 u s^2, rho = ||I - f G|| is what is computed, and 24 u for G's roundings, f's and those
-  /// of fractions' entries. M_a^-1 = X + (I - X M_a) M_a^-1, so rows of the linear part are off by rho of their sums, which are
-  /// below three times the longest column c, and by 5 roundings and two fractions' entries of products |col_i M_a| |col_j M_b| f, which is
-  /// (1 + 2^-23) times a column. Rows of X sum to at most sqrt(3) / s. When D's error in double is too much, it is summed again in double-double.
+  /// With G = M_a^T M_a, each entry computed to 3.01 u s^2, rho = ||I - f G|| is what is computed, and 24 u for G's
+  /// roundings, f's and those of fractions' entries. M_a^-1 = X + (I - X M_a) M_a^-1, so rows of the linear part are
+  /// off by rho of their sums, which are below three times the longest column c, and by 5 roundings and two fractions'
+  /// entries of products |col_i M_a| |col_j M_b| f, which is (1 + 2^-23) times a column. Rows of X sum to at most
+  /// sqrt(3) / s. When D's error in double is too much, it is summed again in double-double.
   bool by_transpose(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b, Origin_offset d)
   {
     constexpr double u = unit_roundoff<double>;
-    const auto columns = [](const auto& p, const auto& q, int i, int j) { return p[i] * q[j] + p[4 + i] * q[4 + j] + p[8 + i] * q[8 + j]; };
+    const auto columns = [](const auto& p, const auto& q, int i, int j) {
+      return p[i] * q[j] + p[4 + i] * q[4 + j] + p[8 + i] * q[8 + j];
+    };
     const std::array<double, 12>&m = a.entries(), &n = b.entries();
-    const double square = columns(m, m, 0, 0), g01 = std::abs(columns(m, m, 0, 1)), g02 = std::abs(columns(m, m, 0, 2)), g12 = std::abs(columns(m, m, 1, 2));
+    const double square = columns(m, m, 0, 0), g01 = std::abs(columns(m, m, 0, 1)), g02 = std::abs(columns(m, m, 0, 2)),
+                 g12 = std::abs(columns(m, m, 1, 2));
     const double g11 = std::abs(columns(m, m, 1, 1) - square), g22 = std::abs(columns(m, m, 2, 2) - square);
     const double row = maximum(g01 + g02, g11 + g01 + g12, g22 + g02 + g12);
     if (!(row <= 0x1p-24 * square && square >= 0x1p-100 && square <= 0x1p100)) return false;
@@ -196,12 +209,13 @@ class Relative_frame {
     const double error = relative * (3 * longest + shrink * d.largest()) + shrink * d.error();
     // What is lost where entries of M_b are denormal is below 2^-300 then.
     const double top = maximum(longest, 1 / longest, d.terms());
-    if (top <= 0x1p200 && in_a.is_in_range() && in_b.is_in_range() && error <= std::numeric_limits<double>::max()) error_ = error * 1.01 + 0x1p-300;
+    if (top <= 0x1p200 && in_a.is_in_range() && in_b.is_in_range() && error <= std::numeric_limits<double>::max())
+      error_ = error * 1.01 + 0x1p-300;
     return true;
   }
 
-  /// With X the inverse of M_a as computed and rho >= ||I - X M_a||: M_a^-1 differs from X by at most rho / (1 - rho) ||X||. Norms are maxima
-  /// of row sums.
+  /// With X the inverse of M_a as computed and rho >= ||I - X M_a||: M_a^-1 differs from X by at most rho / (1 - rho)
+  /// ||X||. Norms are maxima of row sums.
   void by_inverse(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b)
   {
     constexpr double u = unit_roundoff<double>;
@@ -222,12 +236,14 @@ class Relative_frame {
       }
       offset_[i] = (inverse[i][0] * d[0] + inverse[i][1] * d[1] + inverse[i][2] * d[2]) / in_a.unit;
     }
-    // Relative errors of the products X M_b and X D: 4 u for their own roundings, u for a fraction's entry, 2 rho for X.
+    // Relative errors of the products X M_b and X D: 4 u for their own roundings, u for a fraction's entry, 2 rho for
+    // X.
     const double relative = 2 * residual + 8 * u;
     const double error = norm_x * (norm_b * scale * relative + (d.largest() * relative + d.error() * 1.01) / in_a.unit);
     // Beyond the gate something may have overflowed or underflowed: then nothing is known.
     const double top = maximum(d.terms(), norm_b, norm_x);
-    if (top <= 0x1p200 && in_a.is_in_range() && in_b.is_in_range() && error <= std::numeric_limits<double>::max()) error_ = error * 1.01 + 0x1p-300;
+    if (top <= 0x1p200 && in_a.is_in_range() && in_b.is_in_range() && error <= std::numeric_limits<double>::max())
+      error_ = error * 1.01 + 0x1p-300;
     decide_similarity();
   }
 
@@ -276,7 +292,8 @@ class Relative_frame {
       return linear_[0][i] * linear_[0][j] + linear_[1][i] * linear_[1][j] + linear_[2][i] * linear_[2][j];
     };
     const double square = column(0, 0), second = column(1, 1), third = column(2, 2), tolerance = square * 0x1p-24;
-    similarity_ = square >= 0x1p-120 && square <= 0x1p120 && std::abs(second - square) <= tolerance && std::abs(third - square) <= tolerance && std::abs(column(0, 1)) <= tolerance &&
+    similarity_ = square >= 0x1p-120 && square <= 0x1p120 && std::abs(second - square) <= tolerance &&
+                  std::abs(third - square) <= tolerance && std::abs(column(0, 1)) <= tolerance &&
                   std::abs(column(1, 2)) <= tolerance && std::abs(column(0, 2)) <= tolerance;
     scale_ = std::sqrt(square);
     return similarity_ ? scale_ * (1 + 0x1p-23) : std::sqrt(square + second + third);

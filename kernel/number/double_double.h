@@ -5,9 +5,10 @@
 
 namespace tetracone::kernel {
 
-/// An unevaluated sum of two doubles, |low| <= ulp(high) / 2: about 106 bits. Rounding to nearest is required; relative errors, with
-/// u = 2^-53, are those that Joldes, Muller and Popescu prove (Tight and rigorous error bounds for basic building blocks of double-word
-/// arithmetic, TOMS 2017), for results that neither overflow nor have parts that underflow.
+/// An unevaluated sum of two doubles, |low| <= ulp(high) / 2: about 106 bits. Rounding to nearest is required; relative
+/// errors, with u = 2^-53, are those that Joldes, Muller and Popescu prove (Tight and rigorous error bounds for basic
+/// building blocks of double-word arithmetic, TOMS 2017), for results that neither overflow nor have parts that
+/// underflow.
 struct Double_double {
   double high = 0, low = 0;
 
@@ -34,9 +35,13 @@ struct Double_double {
     const Double_double v = ordered_sum(s.high, s.low + t.high);
     return ordered_sum(v.high, t.low + v.low);
   }
-  friend Double_double operator-(const Double_double& a, const Double_double& b) { return a + Double_double(-b.high, -b.low); }
+  friend Double_double operator-(const Double_double& a, const Double_double& b)
+  {
+    return a + Double_double(-b.high, -b.low);
+  }
 
-  /// Relative error at most 7 u^2 (their DWTimesDW1); the tests of kernel/predicate/adaptive.h derive 7 u^2 / (1 - u)^2.
+  /// Relative error at most 7 u^2 (their DWTimesDW1); the tests of kernel/predicate/adaptive.h derive 7 u^2 / (1 -
+  /// u)^2.
   friend Double_double operator*(const Double_double& a, const Double_double& b)
   {
     const Double_double c = product(a.high, b.high);

@@ -5,7 +5,8 @@
 
 namespace tetracone {
 
-/// What a caller or a file has done wrong: `what()` is one line, "what is wrong; what was expected". Every exception of the library is one.
+/// What a caller or a file has done wrong: `what()` is one line, "what is wrong; what was expected". Every exception of
+/// the library is one.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -15,13 +15,15 @@
 #include <xmmintrin.h>
 #endif
 
-// Every sign of this library rests on IEEE double arithmetic rounded to nearest, evaluated as written. What clang does not tell by a macro
+// Every sign of this library rests on IEEE double arithmetic rounded to nearest, evaluated as written. What clang does
+// not tell by a macro
 // (`-funsafe-math-optimizations` and its parts), `arithmetic_is_as_written` finds when a tree is made.
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "tetracone cannot be compiled with -ffast-math or -ffinite-math-only: exact signs rest on what they break"
 #endif
 #if defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
-#error "tetracone cannot be compiled with -funsafe-math-optimizations, -fassociative-math or -freciprocal-math: exact signs rest on what they break"
+#error \
+    "tetracone cannot be compiled with -funsafe-math-optimizations, -fassociative-math or -freciprocal-math: exact signs rest on what they break"
 #endif
 static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<double>::digits == 53);
 static_assert(std::numeric_limits<float>::is_iec559 && std::numeric_limits<float>::digits == 24);
@@ -33,15 +35,16 @@ namespace tetracone::kernel {
 template <class Number>
 inline constexpr Number unit_roundoff = std::numeric_limits<Number>::epsilon() / 2;
 
-/// The largest and the least of the numbers as IEEE 754-2019 has them: NaN where any of them is. std::max and std::min keep NaN or drop it by the
-/// order of their arguments, and a bound that has dropped it lets pass what it should stop.
+/// The largest and the least of the numbers as IEEE 754-2019 has them: NaN where any of them is. std::max and std::min
+/// keep NaN or drop it by the order of their arguments, and a bound that has dropped it lets pass what it should stop.
 template <class Number, std::same_as<Number>... Numbers>
 [[gnu::always_inline]] inline Number maximum(Number first, Numbers... others)
 {
   Number largest = first;
   ((largest = largest > others ? largest : others), ...);
   if constexpr (std::is_floating_point_v<Number>)
-    if ((std::isunordered(first, others) || ...)) [[unlikely]] return std::numeric_limits<Number>::quiet_NaN();
+    if ((std::isunordered(first, others) || ...)) [[unlikely]]
+      return std::numeric_limits<Number>::quiet_NaN();
   return largest;
 }
 template <class Number, std::same_as<Number>... Numbers>
@@ -50,12 +53,13 @@ template <class Number, std::same_as<Number>... Numbers>
   Number least = first;
   ((least = least < others ? least : others), ...);
   if constexpr (std::is_floating_point_v<Number>)
-    if ((std::isunordered(first, others) || ...)) [[unlikely]] return std::numeric_limits<Number>::quiet_NaN();
+    if ((std::isunordered(first, others) || ...)) [[unlikely]]
+      return std::numeric_limits<Number>::quiet_NaN();
   return least;
 }
 
-/// The largest of numbers as the processor has it, in one instruction each, NaN kept or dropped: for a bound on a value that is itself undefined where
-/// one of these numbers is, and so decides nothing.
+/// The largest of numbers as the processor has it, in one instruction each, NaN kept or dropped: for a bound on a value
+/// that is itself undefined where one of these numbers is, and so decides nothing.
 template <class Number, std::same_as<Number>... Numbers>
 [[gnu::always_inline]] inline Number maximum_of_defined(Number first, Numbers... others)
 {
@@ -63,8 +67,9 @@ template <class Number, std::same_as<Number>... Numbers>
   return first;
 }
 
-/// True when the calling thread rounds to nearest and keeps denormals (neither flush-to-zero nor denormals-are-zero). Both are per
-/// thread and inherited by the threads it starts; a library linked with -ffast-math can change them at load. A few cycles.
+/// True when the calling thread rounds to nearest and keeps denormals (neither flush-to-zero nor denormals-are-zero).
+/// Both are per thread and inherited by the threads it starts; a library linked with -ffast-math can change them at
+/// load. A few cycles.
 inline bool floating_point_is_sound()
 {
 #if defined(__x86_64__) && defined(__SSE2__)
@@ -82,8 +87,9 @@ inline bool floating_point_is_sound()
 #endif
 }
 
-/// True when the compiler evaluates sums, products and quotients as they are written, in the function that this is called from: what TwoSum
-/// finds is not folded to 0, a product is rounded before it is added to, and a quotient is no product with a reciprocal.
+/// True when the compiler evaluates sums, products and quotients as they are written, in the function that this is
+/// called from: what TwoSum finds is not folded to 0, a product is rounded before it is added to, and a quotient is no
+/// product with a reciprocal.
 [[gnu::always_inline]] inline bool arithmetic_is_as_written()
 {
   volatile double one = 1, tiny = 0x1p-60;
@@ -107,23 +113,25 @@ class Unsound_floating_point : public Error {
   using Error::Error;
 };
 
-/// Throws Unsound_floating_point when the calling thread's floating point is not sound. Asked by every query that decides exactly; a caller of
-/// single signs asks once a thread.
+/// Throws Unsound_floating_point when the calling thread's floating point is not sound. Asked by every query that
+/// decides exactly; a caller of single signs asks once a thread.
 inline void require_sound_floating_point()
 {
   if (!floating_point_is_sound()) [[unlikely]]
-    throw Unsound_floating_point("floating point: this thread does not round to nearest or flushes denormals to zero; "
-                                 "expected the default environment, without which no answer is exact");
+    throw Unsound_floating_point(
+        "floating point: this thread does not round to nearest or flushes denormals to zero; "
+        "expected the default environment, without which no answer is exact");
 }
 
-/// Throws Unsound_floating_point also when the calling function is compiled with flags that change the arithmetic. Asked where a model or a query
-/// object that decides exactly is made.
+/// Throws Unsound_floating_point also when the calling function is compiled with flags that change the arithmetic.
+/// Asked where a model or a query object that decides exactly is made.
 [[gnu::always_inline]] inline void require_exact_arithmetic()
 {
   require_sound_floating_point();
   if (!arithmetic_is_as_written()) [[unlikely]]
-    throw Unsound_floating_point("floating point: compiled with flags that reorder or contract arithmetic; "
-                                 "expected none of -funsafe-math-optimizations and its parts, and -ffp-contract=off");
+    throw Unsound_floating_point(
+        "floating point: compiled with flags that reorder or contract arithmetic; "
+        "expected none of -funsafe-math-optimizations and its parts, and -ffp-contract=off");
 }
 
 }  // namespace tetracone::kernel

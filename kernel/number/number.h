@@ -70,7 +70,8 @@ inline std::optional<Rational> parse_fraction(std::string_view text)
 /// The double nearest to `value`, ties to even; infinite when |value| is beyond the largest double.
 inline double nearest_double(const Rational& value)
 {
-  // A rational's own conversion may truncate: it names a double at most one step off, and the candidates are compared exactly.
+  // A rational's own conversion may truncate: it names a double at most one step off, and the candidates are compared
+  // exactly.
   const double start = value.get_d();
   if (!std::isfinite(start)) return start;
   double best = start;
@@ -96,12 +97,10 @@ inline std::string shortest(double value)
 }
 
 /// "n/d" in lowest terms, or "n" when the denominator is 1.
-inline std::string to_string(const Rational& value)
-{
-  return value.get_str();
-}
+inline std::string to_string(const Rational& value) { return value.get_str(); }
 
-/// What readers of poses take for exactly `value`: its shortest decimal where it is a double, else "n/d", an integer too.
+/// What readers of poses take for exactly `value`: its shortest decimal where it is a double, else "n/d", an integer
+/// too.
 inline std::string exact_text(const Rational& value)
 {
   const double nearest = nearest_double(value);

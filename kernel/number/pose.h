@@ -34,7 +34,8 @@ class Pose {
   /// Twelve finite doubles, row-major 3x4.
   explicit Pose(const std::array<double, 12>& entries) : entries_(entries), is_translation_(is_unit(entries)) {}
 
-  /// Twelve rationals, row-major 3x4, each with a finite nearest double. Entries that are all doubles give the same pose as the doubles.
+  /// Twelve rationals, row-major 3x4, each with a finite nearest double. Entries that are all doubles give the same
+  /// pose as the doubles.
   explicit Pose(const std::array<Rational, 12>& entries)
   {
     bool all_doubles = true;
@@ -53,7 +54,8 @@ class Pose {
       common = lcm(common, entries[k].get_den());
     }
     fractions->weight = mpzf(common);
-    for (int k = 0; k < 12; ++k) fractions->whole[k] = mpzf(mpz_class(entries[k].get_num() * (common / entries[k].get_den())));
+    for (int k = 0; k < 12; ++k)
+      fractions->whole[k] = mpzf(mpz_class(entries[k].get_num() * (common / entries[k].get_den())));
     fractions_ = std::move(fractions);
   }
 
@@ -87,13 +89,14 @@ class Pose {
     const long ww = long(w) * w, xx = long(x) * x, yy = long(y) * y, zz = long(z) * z;
     const long norm = ww + xx + yy + zz;
     assert(norm != 0);
-    const long xy = long(x) * y, xz = long(x) * z, yz = long(y) * z, wx = long(w) * x, wy = long(w) * y, wz = long(w) * z;
-    const std::array<long, 9> n = {ww + xx - yy - zz, 2 * (xy - wz),     2 * (xz + wy),
-                                   2 * (xy + wz),     ww - xx + yy - zz, 2 * (yz - wx),
-                                   2 * (xz - wy),     2 * (yz + wx),     ww - xx - yy + zz};
+    const long xy = long(x) * y, xz = long(x) * z, yz = long(y) * z, wx = long(w) * x, wy = long(w) * y,
+               wz = long(w) * z;
+    const std::array<long, 9> n = {ww + xx - yy - zz, 2 * (xy - wz), 2 * (xz + wy), 2 * (xy + wz),    ww - xx + yy - zz,
+                                   2 * (yz - wx),     2 * (xz - wy), 2 * (yz + wx), ww - xx - yy + zz};
     std::array<Rational, 12> entries;
     for (int row = 0; row < 3; ++row) {
-      for (int column = 0; column < 3; ++column) entries[4 * row + column] = Rational(n[3 * row + column]) / Rational(norm);
+      for (int column = 0; column < 3; ++column)
+        entries[4 * row + column] = Rational(n[3 * row + column]) / Rational(norm);
       entries[4 * row + 3] = t[row];
     }
     return Pose(entries);
@@ -125,8 +128,9 @@ class Pose {
   /// The sign of det M, exact. Zero: the map is flat and no pose.
   CGAL::Sign determinant_sign() const
   {
-    // In double first: 6 products of 3 entries, at most 8 roundings each (entries rounded from fractions included). Within the gate
-    // nothing overflows, and what underflow loses, 2^-1074 times two entries, is far below the absolute term.
+    // In double first: 6 products of 3 entries, at most 8 roundings each (entries rounded from fractions included).
+    // Within the gate nothing overflows, and what underflow loses, 2^-1074 times two entries, is far below the absolute
+    // term.
     double determinant = 0, permanent = 0, largest = 0;
     for (int j = 0; j < 3; ++j) {
       const int k = (j + 1) % 3, l = (j + 2) % 3;
@@ -147,14 +151,15 @@ class Pose {
 
   friend bool operator==(const Pose& a, const Pose& b)
   {
-    return a.entries_ == b.entries_ && a.is_rational() == b.is_rational() && (!a.is_rational() || a.fractions_->exact == b.fractions_->exact);
+    return a.entries_ == b.entries_ && a.is_rational() == b.is_rational() &&
+           (!a.is_rational() || a.fractions_->exact == b.fractions_->exact);
   }
 
  private:
   struct Fractions {
     std::array<Rational, 12> exact;
-    std::array<double, 12> lows{};         // what rounding took from each, rounded
-    std::array<CGAL::Mpzf, 12> whole;      // each times the weight
+    std::array<double, 12> lows{};     // what rounding took from each, rounded
+    std::array<CGAL::Mpzf, 12> whole;  // each times the weight
     CGAL::Mpzf weight;
   };
 
@@ -171,7 +176,8 @@ class Pose {
     const mpz_srcptr z = integer.get_mpz_t();
     static_assert(GMP_LIMB_BITS == 64 && sizeof(unsigned long) == 8);
     CGAL::Mpzf value = 0;
-    for (std::size_t k = mpz_size(z); k-- > 0;) value = value * CGAL::Mpzf(0x1p64) + CGAL::Mpzf((unsigned long)(mpz_getlimbn(z, mp_size_t(k))));
+    for (std::size_t k = mpz_size(z); k-- > 0;)
+      value = value * CGAL::Mpzf(0x1p64) + CGAL::Mpzf((unsigned long)(mpz_getlimbn(z, mp_size_t(k))));
     return mpz_sgn(z) < 0 ? -value : value;
   }
 

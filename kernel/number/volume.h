@@ -18,7 +18,8 @@ class Volume_sum {
   {
     using Number = CGAL::Mpzf;
     const auto d = [&o](const Vertex& v, int k) -> Number { return Number(v[k]) - Number(o[k]); };
-    sum_ = sum_ + CGAL::determinant<Number>(d(a, 0), d(a, 1), d(a, 2), d(b, 0), d(b, 1), d(b, 2), d(c, 0), d(c, 1), d(c, 2));
+    sum_ = sum_ +
+           CGAL::determinant<Number>(d(a, 0), d(a, 1), d(a, 2), d(b, 0), d(b, 1), d(b, 2), d(c, 0), d(c, 1), d(c, 2));
   }
 
   Rational value() const

@@ -3,14 +3,14 @@
 
 #include "tetracone/kernel/number/double_double.h"
 #include "tetracone/kernel/number/floating_point.h"
-#include "tetracone/kernel/predicate/int128_signs.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
+#include "tetracone/kernel/predicate/int128_signs.h"
 #include "tetracone/kernel/predicate/stage_counts.h"
 
 #include <CGAL/Mpzf.h>
-#include <CGAL/predicates/sign_of_determinant.h>
 #include <CGAL/enum.h>
+#include <CGAL/predicates/sign_of_determinant.h>
 
 #include <algorithm>
 #include <array>
@@ -27,10 +27,13 @@ namespace tetracone::kernel {
 /// A point is a vertex and the pose that places it; its image is never rounded, only approximated: `image` and `error`
 /// enclose it. A sign is decided by the first stage that can:
 ///   1. filter: the double expression on the images, when it is beyond the bound on all rounding (or undecided);
-///   2. zero exits: points that are the same vertex under the same pose, or exact coordinates where every product has a factor 0;
-///   3. grid: the expression in integers of 128 bits, where images are exact and whole numbers of a common power of two (or undecided);
+///   2. zero exits: points that are the same vertex under the same pose, or exact coordinates where every product has a
+///   factor 0;
+///   3. grid: the expression in integers of 128 bits, where images are exact and whole numbers of a common power of two
+///   (or undecided);
 ///   4. double-double: the same expression on images of twice the digits, when it is beyond its bound (or undecided);
-///   5. exact: the expression over the exact images, in CGAL::Mpzf; poses of fractions are multiplied by their denominators.
+///   5. exact: the expression over the exact images, in CGAL::Mpzf; poses of fractions are multiplied by their
+///   denominators.
 ///      An image is found once a query for each vertex that asks for it.
 /// A point whose error is not known, beyond the magnitude gate, goes from the zero exits straight to the exact stage.
 /// Signs of points that share one pose are signs of the vertices themselves, times sign(det M).
@@ -39,19 +42,20 @@ class Adaptive {
   using Exact_image = std::array<CGAL::Mpzf, 3>;
 
   struct Point_3 {
-    std::array<double, 3> image;   ///< the image, rounded
-    double error;                  ///< per coordinate: |image - exact image| <= error; infinite: not known
-    Vertex vertex;                 ///< the point before it was placed
-    const Pose* pose;              ///< null: not placed, the image is the vertex; else outlives the point
-    std::unique_ptr<Exact_image>* slot = nullptr;  ///< where the exact image is kept once it has been asked for; null: nowhere
+    std::array<double, 3> image;  ///< the image, rounded
+    double error;                 ///< per coordinate: |image - exact image| <= error; infinite: not known
+    Vertex vertex;                ///< the point before it was placed
+    const Pose* pose;             ///< null: not placed, the image is the vertex; else outlives the point
+    std::unique_ptr<Exact_image>* slot = nullptr;  ///< where the exact image is kept once it has been asked for; null:
+                                                   ///< nowhere
 
     double x() const { return image[0]; }
     double y() const { return image[1]; }
     double z() const { return image[2]; }
   };
 
-  /// Beyond this magnitude the filter is not asked: within it no expression of its overflows, and what gradual underflow
-  /// loses, at most 2^-1074 a product times two factors below 2^112, is far below `underflow`.
+  /// Beyond this magnitude the filter is not asked: within it no expression of its overflows, and what gradual
+  /// underflow loses, at most 2^-1074 a product times two factors below 2^112, is far below `underflow`.
   static constexpr double magnitude_gate = 0x1p110;
   static constexpr double underflow = 0x1p-800;
 
@@ -63,10 +67,11 @@ class Adaptive {
 
   /// `vertex` placed by `pose`, which must outlive the point.
   ///
-  /// Error of a coordinate, S = |m0 x| + |m1 y| + |m2 z| + |t|: the sum rounds each product once and each of three sums once,
-  /// so at most 4 roundings a term, ((1+u)^4 - 1) S <= 4.001 u S; entries that are rounded rationals add 1.001 u S. S itself
-  /// is computed with at most 4 roundings down. Hence 6 u S covers both. A fraction that is rounded to a denormal, or to 0, is off
-  /// by 2^-1075 instead, which vertices within the gate keep far below `underflow`; beyond it the error is not known.
+  /// Error of a coordinate, S = |m0 x| + |m1 y| + |m2 z| + |t|: the sum rounds each product once and each of three sums
+  /// once, so at most 4 roundings a term, ((1+u)^4 - 1) S <= 4.001 u S; entries that are rounded rationals add 1.001 u
+  /// S. S itself is computed with at most 4 roundings down. Hence 6 u S covers both. A fraction that is rounded to a
+  /// denormal, or to 0, is off by 2^-1075 instead, which vertices within the gate keep far below `underflow`; beyond it
+  /// the error is not known.
   static Point_3 placed(const Vertex& vertex, const Pose& pose)
   {
     if (pose.is_translation()) return translated(vertex, pose);
@@ -83,7 +88,8 @@ class Adaptive {
     return point;
   }
 
-  /// The image under a pose that only translates: one sum a coordinate. Relative error u; exact where TwoSum's (Knuth) remainder is 0.
+  /// The image under a pose that only translates: one sum a coordinate. Relative error u; exact where TwoSum's (Knuth)
+  /// remainder is 0.
   static Point_3 translated(const Vertex& vertex, const Pose& pose)
   {
     Point_3 point{{}, 0, vertex, &pose};
@@ -95,7 +101,9 @@ class Adaptive {
       largest = maximum(largest, std::abs(sum));
       terms = maximum(terms, std::abs(v), std::abs(t));
     }
-    point.error = !(terms <= magnitude_gate) ? std::numeric_limits<double>::infinity() : lost == 0 ? 0 : 1.001 * unit_roundoff<double> * largest;
+    point.error = !(terms <= magnitude_gate) ? std::numeric_limits<double>::infinity()
+                  : lost == 0                ? 0
+                                             : 1.001 * unit_roundoff<double> * largest;
     return point;
   }
 
@@ -114,10 +122,10 @@ class Adaptive {
   // Let a^ = fl(p^ - p0^) be the computed differences, m_k >= |a^_jk| and d >= error(p) + error(p0), so that the exact
   // difference a satisfies |a_jk - a^_jk| <= u m_k (1+2u) + d and |a_jk| <= (m_k + d)(1+2u) =: M_k (1+2u). Then
   //   |det a^ computed - det a| <= 48 u (1+64u) Mx My Mz + 6 (1+64u) (d My Mz + mx d Mz + mx my d):
-  // 48 = 6 products * (3 differences + 1 product + 1 minor + 1 product + 2 sums) roundings; the second term telescopes the
-  // six exact products over the three replaced factors. The bound is itself computed with at most 12 roundings, which
-  // 49 u and 6.001 absorb. A comparison with an infinite or undefined bound is false: undecided.
-  // The tests derive every constant of this class again, in exact rationals, and pin the literals to what they derive from.
+  // 48 = 6 products * (3 differences + 1 product + 1 minor + 1 product + 2 sums) roundings; the second term telescopes
+  // the six exact products over the three replaced factors. The bound is itself computed with at most 12 roundings,
+  // which 49 u and 6.001 absorb. A comparison with an infinite or undefined bound is false: undecided. The tests derive
+  // every constant of this class again, in exact rationals, and pin the literals to what they derive from.
   static constexpr double volume_rounding = 49 * unit_roundoff<double>, volume_motion = 6.001;
 
   /// The sign of det[b-a, c-a, d-a], or undecided.
@@ -135,12 +143,13 @@ class Adaptive {
     const double my = maximum_of_defined(std::abs(by), std::abs(cy), std::abs(dy));
     const double mz = maximum_of_defined(std::abs(bz), std::abs(cz), std::abs(dz));
     const double Mx = mx + error, My = my + error, Mz = mz + error;
-    const double bound = volume_rounding * (Mx * My * Mz) + volume_motion * error * (My * Mz + mx * Mz + mx * my) + underflow;
+    const double bound =
+        volume_rounding * (Mx * My * Mz) + volume_motion * error * (My * Mz + mx * Mz + mx * my) + underflow;
     return beyond(determinant, bound);
   }
 
-  /// The sign of (b-a) x (c-a) in the component `axis`, or undecided. Bound by the same count: 2 products * (2 differences +
-  /// 1 product + 1 sum) = 8 roundings, and two replaced factors.
+  /// The sign of (b-a) x (c-a) in the component `axis`, or undecided. Bound by the same count: 2 products * (2
+  /// differences + 1 product + 1 sum) = 8 roundings, and two replaced factors.
   static Decision filtered_normal_sign(const Point_3& a, const Point_3& b, const Point_3& c, int axis)
   {
     return filtered_normal_sign(a.image, b.image, c.image, axis, a.error + maximum(b.error, c.error));
@@ -149,9 +158,10 @@ class Adaptive {
   {
     const int i = (axis + 1) % 3, j = (axis + 2) % 3;
     const double bi = b[i] - a[i], bj = b[j] - a[j], ci = c[i] - a[i], cj = c[j] - a[j];
-    const double mi = maximum_of_defined(std::abs(bi), std::abs(ci)), mj = maximum_of_defined(std::abs(bj), std::abs(cj));
-    const double bound = 9 * unit_roundoff<double> * ((mi + error) * (mj + error)) +
-                         2.001 * error * ((mj + error) + mi) + underflow;
+    const double mi = maximum_of_defined(std::abs(bi), std::abs(ci)),
+                 mj = maximum_of_defined(std::abs(bj), std::abs(cj));
+    const double bound =
+        9 * unit_roundoff<double> * ((mi + error) * (mj + error)) + 2.001 * error * ((mj + error) + mi) + underflow;
     return beyond(bi * cj - bj * ci, bound);
   }
 
@@ -163,20 +173,25 @@ class Adaptive {
     return beyond(a.image[axis] - b.image[axis], 1.001 * error);
   }
 
-  // --- zero exits -----------------------------------------------------------------------------------------------------
+  // --- zero exits
+  // -----------------------------------------------------------------------------------------------------
 
   /// True when the two are one vertex under one pose. Unequal ones may still have the same image.
   static bool identical(const Point_3& a, const Point_3& b) { return a.pose == b.pose && a.vertex == b.vertex; }
 
-  /// ZERO where det[b-a, c-a, d-a] is 0 at sight, or undecided: two points are identical, or images are exact and each of the six
-  /// products has a factor 0, as on a plane across an axis. A difference of doubles is 0 only when they are equal.
+  /// ZERO where det[b-a, c-a, d-a] is 0 at sight, or undecided: two points are identical, or images are exact and each
+  /// of the six products has a factor 0, as on a plane across an axis. A difference of doubles is 0 only when they are
+  /// equal.
   static Decision zero_volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
   {
-    if (identical(c, d) || identical(b, d) || identical(b, c) || identical(a, d) || identical(a, c) || identical(a, b)) return CGAL::ZERO;
+    if (identical(c, d) || identical(b, d) || identical(b, c) || identical(a, d) || identical(a, c) || identical(a, b))
+      return CGAL::ZERO;
     if (!are_exact(a, b, c, d)) return std::nullopt;
     const auto is_0 = [&a](const Point_3& p, int k) { return p.image[k] == a.image[k]; };
     const auto vanishes = [&](int i, int j, int k) { return is_0(b, i) || is_0(c, j) || is_0(d, k); };
-    if (vanishes(0, 1, 2) && vanishes(1, 2, 0) && vanishes(2, 0, 1) && vanishes(0, 2, 1) && vanishes(1, 0, 2) && vanishes(2, 1, 0)) return CGAL::ZERO;
+    if (vanishes(0, 1, 2) && vanishes(1, 2, 0) && vanishes(2, 0, 1) && vanishes(0, 2, 1) && vanishes(1, 0, 2) &&
+        vanishes(2, 1, 0))
+      return CGAL::ZERO;
     return std::nullopt;
   }
 
@@ -204,12 +219,13 @@ class Adaptive {
   }
 
   // --- double-double ------------------------------------------------------------------------------------------------
-  // With u = 2^-53 an image is three exact products and three additions, each of relative error 3 u^2 (1 + 5u) of a partial sum below S:
-  // 9 u^2 S; a fraction's entry is itself off by u^2, and its product by 7 u^2, of a term, 17 u^2 S in all: `error` = 20 u^2 S covers both.
-  // Differences are rounded by 3 u^2 m; so with d = 3.02 u^2 m + the errors of the two images the bounds are those of the filter,
-  // with 7 + 3 + 7 + 3 + 3 = 23 roundings of u^2 on four of the six products and 20 on the two that are added last, 132 u^2, and
-  // 7 + 3 on each of two products, 20 u^2. All bounds are computed in double, as before, and judge the high part, which is off by u of itself.
-  // The tests derive these constants too, and record how much of each bound is used.
+  // With u = 2^-53 an image is three exact products and three additions, each of relative error 3 u^2 (1 + 5u) of a
+  // partial sum below S: 9 u^2 S; a fraction's entry is itself off by u^2, and its product by 7 u^2, of a term, 17 u^2
+  // S in all: `error` = 20 u^2 S covers both. Differences are rounded by 3 u^2 m; so with d = 3.02 u^2 m + the errors
+  // of the two images the bounds are those of the filter, with 7 + 3 + 7 + 3 + 3 = 23 roundings of u^2 on four of the
+  // six products and 20 on the two that are added last, 132 u^2, and 7 + 3 on each of two products, 20 u^2. All bounds
+  // are computed in double, as before, and judge the high part, which is off by u of itself. The tests derive these
+  // constants too, and record how much of each bound is used.
 
   /// An image of twice the digits.
   struct Double_double_image {
@@ -233,7 +249,8 @@ class Adaptive {
       double magnitude = std::abs(pose[4 * row + 3]);
       for (int k = 0; k < 3; ++k) {
         const Double_double entry = pose.double_double(4 * row + k);
-        sum = sum + (entry.low == 0 ? Double_double::product(entry.high, point.vertex[k]) : entry * Double_double(point.vertex[k]));
+        sum = sum + (entry.low == 0 ? Double_double::product(entry.high, point.vertex[k])
+                                    : entry * Double_double(point.vertex[k]));
         magnitude += std::abs(entry.high * point.vertex[k]);
       }
       image.coordinate[row] = sum;
@@ -247,7 +264,8 @@ class Adaptive {
   static Decision double_double_volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
   {
     constexpr double u2 = unit_roundoff<double> * unit_roundoff<double>;
-    const std::array<Double_double_image, 4> p = {double_double_image(a), double_double_image(b), double_double_image(c), double_double_image(d)};
+    const std::array<Double_double_image, 4> p = {double_double_image(a), double_double_image(b),
+                                                  double_double_image(c), double_double_image(d)};
     std::array<std::array<Double_double, 3>, 3> m;
     std::array<double, 3> largest{0, 0, 0};
     for (int j = 0; j < 3; ++j)
@@ -255,13 +273,16 @@ class Adaptive {
         m[j][k] = p[j + 1].coordinate[k] - p[0].coordinate[k];
         largest[k] = maximum(largest[k], std::abs(m[j][k].high));
       }
-    const Double_double determinant = (m[0][1] * m[1][2] - m[0][2] * m[1][1]) * m[2][0] + (m[0][2] * m[1][0] - m[0][0] * m[1][2]) * m[2][1] +
+    const Double_double determinant = (m[0][1] * m[1][2] - m[0][2] * m[1][1]) * m[2][0] +
+                                      (m[0][2] * m[1][0] - m[0][0] * m[1][2]) * m[2][1] +
                                       (m[0][0] * m[1][1] - m[0][1] * m[1][0]) * m[2][2];
     const double images = p[0].error + maximum(p[1].error, p[2].error, p[3].error);
     std::array<double, 3> error, M;
     for (int k = 0; k < 3; ++k) error[k] = images + 3.02 * u2 * largest[k], M[k] = largest[k] + error[k];
-    const double bound = 146 * u2 * (M[0] * M[1] * M[2]) +
-                         6.001 * (error[0] * (M[1] * M[2]) + largest[0] * error[1] * M[2] + largest[0] * largest[1] * error[2]) + underflow;
+    const double bound =
+        146 * u2 * (M[0] * M[1] * M[2]) +
+        6.001 * (error[0] * (M[1] * M[2]) + largest[0] * error[1] * M[2] + largest[0] * largest[1] * error[2]) +
+        underflow;
     return beyond(determinant.high, bound);
   }
 
@@ -296,8 +317,8 @@ class Adaptive {
     return over_exact_images(
         [](const Exact_image& p, const Exact_image& q, const Exact_image& r, const Exact_image& s) {
           return CGAL::sign_of_determinant<CGAL::Mpzf>(q[0] - p[0], q[1] - p[1], q[2] - p[2],  //
-                                              r[0] - p[0], r[1] - p[1], r[2] - p[2],  //
-                                              s[0] - p[0], s[1] - p[1], s[2] - p[2]);
+                                                       r[0] - p[0], r[1] - p[1], r[2] - p[2],  //
+                                                       s[0] - p[0], s[1] - p[1], s[2] - p[2]);
         },
         a, b, c, d);
   }
@@ -336,13 +357,16 @@ class Adaptive {
     return unfiltered_difference_sign(a, b, axis);
   }
 
-  // The same where the filter is known to be undecided. Out of line: the filter's callers are small then, and pay nothing for its being counted.
+  // The same where the filter is known to be undecided. Out of line: the filter's callers are small then, and pay
+  // nothing for its being counted.
 
-  [[gnu::noinline]] static CGAL::Sign unfiltered_volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
+  [[gnu::noinline]] static CGAL::Sign unfiltered_volume_sign(const Point_3& a, const Point_3& b, const Point_3& c,
+                                                             const Point_3& d)
   {
     if (const Decision sign = zero_volume_sign(a, b, c, d)) return ++decided_by().zero, *sign;
     if (a.pose == b.pose && a.pose == c.pose && a.pose == d.pose && a.pose != nullptr) {
-      const CGAL::Sign unplaced = volume_sign(unmoved(a.vertex), unmoved(b.vertex), unmoved(c.vertex), unmoved(d.vertex));
+      const CGAL::Sign unplaced =
+          volume_sign(unmoved(a.vertex), unmoved(b.vertex), unmoved(c.vertex), unmoved(d.vertex));
       return unplaced * a.pose->determinant_sign();
     }
     if (!in_gate(a, b, c, d)) return ++decided_by().out_of_gate, exact_volume_sign(a, b, c, d);
@@ -352,7 +376,8 @@ class Adaptive {
     return exact_volume_sign(a, b, c, d);
   }
 
-  [[gnu::noinline]] static CGAL::Sign unfiltered_normal_sign(const Point_3& a, const Point_3& b, const Point_3& c, int axis)
+  [[gnu::noinline]] static CGAL::Sign unfiltered_normal_sign(const Point_3& a, const Point_3& b, const Point_3& c,
+                                                             int axis)
   {
     if (const Decision sign = zero_normal_sign(a, b, c, axis)) return ++decided_by().zero, *sign;
     if (!in_gate(a, b, c)) return ++decided_by().out_of_gate, exact_normal_sign(a, b, c, axis);
@@ -420,7 +445,8 @@ class Adaptive {
     std::array<const Pose*, sizeof...(Points)> weighted{};
     std::size_t count = 0;
     const auto collect = [&](const Pose* pose) {
-      if (is_weighted(pose) && std::find(weighted.begin(), weighted.begin() + count, pose) == weighted.begin() + count) weighted[count++] = pose;
+      if (is_weighted(pose) && std::find(weighted.begin(), weighted.begin() + count, pose) == weighted.begin() + count)
+        weighted[count++] = pose;
     };
     (collect(points.pose), ...);
     const auto over_all = [&](const Point_3& point) {

@@ -7,16 +7,16 @@
 
 namespace tetracone::kernel {
 
-/// How a closed edge and a closed face meet. Where they share exactly one point, the kind names the dimensions of the two
-/// elements (vertex, edge, face) whose relative interior holds that point, the lower one first; a degenerate edge is a
-/// vertex. Where they share more than one point they lie in one plane.
+/// How a closed edge and a closed face meet. Where they share exactly one point, the kind names the dimensions of the
+/// two elements (vertex, edge, face) whose relative interior holds that point, the lower one first; a degenerate edge
+/// is a vertex. Where they share more than one point they lie in one plane.
 enum class Contact {
-  none,           ///< no common point
-  vertex_vertex,  ///< an end of the edge at a vertex of the face
-  vertex_edge,    ///< an end of the edge inside an edge of the face, or a vertex of the face inside the edge
-  vertex_face,    ///< an end of the edge inside the face
-  edge_edge,      ///< the edge crosses an edge of the face
-  edge_face,      ///< the edge goes through the inside of the face
+  none,             ///< no common point
+  vertex_vertex,    ///< an end of the edge at a vertex of the face
+  vertex_edge,      ///< an end of the edge inside an edge of the face, or a vertex of the face inside the edge
+  vertex_face,      ///< an end of the edge inside the face
+  edge_edge,        ///< the edge crosses an edge of the face
+  edge_face,        ///< the edge goes through the inside of the face
   coplanar_overlap  ///< more than one common point, in the plane of the face
 };
 
@@ -35,7 +35,8 @@ constexpr std::string_view to_string(Contact contact)
   return "none";
 }
 
-/// An edge of one of two bodies A and B and a face of the other that share a point. Ordered by its members, in their order.
+/// An edge of one of two bodies A and B and a face of the other that share a point. Ordered by its members, in their
+/// order.
 struct Feature_pair {
   int body;                 ///< 0: an edge of A and a face of B; 1: an edge of B and a face of A
   std::uint32_t edge_from;  ///< the edge's vertices, edge_from <= edge_to: an edge has no direction here,

@@ -1,8 +1,8 @@
 #ifndef TETRACONE_KERNEL_PREDICATE_FRAME_H
 #define TETRACONE_KERNEL_PREDICATE_FRAME_H
 
-#include "tetracone/kernel/predicate/kernels.h"
 #include "tetracone/kernel/number/pose.h"
+#include "tetracone/kernel/predicate/kernels.h"
 #include "tetracone/kernel/predicate/signs.h"
 
 #include <array>
@@ -47,7 +47,8 @@ class Frame {
   {
     if (identity_) return p;
     const auto& m = entries_;
-    return Point<K>(m[0] * p.x() + m[1] * p.y() + m[2] * p.z() + m[3], m[4] * p.x() + m[5] * p.y() + m[6] * p.z() + m[7],
+    return Point<K>(m[0] * p.x() + m[1] * p.y() + m[2] * p.z() + m[3],
+                    m[4] * p.x() + m[5] * p.y() + m[6] * p.z() + m[7],
                     m[8] * p.x() + m[9] * p.y() + m[10] * p.z() + m[11]);
   }
 
@@ -64,7 +65,10 @@ class Frame<Adaptive> {
  public:
   explicit Frame(const Pose& pose) : pose_(&pose), identity_(pose.is_identity()) {}
 
-  Point<Adaptive> operator()(const Point<Adaptive>& p) const { return identity_ ? p : Adaptive::placed(p.vertex, *pose_); }
+  Point<Adaptive> operator()(const Point<Adaptive>& p) const
+  {
+    return identity_ ? p : Adaptive::placed(p.vertex, *pose_);
+  }
 
   bool is_identity() const { return identity_; }
 

@@ -12,8 +12,8 @@
 #include <cstdint>
 #include <optional>
 
-/// Exact signs of points that lie on a common grid of 2^38 steps each way, by integers of 128 bits. So do most points of models made by hand, by CAD
-/// or from text, and these are the ones that meet exactly.
+/// Exact signs of points that lie on a common grid of 2^38 steps each way, by integers of 128 bits. So do most points
+/// of models made by hand, by CAD or from text, and these are the ones that meet exactly.
 namespace tetracone::kernel {
 
 /// The coordinates as whole numbers of a common power of two, each below 2^38; nothing where that is not so.
@@ -36,15 +36,16 @@ std::optional<std::array<std::array<std::int64_t, 3>, count>> on_grid(const std:
   return grid;
 }
 
-/// The sign of det[b-a, c-a, d-a], or nothing where the points are on no such grid. Differences are below 2^39, so their 2x2 minors
-/// below 2^79 and the sum of three products below 2^120.
+/// The sign of det[b-a, c-a, d-a], or nothing where the points are on no such grid. Differences are below 2^39, so
+/// their 2x2 minors below 2^79 and the sum of three products below 2^120.
 inline std::optional<CGAL::Sign> int128_volume_sign(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d)
 {
   const auto grid = on_grid<4>({&a, &b, &c, &d});
   if (!grid) return std::nullopt;
   using Int128 = __int128;
   const auto& [p, q, r, s] = *grid;
-  const Int128 bx = q[0] - p[0], by = q[1] - p[1], bz = q[2] - p[2], cx = r[0] - p[0], cy = r[1] - p[1], cz = r[2] - p[2];
+  const Int128 bx = q[0] - p[0], by = q[1] - p[1], bz = q[2] - p[2], cx = r[0] - p[0], cy = r[1] - p[1],
+               cz = r[2] - p[2];
   const Int128 dx = s[0] - p[0], dy = s[1] - p[1], dz = s[2] - p[2];
   const Int128 determinant = (by * cz - bz * cy) * dx + (bz * cx - bx * cz) * dy + (bx * cy - by * cx) * dz;
   return determinant > 0 ? CGAL::POSITIVE : determinant < 0 ? CGAL::NEGATIVE : CGAL::ZERO;

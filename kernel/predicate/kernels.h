@@ -1,9 +1,9 @@
 #ifndef TETRACONE_KERNEL_PREDICATE_KERNELS_H
 #define TETRACONE_KERNEL_PREDICATE_KERNELS_H
 
-#include "tetracone/kernel/predicate/adaptive.h"
 #include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/number/number.h"
+#include "tetracone/kernel/predicate/adaptive.h"
 #include "tetracone/kernel/predicate/tolerant.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -25,7 +25,8 @@ using Rational_kernel = CGAL::Simple_cartesian<Rational>;
 ///  - `exact_motion`: a placed point is the exact image, so that signs of placed points are exact too.
 ///  - `Bound`: the number type of bounding volumes. Kernels with exact signs bound in double, rounded outward, so that
 ///    no answer depends on a rounded bound; the rounding kernels bound in their own arithmetic, as it comes.
-///  - `Fixed`: the kernel that decides signs of points that no pose moves, when a model is prepared: K itself, or one whose answers
+///  - `Fixed`: the kernel that decides signs of points that no pose moves, when a model is prepared: K itself, or one
+///  whose answers
 ///    are the same for less.
 template <class K>
 struct Kernel_traits {

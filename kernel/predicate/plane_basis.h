@@ -12,9 +12,9 @@
 
 namespace tetracone::kernel {
 
-/// Three of `corners` that are not collinear, exactly; nothing when all are on one line. The triangle is a large one where
-/// double can tell, so that kernels that round keep its plane: the corner farthest from the first, and the corner that
-/// spans the largest area with both.
+/// Three of `corners` that are not collinear, exactly; nothing when all are on one line. The triangle is a large one
+/// where double can tell, so that kernels that round keep its plane: the corner farthest from the first, and the corner
+/// that spans the largest area with both.
 template <class Vertex_of>
 std::optional<std::array<std::size_t, 3>> plane_basis(std::size_t corner_count, const Vertex_of& vertex_of)
 {
@@ -36,7 +36,8 @@ std::optional<std::array<std::size_t, 3>> plane_basis(std::size_t corner_count, 
   const auto base = difference(0, farthest);
   for (std::size_t k = 1; k < corner_count; ++k) {
     const auto v = difference(0, k);
-    const double a = length({base[1] * v[2] - base[2] * v[1], base[2] * v[0] - base[0] * v[2], base[0] * v[1] - base[1] * v[0]});
+    const double a =
+        length({base[1] * v[2] - base[2] * v[1], base[2] * v[0] - base[0] * v[2], base[0] * v[1] - base[1] * v[0]});
     if (a > area) area = a, widest = k;
   }
   if (spans(0, farthest, widest)) return std::array<std::size_t, 3>{0, farthest, widest};

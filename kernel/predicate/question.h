@@ -8,15 +8,13 @@ namespace tetracone::kernel {
 
 /// What is asked of two placed polyhedra.
 enum class Question {
-  solid,   ///< do the two closed solids share a point? One inside the other collides, one inside the other's cavity does not
+  solid,  ///< do the two closed solids share a point? One inside the other collides, one inside the other's cavity does
+          ///< not
   surface  ///< do the two closed surfaces share a point? Touching in a single point counts
 };
 
 /// "solid" or "surface".
-constexpr std::string_view to_string(Question question)
-{
-  return question == Question::solid ? "solid" : "surface";
-}
+constexpr std::string_view to_string(Question question) { return question == Question::solid ? "solid" : "surface"; }
 
 /// The question of that name; nothing when there is none.
 constexpr std::optional<Question> parse_question(std::string_view name)

@@ -23,9 +23,10 @@ On_segment locate_on_segment(const Point<K>& p, const Point<K>& a, const Point<K
   return coincide<K>(p, a) ? On_segment::first_end : On_segment::outside;
 }
 
-/// How the closed segments pq and ab meet. Either may be a point. By signs alone: coplanarity by `volume_sign`, crossing by
-/// `normal_sign` along an axis that keeps the common plane a plane, overlap of collinear segments by `difference_sign`.
-/// The two dimensions of the kind are those of pq and ab in either order: vertex_vertex, vertex_edge, edge_edge.
+/// How the closed segments pq and ab meet. Either may be a point. By signs alone: coplanarity by `volume_sign`,
+/// crossing by `normal_sign` along an axis that keeps the common plane a plane, overlap of collinear segments by
+/// `difference_sign`. The two dimensions of the kind are those of pq and ab in either order: vertex_vertex,
+/// vertex_edge, edge_edge.
 template <class K>
 Contact segment_segment(const Point<K>& p, const Point<K>& q, const Point<K>& a, const Point<K>& b)
 {

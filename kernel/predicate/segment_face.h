@@ -11,28 +11,44 @@
 /// Closed segment against closed face, by signs alone.
 ///
 /// Of the four known formulations of segment against triangle this is the paper family's own: five signs of tetrahedra
-/// (Segura & Feito, WSCG 2001), which are the signs of the barycentric coordinates of one end with regard to the tetrahedron
-/// of the other end and the triangle (Jimenez, Segura & Feito, CGTA 2010, cited as the detailed test in JS08 section 3).
-/// Chosen because
-///  - the sign [p, q, A, B] of an edge serves both triangles at that edge, so no crack opens between them in any kernel;
-///  - it extends to any planar face through its covering: a face is a signed sum of triangles W A B (JS08 Definition 1), and the
+/// (Segura & Feito, WSCG 2001), which are the signs of the barycentric coordinates of one end with regard to the
+/// tetrahedron of the other end and the triangle (Jimenez, Segura & Feito, CGTA 2010, cited as the detailed test in
+/// JS08 section 3). Chosen because
+///  - the sign [p, q, A, B] of an edge serves both triangles at that edge, so no crack opens between them in any
+///  kernel;
+///  - it extends to any planar face through its covering: a face is a signed sum of triangles W A B (JS08 Definition
+///  1), and the
 ///    signs [p, q, W, A], [p, q, W, B], [p, q, A, B] say in which of them the crossing lies;
 ///  - it needs no division and no point of intersection.
 /// Pluecker coordinates give the same five determinants; CGAL's formulation decides the same signs in another order.
-/// Departures from the published tests: coplanar and degenerate positions are decided, not rejected, and the comparison of
-/// the three volumes with the fourth, published in ports with a wrong sign, is the exact sign of q against the plane.
+/// Departures from the published tests: coplanar and degenerate positions are decided, not rejected, and the comparison
+/// of the three volumes with the fourth, published in ports with a wrong sign, is the exact sign of q against the
+/// plane.
 namespace tetracone::kernel {
 
-/// A planar face as its covering sees it: directed edges (from, to) of all its loops, the origin W of its covering, which is
-/// one of its corners, and a triangle of corners that spans its plane.
+/// A planar face as its covering sees it: directed edges (from, to) of all its loops, the origin W of its covering,
+/// which is one of its corners, and a triangle of corners that spans its plane.
 template <class Face, class K>
-concept Covered_face = requires(const Face& face, std::size_t k) {
-  { face.edge_count() } -> std::convertible_to<std::size_t>;
-  { face.from(k) } -> std::convertible_to<const Point<K>&>;
-  { face.to(k) } -> std::convertible_to<const Point<K>&>;
-  { face.origin() } -> std::convertible_to<const Point<K>&>;
-  { face.is_degenerate() } -> std::convertible_to<bool>;              // all corners on one line
-  { face.plane_basis(int()) } -> std::convertible_to<const Point<K>&>;   // 0, 1, 2; requires a face that is not degenerate
+concept Covered_face = requires(const Face& face, std::size_t k)
+{
+  {
+    face.edge_count()
+    } -> std::convertible_to<std::size_t>;
+  {
+    face.from(k)
+    } -> std::convertible_to<const Point<K>&>;
+  {
+    face.to(k)
+    } -> std::convertible_to<const Point<K>&>;
+  {
+    face.origin()
+    } -> std::convertible_to<const Point<K>&>;
+  {
+    face.is_degenerate()
+    } -> std::convertible_to<bool>;  // all corners on one line
+  {
+    face.plane_basis(int())
+    } -> std::convertible_to<const Point<K>&>;  // 0, 1, 2; requires a face that is not degenerate
 };
 
 /// A triangle is its own covering.
@@ -53,10 +69,11 @@ struct Triangle {
 
 namespace detail {
 
-/// The winding number of the face's loops about a point y of its plane that lies on no loop, as the signed count of the covering
-/// triangles W A B that hold y. `side(A)` is the sign of the turn W, y, A about y, `turn(A, B)` that of A, B about y, both as
-/// orientations of one side of the plane. A point on an inner edge W A of the covering is moved off it: a side of ZERO
-/// counts as POSITIVE for every triangle at that edge, which is what turning the ray from W through y by an infinitesimal does.
+/// The winding number of the face's loops about a point y of its plane that lies on no loop, as the signed count of the
+/// covering triangles W A B that hold y. `side(A)` is the sign of the turn W, y, A about y, `turn(A, B)` that of A, B
+/// about y, both as orientations of one side of the plane. A point on an inner edge W A of the covering is moved off
+/// it: a side of ZERO counts as POSITIVE for every triangle at that edge, which is what turning the ray from W through
+/// y by an infinitesimal does.
 template <class K, Covered_face<K> Face, class Side, class Turn>
 int winding_in_plane(const Face& face, const Side& side, const Turn& turn)
 {
@@ -80,8 +97,8 @@ bool is_in_interior(const Point<K>& p, const Face& face, int axis)
   return winding_in_plane<K>(face, side, turn) != 0;
 }
 
-/// The segment pq lies on the face's plane, or the face on a line: the union of what pq shares with the loops and with the
-/// interior. One shared point is told from several by what it is: an end of pq, a corner, or a crossing of an edge.
+/// The segment pq lies on the face's plane, or the face on a line: the union of what pq shares with the loops and with
+/// the interior. One shared point is told from several by what it is: an end of pq, a corner, or a crossing of an edge.
 template <class K, Covered_face<K> Face>
 Contact coplanar_contact(const Point<K>& p, const Point<K>& q, const Face& face)
 {
@@ -107,16 +124,21 @@ Contact coplanar_contact(const Point<K>& p, const Point<K>& q, const Face& face)
     const Point<K>* this_end = nullptr;
     const Point<K>* this_corner = nullptr;
     if (at != Contact::edge_edge) {
-      if (on(p, a, b)) this_end = &p, p_on_loop = true;
-      else if (on(q, a, b)) this_end = &q, q_on_loop = true;
-      if (on(a, p, q)) this_corner = &a;
-      else if (on(b, p, q)) this_corner = &b;
+      if (on(p, a, b))
+        this_end = &p, p_on_loop = true;
+      else if (on(q, a, b))
+        this_end = &q, q_on_loop = true;
+      if (on(a, p, q))
+        this_corner = &a;
+      else if (on(b, p, q))
+        this_corner = &b;
     }
     if (kind != Contact::none) {
-      const bool same = (end && this_end == end) || (corner && this_corner && coincide<K>(*corner, *this_corner)) ||
-                        (corner && !this_corner && on(*corner, a, b)) ||
-                        (!corner && this_corner && on(*this_corner, face.from(crossed), face.to(crossed))) ||
-                        (at == Contact::edge_edge && kind == Contact::edge_edge && on_line(a, crossed) && on_line(b, crossed));
+      const bool same =
+          (end && this_end == end) || (corner && this_corner && coincide<K>(*corner, *this_corner)) ||
+          (corner && !this_corner && on(*corner, a, b)) ||
+          (!corner && this_corner && on(*this_corner, face.from(crossed), face.to(crossed))) ||
+          (at == Contact::edge_edge && kind == Contact::edge_edge && on_line(a, crossed) && on_line(b, crossed));
       if (!same) return Contact::coplanar_overlap;
     }
     // A shared corner is a vertex of the face even where this edge meets it in its inside (a loop that touches itself).
@@ -131,17 +153,18 @@ Contact coplanar_contact(const Point<K>& p, const Point<K>& q, const Face& face)
   const bool p_inside = !p_on_loop && is_in_interior<K>(p, face, axis);
   if (segment_is_point) return p_inside ? Contact::vertex_face : kind;
   if (p_inside || (!q_on_loop && is_in_interior<K>(q, face, axis))) return Contact::coplanar_overlap;
-  // What is left touches the face in `kind` only: had pq gone in through that point, it would end inside or come out elsewhere.
+  // What is left touches the face in `kind` only: had pq gone in through that point, it would end inside or come out
+  // elsewhere.
   return kind;
 }
 
 }  // namespace detail
 
-/// How the closed segment pq and a closed planar face meet. The face's points are those of its plane with non-zero winding
-/// number about its loops, and the loops themselves; the segment may be a point, the face a segment or a point.
+/// How the closed segment pq and a closed planar face meet. The face's points are those of its plane with non-zero
+/// winding number about its loops, and the loops themselves; the segment may be a point, the face a segment or a point.
 /// Exact when K's signs of these points are exact. In kernels that round, a face that is planar need not look so.
-/// `side_p` and `side_q` are the sides of p and q against the plane of the face's spanning triangle: a caller with many segments
-/// decides them once a vertex. Any for a degenerate face.
+/// `side_p` and `side_q` are the sides of p and q against the plane of the face's spanning triangle: a caller with many
+/// segments decides them once a vertex. Any for a degenerate face.
 template <class K, Covered_face<K> Face>
 Contact segment_face(const Point<K>& p, const Point<K>& q, const Face& face, Sign side_p, Sign side_q)
 {
@@ -177,14 +200,16 @@ template <class K, Covered_face<K> Face>
 Contact segment_face(const Point<K>& p, const Point<K>& q, const Face& face)
 {
   if (face.is_degenerate()) return segment_face<K>(p, q, face, ZERO, ZERO);
-  const auto side = [&](const Point<K>& x) { return volume_sign<K>(face.plane_basis(0), face.plane_basis(1), face.plane_basis(2), x); };
+  const auto side = [&](const Point<K>& x) {
+    return volume_sign<K>(face.plane_basis(0), face.plane_basis(1), face.plane_basis(2), x);
+  };
   return segment_face<K>(p, q, face, side(p), side(q));
 }
 
-/// How the closed segment pq and the closed triangle abc meet: `segment_face` of the face that is its own covering, in at most
-/// five signs where nothing degenerate is met. The signs are those of the barycentric coordinates of q in the tetrahedron p a b c:
-/// q is beyond the triangle from p when its coordinate at p is not positive while those at a, b, c are not negative.
-/// `side_p` and `side_q` are the sides of p and q against the plane a b c.
+/// How the closed segment pq and the closed triangle abc meet: `segment_face` of the face that is its own covering, in
+/// at most five signs where nothing degenerate is met. The signs are those of the barycentric coordinates of q in the
+/// tetrahedron p a b c: q is beyond the triangle from p when its coordinate at p is not positive while those at a, b, c
+/// are not negative. `side_p` and `side_q` are the sides of p and q against the plane a b c.
 template <class K>
 Contact segment_triangle(const Point<K>& p, const Point<K>& q, const Point<K>& a, const Point<K>& b, const Point<K>& c,
                          Sign side_p, Sign side_q)

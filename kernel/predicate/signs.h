@@ -8,8 +8,9 @@
 #include <array>
 #include <cmath>
 
-/// The three signs that decide everything in this library: of a 3x3, a 2x2 and a 1x1 determinant of coordinate differences.
-/// Coplanar, collinear and coincident positions are told apart by falling from one to the next; no sign is ever guessed.
+/// The three signs that decide everything in this library: of a 3x3, a 2x2 and a 1x1 determinant of coordinate
+/// differences. Coplanar, collinear and coincident positions are told apart by falling from one to the next; no sign is
+/// ever guessed.
 namespace tetracone::kernel {
 
 using CGAL::NEGATIVE;
@@ -20,19 +21,18 @@ using CGAL::ZERO;
 template <class K>
 using Point = typename K::Point_3;
 
-/// The sign of det[b-a, c-a, d-a]: POSITIVE when d sees a, b, c counterclockwise from the side that (b-a) x (c-a) points to.
-/// (1) sign(b,a,c,d) = -sign(a,b,c,d) for each transposition of two arguments.
-/// (2) ZERO when two arguments are equal, or all four lie in one plane.
-/// (3) sign(Ma+t, ...) = sign(det M) sign(a, ...).
-/// Exact when K has exact signs; rounded, or within the tolerance, in the other kernels.
+/// The sign of det[b-a, c-a, d-a]: POSITIVE when d sees a, b, c counterclockwise from the side that (b-a) x (c-a)
+/// points to. (1) sign(b,a,c,d) = -sign(a,b,c,d) for each transposition of two arguments. (2) ZERO when two arguments
+/// are equal, or all four lie in one plane. (3) sign(Ma+t, ...) = sign(det M) sign(a, ...). Exact when K has exact
+/// signs; rounded, or within the tolerance, in the other kernels.
 template <class K>
 Sign volume_sign(const Point<K>& a, const Point<K>& b, const Point<K>& c, const Point<K>& d)
 {
   return typename K::Orientation_3()(a, b, c, d);
 }
 
-/// The sign of component `axis` (0, 1, 2 = x, y, z) of (b-a) x (c-a): the orientation of the triangle projected along it.
-/// (1) changes with every transposition; (2) ZERO on all three axes exactly when a, b, c are collinear or coincide.
+/// The sign of component `axis` (0, 1, 2 = x, y, z) of (b-a) x (c-a): the orientation of the triangle projected along
+/// it. (1) changes with every transposition; (2) ZERO on all three axes exactly when a, b, c are collinear or coincide.
 template <class K>
 Sign normal_sign(const Point<K>& a, const Point<K>& b, const Point<K>& c, int axis)
 {
@@ -52,7 +52,8 @@ Sign difference_sign(const Point<K>& a, const Point<K>& b, int axis)
   return typename K::Compare_z_3()(a, b);
 }
 
-// --- Adaptive -----------------------------------------------------------------------------------------------------------
+// --- Adaptive
+// -----------------------------------------------------------------------------------------------------------
 
 template <>
 inline Sign volume_sign<Adaptive>(const Adaptive::Point_3& a, const Adaptive::Point_3& b, const Adaptive::Point_3& c,
@@ -61,7 +62,8 @@ inline Sign volume_sign<Adaptive>(const Adaptive::Point_3& a, const Adaptive::Po
   return Adaptive::volume_sign(a, b, c, d);
 }
 template <>
-inline Sign normal_sign<Adaptive>(const Adaptive::Point_3& a, const Adaptive::Point_3& b, const Adaptive::Point_3& c, int axis)
+inline Sign normal_sign<Adaptive>(const Adaptive::Point_3& a, const Adaptive::Point_3& b, const Adaptive::Point_3& c,
+                                  int axis)
 {
   return Adaptive::normal_sign(a, b, c, axis);
 }
@@ -71,7 +73,8 @@ inline Sign difference_sign<Adaptive>(const Adaptive::Point_3& a, const Adaptive
   return Adaptive::difference_sign(a, b, axis);
 }
 
-// --- Tolerant -----------------------------------------------------------------------------------------------------------
+// --- Tolerant
+// -----------------------------------------------------------------------------------------------------------
 
 /// `value` is a sum of products whose absolute values sum to `permanent`.
 inline Sign tolerant_sign(double value, double permanent)
@@ -97,7 +100,8 @@ inline Sign volume_sign<Tolerant>(const Tolerant::Point_3& a, const Tolerant::Po
   return tolerant_sign(value, permanent);
 }
 template <>
-inline Sign normal_sign<Tolerant>(const Tolerant::Point_3& a, const Tolerant::Point_3& b, const Tolerant::Point_3& c, int axis)
+inline Sign normal_sign<Tolerant>(const Tolerant::Point_3& a, const Tolerant::Point_3& b, const Tolerant::Point_3& c,
+                                  int axis)
 {
   const int i = (axis + 1) % 3, j = (axis + 2) % 3;
   const double first = (b[i] - a[i]) * (c[j] - a[j]), second = (b[j] - a[j]) * (c[i] - a[i]);
@@ -109,17 +113,19 @@ inline Sign difference_sign<Tolerant>(const Tolerant::Point_3& a, const Tolerant
   return tolerant_sign(a[axis] - b[axis], std::abs(a[axis]) + std::abs(b[axis]));
 }
 
-// --- what follows from them ---------------------------------------------------------------------------------------------
+// --- what follows from them
+// ---------------------------------------------------------------------------------------------
 
 /// True when a and b have the same coordinates.
 template <class K>
 bool coincide(const Point<K>& a, const Point<K>& b)
 {
-  return difference_sign<K>(a, b, 0) == ZERO && difference_sign<K>(a, b, 1) == ZERO && difference_sign<K>(a, b, 2) == ZERO;
+  return difference_sign<K>(a, b, 0) == ZERO && difference_sign<K>(a, b, 1) == ZERO &&
+         difference_sign<K>(a, b, 2) == ZERO;
 }
 
-/// The first axis along which (b-a) x (c-a) is not zero, or -1 when a, b, c are collinear. Projection along that axis keeps
-/// the plane of a, b, c a plane.
+/// The first axis along which (b-a) x (c-a) is not zero, or -1 when a, b, c are collinear. Projection along that axis
+/// keeps the plane of a, b, c a plane.
 template <class K>
 int projection_axis(const Point<K>& a, const Point<K>& b, const Point<K>& c)
 {
@@ -128,9 +134,9 @@ int projection_axis(const Point<K>& a, const Point<K>& b, const Point<K>& c)
   return -1;
 }
 
-/// The side of the plane a, b, c on which p lies after p has been moved by (e, e^2, e^3), e > 0 and infinitesimal: the first of
-/// volume_sign(a,b,c,p) and the three components of (b-a) x (c-a) that is not zero. ZERO only when a, b, c are collinear.
-/// One perturbation for every plane, so the answers of many planes belong to one and the same moved point.
+/// The side of the plane a, b, c on which p lies after p has been moved by (e, e^2, e^3), e > 0 and infinitesimal: the
+/// first of volume_sign(a,b,c,p) and the three components of (b-a) x (c-a) that is not zero. ZERO only when a, b, c are
+/// collinear. One perturbation for every plane, so the answers of many planes belong to one and the same moved point.
 template <class K>
 Sign perturbed_side(const Point<K>& a, const Point<K>& b, const Point<K>& c, const Point<K>& p)
 {

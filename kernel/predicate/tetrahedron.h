@@ -10,8 +10,9 @@ namespace tetracone::kernel {
 /// Where a point stands with regard to a closed tetrahedron, and on which element of its boundary.
 enum class In_tetrahedron { outside, vertex, edge, face, inside, flat };
 
-/// The signs of the barycentric coordinates of a point with regard to the tetrahedron v0 v1 v2 v3: coordinate i is the signed
-/// volume of the tetrahedron with v_i replaced by the point, over the volume of the tetrahedron (JS08 section 2.2.1).
+/// The signs of the barycentric coordinates of a point with regard to the tetrahedron v0 v1 v2 v3: coordinate i is the
+/// signed volume of the tetrahedron with v_i replaced by the point, over the volume of the tetrahedron (JS08
+/// section 2.2.1).
 struct Barycentric_signs {
   std::array<Sign, 4> coordinate;  ///< all ZERO when the tetrahedron is flat
   Sign volume;                     ///< of the tetrahedron: its orientation
@@ -25,7 +26,8 @@ struct Barycentric_signs {
       if (sign == NEGATIVE) return In_tetrahedron::outside;
       zeros += sign == ZERO;
     }
-    constexpr std::array features = {In_tetrahedron::inside, In_tetrahedron::face, In_tetrahedron::edge, In_tetrahedron::vertex};
+    constexpr std::array features = {In_tetrahedron::inside, In_tetrahedron::face, In_tetrahedron::edge,
+                                     In_tetrahedron::vertex};
     return zeros < 4 ? features[zeros] : In_tetrahedron::outside;  // the coordinates sum to 1: not all are zero
   }
 };
@@ -40,8 +42,8 @@ Barycentric_signs barycentric_signs(const Point<K>& p, const Point<K>& v0, const
           volume};
 }
 
-/// True when p lies in the closed tetra-cone of the positively oriented tetrahedron v0 v1 v2 v3: three of the four signs,
-/// those at v1, v2 and v3 (JS08 Definition 3 and section 2.2.1).
+/// True when p lies in the closed tetra-cone of the positively oriented tetrahedron v0 v1 v2 v3: three of the four
+/// signs, those at v1, v2 and v3 (JS08 Definition 3 and section 2.2.1).
 template <class K>
 bool is_in_tetra_cone(const Point<K>& p, const Point<K>& v0, const Point<K>& v1, const Point<K>& v2, const Point<K>& v3)
 {

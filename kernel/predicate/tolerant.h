@@ -7,11 +7,10 @@
 
 namespace tetracone::kernel {
 
-/// Double with a tolerance, the way robust codes are usually written: each sign is computed in double and is ZERO within
-/// the tolerance. A kernel under study, and the only place of this library where an epsilon decides.
-/// Everything else is CGAL::Simple_cartesian<double>; the tolerance belongs to the calling thread.
-class Tolerant
-    : public CGAL::Type_equality_wrapper<CGAL::Cartesian_base_no_ref_count<double, Tolerant>, Tolerant> {
+/// Double with a tolerance, the way robust codes are usually written: each sign is computed in double and is ZERO
+/// within the tolerance. A kernel under study, and the only place of this library where an epsilon decides. Everything
+/// else is CGAL::Simple_cartesian<double>; the tolerance belongs to the calling thread.
+class Tolerant : public CGAL::Type_equality_wrapper<CGAL::Cartesian_base_no_ref_count<double, Tolerant>, Tolerant> {
  public:
   static Tolerance& tolerance()
   {

@@ -25,8 +25,8 @@ std::array<Sign, 3> sides(const Corners<K>& triangle, const Corners<K>& points)
   return side;
 }
 
-/// The filter's expression and bound (see `Adaptive`), with one normal and one bound for the three points; what it leaves undecided is decided
-/// one by one.
+/// The filter's expression and bound (see `Adaptive`), with one normal and one bound for the three points; what it
+/// leaves undecided is decided one by one.
 template <>
 inline std::array<Sign, 3> sides<Adaptive>(const Corners<Adaptive>& triangle, const Corners<Adaptive>& points)
 {
@@ -34,32 +34,43 @@ inline std::array<Sign, 3> sides<Adaptive>(const Corners<Adaptive>& triangle, co
   const double bx = b[0] - a[0], by = b[1] - a[1], bz = b[2] - a[2];
   const double cx = c[0] - a[0], cy = c[1] - a[1], cz = c[2] - a[2];
   const double nx = by * cz - bz * cy, ny = bz * cx - bx * cz, nz = bx * cy - by * cx;
-  double mx = maximum_of_defined(std::abs(bx), std::abs(cx)), my = maximum_of_defined(std::abs(by), std::abs(cy)), mz = maximum_of_defined(std::abs(bz), std::abs(cz));
+  double mx = maximum_of_defined(std::abs(bx), std::abs(cx)), my = maximum_of_defined(std::abs(by), std::abs(cy)),
+         mz = maximum_of_defined(std::abs(bz), std::abs(cz));
   std::array<double, 3> determinant;
   for (int k = 0; k < 3; ++k) {
     const auto& d = points[k]->image;
     const double dx = d[0] - a[0], dy = d[1] - a[1], dz = d[2] - a[2];
     determinant[k] = nx * dx + ny * dy + nz * dz;
-    mx = maximum_of_defined(mx, std::abs(dx)), my = maximum_of_defined(my, std::abs(dy)), mz = maximum_of_defined(mz, std::abs(dz));
+    mx = maximum_of_defined(mx, std::abs(dx)), my = maximum_of_defined(my, std::abs(dy)),
+    mz = maximum_of_defined(mz, std::abs(dz));
   }
-  const double error = triangle[0]->error + maximum(triangle[1]->error, triangle[2]->error, points[0]->error, points[1]->error, points[2]->error);
+  const double error = triangle[0]->error + maximum(triangle[1]->error, triangle[2]->error, points[0]->error,
+                                                    points[1]->error, points[2]->error);
   const double Mx = mx + error, My = my + error, Mz = mz + error;
-  const double bound = 49 * unit_roundoff<double> * (Mx * My * Mz) + 6.001 * error * (My * Mz + mx * Mz + mx * my) + Adaptive::underflow;
+  const double bound =
+      49 * unit_roundoff<double> * (Mx * My * Mz) + 6.001 * error * (My * Mz + mx * Mz + mx * my) + Adaptive::underflow;
   std::array<Sign, 3> side;
   for (int k = 0; k < 3; ++k) {
-    if (determinant[k] > bound) side[k] = POSITIVE;
-    else if (determinant[k] < -bound) side[k] = NEGATIVE;
-    else side[k] = Adaptive::volume_sign(*triangle[0], *triangle[1], *triangle[2], *points[k]);
+    if (determinant[k] > bound)
+      side[k] = POSITIVE;
+    else if (determinant[k] < -bound)
+      side[k] = NEGATIVE;
+    else
+      side[k] = Adaptive::volume_sign(*triangle[0], *triangle[1], *triangle[2], *points[k]);
   }
   return side;
 }
 
 namespace detail {
 
-inline bool all_strictly_beside(const std::array<Sign, 3>& side) { return side[0] == side[1] && side[1] == side[2] && side[0] != ZERO; }
+inline bool all_strictly_beside(const std::array<Sign, 3>& side)
+{
+  return side[0] == side[1] && side[1] == side[2] && side[0] != ZERO;
+}
 
-/// Turns the triangle so that its first corner is alone on one closed side of the other's plane and the two others are on the other closed side,
-/// not all three in the plane. Returns the first corner's side; where it is in the plane, the opposite of the others'.
+/// Turns the triangle so that its first corner is alone on one closed side of the other's plane and the two others are
+/// on the other closed side, not all three in the plane. Returns the first corner's side; where it is in the plane, the
+/// opposite of the others'.
 template <class K>
 Sign turn_alone_first(Corners<K>& triangle, const std::array<Sign, 3>& side)
 {
@@ -77,10 +88,10 @@ Sign turn_alone_first(Corners<K>& triangle, const std::array<Sign, 3>& side)
 
 /// Whether two closed triangles share a point. Exact when K's signs of these points are. Either may be degenerate.
 ///
-/// Where each crosses the other's plane, both meet the planes' common line in intervals, and two signs of tetrahedra tell whether these
-/// overlap: after Guigue and Devillers (Journal of Graphics Tools 8, 2003). With p0 and q0 each alone on the positive side of the other
-/// plane, edges p0 p1 and q0 q1 bound the intervals at one end each, p0 p2 and q0 q2 at the other. Triangles in one plane, or without one, are
-/// decided edge by edge.
+/// Where each crosses the other's plane, both meet the planes' common line in intervals, and two signs of tetrahedra
+/// tell whether these overlap: after Guigue and Devillers (Journal of Graphics Tools 8, 2003). With p0 and q0 each
+/// alone on the positive side of the other plane, edges p0 p1 and q0 q1 bound the intervals at one end each, p0 p2 and
+/// q0 q2 at the other. Triangles in one plane, or without one, are decided edge by edge.
 template <class K>
 bool triangles_meet(Corners<K> p, Corners<K> q)
 {
@@ -102,7 +113,8 @@ bool triangles_meet(Corners<K> p, Corners<K> q)
   }
   if (alone_p == NEGATIVE) std::swap(q[1], q[2]);
   if (alone_q == NEGATIVE) std::swap(p[1], p[2]);
-  return volume_sign<K>(*p[0], *p[1], *q[0], *q[1]) != POSITIVE && volume_sign<K>(*p[0], *p[2], *q[0], *q[2]) != NEGATIVE;
+  return volume_sign<K>(*p[0], *p[1], *q[0], *q[1]) != POSITIVE &&
+         volume_sign<K>(*p[0], *p[2], *q[0], *q[2]) != NEGATIVE;
 }
 
 }  // namespace tetracone::kernel

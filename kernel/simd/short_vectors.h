@@ -4,8 +4,9 @@
 #include <cstdint>
 #include <cstring>
 
-/// Vectors of 16 bytes, the compiler's own: for work so short that the call of a version chosen at run time (see simd.h) would take longer.
-/// Operations are lane by lane, in the instructions that every processor of the architecture has.
+/// Vectors of 16 bytes, the compiler's own: for work so short that the call of a version chosen at run time (see
+/// simd.h) would take longer. Operations are lane by lane, in the instructions that every processor of the architecture
+/// has.
 namespace tetracone::kernel {
 
 using Four_floats [[gnu::vector_size(16)]] = float;
@@ -14,8 +15,14 @@ using Eight_shorts [[gnu::vector_size(16)]] = std::int16_t;
 using Two_doubles [[gnu::vector_size(16)]] = double;
 using Two_longs [[gnu::vector_size(16)]] = std::int64_t;
 
-inline Four_floats magnitudes(Four_floats v) { return reinterpret_cast<Four_floats>(reinterpret_cast<Four_ints>(v) & 0x7fffffff); }
-inline Two_doubles magnitudes(Two_doubles v) { return reinterpret_cast<Two_doubles>(reinterpret_cast<Two_longs>(v) & 0x7fffffffffffffff); }
+inline Four_floats magnitudes(Four_floats v)
+{
+  return reinterpret_cast<Four_floats>(reinterpret_cast<Four_ints>(v) & 0x7fffffff);
+}
+inline Two_doubles magnitudes(Two_doubles v)
+{
+  return reinterpret_cast<Two_doubles>(reinterpret_cast<Two_longs>(v) & 0x7fffffffffffffff);
+}
 
 /// The sum of the lanes, in every lane: of (v0 + v1) and (v2 + v3).
 inline Four_floats sum_of_lanes(Four_floats v)
@@ -37,7 +44,10 @@ Four_floats repeated(Four_floats v)
 }
 
 /// With 0 in the last lane.
-inline Four_floats first_three(Four_floats v) { return reinterpret_cast<Four_floats>(reinterpret_cast<Four_ints>(v) & Four_ints{-1, -1, -1, 0}); }
+inline Four_floats first_three(Four_floats v)
+{
+  return reinterpret_cast<Four_floats>(reinterpret_cast<Four_ints>(v) & Four_ints{-1, -1, -1, 0});
+}
 
 inline Two_doubles two_from(const double* p)
 {
@@ -47,7 +57,10 @@ inline Two_doubles two_from(const double* p)
 }
 
 /// Four doubles, each rounded to the nearest float.
-inline Four_floats rounded(Two_doubles first, Two_doubles last) { return Four_floats{float(first[0]), float(first[1]), float(last[0]), float(last[1])}; }
+inline Four_floats rounded(Two_doubles first, Two_doubles last)
+{
+  return Four_floats{float(first[0]), float(first[1]), float(last[0]), float(last[1])};
+}
 
 }  // namespace tetracone::kernel
 

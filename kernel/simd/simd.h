@@ -10,11 +10,12 @@
 #include <cstdint>
 #include <initializer_list>
 
-/// Vectors of numbers by Highway, chosen at run time: kernels are compiled for what every processor of the architecture has (x86-64: SSE2),
-/// for SSSE3, AVX2 and AVX-512.
+/// Vectors of numbers by Highway, chosen at run time: kernels are compiled for what every processor of the architecture
+/// has (x86-64: SSE2), for SSSE3, AVX2 and AVX-512.
 ///
-/// A kernel is an inline function of the namespace HWY_NAMESPACE within its folder's, in a file NAME_simd.inl. NAME.h includes that file once
-/// for each target and chooses a version. Example: kernel/bound/obb8_overlap_simd.inl and obb8_overlap.h.
+/// A kernel is an inline function of the namespace HWY_NAMESPACE within its folder's, in a file NAME_simd.inl. NAME.h
+/// includes that file once for each target and chooses a version. Example: kernel/bound/obb8_overlap_simd.inl and
+/// obb8_overlap.h.
 ///
 ///     #define TETRACONE_SIMD_KERNEL "tetracone/FOLDER/ROOM/NAME_simd.inl"
 ///     #include "tetracone/kernel/simd/simd_rounds.h"
@@ -25,11 +26,12 @@
 ///       return fastest;
 ///     }
 ///
-/// Vectors never cross a call. Signs are the same bits in all versions: kernels that decide them use neither MulAdd nor sums over lanes.
+/// Vectors never cross a call. Signs are the same bits in all versions: kernels that decide them use neither MulAdd nor
+/// sums over lanes.
 ///
-/// Highway generates the operations of a target once in a translation unit. One that has Highway kernels of its own may include this
-/// header after all of them (where HWY_ONCE is true), which takes the operations that are there; or before them, and then its own
-/// kernels are compiled for its static target only.
+/// Highway generates the operations of a target once in a translation unit. One that has Highway kernels of its own may
+/// include this header after all of them (where HWY_ONCE is true), which takes the operations that are there; or before
+/// them, and then its own kernels are compiled for its static target only.
 
 #ifdef HIGHWAY_HWY_FOREACH_TARGET_H_
 #if !HWY_ONCE
@@ -59,16 +61,17 @@
 #endif
 
 /// The versions of a kernel that this translation unit has, the fastest first.
-#define TETRACONE_SIMD_VERSIONS(kernel)                                                    \
-  {                                                                                        \
-    TETRACONE_SIMD_AVX3(kernel) TETRACONE_SIMD_AVX2(kernel) TETRACONE_SIMD_SSSE3(kernel) { \
-      HWY_STATIC_TARGET, &HWY_STATIC_DISPATCH(kernel)                                      \
-    }                                                                                      \
+#define TETRACONE_SIMD_VERSIONS(kernel)                                                  \
+  {                                                                                      \
+    TETRACONE_SIMD_AVX3(kernel) TETRACONE_SIMD_AVX2(kernel) TETRACONE_SIMD_SSSE3(kernel) \
+    {                                                                                    \
+      HWY_STATIC_TARGET, &HWY_STATIC_DISPATCH(kernel)                                    \
+    }                                                                                    \
   }
 
 #ifndef TETRACONE_SIMD_HAS_OPERATIONS
-// The rounds are made here, not by hwy/foreach_target.h, which would repeat the file that includes this one. Highway sees a unit
-// of one target, whose rounds are over.
+// The rounds are made here, not by hwy/foreach_target.h, which would repeat the file that includes this one. Highway
+// sees a unit of one target, whose rounds are over.
 #define HIGHWAY_HWY_FOREACH_TARGET_H_
 #undef HWY_TARGETS
 #define HWY_TARGETS HWY_STATIC_TARGET
@@ -121,7 +124,8 @@ struct Simd_version {
   Function* function;
 };
 
-/// The first of the versions whose target this processor has and Highway has not been told to leave out; else the last, which all have.
+/// The first of the versions whose target this processor has and Highway has not been told to leave out; else the last,
+/// which all have.
 template <class Function>
 Function* fastest_version(std::initializer_list<Simd_version<Function>> versions)
 {

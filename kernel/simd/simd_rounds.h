@@ -1,6 +1,7 @@
 #ifndef TETRACONE_KERNEL_SIMD_SIMD_ROUNDS_H
 #define TETRACONE_KERNEL_SIMD_SIMD_ROUNDS_H
-// Includes the file that TETRACONE_SIMD_KERNEL names once for each target: see kernel/simd/simd.h. Once more for every kernel.
+// Includes the file that TETRACONE_SIMD_KERNEL names once for each target: see kernel/simd/simd.h. Once more for every
+// kernel.
 #include "tetracone/kernel/simd/simd.h"
 
 #ifdef TETRACONE_SIMD_KERNEL

@@ -19,19 +19,24 @@ using covering::Index;
 /// `name`: what messages begin with.
 void require_legal(const Polyhedron& polyhedron, const std::string& name)
 {
-  const auto fail = [&](const std::string& wrong, const std::string& expected) { throw Error(name + ": " + wrong + "; expected " + expected); };
+  const auto fail = [&](const std::string& wrong, const std::string& expected) {
+    throw Error(name + ": " + wrong + "; expected " + expected);
+  };
   if (polyhedron.face_count() == 0) fail("no face", "a body with faces");
   const auto vertices = [&] { return "of " + std::to_string(polyhedron.vertices.size()) + " vertices"; };
   for (std::size_t v = 0; v < polyhedron.vertices.size(); ++v)
     for (const double x : polyhedron.vertices[v])
-      if (!std::isfinite(x)) fail("vertex " + std::to_string(v) + " has the coordinate " + kernel::shortest(x), "finite coordinates");
+      if (!std::isfinite(x))
+        fail("vertex " + std::to_string(v) + " has the coordinate " + kernel::shortest(x), "finite coordinates");
   for (Index f = 0; f < polyhedron.face_count(); ++f) {
     covering::for_each_directed_edge(polyhedron, f, [&](Index from, Index) {
       if (from >= polyhedron.vertices.size())
-        fail("face " + std::to_string(f) + " names vertex " + std::to_string(from) + " " + vertices(), "numbers from 0 to " + std::to_string(polyhedron.vertices.size()) + ", the last excluded");
+        fail("face " + std::to_string(f) + " names vertex " + std::to_string(from) + " " + vertices(),
+             "numbers from 0 to " + std::to_string(polyhedron.vertices.size()) + ", the last excluded");
     });
     if (!polyhedron.is_triangle(f) && covering::planarity(polyhedron, f) == covering::Planarity::off_plane)
-      fail("face " + std::to_string(f) + " has a corner " + kernel::shortest(covering::deviation(polyhedron, f).distance) + " off its plane",
+      fail("face " + std::to_string(f) + " has a corner " +
+               kernel::shortest(covering::deviation(polyhedron, f).distance) + " off its plane",
            "exactly planar faces (tetracone/repair.h replaces others by triangles)");
   }
 }
@@ -39,9 +44,12 @@ void require_legal(const Polyhedron& polyhedron, const std::string& name)
 void require_legal(const Polyhedron& polyhedron, const std::vector<Face_triangle>& triangles, const std::string& name)
 {
   for (const Face_triangle& t : triangles) {
-    if (t.face >= polyhedron.face_count()) throw Error(name + ": a triangle of face " + std::to_string(t.face) + " of " + std::to_string(polyhedron.face_count()) + "; expected a face's number");
+    if (t.face >= polyhedron.face_count())
+      throw Error(name + ": a triangle of face " + std::to_string(t.face) + " of " +
+                  std::to_string(polyhedron.face_count()) + "; expected a face's number");
     for (const Index v : t.corner)
-      if (v >= polyhedron.vertices.size()) throw Error(name + ": a triangle names vertex " + std::to_string(v) + "; expected a vertex's number");
+      if (v >= polyhedron.vertices.size())
+        throw Error(name + ": a triangle names vertex " + std::to_string(v) + "; expected a vertex's number");
   }
 }
 
@@ -55,7 +63,8 @@ std::vector<Face_triangle> with_fans(const Polyhedron& polyhedron, std::vector<F
   return given;
 }
 
-std::shared_ptr<const detail::Body_data> checked(Polyhedron polyhedron, std::vector<Face_triangle> triangles, const std::string& name)
+std::shared_ptr<const detail::Body_data> checked(Polyhedron polyhedron, std::vector<Face_triangle> triangles,
+                                                 const std::string& name)
 {
   require_legal(polyhedron, name);
   require_legal(polyhedron, triangles, name);
@@ -67,7 +76,9 @@ std::shared_ptr<const detail::Body_data> checked(Polyhedron polyhedron, std::vec
 
 Body::Body(Polyhedron polyhedron) : Body(std::move(polyhedron), {}) {}
 
-Body::Body(Polyhedron polyhedron, std::vector<Face_triangle> triangles) : data_(checked(std::move(polyhedron), std::move(triangles), "body")) {}
+Body::Body(Polyhedron polyhedron, std::vector<Face_triangle> triangles)
+    : data_(checked(std::move(polyhedron), std::move(triangles), "body"))
+{}
 
 Body::Body(const std::filesystem::path& file) : data_(checked(covering::read(file), {}, file.string())) {}
 

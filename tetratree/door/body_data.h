@@ -21,8 +21,7 @@ namespace tetracone::detail {
 struct Body_data {
   Body_data(covering::Polyhedron polyhedron, std::vector<covering::Face_triangle> triangles)
       : polyhedron(std::move(polyhedron)), triangles(std::move(triangles))
-  {
-  }
+  {}
 
   const covering::Polyhedron polyhedron;
   const std::vector<covering::Face_triangle> triangles;

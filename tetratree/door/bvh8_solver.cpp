@@ -8,10 +8,12 @@ namespace {
 class Bvh8_solver : public Solver {
  public:
   Bvh8_solver(const Shared_body& a, const Shared_body& b, const Query_options& options)
-      : a_(a), b_(b), options_(options),
-        collision_(a->bvh8(), b->bvh8(), options.remember ? tetratree::Coherence::last_frame : tetratree::Coherence::none)
-  {
-  }
+      : a_(a),
+        b_(b),
+        options_(options),
+        collision_(a->bvh8(), b->bvh8(),
+                   options.remember ? tetratree::Coherence::last_frame : tetratree::Coherence::none)
+  {}
 
   Relation relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question) override
   {

@@ -17,14 +17,16 @@ std::string entry(std::size_t k) { return "pose: entry " + std::to_string(k + 1)
 
 const kernel::Pose& not_flat(const kernel::Pose& pose)
 {
-  if (pose.determinant_sign() == CGAL::ZERO) throw Error("pose: the 3x3 part has determinant 0; expected a matrix that flattens nothing");
+  if (pose.determinant_sign() == CGAL::ZERO)
+    throw Error("pose: the 3x3 part has determinant 0; expected a matrix that flattens nothing");
   return pose;
 }
 
 kernel::Pose checked(const std::array<double, 12>& rows)
 {
   for (std::size_t k = 0; k < 12; ++k)
-    if (!std::isfinite(rows[k])) throw Error(entry(k) + " is " + kernel::shortest(rows[k]) + "; expected a finite number");
+    if (!std::isfinite(rows[k]))
+      throw Error(entry(k) + " is " + kernel::shortest(rows[k]) + "; expected a finite number");
   return not_flat(kernel::Pose(rows));
 }
 
@@ -34,7 +36,8 @@ kernel::Pose checked(const std::array<std::string, 12>& rows)
   for (std::size_t k = 0; k < 12; ++k) {
     const auto decimal = kernel::parse_double(rows[k]);
     const auto fraction = decimal ? std::optional(kernel::Rational(*decimal)) : kernel::parse_fraction(rows[k]);
-    if (!fraction || !std::isfinite(kernel::nearest_double(*fraction))) throw Error(entry(k) + " is '" + rows[k].substr(0, 40) + "'; expected a finite decimal number or a fraction n/d");
+    if (!fraction || !std::isfinite(kernel::nearest_double(*fraction)))
+      throw Error(entry(k) + " is '" + rows[k].substr(0, 40) + "'; expected a finite decimal number or a fraction n/d");
     exact[k] = *fraction;
   }
   return not_flat(kernel::Pose(exact));
@@ -61,7 +64,10 @@ Pose Pose::from_text(const std::array<std::string, 12>& rows)
   return pose;
 }
 
-Pose Pose::translation(double x, double y, double z) { return Pose(std::array<double, 12>{1, 0, 0, x, 0, 1, 0, y, 0, 0, 1, z}); }
+Pose Pose::translation(double x, double y, double z)
+{
+  return Pose(std::array<double, 12>{1, 0, 0, x, 0, 1, 0, y, 0, 0, 1, z});
+}
 
 const std::array<double, 12>& Pose::rows() const { return exact().entries(); }
 

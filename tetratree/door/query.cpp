@@ -20,7 +20,9 @@ namespace {
 std::unique_ptr<Solver> solver(const Shared_body& a, const Shared_body& b, const Query_options& options)
 {
   switch (options.kernel) {
-    case Kernel::adaptive: return options.method == Method::tree ? bvh8_solver(a, b, options) : tetra_tree_solver<kernel::Adaptive>(a, b, options);
+    case Kernel::adaptive:
+      return options.method == Method::tree ? bvh8_solver(a, b, options)
+                                            : tetra_tree_solver<kernel::Adaptive>(a, b, options);
     case Kernel::double_: return tetra_tree_solver<kernel::Double>(a, b, options);
     case Kernel::float_: return tetra_tree_solver<kernel::Float>(a, b, options);
     case Kernel::double_eps: return tetra_tree_solver<kernel::Tolerant>(a, b, options);
@@ -39,10 +41,13 @@ void require_solid(const Body_data& body, const char* which)
   const auto uses = covering::edge_uses(body.polyhedron);
   covering::for_each_edge(uses, [&](std::span<const covering::Edge_use> edge) {
     if (covering::surplus(edge) == 0) return;
-    if (open++ == 0) first = "the edge from vertex " + std::to_string(edge[0].low) + " to " + std::to_string(edge[0].high);
+    if (open++ == 0)
+      first = "the edge from vertex " + std::to_string(edge[0].low) + " to " + std::to_string(edge[0].high);
     only_turned += edge.size() % 2 == 0;
   });
-  throw Error(std::string("query: body ") + which + " is open at " + std::to_string(open) + (open == 1 ? " edge, " : " edges, first at ") + first + "; expected a closed surface for Question::solid" +
+  throw Error(std::string("query: body ") + which + " is open at " + std::to_string(open) +
+              (open == 1 ? " edge, " : " edges, first at ") + first +
+              "; expected a closed surface for Question::solid" +
               (only_turned == open ? " (consistent orientation may close it: tetracone/repair.h)" : ""));
 }
 
@@ -61,7 +66,8 @@ Query& Query::operator=(Query&&) noexcept = default;
 
 detail::Query_data& Query::data() const
 {
-  if (!data_) [[unlikely]] throw Error("query: moved from; expected one that still has its bodies");
+  if (!data_) [[unlikely]]
+    throw Error("query: moved from; expected one that still has its bodies");
   return *data_;
 }
 
@@ -77,16 +83,24 @@ std::vector<Answer> Query::collide(std::span<const Pose> poses_a, std::span<cons
 {
   const std::size_t n = poses_a.size() > 1 ? poses_a.size() : poses_b.size();
   if ((poses_a.size() != n && poses_a.size() != 1) || (poses_b.size() != n && poses_b.size() != 1))
-    throw Error("query: " + std::to_string(poses_a.size()) + " poses of a and " + std::to_string(poses_b.size()) + " of b; expected as many, or one of either");
+    throw Error("query: " + std::to_string(poses_a.size()) + " poses of a and " + std::to_string(poses_b.size()) +
+                " of b; expected as many, or one of either");
   std::vector<Answer> answers;
   answers.reserve(n);
-  for (std::size_t k = 0; k < n; ++k) answers.push_back(collide(poses_a[poses_a.size() == 1 ? 0 : k], poses_b[poses_b.size() == 1 ? 0 : k]));
+  for (std::size_t k = 0; k < n; ++k)
+    answers.push_back(collide(poses_a[poses_a.size() == 1 ? 0 : k], poses_b[poses_b.size() == 1 ? 0 : k]));
   return answers;
 }
 
-std::vector<Feature_pair> Query::features(const Pose& pose_a, const Pose& pose_b) { return features(pose_a.exact(), pose_b.exact()); }
+std::vector<Feature_pair> Query::features(const Pose& pose_a, const Pose& pose_b)
+{
+  return features(pose_a.exact(), pose_b.exact());
+}
 
-std::vector<Feature_pair> Query::features(const kernel::Pose& pose_a, const kernel::Pose& pose_b) { return data().solver->features(pose_a, pose_b); }
+std::vector<Feature_pair> Query::features(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
+{
+  return data().solver->features(pose_a, pose_b);
+}
 
 Query_statistics Query::statistics() const { return data().solver->statistics(); }
 void Query::clear_statistics() { data().solver->clear_statistics(); }

@@ -30,7 +30,8 @@ struct Query_options {
   Kernel kernel = Kernel::adaptive;  ///< the arithmetic
   Method method = Method::tree;      ///< the way to the answer
   Tolerance tolerance = {};          ///< of Kernel::double_eps
-  bool remember = false;             ///< keep from pose to pose what decided the last one: for motions in small steps. Changes no answer
+  bool remember = false;  ///< keep from pose to pose what decided the last one: for motions in small steps. Changes no
+                          ///< answer
 };
 
 }  // namespace tetracone

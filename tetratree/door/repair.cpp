@@ -20,8 +20,14 @@ Repaired repaired(const Polyhedron& polyhedron)
   return result;
 }
 
-Body triangulated_body(const Polyhedron& polyhedron) { return Body(polyhedron, covering::triangulate_faces(polyhedron)); }
+Body triangulated_body(const Polyhedron& polyhedron)
+{
+  return Body(polyhedron, covering::triangulate_faces(polyhedron));
+}
 
-Body read_repaired_body(const std::filesystem::path& file) { return triangulated_body(repaired(covering::read(file)).polyhedron); }
+Body read_repaired_body(const std::filesystem::path& file)
+{
+  return triangulated_body(repaired(covering::read(file)).polyhedron);
+}
 
 }  // namespace tetracone

@@ -17,10 +17,12 @@ struct Repaired {
   bool turned = false;                    ///< faces were turned round so that the surface closes
 };
 
-/// Replaces each face that is not exactly planar, that face alone, by triangles with the same edges; turns faces round where that alone closes an open surface.
+/// Replaces each face that is not exactly planar, that face alone, by triangles with the same edges; turns faces round
+/// where that alone closes an open surface.
 Repaired repaired(const Polyhedron& polyhedron);
 
-/// The body with its polygons triangulated where that is possible without new vertices, which makes queries faster and changes no answer. Throws as `Body`.
+/// The body with its polygons triangulated where that is possible without new vertices, which makes queries faster and
+/// changes no answer. Throws as `Body`.
 Body triangulated_body(const Polyhedron& polyhedron);
 
 /// Reads a model as `read_body` does, repaired and triangulated.

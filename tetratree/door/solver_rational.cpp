@@ -3,6 +3,7 @@
 
 namespace tetracone::detail {
 
-template std::unique_ptr<Solver> tetra_tree_solver<kernel::Rational_kernel>(const Shared_body& a, const Shared_body& b, const Query_options& options);
+template std::unique_ptr<Solver> tetra_tree_solver<kernel::Rational_kernel>(const Shared_body& a, const Shared_body& b,
+                                                                            const Query_options& options);
 
 }  // namespace tetracone::detail

@@ -14,9 +14,13 @@ template <class K>
 class Tetra_tree_solver : public Solver {
  public:
   Tetra_tree_solver(const Shared_body& a, const Shared_body& b, const Query_options& options)
-      : tolerance_(options.tolerance), body_a_(a), body_b_(b), a_(tree(*a, options)), b_(tree(*b, options)), collision_(*a_, *b_)
-  {
-  }
+      : tolerance_(options.tolerance),
+        body_a_(a),
+        body_b_(b),
+        a_(tree(*a, options)),
+        b_(tree(*b, options)),
+        collision_(*a_, *b_)
+  {}
 
   Relation relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question) override
   {
@@ -42,9 +46,12 @@ class Tetra_tree_solver : public Solver {
   static std::shared_ptr<Tree> tree(const Body_data& body, const Query_options& options)
   {
     use_tolerance(options.tolerance);
-    const std::string name = std::to_string(int(options.kernel)) + ' ' + std::to_string(int(options.method)) + ' ' + std::to_string(options.tolerance.absolute) + ' ' +
+    const std::string name = std::to_string(int(options.kernel)) + ' ' + std::to_string(int(options.method)) + ' ' +
+                             std::to_string(options.tolerance.absolute) + ' ' +
                              std::to_string(options.tolerance.relative);
-    const auto config = options.method == Method::tree ? tetratree::Config::fastest() : options.method == Method::brute ? tetratree::Config::brute() : tetratree::Config();
+    const auto config = options.method == Method::tree    ? tetratree::Config::fastest()
+                        : options.method == Method::brute ? tetratree::Config::brute()
+                                                          : tetratree::Config();
     return body.tetra_tree<K>(name, config);
   }
 

@@ -17,8 +17,8 @@
 #include <string>
 #include <vector>
 
-/// Whether two placed polyhedra collide, exactly. The door: a compiled library behind the standard library's types. Templates for every kernel are under
-/// tetracone/kernel, tetracone/covering and tetracone/tetratree.
+/// Whether two placed polyhedra collide, exactly. The door: a compiled library behind the standard library's types.
+/// Templates for every kernel are under tetracone/kernel, tetracone/covering and tetracone/tetratree.
 namespace tetracone {
 
 namespace kernel {
@@ -29,7 +29,7 @@ inline std::ostream& operator<<(std::ostream& out, Relation relation) { return o
 namespace detail {
 struct Body_data;
 struct Query_data;
-}
+}  // namespace detail
 
 using covering::Face_triangle;
 using covering::Polyhedron;
@@ -39,16 +39,19 @@ using kernel::Question;
 using kernel::Relation;
 using tetratree::Query_statistics;
 
-/// The affine map x -> M x + t that places a body, taken exactly: M need not be a perfect rotation. Immutable, cheap to copy.
+/// The affine map x -> M x + t that places a body, taken exactly: M need not be a perfect rotation. Immutable, cheap to
+/// copy.
 class Pose {
  public:
   /// The identity.
   Pose();
 
-  /// Row-major 3x4: row i is (M_i0, M_i1, M_i2, t_i). Throws Error for a number that is not finite, and where det M = 0.
+  /// Row-major 3x4: row i is (M_i0, M_i1, M_i2, t_i). Throws Error for a number that is not finite, and where det M =
+  /// 0.
   explicit Pose(const std::array<double, 12>& rows);
 
-  /// Of decimals or fractions "n/d": a rotation that is truly one has rational numbers. Throws as for doubles, and for a text that is no number.
+  /// Of decimals or fractions "n/d": a rotation that is truly one has rational numbers. Throws as for doubles, and for
+  /// a text that is no number.
   static Pose from_text(const std::array<std::string, 12>& rows);
 
   /// x -> x + (x, y, z). Throws Error for a number that is not finite.
@@ -70,18 +73,19 @@ class Pose {
   alignas(8) std::byte storage_[120];
 };
 
-/// A polyhedron that queries can be asked about. Immutable, cheap to copy (copies share their data), and safe from any number of threads at once while what
-/// queries need of it is still being made.
+/// A polyhedron that queries can be asked about. Immutable, cheap to copy (copies share their data), and safe from any
+/// number of threads at once while what queries need of it is still being made.
 ///
-/// Legal are open and closed surfaces, several shells, cavities, non-manifold and degenerate elements, faces with holes. An open surface has no solid.
+/// Legal are open and closed surfaces, several shells, cavities, non-manifold and degenerate elements, faces with
+/// holes. An open surface has no solid.
 class Body {
  public:
-  /// Throws Error for no face, an index out of range, a coordinate that is not finite, and a face that is not exactly planar (with the face and its
-  /// deviation; tetracone/repair.h replaces such faces by triangles).
+  /// Throws Error for no face, an index out of range, a coordinate that is not finite, and a face that is not exactly
+  /// planar (with the face and its deviation; tetracone/repair.h replaces such faces by triangles).
   explicit Body(Polyhedron polyhedron);
 
-  /// `triangles`: for some faces, triangles that cover exactly the face (as tetracone/repair.h makes them). Faces of more corners without are split where
-  /// they are convex, and else taken as a whole.
+  /// `triangles`: for some faces, triangles that cover exactly the face (as tetracone/repair.h makes them). Faces of
+  /// more corners without are split where they are convex, and else taken as a whole.
   Body(Polyhedron polyhedron, std::vector<Face_triangle> triangles);
 
   /// Copies share everything. There is no move: a body is never empty.
@@ -106,8 +110,8 @@ class Body {
   std::shared_ptr<const detail::Body_data> data_;
 };
 
-/// Reads OFF, OBJ, PLY, STL or TetGen .poly, by the suffix. Throws Error, "file:line: what is wrong; what was expected", for a file that is not one, and as
-/// `Body` does.
+/// Reads OFF, OBJ, PLY, STL or TetGen .poly, by the suffix. Throws Error, "file:line: what is wrong; what was
+/// expected", for a file that is not one, and as `Body` does.
 Body read_body(const std::filesystem::path& file);
 
 /// The answer for one pose of each body.
@@ -138,13 +142,15 @@ class Query {
   /// As the constructor.
   Query& operator=(Query&&) noexcept;
 
-  /// How the bodies stand under these poses. Throws Error when the thread's floating point is not as exact answers need it, and for a query that has been moved from.
+  /// How the bodies stand under these poses. Throws Error when the thread's floating point is not as exact answers need
+  /// it, and for a query that has been moved from.
   Answer collide(const Pose& pose_a, const Pose& pose_b);
 
   /// By poses of the templates (`exact`). Requires det M != 0.
   Answer collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
 
-  /// The answers for n poses of each body, or for one of A and n of B, or n of A and one of B. Throws Error for other counts.
+  /// The answers for n poses of each body, or for one of A and n of B, or n of A and one of B. Throws Error for other
+  /// counts.
   std::vector<Answer> collide(std::span<const Pose> poses_a, std::span<const Pose> poses_b);
 
   /// All pairs of an edge of one and a face of the other that share a point, with the kind of contact, sorted.

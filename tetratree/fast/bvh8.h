@@ -17,17 +17,21 @@ namespace tetracone::tetratree {
 
 /// The fast tree of the adaptive kernel: eight boxes a node, one element a leaf.
 ///
-/// What is kept of the tetra-tree of JS08: a covering with one origin, elements gathered by tetra-cones about it, a bounding volume a
-/// cone, and the pairwise descent of two trees. What is different, and why:
+/// What is kept of the tetra-tree of JS08: a covering with one origin, elements gathered by tetra-cones about it, a
+/// bounding volume a cone, and the pairwise descent of two trees. What is different, and why:
 ///  - an element is in the one cone that holds its centroid, not in all that it meets: nothing is tested twice;
-///  - cones are cut where it pays: by a plane through the origin, which leaves two cones, or by one across the direction in which its elements
-///    spread most, which parts layers of the surface that lie behind one another (the shells of a cone) and local patches;
-///  - the bounding volume is an oriented box, which is tight on a patch of surface where a tetrahedron from the origin is not;
+///  - cones are cut where it pays: by a plane through the origin, which leaves two cones, or by one across the
+///  direction in which its elements
+///    spread most, which parts layers of the surface that lie behind one another (the shells of a cone) and local
+///    patches;
+///  - the bounding volume is an oriented box, which is tight on a patch of surface where a tetrahedron from the origin
+///  is not;
 ///  - nodes have eight parts, so that one box is compared with eight at once, in float, rounded outward.
 /// Faces are triangles, or are given as triangles with the polyhedron; others are leaves as a whole.
 ///
-/// A node's children are made when a query first enters it, or all at once by `make_all`. Any number of threads may ask the tree while they are:
-/// a node is made under a lock and then published by its parent, so that the way down takes none.
+/// A node's children are made when a query first enters it, or all at once by `make_all`. Any number of threads may ask
+/// the tree while they are: a node is made under a lock and then published by its parent, so that the way down takes
+/// none.
 class Bvh8 {
  public:
   /// `triangles`: for each face that has some, triangles that cover exactly the face. Requires planar faces.

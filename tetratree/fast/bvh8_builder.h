@@ -23,7 +23,8 @@ namespace tetracone::tetratree {
 /// Makes the nodes of a `Bvh8`, in any order. Not thread-safe: `Bvh8` calls it under a lock.
 class Bvh8_builder {
  public:
-  /// `elements` must outlive the builder. `order` becomes that of the leaves: a node's making changes its own range of it alone.
+  /// `elements` must outlive the builder. `order` becomes that of the leaves: a node's making changes its own range of
+  /// it alone.
   Bvh8_builder(const Bvh8_elements& elements, std::vector<Index>& order) : elements_(elements), order_(order)
   {
     order_.resize(elements_.count());
@@ -40,7 +41,8 @@ class Bvh8_builder {
   {
     std::vector<Part> parts = {part(first, last)};
     while (parts.size() < 8) {
-      const auto largest = std::max_element(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.size < b.size; });
+      const auto largest =
+          std::max_element(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.size < b.size; });
       if (largest->last - largest->first < 2) break;
       const Part whole = *largest;
       const Index middle = split(whole);
@@ -50,7 +52,10 @@ class Bvh8_builder {
     return node_of(parts);
   }
 
-  std::size_t bytes() const { return centroids_.capacity() * sizeof(centroids_[0]) + stamps_.capacity() * sizeof(stamps_[0]); }
+  std::size_t bytes() const
+  {
+    return centroids_.capacity() * sizeof(centroids_[0]) + stamps_.capacity() * sizeof(stamps_[0]);
+  }
 
  private:
   using Vector = kernel::Vector;
@@ -72,7 +77,8 @@ class Bvh8_builder {
   static Vector vector(const std::array<float, 3>& c) { return {c[0], c[1], c[2]}; }
   Vector centroid_of(Index position) const { return vector(centroids_[order_[position]]); }
 
-  /// Elements first .. last of the order, and how far their centroids spread: along the columns of `axes`, the last one the most.
+  /// Elements first .. last of the order, and how far their centroids spread: along the columns of `axes`, the last one
+  /// the most.
   struct Part {
     Index first, last;
     double size;
@@ -85,7 +91,8 @@ class Bvh8_builder {
     gathered_.clear();
     for (Index k = first; k < last; ++k) gathered_.push_back(centroid_of(k));
     const kernel::Spread spread(gathered_);
-    return {first, last, last - first > 1 ? kernel::maximum(spread.size(), 1e-300) : 0, spread.mean, spread.principal_axes()};
+    return {first, last, last - first > 1 ? kernel::maximum(spread.size(), 1e-300) : 0, spread.mean,
+            spread.principal_axes()};
   }
 
   /// Planes, one through every point: all across one direction or, of a cone, all through the origin and a line there.
@@ -108,8 +115,8 @@ class Bvh8_builder {
     Vector centroid, low, high;
   };
 
-  /// Cuts the part in two, and returns where in the order: the boxes of both are small for what they hold. In the middle where all
-  /// elements are in one place.
+  /// Cuts the part in two, and returns where in the order: the boxes of both are small for what they hold. In the
+  /// middle where all elements are in one place.
   Index split(const Part& part)
   {
     const Index count = part.last - part.first, middle = part.first + count / 2;
@@ -123,7 +130,8 @@ class Bvh8_builder {
       if (into_cones.cost < 1.03 * best.cost) best = into_cones;
     }
     const auto begin = order_.begin() + part.first, end = order_.begin() + part.last;
-    const auto cut = std::partition(begin, end, [&](Index e) { return best.pencil.place(vector(centroids_[e])) < best.place; });
+    const auto cut =
+        std::partition(begin, end, [&](Index e) { return best.pencil.place(vector(centroids_[e])) < best.place; });
     return cut == begin || cut == end ? middle : Index(cut - order_.begin());
   }
 
@@ -137,7 +145,8 @@ class Bvh8_builder {
     return s;
   }
 
-  /// Planes through the origin that cut the part where it spreads most, as seen from there; none where the origin is too near.
+  /// Planes through the origin that cut the part where it spreads most, as seen from there; none where the origin is
+  /// too near.
   std::optional<Pencil> cones_about(const Part& part) const
   {
     constexpr double steep = 0.05;
@@ -150,8 +159,9 @@ class Bvh8_builder {
     return Pencil{across.normalized(), along};
   }
 
-  /// Of all planes of the pencil between two samples: that of the least surface of the boxes of both sides, along the part's axes, each times the root of
-  /// its count. (With the count itself, as for rays, or with lengths in place of surfaces, trees had more boxes to compare.)
+  /// Of all planes of the pencil between two samples: that of the least surface of the boxes of both sides, along the
+  /// part's axes, each times the root of its count. (With the count itself, as for rays, or with lengths in place of
+  /// surfaces, trees had more boxes to compare.)
   Cut best_cut(const Pencil& pencil)
   {
     auto& order = places_;
@@ -173,11 +183,13 @@ class Bvh8_builder {
     costs_after_.resize(samples_.size());
     for (std::size_t k = samples_.size(); k-- > 1;) costs_after_[k] = after.cost_with(samples_[order[k].second]);
     Cut best{pencil};
-    const std::size_t fewest = samples_.size() / 8;  // else elements that all reach everywhere would be cut off one by one
+    const std::size_t fewest = samples_.size() / 8;  // else elements that all reach everywhere would be cut off one by
+                                                     // one
     for (std::size_t k = 1; k < samples_.size(); ++k) {
       const double cost = before.cost_with(samples_[order[k - 1].second]) + costs_after_[k];
       const bool is_even = k >= fewest && k + fewest <= samples_.size();
-      if (is_even && cost < best.cost && order[k - 1].first < order[k].first) best.cost = cost, best.place = order[k].first;
+      if (is_even && cost < best.cost && order[k - 1].first < order[k].first)
+        best.cost = cost, best.place = order[k].first;
     }
     return best;
   }
@@ -208,7 +220,8 @@ class Bvh8_builder {
     for (const Part& part : parts) {
       std::vector<Vector> points = corners_of(part);
       const bool triangle = points.size() == 3;
-      const auto box = triangle ? kernel::triangle_box(std::span<const Vector, 3>(points.data(), 3)) : kernel::fitted_box(points, fitting_rounds);
+      const auto box = triangle ? kernel::triangle_box(std::span<const Vector, 3>(points.data(), 3))
+                                : kernel::fitted_box(points, fitting_rounds);
       low = low.cwiseMin(box.centre), high = high.cwiseMax(box.centre);
       all.push_back({box, std::move(points)});
     }
@@ -222,11 +235,14 @@ class Bvh8_builder {
       kernel::store_lane(node.boxes, int(lane), all[lane].box, origin, points, Bvh8_elements::local_error);
       const bool is_leaf = parts[lane].last - parts[lane].first == 1;
       node.boxes.marked |= std::uint32_t(is_leaf) << lane;
-      node.child[lane] = !is_leaf             ? Bvh8_node::not_made(parts[lane].last)
-                         : points.size() == 3 ? Bvh8_node::leaf(kernel::apex_code(node.boxes, int(lane), origin, std::span<const Vector, 3>(points)))
-                                              : Bvh8_node::leaf(0);
+      node.child[lane] =
+          !is_leaf ? Bvh8_node::not_made(parts[lane].last)
+          : points.size() == 3
+              ? Bvh8_node::leaf(kernel::apex_code(node.boxes, int(lane), origin, std::span<const Vector, 3>(points)))
+              : Bvh8_node::leaf(0);
       double sum = 0, square = 0;
-      for (int i = 0; i < 3; ++i) sum += node.boxes.extent[i][lane], square += double(node.boxes.centre[i][lane]) * node.boxes.centre[i][lane];
+      for (int i = 0; i < 3; ++i)
+        sum += node.boxes.extent[i][lane], square += double(node.boxes.centre[i][lane]) * node.boxes.centre[i][lane];
       reach = kernel::maximum(reach, sum + std::sqrt(square));
     }
     node.boxes.reach = float(reach * 1.0000002);

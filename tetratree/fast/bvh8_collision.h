@@ -4,12 +4,12 @@
 #include "tetracone/kernel/predicate/question.h"
 #include "tetracone/kernel/predicate/segment_face.h"
 #include "tetracone/kernel/predicate/triangle_triangle.h"
-#include "tetracone/tetratree/query_statistics.h"
-#include "tetracone/tetratree/fast/separating_direction.h"
-#include "tetracone/tetratree/fast/placed_bvh8.h"
+#include "tetracone/tetratree/fast/bvh8.h"
 #include "tetracone/tetratree/fast/bvh8_containment.h"
 #include "tetracone/tetratree/fast/bvh8_descent.h"
-#include "tetracone/tetratree/fast/bvh8.h"
+#include "tetracone/tetratree/fast/placed_bvh8.h"
+#include "tetracone/tetratree/fast/separating_direction.h"
+#include "tetracone/tetratree/query_statistics.h"
 
 #include <cmath>
 #include <memory>
@@ -25,26 +25,30 @@ using kernel::Relation;
 /// What a query object keeps from one pose to the next.
 enum class Coherence {
   none,
-  last_frame  ///< the direction that separated the bodies, and the pair of elements that met: tried first in the next pose
+  last_frame  ///< the direction that separated the bodies, and the pair of elements that met: tried first in the next
+              ///< pose
 };
 
 /// Collision detection between two `Bvh8`, exact. Build once, ask for many poses.
 ///
-/// Stages, each of which may end a query: a plane between the bodies (`Separating_direction`); the descent of pairs of boxes, the larger one
-/// first, its eight parts against the other box, carried into their frame with a slack that covers all rounding and the pose's; pairs of elements,
-/// which the adaptive kernel's exact signs decide. So the answer is that of all elements against all elements. Of solids whose surfaces share no point,
-/// `Bvh8_containment` tells whether one holds the other.
+/// Stages, each of which may end a query: a plane between the bodies (`Separating_direction`); the descent of pairs of
+/// boxes, the larger one first, its eight parts against the other box, carried into their frame with a slack that
+/// covers all rounding and the pose's; pairs of elements, which the adaptive kernel's exact signs decide. So the answer
+/// is that of all elements against all elements. Of solids whose surfaces share no point, `Bvh8_containment` tells
+/// whether one holds the other.
 ///
-/// Both trees must outlive the query object. Making it and every query throw kernel::Unsound_floating_point when floating point is not as exact
-/// answers need it.
+/// Both trees must outlive the query object. Making it and every query throw kernel::Unsound_floating_point when
+/// floating point is not as exact answers need it.
 class Bvh8_collision {
  public:
-  Bvh8_collision(const Bvh8& a, const Bvh8& b, Coherence coherence = Coherence::none) : a_(a), b_(b), separating_direction_(a, b), coherence_(coherence)
+  Bvh8_collision(const Bvh8& a, const Bvh8& b, Coherence coherence = Coherence::none)
+      : a_(a), b_(b), separating_direction_(a, b), coherence_(coherence)
   {
     kernel::require_exact_arithmetic();
   }
 
-  /// Whether the two placed polyhedra collide. Requires det M != 0 of both poses, and closed polyhedra for `Question::solid`.
+  /// Whether the two placed polyhedra collide. Requires det M != 0 of both poses, and closed polyhedra for
+  /// `Question::solid`.
   bool operator()(const Pose& pose_a, const Pose& pose_b, Question question = Question::solid)
   {
     return relation(pose_a, pose_b, question) != Relation::apart;
@@ -55,7 +59,9 @@ class Bvh8_collision {
   {
     kernel::require_sound_floating_point();
     ++counts_.queries;
-    if (a_.tree->empty() || b_.tree->empty() || separating_direction_(pose_a, pose_b, 6, coherence_ == Coherence::last_frame)) return Relation::apart;
+    if (a_.tree->empty() || b_.tree->empty() ||
+        separating_direction_(pose_a, pose_b, 6, coherence_ == Coherence::last_frame))
+      return Relation::apart;
     return ask_trees(pose_a, pose_b, question);
   }
 
@@ -94,7 +100,9 @@ class Bvh8_collision {
     if (surfaces_meet()) return Relation::surfaces;
     if (question == Question::surface) return Relation::apart;
     place();
-    return containment_(a_, b_, counts_) ? Relation::b_in_a : containment_(b_, a_, counts_) ? Relation::a_in_b : Relation::apart;
+    return containment_(a_, b_, counts_)   ? Relation::b_in_a
+           : containment_(b_, a_, counts_) ? Relation::a_in_b
+                                           : Relation::apart;
   }
 
   void place()
@@ -106,7 +114,8 @@ class Bvh8_collision {
 
   bool surfaces_meet()
   {
-    // Of a similarity it is between these. Else sizes tell no more than which box to open; but none may become 0 or undefined.
+    // Of a similarity it is between these. Else sizes tell no more than which box to open; but none may become 0 or
+    // undefined.
     const double factor = a_.into_other.frame().scale();
     const float scale = factor >= 0x1p-60 && factor <= 0x1p60 ? float(factor) : 1;
     stack_.clear();
@@ -144,9 +153,11 @@ class Bvh8_collision {
   {
     const auto meets = [&](const Point& p, const Point& q) {
       ++counts_.edge_face_tests;
-      if (face.is_whole_face()) return kernel::segment_face<Adaptive>(p, q, Face(other.placed, face.face)) != kernel::Contact::none;
+      if (face.is_whole_face())
+        return kernel::segment_face<Adaptive>(p, q, Face(other.placed, face.face)) != kernel::Contact::none;
       const auto t = other.corners(face);
-      return kernel::segment_face<Adaptive>(p, q, kernel::Triangle<Adaptive>{*t[0], *t[1], *t[2]}) != kernel::Contact::none;
+      return kernel::segment_face<Adaptive>(p, q, kernel::Triangle<Adaptive>{*t[0], *t[1], *t[2]}) !=
+             kernel::Contact::none;
     };
     if (with_edges.is_whole_face()) {
       const Face edges(body.placed, with_edges.face);
@@ -167,7 +178,7 @@ class Bvh8_collision {
 
   const Pose* pose_a_ = nullptr;
   const Pose* pose_b_ = nullptr;
-  bool is_placed_ = false;  // at these
+  bool is_placed_ = false;                      // at these
   std::optional<std::pair<Box, Box>> witness_;  // elements that met in the last pose
 };
 

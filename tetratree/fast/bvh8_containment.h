@@ -2,10 +2,10 @@
 #define TETRACONE_TETRATREE_FAST_BVH8_CONTAINMENT_H
 
 #include "tetracone/covering/inclusion.h"
-#include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/bound/obb8_overlap.h"
-#include "tetracone/tetratree/query_statistics.h"
+#include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/tetratree/fast/placed_bvh8.h"
+#include "tetracone/tetratree/query_statistics.h"
 
 #include <array>
 #include <bit>
@@ -16,11 +16,13 @@ namespace tetracone::tetratree {
 
 /// Whether a solid holds a shell of another body, through its `Bvh8`.
 ///
-/// The winding number about a vertex is the signed sum over the covering (JS08 Theorem 1). Of its tetrahedra only those can count whose face is met by the
-/// ray from the vertex away from the covering's origin: these the tree finds, and the exact signs decide them.
+/// The winding number about a vertex is the signed sum over the covering (JS08 Theorem 1). Of its tetrahedra only those
+/// can count whose face is met by the ray from the vertex away from the covering's origin: these the tree finds, and
+/// the exact signs decide them.
 class Bvh8_containment {
  public:
-  /// Requires surfaces that share no point: then each shell is inside or outside as a whole, and one vertex of it tells.
+  /// Requires surfaces that share no point: then each shell is inside or outside as a whole, and one vertex of it
+  /// tells.
   bool operator()(Placed_bvh8& holder, Placed_bvh8& held, Query_statistics& counts)
   {
     for (const Index v : held.tree->model().covering().shell_vertices()) {
@@ -46,8 +48,9 @@ class Bvh8_containment {
     return held.into_other.frame()(Row{at[0], at[1], at[2]});
   }
 
-  /// Of the root's box, whatever is undefined. A point of it is c + sum_i s_i a_i with |s_i| <= e_i, so that with axes of a defect d
-  /// |a_i . (p - c)| <= e_i + 3 d (1 + 4 d) |p - c|_1; the fourth d takes the roundings. p is off by `error` in a coordinate, and |a_i|_1 < 2.
+  /// Of the root's box, whatever is undefined. A point of it is c + sum_i s_i a_i with |s_i| <= e_i, so that with axes
+  /// of a defect d |a_i . (p - c)| <= e_i + 3 d (1 + 4 d) |p - c|_1; the fourth d takes the roundings. p is off by
+  /// `error` in a coordinate, and |a_i|_1 < 2.
   static bool is_outside(const kernel::Obb8& root, const Row& at, double error)
   {
     double size = 0;
@@ -57,14 +60,16 @@ class Bvh8_containment {
       size += std::abs(from_centre[k]);
     }
     for (int i = 0; i < 3; ++i) {
-      const double along = from_centre[0] * root.axis[i][0][0] + from_centre[1] * root.axis[i][1][0] + from_centre[2] * root.axis[i][2][0];
+      const double along = from_centre[0] * root.axis[i][0][0] + from_centre[1] * root.axis[i][1][0] +
+                           from_centre[2] * root.axis[i][2][0];
       if (std::abs(along) > root.extent[i][0] + 4 * kernel::axis_defect * size + 2 * error) return true;
     }
     return false;
   }
 
   /// `ray`: from the vertex away from the origin.
-  int winding_number(Placed_bvh8& holder, Placed_bvh8& held, Index v, const kernel::Single_box& ray, Query_statistics& counts)
+  int winding_number(Placed_bvh8& holder, Placed_bvh8& held, Index v, const kernel::Single_box& ray,
+                     Query_statistics& counts)
   {
     const Point& p = held.placed.point(v);
     const Point origin = holder.placed.frame()(holder.tree->model().origin());
@@ -85,8 +90,10 @@ class Bvh8_containment {
       counts.box_tests += unsigned(node.boxes.lane_count);
       for (; met != 0; met &= met - 1) {
         const int lane = std::countr_zero(met);
-        if (holder.tree->is_leaf(n, lane)) winding += winding_of(holder, holder.tree->element(n, lane), p, origin);
-        else nodes_.push_back(holder.tree->child(n, lane));
+        if (holder.tree->is_leaf(n, lane))
+          winding += winding_of(holder, holder.tree->element(n, lane), p, origin);
+        else
+          nodes_.push_back(holder.tree->child(n, lane));
       }
     }
     return winding;
@@ -105,12 +112,12 @@ class Bvh8_containment {
     return winding;
   }
 
-  /// A thin box about the part of the ray from the holder's origin through p that lies beyond p; where p is too near to the origin to tell the
-  /// direction, a box about everything. `error` is that of p's coordinates.
+  /// A thin box about the part of the ray from the holder's origin through p that lies beyond p; where p is too near to
+  /// the origin to tell the direction, a box about everything. `error` is that of p's coordinates.
   ///
-  /// The holder lies within 2 of its origin, so what of the exact ray can meet it is s p*, 1 <= s <= end / |p|, with p* the exact point: off by s `error`
-  /// in a coordinate from s p on the box's axis. The axis is rounded to float: by `end` times u for the centre, for the direction and for the
-  /// extent. `slack` takes both.
+  /// The holder lies within 2 of its origin, so what of the exact ray can meet it is s p*, 1 <= s <= end / |p|, with p*
+  /// the exact point: off by s `error` in a coordinate from s p on the box's axis. The axis is rounded to float: by
+  /// `end` times u for the centre, for the direction and for the extent. `slack` takes both.
   static kernel::Single_box beyond(const Row& p, double error)
   {
     const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);

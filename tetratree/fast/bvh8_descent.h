@@ -1,8 +1,8 @@
 #ifndef TETRACONE_TETRATREE_FAST_BVH8_DESCENT_H
 #define TETRACONE_TETRATREE_FAST_BVH8_DESCENT_H
 
-#include "tetracone/kernel/simd/simd.h"
 #include "tetracone/kernel/bound/obb8_overlap.h"
+#include "tetracone/kernel/simd/simd.h"
 #include "tetracone/tetratree/fast/bvh8_node.h"
 
 #include <array>
@@ -12,8 +12,8 @@
 
 namespace tetracone::tetratree {
 
-/// Pairs of boxes, one of each body, that may meet, with their sizes: sums of extents, in the units of the second body, negative for
-/// a leaf. Box k of node n is 8 n + k.
+/// Pairs of boxes, one of each body, that may meet, with their sizes: sums of extents, in the units of the second body,
+/// negative for a leaf. Box k of node n is 8 n + k.
 class Pair_stack {
  public:
   std::size_t count() const { return count_; }
@@ -55,7 +55,8 @@ struct Both_trees {
   std::uint64_t opened = 0, compared = 0;  ///< pairs opened so far, boxes compared
 };
 
-/// Why a descent has stopped: nothing is left; the top pair is two leaves; the top pair's larger box has children that must be made first.
+/// Why a descent has stopped: nothing is left; the top pair is two leaves; the top pair's larger box has children that
+/// must be made first.
 enum class Stop { nothing_left, leaves, no_child };
 
 /// So many pairs a descent opens by two a round at most.
@@ -88,7 +89,8 @@ inline bool first_is_larger(float size_a, float size_b) { return size_a > size_b
 
 namespace tetracone::tetratree {
 
-/// Opens pairs, the top one first: the parts of its larger box against the other box, those that may meet pushed. Stops where the caller is needed.
+/// Opens pairs, the top one first: the parts of its larger box against the other box, those that may meet pushed. Stops
+/// where the caller is needed.
 inline Stop descend(Pair_stack& stack, Both_trees& trees)
 {
   using Function = Stop(Pair_stack&, Both_trees&);

@@ -29,8 +29,10 @@ struct Opening {
       return;
     }
     const std::int32_t child = trees.nodes[body][box[body] / 8].child_of(int(box[body] % 8));
-    if (child < 0) stop = Stop::no_child;
-    else node = trees.nodes[body] + child;
+    if (child < 0)
+      stop = Stop::no_child;
+    else
+      node = trees.nodes[body] + child;
   }
 
   HWY_INLINE bool is_ready() const { return stop == Stop::nothing_left; }
@@ -43,15 +45,18 @@ struct Opening {
     const Bvh8_node& from = trees.nodes[other][box[other] / 8];
     if constexpr (!similarity) return (*trees.into[other])(node->boxes, from.boxes, lane);
     const float magnitude = size[other] < 0 ? -size[other] : size[other];
-    kernel::Single_box single = simd::carried(node->boxes, *trees.into[other], from.boxes, lane, body == 1 ? magnitude : magnitude / trees.scale);
+    kernel::Single_box single = simd::carried(node->boxes, *trees.into[other], from.boxes, lane,
+                                              body == 1 ? magnitude : magnitude / trees.scale);
     if (size[other] < 0) single.apex = kernel::apex_of(Bvh8_node::apex(from.child[lane]));
     return single;
   }
 };
 
-/// Writes the pairs of the parts that may meet the other box to the stack, from position `count` on; returns the position after them.
+/// Writes the pairs of the parts that may meet the other box to the stack, from position `count` on; returns the
+/// position after them.
 template <bool similarity>
-HWY_INLINE std::size_t store(Pair_stack& stack, std::size_t count, const Opening& o, const kernel::Single_box& box, Both_trees& trees)
+HWY_INLINE std::size_t store(Pair_stack& stack, std::size_t count, const Opening& o, const kernel::Single_box& box,
+                             Both_trees& trees)
 {
   constexpr simd::Float_tag tag;
   constexpr hn::RebindToUnsigned<simd::Float_tag> ids;
@@ -60,11 +65,14 @@ HWY_INLINE std::size_t store(Pair_stack& stack, std::size_t count, const Opening
   const std::uint32_t first_id = std::uint32_t(o.node - trees.nodes[o.body]) * 8;
   const std::size_t held = std::size_t(o.node->boxes.lane_count);
   for (std::size_t first = 0; first < kernel::lanes; first += hn::Lanes(tag)) {
-    const auto mask = hn::And(simd::together<similarity>(simd::One_test{boxes, box, first}), hn::FirstN(tag, held > first ? held - first : 0));
+    const auto mask = hn::And(simd::together<similarity>(simd::One_test{boxes, box, first}),
+                              hn::FirstN(tag, held > first ? held - first : 0));
     const auto extent = [&](int i) HWY_ATTR { return hn::Load(tag, boxes.extent[i] + first); };
-    const auto size = hn::Mul(hn::Set(tag, o.body == 0 ? trees.scale : 1.0f), hn::Add(extent(0), hn::Add(extent(1), extent(2))));
+    const auto size =
+        hn::Mul(hn::Set(tag, o.body == 0 ? trees.scale : 1.0f), hn::Add(extent(0), hn::Add(extent(1), extent(2))));
     const auto id = hn::Add(hn::Set(ids, first_id + std::uint32_t(first)), hn::Iota(ids, 0));
-    const auto signed_size = hn::Or(size, hn::BitCast(tag, hn::LoadU(ids, signs_in[o.node->boxes.marked].data() + first)));
+    const auto signed_size =
+        hn::Or(size, hn::BitCast(tag, hn::LoadU(ids, signs_in[o.node->boxes.marked].data() + first)));
     // Whole vectors: a masked store would keep the next pop waiting.
 #if HWY_TARGET <= HWY_AVX3
     hn::StoreU(hn::Compress(id, hn::RebindMask(ids, mask)), ids, stack.boxes(o.body) + count);
@@ -74,7 +82,8 @@ HWY_INLINE std::size_t store(Pair_stack& stack, std::size_t count, const Opening
     constexpr hn::RebindToSigned<simd::Float_tag> lane_numbers;
     std::uint8_t set[8];
     hn::StoreMaskBits(tag, mask, set);
-    const auto moved = hn::PromoteTo(lane_numbers, hn::LoadU(hn::Rebind<std::uint8_t, simd::Float_tag>(), lanes_in[set[0]].data()));
+    const auto moved =
+        hn::PromoteTo(lane_numbers, hn::LoadU(hn::Rebind<std::uint8_t, simd::Float_tag>(), lanes_in[set[0]].data()));
     hn::StoreU(hn::TableLookupLanes(id, hn::IndicesFromVec(ids, moved)), ids, stack.boxes(o.body) + count);
     hn::StoreU(hn::TableLookupLanes(signed_size, hn::IndicesFromVec(tag, moved)), tag, stack.sizes(o.body) + count);
 #endif
@@ -86,25 +95,30 @@ HWY_INLINE std::size_t store(Pair_stack& stack, std::size_t count, const Opening
   return count;
 }
 
-/// Four pairs a round where so many are ready, so that none need wait for what the one before it brings; else two, or one. At first two: bodies that
-/// meet are often known to after few openings, and what is opened beside these is in vain.
+/// Four pairs a round where so many are ready, so that none need wait for what the one before it brings; else two, or
+/// one. At first two: bodies that meet are often known to after few openings, and what is opened beside these is in
+/// vain.
 template <bool similarity>
 HWY_ATTR Stop descend(Pair_stack& stack, Both_trees& trees)
 {
   while (!stack.empty()) {
     stack.reserve();
     const std::size_t top = stack.count() - 1;
-    const auto opening = [&](std::size_t below) HWY_ATTR { return Opening(stack, top >= below ? top - below : 0, trees); };
+    const auto opening = [&](std::size_t below)
+                             HWY_ATTR { return Opening(stack, top >= below ? top - below : 0, trees); };
     const auto single = [&](const Opening& o) HWY_ATTR { return o.template single<similarity>(trees); };
-    const auto put = [&](std::size_t count, const Opening& o, const kernel::Single_box& box) HWY_ATTR { return store<similarity>(stack, count, o, box, trees); };
+    const auto put = [&](std::size_t count, const Opening& o, const kernel::Single_box& box)
+                         HWY_ATTR { return store<similarity>(stack, count, o, box, trees); };
 
     const Opening first = opening(0), second = opening(1);
     if (!first.is_ready()) return first.stop;
     if (top >= 3 && trees.opened >= opened_by_two) {
       const Opening third = opening(2), fourth = opening(3);
       if (second.is_ready() && third.is_ready() && fourth.is_ready()) {
-        const kernel::Single_box of_first = single(first), of_second = single(second), of_third = single(third), of_fourth = single(fourth);
-        stack.set_count(put(put(put(put(top - 3, fourth, of_fourth), third, of_third), second, of_second), first, of_first));
+        const kernel::Single_box of_first = single(first), of_second = single(second), of_third = single(third),
+                                 of_fourth = single(fourth);
+        stack.set_count(
+            put(put(put(put(top - 3, fourth, of_fourth), third, of_third), second, of_second), first, of_first));
         continue;
       }
     }
@@ -121,7 +135,8 @@ HWY_ATTR Stop descend(Pair_stack& stack, Both_trees& trees)
 
 inline HWY_ATTR Stop descend_kernel(Pair_stack& stack, Both_trees& trees)
 {
-  return trees.into[0]->is_similarity() && trees.into[1]->is_similarity() ? descend<true>(stack, trees) : descend<false>(stack, trees);
+  return trees.into[0]->is_similarity() && trees.into[1]->is_similarity() ? descend<true>(stack, trees)
+                                                                          : descend<false>(stack, trees);
 }
 
 }  // namespace tetracone::tetratree::HWY_NAMESPACE

@@ -80,20 +80,22 @@ class Bvh8_elements {
       if (has_triangles[f]) continue;
       const auto loop = polyhedron.loop(f, 0);
       const bool is_triangle = polyhedron.is_triangle(f) && model_.covering().plane_basis(f);
-      elements_.push_back({f, is_triangle ? std::array{loop[0], loop[1], loop[2]} : std::array{covering::none, covering::none, covering::none}});
+      elements_.push_back({f, is_triangle ? std::array{loop[0], loop[1], loop[2]}
+                                          : std::array{covering::none, covering::none, covering::none}});
     }
     assert(elements_.size() <= Bvh8_node::most_elements);
     elements_.shrink_to_fit();
   }
 
-  /// The unit is a power of two, so that local coordinates are the model's but for the rounding of a difference. Halves, since a
-  /// difference of the largest doubles overflows.
+  /// The unit is a power of two, so that local coordinates are the model's but for the rounding of a difference.
+  /// Halves, since a difference of the largest doubles overflows.
   void choose_scale()
   {
     scale_.origin = model_.lattice().origin;
     double half_reach = 0;
     for (const auto& v : model_.vertices())
-      for (int k = 0; k < 3; ++k) half_reach = kernel::maximum(half_reach, std::abs(0.5 * v[k] - 0.5 * scale_.origin[k]));
+      for (int k = 0; k < 3; ++k)
+        half_reach = kernel::maximum(half_reach, std::abs(0.5 * v[k] - 0.5 * scale_.origin[k]));
     scale_.unit = half_reach > 0 ? std::ldexp(1.0, std::clamp(std::ilogb(half_reach) + 2, -1000, 1023)) : 1;
     per_half_unit_ = 2 / scale_.unit;
   }

@@ -13,14 +13,19 @@ namespace tetracone::tetratree {
 /// Up to eight parts of a body, each in a box: see `Bvh8`.
 struct alignas(64) Bvh8_node {
   kernel::Obb8 boxes;
-  std::array<std::int32_t, 8> child;   ///< of lane k: its node; or, negative, `not_made`; or, below these, a `leaf`, which holds one element and is marked
+  std::array<std::int32_t, 8> child;   ///< of lane k: its node; or, negative, `not_made`; or, below these, a `leaf`,
+                                       ///< which holds one element and is marked
   std::array<std::uint32_t, 8> first;  ///< lane k holds elements of the tree's order from first[k] on
 
   bool is_leaf(int lane) const { return boxes.marked >> lane & 1; }
 
-  /// The code of a lane whose node another thread may be making; `publish` lets it see the node, and all that was written before.
+  /// The code of a lane whose node another thread may be making; `publish` lets it see the node, and all that was
+  /// written before.
   std::int32_t child_of(int lane) const { return __atomic_load_n(&child[std::size_t(lane)], __ATOMIC_ACQUIRE); }
-  void publish(int lane, std::uint32_t made) { __atomic_store_n(&child[std::size_t(lane)], std::int32_t(made), __ATOMIC_RELEASE); }
+  void publish(int lane, std::uint32_t made)
+  {
+    __atomic_store_n(&child[std::size_t(lane)], std::int32_t(made), __ATOMIC_RELEASE);
+  }
 
   /// A lane whose node is not made yet says where its elements end. Requires last <= most_elements.
   static constexpr std::int32_t not_made(std::uint32_t last) { return -1 - std::int32_t(last); }

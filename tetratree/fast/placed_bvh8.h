@@ -2,8 +2,8 @@
 #define TETRACONE_TETRATREE_FAST_PLACED_BVH8_H
 
 #include "tetracone/covering/model.h"
-#include "tetracone/kernel/predicate/triangle_triangle.h"
 #include "tetracone/kernel/bound/obb8.h"
+#include "tetracone/kernel/predicate/triangle_triangle.h"
 #include "tetracone/tetratree/fast/bvh8.h"
 
 #include <cmath>

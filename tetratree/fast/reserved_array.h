@@ -12,8 +12,8 @@
 
 namespace tetracone::tetratree {
 
-/// An array that grows and never moves: address space for `capacity` elements is reserved at once, memory taken page by page as it is written. One thread at
-/// a time may append, while others read what they know to be there.
+/// An array that grows and never moves: address space for `capacity` elements is reserved at once, memory taken page by
+/// page as it is written. One thread at a time may append, while others read what they know to be there.
 template <class T>
 class Reserved_array {
   static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
@@ -22,7 +22,8 @@ class Reserved_array {
   explicit Reserved_array(std::size_t capacity) : capacity_(capacity)
   {
     if (capacity == 0) return;
-    void* const space = ::mmap(nullptr, capacity * sizeof(T), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    void* const space = ::mmap(nullptr, capacity * sizeof(T), PROT_READ | PROT_WRITE,
+                               MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (space == MAP_FAILED) throw std::bad_alloc();
     data_ = static_cast<T*>(space);
   }

@@ -1,8 +1,8 @@
 #ifndef TETRACONE_TETRATREE_FAST_SEPARATING_DIRECTION_H
 #define TETRACONE_TETRATREE_FAST_SEPARATING_DIRECTION_H
 
-#include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/bound/relative_frame.h"
+#include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/simd/short_vectors.h"
 #include "tetracone/tetratree/fast/support_table.h"
 
@@ -15,18 +15,21 @@ namespace tetracone::tetratree {
 
 using kernel::Pose;
 
-/// The search for a plane between two bodies: JS08 Theorem 2, in whatever direction separates instead of that of one reference tetrahedron, and in
-/// constant time a direction. A direction m separates when B lies beyond A along it: min m . b > max m . a, by the support tables.
+/// The search for a plane between two bodies: JS08 Theorem 2, in whatever direction separates instead of that of one
+/// reference tetrahedron, and in constant time a direction. A direction m separates when B lies beyond A along it: min
+/// m . b > max m . a, by the support tables.
 ///
-/// The first direction tried leads from A's origin to B's. One that fails is mirrored in the plane across the support points' difference (Chung and
-/// Wang, "Quick collision detection of polytopes in virtual environments", 1996), points of the tables in place of vertices; where bodies overlap far
-/// along it, the search is given up.
+/// The first direction tried leads from A's origin to B's. One that fails is mirrored in the plane across the support
+/// points' difference (Chung and Wang, "Quick collision detection of polytopes in virtual environments", 1996), points
+/// of the tables in place of vertices; where bodies overlap far along it, the search is given up.
 class Separating_direction {
  public:
-  Separating_direction(const Bvh8& a, const Bvh8& b) : Separating_direction(a, b, kernel::maximum(a.scale().unit, b.scale().unit)) {}
+  Separating_direction(const Bvh8& a, const Bvh8& b)
+      : Separating_direction(a, b, kernel::maximum(a.scale().unit, b.scale().unit))
+  {}
 
-  /// True when the placed bodies are found to be apart, in at most `steps` > 0 directions; before these, where that is asked for, in the one
-  /// that told the bodies of the last call apart. Requires that both trees have a root.
+  /// True when the placed bodies are found to be apart, in at most `steps` > 0 directions; before these, where that is
+  /// asked for, in the one that told the bodies of the last call apart. Requires that both trees have a root.
   bool operator()(const Pose& pose_a, const Pose& pose_b, int steps, bool last_one_first)
   {
     const Placed placed(a_, b_, pose_a, pose_b, slack_);
@@ -44,8 +47,8 @@ class Separating_direction {
   using Doubles = kernel::Two_doubles;
   static constexpr float u = kernel::unit_roundoff<float>;
 
-  /// Where the origins are apart by no more than this share of the reach, the search is given up: four steps would have found a plane in 39 more of 5,600
-  /// poses of contour trajectories, in 73 of 5,600 of circular ones.
+  /// Where the origins are apart by no more than this share of the reach, the search is given up: four steps would have
+  /// found a plane in 39 more of 5,600 poses of contour trajectories, in 73 of 5,600 of circular ones.
   static constexpr float hopeless = 0.85f;
 
   struct Body {
@@ -73,7 +76,8 @@ class Separating_direction {
       is_in_range = is_in_range && units.unit >= 0x1p-60 && units.unit <= 0x1p60;
     }
     if (!is_in_range) return;
-    const float of_rows = float(6 * (u + kernel::unit_roundoff<double> * farthest)), of_translation = float(6 * kernel::unit_roundoff<double>);
+    const float of_rows = float(6 * (u + kernel::unit_roundoff<double> * farthest)),
+                of_translation = float(6 * kernel::unit_roundoff<double>);
     slack_ = Floats{of_rows, of_rows, of_rows, of_translation};
   }
 
@@ -94,11 +98,13 @@ class Separating_direction {
         row_a[i] = kernel::rounded(a_first, a_last) * a.scale;
         row_b[i] = kernel::rounded(b_first, b_last) * b.scale;
       }
-      const Doubles first = __builtin_shufflevector(part[0], part[1], 0, 2) + __builtin_shufflevector(part[0], part[1], 1, 3);
+      const Doubles first =
+          __builtin_shufflevector(part[0], part[1], 0, 2) + __builtin_shufflevector(part[0], part[1], 1, 3);
       const Doubles last = part[2] + __builtin_shufflevector(part[2], part[2], 1, 0);
       apart = kernel::first_three(kernel::rounded(first, last));
       const auto both = [this](int i) { return kernel::magnitudes(row_a[i]) + kernel::magnitudes(row_b[i]); };
-      slack = kernel::sum_of_lanes((both(0) + (both(1) + both(2))) * slack_of_rows + kernel::magnitudes(apart) * (6 * u))[0];
+      slack = kernel::sum_of_lanes((both(0) + (both(1) + both(2))) * slack_of_rows +
+                                   kernel::magnitudes(apart) * (6 * u))[0];
     }
   };
 
@@ -106,7 +112,7 @@ class Separating_direction {
   struct Attempt {
     bool is_defined = false;
     Support_table::Place at_a, at_b;
-    Floats reach;          // the sum of its lanes
+    Floats reach;  // the sum of its lanes
     float gap = 0, slack = 0;
 
     bool separates() const { return is_defined && gap > slack; }
@@ -114,17 +120,20 @@ class Separating_direction {
 
   /// m leads from A to B. A reach that is not known yet separates nothing: it is infinite or undefined.
   ///
-  /// The slack beside the tables', each of these times |m|_1: directions turned back are sums of three products of rounded entries, off by 4 roundings and
-  /// one of a fraction's entry, of the rows; the distance is such a sum of D, rounded, off by 5 roundings of it; D itself is off by 5 in double of its
-  /// terms, which are translations and at most `farthest` times the rows.
+  /// The slack beside the tables', each of these times |m|_1: directions turned back are sums of three products of
+  /// rounded entries, off by 4 roundings and one of a fraction's entry, of the rows; the distance is such a sum of D,
+  /// rounded, off by 5 roundings of it; D itself is off by 5 in double of its terms, which are translations and at most
+  /// `farthest` times the rows.
   [[gnu::always_inline]] Attempt attempt(const Placed& placed, Floats m) const
   {
     Attempt tried;
     const auto turned_back = [&](const Floats* row) {
-      return kernel::first_three(kernel::repeated<0>(m) * row[0] + kernel::repeated<1>(m) * row[1] + kernel::repeated<2>(m) * row[2]);
+      return kernel::first_three(kernel::repeated<0>(m) * row[0] + kernel::repeated<1>(m) * row[1] +
+                                 kernel::repeated<2>(m) * row[2]);
     };
     const auto norm = [](Floats v) { return kernel::sum_of_lanes(kernel::magnitudes(v)); };
-    const Floats along_a = turned_back(placed.row_a), along_b = turned_back(placed.row_b), norm_a = norm(along_a), norm_b = norm(along_b);
+    const Floats along_a = turned_back(placed.row_a), along_b = turned_back(placed.row_b), norm_a = norm(along_a),
+                 norm_b = norm(along_b);
     const float norm_m = norm(m)[0];
     // So that no product overflows, and what underflows is far below the slack; also what is undefined ends here.
     if (!(placed.slack < 1e8f && norm_m < 1e14f && norm_a[0] > 1e-15f && norm_b[0] > 1e-15f)) return tried;
@@ -136,7 +145,8 @@ class Separating_direction {
     return tried;
   }
 
-  /// What is left to do after a first attempt that did not separate. Kept apart from it, so that what decides most queries stays in registers.
+  /// What is left to do after a first attempt that did not separate. Kept apart from it, so that what decides most
+  /// queries stays in registers.
   [[gnu::noinline]] bool search(const Placed& placed, Attempt tried, Floats m, int steps, bool last_one_first)
   {
     const auto separates = [&] {
@@ -148,7 +158,8 @@ class Separating_direction {
     };
     if (last_one_first && were_apart_ && !separates()) m = placed.apart, tried = attempt(placed, m);
     were_apart_ = separates();
-    while (!were_apart_ && --steps > 0 && tried.is_defined && kernel::sum_of_lanes(m * placed.apart)[0] > hopeless * kernel::sum_of_lanes(tried.reach)[0]) {
+    while (!were_apart_ && --steps > 0 && tried.is_defined &&
+           kernel::sum_of_lanes(m * placed.apart)[0] > hopeless * kernel::sum_of_lanes(tried.reach)[0]) {
       m = mirrored(m, tried, placed);
       tried = attempt(placed, m);
       were_apart_ = separates();
@@ -162,9 +173,11 @@ class Separating_direction {
     const Floats p = a_.table.point(tried.at_a), q = b_.table.point(tried.at_b);
     Floats back[3];  // lanes of the parts of A's point less B's, each as seen from its own origin
     for (int i = 0; i < 3; ++i) back[i] = placed.row_a[i] * p + placed.row_b[i] * q;
-    const Floats even = __builtin_shufflevector(back[0], back[1], 0, 4, 2, 6), odd = __builtin_shufflevector(back[0], back[1], 1, 5, 3, 7), two = even + odd;
+    const Floats even = __builtin_shufflevector(back[0], back[1], 0, 4, 2, 6),
+                 odd = __builtin_shufflevector(back[0], back[1], 1, 5, 3, 7), two = even + odd;
     const Floats sums = two + __builtin_shufflevector(two, two, 2, 3, 0, 1);
-    const Floats w = placed.apart - kernel::first_three(__builtin_shufflevector(sums, kernel::sum_of_lanes(back[2]), 0, 1, 4, 4));
+    const Floats w =
+        placed.apart - kernel::first_three(__builtin_shufflevector(sums, kernel::sum_of_lanes(back[2]), 0, 1, 4, 4));
     return m - 2 * kernel::sum_of_lanes(m * w) / kernel::sum_of_lanes(w * w) * w;
   }
 

@@ -17,15 +17,18 @@
 
 namespace tetracone::tetratree {
 
-/// How far a body reaches in any direction: an upper bound of h(d) = max d . p over its points p, in local units, in constant time.
+/// How far a body reaches in any direction: an upper bound of h(d) = max d . p over its points p, in local units, in
+/// constant time.
 ///
-/// h is sublinear: with h known in the directions of a lattice, h(d) is at most the sum of the values at the corners of the lattice cone
-/// that holds d, with d's barycentric weights in it. The lattice is flat, on the octahedron |x| + |y| + |z| = 1, and its cones are those that JS08
-/// section 2.1 gets by halving edges, four times. This is what its regular hull (section 2.3.3) is made of, asked in the directions that a
-/// query needs. A value is found when it is first asked for, from the tree's boxes.
+/// h is sublinear: with h known in the directions of a lattice, h(d) is at most the sum of the values at the corners of
+/// the lattice cone that holds d, with d's barycentric weights in it. The lattice is flat, on the octahedron |x| + |y|
+/// + |z| = 1, and its cones are those that JS08 section 2.1 gets by halving edges, four times. This is what its regular
+/// hull (section 2.3.3) is made of, asked in the directions that a query needs. A value is found when it is first asked
+/// for, from the tree's boxes.
 class Support_table {
  public:
-  /// Where a direction d is in the lattice: corner 0 is number `first`, 1 the next, 2 and 3 the two beside them in the next row. Three of them have weights.
+  /// Where a direction d is in the lattice: corner 0 is number `first`, 1 the next, 2 and 3 the two beside them in the
+  /// next row. Three of them have weights.
   struct Place {
     int first;
     kernel::Four_floats weight;
@@ -33,15 +36,17 @@ class Support_table {
     kernel::Four_floats at;   ///< n d / |d|_1
   };
 
-  /// For what is rounded between values and bound: the place by 4 roundings a coordinate, two of three coordinates once more for the third, so by 8 u |d|_1;
-  /// weights, none of which comes out below 0, by 3 each, 14 u |d|_1; both move h by no more, since |p_k| <= 1. Products and sums over four corners of
-  /// |h| <= 18/16, and of the difference from a distance, 8 u |d|_1.
+  /// For what is rounded between values and bound: the place by 4 roundings a coordinate, two of three coordinates once
+  /// more for the third, so by 8 u |d|_1; weights, none of which comes out below 0, by 3 each, 14 u |d|_1; both move h
+  /// by no more, since |p_k| <= 1. Products and sums over four corners of |h| <= 18/16, and of the difference from a
+  /// distance, 8 u |d|_1.
   static constexpr float slack = 40 * 0x1p-24f;
 
   /// `tree` must outlive the table, and its root be made.
   explicit Support_table(const Bvh8& tree) : tree_(&tree), reach_(8 * row * row, unknown) {}
 
-  /// Requires d[3] = 0, and |d|_1, in every lane of `sum`, in 1e-30 .. 1e30. Without branches that no processor could foretell.
+  /// Requires d[3] = 0, and |d|_1, in every lane of `sum`, in 1e-30 .. 1e30. Without branches that no processor could
+  /// foretell.
   [[gnu::always_inline]] static Place place(kernel::Four_floats d, kernel::Four_floats sum)
   {
     using kernel::Eight_shorts, kernel::Four_floats, kernel::Four_ints;
@@ -52,19 +57,20 @@ class Support_table {
     const Four_floats rest = 1 - kernel::repeated<1>(part) - kernel::repeated<2>(part);
     const Four_ints beyond = reinterpret_cast<Four_ints>(rest) & (reinterpret_cast<Four_ints>(rest) >> 31);
     constexpr std::int32_t minus = std::numeric_limits<std::int32_t>::min();
-    const Four_floats weight = __builtin_shufflevector(rest, part, 0, 5, 6, 7) + reinterpret_cast<Four_floats>(beyond ^ Four_ints{minus, 0, 0, minus});
+    const Four_floats weight = __builtin_shufflevector(rest, part, 0, 5, 6, 7) +
+                               reinterpret_cast<Four_floats>(beyond ^ Four_ints{minus, 0, 0, minus});
     // Products of the low halves, all there is of numbers up to 16.
     static_assert(std::endian::native == std::endian::little);
-    const Four_ints corner = reinterpret_cast<Four_ints>(reinterpret_cast<Eight_shorts>(whole) * Eight_shorts{0, 0, 1, 0, row, 0, 0, 0});
-    const Four_ints octant = (reinterpret_cast<Four_ints>(d) >> 31) & Four_ints{row * row, 2 * row * row, 4 * row * row, 0};
+    const Four_ints corner =
+        reinterpret_cast<Four_ints>(reinterpret_cast<Eight_shorts>(whole) * Eight_shorts{0, 0, 1, 0, row, 0, 0, 0});
+    const Four_ints octant =
+        (reinterpret_cast<Four_ints>(d) >> 31) & Four_ints{row * row, 2 * row * row, 4 * row * row, 0};
     return {kernel::sum_of_lanes(corner + octant)[0], weight, sum, at};
   }
 
-  /// h(d) is at most the sum of these and `slack` |d|_1. Their sum is infinite or undefined where a corner's reach is not known yet.
-  kernel::Four_floats reach(const Place& p) const
-  {
-    return p.weight * (corners(p) * p.sum);
-  }
+  /// h(d) is at most the sum of these and `slack` |d|_1. Their sum is infinite or undefined where a corner's reach is
+  /// not known yet.
+  kernel::Four_floats reach(const Place& p) const { return p.weight * (corners(p) * p.sum); }
 
   /// Finds what is not known of the corners.
   void find(const Place& p)
@@ -75,28 +81,32 @@ class Support_table {
     }
   }
 
-  /// The point that reaches as far as the values say, exactly so far, in the directions of the three corners with weights: about where the body's farthest is.
-  /// Requires that the corners are known.
+  /// The point that reaches as far as the values say, exactly so far, in the directions of the three corners with
+  /// weights: about where the body's farthest is. Requires that the corners are known.
   ///
-  /// On the face of corners 0, 1 and 2 of its octant, a point (x, y, z) with the directions' signs taken off reaches h_1 - h_0 = (y - x) / n and
-  /// h_2 - h_0 = (z - x) / n; on that of 3, 1 and 2 the differences are those from 2 to 3 and from 1 to 3.
+  /// On the face of corners 0, 1 and 2 of its octant, a point (x, y, z) with the directions' signs taken off reaches
+  /// h_1 - h_0 = (y - x) / n and h_2 - h_0 = (z - x) / n; on that of 3, 1 and 2 the differences are those from 2 to 3
+  /// and from 1 to 3.
   kernel::Four_floats point(const Place& p) const
   {
     using kernel::Four_floats, kernel::Four_ints;
     const Four_floats h = corners(p);
-    const Four_floats below = __builtin_shufflevector(h, h, 0, 1, 2, 0) - kernel::repeated<0>(h), beyond = kernel::repeated<3>(h) - __builtin_shufflevector(h, h, 3, 2, 1, 3);
+    const Four_floats below = __builtin_shufflevector(h, h, 0, 1, 2, 0) - kernel::repeated<0>(h),
+                      beyond = kernel::repeated<3>(h) - __builtin_shufflevector(h, h, 3, 2, 1, 3);
     const Four_ints is_beyond = kernel::repeated<3>(p.weight) > 0.0f;
-    const Four_floats step = reinterpret_cast<Four_floats>((reinterpret_cast<Four_ints>(beyond) & is_beyond) | (reinterpret_cast<Four_ints>(below) & ~is_beyond));
+    const Four_floats step = reinterpret_cast<Four_floats>((reinterpret_cast<Four_ints>(beyond) & is_beyond) |
+                                                           (reinterpret_cast<Four_ints>(below) & ~is_beyond));
     const Four_floats x = kernel::sum_of_lanes(p.weight * h - kernel::magnitudes(p.at) * step);
     const Four_ints point = reinterpret_cast<Four_ints>(kernel::first_three(x + float(n) * step));
-    return reinterpret_cast<Four_floats>(point ^ (reinterpret_cast<Four_ints>(p.at) & std::numeric_limits<std::int32_t>::min()));
+    return reinterpret_cast<Four_floats>(
+        point ^ (reinterpret_cast<Four_ints>(p.at) & std::numeric_limits<std::int32_t>::min()));
   }
 
   std::size_t bytes() const { return reach_.capacity() * sizeof(float); }
 
  private:
-  /// Corner (n - i - j, i, j) / n of an octant has the number k = (octant row + j) row + i. The last of each row, and the last rows, are corners beyond the
-  /// octant, of no weight but by rounding.
+  /// Corner (n - i - j, i, j) / n of an octant has the number k = (octant row + j) row + i. The last of each row, and
+  /// the last rows, are corners beyond the octant, of no weight but by rounding.
   static constexpr int n = 16, row = n + 2;
   static constexpr float unknown = std::numeric_limits<float>::infinity();
 
@@ -110,7 +120,8 @@ class Support_table {
 
   static double signed_by(int negative, int k) { return negative ? -double(k) / n : double(k) / n; }
 
-  /// The best reach of a vertex in the direction of corner k: boxes in the order of the tree, those left out that reach no farther than what is known.
+  /// The best reach of a vertex in the direction of corner k: boxes in the order of the tree, those left out that reach
+  /// no farther than what is known.
   float found(int k)
   {
     const int octant = k / (row * row), j = k / row % row, i = k % row;
@@ -127,9 +138,8 @@ class Support_table {
           open.push_back({bound, 8 * node + Index(lane)});
           continue;
         }
-        tree_->for_vertices(tree_->element(node, lane), [&](Index v) {
-          best = kernel::maximum(best, d.dot(tree_->local(v)));
-        });
+        tree_->for_vertices(tree_->element(node, lane),
+                            [&](Index v) { best = kernel::maximum(best, d.dot(tree_->local(v))); });
       }
       // The farthest last, to be opened first.
       std::sort(open.begin() + std::ptrdiff_t(first), open.end());
@@ -145,8 +155,10 @@ class Support_table {
   {
     double reach = 0x1p-18;
     for (int k = 0; k < 3; ++k) {
-      const double along = d[0] * boxes.axis[k][0][lane] + d[1] * boxes.axis[k][1][lane] + d[2] * boxes.axis[k][2][lane];
-      reach += d[k] * (double(boxes.origin[k]) + double(boxes.centre[k][lane])) + std::abs(along) * boxes.extent[k][lane];
+      const double along =
+          d[0] * boxes.axis[k][0][lane] + d[1] * boxes.axis[k][1][lane] + d[2] * boxes.axis[k][2][lane];
+      reach +=
+          d[k] * (double(boxes.origin[k]) + double(boxes.centre[k][lane])) + std::abs(along) * boxes.extent[k][lane];
     }
     return reach;
   }

@@ -1,11 +1,11 @@
 #ifndef TETRACONE_TETRATREE_PAPER_COLLISION_H
 #define TETRACONE_TETRATREE_PAPER_COLLISION_H
 
-#include "tetracone/kernel/predicate/contact.h"
 #include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/predicate/contact.h"
 #include "tetracone/kernel/predicate/question.h"
-#include "tetracone/tetratree/query_statistics.h"
 #include "tetracone/tetratree/paper/placed_tree.h"
+#include "tetracone/tetratree/query_statistics.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -23,31 +23,36 @@ using kernel::Relation;
 
 /// Collision detection between two tetra-trees (JS08 Algorithm 1). Build once, ask for many poses.
 ///
-/// A query first takes the reference bounding tetrahedron of each body (Theorem 2), then descends both trees, discarding a pair of
-/// nodes by Theorem 2, by spheres and by bounding tetrahedra in this order, and tests the edges in one leaf against the faces in
-/// the other, both ways; real edges only, never inner ones of the covering.
+/// A query first takes the reference bounding tetrahedron of each body (Theorem 2), then descends both trees,
+/// discarding a pair of nodes by Theorem 2, by spheres and by bounding tetrahedra in this order, and tests the edges in
+/// one leaf against the faces in the other, both ways; real edges only, never inner ones of the covering.
 ///
-/// Exact kernels: the answer is that of all edges against all faces. A point y where an edge e of A meets a face f of B lies in a
-/// leaf cone of each tree; e is on a covering triangle through y, which is classified in A's, and so is one of f through y
-/// in B's. What lies in a cone is held by its bounding tetrahedron and sphere, rounded outward; so this pair of leaves is
-/// never discarded. And two faces that share a point share one on an edge of either.
+/// Exact kernels: the answer is that of all edges against all faces. A point y where an edge e of A meets a face f of B
+/// lies in a leaf cone of each tree; e is on a covering triangle through y, which is classified in A's, and so is one
+/// of f through y in B's. What lies in a cone is held by its bounding tetrahedron and sphere, rounded outward; so this
+/// pair of leaves is never discarded. And two faces that share a point share one on an edge of either.
 ///
-/// Departures from the listing: the choice of the node to descend (see `Descent`); flags of Theorem 2 are decided when a node is
-/// descended, not set by a walk over the whole tree; Theorem 2 asks for V0 beyond the plane too, without which a body whose
-/// origin lies inside the hull could be discarded. `solid` and `features` are extensions that the paper names.
+/// Departures from the listing: the choice of the node to descend (see `Descent`); flags of Theorem 2 are decided when
+/// a node is descended, not set by a walk over the whole tree; Theorem 2 asks for V0 beyond the plane too, without
+/// which a body whose origin lies inside the hull could be discarded. `solid` and `features` are extensions that the
+/// paper names.
 ///
-/// The config of the first tree decides how a query runs. Both trees must outlive the query object. Where K decides exactly, making it and every query
-/// throw kernel::Unsound_floating_point when floating point is not as that needs it.
+/// The config of the first tree decides how a query runs. Both trees must outlive the query object. Where K decides
+/// exactly, making it and every query throw kernel::Unsound_floating_point when floating point is not as that needs it.
 template <class K>
 class Collision {
  public:
   Collision(Tetra_tree<K>& a, Tetra_tree<K>& b)
-      : config_(a.config()), a_(a), b_(b), sides_(kernel::maximum(a.model().vertices().size(), b.model().vertices().size()))
+      : config_(a.config()),
+        a_(a),
+        b_(b),
+        sides_(kernel::maximum(a.model().vertices().size(), b.model().vertices().size()))
   {
     if constexpr (sound) kernel::require_exact_arithmetic();
   }
 
-  /// Whether the two placed polyhedra collide. Requires det M != 0 of both poses, and closed polyhedra for `Question::solid`.
+  /// Whether the two placed polyhedra collide. Requires det M != 0 of both poses, and closed polyhedra for
+  /// `Question::solid`.
   bool operator()(const Pose& pose_a, const Pose& pose_b, Question question = Question::solid)
   {
     return relation(pose_a, pose_b, question) != Relation::apart;
@@ -59,13 +64,14 @@ class Collision {
     const Fallbacks fallbacks(counts_);
     begin(pose_a, pose_b);
     if (roots_apart()) return Relation::apart;
-    if (descend_from_roots([this](const Node<B>& a, const Node<B>& b) { return leaves_meet(a, b); })) return Relation::surfaces;
+    if (descend_from_roots([this](const Node<B>& a, const Node<B>& b) { return leaves_meet(a, b); }))
+      return Relation::surfaces;
     if (question == Question::surface) return Relation::apart;
     return holds_a_shell(a_, b_) ? Relation::b_in_a : holds_a_shell(b_, a_) ? Relation::a_in_b : Relation::apart;
   }
 
-  /// Calls leaf_test(node of A, node of B) for the pairs of leaves that the query does not discard, until one returns true: the
-  /// descent alone, with a leaf test of the caller's. Returns whether one did.
+  /// Calls leaf_test(node of A, node of B) for the pairs of leaves that the query does not discard, until one returns
+  /// true: the descent alone, with a leaf test of the caller's. Returns whether one did.
   template <class Leaf_test>
   bool any_leaf_pair(const Pose& pose_a, const Pose& pose_b, const Leaf_test& leaf_test)
   {
@@ -129,7 +135,8 @@ class Collision {
   static B volume_factor(const Body& body)
   {
     const auto& m = body.frame().entries();
-    return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8]) + m[2] * (m[4] * m[9] - m[5] * m[8]);
+    return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8]) +
+           m[2] * (m[4] * m[9] - m[5] * m[8]);
   }
 
   // The spheres of the whole bodies; where neither has a tree, nothing is discarded.
@@ -149,8 +156,8 @@ class Collision {
     return descend(root, root, leaf_test);
   }
 
-  // The plane of `body` that faces `other`, when it can discard anything: when the other's V0, a vertex of all its bounding
-  // tetrahedra, is beyond it.
+  // The plane of `body` that faces `other`, when it can discard anything: when the other's V0, a vertex of all its
+  // bounding tetrahedra, is beyond it.
   Plane reference(const Body& body, const Body& other) const
   {
     const auto plane = body.reference(other.origin());
@@ -235,8 +242,8 @@ class Collision {
     return edges_meet_faces(a_, a, b_, b, 0) || edges_meet_faces(b_, b, a_, a, 1);
   }
 
-  // The edges in `leaf` of `body` against the faces in `other_leaf` of `other`. The side of a vertex against a face's plane, which
-  // most pairs need only to be told apart, is decided once for all edges at that vertex.
+  // The edges in `leaf` of `body` against the faces in `other_leaf` of `other`. The side of a vertex against a face's
+  // plane, which most pairs need only to be told apart, is decided once for all edges at that vertex.
   bool edges_meet_faces(Body& body, const Node<B>& leaf, Body& other, const Node<B>& other_leaf, int body_number)
   {
     const auto edges = body.tree().edges(leaf);
@@ -252,7 +259,8 @@ class Collision {
         if (is_degenerate) return kernel::ZERO;
         Side& known = sides_[v];
         if (known.decided_at != face_now_)
-          known = {face_now_, kernel::volume_sign<K>(placed.plane_basis(0), placed.plane_basis(1), placed.plane_basis(2), body.body().point(v))};
+          known = {face_now_, kernel::volume_sign<K>(placed.plane_basis(0), placed.plane_basis(1),
+                                                     placed.plane_basis(2), body.body().point(v))};
         return known.sign;
       };
       for (std::size_t k = 0; k < edges.size(); ++k) {
@@ -266,7 +274,8 @@ class Collision {
         if (side_from == side_to && side_from != kernel::ZERO) continue;
         const kernel::Point<K>&p = body.body().point(from), &q = body.body().point(to);
         const Contact contact = is_triangle && !is_degenerate
-                                    ? kernel::segment_triangle<K>(p, q, placed.plane_basis(0), placed.plane_basis(1), placed.plane_basis(2), side_from, side_to)
+                                    ? kernel::segment_triangle<K>(p, q, placed.plane_basis(0), placed.plane_basis(1),
+                                                                  placed.plane_basis(2), side_from, side_to)
                                     : kernel::segment_face<K>(p, q, placed, side_from, side_to);
         if (contact == Contact::none) continue;
         if (features_ == nullptr) return true;
@@ -296,7 +305,7 @@ class Collision {
     std::uint64_t decided_at = 0;  // the face, by `face_now_`
     kernel::Sign sign = kernel::ZERO;
   };
-  std::vector<Side> sides_;                  // of the vertices of either body against the face at hand
+  std::vector<Side> sides_;  // of the vertices of either body against the face at hand
   std::uint64_t face_now_ = 0;
   std::vector<kernel::Box<B>> edge_boxes_;  // of the leaf at hand
   Query_statistics counts_;

@@ -7,11 +7,13 @@ namespace tetracone::tetratree {
 
 /// How the far plane of a bounding tetrahedron is found (JS08 section 2.3.1).
 enum class Far_plane {
-  shortened,  ///< the paper's loop: from an isosceles tetrahedron, edges are shortened one at a time while it still bounds
+  shortened,  ///< the paper's loop: from an isosceles tetrahedron, edges are shortened one at a time while it still
+              ///< bounds
   tightest    ///< the plane of least volume, by a search over its two directions
 };
 
-/// How the centre of a bounding sphere is found (JS08 section 2.3.2). The radius is always the distance of the farthest vertex.
+/// How the centre of a bounding sphere is found (JS08 section 2.3.2). The radius is always the distance of the farthest
+/// vertex.
 enum class Sphere_centre {
   centroid,  ///< the paper's: the mean of the vertices
   improved   ///< close to the centre of the smallest enclosing ball
@@ -25,8 +27,9 @@ enum class Descent {
 
 /// Everything that can be chosen about a tetra-tree and its queries. The default is the paper's method.
 struct Config {
-  /// Deepest level of tetra-cones (the octants are level 1); 0 lets the tree be one list without cones. Default: so many levels
-  /// that a cone of the last one holds about one triangle of a star-shaped object ("adjusted to the number of vertices").
+  /// Deepest level of tetra-cones (the octants are level 1); 0 lets the tree be one list without cones. Default: so
+  /// many levels that a cone of the last one holds about one triangle of a star-shaped object ("adjusted to the number
+  /// of vertices").
   static constexpr int by_size = -1;
   int depth = by_size;
 
@@ -37,14 +40,15 @@ struct Config {
   bool on_demand = false;
 
   Far_plane far_plane = Far_plane::shortened;
-  /// The loop of `Far_plane::shortened`: rounds over the three edges, share by which an edge is shortened, and share by which it is
-  /// lengthened again when that was too much.
+  /// The loop of `Far_plane::shortened`: rounds over the three edges, share by which an edge is shortened, and share by
+  /// which it is lengthened again when that was too much.
   int shortening_rounds = 60;
   double shorten_by = 0.03, lengthen_by = 0.015;
 
   Sphere_centre sphere_centre = Sphere_centre::centroid;
 
-  /// Theorem 2: discard a bounding tetrahedron that lies beyond the plane of the other body's reference bounding tetrahedron.
+  /// Theorem 2: discard a bounding tetrahedron that lies beyond the plane of the other body's reference bounding
+  /// tetrahedron.
   bool regular_hull = true;
 
   /// Discard pairs of nodes by their bounding spheres, and by their bounding tetrahedra.
@@ -53,8 +57,8 @@ struct Config {
 
   Descent descent = Descent::larger_first;
 
-  /// Bounding tetrahedra are compared along all 44 axes, which is the whole test of two tetrahedra, or along their 8 face
-  /// normals only.
+  /// Bounding tetrahedra are compared along all 44 axes, which is the whole test of two tetrahedra, or along their 8
+  /// face normals only.
   bool all_axes = true;
 
   /// In leaves, edges and faces whose axis-aligned boxes are apart are not tested further. Not in the paper.

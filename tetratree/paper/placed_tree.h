@@ -20,10 +20,14 @@ class Placed_tree {
   static constexpr bool sound = Tetra_tree<K>::sound;
 
   explicit Placed_tree(Tetra_tree<K>& tree)
-      : tree_(tree), body_(tree.model()), hull_(tree.regular_hull()), coordinates_(tree.model().vertices().size()),
-        placed_at_(coordinates_.size(), 0), face_box_(tree.model().face_count()), boxed_at_(face_box_.size(), 0)
-  {
-  }
+      : tree_(tree),
+        body_(tree.model()),
+        hull_(tree.regular_hull()),
+        coordinates_(tree.model().vertices().size()),
+        placed_at_(coordinates_.size(), 0),
+        face_box_(tree.model().face_count()),
+        boxed_at_(face_box_.size(), 0)
+  {}
 
   /// Moves the body. `pose` must outlive the query.
   void place(const kernel::Pose& pose)
@@ -111,8 +115,8 @@ class Placed_tree {
     return n;
   }
 
-  // The winding number about p moved likewise: the signed sum over the tetrahedra of the leaf, which are all that can hold it
-  // (JS08 section 2.2).
+  // The winding number about p moved likewise: the signed sum over the tetrahedra of the leaf, which are all that can
+  // hold it (JS08 section 2.2).
   int winding_number(const kernel::Point<K>& p, Index leaf)
   {
     const auto& triangles = tree_.model().covering().triangles();
@@ -120,7 +124,8 @@ class Placed_tree {
     int winding = 0;
     for (const Index element : tree_.elements(tree_.node(leaf))) {
       const auto& corner = triangles[element].corner;
-      winding += covering::signed_inclusion<K>(p, origin, body_.point(corner[0]), body_.point(corner[1]), body_.point(corner[2]));
+      winding += covering::signed_inclusion<K>(p, origin, body_.point(corner[0]), body_.point(corner[1]),
+                                               body_.point(corner[2]));
     }
     return winding;
   }
@@ -129,7 +134,8 @@ class Placed_tree {
   {
     const Cone_points<K> c = Cone_points<K>(tree_.model().lattice(), cone).placed(body_.frame());
     const kernel::Sign inside = body_.determinant_sign();
-    return kernel::perturbed_side<K>(c.v0, c.v1, c.v2, p) == inside && kernel::perturbed_side<K>(c.v0, c.v2, c.v3, p) == inside &&
+    return kernel::perturbed_side<K>(c.v0, c.v1, c.v2, p) == inside &&
+           kernel::perturbed_side<K>(c.v0, c.v2, c.v3, p) == inside &&
            kernel::perturbed_side<K>(c.v0, c.v3, c.v1, p) == inside;
   }
 

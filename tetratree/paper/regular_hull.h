@@ -11,8 +11,8 @@
 
 namespace tetracone::tetratree {
 
-/// The tetra-cone of level `level` (octants are level 1) that holds a direction, by its coordinates along the rays. Rounded: near a
-/// border it may be the neighbour, which every use here allows.
+/// The tetra-cone of level `level` (octants are level 1) that holds a direction, by its coordinates along the rays.
+/// Rounded: near a border it may be the neighbour, which every use here allows.
 template <class B>
 Tetra_cone cone_towards(const kernel::Bound_point<B>& direction, int level)
 {
@@ -36,16 +36,16 @@ Tetra_cone cone_towards(const kernel::Bound_point<B>& direction, int level)
   return cone;
 }
 
-/// The regular hull of a polyhedron (JS08 Definition 7): the triangles V''1 V''2 V''3 of all cones of a level, every vertex at
-/// distance dmax from V0 on its ray. It holds all bounding tetrahedra, so the polyhedron lies in the half-space of each triangle,
-/// which is what Theorem 2 uses.
+/// The regular hull of a polyhedron (JS08 Definition 7): the triangles V''1 V''2 V''3 of all cones of a level, every
+/// vertex at distance dmax from V0 on its ray. It holds all bounding tetrahedra, so the polyhedron lies in the
+/// half-space of each triangle, which is what Theorem 2 uses.
 ///
-/// Sound form. The hull is convex for every full level that is used here (levels 1 to `deepest_convex_level`, proved by intervals
-/// in its test). Leaves lie at different depths; so dmax is the longest edge over *all* leaves, and the level is that of the
-/// deepest leaf: the rays of shallower cones are rays of that level too, hence every V'i is on a segment from V0 to a
-/// vertex of the hull. The paper's own words, "the bounding tetrahedra associated to a level", hold only where all leaves
-/// are at that level. Where the leaves are not known (nodes on demand), or the level is deeper, the plane is moved
-/// out to the sphere about V0 that holds all vertices.
+/// Sound form. The hull is convex for every full level that is used here (levels 1 to `deepest_convex_level`, proved by
+/// intervals in its test). Leaves lie at different depths; so dmax is the longest edge over *all* leaves, and the level
+/// is that of the deepest leaf: the rays of shallower cones are rays of that level too, hence every V'i is on a segment
+/// from V0 to a vertex of the hull. The paper's own words, "the bounding tetrahedra associated to a level", hold only
+/// where all leaves are at that level. Where the leaves are not known (nodes on demand), or the level is deeper, the
+/// plane is moved out to the sphere about V0 that holds all vertices.
 template <class B, bool sound>
 class Regular_hull {
  public:
@@ -56,10 +56,10 @@ class Regular_hull {
   /// `longest_edge` is dmax, or negative when it is not known; `radius` bounds the distance of all vertices from V0.
   Regular_hull(const kernel::Bound_point<B>& origin, int level, B longest_edge, B radius)
       : origin_(origin), level_(kernel::maximum(level, 1)), longest_edge_(longest_edge), radius_(radius)
-  {
-  }
+  {}
 
-  /// The half-space of the reference bounding tetrahedron (Definition 8): of the hull's triangle in whose cone `direction` lies.
+  /// The half-space of the reference bounding tetrahedron (Definition 8): of the hull's triangle in whose cone
+  /// `direction` lies.
   kernel::Half_space<B> towards(const kernel::Bound_point<B>& direction) const
   {
     const Tetra_cone cone = cone_towards(direction, level_);
@@ -69,11 +69,13 @@ class Regular_hull {
       const B length = std::sqrt(kernel::squared_length(ray));
       unit[i] = {ray[0] / length, ray[1] / length, ray[2] / length};
     }
-    const kernel::Bound_point<B> normal = kernel::cross(kernel::difference(unit[1], unit[0]), kernel::difference(unit[2], unit[0]));
+    const kernel::Bound_point<B> normal =
+        kernel::cross(kernel::difference(unit[1], unit[0]), kernel::difference(unit[2], unit[0]));
     const bool by_hull = longest_edge_ >= 0 && level_ <= deepest_convex_level;
-    B offset = by_hull ? kernel::dot(normal, unit[0]) * longest_edge_ : std::sqrt(kernel::squared_length(normal)) * radius_;
-    // The rounded normal is off by less than 2^-40 of its length at these levels (edges of 2^-level, rounded by 2^-52), and
-    // normal . unit >= 0.57 of it.
+    B offset =
+        by_hull ? kernel::dot(normal, unit[0]) * longest_edge_ : std::sqrt(kernel::squared_length(normal)) * radius_;
+    // The rounded normal is off by less than 2^-40 of its length at these levels (edges of 2^-level, rounded by 2^-52),
+    // and normal . unit >= 0.57 of it.
     if constexpr (sound) offset *= B(1 + 0x1p-36);
     return {normal, origin_, offset};
   }

@@ -14,11 +14,12 @@ using kernel::Direction;
 using kernel::Point;
 using kernel::Sign;
 
-/// A tetra-cone: the region between three rays from the common origin V0 (JS08 Definition 3), closed. Its rays run through
-/// points of the tree's lattice of directions, which are exact in every kernel. Positively oriented: det[V1, V2, V3] > 0.
+/// A tetra-cone: the region between three rays from the common origin V0 (JS08 Definition 3), closed. Its rays run
+/// through points of the tree's lattice of directions, which are exact in every kernel. Positively oriented: det[V1,
+/// V2, V3] > 0.
 ///
-/// Departure from the paper: the corners of the octants are at distance lattice_size * step, not 1, and V0 is where the model has it,
-/// so that no vertex is translated and nothing is rounded.
+/// Departure from the paper: the corners of the octants are at distance lattice_size * step, not 1, and V0 is where the
+/// model has it, so that no vertex is translated and nothing is rounded.
 struct Tetra_cone {
   std::array<Direction, 3> ray;  ///< V1, V2, V3
 
@@ -31,7 +32,8 @@ struct Tetra_cone {
     return reflected ? Tetra_cone{z, y, x} : Tetra_cone{z, x, y};
   }
 
-  /// Child `k` of four, by the midpoints of the three edges (JS08 Definition 4): 0, 1, 2 keep V1, V2, V3; 3 is the middle one.
+  /// Child `k` of four, by the midpoints of the three edges (JS08 Definition 4): 0, 1, 2 keep V1, V2, V3; 3 is the
+  /// middle one.
   Tetra_cone child(int k) const
   {
     const auto middle = [](const Direction& a, const Direction& b) {
@@ -58,8 +60,7 @@ struct Cone_points {
         v1(kernel::point<K>(lattice.point(cone.ray[0]))),
         v2(kernel::point<K>(lattice.point(cone.ray[1]))),
         v3(kernel::point<K>(lattice.point(cone.ray[2])))
-  {
-  }
+  {}
 
   template <class Frame>
   Cone_points placed(const Frame& frame) const

@@ -24,30 +24,31 @@ namespace tetracone::tetratree {
 using covering::Covering_triangle;
 using covering::Index;
 
-/// A node of a tetra-tree: a tetra-cone, what is classified in it, and what bounds it. The root is no cone but all of space.
+/// A node of a tetra-tree: a tetra-cone, what is classified in it, and what bounds it. The root is no cone but all of
+/// space.
 template <class B>
 struct Node {
   Tetra_cone cone{};
-  int level = 0;                                ///< 0: the root; 1: an octant
-  kernel::Ball<B> sphere;                       ///< bounding sphere (JS08 Definition 6)
-  kernel::Bound_tetrahedron<B> tetrahedron{};   ///< bounding tetrahedron V0 V'1 V'2 V'3 (Definition 5); none in the root
-  B volume = 0;                                 ///< of the bounding tetrahedron; infinite in the root
+  int level = 0;                               ///< 0: the root; 1: an octant
+  kernel::Ball<B> sphere;                      ///< bounding sphere (JS08 Definition 6)
+  kernel::Bound_tetrahedron<B> tetrahedron{};  ///< bounding tetrahedron V0 V'1 V'2 V'3 (Definition 5); none in the root
+  B volume = 0;                                ///< of the bounding tetrahedron; infinite in the root
   bool is_leaf = true;
-  bool has_children = false;                    ///< false in a leaf, and where nobody has asked for them yet
-  Index first_child = 0, child_count = 0;       ///< cones in which nothing is classified have no node
-  std::size_t begin = 0, end = 0;               ///< its tetrahedra
-  std::size_t edges_begin = 0, edges_end = 0;   ///< in a leaf: the real edges on them
-  std::size_t faces_begin = 0, faces_end = 0;   ///< in a leaf: their faces
+  bool has_children = false;                   ///< false in a leaf, and where nobody has asked for them yet
+  Index first_child = 0, child_count = 0;      ///< cones in which nothing is classified have no node
+  std::size_t begin = 0, end = 0;              ///< its tetrahedra
+  std::size_t edges_begin = 0, edges_end = 0;  ///< in a leaf: the real edges on them
+  std::size_t faces_begin = 0, faces_end = 0;  ///< in a leaf: their faces
 };
 
-/// The tetra-tree of a polyhedron over kernel K (JS08 section 2.2, Definition 4): a tree of tetra-cones from one origin, eight
-/// octants and then four children each, and in every cone the tetrahedra of the covering that meet it, with a
-/// bounding tetrahedron and a bounding sphere each (section 2.3). The classification uses K's signs; the bounds are in K's
-/// bound arithmetic, rounded outward where K has exact signs.
+/// The tetra-tree of a polyhedron over kernel K (JS08 section 2.2, Definition 4): a tree of tetra-cones from one
+/// origin, eight octants and then four children each, and in every cone the tetrahedra of the covering that meet it,
+/// with a bounding tetrahedron and a bounding sphere each (section 2.3). The classification uses K's signs; the bounds
+/// are in K's bound arithmetic, rounded outward where K has exact signs.
 ///
-/// Departures from the paper: a cone in which nothing is classified has no node; nodes can be made on demand (see `Config`); the
-/// regular hull is that of all leaves (see `Regular_hull`).
-/// A tree whose nodes are made on demand changes while it is asked: it belongs to one thread.
+/// Departures from the paper: a cone in which nothing is classified has no node; nodes can be made on demand (see
+/// `Config`); the regular hull is that of all leaves (see `Regular_hull`). A tree whose nodes are made on demand
+/// changes while it is asked: it belongs to one thread.
 template <class K>
 class Tetra_tree {
  public:
@@ -56,12 +57,17 @@ class Tetra_tree {
 
   /// Requires faces that are planar; anything else may be wrong with the polyhedron that `check` can find. Not empty.
   explicit Tetra_tree(const covering::Polyhedron& polyhedron, const Config& config = {})
-      : model_(polyhedron), config_(config), origin_(kernel::bound_point<B>(model_.lattice().origin)), seen_(model_.vertices().size(), 0),
-        edge_seen_(model_.covering().edges().size(), 0), face_seen_(model_.face_count(), 0)
+      : model_(polyhedron),
+        config_(config),
+        origin_(kernel::bound_point<B>(model_.lattice().origin)),
+        seen_(model_.vertices().size(), 0),
+        edge_seen_(model_.covering().edges().size(), 0),
+        face_seen_(model_.face_count(), 0)
   {
     const std::size_t count = triangles().size();
     assert(count > 0);
-    if (config_.depth == Config::by_size) config_.depth = std::ceil(std::log2(double(kernel::maximum(count, std::size_t{4}))) / 2);
+    if (config_.depth == Config::by_size)
+      config_.depth = std::ceil(std::log2(double(kernel::maximum(count, std::size_t{4}))) / 2);
     config_.depth = std::clamp(config_.depth, 0, kernel::max_cone_depth);
 
     elements_.resize(count);
@@ -91,10 +97,12 @@ class Tetra_tree {
   /// Bytes of the tree, the model excluded.
   std::size_t bytes() const
   {
-    return nodes_.capacity() * sizeof(Node<B>) + (elements_.capacity() + edges_.capacity() + faces_.capacity()) * sizeof(Index);
+    return nodes_.capacity() * sizeof(Node<B>) +
+           (elements_.capacity() + edges_.capacity() + faces_.capacity()) * sizeof(Index);
   }
 
-  /// The children of a node that is no leaf, made now if they have not been; numbers first_child ... first_child + child_count - 1.
+  /// The children of a node that is no leaf, made now if they have not been; numbers first_child ... first_child +
+  /// child_count - 1.
   const Node<B>& with_children(Index n)
   {
     if (!nodes_[n].has_children) make_children(n);
@@ -126,7 +134,8 @@ class Tetra_tree {
         if (!node.is_leaf || node.level == 0) continue;
         level = kernel::maximum(level, node.level);
         for (int i = 1; i < 4; ++i)
-          longest = kernel::maximum(longest, std::sqrt(kernel::squared_length(kernel::difference(node.tetrahedron[i], node.tetrahedron[0]))));
+          longest = kernel::maximum(
+              longest, std::sqrt(kernel::squared_length(kernel::difference(node.tetrahedron[i], node.tetrahedron[0]))));
       }
     }
     return {origin_, level, longest, radius_};
@@ -188,8 +197,10 @@ class Tetra_tree {
     using Fixed = typename kernel::Kernel_traits<K>::Fixed;
     const Cone_points<Fixed> cone(model_.lattice(), child.cone);
     const auto point = [this](Index v) -> decltype(auto) {
-      if constexpr (std::is_same_v<K, Fixed>) return (model_.point(v));
-      else return kernel::point<Fixed>(model_.vertices()[v]);
+      if constexpr (std::is_same_v<K, Fixed>)
+        return (model_.point(v));
+      else
+        return kernel::point<Fixed>(model_.vertices()[v]);
     };
     child.begin = elements_.size();
     for (std::size_t i = parent.begin; i < parent.end; ++i) {
@@ -214,7 +225,8 @@ class Tetra_tree {
     child.tetrahedron[0] = origin_;
     for (int i = 0; i < 3; ++i)
       for (int axis = 0; axis < 3; ++axis)
-        child.tetrahedron[i + 1][axis] = origin_[axis] + length[i] * (B(model_.lattice().step) * B(child.cone.ray[i][axis]));
+        child.tetrahedron[i + 1][axis] =
+            origin_[axis] + length[i] * (B(model_.lattice().step) * B(child.cone.ray[i][axis]));
     child.volume = coordinates.volume(length);
   }
 

@@ -1,15 +1,15 @@
 #include "verify/campaign/campaign.h"
 
 #include "tetracone/covering/io/input_error.h"
-#include "verify/cases/shape_library.h"
-#include "verify/truth/cgal_truth.h"
 #include "verify/campaign/campaign_schema.h"
-#include "verify/truth/distance_to_degeneracy.h"
 #include "verify/campaign/findings.h"
+#include "verify/cases/sequences.h"
+#include "verify/cases/shape_library.h"
+#include "verify/relations/metamorphic_relations.h"
+#include "verify/truth/cgal_truth.h"
+#include "verify/truth/distance_to_degeneracy.h"
 #include "verify/truth/integer_truth.h"
 #include "verify/truth/predicate_truth.h"
-#include "verify/relations/metamorphic_relations.h"
-#include "verify/cases/sequences.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for_each.h>
@@ -27,7 +27,7 @@ namespace {
 using kernel::Question;
 
 constexpr std::uint64_t predicate_batch = 200, object_batch = 10;
-constexpr std::uint64_t relation_stride = 4;    // each such case is tried with one relation, all of them in turn
+constexpr std::uint64_t relation_stride = 4;  // each such case is tried with one relation, all of them in turn
 constexpr const char* truth_name = "truth";
 constexpr std::array questions = {Question::surface, Question::solid};
 
@@ -44,7 +44,10 @@ struct Batch {
 };
 
 /// Which relation case k is tried with: each family begins with another one.
-std::size_t relation_turn(const Batch& batch, std::uint64_t k) { return k / relation_stride + std::size_t(batch.family->number); }
+std::size_t relation_turn(const Batch& batch, std::uint64_t k)
+{
+  return k / relation_stride + std::size_t(batch.family->number);
+}
 
 std::vector<Batch> batches(const Campaign& campaign, const std::vector<Sequence>& sequences)
 {
@@ -54,7 +57,8 @@ std::vector<Batch> batches(const Campaign& campaign, const std::vector<Sequence>
       if (int((family->number + number) % std::uint64_t(campaign.shards)) == campaign.shard)
         all.push_back({level, family, nullptr, number, number * size, std::min(cases, (number + 1) * size)});
   };
-  for (const Family* family : campaign.families) add(Level::predicate, family, campaign.predicate_cases, predicate_batch);
+  for (const Family* family : campaign.families)
+    add(Level::predicate, family, campaign.predicate_cases, predicate_batch);
   for (const Family* family : campaign.families) add(Level::object, family, campaign.object_cases, object_batch);
   for (std::size_t k = 0; k < sequences.size(); ++k)
     if (int(k % std::size_t(campaign.shards)) == campaign.shard)
@@ -75,7 +79,8 @@ class Done {
   {
     Database::Statement rows(database, "SELECT level, family, batch, subject, cases FROM done WHERE seed = ?1");
     for (rows.with(seed); rows.next();)
-      cases_[{rows.text(0), rows.text(1), std::uint64_t(rows.integer(2)), rows.text(3)}] = std::uint64_t(rows.integer(4));
+      cases_[{rows.text(0), rows.text(1), std::uint64_t(rows.integer(2)), rows.text(3)}] =
+          std::uint64_t(rows.integer(4));
   }
 
   /// The first case of the batch that the subject has not been asked.
@@ -102,7 +107,10 @@ class Wanted {
 
   bool subject(std::size_t s, std::uint64_t k) const { return next_[s] <= k; }
   bool truth(std::uint64_t k) const { return next_.back() <= k; }
-  bool anyone(std::uint64_t k) const { return std::ranges::any_of(next_, [k](std::uint64_t next) { return next <= k; }); }
+  bool anyone(std::uint64_t k) const
+  {
+    return std::ranges::any_of(next_, [k](std::uint64_t next) { return next <= k; });
+  }
 
   /// When the batch is done: what each has been asked now.
   void add_done(Findings& found) const
@@ -124,10 +132,14 @@ auto timed(const What& what)
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   auto result = what();
-  return std::pair(std::move(result), std::uint64_t(std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - start).count()));
+  return std::pair(std::move(result),
+                   std::uint64_t(std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - start).count()));
 }
 
-Random random_of(const Origin& origin, std::size_t relation) { return Random(origin.seed * 1'000'003 + origin.index * 101 + relation); }
+Random random_of(const Origin& origin, std::size_t relation)
+{
+  return Random(origin.seed * 1'000'003 + origin.index * 101 + relation);
+}
 
 // --- predicates -----------------------------------------------------------------------------------------------------
 
@@ -160,7 +172,8 @@ Findings ask_predicates(const Campaign& campaign, const Batch& batch, const Done
         if (!value) continue;  // another predicate's formulation
         const Findings::Answer answer{value, false};
         found.add_answer(subjects[s].name, question, away, *truth, answer, ns);
-        if (*value != *truth && k < kept_one_by_one) found.add_wrong(c.origin, subjects[s].name, question, away, *truth, answer, {});
+        if (*value != *truth && k < kept_one_by_one)
+          found.add_wrong(c.origin, subjects[s].name, question, away, *truth, answer, {});
       }
     }
     if (k % relation_stride == 0) {
@@ -243,15 +256,17 @@ Findings ask_objects(const Campaign& campaign, const Batch& batch, const Done& d
         found.add_answer(name, name_of(question), away, truth[question], answer, ns);
         answers[{s, question}].push_back(answer.value.value_or(-1));
         if (answer.not_asked || answer.value == int(truth[question])) continue;
-        const auto stage = subjects[s].own && answer.value ? blame(*subjects[s].own, c, question, truth[question]) : std::nullopt;
+        const auto stage =
+            subjects[s].own && answer.value ? blame(*subjects[s].own, c, question, truth[question]) : std::nullopt;
         if (stage) found.add_blame(name, name_of(question), *stage);
-        if (k < kept_one_by_one) found.add_wrong(c.origin, name, name_of(question), away, truth[question], answer, stage);
+        if (k < kept_one_by_one)
+          found.add_wrong(c.origin, name, name_of(question), away, truth[question], answer, stage);
       }
       if (!try_relation) continue;
       Random random = random_of(c.origin, number);
       const Verdict verdict = check(relations[number], c, of_relation, *answerings[s], random);
-      found.add_relation(std::string(relations[number].name), name, name_of(of_relation), verdict != Verdict::not_applicable,
-                         verdict == Verdict::violated);
+      found.add_relation(std::string(relations[number].name), name, name_of(of_relation),
+                         verdict != Verdict::not_applicable, verdict == Verdict::violated);
     }
   }
   if (batch.sequence)
@@ -265,7 +280,8 @@ Findings ask_objects(const Campaign& campaign, const Batch& batch, const Done& d
       };
       int wrong = 0;
       for (std::size_t k = 0; k < given.size(); ++k) wrong += given[k] != right[k];
-      found.add_flips(subjects[asked.first].name, name_of(asked.second), int(given.size()), wrong, changes(given), changes(right));
+      found.add_flips(subjects[asked.first].name, name_of(asked.second), int(given.size()), wrong, changes(given),
+                      changes(right));
     }
   wanted.add_done(found);
   return found;
@@ -279,17 +295,24 @@ void make_tables(Database& database)
   transaction.commit();
 }
 
-void require_tables(Database& database) { Database::Statement(database, "SELECT real_meshes, cases, not_asked FROM run, done, tally"); }
+void require_tables(Database& database)
+{
+  Database::Statement(database, "SELECT real_meshes, cases, not_asked FROM run, done, tally");
+}
 
 std::int64_t run_number(Database& database, const Campaign& campaign)
 {
   const Provenance& p = campaign.made_by;
   const bool meshes = real_meshes_available();
   Database::Transaction transaction(database);
-  Database::Statement(database, "INSERT OR IGNORE INTO run (version, compiler, flags, processor, seed, real_meshes) VALUES (?1, ?2, ?3, ?4, ?5, ?6)")
+  Database::Statement(database,
+                      "INSERT OR IGNORE INTO run (version, compiler, flags, processor, seed, real_meshes) VALUES (?1, "
+                      "?2, ?3, ?4, ?5, ?6)")
       .run(p.version, p.compiler, p.flags, p.processor, campaign.seed, meshes);
-  Database::Statement row(database, "SELECT id FROM run WHERE version = ?1 AND compiler = ?2 AND flags = ?3 AND processor = ?4 AND seed = ?5 "
-                                    "AND real_meshes = ?6");
+  Database::Statement row(
+      database,
+      "SELECT id FROM run WHERE version = ?1 AND compiler = ?2 AND flags = ?3 AND processor = ?4 AND seed = ?5 "
+      "AND real_meshes = ?6");
   row.with(p.version, p.compiler, p.flags, p.processor, campaign.seed, meshes).next();
   const std::int64_t id = row.integer(0);
   row.next();
@@ -359,10 +382,14 @@ void merge(Database& into, const std::filesystem::path& from)
     }
   } const detach{into};
   Database::Transaction transaction(into);
-  Database::Statement twice(into, "SELECT level, family, batch, subject FROM done JOIN other.done USING (seed, level, family, batch, subject) LIMIT 1");
+  Database::Statement twice(into,
+                            "SELECT level, family, batch, subject FROM done JOIN other.done USING (seed, level, "
+                            "family, batch, subject) LIMIT 1");
   if (twice.with().next())
-    throw covering::Input_error(from.native(), 0, "batch " + twice.text(2) + " of " + twice.text(0) + " " + twice.text(1) + " asked of " + twice.text(3) +
-                                  " is in " + into.file().native() + " already", "expected shards of one campaign, or other seeds");
+    throw covering::Input_error(from.native(), 0,
+                                "batch " + twice.text(2) + " of " + twice.text(0) + " " + twice.text(1) + " asked of " +
+                                    twice.text(3) + " is in " + into.file().native() + " already",
+                                "expected shards of one campaign, or other seeds");
   into.run(R"(
     INSERT OR IGNORE INTO run (version, compiler, flags, processor, seed, real_meshes)
       SELECT version, compiler, flags, processor, seed, real_meshes FROM other.run;

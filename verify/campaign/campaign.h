@@ -1,8 +1,8 @@
 #ifndef TETRACONE_VERIFY_CAMPAIGN_CAMPAIGN_H
 #define TETRACONE_VERIFY_CAMPAIGN_CAMPAIGN_H
 
-#include "verify/cases/case.h"
 #include "verify/campaign/database.h"
+#include "verify/cases/case.h"
 #include "verify/cases/families.h"
 #include "verify/subjects/object_subject.h"
 #include "verify/subjects/predicate_subject.h"
@@ -34,18 +34,16 @@ struct Campaign {
   Provenance made_by;
 };
 
-/// The two truths, or a truth and what a family knows by construction, answer one case differently: one of them is wrong, and nothing
-/// that the campaign says could be trusted.
+/// The two truths, or a truth and what a family knows by construction, answer one case differently: one of them is
+/// wrong, and nothing that the campaign says could be trusted.
 class Truths_disagree : public std::runtime_error {
  public:
   Truths_disagree(const std::string& what, Object_case c, kernel::Question question)
       : std::runtime_error(what), object(std::move(c)), question(question)
-  {
-  }
+  {}
   Truths_disagree(const std::string& what, Predicate_case c, Predicate predicate)
       : std::runtime_error(what), points(std::move(c)), predicate(predicate)
-  {
-  }
+  {}
 
   std::optional<Object_case> object;
   kernel::Question question = kernel::Question::solid;
@@ -56,20 +54,23 @@ class Truths_disagree : public std::runtime_error {
 /// How many cases the campaign has in all, those already in the database included.
 std::uint64_t case_count(const Campaign& campaign);
 
-/// Judges all subjects on all cases, on all cores, and adds what it finds to the database (schema: campaign_schema.h). What the database
-/// has of this seed already is not done again: a campaign that was stopped, even killed, goes on where it was, one with more cases or
-/// other subjects adds what is missing. The rows depend on the campaign only, not on threads, shards or interruptions; the table `time`
-/// apart. `done` is called with the number of cases just done or found, from several threads, one at a time.
-/// Throws Truths_disagree; covering::Input_error when the database cannot be used.
+/// Judges all subjects on all cases, on all cores, and adds what it finds to the database (schema: campaign_schema.h).
+/// What the database has of this seed already is not done again: a campaign that was stopped, even killed, goes on
+/// where it was, one with more cases or other subjects adds what is missing. The rows depend on the campaign only, not
+/// on threads, shards or interruptions; the table `time` apart. `done` is called with the number of cases just done or
+/// found, from several threads, one at a time. Throws Truths_disagree; covering::Input_error when the database cannot
+/// be used.
 void run_campaign(Database& database, const Campaign& campaign, const std::function<void(std::uint64_t)>& done);
 
-/// Opens a campaign's database to write; makes it when it is not there. Throws covering::Input_error, and changes nothing, when the file is something else.
+/// Opens a campaign's database to write; makes it when it is not there. Throws covering::Input_error, and changes
+/// nothing, when the file is something else.
 Database open_campaign(const std::filesystem::path& file);
 
 /// Throws covering::Input_error when the file is no database of a campaign.
 void require_campaign(const std::filesystem::path& file);
 
-/// Adds to `into` what `from` has. Throws covering::Input_error, and changes nothing, when both have a batch of the same cases and subject.
+/// Adds to `into` what `from` has. Throws covering::Input_error, and changes nothing, when both have a batch of the
+/// same cases and subject.
 void merge(Database& into, const std::filesystem::path& from);
 
 }  // namespace tetracone::verify

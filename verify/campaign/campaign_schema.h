@@ -5,13 +5,17 @@
 
 namespace tetracone::verify {
 
-/// The tables of a campaign's database. Every row names the `run` that made it: version, compiler, flags, processor and seed.
+/// The tables of a campaign's database. Every row names the `run` that made it: version, compiler, flags, processor and
+/// seed.
 ///  - done: how many cases of a batch a subject has been asked; the subject 'truth' stands for the truths.
-///  - tally: answers by subject, question (or predicate) and distance to degeneracy. Each answer is counted once on each axis: 'rho'
-///    (bins of log2 of the relative determinant) and 'ulps' (bins of log2 of the distance in ulps); `bin` is the floor, exactly_degenerate
-///    where the distance is 0, not_near where no determinant was near. False positive: higher than the truth; false negative: lower.
-///    not_asked: the subject does not take such input; failures: crash, hang or exception.
-///  - truth: cases by question, how many of them have a positive answer, and how many were also known by construction. Each is
+///  - tally: answers by subject, question (or predicate) and distance to degeneracy. Each answer is counted once on
+///  each axis: 'rho'
+///    (bins of log2 of the relative determinant) and 'ulps' (bins of log2 of the distance in ulps); `bin` is the floor,
+///    exactly_degenerate where the distance is 0, not_near where no determinant was near. False positive: higher than
+///    the truth; false negative: lower. not_asked: the subject does not take such input; failures: crash, hang or
+///    exception.
+///  - truth: cases by question, how many of them have a positive answer, and how many were also known by construction.
+///  Each is
 ///    the answer of both truths.
 ///  - wrong: the wrong answers among the first `kept_one_by_one` cases of each family, one by one.
 ///  - blame: wrong answers of rounding trees by the stage of first divergence.

@@ -20,8 +20,10 @@ std::string immutable(const std::filesystem::path& file)
   constexpr std::string_view hex = "0123456789abcdef";
   std::string uri = "file:";
   for (const unsigned char c : file.native()) {
-    if (std::isalnum(c) || c == '/' || c == '.') uri += char(c);
-    else uri += {'%', hex[c / 16], hex[c % 16]};
+    if (std::isalnum(c) || c == '/' || c == '.')
+      uri += char(c);
+    else
+      uri += {'%', hex[c / 16], hex[c % 16]};
   }
   return uri + "?immutable=1";
 }
@@ -36,13 +38,15 @@ Database::Database(const std::filesystem::path& file, Mode mode) : file_(file)
     open(file.native(), SQLITE_OPEN_READONLY);
     // A write-ahead database wants files beside it also to be read. Without them nobody is writing it.
     const int status = execute(database_.get(), "SELECT 1 FROM sqlite_master");
-    if ((status == SQLITE_CANTOPEN || status == SQLITE_READONLY) && !std::filesystem::exists(file.native() + "-wal")) open(immutable(file), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+    if ((status == SQLITE_CANTOPEN || status == SQLITE_READONLY) && !std::filesystem::exists(file.native() + "-wal"))
+      open(immutable(file), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
     return;
   }
   open(file.native(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
   // SQLite itself does not wait for this one.
   const auto start = std::chrono::steady_clock::now();
-  while (execute(database_.get(), "PRAGMA journal_mode = WAL") == SQLITE_BUSY && std::chrono::steady_clock::now() - start < longest_wait)
+  while (execute(database_.get(), "PRAGMA journal_mode = WAL") == SQLITE_BUSY &&
+         std::chrono::steady_clock::now() - start < longest_wait)
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   run("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
 }
@@ -52,20 +56,20 @@ void Database::open(const std::string& name, int flags)
   sqlite3* handle = nullptr;
   const int status = sqlite3_open_v2(name.c_str(), &handle, flags, nullptr);
   database_.reset(handle);
-  if (status != SQLITE_OK) throw covering::Input_error(file_.native(), 0, "cannot be opened", "expected a database that `tetracone verify` wrote");
+  if (status != SQLITE_OK)
+    throw covering::Input_error(file_.native(), 0, "cannot be opened",
+                                "expected a database that `tetracone verify` wrote");
   sqlite3_busy_timeout(handle, int(std::chrono::milliseconds(longest_wait).count()));
 }
 
 Database::~Database() = default;
 
-void Database::Close::operator()(sqlite3* database) const
-{
-  sqlite3_close_v2(database);
-}
+void Database::Close::operator()(sqlite3* database) const { sqlite3_close_v2(database); }
 
 void Database::refuse() const
 {
-  throw covering::Input_error(file_.native(), 0, sqlite3_errmsg(database_.get()), "expected a database that `tetracone verify` wrote");
+  throw covering::Input_error(file_.native(), 0, sqlite3_errmsg(database_.get()),
+                              "expected a database that `tetracone verify` wrote");
 }
 
 void Database::run(const std::string& sql)
@@ -87,14 +91,12 @@ void Database::Transaction::commit()
 Database::Statement::Statement(Database& database, std::string_view sql) : database_(database)
 {
   sqlite3_stmt* statement = nullptr;
-  if (sqlite3_prepare_v2(database.database_.get(), sql.data(), int(sql.size()), &statement, nullptr) != SQLITE_OK) database.refuse();
+  if (sqlite3_prepare_v2(database.database_.get(), sql.data(), int(sql.size()), &statement, nullptr) != SQLITE_OK)
+    database.refuse();
   statement_.reset(statement);
 }
 
-void Database::Statement::Finalize::operator()(sqlite3_stmt* statement) const
-{
-  sqlite3_finalize(statement);
-}
+void Database::Statement::Finalize::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
 
 bool Database::Statement::next()
 {
@@ -128,7 +130,8 @@ void Database::Statement::bind(int index, double value)
 
 void Database::Statement::bind(int index, std::string_view value)
 {
-  if (sqlite3_bind_text(statement_.get(), index, value.data(), int(value.size()), SQLITE_TRANSIENT) != SQLITE_OK) database_.refuse();
+  if (sqlite3_bind_text(statement_.get(), index, value.data(), int(value.size()), SQLITE_TRANSIENT) != SQLITE_OK)
+    database_.refuse();
 }
 
 }  // namespace tetracone::verify

@@ -18,8 +18,9 @@ class Database {
  public:
   enum class Mode { read, write };
 
-  /// Opens the file; `Mode::write` makes it when it is not there, in write-ahead mode, so that a killed process leaves whole transactions
-  /// only; it waits for another process that does the same. `Mode::read` needs no more than the file itself. Throws too when the file is no database.
+  /// Opens the file; `Mode::write` makes it when it is not there, in write-ahead mode, so that a killed process leaves
+  /// whole transactions only; it waits for another process that does the same. `Mode::read` needs no more than the file
+  /// itself. Throws too when the file is no database.
   Database(const std::filesystem::path& file, Mode mode);
   ~Database();
   Database(const Database&) = delete;

@@ -46,8 +46,8 @@ void Findings::add_answer(const std::string& subject, const std::string& questio
   time.nanoseconds += std::int64_t(nanoseconds);
 }
 
-void Findings::add_wrong(const Origin& origin, const std::string& subject, const std::string& question, const Distance& distance,
-                         int truth, const Answer& answer, std::optional<Stage> stage)
+void Findings::add_wrong(const Origin& origin, const std::string& subject, const std::string& question,
+                         const Distance& distance, int truth, const Answer& answer, std::optional<Stage> stage)
 {
   wrong_.push_back({origin, subject, question, distance, truth, answer, stage ? to_string(*stage) : ""});
 }
@@ -57,8 +57,8 @@ void Findings::add_blame(const std::string& subject, const std::string& question
   ++blame_[{{subject, question}, to_string(stage)}];
 }
 
-void Findings::add_relation(const std::string& relation, const std::string& subject, const std::string& question, bool applicable,
-                            bool violated)
+void Findings::add_relation(const std::string& relation, const std::string& subject, const std::string& question,
+                            bool applicable, bool violated)
 {
   Tried& tried = relation_[{relation, subject, question}];
   tried.not_applicable += !applicable;
@@ -66,7 +66,8 @@ void Findings::add_relation(const std::string& relation, const std::string& subj
   tried.violated += violated;
 }
 
-void Findings::add_flips(const std::string& subject, const std::string& question, int frames, int wrong, int changes, int true_changes)
+void Findings::add_flips(const std::string& subject, const std::string& question, int frames, int wrong, int changes,
+                         int true_changes)
 {
   flips_[{subject, question}] = {frames, wrong, changes, true_changes};
 }
@@ -74,45 +75,57 @@ void Findings::add_flips(const std::string& subject, const std::string& question
 void Findings::store(Database& database, std::int64_t run, std::uint64_t seed, std::uint64_t batch) const
 {
   using Statement = Database::Statement;
-  Statement truth(database, "INSERT INTO truth VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7) ON CONFLICT DO UPDATE SET n = n + excluded.n, "
-                            "positives = positives + excluded.positives, by_construction = by_construction + excluded.by_construction");
-  for (const auto& [question, t] : truth_) truth.run(run, level_, family_, question, t.n, t.positives, t.by_construction);
+  Statement truth(
+      database,
+      "INSERT INTO truth VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7) ON CONFLICT DO UPDATE SET n = n + excluded.n, "
+      "positives = positives + excluded.positives, by_construction = by_construction + excluded.by_construction");
+  for (const auto& [question, t] : truth_)
+    truth.run(run, level_, family_, question, t.n, t.positives, t.by_construction);
 
-  Statement tally(database, "INSERT INTO tally VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12) ON CONFLICT DO UPDATE SET "
-                            "n = n + excluded.n, false_positives = false_positives + excluded.false_positives, "
-                            "false_negatives = false_negatives + excluded.false_negatives, failures = failures + excluded.failures, "
-                            "not_asked = not_asked + excluded.not_asked");
+  Statement tally(
+      database,
+      "INSERT INTO tally VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12) ON CONFLICT DO UPDATE SET "
+      "n = n + excluded.n, false_positives = false_positives + excluded.false_positives, "
+      "false_negatives = false_negatives + excluded.false_negatives, failures = failures + excluded.failures, "
+      "not_asked = not_asked + excluded.not_asked");
   for (const auto& [key, t] : tally_) {
     const auto& [asked, place] = key;
-    tally.run(run, level_, family_, asked.first, asked.second, place.first, place.second, t.n, t.false_positives, t.false_negatives,
-              t.failures, t.not_asked);
+    tally.run(run, level_, family_, asked.first, asked.second, place.first, place.second, t.n, t.false_positives,
+              t.false_negatives, t.failures, t.not_asked);
   }
 
-  Statement time(database, "INSERT INTO time VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7) ON CONFLICT DO UPDATE SET n = n + excluded.n, "
-                           "nanoseconds = nanoseconds + excluded.nanoseconds");
+  Statement time(database,
+                 "INSERT INTO time VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7) ON CONFLICT DO UPDATE SET n = n + excluded.n, "
+                 "nanoseconds = nanoseconds + excluded.nanoseconds");
   for (const auto& [asked, t] : time_) time.run(run, level_, family_, asked.first, asked.second, t.n, t.nanoseconds);
 
-  Statement blame(database, "INSERT INTO blame VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7) ON CONFLICT DO UPDATE SET n = n + excluded.n");
+  Statement blame(database,
+                  "INSERT INTO blame VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7) ON CONFLICT DO UPDATE SET n = n + excluded.n");
   for (const auto& [key, n] : blame_) blame.run(run, level_, family_, key.first.first, key.first.second, key.second, n);
 
-  Statement relation(database, "INSERT INTO relation VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9) ON CONFLICT DO UPDATE SET "
-                               "tried = tried + excluded.tried, violated = violated + excluded.violated, "
-                               "not_applicable = not_applicable + excluded.not_applicable");
+  Statement relation(database,
+                     "INSERT INTO relation VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9) ON CONFLICT DO UPDATE SET "
+                     "tried = tried + excluded.tried, violated = violated + excluded.violated, "
+                     "not_applicable = not_applicable + excluded.not_applicable");
   for (const auto& [key, t] : relation_) {
     const auto& [name, subject, question] = key;
     relation.run(run, level_, family_, name, subject, question, t.tried, t.violated, t.not_applicable);
   }
 
   Statement flips(database, "INSERT OR REPLACE INTO flips VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8)");
-  for (const auto& [asked, f] : flips_) flips.run(run, family_, asked.first, asked.second, f.frames, f.wrong, f.changes, f.true_changes);
+  for (const auto& [asked, f] : flips_)
+    flips.run(run, family_, asked.first, asked.second, f.frames, f.wrong, f.changes, f.true_changes);
 
   // A failure has no answer: NULL.
-  Statement wrong(database, "INSERT OR REPLACE INTO wrong VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, nullif(?9, 99), ?10, ?11, ?12)");
+  Statement wrong(
+      database, "INSERT OR REPLACE INTO wrong VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, nullif(?9, 99), ?10, ?11, ?12)");
   for (const Wrong& w : wrong_)
-    wrong.run(run, level_, family_, w.origin.index, w.origin.parameter, w.subject, w.question, w.truth, w.answer.value.value_or(99),
-              w.distance.log2_rho, w.distance.log2_ulps, w.stage);
+    wrong.run(run, level_, family_, w.origin.index, w.origin.parameter, w.subject, w.question, w.truth,
+              w.answer.value.value_or(99), w.distance.log2_rho, w.distance.log2_ulps, w.stage);
 
-  Statement done(database, "INSERT INTO done VALUES (?1, ?2, ?3, ?4, ?5, ?6) ON CONFLICT DO UPDATE SET cases = cases + excluded.cases");
+  Statement done(
+      database,
+      "INSERT INTO done VALUES (?1, ?2, ?3, ?4, ?5, ?6) ON CONFLICT DO UPDATE SET cases = cases + excluded.cases");
   for (const auto& [subject, cases] : done_) done.run(seed, level_, family_, batch, subject, cases);
 }
 

@@ -1,9 +1,9 @@
 #ifndef TETRACONE_VERIFY_CAMPAIGN_FINDINGS_H
 #define TETRACONE_VERIFY_CAMPAIGN_FINDINGS_H
 
-#include "verify/subjects/blame.h"
-#include "verify/cases/case.h"
 #include "verify/campaign/database.h"
+#include "verify/cases/case.h"
+#include "verify/subjects/blame.h"
 #include "verify/truth/distance_to_degeneracy.h"
 
 #include <compare>
@@ -16,7 +16,8 @@
 
 namespace tetracone::verify {
 
-/// What a batch of cases found, before it goes into the database as one transaction. Names are kept as they stand in its tables.
+/// What a batch of cases found, before it goes into the database as one transaction. Names are kept as they stand in
+/// its tables.
 class Findings {
  public:
   /// The answer that the subject gave, if it gave one, and whether it did not take the question.
@@ -28,13 +29,15 @@ class Findings {
   Findings(Level level, std::string family) : level_(to_string(level)), family_(std::move(family)) {}
 
   void add_truth(const std::string& question, bool positive, bool by_construction);
-  void add_answer(const std::string& subject, const std::string& question, const Distance& distance, int truth, const Answer& answer,
-                  std::uint64_t nanoseconds);
-  void add_wrong(const Origin& origin, const std::string& subject, const std::string& question, const Distance& distance, int truth,
-                 const Answer& answer, std::optional<Stage> stage);
+  void add_answer(const std::string& subject, const std::string& question, const Distance& distance, int truth,
+                  const Answer& answer, std::uint64_t nanoseconds);
+  void add_wrong(const Origin& origin, const std::string& subject, const std::string& question,
+                 const Distance& distance, int truth, const Answer& answer, std::optional<Stage> stage);
   void add_blame(const std::string& subject, const std::string& question, Stage stage);
-  void add_relation(const std::string& relation, const std::string& subject, const std::string& question, bool applicable, bool violated);
-  void add_flips(const std::string& subject, const std::string& question, int frames, int wrong, int changes, int true_changes);
+  void add_relation(const std::string& relation, const std::string& subject, const std::string& question,
+                    bool applicable, bool violated);
+  void add_flips(const std::string& subject, const std::string& question, int frames, int wrong, int changes,
+                 int true_changes);
 
   /// `cases` more of the batch have been asked of the subject.
   void add_done(const std::string& subject, std::uint64_t cases) { done_[subject] += cases; }

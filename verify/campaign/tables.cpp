@@ -18,49 +18,69 @@ struct Table {
 // A query whose last two columns are called hits and of_n gives a table with the rate and its interval in their place.
 constexpr Table all[] = {
     {"errors", "wrong answers of every subject by family and question",
-     "SELECT level, family, subject, question, sum(n) AS n, sum(false_positives) AS false_positives, sum(false_negatives) AS false_negatives, "
-     "sum(failures) AS failures FROM tally WHERE axis = 'rho' GROUP BY level, family, subject, question ORDER BY 1, 2, 3, 4"},
+     "SELECT level, family, subject, question, sum(n) AS n, sum(false_positives) AS false_positives, "
+     "sum(false_negatives) AS false_negatives, "
+     "sum(failures) AS failures FROM tally WHERE axis = 'rho' GROUP BY level, family, subject, question ORDER BY 1, 2, "
+     "3, 4"},
     {"rates", "share of wrong answers by family, with Wilson's 95 % interval",
      "SELECT level, family, subject, question, sum(n) AS n, sum(not_asked) AS not_asked, "
      "sum(false_positives + false_negatives + failures) AS hits, sum(n) AS of_n FROM tally WHERE axis = 'rho' "
      "GROUP BY level, family, subject, question ORDER BY 1, 2, 3, 4"},
     {"subjects", "share of wrong answers over all families, with Wilson's 95 % interval",
-     "SELECT level, subject, question, sum(n) AS n, sum(false_positives) AS false_positives, sum(false_negatives) AS false_negatives, "
-     "sum(failures) AS failures, sum(not_asked) AS not_asked, sum(false_positives + false_negatives + failures) AS hits, sum(n) AS of_n "
+     "SELECT level, subject, question, sum(n) AS n, sum(false_positives) AS false_positives, sum(false_negatives) AS "
+     "false_negatives, "
+     "sum(failures) AS failures, sum(not_asked) AS not_asked, sum(false_positives + false_negatives + failures) AS "
+     "hits, sum(n) AS of_n "
      "FROM tally WHERE axis = 'rho' GROUP BY level, subject, question ORDER BY 1, 2, 3"},
-    {"distance", "wrong answers by distance to degeneracy: floor of log2 of rho or of ulps; -9999 exactly degenerate, 9999 not near",
-     "SELECT level, subject, question, axis, bin, sum(n) AS n, sum(false_positives + false_negatives + failures) AS hits, sum(n) AS of_n "
+    {"distance",
+     "wrong answers by distance to degeneracy: floor of log2 of rho or of ulps; -9999 exactly degenerate, 9999 not "
+     "near",
+     "SELECT level, subject, question, axis, bin, sum(n) AS n, sum(false_positives + false_negatives + failures) AS "
+     "hits, sum(n) AS of_n "
      "FROM tally GROUP BY level, subject, question, axis, bin ORDER BY 1, 2, 3, 4, 5"},
     {"parameters", "wrong answers among the first cases of each family by its parameter",
-     "SELECT level, family, parameter, subject, question, count(*) AS wrong FROM wrong GROUP BY 1, 2, 3, 4, 5 ORDER BY 1, 2, 3, 4, 5"},
+     "SELECT level, family, parameter, subject, question, count(*) AS wrong FROM wrong GROUP BY 1, 2, 3, 4, 5 ORDER BY "
+     "1, 2, 3, 4, 5"},
     {"needs", "how near to degenerate the cases of each family come, whoever is asked: cases by floor of log2 of rho",
-     "SELECT level, family, question, bin, max(n) AS n FROM (SELECT level, family, subject, question, bin, sum(n) AS n FROM tally WHERE axis = 'rho' "
+     "SELECT level, family, question, bin, max(n) AS n FROM (SELECT level, family, subject, question, bin, sum(n) AS n "
+     "FROM tally WHERE axis = 'rho' "
      "GROUP BY level, family, subject, question, bin) GROUP BY level, family, question, bin ORDER BY 1, 2, 3, 4"},
-    {"sweeps", "share of wrong answers among the first cases of each family by its parameter, with Wilson's 95 % interval; where every case was asked",
-     "SELECT asked.level, asked.family, parameter, asked.subject, asked.question, sum(n) AS n, sum(ifnull(wrong, 0)) AS hits, sum(n) AS of_n FROM "
+    {"sweeps",
+     "share of wrong answers among the first cases of each family by its parameter, with Wilson's 95 % interval; where "
+     "every case was asked",
+     "SELECT asked.level, asked.family, parameter, asked.subject, asked.question, sum(n) AS n, sum(ifnull(wrong, 0)) "
+     "AS hits, sum(n) AS of_n FROM "
      "(SELECT whole.seed, whole.level, whole.family, parameter, whole.subject, question, count(*) AS n FROM "
-     " (SELECT seed, level, family, subject, sum(cases) AS cases FROM done GROUP BY 1, 2, 3, 4 HAVING count(*) = max(batch) + 1) AS whole "
-     " JOIN (SELECT DISTINCT seed, level, family, subject, question FROM tally JOIN run ON run.id = tally.run GROUP BY 1, 2, 3, 4, 5 "
+     " (SELECT seed, level, family, subject, sum(cases) AS cases FROM done GROUP BY 1, 2, 3, 4 HAVING count(*) = "
+     "max(batch) + 1) AS whole "
+     " JOIN (SELECT DISTINCT seed, level, family, subject, question FROM tally JOIN run ON run.id = tally.run GROUP BY "
+     "1, 2, 3, 4, 5 "
      "       HAVING sum(not_asked) = 0) USING (seed, level, family, subject) "
      " JOIN temp.sweep ON sweep.family = whole.family AND number < cases GROUP BY 1, 2, 3, 4, 5, 6) AS asked LEFT JOIN "
-     "(SELECT seed, level, family, parameter, subject, question, count(*) AS wrong FROM wrong JOIN run ON run.id = wrong.run GROUP BY 1, 2, 3, 4, 5, 6) "
+     "(SELECT seed, level, family, parameter, subject, question, count(*) AS wrong FROM wrong JOIN run ON run.id = "
+     "wrong.run GROUP BY 1, 2, 3, 4, 5, 6) "
      "USING (seed, level, family, parameter, subject, question) GROUP BY 1, 2, 3, 4, 5 ORDER BY 1, 2, 3, 4, 5"},
     {"blame", "the stage that made the answers of rounding trees wrong, by family",
-     "SELECT subject, family, question, stage, sum(n) AS n FROM blame GROUP BY subject, family, question, stage ORDER BY 1, 2, 3, 4"},
+     "SELECT subject, family, question, stage, sum(n) AS n FROM blame GROUP BY subject, family, question, stage ORDER "
+     "BY 1, 2, 3, 4"},
     {"stages", "the stage that made the answers of rounding trees wrong, over all families",
      "SELECT subject, question, stage, sum(n) AS n FROM blame GROUP BY subject, question, stage ORDER BY 1, 2, 3"},
     {"relations", "metamorphic relations: tried, violated, with Wilson's 95 % interval",
-     "SELECT level, relation, subject, sum(tried) AS tried, sum(violated) AS violated, sum(not_applicable) AS not_applicable, "
+     "SELECT level, relation, subject, sum(tried) AS tried, sum(violated) AS violated, sum(not_applicable) AS "
+     "not_applicable, "
      "sum(violated) AS hits, sum(tried) AS of_n FROM relation GROUP BY level, relation, subject ORDER BY 1, 2, 3"},
     {"flips", "changes of the answer in sequences of exact contact, beside those of the truth",
      "SELECT sequence, subject, question, frames, wrong, changes, true_changes FROM flips ORDER BY 1, 2, 3"},
     {"truth", "cases and positive answers by family; how many were known by construction as well",
-     "SELECT level, family, question, sum(n) AS n, sum(positives) AS positives, sum(by_construction) AS by_construction FROM truth "
+     "SELECT level, family, question, sum(n) AS n, sum(positives) AS positives, sum(by_construction) AS "
+     "by_construction FROM truth "
      "GROUP BY level, family, question ORDER BY 1, 2, 3"},
     {"wrong", "the wrong answers among the first cases of each family, one by one",
-     "SELECT run, level, family, number, parameter, subject, question, truth, answer, log2_rho, log2_ulps, stage FROM wrong ORDER BY 1, 2, 3, 4, 6, 7"},
+     "SELECT run, level, family, number, parameter, subject, question, truth, answer, log2_rho, log2_ulps, stage FROM "
+     "wrong ORDER BY 1, 2, 3, 4, 6, 7"},
     {"time", "mean nanoseconds an answer, preparation included",
-     "SELECT level, subject, question, sum(n) AS n, sum(nanoseconds) / sum(n) AS mean_nanoseconds FROM time GROUP BY level, subject, question "
+     "SELECT level, subject, question, sum(n) AS n, sum(nanoseconds) / sum(n) AS mean_nanoseconds FROM time GROUP BY "
+     "level, subject, question "
      "ORDER BY 1, 2, 3"},
     {"times", "mean nanoseconds an answer by family, preparation included",
      "SELECT level, family, subject, question, sum(n) AS n, sum(nanoseconds) / sum(n) AS mean_nanoseconds FROM time "
@@ -72,10 +92,13 @@ constexpr Table all[] = {
 /// temp.sweep: which parameter each of these cases has; what the database itself need not say.
 void add_sweep(Database& database)
 {
-  database.run("CREATE TEMP TABLE IF NOT EXISTS sweep (family TEXT, number INTEGER, parameter REAL, PRIMARY KEY (family, number)) WITHOUT ROWID");
+  database.run(
+      "CREATE TEMP TABLE IF NOT EXISTS sweep (family TEXT, number INTEGER, parameter REAL, PRIMARY KEY (family, "
+      "number)) WITHOUT ROWID");
   Database::Statement insert(database, "INSERT OR REPLACE INTO temp.sweep VALUES (?1, ?2, ?3)");
   for (const Family& family : families())
-    for (std::uint64_t k = 0; k < kept_one_by_one; ++k) insert.run(family.name, k, family.sweep[k % family.sweep.size()]);
+    for (std::uint64_t k = 0; k < kept_one_by_one; ++k)
+      insert.run(family.name, k, family.sweep[k % family.sweep.size()]);
 }
 
 /// A field of a CSV: quoted where it holds a comma or a quote.
@@ -116,7 +139,8 @@ std::string table_as_csv(Database& database, std::string_view name)
     if (has_rate) {
       const std::int64_t hits = rows.integer(columns - 2), n = rows.integer(columns - 1);
       const Interval interval = wilson(hits, n);
-      for (const double x : {n == 0 ? 0 : double(hits) / double(n), interval.low, interval.high}) csv += "," + kernel::shortest(x);
+      for (const double x : {n == 0 ? 0 : double(hits) / double(n), interval.low, interval.high})
+        csv += "," + kernel::shortest(x);
     }
     csv += "\n";
   }

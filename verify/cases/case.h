@@ -28,23 +28,28 @@ enum class Predicate {
   orientation,       ///< the sign of det[v1-p, v2-p, v3-p], which is minus that of [v1, v2, v3, p]: -1, 0 or 1
   tetra_cone,        ///< 1 when p is in the closed cone from v0 through v1, v2, v3 (for v0..v3 in one plane: not asked)
   tetrahedron,       ///< 1 when p is in the closed tetrahedron v0 v1 v2 v3 (in one plane: not asked)
-  segment_triangle,  ///< 1 when the closed segment pq and the closed triangle v1 v2 v3 share a point; either may be degenerate
-  solid,             ///< where p is in the solid bounded by the faces of v0 v1 v2 v3, by the covering whose origin is q:
-                     ///< 1 inside, 0 on the surface, -1 outside
-  classification     ///< 1 when the closed triangle p q r meets the closed cone from v0 through v1, v2, v3, that is, whether JS08
-                     ///< classifies the tetrahedron v0 p q r in it (v0 in the plane of either triangle: not asked)
+  segment_triangle,  ///< 1 when the closed segment pq and the closed triangle v1 v2 v3 share a point; either may be
+                     ///< degenerate
+  solid,          ///< where p is in the solid bounded by the faces of v0 v1 v2 v3, by the covering whose origin is q:
+                  ///< 1 inside, 0 on the surface, -1 outside
+  classification  ///< 1 when the closed triangle p q r meets the closed cone from v0 through v1, v2, v3, that is,
+                  ///< whether JS08 classifies the tetrahedron v0 p q r in it (v0 in the plane of either triangle: not
+                  ///< asked)
 };
-inline constexpr std::array all_predicates = {Predicate::orientation,      Predicate::tetra_cone, Predicate::tetrahedron,
-                                              Predicate::segment_triangle, Predicate::solid,      Predicate::classification};
+inline constexpr std::array all_predicates = {Predicate::orientation, Predicate::tetra_cone,
+                                              Predicate::tetrahedron, Predicate::segment_triangle,
+                                              Predicate::solid,       Predicate::classification};
 
 inline const char* to_string(Level level) { return level == Level::predicate ? "predicate" : "object"; }
 inline const char* to_string(Predicate predicate)
 {
-  constexpr std::array names = {"orientation", "tetra-cone", "tetrahedron", "segment-triangle", "solid", "classification"};
+  constexpr std::array names = {"orientation",      "tetra-cone", "tetrahedron",
+                                "segment-triangle", "solid",      "classification"};
   return names[static_cast<std::size_t>(predicate)];
 }
 
-/// Seven points on which every predicate can be asked: v0 v1 v2 v3 of body A under pose_a and p q r of body B under pose_b.
+/// Seven points on which every predicate can be asked: v0 v1 v2 v3 of body A under pose_a and p q r of body B under
+/// pose_b.
 struct Predicate_case {
   std::array<kernel::Vertex, 4> v;
   kernel::Vertex p, q, r;
@@ -52,15 +57,18 @@ struct Predicate_case {
   Origin origin;
 };
 
-/// Two polyhedra under two poses. Faces are planar. Neighbouring cases of a family may share their polyhedra, so that a subject
-/// that prepares them does so once.
+/// Two polyhedra under two poses. Faces are planar. Neighbouring cases of a family may share their polyhedra, so that a
+/// subject that prepares them does so once.
 struct Object_case {
   std::shared_ptr<const covering::Polyhedron> a, b;
   kernel::Pose pose_a, pose_b;
   Origin origin;
   std::optional<bool> surface, solid;  ///< the answers where the family knows them by construction
 
-  std::optional<bool> known(kernel::Question question) const { return question == kernel::Question::solid ? solid : surface; }
+  std::optional<bool> known(kernel::Question question) const
+  {
+    return question == kernel::Question::solid ? solid : surface;
+  }
 };
 
 }  // namespace tetracone::verify

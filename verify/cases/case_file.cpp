@@ -1,8 +1,8 @@
 #include "verify/cases/case_file.h"
 
 #include "tetracone/covering/edge_uses.h"
-#include "tetracone/covering/planarity.h"
 #include "tetracone/covering/io/text_lines.h"
+#include "tetracone/covering/planarity.h"
 #include "verify/cases/json_field.h"
 
 #include <algorithm>
@@ -61,7 +61,8 @@ Pose read_pose(const Json_field& field)
     }
   }
   const Pose pose = all_doubles ? Pose(nearest) : Pose(entries);
-  if (pose.determinant_sign() == CGAL::ZERO) field.fail("has a 3x3 part of determinant 0", "expected a matrix that flattens nothing");
+  if (pose.determinant_sign() == CGAL::ZERO)
+    field.fail("has a 3x3 part of determinant 0", "expected a matrix that flattens nothing");
   return pose;
 }
 
@@ -87,7 +88,8 @@ std::shared_ptr<const Polyhedron> read_body(const Json_field& field, bool must_b
 {
   field.only({"vertices", "faces"});
   const auto polyhedron = std::make_shared<Polyhedron>();
-  for (const Json_field& vertex : field.member("vertices").items(1, "vertices")) polyhedron->vertices.push_back(read_vertex(vertex));
+  for (const Json_field& vertex : field.member("vertices").items(1, "vertices"))
+    polyhedron->vertices.push_back(read_vertex(vertex));
   for (const Json_field& face : field.member("faces").items(1, "faces")) read_face(face, *polyhedron);
   if (must_be_closed && !covering::is_closed(*polyhedron))
     field.fail("is open: it has no solid", "expected a closed polyhedron, or no truth of the question 'solid'");
@@ -111,8 +113,10 @@ Wrong read_wrong(const Json_field& field)
   field.only({"subject", "answer"});
   Wrong wrong{field.member("subject").text(), std::nullopt};
   const Json_field answer = field.member("answer");
-  if (!answer.is_string()) wrong.answer = answer.integer(-1, 1);
-  else if (answer.text() != "failed") answer.fail("is unknown", "expected -1, 0, 1 or \"failed\"");
+  if (!answer.is_string())
+    wrong.answer = answer.integer(-1, 1);
+  else if (answer.text() != "failed")
+    answer.fail("is unknown", "expected -1, 0, 1 or \"failed\"");
   return wrong;
 }
 
@@ -203,7 +207,8 @@ std::string text_of(const Pose& pose)
 
 std::string text_of(const Polyhedron& polyhedron)
 {
-  const std::string vertices = lines(polyhedron.vertices.size(), "    ", [&](std::size_t v) { return text_of(polyhedron.vertices[v]); });
+  const std::string vertices =
+      lines(polyhedron.vertices.size(), "    ", [&](std::size_t v) { return text_of(polyhedron.vertices[v]); });
   const std::string faces = lines(polyhedron.face_count(), "    ", [&](std::size_t f) {
     return list(polyhedron.loop_count(Index(f)), [&](std::size_t k) {
       const covering::Loop loop = polyhedron.loop(Index(f), k);
@@ -244,7 +249,8 @@ void add_object(const Case_file& file, Members& members)
   std::string truth;
   for (const Question question : {Question::surface, Question::solid}) {
     const std::optional<int> answer = question == file.question ? file.truth : c.known(question);
-    if (answer) truth += (truth.empty() ? "" : ", ") + in_json(std::string(to_string(question))) + ": " + std::to_string(*answer);
+    if (answer)
+      truth += (truth.empty() ? "" : ", ") + in_json(std::string(to_string(question))) + ": " + std::to_string(*answer);
   }
   members.insert(members.end(), {{"question", in_json(std::string(to_string(file.question)))},
                                  {"truth", "{" + truth + "}"},
@@ -283,12 +289,15 @@ Case_file parse_case(const std::string& text, const std::string& name)
   file.level = named(root.member("level"), std::array{Level::predicate, Level::object});
   file.cause = root.member("cause").text();
   file.version = root.member("version").text();
-  for (const Json_field& wrong : root.member("wrong").items(0, "wrong subjects")) file.wrong.push_back(read_wrong(wrong));
+  for (const Json_field& wrong : root.member("wrong").items(0, "wrong subjects"))
+    file.wrong.push_back(read_wrong(wrong));
   if (file.level == Level::object) {
-    root.only({"format", "version", "level", "cause", "origin", "question", "truth", "wrong", "a", "pose_a", "b", "pose_b"});
+    root.only(
+        {"format", "version", "level", "cause", "origin", "question", "truth", "wrong", "a", "pose_a", "b", "pose_b"});
     read_object(root, file);
   } else {
-    root.only({"format", "version", "level", "cause", "origin", "predicate", "truth", "wrong", "points", "pose_a", "pose_b"});
+    root.only(
+        {"format", "version", "level", "cause", "origin", "predicate", "truth", "wrong", "points", "pose_a", "pose_b"});
     read_predicate(root, file);
   }
   return file;
@@ -304,8 +313,10 @@ std::string to_json(const Case_file& file)
                      {"level", in_json(to_string(file.level))},
                      {"cause", in_json(file.cause)},
                      {"origin", text_of(file.origin())}};
-  if (file.level == Level::object) add_object(file, members);
-  else add_predicate(file, members);
+  if (file.level == Level::object)
+    add_object(file, members);
+  else
+    add_predicate(file, members);
   return list(
       members.size(), [&](std::size_t k) { return in_json(members[k].first) + ": " + members[k].second; }, "{\n  ",
       ",\n  ", "\n}\n");

@@ -24,7 +24,8 @@ struct Wrong {
 struct Case_file {
   Level level = Level::object;
 
-  std::optional<Object_case> object;  ///< where level is object; its `surface` and `solid` are the answers that the file knows
+  std::optional<Object_case> object;  ///< where level is object; its `surface` and `solid` are the answers that the
+                                      ///< file knows
   kernel::Question question = kernel::Question::solid;
 
   std::optional<Predicate> predicate;  ///< where level is predicate
@@ -41,16 +42,17 @@ struct Case_file {
 /// Whether a file's name says that it is a case file.
 bool is_case_name(const std::filesystem::path& path);
 
-/// Reads a case file. Throws covering::Input_error, with the line, for whatever is not exactly of the form that `to_json` writes or cannot
-/// be asked: fields that are missing, unknown or of another type, numbers that are not finite, coordinates that are no doubles, vertex
-/// numbers out of range, faces that are not exactly planar, det M = 0, an open surface asked for its solid.
+/// Reads a case file. Throws covering::Input_error, with the line, for whatever is not exactly of the form that
+/// `to_json` writes or cannot be asked: fields that are missing, unknown or of another type, numbers that are not
+/// finite, coordinates that are no doubles, vertex numbers out of range, faces that are not exactly planar, det M = 0,
+/// an open surface asked for its solid.
 Case_file read_case(const std::filesystem::path& path);
 
 /// The same from a text; `name` stands for the file in messages.
 Case_file parse_case(const std::string& text, const std::string& name);
 
-/// The file's text: a vertex, a face, a pose's row a line. Doubles are their shortest decimals, other rationals are "n/d" strings, so that
-/// `parse_case` gives the same case again. Requires what `Case_file` says of its level.
+/// The file's text: a vertex, a face, a pose's row a line. Doubles are their shortest decimals, other rationals are
+/// "n/d" strings, so that `parse_case` gives the same case again. Requires what `Case_file` says of its level.
 std::string to_json(const Case_file& file);
 
 }  // namespace tetracone::verify

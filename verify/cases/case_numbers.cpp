@@ -8,22 +8,29 @@
 namespace tetracone::verify {
 
 Case_numbers numbers_of(const Object_case& c) { return {{c.a->vertices, c.b->vertices}, {c.pose_a, c.pose_b}}; }
-Case_numbers numbers_of(const Predicate_case& c) { return {{{{c.v.begin(), c.v.end()}, {c.p, c.q, c.r}}}, {c.pose_a, c.pose_b}}; }
+Case_numbers numbers_of(const Predicate_case& c)
+{
+  return {{{{c.v.begin(), c.v.end()}, {c.p, c.q, c.r}}}, {c.pose_a, c.pose_b}};
+}
 
 Object_case with_numbers(const Object_case& c, const Case_numbers& numbers)
 {
-  const auto body = [](const std::shared_ptr<const covering::Polyhedron>& old, const std::vector<kernel::Vertex>& points) {
+  const auto body = [](const std::shared_ptr<const covering::Polyhedron>& old,
+                       const std::vector<kernel::Vertex>& points) {
     if (points == old->vertices) return old;
     auto moved = std::make_shared<covering::Polyhedron>(*old);
     moved->vertices = points;
     return std::shared_ptr<const covering::Polyhedron>(moved);
   };
-  return {body(c.a, numbers.points[0]), body(c.b, numbers.points[1]), numbers.poses[0], numbers.poses[1], c.origin, {}, {}};
+  return {
+      body(c.a, numbers.points[0]), body(c.b, numbers.points[1]), numbers.poses[0], numbers.poses[1], c.origin, {}, {}};
 }
 
 Predicate_case with_numbers(const Predicate_case& c, const Case_numbers& numbers)
 {
-  Predicate_case result{{}, numbers.points[1][0], numbers.points[1][1], numbers.points[1][2], numbers.poses[0], numbers.poses[1], c.origin};
+  Predicate_case result{
+      {},      numbers.points[1][0], numbers.points[1][1], numbers.points[1][2], numbers.poses[0], numbers.poses[1],
+      c.origin};
   std::copy_n(numbers.points[0].begin(), 4, result.v.begin());
   return result;
 }
@@ -61,8 +68,10 @@ std::size_t bits(const Case_numbers& numbers)
       for (const double x : point) sum += bits(x);
     const kernel::Pose& pose = numbers.poses[body];
     for (int k = 0; k < 12; ++k) {
-      if (pose.is_rational()) sum += pose.exact(k) == kernel::Rational(identity[k]) ? 0 : 1 + bits(pose.exact(k));
-      else sum += pose[k] == identity[k] ? 0 : 1 + bits(pose[k]);
+      if (pose.is_rational())
+        sum += pose.exact(k) == kernel::Rational(identity[k]) ? 0 : 1 + bits(pose.exact(k));
+      else
+        sum += pose[k] == identity[k] ? 0 : 1 + bits(pose[k]);
     }
   }
   return sum;

@@ -18,12 +18,13 @@ struct Case_numbers {
 Case_numbers numbers_of(const Object_case& c);
 Case_numbers numbers_of(const Predicate_case& c);
 
-/// The case with other numbers, as many as it has. Bodies whose points stay are shared with `c`; nothing is known about its answers.
+/// The case with other numbers, as many as it has. Bodies whose points stay are shared with `c`; nothing is known about
+/// its answers.
 Object_case with_numbers(const Object_case& c, const Case_numbers& numbers);
 Predicate_case with_numbers(const Predicate_case& c, const Case_numbers& numbers);
 
-/// How long a number is: its binary digits from the first one to the last one that are set, and those of the exponent of the last.
-/// 0 for 0, 1 for 1, 2 for 3 and for 1/2; of a fraction, the digits of both parts.
+/// How long a number is: its binary digits from the first one to the last one that are set, and those of the exponent
+/// of the last. 0 for 0, 1 for 1, 2 for 3 and for 1/2; of a fraction, the digits of both parts.
 std::size_t bits(double x);
 std::size_t bits(const kernel::Rational& x);
 

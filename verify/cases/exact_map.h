@@ -74,7 +74,8 @@ inline Exact_vector image(const kernel::Pose& pose, const Exact_vector& v)
 {
   Exact_vector result;
   for (int i = 0; i < 3; ++i)
-    result[i] = pose.exact(4 * i) * v[0] + pose.exact(4 * i + 1) * v[1] + pose.exact(4 * i + 2) * v[2] + pose.exact(4 * i + 3);
+    result[i] =
+        pose.exact(4 * i) * v[0] + pose.exact(4 * i + 1) * v[1] + pose.exact(4 * i + 2) * v[2] + pose.exact(4 * i + 3);
   return result;
 }
 

@@ -100,7 +100,8 @@ inline Entries entries_of(const kernel::Pose& pose)
   return entries;
 }
 
-/// The pose of these entries; nothing when one is beyond the doubles' range, or when fractions are not allowed and one is no double.
+/// The pose of these entries; nothing when one is beyond the doubles' range, or when fractions are not allowed and one
+/// is no double.
 inline std::optional<kernel::Pose> exact_pose(const Entries& entries, bool fractions_allowed)
 {
   for (const kernel::Rational& entry : entries)
@@ -176,8 +177,8 @@ inline std::optional<kernel::Pose> seen_from(const kernel::Pose& pose, const ker
   return exact_pose(result, pose.is_rational() || first.is_rational());
 }
 
-/// The translation of a pose times 2^exponent: with every point scaled likewise, the pose's images are. A pose of doubles stays one.
-/// Nothing when 2^exponent is no double.
+/// The translation of a pose times 2^exponent: with every point scaled likewise, the pose's images are. A pose of
+/// doubles stays one. Nothing when 2^exponent is no double.
 inline std::optional<kernel::Pose> scaled(const kernel::Pose& pose, int exponent)
 {
   const double power = std::ldexp(1.0, exponent);

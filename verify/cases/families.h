@@ -10,7 +10,8 @@
 
 namespace tetracone::verify {
 
-/// A named generator of cases on both levels: (seed, index) -> case. Its parameter sweeps from far from degenerate to exactly degenerate.
+/// A named generator of cases on both levels: (seed, index) -> case. Its parameter sweeps from far from degenerate to
+/// exactly degenerate.
 struct Family {
   int number;                  ///< from 1
   std::string_view name;       ///< of lower-case words joined by '-'
@@ -21,8 +22,8 @@ struct Family {
   Predicate_case (*predicate)(Random& random, double parameter);
   Object_case (*object)(Random& random, double parameter);
 
-  /// Case `index` of the family: its parameter is the sweep's value `index` modulo its length, everything else drawn from
-  /// (seed, number, level, index). The same on every machine, in any order.
+  /// Case `index` of the family: its parameter is the sweep's value `index` modulo its length, everything else drawn
+  /// from (seed, number, level, index). The same on every machine, in any order.
   Predicate_case predicate_case(std::uint64_t seed, std::uint64_t index) const;
   Object_case object_case(std::uint64_t seed, std::uint64_t index) const;
 };

@@ -10,7 +10,8 @@ namespace {
 
 std::size_t line_at(std::string_view text, std::size_t position)
 {
-  return 1 + std::size_t(std::count(text.begin(), text.begin() + std::ptrdiff_t(std::min(position, text.size())), '\n'));
+  return 1 +
+         std::size_t(std::count(text.begin(), text.begin() + std::ptrdiff_t(std::min(position, text.size())), '\n'));
 }
 
 constexpr const char* blanks = " \t\r\n";
@@ -80,7 +81,8 @@ std::size_t line_of(std::string_view text, const std::vector<std::string>& path)
   return line_at(text, walk.position());
 }
 
-/// Where a name begins that its object has had before; nothing: all are different. The text must be JSON, which ends at its first zero byte for the parser.
+/// Where a name begins that its object has had before; nothing: all are different. The text must be JSON, which ends at
+/// its first zero byte for the parser.
 std::optional<std::size_t> repeated_name(std::string_view text)
 {
   std::vector<std::set<std::string>> names;  // of the objects and, empty, the arrays around
@@ -91,7 +93,9 @@ std::optional<std::size_t> repeated_name(std::string_view text)
     if (c == '}' || c == ']') names.pop_back();
     if (c != '"') continue;
     const std::size_t end = behind_string(text, at), next = text.find_first_not_of(blanks, end);
-    if (next < text.size() && text[next] == ':' && !names.back().insert(nlohmann::json::parse(text.substr(at, end - at)).get<std::string>()).second) return at;
+    if (next < text.size() && text[next] == ':' &&
+        !names.back().insert(nlohmann::json::parse(text.substr(at, end - at)).get<std::string>()).second)
+      return at;
     at = end - 1;
   }
   return std::nullopt;
@@ -99,24 +103,28 @@ std::optional<std::size_t> repeated_name(std::string_view text)
 
 }  // namespace
 
-Json_text::Json_text(std::string text_given, std::string file_given) : text(std::move(text_given)), file(std::move(file_given))
+Json_text::Json_text(std::string text_given, std::string file_given)
+    : text(std::move(text_given)), file(std::move(file_given))
 {
   try {
     root = nlohmann::json::parse(text);
   } catch (const nlohmann::json::parse_error& error) {
     throw covering::Input_error(file, line_at(text, error.byte == 0 ? 0 : error.byte - 1), "is not JSON here",
-                              "expected a case file as JSON");
+                                "expected a case file as JSON");
   } catch (const nlohmann::json::exception& error) {
     // The one other error of parsing: a number beyond the doubles, of which the message has only the digits, in quotes.
     const std::string_view what = error.what();
     const std::size_t begin = what.find('\'') + 1;
     const std::string_view digits = what.substr(begin, what.rfind('\'') - begin);
-    throw covering::Input_error(file, line_at(text, text.find(digits)), covering::in_quotes(digits) + " is beyond the largest double",
-                              "expected finite numbers");
+    throw covering::Input_error(file, line_at(text, text.find(digits)),
+                                covering::in_quotes(digits) + " is beyond the largest double",
+                                "expected finite numbers");
   }
   if (const auto place = repeated_name(text))
-    throw covering::Input_error(file, line_at(text, *place), covering::in_quotes(text.substr(*place + 1, behind_string(text, *place) - *place - 2)) + " a second time",
-                                "expected each name of an object once");
+    throw covering::Input_error(
+        file, line_at(text, *place),
+        covering::in_quotes(text.substr(*place + 1, behind_string(text, *place) - *place - 2)) + " a second time",
+        "expected each name of an object once");
 }
 
 void Json_field::fail(std::string_view wrong, std::string_view expected) const
@@ -126,7 +134,7 @@ void Json_field::fail(std::string_view wrong, std::string_view expected) const
   constexpr std::size_t longest = 80;
   if (place.size() > longest) place = place.substr(0, longest) + "...";
   throw covering::Input_error(text_->file, line_of(text_->text, path_),
-                            (place.empty() ? "the file" : place) + " " + std::string(wrong), expected);
+                              (place.empty() ? "the file" : place) + " " + std::string(wrong), expected);
 }
 
 Json_field Json_field::member(const std::string& name) const
@@ -189,8 +197,9 @@ std::uint64_t Json_field::unsigned_integer(std::uint64_t largest) const
 
 int Json_field::integer(int least, int largest) const
 {
-  const bool fits = value_->is_number_unsigned() ? value_->get<std::uint64_t>() <= std::uint64_t(std::max(largest, 0))
-                    : value_->is_number_integer() && value_->get<std::int64_t>() <= largest;
+  const bool fits = value_->is_number_unsigned()
+                        ? value_->get<std::uint64_t>() <= std::uint64_t(std::max(largest, 0))
+                        : value_->is_number_integer() && value_->get<std::int64_t>() <= largest;
   if (!fits || value_->get<std::int64_t>() < least)
     fail("is no such integer", "expected one from " + std::to_string(least) + " to " + std::to_string(largest));
   return value_->get<int>();
@@ -201,7 +210,8 @@ kernel::Rational Json_field::rational() const
   if (value_->is_number()) return kernel::Rational(value_->get<double>());
   std::optional<kernel::Rational> fraction;
   if (value_->is_string()) fraction = kernel::parse_fraction(value_->get_ref<const std::string&>());
-  if (!fraction || !std::isfinite(kernel::nearest_double(*fraction))) fail("is no finite number", "expected a number or a string \"n/d\"");
+  if (!fraction || !std::isfinite(kernel::nearest_double(*fraction)))
+    fail("is no finite number", "expected a number or a string \"n/d\"");
   return *fraction;
 }
 

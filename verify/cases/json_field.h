@@ -24,8 +24,8 @@ struct Json_text {
   nlohmann::json root;
 };
 
-/// A value of a JSON text that knows its place: every way of taking it as something that it is not throws covering::Input_error with the
-/// line of the value and its path. Must not outlive the text.
+/// A value of a JSON text that knows its place: every way of taking it as something that it is not throws
+/// covering::Input_error with the line of the value and its path. Must not outlive the text.
 class Json_field {
  public:
   explicit Json_field(const Json_text& text) : text_(&text), value_(&text.root) {}

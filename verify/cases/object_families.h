@@ -6,8 +6,8 @@
 
 #include <vector>
 
-/// The families' object level, each by the name that it has in `families()`, by theme: object_families_THEME.cpp. Random state and
-/// parameter in, all but `origin` out.
+/// The families' object level, each by the name that it has in `families()`, by theme: object_families_THEME.cpp.
+/// Random state and parameter in, all but `origin` out.
 namespace tetracone::verify::object_family {
 
 using Generator = Object_case(Random&, double);

@@ -19,14 +19,16 @@ const Shape& with_hull_edges(Random& random)
   }
 }
 
-/// A tetrahedron with a corner at A's extreme vertex along `direction`, or a few ulps off it, and the rest beyond: no pose moves it.
+/// A tetrahedron with a corner at A's extreme vertex along `direction`, or a few ulps off it, and the rest beyond: no
+/// pose moves it.
 Object_case vertex_on_vertex_in_place(Random& random)
 {
   const Body& a = any_shape(random).body;
   const Exact_vector direction = integer_direction(random, 16);
   const kernel::Vertex top = a->vertices[lowest(a->vertices, times(Rational(-1), direction))[0]];
   kernel::Vertex tip = top;
-  for (int steps = random.bits() % 2 == 0 ? 0 : integer(random, -3, 3), i = integer(random, 0, 2); steps != 0; steps += steps > 0 ? -1 : 1)
+  for (int steps = random.bits() % 2 == 0 ? 0 : integer(random, -3, 3), i = integer(random, 0, 2); steps != 0;
+       steps += steps > 0 ? -1 : 1)
     tip[i] = std::nextafter(tip[i], steps > 0 ? HUGE_VAL : -HUGE_VAL);
   std::array<kernel::Vertex, 3> beyond;
   for (kernel::Vertex& v : beyond)
@@ -34,7 +36,8 @@ Object_case vertex_on_vertex_in_place(Random& random)
       way = integer_direction(random, 8);
       v = rounded(sum(exact(top), Rational(1) / 8, way));
     }
-  const Object_case c = placed(random, a, tetrahedron({tip, beyond[0], beyond[1], beyond[2]}), Pose(), Motion::identity);
+  const Object_case c =
+      placed(random, a, tetrahedron({tip, beyond[0], beyond[1], beyond[2]}), Pose(), Motion::identity);
   if (tip == top) return with_answer(c, true);
   return dot(difference(exact(tip), exact(top)), direction) > 0 ? with_answer(c, false) : c;
 }
@@ -47,8 +50,11 @@ Object_case vertex_on_vertex(Random& random, double parameter)
   if (pose == 0) return vertex_on_vertex_in_place(random);
   const Body& a = any_shape(random).body;
   const Body& b = any_shape(random).body;
-  const Pose turn = pose == 1 ? Pose() : pose == 2 ? signed_permutation(integer(random, 0, 23)) : rational_rotation(random, 4);
-  constexpr std::array motions = {Motion::identity, Motion::translation, Motion::permutation, Motion::rotation, Motion::rounded};
+  const Pose turn = pose == 1   ? Pose()
+                    : pose == 2 ? signed_permutation(integer(random, 0, 23))
+                                : rational_rotation(random, 4);
+  constexpr std::array motions = {Motion::identity, Motion::translation, Motion::permutation, Motion::rotation,
+                                  Motion::rounded};
   const Touching contact = object_family::vertex_on_vertex(random, a, b, turn);
   return placed(random, contact, any_gap(random), motions[pose]);
 }
@@ -84,7 +90,8 @@ Object_case edge_across_edge(Random& random, double parameter)
   return placed(random, object_family::edge_across_edge(random, a, b, any_turn(random), static_cast<int>(parameter)));
 }
 
-/// Half of the cases: a body and itself after half a turn about a line along one of its edges. Half: tetrahedra on an edge.
+/// Half of the cases: a body and itself after half a turn about a line along one of its edges. Half: tetrahedra on an
+/// edge.
 Object_case edge_along_edge(Random& random, double parameter)
 {
   const Rational away = Rational(1) - Rational(parameter);  // in edge lengths, along the edge
@@ -126,8 +133,9 @@ Object_case edge_along_edge(Random& random, double parameter)
 Object_case near_parallel_edges(Random& random, double parameter)
 {
   const double slope = std::isinf(parameter) ? 0 : std::ldexp(1.0, -static_cast<int>(parameter));
-  const double shift = std::array{0.0, 0.25, 1.0, 2.0, -2.0, 3.0}[random.bits() % 6];   // of B along the ridges
-  const double aside = std::array{0.0, slope, 2 * slope, -slope, 0x1p-52}[random.bits() % 5];  // across them, at B's middle
+  const double shift = std::array{0.0, 0.25, 1.0, 2.0, -2.0, 3.0}[random.bits() % 6];          // of B along the ridges
+  const double aside = std::array{0.0, slope, 2 * slope, -slope, 0x1p-52}[random.bits() % 5];  // across them, at B's
+                                                                                               // middle
   const double hair = std::ldexp(1.0, -integer(random, 30, 60));
   const double height = std::array{0.0, 0.0, hair, -hair}[random.bits() % 4];
   const auto sharp = [&] { return dyadic(random, 4); };

@@ -58,7 +58,10 @@ Touching box_in_box(Random& random)
   return {a.body, b.body, resting(*b.body, turn, point_within(random, a, triangle), inward), inward, false};
 }
 
-Exact_vector halfway(const Exact_vector& a, const Exact_vector& b, const Rational& share) { return sum(a, share, difference(b, a)); }
+Exact_vector halfway(const Exact_vector& a, const Exact_vector& b, const Rational& share)
+{
+  return sum(a, share, difference(b, a));
+}
 
 /// A pebble's tiny copy with its first vertex at a point of A's frame.
 Object_case speck_at(Random& random, const Body& a, const Exact_vector& point)
@@ -102,7 +105,8 @@ Object_case cavity_wall(Random& random, double parameter)
   const Face_triangle& triangle = a.triangles[a.inner[random.bits() % a.inner.size()]];
   const Exact_vector& normal = a.normals[triangle.face];
   const Pose turn = turn_of_dimension(random, integer(random, 0, 2));
-  const Touching contact{a.body, b.body, resting(*b.body, turn, point_within(random, a, triangle), normal), normal, false};
+  const Touching contact{a.body, b.body, resting(*b.body, turn, point_within(random, a, triangle), normal), normal,
+                         false};
   return placed(random, contact);
 }
 
@@ -115,17 +119,20 @@ Object_case covering_elements(Random& random, double parameter)
   // To the surface itself now and then, and beyond it.
   const Rational share = random.bits() % 4 == 0 ? Rational(1) : Rational(integer(random, 1, 19)) / 16;
   const Exact_vector from = a.vertex(edge[0]), to = a.vertex(edge[1]);
-  if (parameter == 0) return speck_at(random, a.body, halfway(apex, halfway(from, to, Rational(dyadic(random, 4))), share));
+  if (parameter == 0)
+    return speck_at(random, a.body, halfway(apex, halfway(from, to, Rational(dyadic(random, 4))), share));
   if (parameter == 1) return speck_at(random, a.body, halfway(apex, from, share));
   // At the apex itself: with bodies that have it inside, outside and, on small ones, near the surface.
   return random.bits() % 4 == 0 ? speck_at(random, a.body, from) : speck_at(random, a.body, apex);
 }
 
-/// A symmetric body whose centroid, the apex of its covering, is on a face's plane, an edge's line or a vertex. Specks lie all about.
+/// A symmetric body whose centroid, the apex of its covering, is on a face's plane, an edge's line or a vertex. Specks
+/// lie all about.
 Object_case covering_apex(Random& random, double parameter)
 {
   const int kind = static_cast<int>(parameter);
-  // Two tetrahedra, opposite about 0: 0 is the centroid of their vertices, and where they meet; or of four of them, two on an edge.
+  // Two tetrahedra, opposite about 0: 0 is the centroid of their vertices, and where they meet; or of four of them, two
+  // on an edge.
   const auto spike = [&](const std::array<Exact_vector, 4>& corners, covering::Polyhedron& body) {
     std::array<kernel::Vertex, 4> v;
     for (int i = 0; i < 4; ++i) v[i] = *exactly(corners[i]);
@@ -133,7 +140,8 @@ Object_case covering_apex(Random& random, double parameter)
   };
   covering::Polyhedron body;
   Exact_vector p = integer_direction(random, 4), q = integer_direction(random, 4), r = integer_direction(random, 4);
-  while (dot(p, cross(q, r)) == 0) p = integer_direction(random, 4), q = integer_direction(random, 4), r = integer_direction(random, 4);
+  while (dot(p, cross(q, r)) == 0)
+    p = integer_direction(random, 4), q = integer_direction(random, 4), r = integer_direction(random, 4);
   const Exact_vector zero = {0, 0, 0};
   for (const int side : {1, -1}) {
     const auto at = [side](const Exact_vector& v) { return times(Rational(side), v); };
@@ -155,7 +163,8 @@ Object_case covering_apex(Random& random, double parameter)
   }
 }
 
-/// A speck at a point from which a line along an axis runs through vertices of A, along or through edges, or in faces' planes.
+/// A speck at a point from which a line along an axis runs through vertices of A, along or through edges, or in faces'
+/// planes.
 Object_case winding_axis(Random& random, double parameter)
 {
   const Shape& a = any_block(random);
@@ -219,8 +228,8 @@ Cells massive_cells(int n, bool hollow)
 
 }  // namespace
 
-/// B's grid is off A's by half units. Two boxes of such grids that meet do so in a corner of one of them or of their common part: in a
-/// point of the doubled grid. So its points decide: in both solids, on both surfaces.
+/// B's grid is off A's by half units. Two boxes of such grids that meet do so in a corner of one of them or of their
+/// common part: in a point of the doubled grid. So its points decide: in both solids, on both surfaces.
 Object_case voxels(Random& random, double parameter)
 {
   const int n = static_cast<int>(parameter);

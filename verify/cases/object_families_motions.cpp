@@ -35,7 +35,8 @@ Body notched(double half, double depth)
 {
   // A block whose top has a wedge-shaped notch along y.
   covering::Polyhedron result;
-  const std::vector<std::array<double, 2>> outline = {{-2, -1}, {2, -1}, {2, 1}, {half, 1}, {0, 1 - depth}, {-half, 1}, {-2, 1}};
+  const std::vector<std::array<double, 2>> outline = {{-2, -1},       {2, -1},    {2, 1}, {half, 1},
+                                                      {0, 1 - depth}, {-half, 1}, {-2, 1}};
   const Index n = outline.size();
   for (const double y : {1.0, -1.0})
     for (const auto& [x, z] : outline) result.vertices.push_back({x, y, z});
@@ -74,17 +75,20 @@ const std::vector<Scene>& scenes()
                 cube = boxed({-0.5, -0.5, 0}, {0.5, 0.5, 1});
     const Exact_vector up = {0, 0, 1}, top = {0, 0, 1};
     std::vector<Scene> scenes;
-    scenes.push_back({boxed({-1, -1, 0}, {1, 1, 1}), {top, {0, Rational(1) / 4, 1}, {1, 1, 1}, {1, 0, 1}}, up, {spike, thin}});
+    scenes.push_back(
+        {boxed({-1, -1, 0}, {1, 1, 1}), {top, {0, Rational(1) / 4, 1}, {1, 1, 1}, {1, 0, 1}}, up, {spike, thin}});
     scenes.push_back({Shape(notched(0.5, 0.5)),
                       {{0, 0, Rational(1) / 2}, {0, 0, 1}, {Rational(1) / 4, 0, Rational(3) / 4}},
                       up,
                       {wedge, spike, plate}});
-    scenes.push_back({Shape(slotted(0.125)), {{0, 0, -1}, {0, 0, Rational(-1) / 2}, {0, 0, 0}}, {1, 0, 0}, {plate, thin}});
+    scenes.push_back(
+        {Shape(slotted(0.125)), {{0, 0, -1}, {0, 0, Rational(-1) / 2}, {0, 0, 0}}, {1, 0, 0}, {plate, thin}});
     scenes.push_back({boxed({-1, -1, -1}, {0, 1, 0}),
                       {{Rational(1) / 2, 0, 0}, {Rational(1) / 2, Rational(3) / 2, -1}, {Rational(1) / 2, 0, -1}},
                       {1, 0, 0},
                       {cube}});
-    scenes.push_back({Shape(slotted(0)), {{0, 0, 0}, {Rational(1) / 4, 0, 0}, {Rational(1) / 2, 1, 0}}, up, {cube, spike, wedge}});
+    scenes.push_back(
+        {Shape(slotted(0)), {{0, 0, 0}, {Rational(1) / 4, 0, 0}, {Rational(1) / 2, 1, 0}}, up, {cube, spike, wedge}});
     return scenes;
   }();
   return all;
@@ -92,8 +96,8 @@ const std::vector<Scene>& scenes()
 
 }  // namespace
 
-/// B comes along a way from free to colliding in `parameter` bisections, each to a double; then the last free place or the first colliding
-/// one. A plane between the bodies tells on which side it is.
+/// B comes along a way from free to colliding in `parameter` bisections, each to a double; then the last free place or
+/// the first colliding one. A plane between the bodies tells on which side it is.
 Object_case swept_contact(Random& random, double parameter)
 {
   const Touching contact = any_separated(random);
@@ -155,7 +159,8 @@ Object_case corpus(Random& random, double parameter)
   const bool up = random.bits() % 2 == 0;
   for (int k = 0; k < parameter; ++k) x = std::nextafter(x, up ? HUGE_VAL : -HUGE_VAL);
   Exact_vector aside = {0, 0, 0};
-  if (random.bits() % 3 == 0) aside = integer_direction(random, 1), aside = times(power_of_two(-integer(random, 30, 60)), aside);
+  if (random.bits() % 3 == 0)
+    aside = integer_direction(random, 1), aside = times(power_of_two(-integer(random, 30, 60)), aside);
   return placed(random, tetrahedron(entry.a), tetrahedron(entry.b), moved(Pose(), aside), exact_motion(random));
 }
 

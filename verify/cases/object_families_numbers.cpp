@@ -38,7 +38,10 @@ Motion motion_of_doubles(Random& random)
   return std::array{Motion::identity, Motion::identity, Motion::permutation}[random.bits() % 3];
 }
 
-Pose exact_turn_of_doubles(Random& random) { return random.bits() % 3 == 0 ? Pose() : signed_permutation(integer(random, 0, 23)); }
+Pose exact_turn_of_doubles(Random& random)
+{
+  return random.bits() % 3 == 0 ? Pose() : signed_permutation(integer(random, 0, 23));
+}
 
 }  // namespace
 
@@ -140,8 +143,10 @@ Object_case decimal_grid(Random& random, double parameter)
   const auto decimal = [&](std::int64_t k) { return double(k) / unit; };
   std::array<std::int64_t, 3> corner, own;  // where they touch, in A and in B
   for (int i = 0; i < 3; ++i) corner[i] = integer(random, 1, range), own[i] = integer(random, 1, range);
-  const Vertex p = {decimal(corner[0]), decimal(corner[1]), decimal(corner[2])}, q = {decimal(own[0]), decimal(own[1]), decimal(own[2])};
-  const Pose relative = Pose::translation(decimal(corner[0] - own[0]), decimal(corner[1] - own[1]), decimal(corner[2] - own[2]));
+  const Vertex p = {decimal(corner[0]), decimal(corner[1]), decimal(corner[2])},
+               q = {decimal(own[0]), decimal(own[1]), decimal(own[2])};
+  const Pose relative =
+      Pose::translation(decimal(corner[0] - own[0]), decimal(corner[1] - own[1]), decimal(corner[2] - own[2]));
   const auto beside = [&](const Vertex& v, int side) {
     return Vertex{v[0] + side * decimal(integer(random, 1, range)), v[1] + side * decimal(integer(random, 1, range)),
                   v[2] + side * decimal(integer(random, 1, range))};
@@ -159,7 +164,8 @@ Object_case decimal_grid(Random& random, double parameter)
     const int axis = (first + i) % 3;
     high_a[axis] += 1 / unit, low_b[axis] -= 1 / unit;
   }
-  const Object_case c = placed(random, shared(box(low_a, high_a)), shared(box(low_b, high_b)), relative, motion_of_doubles(random));
+  const Object_case c =
+      placed(random, shared(box(low_a, high_a)), shared(box(low_b, high_b)), relative, motion_of_doubles(random));
   bool meet = true;
   for (int i = 0; i < 3; ++i) meet = meet && Rational(low_b[i]) + relative.exact(4 * i + 3) <= Rational(high_a[i]);
   return with_answer(c, meet);
@@ -187,7 +193,8 @@ Object_case float_widened(Random& random, double parameter)
   Vertex q = p;
   const int axis = integer(random, 0, 2);
   q[axis] += integer(random, -1, 1) * std::ldexp(1.0, -bits);
-  const Body a = tetrahedron({p, corner(-1), corner(-1), corner(-1)}), b = tetrahedron({q, corner(1), corner(1), corner(1)});
+  const Body a = tetrahedron({p, corner(-1), corner(-1), corner(-1)}),
+             b = tetrahedron({q, corner(1), corner(1), corner(1)});
   return placed(random, a, b, Pose(), motion_of_doubles(random));
 }
 

@@ -20,7 +20,8 @@ Box extent(const covering::Polyhedron& body, const Pose& pose)
     axis[i] = 1;
     for (const int side : {1, -1}) {
       const Exact_vector way = times(Rational(side), axis);
-      box[side == 1 ? 0 : 1][i] = dot(axis, image(pose, exact(body.vertices[lowest(body.vertices, pulled_back(pose, way))[0]])));
+      box[side == 1 ? 0 : 1][i] =
+          dot(axis, image(pose, exact(body.vertices[lowest(body.vertices, pulled_back(pose, way))[0]])));
     }
   }
   return box;
@@ -90,7 +91,9 @@ Object_case coplanar_parallelogram(Random& random, double parameter)
 {
   // Corners are p + s u + t v with |s|, |t| <= 3: sums of 7 numbers below 2^(bits - 3).
   const int bits = static_cast<int>(parameter) - 3;
-  const auto mantissa = [&]() -> Rational { return Rational(std::ldexp(double(random.bits() >> (64 - bits)), 2 - bits)) - 2; };
+  const auto mantissa = [&]() -> Rational {
+    return Rational(std::ldexp(double(random.bits() >> (64 - bits)), 2 - bits)) - 2;
+  };
   Exact_vector p = {mantissa(), mantissa(), mantissa()}, u, v, normal;
   do {
     u = {mantissa(), mantissa(), mantissa()};

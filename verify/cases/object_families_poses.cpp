@@ -120,7 +120,8 @@ Object_case nearly_singular(Random& random, double parameter)
   }
   const Shape& a = any_shape(random);
   const Body& b = any_shape(random).body;
-  const Touching contact = random.bits() % 2 == 0 ? vertex_on_vertex(random, a.body, b, flat) : vertex_on_face(random, a, b, flat, 3);
+  const Touching contact =
+      random.bits() % 2 == 0 ? vertex_on_vertex(random, a.body, b, flat) : vertex_on_face(random, a, b, flat, 3);
   const Motion kind = random.bits() % 2 == 0 ? Motion::identity : Motion::permutation;
   return placed(random, contact, any_gap(random), kind);
 }

@@ -17,8 +17,8 @@ Touching block_contact(Random& random, const Shape& a, const Shape& b)
   return any_contact(random, a, b, signed_permutation(integer(random, 0, 23)));
 }
 
-/// F o pose o G^-1 for F: x -> diag(2^exponents) x + to and G: x -> diag(2^exponents) x + from, each shift in all three coordinates.
-/// (2^exponents itself may be no pose: its inverse is beyond the doubles.)
+/// F o pose o G^-1 for F: x -> diag(2^exponents) x + to and G: x -> diag(2^exponents) x + from, each shift in all three
+/// coordinates. (2^exponents itself may be no pose: its inverse is beyond the doubles.)
 Pose reframed(const Pose& pose, const std::array<int, 3>& exponents, double from, double to)
 {
   std::array<Rational, 12> entries;
@@ -38,7 +38,8 @@ Object_case framed(Random& random, const Shape& a, const Shape& b, Touching cont
 {
   contact.relative = moved(contact.relative, times(gap, scaled_to_one(contact.apart)));
   const Pose relative = reframed(contact.relative, exponents, shift, shift);
-  const Object_case c = placed(random, moved_copy(a, exponents, shift), moved_copy(b, exponents, shift), relative, common);
+  const Object_case c =
+      placed(random, moved_copy(a, exponents, shift), moved_copy(b, exponents, shift), relative, common);
   if (gap == 0) return with_answer(c, true);
   return gap > 0 && contact.separated ? with_answer(c, false) : c;
 }
@@ -95,7 +96,8 @@ Object_case mixed_scales(Random& random, double parameter)
   return placed(random, contact, gap);
 }
 
-/// B's vertices are about 2^f from its origin, and its translation brings them back; exactly, or with poses rounded to doubles.
+/// B's vertices are about 2^f from its origin, and its translation brings them back; exactly, or with poses rounded to
+/// doubles.
 Object_case cancelled_translation(Random& random, double parameter)
 {
   const int f = static_cast<int>(parameter);
@@ -136,7 +138,8 @@ static const Shape& small_block(Random& random)
   }
 }
 
-/// Denormal bodies are multiples of 2^-1070, so that most contacts are doubles; large ones reach 2^1021, and their images 2^1023.
+/// Denormal bodies are multiples of 2^-1070, so that most contacts are doubles; large ones reach 2^1021, and their
+/// images 2^1023.
 Object_case extreme_exponents(Random& random, double parameter)
 {
   const int kind = static_cast<int>(parameter);
@@ -155,13 +158,16 @@ Object_case extreme_exponents(Random& random, double parameter)
                 {exponent, exponent, exponent}, 0, common);
 }
 
-/// Needles and plates: boxes about the origin, each stretched along its axes by its own powers of two and then turned about one of them by an eighth, or
-/// not; they touch or pierce one another along that axis. Their axes differ by more than a double's square can hold.
+/// Needles and plates: boxes about the origin, each stretched along its axes by its own powers of two and then turned
+/// about one of them by an eighth, or not; they touch or pierce one another along that axis. Their axes differ by more
+/// than a double's square can hold.
 std::vector<Object_case> boxes_on_an_axis(Random& random, int size, int count)
 {
   const int axis = integer(random, 0, 2), u = (axis + 1) % 3, v = (axis + 2) % 3;
   const auto half_lengths = [&] { return kernel::Vertex{dyadic(random, 3), dyadic(random, 3), dyadic(random, 3)}; };
-  const auto about_origin = [](const kernel::Vertex& half) { return shared(box({-half[0], -half[1], -half[2]}, half)); };
+  const auto about_origin = [](const kernel::Vertex& half) {
+    return shared(box({-half[0], -half[1], -half[2]}, half));
+  };
   const kernel::Vertex half_a = half_lengths(), half_b = half_lengths();
   const Body a = about_origin(half_a), b = about_origin(half_b);
 
@@ -174,7 +180,8 @@ std::vector<Object_case> boxes_on_an_axis(Random& random, int size, int count)
   for (int k = 0; k < count; ++k) {
     std::array<int, 3> of_a, of_b;
     of_a[u] = size * integer(random, -1, 1), of_a[v] = random.bits() % 4 != 0 ? of_a[u] : integer(random, -size, size);
-    for (const int i : {u, v}) of_b[i] = random.bits() % 4 == 0 ? integer(random, -size, size) : integer(random, -8, 24) - of_a[i];
+    for (const int i : {u, v})
+      of_b[i] = random.bits() % 4 == 0 ? integer(random, -size, size) : integer(random, -8, 24) - of_a[i];
     of_a[axis] = integer(random, -2, 2), of_b[axis] = integer(random, -2, 2);
     const Pose pose_a = turned_about_axis(of_a), pose_b = turned_about_axis(of_b);
     Exact_vector shift = {0, 0, 0};
@@ -188,14 +195,16 @@ std::vector<Object_case> boxes_on_an_axis(Random& random, int size, int count)
   return cases;
 }
 
-/// Blocks whose vertices are stretched along their axes, and whose poses undo that before a turn, a contact or a place inside, and a map of both;
-/// tetrahedra whose coordinates have any exponents, corner on corner; or boxes on an axis. With exact poses, or these rounded to doubles.
+/// Blocks whose vertices are stretched along their axes, and whose poses undo that before a turn, a contact or a place
+/// inside, and a map of both; tetrahedra whose coordinates have any exponents, corner on corner; or boxes on an axis.
+/// With exact poses, or these rounded to doubles.
 std::vector<Object_case> wild_run(Random& random, double parameter, int count)
 {
   const auto finished = [&](const Object_case& c) {
     if (random.bits() % 2 == 0) return c;
     const Object_case rounded = rounded_poses(c);
-    return rounded.pose_a.determinant_sign() == CGAL::ZERO || rounded.pose_b.determinant_sign() == CGAL::ZERO ? c : rounded;
+    return rounded.pose_a.determinant_sign() == CGAL::ZERO || rounded.pose_b.determinant_sign() == CGAL::ZERO ? c
+                                                                                                              : rounded;
   };
   std::vector<Object_case> cases;
   const std::uint64_t kind = random.bits() % 3;
@@ -238,7 +247,8 @@ std::vector<Object_case> wild_run(Random& random, double parameter, int count)
     if (random.bits() % 4 == 0) {
       // About the middle of the corners, some thirty times smaller.
       Exact_vector middle = {0, 0, 0};
-      for (Index v = 0; v < a.body->vertices.size(); ++v) middle = sum(middle, Rational(1) / Rational(int(a.body->vertices.size())), a.vertex(v));
+      for (Index v = 0; v < a.body->vertices.size(); ++v)
+        middle = sum(middle, Rational(1) / Rational(int(a.body->vertices.size())), a.vertex(v));
       contact = {a.body, b.body, moved(composed(scaling(0x1p-5), any_turn(random)), middle), middle};
     } else {
       const Pose turn = any_turn(random);
@@ -248,7 +258,13 @@ std::vector<Object_case> wild_run(Random& random, double parameter, int count)
     const Rational gap = is_contact ? any_gap(random) : Rational(0);
     if (is_contact) contact.relative = moved(contact.relative, times(gap, scaled_to_one(contact.apart)));
     const Pose common = wild_map(random, size);
-    Object_case c{moved_copy(a, of_a), moved_copy(b, of_b), composed(common, stretch(negative(of_a))), composed(common, composed(contact.relative, stretch(negative(of_b)))), {}, {}, {}};
+    Object_case c{moved_copy(a, of_a),
+                  moved_copy(b, of_b),
+                  composed(common, stretch(negative(of_a))),
+                  composed(common, composed(contact.relative, stretch(negative(of_b)))),
+                  {},
+                  {},
+                  {}};
     if (is_contact && gap >= 0) c = with_answer(c, gap == 0);
     cases.push_back(finished(c));
   }

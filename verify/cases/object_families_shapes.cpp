@@ -22,7 +22,8 @@ double nudged(double x, int ulps)
   return x;
 }
 
-/// The way from the middle of the vertices to a vertex: a plane normal to it through that vertex need not support the body.
+/// The way from the middle of the vertices to a vertex: a plane normal to it through that vertex need not support the
+/// body.
 Exact_vector outward_at(const Polyhedron& body, const Exact_vector& point)
 {
   const Exact_vector way = difference(point, exact(centroid(body)));
@@ -51,7 +52,8 @@ Exact_vector middle(const Vertex& a, const Vertex& b) { return times(Rational(1)
 
 }  // namespace
 
-/// A tetrahedron with an edge broken at its middle, h ulps off the edge, and the sliver between. B is at the break or h ulps off it.
+/// A tetrahedron with an edge broken at its middle, h ulps off the edge, and the sliver between. B is at the break or h
+/// ulps off it.
 Object_case nearly_collinear(Random& random, double parameter)
 {
   const int ulps = static_cast<int>(parameter);
@@ -60,12 +62,17 @@ Object_case nearly_collinear(Random& random, double parameter)
   // An even distance: the middle is exact.
   for (int i = 0; i < 3; ++i) to[i] += std::ldexp(integer(random, -7, 7), -2);
   if (to == from) to[0] += 1;
-  for (int i = 0; i < 3; ++i) from[i] = std::floor(from[i] * 0x1p40) * 0x1p-40, to[i] = std::floor(to[i] * 0x1p40) * 0x1p-40;
+  for (int i = 0; i < 3; ++i)
+    from[i] = std::floor(from[i] * 0x1p40) * 0x1p-40, to[i] = std::floor(to[i] * 0x1p40) * 0x1p-40;
   Vertex broken = *exactly(middle(from, to));
   const int axis = integer(random, 0, 2);
   broken[axis] = nudged(broken[axis], random.bits() % 2 == 0 ? ulps : -ulps);
   Polyhedron body;
-  body.vertices = {from, to, broken, {coordinate() - 3, coordinate(), coordinate()}, {coordinate(), coordinate() - 3, coordinate() - 3}};
+  body.vertices = {from,
+                   to,
+                   broken,
+                   {coordinate() - 3, coordinate(), coordinate()},
+                   {coordinate(), coordinate() - 3, coordinate() - 3}};
   body.add_polygon({0, 1, 3});
   body.add_polygon({1, 4, 3});
   body.add_polygon({4, 0, 3});
@@ -80,7 +87,8 @@ Object_case nearly_collinear(Random& random, double parameter)
   const Touching contact = at_point(random, a, b, point);
   const Rational gap = random.bits() % 2 == 0 ? Rational(0) : Rational(abs(any_gap(random)));
   if (point == exact(broken)) return placed(random, contact, gap);
-  return placed(random, a, b.body, moved(contact.relative, times(gap, scaled_to_one(contact.apart))), exact_motion(random));
+  return placed(random, a, b.body, moved(contact.relative, times(gap, scaled_to_one(contact.apart))),
+                exact_motion(random));
 }
 
 /// Blocks with a spur of no width, a lone point, or a face with a repeated corner; B is at that, or inside a block.
@@ -133,7 +141,8 @@ Object_case duplicates(Random& random, double parameter)
     append(split, *blocks()[2].body);  // and a second shell on the same corners
     all[0] = {shared(split), {exact({0, 0, 0}), exact({1, 0, 0}), exact({0, 0, 1})}};
     Polyhedron membrane = *blocks()[0].body;  // a face three times, and an inner one twice
-    const std::vector<Index> top(membrane.loop(0, 0).begin(), membrane.loop(0, 0).end()), turned(top.rbegin(), top.rend());
+    const std::vector<Index> top(membrane.loop(0, 0).begin(), membrane.loop(0, 0).end()),
+        turned(top.rbegin(), top.rend());
     membrane.add_polygon(top);
     membrane.add_polygon(turned);
     membrane.add_polygon({0, 2, 6});
@@ -144,7 +153,8 @@ Object_case duplicates(Random& random, double parameter)
     for (const int wedges : {2, 3}) {  // about the edge from (0, 0, 0) to (0, 0, 1)
       Polyhedron fan;
       fan.vertices = {{0, 0, 0}, {0, 0, 1}};
-      const std::array<std::array<double, 2>, 6> rays = {{{1, 0}, {1, 0.5}, {-0.5, 1}, {-1, 0.5}, {-0.5, -1}, {0.5, -1}}};
+      const std::array<std::array<double, 2>, 6> rays = {
+          {{1, 0}, {1, 0.5}, {-0.5, 1}, {-1, 0.5}, {-0.5, -1}, {0.5, -1}}};
       for (int w = 0; w < wedges; ++w) {
         const auto& [x, y] = rays[2 * w];
         const auto& [u, v] = rays[2 * w + 1];

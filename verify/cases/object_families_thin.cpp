@@ -12,7 +12,8 @@ namespace tetracone::verify::object_family {
 using covering::Polyhedron;
 using kernel::Vertex;
 
-/// A tetrahedron whose face in the plane z = 0 has the height 2^-h over its longest side, and one below with a corner about there.
+/// A tetrahedron whose face in the plane z = 0 has the height 2^-h over its longest side, and one below with a corner
+/// about there.
 Object_case sliver(Random& random, double parameter)
 {
   const double height = std::ldexp(1.0, -static_cast<int>(parameter)), at = dyadic(random, 3);
@@ -20,7 +21,8 @@ Object_case sliver(Random& random, double parameter)
   const Body a = tetrahedron({Vertex{0, 0, 0}, {1, 0, 0}, {at, height, 0}, {aside(), aside(), 1}});
   const double along = integer(random, -1, 9) / 8.0, across = height * integer(random, -2, 5) / 4.0;
   const double up = random.bits() % 3 != 0 ? 0 : height * integer(random, -4, 4) / 8.0;
-  const Body b = tetrahedron({Vertex{along, across, up}, {aside(), aside(), -1}, {aside(), aside(), -1.25}, {aside(), aside(), -1.5}});
+  const Body b = tetrahedron(
+      {Vertex{along, across, up}, {aside(), aside(), -1}, {aside(), aside(), -1.25}, {aside(), aside(), -1.5}});
   const Object_case c = placed(random, a, b, Pose(), exact_motion(random));
   if (up < 0) return with_answer(c, false);
   if (up > 0) return c;
@@ -56,7 +58,8 @@ Object_case tangent_fan(Random& random, double parameter)
     std::vector<Shape> all;
     for (const bool crown : {false, true})
       for (const int n : valences) {
-        // Corners on a circle, rounded to 2^-20; every other one of a crown is nearer and as high as its apex or higher.
+        // Corners on a circle, rounded to 2^-20; every other one of a crown is nearer and as high as its apex or
+        // higher.
         Polyhedron fan;
         fan.vertices = {{0, 0, 0}, {0, 0, -1}};
         for (int k = 0; k < n; ++k) {
@@ -78,10 +81,12 @@ Object_case tangent_fan(Random& random, double parameter)
   const Shape& b = random.bits() % 4 == 0   ? fans[random.bits() % 2 * valences.size() + size]
                    : random.bits() % 2 == 0 ? any_convex(random)
                                             : any_pebble(random);
-  const Exact_vector apex = a.vertex(0), up = {Rational(integer(random, -1, 1)) / 16, Rational(integer(random, -1, 1)) / 16, 1};
+  const Exact_vector apex = a.vertex(0),
+                     up = {Rational(integer(random, -1, 1)) / 16, Rational(integer(random, -1, 1)) / 16, 1};
   const bool on_apex = random.bits() % 8 != 0;
   const Pose turn = &b == &a ? scaling(1, -1, -1) : any_turn(random);
-  const Touching contact{a.body, b.body, resting(*b.body, turn, on_apex ? apex : a.vertex(2 + random.bits() % valence), up), up, false};
+  const Touching contact{a.body, b.body,
+                         resting(*b.body, turn, on_apex ? apex : a.vertex(2 + random.bits() % valence), up), up, false};
   return placed(random, contact, random.bits() % 2 == 0 ? Rational(0) : Rational(abs(any_gap(random))));
 }
 

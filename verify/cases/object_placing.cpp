@@ -6,7 +6,10 @@
 
 namespace tetracone::verify::object_family {
 
-int integer(Random& random, int low, int high) { return low + static_cast<int>(random.bits() % std::uint64_t(high - low + 1)); }
+int integer(Random& random, int low, int high)
+{
+  return low + static_cast<int>(random.bits() % std::uint64_t(high - low + 1));
+}
 
 Rational power_of_two(int k)
 {
@@ -33,12 +36,15 @@ Exact_vector integer_direction(Random& random, int size)
 Pose signed_permutation(int k)
 {
   // The six permutations by parity, four sign patterns of each determinant.
-  constexpr std::array<std::array<int, 3>, 6> axes = {{{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
+  constexpr std::array<std::array<int, 3>, 6> axes = {
+      {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
   const int permutation = k / 4 % 6, signs = k % 4;
   const bool flip = (permutation >= 3) != (k >= 24);
   std::array<double, 12> entries{};
   for (int i = 0; i < 3; ++i) {
-    const bool negative = i == 0 ? (signs & 1) != 0 : i == 1 ? (signs & 2) != 0 : ((signs & 1) != 0) != ((signs & 2) != 0);
+    const bool negative = i == 0   ? (signs & 1) != 0
+                          : i == 1 ? (signs & 2) != 0
+                                   : ((signs & 1) != 0) != ((signs & 2) != 0);
     entries[4 * i + axes[permutation][i]] = negative != flip ? -1 : 1;
   }
   return Pose(entries);
@@ -57,7 +63,8 @@ Pose double_rotation(Random& random)
 {
   const auto [w, x, y, z] = random.quaternion();
   const Rotation r = rotation(w, x, y, z);
-  return Pose(std::array<double, 12>{r[0][0], r[0][1], r[0][2], 0, r[1][0], r[1][1], r[1][2], 0, r[2][0], r[2][1], r[2][2], 0});
+  return Pose(
+      std::array<double, 12>{r[0][0], r[0][1], r[0][2], 0, r[1][0], r[1][1], r[1][2], 0, r[2][0], r[2][1], r[2][2], 0});
 }
 
 std::array<Pose, 2> shear_and_inverse(Random& random, int size)
@@ -178,7 +185,8 @@ Touching vertex_on_edge(Random& random, const Shape& a, const Body& b, const Pos
   const Exact_vector from = a.vertex(edge.from);
   const Exact_vector point = sum(from, Rational(dyadic(random, bits)), difference(a.vertex(edge.to), from));
   const Rational share = integer(random, 1, 7);
-  const Exact_vector normal = sum(times(share, a.normals[edge.faces[0]]), Rational(integer(random, 1, 7)), a.normals[edge.faces[1]]);
+  const Exact_vector normal =
+      sum(times(share, a.normals[edge.faces[0]]), Rational(integer(random, 1, 7)), a.normals[edge.faces[1]]);
   return {a.body, b, resting(*b, turn, point, normal), normal, true};
 }
 
@@ -191,7 +199,8 @@ Touching vertex_on_vertex(Random& random, const Body& a, const Body& b, const Po
 
 Touching edge_across_edge(Random& random, const Shape& a, const Shape& b, const Pose& turn, int bits)
 {
-  const auto between = [](const Exact_vector& d, const Exact_vector& m, const Exact_vector& n, const Exact_vector& edge) {
+  const auto between = [](const Exact_vector& d, const Exact_vector& m, const Exact_vector& n,
+                          const Exact_vector& edge) {
     // d, m and n are normal to the edge: d is a positive combination of m and n when it is on the way from m to n.
     const Rational side = dot(cross(m, n), edge);
     return dot(cross(m, d), edge) * side > 0 && dot(cross(d, n), edge) * side > 0;
@@ -204,7 +213,8 @@ Touching edge_across_edge(Random& random, const Shape& a, const Shape& b, const 
     const auto ends_a = free ? a.edges[random.bits() % a.edges.size()] : std::array{hull_a.from, hull_a.to};
     const auto ends_b = free ? b.edges[random.bits() % b.edges.size()] : std::array{hull_b.from, hull_b.to};
     const Exact_vector p = a.vertex(ends_a[0]), q = image(turn, b.vertex(ends_b[0]));
-    const Exact_vector along_a = difference(a.vertex(ends_a[1]), p), along_b = difference(image(turn, b.vertex(ends_b[1])), q);
+    const Exact_vector along_a = difference(a.vertex(ends_a[1]), p),
+                       along_b = difference(image(turn, b.vertex(ends_b[1])), q);
     Exact_vector apart = cross(along_a, along_b);
     if (is_zero(apart)) {
       if (!free) continue;
@@ -213,12 +223,14 @@ Touching edge_across_edge(Random& random, const Shape& a, const Shape& b, const 
     if (!free) {
       const auto fits = [&](const Exact_vector& d) {
         return between(d, a.normals[hull_a.faces[0]], a.normals[hull_a.faces[1]], along_a) &&
-               between(times(Rational(-1), d), turned(turn, b.normals[hull_b.faces[0]]), turned(turn, b.normals[hull_b.faces[1]]), along_b);
+               between(times(Rational(-1), d), turned(turn, b.normals[hull_b.faces[0]]),
+                       turned(turn, b.normals[hull_b.faces[1]]), along_b);
       };
       if (!fits(apart)) apart = times(Rational(-1), apart);
       if (!fits(apart)) continue;
     }
-    const Exact_vector at = sum(p, Rational(dyadic(random, bits)), along_a), to = sum(q, Rational(dyadic(random, bits)), along_b);
+    const Exact_vector at = sum(p, Rational(dyadic(random, bits)), along_a),
+                       to = sum(q, Rational(dyadic(random, bits)), along_b);
     return {a.body, b.body, moved(turn, difference(at, to)), apart, !free};
   }
 }

@@ -10,8 +10,8 @@ using namespace points;
 
 Predicate_case vertex_on_vertex(Random& random, double pose)
 {
-  constexpr std::array kinds = {Frame_kind::identity, Frame_kind::translation, Frame_kind::permutation, Frame_kind::true_rotation,
-                                Frame_kind::rounded_rotation};
+  constexpr std::array kinds = {Frame_kind::identity, Frame_kind::translation, Frame_kind::permutation,
+                                Frame_kind::true_rotation, Frame_kind::rounded_rotation};
   const Frame_kind kind = kinds[static_cast<int>(pose)];
   if (kind == Frame_kind::rounded_rotation && one_in(random, 2)) {
     // B was turned back in doubles: the vertices are an ulp or so apart.
@@ -109,7 +109,8 @@ Predicate_case edge_in_face_plane(Random& random, double kind)
         // Past a vertex on both sides, or the end on an edge or a vertex.
         if (is_zero(difference(on_edge, corner[1])) && one_in(random, 2)) {
           const Point way = difference(corner[3], corner[2]);
-          scene.p = sum(on_edge, Rational(-1) / 2, way), scene.q = sum(on_edge, Rational(integer(random, 1, 3)) / 2, way);
+          scene.p = sum(on_edge, Rational(-1) / 2, way),
+          scene.q = sum(on_edge, Rational(integer(random, 1, 3)) / 2, way);
         }
     }
     if (one_in(random, 2)) std::swap(scene.p, scene.q);
@@ -120,7 +121,8 @@ Predicate_case edge_in_face_plane(Random& random, double kind)
   });
 }
 
-// --- face and face --------------------------------------------------------------------------------------------------------
+// --- face and face
+// --------------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -130,8 +132,8 @@ enum class Sharing { all, part, inside, edge, vertex, nothing };
 /// A place in the plane v1 v2 v3, in sixteenths of the sides v1 v2 and v1 v3.
 using Place = std::array<int, 2>;
 
-/// Three corners p q r in the face's plane, counterclockwise as v1 v2 v3 when `alike`. `apart`: by how much the shared edge or
-/// vertex is missed.
+/// Three corners p q r in the face's plane, counterclockwise as v1 v2 v3 when `alike`. `apart`: by how much the shared
+/// edge or vertex is missed.
 Scene coplanar(Random& random, const Tetra& v, Sharing sharing, bool alike, const Rational& apart = 0)
 {
   const auto in_face = [&] { return Place{integer(random, 1, 7), integer(random, 1, 7)}; };

@@ -26,7 +26,8 @@ Predicate_case covering_elements(Random& random, double element)
       default: scene.p = origin;
     }
     const int ulps = one_in(random, 3) ? any_of(random, std::array{-2, -1, 1, 2}) : 0;
-    if (!of_cone) relabel(random, scene);  // the covering has the tetrahedron's edges and facets, whatever they are called
+    if (!of_cone)
+      relabel(random, scene);  // the covering has the tetrahedron's edges and facets, whatever they are called
     return finished(random, scene, any_frames(random), ulps);
   });
 }
@@ -42,7 +43,8 @@ Predicate_case covering_apex(Random& random, double position)
     const int corners = integer(random, 1, 3);
     Scene scene{v, element_point(random, v, corners, 4), {}, {}};
     complete(random, scene);
-    scene.q = position == 0 ? on_plane() : between(v[1], v[2], position == 1 ? Rational(integer(random, -4, 8)) / 4 : Rational(0));
+    scene.q = position == 0 ? on_plane()
+                            : between(v[1], v[2], position == 1 ? Rational(integer(random, -4, 8)) / 4 : Rational(0));
     int ulps = 0;
     switch (random.bits() % 8) {
       case 0: scene.p = inner_point(random, v); break;
@@ -68,13 +70,15 @@ Predicate_case winding_axis(Random& random, double element)
       y[axis] += s;
       return y;
     };
-    const Rational side = sign(random), near = side * integer(random, 1, 32) / 8, far = side * integer(random, 0, 64) / 8;
+    const Rational side = sign(random), near = side * integer(random, 1, 32) / 8,
+                   far = side * integer(random, 0, 64) / 8;
     // p on one side of the element, q on it or on the other side, or nearer than it; now and then p on it.
     Scene scene{v, along(near), along(one_in(random, 4) ? Rational(near / 2) : Rational(-far)), outward(random, v, x)};
     if (one_in(random, 8)) scene.p = x;
     const int ulps = one_in(random, 4) ? sign(random) : 0;
     relabel(random, scene);
-    const Frame_kind kind = any_of(random, std::array{Frame_kind::identity, Frame_kind::translation, Frame_kind::permutation});
+    const Frame_kind kind =
+        any_of(random, std::array{Frame_kind::identity, Frame_kind::translation, Frame_kind::permutation});
     return finished(random, scene, frames(random, kind), ulps);
   });
 }

@@ -44,9 +44,12 @@ Predicate_case far_from_origin(Random& random, double f)
     const int corners = integer(random, 1, 3);
     const Point x = element_point(random, v, corners, 2);
     Frames frames;
-    if (one_in(random, 2)) frames.b = frames.a = Pose::translation(-t[0], -t[1], -t[2]);
-    else if (one_in(random, 2)) frames.common = Pose::translation(t[0], t[1], t[2]);
-    else frames.a = Pose::translation(-t[0], -t[1], -t[2]);
+    if (one_in(random, 2))
+      frames.b = frames.a = Pose::translation(-t[0], -t[1], -t[2]);
+    else if (one_in(random, 2))
+      frames.common = Pose::translation(t[0], t[1], t[2]);
+    else
+      frames.a = Pose::translation(-t[0], -t[1], -t[2]);
     if (!frames.a.is_identity()) {
       // The models are far off; half of these stay there.
       if (one_in(random, 2)) frames.common = Pose::translation(t[0], t[1], t[2]);
@@ -109,8 +112,8 @@ Predicate_case exponent_gate(Random& random, double kind)
     for (const double coordinate : *x)
       while (std::ldexp(coordinate, last) != std::floor(std::ldexp(coordinate, last)) && last < 60) ++last;
   switch (static_cast<int>(kind)) {
-    case 0: return rescaled(c, -110 + last);      // multiples of 2^-110
-    case 1: return rescaled(c, 110 - top);        // at most 2^110
+    case 0: return rescaled(c, -110 + last);  // multiples of 2^-110
+    case 1: return rescaled(c, 110 - top);    // at most 2^110
     case 2: return rescaled(c, -111 + last - integer(random, 0, 3));
     case 3: return rescaled(c, 111 - top + integer(random, 0, 3));
     default: break;
@@ -162,13 +165,12 @@ Predicate_case extreme_exponents(Random& random, double kind)
     const bool a_is_big = one_in(random, 2), at_contact = one_in(random, 2);
     if (!at_contact) scene.p = one_in(random, 2) ? outward(random, v, scene.p, 4) : on_grid(inner_point(random, v), 4);
     const double small = 1e-200, big = 1e200;
-    const auto times_double = [](const Point& x, double s) {
-      return points::exact(rounded(times(Rational(s), x)));
-    };
+    const auto times_double = [](const Point& x, double s) { return points::exact(rounded(times(Rational(s), x))); };
     for (Point& x : scene.v) x = times(Rational(std::ldexp(1.0, a_is_big ? 664 : -664)), x);
     // B's numbers are no powers of two; its p is about A, of A's size or far less.
     scene.p = times_double(scene.p, a_is_big && one_in(random, 2) ? big : small);
-    scene.q = times_double(scene.q, a_is_big ? small : big), scene.r = times_double(scene.r, one_in(random, 2) ? small : big);
+    scene.q = times_double(scene.q, a_is_big ? small : big),
+    scene.r = times_double(scene.r, one_in(random, 2) ? small : big);
     relabel(random, scene);
     return placed(scene, permuted(random));
   });

@@ -17,7 +17,8 @@ Point quarters(Random& random, const Tetra& v)
 }
 
 /// p is done; q and r as if it were on the boundary.
-std::optional<Predicate_case> completed(Random& random, const Tetra& v, const Point& p, const Frames& frames, int ulps = 0)
+std::optional<Predicate_case> completed(Random& random, const Tetra& v, const Point& p, const Frames& frames,
+                                        int ulps = 0)
 {
   Scene scene{v, p, {}, {}};
   complete(random, scene);
@@ -29,11 +30,14 @@ std::optional<Predicate_case> completed(Random& random, const Tetra& v, const Po
 
 Predicate_case random_points(Random& random, double scale)
 {
-  const Tetra v = {mantissa_point(random, 52), mantissa_point(random, 52), mantissa_point(random, 52), mantissa_point(random, 52)};
+  const Tetra v = {mantissa_point(random, 52), mantissa_point(random, 52), mantissa_point(random, 52),
+                   mantissa_point(random, 52)};
   const Point centre = inner_point(random, v);
   // Half of the cases are about the tetrahedron: few points of a cube are in a tetrahedron of its points.
   const bool near = one_in(random, 2);
-  const auto point = [&] { return near ? sum(centre, Rational(0.25), mantissa_point(random, 52)) : mantissa_point(random, 52); };
+  const auto point = [&] {
+    return near ? sum(centre, Rational(0.25), mantissa_point(random, 52)) : mantissa_point(random, 52);
+  };
   Scene scene{v, {}, {}, {}};
   scene.p = point(), scene.q = point(), scene.r = point();
   return rescaled(placed_nearly(scene, any_frames(random)), static_cast<int>(scale));
@@ -129,7 +133,8 @@ Predicate_case coplanar_parallelogram(Random& random, double bits)
       scene.p = in_plane(v, 1, 1);
     }
     complete(random, scene);
-    if (one_in(random, 4)) scene.q = any_of(random, std::array{scene.v[1], between(scene.v[2], scene.v[3], Rational(0.5))});
+    if (one_in(random, 4))
+      scene.q = any_of(random, std::array{scene.v[1], between(scene.v[2], scene.v[3], Rational(0.5))});
     const int ulps = one_in(random, 3) ? sign(random) : 0;
     relabel(random, scene);
     const Frames f = any_frames(random);
@@ -139,14 +144,16 @@ Predicate_case coplanar_parallelogram(Random& random, double bits)
 
 Predicate_case ulp_walk(Random& random, double axes)
 {
-  const Frames f = frames(random, any_of(random, std::array{Frame_kind::identity, Frame_kind::permutation, Frame_kind::rounded_rotation}));
+  const Frames f = frames(
+      random, any_of(random, std::array{Frame_kind::identity, Frame_kind::permutation, Frame_kind::rounded_rotation}));
   Predicate_case c = settled([&] {
     Tetra v = tetrahedron_at_origin(random, 24);
     const Point x = {Rational(0.5), Rational(0.5), Rational(0.5)};
     for (Point& corner : v) corner = sum(x, corner);
     return completed(random, v, x, f);
   });
-  // Kettner's patch: 256 x 256 doubles, the contact in its middle. At 1/2 they are finer than the differences from A's corners.
+  // Kettner's patch: 256 x 256 doubles, the contact in its middle. At 1/2 they are finer than the differences from A's
+  // corners.
   for (int k = 0; k < 2; ++k) {
     double& x = c.p[(static_cast<int>(axes) + k) % 3];
     const double ulp = std::ldexp(1.0, (x == 0 ? 0 : std::ilogb(x)) - 52);

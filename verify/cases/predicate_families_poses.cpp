@@ -33,10 +33,12 @@ Pose half_turn(int axis)
   return Pose(entries);
 }
 
-/// A map of determinant +-2^-d: its third row is, but for 2^-d, a sum of the first two. Before and after it, axes permuted.
+/// A map of determinant +-2^-d: its third row is, but for 2^-d, a sum of the first two. Before and after it, axes
+/// permuted.
 Pose nearly_flat(Random& random, int d, bool mirrored)
 {
-  const double u = integer(random, -1, 1), w = integer(random, -1, 1), l = integer(random, -1, 1), m = integer(random, -1, 1);
+  const double u = integer(random, -1, 1), w = integer(random, -1, 1), l = integer(random, -1, 1),
+               m = integer(random, -1, 1);
   const double rest = std::ldexp(mirrored ? -1.0 : 1.0, -d);
   const Pose flat(std::array<double, 12>{1, u, 0, 0, 0, 1, w, 0, l, l * u + m, m * w + rest, 0});
   const Pose before = signed_permutation(integer(random, 0, 23)), after = signed_permutation(integer(random, 0, 23));
@@ -133,8 +135,7 @@ Predicate_case swept_contact(Random& random, double bisections)
   // B moves by s d, d of powers of two, from s = 0, where p is outside of a face's plane, to s = 1, inside.
   const bool full = one_in(random, 2);
   Tetra v;
-  if (full)
-    do {
+  if (full) do {
       for (Point& x : v) x = mantissa_point(random, 50);
     } while (abs(dot(difference(v[1], v[0]), cross(difference(v[2], v[0]), difference(v[3], v[0])))) < Rational(0.25));
   else

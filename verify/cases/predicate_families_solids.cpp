@@ -21,7 +21,9 @@ Predicate_case stacked(Random& random, double ulps)
     const int corners = integer(random, 1, 3);
     Point x = element_point(random, v, corners, 4);
     if (one_in(random, 8)) x = in_plane(v, Rational(-1) / 8, Rational(1) / 2);
-    const auto above = [&](const Rational& z) { return Point{x[0] + integer(random, -2, 2), x[1] + integer(random, -2, 2), z}; };
+    const auto above = [&](const Rational& z) {
+      return Point{x[0] + integer(random, -2, 2), x[1] + integer(random, -2, 2), z};
+    };
     Scene scene{v, {x[0], x[1], bottom}, above(one_in(random, 2) ? bottom : Rational(3)), above(3)};
     if (one_in(random, 4)) scene.q = above(0);  // the segment goes through
     relabel(random, scene);
@@ -55,7 +57,8 @@ Predicate_case nested_touching(Random& random, double dimension)
       scene.p = sum(v[1], way), scene.q = sum(v[1], other);
       scene.r = sum(sum(v[1], Rational(-integer(random, 0, 2)), way), Rational(-1), other);
     } else if (dimension == 1) {
-      scene.p = between(v[1], v[2], Rational(-1) / 2), scene.q = between(v[1], v[2], Rational(integer(random, 3, 6)) / 4);
+      scene.p = between(v[1], v[2], Rational(-1) / 2),
+      scene.q = between(v[1], v[2], Rational(integer(random, 3, 6)) / 4);
       scene.r = outward(random, v, on(2));
     } else {
       scene.p = in_plane(v, Rational(-1) / 2, Rational(-1) / 2);
@@ -96,7 +99,8 @@ Predicate_case cavity_wall(Random& random, double genus)
       v = tetrahedron(random, 8);
       if (dot(difference(v[1], v[0]), cross(difference(v[2], v[0]), difference(v[3], v[0]))) > 0) std::swap(v[0], v[1]);
     } else {
-      // Two thirds of the way up a wall between two corners of a tunnel along z, square or triangular, and a point of the material.
+      // Two thirds of the way up a wall between two corners of a tunnel along z, square or triangular, and a point of
+      // the material.
       constexpr std::array<std::array<int, 2>, 4> square = {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
       constexpr std::array<std::array<int, 2>, 3> triangle = {{{-2, -1}, {2, -1}, {0, 3}}};
       const int k = integer(random, 0, genus == 1 ? 3 : 2);
@@ -104,7 +108,8 @@ Predicate_case cavity_wall(Random& random, double genus)
         const auto [x, y] = genus == 1 ? square[i % 4] : triangle[i % 3];
         return Point{x, y, z};
       };
-      v = {sum(corner(k, 0), sum(corner(k, 0), corner(k + 1, integer(random, -2, 2)))), corner(k, -3), corner(k + 1, -3), corner(k + 1, 3)};
+      v = {sum(corner(k, 0), sum(corner(k, 0), corner(k + 1, integer(random, -2, 2)))), corner(k, -3),
+           corner(k + 1, -3), corner(k + 1, 3)};
       if (one_in(random, 2)) v[3] = corner(k, 3);
     }
     const int corners = integer(random, 1, 3);
@@ -135,8 +140,12 @@ Predicate_case duplicates(Random& random, double what)
       scene.q = v[2], scene.r = v[3];
     } else {
       // B's face is another one of the edge v1 v2: right beyond A's, against it, or on it.
-      const std::array<Point, 6> wing = {v[3], between(v[1], v[3], -1), between(v[1], v[0], -1), v[0],
-                                         between(v[0], v[3], Rational(0.5)), between(v[1], between(v[0], v[3], Rational(0.5)), -1)};
+      const std::array<Point, 6> wing = {v[3],
+                                         between(v[1], v[3], -1),
+                                         between(v[1], v[0], -1),
+                                         v[0],
+                                         between(v[0], v[3], Rational(0.5)),
+                                         between(v[1], between(v[0], v[3], Rational(0.5)), -1)};
       scene.q = v[2], scene.r = wing[random.bits() % (what == 2 ? 4 : 6)];
     }
     if (one_in(random, 4)) std::swap(scene.p, scene.q);
@@ -193,7 +202,8 @@ Predicate_case tangent_fan(Random& random, double valence)
 
 Predicate_case swept_primitives(Random& random, double kind)
 {
-  // A vertex or edge moves to a contact by decimal amounts: here before it, or there, in doubles. Without poses, as recorded queries are.
+  // A vertex or edge moves to a contact by decimal amounts: here before it, or there, in doubles. Without poses, as
+  // recorded queries are.
   const Tetra grid = tetrahedron(random, 8);
   Tetra v;
   for (int k = 0; k < 4; ++k)

@@ -90,12 +90,14 @@ Predicate_case degenerate_face(Random& random, double kind)
     }
     Scene scene{v, kind == 1 ? v[1] : x, grid_point(random, 8), grid_point(random, 8)};
     switch (random.bits() % 8) {
-      case 0: scene.q = between(v[1], v[2], Rational(integer(random, -2, 4)) / 2); break;         // along it
+      case 0: scene.q = between(v[1], v[2], Rational(integer(random, -2, 4)) / 2); break;  // along it
       case 1:
-      case 2: scene.p = between(scene.p, scene.q, -1); break;                                     // through it
+      case 2: scene.p = between(scene.p, scene.q, -1); break;  // through it
       case 3: scene.p = grid_point(random, 8); break;
-      case 4: scene.p = between(v[1], v[2], Rational(1.25)), scene.q = between(v[1], v[2], Rational(1.5)); break;  // along it, beyond it
-      case 5: scene.q = scene.p; break;                                                           // B's is degenerate too
+      case 4:
+        scene.p = between(v[1], v[2], Rational(1.25)), scene.q = between(v[1], v[2], Rational(1.5));
+        break;                           // along it, beyond it
+      case 5: scene.q = scene.p; break;  // B's is degenerate too
       default: break;
     }
     const int ulps = one_in(random, 4) ? sign(random) : 0;

@@ -15,7 +15,9 @@ Point grid_point(Random& random, int size)
 
 Point mantissa_point(Random& random, int bits)
 {
-  const auto coordinate = [&] { return Rational(std::floor(std::ldexp(random.symmetric(), bits)) * std::ldexp(1.0, -bits)); };
+  const auto coordinate = [&] {
+    return Rational(std::floor(std::ldexp(random.symmetric(), bits)) * std::ldexp(1.0, -bits));
+  };
   return {coordinate(), coordinate(), coordinate()};
 }
 
@@ -64,7 +66,8 @@ Point element_point(Random& random, const Tetra& v, int n, int bits)
 Point on_grid(const Point& x, int bits)
 {
   Point result;
-  for (int k = 0; k < 3; ++k) result[k] = Rational(std::floor(std::ldexp(kernel::nearest_double(x[k]), bits))) * power_of_two(-bits);
+  for (int k = 0; k < 3; ++k)
+    result[k] = Rational(std::floor(std::ldexp(kernel::nearest_double(x[k]), bits))) * power_of_two(-bits);
   return result;
 }
 
@@ -127,13 +130,15 @@ void nudge(Random& random, Predicate_case& c, int ulps)
   x += ulps * step;
 }
 
-// --- placing ------------------------------------------------------------------------------------------------------------
+// --- placing
+// ------------------------------------------------------------------------------------------------------------
 
 namespace {
 
 Pose translation(Random& random, int size)
 {
-  const std::array t = {integer(random, -size, size) / 4.0, integer(random, -size, size) / 4.0, integer(random, -size, size) / 4.0};
+  const std::array t = {integer(random, -size, size) / 4.0, integer(random, -size, size) / 4.0,
+                        integer(random, -size, size) / 4.0};
   return Pose::translation(t[0], t[1], t[2]);
 }
 
@@ -165,7 +170,9 @@ std::optional<Predicate_case> with_points(const Scene& scene, const Frames& fram
   for (int k = 0; k < 4; ++k) c.v[k] = model(frames.a, scene.v[k]);
   c.p = model(frames.b, scene.p), c.q = model(frames.b, scene.q), c.r = model(frames.b, scene.r);
   if (exactly_so && !all_exact) return std::nullopt;
-  const auto put = [&](const Pose& frame) { return frame.is_identity() ? frames.common : composed(frames.common, frame); };
+  const auto put = [&](const Pose& frame) {
+    return frame.is_identity() ? frames.common : composed(frames.common, frame);
+  };
   c.pose_a = put(frames.a), c.pose_b = put(frames.b);
   return c;
 }
@@ -185,9 +192,7 @@ Frames frames(Random& random, Frame_kind kind)
       f.a = translation(random, 32), f.b = translation(random, 32);
       if (one_in(random, 2)) f.common = full_translation(random);
       break;
-    case Frame_kind::permutation:
-      f.a = permutation(), f.b = permutation();
-      break;
+    case Frame_kind::permutation: f.a = permutation(), f.b = permutation(); break;
     case Frame_kind::true_rotation: return true_rotations(random, 3);
     case Frame_kind::rounded_rotation:
       f.common = rounded_motion(random);
@@ -206,7 +211,8 @@ Frames frames(Random& random, Frame_kind kind)
 Frames any_frames(Random& random)
 {
   using enum Frame_kind;
-  constexpr std::array kinds = {identity, identity, translation, permutation, true_rotation, rounded_rotation, rounded_rotation, shear};
+  constexpr std::array kinds = {identity,      identity,         translation,      permutation,
+                                true_rotation, rounded_rotation, rounded_rotation, shear};
   return frames(random, any_of(random, kinds));
 }
 
@@ -231,11 +237,16 @@ Point preimage(const Pose& pose, const Point& x)
   for (int j = 0; j < 3; ++j) column[j] = {pose.exact(j), pose.exact(4 + j), pose.exact(8 + j)};
   const Point y = difference(x, {pose.exact(3), pose.exact(7), pose.exact(11)});
   const Rational determinant = dot(column[0], cross(column[1], column[2]));
-  const auto coordinate = [&](int j) -> Rational { return dot(y, cross(column[(j + 1) % 3], column[(j + 2) % 3])) / determinant; };
+  const auto coordinate = [&](int j) -> Rational {
+    return dot(y, cross(column[(j + 1) % 3], column[(j + 2) % 3])) / determinant;
+  };
   return {coordinate(0), coordinate(1), coordinate(2)};
 }
 
-std::optional<Predicate_case> placed(const Scene& scene, const Frames& frames) { return with_points(scene, frames, true); }
+std::optional<Predicate_case> placed(const Scene& scene, const Frames& frames)
+{
+  return with_points(scene, frames, true);
+}
 
 std::optional<Predicate_case> placed_somehow(const Scene& scene, const Frames& frames)
 {

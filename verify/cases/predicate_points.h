@@ -11,7 +11,8 @@
 #include <cstddef>
 #include <optional>
 
-/// What the predicates' families are made of: seven points where the poses are to put them, exactly, and the ways of putting them there.
+/// What the predicates' families are made of: seven points where the poses are to put them, exactly, and the ways of
+/// putting them there.
 namespace tetracone::verify::points {
 
 using kernel::Pose;
@@ -41,7 +42,8 @@ struct Scene {
   Point p, q, r;
 };
 
-// --- draws --------------------------------------------------------------------------------------------------------------
+// --- draws
+// --------------------------------------------------------------------------------------------------------------
 
 inline bool one_in(Random& random, int n) { return random.bits() % n == 0; }
 inline int sign(Random& random) { return one_in(random, 2) ? 1 : -1; }
@@ -60,16 +62,19 @@ Point mantissa_point(Random& random, int bits);
 /// Four integer corners whose determinant is at least size^3 / 4, and not 0. The second is the origin when `anchored`.
 Tetra tetrahedron(Random& random, int size, bool anchored = false);
 
-/// A tetrahedron with the origin on its boundary: at v1, on the edge v1 v2 or in the face v1 v2 v3, at coordinates of few bits.
+/// A tetrahedron with the origin on its boundary: at v1, on the edge v1 v2 or in the face v1 v2 v3, at coordinates of
+/// few bits.
 Tetra tetrahedron_at_origin(Random& random, int size = 8);
 
-/// A tetrahedron with v1 = 0 on which points with `bits` binary places are doubles: few bits of its own when they need many.
+/// A tetrahedron with v1 = 0 on which points with `bits` binary places are doubles: few bits of its own when they need
+/// many.
 Tetra tetrahedron_for(Random& random, int bits);
 
 /// A point strictly inside, at barycentric coordinates in sixteenths.
 Point inner_point(Random& random, const Tetra& v);
 
-/// A point strictly inside the simplex of the first n corners of v1 v2 v3, n = 1, 2, 3, at barycentric coordinates of `bits` bits.
+/// A point strictly inside the simplex of the first n corners of v1 v2 v3, n = 1, 2, 3, at barycentric coordinates of
+/// `bits` bits.
 Point element_point(Random& random, const Tetra& v, int n, int bits);
 
 /// a + s (b - a)
@@ -84,15 +89,18 @@ inline Point in_plane(const Tetra& v, const Rational& a, const Rational& b)
 /// Every coordinate down to a multiple of 2^-bits.
 Point on_grid(const Point& x, int bits);
 
-// --- about a contact ----------------------------------------------------------------------------------------------------
+// --- about a contact
+// ----------------------------------------------------------------------------------------------------
 
 /// Fine enough against tetrahedra of integers, and few bits.
 inline constexpr int usual_grid = 10;
 
-/// Beyond x, which is on the boundary of v, as seen from an inner point: points that are outside v with all of their mixtures.
+/// Beyond x, which is on the boundary of v, as seen from an inner point: points that are outside v with all of their
+/// mixtures.
 Point outward(Random& random, const Tetra& v, const Point& x, int grid = usual_grid);
 
-/// Fills q and r for a p on the boundary of v: on its other side, inside, through it, along it; on multiples of 2^-grid.
+/// Fills q and r for a p on the boundary of v: on its other side, inside, through it, along it; on multiples of
+/// 2^-grid.
 void complete(Random& random, Scene& scene, int grid = usual_grid);
 
 /// Leaves p where it is or moves it clearly out of v or into it; says by how many ulps it is to be nudged at last.
@@ -104,7 +112,8 @@ void relabel(Random& random, Scene& scene);
 /// A coordinate of p changed by `ulps`: its own or, where it is 0, those of the largest coordinate of p q r.
 void nudge(Random& random, Predicate_case& c, int ulps);
 
-// --- placing ------------------------------------------------------------------------------------------------------------
+// --- placing
+// ------------------------------------------------------------------------------------------------------------
 
 /// The frames in which the bodies' points are written, and the map that both are put under at last.
 struct Frames {
@@ -122,7 +131,8 @@ Frames true_rotations(Random& random, int size);
 /// The point that the pose maps to x.
 Point preimage(const Pose& pose, const Point& x);
 
-/// The case whose placed points are the scene, scaled and moved by `common`, exactly; nothing when a point is no double in its frame.
+/// The case whose placed points are the scene, scaled and moved by `common`, exactly; nothing when a point is no double
+/// in its frame.
 std::optional<Predicate_case> placed(const Scene& scene, const Frames& frames);
 
 /// The same, all points in one frame where theirs cannot have them.
@@ -149,7 +159,8 @@ Predicate_case settled(const Attempt& attempt)
 }
 
 /// A contact in x of p with the boundary of v: completed, moved aside, relabelled, placed, nudged.
-std::optional<Predicate_case> contact(Random& random, const Tetra& v, const Point& x, const Frames& frames, int grid = usual_grid);
+std::optional<Predicate_case> contact(Random& random, const Tetra& v, const Point& x, const Frames& frames,
+                                      int grid = usual_grid);
 
 /// A contact with v1, on the edge v1 v2 or in the face v1 v2 v3, of few bits, under these frames.
 Predicate_case any_contact(Random& random, const Frames& frames);

@@ -41,7 +41,10 @@ const Shape& block(std::size_t k) { return blocks()[k]; }
 Body a_box(const kernel::Vertex& low, const kernel::Vertex& high) { return shared(box(low, high)); }
 
 /// Standing on its lowest face, edge or vertex after `turn`, on the point of the plane z = height.
-Pose standing(const Body& b, const Pose& turn, const Exact_vector& point) { return resting(*b, turn, point, vector(0, 0, 1)); }
+Pose standing(const Body& b, const Pose& turn, const Exact_vector& point)
+{
+  return resting(*b, turn, point, vector(0, 0, 1));
+}
 
 /// Faces, edges and vertices along a face, an edge, a mesh's vertex.
 std::vector<Motion_of_two> slidings(Random& random, int frames)
@@ -53,8 +56,10 @@ std::vector<Motion_of_two> slidings(Random& random, int frames)
   };
   const auto along_floor = [frames](int k) { return vector(-1 + 2 * share(k, frames), 0.5 - share(k, frames) / 2, 0); };
 
-  // What stands on the floor: its lowest face, edge or vertex is on the plane in every frame, and never beyond the floor's border.
-  const Pose tilted = Pose::from_quaternion(2, 1, 0, 0), any = composed(Pose::from_quaternion(3, 1, -1, 1), rational_rotation(random, 3));
+  // What stands on the floor: its lowest face, edge or vertex is on the plane in every frame, and never beyond the
+  // floor's border.
+  const Pose tilted = Pose::from_quaternion(2, 1, 0, 0),
+             any = composed(Pose::from_quaternion(3, 1, -1, 1), rational_rotation(random, 3));
   for (const auto& [body, what] : {std::pair<std::size_t, const char*>{unit_cube_block, "cube"},
                                    {tunnel_block, "block with a tunnel"},
                                    {complex_block, "wedge with tunnels"}})
@@ -66,7 +71,8 @@ std::vector<Motion_of_two> slidings(Random& random, int frames)
     }
   const Body mesh = meshes()[2].body;
   const Pose on_vertex = standing(mesh, rational_rotation(random, 4), vector(0, 0, 0));
-  touching("mesh sliding on a floor on its lowest vertex", floor, mesh, [=](int k) { return moved(on_vertex, along_floor(k)); });
+  touching("mesh sliding on a floor on its lowest vertex", floor, mesh,
+           [=](int k) { return moved(on_vertex, along_floor(k)); });
 
   // On a hollow top: a plate that is wider than the tunnel.
   const Body plate = a_box({-0.375, -0.375, 0}, {0.375, 0.375, 0.125}), tunnelled = block(tunnel_block).body;
@@ -83,7 +89,8 @@ std::vector<Motion_of_two> slidings(Random& random, int frames)
   }
   // Half a turn about y puts the cube's edge through (0, y, 0) on its own line, B beyond it.
   const Pose half_turn = moved(scaling(-1, 1, -1), vector(2, 0, 2));
-  touching("cube's edge along another's", cube, cube, [=](int k) { return moved(half_turn, vector(0, -1 + share(k, frames) * 2, 0)); });
+  touching("cube's edge along another's", cube, cube,
+           [=](int k) { return moved(half_turn, vector(0, -1 + share(k, frames) * 2, 0)); });
   touching("face along a face, past its edge", cube, cube,
            [=](int k) { return moved(at(vector(1, 0, 0)), vector(0, -1 + share(k, frames) * 2, 0)); });
   return list;
@@ -101,7 +108,8 @@ std::vector<Motion_of_two> rollings(int frames)
   const Body floor = a_box({-1, -2, -1}, {4, 2, 0});
   std::vector<Motion_of_two> list;
   const auto rolling = [&](const std::string& name, const Body& b, double width, double height) {
-    // A quarter turn about its right lower edge, then about the next one: the lower corners at x = 0, width, width + height.
+    // A quarter turn about its right lower edge, then about the next one: the lower corners at x = 0, width, width +
+    // height.
     const int n = (frames + 1) / 2;
     const auto track = [=](int k) {
       const Pose first = tipped(std::min(k, n), n, vector(width, 0, 0));
@@ -137,7 +145,8 @@ std::vector<Motion_of_two> passages(Random& random, int frames)
   through("corner down into a face", vertex_on_face(random, block(unit_cube_block), block(tetrahedron_block).body,
                                                     rational_rotation(random, 4), 3));
   Touching crossing;
-  while (!crossing.separated) crossing = edge_across_edge(random, block(unit_cube_block), block(3), rational_rotation(random, 4), 2);
+  while (!crossing.separated)
+    crossing = edge_across_edge(random, block(unit_cube_block), block(3), rational_rotation(random, 4), 2);
   through("edge down onto an edge", crossing);
   const Exact_vector up = vector(0, 0, 1);
   through("face down onto a face", {cube, cube, at(vector(0.25, 0.25, 1)), up, true});
@@ -154,7 +163,8 @@ std::vector<Motion_of_two> passages(Random& random, int frames)
     list.push_back({"cube sliding on a cube," + by, cube, cube,
                     [=](int k) { return at(vector(-0.75 + 1.5 * share(k, frames), 0.25, 1 + gap)); }, meet, meet, 0});
     list.push_back({"tunnel sliding on a tunnel," + by, block(tunnel_block).body, block(tunnel_block).body,
-                    [=](int k) { return moved(scaling(1, 1, -1), vector(-0.5 + share(k, frames), 0.125, 0.75 + gap)); }, meet, meet, 0});
+                    [=](int k) { return moved(scaling(1, 1, -1), vector(-0.5 + share(k, frames), 0.125, 0.75 + gap)); },
+                    meet, meet, 0});
   }
   return list;
 }
@@ -186,7 +196,8 @@ std::vector<Motion_of_two> enclosures(Random& random, int frames)
   return list;
 }
 
-Sequence frames_of(const Motion_of_two& motion, const Pose& common, const std::string& how, std::uint64_t seed, int frames)
+Sequence frames_of(const Motion_of_two& motion, const Pose& common, const std::string& how, std::uint64_t seed,
+                   int frames)
 {
   Sequence sequence{motion.name + how, {}, motion.changes};
   for (int k = 0; k < frames; ++k) {
@@ -204,7 +215,8 @@ std::vector<Sequence> sequences(std::uint64_t seed, int frames)
   assert(frames >= 3);
   Random random(seed);
   std::vector<Motion_of_two> motions;
-  for (auto&& group : {slidings(random, frames), rollings(frames), passages(random, frames), enclosures(random, frames)})
+  for (auto&& group :
+       {slidings(random, frames), rollings(frames), passages(random, frames), enclosures(random, frames)})
     motions.insert(motions.end(), group.begin(), group.end());
   std::vector<Sequence> result;
   for (const Motion_of_two& motion : motions) {

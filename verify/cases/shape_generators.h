@@ -56,8 +56,8 @@ Polyhedron blob(std::size_t triangles, std::uint64_t seed);
 /// 1. Requires at least 640 triangles; with fewer the tube would meet itself.
 Polyhedron torus_knot(std::size_t triangles);
 
-/// The same knot by a tube of about sqrt(triangles / 20) sides, which is rounder the more triangles there are, all of about one shape: one geometry
-/// at any size. Within two triangles a ring of the number asked. Requires at least 640.
+/// The same knot by a tube of about sqrt(triangles / 20) sides, which is rounder the more triangles there are, all of
+/// about one shape: one geometry at any size. Within two triangles a ring of the number asked. Requires at least 640.
 Polyhedron round_torus_knot(std::size_t triangles);
 
 // Real meshes.

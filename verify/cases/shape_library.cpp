@@ -38,7 +38,8 @@ Exact_vector normal_of(const Polyhedron& body, Index f)
     const covering::Loop loop = body.loop(f, l);
     const Exact_vector first = exact(body.vertices[loop[0]]);
     for (std::size_t k = 1; k + 1 < loop.size(); ++k)
-      normal = sum(normal, cross(difference(exact(body.vertices[loop[k]]), first), difference(exact(body.vertices[loop[k + 1]]), first)));
+      normal = sum(normal, cross(difference(exact(body.vertices[loop[k]]), first),
+                                 difference(exact(body.vertices[loop[k + 1]]), first)));
   }
   return normal;
 }
@@ -125,13 +126,13 @@ std::vector<Shape> made_blocks()
   const std::vector<bool> corner = {1, 1, 1, 0, 1, 0, 0, 0}, across = {1, 0, 0, 1, 0, 1, 1, 0};
   const std::vector<bool> ring = {1, 1, 1, 1, 0, 1, 1, 1, 1};
   std::vector<Shape> result;
-  for (Polyhedron& body : std::array{
-           unit_cube(), box({-1, -0.5, -0.25}, {1, 0.5, 0.25}), *tetrahedron({Vertex{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}),
-           octahedron(), roof(),
-           prism({{0, 0}, {1, 0}, {1, 0.5}, {0.5, 0.5}, {0.5, 1}, {0, 1}}, 0, 0.5),
-           prism({{-0.5, -0.75}, {0, -0.25}, {0.5, -0.75}, {0, 1}}, -0.25, 0.25),
-           prism_with_tunnel(), complex_one(), complex_two(), box_with_cavity(1, 0.5),
-           scaled(voxel_solid(corner, 2, 2, 2), 0.5), scaled(voxel_solid(across, 2, 2, 2), 0.5), scaled(voxel_solid(ring, 3, 3, 1), 0.5)})
+  for (Polyhedron& body :
+       std::array{unit_cube(), box({-1, -0.5, -0.25}, {1, 0.5, 0.25}),
+                  *tetrahedron({Vertex{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}), octahedron(), roof(),
+                  prism({{0, 0}, {1, 0}, {1, 0.5}, {0.5, 0.5}, {0.5, 1}, {0, 1}}, 0, 0.5),
+                  prism({{-0.5, -0.75}, {0, -0.25}, {0.5, -0.75}, {0, 1}}, -0.25, 0.25), prism_with_tunnel(),
+                  complex_one(), complex_two(), box_with_cavity(1, 0.5), scaled(voxel_solid(corner, 2, 2, 2), 0.5),
+                  scaled(voxel_solid(across, 2, 2, 2), 0.5), scaled(voxel_solid(ring, 3, 3, 1), 0.5)})
     result.emplace_back(shared(std::move(body)));
   return result;
 }
@@ -149,10 +150,12 @@ std::vector<Shape> made_meshes()
   result.emplace_back(shared(snapped(blob(72, 1))));
   result.emplace_back(shared(blob(128, 2)));
   if (real_meshes_available()) {
-    for (const auto& [name, faces] : {std::pair{"elephant", 120}, {"cow", 160}, {"anchor", 100}, {"eight", 120}, {"hand", 200}})
+    for (const auto& [name, faces] :
+         {std::pair{"elephant", 120}, {"cow", 160}, {"anchor", 100}, {"eight", 120}, {"hand", 200}})
       result.emplace_back(shared(snapped(normalised(decimate(*demo_mesh(models, name), faces)))));
   } else {
-    for (std::uint64_t seed = 3; seed < 8; ++seed) result.emplace_back(shared(snapped(blob(seed % 2 == 0 ? 200 : 128, seed))));
+    for (std::uint64_t seed = 3; seed < 8; ++seed)
+      result.emplace_back(shared(snapped(blob(seed % 2 == 0 ? 200 : 128, seed))));
   }
   result.emplace_back(shared(torus_knot(640)));
   return result;
@@ -164,7 +167,8 @@ Body shared(Polyhedron polyhedron) { return std::make_shared<const Polyhedron>(s
 
 std::vector<Index> lowest(const std::vector<Vertex>& vertices, const Exact_vector& direction)
 {
-  // Doubles find the candidates: each value errs by less than 2^-48 of the largest sum of absolute products. Beyond their range, all are.
+  // Doubles find the candidates: each value errs by less than 2^-48 of the largest sum of absolute products. Beyond
+  // their range, all are.
   std::vector<double> values;
   double least = HUGE_VAL, largest = 0;
   std::array<double, 3> d;
@@ -196,7 +200,9 @@ Shape::Shape(Body the_body) : body(std::move(the_body))
   for (Index f = 0; f < polyhedron.face_count(); ++f) {
     normals.push_back(normal_of(polyhedron, f));
     supporting.push_back(!is_zero(normals[f]) && supports(polyhedron, normals[f], polyhedron.loop(f, 0)[0]));
-    covering::for_each_directed_edge(polyhedron, f, [&](Index a, Index b) { faces_of[{std::min(a, b), std::max(a, b)}].push_back(f); });
+    covering::for_each_directed_edge(polyhedron, f, [&](Index a, Index b) {
+      faces_of[{std::min(a, b), std::max(a, b)}].push_back(f);
+    });
     if (is_zero(normals[f])) continue;
     for (const auto& corners : triangles_of(polyhedron, f)) {
       (supporting[f] ? hull : inner).push_back(triangles.size());
@@ -206,7 +212,8 @@ Shape::Shape(Body the_body) : body(std::move(the_body))
   for (const auto& [edge, faces] : faces_of) {
     if (edge[0] == edge[1]) continue;
     edges.push_back(edge);
-    if (faces.size() == 2 && supporting[faces[0]] && supporting[faces[1]] && !is_zero(cross(normals[faces[0]], normals[faces[1]])))
+    if (faces.size() == 2 && supporting[faces[0]] && supporting[faces[1]] &&
+        !is_zero(cross(normals[faces[0]], normals[faces[1]])))
       hull_edges.push_back({edge[0], edge[1], {faces[0], faces[1]}});
   }
   is_box = is_axis_box(polyhedron, normals);
@@ -260,7 +267,8 @@ Body tetrahedron(const std::array<Vertex, 4>& corners)
 {
   const auto& [a, b, c, d] = corners;
   const Exact_vector origin = exact(a);
-  const Rational volume = dot(difference(exact(b), origin), cross(difference(exact(c), origin), difference(exact(d), origin)));
+  const Rational volume =
+      dot(difference(exact(b), origin), cross(difference(exact(c), origin), difference(exact(d), origin)));
   Polyhedron result;
   result.vertices.assign(corners.begin(), corners.end());
   if (volume < 0) std::swap(result.vertices[2], result.vertices[3]);

@@ -9,11 +9,12 @@
 #include <memory>
 #include <vector>
 
-/// The bodies of the object families, each made once: cases share them, so that what a subject prepares for a body serves many cases.
+/// The bodies of the object families, each made once: cases share them, so that what a subject prepares for a body
+/// serves many cases.
 namespace tetracone::verify {
 
-/// Whether the meshes of `fetch_models.sh` are there, under .cache/models of the source folder. The cases of a seed depend on it: a
-/// campaign records it.
+/// Whether the meshes of `fetch_models.sh` are there, under .cache/models of the source folder. The cases of a seed
+/// depend on it: a campaign records it.
 bool real_meshes_available();
 
 }  // namespace tetracone::verify
@@ -29,8 +30,8 @@ struct Face_triangle {
   std::array<Index, 3> corners;
 };
 
-/// An edge between two faces that both support the body: a plane through it whose normal is any positive combination of theirs leaves
-/// the whole body on one side, and meets it in that edge alone.
+/// An edge between two faces that both support the body: a plane through it whose normal is any positive combination of
+/// theirs leaves the whole body on one side, and meets it in that edge alone.
 struct Hull_edge {
   Index from, to;
   std::array<Index, 2> faces;
@@ -41,19 +42,20 @@ struct Shape {
   explicit Shape(Body body);
 
   Body body;
-  std::vector<Exact_vector> normals;       ///< of each face, outward where the body is, of no particular length; zero of a flat face
-  std::vector<Face_triangle> triangles;    ///< of all faces that are not flat
-  std::vector<std::size_t> hull;           ///< numbers of the triangles whose plane leaves the whole body on its inner side
-  std::vector<std::size_t> inner;          ///< numbers of the others: in hollows, of cavities and tunnels
-  std::vector<std::array<Index, 2>> edges; ///< undirected, each once
+  std::vector<Exact_vector> normals;  ///< of each face, outward where the body is, of no particular length; zero of a
+                                      ///< flat face
+  std::vector<Face_triangle> triangles;  ///< of all faces that are not flat
+  std::vector<std::size_t> hull;   ///< numbers of the triangles whose plane leaves the whole body on its inner side
+  std::vector<std::size_t> inner;  ///< numbers of the others: in hollows, of cavities and tunnels
+  std::vector<std::array<Index, 2>> edges;  ///< undirected, each once
   std::vector<Hull_edge> hull_edges;
-  bool is_box = false;                     ///< a box of axis-parallel faces
+  bool is_box = false;  ///< a box of axis-parallel faces
 
   Exact_vector vertex(Index v) const { return exact(body->vertices[v]); }
 };
 
-/// Blocks of few flat faces, about 1 large, on a grid of 1/64: boxes, a tetrahedron, an octahedron, a roof, an L, an arrowhead, faces with
-/// holes, a cavity, voxel solids with edges of four faces.
+/// Blocks of few flat faces, about 1 large, on a grid of 1/64: boxes, a tetrahedron, an octahedron, a roof, an L, an
+/// arrowhead, faces with holes, a cavity, voxel solids with edges of four faces.
 const std::vector<Shape>& blocks();
 inline constexpr std::size_t unit_cube_block = 0, tetrahedron_block = 2, roof_block = 4, tunnel_block = 7,
                              complex_block = 8, cavity_block = 10;
@@ -61,8 +63,8 @@ inline constexpr std::size_t unit_cube_block = 0, tetrahedron_block = 2, roof_bl
 /// Small convex blocks and an L, about 1/8 large, that fit into the cavities and tunnels of the blocks.
 const std::vector<Shape>& pebbles();
 
-/// Triangle meshes of 72 to 200 triangles, about 1 large; the last is a knot of 640. With `real_meshes_available()`, decimated
-/// scans and parts among them; else generated bodies in their place.
+/// Triangle meshes of 72 to 200 triangles, about 1 large; the last is a knot of 640. With `real_meshes_available()`,
+/// decimated scans and parts among them; else generated bodies in their place.
 const std::vector<Shape>& meshes();
 
 /// A block, or now and then a mesh.
@@ -72,8 +74,8 @@ const Shape& any_pebble(Random& random);
 /// A block whose hull is the block itself.
 const Shape& any_convex(Random& random);
 
-/// The shape's body with coordinate i of each vertex, x -> 2^exponents[i] x + shift, rounded; the same object for the same arguments.
-/// Requires that this keeps faces planar, as an exact result does.
+/// The shape's body with coordinate i of each vertex, x -> 2^exponents[i] x + shift, rounded; the same object for the
+/// same arguments. Requires that this keeps faces planar, as an exact result does.
 Body moved_copy(const Shape& shape, const std::array<int, 3>& exponents, double shift = 0);
 inline Body moved_copy(const Shape& shape, int exponent, double shift = 0)
 {

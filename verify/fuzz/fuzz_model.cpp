@@ -1,11 +1,12 @@
-// A model file of any bytes: read, checked and repaired, or refused with Input_error; nothing else. The environment's FORMAT is the suffix.
+// A model file of any bytes: read, checked and repaired, or refused with Input_error; nothing else. The environment's
+// FORMAT is the suffix.
 
 #include "tetracone/covering/check.h"
 #include "tetracone/covering/covering.h"
-#include "tetracone/covering/orient.h"
-#include "tetracone/covering/io/read.h"
-#include "tetracone/covering/repair/repair.h"
 #include "tetracone/covering/io/input_error.h"
+#include "tetracone/covering/io/read.h"
+#include "tetracone/covering/orient.h"
+#include "tetracone/covering/repair/repair.h"
 #include "verify/fuzz/scratch_file.h"
 
 #include <cstdint>

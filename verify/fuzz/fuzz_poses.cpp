@@ -1,7 +1,7 @@
 // A file of poses, or of points, of any bytes: read or refused with Input_error; nothing else.
 
-#include "tetracone/covering/io/read_points.h"
 #include "tetracone/covering/io/input_error.h"
+#include "tetracone/covering/io/read_points.h"
 #include "tetracone/covering/io/read_poses.h"
 #include "verify/fuzz/scratch_file.h"
 

@@ -1,11 +1,11 @@
-// Two small bodies and up to eight pairs of poses from raw bytes: what the fast tree and the paper's tree answer, with and without the memory of the last
-// pose, is what all pairs of elements give in rational arithmetic.
+// Two small bodies and up to eight pairs of poses from raw bytes: what the fast tree and the paper's tree answer, with
+// and without the memory of the last pose, is what all pairs of elements give in rational arithmetic.
 
 #include "tetracone/kernel/predicate/kernels.h"
-#include "tetracone/tetratree/paper/collision.h"
 #include "tetracone/tetratree/fast/bvh8_collision.h"
-#include "verify/truth/cgal_truth.h"
+#include "tetracone/tetratree/paper/collision.h"
 #include "verify/fuzz/doubles.h"
+#include "verify/truth/cgal_truth.h"
 
 #include <array>
 #include <cstdint>
@@ -62,7 +62,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const covering::Polyhedron a = body(doubles), b = body(doubles);
   const verify::Brute_body truth_a(a), truth_b(b);
   tetratree::Bvh8 fast_a(a), fast_b(b);
-  tetratree::Bvh8_collision fast(fast_a, fast_b), remembering(fast_a, fast_b, tetratree::Coherence::last_frame), other_way(fast_b, fast_a);
+  tetratree::Bvh8_collision fast(fast_a, fast_b), remembering(fast_a, fast_b, tetratree::Coherence::last_frame),
+      other_way(fast_b, fast_a);
   using Tree = tetratree::Tetra_tree<kernel::Adaptive>;
   Tree paper_a(a), paper_b(b);
   tetratree::Collision<kernel::Adaptive> paper(paper_a, paper_b);

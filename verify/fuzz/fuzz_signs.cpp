@@ -1,5 +1,5 @@
-// Any five points and two poses: every sign of the adaptive kernel is that of rational arithmetic, and so is what a segment and a
-// triangle have in common.
+// Any five points and two poses: every sign of the adaptive kernel is that of rational arithmetic, and so is what a
+// segment and a triangle have in common.
 
 #include "tetracone/kernel/predicate/frame.h"
 #include "tetracone/kernel/predicate/segment_face.h"

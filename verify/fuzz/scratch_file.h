@@ -10,14 +10,15 @@
 
 namespace tetracone::verify {
 
-/// A file of this process in memory where there is such a folder, for readers that want a path. Removed with this object.
+/// A file of this process in memory where there is such a folder, for readers that want a path. Removed with this
+/// object.
 class Scratch_file {
  public:
   explicit Scratch_file(const std::string& suffix)
-      : path_((std::filesystem::exists("/dev/shm") ? std::filesystem::path("/dev/shm") : std::filesystem::temp_directory_path()) /
+      : path_((std::filesystem::exists("/dev/shm") ? std::filesystem::path("/dev/shm")
+                                                   : std::filesystem::temp_directory_path()) /
               ("tetracone_fuzz_" + std::to_string(::getpid()) + suffix))
-  {
-  }
+  {}
   ~Scratch_file()
   {
     std::error_code error;

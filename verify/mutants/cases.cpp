@@ -1,11 +1,12 @@
-// Writes cases of all families with their true answers, and bodies that touch exactly, as the text that probe.cpp reads.
+// Writes cases of all families with their true answers, and bodies that touch exactly, as the text that probe.cpp
+// reads.
 
-#include "verify/truth/cgal_truth.h"
 #include "verify/cases/exact_motion.h"
 #include "verify/cases/families.h"
 #include "verify/cases/object_families.h"
-#include "verify/truth/predicate_truth.h"
 #include "verify/test/support/scenes.h"
+#include "verify/truth/cgal_truth.h"
+#include "verify/truth/predicate_truth.h"
 
 #include <cstdlib>
 #include <iostream>
@@ -23,7 +24,8 @@ void write(const Vertex& v)
 }
 void write(const Pose& pose)
 {
-  for (int k = 0; k < 12; ++k) std::cout << ' ' << (pose.is_rational() ? kernel::exact_text(pose.exact(k)) : kernel::shortest(pose[k]));
+  for (int k = 0; k < 12; ++k)
+    std::cout << ' ' << (pose.is_rational() ? kernel::exact_text(pose.exact(k)) : kernel::shortest(pose[k]));
 }
 void write(const covering::Polyhedron& body)
 {
@@ -54,7 +56,8 @@ void write(const covering::Polyhedron& a, const covering::Polyhedron& b, const P
 {
   const Brute_body of_a(a), of_b(b);
   if (!of_a.is_closed() || !of_b.is_closed()) return;
-  std::cout << "O " << collide(of_a, pose_a, of_b, pose_b, kernel::Question::surface) << ' ' << collide(of_a, pose_a, of_b, pose_b);
+  std::cout << "O " << collide(of_a, pose_a, of_b, pose_b, kernel::Question::surface) << ' '
+            << collide(of_a, pose_a, of_b, pose_b);
   write(a), write(b), write(pose_a), write(pose_b);
   std::cout << '\n';
 }
@@ -75,7 +78,8 @@ covering::Polyhedron flat(const Vertex& a, const Vertex& b, const Vertex& c)
   return body;
 }
 
-/// Tip to tip, face to face, edge to edge and side by side under exact motions, near the origin and far from it; one in the other.
+/// Tip to tip, face to face, edge to edge and side by side under exact motions, near the origin and far from it; one in
+/// the other.
 void write_touching(Random& random)
 {
   const auto bodies = scenes::closed_bodies();
@@ -89,22 +93,28 @@ void write_touching(Random& random)
     switch (round % 7) {
       case 0: write(octahedron(), octahedron(), turn, beside({integer(0, 1) * 2.0 - 1, 1, 0})); break;
       case 1: write(octahedron(), octahedron(), turn, beside({2, 0, 0})); break;
-      case 2: write(scenes::unit_cube(), scenes::triangulated(scenes::unit_cube()), turn, beside({1, integer(-2, 2) * 0.5, integer(-2, 2) * 0.5})); break;
+      case 2:
+        write(scenes::unit_cube(), scenes::triangulated(scenes::unit_cube()), turn,
+              beside({1, integer(-2, 2) * 0.5, integer(-2, 2) * 0.5}));
+        break;
       case 3: {  // an edge across an edge
         const auto roof = [](int along) {
           const Vertex low{0, 0, 0}, high = along == 0 ? Vertex{2, 0, 0} : Vertex{0, 2, 0};
-          return along == 0 ? scenes::tetrahedron(low, high, {1, 1, -1}, {1, -1, -1}) : scenes::tetrahedron(low, high, {1, 1, 1}, {-1, 1, 1});
+          return along == 0 ? scenes::tetrahedron(low, high, {1, 1, -1}, {1, -1, -1})
+                            : scenes::tetrahedron(low, high, {1, 1, 1}, {-1, 1, 1});
         };
         write(roof(0), roof(1), turn, beside({1, -1, 0}));
         break;
       }
       case 4: {
         const auto& a = bodies[one_of(random, bodies.size())].body;
-        write(scenes::moved(a, 0x1p-6), scenes::cube(3), turn, beside({integer(-2, 2) * 1.0, integer(-2, 2) * 1.0, integer(-2, 2) * 1.0}));
+        write(scenes::moved(a, 0x1p-6), scenes::cube(3), turn,
+              beside({integer(-2, 2) * 1.0, integer(-2, 2) * 1.0, integer(-2, 2) * 1.0}));
         break;
       }
       case 5:
-        write(flat({0, 0, 0}, {4, 0, 0}, {0, 4, 0}), flat({1, 1, 0}, {2, 1, 0}, {1, 2, 0}), turn, beside({integer(-2, 2) * 1.0, integer(-2, 2) * 1.0, 0}));
+        write(flat({0, 0, 0}, {4, 0, 0}, {0, 4, 0}), flat({1, 1, 0}, {2, 1, 0}, {1, 2, 0}), turn,
+              beside({integer(-2, 2) * 1.0, integer(-2, 2) * 1.0, 0}));
         break;
       default: {
         const auto &a = bodies[one_of(random, bodies.size())].body, &b = bodies[one_of(random, bodies.size())].body;
@@ -125,11 +135,13 @@ void write_one_shell_inside()
   }
 }
 
-/// The corner of a box in a spike of another's cavity: the spike is before the box's reference plane, and so is V0, but not V'1, V'2, V'3.
+/// The corner of a box in a spike of another's cavity: the spike is before the box's reference plane, and so is V0, but
+/// not V'1, V'2, V'3.
 void write_spike()
 {
   const double base = 0x1p-6, s = 0.25 + 4 * base;
-  const auto spike = scenes::tetrahedron({0.25, 0.25, 0.25}, {2 * base, base, base}, {base, 2 * base, base}, {base, base, 2 * base});
+  const auto spike =
+      scenes::tetrahedron({0.25, 0.25, 0.25}, {2 * base, base, base}, {base, 2 * base, base}, {base, base, 2 * base});
   const auto around = scenes::with_cavity(scenes::moved(scenes::cube(30), 1, {-s / 8, -s / 8, -s / 8}), spike);
   write(scenes::box({-1.875, -1.875, -1.875}, {0.125, 0.125, 0.125}), around, Pose(), Pose());
 }
@@ -139,10 +151,12 @@ void write_wild(Random& random)
 {
   constexpr double exponents[] = {30, 150, 500, 960, 960};
   for (int run = 0; run < 200; ++run)
-    for (const Object_case& c : object_family::wild_run(random, exponents[run % 5], 4)) write(*c.a, *c.b, c.pose_a, c.pose_b);
+    for (const Object_case& c : object_family::wild_run(random, exponents[run % 5], 4))
+      write(*c.a, *c.b, c.pose_a, c.pose_b);
 }
 
-/// The same vertices in both bodies, under poses that differ by an ulp; and nearly flat tetrahedra, of which p is a corner, under one pose.
+/// The same vertices in both bodies, under poses that differ by an ulp; and nearly flat tetrahedra, of which p is a
+/// corner, under one pose.
 void write_near(Random& random)
 {
   for (int round = 0; round < 200; ++round) {

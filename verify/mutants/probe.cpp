@@ -2,12 +2,12 @@
 // Its headers may be mutants, so it takes cases and truths as text, made by cases.cpp from headers that are not.
 
 #include "tetracone/covering/inclusion.h"
-#include "tetracone/kernel/predicate/adaptive.h"
 #include "tetracone/covering/io/read_poses.h"
+#include "tetracone/kernel/predicate/adaptive.h"
 #include "tetracone/kernel/predicate/segment_face.h"
 #include "tetracone/kernel/predicate/tetrahedron.h"
-#include "tetracone/tetratree/paper/collision.h"
 #include "tetracone/tetratree/fast/bvh8_collision.h"
+#include "tetracone/tetratree/paper/collision.h"
 #include "verify/cases/case.h"
 #include "verify/cases/random.h"
 
@@ -37,7 +37,8 @@ namespace {
   std::exit(1);
 }
 
-// --- reading ------------------------------------------------------------------------------------------------------------
+// --- reading
+// ------------------------------------------------------------------------------------------------------------
 
 Rational read_rational(std::istream& in)
 {
@@ -84,7 +85,8 @@ covering::Polyhedron read_body(std::istream& in)
   return body;
 }
 
-// --- predicates ---------------------------------------------------------------------------------------------------------
+// --- predicates
+// ---------------------------------------------------------------------------------------------------------
 
 template <class K>
 int answer(Predicate predicate, const verify::Predicate_case& c)
@@ -97,7 +99,8 @@ int answer(Predicate predicate, const verify::Predicate_case& c)
   if (predicate == Predicate::orientation) return -kernel::volume_sign<K>(v[1], v[2], v[3], p);
   if (predicate == Predicate::segment_triangle) {
     const bool meet = kernel::segment_triangle<K>(p, q, v[1], v[2], v[3]) != kernel::Contact::none;
-    if (meet != (kernel::segment_face<K>(p, q, kernel::Triangle<K>{v[1], v[2], v[3]}) != kernel::Contact::none)) return -2;
+    if (meet != (kernel::segment_face<K>(p, q, kernel::Triangle<K>{v[1], v[2], v[3]}) != kernel::Contact::none))
+      return -2;
     return meet;
   }
   if (predicate == Predicate::tetrahedron)
@@ -131,26 +134,32 @@ void judge_predicate(std::istream& in, int number)
   if (number % 4 == 0 && answer<kernel::Rational_kernel>(which, c) != truth) wrong("rational, " + name);
 }
 
-// --- objects ------------------------------------------------------------------------------------------------------------
+// --- objects
+// ------------------------------------------------------------------------------------------------------------
 
 template <class K>
-void judge(const char* subject, const tetratree::Config& config, const covering::Polyhedron& a, const covering::Polyhedron& b,
-           const Pose& pose_a, const Pose& pose_b, int surface, int solid, int number)
+void judge(const char* subject, const tetratree::Config& config, const covering::Polyhedron& a,
+           const covering::Polyhedron& b, const Pose& pose_a, const Pose& pose_b, int surface, int solid, int number)
 {
   tetratree::Tetra_tree<K> tree_a(a, config), tree_b(b, config);
   tetratree::Collision<K> collision(tree_a, tree_b);
-  if (collision(pose_a, pose_b, Question::surface) != (surface == 1)) wrong(std::string(subject) + ", surface in case " + std::to_string(number));
-  if (collision(pose_a, pose_b, Question::solid) != (solid == 1)) wrong(std::string(subject) + ", solid in case " + std::to_string(number));
+  if (collision(pose_a, pose_b, Question::surface) != (surface == 1))
+    wrong(std::string(subject) + ", surface in case " + std::to_string(number));
+  if (collision(pose_a, pose_b, Question::solid) != (solid == 1))
+    wrong(std::string(subject) + ", solid in case " + std::to_string(number));
 }
 
 /// The fast tree, asked twice: the second time it begins with what it kept.
-void judge_wide(const covering::Polyhedron& a, const covering::Polyhedron& b, const Pose& pose_a, const Pose& pose_b, int surface, int solid, int number)
+void judge_wide(const covering::Polyhedron& a, const covering::Polyhedron& b, const Pose& pose_a, const Pose& pose_b,
+                int surface, int solid, int number)
 {
   tetratree::Bvh8 tree_a(a), tree_b(b);
   tetratree::Bvh8_collision collision(tree_a, tree_b, tetratree::Coherence::last_frame);
   for (int round = 0; round < 2; ++round) {
-    if (collision(pose_a, pose_b, Question::surface) != (surface == 1)) wrong("fast tree, surface in case " + std::to_string(number));
-    if (collision(pose_a, pose_b, Question::solid) != (solid == 1)) wrong("fast tree, solid in case " + std::to_string(number));
+    if (collision(pose_a, pose_b, Question::surface) != (surface == 1))
+      wrong("fast tree, surface in case " + std::to_string(number));
+    if (collision(pose_a, pose_b, Question::solid) != (solid == 1))
+      wrong("fast tree, solid in case " + std::to_string(number));
   }
 }
 
@@ -172,12 +181,15 @@ void judge_object(std::istream& in, int number)
   judge<Adaptive>("adaptive brute", tetratree::Config::brute(), a, b, pose_a, pose_b, surface, solid, number);
   judge_wide(a, b, pose_a, pose_b, surface, solid, number);
   if (number % 16 == 0)
-    judge<kernel::Rational_kernel>("rational tree", tetratree::Config::fastest(), a, b, pose_a, pose_b, surface, solid, number);
+    judge<kernel::Rational_kernel>("rational tree", tetratree::Config::fastest(), a, b, pose_a, pose_b, surface, solid,
+                                   number);
 }
 
-// --- the adaptive kernel's own promises -----------------------------------------------------------------------------------
+// --- the adaptive kernel's own promises
+// -----------------------------------------------------------------------------------
 
-/// Points rounded on a plane or a line, about 0 or all about another point: what a filter decides must be the exact sign, what encloses must enclose.
+/// Points rounded on a plane or a line, about 0 or all about another point: what a filter decides must be the exact
+/// sign, what encloses must enclose.
 void judge_stages(int rounds)
 {
   verify::Random random(1);
@@ -187,7 +199,8 @@ void judge_stages(int rounds)
   for (int round = 0; round < rounds; ++round) {
     std::array<Vertex, 4> v;
     for (Vertex& x : v)
-      for (double& coordinate : x) coordinate = round % 2 == 0 ? random.symmetric() / 3 : 1 + 0x1p-20 * random.symmetric();
+      for (double& coordinate : x)
+        coordinate = round % 2 == 0 ? random.symmetric() / 3 : 1 + 0x1p-20 * random.symmetric();
     const double s = random.symmetric(), t = random.symmetric();
     for (int k = 0; k < 3; ++k) v[3][k] = v[0][k] + s * (v[1][k] - v[0][k]) + t * (v[2][k] - v[0][k]);
     std::array<double, 12> entries;
@@ -195,12 +208,14 @@ void judge_stages(int rounds)
     const Pose pose(entries);
     std::array<Adaptive::Point_3, 4> p;
     for (int k = 0; k < 4; ++k) p[k] = round % 3 == 0 ? Adaptive::placed(v[k], pose) : Adaptive::unmoved(v[k]);
-    say(Adaptive::filtered_volume_sign(p[0], p[1], p[2], p[3]), Adaptive::exact_volume_sign(p[0], p[1], p[2], p[3]), "volume sign");
+    say(Adaptive::filtered_volume_sign(p[0], p[1], p[2], p[3]), Adaptive::exact_volume_sign(p[0], p[1], p[2], p[3]),
+        "volume sign");
     // p[3] on the line through p[0] and p[1], rounded.
     for (int k = 0; k < 3; ++k) v[3][k] = v[0][k] + s * (v[1][k] - v[0][k]);
     p[3] = p[0].pose ? Adaptive::placed(v[3], pose) : Adaptive::unmoved(v[3]);
     const int axis = round % 3;
-    say(Adaptive::filtered_normal_sign(p[0], p[1], p[3], axis), Adaptive::exact_normal_sign(p[0], p[1], p[3], axis), "normal sign");
+    say(Adaptive::filtered_normal_sign(p[0], p[1], p[3], axis), Adaptive::exact_normal_sign(p[0], p[1], p[3], axis),
+        "normal sign");
     if (p[0].pose == nullptr || round % 16 != 0) continue;
     for (int row = 0; row < 3; ++row) {
       Rational image(pose[4 * row + 3]);
@@ -210,7 +225,8 @@ void judge_stages(int rounds)
   }
 }
 
-/// Sums and products of two doubles each: within the proved errors, in parts that don't overlap. Every third time nearly all cancels.
+/// Sums and products of two doubles each: within the proved errors, in parts that don't overlap. Every third time
+/// nearly all cancels.
 void judge_double_doubles(int rounds)
 {
   verify::Random random(2);
@@ -219,7 +235,8 @@ void judge_double_doubles(int rounds)
     return kernel::Double_double::sum(high, 0x1p-54 * high * random.symmetric());
   };
   const auto exact = [](const kernel::Double_double& x) { return Rational(Rational(x.high) + Rational(x.low)); };
-  const auto judge = [&](const kernel::Double_double& computed, const Rational& right, const Rational& most, const char* what) {
+  const auto judge = [&](const kernel::Double_double& computed, const Rational& right, const Rational& most,
+                         const char* what) {
     if (abs(Rational(exact(computed) - right)) > most * abs(right)) wrong(std::string(what) + " of double-doubles");
     if (computed.high + computed.low != computed.high) wrong(std::string("parts of the ") + what + " overlap");
   };
@@ -227,14 +244,16 @@ void judge_double_doubles(int rounds)
   for (int round = 0; round < rounds; ++round) {
     const kernel::Double_double a = pair();
     kernel::Double_double b = pair();
-    if (round % 3 == 0) b = kernel::Double_double(-a.high, -a.low * (1 + 0x1p-20)) + kernel::Double_double(0x1p-90 * random.symmetric());
+    if (round % 3 == 0)
+      b = kernel::Double_double(-a.high, -a.low * (1 + 0x1p-20)) + kernel::Double_double(0x1p-90 * random.symmetric());
     judge(a + b, exact(a) + exact(b), Rational(3.001) * u2, "sum");
     judge(a - b, exact(a) - exact(b), Rational(3.001) * u2, "difference");
     judge(a * b, exact(a) * exact(b), Rational(7.001) * u2, "product");
   }
 }
 
-/// The double-double stage: decides nothing within its proved error, nothing wrongly, nothing of points out of the gate.
+/// The double-double stage: decides nothing within its proved error, nothing wrongly, nothing of points out of the
+/// gate.
 void judge_wide_stage(int rounds)
 {
   const auto silent = [](const Adaptive::Decision& decision, const char* what) {
@@ -247,37 +266,50 @@ void judge_wide_stage(int rounds)
     return p;
   };
   for (const double e : {0.0, u2, 0x1p-80, infinity}) {
-    const double volume = e == infinity ? 1 : 185 * u2 + 36 * e, normal = e == infinity ? 1 : 31 * u2 + 8 * e, difference = e == infinity ? 1 : 2 * e;
+    const double volume = e == infinity ? 1 : 185 * u2 + 36 * e, normal = e == infinity ? 1 : 31 * u2 + 8 * e,
+                 difference = e == infinity ? 1 : 2 * e;
     const Adaptive::Point_3 o = at(0, 0, 0, e);
-    for (const double h : {volume, -volume}) silent(Adaptive::double_double_volume_sign(o, at(1, 0, 1, e), at(0, 1, 0, e), at(0, 0, h, e)), "volume");
-    for (const double h : {normal, -normal}) silent(Adaptive::double_double_normal_sign(o, at(1, 1, 0, e), at(0, h, 0, e), 2), "normal");
+    for (const double h : {volume, -volume})
+      silent(Adaptive::double_double_volume_sign(o, at(1, 0, 1, e), at(0, 1, 0, e), at(0, 0, h, e)), "volume");
+    for (const double h : {normal, -normal})
+      silent(Adaptive::double_double_normal_sign(o, at(1, 1, 0, e), at(0, h, 0, e), 2), "normal");
     if (e != 0) silent(Adaptive::double_double_difference_sign(at(difference, 0, 0, e), o, 0), "difference");
   }
 
   verify::Random random(3);
-  const auto vertex = [&random](double radius) { return Vertex{radius * random.symmetric(), radius * random.symmetric(), radius * random.symmetric()}; };
+  const auto vertex = [&random](double radius) {
+    return Vertex{radius * random.symmetric(), radius * random.symmetric(), radius * random.symmetric()};
+  };
   for (int round = 0; round < rounds; ++round) {
     std::array<Rational, 12> entries;
-    for (Rational& entry : entries) entry = round % 2 == 0 ? Rational(random.symmetric()) : Rational(Rational(std::round(99 * random.symmetric())) / 7);
+    for (Rational& entry : entries)
+      entry =
+          round % 2 == 0 ? Rational(random.symmetric()) : Rational(Rational(std::round(99 * random.symmetric())) / 7);
     const Pose pose(entries);
     const Vertex v = vertex(1);
     const Adaptive::Point_3 p = Adaptive::placed(v, pose);
     const Adaptive::Double_double_image image = Adaptive::double_double_image(p);
     for (int row = 0; row < 3; ++row) {
-      Rational exact = entries[4 * row + 3], computed = Rational(image.coordinate[row].high) + Rational(image.coordinate[row].low), sum = abs(exact);
-      for (int k = 0; k < 3; ++k) exact += entries[4 * row + k] * Rational(v[k]), sum += abs(Rational(entries[4 * row + k] * Rational(v[k])));
-      if (abs(Rational(exact - computed)) > Rational(image.error)) wrong("image of twice the digits is off by more than its error");
-      if (Rational(image.error) < (round % 2 == 0 ? 9 : 17) * Rational(u2) * sum) wrong("error of an image of twice the digits is less than proved");
+      Rational exact = entries[4 * row + 3],
+               computed = Rational(image.coordinate[row].high) + Rational(image.coordinate[row].low), sum = abs(exact);
+      for (int k = 0; k < 3; ++k)
+        exact += entries[4 * row + k] * Rational(v[k]), sum += abs(Rational(entries[4 * row + k] * Rational(v[k])));
+      if (abs(Rational(exact - computed)) > Rational(image.error))
+        wrong("image of twice the digits is off by more than its error");
+      if (Rational(image.error) < (round % 2 == 0 ? 9 : 17) * Rational(u2) * sum)
+        wrong("error of an image of twice the digits is less than proved");
     }
     // On the plane x + y + z = 0, exactly, with all bits; and a rounded point of another plane.
     std::array<Adaptive::Point_3, 4> q;
     for (auto& point : q) {
-      const double x = std::ldexp(std::round(std::ldexp(random.symmetric(), 52)), -52), y = std::ldexp(std::round(std::ldexp(random.symmetric(), 52)), -52);
+      const double x = std::ldexp(std::round(std::ldexp(random.symmetric(), 52)), -52),
+                   y = std::ldexp(std::round(std::ldexp(random.symmetric(), 52)), -52);
       point = Adaptive::unmoved({x, y, -(x + y)});
     }
     for (int k = 0; k < 2; ++k) {
       const Adaptive::Decision decision = Adaptive::double_double_volume_sign(q[0], q[1], q[2], q[3]);
-      if (decision && *decision != Adaptive::exact_volume_sign(q[0], q[1], q[2], q[3])) wrong("double-double stage of the volume sign");
+      if (decision && *decision != Adaptive::exact_volume_sign(q[0], q[1], q[2], q[3]))
+        wrong("double-double stage of the volume sign");
       q[k] = p;
     }
   }
@@ -295,9 +327,13 @@ void judge_zero_exits(int rounds)
       const Vertex v = {std::round(random.symmetric()), std::round(random.symmetric()), std::round(random.symmetric())};
       point = round % 2 == 0 ? Adaptive::unmoved(v) : Adaptive::placed(v, far);
     }
-    if (Adaptive::zero_volume_sign(p[0], p[1], p[2], p[3]) && Adaptive::exact_volume_sign(p[0], p[1], p[2], p[3]) != CGAL::ZERO) wrong("zero exit of the volume sign");
+    if (Adaptive::zero_volume_sign(p[0], p[1], p[2], p[3]) &&
+        Adaptive::exact_volume_sign(p[0], p[1], p[2], p[3]) != CGAL::ZERO)
+      wrong("zero exit of the volume sign");
     const int axis = round % 3;
-    if (Adaptive::zero_normal_sign(p[0], p[1], p[2], axis) && Adaptive::exact_normal_sign(p[0], p[1], p[2], axis) != CGAL::ZERO) wrong("zero exit of the normal sign");
+    if (Adaptive::zero_normal_sign(p[0], p[1], p[2], axis) &&
+        Adaptive::exact_normal_sign(p[0], p[1], p[2], axis) != CGAL::ZERO)
+      wrong("zero exit of the normal sign");
   }
 }
 

@@ -15,13 +15,15 @@ const std::vector<Relation>& relations()
   return all;
 }
 
-Verdict check(const Relation& relation, const Object_case& c, kernel::Question question, Answering& subject, Random& random)
+Verdict check(const Relation& relation, const Object_case& c, kernel::Question question, Answering& subject,
+              Random& random)
 {
   assert(relation.level == Level::object);
   return relation.of_object(c, question, subject, random);
 }
 
-Verdict check(const Relation& relation, const Predicate_case& c, Predicate predicate, const Predicate_subject& subject, Random& random)
+Verdict check(const Relation& relation, const Predicate_case& c, Predicate predicate, const Predicate_subject& subject,
+              Random& random)
 {
   assert(relation.level == Level::predicate);
   return relation.of_predicate(c, predicate, subject, random);

@@ -3,19 +3,19 @@
 
 #include "tetracone/kernel/predicate/question.h"
 #include "verify/cases/case.h"
+#include "verify/cases/random.h"
 #include "verify/subjects/object_subject.h"
 #include "verify/subjects/predicate_subject.h"
-#include "verify/cases/random.h"
 
 #include <string_view>
 #include <vector>
 
-/// What must hold between a subject's answers to a case and to twins of it that were made without any rounding: errors that show
-/// without knowing a right answer. A twin is made in rational arithmetic or by operations on doubles that are checked to be exact;
-/// where it would have to be rounded, the relation does not apply.
+/// What must hold between a subject's answers to a case and to twins of it that were made without any rounding: errors
+/// that show without knowing a right answer. A twin is made in rational arithmetic or by operations on doubles that are
+/// checked to be exact; where it would have to be rounded, the relation does not apply.
 ///
-/// The numbers R1 to R13 are parts of the relations' names. R12 (signs in vectors equal scalar ones) is no relation of cases: the tests of
-/// kernel/bound and tetratree/fast hold each version of the vectors against scalar arithmetic.
+/// The numbers R1 to R13 are parts of the relations' names. R12 (signs in vectors equal scalar ones) is no relation of
+/// cases: the tests of kernel/bound and tetratree/fast hold each version of the vectors against scalar arithmetic.
 namespace tetracone::verify {
 
 enum class Verdict { holds, violated, not_applicable };
@@ -25,8 +25,8 @@ inline const char* to_string(Verdict verdict)
   return verdict == Verdict::holds ? "holds" : verdict == Verdict::violated ? "violated" : "not applicable";
 }
 
-/// A relation of one level. Its own check draws the twins from the random state; an answer that the subject does not give, to the case
-/// or to a twin, makes it not applicable.
+/// A relation of one level. Its own check draws the twins from the random state; an answer that the subject does not
+/// give, to the case or to a twin, makes it not applicable.
 struct Relation {
   std::string_view name;  ///< "R5 swap": unique on its level
   std::string_view what;  ///< what must hold, in a line
@@ -34,7 +34,8 @@ struct Relation {
 
   /// The check of this level; the other is null.
   Verdict (*of_object)(const Object_case& c, kernel::Question question, Answering& subject, Random& random) = nullptr;
-  Verdict (*of_predicate)(const Predicate_case& c, Predicate predicate, const Predicate_subject& subject, Random& random) = nullptr;
+  Verdict (*of_predicate)(const Predicate_case& c, Predicate predicate, const Predicate_subject& subject,
+                          Random& random) = nullptr;
 };
 
 /// All relations, those of predicates first, each level in the order of the numbers.
@@ -44,9 +45,12 @@ const std::vector<Relation>& relations();
 std::vector<Relation> predicate_relations();
 std::vector<Relation> object_relations();
 
-/// Asks the subject about the case and its twins. Requires a relation of the level, and what `Answering` and `Predicate` require.
-Verdict check(const Relation& relation, const Object_case& c, kernel::Question question, Answering& subject, Random& random);
-Verdict check(const Relation& relation, const Predicate_case& c, Predicate predicate, const Predicate_subject& subject, Random& random);
+/// Asks the subject about the case and its twins. Requires a relation of the level, and what `Answering` and
+/// `Predicate` require.
+Verdict check(const Relation& relation, const Object_case& c, kernel::Question question, Answering& subject,
+              Random& random);
+Verdict check(const Relation& relation, const Predicate_case& c, Predicate predicate, const Predicate_subject& subject,
+              Random& random);
 
 }  // namespace tetracone::verify
 

@@ -91,7 +91,8 @@ double scale_of(const Object_case& c)
   return largest;
 }
 
-// --- motions ------------------------------------------------------------------------------------------------------------
+// --- motions
+// ------------------------------------------------------------------------------------------------------------
 
 Verdict absorbed(const Object_case& c, Question question, Answering& subject, Random& random)
 {
@@ -162,7 +163,8 @@ Verdict scaling(const Object_case& c, Question question, Answering& subject, Ran
   return same(c, twin, question, subject);
 }
 
-// --- the same surface from other elements -------------------------------------------------------------------------------
+// --- the same surface from other elements
+// -------------------------------------------------------------------------------
 
 /// The body with an edge split in its middle: a triangle at it becomes two, any other face gets a corner more.
 std::optional<Polyhedron> with_split_edge(const Polyhedron& what, Random& random)
@@ -287,7 +289,8 @@ std::optional<Polyhedron> wound_backwards(const Polyhedron& what, Random&)
   });
 }
 
-// --- more and less of a body --------------------------------------------------------------------------------------------
+// --- more and less of a body
+// --------------------------------------------------------------------------------------------
 
 struct Corners {
   Vertex low, high;
@@ -302,7 +305,8 @@ Corners corners_of(const Polyhedron& what)
   return box;
 }
 
-/// The body with a tetrahedron more: anywhere about it, or, as winding numbers of shells in one another add up, beside its box.
+/// The body with a tetrahedron more: anywhere about it, or, as winding numbers of shells in one another add up, beside
+/// its box.
 std::optional<Polyhedron> with_tetrahedron(const Polyhedron& what, bool beside, Random& random)
 {
   const Corners box = corners_of(what);
@@ -319,7 +323,8 @@ std::optional<Polyhedron> with_tetrahedron(const Polyhedron& what, bool beside, 
     result.vertices.push_back(further);
   }
   for (Index v = first; v < first + 4; ++v)
-    if (!std::isfinite(magnitude(result.vertices[v])) || (beside && !(result.vertices[v][axis] > box.high[axis]))) return std::nullopt;
+    if (!std::isfinite(magnitude(result.vertices[v])) || (beside && !(result.vertices[v][axis] > box.high[axis])))
+      return std::nullopt;
   for (const auto& [a, b, c] : {std::array<Index, 3>{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}})
     result.add_polygon({first + a, first + b, first + c});
   return result;
@@ -353,9 +358,11 @@ Verdict removing(const Object_case& c, Question question, Answering& subject, Ra
   return !with_less ? Verdict::not_applicable : *with_less ? Verdict::violated : Verdict::holds;
 }
 
-// --- another origin of the covering -------------------------------------------------------------------------------------
+// --- another origin of the covering
+// -------------------------------------------------------------------------------------
 
-/// The origin is the mean of all vertices, of those that no face has too: a vertex repeated draws it there, a far one elsewhere.
+/// The origin is the mean of all vertices, of those that no face has too: a vertex repeated draws it there, a far one
+/// elsewhere.
 std::optional<Polyhedron> with_unused_vertices(const Polyhedron& what, Random& random)
 {
   Polyhedron result = what;
@@ -387,10 +394,11 @@ Verdict opposite_moves(const Object_case& c, Question question, Answering& subje
   return Verdict::not_applicable;
 }
 
-// --- along a translation ------------------------------------------------------------------------------------------------
+// --- along a translation
+// ------------------------------------------------------------------------------------------------
 
-/// Requires a closed polyhedron. True when its solid is the convex hull of its vertices: every face has all of them on one side, which
-/// leaves one region inside, and that has a winding number, for there is a volume.
+/// Requires a closed polyhedron. True when its solid is the convex hull of its vertices: every face has all of them on
+/// one side, which leaves one region inside, and that has a winding number, for there is a volume.
 bool is_convex(const Polyhedron& what)
 {
   const covering::Covering covering(what);
@@ -401,7 +409,8 @@ bool is_convex(const Polyhedron& what)
     CGAL::Sign side = CGAL::ZERO;
     for (const auto& [from, to] : covering.edges())
       for (const Index v : {from, to}) {
-        const CGAL::Sign of_v = Adaptive::volume_sign(point((*base)[0]), point((*base)[1]), point((*base)[2]), point(v));
+        const CGAL::Sign of_v =
+            Adaptive::volume_sign(point((*base)[0]), point((*base)[1]), point((*base)[2]), point(v));
         if (of_v * side == CGAL::NEGATIVE) return false;
         if (of_v != CGAL::ZERO) side = of_v;
       }
@@ -441,16 +450,22 @@ std::vector<Relation> object_relations()
   return {
       relation("R3 absorbed", "a motion done to the vertices beforehand, exactly, gives the same answer", absorbed),
       relation("R5 swap", "A and B may be swapped", swap),
-      relation("R5 relative", "one body may stand still and the other be moved as seen from it, where the inverse motion is exact", relative),
+      relation("R5 relative",
+               "one body may stand still and the other be moved as seen from it, where the inverse motion is exact",
+               relative),
       relation("R6 motion", "a common permutation of the axes and translation gives the same answer", common_motion),
       relation("R6 scale", "everything times a power of two gives the same answer", scaling),
-      relation("R7 edge", "an edge split in its middle, for all faces at it, gives the same answer", unchanged_by<with_split_edge>),
-      relation("R7 face", "a face split at an inner point or along a diagonal gives the same answer", unchanged_by<with_split_face>),
-      relation("R8 order", "vertices, faces and the first corners of loops may stand in any order", unchanged_by<reordered>),
+      relation("R7 edge", "an edge split in its middle, for all faces at it, gives the same answer",
+               unchanged_by<with_split_edge>),
+      relation("R7 face", "a face split at an inner point or along a diagonal gives the same answer",
+               unchanged_by<with_split_face>),
+      relation("R8 order", "vertices, faces and the first corners of loops may stand in any order",
+               unchanged_by<reordered>),
       relation("R8 winding", "all loops may run the other way round", unchanged_by<wound_backwards>),
       relation("R9 adding", "a shell more keeps a collision", adding),
       relation("R9 removing", "a face less keeps surfaces apart", removing),
-      relation("R10 unused", "vertices of no face, which move the covering's origin, give the same answer", unchanged_by<with_unused_vertices>),
+      relation("R10 unused", "vertices of no face, which move the covering's origin, give the same answer",
+               unchanged_by<with_unused_vertices>),
       relation("R10 opposite", "vertices moved and the pose moved back, exactly, give the same answer", opposite_moves),
       relation("R13 monotone", "along a translation, convex solids meet in one stretch", monotone),
   };

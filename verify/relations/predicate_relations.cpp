@@ -26,12 +26,14 @@ bool is_asked(Predicate predicate, const Predicate_case& c)
 {
   const auto v0 = Adaptive::placed(c.v[0], c.pose_a);
   const auto is_flat = [&](const std::array<Vertex, 3>& x, const Pose& pose) {
-    return Adaptive::volume_sign(v0, Adaptive::placed(x[0], pose), Adaptive::placed(x[1], pose), Adaptive::placed(x[2], pose)) == CGAL::ZERO;
+    return Adaptive::volume_sign(v0, Adaptive::placed(x[0], pose), Adaptive::placed(x[1], pose),
+                                 Adaptive::placed(x[2], pose)) == CGAL::ZERO;
   };
   switch (predicate) {
     case Predicate::tetra_cone:
     case Predicate::tetrahedron: return !is_flat({c.v[1], c.v[2], c.v[3]}, c.pose_a);
-    case Predicate::classification: return !is_flat({c.v[1], c.v[2], c.v[3]}, c.pose_a) && !is_flat({c.p, c.q, c.r}, c.pose_b);
+    case Predicate::classification:
+      return !is_flat({c.v[1], c.v[2], c.v[3]}, c.pose_a) && !is_flat({c.p, c.q, c.r}, c.pose_b);
     default: return true;
   }
 }
@@ -124,7 +126,8 @@ Verdict absorbed(const Predicate_case& c, Predicate predicate, const Predicate_s
   return same(ask(subject, predicate, c), ask(subject, predicate, twin));
 }
 
-Verdict grassmann_pluecker(const Predicate_case& c, Predicate predicate, const Predicate_subject& subject, Random& random)
+Verdict grassmann_pluecker(const Predicate_case& c, Predicate predicate, const Predicate_subject& subject,
+                           Random& random)
 {
   if (predicate != Predicate::orientation) return Verdict::not_applicable;
   const std::array poses{Pose(), c.pose_a, c.pose_b};
@@ -135,12 +138,14 @@ Verdict grassmann_pluecker(const Predicate_case& c, Predicate predicate, const P
   bool answered = true;
   const auto sign = [&](int i, int j, int k, int l) {
     Predicate_case quadruple = base;
-    quadruple.v[1] = points[x[i]], quadruple.v[2] = points[x[j]], quadruple.v[3] = points[x[k]], quadruple.p = points[x[l]];
+    quadruple.v[1] = points[x[i]], quadruple.v[2] = points[x[j]], quadruple.v[3] = points[x[k]],
+    quadruple.p = points[x[l]];
     const Answer answer = ask(subject, predicate, quadruple);
     answered = answered && answer;
     return answer.value_or(0);
   };
-  const std::array products{sign(0, 1, 2, 3) * sign(0, 1, 4, 5), -sign(0, 1, 2, 4) * sign(0, 1, 3, 5), sign(0, 1, 2, 5) * sign(0, 1, 3, 4)};
+  const std::array products{sign(0, 1, 2, 3) * sign(0, 1, 4, 5), -sign(0, 1, 2, 4) * sign(0, 1, 3, 5),
+                            sign(0, 1, 2, 5) * sign(0, 1, 3, 4)};
   if (!answered) return Verdict::not_applicable;
   // Their values sum to zero.
   const auto [least, largest] = std::minmax_element(products.begin(), products.end());
@@ -205,14 +210,15 @@ Verdict scaling(const Predicate_case& c, Predicate predicate, const Predicate_su
 }
 
 /// The whole is hit when a half is: `first` of the whole replaced by the middle, then `second`.
-Verdict halves(const Predicate_case& c, Predicate predicate, const Predicate_subject& subject, Vertex& (*first)(Predicate_case&),
-               Vertex& (*second)(Predicate_case&))
+Verdict halves(const Predicate_case& c, Predicate predicate, const Predicate_subject& subject,
+               Vertex& (*first)(Predicate_case&), Vertex& (*second)(Predicate_case&))
 {
   Predicate_case left = c, right = c;
   const auto middle = exact_middle(first(left), second(left));
   if (!middle) return Verdict::not_applicable;
   second(left) = *middle, first(right) = *middle;
-  const Answer whole = ask(subject, predicate, c), a = ask(subject, predicate, left), b = ask(subject, predicate, right);
+  const Answer whole = ask(subject, predicate, c), a = ask(subject, predicate, left),
+               b = ask(subject, predicate, right);
   return whole && a && b ? verdict(*whole == std::max(*a, *b)) : Verdict::not_applicable;
 }
 
@@ -225,10 +231,12 @@ Verdict split(const Predicate_case& c, Predicate predicate, const Predicate_subj
   const auto q = [](Predicate_case& x) -> Vertex& { return x.q; };
   const bool of_b = one_of(random, 2) == 0;
   switch (predicate) {
-    case Predicate::segment_triangle: return of_b ? halves(c, predicate, subject, p, q) : halves(c, predicate, subject, v1, v2);
+    case Predicate::segment_triangle:
+      return of_b ? halves(c, predicate, subject, p, q) : halves(c, predicate, subject, v1, v2);
     case Predicate::tetrahedron: return halves(c, predicate, subject, v0, v1);
     case Predicate::tetra_cone: return halves(c, predicate, subject, v1, v2);
-    case Predicate::classification: return of_b ? halves(c, predicate, subject, p, q) : halves(c, predicate, subject, v1, v2);
+    case Predicate::classification:
+      return of_b ? halves(c, predicate, subject, p, q) : halves(c, predicate, subject, v1, v2);
     default: return Verdict::not_applicable;
   }
 }
@@ -278,11 +286,11 @@ Verdict stages(const Predicate_case& c, Predicate predicate, const Predicate_sub
     for (int j = 0; j < i; ++j)
       for (int k = 0; k < j; ++k) {
         for (int l = 0; l < k; ++l)
-          compare(Adaptive::filtered_volume_sign(x[i], x[j], x[k], x[l]), Adaptive::exact_volume_sign(x[i], x[j], x[k], x[l]),
-                  Adaptive::volume_sign(x[i], x[j], x[k], x[l]));
+          compare(Adaptive::filtered_volume_sign(x[i], x[j], x[k], x[l]),
+                  Adaptive::exact_volume_sign(x[i], x[j], x[k], x[l]), Adaptive::volume_sign(x[i], x[j], x[k], x[l]));
         const int axis = (i + j + k) % 3;
-        compare(Adaptive::filtered_normal_sign(x[i], x[j], x[k], axis), Adaptive::exact_normal_sign(x[i], x[j], x[k], axis),
-                Adaptive::normal_sign(x[i], x[j], x[k], axis));
+        compare(Adaptive::filtered_normal_sign(x[i], x[j], x[k], axis),
+                Adaptive::exact_normal_sign(x[i], x[j], x[k], axis), Adaptive::normal_sign(x[i], x[j], x[k], axis));
         compare(Adaptive::filtered_difference_sign(x[i], x[j], axis), Adaptive::exact_difference_sign(x[i], x[j], axis),
                 Adaptive::difference_sign(x[i], x[j], axis));
       }
@@ -304,11 +312,13 @@ Verdict monotone(const Predicate_case& c, Predicate predicate, const Predicate_s
     if (const Answer answer = ask(subject, predicate, twin)) answers.push_back(*answer);
   }
   if (answers.size() < 3) return Verdict::not_applicable;
-  // An orientation is the sign of a linear function of the step. The others ask whether two convex sets meet: once apart, always.
+  // An orientation is the sign of a linear function of the step. The others ask whether two convex sets meet: once
+  // apart, always.
   if (predicate == Predicate::orientation)
     return verdict(std::is_sorted(answers.begin(), answers.end()) || std::is_sorted(answers.rbegin(), answers.rend()));
   const auto top = std::max_element(answers.begin(), answers.end());
-  return verdict(std::is_sorted(answers.begin(), top) && std::is_sorted(answers.rbegin(), std::make_reverse_iterator(top)));
+  return verdict(std::is_sorted(answers.begin(), top) &&
+                 std::is_sorted(answers.rbegin(), std::make_reverse_iterator(top)));
 }
 
 }  // namespace
@@ -319,10 +329,15 @@ std::vector<Relation> predicate_relations()
     return Relation{name, what, Level::predicate, nullptr, check};
   };
   return {
-      relation("R1 permutations", "a permutation of the four points turns the orientation by its parity, in mixed frames too", permutations),
-      relation("R2 one frame", "where all points are under one pose, it changes nothing but the orientation, and that by sign(det M)", one_frame),
+      relation("R1 permutations",
+               "a permutation of the four points turns the orientation by its parity, in mixed frames too",
+               permutations),
+      relation("R2 one frame",
+               "where all points are under one pose, it changes nothing but the orientation, and that by sign(det M)",
+               one_frame),
       relation("R3 absorbed", "a motion done to the points beforehand, exactly, gives the same answer", absorbed),
-      relation("R4 grassmann-pluecker", "[abcd][abef] - [abce][abdf] + [abcf][abde] = 0 for the six signs", grassmann_pluecker),
+      relation("R4 grassmann-pluecker", "[abcd][abef] - [abce][abdf] + [abcf][abde] = 0 for the six signs",
+               grassmann_pluecker),
       relation("R5 swap", "a segment's ends may be swapped and a triangle's corners rotated", swap_ends),
       relation("R6 motion", "a common permutation of the axes and translation gives the same answer", common_motion),
       relation("R6 scale", "everything times a power of two gives the same answer", scaling),
@@ -330,7 +345,8 @@ std::vector<Relation> predicate_relations()
       relation("R8 order", "corners of a tetrahedron, a cone or a triangle may stand in any order", order),
       relation("R10 apex", "another origin of the covering gives the same place of the point", apex),
       relation("R11 stages", "every stage of the adaptive kernel that decides a sign decides the exact one", stages),
-      relation("R13 monotone", "along a translation, orientation is monotone and convex sets meet in one stretch", monotone),
+      relation("R13 monotone", "along a translation, orientation is monotone and convex sets meet in one stretch",
+               monotone),
   };
 }
 

@@ -28,7 +28,8 @@ double nudged(double x, Random& random)
   return std::isfinite(moved) ? moved : x;
 }
 
-/// The point of body `body` whose image is nearest to the image of point `i` of the other; nothing when it is beyond the doubles.
+/// The point of body `body` whose image is nearest to the image of point `i` of the other; nothing when it is beyond
+/// the doubles.
 std::optional<Vertex> across(const Case_numbers& n, int body, std::size_t i)
 {
   using namespace object_family;

@@ -3,10 +3,10 @@
 #include "tetracone/covering/covering.h"
 #include "tetracone/covering/edge_uses.h"
 #include "tetracone/covering/planarity.h"
-#include "verify/truth/cgal_truth.h"
-#include "verify/truth/predicate_truth.h"
 #include "verify/shrink/shrink_faces.h"
 #include "verify/shrink/shrink_numbers.h"
+#include "verify/truth/cgal_truth.h"
+#include "verify/truth/predicate_truth.h"
 
 #include <algorithm>
 #include <array>
@@ -31,7 +31,8 @@ class Spending {
   /// Throws Over where nothing is left: the way out of all loops at once.
   void one_more()
   {
-    if (spent_ >= budget_.evaluations || std::chrono::duration<double>(Clock::now() - start_).count() > budget_.seconds) throw Over();
+    if (spent_ >= budget_.evaluations || std::chrono::duration<double>(Clock::now() - start_).count() > budget_.seconds)
+      throw Over();
     ++spent_;
   }
 
@@ -42,7 +43,8 @@ class Spending {
   Clock::time_point start_ = Clock::now();
 };
 
-/// Whether the predicate takes a segment or triangle that is none; it may, but that is another case. (Cones and tetrahedra may not.)
+/// Whether the predicate takes a segment or triangle that is none; it may, but that is another case. (Cones and
+/// tetrahedra may not.)
 bool is_degenerate(Predicate predicate, const Predicate_case& c)
 {
   const auto on_line = [](const kernel::Vertex& p, const kernel::Vertex& q, const kernel::Vertex& r) {
@@ -59,7 +61,8 @@ bool is_flat(const Case_numbers& numbers)
                      [](const kernel::Pose& pose) { return pose.determinant_sign() == CGAL::ZERO; });
 }
 
-/// What a body keeps while it shrinks: else most of what is wrong would end as two points, which shows nothing of its own.
+/// What a body keeps while it shrinks: else most of what is wrong would end as two points, which shows nothing of its
+/// own.
 struct Shape {
   bool degenerate_faces = false, flat = false;
   bool open = false;
@@ -140,7 +143,8 @@ class Object_shrink {
   void simplify_bodies()
   {
     for (int which = 0; which < 2; ++which)
-      shrink_faces(*body(c_, which), question_, [&](const Polyhedron& polyhedron) { return accept_body(which, polyhedron); });
+      shrink_faces(*body(c_, which), question_,
+                   [&](const Polyhedron& polyhedron) { return accept_body(which, polyhedron); });
   }
 
   /// More faces at first: kept only where it leads to less in the end.
@@ -167,14 +171,12 @@ class Object_shrink {
   void simplify_numbers()
   {
     Case_numbers numbers = numbers_of(c_);
-    simplify(numbers, [&](const Case_numbers& n) {
-      return !is_flat(n) && accept(with_numbers(c_, n));
-    });
+    simplify(numbers, [&](const Case_numbers& n) { return !is_flat(n) && accept(with_numbers(c_, n)); });
   }
 
   Object_case c_;
   Case_size size_;
-  std::array<Shape, 2> shapes_;          // of the bodies as they were given
+  std::array<Shape, 2> shapes_;       // of the bodies as they were given
   std::optional<Object_case> aside_;  // what c_ was before it was made larger
   Question question_;
   const Object_check& still_wrong_;
@@ -225,14 +227,18 @@ bool true_answer(const Object_case& c, Question question)
 Object_check same_error(Answering& subject, Question question, Outcome answer, bool truth)
 {
   // The subject first: it is faster.
-  return [=, &subject](const Object_case& c) { return subject(c, question) == answer && true_answer(c, question) == truth; };
+  return [=, &subject](const Object_case& c) {
+    return subject(c, question) == answer && true_answer(c, question) == truth;
+  };
 }
 
-Predicate_check same_error(const Predicate_subject& subject, Predicate predicate, const Predicate_case& c, int answer, int truth)
+Predicate_check same_error(const Predicate_subject& subject, Predicate predicate, const Predicate_case& c, int answer,
+                           int truth)
 {
   const bool may_degenerate = is_degenerate(predicate, c);
   return [=, &subject](const Predicate_case& x) {
-    return subject.answer(predicate, x) == answer && (may_degenerate || !is_degenerate(predicate, x)) && true_answer(predicate, x) == truth;
+    return subject.answer(predicate, x) == answer && (may_degenerate || !is_degenerate(predicate, x)) &&
+           true_answer(predicate, x) == truth;
   };
 }
 

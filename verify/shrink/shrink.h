@@ -18,7 +18,7 @@ namespace tetracone::verify {
 /// How complex a case is; what is less in the first that differs is simpler.
 struct Case_size {
   std::size_t corners = 0, vertices = 0;  ///< of all faces of both bodies; of a predicate's points always the same
-  std::size_t bits = 0;                   ///< of the coordinates, and of the entries of the poses that differ from the identity's
+  std::size_t bits = 0;  ///< of the coordinates, and of the entries of the poses that differ from the identity's
 
   friend auto operator<=>(const Case_size&, const Case_size&) = default;
 };
@@ -35,24 +35,27 @@ struct Shrink_budget {
 using Object_check = std::function<bool(const Object_case&)>;
 using Predicate_check = std::function<bool(const Predicate_case&)>;
 
-/// The smallest case found for which `still_wrong` holds, not larger than `c`. Steps: drop faces, shells, loops and corners; replace
-/// vertices by others; take a body's triangles for its polygons, or a tetrahedron for the body; then simpler poses, coordinates of fewer
-/// bits, exact translations and scalings; over and over while anything helps.
-/// `still_wrong` is asked only of cases with planar faces, det M != 0, at least a face in each body and, for `Question::solid`, closed
-/// bodies. Where a body has no degenerate face before, it has none later; for `Question::solid` neither does its volume become 0.
-/// Requires such a `c`, for which it holds.
-Object_case shrink(Object_case c, kernel::Question question, const Object_check& still_wrong, const Shrink_budget& budget = {});
+/// The smallest case found for which `still_wrong` holds, not larger than `c`. Steps: drop faces, shells, loops and
+/// corners; replace vertices by others; take a body's triangles for its polygons, or a tetrahedron for the body; then
+/// simpler poses, coordinates of fewer bits, exact translations and scalings; over and over while anything helps.
+/// `still_wrong` is asked only of cases with planar faces, det M != 0, at least a face in each body and, for
+/// `Question::solid`, closed bodies. Where a body has no degenerate face before, it has none later; for
+/// `Question::solid` neither does its volume become 0. Requires such a `c`, for which it holds.
+Object_case shrink(Object_case c, kernel::Question question, const Object_check& still_wrong,
+                   const Shrink_budget& budget = {});
 Predicate_case shrink(const Predicate_case& c, const Predicate_check& still_wrong, const Shrink_budget& budget = {});
 
 /// The answer to an object case by `brute.h`.
 bool true_answer(const Object_case& c, kernel::Question question);
 
-/// That a subject answers just this, or fails, where the truth is just that: wrong in the same way. The subject must outlive it.
+/// That a subject answers just this, or fails, where the truth is just that: wrong in the same way. The subject must
+/// outlive it.
 Object_check same_error(Answering& subject, kernel::Question question, Outcome answer, bool truth);
 
-/// The same, as it was in `c`: where the triangles and the segment that the predicate takes are not degenerate there, neither are they
-/// later.
-Predicate_check same_error(const Predicate_subject& subject, Predicate predicate, const Predicate_case& c, int answer, int truth);
+/// The same, as it was in `c`: where the triangles and the segment that the predicate takes are not degenerate there,
+/// neither are they later.
+Predicate_check same_error(const Predicate_subject& subject, Predicate predicate, const Predicate_case& c, int answer,
+                           int truth);
 
 }  // namespace tetracone::verify
 

@@ -88,8 +88,10 @@ Faces merged(const Faces& faces, const std::vector<Index>& target)
     const auto cancelled = std::find_if(result.begin(), result.end(), [&](const auto& other) {
       return other.size() == 1 && !reverse.empty() && from_least(other[0]) == from_least(reverse[0]);
     });
-    if (cancelled != result.end()) result.erase(cancelled);
-    else result.push_back(std::move(loops));
+    if (cancelled != result.end())
+      result.erase(cancelled);
+    else
+      result.push_back(std::move(loops));
   }
   return result;
 }
@@ -98,8 +100,7 @@ class Shrink_faces {
  public:
   Shrink_faces(Polyhedron polyhedron, Question question, const std::function<bool(const Polyhedron&)>& accept)
       : polyhedron_(std::move(polyhedron)), faces_(faces_of(polyhedron_)), question_(question), accept_(accept)
-  {
-  }
+  {}
 
   void run()
   {
@@ -147,8 +148,10 @@ class Shrink_faces {
         Faces rest;
         for (std::size_t f = 0; f < faces_.size(); ++f)
           if (!dropped[f]) rest.push_back(faces_[f]);
-        if (keep(rest)) all = groups();
-        else begin += length;
+        if (keep(rest))
+          all = groups();
+        else
+          begin += length;
       }
   }
 
@@ -219,7 +222,8 @@ class Shrink_faces {
     for (bool found = true; found;) {
       found = false;
       std::vector<std::array<Index, 2>> edges;
-      for (const auto& use : covering::edge_uses(polyhedron_)) edges.push_back({use.low, use.high}), edges.push_back({use.high, use.low});
+      for (const auto& use : covering::edge_uses(polyhedron_))
+        edges.push_back({use.low, use.high}), edges.push_back({use.high, use.low});
       std::sort(edges.begin(), edges.end());
       edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
       for (const auto& [from, to] : edges) {

@@ -36,7 +36,7 @@ std::vector<double> simpler(double x)
     values.push_back(on_grid(x, exponent - kept));
     values.push_back(std::ldexp(std::trunc(std::ldexp(fraction, kept)), exponent - kept));
   }
-  values.push_back(2 * fraction);                              // exponent 0
+  values.push_back(2 * fraction);                               // exponent 0
   values.push_back(std::copysign(double(odd(x).mantissa), x));  // an integer of the same digits
   std::erase_if(values, [x](double value) { return !std::isfinite(value) || value == x || bits(value) > bits(x); });
   return values;
@@ -62,8 +62,7 @@ class Simplify {
  public:
   Simplify(Case_numbers& numbers, const std::function<bool(const Case_numbers&)>& accept)
       : numbers_(numbers), accept_(accept), bits_(bits(numbers))
-  {
-  }
+  {}
 
   bool run()
   {
@@ -98,9 +97,9 @@ class Simplify {
   bool with_pose(int body, const std::optional<Pose>& pose)
   {
     return pose && with([&](Case_numbers& n) {
-      n.poses[body] = *pose;
-      return true;
-    });
+             n.poses[body] = *pose;
+             return true;
+           });
   }
 
   static bool move_points(std::vector<Vertex>& points, const auto& change)
@@ -178,7 +177,8 @@ class Simplify {
         });
         with([&](Case_numbers& n) {
           const Vertex to = n.points[body][i];
-          return n.poses[0].is_identity() && n.poses[1].is_identity() && move_back(n.points[0], to) && move_back(n.points[1], to);
+          return n.poses[0].is_identity() && n.poses[1].is_identity() && move_back(n.points[0], to) &&
+                 move_back(n.points[1], to);
         });
       }
     for (int row = 0; row < 3; ++row)
@@ -207,14 +207,17 @@ class Simplify {
       with([&](Case_numbers& n) {
         for (int body = 0; body < 2; ++body) {
           const auto pose = scaled(n.poses[body], exponent);
-          if (!pose || !move_points(n.points[body], [&](const Vertex& v) { return exact_scaled(v, exponent); })) return false;
+          if (!pose || !move_points(n.points[body], [&](const Vertex& v) { return exact_scaled(v, exponent); }))
+            return false;
           n.poses[body] = *pose;
         }
         return true;
       });
     for (int body = 0; body < 2; ++body)
       for (const int exponent : exponents({body}, 0, 3))
-        with([&](Case_numbers& n) { return move_points(n.points[body], [&](const Vertex& v) { return exact_scaled(v, exponent); }); });
+        with([&](Case_numbers& n) {
+          return move_points(n.points[body], [&](const Vertex& v) { return exact_scaled(v, exponent); });
+        });
     for (int axis = 0; axis < 3; ++axis)
       for (const int exponent : exponents({0, 1}, axis, axis + 1))
         with([&](Case_numbers& n) {
@@ -335,6 +338,9 @@ class Simplify {
 
 }  // namespace
 
-bool simplify(Case_numbers& numbers, const std::function<bool(const Case_numbers&)>& accept) { return Simplify(numbers, accept).run(); }
+bool simplify(Case_numbers& numbers, const std::function<bool(const Case_numbers&)>& accept)
+{
+  return Simplify(numbers, accept).run();
+}
 
 }  // namespace tetracone::verify

@@ -2,10 +2,10 @@
 
 #include "tetracone/covering/edge_uses.h"
 #include "tetracone/kernel/predicate/contact.h"
+#include "verify/shrink/shrink.h"
 #include "verify/subjects/blame.h"
 #include "verify/truth/cgal_truth.h"
 #include "verify/truth/predicate_truth.h"
-#include "verify/shrink/shrink.h"
 
 #include <algorithm>
 
@@ -29,8 +29,10 @@ std::vector<Wrong> wrong_answers(const Object_case& c, Question question, bool t
   std::vector<Wrong> wrong;
   for (const Object_subject& subject : object_subjects()) {
     const Outcome answer = (*subject.make())(c, question);
-    if (answer == Outcome::failed) wrong.push_back({subject.name, std::nullopt});
-    else if (answer != Outcome::not_asked && (answer == Outcome::yes) != truth) wrong.push_back({subject.name, answer == Outcome::yes});
+    if (answer == Outcome::failed)
+      wrong.push_back({subject.name, std::nullopt});
+    else if (answer != Outcome::not_asked && (answer == Outcome::yes) != truth)
+      wrong.push_back({subject.name, answer == Outcome::yes});
   }
   return wrong;
 }
@@ -50,7 +52,8 @@ std::string contact_of(const Object_case& c)
   const auto pairs = features(Brute_body(*c.a), c.pose_a, Brute_body(*c.b), c.pose_b);
   if (pairs.empty()) return is_closed(c) && true_answer(c, Question::solid) ? "nested" : "apart";
   // The kinds are ordered from the most special one on; an overlap comes with others and says more.
-  const auto least = std::min_element(pairs.begin(), pairs.end(), [](const auto& x, const auto& y) { return x.kind < y.kind; });
+  const auto least =
+      std::min_element(pairs.begin(), pairs.end(), [](const auto& x, const auto& y) { return x.kind < y.kind; });
   const bool overlap = std::any_of(pairs.begin(), pairs.end(),
                                    [](const auto& pair) { return pair.kind == kernel::Contact::coplanar_overlap; });
   return std::string(to_string(overlap ? kernel::Contact::coplanar_overlap : least->kind));
@@ -66,7 +69,8 @@ Case_file case_file_of(const Object_case& c, Question question, const Object_sub
   if (is_closed(c)) file.object->solid = true_answer(c, Question::solid);
   file.truth = *file.object->known(question);
   file.wrong = wrong_answers(c, question, file.truth);
-  const std::optional<int> given = answer == Outcome::failed ? std::nullopt : std::optional<int>(answer == Outcome::yes);
+  const std::optional<int> given =
+      answer == Outcome::failed ? std::nullopt : std::optional<int>(answer == Outcome::yes);
   file.cause = subject.name + ": " + direction(given, file.truth);
   if (given && subject.own) {
     const auto stage = blame(*subject.own, c, question, file.truth);

@@ -16,12 +16,12 @@ namespace tetracone::verify {
 std::vector<Wrong> wrong_answers(const Object_case& c, kernel::Question question, bool truth);
 std::vector<Wrong> wrong_answers(const Predicate_case& c, Predicate predicate, int truth);
 
-/// How the two placed bodies stand to one another: "vertex-face" and the like, after the most special kind among all contacts; "nested"
-/// where only the solids share a point, "apart" where nothing does.
+/// How the two placed bodies stand to one another: "vertex-face" and the like, after the most special kind among all
+/// contacts; "nested" where only the solids share a point, "apart" where nothing does.
 std::string contact_of(const Object_case& c);
 
-/// A case file of the case with its truth, everyone who is wrong, and the cause: `subject` first, with the stage that is to blame where it
-/// is one of our rounding trees.
+/// A case file of the case with its truth, everyone who is wrong, and the cause: `subject` first, with the stage that
+/// is to blame where it is one of our rounding trees.
 Case_file case_file_of(const Object_case& c, kernel::Question question, const Object_subject& subject, Outcome answer);
 Case_file case_file_of(const Predicate_case& c, Predicate predicate, const Predicate_subject& subject, int answer);
 

@@ -34,7 +34,9 @@ struct Rounded_body {
   /// No coordinate has overflowed.
   bool is_finite() const
   {
-    return std::all_of(points.begin(), points.end(), [](const auto& p) { return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()); });
+    return std::all_of(points.begin(), points.end(), [](const auto& p) {
+      return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
+    });
   }
 
   template <class K>
@@ -111,7 +113,8 @@ std::optional<Stage> blame_in(const tetratree::Config& config, const Object_case
 
   // From here on, discarding one thing more at a time.
   const auto exact_leaves = [&](const Node& leaf_a, const Node& leaf_b) {
-    return any_in(a_in_b, tree_a.edges(leaf_a), tree_b.faces(leaf_b)) || any_in(b_in_a, tree_b.edges(leaf_b), tree_a.faces(leaf_a));
+    return any_in(a_in_b, tree_a.edges(leaf_a), tree_b.faces(leaf_b)) ||
+           any_in(b_in_a, tree_b.edges(leaf_b), tree_a.faces(leaf_a));
   };
   tetratree::Config& discards = collision.config();
   const auto wrong_with = [&](bool spheres, bool tetrahedra, bool hull) {

@@ -9,10 +9,12 @@
 
 namespace tetracone::verify {
 
-/// The stages at which a tree in rounded arithmetic can leave the right answer, in the order in which a query goes through them.
+/// The stages at which a tree in rounded arithmetic can leave the right answer, in the order in which a query goes
+/// through them.
 enum class Stage { pose, classification, bounding_sphere, bounding_tetrahedron, regular_hull, leaf_sign, containment };
-inline constexpr std::array all_stages = {Stage::pose,         Stage::classification, Stage::bounding_sphere, Stage::bounding_tetrahedron,
-                                          Stage::regular_hull, Stage::leaf_sign,      Stage::containment};
+inline constexpr std::array all_stages = {
+    Stage::pose,         Stage::classification, Stage::bounding_sphere, Stage::bounding_tetrahedron,
+    Stage::regular_hull, Stage::leaf_sign,      Stage::containment};
 
 inline const char* to_string(Stage stage)
 {
@@ -21,8 +23,9 @@ inline const char* to_string(Stage stage)
   return names[static_cast<std::size_t>(stage)];
 }
 
-/// The stage that made the subject's answer wrong: the query is run with its first stages in the subject's arithmetic and the rest
-/// exact, with no stage rounded, with one, with two, ...; the stage with which the answer first differs from `truth` is to blame.
+/// The stage that made the subject's answer wrong: the query is run with its first stages in the subject's arithmetic
+/// and the rest exact, with no stage rounded, with one, with two, ...; the stage with which the answer first differs
+/// from `truth` is to blame.
 ///  - pose: exact signs on the rounded images of the vertices already give the wrong answer;
 ///  - classification: no leaf pair of the subject's tree holds what meets;
 ///  - bounding sphere, bounding tetrahedron, regular hull: the leaf pair that holds it is discarded;

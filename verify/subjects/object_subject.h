@@ -20,7 +20,8 @@ enum class Outcome {
   failed      ///< crash, hang, exception
 };
 
-/// One way of answering at work; not for two threads at a time. Keeps what it has prepared for the polyhedra of the last case.
+/// One way of answering at work; not for two threads at a time. Keeps what it has prepared for the polyhedra of the
+/// last case.
 class Answering {
  public:
   virtual ~Answering() = default;
@@ -31,7 +32,7 @@ class Answering {
 struct Object_subject {
   std::string name;  ///< "double tree", "FCL OBBRSS"
   bool is_exact = false;
-  std::string note;  ///< of a peer: the question it really answers
+  std::string note;            ///< of a peer: the question it really answers
   std::optional<Subject> own;  ///< the kernel and method; nothing for a peer
   std::function<std::unique_ptr<Answering>()> make;
 };

@@ -59,7 +59,8 @@ std::optional<int> ask(Predicate predicate, const Predicate_case& c)
   const Placed<K> x(c);
   const auto& v = x.v;
   switch (predicate) {
-    // det[v1-p, v2-p, v3-p] has the other sign than the side of p against the plane v1 v2 v3, which is what queries ask.
+    // det[v1-p, v2-p, v3-p] has the other sign than the side of p against the plane v1 v2 v3, which is what queries
+    // ask.
     case Predicate::orientation: return -kernel::volume_sign<K>(v[1], v[2], v[3], x.p);
     case Predicate::tetra_cone: {
       const auto t = cone(x);
@@ -69,7 +70,8 @@ std::optional<int> ask(Predicate predicate, const Predicate_case& c)
       const auto feature = kernel::barycentric_signs<K>(x.p, v[0], v[1], v[2], v[3]).feature();
       return feature != kernel::In_tetrahedron::outside && feature != kernel::In_tetrahedron::flat;
     }
-    case Predicate::segment_triangle: return kernel::segment_triangle<K>(x.p, x.q, v[1], v[2], v[3]) != kernel::Contact::none;
+    case Predicate::segment_triangle:
+      return kernel::segment_triangle<K>(x.p, x.q, v[1], v[2], v[3]) != kernel::Contact::none;
     case Predicate::solid: return locate(x);
     case Predicate::classification: return tetratree::classify<K>(cone(x), x.p, x.q, x.r) != tetratree::Classified::no;
   }
@@ -88,14 +90,16 @@ std::optional<int> ours(Predicate predicate, const Predicate_case& c)
   }
 }
 
-// --- other formulations -----------------------------------------------------------------------------------------------
+// --- other formulations
+// -----------------------------------------------------------------------------------------------
 
 template <class Number>
 using Vector = formulations::Vector<Number>;
 
 /// A formulation as a subject: the points placed as kernel K does.
-template <class K, bool (*meet)(const Vector<typename K::FT>&, const Vector<typename K::FT>&, const Vector<typename K::FT>&,
-                                const Vector<typename K::FT>&, const Vector<typename K::FT>&)>
+template <class K,
+          bool (*meet)(const Vector<typename K::FT>&, const Vector<typename K::FT>&, const Vector<typename K::FT>&,
+                       const Vector<typename K::FT>&, const Vector<typename K::FT>&)>
 std::optional<int> formulated(Predicate predicate, const Predicate_case& c)
 {
   if (predicate != Predicate::segment_triangle) return std::nullopt;
@@ -105,15 +109,16 @@ std::optional<int> formulated(Predicate predicate, const Predicate_case& c)
 }
 
 template <double eps>
-bool moeller_trumbore(const Vector<double>& p, const Vector<double>& q, const Vector<double>& a, const Vector<double>& b,
-                      const Vector<double>& c)
+bool moeller_trumbore(const Vector<double>& p, const Vector<double>& q, const Vector<double>& a,
+                      const Vector<double>& b, const Vector<double>& c)
 {
   return formulations::moeller_trumbore(p, q, a, b, c, eps);
 }
 
-template <class Number, double eps, formulations::First_end_on_plane transcription = formulations::First_end_on_plane::right>
-bool jimenez_segura_feito(const Vector<Number>& p, const Vector<Number>& q, const Vector<Number>& a, const Vector<Number>& b,
-                          const Vector<Number>& c)
+template <class Number, double eps,
+          formulations::First_end_on_plane transcription = formulations::First_end_on_plane::right>
+bool jimenez_segura_feito(const Vector<Number>& p, const Vector<Number>& q, const Vector<Number>& a,
+                          const Vector<Number>& b, const Vector<Number>& c)
 {
   return formulations::jimenez_segura_feito<transcription>(p, q, a, b, c, Number(eps));
 }
@@ -136,12 +141,16 @@ const std::vector<Predicate_subject>& predicate_subjects()
 {
   using namespace kernel;
   constexpr auto sign_error = formulations::First_end_on_plane::sign_error;
-  static const std::string moeller = "Moeller & Trumbore 1997; never hits a parallel segment; eps is absolute, on the determinant";
+  static const std::string moeller =
+      "Moeller & Trumbore 1997; never hits a parallel segment; eps is absolute, on the determinant";
   static const std::string segura = "Segura & Feito 2001, five volumes; no coplanar segments";
-  static const std::string jimenez = "Jimenez, Segura & Feito 2010; no coplanar segments; eps is absolute, on each volume";
-  static const std::string error = "Jimenez, Segura & Feito 2010 as public ports have it, with -s for s: no segment that starts on the plane hits; "
-                                   "an error of algebra, which no arithmetic repairs";
-  static const std::string cgal_note = "CGAL's do_intersect on the placed points as they are rounded; degenerate ones are passed on as what they are";
+  static const std::string jimenez =
+      "Jimenez, Segura & Feito 2010; no coplanar segments; eps is absolute, on each volume";
+  static const std::string error =
+      "Jimenez, Segura & Feito 2010 as public ports have it, with -s for s: no segment that starts on the plane hits; "
+      "an error of algebra, which no arithmetic repairs";
+  static const std::string cgal_note =
+      "CGAL's do_intersect on the placed points as they are rounded; degenerate ones are passed on as what they are";
   static const std::vector<Predicate_subject> subjects = {
       {"adaptive", true, "", ours<Adaptive>},
       {"rational", true, "", ours<Rational_kernel>},
@@ -155,8 +164,10 @@ const std::vector<Predicate_subject>& predicate_subjects()
       {"double moeller-trumbore-eps-0", false, moeller, formulated<Double, moeller_trumbore<0.0>>},
       {"double segura-feito", false, segura, formulated<Double, formulations::segura_feito<double>>},
       {"double jimenez-segura-feito-eps-0", false, jimenez, formulated<Double, jimenez_segura_feito<double, 0.0>>},
-      {"double jimenez-segura-feito-eps-1e-12", false, jimenez, formulated<Double, jimenez_segura_feito<double, 1e-12>>},
-      {"double jimenez-segura-feito-sign-error", false, error, formulated<Double, jimenez_segura_feito<double, 0.0, sign_error>>},
+      {"double jimenez-segura-feito-eps-1e-12", false, jimenez,
+       formulated<Double, jimenez_segura_feito<double, 1e-12>>},
+      {"double jimenez-segura-feito-sign-error", false, error,
+       formulated<Double, jimenez_segura_feito<double, 0.0, sign_error>>},
       {"rational jimenez-segura-feito-sign-error", false, error,
        formulated<Rational_kernel, jimenez_segura_feito<Rational, 0.0, sign_error>>},
       {"double cgal", false, cgal_note, cgal<Double>},

@@ -9,7 +9,8 @@
 
 namespace tetracone::verify {
 
-/// The answer of a subject that has none to give: an assertion of a library failed. No predicate has it, so it is always wrong.
+/// The answer of a subject that has none to give: an assertion of a library failed. No predicate has it, so it is
+/// always wrong.
 inline constexpr int no_answer = -2;
 
 /// Something that answers predicates: a kernel, with one of the formulations of the predicate where there are several.
@@ -18,7 +19,8 @@ struct Predicate_subject {
   bool is_exact = false;
   std::string note;  ///< source and limits of a formulation that is not ours
 
-  /// The answer as `Predicate` defines it. Nothing: the subject has no such predicate, or the case is one that is not asked.
+  /// The answer as `Predicate` defines it. Nothing: the subject has no such predicate, or the case is one that is not
+  /// asked.
   std::optional<int> (*answer)(Predicate predicate, const Predicate_case& c) = nullptr;
 };
 

@@ -6,9 +6,9 @@
 
 #include <array>
 
-/// Segment against triangle as others formulate it, each written again from its published mathematics over any number type. All
-/// answer whether the closed segment pq and the closed triangle abc share a point, but for the limits that each one states.
-/// Numbers with expression templates are welcome: no intermediate is `auto`.
+/// Segment against triangle as others formulate it, each written again from its published mathematics over any number
+/// type. All answer whether the closed segment pq and the closed triangle abc share a point, but for the limits that
+/// each one states. Numbers with expression templates are welcome: no intermediate is `auto`.
 namespace tetracone::verify::formulations {
 
 template <class Number>
@@ -32,15 +32,16 @@ Number dot(const Vector<Number>& a, const Vector<Number>& b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// Moeller & Trumbore, Fast, minimum storage ray-triangle intersection, JGT 2(1), 1997, both sides, the ray cut to a segment: Cramer's
-/// rule for (t, u, v) in p + t (q-p) = a + u (b-a) + v (c-a), after one division. The determinant counts as zero, and the segment
-/// as parallel, within `eps`, absolute. Limits: a parallel segment is never hit, so no coplanar one and no degenerate triangle is;
-/// u and v of an edge are computed otherwise by the triangle across it.
+/// Moeller & Trumbore, Fast, minimum storage ray-triangle intersection, JGT 2(1), 1997, both sides, the ray cut to a
+/// segment: Cramer's rule for (t, u, v) in p + t (q-p) = a + u (b-a) + v (c-a), after one division. The determinant
+/// counts as zero, and the segment as parallel, within `eps`, absolute. Limits: a parallel segment is never hit, so no
+/// coplanar one and no degenerate triangle is; u and v of an edge are computed otherwise by the triangle across it.
 template <class Number>
-bool moeller_trumbore(const Vector<Number>& p, const Vector<Number>& q, const Vector<Number>& a, const Vector<Number>& b,
-                      const Vector<Number>& c, const Number& eps)
+bool moeller_trumbore(const Vector<Number>& p, const Vector<Number>& q, const Vector<Number>& a,
+                      const Vector<Number>& b, const Vector<Number>& c, const Number& eps)
 {
-  const Vector<Number> along = difference(q, p), ab = difference(b, a), ac = difference(c, a), from_a = difference(p, a);
+  const Vector<Number> along = difference(q, p), ab = difference(b, a), ac = difference(c, a),
+                       from_a = difference(p, a);
   const Vector<Number> normal_u = cross(along, ac);
   const Number determinant = dot(ab, normal_u);
   if (-eps <= determinant && determinant <= eps) return false;
@@ -54,14 +55,15 @@ bool moeller_trumbore(const Vector<Number>& p, const Vector<Number>& q, const Ve
   return t >= 0 && t <= 1;
 }
 
-/// Segura & Feito, Algorithms to test ray-triangle intersection: comparative study, WSCG 2001: the signs of five tetrahedra,
-/// [a b c p] and [a b c q] for the sides of the plane, [p q a b], [p q b c] and [p q c a] for the inside of the triangle.
-/// Limits: with both ends on the plane it says no.
+/// Segura & Feito, Algorithms to test ray-triangle intersection: comparative study, WSCG 2001: the signs of five
+/// tetrahedra, [a b c p] and [a b c q] for the sides of the plane, [p q a b], [p q b c] and [p q c a] for the inside of
+/// the triangle. Limits: with both ends on the plane it says no.
 template <class Number>
 bool segura_feito(const Vector<Number>& p, const Vector<Number>& q, const Vector<Number>& a, const Vector<Number>& b,
                   const Vector<Number>& c)
 {
-  const auto volume = [](const Vector<Number>& w, const Vector<Number>& x, const Vector<Number>& y, const Vector<Number>& z) {
+  const auto volume = [](const Vector<Number>& w, const Vector<Number>& x, const Vector<Number>& y,
+                         const Vector<Number>& z) {
     const Number det = dot(cross(difference(x, w), difference(y, w)), difference(z, w));
     return (det > 0) - (det < 0);
   };
@@ -74,18 +76,21 @@ bool segura_feito(const Vector<Number>& p, const Vector<Number>& q, const Vector
 /// What a transcription of `jimenez_segura_feito` makes of a first end on the plane.
 enum class First_end_on_plane {
   right,
-  sign_error  ///< -s in place of s against t + u, as in several public ports: no segment that starts on the triangle's plane ever hits
+  sign_error  ///< -s in place of s against t + u, as in several public ports: no segment that starts on the triangle's
+              ///< plane ever hits
 };
 
-/// Jimenez, Segura & Feito, A robust segment/triangle intersection algorithm for interference tests, CGTA 43 (2010) 474-492: with
-/// c as origin, w, s, t, u are the signed volumes whose quotients are q's barycentric coordinates in the tetrahedron p a b c;
-/// each rejection is a comparison, without a division. A volume counts as zero within `eps`, absolute; the last comparison, with
-/// the sum of three volumes, has none. Limits: with both ends on the plane it says no.
+/// Jimenez, Segura & Feito, A robust segment/triangle intersection algorithm for interference tests, CGTA 43 (2010)
+/// 474-492: with c as origin, w, s, t, u are the signed volumes whose quotients are q's barycentric coordinates in the
+/// tetrahedron p a b c; each rejection is a comparison, without a division. A volume counts as zero within `eps`,
+/// absolute; the last comparison, with the sum of three volumes, has none. Limits: with both ends on the plane it says
+/// no.
 template <First_end_on_plane Transcription = First_end_on_plane::right, class Number>
-bool jimenez_segura_feito(const Vector<Number>& p, const Vector<Number>& q, const Vector<Number>& a, const Vector<Number>& b,
-                          const Vector<Number>& c, const Number& eps)
+bool jimenez_segura_feito(const Vector<Number>& p, const Vector<Number>& q, const Vector<Number>& a,
+                          const Vector<Number>& b, const Vector<Number>& c, const Number& eps)
 {
-  const Vector<Number> first = difference(p, c), ca = difference(a, c), cb = difference(b, c), second = difference(q, c);
+  const Vector<Number> first = difference(p, c), ca = difference(a, c), cb = difference(b, c),
+                       second = difference(q, c);
   const Vector<Number> normal = cross(ca, cb);
   Number w = dot(first, normal), s = dot(second, normal);
   if (w > eps || w < -eps) {
@@ -106,8 +111,8 @@ bool jimenez_segura_feito(const Vector<Number>& p, const Vector<Number>& q, cons
   return false;
 }
 
-/// CGAL's do_intersect in kernel K. It asks for a proper segment and a proper triangle: a degenerate one, as K sees it, is
-/// passed on as the segment or the point that it is.
+/// CGAL's do_intersect in kernel K. It asks for a proper segment and a proper triangle: a degenerate one, as K sees it,
+/// is passed on as the segment or the point that it is.
 template <class K>
 bool cgal_do_intersect(const typename K::Point_3& p, const typename K::Point_3& q, const typename K::Point_3& a,
                        const typename K::Point_3& b, const typename K::Point_3& c)
@@ -120,7 +125,8 @@ bool cgal_do_intersect(const typename K::Point_3& p, const typename K::Point_3& 
   };
   const Segment segment(p, q);
   const Triangle triangle(a, b, c);
-  if (triangle.is_degenerate()) return meet(segment, Segment(a, b)) || meet(segment, Segment(b, c)) || meet(segment, Segment(c, a));
+  if (triangle.is_degenerate())
+    return meet(segment, Segment(a, b)) || meet(segment, Segment(b, c)) || meet(segment, Segment(c, a));
   return segment.is_degenerate() ? triangle.has_on(p) : CGAL::do_intersect(segment, triangle);
 }
 

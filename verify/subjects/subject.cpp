@@ -26,9 +26,10 @@ constexpr std::array<std::pair<Kernel_name, std::string_view>, 7> kernel_names =
 class Query_pair : public Prepared_pair {
  public:
   Query_pair(const Subject& subject, const covering::Polyhedron& a, const covering::Polyhedron& b)
-      : options_{subject.kernel, subject.method, subject.tolerance, false}, a_(triangulated_body(a)), b_(triangulated_body(b))
-  {
-  }
+      : options_{subject.kernel, subject.method, subject.tolerance, false},
+        a_(triangulated_body(a)),
+        b_(triangulated_body(b))
+  {}
 
   bool collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, kernel::Question question) override
   {
@@ -134,17 +135,17 @@ std::string Subject::kernel_name() const
 {
   std::string name(kernel_names[static_cast<std::size_t>(kernel)].second);
   if (kernel != Kernel_name::double_eps) return name;
-  return name + (tolerance.relative > 0 ? "=rel:" + kernel::shortest(tolerance.relative) : "=" + kernel::shortest(tolerance.absolute));
+  return name + (tolerance.relative > 0 ? "=rel:" + kernel::shortest(tolerance.relative)
+                                        : "=" + kernel::shortest(tolerance.absolute));
 }
 
-std::string Subject::name() const
-{
-  return kernel_name() + " " + std::string(to_string(method));
-}
+std::string Subject::name() const { return kernel_name() + " " + std::string(to_string(method)); }
 
-std::unique_ptr<Prepared_pair> prepare(const Subject& subject, const covering::Polyhedron& a, const covering::Polyhedron& b)
+std::unique_ptr<Prepared_pair> prepare(const Subject& subject, const covering::Polyhedron& a,
+                                       const covering::Polyhedron& b)
 {
-  if (subject.kernel == Kernel_name::rational && subject.method == Method::brute) return std::make_unique<Truth_pair>(a, b);
+  if (subject.kernel == Kernel_name::rational && subject.method == Method::brute)
+    return std::make_unique<Truth_pair>(a, b);
   return std::make_unique<Query_pair>(subject, a, b);
 }
 

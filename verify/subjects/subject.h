@@ -2,12 +2,12 @@
 #define TETRACONE_VERIFY_SUBJECTS_SUBJECT_H
 
 #include "tetracone/covering/polyhedron.h"
-#include "tetracone/kernel/predicate/contact.h"
 #include "tetracone/kernel/number/pose.h"
+#include "tetracone/kernel/predicate/contact.h"
 #include "tetracone/kernel/predicate/question.h"
 #include "tetracone/kernel/predicate/tolerant.h"
-#include "tetracone/tetratree/paper/config.h"
 #include "tetracone/tetratree/door/query_options.h"
+#include "tetracone/tetratree/paper/config.h"
 #include "tetracone/tetratree/query_statistics.h"
 
 #include <cstddef>
@@ -21,7 +21,8 @@ namespace tetracone::verify {
 
 using Kernel_name = tetracone::Kernel;
 
-/// How a subject finds its answer. `brute` with the rational kernel is the truth of `cgal_truth.h`, which shares no code with the others.
+/// How a subject finds its answer. `brute` with the rational kernel is the truth of `cgal_truth.h`, which shares no
+/// code with the others.
 using tetracone::Method;
 
 /// A way of answering: a kernel and a method. What is compared, timed and judged.
@@ -30,8 +31,9 @@ struct Subject {
   kernel::Tolerance tolerance;  ///< of double_eps
   Method method = Method::tree;
 
-  /// The kernel by its name: adaptive, double, float, epick, epeck, rational, double-eps=E or double-eps=rel:E with E >= 0 finite:
-  /// a sign is zero up to E, absolute, or relative to the sum of its products. Nothing when there is none such.
+  /// The kernel by its name: adaptive, double, float, epick, epeck, rational, double-eps=E or double-eps=rel:E with E
+  /// >= 0 finite: a sign is zero up to E, absolute, or relative to the sum of its products. Nothing when there is none
+  /// such.
   static std::optional<Subject> parse(std::string_view kernel, Method method = Method::tree);
 
   /// "adaptive tree", "double-eps=1e-12 brute".
@@ -67,7 +69,8 @@ class Prepared_pair {
   virtual std::size_t node_count() const = 0;
 };
 
-std::unique_ptr<Prepared_pair> prepare(const Subject& subject, const covering::Polyhedron& a, const covering::Polyhedron& b);
+std::unique_ptr<Prepared_pair> prepare(const Subject& subject, const covering::Polyhedron& a,
+                                       const covering::Polyhedron& b);
 
 }  // namespace tetracone::verify
 

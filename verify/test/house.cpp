@@ -1,6 +1,6 @@
-// The house rule of includes, read from the sources as text: experiments -> verify -> tetratree -> covering -> kernel, and within each folder from room to
-// room.
-// Rules are functions from a file's path and text to what is wrong with it, so that each is also shown a file that breaks it.
+// The house rule of includes, read from the sources as text: experiments -> verify -> tetratree -> covering -> kernel,
+// and within each folder from room to room. Rules are functions from a file's path and text to what is wrong with it,
+// so that each is also shown a file that breaks it.
 
 #include <boost/test/unit_test.hpp>
 
@@ -28,17 +28,34 @@ const Strings folders = {"kernel", "covering", "tetratree", "verify", "experimen
 constexpr std::size_t package_folders = 3;
 
 // Rooms that may include each other, from where to where; a folder's own files count as the room of its name.
-const std::set<std::pair<std::string, std::string>> ways_within = {
-    {"kernel/predicate", "kernel/number"},     {"kernel/bound", "kernel/number"},        {"kernel/bound", "kernel/simd"},
-    {"covering/io", "covering"},               {"covering/repair", "covering"},          {"tetratree/paper", "tetratree"},
-    {"tetratree/fast", "tetratree"},           {"tetratree/door", "tetratree"},          {"tetratree/door", "tetratree/paper"},
-    {"tetratree/door", "tetratree/fast"},      {"verify/truth", "verify/cases"},         {"verify/subjects", "verify/cases"},
-    {"verify/subjects", "verify/truth"},       {"verify/relations", "verify/cases"},     {"verify/relations", "verify/subjects"},
-    {"verify/shrink", "verify/cases"},         {"verify/shrink", "verify/truth"},        {"verify/shrink", "verify/subjects"},
-    {"verify/campaign", "verify/cases"},       {"verify/campaign", "verify/truth"},      {"verify/campaign", "verify/subjects"},
-    {"verify/campaign", "verify/relations"},   {"experiments/viewer", "experiments/support"},
-    {"experiments/speed", "experiments/support"}, {"experiments/speed", "experiments/peers"}, {"experiments/accuracy", "experiments/support"},
-    {"experiments/report", "experiments/support"}, {"experiments/report", "experiments/viewer"}};
+const std::set<std::pair<std::string, std::string>> ways_within = {{"kernel/predicate", "kernel/number"},
+                                                                   {"kernel/bound", "kernel/number"},
+                                                                   {"kernel/bound", "kernel/simd"},
+                                                                   {"covering/io", "covering"},
+                                                                   {"covering/repair", "covering"},
+                                                                   {"tetratree/paper", "tetratree"},
+                                                                   {"tetratree/fast", "tetratree"},
+                                                                   {"tetratree/door", "tetratree"},
+                                                                   {"tetratree/door", "tetratree/paper"},
+                                                                   {"tetratree/door", "tetratree/fast"},
+                                                                   {"verify/truth", "verify/cases"},
+                                                                   {"verify/subjects", "verify/cases"},
+                                                                   {"verify/subjects", "verify/truth"},
+                                                                   {"verify/relations", "verify/cases"},
+                                                                   {"verify/relations", "verify/subjects"},
+                                                                   {"verify/shrink", "verify/cases"},
+                                                                   {"verify/shrink", "verify/truth"},
+                                                                   {"verify/shrink", "verify/subjects"},
+                                                                   {"verify/campaign", "verify/cases"},
+                                                                   {"verify/campaign", "verify/truth"},
+                                                                   {"verify/campaign", "verify/subjects"},
+                                                                   {"verify/campaign", "verify/relations"},
+                                                                   {"experiments/viewer", "experiments/support"},
+                                                                   {"experiments/speed", "experiments/support"},
+                                                                   {"experiments/speed", "experiments/peers"},
+                                                                   {"experiments/accuracy", "experiments/support"},
+                                                                   {"experiments/report", "experiments/support"},
+                                                                   {"experiments/report", "experiments/viewer"}};
 
 std::string read(const fs::path& path)
 {
@@ -46,7 +63,8 @@ std::string read(const fs::path& path)
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// The words of the preprocessor line `line` after its '#', or nothing when it is none: `#  include <x>` is "include <x>".
+/// The words of the preprocessor line `line` after its '#', or nothing when it is none: `#  include <x>` is "include
+/// <x>".
 std::optional<std::string> directive(std::string_view line)
 {
   const auto skip_blanks = [&line] { line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size())); };
@@ -99,12 +117,14 @@ std::string without_prefix(const std::string& file) { return file.starts_with("t
 /// How far left a file stands: 0 in kernel. Tests test every folder.
 std::size_t rank_of(const std::string& path)
 {
-  if (path.starts_with("verify/test/") || path.starts_with("verify/mutants/") || path.starts_with("verify/fuzz/")) return folders.size();
+  if (path.starts_with("verify/test/") || path.starts_with("verify/mutants/") || path.starts_with("verify/fuzz/"))
+    return folders.size();
   return std::find(folders.begin(), folders.end(), folder_of(path)) - folders.begin();
 }
 
-/// Project headers are included by their whole path, "tetracone/folder/room/name.h" where the folder is the package's; only from the same room, a room
-/// that `ways_within` allows, or a folder to the right. The command line may include every room of its folder.
+/// Project headers are included by their whole path, "tetracone/folder/room/name.h" where the folder is the package's;
+/// only from the same room, a room that `ways_within` allows, or a folder to the right. The command line may include
+/// every room of its folder.
 Strings wrong_includes(const std::string& path, const std::string& text)
 {
   Strings wrong;
@@ -116,10 +136,12 @@ Strings wrong_includes(const std::string& path, const std::string& text)
       continue;
     }
     if (!quoted) wrong.push_back(path + ": <" + file + "> is the project's own: \"...\"");
-    if ((ours != file) != (rank < package_folders)) wrong.push_back(path + ": " + file + ": \"tetracone/\" stands before the package's folders alone");
+    if ((ours != file) != (rank < package_folders))
+      wrong.push_back(path + ": " + file + ": \"tetracone/\" stands before the package's folders alone");
     if (rank > rank_of(path)) wrong.push_back(path + ": " + file + " stands to its left");
     const std::string from = room_of(path), to = room_of(ours);
-    if (rank == rank_of(path) && rank < folders.size() && from != to && from != "experiments/cli" && !ways_within.contains({from, to}))
+    if (rank == rank_of(path) && rank < folders.size() && from != to && from != "experiments/cli" &&
+        !ways_within.contains({from, to}))
       wrong.push_back(path + ": " + from + " may not include " + to);
   }
   return wrong;
@@ -137,7 +159,8 @@ Strings wrong_guard(const std::string& path, const std::string& text)
   return guarded ? Strings{} : Strings{path + ": its guard is not " + guard};
 }
 
-/// What trees must not know: files, clocks, threads; a lock is all that makes nodes while threads ask. The door reads files.
+/// What trees must not know: files, clocks, threads; a lock is all that makes nodes while threads ask. The door reads
+/// files.
 Strings worldly_includes(const std::string& path, const std::string& text)
 {
   const std::set<std::string> world = {"fstream", "filesystem", "chrono", "ctime", "thread", "future"};
@@ -165,8 +188,8 @@ bool says_gpl(const std::string& text)
   return false;
 }
 
-/// Ways from `path` (relative to the project or to CGAL's include folder) to a GPL part of CGAL or to a file of ours that
-/// may use one. Reads every include as taken, whatever #if it stands under. `seen` holds the files done.
+/// Ways from `path` (relative to the project or to CGAL's include folder) to a GPL part of CGAL or to a file of ours
+/// that may use one. Reads every include as taken, whatever #if it stands under. `seen` holds the files done.
 Strings ways_to_gpl(const std::string& path, const std::string& way, std::set<std::string>& seen)
 {
   if (!seen.insert(path).second) return {};
@@ -180,13 +203,17 @@ Strings ways_to_gpl(const std::string& path, const std::string& way, std::set<st
   return found;
 }
 
-/// What drops NaN by the order of its arguments: `maximum` and `minimum` of kernel/number/floating_point.h keep it. Text has no NaN.
+/// What drops NaN by the order of its arguments: `maximum` and `minimum` of kernel/number/floating_point.h keep it.
+/// Text has no NaN.
 Strings drops_nan(const std::string& path, const std::string& text)
 {
   Strings wrong;
-  if ((folder_of(path) != "kernel" && folder_of(path) != "tetratree") || path == "covering/io/text_lines.h") return wrong;
-  for (const std::string name : {"std::max(", "std::max<", "std::min(", "std::min<", "std::minmax(", "std::fmax(", "std::fmin("})
-    if (text.find(name) != std::string::npos) wrong.push_back(path + ": " + name.substr(0, name.size() - 1) + " may drop NaN; kernel::maximum or minimum");
+  if ((folder_of(path) != "kernel" && folder_of(path) != "tetratree") || path == "covering/io/text_lines.h")
+    return wrong;
+  for (const std::string name :
+       {"std::max(", "std::max<", "std::min(", "std::min<", "std::minmax(", "std::fmax(", "std::fmin("})
+    if (text.find(name) != std::string::npos)
+      wrong.push_back(path + ": " + name.substr(0, name.size() - 1) + " may drop NaN; kernel::maximum or minimum");
   return wrong;
 }
 
@@ -196,7 +223,8 @@ Strings late_own_header(const std::string& path, const std::string& text)
   const std::string header = path.substr(12, path.size() - 15) + "h";
   if (!fs::exists(root / header)) return {};
   const auto all = includes(text);
-  if (all.empty() || without_prefix(all.front().file) != header) return {path + ": its first include is not \"" + header + "\""};
+  if (all.empty() || without_prefix(all.front().file) != header)
+    return {path + ": its first include is not \"" + header + "\""};
   return {};
 }
 
@@ -208,7 +236,8 @@ Strings sources()
     if (!fs::exists(root / folder)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
       const fs::path& path = entry.path();
-      if (path.parent_path().filename() != "install" && (path.extension() == ".h" || path.extension() == ".inl" || path.extension() == ".cpp"))
+      if (path.parent_path().filename() != "install" &&
+          (path.extension() == ".h" || path.extension() == ".inl" || path.extension() == ".cpp"))
         found.push_back(path.lexically_relative(root).generic_string());
     }
   }
@@ -238,7 +267,10 @@ BOOST_AUTO_TEST_CASE(includes_point_only_to_the_right) { check_each_source(wrong
 
 BOOST_AUTO_TEST_CASE(an_include_to_the_left_or_without_its_folder_is_noticed)
 {
-  BOOST_TEST(wrong_includes("tetratree/paper/tree.h", "#include \"tetracone/tetratree/paper/cone.h\"\n#include \"tetracone/kernel/number/pose.h\"").empty());
+  BOOST_TEST(
+      wrong_includes("tetratree/paper/tree.h",
+                     "#include \"tetracone/tetratree/paper/cone.h\"\n#include \"tetracone/kernel/number/pose.h\"")
+          .empty());
   BOOST_TEST(wrong_includes("verify/test/kernel/number/pose.cpp", "#include \"experiments/support/table.h\"").empty());
   BOOST_TEST(wrong_includes("kernel/number/pose.h", "#include \"tetracone/covering/polyhedron.h\"").size() == 1);
   BOOST_TEST(wrong_includes("verify/truth/truth.h", "\n  #  include\t\"experiments/support/table.h\"\n").size() == 1);
@@ -255,7 +287,8 @@ BOOST_AUTO_TEST_CASE(an_include_of_a_room_that_is_not_beside_is_noticed)
   BOOST_TEST(wrong_includes("kernel/bound/bounds.h", "#include \"tetracone/kernel/predicate/signs.h\"").size() == 1);
   BOOST_TEST(wrong_includes("tetratree/fast/bvh8.h", "#include \"tetracone/tetratree/paper/config.h\"").size() == 1);
   BOOST_TEST(wrong_includes("verify/cases/case.h", "#include \"verify/truth/truth.h\"").size() == 1);
-  BOOST_TEST(wrong_includes("experiments/cli/tetracone.cpp", "#include \"experiments/report/method_figures.h\"").empty());
+  BOOST_TEST(
+      wrong_includes("experiments/cli/tetracone.cpp", "#include \"experiments/report/method_figures.h\"").empty());
 }
 
 BOOST_AUTO_TEST_CASE(every_header_has_the_guard_of_its_name)
@@ -270,8 +303,10 @@ BOOST_AUTO_TEST_CASE(a_guard_of_another_name_is_noticed)
   const auto guarded_by = [](const std::string& name) {
     return "#ifndef " + name + "\n#define " + name + "\n#endif\n";
   };
-  BOOST_TEST(wrong_guard("kernel/predicate/segment_face.h", guarded_by("TETRACONE_KERNEL_PREDICATE_SEGMENT_FACE_H")).empty());
-  BOOST_TEST(wrong_guard("kernel/predicate/segment.h", guarded_by("TETRACONE_KERNEL_PREDICATE_SEGMENT_FACE_H")).size() == 1);
+  BOOST_TEST(
+      wrong_guard("kernel/predicate/segment_face.h", guarded_by("TETRACONE_KERNEL_PREDICATE_SEGMENT_FACE_H")).empty());
+  BOOST_TEST(
+      wrong_guard("kernel/predicate/segment.h", guarded_by("TETRACONE_KERNEL_PREDICATE_SEGMENT_FACE_H")).size() == 1);
   BOOST_TEST(wrong_guard("kernel/predicate/segment.h", "#pragma once\n").size() == 1);
 }
 

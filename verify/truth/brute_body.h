@@ -34,8 +34,8 @@ struct Element {
 ///
 /// A face that is not a triangle is triangulated by CGAL's constrained Delaunay triangulation with exact intersections,
 /// on its projection along the largest component of its normal; triangles with non-zero winding number about the loops
-/// are kept, and of the loops whatever bounds no such triangle. The triangles, each as often as its winding number says,
-/// bound what the faces bound, so that winding numbers about the polyhedron can be counted on them.
+/// are kept, and of the loops whatever bounds no such triangle. The triangles, each as often as its winding number
+/// says, bound what the faces bound, so that winding numbers about the polyhedron can be counted on them.
 class Brute_body {
  public:
   /// Throws std::invalid_argument when a face is not exactly planar.
@@ -160,7 +160,8 @@ class Brute_body {
       triangle->info() = face.winding(CGAL::centroid(p(0), p(1), p(2)));
       if (triangle->info() == 0) continue;
       elements_.push_back({{number(triangle->vertex(0)), number(triangle->vertex(1)), number(triangle->vertex(2))},
-                           2, triangle->info()});
+                           2,
+                           triangle->info()});
     }
     for (const auto& [triangle, i] : plane.constrained_edges()) {
       if (triangle->info() != 0 || triangle->neighbor(i)->info() != 0) continue;

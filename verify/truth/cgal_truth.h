@@ -1,8 +1,8 @@
 #ifndef TETRACONE_VERIFY_TRUTH_CGAL_TRUTH_H
 #define TETRACONE_VERIFY_TRUTH_CGAL_TRUTH_H
 
-#include "tetracone/kernel/predicate/contact.h"
 #include "tetracone/kernel/number/pose.h"
+#include "tetracone/kernel/predicate/contact.h"
 #include "tetracone/kernel/predicate/question.h"
 #include "verify/truth/brute_body.h"
 #include "verify/truth/edge_face.h"
@@ -19,8 +19,9 @@
 #include <utility>
 #include <vector>
 
-/// The truth: rational arithmetic on all pairs of elements whose outward-rounded boxes meet. No tree of ours and no predicate of ours: triangulation, box pairs, intersection tests and
-/// orientations are CGAL's, a pair is decided in CGAL's intervals where these are certain and in rationals elsewhere.
+/// The truth: rational arithmetic on all pairs of elements whose outward-rounded boxes meet. No tree of ours and no
+/// predicate of ours: triangulation, box pairs, intersection tests and orientations are CGAL's, a pair is decided in
+/// CGAL's intervals where these are certain and in rationals elsewhere.
 namespace tetracone::verify {
 
 using kernel::Feature_pair;
@@ -75,9 +76,8 @@ inline bool elements_meet(const Placed_body& a, const Element& x, const Placed_b
 {
   return decide(a, b, [&]<class K>(K kernel) -> bool {
     return with_shape<K>(a, x, [&](const auto& shape_a) -> bool {
-      return with_shape<K>(b, y, [&](const auto& shape_b) -> bool {
-        return kernel.do_intersect_3_object()(shape_a, shape_b);
-      });
+      return with_shape<K>(
+          b, y, [&](const auto& shape_b) -> bool { return kernel.do_intersect_3_object()(shape_a, shape_b); });
     });
   });
 }
@@ -104,8 +104,8 @@ std::optional<int> crossing(const typename K::Point_3& p, const typename K::Poin
 
 /// The winding number of the surface of `solid` about the image of `point` of `other`: signed crossings of a ray.
 /// Requires the image not on the surface.
-/// The rays' directions (1, s, s^2) are on a curve that meets every plane through 0 in at most two of them, so that after
-/// finitely many one runs through no edge and in no plane of a triangle.
+/// The rays' directions (1, s, s^2) are on a curve that meets every plane through 0 in at most two of them, so that
+/// after finitely many one runs through no edge and in no plane of a triangle.
 inline int winding(const Placed_body& solid, const Placed_body& other, Index point)
 {
   const CGAL::Bbox_3 origin = other.box(std::array{point});
@@ -174,8 +174,8 @@ inline bool collide(const Brute_body& a, const Pose& pose_a, const Brute_body& b
   return collide(Placed_body(a, pose_a), Placed_body(b, pose_b), question);
 }
 
-/// Where a point is: 1 inside the solid, 0 on the surface, -1 outside. Throws std::invalid_argument when the body is not
-/// closed.
+/// Where a point is: 1 inside the solid, 0 on the surface, -1 outside. Throws std::invalid_argument when the body is
+/// not closed.
 inline int inside(const Brute_body& body, const std::array<kernel::Rational, 3>& point)
 {
   if (!body.is_closed()) throw std::invalid_argument("an open surface has no solid");
@@ -221,13 +221,13 @@ inline void add_features(const Placed_body& with_edges, const Placed_body& with_
   for_pairs(edge_boxes, face_boxes, [&](std::size_t e, std::size_t f) {
     const auto& base = with_faces.body().base(Index(f));
     const bool beside = base && decide(with_edges, with_faces, [&]<class K>(K) -> bool {
-      const auto side = [&](Index v) {
-        const auto corner = [&](int i) { return with_faces.template image<K>((*base)[i]); };
-        return CGAL::orientation(corner(0), corner(1), corner(2), with_edges.template image<K>(v));
-      };
-      const CGAL::Sign from = side(edges[e].first);
-      return from != CGAL::ZERO && from == side(edges[e].second);
-    });
+                          const auto side = [&](Index v) {
+                            const auto corner = [&](int i) { return with_faces.template image<K>((*base)[i]); };
+                            return CGAL::orientation(corner(0), corner(1), corner(2), with_edges.template image<K>(v));
+                          };
+                          const CGAL::Sign from = side(edges[e].first);
+                          return from != CGAL::ZERO && from == side(edges[e].second);
+                        });
     if (!beside) candidates.emplace_back(Index(f), e);
   });
   std::sort(candidates.begin(), candidates.end());
@@ -254,7 +254,8 @@ inline std::vector<Feature_pair> features(const Placed_body& a, const Placed_bod
 }
 
 /// Places the bodies and lists them. Requires poses whose det M is not 0.
-inline std::vector<Feature_pair> features(const Brute_body& a, const Pose& pose_a, const Brute_body& b, const Pose& pose_b)
+inline std::vector<Feature_pair> features(const Brute_body& a, const Pose& pose_a, const Brute_body& b,
+                                          const Pose& pose_b)
 {
   return features(Placed_body(a, pose_a), Placed_body(b, pose_b));
 }

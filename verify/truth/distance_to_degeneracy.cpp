@@ -24,8 +24,8 @@ double log2_of(const Integer& x)
   return std::log2(mantissa) + double(exponent);
 }
 
-/// log2 of an ulp of the largest coordinate x / denominator, the ulp being 2^(e-52) for 2^e <= x / denominator < 2^(e+1), in units of
-/// 1 / denominator. Requires x > 0.
+/// log2 of an ulp of the largest coordinate x / denominator, the ulp being 2^(e-52) for 2^e <= x / denominator <
+/// 2^(e+1), in units of 1 / denominator. Requires x > 0.
 double log2_ulp(const Integer& x, const Integer& denominator)
 {
   long e = long(mpz_sizeinbase(x.get_mpz_t(), 2)) - long(mpz_sizeinbase(denominator.get_mpz_t(), 2));
@@ -101,15 +101,18 @@ std::vector<Quadruple> planes_of(Predicate predicate)
   switch (predicate) {
     case Predicate::orientation: return {{v1, v2, v3, p}};
     case Predicate::tetra_cone: return {{v1, v2, v3, v0}, {v0, v2, v3, p}, {v0, v3, v1, p}, {v0, v1, v2, p}};
-    case Predicate::tetrahedron: return {{v1, v2, v3, v0}, {v0, v2, v3, p}, {v0, v3, v1, p}, {v0, v1, v2, p}, {v1, v2, v3, p}};
+    case Predicate::tetrahedron:
+      return {{v1, v2, v3, v0}, {v0, v2, v3, p}, {v0, v3, v1, p}, {v0, v1, v2, p}, {v1, v2, v3, p}};
     case Predicate::segment_triangle: return {{v1, v2, v3, p}, {v1, v2, v3, q}};
     case Predicate::solid:
-      return {{v0, v2, v3, p}, {v0, v3, v1, p}, {v0, v1, v2, p}, {v1, v2, v3, p}, {v0, v2, v3, q}, {v0, v3, v1, q}, {v0, v1, v2, q},
-              {v1, v2, v3, q}, {q, v0, v1, p},  {q, v0, v2, p},  {q, v0, v3, p},  {q, v1, v2, p},  {q, v2, v3, p},  {q, v3, v1, p}};
+      return {{v0, v2, v3, p}, {v0, v3, v1, p}, {v0, v1, v2, p}, {v1, v2, v3, p}, {v0, v2, v3, q},
+              {v0, v3, v1, q}, {v0, v1, v2, q}, {v1, v2, v3, q}, {q, v0, v1, p},  {q, v0, v2, p},
+              {q, v0, v3, p},  {q, v1, v2, p},  {q, v2, v3, p},  {q, v3, v1, p}};
     case Predicate::classification:
-      return {{v1, v2, v3, v0}, {p, q, r, v0},    {v0, v2, v3, p},  {v0, v2, v3, q},  {v0, v2, v3, r},  {v0, v3, v1, p},  {v0, v3, v1, q},
-              {v0, v3, v1, r},  {v0, v1, v2, p},  {v0, v1, v2, q},  {v0, v1, v2, r},  {v0, p, q, v1},   {v0, p, q, v2},   {v0, p, q, v3},
-              {v0, q, r, v1},   {v0, q, r, v2},   {v0, q, r, v3},   {v0, r, p, v1},   {v0, r, p, v2},   {v0, r, p, v3}};
+      return {{v1, v2, v3, v0}, {p, q, r, v0},   {v0, v2, v3, p}, {v0, v2, v3, q}, {v0, v2, v3, r},
+              {v0, v3, v1, p},  {v0, v3, v1, q}, {v0, v3, v1, r}, {v0, v1, v2, p}, {v0, v1, v2, q},
+              {v0, v1, v2, r},  {v0, p, q, v1},  {v0, p, q, v2},  {v0, p, q, v3},  {v0, q, r, v1},
+              {v0, q, r, v2},   {v0, q, r, v3},  {v0, r, p, v1},  {v0, r, p, v2},  {v0, r, p, v3}};
   }
   return {};
 }

@@ -22,7 +22,8 @@ struct Turns {
   int winding = 0;       ///< about y, or where y is on a loop, about y moved by (e, e^2), e > 0 and infinitesimal
 };
 
-/// A placed polyhedron in integers. Faces are never triangulated, and their loops are asked for turns, not for crossings.
+/// A placed polyhedron in integers. Faces are never triangulated, and their loops are asked for turns, not for
+/// crossings.
 class Integer_body {
  public:
   using Edge = std::pair<Index, Index>;
@@ -65,8 +66,8 @@ class Integer_body {
   /// A corner of the face, on its plane.
   const Integer_vector& corner(Index f) const { return points_[polyhedron_->loop(f, 0)[0]]; }
 
-  /// A normal of the face's plane; nothing when all its corners are on one line. It is the area vector of the loops where that is not
-  /// zero, as it is for loops that cancel one another.
+  /// A normal of the face's plane; nothing when all its corners are on one line. It is the area vector of the loops
+  /// where that is not zero, as it is for loops that cancel one another.
   std::optional<Integer_vector> normal(Index f) const
   {
     Integer_vector area;
@@ -85,14 +86,18 @@ class Integer_body {
     return is_zero(n) ? std::nullopt : std::optional(n);
   }
 
-  /// The face's loops seen along an axis about y = x / w, w > 0: by the quadrants about y that their corners are in. An edge turns by the
-  /// quadrants between its ends; between opposite ones the side of y tells which way.
-  /// A coordinate equal to y's counts as less, which is what moving y by (e, e^2) does; so does an edge through y.
+  /// The face's loops seen along an axis about y = x / w, w > 0: by the quadrants about y that their corners are in. An
+  /// edge turns by the quadrants between its ends; between opposite ones the side of y tells which way. A coordinate
+  /// equal to y's counts as less, which is what moving y by (e, e^2) does; so does an edge through y.
   Turns turns(Index f, int axis, const Integer_vector& x, const Integer& w) const
   {
     const int i = (axis + 1) % 3, j = (axis + 2) % 3;
-    const auto about = [&](Index v) { return std::array{Integer(points_[v][i] * w - x[i]), Integer(points_[v][j] * w - x[j])}; };
-    const auto quadrant = [](const std::array<Integer, 2>& d) { return sgn(d[1]) > 0 ? (sgn(d[0]) > 0 ? 0 : 1) : (sgn(d[0]) > 0 ? 3 : 2); };
+    const auto about = [&](Index v) {
+      return std::array{Integer(points_[v][i] * w - x[i]), Integer(points_[v][j] * w - x[j])};
+    };
+    const auto quadrant = [](const std::array<Integer, 2>& d) {
+      return sgn(d[1]) > 0 ? (sgn(d[0]) > 0 ? 0 : 1) : (sgn(d[0]) > 0 ? 3 : 2);
+    };
     Turns result;
     int quarters = 0;
     for (std::size_t k = 0; k < polyhedron_->loop_count(f); ++k) {
@@ -118,8 +123,9 @@ class Integer_body {
     return result;
   }
 
-  /// One vertex of each part of the surface that hangs together by edges. Loops of a face are parts of their own unless they share a
-  /// vertex. Every point of a face is connected within it to one of its loops, so that no part of the surface is left out.
+  /// One vertex of each part of the surface that hangs together by edges. Loops of a face are parts of their own unless
+  /// they share a vertex. Every point of a face is connected within it to one of its loops, so that no part of the
+  /// surface is left out.
   std::vector<Index> part_vertices() const
   {
     std::vector<Index> parent(points_.size());

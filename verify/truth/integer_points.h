@@ -12,8 +12,8 @@
 #include <span>
 #include <vector>
 
-/// Placed points in the integers of GMP: what the second truth and the distance to degeneracy compute with. No number type, predicate or
-/// construction of CGAL's; poses and vertices are only read.
+/// Placed points in the integers of GMP: what the second truth and the distance to degeneracy compute with. No number
+/// type, predicate or construction of CGAL's; poses and vertices are only read.
 namespace tetracone::verify {
 
 using Integer = mpz_class;
@@ -45,7 +45,8 @@ struct Integer_points {
   }
 };
 
-/// The images of model points under a pose. The denominator is the least common one of the pose's entries, times a power of two.
+/// The images of model points under a pose. The denominator is the least common one of the pose's entries, times a
+/// power of two.
 inline Integer_points placed(std::span<const kernel::Vertex> vertices, const kernel::Pose& pose)
 {
   std::array<mpq_class, 12> entries;
@@ -69,9 +70,11 @@ inline Integer_points placed(std::span<const kernel::Vertex> vertices, const ker
   images.denominator = common << shift;
   for (const auto& coordinates : exact) {
     Integer_vector x;
-    for (int i = 0; i < 3; ++i) x[i] = coordinates[i].get_num() << (shift - mpz_scan1(coordinates[i].get_den_mpz_t(), 0));
+    for (int i = 0; i < 3; ++i)
+      x[i] = coordinates[i].get_num() << (shift - mpz_scan1(coordinates[i].get_den_mpz_t(), 0));
     Integer_vector image;
-    for (int i = 0; i < 3; ++i) image[i] = m[4 * i] * x[0] + m[4 * i + 1] * x[1] + m[4 * i + 2] * x[2] + (m[4 * i + 3] << shift);
+    for (int i = 0; i < 3; ++i)
+      image[i] = m[4 * i] * x[0] + m[4 * i + 1] * x[1] + m[4 * i + 2] * x[2] + (m[4 * i + 3] << shift);
     images.points.push_back(image);
   }
   return images;

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-/// The predicates on integers: hulls and cones meet where a system of linear equations has a non-negative solution, which elimination
-/// decides. No signs of orientations but where one is asked for, or says that nothing is asked.
+/// The predicates on integers: hulls and cones meet where a system of linear equations has a non-negative solution,
+/// which elimination decides. No signs of orientations but where one is asked for, or says that nothing is asked.
 namespace tetracone::verify::integer_truth {
 namespace {
 
@@ -30,8 +30,8 @@ Row combined(const Integer& first, const Row& x, const Integer& second, const Ro
   return sum;
 }
 
-/// Gauss and Jordan's elimination without fractions. For each column its pivot row, in which alone the column is not zero; nothing for a
-/// column that is free.
+/// Gauss and Jordan's elimination without fractions. For each column its pivot row, in which alone the column is not
+/// zero; nothing for a column that is free.
 std::vector<std::optional<std::size_t>> eliminate(std::vector<Row>& rows, std::size_t columns)
 {
   std::vector<std::optional<std::size_t>> pivots(columns);
@@ -42,7 +42,8 @@ std::vector<std::optional<std::size_t>> eliminate(std::vector<Row>& rows, std::s
     if (pivot == rows.size()) continue;
     std::swap(rows[done], rows[pivot]);
     for (std::size_t r = 0; r < rows.size(); ++r)
-      if (r != done && sgn(rows[r][column]) != 0) rows[r] = combined(rows[done][column], rows[r], Integer(rows[r][column]), rows[done]);
+      if (r != done && sgn(rows[r][column]) != 0)
+        rows[r] = combined(rows[done][column], rows[r], Integer(rows[r][column]), rows[done]);
     pivots[column] = done++;
   }
   return pivots;
@@ -57,7 +58,8 @@ bool is_feasible(std::vector<Row> rows, std::size_t columns)
       if (sgn(row[column]) == 0) left.push_back(row);
     for (const Row& lower : rows)
       for (const Row& upper : rows)
-        if (sgn(lower[column]) > 0 && sgn(upper[column]) < 0) left.push_back(combined(lower[column], upper, upper[column], lower));
+        if (sgn(lower[column]) > 0 && sgn(upper[column]) < 0)
+          left.push_back(combined(lower[column], upper, upper[column], lower));
     rows = std::move(left);
   }
   for (const Row& row : rows)
@@ -91,15 +93,17 @@ bool has_nonnegative_solution(std::vector<Row> equations)
   return is_feasible(std::move(inequalities), columns);
 }
 
-/// Whether the hull of points meets apex + the combinations with weights >= 0 of vectors, whose weights sum to 1 when `convex`.
-bool hull_meets(const std::vector<Integer_vector>& hull, const std::vector<Integer_vector>& vectors, const Integer_vector& apex,
-                bool convex)
+/// Whether the hull of points meets apex + the combinations with weights >= 0 of vectors, whose weights sum to 1 when
+/// `convex`.
+bool hull_meets(const std::vector<Integer_vector>& hull, const std::vector<Integer_vector>& vectors,
+                const Integer_vector& apex, bool convex)
 {
   const std::size_t columns = hull.size() + vectors.size();
   std::vector<Row> equations(5, Row(columns + 1));
   for (std::size_t k = 0; k < columns; ++k) {
     const bool of_hull = k < hull.size();
-    for (int i = 0; i < 3; ++i) equations[i][k] = of_hull ? Integer(hull[k][i] - apex[i]) : Integer(-vectors[k - hull.size()][i]);
+    for (int i = 0; i < 3; ++i)
+      equations[i][k] = of_hull ? Integer(hull[k][i] - apex[i]) : Integer(-vectors[k - hull.size()][i]);
     equations[3][k] = of_hull ? 1 : 0;
     equations[4][k] = convex && !of_hull ? 1 : 0;
   }
@@ -113,15 +117,16 @@ bool hulls_meet(const std::vector<Integer_vector>& a, const std::vector<Integer_
   return hull_meets(a, b, Integer_vector(), true);
 }
 
-bool hull_meets_cone(const std::vector<Integer_vector>& hull, const Integer_vector& apex, const std::vector<Integer_vector>& through)
+bool hull_meets_cone(const std::vector<Integer_vector>& hull, const Integer_vector& apex,
+                     const std::vector<Integer_vector>& through)
 {
   std::vector<Integer_vector> directions;
   for (const Integer_vector& point : through) directions.push_back(difference(point, apex));
   return hull_meets(hull, directions, apex, false);
 }
 
-/// The sign of the determinant of the rows (a, 1), (b, 1), (c, 1), (d, 1), which is det[a-d, b-d, c-d]: Bareiss' elimination, whose
-/// divisions have no remainder.
+/// The sign of the determinant of the rows (a, 1), (b, 1), (c, 1), (d, 1), which is det[a-d, b-d, c-d]: Bareiss'
+/// elimination, whose divisions have no remainder.
 int orientation(const Integer_vector& a, const Integer_vector& b, const Integer_vector& c, const Integer_vector& d)
 {
   std::array<std::array<Integer, 4>, 4> m;
@@ -157,8 +162,13 @@ int place_in_solid(const Predicate_case& c)
   faces.add_polygon({2, 0, 3});
   point.vertices = {c.p};
   point.add_polygon({0});
-  const Object_case bodies = {std::make_shared<const covering::Polyhedron>(faces), std::make_shared<const covering::Polyhedron>(point),
-                              c.pose_a, c.pose_b, {}, {}, {}};
+  const Object_case bodies = {std::make_shared<const covering::Polyhedron>(faces),
+                              std::make_shared<const covering::Polyhedron>(point),
+                              c.pose_a,
+                              c.pose_b,
+                              {},
+                              {},
+                              {}};
   if (collide(bodies, kernel::Question::surface)) return 0;
   return collide(bodies, kernel::Question::solid) ? 1 : -1;
 }

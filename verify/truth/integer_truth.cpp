@@ -48,7 +48,8 @@ bool is_on_face(const Integer_body& body, Index f, const Integer_vector& n, cons
 }
 
 /// The closed segment ab and the face, whose normal is given where it has one, share a point.
-bool meets_face(const Integer_vector& a, const Integer_vector& b, const Integer_body& body, Index f, const std::optional<Integer_vector>& n)
+bool meets_face(const Integer_vector& a, const Integer_vector& b, const Integer_body& body, Index f,
+                const std::optional<Integer_vector>& n)
 {
   if (n) {
     const Integer height_a = dot(*n, difference(a, body.corner(f))), height_b = dot(*n, difference(b, body.corner(f)));
@@ -64,14 +65,16 @@ bool meets_face(const Integer_vector& a, const Integer_vector& b, const Integer_
   }
   // One plane, and a segment that would have to come in through a loop; or a face that is its loops only.
   bool meets = false;
-  body.for_edges(f, [&](Index from, Index to) { meets = meets || segments_meet(a, b, body.point(from), body.point(to)); });
+  body.for_edges(f,
+                 [&](Index from, Index to) { meets = meets || segments_meet(a, b, body.point(from), body.point(to)); });
   return meets;
 }
 
-/// Some edge of the one meets some face of the other. When this holds neither way, the surfaces share no point: had two faces one in
-/// common, then what they share, being closed and bounded, would end on a loop of one of them, at a point of the other.
-bool edges_meet_faces(const Integer_body& with_edges, const std::vector<Rank_box>& edge_boxes, const Integer_body& with_faces,
-                      const std::vector<Rank_box>& face_boxes)
+/// Some edge of the one meets some face of the other. When this holds neither way, the surfaces share no point: had two
+/// faces one in common, then what they share, being closed and bounded, would end on a loop of one of them, at a point
+/// of the other.
+bool edges_meet_faces(const Integer_body& with_edges, const std::vector<Rank_box>& edge_boxes,
+                      const Integer_body& with_faces, const std::vector<Rank_box>& face_boxes)
 {
   for (Index f = 0; f < with_faces.face_count(); ++f) {
     std::optional<std::optional<Integer_vector>> normal;  // made once, when an edge comes near
@@ -85,12 +88,13 @@ bool edges_meet_faces(const Integer_body& with_edges, const std::vector<Rank_box
   return false;
 }
 
-/// The winding number about a point off the surface: the faces above it, each as often as its loops wind about the point, seen from
-/// above. The point is moved by (e, e^2, 0), so that the ray along +z meets no loop. So small a move changes no winding number off the
-/// surface, nor the side of a plane that does not hold the point; and the loops of a face whose plane holds it wind neither about it, for
-/// it is not on the face, nor about any point near it, so that it does not matter on which side they are counted. Vertical faces are
-/// seen as lines and wind about nothing.
-int winding(const Integer_body& body, const std::vector<Rank_box>& face_boxes, const Integer_vector& p, const Rank_box& at)
+/// The winding number about a point off the surface: the faces above it, each as often as its loops wind about the
+/// point, seen from above. The point is moved by (e, e^2, 0), so that the ray along +z meets no loop. So small a move
+/// changes no winding number off the surface, nor the side of a plane that does not hold the point; and the loops of a
+/// face whose plane holds it wind neither about it, for it is not on the face, nor about any point near it, so that it
+/// does not matter on which side they are counted. Vertical faces are seen as lines and wind about nothing.
+int winding(const Integer_body& body, const std::vector<Rank_box>& face_boxes, const Integer_vector& p,
+            const Rank_box& at)
 {
   int sum = 0;
   for (Index f = 0; f < body.face_count(); ++f) {
@@ -107,8 +111,8 @@ int winding(const Integer_body& body, const std::vector<Rank_box>& face_boxes, c
   return sum;
 }
 
-/// Some part of the one surface is in the other's solid. Requires surfaces that share no point: then the winding number is the same
-/// about all points of a part.
+/// Some part of the one surface is in the other's solid. Requires surfaces that share no point: then the winding number
+/// is the same about all points of a part.
 bool contains(const Integer_body& outer, const std::vector<Rank_box>& face_boxes, const Integer_body& inner,
               const std::vector<Rank_box>& vertex_boxes)
 {

@@ -49,8 +49,8 @@ class Placed_body {
   /// False when numbers are so large that intervals could overflow: then everything is decided exactly.
   bool is_enclosed() const { return enclosed_; }
 
-  /// The outward-rounded box of the images of `corners`. Finite: what is beyond a quarter of the doubles' range is moved
-  /// to its end, in order, so that boxes that meet still do.
+  /// The outward-rounded box of the images of `corners`. Finite: what is beyond a quarter of the doubles' range is
+  /// moved to its end, in order, so that boxes that meet still do.
   template <class Corners>
   CGAL::Bbox_3 box(const Corners& corners) const
   {
@@ -80,7 +80,9 @@ class Placed_body {
       bounds.push_back({CGAL::to_interval(p.x()), CGAL::to_interval(p.y()), CGAL::to_interval(p.z())});
     const CGAL::Protect_FPU_rounding<true> upward;
     for (const auto& point : bounds) {
-      const auto row = [&](int i) { return m[i] * Interval(point[0]) + m[i + 1] * Interval(point[1]) + m[i + 2] * Interval(point[2]) + m[i + 3]; };
+      const auto row = [&](int i) {
+        return m[i] * Interval(point[0]) + m[i + 1] * Interval(point[1]) + m[i + 2] * Interval(point[2]) + m[i + 3];
+      };
       enclosing_.emplace_back(row(0), row(4), row(8));
       for (int i = 0; i < 3; ++i) {
         // Products of up to four such coordinates stay finite; a NaN compares false.
@@ -112,8 +114,8 @@ class Placed_body {
   mutable std::vector<std::optional<Exact::Point_3>> exact_;
 };
 
-/// The exact value of a predicate on images of two bodies: `predicate(kernel)` in interval arithmetic and, where that is
-/// not certain, in rational arithmetic.
+/// The exact value of a predicate on images of two bodies: `predicate(kernel)` in interval arithmetic and, where that
+/// is not certain, in rational arithmetic.
 template <class Predicate>
 auto decide(const Placed_body& a, const Placed_body& b, Predicate&& predicate)
 {

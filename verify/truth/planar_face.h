@@ -86,8 +86,9 @@ class Planar_face {
     std::array<kernel::Rational, 3> x;
     x[first] = p.x();
     x[second] = p.y();
-    x[dropped_] = origin[dropped_] -
-                  (normal[first] * (p.x() - origin[first]) + normal[second] * (p.y() - origin[second])) / normal[dropped_];
+    x[dropped_] =
+        origin[dropped_] -
+        (normal[first] * (p.x() - origin[first]) + normal[second] * (p.y() - origin[second])) / normal[dropped_];
     return {x[0], x[1], x[2]};
   }
 

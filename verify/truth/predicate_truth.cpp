@@ -76,7 +76,8 @@ struct Simplex {
 
 bool coplanar(const Points& x) { return CGAL::coplanar(x.v[0], x.v[1], x.v[2], x.v[3]); }
 
-/// The side of the plane from whose positive side v1 v2 v3 are seen counterclockwise. There det[v1-p, v2-p, v3-p] is negative.
+/// The side of the plane from whose positive side v1 v2 v3 are seen counterclockwise. There det[v1-p, v2-p, v3-p] is
+/// negative.
 int orientation(const Points& x)
 {
   if (CGAL::collinear(x.v[1], x.v[2], x.v[3])) return 0;

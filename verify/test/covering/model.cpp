@@ -93,7 +93,9 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_placed_face_shows_the_loops_of_its_face_at_the_p
       Placed_model<K> placed(model);
       const Pose pose = scenes::random_affine(random);
       placed.place(pose);
-      const auto at = [&, &vertices = body.vertices](Index v) { return rationals::image(pose, rationals::exactly(vertices[v])); };
+      const auto at = [&, &vertices = body.vertices](Index v) {
+        return rationals::image(pose, rationals::exactly(vertices[v]));
+      };
       for (Index f = 0; f < body.face_count(); ++f) {
         const Placed_face<K> face(placed, f);
         std::size_t n = 0;

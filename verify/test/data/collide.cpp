@@ -1,12 +1,12 @@
-// Real models with holes in their faces (not part of the project): the fast tree, over faces as they are and over their triangles, against the
-// paper's tree in rational arithmetic, which shares neither tree nor signs with it.
+// Real models with holes in their faces (not part of the project): the fast tree, over faces as they are and over their
+// triangles, against the paper's tree in rational arithmetic, which shares neither tree nor signs with it.
 
 #include "tetracone/covering/check.h"
+#include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/io/read.h"
 #include "tetracone/covering/repair/repair.h"
-#include "tetracone/covering/io/input_error.h"
-#include "tetracone/tetratree/paper/collision.h"
 #include "tetracone/tetratree/fast/bvh8_collision.h"
+#include "tetracone/tetratree/paper/collision.h"
 #include "verify/test/support/data_folder.h"
 #include "verify/test/support/scenes.h"
 
@@ -49,7 +49,8 @@ std::vector<Polyhedron> small_models()
   return models;
 }
 
-/// The body against itself: moved by a share of its size along an axis, so that parallel faces meet, or turned about its middle, exactly.
+/// The body against itself: moved by a share of its size along an axis, so that parallel faces meet, or turned about
+/// its middle, exactly.
 Pose any_pose(Random& random, const Polyhedron& p, int kind)
 {
   Vertex low = p.vertices.front(), high = low;

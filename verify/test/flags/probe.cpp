@@ -1,4 +1,5 @@
-// What a user's unit does under the flags that it is compiled with: status 0 when the library would answer, 3 when it refuses at run time.
+// What a user's unit does under the flags that it is compiled with: status 0 when the library would answer, 3 when it
+// refuses at run time.
 #include "tetracone/kernel/number/floating_point.h"
 
 #include <iostream>

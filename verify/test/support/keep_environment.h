@@ -20,8 +20,8 @@ class Keep_environment {
   std::fenv_t environment_;
 };
 
-/// Calls `ask` in every environment that is not sound: three directed roundings and, where there are such flags, flush-to-zero and denormals-are-zero.
-/// Returns in how many it did not throw an Exception.
+/// Calls `ask` in every environment that is not sound: three directed roundings and, where there are such flags,
+/// flush-to-zero and denormals-are-zero. Returns in how many it did not throw an Exception.
 template <class Exception, class Ask>
 int not_refused(const Ask& ask)
 {

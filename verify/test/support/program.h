@@ -26,11 +26,13 @@ struct Run {
 
 inline std::string in_quotes(const std::filesystem::path& path) { return "'" + path.native() + "'"; }
 
-/// Runs the program with these words, in the shell's quoting, and what the shell does before. A test that it does not leave by itself fails.
+/// Runs the program with these words, in the shell's quoting, and what the shell does before. A test that it does not
+/// leave by itself fails.
 inline Run run(const std::string& words, const std::string& before = "")
 {
   const Temporary_file error("stderr", "");
-  std::FILE* const pipe = ::popen((before + in_quotes(program) + " " + words + " 2>" + in_quotes(error.path())).c_str(), "r");
+  std::FILE* const pipe =
+      ::popen((before + in_quotes(program) + " " + words + " 2>" + in_quotes(error.path())).c_str(), "r");
   BOOST_REQUIRE(pipe);
   Run result;
   char buffer[4096];

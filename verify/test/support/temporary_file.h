@@ -20,7 +20,10 @@ inline std::filesystem::path temporary_path(const std::string& name)
 /// A file at such a place, with these bytes; removed with this object.
 class Temporary_file {
  public:
-  Temporary_file(const std::string& name, const std::string& bytes) : path_(temporary_path(name)) { std::ofstream(path_, std::ios::binary) << bytes; }
+  Temporary_file(const std::string& name, const std::string& bytes) : path_(temporary_path(name))
+  {
+    std::ofstream(path_, std::ios::binary) << bytes;
+  }
   ~Temporary_file() { std::filesystem::remove(path_); }
   Temporary_file(const Temporary_file&) = delete;
   Temporary_file& operator=(const Temporary_file&) = delete;
@@ -34,7 +37,10 @@ class Temporary_file {
 /// The same for a folder, which is not made yet; removed with all that it holds.
 class Temporary_folder {
  public:
-  explicit Temporary_folder(const std::string& name) : path_(temporary_path(name)) { std::filesystem::remove_all(path_); }
+  explicit Temporary_folder(const std::string& name) : path_(temporary_path(name))
+  {
+    std::filesystem::remove_all(path_);
+  }
   ~Temporary_folder() { std::filesystem::remove_all(path_); }
   Temporary_folder(const Temporary_folder&) = delete;
   Temporary_folder& operator=(const Temporary_folder&) = delete;
@@ -45,7 +51,8 @@ class Temporary_folder {
   std::filesystem::path path_;
 };
 
-/// What `read` says of the file in the input error that it throws, behind the file's path: ":4: what is wrong; what was expected".
+/// What `read` says of the file in the input error that it throws, behind the file's path: ":4: what is wrong; what was
+/// expected".
 template <class Read>
 std::string error_of(const Temporary_file& file, const Read& read)
 {
@@ -53,7 +60,8 @@ std::string error_of(const Temporary_file& file, const Read& read)
     read(file.path());
   } catch (const covering::Input_error& error) {
     const std::string message = error.what(), path = file.path().native();
-    return message.starts_with(path) && message.find('\n') == std::string::npos ? message.substr(path.size()) : "no clear line: " + message;
+    return message.starts_with(path) && message.find('\n') == std::string::npos ? message.substr(path.size())
+                                                                                : "no clear line: " + message;
   }
   return "no error";
 }

@@ -1,4 +1,5 @@
-// Many threads on fresh bodies, whose trees are made while all of them ask; built with ThreadSanitizer, which ends the program at a data race.
+// Many threads on fresh bodies, whose trees are made while all of them ask; built with ThreadSanitizer, which ends the
+// program at a data race.
 
 #include "tetracone/tetratree/door/tetracone.h"
 

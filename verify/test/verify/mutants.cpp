@@ -34,7 +34,8 @@ BOOST_AUTO_TEST_CASE(every_planted_error_has_its_one_place_in_the_source)
   BOOST_TEST(mutants.size() >= 15u);
   std::set<std::string> names;
   for (const auto& mutant : mutants) {
-    const std::string name = mutant.at("name"), file = mutant.at("file"), old_text = mutant.at("old"), new_text = mutant.at("new");
+    const std::string name = mutant.at("name"), file = mutant.at("file"), old_text = mutant.at("old"),
+                      new_text = mutant.at("new");
     BOOST_TEST_INFO_SCOPE(name);
     BOOST_TEST(names.insert(name).second);
     BOOST_TEST(old_text != new_text);

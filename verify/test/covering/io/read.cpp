@@ -28,7 +28,8 @@ Read_model read_text(const std::string& suffix, const std::string& text)
 
 std::string error_of(const std::string& suffix, const std::string& text)
 {
-  return tetracone::verify::error_of(Temporary_file("model" + suffix, text), [](const auto& path) { read_model(path); });
+  return tetracone::verify::error_of(Temporary_file("model" + suffix, text),
+                                     [](const auto& path) { read_model(path); });
 }
 
 bool fails_at(const std::string& error, const std::string& line)

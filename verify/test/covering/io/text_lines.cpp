@@ -40,16 +40,21 @@ struct Dialect {
 std::vector<Dialect> tetrahedra()
 {
   std::string stl = "solid t\n";
-  for (const char* const triangle : {"0 0 0;0 1 0;1 0 0", "0 0 0;1 0 0;0 0 1", "1 0 0;0 1 0;0 0 1", "0 1 0;0 0 0;0 0 1"}) {
+  for (const char* const triangle :
+       {"0 0 0;0 1 0;1 0 0", "0 0 0;1 0 0;0 0 1", "1 0 0;0 1 0;0 0 1", "0 1 0;0 0 0;0 0 1"}) {
     std::string corners = triangle;
     for (std::size_t at; (at = corners.find(';')) != std::string::npos;) corners.replace(at, 1, "\nvertex ");
     stl += "facet normal 0 0 0\nouter loop\nvertex " + corners + "\nendloop\nendfacet\n";
   }
   return {{"t.off", "OFF\n# four\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"},
           {"t.obj", "# four\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"},
-          {"t.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\nelement face 4\n"
-                    "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"},
-          {"t.poly", "4 3 0 0\n0 0 0 0\n1 1 0 0\n2 0 1 0\n3 0 0 1\n4 0\n1\n3 0 2 1\n1\n3 0 1 3\n1\n3 1 2 3\n1\n3 2 0 3\n0\n"},
+          {"t.ply",
+           "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\nelement "
+           "face 4\n"
+           "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 "
+           "3\n3 2 0 3\n"},
+          {"t.poly",
+           "4 3 0 0\n0 0 0 0\n1 1 0 0\n2 0 1 0\n3 0 0 1\n4 0\n1\n3 0 2 1\n1\n3 0 1 3\n1\n3 1 2 3\n1\n3 2 0 3\n0\n"},
           {"t.stl", stl + "endsolid t\n"}};
 }
 
@@ -82,7 +87,8 @@ BOOST_AUTO_TEST_CASE(a_byte_order_mark_and_old_line_ends_change_nothing)
 BOOST_AUTO_TEST_CASE(line_numbers_count_old_line_ends)
 {
   const Temporary_file file("poses.txt", mark + "# one\r# two\r1 2 3\r");
-  BOOST_TEST(error_of(file, [](const auto& path) { read_poses(path); }) == ":3: 3 numbers; expected 12, the rows of a 3x4 matrix");
+  BOOST_TEST(error_of(file, [](const auto& path) { read_poses(path); }) ==
+             ":3: 3 numbers; expected 12, the rows of a 3x4 matrix");
 }
 
 BOOST_AUTO_TEST_CASE(utf_16_is_named)

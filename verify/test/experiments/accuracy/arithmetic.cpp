@@ -1,4 +1,5 @@
-// The experiments of arithmetic, `sign-maps` and `stability`, as their users run them: their exact rows against what can be said with pencil and paper.
+// The experiments of arithmetic, `sign-maps` and `stability`, as their users run them: their exact rows against what
+// can be said with pencil and paper.
 
 #include "verify/test/support/program.h"
 #include "verify/test/support/temporary_file.h"
@@ -52,11 +53,13 @@ BOOST_AUTO_TEST_CASE(sign_maps_are_exact_where_they_say_so_and_rounding_shows)
     lines.push_back(row[3]);
   }
   BOOST_TEST(maps.size() == 4u * 6u);
-  for (const auto& [name, lines] : maps) BOOST_TEST(lines.size() == std::size_t(size), name.first << ", " << name.second);
+  for (const auto& [name, lines] : maps)
+    BOOST_TEST(lines.size() == std::size_t(size), name.first << ", " << name.second);
 
-  // The moving point is (1/2 + column d, 1/2 + row d, 1/2 + size/2 d), the plane x + y = 2 z, with the triangle on the side x >= y of its edge. So the
-  // point is above the plane, which is -, by (column + row - size) d; the segment goes from it to a point above, across x = y, and meets the triangle
-  // when it comes from below or the plane itself, with x >= y.
+  // The moving point is (1/2 + column d, 1/2 + row d, 1/2 + size/2 d), the plane x + y = 2 z, with the triangle on the
+  // side x >= y of its edge. So the point is above the plane, which is -, by (column + row - size) d; the segment goes
+  // from it to a point above, across x = y, and meets the triangle when it comes from below or the plane itself, with x
+  // >= y.
   const auto plane = [](int row, int column) { return row + column < size ? '+' : row + column > size ? '-' : '0'; };
   const auto triangle = [](int row, int column) { return row + column <= size && column >= row ? '+' : '-'; };
   const auto differing = [&](const std::string& map, const std::string& subject, const auto& expected) {
@@ -81,7 +84,8 @@ BOOST_AUTO_TEST_CASE(sign_maps_are_exact_where_they_say_so_and_rounding_shows)
 
 BOOST_AUTO_TEST_CASE(a_size_that_no_map_has_is_refused)
 {
-  for (const std::string size : {"0", "-1", "4097", "1000000000000", "nan", ""}) check_refused("experiment sign-maps --size '" + size + "'", "--size");
+  for (const std::string size : {"0", "-1", "4097", "1000000000000", "nan", ""})
+    check_refused("experiment sign-maps --size '" + size + "'", "--size");
 }
 
 BOOST_AUTO_TEST_CASE(the_exact_kernel_changes_its_answer_at_the_exact_place_and_float_far_from_it)

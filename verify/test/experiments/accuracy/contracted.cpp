@@ -25,7 +25,8 @@ Sign exact_volume_sign(const std::array<Point, 4>& p)
   std::array<std::array<kernel::Rational, 3>, 3> d;
   for (int k = 0; k < 3; ++k)
     for (int i = 0; i < 3; ++i) d[k][i] = kernel::Rational(p[k + 1][i]) - kernel::Rational(p[0][i]);
-  const kernel::Rational volume = d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) - d[0][1] * (d[1][0] * d[2][2] - d[1][2] * d[2][0]) +
+  const kernel::Rational volume = d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) -
+                                  d[0][1] * (d[1][0] * d[2][2] - d[1][2] * d[2][0]) +
                                   d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0]);
   return CGAL::sign(volume);
 }
@@ -38,7 +39,8 @@ BOOST_AUTO_TEST_CASE(the_first_product_is_not_rounded)
 {
   Random random(1);
   for (int k = 0; k < 1000; ++k) {
-    const double a = real(random, -1, 1), b = real(random, -1, 1), c = real(random, -1, 1), d = real(random, -1, 1), second = c * d;
+    const double a = real(random, -1, 1), b = real(random, -1, 1), c = real(random, -1, 1), d = real(random, -1, 1),
+                 second = c * d;
     const kernel::Rational difference = kernel::Rational(a) * kernel::Rational(b) - kernel::Rational(second);
     BOOST_TEST(minor(a, b, c, d) == kernel::nearest_double(difference));
   }
@@ -53,7 +55,8 @@ BOOST_AUTO_TEST_CASE(signs_of_small_integers_are_exact)
   for (int k = 0; k < 5000; ++k) {
     const int most = k % 2 == 0 ? 2 : 1000;
     std::array<Point, 4> p;
-    for (Point& x : p) x = Point(integer(random, -most, most), integer(random, -most, most), integer(random, -most, most));
+    for (Point& x : p)
+      x = Point(integer(random, -most, most), integer(random, -most, most), integer(random, -most, most));
     const Sign exact = exact_volume_sign(p);
     zeros += exact == CGAL::ZERO;
     BOOST_TEST(kernel::volume_sign<Contracted>(p[0], p[1], p[2], p[3]) == exact);
@@ -62,7 +65,8 @@ BOOST_AUTO_TEST_CASE(signs_of_small_integers_are_exact)
       // That of a volume whose fourth point is off the first along the axis.
       std::array<double, 3> off = {p[0][0], p[0][1], p[0][2]};
       off[axis] += 1;
-      BOOST_TEST(kernel::normal_sign<Contracted>(p[0], p[1], p[2], axis) == exact_volume_sign({p[0], p[1], p[2], Point(off[0], off[1], off[2])}));
+      BOOST_TEST(kernel::normal_sign<Contracted>(p[0], p[1], p[2], axis) ==
+                 exact_volume_sign({p[0], p[1], p[2], Point(off[0], off[1], off[2])}));
     }
   }
   BOOST_TEST(zeros > 100);

@@ -45,11 +45,14 @@ BOOST_AUTO_TEST_CASE(rows_of_json_have_numbers_and_booleans)
       }
     std::getline(csv, line);
     BOOST_TEST(line.starts_with(row["id"].get<std::string>() + ","));
-    const std::string truths = std::string(row["surface"].get<bool>() ? ",1," : ",0,") + (row["solid"].get<bool>() ? "1," : "0,");
+    const std::string truths =
+        std::string(row["surface"].get<bool>() ? ",1," : ",0,") + (row["solid"].get<bool>() ? "1," : "0,");
     BOOST_TEST(line.find(row["mesh_b"].get<std::string>() + truths) != std::string::npos, line);
   }
   BOOST_TEST(fractions > 0);
-  BOOST_TEST(std::system(("/usr/bin/python3 " + in_quotes(folder.path() / "dataset" / "example.py") + " >/dev/null").c_str()) == 0);
+  BOOST_TEST(std::system(
+                 ("/usr/bin/python3 " + in_quotes(folder.path() / "dataset" / "example.py") + " >/dev/null").c_str()) ==
+             0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

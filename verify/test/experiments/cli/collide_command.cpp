@@ -19,9 +19,10 @@ const std::string source = TETRACONE_SOURCE_DIR;
 const std::string cube = source + "/verify/test/models/cube.off";
 
 /// Unit cubes that touch, then by less apart than a float can say, then far apart.
-const std::string poses = "1 0 0 1 0 1 0 0 0 0 1 0\n"
-                          "1 0 0 1.0000000001 0 1 0 0 0 0 1 0\n"
-                          "1 0 0 3 0 1 0 0 0 0 1 0\n";
+const std::string poses =
+    "1 0 0 1 0 1 0 0 0 0 1 0\n"
+    "1 0 0 1.0000000001 0 1 0 0 0 0 1 0\n"
+    "1 0 0 3 0 1 0 0 0 0 1 0\n";
 
 }  // namespace
 
@@ -59,8 +60,11 @@ BOOST_AUTO_TEST_CASE(fractions_of_a_hundred_thousand_digits_are_read_in_seconds)
 
 BOOST_AUTO_TEST_CASE(a_name_that_comes_twice_in_a_case_file_is_refused)
 {
-  const Temporary_file file("twice.case.json", "{\"format\": 1,\n \"level\": \"object\",\n \"a\": {\"x\": [{\"y\": 1}, {\"y\": 2}],\n  \"\\u0078\": 2}}\n");
-  check_refused("collide " + in_quotes(file.path()), ":4: '\\u0078' a second time; expected each name of an object once");
+  const Temporary_file file(
+      "twice.case.json",
+      "{\"format\": 1,\n \"level\": \"object\",\n \"a\": {\"x\": [{\"y\": 1}, {\"y\": 2}],\n  \"\\u0078\": 2}}\n");
+  check_refused("collide " + in_quotes(file.path()),
+                ":4: '\\u0078' a second time; expected each name of an object once");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

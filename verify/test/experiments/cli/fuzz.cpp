@@ -1,5 +1,5 @@
-// Runs the program itself: what `tetracone fuzz` finds is replayed by `tetracone collide`, wrong with the kernel that was wrong and right
-// with the exact one.
+// Runs the program itself: what `tetracone fuzz` finds is replayed by `tetracone collide`, wrong with the kernel that
+// was wrong and right with the exact one.
 
 #include "verify/cases/case_file.h"
 #include "verify/test/support/program.h"

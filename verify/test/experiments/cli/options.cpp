@@ -32,23 +32,28 @@ BOOST_AUTO_TEST_CASE(numbers_out_of_their_range_are_refused_at_once)
     check_refused("verify --db /nowhere/x --seed " + number, "--seed");
     check_refused("fuzz --out /nowhere/x --seed " + number, "--seed");
   }
-  for (const std::string number : {"-1", "nan", "-nan", "inf", "1e10", "x"}) check_refused("fuzz --out /nowhere/x --seconds " + number, "--seconds");
+  for (const std::string number : {"-1", "nan", "-nan", "inf", "1e10", "x"})
+    check_refused("fuzz --out /nowhere/x --seconds " + number, "--seconds");
   check_refused("verify --db /nowhere/x --frames -1", "--frames");
 }
 
 BOOST_AUTO_TEST_CASE(an_empty_word_is_refused_by_name)
 {
   const std::string collide = "collide " + cube + " " + cube;
-  for (const std::string option : {"--pose-a", "--pose-b", "--csv", "--kernel", "--compare", "--method", "--question", "--repeat"}) {
+  for (const std::string option :
+       {"--pose-a", "--pose-b", "--csv", "--kernel", "--compare", "--method", "--question", "--repeat"}) {
     check_refused(collide + " " + option + " ''", option + ": an empty word; expected a value");
     check_refused(collide + " " + option + "='' --json", option + "=: an empty word; expected a value");
   }
   check_refused("collide '' " + cube, "A: an empty word");
   check_refused("collide " + cube + " ''", "B: an empty word");
-  for (const std::string option : {"--db", "--cases", "--seed", "--shard", "--family", "--subject", "--level", "--frames"})
+  for (const std::string option :
+       {"--db", "--cases", "--seed", "--shard", "--family", "--subject", "--level", "--frames"})
     check_refused("verify " + option + " ''", option);
-  for (const std::string option : {"--seconds", "--seed", "--subject", "--out"}) check_refused("fuzz " + option + " ''", option);
-  for (const std::string option : {"--out", "--models", "--model", "--seed", "--cases"}) check_refused("experiment method " + option + " ''", option);
+  for (const std::string option : {"--seconds", "--seed", "--subject", "--out"})
+    check_refused("fuzz " + option + " ''", option);
+  for (const std::string option : {"--out", "--models", "--model", "--seed", "--cases"})
+    check_refused("experiment method " + option + " ''", option);
   check_refused("view " + cube + " --out ''", "--out: an empty word");
   check_refused("report ''", "DB: an empty word");
   check_refused("report x.db --out ''", "--out: an empty word");

@@ -32,7 +32,10 @@ std::string bytes(const fs::path& file)
 struct Folder : Temporary_folder {
   explicit Folder(const std::string& name) : Temporary_folder(name) { fs::create_directory(path()); }
 
-  std::size_t entries() const { return std::size_t(std::distance(fs::directory_iterator(path()), fs::directory_iterator())); }
+  std::size_t entries() const
+  {
+    return std::size_t(std::distance(fs::directory_iterator(path()), fs::directory_iterator()));
+  }
 };
 
 }  // namespace
@@ -54,7 +57,8 @@ BOOST_AUTO_TEST_CASE(a_fifo_is_written_and_stays_one)
   const Folder folder("fifo");
   const fs::path fifo = folder.path() / "fifo", copy = folder.path() / "copy";
   BOOST_TEST_REQUIRE(::mkfifo(fifo.c_str(), 0600) == 0);
-  const Run r = run(collide + " --csv " + in_quotes(fifo) + "; wait", "cat " + in_quotes(fifo) + " >" + in_quotes(copy) + " & ");
+  const Run r =
+      run(collide + " --csv " + in_quotes(fifo) + "; wait", "cat " + in_quotes(fifo) + " >" + in_quotes(copy) + " & ");
   BOOST_TEST(r.status == 0);
   BOOST_TEST(fs::is_fifo(fifo));
   BOOST_TEST(bytes(copy) == table);
@@ -88,7 +92,8 @@ BOOST_AUTO_TEST_CASE(what_the_shell_goes_on_to_write_is_kept)
 BOOST_AUTO_TEST_CASE(an_input_is_no_output)
 {
   const Folder folder("inputs");
-  const fs::path model = folder.path() / "a.off", poses = folder.path() / "poses.txt", link = folder.path() / "link", hard = folder.path() / "hard";
+  const fs::path model = folder.path() / "a.off", poses = folder.path() / "poses.txt", link = folder.path() / "link",
+                 hard = folder.path() / "hard";
   fs::copy_file(cube, model);
   fs::copy_file(models + "poses.txt", poses);
   fs::create_symlink(model, link);

@@ -50,7 +50,8 @@ bool run_and_kill(std::vector<std::string> arguments, std::chrono::milliseconds 
 std::string tables(const std::string& db)
 {
   std::string all;
-  for (const char* name : {"errors", "rates", "subjects", "distance", "blame", "relations", "flips", "truth", "wrong", "runs"}) {
+  for (const char* name :
+       {"errors", "rates", "subjects", "distance", "blame", "relations", "flips", "truth", "wrong", "runs"}) {
     const Run ran = run("report " + db + " --table " + name);
     BOOST_TEST_REQUIRE(ran.status == 0, ran.error);
     all += ran.out;
@@ -61,7 +62,9 @@ std::string tables(const std::string& db)
 /// A database that is not there yet, removed with all that SQLite puts beside it.
 struct Database_file {
   explicit Database_file(const std::string& name)
-      : path((std::filesystem::temp_directory_path() / ("tetracone_verify_" + std::to_string(getpid()) + "_" + name + ".db")).native())
+      : path((std::filesystem::temp_directory_path() /
+              ("tetracone_verify_" + std::to_string(getpid()) + "_" + name + ".db"))
+                 .native())
   {
     clear();
   }
@@ -73,7 +76,9 @@ struct Database_file {
   std::string path;
 };
 
-const std::string campaign = "--cases 60 --seed 9 --frames 5 --family stacked --family sliver --family vertex-on-face --subject double --subject adaptive";
+const std::string campaign =
+    "--cases 60 --seed 9 --frames 5 --family stacked --family sliver --family vertex-on-face --subject double "
+    "--subject adaptive";
 
 }  // namespace
 
@@ -118,8 +123,9 @@ BOOST_AUTO_TEST_CASE(the_table_of_errors_has_the_columns_that_others_rely_on)
 {
   const Database_file db("columns");
   BOOST_TEST(run("verify --db " + db.path + " --cases 4 --family random --subject double").status == 0);
-  BOOST_TEST(run("report " + db.path + " --table errors").out.starts_with(
-      "level,family,subject,question,n,false_positives,false_negatives,failures\nobject,random,double brute,solid,4,"));
+  BOOST_TEST(run("report " + db.path + " --table errors")
+                 .out.starts_with("level,family,subject,question,n,false_positives,false_negatives,failures\nobject,"
+                                  "random,double brute,solid,4,"));
 }
 
 BOOST_AUTO_TEST_CASE(bad_words_are_one_line_and_status_2)
@@ -127,12 +133,14 @@ BOOST_AUTO_TEST_CASE(bad_words_are_one_line_and_status_2)
   const Database_file db("bad");
   const Temporary_file text("bad.db", std::string(2000, 'x'));
   for (const std::string& arguments :
-       {std::string("--family nonsense"), std::string("--subject nonsense"), std::string("--shard 2/2"), std::string("--shard 1"),
-        std::string("--shard -1/2"), std::string("--cases 0"), std::string("--cases x"), std::string("--level nothing"), std::string("--seed -1")})
+       {std::string("--family nonsense"), std::string("--subject nonsense"), std::string("--shard 2/2"),
+        std::string("--shard 1"), std::string("--shard -1/2"), std::string("--cases 0"), std::string("--cases x"),
+        std::string("--level nothing"), std::string("--seed -1")})
     check_refused("verify --db " + db.path + " " + arguments);
   BOOST_TEST(!std::filesystem::exists(db.path));
-  for (const std::string& arguments : {"verify --db " + text.path().native(), "report " + text.path().native(), "report " + db.path,
-                                       "report " + text.path().native() + " --table errors", "merge " + db.path + "2/none " + db.path})
+  for (const std::string& arguments :
+       {"verify --db " + text.path().native(), "report " + text.path().native(), "report " + db.path,
+        "report " + text.path().native() + " --table errors", "merge " + db.path + "2/none " + db.path})
     check_refused(arguments);
 }
 
@@ -144,7 +152,9 @@ BOOST_AUTO_TEST_CASE(two_that_start_together_on_a_new_database_share_the_work)
   for (int round = 0; round < 4; ++round) {
     shared.clear();
     // Each adds its own shard to one file.
-    const auto shard = [&](int k) { return " verify --shard " + std::to_string(k) + "/4 --db " + shared.path + " " + words; };
+    const auto shard = [&](int k) {
+      return " verify --shard " + std::to_string(k) + "/4 --db " + shared.path + " " + words;
+    };
     std::string others;
     for (int k = 1; k < 4; ++k) others += in_quotes(program) + shard(k) + " >/dev/null 2>&1 & ";
     run(shard(0) + "; wait", others);
@@ -169,7 +179,8 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_merged_leaves_no_target)
   const Database_file db("source"), target("target");
   const Temporary_file empty("empty.db", "");
   BOOST_TEST(run("verify --db " + db.path + " --cases 4 --family random --subject double").status == 0);
-  for (const std::string& sources : {target.path + ".missing", db.path + " " + target.path + ".missing", empty.path().native()}) {
+  for (const std::string& sources :
+       {target.path + ".missing", db.path + " " + target.path + ".missing", empty.path().native()}) {
     check_refused("merge " + target.path + " " + sources, "verify");
     BOOST_TEST(!std::filesystem::exists(target.path), sources);
   }
@@ -178,15 +189,17 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_merged_leaves_no_target)
 BOOST_AUTO_TEST_CASE(another_programs_database_is_refused_and_left_as_it_is)
 {
   const Database_file theirs("theirs"), ours("ours");
-  Database(theirs.path, Database::Mode::write).run("PRAGMA journal_mode = DELETE; CREATE TABLE done (what TEXT); INSERT INTO done VALUES ('dishes')");
+  Database(theirs.path, Database::Mode::write)
+      .run("PRAGMA journal_mode = DELETE; CREATE TABLE done (what TEXT); INSERT INTO done VALUES ('dishes')");
   BOOST_TEST(run("verify --db " + ours.path + " --cases 4 --family random --subject double").status == 0);
   const auto bytes = [&] {
     std::ifstream in(theirs.path, std::ios::binary);
     return std::string(std::istreambuf_iterator<char>(in), {});
   };
   const std::string before = bytes();
-  for (const std::string& words : {"verify --cases 4 --family random --subject double --db " + theirs.path, "merge " + theirs.path + " " + ours.path,
-                                   "merge " + ours.path + " " + theirs.path, "report " + theirs.path})
+  for (const std::string& words :
+       {"verify --cases 4 --family random --subject double --db " + theirs.path,
+        "merge " + theirs.path + " " + ours.path, "merge " + ours.path + " " + theirs.path, "report " + theirs.path})
     check_refused(words, theirs.path + ": no such table: ");
   BOOST_TEST(bytes() == before);
 }

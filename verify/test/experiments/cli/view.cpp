@@ -1,4 +1,5 @@
-// Runs the program itself: the pages of `tetracone view`, what they hold, and, in headless Chromium where it is installed, what they show.
+// Runs the program itself: the pages of `tetracone view`, what they hold, and, in headless Chromium where it is
+// installed, what they show.
 
 #include "experiments/cli/view_command.h"
 
@@ -56,12 +57,14 @@ struct Page {
   }
 };
 
-/// Unit cubes, the second moved along x: overlapping, touching, one ulp apart, apart by less than a float can say, and far apart.
-const std::string poses = "1 0 0 0.5 0 1 0 0 0 0 1 0\n"
-                          "1 0 0 1 0 1 0 0 0 0 1 0\n"
-                          "1 0 0 1.0000000000000002 0 1 0 0 0 0 1 0\n"
-                          "1 0 0 1.0000000001 0 1 0 0 0 0 1 0\n"
-                          "1 0 0 2 0 1 0 0 0 0 1 0\n";
+/// Unit cubes, the second moved along x: overlapping, touching, one ulp apart, apart by less than a float can say, and
+/// far apart.
+const std::string poses =
+    "1 0 0 0.5 0 1 0 0 0 0 1 0\n"
+    "1 0 0 1 0 1 0 0 0 0 1 0\n"
+    "1 0 0 1.0000000000000002 0 1 0 0 0 0 1 0\n"
+    "1 0 0 1.0000000001 0 1 0 0 0 0 1 0\n"
+    "1 0 0 2 0 1 0 0 0 0 1 0\n";
 
 /// A torus of n x n quadrilaterals, halved.
 std::string torus(int n)
@@ -71,12 +74,14 @@ std::string torus(int n)
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) {
       const double r = 2 + 0.7 * std::cos(j * step);
-      text += std::to_string(r * std::cos(i * step)) + " " + std::to_string(r * std::sin(i * step)) + " " + std::to_string(0.7 * std::sin(j * step)) + "\n";
+      text += std::to_string(r * std::cos(i * step)) + " " + std::to_string(r * std::sin(i * step)) + " " +
+              std::to_string(0.7 * std::sin(j * step)) + "\n";
     }
   const auto vertex = [n](int i, int j) { return " " + std::to_string(i % n * n + j % n); };
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j)
-      text += "3" + vertex(i, j) + vertex(i + 1, j) + vertex(i + 1, j + 1) + "\n3" + vertex(i, j) + vertex(i + 1, j + 1) + vertex(i, j + 1) + "\n";
+      text += "3" + vertex(i, j) + vertex(i + 1, j) + vertex(i + 1, j + 1) + "\n3" + vertex(i, j) +
+              vertex(i + 1, j + 1) + vertex(i, j + 1) + "\n";
   return text;
 }
 
@@ -94,7 +99,8 @@ BOOST_AUTO_TEST_CASE(answers_stand_beside_the_exact_ones_pose_by_pose)
   BOOST_TEST(data["answer"] == Json({1, 1, 1, 1, 0}));
   BOOST_TEST(data["poses"][0].size() == 1u);
   BOOST_TEST(data["poses"][1][2][3] == 1.0000000000000002);
-  BOOST_TEST(Page(cube + " " + cube + " --kernel adaptive --pose-b " + in_quotes(file.path())).data["answer"] == data["exact"]);
+  BOOST_TEST(Page(cube + " " + cube + " --kernel adaptive --pose-b " + in_quotes(file.path())).data["answer"] ==
+             data["exact"]);
 }
 
 BOOST_AUTO_TEST_CASE(features_say_which_pairs_the_kernel_loses_and_invents)
@@ -106,7 +112,8 @@ BOOST_AUTO_TEST_CASE(features_say_which_pairs_the_kernel_loses_and_invents)
     for (const Json& f : data["features"][pose]) count += f[5] == mark;
     return count;
   };
-  // Touching in a square: each edge of a touching face overlaps the other's face, and each edge that ends in it touches it.
+  // Touching in a square: each edge of a touching face overlaps the other's face, and each edge that ends in it touches
+  // it.
   BOOST_TEST(data["feature_counts"][1].get<int>() > 0);
   BOOST_TEST(marks(1, 0) == data["feature_counts"][1].get<int>());
   BOOST_TEST(data["feature_counts"][2] == 0);
@@ -141,7 +148,8 @@ BOOST_AUTO_TEST_CASE(covering_tree_and_hull_are_those_of_the_body)
   for (std::size_t t = 0; t < count; ++t) {
     double determinant = 0;
     for (int k = 0; k < 3; ++k)
-      determinant += corner(t, 0, k) * (corner(t, 1, (k + 1) % 3) * corner(t, 2, (k + 2) % 3) - corner(t, 1, (k + 2) % 3) * corner(t, 2, (k + 1) % 3));
+      determinant += corner(t, 0, k) * (corner(t, 1, (k + 1) % 3) * corner(t, 2, (k + 2) % 3) -
+                                        corner(t, 1, (k + 2) % 3) * corner(t, 2, (k + 1) % 3));
     BOOST_TEST((determinant > 0) - (determinant < 0) == body["covering"]["signs"][t].get<int>());
     volume += determinant / 6;
   }
@@ -155,7 +163,9 @@ BOOST_AUTO_TEST_CASE(covering_tree_and_hull_are_those_of_the_body)
     if (nodes["leaf"][n] == 0) continue;
     for (int i = 0; i < 3; ++i) {
       double square = 0;
-      for (int k = 0; k < 3; ++k) square += std::pow(nodes["tetrahedron"][9 * n + 3 * i + k].get<double>() - body["covering"]["origin"][k].get<double>(), 2);
+      for (int k = 0; k < 3; ++k)
+        square += std::pow(
+            nodes["tetrahedron"][9 * n + 3 * i + k].get<double>() - body["covering"]["origin"][k].get<double>(), 2);
       dmax = tetracone::kernel::maximum(dmax, std::sqrt(square));
     }
     for (const int face : nodes["faces"][n]) faces.insert(face);
@@ -177,7 +187,9 @@ BOOST_AUTO_TEST_CASE(every_face_is_drawn_also_one_with_a_hole)
   for (std::size_t t = 0; t < body["triangles"].size() / 4; ++t) {
     double square = 0;
     for (int k = 0; k < 3; ++k)
-      square += std::pow(difference(t, 1, (k + 1) % 3) * difference(t, 2, (k + 2) % 3) - difference(t, 1, (k + 2) % 3) * difference(t, 2, (k + 1) % 3), 2);
+      square += std::pow(difference(t, 1, (k + 1) % 3) * difference(t, 2, (k + 2) % 3) -
+                             difference(t, 1, (k + 2) % 3) * difference(t, 2, (k + 1) % 3),
+                         2);
     area += std::sqrt(square) / 2;
     faces.insert(body["triangles"][4 * t].get<int>());
   }
@@ -203,9 +215,12 @@ BOOST_AUTO_TEST_CASE(large_bodies_are_shown_in_linear_time)
   const Temporary_file page("page.html", "");
   const Run r = run("view " + in_quotes(half.path()) + " --out " + in_quotes(page.path()));
   BOOST_TEST(r.status == 0);
-  BOOST_TEST(r.error.find("500000 triangles, more than 50000: the page shows bodies and answers alone\n") != std::string::npos, r.error);
+  BOOST_TEST(
+      r.error.find("500000 triangles, more than 50000: the page shows bodies and answers alone\n") != std::string::npos,
+      r.error);
   BOOST_TEST(bytes(page.path()).find("\"nodes\"") == std::string::npos);
-  check_refused("view " + in_quotes(huge.path()) + " --out " + in_quotes(page.path()), "1002528 triangles; expected at most 1000000 in a page");
+  check_refused("view " + in_quotes(huge.path()) + " --out " + in_quotes(page.path()),
+                "1002528 triangles; expected at most 1000000 in a page");
   BOOST_TEST(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < 120);
 }
 
@@ -242,7 +257,8 @@ BOOST_AUTO_TEST_CASE(a_name_cannot_end_the_script_it_stands_in)
 
 BOOST_AUTO_TEST_CASE(bad_words_are_refused_and_leave_no_file)
 {
-  const std::filesystem::path page = std::filesystem::temp_directory_path() / ("tetracone_refused_" + std::to_string(::getpid()) + ".html");
+  const std::filesystem::path page =
+      std::filesystem::temp_directory_path() / ("tetracone_refused_" + std::to_string(::getpid()) + ".html");
   const std::string out = " --out " + in_quotes(page), corpus = source + "/verify/corpus/";
   check_refused("view " + cube, "--out");
   check_refused("view" + out);
@@ -256,15 +272,21 @@ BOOST_AUTO_TEST_CASE(bad_words_are_refused_and_leave_no_file)
   check_refused("view " + corpus + "double-false-negative-orientation.case.json --kernel fast" + out, "--kernel fast");
   check_refused("view " + cube + " --out /nowhere/page.html", "/nowhere/page.html");
   const Temporary_file two("two.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 0 0 1 0 0 0 0 1 0\n");
-  check_refused("view " + cube + " " + cube + " --pose-a " + in_quotes(two.path()) + " --pose-b " + models + "poses.txt" + out, "3 poses");
+  check_refused(
+      "view " + cube + " " + cube + " --pose-a " + in_quotes(two.path()) + " --pose-b " + models + "poses.txt" + out,
+      "3 poses");
   BOOST_TEST(!std::filesystem::exists(page));
 }
 
 BOOST_AUTO_TEST_CASE(in_a_browser_pages_show_what_they_should)
 {
-  const int status = std::system(("/usr/bin/python3 " + in_quotes(source + "/verify/test/experiments/cli/view.py") + " " + in_quotes(program)).c_str());
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 77) BOOST_TEST_MESSAGE("skipped: see the line above");
-  else BOOST_TEST(status == 0);
+  const int status = std::system(
+      ("/usr/bin/python3 " + in_quotes(source + "/verify/test/experiments/cli/view.py") + " " + in_quotes(program))
+          .c_str());
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 77)
+    BOOST_TEST_MESSAGE("skipped: see the line above");
+  else
+    BOOST_TEST(status == 0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

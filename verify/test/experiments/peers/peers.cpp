@@ -3,8 +3,8 @@
 #include "experiments/peers/peers.h"
 
 #include "experiments/peers/peer.h"
-#include "verify/cases/shape_generators.h"
 #include "verify/cases/random.h"
+#include "verify/cases/shape_generators.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -66,11 +66,15 @@ bool is_built(const std::string& name)
   return false;
 }
 
-Outcome ask(const std::string& name, const Object_case& c, Question question) { return (*peer_subject(program, name).make())(c, question); }
+Outcome ask(const std::string& name, const Object_case& c, Question question)
+{
+  return (*peer_subject(program, name).make())(c, question);
+}
 
 Pose rounded_rotation(const verify::Rotation& m, double x, double y, double z)
 {
-  return Pose(std::array<double, 12>{m[0][0], m[0][1], m[0][2], x, m[1][0], m[1][1], m[1][2], y, m[2][0], m[2][1], m[2][2], z});
+  return Pose(
+      std::array<double, 12>{m[0][0], m[0][1], m[0][2], x, m[1][0], m[1][1], m[1][2], y, m[2][0], m[2][1], m[2][2], z});
 }
 
 }  // namespace
@@ -86,7 +90,8 @@ BOOST_AUTO_TEST_CASE(every_peer_says_what_it_answers)
     BOOST_TEST(!s.own, s.name);
     BOOST_TEST(!s.is_exact, s.name);
   }
-  for (const char* name : {"FCL OBBRSS", "FCL AABB", "Bullet GImpact", "ODE trimesh", "libccd GJK", "libccd MPR"}) is_built(name);
+  for (const char* name : {"FCL OBBRSS", "FCL AABB", "Bullet GImpact", "ODE trimesh", "libccd GJK", "libccd MPR"})
+    is_built(name);
   for (const char* name : {"CGAL RMCD EPICK", "CGAL RMCD EPECK"}) BOOST_TEST(is_built(name), name);
 }
 
@@ -163,18 +168,21 @@ BOOST_AUTO_TEST_CASE(only_rigid_poses_are_asked)
   const Pose huge(std::array<double, 12>{1e200, 0, 0, 0, 0, 1e200, 0, 0, 0, 0, 1e200, 0});
   const Pose turned = Pose::from_quaternion(3, 1, -2, 5, {kernel::Rational(1) / 3, 0, 0});  // rounded to doubles
   for (const Pose& pose : {scaled, mirrored, sheared, huge}) {
-    BOOST_TEST(ask("CGAL RMCD EPICK", two(verify::unit_cube(), verify::unit_cube(), pose), Question::solid) == Outcome::not_asked);
+    BOOST_TEST(ask("CGAL RMCD EPICK", two(verify::unit_cube(), verify::unit_cube(), pose), Question::solid) ==
+               Outcome::not_asked);
     Object_case c = two(verify::unit_cube(), verify::unit_cube());
     c.pose_a = pose;
     BOOST_TEST(ask("CGAL RMCD EPICK", c, Question::solid) == Outcome::not_asked);
   }
   for (const Object_subject& s : experiments::peer_subjects(program))
-    BOOST_TEST((*s.make())(two(verify::unit_cube(), verify::unit_cube(), turned), Question::solid) == Outcome::yes, s.name);
+    BOOST_TEST((*s.make())(two(verify::unit_cube(), verify::unit_cube(), turned), Question::solid) == Outcome::yes,
+               s.name);
 }
 
 BOOST_AUTO_TEST_CASE(cgal_with_exact_constructions_is_right_where_rounded_motion_is_not)
 {
-  // Unit cubes under one rounded rotation, the second moved by the rotation's first column as doubles: the faces share a plane exactly.
+  // Unit cubes under one rounded rotation, the second moved by the rotation's first column as doubles: the faces share
+  // a plane exactly.
   const auto cube = shared(verify::unit_cube());
   const auto exact = peer_subject(program, "CGAL RMCD EPECK").make();
   verify::Random random(20240601);
@@ -202,7 +210,8 @@ BOOST_AUTO_TEST_CASE(what_a_peer_does_not_take_is_not_asked)
   BOOST_TEST(ask("CGAL RMCD EPICK", c, Question::solid) == Outcome::not_asked);
   if (is_built("libccd GJK")) BOOST_TEST(ask("libccd GJK", c, Question::solid) == Outcome::not_asked);
   if (is_built("FCL AABB")) BOOST_TEST(ask("FCL AABB", c, Question::solid) == Outcome::yes);
-  BOOST_TEST(ask("CGAL RMCD EPICK", two(covering::Polyhedron{}, verify::unit_cube()), Question::solid) == Outcome::not_asked);
+  BOOST_TEST(ask("CGAL RMCD EPICK", two(covering::Polyhedron{}, verify::unit_cube()), Question::solid) ==
+             Outcome::not_asked);
 }
 
 BOOST_AUTO_TEST_CASE(a_crash_is_a_failure_and_the_next_question_is_answered)
@@ -265,7 +274,8 @@ BOOST_AUTO_TEST_CASE(a_worker_that_hangs_dies_with_the_program_that_asked_it)
 BOOST_AUTO_TEST_CASE(a_program_that_is_none_is_refused_and_not_taken_for_a_failure)
 {
   const Object_case c = two(verify::unit_cube(), verify::unit_cube());
-  const auto missing = peer_subject("/nowhere/tetracone", "FCL AABB").make(), unknown = peer_subject(program, "no such peer").make();
+  const auto missing = peer_subject("/nowhere/tetracone", "FCL AABB").make(),
+             unknown = peer_subject(program, "no such peer").make();
   BOOST_CHECK_THROW((*missing)(c, Question::solid), std::runtime_error);
   BOOST_CHECK_THROW((*unknown)(c, Question::solid), std::runtime_error);
 }

@@ -45,8 +45,10 @@ BOOST_AUTO_TEST_CASE(every_picture_is_drawn_from_data_that_agree)
     before = step["tetrahedra"].size();
     BOOST_TEST(before > 0u);
   }
-  for (const std::string name : {"covering", "cone", "classification", "levels", "bounds", "tetrahedra", "spheres", "theorem_2"})
-    for (const std::string ending : {".svg", ".pdf"}) BOOST_TEST(fs::file_size(out / "figures" / ("method_" + name + ending)) > 3000u, name);
+  for (const std::string name :
+       {"covering", "cone", "classification", "levels", "bounds", "tetrahedra", "spheres", "theorem_2"})
+    for (const std::string ending : {".svg", ".pdf"})
+      BOOST_TEST(fs::file_size(out / "figures" / ("method_" + name + ending)) > 3000u, name);
 }
 
 BOOST_AUTO_TEST_CASE(a_folder_that_cannot_be_made_is_refused_before_the_work)

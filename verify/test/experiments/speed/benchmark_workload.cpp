@@ -1,9 +1,9 @@
 #include "experiments/speed/benchmark_workload.h"
 
-#include "tetracone/covering/check.h"
 #include "experiments/peers/peer.h"
-#include "verify/truth/cgal_truth.h"
+#include "tetracone/covering/check.h"
 #include "verify/cases/shape_generators.h"
+#include "verify/truth/cgal_truth.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -45,7 +45,8 @@ BOOST_AUTO_TEST_CASE(poses_are_rigid_and_the_relative_size_is_in_the_vertices)
 
 BOOST_AUTO_TEST_CASE(stacked_bodies_touch_exactly_and_an_ulp_parts_them)
 {
-  for (const Race_course& course : {stacked_boxes(8, 1), face_on_face(3, 8, 2)}) BOOST_TEST(hits(course, Question::surface) == 8u);
+  for (const Race_course& course : {stacked_boxes(8, 1), face_on_face(3, 8, 2)})
+    BOOST_TEST(hits(course, Question::surface) == 8u);
   BOOST_TEST(hits(sliding_apart(3, 8, 2), Question::solid) == 0u);
 }
 

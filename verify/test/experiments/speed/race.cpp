@@ -38,8 +38,11 @@ BOOST_AUTO_TEST_SUITE(test_race)
 BOOST_AUTO_TEST_CASE(wrong_answers_are_counted_by_their_kind_and_only_where_they_were_given)
 {
   const Race_course course = three_poses();
-  const Contestant denying{"denying", false, false, false, 2,
-                           [](const covering::Polyhedron&, const covering::Polyhedron&) { return std::make_unique<Denying>(); }, {}, {}};
+  const Contestant denying{
+      "denying", false,
+      false,     false,
+      2,         [](const covering::Polyhedron&, const covering::Polyhedron&) { return std::make_unique<Denying>(); },
+      {},        {}};
   Race race(course, {fast(), denying});
   const auto surface = race.run(Question::surface, 2, 1);
   BOOST_TEST(surface[0]->poses == 4u);
@@ -71,7 +74,9 @@ BOOST_AUTO_TEST_CASE(a_contestant_that_takes_no_such_bodies_is_not_in_the_race)
 
 BOOST_AUTO_TEST_CASE(several_trajectories_follow_one_another_each_from_a_seed_of_its_own)
 {
-  const auto course = [body = verify::blob(300, 1)](int trajectories) { return on_trajectory(body, "blob", "circular", 8, 50, 3, trajectories); };
+  const auto course = [body = verify::blob(300, 1)](int trajectories) {
+    return on_trajectory(body, "blob", "circular", 8, 50, 3, trajectories);
+  };
   const Race_course several = course(3);
   const auto one = course(1).poses_b, &three = several.poses_b;
   BOOST_TEST(one.size() == 50u);
@@ -89,7 +94,8 @@ BOOST_AUTO_TEST_CASE(with_the_last_frame_or_without_the_same_trees_are_asked)
   const auto first = fast().prepare_on_demand(course.a, course.b), second = fast_with_last_frame().share(*first);
   BOOST_REQUIRE(second);
   const std::size_t few = second->node_count();
-  for (const Pose& pose : course.poses_b) BOOST_TEST(first->collide(Pose(), pose, Question::surface) == second->collide(Pose(), pose, Question::surface));
+  for (const Pose& pose : course.poses_b)
+    BOOST_TEST(first->collide(Pose(), pose, Question::surface) == second->collide(Pose(), pose, Question::surface));
   BOOST_TEST(second->node_count() > few);
   BOOST_TEST(second->node_count() == first->node_count());
   BOOST_TEST(first->take_counts().queries == 10u);

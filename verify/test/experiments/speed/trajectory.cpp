@@ -49,8 +49,10 @@ std::uint64_t hash(const std::vector<Pose>& poses)
 
 const std::vector<Scene>& scenes()
 {
-  static const std::vector<Scene> all = {{complex_one(), complex_two()}, {complex_two(), blob(200, 4)},
-                                         {torus_knot(640), complex_one()}, {unit_cube(), unit_cube()}};
+  static const std::vector<Scene> all = {{complex_one(), complex_two()},
+                                         {complex_two(), blob(200, 4)},
+                                         {torus_knot(640), complex_one()},
+                                         {unit_cube(), unit_cube()}};
   return all;
 }
 

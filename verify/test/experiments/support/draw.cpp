@@ -17,7 +17,9 @@ BOOST_AUTO_TEST_SUITE(test_draw)
 BOOST_AUTO_TEST_CASE(a_script_that_is_missing_is_named)
 {
   const auto says = [](const Input_error& error) {
-    return std::string(error.what()).ends_with("/experiments/report/no_script.py: no such file; expected the sources that this program was built from");
+    return std::string(error.what())
+        .ends_with(
+            "/experiments/report/no_script.py: no such file; expected the sources that this program was built from");
   };
   BOOST_CHECK_EXCEPTION(draw("no_script.py", "out"), Input_error, says);
 }
@@ -28,7 +30,8 @@ BOOST_AUTO_TEST_CASE(a_script_that_fails_has_the_last_word)
   const Temporary_folder folder("draw");
   const auto is_one_line = [](const std::runtime_error& error) {
     const std::string what = error.what();
-    return what.find('\n') == std::string::npos && what.find("; expected") != std::string::npos && what.find("Traceback") == std::string::npos;
+    return what.find('\n') == std::string::npos && what.find("; expected") != std::string::npos &&
+           what.find("Traceback") == std::string::npos;
   };
   BOOST_CHECK_EXCEPTION(draw("report.py", folder.path()), std::runtime_error, is_one_line);
   BOOST_CHECK_EXCEPTION(draw("peers_figure.py", folder.path()), std::runtime_error, is_one_line);

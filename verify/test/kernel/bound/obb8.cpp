@@ -21,7 +21,10 @@ using scenes::real;
 
 namespace {
 
-Vector vector(Random& random, double size = 1) { return size * Vector(real(random, -1, 1), real(random, -1, 1), real(random, -1, 1)); }
+Vector vector(Random& random, double size = 1)
+{
+  return size * Vector(real(random, -1, 1), real(random, -1, 1), real(random, -1, 1));
+}
 
 struct Placing {
   Pose a, b;
@@ -34,7 +37,8 @@ Placing placing(Random& random, int kind)
   Placing p;
   p.in_a = {scenes::real_vertex(random, 2), std::ldexp(1.0, integer(random, -3, 3))};
   p.in_b = {scenes::real_vertex(random, 2), std::ldexp(1.0, integer(random, -3, 3))};
-  p.a = kind % 2 == 0 ? scenes::random_rotation(random, 5, {Rational(1) / 3, 0, 1}) : scenes::rounded(scenes::random_rotation(random, 5));
+  p.a = kind % 2 == 0 ? scenes::random_rotation(random, 5, {Rational(1) / 3, 0, 1})
+                      : scenes::rounded(scenes::random_rotation(random, 5));
   p.b = scenes::rounded(scenes::random_rotation(random, 5, {1, 0, Rational(1) / 7}));
   if (kind % 3 == 1) p.b = scenes::random_affine(random, 2);
   if (kind % 3 == 2) {  // both far away, where the translations cancel
@@ -53,7 +57,8 @@ Vector exact_difference(const Placing& p, const std::array<double, 3>& in_b, con
     for (int k = 0; k < 3; ++k) v[k] = Rational(units.origin[k]) + Rational(units.unit) * Rational(local[k]);
     return rationals::image(pose, v);
   };
-  const rationals::Vector d = rationals::minus(world(p.b, p.in_b, in_b), world(p.a, p.in_a, std::array{in_a[0], in_a[1], in_a[2]}));
+  const rationals::Vector d =
+      rationals::minus(world(p.b, p.in_b, in_b), world(p.a, p.in_a, std::array{in_a[0], in_a[1], in_a[2]}));
   return {nearest_double(d[0]), nearest_double(d[1]), nearest_double(d[2])};
 }
 
@@ -71,8 +76,8 @@ BOOST_AUTO_TEST_SUITE(test_obb8)
 
 BOOST_AUTO_TEST_CASE(a_mapped_box_holds_the_exact_images_of_its_points_but_for_the_slack)
 {
-  // Held: no farther out than the box along any of many directions. The slack is meant for the two boxes of a comparison and 15 axes, so one
-  // box alone never needs a quarter of it.
+  // Held: no farther out than the box along any of many directions. The slack is meant for the two boxes of a
+  // comparison and 15 axes, so one box alone never needs a quarter of it.
   Random random(1);
   double worst = 0;
   int similar = 0, general = 0;
@@ -80,7 +85,8 @@ BOOST_AUTO_TEST_CASE(a_mapped_box_holds_the_exact_images_of_its_points_but_for_t
     const Placing p = placing(random, k);
     const Box_map map(p.a, p.in_a, p.b, p.in_b);
     Obb8 from{}, boxes{};
-    for (int i = 0; i < 3; ++i) from.origin[i] = float(real(random, -0.5, 0.5)), boxes.origin[i] = float(real(random, -0.5, 0.5));
+    for (int i = 0; i < 3; ++i)
+      from.origin[i] = float(real(random, -0.5, 0.5)), boxes.origin[i] = float(real(random, -0.5, 0.5));
     boxes.reach = 1;
     const int lane = integer(random, 0, 7);
     set_lane(from, lane, random);
@@ -95,17 +101,20 @@ BOOST_AUTO_TEST_CASE(a_mapped_box_holds_the_exact_images_of_its_points_but_for_t
       std::array<double, 3> at;
       for (int i = 0; i < 3; ++i) {
         at[i] = double(from.origin[i]) + from.centre[i][lane];
-        for (int j = 0; j < 3; ++j) at[i] += (corner >> j & 1 ? 1 : -1) * double(from.extent[j][lane]) * from.axis[j][i][lane];
+        for (int j = 0; j < 3; ++j)
+          at[i] += (corner >> j & 1 ? 1 : -1) * double(from.extent[j][lane]) * from.axis[j][i][lane];
       }
       // The corner seen from the box's centre, solved in A's local units.
-      const Vector centre(double(boxes.origin[0]) + box.centre[0], double(boxes.origin[1]) + box.centre[1], double(boxes.origin[2]) + box.centre[2]);
+      const Vector centre(double(boxes.origin[0]) + box.centre[0], double(boxes.origin[1]) + box.centre[1],
+                          double(boxes.origin[2]) + box.centre[2]);
       const Vector out = linear.fullPivLu().solve(exact_difference(p, at, centre));
       for (int n = 0; n < 12; ++n) {
         Vector direction = vector(random).normalized();
         if (n < 3) direction = Vector::Unit(n);
         if (n >= 3 && n < 6) direction = Vector(box.normal[n - 3][0], box.normal[n - 3][1], box.normal[n - 3][2]);
         double reach = 0;
-        for (int j = 0; j < 3; ++j) reach += box.extent[j] * std::abs(direction.dot(Vector(box.edge[j][0], box.edge[j][1], box.edge[j][2])));
+        for (int j = 0; j < 3; ++j)
+          reach += box.extent[j] * std::abs(direction.dot(Vector(box.edge[j][0], box.edge[j][1], box.edge[j][2])));
         worst = maximum(worst, (std::abs(direction.dot(out)) - reach) / box.slack);
       }
     }
@@ -127,7 +136,8 @@ BOOST_AUTO_TEST_CASE(edges_so_short_that_their_squares_underflow_have_length_1_o
       entries[5 * axis] = std::ldexp(real(random, 1, 2), exponent);
       const Box_map map(Pose(), {}, Pose(entries), {});
       Obb8 from{}, boxes{};
-      const std::vector<Vector> corners = {Vector(0.5, 0.25, 0.125), Vector(-0.5, -0.25, -0.125), Vector(0.5, -0.25, 0.125), Vector(-0.5, 0.25, -0.125)};
+      const std::vector<Vector> corners = {Vector(0.5, 0.25, 0.125), Vector(-0.5, -0.25, -0.125),
+                                           Vector(0.5, -0.25, 0.125), Vector(-0.5, 0.25, -0.125)};
       store_lane(from, 0, Oriented_box(Matrix::Identity(), corners), Vector::Zero(), corners, 0);
       const Single_box box = map(boxes, from, 0);
       if (!std::isfinite(box.slack)) {
@@ -155,7 +165,8 @@ BOOST_AUTO_TEST_CASE(edges_have_length_1_and_normals_are_their_cross_products)
     set_lane(from, 3, random);
     const Single_box box = map(boxes, from, 3);
     for (int j = 0; j < 3; ++j) {
-      const Vector e(box.edge[j][0], box.edge[j][1], box.edge[j][2]), f(box.edge[(j + 1) % 3][0], box.edge[(j + 1) % 3][1], box.edge[(j + 1) % 3][2]),
+      const Vector e(box.edge[j][0], box.edge[j][1], box.edge[j][2]),
+          f(box.edge[(j + 1) % 3][0], box.edge[(j + 1) % 3][1], box.edge[(j + 1) % 3][2]),
           g(box.edge[(j + 2) % 3][0], box.edge[(j + 2) % 3][1], box.edge[(j + 2) % 3][2]);
       BOOST_TEST(std::abs(e.norm() - 1) < 1e-6);
       BOOST_TEST((f.cross(g) - Vector(box.normal[j][0], box.normal[j][1], box.normal[j][2])).norm() < 1e-6);
@@ -178,7 +189,8 @@ BOOST_AUTO_TEST_CASE(columns_directions_and_stretch_are_those_of_the_frame)
       BOOST_TEST(map.column(3)[i] == frame.offset()[i]);
       for (int j = 0; j < 3; ++j) {
         BOOST_TEST(map.column(j)[i] == frame.linear()[i][j]);
-        BOOST_TEST(std::abs(map.direction(j)[i] * frame.scale() - frame.linear()[i][j]) <= 0x1p-22 * frame.scale() + 0x1p-24 * std::abs(frame.linear()[i][j]));
+        BOOST_TEST(std::abs(map.direction(j)[i] * frame.scale() - frame.linear()[i][j]) <=
+                   0x1p-22 * frame.scale() + 0x1p-24 * std::abs(frame.linear()[i][j]));
       }
     }
   }

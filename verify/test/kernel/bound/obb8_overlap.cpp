@@ -28,7 +28,10 @@ std::vector<Function*> here(std::vector<Simd_version<Function>> versions)
   return found;
 }
 std::vector<Overlapping*> versions() { return here<Overlapping>(TETRACONE_SIMD_VERSIONS(overlapping_kernel)); }
-std::vector<Overlapping_mapped*> mapped_versions() { return here<Overlapping_mapped>(TETRACONE_SIMD_VERSIONS(overlapping_mapped_kernel)); }
+std::vector<Overlapping_mapped*> mapped_versions()
+{
+  return here<Overlapping_mapped>(TETRACONE_SIMD_VERSIONS(overlapping_mapped_kernel));
+}
 
 }  // namespace tetracone::kernel
 
@@ -41,7 +44,10 @@ using scenes::real;
 
 namespace {
 
-Vector vector(Random& random, double size = 1) { return size * Vector(real(random, -1, 1), real(random, -1, 1), real(random, -1, 1)); }
+Vector vector(Random& random, double size = 1)
+{
+  return size * Vector(real(random, -1, 1), real(random, -1, 1), real(random, -1, 1));
+}
 Matrix axes(Random& random) { return detail::axes_from(vector(random), vector(random)); }
 
 /// A box as floats hold it: every number below is a float.
@@ -112,8 +118,8 @@ BOOST_AUTO_TEST_SUITE(test_obb8_overlap)
 
 BOOST_AUTO_TEST_CASE(boxes_that_touch_are_never_told_apart)
 {
-  // Eight boxes, each with its corner on one of the single box's, and all the rest beyond a plane across one of the 15 axes. Nothing is
-  // enlarged, so rounding alone parts them: without slack many are told apart.
+  // Eight boxes, each with its corner on one of the single box's, and all the rest beyond a plane across one of the 15
+  // axes. Nothing is enlarged, so rounding alone parts them: without slack many are told apart.
   Random random(1);
   for (const auto overlap : versions()) {
     int told_apart = 0, without_slack = 0;
@@ -157,7 +163,8 @@ BOOST_AUTO_TEST_CASE(boxes_that_overlap_in_depth_are_never_told_apart)
       Obb8 boxes{};
       for (int lane = 0; lane < int(lanes); ++lane) {
         Solid p{Vector::Zero(), axes(random), extents(random)};
-        p.centre = single.centre + single.edges * vector(random).cwiseProduct(single.extent) - p.edges * vector(random).cwiseProduct(p.extent);
+        p.centre = single.centre + single.edges * vector(random).cwiseProduct(single.extent) -
+                   p.edges * vector(random).cwiseProduct(p.extent);
         set(boxes, lane, p);
       }
       told_apart += int(lanes) - std::popcount(overlap(boxes, box, k % 2 == 0));
@@ -173,7 +180,8 @@ BOOST_AUTO_TEST_CASE(boxes_apart_by_a_plane_are_told_apart_by_each_of_the_15_axe
     std::array<int, 15> missed{}, tried{};
     for (int k = 0; k < 6000; ++k) {
       const bool similarity = k % 2 == 0;
-      Solid p{vector(random), axes(random), extents(random)}, single{Vector::Zero(), similarity ? axes(random) : sheared(random), extents(random)};
+      Solid p{vector(random), axes(random), extents(random)},
+          single{Vector::Zero(), similarity ? axes(random) : sheared(random), extents(random)};
       const int which = k % 15;
       Vector n = axis_of(which, p, single);
       const double length = n.norm();
@@ -206,7 +214,8 @@ struct Triangle {
   Solid solid;
   double apex;
 
-  explicit Triangle(Random& random) : solid{vector(random, 1), axes(random), Vector(0, real(random, 0.01, 1), real(random, 0.01, 1))}
+  explicit Triangle(Random& random)
+      : solid{vector(random, 1), axes(random), Vector(0, real(random, 0.01, 1), real(random, 0.01, 1))}
   {
     if (random() % 4 == 0) solid.extent *= 0.01;
     solid.round();
@@ -214,7 +223,10 @@ struct Triangle {
     box.apex = random() % 5 == 0 ? (random() % 2 ? 1.0f : -1.0f) : float(real(random, -1, 1));
     apex = box.apex;
   }
-  Vector at(double x, double y) const { return solid.centre + x * solid.extent[1] * solid.edges.col(1) + y * solid.extent[2] * solid.edges.col(2); }
+  Vector at(double x, double y) const
+  {
+    return solid.centre + x * solid.extent[1] * solid.edges.col(1) + y * solid.extent[2] * solid.edges.col(2);
+  }
   /// Of a point at height y in [-1, 1]: where the two slanted sides are.
   double left(double y) const { return -1 + (1 + apex) * (y + 1) / 2; }
   double right(double y) const { return 1 - (1 - apex) * (y + 1) / 2; }
@@ -237,8 +249,10 @@ BOOST_AUTO_TEST_CASE(boxes_that_touch_a_triangle_are_never_told_apart_from_it)
         Solid p{Vector::Zero(), axes(random), extents(random)};
         p.round();
         // Beyond a plane through that side, if it is one.
-        const Vector beyond = lane % 3 == 0   ? Vector(-2 * t.solid.extent[2] * t.solid.edges.col(1) + t.solid.extent[1] * (1 + t.apex) * t.solid.edges.col(2))
-                              : lane % 3 == 1 ? Vector(2 * t.solid.extent[2] * t.solid.edges.col(1) + t.solid.extent[1] * (1 - t.apex) * t.solid.edges.col(2))
+        const Vector beyond = lane % 3 == 0   ? Vector(-2 * t.solid.extent[2] * t.solid.edges.col(1) +
+                                                       t.solid.extent[1] * (1 + t.apex) * t.solid.edges.col(2))
+                              : lane % 3 == 1 ? Vector(2 * t.solid.extent[2] * t.solid.edges.col(1) +
+                                                       t.solid.extent[1] * (1 - t.apex) * t.solid.edges.col(2))
                                               : vector(random);
         p.centre = touched - p.corner(-beyond);
         p.round();
@@ -264,14 +278,19 @@ BOOST_AUTO_TEST_CASE(boxes_in_the_corners_that_a_triangle_leaves_of_its_box_are_
     for (int k = 0; k < 6000; ++k) {
       Triangle t(random);
       Obb8 boxes{};
-      const double y = real(random, -0.9, 1), x = random() % 2 ? real(random, -1, t.left(y)) : real(random, t.right(y), 1);
+      const double y = real(random, -0.9, 1),
+                   x = random() % 2 ? real(random, -1, t.left(y)) : real(random, t.right(y), 1);
       const Vector left(t.left(y) - x, 0, 0), right(x - t.right(y), 0, 0);
       const double beside = maximum(left[0], right[0]) * t.solid.extent[1];  // along the box
-      const double steep = 2 * t.solid.extent[2] / std::hypot(2 * t.solid.extent[2], t.solid.extent[1] * (1 + std::abs(t.apex)));
+      const double steep =
+          2 * t.solid.extent[2] / std::hypot(2 * t.solid.extent[2], t.solid.extent[1] * (1 + std::abs(t.apex)));
       if (!(beside * steep > 0.01 * t.solid.extent.sum() + 2e-4)) continue;  // the slack is some 5e-5
       ++tried;
       const double size = 0.4 * beside * steep;
-      for (int lane = 0; lane < int(lanes); ++lane) set(boxes, lane, {t.at(x, y), axes(random), size / std::sqrt(3) * Vector(real(random, 0, 1), real(random, 0, 1), real(random, 0, 1))});
+      for (int lane = 0; lane < int(lanes); ++lane)
+        set(boxes, lane,
+            {t.at(x, y), axes(random),
+             size / std::sqrt(3) * Vector(real(random, 0, 1), real(random, 0, 1), real(random, 0, 1))});
       boxes.reach = float(t.at(x, y).norm() + 2 * size);
       t.box.slack = obb8_slack(boxes.reach + t.solid.extent.sum() + t.solid.centre.cwiseAbs().sum(), 0);
       told_apart += overlap(boxes, t.box, true) == 0;
@@ -291,7 +310,10 @@ BOOST_AUTO_TEST_CASE(lanes_are_compared_one_by_one)
     for (int k = 0; k < 500; ++k) {
       const unsigned expected = unsigned(random() % 256);
       Obb8 boxes{};
-      for (int lane = 0; lane < int(lanes); ++lane) set(boxes, lane, {expected >> lane & 1 ? Vector(0, 0, 0) : Vector(vector(random).normalized() * 20), axes(random), extents(random)});
+      for (int lane = 0; lane < int(lanes); ++lane)
+        set(boxes, lane,
+            {expected >> lane & 1 ? Vector(0, 0, 0) : Vector(vector(random).normalized() * 20), axes(random),
+             extents(random)});
       Single_box box{};
       set(box, {vector(random, 0.001), axes(random), Vector(1, 1, 1)});
       box.slack = obb8_slack(60, 0);
@@ -381,10 +403,12 @@ Vector exact_image(const Placing& p, const Vector& local)
     for (int j = 0; j < 3; ++j) column[j][i] = p.a.exact(4 * i + j);
   }
   const Rational whole = rationals::determinant(column[0], column[1], column[2]);
-  const Rational x[3] = {rationals::determinant(right, column[1], column[2]), rationals::determinant(column[0], right, column[2]),
+  const Rational x[3] = {rationals::determinant(right, column[1], column[2]),
+                         rationals::determinant(column[0], right, column[2]),
                          rationals::determinant(column[0], column[1], right)};
   Vector image;
-  for (int k = 0; k < 3; ++k) image[k] = nearest_double(Rational((x[k] / whole - Rational(p.in_a.origin[k])) / Rational(p.in_a.unit)));
+  for (int k = 0; k < 3; ++k)
+    image[k] = nearest_double(Rational((x[k] / whole - Rational(p.in_a.origin[k])) / Rational(p.in_a.unit)));
   return image;
 }
 
@@ -403,7 +427,8 @@ BOOST_AUTO_TEST_CASE(mapped_boxes_that_touch_are_never_told_apart)
     known += std::isfinite(map.slack(1, 1));
     Obb8 from{}, boxes{};
     const int lane = integer(random, 0, 7);
-    // Small ones far from the node's origin, too: their extents, grown by a share of them, don't cover the roundings of their place.
+    // Small ones far from the node's origin, too: their extents, grown by a share of them, don't cover the roundings of
+    // their place.
     Solid b{vector(random, 0.4), axes(random), (k % 5 < 2 ? 1e-4 : 0.3) * extents(random)};
     b.round();
     set(from, lane, b);
@@ -466,7 +491,8 @@ BOOST_AUTO_TEST_CASE(the_version_that_is_chosen_is_one_of_them)
     set(box, {vector(random), axes(random), extents(random)});
     box.slack = obb8_slack(8, 0);
     const unsigned chosen = overlapping(boxes, box, k % 2 == 0);
-    BOOST_TEST(std::ranges::any_of(versions(), [&](Overlapping* version) { return version(boxes, box, k % 2 == 0) == chosen; }));
+    BOOST_TEST(std::ranges::any_of(versions(),
+                                   [&](Overlapping* version) { return version(boxes, box, k % 2 == 0) == chosen; }));
   }
   BOOST_TEST(versions().size() >= 2u);
   BOOST_TEST(versions().size() == mapped_versions().size());

@@ -39,7 +39,8 @@ BOOST_AUTO_TEST_CASE(a_stored_box_holds_its_points)
   for (int k = 0; k < 1500; ++k) {
     const auto all = points(random, 3 + int(random() % 30), k % 5);
     const bool triangle = k % 3 == 0;
-    const std::span<const Vector> used = triangle ? std::span<const Vector>(all).first(3) : std::span<const Vector>(all);
+    const std::span<const Vector> used =
+        triangle ? std::span<const Vector>(all).first(3) : std::span<const Vector>(all);
     const Oriented_box box = triangle ? triangle_box(used.first<3>()) : fitted_box(used, k % 4);
     const Vector origin(0.25f * float(real(random)), 0.5, -0.125);
     const Vector node_origin = origin.cast<float>().cast<double>();
@@ -68,7 +69,8 @@ BOOST_AUTO_TEST_CASE(boxes_of_triangles_of_any_size_have_orthonormal_axes)
   int wrong = 0, tried = 0;
   for (int exponent = -1074; exponent <= 0; ++exponent)
     for (int k = 0; k < 24; ++k) {
-      const double d = std::ldexp(1 + std::abs(real(random)), exponent), e = k % 3 == 0 ? d : std::ldexp(d, -int(random() % 60));
+      const double d = std::ldexp(1 + std::abs(real(random)), exponent),
+                   e = k % 3 == 0 ? d : std::ldexp(d, -int(random() % 60));
       std::array<Vector, 3> t = {Vector(d, 0, 0), Vector(-d, 0, 0), Vector(k % 2 == 0 ? 0 : d, 0, e)};
       if (k % 4 >= 2)
         for (Vector& p : t) p = Vector(0.5 * p[0] - 0.25 * p[2], 0.5 * p[0] + p[2], p[2] + 0.125 * p[0]);
@@ -174,7 +176,8 @@ struct Lane {
   {
     std::array<double, 2> at{};
     for (int i = 0; i < 2; ++i)
-      for (int k = 0; k < 3; ++k) at[i] += boxes.axis[i + 1][k][3] * (p[k] - (node_origin[k] + double(boxes.centre[k][3])));
+      for (int k = 0; k < 3; ++k)
+        at[i] += boxes.axis[i + 1][k][3] * (p[k] - (node_origin[k] + double(boxes.centre[k][3])));
     return at;
   }
 };

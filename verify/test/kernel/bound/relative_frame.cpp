@@ -19,7 +19,8 @@ Row solve(const Pose& a, const Row& right)
 {
   const auto m = [&](int i, int j) { return a.exact(4 * i + j); };
   const auto determinant = [](const std::array<Row, 3>& c) -> Rational {
-    return c[0][0] * (c[1][1] * c[2][2] - c[1][2] * c[2][1]) - c[1][0] * (c[0][1] * c[2][2] - c[0][2] * c[2][1]) + c[2][0] * (c[0][1] * c[1][2] - c[0][2] * c[1][1]);
+    return c[0][0] * (c[1][1] * c[2][2] - c[1][2] * c[2][1]) - c[1][0] * (c[0][1] * c[2][2] - c[0][2] * c[2][1]) +
+           c[2][0] * (c[0][1] * c[1][2] - c[0][2] * c[1][1]);
   };
   std::array<Row, 3> columns;
   for (int j = 0; j < 3; ++j)
@@ -40,7 +41,8 @@ Row exact(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_sca
   Row world;
   for (int i = 0; i < 3; ++i) {
     world[i] = b.exact(4 * i + 3) - a.exact(4 * i + 3);
-    for (int j = 0; j < 3; ++j) world[i] += b.exact(4 * i + j) * (Rational(in_b.origin[j]) + Rational(in_b.unit) * Rational(p[j]));
+    for (int j = 0; j < 3; ++j)
+      world[i] += b.exact(4 * i + j) * (Rational(in_b.origin[j]) + Rational(in_b.unit) * Rational(p[j]));
   }
   Row local = solve(a, world);
   for (int i = 0; i < 3; ++i) local[i] = (local[i] - Rational(in_a.origin[i])) / Rational(in_a.unit);
@@ -89,7 +91,8 @@ BOOST_AUTO_TEST_CASE(no_image_is_farther_off_than_the_error_says)
     const Row right = exact(a, in_a, b, in_b, p);
     if (!(frame.error() < HUGE_VAL)) continue;
     ++known;
-    for (int i = 0; i < 3; ++i) worst = maximum(worst, std::abs(nearest_double(Rational(Rational(image[i]) - right[i]))) / frame.error());
+    for (int i = 0; i < 3; ++i)
+      worst = maximum(worst, std::abs(nearest_double(Rational(Rational(image[i]) - right[i]))) / frame.error());
   }
   BOOST_TEST_MESSAGE("largest error / bound: " << worst << " over " << known);
   BOOST_TEST(known > 3000);
@@ -106,7 +109,8 @@ BOOST_AUTO_TEST_CASE(a_point_that_is_off_itself_has_an_image_off_by_no_more_than
   for (int k = 0; k < 3000; ++k) {
     const Pose a = any_pose(random, k), b = any_pose(random, k / 6);
     if (a.determinant_sign() == CGAL::ZERO || b.determinant_sign() == CGAL::ZERO) continue;
-    const Local_scale in_a{scenes::real_vertex(random, 2), 1}, in_b{scenes::real_vertex(random, 2), std::ldexp(1.0, int(random() % 81) - 40)};
+    const Local_scale in_a{scenes::real_vertex(random, 2), 1},
+        in_b{scenes::real_vertex(random, 2), std::ldexp(1.0, int(random() % 81) - 40)};
     const Relative_frame frame(a, in_a, b, in_b);
     const double off = std::ldexp(1.0, -10 - int(random() % 43)), error = frame.error(off);
     if (!(error < HUGE_VAL)) continue;
@@ -115,7 +119,8 @@ BOOST_AUTO_TEST_CASE(a_point_that_is_off_itself_has_an_image_off_by_no_more_than
     for (double& x : p) x += random() % 2 == 0 ? off : -off;
     const auto image = frame(p);
     const Row of_right = exact(a, in_a, b, in_b, right);
-    for (int i = 0; i < 3; ++i) worst = maximum(worst, std::abs(nearest_double(Rational(Rational(image[i]) - of_right[i]))) / error);
+    for (int i = 0; i < 3; ++i)
+      worst = maximum(worst, std::abs(nearest_double(Rational(Rational(image[i]) - of_right[i]))) / error);
   }
   BOOST_TEST_MESSAGE("largest error / bound: " << worst << " over " << known);
   BOOST_TEST(known > 2000);
@@ -125,8 +130,8 @@ BOOST_AUTO_TEST_CASE(a_point_that_is_off_itself_has_an_image_off_by_no_more_than
 
 BOOST_AUTO_TEST_CASE(squares_that_overflow_make_no_similarity_and_no_bound)
 {
-  // Of columns (1, 0, 0), (0, h, h), (0, -h, h) in any order: entries of M^T M are infinity minus infinity. Such a pose lengthens its axes unlike, whatever
-  // is rounded: no similarity. The inverse has its own limits.
+  // Of columns (1, 0, 0), (0, h, h), (0, -h, h) in any order: entries of M^T M are infinity minus infinity. Such a pose
+  // lengthens its axes unlike, whatever is rounded: no similarity. The inverse has its own limits.
   for (const int exponent : {20, 300, 511, 512, 700, 1000})
     for (int turn = 0; turn < 3; ++turn) {
       const double h = std::ldexp(1.0, exponent);
@@ -147,15 +152,19 @@ BOOST_AUTO_TEST_CASE(rotations_are_similarities_and_shears_are_not)
     BOOST_TEST(Relative_frame(a, {}, b, {}).is_similarity());
     BOOST_TEST(Relative_frame(b, {}, a, {}).is_similarity());
   }
-  BOOST_TEST(Relative_frame(Pose(std::array<double, 12>{2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0}), {}, Pose(), {}).is_similarity());
-  BOOST_TEST(!Relative_frame(Pose(std::array<double, 12>{1, 0.5, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}), {}, Pose(), {}).is_similarity());
-  BOOST_TEST(!Relative_frame(Pose(), {}, Pose(std::array<double, 12>{1, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1, 0}), {}).is_similarity());
+  BOOST_TEST(
+      Relative_frame(Pose(std::array<double, 12>{2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0}), {}, Pose(), {}).is_similarity());
+  BOOST_TEST(!Relative_frame(Pose(std::array<double, 12>{1, 0.5, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}), {}, Pose(), {})
+                  .is_similarity());
+  BOOST_TEST(!Relative_frame(Pose(), {}, Pose(std::array<double, 12>{1, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1, 0}), {})
+                  .is_similarity());
 }
 
 BOOST_AUTO_TEST_CASE(what_cannot_be_bounded_is_said_to_be_unknown)
 {
   const double tiny = 0x1p-300, huge = 0x1p300;
-  for (const Pose& pose : {Pose(std::array<double, 12>{tiny, 0, 0, 0, 0, tiny, 0, 0, 0, 0, tiny, 0}), Pose(std::array<double, 12>{huge, 0, 0, 0, 0, huge, 0, 0, 0, 0, huge, 0}),
+  for (const Pose& pose : {Pose(std::array<double, 12>{tiny, 0, 0, 0, 0, tiny, 0, 0, 0, 0, tiny, 0}),
+                           Pose(std::array<double, 12>{huge, 0, 0, 0, 0, huge, 0, 0, 0, 0, huge, 0}),
                            Pose(std::array<double, 12>{1, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0x1p-60, 0})})
     BOOST_TEST(std::isinf(Relative_frame(pose, {}, Pose(), {}).error()));
   BOOST_TEST(std::isinf(Relative_frame().error()));
@@ -206,8 +215,12 @@ BOOST_AUTO_TEST_CASE(both_routes_keep_their_bound_for_scales_units_and_distances
   double worst = 0;
   for (int k = 0; k < 2400; ++k) {
     const Pose rational = scenes::random_rotation(random, 5, {Rational(1) / 3, 0, Rational(-2) / 7});
-    Pose a = k % 2 == 0 ? scaled(scenes::rounded(rational), std::ldexp(1.0 + scenes::real(random, 0, 1), scenes::integer(random, -40, 40))) : rational;
-    Pose b = k % 3 == 0 ? scenes::random_rotation(random, 4) : scaled(scenes::rounded(scenes::random_rotation(random, 5)), std::ldexp(1.0, scenes::integer(random, -60, 60)));
+    Pose a = k % 2 == 0 ? scaled(scenes::rounded(rational),
+                                 std::ldexp(1.0 + scenes::real(random, 0, 1), scenes::integer(random, -40, 40)))
+                        : rational;
+    Pose b = k % 3 == 0 ? scenes::random_rotation(random, 4)
+                        : scaled(scenes::rounded(scenes::random_rotation(random, 5)),
+                                 std::ldexp(1.0, scenes::integer(random, -60, 60)));
     if (k % 8 >= 4) a = sheared(a);
     if (k % 5 == 0) {  // both far away
       auto far_a = a.entries(), far_b = b.entries();
@@ -215,8 +228,10 @@ BOOST_AUTO_TEST_CASE(both_routes_keep_their_bound_for_scales_units_and_distances
       for (int i = 0; i < 3; ++i) far_a[4 * i + 3] = distance + i, far_b[4 * i + 3] = distance;
       a = Pose(far_a), b = Pose(far_b);
     }
-    const Local_scale in_a{scenes::real_vertex(random, k % 7 == 0 ? 1e12 : 1), std::ldexp(1.0, scenes::integer(random, -90, 90))};
-    const Local_scale in_b{scenes::real_vertex(random, k % 11 == 0 ? 1e12 : 1), std::ldexp(1.0, scenes::integer(random, -90, 90))};
+    const Local_scale in_a{scenes::real_vertex(random, k % 7 == 0 ? 1e12 : 1),
+                           std::ldexp(1.0, scenes::integer(random, -90, 90))};
+    const Local_scale in_b{scenes::real_vertex(random, k % 11 == 0 ? 1e12 : 1),
+                           std::ldexp(1.0, scenes::integer(random, -90, 90))};
     const double share = share_of_bound(a, in_a, b, in_b);
     if (share < 0) {
       ++unknown;
@@ -239,14 +254,17 @@ BOOST_AUTO_TEST_CASE(bodies_modelled_far_off_and_brought_together_keep_their_bou
   for (int k = 0; k < 1200; ++k) {
     const int exponent = scenes::integer(random, 0, 60);
     Pose a = k % 3 == 0 ? scenes::random_rotation(random, 5) : scenes::rounded(scenes::random_rotation(random, 5));
-    const Pose b = k % 4 == 0 ? scenes::random_rotation(random, 5) : scenes::rounded(scenes::random_rotation(random, 5));
+    const Pose b =
+        k % 4 == 0 ? scenes::random_rotation(random, 5) : scenes::rounded(scenes::random_rotation(random, 5));
     if (k % 5 == 0) a = sheared(a);
-    const Local_scale in_a{scenes::real_vertex(random, std::ldexp(1.0, exponent)), 1}, in_b{scenes::real_vertex(random, std::ldexp(1.0, exponent)), 1};
+    const Local_scale in_a{scenes::real_vertex(random, std::ldexp(1.0, exponent)), 1},
+        in_b{scenes::real_vertex(random, std::ldexp(1.0, exponent)), 1};
     std::array<Rational, 12> entries;
     for (int n = 0; n < 12; ++n) entries[n] = b.exact(n);
     for (int i = 0; i < 3; ++i) {
       Rational t = a.exact(4 * i + 3) + Rational(scenes::real(random, -1, 1));
-      for (int j = 0; j < 3; ++j) t += a.exact(4 * i + j) * Rational(in_a.origin[j]) - b.exact(4 * i + j) * Rational(in_b.origin[j]);
+      for (int j = 0; j < 3; ++j)
+        t += a.exact(4 * i + j) * Rational(in_a.origin[j]) - b.exact(4 * i + j) * Rational(in_b.origin[j]);
       entries[4 * i + 3] = k % 2 == 0 ? Rational(nearest_double(t)) : t;
     }
     const Pose near(entries);
@@ -266,7 +284,9 @@ BOOST_AUTO_TEST_CASE(entries_that_are_denormal_have_no_false_bound)
   Random random(7);
   int known = 0;
   for (const int exponent : {-1072, -1070, -1060, -1030, -1000, -700, -300}) {
-    const Pose b(std::array<double, 12>{std::ldexp(3, exponent), -std::ldexp(4, exponent), 0, 0, std::ldexp(4, exponent), std::ldexp(3, exponent), 0, 0, 0, 0, std::ldexp(5, exponent), 0});
+    const Pose b(std::array<double, 12>{std::ldexp(3, exponent), -std::ldexp(4, exponent), 0, 0,
+                                        std::ldexp(4, exponent), std::ldexp(3, exponent), 0, 0, 0, 0,
+                                        std::ldexp(5, exponent), 0});
     for (int k = 0; k < 20; ++k) {
       const Pose rotation = scenes::rounded(scenes::random_rotation(random, 5));
       const Local_scale in_b{{0, 0, 0}, std::ldexp(1.0, std::min(-exponent, 1020))};
@@ -305,9 +325,11 @@ BOOST_AUTO_TEST_CASE(what_overflows_has_no_bound)
 {
   // A column of B's that overflows, another that does not.
   const double huge = 0x1p1020;
-  const Pose turned = Pose(std::array<double, 12>{0x1p40, -0x1p40, 0, 0, 0x1p40, 0x1p40, 0, 0, 0, 0, 1.4142135623730951 * 0x1p40, 0});
+  const Pose turned =
+      Pose(std::array<double, 12>{0x1p40, -0x1p40, 0, 0, 0x1p40, 0x1p40, 0, 0, 0, 0, 1.4142135623730951 * 0x1p40, 0});
   for (const Pose& a : {Pose(), turned, sheared(turned)})
-    BOOST_TEST(std::isinf(Relative_frame(a, {}, Pose(std::array<double, 12>{1, huge, 0, 0, 0, huge, 0, 0, 0, -huge, 1, 0}), {}).error()));
+    BOOST_TEST(std::isinf(
+        Relative_frame(a, {}, Pose(std::array<double, 12>{1, huge, 0, 0, 0, huge, 0, 0, 0, -huge, 1, 0}), {}).error()));
 }
 
 BOOST_AUTO_TEST_CASE(scale_is_the_length_of_the_first_column_and_offset_the_image_of_the_origin)
@@ -315,15 +337,18 @@ BOOST_AUTO_TEST_CASE(scale_is_the_length_of_the_first_column_and_offset_the_imag
   Random random(8);
   for (int k = 0; k < 300; ++k) {
     const Pose a = any_pose(random, k % 4), b = any_pose(random, k / 4 % 4);
-    const Local_scale in_a{scenes::real_vertex(random, 1), std::ldexp(1.0, scenes::integer(random, -3, 3))}, in_b{scenes::real_vertex(random, 1), 0.5};
+    const Local_scale in_a{scenes::real_vertex(random, 1), std::ldexp(1.0, scenes::integer(random, -3, 3))},
+        in_b{scenes::real_vertex(random, 1), 0.5};
     const Relative_frame frame(a, in_a, b, in_b);
     const auto& l = frame.linear();
-    BOOST_TEST(frame.scale() == std::sqrt(l[0][0] * l[0][0] + l[1][0] * l[1][0] + l[2][0] * l[2][0]), boost::test_tools::tolerance(1e-14));
+    BOOST_TEST(frame.scale() == std::sqrt(l[0][0] * l[0][0] + l[1][0] * l[1][0] + l[2][0] * l[2][0]),
+               boost::test_tools::tolerance(1e-14));
     BOOST_TEST((frame.offset() == frame(Vertex{0, 0, 0})));
     const auto direction = frame.direction(Vertex{1, 2, 3}), image = frame(Vertex{1, 2, 3});
     for (int i = 0; i < 3; ++i) BOOST_TEST(image[i] == direction[i] + frame.offset()[i]);
     const Row right = exact(a, in_a, b, in_b, {0, 0, 0});
-    for (int i = 0; i < 3; ++i) BOOST_TEST(std::abs(nearest_double(Rational(Rational(frame.offset()[i]) - right[i]))) <= frame.error());
+    for (int i = 0; i < 3; ++i)
+      BOOST_TEST(std::abs(nearest_double(Rational(Rational(frame.offset()[i]) - right[i]))) <= frame.error());
     if (k % 4 < 3 && k / 4 % 4 < 3) BOOST_TEST(frame.scale() == 0.5 / in_a.unit, boost::test_tools::tolerance(1e-7));
   }
 }
@@ -334,7 +359,8 @@ BOOST_AUTO_TEST_CASE(a_similarity_has_a_scale_that_floats_can_carry)
     BOOST_TEST(!Relative_frame(Pose(), {}, Pose(), {{0, 0, 0}, std::ldexp(1.0, exponent)}).is_similarity());
     BOOST_TEST(!Relative_frame(Pose(), {{0, 0, 0}, std::ldexp(1.0, exponent)}, Pose(), {}).is_similarity());
   }
-  for (const int exponent : {-60, -20, 0, 20, 60}) BOOST_TEST(Relative_frame(Pose(), {}, Pose(), {{0, 0, 0}, std::ldexp(1.0, exponent)}).is_similarity());
+  for (const int exponent : {-60, -20, 0, 20, 60})
+    BOOST_TEST(Relative_frame(Pose(), {}, Pose(), {{0, 0, 0}, std::ldexp(1.0, exponent)}).is_similarity());
 }
 
 BOOST_AUTO_TEST_CASE(the_origins_are_as_far_apart_as_said)
@@ -343,13 +369,16 @@ BOOST_AUTO_TEST_CASE(the_origins_are_as_far_apart_as_said)
   double worst = 0, worst_wide = 0;
   for (int k = 0; k < 3600; ++k) {
     const Pose a = any_pose(random, k), b = any_pose(random, k / 6);
-    const Local_scale in_a{scenes::real_vertex(random, k % 5 == 0 ? 1e9 : 2), 1}, in_b{scenes::real_vertex(random, 3), 8};
+    const Local_scale in_a{scenes::real_vertex(random, k % 5 == 0 ? 1e9 : 2), 1},
+        in_b{scenes::real_vertex(random, 3), 8};
     const Origin_offset d(a, in_a, b, in_b), wide = Origin_offset::summed_twice_as_wide(a, in_a, b, in_b);
     double largest = 0;
     for (int i = 0; i < 3; ++i) {
-      Rational right = b.exact(4 * i + 3) - a.exact(4 * i + 3), terms = CGAL::abs(b.exact(4 * i + 3)) + CGAL::abs(a.exact(4 * i + 3));
+      Rational right = b.exact(4 * i + 3) - a.exact(4 * i + 3),
+               terms = CGAL::abs(b.exact(4 * i + 3)) + CGAL::abs(a.exact(4 * i + 3));
       for (int j = 0; j < 3; ++j) {
-        const Rational plus = b.exact(4 * i + j) * Rational(in_b.origin[j]), minus = a.exact(4 * i + j) * Rational(in_a.origin[j]);
+        const Rational plus = b.exact(4 * i + j) * Rational(in_b.origin[j]),
+                       minus = a.exact(4 * i + j) * Rational(in_a.origin[j]);
         right += plus - minus, terms += CGAL::abs(plus) + CGAL::abs(minus);
       }
       const auto off = [&](double x) { return std::abs(nearest_double(Rational(Rational(x) - right))); };

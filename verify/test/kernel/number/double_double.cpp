@@ -108,11 +108,13 @@ BOOST_AUTO_TEST_CASE(an_adversary_who_climbs_stays_within_the_published_bounds)
   BOOST_TEST(of_product > 3.5);
 }
 
-// --- all operands of few digits -----------------------------------------------------------------------------------------
+// --- all operands of few digits
+// -----------------------------------------------------------------------------------------
 
 namespace {
 
-/// Integers rounded to nearest, ties to even, to `digits` binary digits: arithmetic in which u = 2^-digits, written once more.
+/// Integers rounded to nearest, ties to even, to `digits` binary digits: arithmetic in which u = 2^-digits, written
+/// once more.
 template <int digits>
 struct Small {
   using Whole = std::int64_t;
@@ -194,7 +196,8 @@ struct Small {
 template <int digits>
 void check_all_operands()
 {
-  const double u = std::ldexp(1, -digits), sum = Small<digits>::largest_of_sum(), product = Small<digits>::largest_of_product();
+  const double u = std::ldexp(1, -digits), sum = Small<digits>::largest_of_sum(),
+               product = Small<digits>::largest_of_product();
   BOOST_TEST_MESSAGE(digits << " digits, all operands: sum " << sum << " u^2, product " << product << " u^2");
   BOOST_TEST(sum <= 3 / (1 - 4 * u));
   BOOST_TEST(product <= 7 * (1 + 4 * u));

@@ -66,7 +66,9 @@ BOOST_AUTO_TEST_CASE(fractions_are_exact_and_decimal)
 
 BOOST_AUTO_TEST_CASE(what_is_written_of_a_rational_reads_back_as_exactly_it)
 {
-  for (const char* word : {"1/3", "-22/7", "123456789012345678901234567890/1", "-1000000000000000000000000000000000000001/1"}) BOOST_TEST(exact_text(Rational(*parse_fraction(word))) == word);
+  for (const char* word :
+       {"1/3", "-22/7", "123456789012345678901234567890/1", "-1000000000000000000000000000000000000001/1"})
+    BOOST_TEST(exact_text(Rational(*parse_fraction(word))) == word);
   for (const double x : {0.0, 1.5, -0x1p-1074, 1e300, 3e22}) BOOST_TEST(exact_text(Rational(x)) == shortest(x));
 }
 

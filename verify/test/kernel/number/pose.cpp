@@ -64,7 +64,8 @@ BOOST_AUTO_TEST_CASE(determinant_sign_is_exact_where_double_is_not)
 
 BOOST_AUTO_TEST_CASE(determinant_sign_is_exact_where_products_underflow)
 {
-  // Diagonal 2^1000 * 2^-600 * 2^-500 = 2^-100, and the rest -2^-150 * 2^-500: a product underflows before a huge entry meets it.
+  // Diagonal 2^1000 * 2^-600 * 2^-500 = 2^-100, and the rest -2^-150 * 2^-500: a product underflows before a huge entry
+  // meets it.
   const Pose pose(std::array<double, 12>{0x1p1000, 0x1p-150, 0, 0, 1, 0x1p-600, 0, 0, 0, 0, 0x1p-500, 0});
   BOOST_TEST(pose.determinant_sign() == CGAL::POSITIVE);
   // Every matrix of small powers of two against the exact sum, over the whole range of exponents.
@@ -81,8 +82,10 @@ BOOST_AUTO_TEST_CASE(determinant_sign_is_exact_where_products_underflow)
       for (const int turn : {1, 2}) {
         const int k = (j + turn) % 3, l = (j + 2 * turn) % 3;
         const Rational product = Rational(m[j]) * Rational(m[4 + k]) * Rational(m[8 + l]);
-        if (turn == 1) exact += product;
-        else exact -= product;
+        if (turn == 1)
+          exact += product;
+        else
+          exact -= product;
       }
     BOOST_REQUIRE(Pose(m).determinant_sign() == CGAL::sign(exact));
   }

@@ -129,8 +129,8 @@ Number normal_bound(const Number& mi, const Number& mj, const Number& error, con
 
 /// The same of the double-double stage: `m` are magnitudes of high parts, `images` the error of two images.
 template <class Number>
-Number wide_volume_bound(const std::array<Number, 3>& m, const Number& images, const Number& difference, const Number& rounding,
-                         const Number& motion, const Number& underflow)
+Number wide_volume_bound(const std::array<Number, 3>& m, const Number& images, const Number& difference,
+                         const Number& rounding, const Number& motion, const Number& underflow)
 {
   const Number ex = images + difference * m[0], ey = images + difference * m[1], ez = images + difference * m[2];
   const Number Mx = m[0] + ex, My = m[1] + ey, Mz = m[2] + ez;
@@ -138,8 +138,8 @@ Number wide_volume_bound(const std::array<Number, 3>& m, const Number& images, c
 }
 
 template <class Number>
-Number wide_normal_bound(const Number& mi, const Number& mj, const Number& images, const Number& difference, const Number& rounding,
-                         const Number& motion, const Number& underflow)
+Number wide_normal_bound(const Number& mi, const Number& mj, const Number& images, const Number& difference,
+                         const Number& rounding, const Number& motion, const Number& underflow)
 {
   const Number ei = images + difference * mi, ej = images + difference * mj;
   return rounding * ((mi + ei) * (mj + ej)) + motion * (ei * (mj + ej) + mi * ej) + underflow;
@@ -202,24 +202,29 @@ Wide_vertex operator-(const Wide_vertex& p, const Wide_vertex& q) { return {p[0]
 /// The double-double stage.
 Wide_filter wide_volume_filter(const Point& a, const Point& b, const Point& c, const Point& d)
 {
-  const auto p = Adaptive::double_double_image(a), q = Adaptive::double_double_image(b), r = Adaptive::double_double_image(c), s = Adaptive::double_double_image(d);
+  const auto p = Adaptive::double_double_image(a), q = Adaptive::double_double_image(b),
+             r = Adaptive::double_double_image(c), s = Adaptive::double_double_image(d);
   const auto [bx, by, bz] = q.coordinate - p.coordinate;
   const auto [cx, cy, cz] = r.coordinate - p.coordinate;
   const auto [dx, dy, dz] = s.coordinate - p.coordinate;
-  const std::array<double, 3> m = {magnitude(bx.high, cx.high, dx.high), magnitude(by.high, cy.high, dy.high), magnitude(bz.high, cz.high, dz.high)};
+  const std::array<double, 3> m = {magnitude(bx.high, cx.high, dx.high), magnitude(by.high, cy.high, dy.high),
+                                   magnitude(bz.high, cz.high, dz.high)};
   return {Differences<Double_double>{bx, by, bz, cx, cy, cz, dx, dy, dz}.determinant(),
-          wide_volume_bound<double>(m, p.error + maximum(q.error, r.error, s.error), wide_difference, wide_volume_rounding, volume_motion,
-                                    Adaptive::underflow)};
+          wide_volume_bound<double>(m, p.error + maximum(q.error, r.error, s.error), wide_difference,
+                                    wide_volume_rounding, volume_motion, Adaptive::underflow)};
 }
 
 Wide_filter wide_normal_filter(const Point& a, const Point& b, const Point& c, int axis)
 {
   const int i = (axis + 1) % 3, j = (axis + 2) % 3;
-  const auto p = Adaptive::double_double_image(a), q = Adaptive::double_double_image(b), r = Adaptive::double_double_image(c);
+  const auto p = Adaptive::double_double_image(a), q = Adaptive::double_double_image(b),
+             r = Adaptive::double_double_image(c);
   const Wide_vertex qp = q.coordinate - p.coordinate, rp = r.coordinate - p.coordinate;
   return {qp[i] * rp[j] - qp[j] * rp[i],
-          wide_normal_bound<double>(maximum(std::abs(qp[i].high), std::abs(rp[i].high)), maximum(std::abs(qp[j].high), std::abs(rp[j].high)),
-                                    p.error + maximum(q.error, r.error), wide_difference, wide_normal_rounding, normal_motion, Adaptive::underflow)};
+          wide_normal_bound<double>(maximum(std::abs(qp[i].high), std::abs(rp[i].high)),
+                                    maximum(std::abs(qp[j].high), std::abs(rp[j].high)),
+                                    p.error + maximum(q.error, r.error), wide_difference, wide_normal_rounding,
+                                    normal_motion, Adaptive::underflow)};
 }
 
 // --- samples ---------------------------------------------------------------------------------------------------------
@@ -489,9 +494,15 @@ BOOST_AUTO_TEST_CASE(every_stage_that_answers_is_right_and_the_counter_says_whic
   int total = 0, wrong_filter = 0, wrong_zero = 0, wrong_exact = 0, wrong_sign = 0, wrong_stage = 0, other_bound = 0;
   int by_identity = 0, by_zero_factors = 0, by_gate = 0, grid_decided = 0, wide_decided = 0;
   // One sign, by the first stage that answers.
-  const auto expected = [](const Decision& filtered, const Decision& zero, bool in_gate, const Decision& grid, const Decision& wide) {
+  const auto expected = [](const Decision& filtered, const Decision& zero, bool in_gate, const Decision& grid,
+                           const Decision& wide) {
     Stage_counts counts;
-    ++(filtered ? counts.filter : zero ? counts.zero : !in_gate ? counts.out_of_gate : grid ? counts.grid : wide ? counts.double_double : counts.exact);
+    ++(filtered   ? counts.filter
+       : zero     ? counts.zero
+       : !in_gate ? counts.out_of_gate
+       : grid     ? counts.grid
+       : wide     ? counts.double_double
+                  : counts.exact);
     return counts;
   };
   for (const Family& family : families()) {
@@ -500,7 +511,8 @@ BOOST_AUTO_TEST_CASE(every_stage_that_answers_is_right_and_the_counter_says_whic
       const auto& [a, b, c, d] = s.points;
       const Sign truth = CGAL::sign(sgn(volume(s.exact)));
       const Decision filtered = Adaptive::filtered_volume_sign(a, b, c, d);
-      const Decision grid = Adaptive::int128_volume_sign(a, b, c, d), wide = Adaptive::double_double_volume_sign(a, b, c, d);
+      const Decision grid = Adaptive::int128_volume_sign(a, b, c, d),
+                     wide = Adaptive::double_double_volume_sign(a, b, c, d);
       wrong_exact += grid && *grid != truth;
       grid_decided += !filtered && grid;
       decided += filtered.has_value();
@@ -527,8 +539,10 @@ BOOST_AUTO_TEST_CASE(every_stage_that_answers_is_right_and_the_counter_says_whic
       const Stage_counts stages = Adaptive::decided_by() - before;
       const bool one_frame = a.pose && a.pose == b.pose && a.pose == c.pose && a.pose == d.pose;
       if (one_frame && !filtered && !zero)
-        wrong_stage += stages != expected(Adaptive::filtered_volume_sign(ha, hb, hc, hd), Adaptive::zero_volume_sign(ha, hb, hc, hd),
-                                          in_gate(ha, hb, hc, hd), Adaptive::int128_volume_sign(ha, hb, hc, hd), Adaptive::double_double_volume_sign(ha, hb, hc, hd));
+        wrong_stage += stages != expected(Adaptive::filtered_volume_sign(ha, hb, hc, hd),
+                                          Adaptive::zero_volume_sign(ha, hb, hc, hd), in_gate(ha, hb, hc, hd),
+                                          Adaptive::int128_volume_sign(ha, hb, hc, hd),
+                                          Adaptive::double_double_volume_sign(ha, hb, hc, hd));
       else
         wrong_stage += stages != expected(filtered, zero, in_gate(a, b, c, d), grid, wide);
       by_identity += !filtered && found_twice(4);
@@ -539,24 +553,29 @@ BOOST_AUTO_TEST_CASE(every_stage_that_answers_is_right_and_the_counter_says_whic
       const Sign normal_truth = normal(s.exact[0], s.exact[1], s.exact[2], axis);
       const Decision normal_filtered = Adaptive::filtered_normal_sign(a, b, c, axis);
       const Decision normal_zero = Adaptive::zero_normal_sign(a, b, c, axis);
-      const Decision normal_grid = Adaptive::int128_normal_sign(a, b, c, axis), normal_wide = Adaptive::double_double_normal_sign(a, b, c, axis);
+      const Decision normal_grid = Adaptive::int128_normal_sign(a, b, c, axis),
+                     normal_wide = Adaptive::double_double_normal_sign(a, b, c, axis);
       wrong_exact += normal_grid && *normal_grid != normal_truth;
       wrong_zero += normal_zero ? normal_truth != CGAL::ZERO : found_twice(3);
-      wrong_filter += (normal_filtered && *normal_filtered != normal_truth) || (normal_wide && *normal_wide != normal_truth);
+      wrong_filter +=
+          (normal_filtered && *normal_filtered != normal_truth) || (normal_wide && *normal_wide != normal_truth);
       other_bound += normal_filtered != normal_filter(a, b, c, axis).decision();
       other_bound += normal_wide != wide_normal_filter(a, b, c, axis).decision();
       before = Adaptive::decided_by();
       wrong_sign += Adaptive::normal_sign(a, b, c, axis) != normal_truth;
-      wrong_stage += Adaptive::decided_by() - before != expected(normal_filtered, normal_zero, in_gate(a, b, c), normal_grid, normal_wide);
+      wrong_stage += Adaptive::decided_by() - before !=
+                     expected(normal_filtered, normal_zero, in_gate(a, b, c), normal_grid, normal_wide);
 
       const Sign difference_truth = difference(s.exact[0], s.exact[1], axis);
       const Decision difference_filtered = Adaptive::filtered_difference_sign(a, b, axis);
       const Decision difference_zero = found_twice(2) ? Decision(CGAL::ZERO) : Decision();
       const Decision difference_wide = Adaptive::double_double_difference_sign(a, b, axis);
-      wrong_filter += (difference_filtered && *difference_filtered != difference_truth) || (difference_wide && *difference_wide != difference_truth);
+      wrong_filter += (difference_filtered && *difference_filtered != difference_truth) ||
+                      (difference_wide && *difference_wide != difference_truth);
       before = Adaptive::decided_by();
       wrong_sign += Adaptive::difference_sign(a, b, axis) != difference_truth;
-      wrong_stage += Adaptive::decided_by() - before != expected(difference_filtered, difference_zero, in_gate(a, b), {}, difference_wide);
+      wrong_stage += Adaptive::decided_by() - before !=
+                     expected(difference_filtered, difference_zero, in_gate(a, b), {}, difference_wide);
 
       if (n++ % 8 == 0)
         wrong_exact += Adaptive::exact_volume_sign(a, b, c, d) != truth ||
@@ -698,13 +717,14 @@ BOOST_AUTO_TEST_CASE(a_volume_of_which_every_product_has_a_factor_0_needs_no_ari
     }
   // Images that are not exact say nothing.
   const Pose moved(std::array<double, 12>{1, 0, 0, 0.1, 0, 1, 0, 0.1, 0, 0, 1, 0.1});
-  BOOST_TEST(!Adaptive::zero_volume_sign(Adaptive::placed({0, 0, 0}, moved), Adaptive::placed({1, 0, 0}, moved), Adaptive::placed({0, 1, 0}, moved),
-                                         Adaptive::placed({1, 2, 0}, moved)));
+  BOOST_TEST(!Adaptive::zero_volume_sign(Adaptive::placed({0, 0, 0}, moved), Adaptive::placed({1, 0, 0}, moved),
+                                         Adaptive::placed({0, 1, 0}, moved), Adaptive::placed({1, 2, 0}, moved)));
 }
 
 BOOST_AUTO_TEST_CASE(a_translation_keeps_images_exact_where_sums_are)
 {
-  const Pose exact = Pose::translation(1, -0.5, 0x1p20), rounding = Pose::translation(0x1p-60, 0, 0), none = Pose::translation(0, 0, 0);
+  const Pose exact = Pose::translation(1, -0.5, 0x1p20), rounding = Pose::translation(0x1p-60, 0, 0),
+             none = Pose::translation(0, 0, 0);
   const Vertex v = {0.25, 3, -7};
   BOOST_TEST(Adaptive::placed(v, exact).error == 0);
   BOOST_TEST((Adaptive::placed(v, exact).image == Vertex{1.25, 2.5, 0x1p20 - 7}));
@@ -734,7 +754,8 @@ BOOST_AUTO_TEST_CASE(a_translation_keeps_images_exact_where_sums_are)
   const Pose up = Pose::translation(0.5, 0.25, 1);
   const auto before = Adaptive::exact_fallbacks();
   const auto zeros = Adaptive::decided_by().zero;
-  BOOST_TEST(Adaptive::volume_sign(Adaptive::unmoved({0, 0, 1}), Adaptive::unmoved({1, 0, 1}), Adaptive::unmoved({0, 1, 1}), Adaptive::placed({3, 5, 0}, up)) == CGAL::ZERO);
+  BOOST_TEST(Adaptive::volume_sign(Adaptive::unmoved({0, 0, 1}), Adaptive::unmoved({1, 0, 1}),
+                                   Adaptive::unmoved({0, 1, 1}), Adaptive::placed({3, 5, 0}, up)) == CGAL::ZERO);
   BOOST_TEST(Adaptive::exact_fallbacks() == before);
   BOOST_TEST(Adaptive::decided_by().zero == zeros + 1);
 }
@@ -742,7 +763,8 @@ BOOST_AUTO_TEST_CASE(a_translation_keeps_images_exact_where_sums_are)
 BOOST_AUTO_TEST_CASE(fallbacks_are_counted_by_each_thread_alone)
 {
   const Point o = Adaptive::unmoved({0, 0, 0}), x = Adaptive::unmoved({1, 0, 0}), y = Adaptive::unmoved({0, 1, 0}),
-              z = Adaptive::unmoved({2, 3, 0}), w = Adaptive::unmoved({0.1, 0.3, 0.2}), v = Adaptive::unmoved({0.2, 0.6, 0.4});
+              z = Adaptive::unmoved({2, 3, 0}), w = Adaptive::unmoved({0.1, 0.3, 0.2}),
+              v = Adaptive::unmoved({0.2, 0.6, 0.4});
   const auto before = Adaptive::exact_fallbacks();
   std::uint64_t there = 99;
   std::thread([&] {
@@ -1049,13 +1071,14 @@ BOOST_AUTO_TEST_CASE(constant_of_the_difference_filter_is_no_less_than_derived)
 
 namespace {
 
-// The relative errors of the sum and of the product of two Double_doubles. That of the sum is proved by Joldes, Muller and Popescu
-// (theorem 3.1; again, by machine, by Muller and Rideau, TOMS 2022); that of the product is derived below. The test of
-// kernel/number/double_double.h goes through all operands of few digits.
+// The relative errors of the sum and of the product of two Double_doubles. That of the sum is proved by Joldes, Muller
+// and Popescu (theorem 3.1; again, by machine, by Muller and Rideau, TOMS 2022); that of the product is derived below.
+// The test of kernel/number/double_double.h goes through all operands of few digits.
 const Rational wide_roundoff = roundoff * roundoff;
 const Rational wide_sum = 3 * wide_roundoff / (1 - 4 * roundoff), wide_product = 7 * wide_roundoff * (1 + 4 * roundoff);
 
-/// The most that rounding to nearest takes from a number of magnitude at most `bound`: half the step below the power of 2 that is no less.
+/// The most that rounding to nearest takes from a number of magnitude at most `bound`: half the step below the power of
+/// 2 that is no less.
 Rational most_rounded_off(const Rational& bound)
 {
   Rational power = 1;
@@ -1076,15 +1099,16 @@ struct Wide_bounded {
   friend Wide_bounded operator-(const Wide_bounded& a, const Wide_bounded& b) { return a + b; }
   friend Wide_bounded operator*(const Wide_bounded& a, const Wide_bounded& b)
   {
-    // Underflow may take half a step from each of three products and from the residue of one, and its grown share of the sums.
+    // Underflow may take half a step from each of three products and from the residue of one, and its grown share of
+    // the sums.
     const Polynomial magnitude = a.magnitude * b.magnitude, lost = Rational(5) * eta;
     return {magnitude * Rational(1 + wide_product) + lost,
             a.magnitude * b.error + a.error * b.magnitude + a.error * b.error + wide_product * magnitude + lost};
   }
 };
 
-/// A difference of wide images whose high part is `m`: its own rounding, of what is no more than m (1 + u) / (1 - wide_sum), and that
-/// of the images.
+/// A difference of wide images whose high part is `m`: its own rounding, of what is no more than m (1 + u) / (1 -
+/// wide_sum), and that of the images.
 Wide_bounded difference_of_wide_images(const Polynomial& m, const Polynomial& images)
 {
   return {grown * m, Rational(wide_sum * grown / (1 - wide_sum)) * m + images};
@@ -1099,11 +1123,13 @@ Polynomial of_high_part(const Polynomial& error) { return Rational(1 / shrunk) *
 
 BOOST_AUTO_TEST_CASE(relative_error_of_a_double_double_product_is_no_less_than_derived)
 {
-  // Scaled to 1 <= x, y < 2 for the high parts: multiples of 2u, so low parts are at most u. Either x y < 2, and then x + y <= 1 + x y < 3,
-  // at most 3 - 2u; or x y >= 2. Each rounding is bounded by the power of 2 that its operand stays below.
+  // Scaled to 1 <= x, y < 2 for the high parts: multiples of 2u, so low parts are at most u. Either x y < 2, and then x
+  // + y <= 1 + x y < 3, at most 3 - 2u; or x y >= 2. Each rounding is bounded by the power of 2 that its operand stays
+  // below.
   Rational derived = 0;
   for (const bool small : {true, false}) {
-    const Rational sum = small ? Rational(3 - 2 * roundoff) : Rational(4 - 4 * roundoff), least = small ? 1 : 2, most = small ? 2 : 4;
+    const Rational sum = small ? Rational(3 - 2 * roundoff) : Rational(4 - 4 * roundoff), least = small ? 1 : 2,
+                   most = small ? 2 : 4;
     const Rational residue = most_rounded_off(most);  // of x y: found exactly
     const Rational cross = most_rounded_off(2 * roundoff);
     Rational crosses = sum * roundoff + 2 * cross, error = 2 * cross;
@@ -1123,22 +1149,27 @@ BOOST_AUTO_TEST_CASE(relative_error_of_a_double_double_product_is_no_less_than_d
 
 BOOST_AUTO_TEST_CASE(constants_of_the_wide_volume_sign_are_no_less_than_derived)
 {
-  const Polynomial mx = Polynomial::variable(0), my = Polynomial::variable(1), mz = Polynomial::variable(2), images = Polynomial::variable(3);
-  const Wide_bounded x = difference_of_wide_images(mx, images), y = difference_of_wide_images(my, images), z = difference_of_wide_images(mz, images);
+  const Polynomial mx = Polynomial::variable(0), my = Polynomial::variable(1), mz = Polynomial::variable(2),
+                   images = Polynomial::variable(3);
+  const Wide_bounded x = difference_of_wide_images(mx, images), y = difference_of_wide_images(my, images),
+                     z = difference_of_wide_images(mz, images);
   const Polynomial off = of_high_part(Differences<Wide_bounded>{x, y, z, x, y, z, x, y, z}.determinant().error);
 
   // The error of two images is itself a sum rounded once.
-  const auto bound = [&](const Rational& difference, const Rational& rounding, const Rational& motion, const Rational& underflow) {
-    return wide_volume_bound<At_least>({mx, my, mz}, At_least(shrunk * images), at_least(difference), at_least(rounding), at_least(motion),
-                                       at_least(underflow));
+  const auto bound = [&](const Rational& difference, const Rational& rounding, const Rational& motion,
+                         const Rational& underflow) {
+    return wide_volume_bound<At_least>({mx, my, mz}, At_least(shrunk * images), at_least(difference),
+                                       at_least(rounding), at_least(motion), at_least(underflow));
   };
   const Polynomial motion = bound(Rational(wide_difference), 0, Rational(volume_motion), 0).sure;
   const Rational derived_rounding = least_factor(off, bound(Rational(wide_difference), 1, 0, 0).sure, motion);
   const Rational derived_motion =
-      least_factor(off, bound(Rational(wide_difference), 0, 1, 0).sure, bound(Rational(wide_difference), Rational(wide_volume_rounding), 0, 0).sure);
+      least_factor(off, bound(Rational(wide_difference), 0, 1, 0).sure,
+                   bound(Rational(wide_difference), Rational(wide_volume_rounding), 0, 0).sure);
   const Rational derived_difference = x.error[{1, 0, 0, 0, 0}] / shrunk / shrunk;
-  BOOST_TEST_MESSAGE("wide volume: derived " << rounded_up(derived_rounding / wide_roundoff) << " u^2, " << rounded_up(derived_motion) << " and "
-                                             << rounded_up(derived_difference / wide_roundoff) << " u^2 for a difference");
+  BOOST_TEST_MESSAGE("wide volume: derived "
+                     << rounded_up(derived_rounding / wide_roundoff) << " u^2, " << rounded_up(derived_motion)
+                     << " and " << rounded_up(derived_difference / wide_roundoff) << " u^2 for a difference");
   BOOST_TEST((derived_rounding <= Rational(wide_volume_rounding)));
   BOOST_TEST((derived_rounding > 130 * wide_roundoff));  // and not for want of counting
   BOOST_TEST((derived_motion <= Rational(volume_motion)));
@@ -1146,7 +1177,8 @@ BOOST_AUTO_TEST_CASE(constants_of_the_wide_volume_sign_are_no_less_than_derived)
   BOOST_TEST((derived_difference <= Rational(wide_difference)));
   BOOST_TEST((derived_difference > 3 * wide_roundoff));
 
-  const At_least all = bound(Rational(wide_difference), Rational(wide_volume_rounding), Rational(volume_motion), Rational(Adaptive::underflow));
+  const At_least all = bound(Rational(wide_difference), Rational(wide_volume_rounding), Rational(volume_motion),
+                             Rational(Adaptive::underflow));
   for (const auto& [powers, coefficient] : off.terms())
     if (powers[4] == 0) BOOST_TEST((coefficient <= all.sure[powers]));
   BOOST_TEST((at_the_gate(off) + at_the_gate(all.lost) <= all.sure[{}]));
@@ -1159,12 +1191,14 @@ BOOST_AUTO_TEST_CASE(constants_of_the_wide_normal_sign_are_no_less_than_derived)
   const Polynomial off = of_high_part((i * j - j * i).error);
 
   const auto bound = [&](const Rational& rounding, const Rational& motion, const Rational& underflow) {
-    return wide_normal_bound<At_least>(mi, mj, At_least(shrunk * images), at_least(Rational(wide_difference)), at_least(rounding), at_least(motion),
-                                       at_least(underflow));
+    return wide_normal_bound<At_least>(mi, mj, At_least(shrunk * images), at_least(Rational(wide_difference)),
+                                       at_least(rounding), at_least(motion), at_least(underflow));
   };
   const Rational derived_rounding = least_factor(off, bound(1, 0, 0).sure, bound(0, Rational(normal_motion), 0).sure);
-  const Rational derived_motion = least_factor(off, bound(0, 1, 0).sure, bound(Rational(wide_normal_rounding), 0, 0).sure);
-  BOOST_TEST_MESSAGE("wide normal: derived " << rounded_up(derived_rounding / wide_roundoff) << " u^2 and " << rounded_up(derived_motion));
+  const Rational derived_motion =
+      least_factor(off, bound(0, 1, 0).sure, bound(Rational(wide_normal_rounding), 0, 0).sure);
+  BOOST_TEST_MESSAGE("wide normal: derived " << rounded_up(derived_rounding / wide_roundoff) << " u^2 and "
+                                             << rounded_up(derived_motion));
   BOOST_TEST((derived_rounding <= Rational(wide_normal_rounding)));
   BOOST_TEST((derived_rounding > 19 * wide_roundoff));
   BOOST_TEST((derived_motion <= Rational(normal_motion)));
@@ -1178,8 +1212,9 @@ BOOST_AUTO_TEST_CASE(constants_of_the_wide_normal_sign_are_no_less_than_derived)
 
 BOOST_AUTO_TEST_CASE(constant_of_the_wide_image_is_no_less_than_derived)
 {
-  // The variables are the products as they are, and the translation: of entries rounded to double, as the stage sums them. A fraction is the
-  // sum of two doubles but for u^2 of it, or but for 2^-1074 = 2 eta, which its vertex multiplies by at most the gate.
+  // The variables are the products as they are, and the translation: of entries rounded to double, as the stage sums
+  // them. A fraction is the sum of two doubles but for u^2 of it, or but for 2^-1074 = 2 eta, which its vertex
+  // multiplies by at most the gate.
   for (const bool fractions : {false, true}) {
     std::array<Wide_bounded, 4> terms;
     for (int k = 0; k < 4; ++k) {
@@ -1188,7 +1223,8 @@ BOOST_AUTO_TEST_CASE(constant_of_the_wide_image_is_no_less_than_derived)
         terms[k] = {m, k < 3 ? Rational(2) * eta : Polynomial()};
       else {
         // The value is the high part's but for u of it; the exact entry is off by u^2 of it.
-        const Polynomial entry = grown * m, off = Rational(wide_roundoff / shrunk) * entry + Rational(2 * Rational(Adaptive::magnitude_gate)) * eta;
+        const Polynomial entry = grown * m, off = Rational(wide_roundoff / shrunk) * entry +
+                                                  Rational(2 * Rational(Adaptive::magnitude_gate)) * eta;
         terms[k] = {entry, off};
         if (k < 3) terms[k] = {entry * Rational(1 + wide_product), off + wide_product * entry + Rational(5) * eta};
       }
@@ -1197,7 +1233,8 @@ BOOST_AUTO_TEST_CASE(constant_of_the_wide_image_is_no_less_than_derived)
     const auto product = [](int k) { return At_least(shrunk * Polynomial::variable(k), eta); };
     const At_least largest = ((At_least(Polynomial::variable(3)) + product(0)) + product(1)) + product(2);
     const Rational derived = least_factor(off, (at_least(1) * largest).sure, {});
-    BOOST_TEST_MESSAGE("wide image under " << (fractions ? "fractions" : "doubles") << ": derived " << rounded_up(derived / wide_roundoff) << " u^2");
+    BOOST_TEST_MESSAGE("wide image under " << (fractions ? "fractions" : "doubles") << ": derived "
+                                           << rounded_up(derived / wide_roundoff) << " u^2");
     BOOST_TEST((derived <= Rational(wide_placed_rounding)));
     BOOST_TEST((derived > (fractions ? 16 : 9) * wide_roundoff));
     const At_least all = at_least(Rational(wide_placed_rounding)) * largest + at_least(Rational(Adaptive::underflow));
@@ -1219,8 +1256,10 @@ BOOST_AUTO_TEST_CASE(constant_of_the_wide_difference_is_no_less_than_derived)
   BOOST_TEST_MESSAGE("wide difference: derived " << rounded_up(derived));
   BOOST_TEST((derived <= Rational(difference_motion)));
   BOOST_TEST((derived > 1));
-  // Where images are exact nothing underflows but the bound, to 0 at least; where they are not, what it loses is less than what is left.
-  const Rational left = (Rational(difference_motion) - derived) * bound(1).sure[{1, 0, 0, 0, 0}] * Rational(Adaptive::underflow);
+  // Where images are exact nothing underflows but the bound, to 0 at least; where they are not, what it loses is less
+  // than what is left.
+  const Rational left =
+      (Rational(difference_motion) - derived) * bound(1).sure[{1, 0, 0, 0, 0}] * Rational(Adaptive::underflow);
   BOOST_TEST((at_the_gate(bound(Rational(difference_motion)).lost) < left));
 }
 
@@ -1275,19 +1314,27 @@ BOOST_AUTO_TEST_CASE(the_filters_turn_exactly_at_the_bounds_proved)
       p.error = error;
       return p;
     };
-    const double volume_turn = wide_volume_bound<double>({1, 1, 1}, 2 * error, wide_difference, wide_volume_rounding, volume_motion, underflow);
-    const auto volume_at = [&](double h) { return Adaptive::double_double_volume_sign(at(o), at({1, 0, 1}), at({0, 1, 0}), at({0, 0, h})); };
+    const double volume_turn = wide_volume_bound<double>({1, 1, 1}, 2 * error, wide_difference, wide_volume_rounding,
+                                                         volume_motion, underflow);
+    const auto volume_at = [&](double h) {
+      return Adaptive::double_double_volume_sign(at(o), at({1, 0, 1}), at({0, 1, 0}), at({0, 0, h}));
+    };
     BOOST_TEST(!volume_at(volume_turn));
     BOOST_TEST(!volume_at(-volume_turn));
     BOOST_TEST((volume_at(std::nextafter(volume_turn, 1)) == CGAL::POSITIVE));
     BOOST_TEST((volume_at(-std::nextafter(volume_turn, 1)) == CGAL::NEGATIVE));
-    const double normal_turn = wide_normal_bound<double>(1, 1, 2 * error, wide_difference, wide_normal_rounding, normal_motion, underflow);
-    const auto normal_at = [&](double h) { return Adaptive::double_double_normal_sign(at(o), at({1, 1, 0}), at({0, h, 0}), 2); };
+    const double normal_turn =
+        wide_normal_bound<double>(1, 1, 2 * error, wide_difference, wide_normal_rounding, normal_motion, underflow);
+    const auto normal_at = [&](double h) {
+      return Adaptive::double_double_normal_sign(at(o), at({1, 1, 0}), at({0, h, 0}), 2);
+    };
     BOOST_TEST(!normal_at(normal_turn));
     BOOST_TEST((normal_at(std::nextafter(normal_turn, 1)) == CGAL::POSITIVE));
     BOOST_TEST((normal_at(-std::nextafter(normal_turn, 1)) == CGAL::NEGATIVE));
     if (error == 0) continue;
-    const auto difference_at = [&](double h) { return Adaptive::double_double_difference_sign(at({h, h, h}), at(o), 1); };
+    const auto difference_at = [&](double h) {
+      return Adaptive::double_double_difference_sign(at({h, h, h}), at(o), 1);
+    };
     double difference_turn = difference_motion * (2 * error);
     for (int k = 0; k < 4; ++k) difference_turn = difference_motion * (2 * error + wide_difference * difference_turn);
     BOOST_TEST(!difference_at(difference_turn));
@@ -1296,7 +1343,8 @@ BOOST_AUTO_TEST_CASE(the_filters_turn_exactly_at_the_bounds_proved)
   }
 
   const Pose pose(std::array<double, 12>{2, 3, 5, 7, 0, 1, 0, 0, 0, 0, 1, 0});
-  BOOST_TEST(Adaptive::double_double_image(Adaptive::placed({1, -1, 1}, pose)).error == wide_placed_rounding * 17 + underflow);
+  BOOST_TEST(Adaptive::double_double_image(Adaptive::placed({1, -1, 1}, pose)).error ==
+             wide_placed_rounding * 17 + underflow);
   BOOST_TEST(Adaptive::placed({1, -1, 1}, pose).error == placed_rounding * 17 + underflow);
   BOOST_TEST(Adaptive::unmoved({1, -1, 1}).error == 0);
 }
@@ -1386,7 +1434,8 @@ BOOST_AUTO_TEST_CASE(observed_errors_are_within_the_bounds_and_are_recorded)
         here_image = maximum(here_image, mpq_class(abs(off) / mpq_class(image.error)).get_d());
       }
     });
-    BOOST_TEST_MESSAGE(family.name << ": double-double " << here_wide << " (volume), " << here_wide_normal << " (normal), " << here_image << " (image)");
+    BOOST_TEST_MESSAGE(family.name << ": double-double " << here_wide << " (volume), " << here_wide_normal
+                                   << " (normal), " << here_image << " (image)");
     wide_largest = maximum(wide_largest, here_wide);
     wide_normal_largest = maximum(wide_normal_largest, here_wide_normal);
     wide_image_largest = maximum(wide_image_largest, here_image);
@@ -1396,7 +1445,8 @@ BOOST_AUTO_TEST_CASE(observed_errors_are_within_the_bounds_and_are_recorded)
   }
   BOOST_TEST(volume_largest <= 1);
   BOOST_TEST(normal_largest <= 1);
-  BOOST_TEST_MESSAGE("double-double, largest: " << wide_largest << " (volume), " << wide_normal_largest << " (normal), " << wide_image_largest << " (image)");
+  BOOST_TEST_MESSAGE("double-double, largest: " << wide_largest << " (volume), " << wide_normal_largest << " (normal), "
+                                                << wide_image_largest << " (image)");
   for (const double wide_ratio : {wide_largest, wide_normal_largest, wide_image_largest}) {
     BOOST_TEST(wide_ratio <= 1);
     BOOST_TEST(wide_ratio > 1.0 / 4096);  // there was an error to be seen
@@ -1438,7 +1488,8 @@ BOOST_AUTO_TEST_CASE(an_adversary_who_climbs_does_not_reach_the_bounds)
         Sample s;
         for (int k = 0; k < 4; ++k) s.set(k, v[k], start % 2 == 1 && k > 1 ? &moved : nullptr);
         const auto& [a, b, c, d] = s.points;
-        return wide ? ratio(wide_volume_filter(a, b, c, d), exact_volume(s)) : ratio(volume_filter(a, b, c, d), exact_volume(s));
+        return wide ? ratio(wide_volume_filter(a, b, c, d), exact_volume(s))
+                    : ratio(volume_filter(a, b, c, d), exact_volume(s));
       };
       double best = value();
       for (int step = 0; step < 600; ++step) {
@@ -1452,7 +1503,8 @@ BOOST_AUTO_TEST_CASE(an_adversary_who_climbs_does_not_reach_the_bounds)
       double& reached = wide ? wide_reached : volume_reached;
       reached = maximum(reached, best);
     }
-  BOOST_TEST_MESSAGE("an adversary reaches " << volume_reached << " (filter), " << wide_reached << " (double-double) of the bound of a volume");
+  BOOST_TEST_MESSAGE("an adversary reaches " << volume_reached << " (filter), " << wide_reached
+                                             << " (double-double) of the bound of a volume");
   BOOST_TEST(volume_reached <= 1);
   BOOST_TEST(wide_reached <= 1);
   BOOST_TEST(wide_reached > 0.01);

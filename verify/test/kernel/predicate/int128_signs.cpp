@@ -16,7 +16,10 @@ using Points = std::array<Vertex, 4>;
 
 namespace {
 
-Rational minor(const std::array<std::array<Rational, 3>, 2>& m, int i, int j) { return m[0][i] * m[1][j] - m[0][j] * m[1][i]; }
+Rational minor(const std::array<std::array<Rational, 3>, 2>& m, int i, int j)
+{
+  return m[0][i] * m[1][j] - m[0][j] * m[1][i];
+}
 
 CGAL::Sign volume(const Points& p)
 {
@@ -24,7 +27,8 @@ CGAL::Sign volume(const Points& p)
   for (int n = 0; n < 3; ++n)
     for (int k = 0; k < 3; ++k) m[n][k] = Rational(p[n + 1][k]) - Rational(p[0][k]);
   const std::array<std::array<Rational, 3>, 2> upper = {m[0], m[1]};
-  return CGAL::sign(Rational(m[2][0] * minor(upper, 1, 2) - m[2][1] * minor(upper, 0, 2) + m[2][2] * minor(upper, 0, 1)));
+  return CGAL::sign(
+      Rational(m[2][0] * minor(upper, 1, 2) - m[2][1] * minor(upper, 0, 2) + m[2][2] * minor(upper, 0, 1)));
 }
 
 CGAL::Sign normal(const Points& p, int axis)

@@ -83,7 +83,8 @@ BOOST_AUTO_TEST_CASE(one_ulp_off_a_line_is_a_plane)
   const double up = std::nextafter(1.0, 2);
   BOOST_TEST(plane_basis({{0, 0, 0}, {0.5, 0.5, 0.5}, {1, 1, up}}).has_value());
   BOOST_TEST(!plane_basis({{0, 0, 0}, {0.5, 0.5, 0.5}, {1, 1, 1}}).has_value());
-  BOOST_TEST(plane_basis({{0.1, 0.1, 0.1}, {0.2, 0.2, 0.2}, {0.30000000000000004, 0.30000000000000004, 0.3}}).has_value());
+  BOOST_TEST(
+      plane_basis({{0.1, 0.1, 0.1}, {0.2, 0.2, 0.2}, {0.30000000000000004, 0.30000000000000004, 0.3}}).has_value());
 }
 
 BOOST_AUTO_TEST_CASE(planes_too_small_too_large_and_too_thin_for_double_are_found)

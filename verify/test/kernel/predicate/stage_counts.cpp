@@ -32,8 +32,12 @@ BOOST_AUTO_TEST_CASE(each_stage_counts_the_sign_that_it_decides_and_no_other_doe
   BOOST_TEST((volume(b) == Stage_counts{.zero = 1}));
   BOOST_TEST((volume(at(4, 3, 5 + 0x1p-50)) == Stage_counts{.double_double = 1}));
   BOOST_TEST((volume(at(4, 3, 5)) == Stage_counts{.grid = 1}));
-  const auto off_grid = [&](double x, double y, double z) { return Adaptive::unmoved({x + 0x1p-50, y + 0x1p-50, z + 0x1p-50}); };
-  BOOST_TEST((counted([&] { Adaptive::volume_sign(off_grid(0, 0, 0), off_grid(1, 2, 3), off_grid(3, 1, 2), off_grid(4, 3, 5)); }) == Stage_counts{.exact = 1}));
+  const auto off_grid = [&](double x, double y, double z) {
+    return Adaptive::unmoved({x + 0x1p-50, y + 0x1p-50, z + 0x1p-50});
+  };
+  BOOST_TEST((counted([&] {
+                Adaptive::volume_sign(off_grid(0, 0, 0), off_grid(1, 2, 3), off_grid(3, 1, 2), off_grid(4, 3, 5));
+              }) == Stage_counts{.exact = 1}));
   BOOST_TEST((volume(at(4e200, 3e200, 5e200)) == Stage_counts{.out_of_gate = 1}));
   BOOST_TEST((counted([&] { Adaptive::normal_sign(o, b, at(2, 4, 7), 2); }) == Stage_counts{.grid = 1}));
   BOOST_TEST((counted([&] { Adaptive::difference_sign(o, at(1e200, 0, 0), 0); }) == Stage_counts{.out_of_gate = 1}));
@@ -45,7 +49,8 @@ BOOST_AUTO_TEST_CASE(a_sign_of_one_frame_is_counted_once)
   const Pose pose(std::array<double, 12>{0.6, -0.8, 0, 1e9, 0.8, 0.6, 0, 1e9, 0, 0, 1, 1e9});
   const auto at = [&](double x, double y, double z) { return Adaptive::placed({x, y, z}, pose); };
   const auto volume = [&](const Vertex& d) {
-    return counted([&] { Adaptive::volume_sign(at(0, 0, 0), at(1e-5, 2e-5, 3e-5), at(3e-5, 1e-5, 2e-5), at(d[0], d[1], d[2])); });
+    return counted(
+        [&] { Adaptive::volume_sign(at(0, 0, 0), at(1e-5, 2e-5, 3e-5), at(3e-5, 1e-5, 2e-5), at(d[0], d[1], d[2])); });
   };
   BOOST_TEST((volume({2e-5, 3e-5, 1e-5}) == Stage_counts{.filter = 1}));  // that of the vertices
   BOOST_TEST((volume({0, 0, 0}) == Stage_counts{.zero = 1}));

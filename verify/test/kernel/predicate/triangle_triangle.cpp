@@ -19,16 +19,19 @@ using Three = std::array<Vertex, 3>;
 
 namespace {
 
-// --- another formulation: rational arithmetic, no sign of the library ---------------------------------------------------
+// --- another formulation: rational arithmetic, no sign of the library
+// ---------------------------------------------------
 
 using Exact_three = std::array<Vector, 3>;
 
 Exact_three exactly(const Three& t, const Pose& pose = Pose())
 {
-  return {rationals::image(pose, rationals::exactly(t[0])), rationals::image(pose, rationals::exactly(t[1])), rationals::image(pose, rationals::exactly(t[2]))};
+  return {rationals::image(pose, rationals::exactly(t[0])), rationals::image(pose, rationals::exactly(t[1])),
+          rationals::image(pose, rationals::exactly(t[2]))};
 }
 
-/// p is on the closed triangle, which may be a segment or a point: three signs of turns about the normal, or three segments.
+/// p is on the closed triangle, which may be a segment or a point: three signs of turns about the normal, or three
+/// segments.
 bool holds(const Exact_three& t, const Vector& p)
 {
   using namespace rationals;
@@ -46,12 +49,13 @@ bool segments_cross(const Vector& a, const Vector& b, const Vector& c, const Vec
   using namespace rationals;
   const Vector u = minus(b, a), v = minus(d, c), w = minus(c, a), n = outer(u, v);
   if (is_zero(n) || inner(n, w) != 0) return false;  // parallel: an end is on the other, which `holds` finds
-  const Rational square = inner(n, n), s = Rational(inner(outer(w, v), n) / square), t = Rational(inner(outer(w, u), n) / square);
+  const Rational square = inner(n, n), s = Rational(inner(outer(w, v), n) / square),
+                 t = Rational(inner(outer(w, u), n) / square);
   return 0 <= s && s <= 1 && 0 <= t && t <= 1;
 }
 
-/// Closed triangles meet when an edge of one crosses the other's plane in a point of it, when a corner of one is on the other, or when two
-/// edges cross. Points are constructed, in rationals.
+/// Closed triangles meet when an edge of one crosses the other's plane in a point of it, when a corner of one is on the
+/// other, or when two edges cross. Points are constructed, in rationals.
 bool share_a_point(const Exact_three& p, const Exact_three& q)
 {
   using namespace rationals;
@@ -74,7 +78,8 @@ bool share_a_point(const Exact_three& p, const Exact_three& q)
   return false;
 }
 
-// --- what is asked ------------------------------------------------------------------------------------------------------
+// --- what is asked
+// ------------------------------------------------------------------------------------------------------
 
 template <class K>
 std::array<Point<K>, 3> placed(const Three& t, const Pose& pose)
@@ -108,9 +113,13 @@ bool edges_meet(const Three& p, const Three& q)
   return false;
 }
 
-constexpr std::array<std::array<int, 3>, 6> orders = {{{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
+constexpr std::array<std::array<int, 3>, 6> orders = {
+    {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
 
-Three grid_triangle(Random& random, int radius) { return {grid_vertex(random, radius), grid_vertex(random, radius), grid_vertex(random, radius)}; }
+Three grid_triangle(Random& random, int radius)
+{
+  return {grid_vertex(random, radius), grid_vertex(random, radius), grid_vertex(random, radius)};
+}
 
 }  // namespace
 
@@ -138,7 +147,10 @@ BOOST_AUTO_TEST_CASE(hand_made_triangles_of_every_kind_of_contact)
       {"edges in line, apart", t, {{{5, 0, 0}, {7, 0, 0}, {6, 0, 3}}}, false},
       {"one plane, overlapping", t, {{{1, 1, 0}, {5, 1, 0}, {1, 5, 0}}}, true},
       {"one plane, one inside", t, {{{1, 1, 0}, {1.5, 1, 0}, {1, 1.5, 0}}}, true},
-      {"one plane, crossing with no corner inside", {{{0, 0, 0}, {6, 0, 0}, {3, 5, 0}}}, {{{0, 3, 0}, {6, 3, 0}, {3, -2, 0}}}, true},
+      {"one plane, crossing with no corner inside",
+       {{{0, 0, 0}, {6, 0, 0}, {3, 5, 0}}},
+       {{{0, 3, 0}, {6, 3, 0}, {3, -2, 0}}},
+       true},
       {"one plane, apart", t, {{{3, 3, 0}, {5, 3, 0}, {3, 5, 0}}}, false},
       {"one plane, a corner shared", t, {{{4, 0, 0}, {8, 0, 0}, {8, 4, 0}}}, true},
       {"a segment through", t, {{{1, 1, -1}, {1, 1, 1}, {1, 1, 1}}}, true},
@@ -168,8 +180,10 @@ BOOST_AUTO_TEST_CASE(every_triangle_of_a_small_grid_against_some)
   for (int x = 0; x < 2; ++x)
     for (int y = 0; y < 2; ++y)
       for (int z = 0; z < 3; ++z) grid.push_back({double(x), double(y), double(z)});
-  const std::vector<Three> others = {{{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}}, {{{0, 0, 0}, {1, 1, 0}, {1, 1, 2}}}, {{{0, 0, 0}, {1, 0, 1}, {0, 1, 2}}},
-                                     {{{0.5, 0.5, 0.5}, {0.5, 0.5, 1}, {2, 0.5, 1}}}, {{{0, 0, 0}, {1, 1, 2}, {1, 1, 2}}}, {{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}}};
+  const std::vector<Three> others = {
+      {{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}}, {{{0, 0, 0}, {1, 1, 0}, {1, 1, 2}}},
+      {{{0, 0, 0}, {1, 0, 1}, {0, 1, 2}}}, {{{0.5, 0.5, 0.5}, {0.5, 0.5, 1}, {2, 0.5, 1}}},
+      {{{0, 0, 0}, {1, 1, 2}, {1, 1, 2}}}, {{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}}};
   int wrong = 0, yes = 0, no = 0;
   for (const Vertex& a : grid)
     for (const Vertex& b : grid)
@@ -193,10 +207,10 @@ BOOST_AUTO_TEST_CASE(random_triangles_of_grids_in_every_order_swapped_and_scaled
   for (int k = 0; k < 6000; ++k) {
     const int radius = 1 + k % 3;
     Three p = grid_triangle(random, radius), q = grid_triangle(random, radius);
-    if (k % 5 == 0) p[2] = p[1];                                                              // a segment
-    if (k % 7 == 0) q[integer(random, 0, 2)] = p[integer(random, 0, 2)];                       // a corner shared
+    if (k % 5 == 0) p[2] = p[1];                                          // a segment
+    if (k % 7 == 0) q[integer(random, 0, 2)] = p[integer(random, 0, 2)];  // a corner shared
     if (k % 4 == 0)
-      for (int i = 0; i < 3; ++i) p[i][2] = q[i][2] = 0;                                       // one plane
+      for (int i = 0; i < 3; ++i) p[i][2] = q[i][2] = 0;  // one plane
     const bool truth = share_a_point(exactly(p), exactly(q));
     ++(truth ? yes : no);
     by_edges += edges_meet<Adaptive>(p, q) != truth;
@@ -263,7 +277,9 @@ BOOST_AUTO_TEST_CASE(sides_are_the_signs_of_the_three_volumes)
   int wrong = 0;
   std::array<int, 3> seen{};
   for (int k = 0; k < 4000; ++k) {
-    const Pose pose = k % 3 == 0 ? Pose() : k % 3 == 1 ? random_rotation(random, 5) : rounded(random_rotation(random, 5));
+    const Pose pose = k % 3 == 0   ? Pose()
+                      : k % 3 == 1 ? random_rotation(random, 5)
+                                   : rounded(random_rotation(random, 5));
     const Three t = grid_triangle(random, 2);
     Three points = grid_triangle(random, 2);
     for (int i = 0; i < 3; ++i) {
@@ -275,7 +291,8 @@ BOOST_AUTO_TEST_CASE(sides_are_the_signs_of_the_three_volumes)
     const auto side = sides<Adaptive>(corners<Adaptive>(a), corners<Adaptive>(b));
     const Exact_three e = exactly(t, pose), f = exactly(points, pose);
     for (int i = 0; i < 3; ++i) {
-      const int truth = rationals::sign(rationals::determinant(rationals::minus(e[1], e[0]), rationals::minus(e[2], e[0]), rationals::minus(f[i], e[0])));
+      const int truth = rationals::sign(rationals::determinant(
+          rationals::minus(e[1], e[0]), rationals::minus(e[2], e[0]), rationals::minus(f[i], e[0])));
       wrong += int(side[i]) != truth;
       ++seen[truth + 1];
     }

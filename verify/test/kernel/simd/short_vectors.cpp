@@ -15,13 +15,33 @@ using namespace tetracone::verify::scenes;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity(), undefined = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity(),
+                 undefined = std::numeric_limits<double>::quiet_NaN();
 
 /// Of every size, and what is at the ends of the ranges of both types.
 std::vector<double> numbers(Random& random)
 {
-  std::vector<double> all = {0.0, -0.0, 1.0, -1.0, infinity, -infinity, undefined, -undefined, 5e-324, -5e-324, 0x1p-149, -0x1p-150, 0x1.8p-150, 0x1p-126,
-                             0x1.fffffep127, -0x1.ffffffp127, 0x1.fffffefp127, 1 + 0x1p-24, 1 + 0x1p-24 + 0x1p-50, 1 + 0x1.8p-23, std::numeric_limits<double>::max()};
+  std::vector<double> all = {0.0,
+                             -0.0,
+                             1.0,
+                             -1.0,
+                             infinity,
+                             -infinity,
+                             undefined,
+                             -undefined,
+                             5e-324,
+                             -5e-324,
+                             0x1p-149,
+                             -0x1p-150,
+                             0x1.8p-150,
+                             0x1p-126,
+                             0x1.fffffep127,
+                             -0x1.ffffffp127,
+                             0x1.fffffefp127,
+                             1 + 0x1p-24,
+                             1 + 0x1p-24 + 0x1p-50,
+                             1 + 0x1.8p-23,
+                             std::numeric_limits<double>::max()};
   while (all.size() < 1000) all.push_back(std::ldexp(real(random, -1, 1), integer(random, -160, 135)));
   return all;
 }
@@ -48,7 +68,8 @@ BOOST_AUTO_TEST_CASE(what_is_loaded_is_rounded_to_nearest_and_magnitudes_lose_th
       wrong += !same(three[i], i == 3 ? 0 : four[i]);
     }
     wrong += !same(repeated<1>(four)[3], four[1]) || !same(repeated<2>(four)[0], four[2]);
-    for (int i = 0; i < 2; ++i) wrong += !same(two[i], all[k + i]) || std::signbit(of_two[i]) || !same(std::abs(of_two[i]), std::abs(all[k + i]));
+    for (int i = 0; i < 2; ++i)
+      wrong += !same(two[i], all[k + i]) || std::signbit(of_two[i]) || !same(std::abs(of_two[i]), std::abs(all[k + i]));
   }
   BOOST_TEST(wrong == 0);
 }
@@ -67,7 +88,8 @@ BOOST_AUTO_TEST_CASE(every_lane_has_the_sum_of_pairs)
   BOOST_TEST(wrong == 0);
   BOOST_TEST(sum_of_lanes(Four_floats{1, 2, 4, 8})[3] == 15);
   for (int i = 0; i < 4; ++i) BOOST_TEST(sum_of_lanes(Four_ints{1, -2, 40000, 80000})[i] == 119999);
-  BOOST_TEST(std::isnan(sum_of_lanes(Four_floats{1, std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(), 0})[0]));
+  BOOST_TEST(std::isnan(sum_of_lanes(
+      Four_floats{1, std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(), 0})[0]));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

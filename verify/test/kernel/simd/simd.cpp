@@ -54,7 +54,8 @@ std::vector<std::int64_t> targets()
 {
   std::vector<std::int64_t> found;
   using Overlapping = unsigned(const Obb8&, const Single_box&, bool);
-  for (const Simd_version<Overlapping>& version : std::initializer_list<Simd_version<Overlapping>> TETRACONE_SIMD_VERSIONS(overlapping_kernel))
+  for (const Simd_version<Overlapping>& version :
+       std::initializer_list<Simd_version<Overlapping>> TETRACONE_SIMD_VERSIONS(overlapping_kernel))
     found.push_back(version.target);
   return found;
 }
@@ -66,7 +67,8 @@ BOOST_AUTO_TEST_CASE(a_unit_keeps_its_own_kernels) { BOOST_TEST(user::HWY_DYNAMI
 
 BOOST_AUTO_TEST_CASE(the_first_version_that_the_processor_has_is_chosen)
 {
-  const std::initializer_list<Simd_version<Function>> versions = {{HWY_AVX3, &number<3>}, {HWY_AVX2, &number<2>}, {HWY_STATIC_TARGET, &number<0>}};
+  const std::initializer_list<Simd_version<Function>> versions = {
+      {HWY_AVX3, &number<3>}, {HWY_AVX2, &number<2>}, {HWY_STATIC_TARGET, &number<0>}};
   const auto chosen = [&](std::int64_t targets) {
     const Only only(targets);
     return fastest_version<Function>(versions)();
@@ -85,7 +87,8 @@ BOOST_AUTO_TEST_CASE(versions_differ_in_target_and_end_with_what_every_processor
   // Highway numbers targets of an architecture from the best on.
   BOOST_TEST(std::is_sorted(found.begin(), found.end()));
 #if defined(__x86_64__) && !defined(__AVX2__)
-  BOOST_TEST((std::count(found.begin(), found.end(), HWY_AVX2) == 1 && std::count(found.begin(), found.end(), HWY_AVX3) == 1));
+  BOOST_TEST(
+      (std::count(found.begin(), found.end(), HWY_AVX2) == 1 && std::count(found.begin(), found.end(), HWY_AVX3) == 1));
 #endif
 }
 

@@ -54,7 +54,10 @@ Polyhedron naming(std::uint32_t vertex)
   return p;
 }
 
-Pose turned(const std::array<double, 9>& m) { return Pose(std::array<double, 12>{m[0], m[1], m[2], 0, m[3], m[4], m[5], 0, m[6], m[7], m[8], 0}); }
+Pose turned(const std::array<double, 9>& m)
+{
+  return Pose(std::array<double, 12>{m[0], m[1], m[2], 0, m[3], m[4], m[5], 0, m[6], m[7], m[8], 0});
+}
 
 /// What the Error says; empty when there is none.
 template <class Ask>
@@ -83,24 +86,42 @@ BOOST_AUTO_TEST_CASE(every_misuse_has_its_line)
   const Query moved_to = std::move(moved_from);
   const auto is = [](const std::string& line, const std::string& expected) { BOOST_TEST(line == expected); };
 
-  is(said([&] { Query(open, box); }), "query: body a is open at 4 edges, first at the edge from vertex 4 to 5; expected a closed surface for Question::solid");
-  is(said([&] { Query(box, open); }), "query: body b is open at 4 edges, first at the edge from vertex 4 to 5; expected a closed surface for Question::solid");
+  is(said([&] { Query(open, box); }),
+     "query: body a is open at 4 edges, first at the edge from vertex 4 to 5; expected a closed surface for "
+     "Question::solid");
+  is(said([&] { Query(box, open); }),
+     "query: body b is open at 4 edges, first at the edge from vertex 4 to 5; expected a closed surface for "
+     "Question::solid");
   is(said([&] { Query(open, open, Question::surface); }), "");
-  is(said([&] { turned({1, 0, 0, 0, 1, 0, 1, 1, 0}); }), "pose: the 3x3 part has determinant 0; expected a matrix that flattens nothing");
+  is(said([&] {
+       turned({1, 0, 0, 0, 1, 0, 1, 1, 0});
+     }),
+     "pose: the 3x3 part has determinant 0; expected a matrix that flattens nothing");
   is(said([&] { turned({1, 0, 0, 0, nan, 0, 0, 0, 1}); }), "pose: entry 6 of 12 is nan; expected a finite number");
   is(said([&] { Pose::translation(0, 0, HUGE_VAL); }), "pose: entry 12 of 12 is inf; expected a finite number");
-  is(said([&] { Pose::from_text({"1", "0", "0", "1/0", "0", "1", "0", "0", "0", "0", "1", "0"}); }),
+  is(said([&] {
+       Pose::from_text({"1", "0", "0", "1/0", "0", "1", "0", "0", "0", "0", "1", "0"});
+     }),
      "pose: entry 4 of 12 is '1/0'; expected a finite decimal number or a fraction n/d");
   is(said([&] { Body{Polyhedron()}; }), "body: no face; expected a body with faces");
   is(said([&] { Body{with_corner(nan)}; }), "body: vertex 7 has the coordinate nan; expected finite coordinates");
-  is(said([&] { Body{naming(8)}; }), "body: face 6 names vertex 8 of 8 vertices; expected numbers from 0 to 8, the last excluded");
+  is(said([&] { Body{naming(8)}; }),
+     "body: face 6 names vertex 8 of 8 vertices; expected numbers from 0 to 8, the last excluded");
   is(said([&] { Body{with_corner(1.5)}; }).substr(0, 48), "body: face 1 has a corner 0.4472135954999579 off");
-  is(said([&] { Body(scenes::unit_cube(), {{9, {0, 1, 2}}}); }), "body: a triangle of face 9 of 6; expected a face's number");
-  is(said([&] { Body(scenes::unit_cube(), {{0, {0, 1, 8}}}); }), "body: a triangle names vertex 8; expected a vertex's number");
+  is(said([&] {
+       Body(scenes::unit_cube(), {{9, {0, 1, 2}}});
+     }),
+     "body: a triangle of face 9 of 6; expected a face's number");
+  is(said([&] {
+       Body(scenes::unit_cube(), {{0, {0, 1, 8}}});
+     }),
+     "body: a triangle names vertex 8; expected a vertex's number");
   is(said([&] { moved_from.collide(Pose(), Pose()); }), "query: moved from; expected one that still has its bodies");
   is(said([&] { query.collide(two, three); }), "query: 2 poses of a and 3 of b; expected as many, or one of either");
-  is(said([&] { tetracone::read_body("no such file.off"); }), "no such file.off: no such file; expected a file to read");
-  const verify::Temporary_file bent("bent.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n1 1 0.5\n0 1 0\n4 0 1 2 3\n3 0 2 1\n3 0 3 2\n3 0 1 3\n");
+  is(said([&] { tetracone::read_body("no such file.off"); }),
+     "no such file.off: no such file; expected a file to read");
+  const verify::Temporary_file bent("bent.off",
+                                    "OFF\n4 4 0\n0 0 0\n1 0 0\n1 1 0.5\n0 1 0\n4 0 1 2 3\n3 0 2 1\n3 0 3 2\n3 0 1 3\n");
   const std::string line = said([&] { tetracone::read_body(bent.path()); });
   BOOST_TEST(line.find("bent.off: face 0 has a corner ") != std::string::npos, line);
   BOOST_TEST(verify::not_refused<Error>([&] { query.collide(Pose(), Pose()); }) == 0);
@@ -126,10 +147,12 @@ BOOST_AUTO_TEST_CASE(bodies_and_poses_may_be_temporaries_copies_and_moved_from)
 BOOST_AUTO_TEST_CASE(an_answer_says_how_the_bodies_stand_to_one_another)
 {
   const Body large(scenes::cube(2)), small(scenes::cube(0.5));
-  for (const Kernel kernel : {Kernel::adaptive, Kernel::double_, Kernel::float_, Kernel::double_eps, Kernel::epick, Kernel::epeck, Kernel::rational})
+  for (const Kernel kernel : {Kernel::adaptive, Kernel::double_, Kernel::float_, Kernel::double_eps, Kernel::epick,
+                              Kernel::epeck, Kernel::rational})
     for (const Method method : {Method::tree, Method::paper, Method::brute}) {
       const tetracone::Query_options options{kernel, method, {}, false};
-      Query query(large, small, Question::solid, options), other_way(small, large, Question::solid, options), surface(large, small, Question::surface, options);
+      Query query(large, small, Question::solid, options), other_way(small, large, Question::solid, options),
+          surface(large, small, Question::surface, options);
       const auto relation = [](Query& q, double x) { return q.collide(Pose(), Pose::translation(x, 0, 0)).relation(); };
       BOOST_TEST((relation(query, 0) == Relation::b_in_a));
       BOOST_TEST((relation(other_way, 0) == Relation::a_in_b));
@@ -148,14 +171,17 @@ BOOST_AUTO_TEST_CASE(an_answer_says_how_the_bodies_stand_to_one_another)
 BOOST_AUTO_TEST_CASE(polygons_with_holes_are_served_with_and_without_the_parts_that_are_gpl)
 {
   scenes::Random random(3);
-  const std::vector<Polyhedron> shapes = {scenes::cube_with_tunnel(), scenes::star_prism(), scenes::cube_with_cavity(), scenes::unit_cube()};
+  const std::vector<Polyhedron> shapes = {scenes::cube_with_tunnel(), scenes::star_prism(), scenes::cube_with_cavity(),
+                                          scenes::unit_cube()};
   int wrong = 0, yes = 0, no = 0;
   for (const Polyhedron& p : shapes)
     for (const Polyhedron& q : shapes) {
       const verify::Brute_body truth_a(p), truth_b(q);
       Query core((Body(p)), Body(q)), with_triangles(tetracone::triangulated_body(p), tetracone::triangulated_body(q));
       for (int k = 0; k < 12; ++k) {
-        const auto pose = k % 2 == 0 ? scenes::random_rotation(random, 3, {scenes::Rational(scenes::integer(random, -3, 3)), 1, 0}) : scenes::translation(scenes::integer(random, -6, 6) / 2.0, 0.5, 0);
+        const auto pose =
+            k % 2 == 0 ? scenes::random_rotation(random, 3, {scenes::Rational(scenes::integer(random, -3, 3)), 1, 0})
+                       : scenes::translation(scenes::integer(random, -6, 6) / 2.0, 0.5, 0);
         const bool truth = verify::collide(truth_a, tetracone::kernel::Pose(), truth_b, pose, Question::solid);
         wrong += bool(core.collide(tetracone::kernel::Pose(), pose)) != truth;
         wrong += bool(with_triangles.collide(tetracone::kernel::Pose(), pose)) != truth;
@@ -193,9 +219,13 @@ BOOST_AUTO_TEST_CASE(a_pose_of_fractions_is_taken_exactly)
   // A third of a turn's rotation has no doubles; cubes that touch under it, and a hair off.
   const Body cube(scenes::unit_cube());
   Query query(cube, cube);
-  const auto at = [](const std::string& x) { return Pose::from_text({"3/5", "-4/5", "0", x, "4/5", "3/5", "0", "0", "0", "0", "1", "0"}); };
+  const auto at = [](const std::string& x) {
+    return Pose::from_text({"3/5", "-4/5", "0", x, "4/5", "3/5", "0", "0", "0", "0", "1", "0"});
+  };
   const Pose origin = at("0");
-  const auto beside = [](const std::string& x, const std::string& y) { return Pose::from_text({"3/5", "-4/5", "0", x, "4/5", "3/5", "0", y, "0", "0", "1", "0"}); };
+  const auto beside = [](const std::string& x, const std::string& y) {
+    return Pose::from_text({"3/5", "-4/5", "0", x, "4/5", "3/5", "0", y, "0", "0", "1", "0"});
+  };
   BOOST_TEST(bool(query.collide(origin, beside("3/5", "4/5"))));
   BOOST_TEST(!query.collide(origin, beside("3000000000000000000000000000001/5000000000000000000000000000000", "4/5")));
 }
@@ -206,7 +236,9 @@ BOOST_AUTO_TEST_CASE(threads_share_fresh_bodies)
   for (int round = 0; round < 6; ++round) {
     const Body a(scenes::blob(random, 5, 1, 1.2)), b(scenes::blob(random, 5, 1, 1.2));
     std::vector<Pose> poses;
-    for (int k = 0; k < 60; ++k) poses.push_back(Pose::translation(scenes::real(random, -2.5, 2.5), scenes::real(random, -1, 1), scenes::real(random, -1, 1)));
+    for (int k = 0; k < 60; ++k)
+      poses.push_back(
+          Pose::translation(scenes::real(random, -2.5, 2.5), scenes::real(random, -1, 1), scenes::real(random, -1, 1)));
     std::vector<std::vector<bool>> answers(8);
     std::vector<std::thread> threads;
     for (auto& mine : answers)
@@ -238,7 +270,9 @@ BOOST_AUTO_TEST_CASE(what_repair_does_is_said)
   const auto mended = tetracone::repaired(all);
   BOOST_TEST(mended.turned);
   BOOST_TEST(Body(mended.polyhedron).is_closed());
-  BOOST_TEST(said([&] { Query(Body(all), Body(all)); }).find("(consistent orientation may close it: tetracone/repair.h)") != std::string::npos);
+  BOOST_TEST(said([&] {
+               Query(Body(all), Body(all));
+             }).find("(consistent orientation may close it: tetracone/repair.h)") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(work_is_counted_and_features_are_found)

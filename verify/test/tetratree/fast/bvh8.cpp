@@ -20,7 +20,8 @@ namespace {
 std::vector<Polyhedron> bodies()
 {
   Random random(1);
-  std::vector<Polyhedron> all = {unit_cube(), cube_with_cavity(), cube_with_tunnel(), star_prism(), blob(random, 4, 0.5, 1.5), random_tetrahedra(random, 30, 9)};
+  std::vector<Polyhedron> all = {unit_cube(),  cube_with_cavity(),        cube_with_tunnel(),
+                                 star_prism(), blob(random, 4, 0.5, 1.5), random_tetrahedra(random, 30, 9)};
   all.push_back(moved(unit_cube(), 0x1p-200, {0, 0, 0}));
   all.push_back(moved(unit_cube(), 1, {0x1p40, 0, 0}));
   Polyhedron dot;
@@ -38,7 +39,8 @@ BOOST_AUTO_TEST_CASE(every_element_is_in_one_leaf_and_in_all_boxes_above_it)
 {
   for (const Polyhedron& body : bodies())
     for (const bool with_triangles : {false, true}) {
-      const auto triangles = with_triangles ? covering::triangulate_faces(body) : std::vector<covering::Face_triangle>();
+      const auto triangles =
+          with_triangles ? covering::triangulate_faces(body) : std::vector<covering::Face_triangle>();
       Bvh8 tree(body, triangles);
       std::size_t leaves = 0;
       std::size_t outside = 0;
@@ -48,8 +50,10 @@ BOOST_AUTO_TEST_CASE(every_element_is_in_one_leaf_and_in_all_boxes_above_it)
         if (tree.is_leaf(n, lane)) {
           const Element& e = tree.element(n, lane);
           ++leaves;
-          if (e.is_whole_face()) corners.assign(tree.model().covering().from(e.face).begin(), tree.model().covering().from(e.face).end());
-          else corners.assign(e.corner.begin(), e.corner.end());
+          if (e.is_whole_face())
+            corners.assign(tree.model().covering().from(e.face).begin(), tree.model().covering().from(e.face).end());
+          else
+            corners.assign(e.corner.begin(), e.corner.end());
         } else {
           const Index child = tree.child(n, lane);
           for (int k = 0; k < tree.node(child).boxes.lane_count; ++k)
@@ -94,8 +98,10 @@ BOOST_AUTO_TEST_CASE(the_reach_of_a_node_is_that_of_its_farthest_box)
       const kernel::Obb8& boxes = tree.node(n).boxes;
       double reach = 0;
       for (int lane = 0; lane < tree.node(n).boxes.lane_count; ++lane)
-        reach = kernel::maximum(reach, std::hypot(double(boxes.centre[0][lane]), double(boxes.centre[1][lane]), double(boxes.centre[2][lane])) +
-                                    double(boxes.extent[0][lane]) + boxes.extent[1][lane] + boxes.extent[2][lane]);
+        reach = kernel::maximum(
+            reach,
+            std::hypot(double(boxes.centre[0][lane]), double(boxes.centre[1][lane]), double(boxes.centre[2][lane])) +
+                double(boxes.extent[0][lane]) + boxes.extent[1][lane] + boxes.extent[2][lane]);
       too_short += boxes.reach < reach;
       too_long += boxes.reach > 1.000001 * reach;
     }
@@ -122,10 +128,7 @@ BOOST_AUTO_TEST_CASE(nodes_are_made_when_they_are_entered)
   BOOST_TEST(whole.bytes() < 400 * body.face_count());
 }
 
-BOOST_AUTO_TEST_CASE(a_body_without_faces_is_empty)
-{
-  BOOST_TEST(Bvh8(Polyhedron()).empty());
-}
+BOOST_AUTO_TEST_CASE(a_body_without_faces_is_empty) { BOOST_TEST(Bvh8(Polyhedron()).empty()); }
 
 namespace {
 
@@ -150,7 +153,8 @@ BOOST_AUTO_TEST_CASE(trees_are_shallow_whatever_lies_where)
     for (auto* body : {&everywhere, &halving, &stacked}) {
       const Index first = Index(body->vertices.size());
       const double size = body == &halving ? std::ldexp(1.0, -k / 4) : 1;
-      for (int corner = 0; corner < 3; ++corner) body->vertices.push_back({size * real(random, -1, 1), size * real(random, -1, 1), size * real(random, -1, 1)});
+      for (int corner = 0; corner < 3; ++corner)
+        body->vertices.push_back({size * real(random, -1, 1), size * real(random, -1, 1), size * real(random, -1, 1)});
       if (body == &stacked) body->vertices.resize(3);
       const Index base = body == &stacked ? 0 : first;
       body->add_polygon({base, base + 1, base + 2});

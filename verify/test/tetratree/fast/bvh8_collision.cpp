@@ -2,9 +2,9 @@
 
 #include "tetracone/covering/repair/repair.h"
 #include "tetracone/tetratree/paper/collision.h"
-#include "verify/truth/cgal_truth.h"
 #include "verify/test/support/keep_environment.h"
 #include "verify/test/support/scenes.h"
+#include "verify/truth/cgal_truth.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -25,8 +25,7 @@ namespace {
 struct Body {
   explicit Body(const Polyhedron& polyhedron)
       : whole(polyhedron), triangles(polyhedron, covering::triangulate_faces(polyhedron)), truth(polyhedron)
-  {
-  }
+  {}
   Bvh8 whole, triangles;
   verify::Brute_body truth;
 };
@@ -35,8 +34,9 @@ std::vector<std::unique_ptr<Body>> bodies()
 {
   Random random(1);
   std::vector<std::unique_ptr<Body>> all;
-  for (const Polyhedron& p : {unit_cube(), cube_with_cavity(), cube_with_tunnel(), star_prism(), cube(0.5), blob(random, 4, 1, 2), turned(cube_with_tunnel()),
-                              random_tetrahedra(random, 6, 3), tetrahedron({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2})})
+  for (const Polyhedron& p : {unit_cube(), cube_with_cavity(), cube_with_tunnel(), star_prism(), cube(0.5),
+                              blob(random, 4, 1, 2), turned(cube_with_tunnel()), random_tetrahedra(random, 6, 3),
+                              tetrahedron({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2})})
     all.push_back(std::make_unique<Body>(p));
   return all;
 }
@@ -83,7 +83,8 @@ BOOST_AUTO_TEST_CASE(answers_are_those_of_all_pairs)
 
 BOOST_AUTO_TEST_CASE(exact_contact_and_a_hair_off_it_are_told_apart_under_any_rotation)
 {
-  // Two cubes under one rational rotation, the second moved along its own axes: face, edge or vertex in contact, or 2^-60 away.
+  // Two cubes under one rational rotation, the second moved along its own axes: face, edge or vertex in contact, or
+  // 2^-60 away.
   Body body(unit_cube());
   Bvh8_collision collision(body.triangles, body.triangles);
   Random random(3);
@@ -91,13 +92,15 @@ BOOST_AUTO_TEST_CASE(exact_contact_and_a_hair_off_it_are_told_apart_under_any_ro
   for (int k = 0; k < 600; ++k) {
     const Pose rotation = random_rotation(random, 9);
     const Rational gap = k % 2 == 0 ? Rational(0) : Rational(0x1p-60);
-    const std::array<Rational, 3> shift = {1 + gap, k % 3 == 0 ? Rational(0) : Rational(1), k % 3 == 2 ? Rational(1) : Rational(1) / 3};
+    const std::array<Rational, 3> shift = {1 + gap, k % 3 == 0 ? Rational(0) : Rational(1),
+                                           k % 3 == 2 ? Rational(1) : Rational(1) / 3};
     std::array<Rational, 12> moved;
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 4; ++j) moved[4 * i + j] = rotation.exact(4 * i + j);
       for (int j = 0; j < 3; ++j) moved[4 * i + 3] += rotation.exact(4 * i + j) * shift[j];
     }
-    for (const Question question : {Question::surface, Question::solid}) wrong += collision(rotation, Pose(moved), question) != (k % 2 == 0);
+    for (const Question question : {Question::surface, Question::solid})
+      wrong += collision(rotation, Pose(moved), question) != (k % 2 == 0);
   }
   BOOST_TEST(wrong == 0);
 }
@@ -112,9 +115,11 @@ BOOST_AUTO_TEST_CASE(a_solid_inside_another_collides_and_one_in_its_cavity_does_
   }());
   Random random(4);
   for (int k = 0; k < 100; ++k) {
-    const Pose turned_and_moved = random_rotation(random, 5, {Rational(integer(random, -8, 8)) / 10, Rational(integer(random, -8, 8)) / 10, 0});
+    const Pose turned_and_moved =
+        random_rotation(random, 5, {Rational(integer(random, -8, 8)) / 10, Rational(integer(random, -8, 8)) / 10, 0});
     for (Body* inner : {&small, &dot}) {
-      Bvh8_collision in_box(box.triangles, inner->triangles), other_way(inner->whole, box.whole), in_hollow(hollow.triangles, inner->triangles);
+      Bvh8_collision in_box(box.triangles, inner->triangles), other_way(inner->whole, box.whole),
+          in_hollow(hollow.triangles, inner->triangles);
       BOOST_TEST(in_box(Pose(), turned_and_moved, Question::solid));
       BOOST_TEST(!in_box(Pose(), turned_and_moved, Question::surface));
       BOOST_TEST(other_way(turned_and_moved, Pose(), Question::solid));
@@ -125,18 +130,23 @@ BOOST_AUTO_TEST_CASE(a_solid_inside_another_collides_and_one_in_its_cavity_does_
 
 BOOST_AUTO_TEST_CASE(what_is_kept_from_the_last_pose_changes_no_answer)
 {
-  // Along trajectories of small steps through contact, and between far and near poses; against an object that keeps nothing, and the truth.
+  // Along trajectories of small steps through contact, and between far and near poses; against an object that keeps
+  // nothing, and the truth.
   const auto all = bodies();
   Random random(5);
   int differ = 0, wrong = 0, yes = 0, no = 0;
   for (const auto& a : all)
     for (const auto& b : all) {
-      Bvh8_collision none(a->triangles, b->triangles), last(a->triangles, b->triangles, Coherence::last_frame), whole(a->whole, b->whole, Coherence::last_frame);
+      Bvh8_collision none(a->triangles, b->triangles), last(a->triangles, b->triangles, Coherence::last_frame),
+          whole(a->whole, b->whole, Coherence::last_frame);
       const Pose rotation = random_rotation(random, 3);
       for (int k = -16; k <= 16; ++k) {
         const double x = k / 2.0;
-        const Pose near = k % 2 == 0 ? composed(rotation, translation(x, 0.5, 0)) : translation(x, 1, 1), pose_b = k % 4 < 2 ? rotation : Pose();
-        const Pose pose_a = k % 5 == 0 ? composed(translation(1e6, 0, 0), near) : k % 7 == 0 ? random_affine(random, 2) : near;
+        const Pose near = k % 2 == 0 ? composed(rotation, translation(x, 0.5, 0)) : translation(x, 1, 1),
+                   pose_b = k % 4 < 2 ? rotation : Pose();
+        const Pose pose_a = k % 5 == 0   ? composed(translation(1e6, 0, 0), near)
+                            : k % 7 == 0 ? random_affine(random, 2)
+                                         : near;
         const Question question = k % 3 == 0 ? Question::surface : Question::solid;
         const bool answer = none(pose_a, pose_b, question);
         differ += last(pose_a, pose_b, question) != answer;
@@ -166,8 +176,8 @@ BOOST_AUTO_TEST_CASE(a_witness_or_a_direction_of_the_last_pose_saves_the_work)
 
 BOOST_AUTO_TEST_CASE(bodies_of_unlike_sizes_end_and_are_right)
 {
-  // A tiny body that crosses a face of the large one, touches it in a vertex, is a hair off it, or is inside: sizes in one unit underflow and
-  // overflow in float, and their ratio in double.
+  // A tiny body that crosses a face of the large one, touches it in a vertex, is a hair off it, or is inside: sizes in
+  // one unit underflow and overflow in float, and their ratio in double.
   int wrong = 0;
   for (const double large : {1.0, 0x1p100, 0x1p1000})
     for (const int ratio : {20, 59, 62, 130, 160, 500, 1010, 1050}) {
@@ -177,14 +187,19 @@ BOOST_AUTO_TEST_CASE(bodies_of_unlike_sizes_end_and_are_right)
       struct {
         Vertex at;
         bool surface, solid;
-      } cases[] = {{{0, 0, 0}, true, true}, {{-tiny, 0, 0}, true, true}, {{-1.5 * tiny, 0, 0}, false, false}, {{1.5 * tiny, 0, 0}, false, true}, {{large / 2, 0, 0}, false, true}};
+      } cases[] = {{{0, 0, 0}, true, true},
+                   {{-tiny, 0, 0}, true, true},
+                   {{-1.5 * tiny, 0, 0}, false, false},
+                   {{1.5 * tiny, 0, 0}, false, true},
+                   {{large / 2, 0, 0}, false, true}};
       for (const auto& [at, surface, solid] : cases) {
         const Polyhedron dust = moved(cube(1), tiny, at);
         if (at[0] == large / 2 && dust.vertices[0] == dust.vertices[1]) continue;  // rounded to one point
         Body a(wall), b(dust);
         for (const Pose& pose : {Pose(), Pose::from_quaternion(1, 2, 3, 4)})
           for (const bool swapped : {false, true}) {
-            Bvh8_collision collision(swapped ? b.triangles : a.triangles, swapped ? a.triangles : b.triangles, swapped ? Coherence::last_frame : Coherence::none);
+            Bvh8_collision collision(swapped ? b.triangles : a.triangles, swapped ? a.triangles : b.triangles,
+                                     swapped ? Coherence::last_frame : Coherence::none);
             for (int again = 0; again < 2; ++again) {
               wrong += collision(pose, pose, Question::surface) != surface;
               wrong += collision(pose, pose, Question::solid) != solid;
@@ -207,7 +222,8 @@ BOOST_AUTO_TEST_CASE(poses_that_are_nearly_flat_or_far_off_in_size_end_and_are_r
         for (const Body* other : {&a, &b}) {
           Body second(other == &a ? cube(1) : star_prism());
           const bool truth = verify::collide(a.truth, Pose(), second.truth, Pose(entries), Question::solid);
-          Bvh8_collision collision(a.triangles, second.triangles), other_way(second.triangles, a.triangles, Coherence::last_frame);
+          Bvh8_collision collision(a.triangles, second.triangles),
+              other_way(second.triangles, a.triangles, Coherence::last_frame);
           wrong += collision(Pose(), Pose(entries)) != truth;
           wrong += other_way(Pose(entries), Pose()) != truth;
         }
@@ -229,7 +245,8 @@ BOOST_AUTO_TEST_CASE(triangles_with_sides_of_any_size_are_found_in_a_face)
       Bvh8 tree(small);
       for (const Pose& pose : {Pose(), translation(0.25, 0, 0.25)}) {
         ++tried;
-        missed += !Bvh8_collision(tree, cube)(pose, Pose(), Question::surface) + !Bvh8_collision(cube, tree)(Pose(), pose, Question::surface);
+        missed += !Bvh8_collision(tree, cube)(pose, Pose(), Question::surface) +
+                  !Bvh8_collision(cube, tree)(Pose(), pose, Question::surface);
       }
     }
   BOOST_TEST(missed == 0);
@@ -240,7 +257,8 @@ BOOST_AUTO_TEST_CASE(the_papers_tree_in_rational_arithmetic_says_the_same)
 {
   using Rational_tree = Tetra_tree<tetracone::kernel::Rational_kernel>;
   Random random(6);
-  const std::vector<Polyhedron> shapes = {unit_cube(), cube_with_tunnel(), star_prism(), triangulated(cube(2)), blob(random, 2, 1, 3)};
+  const std::vector<Polyhedron> shapes = {unit_cube(), cube_with_tunnel(), star_prism(), triangulated(cube(2)),
+                                          blob(random, 2, 1, 3)};
   int differ = 0, yes = 0, no = 0;
   for (std::size_t i = 0; i < shapes.size(); ++i)
     for (std::size_t j = 0; j < shapes.size(); ++j) {
@@ -286,7 +304,8 @@ BOOST_AUTO_TEST_CASE(an_anisotropic_pose_whose_squares_overflow_is_no_similarity
   int wrong = 0;
   for (const int exponent : {200, 511, 512, 600, 900, 1000}) {
     const double h = std::ldexp(1.0, exponent), small = std::ldexp(1.0, -exponent);
-    const Pose pose_a(std::array<double, 12>{1, 0, 0, 0, 0, h, -h, 0, 0, h, h, 0}), pose_b(std::array<double, 12>{1, 0, 0, 0, 0, small, 0, 0, 0, 0, small, 0});
+    const Pose pose_a(std::array<double, 12>{1, 0, 0, 0, 0, h, -h, 0, 0, h, h, 0}),
+        pose_b(std::array<double, 12>{1, 0, 0, 0, 0, small, 0, 0, 0, 0, small, 0});
     for (Body* b : {&cross, &inside})
       for (const Question question : {Question::surface, Question::solid}) {
         const bool truth = verify::collide(a.truth, pose_a, b->truth, pose_b, question);

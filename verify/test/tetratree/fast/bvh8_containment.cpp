@@ -56,7 +56,8 @@ bool truth(Placed_pair& pair)
 bool touches(Placed_pair& pair)
 {
   for (const Index v : pair.held.tree->model().covering().shell_vertices())
-    if (covering::locate<Adaptive>(pair.held.placed.point(v), pair.holder.placed) == covering::Location::on_surface) return true;
+    if (covering::locate<Adaptive>(pair.held.placed.point(v), pair.holder.placed) == covering::Location::on_surface)
+      return true;
   return false;
 }
 
@@ -91,7 +92,8 @@ BOOST_AUTO_TEST_CASE(answers_are_those_of_the_whole_covering)
   for (const auto& holder : holders)
     for (const auto& other : others)
       for (int k = 0; k < 40; ++k) {
-        const std::array<Rational, 3> t = {Rational(integer(random, -6, 6)) / 2, Rational(integer(random, -6, 6)) / 2, Rational(integer(random, -6, 6)) / 2};
+        const std::array<Rational, 3> t = {Rational(integer(random, -6, 6)) / 2, Rational(integer(random, -6, 6)) / 2,
+                                           Rational(integer(random, -6, 6)) / 2};
         const Pose in = k % 3 == 0 ? Pose() : k % 3 == 1 ? random_rotation(random, 4) : random_affine(random, 2);
         const Pose at = k % 2 == 0 ? composed(in, random_rotation(random, 4, t)) : random_rotation(random, 4, t);
         for (Bvh8* tree : {&holder->whole, &holder->triangles}) {
@@ -116,7 +118,8 @@ BOOST_AUTO_TEST_CASE(a_vertex_at_the_coverings_origin_or_a_hair_off_it_is_decide
     Body holder(shape);
     const Vertex origin = holder.whole.model().lattice().origin;
     for (const double off : {0.0, 0x1p-1074, 0x1p-300, 0x1p-60, 0x1p-30, -0x1p-21, -0x1p-19, 0x1p-10})
-      for (const Pose& pose : {Pose(), Pose::from_quaternion(1, 2, 3, 4), Pose(std::array<double, 12>{-2, 0, 0, 0, 0, 1, 0.5, 0, 0, 0, 1, 0})}) {
+      for (const Pose& pose : {Pose(), Pose::from_quaternion(1, 2, 3, 4),
+                               Pose(std::array<double, 12>{-2, 0, 0, 0, 0, 1, 0.5, 0, 0, 0, 1, 0})}) {
         Body held(dot({origin[0] + off, origin[1] - off, origin[2]}));
         for (Bvh8* tree : {&holder.whole, &holder.triangles}) {
           Placed_pair pair(*tree, pose, held.whole, pose);
@@ -132,7 +135,8 @@ BOOST_AUTO_TEST_CASE(what_is_outside_of_the_box_is_not_looked_for)
 {
   Body holder(cube_with_tunnel()), held(unit_cube());
   Bvh8_containment containment;
-  Placed_pair far(holder.triangles, Pose(), held.triangles, translation(100, 0, 0)), inside(holder.triangles, Pose(), held.triangles, translation(-2.75, -2.75, -2.75));
+  Placed_pair far(holder.triangles, Pose(), held.triangles, translation(100, 0, 0)),
+      inside(holder.triangles, Pose(), held.triangles, translation(-2.75, -2.75, -2.75));
   Query_statistics of_far, of_inside;
   BOOST_TEST(!containment(far.holder, far.held, of_far));
   BOOST_TEST(of_far.inclusion_tests == 0u);
@@ -150,7 +154,8 @@ BOOST_AUTO_TEST_CASE(a_ray_meets_few_of_many_faces)
   Bvh8_containment containment;
   Query_statistics counts;
   for (int k = 0; k < 20; ++k) {
-    Placed_pair pair(blob_tree, Pose(), held.triangles, random_rotation(random, 5, {Rational(1) / 3, Rational(1) / 5, 0}));
+    Placed_pair pair(blob_tree, Pose(), held.triangles,
+                     random_rotation(random, 5, {Rational(1) / 3, Rational(1) / 5, 0}));
     BOOST_TEST(containment(pair.holder, pair.held, counts));
   }
   BOOST_TEST(counts.inclusion_tests == 20u);

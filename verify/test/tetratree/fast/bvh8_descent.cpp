@@ -20,7 +20,8 @@ using Descend = Stop(Pair_stack&, Both_trees&);
 std::vector<Descend*> versions()
 {
   std::vector<Descend*> found;
-  for (const kernel::Simd_version<Descend>& version : std::initializer_list<kernel::Simd_version<Descend>> TETRACONE_SIMD_VERSIONS(descend_kernel))
+  for (const kernel::Simd_version<Descend>& version :
+       std::initializer_list<kernel::Simd_version<Descend>> TETRACONE_SIMD_VERSIONS(descend_kernel))
     if (version.target & (hwy::SupportedTargets() | HWY_STATIC_TARGET)) found.push_back(version.function);
   return found;
 }
@@ -67,7 +68,8 @@ Descended descended(Descend* descend, Placed_bvh8& a, Placed_bvh8& b)
 }
 
 /// All pairs of elements that meet, without a tree.
-Pairs meeting(const Polyhedron& p, const Pose& pose_a, Placed_bvh8& a, const Polyhedron& q, const Pose& pose_b, Placed_bvh8& b)
+Pairs meeting(const Polyhedron& p, const Pose& pose_a, Placed_bvh8& a, const Polyhedron& q, const Pose& pose_b,
+              Placed_bvh8& b)
 {
   a.placed.place(pose_a), b.placed.place(pose_b);
   Pairs pairs;
@@ -94,14 +96,22 @@ struct Scene {
 std::vector<Scene> scenes()
 {
   Random random(1);
-  const std::vector<Polyhedron> bodies = {triangulated(cube(1)), blob(random, 2, 0.5, 1.5), blob(random, 3, 1, 1), triangulated(torus(9, 6)), random_tetrahedra(random, 12, 3),
+  const std::vector<Polyhedron> bodies = {triangulated(cube(1)),
+                                          blob(random, 2, 0.5, 1.5),
+                                          blob(random, 3, 1, 1),
+                                          triangulated(torus(9, 6)),
+                                          random_tetrahedra(random, 12, 3),
                                           tetrahedron({0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {0, 0, 3})};
   std::vector<Scene> all;
   for (std::size_t i = 0; i < bodies.size(); ++i)
     for (std::size_t j = 0; j < bodies.size(); ++j)
       for (int k = 0; k < 5; ++k) {
         const Pose rotation = random_rotation(random, 4, {1, Rational(1) / 3, 0}), affine = random_affine(random, 2);
-        const Pose poses[][2] = {{Pose(), translation(1, 0, 0)}, {rotation, rotation}, {rounded(rotation), random_rotation(random, 3)}, {affine, affine}, {rotation, affine}};
+        const Pose poses[][2] = {{Pose(), translation(1, 0, 0)},
+                                 {rotation, rotation},
+                                 {rounded(rotation), random_rotation(random, 3)},
+                                 {affine, affine},
+                                 {rotation, affine}};
         all.push_back({bodies[i], moved(bodies[j], k == 2 ? 1.0 / 64 : 1), poses[k][0], poses[k][1]});
       }
   return all;
@@ -163,11 +173,15 @@ BOOST_AUTO_TEST_CASE(triangles_that_touch_in_one_point_of_a_side_are_offered)
       for (int corner = 0; corner < 2; ++corner) {
         // Away from the side, in the large one's plane or out of it.
         const double out = real(random, 0.1, 1) * length, along = real(random, -1, 1) * length;
-        small.vertices.push_back({at[0] + out * (to[1] - from[1]) + along * (to[0] - from[0]), at[1] - out * (to[0] - from[0]) + along * (to[1] - from[1]), n % 3 == 0 ? 0 : length * real(random, -1, 1)});
+        small.vertices.push_back({at[0] + out * (to[1] - from[1]) + along * (to[0] - from[0]),
+                                  at[1] - out * (to[0] - from[0]) + along * (to[1] - from[1]),
+                                  n % 3 == 0 ? 0 : length * real(random, -1, 1)});
       }
       small.add_polygon({first, first + 1, first + 2});
     }
-    const Pose pose = k % 3 == 0 ? Pose() : k % 3 == 1 ? random_rotation(random, 5, {Rational(1) / 3, 2, 0}) : rounded(random_rotation(random, 5));
+    const Pose pose = k % 3 == 0   ? Pose()
+                      : k % 3 == 1 ? random_rotation(random, 5, {Rational(1) / 3, 2, 0})
+                                   : rounded(random_rotation(random, 5));
     Bvh8 tree_a(large), tree_b(small);
     Placed_bvh8 a(tree_a), b(tree_b);
     a.into_other = kernel::Box_map(pose, tree_b.scale(), pose, tree_a.scale());
@@ -183,7 +197,8 @@ BOOST_AUTO_TEST_CASE(triangles_that_touch_in_one_point_of_a_side_are_offered)
     Polyhedron clear = small;
     for (std::size_t n = 0; n < side_of.size(); ++n) {
       const Vertex &from = large.vertices[side_of[n]], &to = large.vertices[(side_of[n] + 1) % 3];
-      for (std::size_t corner = 3 * n; corner < 3 * n + 3; ++corner) clear.vertices[corner][0] += 0.02 * (to[1] - from[1]), clear.vertices[corner][1] -= 0.02 * (to[0] - from[0]);
+      for (std::size_t corner = 3 * n; corner < 3 * n + 3; ++corner)
+        clear.vertices[corner][0] += 0.02 * (to[1] - from[1]), clear.vertices[corner][1] -= 0.02 * (to[0] - from[0]);
     }
     Bvh8 tree_clear(clear);
     Placed_bvh8 c(tree_clear);
@@ -215,7 +230,8 @@ BOOST_AUTO_TEST_CASE(children_that_are_made_on_the_way_change_nothing)
     // The same element may move in the order while its leaf is not yet made: compared by corners.
     const auto by_corners = [](const Pairs& pairs) {
       std::vector<std::array<Index, 6>> all;
-      for (const auto& [x, y] : pairs) all.push_back({x->corner[0], x->corner[1], x->corner[2], y->corner[0], y->corner[1], y->corner[2]});
+      for (const auto& [x, y] : pairs)
+        all.push_back({x->corner[0], x->corner[1], x->corner[2], y->corner[0], y->corner[1], y->corner[2]});
       std::sort(all.begin(), all.end());
       return all;
     };

@@ -45,14 +45,17 @@ BOOST_AUTO_TEST_CASE(corners_are_the_placed_vertices)
   Placed_bvh8 body(tree);
   const Pose pose = random_rotation(random, 5, {1, 2, 3}), identity;
   for (const bool again : {false, true}) {
-    if (again) body.placed.place(identity);
-    else body.placed.place(pose);
+    if (again)
+      body.placed.place(identity);
+    else
+      body.placed.place(pose);
     for (Index f = 0; f < shape.face_count(); ++f) {
       const auto loop = shape.loop(f, 0);
       const auto corners = body.corners({f, {loop[0], loop[1], loop[2]}});
       for (int k = 0; k < 3; ++k) {
         const auto exact = rationals::image(again ? identity : pose, rationals::exactly(shape.vertices[loop[k]]));
-        for (int i = 0; i < 3; ++i) BOOST_TEST(std::abs(corners[k]->image[i] - kernel::nearest_double(exact[i])) < 1e-14);
+        for (int i = 0; i < 3; ++i)
+          BOOST_TEST(std::abs(corners[k]->image[i] - kernel::nearest_double(exact[i])) < 1e-14);
         BOOST_TEST((corners[k]->vertex == shape.vertices[loop[k]]));
       }
     }

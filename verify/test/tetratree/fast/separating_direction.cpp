@@ -22,8 +22,14 @@ struct Placed {
   Pose pose_a, pose_b;
 };
 
-bool told_apart_by(Separating_direction& separation, const Placed& p, int steps) { return separation(p.pose_a, p.pose_b, steps, false); }
-bool told_apart_again(Separating_direction& separation, const Placed& p, int steps) { return separation(p.pose_a, p.pose_b, steps, true); }
+bool told_apart_by(Separating_direction& separation, const Placed& p, int steps)
+{
+  return separation(p.pose_a, p.pose_b, steps, false);
+}
+bool told_apart_again(Separating_direction& separation, const Placed& p, int steps)
+{
+  return separation(p.pose_a, p.pose_b, steps, true);
+}
 
 Pose plus(const Pose& pose, const std::array<Rational, 3>& t)
 {
@@ -49,8 +55,10 @@ std::vector<std::unique_ptr<Body>> bodies()
 {
   Random random(1);
   std::vector<std::unique_ptr<Body>> all;
-  for (const Polyhedron& p : {unit_cube(), star_prism(), blob(random, 3, 0.9, 1.1), blob(random, 2, 0.3, 2), tetrahedron({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}),
-                              box({-1, -1e-3, -1}, {1, 1e-3, 1}), moved(unit_cube(), 0x1p-20, {1, 1, 1}), moved(blob(random, 2, 1, 1), 1000)})
+  for (const Polyhedron& p :
+       {unit_cube(), star_prism(), blob(random, 3, 0.9, 1.1), blob(random, 2, 0.3, 2),
+        tetrahedron({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}), box({-1, -1e-3, -1}, {1, 1e-3, 1}),
+        moved(unit_cube(), 0x1p-20, {1, 1, 1}), moved(blob(random, 2, 1, 1), 1000)})
     all.push_back(std::make_unique<Body>(p));
   return all;
 }
@@ -59,7 +67,9 @@ std::vector<std::unique_ptr<Body>> bodies()
 Index farthest(const Polyhedron& body, const Pose& pose, const kernel::Vector& direction)
 {
   const auto reach = [&](const Vertex& v) { return direction.dot(pose.to_eigen() * kernel::Vector(v[0], v[1], v[2])); };
-  return Index(std::max_element(body.vertices.begin(), body.vertices.end(), [&](const Vertex& p, const Vertex& q) { return reach(p) < reach(q); }) - body.vertices.begin());
+  return Index(std::max_element(body.vertices.begin(), body.vertices.end(),
+                                [&](const Vertex& p, const Vertex& q) { return reach(p) < reach(q); }) -
+               body.vertices.begin());
 }
 
 kernel::Vector vector(Random& random) { return {real(random, -1, 1), real(random, -1, 1), real(random, -1, 1)}; }
@@ -70,7 +80,8 @@ BOOST_AUTO_TEST_SUITE(test_separating_direction)
 
 BOOST_AUTO_TEST_CASE(bodies_that_touch_in_one_vertex_are_never_apart)
 {
-  // The one that reaches farthest of A put on the one of B that reaches farthest the other way: a hair more and they are apart.
+  // The one that reaches farthest of A put on the one of B that reaches farthest the other way: a hair more and they
+  // are apart.
   const auto all = bodies();
   Random random(2);
   int told_apart = 0, tried = 0, a_hair = 0;
@@ -79,7 +90,9 @@ BOOST_AUTO_TEST_CASE(bodies_that_touch_in_one_vertex_are_never_apart)
       Separating_direction separation(a->tree, b->tree);
       for (int k = 0; k < 40; ++k) {
         const kernel::Vector direction = vector(random).normalized();
-        const Pose pose_b = k % 3 == 0 ? Pose() : k % 3 == 1 ? random_rotation(random, 5, {Rational(1) / 3, 0, 0}) : random_affine(random, 2);
+        const Pose pose_b = k % 3 == 0   ? Pose()
+                            : k % 3 == 1 ? random_rotation(random, 5, {Rational(1) / 3, 0, 0})
+                                         : random_affine(random, 2);
         const Pose turned = k % 4 == 0 ? Pose() : k % 4 == 1 ? random_affine(random, 2) : random_rotation(random, 5);
         const Index p = farthest(a->polyhedron, turned, -direction), q = farthest(b->polyhedron, pose_b, direction);
         const rationals::Vector at = rationals::image(pose_b, rationals::exactly(b->polyhedron.vertices[q]));
@@ -108,7 +121,8 @@ BOOST_AUTO_TEST_CASE(cubes_in_contact_by_face_edge_or_vertex_are_never_apart)
   int told_apart = 0, beside = 0;
   for (int k = 0; k < 900; ++k) {
     const Pose rotation = k % 3 == 0 ? Pose() : k % 3 == 1 ? random_rotation(random, 9) : random_affine(random, 3);
-    const std::array<Rational, 3> shift = {1, k % 2 == 0 ? Rational(0) : Rational(1), k % 4 == 0 ? Rational(1) / 3 : Rational(1)};
+    const std::array<Rational, 3> shift = {1, k % 2 == 0 ? Rational(0) : Rational(1),
+                                           k % 4 == 0 ? Rational(1) / 3 : Rational(1)};
     const auto moved_by = [&](const Rational& factor) {
       std::array<Rational, 3> t;
       for (int i = 0; i < 3; ++i) {
@@ -128,7 +142,8 @@ BOOST_AUTO_TEST_CASE(cubes_in_contact_by_face_edge_or_vertex_are_never_apart)
 
 BOOST_AUTO_TEST_CASE(bodies_that_touch_where_placed_origins_are_hardly_known_are_never_apart)
 {
-  // A's vertices are far from its model's origin, so that rounding may move it by a tenth of its size; B touches it there.
+  // A's vertices are far from its model's origin, so that rounding may move it by a tenth of its size; B touches it
+  // there.
   Body a(moved(unit_cube(), 1, {0x1p50, 0, 0})), b(unit_cube());
   Separating_direction separation(a.tree, b.tree);
   Random random(7);
@@ -150,7 +165,8 @@ BOOST_AUTO_TEST_CASE(bodies_that_touch_where_placed_origins_are_hardly_known_are
 BOOST_AUTO_TEST_CASE(bodies_that_touch_far_from_both_origins_are_never_apart)
 {
   // No translation tells of it: images of both bodies' origins are far, and their difference is small.
-  Body a(moved(unit_cube(), 1, {0x1p50, 0, 0})), b(moved(unit_cube(), 1, {0x1p50 + 1, 0, 0})), c(moved(unit_cube(), 1, {0x1p50 + 40, 0, 0}));
+  Body a(moved(unit_cube(), 1, {0x1p50, 0, 0})), b(moved(unit_cube(), 1, {0x1p50 + 1, 0, 0})),
+      c(moved(unit_cube(), 1, {0x1p50 + 40, 0, 0}));
   Separating_direction of_touching(a.tree, b.tree), of_apart(a.tree, c.tree);
   Random random(8);
   int told_apart = 0, beside = 0;
@@ -173,7 +189,8 @@ BOOST_AUTO_TEST_CASE(bodies_clearly_apart_are_told_apart)
       Separating_direction separation(a->tree, b->tree);
       for (int k = 0; k < 20; ++k) {
         const kernel::Vector direction = vector(random).normalized();
-        const Pose pose_a = k % 2 == 0 ? Pose() : random_rotation(random, 5), pose_b = rounded(random_rotation(random, 5));
+        const Pose pose_a = k % 2 == 0 ? Pose() : random_rotation(random, 5),
+                   pose_b = rounded(random_rotation(random, 5));
         // Beyond the spheres about their first vertices.
         double far = 0;
         for (const auto* body : {a.get(), b.get()})
@@ -200,7 +217,9 @@ BOOST_AUTO_TEST_CASE(a_stale_direction_stays_sound)
   for (int k = 0; k < 400; ++k) {
     Separating_direction separation(a.tree, b.tree);
     const Pose inside = random_rotation(random, 5);  // about the origin, where both bodies are
-    if (k % 4 != 0) told += told_apart_by(separation, Placed{translation(real(random, -20, 20), 9, real(random, -20, 20)), Pose()}, 4);
+    if (k % 4 != 0)
+      told +=
+          told_apart_by(separation, Placed{translation(real(random, -20, 20), 9, real(random, -20, 20)), Pose()}, 4);
     told_apart += told_apart_again(separation, Placed{inside, random_rotation(random, 5)}, 1 + k % 6);
   }
   BOOST_TEST(told_apart == 0);
@@ -209,19 +228,25 @@ BOOST_AUTO_TEST_CASE(a_stale_direction_stays_sound)
 
 BOOST_AUTO_TEST_CASE(a_stale_direction_under_huge_poses_stays_sound)
 {
-  // Two tips that meet, stretched so far that products with the long direction from the frame before are beyond the floats.
-  Polyhedron tip = tetrahedron({-1.875, -0.25, 0}, {1.875, 0, 0}, {-1.875, 0.25, 0.25}, {-1.875, 0.25, -0.25}), other = tip;
+  // Two tips that meet, stretched so far that products with the long direction from the frame before are beyond the
+  // floats.
+  Polyhedron tip = tetrahedron({-1.875, -0.25, 0}, {1.875, 0, 0}, {-1.875, 0.25, 0.25}, {-1.875, 0.25, -0.25}),
+             other = tip;
   for (Vertex& v : other.vertices)
     for (double& x : v) x = -x;
   Body a(tip), b(other);
   int told_apart = 0, told = 0;
   for (int exponent = 40; exponent < 130; ++exponent) {
     const double stretch = std::ldexp(1.5, exponent);
-    const auto pose = [&](double t) { return Pose(std::array<double, 12>{stretch, 0, 0, t, stretch, 1, 0, t, stretch, 0, 1, t}); };
+    const auto pose = [&](double t) {
+      return Pose(std::array<double, 12>{stretch, 0, 0, t, stretch, 1, 0, t, stretch, 0, 1, t});
+    };
     const auto touching = Placed{pose(0), pose(3.75 * stretch)};
     for (int length = 10; length < 60; ++length) {
       Separating_direction separation(a.tree, b.tree);
-      told += told_apart_by(separation, Placed{Pose(), translation(std::ldexp(2, length), std::ldexp(-1, length), std::ldexp(-1, length))}, 3);
+      told += told_apart_by(
+          separation,
+          Placed{Pose(), translation(std::ldexp(2, length), std::ldexp(-1, length), std::ldexp(-1, length))}, 3);
       told_apart += told_apart_again(separation, touching, 1);
       told_apart += told_apart_by(separation, touching, 3);
     }
@@ -239,7 +264,8 @@ BOOST_AUTO_TEST_CASE(far_away_huge_tiny_and_unknown_it_ends_and_says_nothing_wro
     Body a(moved(unit_cube(), size, {1, 0, 0})), b(unit_cube());
     Separating_direction separation(a.tree, b.tree);
     for (int k = 0; k < 30; ++k) {
-      const Pose rotation = k % 3 == 0 ? Pose() : random_rotation(random, 5, {Rational(std::ldexp(1.0, k % 7 * 20)), 0, 0});
+      const Pose rotation =
+          k % 3 == 0 ? Pose() : random_rotation(random, 5, {Rational(std::ldexp(1.0, k % 7 * 20)), 0, 0});
       told_apart += told_apart_by(separation, Placed{rotation, rotation}, 1 + k % 30);
       told_apart += told_apart_again(separation, Placed{rotation, rotation}, 30);
       if (size < 0x1p-31 || size > 1) continue;  // beyond a large one the gap is too small for floats
@@ -248,7 +274,8 @@ BOOST_AUTO_TEST_CASE(far_away_huge_tiny_and_unknown_it_ends_and_says_nothing_wro
     }
     // Nothing can be told of where nothing is known: overflows, and what is undefined.
     for (const double huge : {0x1p1000, 0x1p1023}) {
-      const Pose pose(std::array<double, 12>{huge, -huge, huge, huge, huge, huge, -huge, -huge, -huge, huge, huge, huge});
+      const Pose pose(
+          std::array<double, 12>{huge, -huge, huge, huge, huge, huge, -huge, -huge, -huge, huge, huge, huge});
       BOOST_TEST(!told_apart_by(separation, Placed{pose, Pose()}, 4));
       BOOST_TEST(!told_apart_again(separation, Placed{pose, pose}, 4));
     }

@@ -20,8 +20,15 @@ namespace {
 std::vector<Named> bodies()
 {
   Random random(1);
-  std::vector<Named> all = {{"cube", unit_cube()}, {"sphere", blob(random, 4, 1, 1)}, {"blob", blob(random, 4, 0.5, 1.5)}, {"star", star_prism()}, {"torus", torus(20, 9)}, {"tetrahedra", random_tetrahedra(random, 30, 9)},
-                            {"tiny", moved(unit_cube(), 0x1p-200)}, {"far", moved(unit_cube(), 1, {0x1p40, 0, 0})}, {"thin", box({0, 0, 0}, {1, 1e-6, 1e-12})}};
+  std::vector<Named> all = {{"cube", unit_cube()},
+                            {"sphere", blob(random, 4, 1, 1)},
+                            {"blob", blob(random, 4, 0.5, 1.5)},
+                            {"star", star_prism()},
+                            {"torus", torus(20, 9)},
+                            {"tetrahedra", random_tetrahedra(random, 30, 9)},
+                            {"tiny", moved(unit_cube(), 0x1p-200)},
+                            {"far", moved(unit_cube(), 1, {0x1p40, 0, 0})},
+                            {"thin", box({0, 0, 0}, {1, 1e-6, 1e-12})}};
   Polyhedron dot;
   dot.vertices = {{1, 2, 3}};
   dot.add_polygon({0});
@@ -29,15 +36,20 @@ std::vector<Named> bodies()
   return all;
 }
 
-/// Random, along axes, in the planes between octants, in the lattice's directions and on its edges, and a hair off each.
+/// Random, along axes, in the planes between octants, in the lattice's directions and on its edges, and a hair off
+/// each.
 Direction direction(Random& random, int kind)
 {
   Direction d;
   switch (kind % 6) {
     case 0: d = {float(real(random, -1, 1)), float(real(random, -1, 1)), float(real(random, -1, 1))}; break;
     case 1: d = {0, 0, 0}, d[integer(random, 0, 2)] = random() % 2 ? 1 : -1; break;
-    case 2: d = {float(real(random, -1, 1)), float(real(random, -1, 1)), float(real(random, -1, 1))}, d[integer(random, 0, 2)] = random() % 2 ? 0.0f : -0.0f; break;
-    case 3: case 4: {  // of the lattice, or between two of its directions
+    case 2:
+      d = {float(real(random, -1, 1)), float(real(random, -1, 1)), float(real(random, -1, 1))},
+      d[integer(random, 0, 2)] = random() % 2 ? 0.0f : -0.0f;
+      break;
+    case 3:
+    case 4: {  // of the lattice, or between two of its directions
       const int i = integer(random, 0, 16), j = integer(random, 0, 16 - i);
       d = {float(16 - i - j), float(i), float(j)};
       if (kind % 6 == 4) d[integer(random, 0, 2)] += float(real(random, 0, 1));
@@ -60,11 +72,15 @@ Direction direction(Random& random, int kind)
 double reach(const Bvh8& tree, const Direction& d)
 {
   double best = -HUGE_VAL;
-  for (Index v = 0; v < tree.model().vertices().size(); ++v) best = kernel::maximum(best, kernel::Vector(d[0], d[1], d[2]).dot(tree.local(v)));
+  for (Index v = 0; v < tree.model().vertices().size(); ++v)
+    best = kernel::maximum(best, kernel::Vector(d[0], d[1], d[2]).dot(tree.local(v)));
   return best;
 }
 
-double along(const Direction& d, const kernel::Vector& p) { return double(d[0]) * p[0] + double(d[1]) * p[1] + double(d[2]) * p[2]; }
+double along(const Direction& d, const kernel::Vector& p)
+{
+  return double(d[0]) * p[0] + double(d[1]) * p[1] + double(d[2]) * p[2];
+}
 
 Support_table::Place place(const Direction& d)
 {
@@ -101,10 +117,12 @@ BOOST_AUTO_TEST_CASE(the_bound_is_above_the_farthest_vertex_and_not_far_above)
     for (int k = 0; k < 6000; ++k) {
       const Direction d = direction(random, k);
       const auto found = support(table, d);
-      const double exact = reach(tree, d), slack = double(Support_table::slack) * sum(d), length = std::hypot(double(d[0]), double(d[1]), double(d[2]));
+      const double exact = reach(tree, d), slack = double(Support_table::slack) * sum(d),
+                   length = std::hypot(double(d[0]), double(d[1]), double(d[2]));
       below += double(found.bound) + slack < exact;
-      // With p the support of d, p_k of the corner d_k of its lattice triangle: h(d_k) - p . d_k <= (p_k - p) . (d_k - d), of which the first is at
-      // most twice the size and the second at most sqrt(2/3) / 16 |d|_1. Of a round body far less.
+      // With p the support of d, p_k of the corner d_k of its lattice triangle: h(d_k) - p . d_k <= (p_k - p) . (d_k -
+      // d), of which the first is at most twice the size and the second at most sqrt(2/3) / 16 |d|_1. Of a round body
+      // far less.
       const double above = double(found.bound) - slack - exact;
       far_above += above > (name == "sphere" ? 0.01 * size * length : 2 * size * std::sqrt(2.0 / 3) / 16 * sum(d));
       if (size > 0) loosest = kernel::maximum(loosest, above / (size * length));
@@ -172,7 +190,8 @@ BOOST_AUTO_TEST_CASE(in_the_lattices_own_directions_the_bound_is_the_reach_and_t
     for (int octant = 0; octant < 8; ++octant)
       for (int i = 0; i <= 16; ++i)
         for (int j = 0; i + j <= 16; ++j) {
-          const Direction d = {(octant & 1 ? -1.0f : 1.0f) * float(16 - i - j), (octant & 2 ? -1.0f : 1.0f) * float(i), (octant & 4 ? -1.0f : 1.0f) * float(j)};
+          const Direction d = {(octant & 1 ? -1.0f : 1.0f) * float(16 - i - j), (octant & 2 ? -1.0f : 1.0f) * float(i),
+                               (octant & 4 ? -1.0f : 1.0f) * float(j)};
           const auto found = support(table, d);
           const double exact = reach(tree, d), slack = double(Support_table::slack) * 16;
           off += std::abs(found.bound - exact) > slack;
@@ -198,7 +217,8 @@ BOOST_AUTO_TEST_CASE(asked_again_or_by_another_table_the_answer_is_the_same)
   }
   int different = 0;
   for (std::size_t k = asked.size(); k-- > 0;) {  // the other way round
-    different += support(table, asked[k]).bound != answers[k].bound || support(table, asked[k]).point != answers[k].point;
+    different +=
+        support(table, asked[k]).bound != answers[k].bound || support(table, asked[k]).point != answers[k].point;
     different += support(other, asked[k]).bound != answers[k].bound;
   }
   BOOST_TEST(different == 0);

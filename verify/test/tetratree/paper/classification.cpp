@@ -190,12 +190,13 @@ BOOST_AUTO_TEST_CASE(each_of_the_papers_tests_decides_its_own_figure)
   const Tetra_cone cone = Tetra_cone::octant(0);
   BOOST_TEST((classified<K>(cone, {{{1, 1, 1}, {-1, 2, 2}, {2, -1, 2}}}) == Classified::vertex_in_cone));  // Fig. 6a
   BOOST_TEST(
-      (classified<K>(cone, {{{3, -1, -1}, {-1, 3, -1}, {-1, -1, 3}}}) == Classified::ray_in_tetrahedron));  // Fig. 6b
+      (classified<K>(cone, {{{3, -1, -1}, {-1, 3, -1}, {-1, -1, 3}}}) == Classified::ray_in_tetrahedron));  // Fig.
+                                                                                                            // 6b
   BOOST_TEST(
       (classified<K>(cone.child(3), {{{9, -1, -1}, {-1, 9, -1}, {-1, -1, 9}}}) == Classified::ray_in_tetrahedron));
-  BOOST_TEST(
-      (classified<K>(cone, {{{5, 4, -1}, {-1, 4, 5}, {-2, 9, 4}}}) == Classified::edge_crosses_border));  // Fig. 6c
-  BOOST_TEST((classified<K>(cone, {{{-1, 1, 1}, {-1, 2, 1}, {-1, 1, 2}}}) == Classified::no));            // Fig. 6d
+  BOOST_TEST((classified<K>(cone, {{{5, 4, -1}, {-1, 4, 5}, {-2, 9, 4}}}) == Classified::edge_crosses_border));  // Fig.
+                                                                                                                 // 6c
+  BOOST_TEST((classified<K>(cone, {{{-1, 1, 1}, {-1, 2, 1}, {-1, 1, 2}}}) == Classified::no));  // Fig. 6d
   BOOST_TEST((classified<K>(cone, {{{0, 0, 0}, {-1, -2, -3}, {-3, -1, -1}}}) == Classified::vertex_in_cone));  // at V0
   BOOST_TEST((classified<K>(cone, {{{-1, -1, -1}, {2, 2, 2}, {-1, -1, -1}}}) == Classified::vertex_in_cone));
   BOOST_TEST((classified<K>(cone, {{{-1, 1, 0}, {1, -1, 0}, {-1, 1, 0}}}) == Classified::flat));  // through V0

@@ -1,7 +1,7 @@
 #include "tetracone/tetratree/paper/collision.h"
 
-#include "verify/truth/cgal_truth.h"
 #include "verify/test/support/scenes.h"
+#include "verify/truth/cgal_truth.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -258,7 +258,9 @@ int wrong_booleans(const Cases& cases, const Config& config)
 }
 
 template <class K>
-constexpr int stride_of = std::is_same_v<K, Adaptive> ? 1 : std::is_same_v<K, Epeck> ? 7 : 19;
+constexpr int stride_of = std::is_same_v<K, Adaptive> ? 1
+                          : std::is_same_v<K, Epeck>  ? 7
+                                                      : 19;
 
 }  // namespace
 
@@ -455,8 +457,9 @@ BOOST_AUTO_TEST_CASE(one_body_in_another_in_its_cavity_in_its_tunnel_and_beside_
   BOOST_TEST((answers(scenes::with_cavity(scenes::cube_with_cavity(), scenes::turned(scenes::cube(1))), small) ==
               Pair{true, false}));
   BOOST_TEST((answers(scenes::cube_with_tunnel(), small) == Pair{false, false}));  // in the hole
-  BOOST_TEST((answers(scenes::cube_with_tunnel(), scenes::box({-1, -0.5, -9}, {0, 0.5, 9})) ==
-              Pair{true, true}));  // touches its wall
+  BOOST_TEST(
+      (answers(scenes::cube_with_tunnel(), scenes::box({-1, -0.5, -9}, {0, 0.5, 9})) == Pair{true, true}));  // touches
+                                                                                                             // its wall
   BOOST_TEST((answers(scenes::cube_with_tunnel(), scenes::moved(small, 1, {2, 2, 0})) == Pair{true, false}));
   BOOST_TEST((answers(scenes::cube(1), scenes::moved(scenes::cube(1), 1, {2.5, 0, 0})) == Pair{false, false}));
 }
@@ -587,7 +590,8 @@ BOOST_AUTO_TEST_CASE(every_stage_discards_something_and_the_regular_hull_saves_v
     }
     return sum;
   };
-  const Query_statistics paper = counts_with([](Config&) {}), no_hull = counts_with([](Config&c) { c.regular_hull = false; });
+  const Query_statistics paper = counts_with([](Config&) {}),
+                         no_hull = counts_with([](Config&c) { c.regular_hull = false; });
   const Query_statistics boxes = counts_with([](Config& c) { c.leaf_boxes = true; });
   BOOST_TEST(paper.discarded_by_hull > 0u);
   BOOST_TEST(paper.discarded_by_sphere > 0u);

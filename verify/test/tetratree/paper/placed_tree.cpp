@@ -127,7 +127,9 @@ BOOST_AUTO_TEST_CASE(boxes_and_spheres_hold_the_exact_images)
       Placed_tree<K> placed(tree);
       for (const Pose& pose : poses(random)) {
         placed.place(pose);
-        const auto image = [&, &body = body](Index v) { return rationals::image(pose, rationals::exactly(body.vertices[v])); };
+        const auto image = [&, &body = body](Index v) {
+          return rationals::image(pose, rationals::exactly(body.vertices[v]));
+        };
         const auto holds = [](const Box<double>& box, const Vector& p) {
           for (int k = 0; k < 3; ++k)
             if (p[k] < Rational(box.low[k]) || p[k] > Rational(box.high[k])) return false;

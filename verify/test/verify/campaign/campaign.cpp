@@ -1,11 +1,11 @@
 #include "verify/campaign/campaign.h"
 
 #include "tetracone/covering/io/input_error.h"
-#include "verify/truth/cgal_truth.h"
-#include "verify/truth/predicate_truth.h"
 #include "verify/campaign/tables.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/temporary_file.h"
+#include "verify/truth/cgal_truth.h"
+#include "verify/truth/predicate_truth.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -28,7 +28,9 @@ namespace {
 
 Predicate_case points(tetracone::verify::Random& random, double)
 {
-  const auto grid = [&] { return tetracone::kernel::Vertex{double(random.bits() % 5), double(random.bits() % 5), double(random.bits() % 5)}; };
+  const auto grid = [&] {
+    return tetracone::kernel::Vertex{double(random.bits() % 5), double(random.bits() % 5), double(random.bits() % 5)};
+  };
   return {{grid(), grid(), grid(), grid()}, grid(), grid(), grid(), Pose(), Pose(), {}};
 }
 
@@ -67,7 +69,8 @@ Object_subject says_no{"says no", false, "", {}, [] { return std::make_unique<Sa
 Object_subject fails{"fails", false, "", {}, [] { return std::make_unique<Fails>(); }};
 Object_subject declines{"declines", false, "", {}, [] { return std::make_unique<Declines>(); }};
 
-Predicate_subject right{"right", true, "", [](Predicate predicate, const Predicate_case& c) { return true_answer(predicate, c); }};
+Predicate_subject right{"right", true, "",
+                        [](Predicate predicate, const Predicate_case& c) { return true_answer(predicate, c); }};
 Predicate_subject low{"low", false, "", [](Predicate, const Predicate_case&) { return std::optional<int>(-7); }};
 
 Campaign small()
@@ -77,7 +80,8 @@ Campaign small()
   campaign.predicate_cases = 450, campaign.object_cases = 25, campaign.sequence_frames = 0;
   campaign.families = {&cheap, &cheap_too};
   campaign.predicate_subjects = {right, low};
-  campaign.object_subjects = {object_subject(*Subject::parse("adaptive")), object_subject(*Subject::parse("double", Method::paper)), says_no, fails, declines};
+  campaign.object_subjects = {object_subject(*Subject::parse("adaptive")),
+                              object_subject(*Subject::parse("double", Method::paper)), says_no, fails, declines};
   campaign.made_by = {"0", "compiler", "flags", "processor"};
   return campaign;
 }
@@ -123,7 +127,8 @@ BOOST_AUTO_TEST_CASE(planted_answers_are_counted_as_what_they_are)
 {
   Results results("planted");
   results.with(small());
-  Database::Statement truth(results.database, "SELECT sum(n), sum(positives), sum(by_construction) FROM truth WHERE level = 'object'");
+  Database::Statement truth(results.database,
+                            "SELECT sum(n), sum(positives), sum(by_construction) FROM truth WHERE level = 'object'");
   BOOST_TEST_REQUIRE(truth.with().next());
   const auto n = truth.integer(0), positives = truth.integer(1);
   BOOST_TEST(n == 2 * 2 * 25);

@@ -80,7 +80,8 @@ BOOST_FIXTURE_TEST_CASE(what_is_no_database_is_refused_with_its_name, Fresh)
   BOOST_CHECK_EXCEPTION(Database(missing, Mode::write), Input_error, names_the_file(missing));
   BOOST_CHECK_EXCEPTION(Database(missing, Mode::read), Input_error, names_the_file(missing));
   Database database(file.path(), Mode::write);
-  BOOST_CHECK_EXCEPTION(Database::Statement(database, "SELECT * FROM nothing"), Input_error, names_the_file(file.path()));
+  BOOST_CHECK_EXCEPTION(Database::Statement(database, "SELECT * FROM nothing"), Input_error,
+                        names_the_file(file.path()));
   BOOST_CHECK_EXCEPTION(database.run("no SQL"), Input_error, names_the_file(file.path()));
 }
 

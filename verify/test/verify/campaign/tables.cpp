@@ -54,8 +54,10 @@ BOOST_AUTO_TEST_CASE(tables_add_up_and_quote)
              "level,family,subject,question,n,false_positives,false_negatives,failures\nobject,f,s,solid,15,1,2,1\n");
   BOOST_TEST(table_as_csv(database, "runs") ==
              "run,version,compiler,flags,processor,seed,real_meshes\n1,1,\"c,d\",\"f \"\"g\"\"\",p,7,0\n");
-  BOOST_TEST(table_as_csv(database, "rates").starts_with(
-      "level,family,subject,question,n,not_asked,rate,low,high\nobject,f,s,solid,15,3,0.26666666666666666,"));
+  BOOST_TEST(
+      table_as_csv(database, "rates")
+          .starts_with(
+              "level,family,subject,question,n,not_asked,rate,low,high\nobject,f,s,solid,15,3,0.26666666666666666,"));
   for (const auto& [name, what] : tables()) BOOST_TEST(!table_as_csv(database, name).empty(), name);
 }
 

@@ -230,16 +230,19 @@ BOOST_AUTO_TEST_CASE(malformed_object_cases_are_refused_at_their_line)
   check_refused(with(text, "\"object\"", "\"scene\""), 4, "/level is unknown; expected one of predicate, object");
   check_refused(with(text, "\"cause\"", "\"reason\""), 1, "the file has no 'cause'");
   check_refused(with(text, "\"seed\": 18446744073709551615", "\"seed\": -1"), 6, "/origin/seed is no such integer");
-  check_refused(with(text, "\"question\": \"solid\"", "\"question\": \"both\""), 7, "/question is unknown; expected one of solid, surface");
+  check_refused(with(text, "\"question\": \"solid\"", "\"question\": \"both\""), 7,
+                "/question is unknown; expected one of solid, surface");
   check_refused(with(text, ", \"solid\": 1}", "}"), 8, "/truth has no 'solid'");
-  check_refused(with(text, "\"solid\": 1}", "\"solid\": 2}"), 8, "/truth/solid is no such integer; expected one from 0 to 1");
+  check_refused(with(text, "\"solid\": 1}", "\"solid\": 2}"), 8,
+                "/truth/solid is no such integer; expected one from 0 to 1");
   check_refused(with(text, "\"answer\": 0", "\"answer\": \"maybe\""), 10, "/wrong/0/answer is unknown");
   check_refused(with(text, "\"answer\": 0", "\"answer\": 0, \"why\": 1"), 10, "/wrong/0/why is unknown here");
   check_refused(with(text, "\"vertices\"", "\"points\""), 13, "/a/points is unknown here");
   check_refused(with(text, "[0, 0, 0],", "[0, 0],"), 14, "/a/vertices/0 has 2 elements");
   check_refused(with(text, "[0, 0, 0],", "[0, \"x\", 0],"), 14, "/a/vertices/0/1 is no finite number");
   check_refused(with(text, "[0, 0, 0],", "[0, \"1/0\", 0],"), 14, "/a/vertices/0/1 is no finite number");
-  check_refused(with(text, "[0, 0, 0],", "[0, \"1" + std::string(400, '0') + "/1\", 0],"), 14, "/a/vertices/0/1 is no finite number");
+  check_refused(with(text, "[0, 0, 0],", "[0, \"1" + std::string(400, '0') + "/1\", 0],"), 14,
+                "/a/vertices/0/1 is no finite number");
   check_refused(with(text, "[0, 0, 0],", "[0, null, 0],"), 14, "/a/vertices/0/1 is no finite number");
   check_refused(with(text, "[0, 0, 0],", "[0, 0.25, 0],"), 26, "/a/faces/2 is not exactly planar");
   check_refused(with(text, "[[0, ", "[[8, "), 26, "/a/faces/2/0/0 is vertex 8; expected one of 8 vertices");
@@ -248,14 +251,17 @@ BOOST_AUTO_TEST_CASE(malformed_object_cases_are_refused_at_their_line)
   check_refused(with(text, "[[0, ", "[[], [0, "), 26, "/a/faces/2/0 has 0 elements");
   check_refused(with(text, "    [0, 1, 0, 0],\n", ""), 32, "/pose_a has 2 elements; expected 3");
   check_refused(with(text, "    [0, 1, 0, 0],\n", "    [0, 1, 0],\n"), 34, "/pose_a/1 has 3 elements");
-  check_refused(with(text, "    [0, 1, 0, 0],\n", "    [2, 0, 0, 0],\n"), 32, "/pose_a has a 3x3 part of determinant 0");
+  check_refused(with(text, "    [0, 1, 0, 0],\n", "    [2, 0, 0, 0],\n"), 32,
+                "/pose_a has a 3x3 part of determinant 0");
 }
 
 BOOST_AUTO_TEST_CASE(malformed_predicate_cases_are_refused_at_their_line)
 {
   const std::string text = verify::to_json(predicate_file());
-  check_refused(with(text, "\"orientation\"", "\"volume\""), 7, "/predicate is unknown; expected one of orientation, tetra-cone");
-  check_refused(with(text, "\"orientation\"", "\"tetra-cone\""), 8, "/truth is no such integer; expected one from 0 to 1");
+  check_refused(with(text, "\"orientation\"", "\"volume\""), 7,
+                "/predicate is unknown; expected one of orientation, tetra-cone");
+  check_refused(with(text, "\"orientation\"", "\"tetra-cone\""), 8,
+                "/truth is no such integer; expected one from 0 to 1");
   check_refused(with(text, "\"v2\"", "\"v4\""), 15, "/points/v4 is unknown here");
   check_refused(with(text, "\"predicate\": \"orientation\",\n", ""), 1, "the file has no 'predicate'");
   check_refused(with(text, "\"truth\": -1", "\"truth\": {}"), 8, "/truth is no such integer");

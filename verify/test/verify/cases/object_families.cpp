@@ -3,8 +3,8 @@
 #include "verify/cases/object_placing.h"
 
 #include "tetracone/covering/check.h"
-#include "verify/truth/cgal_truth.h"
 #include "verify/cases/families.h"
+#include "verify/truth/cgal_truth.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -41,7 +41,8 @@ bool same(const Object_case& c, const Object_case& d)
 bool is_legal(const Polyhedron& body)
 {
   bool legal = covering::is_closed(body);
-  for (covering::Index f = 0; f < body.face_count(); ++f) legal = legal && covering::planarity(body, f) != covering::Planarity::off_plane;
+  for (covering::Index f = 0; f < body.face_count(); ++f)
+    legal = legal && covering::planarity(body, f) != covering::Planarity::off_plane;
   for (const auto& v : body.vertices)
     for (const double x : v) legal = legal && std::isfinite(x);
   return legal;
@@ -101,7 +102,8 @@ BOOST_AUTO_TEST_CASE(every_body_of_the_pool_is_legal_outward_and_has_places_to_t
   for (const Face_triangle& t : tunnelled.triangles)
     if (t.face == 0) {
       const auto [a, b, c] = t.corners;
-      total = sum(total, cross(difference(tunnelled.vertex(b), tunnelled.vertex(a)), difference(tunnelled.vertex(c), tunnelled.vertex(a))));
+      total = sum(total, cross(difference(tunnelled.vertex(b), tunnelled.vertex(a)),
+                               difference(tunnelled.vertex(c), tunnelled.vertex(a))));
     }
   BOOST_TEST((total == tunnelled.normals[0]));
 }
@@ -206,7 +208,8 @@ BOOST_AUTO_TEST_CASE(most_crossing_edges_are_separated_by_a_plane)
 {
   Random random(5);
   int separated = 0;
-  for (int k = 0; k < 40; ++k) separated += edge_across_edge(random, any_convex(random), any_convex(random), any_turn(random), 4).separated;
+  for (int k = 0; k < 40; ++k)
+    separated += edge_across_edge(random, any_convex(random), any_convex(random), any_turn(random), 4).separated;
   BOOST_TEST(separated >= 20);
 }
 

@@ -72,7 +72,8 @@ bool is_on_a_plane(const Predicate_case& c)
 
 const Predicate_subject& subject(const std::string& name)
 {
-  return *std::find_if(predicate_subjects().begin(), predicate_subjects().end(), [&](const auto& s) { return s.name == name; });
+  return *std::find_if(predicate_subjects().begin(), predicate_subjects().end(),
+                       [&](const auto& s) { return s.name == name; });
 }
 
 /// How often each answer occurs, and how often double has another, per family and predicate.
@@ -133,11 +134,13 @@ BOOST_AUTO_TEST_CASE(every_case_is_finite_under_maps_that_are_not_flat)
         for (const double coordinate : x) {
           BOOST_TEST(std::isfinite(coordinate), family.name << " " << index);
           // Denormals are the matter of one family alone.
-          if (family.name != "extreme-exponents") BOOST_TEST((coordinate == 0 || std::fpclassify(coordinate) == FP_NORMAL), family.name);
+          if (family.name != "extreme-exponents")
+            BOOST_TEST((coordinate == 0 || std::fpclassify(coordinate) == FP_NORMAL), family.name);
         }
       for (const Pose* pose : {&c.pose_a, &c.pose_b}) {
         BOOST_TEST((pose->determinant_sign() != CGAL::ZERO), family.name << " " << index);
-        for (const double entry : pose->entries()) BOOST_TEST((entry == 0 || std::fpclassify(entry) == FP_NORMAL), family.name);
+        for (const double entry : pose->entries())
+          BOOST_TEST((entry == 0 || std::fpclassify(entry) == FP_NORMAL), family.name);
       }
     }
 }
@@ -165,7 +168,8 @@ BOOST_AUTO_TEST_CASE(every_family_has_both_answers_of_every_predicate)
   // The answers that a family has by its nature, and the predicates that it is not asked.
   const std::map<std::pair<std::string, Predicate>, std::string> of_one_answer = {
       {{"nested", Predicate::segment_triangle}, "no element of the one touches one of the other"},
-      {{"nested-touching", Predicate::classification}, "B's triangle is inside A, or its plane has a point of A and all around it in B"},
+      {{"nested-touching", Predicate::classification},
+       "B's triangle is inside A, or its plane has a point of A and all around it in B"},
       {{"degenerate-face", Predicate::tetra_cone}, "a face without area makes the tetrahedron flat"},
       {{"degenerate-face", Predicate::tetrahedron}, "a face without area makes the tetrahedron flat"},
       {{"degenerate-face", Predicate::classification}, "a face without area makes the tetrahedron flat"},
@@ -189,17 +193,42 @@ BOOST_AUTO_TEST_CASE(every_family_has_both_answers_of_every_predicate)
 
 BOOST_AUTO_TEST_CASE(exact_degeneracies_are_exact)
 {
-  // The share of cases whose p is on a face's plane exactly, in hundredths; the sweep's exact values alone where there are some.
-  const std::map<std::string, int> least = {
-      {"coplanar-grid", 30},     {"coplanar-parallelogram", 50}, {"vertex-on-vertex", 35}, {"vertex-on-edge", 35},
-      {"vertex-on-face", 30},    {"edge-across-edge", 10},       {"edge-along-edge", 50},  {"edge-in-face-plane", 50},
-      {"face-on-face", 50},      {"coplanar-sharing", 50},       {"nested-touching", 35},  {"cavity-wall", 30},
-      {"sliver", 40},            {"degenerate-face", 90},        {"duplicates", 30},       {"far-from-origin", 30},
-      {"mixed-scales", 30},      {"cancelled-translation", 12},  {"exponent-gate", 30},    {"extreme-exponents", 30},
-      {"special-poses", 30},     {"true-rotation", 30},          {"shear", 30},            {"nearly-singular", 30},
-      {"drifted-rotation", 12},  {"covering-elements", 30},      {"covering-apex", 30},    {"winding-axis", 8},
-      {"t-junctions", 30},       {"voxels", 30},                 {"near-parallel-edges", 15}, {"tangent-fan", 30},
-      {"float-widened", 40},     {"swept-contact", 5}};
+  // The share of cases whose p is on a face's plane exactly, in hundredths; the sweep's exact values alone where there
+  // are some.
+  const std::map<std::string, int> least = {{"coplanar-grid", 30},
+                                            {"coplanar-parallelogram", 50},
+                                            {"vertex-on-vertex", 35},
+                                            {"vertex-on-edge", 35},
+                                            {"vertex-on-face", 30},
+                                            {"edge-across-edge", 10},
+                                            {"edge-along-edge", 50},
+                                            {"edge-in-face-plane", 50},
+                                            {"face-on-face", 50},
+                                            {"coplanar-sharing", 50},
+                                            {"nested-touching", 35},
+                                            {"cavity-wall", 30},
+                                            {"sliver", 40},
+                                            {"degenerate-face", 90},
+                                            {"duplicates", 30},
+                                            {"far-from-origin", 30},
+                                            {"mixed-scales", 30},
+                                            {"cancelled-translation", 12},
+                                            {"exponent-gate", 30},
+                                            {"extreme-exponents", 30},
+                                            {"special-poses", 30},
+                                            {"true-rotation", 30},
+                                            {"shear", 30},
+                                            {"nearly-singular", 30},
+                                            {"drifted-rotation", 12},
+                                            {"covering-elements", 30},
+                                            {"covering-apex", 30},
+                                            {"winding-axis", 8},
+                                            {"t-junctions", 30},
+                                            {"voxels", 30},
+                                            {"near-parallel-edges", 15},
+                                            {"tangent-fan", 30},
+                                            {"float-widened", 40},
+                                            {"swept-contact", 5}};
   for (const auto& [name, hundredths] : least) {
     const Family* family = find_family(name);
     BOOST_TEST_REQUIRE(family != nullptr, name);
@@ -218,12 +247,12 @@ BOOST_AUTO_TEST_CASE(a_sweep_ends_in_the_exact_contact)
     double parameter;
     int from, to;  // of 100 cases, on a plane
   };
-  for (const auto& [name, parameter, from, to] : {Expected{"ulps-off-plane", 1024, 0, 10}, Expected{"ulps-off-plane", 0, 100, 100},
-                                                  Expected{"perturbed-zero", 20, 0, 75}, Expected{"perturbed-zero", HUGE_VAL, 100, 100},
-                                                  Expected{"stacked", 64, 0, 25}, Expected{"stacked", 0, 100, 100},
-                                                  Expected{"nearly-collinear", 0, 40, 100}, Expected{"non-planar-quads", 1024, 0, 10},
-                                                  Expected{"non-planar-quads", 0, 100, 100}, Expected{"rounded-on-plane", 53, 0, 10},
-                                                  Expected{"random", 0, 0, 0}}) {
+  for (const auto& [name, parameter, from, to] :
+       {Expected{"ulps-off-plane", 1024, 0, 10}, Expected{"ulps-off-plane", 0, 100, 100},
+        Expected{"perturbed-zero", 20, 0, 75}, Expected{"perturbed-zero", HUGE_VAL, 100, 100},
+        Expected{"stacked", 64, 0, 25}, Expected{"stacked", 0, 100, 100}, Expected{"nearly-collinear", 0, 40, 100},
+        Expected{"non-planar-quads", 1024, 0, 10}, Expected{"non-planar-quads", 0, 100, 100},
+        Expected{"rounded-on-plane", 53, 0, 10}, Expected{"random", 0, 0, 0}}) {
     const Family* family = find_family(name);
     int on_plane = 0, count = 0;
     for (int index = 0; count < 100; ++index) {
@@ -237,7 +266,8 @@ BOOST_AUTO_TEST_CASE(a_sweep_ends_in_the_exact_contact)
 
 BOOST_AUTO_TEST_CASE(bisection_ends_next_to_the_contact)
 {
-  // The translation's neighbours in doubles are on both sides of a plane of A, or on it, after as many bisections as doubles have bits.
+  // The translation's neighbours in doubles are on both sides of a plane of A, or on it, after as many bisections as
+  // doubles have bits.
   const Family& family = *find_family("swept-contact");
   int close = 0, count = 0;
   for (int index = 0; count < 60; ++index) {

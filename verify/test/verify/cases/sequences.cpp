@@ -1,7 +1,7 @@
 #include "verify/cases/sequences.h"
 
-#include "verify/truth/cgal_truth.h"
 #include "verify/subjects/subject.h"
+#include "verify/truth/cgal_truth.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -17,7 +17,8 @@ std::vector<bool> truth(const Sequence& sequence, Question question)
 {
   const Brute_body a(*sequence.frames[0].a), b(*sequence.frames[0].b);
   std::vector<bool> answers;
-  for (const Object_case& frame : sequence.frames) answers.push_back(collide(a, frame.pose_a, b, frame.pose_b, question));
+  for (const Object_case& frame : sequence.frames)
+    answers.push_back(collide(a, frame.pose_a, b, frame.pose_b, question));
   return answers;
 }
 
@@ -85,7 +86,8 @@ BOOST_AUTO_TEST_CASE(doubles_flicker_where_the_answer_is_constant)
     if (sequence.changes != 0) continue;
     const auto pair = prepare(*Subject::parse("double", Method::brute), *sequence.frames[0].a, *sequence.frames[0].b);
     std::vector<bool> answers;
-    for (const Object_case& frame : sequence.frames) answers.push_back(pair->collide(frame.pose_a, frame.pose_b, Question::surface));
+    for (const Object_case& frame : sequence.frames)
+      answers.push_back(pair->collide(frame.pose_a, frame.pose_b, Question::surface));
     if (changes(answers) > 0) BOOST_TEST_MESSAGE(sequence.name << ": " << changes(answers));
     flips += changes(answers);
   }

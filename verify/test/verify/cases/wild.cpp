@@ -1,11 +1,12 @@
-// Poses and bodies of any exponents: the fast tree over whole faces and over triangles, with and without the memory of the last pose, in both orders, and the
-// paper's tree, against all pairs in rational arithmetic. TETRACONE_WILD_POSES says how many poses, TETRACONE_WILD_SEED which.
+// Poses and bodies of any exponents: the fast tree over whole faces and over triangles, with and without the memory of
+// the last pose, in both orders, and the paper's tree, against all pairs in rational arithmetic. TETRACONE_WILD_POSES
+// says how many poses, TETRACONE_WILD_SEED which.
 
 #include "verify/cases/object_families.h"
 
 #include "tetracone/covering/repair/repair.h"
-#include "tetracone/tetratree/paper/collision.h"
 #include "tetracone/tetratree/fast/bvh8_collision.h"
+#include "tetracone/tetratree/paper/collision.h"
 #include "verify/truth/cgal_truth.h"
 
 #include <boost/test/unit_test.hpp>
@@ -42,9 +43,11 @@ BOOST_AUTO_TEST_CASE(answers_on_wild_poses_are_those_of_all_pairs_in_rationals)
     const auto cases = object_family::wild_run(random, parameters[std::size_t(done / run) % parameters.size()], run);
     const covering::Polyhedron &a = *cases.front().a, &b = *cases.front().b;
     const Brute_body truth_a(a), truth_b(b);
-    tetratree::Bvh8 whole_a(a), whole_b(b), triangles_a(a, covering::triangulate_faces(a)), triangles_b(b, covering::triangulate_faces(b));
+    tetratree::Bvh8 whole_a(a), whole_b(b), triangles_a(a, covering::triangulate_faces(a)),
+        triangles_b(b, covering::triangulate_faces(b));
     using tetratree::Coherence, tetratree::Bvh8_collision;
-    Bvh8_collision whole(whole_a, whole_b), triangles(triangles_a, triangles_b, Coherence::last_frame), other_way(triangles_b, whole_a, Coherence::last_frame);
+    Bvh8_collision whole(whole_a, whole_b), triangles(triangles_a, triangles_b, Coherence::last_frame),
+        other_way(triangles_b, whole_a, Coherence::last_frame);
     tetratree::Tetra_tree<kernel::Adaptive> paper_a(a), paper_b(b);
     tetratree::Collision<kernel::Adaptive> paper(paper_a, paper_b);
     for (std::size_t k = 0; k < cases.size(); ++k) {
@@ -55,11 +58,15 @@ BOOST_AUTO_TEST_CASE(answers_on_wild_poses_are_those_of_all_pairs_in_rationals)
       bool surface = false;
       for (const Question question : {Question::surface, Question::solid}) {
         const bool truth = surface || collide(truth_a, pose_a, truth_b, pose_b, question);
-        if (question == Question::surface) surface = truth;
-        else contained += truth && !surface;
+        if (question == Question::surface)
+          surface = truth;
+        else
+          contained += truth && !surface;
         // Each in turn beside the first, which is asked every pose.
         wrong += triangles(pose_a, pose_b, question) != truth;
-        wrong += (k % 3 == 0 ? whole(pose_a, pose_b, question) : k % 3 == 1 ? other_way(pose_b, pose_a, question) : paper(pose_a, pose_b, question)) != truth;
+        wrong += (k % 3 == 0   ? whole(pose_a, pose_b, question)
+                  : k % 3 == 1 ? other_way(pose_b, pose_a, question)
+                               : paper(pose_a, pose_b, question)) != truth;
         known_wrong += c.known(question) && *c.known(question) != truth;
         ++asked, yes += truth;
       }

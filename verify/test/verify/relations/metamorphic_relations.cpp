@@ -29,7 +29,8 @@ namespace scenes = tetracone::verify::scenes;
 
 namespace {
 
-// --- subjects -----------------------------------------------------------------------------------------------------------
+// --- subjects
+// -----------------------------------------------------------------------------------------------------------
 
 /// Every predicate by the signs of kernel K.
 template <class K>
@@ -64,7 +65,8 @@ std::optional<int> by_signs(Predicate predicate, const Predicate_case& c)
   return tetracone::tetratree::classify<K>(cone, p, q, r) != tetracone::tetratree::Classified::no;
 }
 
-Predicate_subject predicate_subject(const std::string& name, std::optional<int> (*answer)(Predicate, const Predicate_case&))
+Predicate_subject predicate_subject(const std::string& name,
+                                    std::optional<int> (*answer)(Predicate, const Predicate_case&))
 {
   return {name, true, "", answer};
 }
@@ -78,7 +80,8 @@ class Wrong : public Answering {
   explicit Wrong(Planted planted) : planted_(std::move(planted)) {}
   Outcome operator()(const Object_case& c, Question question) override
   {
-    return planted_(c, question, [this](const Object_case& asked, Question q) { return (*truth_)(asked, q) == Outcome::yes; });
+    return planted_(c, question,
+                    [this](const Object_case& asked, Question q) { return (*truth_)(asked, q) == Outcome::yes; });
   }
 
  private:
@@ -88,14 +91,19 @@ class Wrong : public Answering {
 
 Outcome outcome(bool yes) { return yes ? Outcome::yes : Outcome::no; }
 
-// --- cases --------------------------------------------------------------------------------------------------------------
+// --- cases
+// --------------------------------------------------------------------------------------------------------------
 
 int between(Random& random, int low, int high) { return low + int(one_of(random, high - low + 1)); }
 
-/// Identity, dyadic translation, signed permutation with translation, truly rigid, rounded, or any affine map of small integers.
+/// Identity, dyadic translation, signed permutation with translation, truly rigid, rounded, or any affine map of small
+/// integers.
 Pose any_pose(Random& random)
 {
-  const auto q = [&] { return Pose::from_quaternion(between(random, 1, 3), between(random, -2, 2), between(random, -2, 2), between(random, -2, 2)); };
+  const auto q = [&] {
+    return Pose::from_quaternion(between(random, 1, 3), between(random, -2, 2), between(random, -2, 2),
+                                 between(random, -2, 2));
+  };
   const auto half = [&] { return between(random, -4, 4) * 0.5; };
   const Pose step = Pose::translation(half(), half(), half());
   switch (one_of(random, 6)) {
@@ -113,7 +121,8 @@ Pose any_pose(Random& random)
   }
 }
 
-/// Points on a small grid, mostly degenerate; full mantissas; or full mantissas with p rounded onto a plane, an edge or a corner.
+/// Points on a small grid, mostly degenerate; full mantissas; or full mantissas with p rounded onto a plane, an edge or
+/// a corner.
 Predicate_case any_points(Random& random)
 {
   Predicate_case c{};
@@ -150,8 +159,10 @@ Object_case any_bodies(Random& random)
   const auto one = [&] { return std::make_shared<const Polyhedron>(bodies[one_of(random, bodies.size())].body); };
   Object_case c{one(), one(), any_pose(random), any_pose(random), {}, {}, {}};
   if (one_of(random, 3) == 0) {  // unit cubes that touch, or nearly so, under a true rotation
-    c.a = std::make_shared<const Polyhedron>(scenes::unit_cube()), c.b = std::make_shared<const Polyhedron>(scenes::triangulated(scenes::unit_cube()));
-    c.pose_a = Pose::from_quaternion(between(random, 1, 3), between(random, -3, 3), between(random, -3, 3), between(random, -3, 3));
+    c.a = std::make_shared<const Polyhedron>(scenes::unit_cube()),
+    c.b = std::make_shared<const Polyhedron>(scenes::triangulated(scenes::unit_cube()));
+    c.pose_a = Pose::from_quaternion(between(random, 1, 3), between(random, -3, 3), between(random, -3, 3),
+                                     between(random, -3, 3));
     c.pose_b = *translated_back(c.pose_a, {between(random, -1, 1) * 1.0, 1, between(random, -2, 2) * 0.5});
   } else if (one_of(random, 2) == 0) {  // side by side under one motion
     c.pose_a = any_pose(random);
@@ -161,7 +172,8 @@ Object_case any_bodies(Random& random)
   return c;
 }
 
-// --- judging ------------------------------------------------------------------------------------------------------------
+// --- judging
+// ------------------------------------------------------------------------------------------------------------
 
 struct Count {
   int applicable = 0, violated = 0;
@@ -176,7 +188,8 @@ void count(Query_statistics& counts, std::string_view relation, Verdict verdict)
 }
 
 /// All relations, or one.
-Query_statistics of_predicates(const Predicate_subject& subject, int cases, std::uint64_t seed, std::string_view only = "")
+Query_statistics of_predicates(const Predicate_subject& subject, int cases, std::uint64_t seed,
+                               std::string_view only = "")
 {
   Query_statistics counts;
   Random random(seed);
@@ -184,7 +197,8 @@ Query_statistics of_predicates(const Predicate_subject& subject, int cases, std:
     const Predicate_case c = any_points(random);
     for (const Relation& relation : predicate_relations())
       for (const Predicate predicate : all_predicates)
-        if (only.empty() || relation.name == only) count(counts, relation.name, check(relation, c, predicate, subject, random));
+        if (only.empty() || relation.name == only)
+          count(counts, relation.name, check(relation, c, predicate, subject, random));
   }
   return counts;
 }
@@ -197,7 +211,8 @@ Query_statistics of_objects(Answering& subject, int cases, std::uint64_t seed, s
     const Object_case c = any_bodies(random);
     for (const Relation& relation : object_relations())
       for (const Question question : {Question::solid, Question::surface})
-        if (only.empty() || relation.name == only) count(counts, relation.name, check(relation, c, question, subject, random));
+        if (only.empty() || relation.name == only)
+          count(counts, relation.name, check(relation, c, question, subject, random));
   }
   return counts;
 }
@@ -244,7 +259,8 @@ BOOST_AUTO_TEST_CASE(exact_sums_are_those_that_rationals_find_exact)
   Random random(1);
   int exact = 0;
   for (int k = 0; k < 2000; ++k) {
-    const double a = std::ldexp(random.symmetric(), between(random, -3, 3)), b = std::ldexp(random.symmetric(), between(random, -60, 3));
+    const double a = std::ldexp(random.symmetric(), between(random, -3, 3)),
+                 b = std::ldexp(random.symmetric(), between(random, -60, 3));
     const auto sum = exact_sum(a, b);
     BOOST_TEST(sum.has_value() == (Rational(a + b) == Rational(a) + Rational(b)));
     exact += sum.has_value();
@@ -264,7 +280,8 @@ BOOST_AUTO_TEST_CASE(a_pose_is_scaled_by_powers_of_two_that_are_doubles_only)
   const Pose least = scaled(pose, -1072).value();
   BOOST_TEST((least[3] == std::ldexp(3.0, -1072) && least[11] == std::ldexp(-0.5, -1072)));
   BOOST_TEST(scaled(pose, 1022).value()[3] == std::ldexp(3.0, 1022));
-  for (const int exponent : {1023, 1024, 5000, -1074, -1075, -5000}) BOOST_TEST(!scaled(pose, exponent).has_value(), exponent);
+  for (const int exponent : {1023, 1024, 5000, -1074, -1075, -5000})
+    BOOST_TEST(!scaled(pose, exponent).has_value(), exponent);
   for (const int exponent : {1024, 5000, -1075, -5000}) BOOST_TEST(!scaled(still, exponent).has_value(), exponent);
   BOOST_TEST(scaled(still, -1074).value().is_identity());
 }
@@ -307,7 +324,8 @@ BOOST_AUTO_TEST_CASE(motions_done_before_and_after_a_pose_are_what_they_say)
 
 BOOST_AUTO_TEST_CASE(exact_predicates_hold_every_relation_and_each_is_asked_often)
 {
-  for (const auto& subject : {predicate_subject("adaptive", by_signs<kernel::Adaptive>), predicate_subject("rational", by_signs<kernel::Rational_kernel>)}) {
+  for (const auto& subject : {predicate_subject("adaptive", by_signs<kernel::Adaptive>),
+                              predicate_subject("rational", by_signs<kernel::Rational_kernel>)}) {
     const Query_statistics counts = of_predicates(subject, subject.name == "adaptive" ? 500 : 120, 41);
     for (const auto& [name, of] : counts) {
       BOOST_TEST_INFO_SCOPE(subject.name << ", " << name << ": applied " << of.applicable);
@@ -340,8 +358,10 @@ BOOST_AUTO_TEST_CASE(rounded_predicates_violate_many_relations)
 
 BOOST_AUTO_TEST_CASE(exact_objects_hold_every_relation_and_each_is_asked_often)
 {
-  const std::vector<std::tuple<const char*, Method, int>> subjects = {
-      {"adaptive", Method::tree, 40}, {"adaptive", Method::paper, 20}, {"adaptive", Method::brute, 60}, {"rational", Method::tree, 10}};
+  const std::vector<std::tuple<const char*, Method, int>> subjects = {{"adaptive", Method::tree, 40},
+                                                                      {"adaptive", Method::paper, 20},
+                                                                      {"adaptive", Method::brute, 60},
+                                                                      {"rational", Method::tree, 10}};
   for (const auto& [kernel_name, method, cases] : subjects) {
     const auto subject = object_subject(*Subject::parse(kernel_name, method));
     const Query_statistics counts = of_objects(*subject.make(), cases, 51);
@@ -365,43 +385,65 @@ BOOST_AUTO_TEST_CASE(rounded_objects_violate_several_relations)
 
 BOOST_AUTO_TEST_CASE(planted_errors_of_objects_are_caught_by_the_relation_meant_for_them)
 {
-  const auto extent = [](const Object_case& c) { return std::abs(c.a->vertices[0][0]) + std::abs(c.a->vertices[1][0]) + std::abs(c.a->vertices[2][0]); };
-  BOOST_TEST(violations([](const Object_case& c, Question q, const Truth& truth) {
-    return outcome(truth(c, q) && c.a->loop(0, 0)[0] % 2 == 0);  // by the order of vertices and faces
-  }, "R8 order") > 0);
-  BOOST_TEST(violations([](const Object_case& c, Question q, const Truth& truth) {
-    return outcome(truth(c, q) && c.a->face_count() <= c.b->face_count());
-  }, "R5 swap") > 0);
-  BOOST_TEST(violations([extent](const Object_case& c, Question q, const Truth& truth) { return outcome(truth(c, q) || extent(c) < 1e-6); },
+  const auto extent = [](const Object_case& c) {
+    return std::abs(c.a->vertices[0][0]) + std::abs(c.a->vertices[1][0]) + std::abs(c.a->vertices[2][0]);
+  };
+  BOOST_TEST(violations(
+                 [](const Object_case& c, Question q, const Truth& truth) {
+                   return outcome(truth(c, q) && c.a->loop(0, 0)[0] % 2 == 0);  // by the order of vertices and faces
+                 },
+                 "R8 order") > 0);
+  BOOST_TEST(
+      violations([](const Object_case& c, Question q,
+                    const Truth& truth) { return outcome(truth(c, q) && c.a->face_count() <= c.b->face_count()); },
+                 "R5 swap") > 0);
+  BOOST_TEST(violations([extent](const Object_case& c, Question q,
+                                 const Truth& truth) { return outcome(truth(c, q) || extent(c) < 1e-6); },
                         "R6 scale") > 0);
-  BOOST_TEST(violations([](const Object_case& c, Question q, const Truth& truth) {
-    return outcome(truth(c, q) && (c.pose_a.is_identity() || c.pose_b.determinant_sign() == CGAL::POSITIVE));
-  }, "R6 motion") > 0);
-  BOOST_TEST(violations([](const Object_case& c, Question q, const Truth& truth) { return outcome(truth(c, q) && !c.pose_a.is_identity()); },
+  BOOST_TEST(violations(
+                 [](const Object_case& c, Question q, const Truth& truth) {
+                   return outcome(truth(c, q) &&
+                                  (c.pose_a.is_identity() || c.pose_b.determinant_sign() == CGAL::POSITIVE));
+                 },
+                 "R6 motion") > 0);
+  BOOST_TEST(violations([](const Object_case& c, Question q,
+                           const Truth& truth) { return outcome(truth(c, q) && !c.pose_a.is_identity()); },
                         "R3 absorbed") > 0);
-  BOOST_TEST(violations([](const Object_case& c, Question q, const Truth& truth) { return outcome(truth(c, q) && !c.pose_a.is_identity()); },
+  BOOST_TEST(violations([](const Object_case& c, Question q,
+                           const Truth& truth) { return outcome(truth(c, q) && !c.pose_a.is_identity()); },
                         "R5 relative") > 0);
-  BOOST_TEST(violations([](const Object_case& c, Question q, const Truth& truth) {
-    return outcome(truth(c, q) && (q == Question::surface || tetracone::covering::volume(*c.a) > 0));
-  }, "R8 winding") > 0);
-  BOOST_TEST(violations([](const Object_case& c, Question q, const Truth& truth) {
-    return outcome(truth(c, q) && c.a->vertices.size() % 2 == 0);
-  }, "R10 unused") > 0);
-  BOOST_TEST(violations([](const Object_case& c, Question q, const Truth& truth) { return outcome(truth(c, q) && c.a->vertices[0][0] != 0); },
+  BOOST_TEST(violations(
+                 [](const Object_case& c, Question q, const Truth& truth) {
+                   return outcome(truth(c, q) && (q == Question::surface || tetracone::covering::volume(*c.a) > 0));
+                 },
+                 "R8 winding") > 0);
+  BOOST_TEST(violations([](const Object_case& c, Question q,
+                           const Truth& truth) { return outcome(truth(c, q) && c.a->vertices.size() % 2 == 0); },
+                        "R10 unused") > 0);
+  BOOST_TEST(violations([](const Object_case& c, Question q,
+                           const Truth& truth) { return outcome(truth(c, q) && c.a->vertices[0][0] != 0); },
                         "R10 opposite") > 0);
-  BOOST_TEST(violations([](const Object_case& c, Question q, const Truth& truth) { return outcome(truth(c, q) && c.a->face_count() <= 8); },
+  BOOST_TEST(violations([](const Object_case& c, Question q,
+                           const Truth& truth) { return outcome(truth(c, q) && c.a->face_count() <= 8); },
                         "R9 adding") > 0);
   for (const char* relation : {"R7 edge", "R7 face"})
-    BOOST_TEST(violations([](const Object_case& c, Question q, const Truth& truth) {
-      return outcome(truth(c, q) && (c.a->face_count() + c.a->vertices.size()) % 2 == 0);
-    }, relation) > 0, relation);
-  BOOST_TEST(violations([](const Object_case& c, Question q, const Truth& truth) {
-    return outcome(truth(c, q) || (q == Question::surface && c.a->face_count() % 2 == 1));
-  }, "R9 removing") > 0);
-  BOOST_TEST(violations([](const Object_case& c, Question q, const Truth& truth) {
-    const double t = c.pose_b[3] + c.pose_b[7] + c.pose_b[11];
-    return outcome(truth(c, q) && 2 * t != std::floor(2 * t));  // shy of the touching position itself
-  }, "R13 monotone") > 0);
+    BOOST_TEST(violations(
+                   [](const Object_case& c, Question q, const Truth& truth) {
+                     return outcome(truth(c, q) && (c.a->face_count() + c.a->vertices.size()) % 2 == 0);
+                   },
+                   relation) > 0,
+               relation);
+  BOOST_TEST(violations(
+                 [](const Object_case& c, Question q, const Truth& truth) {
+                   return outcome(truth(c, q) || (q == Question::surface && c.a->face_count() % 2 == 1));
+                 },
+                 "R9 removing") > 0);
+  BOOST_TEST(violations(
+                 [](const Object_case& c, Question q, const Truth& truth) {
+                   const double t = c.pose_b[3] + c.pose_b[7] + c.pose_b[11];
+                   return outcome(truth(c, q) && 2 * t != std::floor(2 * t));  // shy of the touching position itself
+                 },
+                 "R13 monotone") > 0);
 }
 
 BOOST_AUTO_TEST_CASE(planted_errors_of_predicates_are_caught_by_the_relation_meant_for_them)
@@ -433,7 +475,8 @@ BOOST_AUTO_TEST_CASE(planted_errors_of_predicates_are_caught_by_the_relation_mea
   BOOST_TEST(violations(far_is_outside, "R6 scale") > 0);
   const auto reflections_are_forgotten = [](Predicate predicate, Case c) -> std::optional<int> {
     const auto answer = right(predicate, c);
-    return predicate == Predicate::orientation && answer ? std::optional(*answer * int(c.pose_a.determinant_sign())) : answer;
+    return predicate == Predicate::orientation && answer ? std::optional(*answer * int(c.pose_a.determinant_sign()))
+                                                         : answer;
   };
   BOOST_TEST(violations(reflections_are_forgotten, "R2 one frame") > 0);
   BOOST_TEST(violations(reflections_are_forgotten, "R3 absorbed") > 0);
@@ -461,7 +504,8 @@ BOOST_AUTO_TEST_CASE(planted_errors_of_predicates_are_caught_by_the_relation_mea
 BOOST_AUTO_TEST_CASE(a_subject_that_does_not_answer_violates_nothing)
 {
   const auto silent = [](Predicate, const Predicate_case&) -> std::optional<int> { return std::nullopt; };
-  for (const auto& [name, of] : of_predicates(predicate_subject("silent", silent), 50, 61)) BOOST_TEST(of.applicable == 0, name);
+  for (const auto& [name, of] : of_predicates(predicate_subject("silent", silent), 50, 61))
+    BOOST_TEST(of.applicable == 0, name);
   for (const Outcome mute : {Outcome::not_asked, Outcome::failed}) {
     Wrong subject([mute](const Object_case&, Question, const Truth&) { return mute; });
     for (const auto& [name, of] : of_objects(subject, 20, 62)) BOOST_TEST(of.applicable == 0, name);

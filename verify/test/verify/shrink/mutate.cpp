@@ -72,7 +72,8 @@ BOOST_AUTO_TEST_CASE(mutants_are_planar_closed_and_of_unknown_answer)
     BOOST_TEST(m.origin.family == "stacked");
     for (const auto& body : {m.a, m.b}) {
       BOOST_TEST(covering::is_closed(*body));
-      for (Index f = 0; f < body->face_count(); ++f) BOOST_TEST((covering::planarity(*body, f) != covering::Planarity::off_plane));
+      for (Index f = 0; f < body->face_count(); ++f)
+        BOOST_TEST((covering::planarity(*body, f) != covering::Planarity::off_plane));
     }
     bent += m.a->face_count() + m.b->face_count() > c.a->face_count() + c.b->face_count();
   }
@@ -84,7 +85,8 @@ BOOST_AUTO_TEST_CASE(the_same_random_state_gives_the_same_mutant)
 {
   const Object_case c = boxes();
   Random one(5), other(5);
-  for (int k = 0; k < 20; ++k) BOOST_TEST(changes(numbers_of(verify::mutated(c, one)), numbers_of(verify::mutated(c, other))) == 0u);
+  for (int k = 0; k < 20; ++k)
+    BOOST_TEST(changes(numbers_of(verify::mutated(c, one)), numbers_of(verify::mutated(c, other))) == 0u);
 }
 
 BOOST_AUTO_TEST_CASE(a_point_comes_to_where_the_other_body_has_one)

@@ -5,8 +5,8 @@
 #include "tetracone/covering/edge_uses.h"
 #include "tetracone/covering/planarity.h"
 #include "verify/cases/shape_generators.h"
-#include "verify/truth/predicate_truth.h"
 #include "verify/shrink/shrink_numbers.h"
+#include "verify/truth/predicate_truth.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -45,7 +45,8 @@ class Planted : public verify::Answering {
   Outcome operator()(const Object_case& c, Question question) override
   {
     for (const auto& body : {c.a, c.b})
-      for (Index f = 0; f < body->face_count(); ++f) BOOST_REQUIRE((covering::planarity(*body, f) != covering::Planarity::off_plane));
+      for (Index f = 0; f < body->face_count(); ++f)
+        BOOST_REQUIRE((covering::planarity(*body, f) != covering::Planarity::off_plane));
     if (question == Question::solid) BOOST_REQUIRE((covering::is_closed(*c.a) && covering::is_closed(*c.b)));
     BOOST_REQUIRE((c.pose_a.determinant_sign() != CGAL::ZERO && c.pose_b.determinant_sign() != CGAL::ZERO));
     const bool truth = verify::true_answer(c, question);
@@ -99,7 +100,8 @@ BOOST_AUTO_TEST_CASE(bits_count_the_digits_that_a_number_needs)
 BOOST_AUTO_TEST_CASE(a_subject_that_never_sees_contact_leaves_two_touching_tetrahedra)
 {
   const Object_case c = case_of(verify::complex_one(), turned, verify::blob(128, 7), Pose());
-  const Object_case small = shrunk(c, Question::solid, [](const Object_case& x) { return verify::true_answer(x, Question::solid); });
+  const Object_case small =
+      shrunk(c, Question::solid, [](const Object_case& x) { return verify::true_answer(x, Question::solid); });
   BOOST_TEST(verify::face_count(c) == 18u + 128u);
   BOOST_TEST(verify::face_count(small) <= 8u);
   BOOST_TEST((small.pose_a.is_identity() && small.pose_b.is_identity()));
@@ -109,7 +111,8 @@ BOOST_AUTO_TEST_CASE(a_subject_that_never_sees_contact_leaves_two_touching_tetra
 BOOST_AUTO_TEST_CASE(of_surfaces_two_faces_are_left)
 {
   const Object_case c = case_of(verify::complex_two(), turned, verify::box({-0.5, -0.5, -0.5}, {0.5, 0.5, 4}), Pose());
-  const Object_case small = shrunk(c, Question::surface, [](const Object_case& x) { return verify::true_answer(x, Question::surface); });
+  const Object_case small =
+      shrunk(c, Question::surface, [](const Object_case& x) { return verify::true_answer(x, Question::surface); });
   BOOST_TEST(verify::face_count(small) == 2u);
   BOOST_TEST(verify::size_of(small).corners <= 6u);
   BOOST_TEST(verify::size_of(small).bits < 30u);
@@ -158,10 +161,14 @@ BOOST_AUTO_TEST_CASE(a_wrong_yes_keeps_its_direction)
 BOOST_AUTO_TEST_CASE(a_failure_is_shrunk_too)
 {
   class Fails : public verify::Answering {
-    Outcome operator()(const Object_case& c, Question) override { return c.a->face_count() >= 3 ? Outcome::failed : Outcome::yes; }
+    Outcome operator()(const Object_case& c, Question) override
+    {
+      return c.a->face_count() >= 3 ? Outcome::failed : Outcome::yes;
+    }
   } subject;
   const Object_case c = case_of(verify::complex_one(), Pose(), verify::complex_two(), Pose());
-  const auto check = verify::same_error(subject, Question::surface, Outcome::failed, verify::true_answer(c, Question::surface));
+  const auto check =
+      verify::same_error(subject, Question::surface, Outcome::failed, verify::true_answer(c, Question::surface));
   const Object_case small = verify::shrink(c, Question::surface, check);
   BOOST_TEST(small.a->face_count() == 3u);
   BOOST_TEST(small.b->face_count() == 1u);
@@ -200,7 +207,8 @@ BOOST_AUTO_TEST_CASE(a_predicate_keeps_only_the_points_that_matter)
 BOOST_AUTO_TEST_CASE(a_triangle_and_a_segment_stay_what_they_are)
 {
   // A subject that never hits.
-  const verify::Predicate_subject never{"never", false, "", [](Predicate, const Predicate_case&) -> std::optional<int> { return 0; }};
+  const verify::Predicate_subject never{"never", false, "",
+                                        [](Predicate, const Predicate_case&) -> std::optional<int> { return 0; }};
   Predicate_case c{};
   c.v = {{{9, 9, 9}, {0.1, 0.2, 0.3}, {1.1, 0.7, 0.3}, {0.3, 1.9, 0.3}}};
   c.p = {0.5, 0.75, -1.25}, c.q = {0.5, 0.75, 1.5}, c.r = {1, 2, 3};
@@ -213,7 +221,8 @@ BOOST_AUTO_TEST_CASE(a_triangle_and_a_segment_stay_what_they_are)
   Predicate_case point = c;
   point.v[2] = point.v[3] = point.v[1];
   point.p = point.q = point.v[1];
-  BOOST_TEST(verify::size_of(verify::shrink(point, verify::same_error(never, Predicate::segment_triangle, point, 0, 1))).bits == 0u);
+  BOOST_TEST(verify::size_of(verify::shrink(point, verify::same_error(never, Predicate::segment_triangle, point, 0, 1)))
+                 .bits == 0u);
 }
 
 BOOST_AUTO_TEST_CASE(doubles_at_the_ends_of_their_range_shrink_without_infinities)

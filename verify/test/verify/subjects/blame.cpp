@@ -1,8 +1,8 @@
 #include "verify/subjects/blame.h"
 
 #include "tetracone/kernel/predicate/frame.h"
-#include "verify/truth/cgal_truth.h"
 #include "verify/test/support/scenes.h"
+#include "verify/truth/cgal_truth.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -42,7 +42,8 @@ Polyhedron rounded_body(Polyhedron body, const Pose& pose)
 template <class K>
 bool right_on_rounded_images(const Object_case& c, Question question, bool truth)
 {
-  return truth_of(object_case(rounded_body<K>(*c.a, c.pose_a), Pose(), rounded_body<K>(*c.b, c.pose_b), Pose()), question) == truth;
+  return truth_of(object_case(rounded_body<K>(*c.a, c.pose_a), Pose(), rounded_body<K>(*c.b, c.pose_b), Pose()),
+                  question) == truth;
 }
 
 }  // namespace
@@ -85,7 +86,8 @@ BOOST_AUTO_TEST_CASE(the_pose_is_to_blame_exactly_when_exact_signs_of_rounded_im
         ++stages[std::string(name) + " " + to_string(*stage)];
         BOOST_TEST((*stage == Stage::pose) != (right_on_rounded_images<K>(c, question, truth)));
         // Without a tree nothing but signs can go wrong; exact signs on rounded images can go wrong in nothing else.
-        if (method == Method::brute) BOOST_TEST((*stage == Stage::pose || *stage == Stage::leaf_sign || *stage == Stage::containment));
+        if (method == Method::brute)
+          BOOST_TEST((*stage == Stage::pose || *stage == Stage::leaf_sign || *stage == Stage::containment));
         if (subject.kernel == Kernel_name::epick) BOOST_TEST((*stage == Stage::pose));
       };
       judge("double", kernel::Double());
@@ -121,7 +123,8 @@ BOOST_AUTO_TEST_CASE(unmoved_bodies_leave_only_the_signs_to_blame)
   Random random(11);
   int wrong = 0, wrong_epick = 0;
   for (int k = 0; k < 300; ++k) {
-    const Vertex p = real_vertex(random, 1), q = real_vertex(random, 1), r = real_vertex(random, 1), top = real_vertex(random, 1);
+    const Vertex p = real_vertex(random, 1), q = real_vertex(random, 1), r = real_vertex(random, 1),
+                 top = real_vertex(random, 1);
     const double s = real(random, 0.1, 0.4), t = real(random, 0.1, 0.4);
     Vertex on, far, far_1, far_2;
     for (int i = 0; i < 3; ++i) {
@@ -142,7 +145,8 @@ BOOST_AUTO_TEST_CASE(unmoved_bodies_leave_only_the_signs_to_blame)
 
 BOOST_AUTO_TEST_CASE(a_sphere_in_double_that_rejects_touching_cubes_is_to_blame)
 {
-  // Two cubes of half width 1 that touch in a vertex: sqrt(0.75) rounded, twice, squared, is below 3. Unrotated: images are exact.
+  // Two cubes of half width 1 that touch in a vertex: sqrt(0.75) rounded, twice, squared, is below 3. Unrotated: images
+  // are exact.
   const Object_case c = object_case(unit_cube(), Pose(), unit_cube(), translation(1, 1, 1));
   const auto stage = blame(*Subject::parse("double", Method::paper), c, Question::solid, true);
   BOOST_TEST_REQUIRE(stage.has_value());

@@ -27,8 +27,9 @@ namespace {
 
 using Exact = rationals::Vector;
 
-/// Whether the convex hull of the points holds the origin. By Caratheodory it does so exactly when the hull of some affinely
-/// independent few does; of these the origin's coordinates have one sign. All that is asked of predicates here comes down to it.
+/// Whether the convex hull of the points holds the origin. By Caratheodory it does so exactly when the hull of some
+/// affinely independent few does; of these the origin's coordinates have one sign. All that is asked of predicates here
+/// comes down to it.
 bool hull_holds_origin(const std::vector<Exact>& x)
 {
   const Exact origin = {0, 0, 0};
@@ -67,7 +68,9 @@ std::vector<Exact> differences(const std::vector<Exact>& a, const std::vector<Ex
 /// The answer by the definition in `Predicate`; nothing where it is not asked.
 std::optional<int> expected(Predicate predicate, const Predicate_case& c)
 {
-  const auto placed = [](const kernel::Pose& pose, const kernel::Vertex& v) { return rationals::image(pose, rationals::exactly(v)); };
+  const auto placed = [](const kernel::Pose& pose, const kernel::Vertex& v) {
+    return rationals::image(pose, rationals::exactly(v));
+  };
   std::vector<Exact> v;
   for (const auto& corner : c.v) v.push_back(placed(c.pose_a, corner));
   const Exact p = placed(c.pose_b, c.p), q = placed(c.pose_b, c.q), r = placed(c.pose_b, c.r);
@@ -111,7 +114,10 @@ const Predicate_subject& subject(const std::string& name)
 }
 
 /// The points of a case, to be filled in a loop.
-std::array<kernel::Vertex*, 7> points(Predicate_case& c) { return {&c.v[0], &c.v[1], &c.v[2], &c.v[3], &c.p, &c.q, &c.r}; }
+std::array<kernel::Vertex*, 7> points(Predicate_case& c)
+{
+  return {&c.v[0], &c.v[1], &c.v[2], &c.v[3], &c.p, &c.q, &c.r};
+}
 
 int below(Random& random, int n) { return int(random.bits() % std::uint64_t(n)); }
 
@@ -132,12 +138,14 @@ Predicate_case random_case(Random& random)
   return c;
 }
 
-/// One and the same rounded rotation for both bodies: no grid point is placed exactly, no position relative to the others changes.
+/// One and the same rounded rotation for both bodies: no grid point is placed exactly, no position relative to the
+/// others changes.
 kernel::Pose rounded_rotation(Random& random)
 {
   const auto q = random.quaternion();
   const auto m = rotation(q[0], q[1], q[2], q[3]);
-  return kernel::Pose(std::array<double, 12>{m[0][0], m[0][1], m[0][2], 0.1, m[1][0], m[1][1], m[1][2], -0.3, m[2][0], m[2][1], m[2][2], 0.7});
+  return kernel::Pose(std::array<double, 12>{m[0][0], m[0][1], m[0][2], 0.1, m[1][0], m[1][1], m[1][2], -0.3, m[2][0],
+                                             m[2][1], m[2][2], 0.7});
 }
 
 /// p rounded from the triangle's plane, q beyond it or beside.
@@ -149,7 +157,8 @@ Predicate_case nearly_on_plane(Random& random)
   return c;
 }
 
-/// How many of the n cases the subject answers wrongly, over all predicates that it has and that are asked; `asked` counts these.
+/// How many of the n cases the subject answers wrongly, over all predicates that it has and that are asked; `asked`
+/// counts these.
 struct Tally {
   int asked = 0, wrong = 0;
 };
@@ -181,9 +190,12 @@ BOOST_AUTO_TEST_CASE(names_are_unique_and_what_is_not_ours_says_where_it_comes_f
     const bool ours = s.answer(Predicate::orientation, Predicate_case{}).has_value();
     BOOST_TEST(s.note.empty() == ours, s.name);
     for (const Predicate predicate : all_predicates)
-      BOOST_TEST(s.answer(predicate, Predicate_case{}).has_value() == (ours || predicate == Predicate::segment_triangle), s.name);
+      BOOST_TEST(
+          s.answer(predicate, Predicate_case{}).has_value() == (ours || predicate == Predicate::segment_triangle),
+          s.name);
   }
-  for (const char* name : {"adaptive", "rational", "epeck", "epick", "double", "double-eps=1e-12", "double-eps=rel:1e-12", "float"})
+  for (const char* name :
+       {"adaptive", "rational", "epeck", "epick", "double", "double-eps=1e-12", "double-eps=rel:1e-12", "float"})
     BOOST_TEST(names.contains(name), name);
   BOOST_TEST(!subject("rational jimenez-segura-feito-sign-error").is_exact);
 }
@@ -241,17 +253,21 @@ BOOST_AUTO_TEST_CASE(small_grids_where_they_stand_are_exact_in_every_kernel)
   }
 }
 
-BOOST_AUTO_TEST_CASE(rounding_kernels_are_wrong_next_to_degenerate_positions_and_exact_predicates_only_once_points_are_moved)
+BOOST_AUTO_TEST_CASE(
+    rounding_kernels_are_wrong_next_to_degenerate_positions_and_exact_predicates_only_once_points_are_moved)
 {
   const auto wrong = [](const char* name, bool moved) {
     Random random(7);
-    return tally(subject(name), 300, [&] {
-             Predicate_case c = nearly_on_plane(random);
-             if (moved) c.pose_a = c.pose_b = rounded_rotation(random);
-             return c;
-           }).wrong;
+    return tally(subject(name), 300,
+                 [&] {
+                   Predicate_case c = nearly_on_plane(random);
+                   if (moved) c.pose_a = c.pose_b = rounded_rotation(random);
+                   return c;
+                 })
+        .wrong;
   };
-  for (const char* name : {"double", "double-eps=1e-12", "double-eps=rel:1e-12", "float"}) BOOST_TEST(wrong(name, false) > 0, name);
+  for (const char* name : {"double", "double-eps=1e-12", "double-eps=rel:1e-12", "float"})
+    BOOST_TEST(wrong(name, false) > 0, name);
   BOOST_TEST(wrong("epick", false) == 0);
   BOOST_TEST(wrong("epick", true) > 0);
   BOOST_TEST(wrong("adaptive", true) == 0);
@@ -311,10 +327,13 @@ BOOST_AUTO_TEST_CASE(the_published_wrong_sign_loses_every_segment_that_starts_on
   const auto volume = [](const Integers& a, const Integers& b, const Integers& c, const Integers& d) {
     const auto minus_a = [&a](const Integers& x) { return Integers{x[0] - a[0], x[1] - a[1], x[2] - a[2]}; };
     const Integers x = minus_a(b), y = minus_a(c), z = minus_a(d);
-    const long det = (x[1] * y[2] - x[2] * y[1]) * z[0] + (x[2] * y[0] - x[0] * y[2]) * z[1] + (x[0] * y[1] - x[1] * y[0]) * z[2];
+    const long det =
+        (x[1] * y[2] - x[2] * y[1]) * z[0] + (x[2] * y[0] - x[0] * y[2]) * z[1] + (x[0] * y[1] - x[1] * y[0]) * z[2];
     return (det > 0) - (det < 0);
   };
-  const auto real = [](const Integers& x) { return formulations::Vector<double>{double(x[0]), double(x[1]), double(x[2])}; };
+  const auto real = [](const Integers& x) {
+    return formulations::Vector<double>{double(x[0]), double(x[1]), double(x[2])};
+  };
   Random random(20240601);
   int hits = 0, on_plane = 0, lost_on_plane = 0, other_errors = 0, errors_of_right = 0, errors_of_segura = 0;
   for (int k = 0; k < 1'000'000; ++k) {
@@ -330,7 +349,8 @@ BOOST_AUTO_TEST_CASE(the_published_wrong_sign_loses_every_segment_that_starts_on
     on_plane += hit && side_p == 0;
     errors_of_right += jimenez_segura_feito(real(p), real(q), real(a), real(b), real(c), 0.0) != hit;
     errors_of_segura += formulations::segura_feito(real(p), real(q), real(a), real(b), real(c)) != hit;
-    const bool erring = jimenez_segura_feito<First_end_on_plane::sign_error>(real(p), real(q), real(a), real(b), real(c), 0.0);
+    const bool erring =
+        jimenez_segura_feito<First_end_on_plane::sign_error>(real(p), real(q), real(a), real(b), real(c), 0.0);
     lost_on_plane += hit && side_p == 0 && !erring;
     other_errors += erring != hit && !(hit && side_p == 0);
   }
@@ -351,7 +371,8 @@ BOOST_AUTO_TEST_CASE(exact_arithmetic_repeats_the_wrong_sign)
   int wrong = 0;
   for (int k = 0; k < 3000; ++k) {
     const Predicate_case c = grid_case(random, 3);
-    const auto rounded = in_double.answer(Predicate::segment_triangle, c), exact = in_rational.answer(Predicate::segment_triangle, c);
+    const auto rounded = in_double.answer(Predicate::segment_triangle, c),
+               exact = in_rational.answer(Predicate::segment_triangle, c);
     BOOST_TEST((rounded == exact));
     wrong += *exact != *expected(Predicate::segment_triangle, c);
   }

@@ -61,8 +61,8 @@ std::map<Contact, int> kinds_of(const std::vector<Feature_pair>& features, int b
   return kinds;
 }
 
-/// The answer, and that it is the same with the bodies swapped, their elements in another order, their faces turned, and
-/// both moved by one exact motion: rigid, reflected, sheared.
+/// The answer, and that it is the same with the bodies swapped, their elements in another order, their faces turned,
+/// and both moved by one exact motion: rigid, reflected, sheared.
 void check(Meet expected, const Polyhedron& a, const Pose& pose_a, const Polyhedron& b, const Pose& pose_b)
 {
   static Random random(1);
@@ -338,10 +338,12 @@ BOOST_AUTO_TEST_CASE(of_two_cubes_that_touch)
       // The common edge on 2 faces, and at each end on one; 2 more edges at each end, on 3 faces each.
       BOOST_TEST(
           (kinds(translation(1, 1, 0), body) == Kinds{{Contact::vertex_vertex, 14}, {Contact::coplanar_overlap, 2}}));
-      // The square's 4 edges: each on the square and a side, with an end on 2 sides. 4 edges end in it, on 3 faces each.
+      // The square's 4 edges: each on the square and a side, with an end on 2 sides. 4 edges end in it, on 3 faces
+      // each.
       BOOST_TEST(
           (kinds(translation(1, 0, 0), body) == Kinds{{Contact::vertex_vertex, 20}, {Contact::coplanar_overlap, 8}}));
-      // Halfway along the edge: 1 edge of each lies half on the other's; ends of 3 edges meet the other's edge, on 2 faces.
+      // Halfway along the edge: 1 edge of each lies half on the other's; ends of 3 edges meet the other's edge, on 2
+      // faces.
       BOOST_TEST(
           (kinds(translation(1, 1, 0.5), body) == Kinds{{Contact::vertex_edge, 5}, {Contact::coplanar_overlap, 2}}));
       BOOST_TEST(kinds(translation(2, 0, 0), body).empty());
@@ -361,7 +363,8 @@ BOOST_AUTO_TEST_CASE(of_an_edge_through_a_face_and_of_one_through_a_hole)
   BOOST_TEST(features_of(moved(lance, 1, {-2, -2, 0}), translation(0, 0, -4), cube_with_tunnel(), Pose()).empty());
 }
 
-/// The kind of two boxes whose sides are parallel to the axes, `edge` long in one direction and `square` in two, or fewer.
+/// The kind of two boxes whose sides are parallel to the axes, `edge` long in one direction and `square` in two, or
+/// fewer.
 Contact kind_of_boxes(const std::array<std::array<int, 3>, 2>& edge, const std::array<std::array<int, 3>, 2>& square)
 {
   int edge_free = 0, square_free = 0;
@@ -664,7 +667,8 @@ BOOST_AUTO_TEST_CASE(are_told_apart_by_any_distance)
   BOOST_TEST(inside(Brute_body(cube(5e-324)), {Rational(5e-324) / 2, 0, 0}) == 1);
 }
 
-// The first ray from the origin is along (1, 7/16, 49/256): it is made to run through an edge, through a vertex and in a face's plane.
+// The first ray from the origin is along (1, 7/16, 49/256): it is made to run through an edge, through a vertex and in
+// a face's plane.
 BOOST_AUTO_TEST_CASE(a_ray_through_an_edge_a_vertex_or_in_a_face_is_not_counted)
 {
   const double x = 1, y = 0.4375, z = 0.4375 * 0.4375;
@@ -675,7 +679,8 @@ BOOST_AUTO_TEST_CASE(a_ray_through_an_edge_a_vertex_or_in_a_face_is_not_counted)
     BOOST_TEST(inside(edge, {0, 0, 0}) == -int(far));
     const Brute_body turned(tetrahedron(below, above, left, right));
     BOOST_TEST(inside(turned, {0, 0, 0}) == -int(far));
-    const tetracone::kernel::Vertex back = {x + 4 * far, y, z + 3}, low = {x + 4 * far, y + 3, z - 3}, high = {x + 4 * far, y - 3, z - 3};
+    const tetracone::kernel::Vertex back = {x + 4 * far, y, z + 3}, low = {x + 4 * far, y + 3, z - 3},
+                                    high = {x + 4 * far, y - 3, z - 3};
     const Brute_body vertex(tetrahedron(on, back, low, high));
     BOOST_TEST(inside(vertex, {0, 0, 0}) == -int(far));
   }
@@ -808,8 +813,11 @@ BOOST_AUTO_TEST_CASE(boxes_and_convex_bodies_of_the_tests_of_fcl_and_coal)
 BOOST_AUTO_TEST_SUITE_END()
 
 // Two errors were planted in planar_face.h to see whether tests notice:
-//  1. the half-open crossing rule of `winding` made closed (from.y() >= p.y()): 14 cases here failed (tunnel, pocket, small tetrahedra, CGAL's triangles, ...).
-//  2. `locate` without each loop's last edge: 7 cases here failed (features of touching cubes, of voxels; a gap; the tunnel; degenerate faces; ...).
-//  3. `crossing` without its way out for a ray through a border: only a_ray_through_an_edge_a_vertex_or_in_a_face_is_not_counted failed.
+//  1. the half-open crossing rule of `winding` made closed (from.y() >= p.y()): 14 cases here failed (tunnel, pocket,
+//  small tetrahedra, CGAL's triangles, ...).
+//  2. `locate` without each loop's last edge: 7 cases here failed (features of touching cubes, of voxels; a gap; the
+//  tunnel; degenerate faces; ...).
+//  3. `crossing` without its way out for a ray through a border: only
+//  a_ray_through_an_edge_a_vertex_or_in_a_face_is_not_counted failed.
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,8 +1,8 @@
 #include "verify/truth/distance_to_degeneracy.h"
 
-#include "verify/truth/integer_truth.h"
 #include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
+#include "verify/truth/integer_truth.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -12,9 +12,10 @@
 #include <memory>
 #include <vector>
 
-// Planted by hand, and caught by these tests: the determinant's minus a plus; the permanent without one of its absolute values; n not
-// halved after its square; the exponent of the largest coordinate one too high; the denominator forgotten; boxes not grown; edges'
-// lines asked where both ends are on one side; edges of one body only; a wrong point in one determinant of `solid`, of `classification`.
+// Planted by hand, and caught by these tests: the determinant's minus a plus; the permanent without one of its absolute
+// values; n not halved after its square; the exponent of the largest coordinate one too high; the denominator
+// forgotten; boxes not grown; edges' lines asked where both ends are on one side; edges of one body only; a wrong point
+// in one determinant of `solid`, of `classification`.
 
 using namespace tetracone::verify;
 using namespace tetracone::verify::scenes;
@@ -24,7 +25,8 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-Predicate_case points(const std::array<Vertex, 4>& v, const Vertex& p, const Vertex& q = {0, 0, 0}, const Vertex& r = {0, 0, 0})
+Predicate_case points(const std::array<Vertex, 4>& v, const Vertex& p, const Vertex& q = {0, 0, 0},
+                      const Vertex& r = {0, 0, 0})
 {
   return {v, p, q, r, Pose(), Pose(), {}};
 }
@@ -36,8 +38,10 @@ Object_case object_case(const Polyhedron& a, const Pose& pose_a, const Polyhedro
 
 void check_near(double value, double expected)
 {
-  if (std::isinf(expected)) BOOST_TEST(value == expected);
-  else BOOST_TEST(std::abs(value - expected) < 1e-9, value << " is not " << expected);
+  if (std::isinf(expected))
+    BOOST_TEST(value == expected);
+  else
+    BOOST_TEST(std::abs(value - expected) < 1e-9, value << " is not " << expected);
 }
 
 }  // namespace
@@ -52,11 +56,13 @@ BOOST_AUTO_TEST_CASE(a_vertex_over_a_plane_is_as_many_ulps_away_as_its_height)
     check_near(distance(Predicate::orientation, c).log2_ulps, std::log2(z) + 50);
     c.v[2][0] = c.v[3][1] = std::nextafter(4.0, 0.0);
     check_near(distance(Predicate::orientation, c).log2_ulps, std::log2(z) + 51);
-    // D = 16 z, of the differences to p (-1, -1, -z), (3, -1, -z), (-1, 3, -z), whose products are z (1 + 3 + 3 + 1 + 9 + 1).
+    // D = 16 z, of the differences to p (-1, -1, -z), (3, -1, -z), (-1, 3, -z), whose products are z (1 + 3 + 3 + 1 + 9
+    // + 1).
     c.v[2][0] = c.v[3][1] = 4;
     check_near(distance(Predicate::orientation, c).log2_rho, std::log2(16.0 / 18.0));
   }
-  const Distance flat = distance(Predicate::orientation, points({Vertex{9, 9, 9}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {1, 1, 0}));
+  const Distance flat =
+      distance(Predicate::orientation, points({Vertex{9, 9, 9}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {1, 1, 0}));
   BOOST_TEST(flat.log2_rho == -infinite);
   BOOST_TEST(flat.log2_ulps == -infinite);
 }
@@ -103,7 +109,8 @@ BOOST_AUTO_TEST_CASE(no_magnitude_overflows_or_underflows)
     check_near(scaled(s).log2_ulps, one.log2_ulps);
   }
   // Denormal heights over a plane of huge corners.
-  const Predicate_case steep = points({Vertex{0, 0, 0}, {0, 0, 0}, {0x1p1020, 0, 0}, {0, 0x1p1020, 0}}, {1, 1, 0x1p-1074});
+  const Predicate_case steep =
+      points({Vertex{0, 0, 0}, {0, 0, 0}, {0x1p1020, 0, 0}, {0, 0x1p1020, 0}}, {1, 1, 0x1p-1074});
   check_near(distance(Predicate::orientation, steep).log2_ulps, -1074 - (1020 - 52));
 }
 
@@ -169,7 +176,8 @@ BOOST_AUTO_TEST_CASE(each_predicate_has_its_determinants_and_no_others)
     for (int i = 0; i < 3; ++i) x[in[3]][i] = x[in[0]][i] + 2 * x[in[1]][i] - 2 * x[in[2]][i];
     const Predicate_case c = points({x[0], x[1], x[2], x[3]}, x[4], x[5], x[6]);
     for (const Predicate predicate : all_predicates)
-      BOOST_TEST_CONTEXT(to_string(predicate) << " " << in[0] << in[1] << in[2] << in[3]) {
+      BOOST_TEST_CONTEXT(to_string(predicate) << " " << in[0] << in[1] << in[2] << in[3])
+      {
         const Distance d = distance(predicate, c);
         const bool expected = has(predicate, {in[0], in[1], in[2], in[3]});
         BOOST_TEST((d.log2_rho == -infinite) == expected);
@@ -216,7 +224,8 @@ BOOST_AUTO_TEST_CASE(an_answer_changes_only_through_a_degenerate_case)
 
 BOOST_AUTO_TEST_CASE(gaps_between_boxes_are_counted_in_ulps)
 {
-  // A cube on a larger one, small enough that none of its edges is in a plane of the other. The largest coordinate is 3 and a bit.
+  // A cube on a larger one, small enough that none of its edges is in a plane of the other. The largest coordinate is 3
+  // and a bit.
   const Polyhedron below = box({-3, -3, 0}, {3, 3, 1}), above = box({-1, -1.25, 1}, {1, 1.25, 2.75});
   for (const int ulps : {1, 2, 64, 4096}) {
     const Distance gap = distance(object_case(below, Pose(), above, translation(0, 0, ulps * 0x1p-51)));

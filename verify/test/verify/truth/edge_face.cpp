@@ -44,7 +44,8 @@ Vector outer(const Vector& a, const Vector& b)
 }
 long inner(const Vector& a, const Vector& b) { return long(a[0]) * b[0] + long(a[1]) * b[1] + long(a[2]) * b[2]; }
 
-/// The kind by clipping the edge with the five half-spaces whose intersection the triangle is; whole numbers and fractions.
+/// The kind by clipping the edge with the five half-spaces whose intersection the triangle is; whole numbers and
+/// fractions.
 Contact by_clipping(const Vector& from, const Vector& to, const std::array<Vector, 3>& triangle)
 {
   const Vector normal = outer(minus(triangle[1], triangle[0]), minus(triangle[2], triangle[0]));
@@ -194,7 +195,8 @@ BOOST_AUTO_TEST_CASE(random_small_triangles_agree_with_clipping)
 }
 
 // Two errors were planted in planar_face.h to see whether tests notice:
-//  1. the half-open crossing rule of `winding` made closed (from.y() >= p.y()): 2 of 9 cases here failed, random_small_triangles_agree_with_clipping 1,862 times.
+//  1. the half-open crossing rule of `winding` made closed (from.y() >= p.y()): 2 of 9 cases here failed,
+//  random_small_triangles_agree_with_clipping 1,862 times.
 //  2. `locate` without each loop's last edge: 7 of 9 cases here failed.
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,9 +1,9 @@
 
 #include "verify/truth/integer_truth.h"
 
+#include "verify/test/support/scenes.h"
 #include "verify/truth/cgal_truth.h"
 #include "verify/truth/integer_body.h"
-#include "verify/test/support/scenes.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -14,10 +14,11 @@
 #include <string>
 #include <vector>
 
-// Planted by hand, and caught by these tests: the weights of a crossing exchanged; edges between opposite quadrants turned the other way,
-// all or those through y only; a coordinate equal to y's counted as more; on_loop ignored; in one plane no test at all, or none against
-// the loops; segments_meet without its one-line branch; faces below the point counted instead of those above, or as well; heights that
-// ignore where the normal points; only the first part asked; no plane for loops that cancel; edges of one body only.
+// Planted by hand, and caught by these tests: the weights of a crossing exchanged; edges between opposite quadrants
+// turned the other way, all or those through y only; a coordinate equal to y's counted as more; on_loop ignored; in one
+// plane no test at all, or none against the loops; segments_meet without its one-line branch; faces below the point
+// counted instead of those above, or as well; heights that ignore where the normal points; only the first part asked;
+// no plane for loops that cancel; edges of one body only.
 
 using namespace tetracone::verify;
 using namespace tetracone::verify::scenes;
@@ -48,7 +49,8 @@ Meet meet(const Polyhedron& a, const Pose& pose_a, const Polyhedron& b, const Po
 {
   const Object_case c = object_case(a, pose_a, b, pose_b), swapped = object_case(b, pose_b, a, pose_a);
   const Meet result = meet(integer_truth::collide(c, Question::solid), integer_truth::collide(c, Question::surface));
-  BOOST_TEST(result == meet(integer_truth::collide(swapped, Question::solid), integer_truth::collide(swapped, Question::surface)));
+  BOOST_TEST(result == meet(integer_truth::collide(swapped, Question::solid),
+                            integer_truth::collide(swapped, Question::surface)));
   return result;
 }
 Meet meet(const Polyhedron& a, const Polyhedron& b) { return meet(a, Pose(), b, Pose()); }
@@ -123,10 +125,12 @@ BOOST_AUTO_TEST_CASE(containment_makes_solids_meet_and_cavities_do_not)
 
 BOOST_AUTO_TEST_CASE(a_hole_is_a_part_of_its_own)
 {
-  // A face with a hole whose loop alone is over a vertex of the other body; both loops doubled, so that nothing is enclosed.
+  // A face with a hole whose loop alone is over a vertex of the other body; both loops doubled, so that nothing is
+  // enclosed.
   Polyhedron sheet;
   for (const double half : {4.0, 1.0})
-    for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) sheet.vertices.push_back({half * x, half * y, 0});
+    for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
+      sheet.vertices.push_back({half * x, half * y, 0});
   sheet.add_face({{0, 1, 2, 3}, {7, 6, 5, 4}});
   sheet.add_face({{3, 2, 1, 0}, {4, 5, 6, 7}});
   BOOST_TEST(meet(sheet, stick({0, 0, -1}, {0, 0, 1})) == Meet::apart);
@@ -247,7 +251,8 @@ BOOST_AUTO_TEST_CASE(faces_of_any_loops_meet_as_in_cgals_rationals)
     for (auto& loop : loops) {
       for (int k = integer(random, 1, 5); k > 0; --k) {
         loop.push_back(Index(result.vertices.size()));
-        result.vertices.push_back({double(integer(random, -radius, radius)), double(integer(random, -radius, radius)), 0});
+        result.vertices.push_back(
+            {double(integer(random, -radius, radius)), double(integer(random, -radius, radius)), 0});
       }
       // Some run back the way they came: no area, and yet a plane.
       if (integer(random, 0, 3) == 0)
@@ -280,7 +285,8 @@ BOOST_AUTO_TEST_CASE(points_are_in_voxel_solids_where_their_cells_are_full)
     for (int x = -1; x <= 7; ++x)
       for (int y = -1; y <= 7; ++y)
         for (int z = -1; z <= 7; ++z) {
-          const Object_case c = {solid, std::make_shared<const Polyhedron>(dot({x / 2.0, y / 2.0, z / 2.0})), Pose(), Pose(), {}, {}, {}};
+          const Object_case c = {
+              solid, std::make_shared<const Polyhedron>(dot({x / 2.0, y / 2.0, z / 2.0})), Pose(), Pose(), {}, {}, {}};
           const int where = voxels.where(x, y, z);
           BOOST_TEST(integer_truth::collide(c, Question::surface) == (where == 0));
           BOOST_TEST(integer_truth::collide(c, Question::solid) == (where >= 0));

@@ -191,7 +191,8 @@ BOOST_AUTO_TEST_CASE(sides_follow_the_orientation_of_the_base)
 }
 
 // Two errors were planted in planar_face.h to see whether tests notice:
-//  1. the half-open crossing rule of `winding` made closed (from.y() >= p.y()): 5 of 8 cases here failed, first winding_counts_a_ray_through_corners_once.
+//  1. the half-open crossing rule of `winding` made closed (from.y() >= p.y()): 5 of 8 cases here failed, first
+//  winding_counts_a_ray_through_corners_once.
 //  2. `locate` without each loop's last edge: 5 of 8 cases here failed.
 
 BOOST_AUTO_TEST_SUITE_END()

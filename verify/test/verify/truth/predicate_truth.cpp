@@ -1,7 +1,7 @@
 #include "verify/truth/predicate_truth.h"
 
-#include "verify/truth/integer_truth.h"
 #include "verify/test/support/scenes.h"
+#include "verify/truth/integer_truth.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -12,9 +12,10 @@
 #include <string>
 #include <vector>
 
-// Planted by hand, and caught by these tests: the sign of the orientation, in either truth; the cone without its apex; the clip without
-// crossings, with the half-space open, and with planes not turned inward; a triangle on a line by unsorted corners; inequalities of
-// pivots with the wrong sign; bounds combined with the wrong sign; constants that must be > 0; rows without coefficients forgotten.
+// Planted by hand, and caught by these tests: the sign of the orientation, in either truth; the cone without its apex;
+// the clip without crossings, with the half-space open, and with planes not turned inward; a triangle on a line by
+// unsorted corners; inequalities of pivots with the wrong sign; bounds combined with the wrong sign; constants that
+// must be > 0; rows without coefficients forgotten.
 
 using namespace tetracone::verify;
 using namespace tetracone::verify::scenes;
@@ -53,7 +54,7 @@ std::map<Predicate, std::map<std::string, int>> compare(int count, Make&& make)
   std::map<Predicate, std::map<std::string, int>> seen;
   for (int k = 0; k < count; ++k) {
     const Predicate_case c = make(k);
-    for (const Predicate predicate : all_predicates) BOOST_TEST_CONTEXT(k) ++seen[predicate][text(both(predicate, c))];
+    for (const Predicate predicate : all_predicates) BOOST_TEST_CONTEXT(k)++ seen[predicate][text(both(predicate, c))];
   }
   return seen;
 }
@@ -122,8 +123,16 @@ BOOST_AUTO_TEST_CASE(tetrahedra_and_solids_are_closed)
     Vertex p;
     int place;
   };
-  for (const auto& [p, place] : {Known{{0.5, 0.5, 0.5}, 1}, {{0, 0, 0}, 0}, {{1, 1, 0}, 0}, {{0.5, 0.5, 1}, 0}, {{0.5, 0, 0.25}, 0},
-                                 {{2, 0, 0}, 0}, {{1, 1, 5e-324}, -1}, {{-1, 0, 0}, -1}, {{3, 0, 0}, -1}, {{0.75, 0.75, 0.75}, -1}}) {
+  for (const auto& [p, place] : {Known{{0.5, 0.5, 0.5}, 1},
+                                 {{0, 0, 0}, 0},
+                                 {{1, 1, 0}, 0},
+                                 {{0.5, 0.5, 1}, 0},
+                                 {{0.5, 0, 0.25}, 0},
+                                 {{2, 0, 0}, 0},
+                                 {{1, 1, 5e-324}, -1},
+                                 {{-1, 0, 0}, -1},
+                                 {{3, 0, 0}, -1},
+                                 {{0.75, 0.75, 0.75}, -1}}) {
     const Predicate_case c = corner(p, {7, -3, 2});
     BOOST_TEST(both(Predicate::solid, c).value() == place);
     BOOST_TEST(both(Predicate::tetrahedron, c).value() == (place >= 0 ? 1 : 0));
@@ -142,8 +151,10 @@ BOOST_AUTO_TEST_CASE(a_flat_solid_is_its_surface)
     Vertex on, off;
   };
   const Vertex o{0, 0, 0}, x{2, 0, 0}, y{0, 2, 0}, xy{2, 2, 0}, m{0.5, 0.5, 0};
-  for (const auto& [v, on, off] : {Known{{o, x, xy, y}, {1, 1, 0}, {1, 1, 1}}, {{o, x, y, m}, {1, 1, 0}, {1.5, 1, 0}},
-                                   {{o, o, x, x}, {0.5, 0, 0}, {3, 0, 0}}, {{x, x, x, x}, x, o}}) {
+  for (const auto& [v, on, off] : {Known{{o, x, xy, y}, {1, 1, 0}, {1, 1, 1}},
+                                   {{o, x, y, m}, {1, 1, 0}, {1.5, 1, 0}},
+                                   {{o, o, x, x}, {0.5, 0, 0}, {3, 0, 0}},
+                                   {{x, x, x, x}, x, o}}) {
     Predicate_case c = {v, on, {5, 5, 5}, {}, Pose(), Pose(), {}};
     BOOST_TEST(both(Predicate::solid, c).value() == 0);
     c.p = off;
@@ -157,22 +168,22 @@ BOOST_AUTO_TEST_CASE(segments_and_triangles_may_be_degenerate)
     return both(Predicate::segment_triangle, {{Vertex{9, 9, 9}, a, b, c}, p, q, {8, 8, 8}, Pose(), Pose(), {}}).value();
   };
   const Vertex o{0, 0, 0}, x{4, 0, 0}, y{0, 4, 0};
-  BOOST_TEST(answer({1, 1, -1}, {1, 1, 1}, o, x, y) == 1);     // across
-  BOOST_TEST(answer({1, 1, 1}, {1, 1, 2}, o, x, y) == 0);      // ends before
-  BOOST_TEST(answer({1, 1, 0}, {1, 1, 2}, o, x, y) == 1);      // an end on it
-  BOOST_TEST(answer({2, 2, -1}, {2, 2, 1}, o, x, y) == 1);     // through an edge
-  BOOST_TEST(answer({4, 0, -1}, {4, 0, 1}, o, x, y) == 1);     // through a corner
-  BOOST_TEST(answer({3, 3, -1}, {3, 3, 1}, o, x, y) == 0);     // beside
-  BOOST_TEST(answer({-1, 1, 0}, {9, 1, 0}, o, x, y) == 1);     // in its plane, across
-  BOOST_TEST(answer({1, 1, 0}, {1.5, 1, 0}, o, x, y) == 1);    // in its plane, within
-  BOOST_TEST(answer({4, 4, 0}, {5, 4, 0}, o, x, y) == 0);      // in its plane, beside
-  BOOST_TEST(answer({0, 8, 0}, {0, 4, 0}, o, x, y) == 1);      // in its plane, at a corner
-  BOOST_TEST(answer({1, 1, 0}, {1, 1, 0}, o, x, y) == 1);      // points
+  BOOST_TEST(answer({1, 1, -1}, {1, 1, 1}, o, x, y) == 1);   // across
+  BOOST_TEST(answer({1, 1, 1}, {1, 1, 2}, o, x, y) == 0);    // ends before
+  BOOST_TEST(answer({1, 1, 0}, {1, 1, 2}, o, x, y) == 1);    // an end on it
+  BOOST_TEST(answer({2, 2, -1}, {2, 2, 1}, o, x, y) == 1);   // through an edge
+  BOOST_TEST(answer({4, 0, -1}, {4, 0, 1}, o, x, y) == 1);   // through a corner
+  BOOST_TEST(answer({3, 3, -1}, {3, 3, 1}, o, x, y) == 0);   // beside
+  BOOST_TEST(answer({-1, 1, 0}, {9, 1, 0}, o, x, y) == 1);   // in its plane, across
+  BOOST_TEST(answer({1, 1, 0}, {1.5, 1, 0}, o, x, y) == 1);  // in its plane, within
+  BOOST_TEST(answer({4, 4, 0}, {5, 4, 0}, o, x, y) == 0);    // in its plane, beside
+  BOOST_TEST(answer({0, 8, 0}, {0, 4, 0}, o, x, y) == 1);    // in its plane, at a corner
+  BOOST_TEST(answer({1, 1, 0}, {1, 1, 0}, o, x, y) == 1);    // points
   BOOST_TEST(answer({1, 1, 1}, {1, 1, 1}, o, x, y) == 0);
-  BOOST_TEST(answer({1, -1, 0}, {1, 1, 0}, o, x, {2, 0, 0}) == 1);   // a triangle on a line, any order
+  BOOST_TEST(answer({1, -1, 0}, {1, 1, 0}, o, x, {2, 0, 0}) == 1);  // a triangle on a line, any order
   BOOST_TEST(answer({3, -1, 0}, {3, 1, 0}, o, {2, 0, 0}, x) == 1);
   BOOST_TEST(answer({5, -1, 0}, {5, 1, 0}, o, {2, 0, 0}, x) == 0);
-  BOOST_TEST(answer({5, 0, 0}, {9, 0, 0}, o, {2, 0, 0}, x) == 0);    // on its line
+  BOOST_TEST(answer({5, 0, 0}, {9, 0, 0}, o, {2, 0, 0}, x) == 0);  // on its line
   BOOST_TEST(answer({4, 0, 0}, {9, 0, 0}, {2, 0, 0}, x, o) == 1);
   BOOST_TEST(answer({3, 0, 0}, {3, 0, 0}, {2, 0, 0}, x, o) == 1);
   BOOST_TEST(answer({0, 0, 0}, {4, 4, 0}, {2, 2, 0}, {2, 2, 0}, {2, 2, 0}) == 1);  // a point
@@ -186,13 +197,13 @@ BOOST_AUTO_TEST_CASE(a_triangle_is_classified_where_it_meets_the_cone)
   const auto answer = [](const Vertex& p, const Vertex& q, const Vertex& r) {
     return both(Predicate::classification, corner(p, q, r)).value();
   };
-  BOOST_TEST(answer({1, 1, 5}, {5, 1, 1}, {1, 5, 2}) == 1);            // within
-  BOOST_TEST(answer({19, -5, -5}, {-5, 19, -5}, {-5, -5, 19}) == 1);      // around: no corner is in it, no edge meets it
-  BOOST_TEST(answer({9, -1, 1}, {-1, 9, 1}, {-1, -1, 2}) == 1);        // across
-  BOOST_TEST(answer({-1, -1, 5}, {-1, 1, 5}, {-5, 0, 5}) == 0);        // beside
-  BOOST_TEST(answer({-1, -1, -1}, {-1, -2, -3}, {-3, -1, -5}) == 0);   // behind
-  BOOST_TEST(answer({0, 0, 1}, {-1, -2, 3}, {-3, -1, 5}) == 1);        // a corner on an edge
-  BOOST_TEST(answer({-1, 1, 3}, {1, -1, 3}, {-5, -5, 2}) == 1);        // an edge on an edge
+  BOOST_TEST(answer({1, 1, 5}, {5, 1, 1}, {1, 5, 2}) == 1);           // within
+  BOOST_TEST(answer({19, -5, -5}, {-5, 19, -5}, {-5, -5, 19}) == 1);  // around: no corner is in it, no edge meets it
+  BOOST_TEST(answer({9, -1, 1}, {-1, 9, 1}, {-1, -1, 2}) == 1);       // across
+  BOOST_TEST(answer({-1, -1, 5}, {-1, 1, 5}, {-5, 0, 5}) == 0);       // beside
+  BOOST_TEST(answer({-1, -1, -1}, {-1, -2, -3}, {-3, -1, -5}) == 0);  // behind
+  BOOST_TEST(answer({0, 0, 1}, {-1, -2, 3}, {-3, -1, 5}) == 1);       // a corner on an edge
+  BOOST_TEST(answer({-1, 1, 3}, {1, -1, 3}, {-5, -5, 2}) == 1);       // an edge on an edge
   BOOST_TEST(answer({-1, 1, 3}, {1, -1.5, 3}, {-5, -5, 2}) == 0);
   BOOST_TEST(!both(Predicate::classification, corner({1, 1, 1}, {2, 2, 2}, {5, 0, 0})));
 }
