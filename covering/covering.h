@@ -87,7 +87,7 @@ class Covering {
 
   Index edge_number(Index a, Index b) const
   {
-    return std::lower_bound(edges_.begin(), edges_.end(), undirected(a, b)) - edges_.begin();
+    return static_cast<Index>(std::lower_bound(edges_.begin(), edges_.end(), undirected(a, b)) - edges_.begin());
   }
 
   void cover_face(const Polyhedron& polyhedron, Index f)

@@ -92,6 +92,7 @@ inline Off_plane deviation(const Polyhedron& polyhedron, Index f)
     return Vector{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
   };
   std::vector<Vector> offset;
+  offset.reserve(all.size());
   for (const Index v : all) offset.push_back(from_first(v));
 
   Vector q{}, normal{};

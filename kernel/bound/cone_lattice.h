@@ -44,7 +44,8 @@ inline Cone_lattice cone_lattice(std::span<const Vertex> vertices)
     for (int k = 0; k < 3; ++k) {
       low[k] = minimum(low[k], v[k]);
       high[k] = maximum(high[k], v[k]);
-      mean[k] += v[k] / vertices.size();  // divided first: a sum of huge coordinates must not overflow
+      mean[k] +=
+          v[k] / static_cast<double>(vertices.size());  // divided first: a sum of huge coordinates must not overflow
       largest = maximum(largest, std::abs(v[k]));
     }
   }

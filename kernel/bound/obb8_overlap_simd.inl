@@ -116,28 +116,28 @@ HWY_INLINE auto together(const Test& test)
   if constexpr (similarity) {
     // Below that, products underflow.
     if (box.apex != no_apex && box.extent[2] > 0x1p-41f) {
-      // The triangle's two other edges, by their normals (-x, left) and (x, right) along the single box's edges 1 and
-      // 2, no unit vectors: so the slack is times x + left, or x + right. It is twice that of the other axes, for two
+      // The triangle's two other edges, by their normals (-base, left) and (base, right) along the single box's edges 1 and
+      // 2, no unit vectors: so the slack is times base + left, or base + right. It is twice that of the other axes, for two
       // more roundings a term, and the tolerance of the apex, twice, for the roundings of the extents.
-      const float length = box.extent[1], width = box.extent[2], x = 2 * width, left = length * (1 + box.apex),
+      const float length = box.extent[1], width = box.extent[2], base = 2 * width, left = length * (1 + box.apex),
                   right = length * (1 - box.apex);
       const float slack = 2 * box.slack + float(2 * apex_tolerance) * (length + width);
       const auto number = [&](float value) HWY_ATTR { return hn::Set(test.tag, value); };
-      const Floats d1 = hn::Mul(number(x), hn::MulAdd(t2, r21, hn::MulAdd(t1, r11, hn::Mul(t0, r01)))),
+      const Floats d1 = hn::Mul(number(base), hn::MulAdd(t2, r21, hn::MulAdd(t1, r11, hn::Mul(t0, r01)))),
                    d2 = hn::MulAdd(t2, r22, hn::MulAdd(t1, r12, hn::Mul(t0, r02)));
-      const Floats x0 = hn::Mul(number(x), r01), x1 = hn::Mul(number(x), r11), x2 = hn::Mul(number(x), r21);
+      const Floats b0 = hn::Mul(number(base), r01), b1 = hn::Mul(number(base), r11), b2 = hn::Mul(number(base), r21);
       const auto beside = [&](Floats distance, float reach, Floats n0, Floats n1, Floats n2, float sum) HWY_ATTR {
         const Floats beyond = hn::NegMulAdd(
             e2, hn::Abs(n2),
             hn::NegMulAdd(e1, hn::Abs(n1), hn::NegMulAdd(e0, hn::Abs(n0), hn::Sub(distance, number(reach)))));
         return hn::Gt(beyond, number(slack * sum));
       };
-      // t leads from the eight to the single one: their centres are at (-d1, -d2) / (x, 1).
+      // t leads from the eight to the single one: their centres are at (-d1, -d2) / (base, 1).
       const Floats l = number(left), r = number(right);
-      const auto beside_left = beside(hn::NegMulAdd(l, d2, d1), width * right, hn::NegMulAdd(l, r02, x0),
-                                      hn::NegMulAdd(l, r12, x1), hn::NegMulAdd(l, r22, x2), x + left);
-      const auto beside_right = beside(hn::NegMulAdd(r, d2, hn::Neg(d1)), width * left, hn::MulAdd(r, r02, x0),
-                                       hn::MulAdd(r, r12, x1), hn::MulAdd(r, r22, x2), x + right);
+      const auto beside_left = beside(hn::NegMulAdd(l, d2, d1), width * right, hn::NegMulAdd(l, r02, b0),
+                                      hn::NegMulAdd(l, r12, b1), hn::NegMulAdd(l, r22, b2), base + left);
+      const auto beside_right = beside(hn::NegMulAdd(r, d2, hn::Neg(d1)), width * left, hn::MulAdd(r, r02, b0),
+                                       hn::MulAdd(r, r12, b1), hn::MulAdd(r, r22, b2), base + right);
       apart = hn::Or(apart, hn::Or(beside_left, beside_right));
     }
   }

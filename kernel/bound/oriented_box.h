@@ -50,7 +50,7 @@ struct Oriented_box {
   Vector centre, extent;
 
   /// The box of these axes about the points.
-  Oriented_box(const Matrix& axes, std::span<const Vector> points) : axes(axes)
+  Oriented_box(const Matrix& orthonormal, std::span<const Vector> points) : axes(orthonormal)
   {
     Vector low = Vector::Constant(std::numeric_limits<double>::infinity()), high = -low;
     for (const Vector& p : points) {

@@ -14,7 +14,7 @@ struct Double_double {
 
   Double_double() = default;
   Double_double(double x) : high(x) {}
-  Double_double(double high, double low) : high(high), low(low) {}
+  Double_double(double h, double l) : high(h), low(l) {}
 
   /// x + y and x y, exactly.
   static Double_double sum(double x, double y)

@@ -173,8 +173,7 @@ class Adaptive {
     return beyond(a.image[axis] - b.image[axis], 1.001 * error);
   }
 
-  // --- zero exits
-  // -----------------------------------------------------------------------------------------------------
+  // --- zero exits ----------------------------------------------------------------------------------------------------
 
   /// True when the two are one vertex under one pose. Unequal ones may still have the same image.
   static bool identical(const Point_3& a, const Point_3& b) { return a.pose == b.pose && a.vertex == b.vertex; }

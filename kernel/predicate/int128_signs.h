@@ -36,13 +36,14 @@ std::optional<std::array<std::array<std::int64_t, 3>, count>> on_grid(const std:
   return grid;
 }
 
+__extension__ using Int128 = __int128;  // no ISO C++
+
 /// The sign of det[b-a, c-a, d-a], or nothing where the points are on no such grid. Differences are below 2^39, so
 /// their 2x2 minors below 2^79 and the sum of three products below 2^120.
 inline std::optional<CGAL::Sign> int128_volume_sign(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d)
 {
   const auto grid = on_grid<4>({&a, &b, &c, &d});
   if (!grid) return std::nullopt;
-  using Int128 = __int128;
   const auto& [p, q, r, s] = *grid;
   const Int128 bx = q[0] - p[0], by = q[1] - p[1], bz = q[2] - p[2], cx = r[0] - p[0], cy = r[1] - p[1],
                cz = r[2] - p[2];
@@ -56,7 +57,6 @@ inline std::optional<CGAL::Sign> int128_normal_sign(const Vertex& a, const Verte
 {
   const auto grid = on_grid<3>({&a, &b, &c});
   if (!grid) return std::nullopt;
-  using Int128 = __int128;
   const int i = (axis + 1) % 3, j = (axis + 2) % 3;
   const auto& [p, q, r] = *grid;
   const Int128 component = Int128(q[i] - p[i]) * (r[j] - p[j]) - Int128(q[j] - p[j]) * (r[i] - p[i]);

@@ -52,8 +52,7 @@ Sign difference_sign(const Point<K>& a, const Point<K>& b, int axis)
   return typename K::Compare_z_3()(a, b);
 }
 
-// --- Adaptive
-// -----------------------------------------------------------------------------------------------------------
+// --- Adaptive --------------------------------------------------------------------------------------------------------
 
 template <>
 inline Sign volume_sign<Adaptive>(const Adaptive::Point_3& a, const Adaptive::Point_3& b, const Adaptive::Point_3& c,
@@ -73,8 +72,7 @@ inline Sign difference_sign<Adaptive>(const Adaptive::Point_3& a, const Adaptive
   return Adaptive::difference_sign(a, b, axis);
 }
 
-// --- Tolerant
-// -----------------------------------------------------------------------------------------------------------
+// --- Tolerant --------------------------------------------------------------------------------------------------------
 
 /// `value` is a sum of products whose absolute values sum to `permanent`.
 inline Sign tolerant_sign(double value, double permanent)
@@ -113,8 +111,7 @@ inline Sign difference_sign<Tolerant>(const Tolerant::Point_3& a, const Tolerant
   return tolerant_sign(a[axis] - b[axis], std::abs(a[axis]) + std::abs(b[axis]));
 }
 
-// --- what follows from them
-// ---------------------------------------------------------------------------------------------
+// --- what follows from them ------------------------------------------------------------------------------------------
 
 /// True when a and b have the same coordinates.
 template <class K>

@@ -174,7 +174,7 @@ class Tetra_tree {
   {
     if (nodes_[n].is_leaf) return;
     const Node<B> parent = nodes_[n];
-    const Index first = nodes_.size();
+    const Index first = static_cast<Index>(nodes_.size());
     const int count = parent.level == 0 ? 8 : 4;
     for (int k = 0; k < count; ++k) {
       Node<B> child;
@@ -189,7 +189,7 @@ class Tetra_tree {
     }
     nodes_[n].has_children = true;
     nodes_[n].first_child = first;
-    nodes_[n].child_count = nodes_.size() - first;
+    nodes_[n].child_count = static_cast<Index>(nodes_.size()) - first;
   }
 
   void classify_into(Node<B>& child, const Node<B>& parent)

@@ -42,8 +42,7 @@ struct Scene {
   Point p, q, r;
 };
 
-// --- draws
-// --------------------------------------------------------------------------------------------------------------
+// --- draws -----------------------------------------------------------------------------------------------------------
 
 inline bool one_in(Random& random, int n) { return random.bits() % n == 0; }
 inline int sign(Random& random) { return one_in(random, 2) ? 1 : -1; }
@@ -89,8 +88,7 @@ inline Point in_plane(const Tetra& v, const Rational& a, const Rational& b)
 /// Every coordinate down to a multiple of 2^-bits.
 Point on_grid(const Point& x, int bits);
 
-// --- about a contact
-// ----------------------------------------------------------------------------------------------------
+// --- about a contact -------------------------------------------------------------------------------------------------
 
 /// Fine enough against tetrahedra of integers, and few bits.
 inline constexpr int usual_grid = 10;
@@ -112,8 +110,7 @@ void relabel(Random& random, Scene& scene);
 /// A coordinate of p changed by `ulps`: its own or, where it is 0, those of the largest coordinate of p q r.
 void nudge(Random& random, Predicate_case& c, int ulps);
 
-// --- placing
-// ------------------------------------------------------------------------------------------------------------
+// --- placing ---------------------------------------------------------------------------------------------------------
 
 /// The frames in which the bodies' points are written, and the map that both are put under at last.
 struct Frames {

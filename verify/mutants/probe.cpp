@@ -37,8 +37,7 @@ namespace {
   std::exit(1);
 }
 
-// --- reading
-// ------------------------------------------------------------------------------------------------------------
+// --- reading ---------------------------------------------------------------------------------------------------------
 
 Rational read_rational(std::istream& in)
 {
@@ -85,8 +84,7 @@ covering::Polyhedron read_body(std::istream& in)
   return body;
 }
 
-// --- predicates
-// ---------------------------------------------------------------------------------------------------------
+// --- predicates ------------------------------------------------------------------------------------------------------
 
 template <class K>
 int answer(Predicate predicate, const verify::Predicate_case& c)
@@ -134,8 +132,7 @@ void judge_predicate(std::istream& in, int number)
   if (number % 4 == 0 && answer<kernel::Rational_kernel>(which, c) != truth) wrong("rational, " + name);
 }
 
-// --- objects
-// ------------------------------------------------------------------------------------------------------------
+// --- objects ---------------------------------------------------------------------------------------------------------
 
 template <class K>
 void judge(const char* subject, const tetratree::Config& config, const covering::Polyhedron& a,
@@ -185,8 +182,7 @@ void judge_object(std::istream& in, int number)
                                    number);
 }
 
-// --- the adaptive kernel's own promises
-// -----------------------------------------------------------------------------------
+// --- the adaptive kernel's own promises ------------------------------------------------------------------------------
 
 /// Points rounded on a plane or a line, about 0 or all about another point: what a filter decides must be the exact
 /// sign, what encloses must enclose.

@@ -91,8 +91,7 @@ double scale_of(const Object_case& c)
   return largest;
 }
 
-// --- motions
-// ------------------------------------------------------------------------------------------------------------
+// --- motions ---------------------------------------------------------------------------------------------------------
 
 Verdict absorbed(const Object_case& c, Question question, Answering& subject, Random& random)
 {
@@ -163,8 +162,7 @@ Verdict scaling(const Object_case& c, Question question, Answering& subject, Ran
   return same(c, twin, question, subject);
 }
 
-// --- the same surface from other elements
-// -------------------------------------------------------------------------------
+// --- the same surface from other elements ----------------------------------------------------------------------------
 
 /// The body with an edge split in its middle: a triangle at it becomes two, any other face gets a corner more.
 std::optional<Polyhedron> with_split_edge(const Polyhedron& what, Random& random)
@@ -289,8 +287,7 @@ std::optional<Polyhedron> wound_backwards(const Polyhedron& what, Random&)
   });
 }
 
-// --- more and less of a body
-// --------------------------------------------------------------------------------------------
+// --- more and less of a body -----------------------------------------------------------------------------------------
 
 struct Corners {
   Vertex low, high;
@@ -358,8 +355,7 @@ Verdict removing(const Object_case& c, Question question, Answering& subject, Ra
   return !with_less ? Verdict::not_applicable : *with_less ? Verdict::violated : Verdict::holds;
 }
 
-// --- another origin of the covering
-// -------------------------------------------------------------------------------------
+// --- another origin of the covering ----------------------------------------------------------------------------------
 
 /// The origin is the mean of all vertices, of those that no face has too: a vertex repeated draws it there, a far one
 /// elsewhere.
@@ -394,8 +390,7 @@ Verdict opposite_moves(const Object_case& c, Question question, Answering& subje
   return Verdict::not_applicable;
 }
 
-// --- along a translation
-// ------------------------------------------------------------------------------------------------
+// --- along a translation ---------------------------------------------------------------------------------------------
 
 /// Requires a closed polyhedron. True when its solid is the convex hull of its vertices: every face has all of them on
 /// one side, which leaves one region inside, and that has a winding number, for there is a volume.

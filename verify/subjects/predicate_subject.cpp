@@ -90,8 +90,7 @@ std::optional<int> ours(Predicate predicate, const Predicate_case& c)
   }
 }
 
-// --- other formulations
-// -----------------------------------------------------------------------------------------------
+// --- other formulations ----------------------------------------------------------------------------------------------
 
 template <class Number>
 using Vector = formulations::Vector<Number>;

@@ -108,8 +108,7 @@ BOOST_AUTO_TEST_CASE(an_adversary_who_climbs_stays_within_the_published_bounds)
   BOOST_TEST(of_product > 3.5);
 }
 
-// --- all operands of few digits
-// -----------------------------------------------------------------------------------------
+// --- all operands of few digits --------------------------------------------------------------------------------------
 
 namespace {
 

@@ -19,8 +19,7 @@ using Three = std::array<Vertex, 3>;
 
 namespace {
 
-// --- another formulation: rational arithmetic, no sign of the library
-// ---------------------------------------------------
+// --- another formulation: rational arithmetic, no sign of the library ------------------------------------------------
 
 using Exact_three = std::array<Vector, 3>;
 
@@ -78,8 +77,7 @@ bool share_a_point(const Exact_three& p, const Exact_three& q)
   return false;
 }
 
-// --- what is asked
-// ------------------------------------------------------------------------------------------------------
+// --- what is asked ---------------------------------------------------------------------------------------------------
 
 template <class K>
 std::array<Point<K>, 3> placed(const Three& t, const Pose& pose)

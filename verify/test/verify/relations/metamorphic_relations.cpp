@@ -29,8 +29,7 @@ namespace scenes = tetracone::verify::scenes;
 
 namespace {
 
-// --- subjects
-// -----------------------------------------------------------------------------------------------------------
+// --- subjects --------------------------------------------------------------------------------------------------------
 
 /// Every predicate by the signs of kernel K.
 template <class K>
@@ -91,8 +90,7 @@ class Wrong : public Answering {
 
 Outcome outcome(bool yes) { return yes ? Outcome::yes : Outcome::no; }
 
-// --- cases
-// --------------------------------------------------------------------------------------------------------------
+// --- cases -----------------------------------------------------------------------------------------------------------
 
 int between(Random& random, int low, int high) { return low + int(one_of(random, high - low + 1)); }
 
@@ -172,8 +170,7 @@ Object_case any_bodies(Random& random)
   return c;
 }
 
-// --- judging
-// ------------------------------------------------------------------------------------------------------------
+// --- judging ---------------------------------------------------------------------------------------------------------
 
 struct Count {
   int applicable = 0, violated = 0;

@@ -1,0 +1,37 @@
+#!/bin/bash
+# experiments/support/tidy.sh [FILE...]: clang-tidy, by the checks of .clang-tidy, on all headers of the package as one unit, and on these sources or, without
+# any, on those that the last commit or the working tree changed, as many as two minutes allow. Exit status 1 where it finds something, 77 without clang-tidy.
+
+. "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
+
+command -v clang-tidy > /dev/null || { echo "skipped: no clang-tidy; expected the package clang-tidy"; exit 77; }
+cd "$root"
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+mkdir "$scratch/tetracone"
+for folder in kernel covering tetratree; do ln -s "$root/$folder" "$scratch/tetracone/$folder"; done
+find kernel covering tetratree -name '*.h' | LC_ALL=C sort | sed 's|.*|#include "tetracone/&"|' > "$scratch/headers.cpp"
+
+# tidy FILE: silent where nothing is found.
+tidy()
+{
+  clang-tidy --config-file=.clang-tidy --quiet "$1" -- -std=c++20 -frounding-math -I"$scratch" -I"$root" \
+    $(pkg-config --cflags eigen3 bullet 2> /dev/null | sed 's/-I/-isystem /g') -DCGAL_USE_GMPXX=1 -DCGAL_NO_CDT_2_WARNING -DBOOST_TEST_DYN_LINK \
+    -DTETRACONE_SOURCE_DIR='""' -DTETRACONE_PROGRAM='""' -DCGAL_INCLUDE='""' 2> "$scratch/errors" || { grep -v 'warnings generated' "$scratch/errors"; return 1; }
+}
+
+if (($#)); then
+  sources=("$@")
+else
+  mapfile -t sources < <(git diff --name-only --diff-filter=d HEAD~1 -- '*.cpp' 2> /dev/null)
+fi
+status=0
+tidy "$scratch/headers.cpp" || status=1
+checked=0
+for source in "${sources[@]}"; do
+  ((SECONDS < 120 || $#)) || break
+  tidy "$source" || status=1
+  checked=$((checked + 1))
+done
+echo "clang-tidy: the headers of the package, and $checked of ${#sources[@]} sources"
+exit $status
