@@ -8,8 +8,11 @@
 #include "tetracone/tetratree/query_statistics.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <optional>
+#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -46,7 +49,8 @@ class Collision {
       : config_(a.config()),
         a_(a),
         b_(b),
-        sides_(kernel::maximum(a.model().vertices().size(), b.model().vertices().size()))
+        sides_(kernel::maximum(a.model().vertices().size(), b.model().vertices().size())),
+        most_pairs_(config_.all_pairs_after * (pairs(a, b) + pairs(b, a)))
   {
     if constexpr (sound) kernel::require_exact_arithmetic();
   }
@@ -64,8 +68,8 @@ class Collision {
     const Fallbacks fallbacks(counts_);
     begin(pose_a, pose_b);
     if (roots_apart()) return Relation::apart;
-    if (descend_from_roots([this](const Node<B>& a, const Node<B>& b) { return leaves_meet(a, b); }))
-      return Relation::surfaces;
+    descend_from_roots([this](const Node<B>& a, const Node<B>& b) { return leaves_decide(a, b); });
+    if (met_) return Relation::surfaces;
     if (question == Question::surface) return Relation::apart;
     return holds_a_shell(a_, b_) ? Relation::b_in_a : holds_a_shell(b_, a_) ? Relation::a_in_b : Relation::apart;
   }
@@ -85,7 +89,7 @@ class Collision {
     const Fallbacks fallbacks(counts_);
     std::vector<Feature_pair> found;
     features_ = &found;
-    any_leaf_pair(pose_a, pose_b, [this](const Node<B>& a, const Node<B>& b) { return leaves_meet(a, b); });
+    any_leaf_pair(pose_a, pose_b, [this](const Node<B>& a, const Node<B>& b) { return leaves_decide(a, b); });
     features_ = nullptr;
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -129,7 +133,15 @@ class Collision {
     b_.place(pose_b);
     slack_ = kernel::projection_slack(a_.frame(), b_.frame());
     determinant_a_ = std::abs(volume_factor(a_)), determinant_b_ = std::abs(volume_factor(b_));
-    plane_a_.reset(), plane_b_.reset();
+    plane_a_.reset();
+    plane_b_.reset();
+    met_ = false;
+    pairs_seen_ = 0;
+  }
+
+  static double pairs(const Tetra_tree<K>& edges_of, const Tetra_tree<K>& faces_of)
+  {
+    return double(edges_of.model().covering().edges().size()) * double(faces_of.model().face_count());
   }
 
   static B volume_factor(const Body& body)
@@ -236,22 +248,59 @@ class Collision {
     return false;
   }
 
-  bool leaves_meet(const Node<B>& a, const Node<B>& b)
+  // A pair of leaves: true when nothing is left to be asked, and `met_` tells the answer.
+  bool leaves_decide(const Node<B>& a, const Node<B>& b)
   {
     ++counts_.leaf_pairs;
-    return edges_meet_faces(a_, a, b_, b, 0) || edges_meet_faces(b_, b, a_, a, 1);
+    const Elements of_a = {a_.tree().edges(a), a_.tree().faces(a)}, of_b = {b_.tree().edges(b), b_.tree().faces(b)};
+    pairs_seen_ += of_a.edges.size() * of_b.faces.size() + of_b.edges.size() * of_a.faces.size();
+    if (!(double(pairs_seen_) > most_pairs_) || (is_whole(a_, of_a) && is_whole(b_, of_b))) {
+      met_ = elements_meet(of_a, of_b);
+      return met_;
+    }
+    const Every_element every_a(a_), every_b(b_);
+    met_ = elements_meet(every_a.elements(), every_b.elements());
+    return true;
   }
 
-  // The edges in `leaf` of `body` against the faces in `other_leaf` of `other`. The side of a vertex against a face's
-  // plane, which most pairs need only to be told apart, is decided once for all edges at that vertex.
-  bool edges_meet_faces(Body& body, const Node<B>& leaf, Body& other, const Node<B>& other_leaf, int body_number)
+  // Indices of edges and faces.
+  struct Elements {
+    std::span<const Index> edges, faces;
+  };
+
+  static bool is_whole(Body& body, const Elements& elements)
   {
-    const auto edges = body.tree().edges(leaf);
+    return elements.faces.size() == body.tree().model().face_count();
+  }
+
+  // All edges and faces of a body.
+  struct Every_element {
+    std::vector<Index> edges, faces;
+
+    explicit Every_element(Body& body)
+        : edges(body.tree().model().covering().edges().size()), faces(body.tree().model().face_count())
+    {
+      std::iota(edges.begin(), edges.end(), Index(0));
+      std::iota(faces.begin(), faces.end(), Index(0));
+    }
+    Elements elements() const { return {edges, faces}; }
+  };
+
+  bool elements_meet(const Elements& of_a, const Elements& of_b)
+  {
+    return edges_meet_faces(a_, of_a.edges, b_, of_b.faces, 0) || edges_meet_faces(b_, of_b.edges, a_, of_a.faces, 1);
+  }
+
+  // The side of a vertex against a face's plane, which most pairs need only to be told apart, is decided once for all
+  // edges at that vertex.
+  bool edges_meet_faces(Body& body, std::span<const Index> edges, Body& other, std::span<const Index> faces,
+                        int body_number)
+  {
     const auto& ends = body.tree().model().covering().edges();
     edge_boxes_.clear();
     if (config_.leaf_boxes)
       for (const Index edge : edges) edge_boxes_.push_back(body.edge_box(edge));
-    for (const Index face : other.tree().faces(other_leaf)) {
+    for (const Index face : faces) {
       const covering::Placed_face<K> placed(other.body(), face);
       const bool is_triangle = placed.edge_count() == 3, is_degenerate = placed.is_degenerate();
       ++face_now_;
@@ -299,6 +348,7 @@ class Collision {
   Body a_, b_;
   B slack_ = 0, determinant_a_ = 1, determinant_b_ = 1;
   Plane plane_a_, plane_b_;
+  bool met_ = false;
   std::vector<Feature_pair>* features_ = nullptr;
 
   struct Side {
@@ -308,6 +358,8 @@ class Collision {
   std::vector<Side> sides_;  // of the vertices of either body against the face at hand
   std::uint64_t face_now_ = 0;
   std::vector<kernel::Box<B>> edge_boxes_;  // of the leaf at hand
+  const double most_pairs_;
+  std::size_t pairs_seen_ = 0;  // by this query
   Query_statistics counts_;
 };
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -180,6 +181,7 @@ Config random_config(Random& random)
   config.descent = coin() ? Descent::larger_first : Descent::both;
   config.all_axes = coin();
   config.leaf_boxes = coin();
+  config.all_pairs_after = coin() ? 0.01 : std::numeric_limits<double>::infinity();
   return config;
 }
 
@@ -196,10 +198,11 @@ Config config_number(int n, Random& random)
     case 5: config.leaf_boxes = !config.leaf_boxes; return config;
     case 6: config.descent = Descent::both; return config;
     case 7: config.depth = 2, config.leaf_size = 4; return config;
+    case 8: config.leaf_size = 1, config.all_pairs_after = 0.01; return config;
     default: return random_config(random);
   }
 }
-constexpr int fixed_configs = 16;
+constexpr int fixed_configs = 18;
 
 std::vector<Feature_pair> swapped(std::vector<Feature_pair> features)
 {
@@ -629,5 +632,30 @@ BOOST_AUTO_TEST_CASE(theorem_2_discards_nothing_of_a_body_whose_origin_is_before
 // - weights of 1/2 on borders instead of the moved point: one_body_in_another_in_its_cavity_in_its_tunnel_and_...
 // Planted and not seen here but in tetratree_classification and tetratree_tetra_tree: no third test of the
 // classification, for an edge and a face are in several leaves, and one is enough.
+
+BOOST_AUTO_TEST_CASE(elements_of_many_cones_are_tested_once_where_the_share_of_pairs_says_so)
+{
+  // Origins far outside: every cone that holds anything holds nearly all.
+  const Polyhedron body = scenes::moved(scenes::star_prism(), 1, {40, 0, 0});
+  Config listing, bounded;
+  listing.leaf_size = bounded.leaf_size = 1;
+  listing.depth = bounded.depth = 4;
+  listing.regular_hull = bounded.regular_hull = listing.spheres = bounded.spheres = false;
+  listing.tetrahedra = bounded.tetrahedra = false;
+  bounded.all_pairs_after = 1.0 / 32;
+  const auto tests = [&](const Config& config) {
+    Tetra_tree<Adaptive> a(body, config), b(body, config);
+    Collision<Adaptive> collision(a, b);
+    BOOST_TEST(!collision(Pose(), Pose::translation(0, 0, 50), Question::surface));
+    BOOST_TEST(collision.features(Pose(), Pose()).size() > 0);
+    collision.clear_counts();
+    collision(Pose(), Pose::translation(0, 0, 50), Question::surface);
+    return collision.counts().edge_face_tests;
+  };
+  const double all_pairs =
+      2.0 * double(Tetra_tree<Adaptive>(body).model().covering().edges().size()) * double(body.face_count());
+  BOOST_TEST(double(tests(listing)) > 1.5 * all_pairs);
+  BOOST_TEST(double(tests(bounded)) <= 1.1 * all_pairs);
+}
 
 BOOST_AUTO_TEST_SUITE_END()
