@@ -12,6 +12,8 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <typeindex>
 #include <utility>
 #include <vector>
 
@@ -38,6 +40,20 @@ struct Body_data {
     return *bvh8_;
   }
 
+  /// The polyhedron as K sees it, of which the fast tree has the adaptive kernel's.
+  template <class K>
+  const covering::Model<K>& model() const
+  {
+    if constexpr (std::is_same_v<K, kernel::Adaptive>) {
+      return bvh8().model();
+    } else {
+      const std::lock_guard lock(trees_lock_);
+      std::shared_ptr<void>& model = models_[typeid(K)];
+      if (!model) model = std::make_shared<covering::Model<K>>(polyhedron);
+      return *std::static_pointer_cast<covering::Model<K>>(model);
+    }
+  }
+
   /// The tetra-tree over K of this config, `name`d so; all of its nodes are made.
   template <class K>
   std::shared_ptr<tetratree::Tetra_tree<K>> tetra_tree(const std::string& name, const tetratree::Config& config) const
@@ -54,6 +70,7 @@ struct Body_data {
   mutable std::optional<tetratree::Bvh8> bvh8_;
   mutable std::mutex trees_lock_;
   mutable std::map<std::string, std::shared_ptr<void>> trees_;
+  mutable std::map<std::type_index, std::shared_ptr<void>> models_;
 };
 
 }  // namespace tetracone::detail

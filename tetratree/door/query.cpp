@@ -17,18 +17,22 @@ struct Query_data {
 
 namespace {
 
+template <class K>
+std::unique_ptr<Solver> solver_of(const Shared_body& a, const Shared_body& b, const Query_options& options)
+{
+  return options.method == Method::tree ? bvh8_solver<K>(a, b, options) : tetra_tree_solver<K>(a, b, options);
+}
+
 std::unique_ptr<Solver> solver(const Shared_body& a, const Shared_body& b, const Query_options& options)
 {
   switch (options.kernel) {
-    case Kernel::adaptive:
-      return options.method == Method::tree ? bvh8_solver(a, b, options)
-                                            : tetra_tree_solver<kernel::Adaptive>(a, b, options);
-    case Kernel::double_: return tetra_tree_solver<kernel::Double>(a, b, options);
-    case Kernel::float_: return tetra_tree_solver<kernel::Float>(a, b, options);
-    case Kernel::double_eps: return tetra_tree_solver<kernel::Tolerant>(a, b, options);
-    case Kernel::epick: return tetra_tree_solver<kernel::Epick>(a, b, options);
-    case Kernel::epeck: return tetra_tree_solver<kernel::Epeck>(a, b, options);
-    case Kernel::rational: return tetra_tree_solver<kernel::Rational_kernel>(a, b, options);
+    case Kernel::adaptive: return solver_of<kernel::Adaptive>(a, b, options);
+    case Kernel::double_: return solver_of<kernel::Double>(a, b, options);
+    case Kernel::float_: return solver_of<kernel::Float>(a, b, options);
+    case Kernel::double_eps: return solver_of<kernel::Tolerant>(a, b, options);
+    case Kernel::epick: return solver_of<kernel::Epick>(a, b, options);
+    case Kernel::epeck: return solver_of<kernel::Epeck>(a, b, options);
+    case Kernel::rational: return solver_of<kernel::Rational_kernel>(a, b, options);
   }
   throw Error("query: no such kernel; expected one of Kernel's");
 }

@@ -14,7 +14,8 @@ enum class Kernel { adaptive, double_, float_, double_eps, epick, epeck, rationa
 
 /// How a query finds its answer.
 enum class Method {
-  tree,   ///< the fastest tree that the kernel has
+  tree,   ///< the fast tree: eight oriented boxes a node
+  tuned,  ///< the tetra-tree of JS08 with the fastest choices
   paper,  ///< the tetra-tree of JS08 with the paper's choices
   brute   ///< every edge against every face
 };
@@ -22,7 +23,13 @@ enum class Method {
 /// The enumerator's own name.
 constexpr std::string_view to_string(Method method)
 {
-  return method == Method::tree ? "tree" : method == Method::paper ? "paper" : "brute";
+  switch (method) {
+    case Method::tree: return "tree";
+    case Method::tuned: return "tuned";
+    case Method::paper: return "paper";
+    case Method::brute: break;
+  }
+  return "brute";
 }
 
 /// What else a query can be told.

@@ -25,11 +25,12 @@ class Solver {
 
 using Shared_body = std::shared_ptr<const Body_data>;
 
-/// The paper's tree over K with the method's choices. Each kernel is a unit of its own.
+/// The paper's tree over K with the method's choices. Each kernel is a unit of its own, here and below.
 template <class K>
 std::unique_ptr<Solver> tetra_tree_solver(const Shared_body& a, const Shared_body& b, const Query_options& options);
 
-/// The fast tree of the adaptive kernel.
+/// The fast tree with leaves decided by K.
+template <class K>
 std::unique_ptr<Solver> bvh8_solver(const Shared_body& a, const Shared_body& b, const Query_options& options);
 
 }  // namespace tetracone::detail

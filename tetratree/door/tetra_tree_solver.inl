@@ -49,9 +49,9 @@ class Tetra_tree_solver : public Solver {
     const std::string name = std::to_string(int(options.kernel)) + ' ' + std::to_string(int(options.method)) + ' ' +
                              std::to_string(options.tolerance.absolute) + ' ' +
                              std::to_string(options.tolerance.relative);
-    const auto config = options.method == Method::tree    ? tetratree::Config::fastest()
+    const auto config = options.method == Method::paper   ? tetratree::Config::paper()
                         : options.method == Method::brute ? tetratree::Config::brute()
-                                                          : tetratree::Config();
+                                                          : tetratree::Config::fastest();
     return body.tetra_tree<K>(name, config);
   }
 

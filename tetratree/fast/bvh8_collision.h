@@ -12,8 +12,10 @@
 #include "tetracone/tetratree/query_statistics.h"
 
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 namespace tetracone::tetratree {
@@ -29,20 +31,28 @@ enum class Coherence {
               ///< pose
 };
 
-/// Collision detection between two `Bvh8`, exact. Build once, ask for many poses.
+/// Collision detection between two `Bvh8` over kernel K. Build once, ask for many poses.
 ///
 /// Stages, each of which may end a query: a plane between the bodies (`Separating_direction`); the descent of pairs of
 /// boxes, the larger one first, its eight parts against the other box, carried into their frame with a slack that
-/// covers all rounding and the pose's; pairs of elements, which the adaptive kernel's exact signs decide. So the answer
-/// is that of all elements against all elements. Of solids whose surfaces share no point, `Bvh8_containment` tells
-/// whether one holds the other.
+/// covers all rounding and the pose's; pairs of elements, which the signs of K decide. So the answer is that of all
+/// elements against all elements, exact where these signs are. Of solids whose surfaces share no point,
+/// `Bvh8_containment` tells whether one holds the other.
 ///
-/// Both trees must outlive the query object. Making it and every query throw kernel::Unsound_floating_point when
+/// Both trees, and their models, must outlive the query object. Making it and every query throw kernel::Unsound_floating_point when
 /// floating point is not as exact answers need it.
+template <class K = kernel::Adaptive>
 class Bvh8_collision {
  public:
-  Bvh8_collision(const Bvh8& a, const Bvh8& b, Coherence coherence = Coherence::none)
-      : a_(a), b_(b), separating_direction_(a, b), coherence_(coherence)
+  Bvh8_collision(const Bvh8& a, const Bvh8& b,
+                 Coherence coherence = Coherence::none) requires std::is_same_v<K, kernel::Adaptive>
+      : Bvh8_collision(a, a.model(), b, b.model(), coherence)
+  {}
+
+  /// `model_a`, `model_b`: of the trees' polyhedra.
+  Bvh8_collision(const Bvh8& a, const covering::Model<K>& model_a, const Bvh8& b, const covering::Model<K>& model_b,
+                 Coherence coherence = Coherence::none)
+      : a_(a, model_a), b_(b, model_b), separating_direction_(a, b), coherence_(coherence)
   {
     kernel::require_exact_arithmetic();
   }
@@ -72,19 +82,26 @@ class Bvh8_collision {
   std::size_t bytes() const { return separating_direction_.bytes(); }
 
  private:
-  using Adaptive = kernel::Adaptive;
-  using Point = kernel::Point<Adaptive>;
-  using Face = covering::Placed_face<Adaptive>;
-  using Box = Placed_bvh8::Box;
+  using Point = kernel::Point<K>;
+  using Face = covering::Placed_face<K>;
+  using Placed = Placed_bvh8<K>;
+  using Box = typename Placed::Box;
 
   /// What no plane has decided.
   [[gnu::noinline]] Relation ask_trees(const Pose& pose_a, const Pose& pose_b, Question question)
   {
-    const std::uint64_t fallbacks = kernel::Adaptive::exact_fallbacks();
+    const std::uint64_t fallbacks = exact_fallbacks();
     pose_a_ = &pose_a, pose_b_ = &pose_b, is_placed_ = false;
     const Relation answer = relation_of_trees(question);
-    counts_.exact_fallbacks += kernel::Adaptive::exact_fallbacks() - fallbacks;
+    counts_.exact_fallbacks += exact_fallbacks() - fallbacks;
     return answer;
+  }
+
+  /// Of this thread, as far as K counts them.
+  static std::uint64_t exact_fallbacks()
+  {
+    if constexpr (std::is_same_v<K, kernel::Adaptive>) return K::exact_fallbacks();
+    return 0;
   }
 
   Relation relation_of_trees(Question question)
@@ -145,19 +162,18 @@ class Bvh8_collision {
     ++counts_.leaf_pairs;
     if (a.is_whole_face() || b.is_whole_face()) return edges_meet(a_, a, b_, b) || edges_meet(b_, b, a_, a);
     ++counts_.triangle_tests;
-    return kernel::triangles_meet<Adaptive>(a_.corners(a), b_.corners(b));
+    return kernel::triangles_meet<K>(a_.corners(a), b_.corners(b));
   }
 
   /// The edges of an element against one, of which either is a whole face.
-  bool edges_meet(Placed_bvh8& body, const Element& with_edges, Placed_bvh8& other, const Element& face)
+  bool edges_meet(Placed& body, const Element& with_edges, Placed& other, const Element& face)
   {
     const auto meets = [&](const Point& p, const Point& q) {
       ++counts_.edge_face_tests;
       if (face.is_whole_face())
-        return kernel::segment_face<Adaptive>(p, q, Face(other.placed, face.face)) != kernel::Contact::none;
+        return kernel::segment_face<K>(p, q, Face(other.placed, face.face)) != kernel::Contact::none;
       const auto t = other.corners(face);
-      return kernel::segment_face<Adaptive>(p, q, kernel::Triangle<Adaptive>{*t[0], *t[1], *t[2]}) !=
-             kernel::Contact::none;
+      return kernel::segment_face<K>(p, q, kernel::Triangle<K>{*t[0], *t[1], *t[2]}) != kernel::Contact::none;
     };
     if (with_edges.is_whole_face()) {
       const Face edges(body.placed, with_edges.face);
@@ -169,9 +185,9 @@ class Bvh8_collision {
     return meets(*p[0], *p[1]) || meets(*p[1], *p[2]) || meets(*p[2], *p[0]);
   }
 
-  Placed_bvh8 a_, b_;
+  Placed a_, b_;
   Separating_direction separating_direction_;
-  Bvh8_containment containment_;
+  Bvh8_containment<K> containment_;
   Pair_stack stack_;
   Query_statistics counts_;
   Coherence coherence_;

@@ -18,12 +18,13 @@ namespace tetracone::tetratree {
 ///
 /// The winding number about a vertex is the signed sum over the covering (JS08 Theorem 1). Of its tetrahedra only those
 /// can count whose face is met by the ray from the vertex away from the covering's origin: these the tree finds, and
-/// the exact signs decide them.
+/// the signs of K decide them.
+template <class K = kernel::Adaptive>
 class Bvh8_containment {
  public:
   /// Requires surfaces that share no point: then each shell is inside or outside as a whole, and one vertex of it
   /// tells.
-  bool operator()(Placed_bvh8& holder, Placed_bvh8& held, Query_statistics& counts)
+  bool operator()(Placed_bvh8<K>& holder, Placed_bvh8<K>& held, Query_statistics& counts)
   {
     for (const Index v : held.tree->model().covering().shell_vertices()) {
       const Row at = image(held, v);
@@ -36,13 +37,13 @@ class Bvh8_containment {
   }
 
  private:
-  using Adaptive = kernel::Adaptive;
-  using Point = kernel::Point<Adaptive>;
+  using Point = kernel::Point<K>;
+  using Placed = Placed_bvh8<K>;
   using Row = kernel::Relative_frame::Row;
-  using Face = covering::Placed_face<Adaptive>;
+  using Face = covering::Placed_face<K>;
 
   /// The vertex in the holder's local units.
-  static Row image(const Placed_bvh8& held, Index v)
+  static Row image(const Placed& held, Index v)
   {
     const kernel::Vector at = held.tree->local(v);
     return held.into_other.frame()(Row{at[0], at[1], at[2]});
@@ -68,11 +69,10 @@ class Bvh8_containment {
   }
 
   /// `ray`: from the vertex away from the origin.
-  int winding_number(Placed_bvh8& holder, Placed_bvh8& held, Index v, const kernel::Single_box& ray,
-                     Query_statistics& counts)
+  int winding_number(Placed& holder, Placed& held, Index v, const kernel::Single_box& ray, Query_statistics& counts)
   {
     const Point& p = held.placed.point(v);
-    const Point origin = holder.placed.frame()(holder.tree->model().origin());
+    const Point origin = holder.placed.frame()(holder.placed.model().origin());
     int winding = 0;
     nodes_.assign(1, 0);
     while (!nodes_.empty()) {
@@ -99,16 +99,16 @@ class Bvh8_containment {
     return winding;
   }
 
-  static int winding_of(Placed_bvh8& holder, const Element& element, const Point& p, const Point& origin)
+  static int winding_of(Placed& holder, const Element& element, const Point& p, const Point& origin)
   {
     if (!element.is_whole_face()) {
       const auto t = holder.corners(element);
-      return covering::signed_inclusion<Adaptive>(p, origin, *t[0], *t[1], *t[2]);
+      return covering::signed_inclusion<K>(p, origin, *t[0], *t[1], *t[2]);
     }
     const Face face(holder.placed, element.face);
     int winding = 0;
     for (std::size_t k = 0; k < face.edge_count(); ++k)
-      winding += covering::signed_inclusion<Adaptive>(p, origin, face.origin(), face.from(k), face.to(k));
+      winding += covering::signed_inclusion<K>(p, origin, face.origin(), face.from(k), face.to(k));
     return winding;
   }
 

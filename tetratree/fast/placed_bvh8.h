@@ -6,21 +6,22 @@
 #include "tetracone/kernel/predicate/triangle_triangle.h"
 #include "tetracone/tetratree/fast/bvh8.h"
 
-#include <cmath>
+#include <type_traits>
 
 namespace tetracone::tetratree {
 
-/// A `Bvh8` under a pose, as a query uses it. A box is lane k of node n, 8 n + k.
+/// A `Bvh8` under a pose, as a query over kernel K uses it. A box is lane k of node n, 8 n + k.
+template <class K = kernel::Adaptive>
 struct Placed_bvh8 {
-  using Adaptive = kernel::Adaptive;
-  using Point = kernel::Point<Adaptive>;
   using Box = Index;
 
   const Bvh8* tree;
-  covering::Placed_model<Adaptive> placed;
+  covering::Placed_model<K> placed;
   kernel::Box_map into_other;  ///< from this body's local units to the other's
 
-  explicit Placed_bvh8(const Bvh8& t) : tree(&t), placed(t.model()) {}
+  explicit Placed_bvh8(const Bvh8& t) requires std::is_same_v<K, kernel::Adaptive> : Placed_bvh8(t, t.model()) {}
+  /// `model`: of the tree's polyhedron.
+  Placed_bvh8(const Bvh8& t, const covering::Model<K>& model) : tree(&t), placed(model) {}
 
   const Element& element(Box box) const { return tree->element(box / 8, int(box % 8)); }
 
@@ -32,7 +33,7 @@ struct Placed_bvh8 {
     return tree->is_leaf(0, 0) ? -size : size;
   }
 
-  kernel::Corners<Adaptive> corners(const Element& element)
+  kernel::Corners<K> corners(const Element& element)
   {
     return {&placed.point(element.corner[0]), &placed.point(element.corner[1]), &placed.point(element.corner[2])};
   }

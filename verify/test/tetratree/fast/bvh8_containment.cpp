@@ -41,7 +41,7 @@ struct Placed_pair {
     held.into_other = kernel::Box_map(pose_holder, holder_tree.scale(), pose_held, held_tree.scale());
   }
   Pose pose_holder, pose_held;
-  Placed_bvh8 holder, held;
+  Placed_bvh8<> holder, held;
 };
 
 /// By the whole covering: some shell's vertex has a winding number that is not 0.
@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(answers_are_those_of_the_whole_covering)
   others.push_back(std::make_unique<Body>(moved(many_shells(random, 3), 0.5)));
   others.push_back(std::make_unique<Body>(cube(0.125)));
 
-  Bvh8_containment containment;
+  Bvh8_containment<> containment;
   int wrong = 0, yes = 0, no = 0;
   for (const auto& holder : holders)
     for (const auto& other : others)
@@ -113,7 +113,7 @@ BOOST_AUTO_TEST_CASE(answers_are_those_of_the_whole_covering)
 BOOST_AUTO_TEST_CASE(a_vertex_at_the_coverings_origin_or_a_hair_off_it_is_decided)
 {
   // The ray has no direction there. Of a body with a cavity about its origin, too.
-  Bvh8_containment containment;
+  Bvh8_containment<> containment;
   for (const Polyhedron& shape : {cube(3), cube_with_cavity(), turned(cube(3))}) {
     Body holder(shape);
     const Vertex origin = holder.whole.model().lattice().origin;
@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE(a_vertex_at_the_coverings_origin_or_a_hair_off_it_is_decide
 BOOST_AUTO_TEST_CASE(what_is_outside_of_the_box_is_not_looked_for)
 {
   Body holder(cube_with_tunnel()), held(unit_cube());
-  Bvh8_containment containment;
+  Bvh8_containment<> containment;
   Placed_pair far(holder.triangles, Pose(), held.triangles, translation(100, 0, 0)),
       inside(holder.triangles, Pose(), held.triangles, translation(-2.75, -2.75, -2.75));
   Query_statistics of_far, of_inside;
@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(a_ray_meets_few_of_many_faces)
   Bvh8 blob_tree(blob(random, 5, 1, 1.1));
   Body held(cube(0.125));
   blob_tree.make_all();
-  Bvh8_containment containment;
+  Bvh8_containment<> containment;
   Query_statistics counts;
   for (int k = 0; k < 20; ++k) {
     Placed_pair pair(blob_tree, Pose(), held.triangles,
@@ -165,7 +165,7 @@ BOOST_AUTO_TEST_CASE(a_ray_meets_few_of_many_faces)
 BOOST_AUTO_TEST_CASE(where_no_bound_is_known_all_faces_are_asked)
 {
   Body holder(cube(3)), held(cube(1));
-  Bvh8_containment containment;
+  Bvh8_containment<> containment;
   Query_statistics counts;
   for (const double size : {0x1p-300, 0x1p300}) {
     const Pose pose(std::array<double, 12>{size, 0, 0, 0, 0, size, 0, 0, 0, 0, size, 0});

@@ -44,7 +44,7 @@ struct Descended {
 };
 
 /// All pairs of leaves that a whole descent offers.
-Descended descended(Descend* descend, Placed_bvh8& a, Placed_bvh8& b)
+Descended descended(Descend* descend, Placed_bvh8<>& a, Placed_bvh8<>& b)
 {
   const double factor = a.into_other.frame().scale();
   const float scale = factor >= 0x1p-60 && factor <= 0x1p60 ? float(factor) : 1;
@@ -68,8 +68,8 @@ Descended descended(Descend* descend, Placed_bvh8& a, Placed_bvh8& b)
 }
 
 /// All pairs of elements that meet, without a tree.
-Pairs meeting(const Polyhedron& p, const Pose& pose_a, Placed_bvh8& a, const Polyhedron& q, const Pose& pose_b,
-              Placed_bvh8& b)
+Pairs meeting(const Polyhedron& p, const Pose& pose_a, Placed_bvh8<>& a, const Polyhedron& q, const Pose& pose_b,
+              Placed_bvh8<>& b)
 {
   a.placed.place(pose_a), b.placed.place(pose_b);
   Pairs pairs;

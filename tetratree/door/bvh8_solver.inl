@@ -1,27 +1,32 @@
-#include "tetracone/kernel/predicate/adaptive.h"
+#ifndef TETRACONE_TETRATREE_DOOR_BVH8_SOLVER_INL
+#define TETRACONE_TETRATREE_DOOR_BVH8_SOLVER_INL
+// Included by the one unit of each kernel.
+
+#include "tetracone/kernel/predicate/tolerant.h"
 #include "tetracone/tetratree/door/solver.h"
 #include "tetracone/tetratree/fast/bvh8_collision.h"
 
 namespace tetracone::detail {
-namespace {
 
+template <class K>
 class Bvh8_solver : public Solver {
  public:
   Bvh8_solver(const Shared_body& a, const Shared_body& b, const Query_options& options)
       : a_(a),
         b_(b),
         options_(options),
-        collision_(a->bvh8(), b->bvh8(),
+        collision_(a->bvh8(), a->model<K>(), b->bvh8(), b->model<K>(),
                    options.remember ? tetratree::Coherence::last_frame : tetratree::Coherence::none)
   {}
 
   Relation relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question) override
   {
+    if constexpr (std::is_same_v<K, kernel::Tolerant>) kernel::Tolerant::tolerance() = options_.tolerance;
     return collision_.relation(pose_a, pose_b, question);
   }
   std::vector<Feature_pair> features(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
   {
-    if (!of_features_) of_features_ = tetra_tree_solver<kernel::Adaptive>(a_, b_, options_);
+    if (!of_features_) of_features_ = tetra_tree_solver<K>(a_, b_, options_);
     return of_features_->features(pose_a, pose_b);
   }
   Query_statistics statistics() const override
@@ -41,15 +46,16 @@ class Bvh8_solver : public Solver {
  private:
   Shared_body a_, b_;
   Query_options options_;
-  tetratree::Bvh8_collision collision_;
+  tetratree::Bvh8_collision<K> collision_;
   std::unique_ptr<Solver> of_features_;  // the tetra-tree's, made when features are asked for
 };
 
-}  // namespace
-
+template <class K>
 std::unique_ptr<Solver> bvh8_solver(const Shared_body& a, const Shared_body& b, const Query_options& options)
 {
-  return std::make_unique<Bvh8_solver>(a, b, options);
+  return std::make_unique<Bvh8_solver<K>>(a, b, options);
 }
 
 }  // namespace tetracone::detail
+
+#endif
