@@ -75,6 +75,20 @@ class Bvh8_collision {
     return ask_trees(pose_a, pose_b, question);
   }
 
+  /// Calls leaf_test(element of A, element of B) for the pairs that the query does not discard, until one returns true:
+  /// the descent alone, with a leaf test of the caller's. Returns whether one did.
+  template <class Leaf_test>
+  bool any_element_pair(const Pose& pose_a, const Pose& pose_b, const Leaf_test& leaf_test)
+  {
+    kernel::require_sound_floating_point();
+    if (a_.tree->empty() || b_.tree->empty() || separating_direction_(pose_a, pose_b, 6, false)) return false;
+    pose_a_ = &pose_a;
+    pose_b_ = &pose_b;
+    is_placed_ = false;
+    relate_frames();
+    return descend_trees([&](Box box_a, Box box_b) { return leaf_test(a_.element(box_a), b_.element(box_b)); });
+  }
+
   const Query_statistics& counts() const { return counts_; }
   void clear_counts() { counts_ = {}; }
 
@@ -107,19 +121,29 @@ class Bvh8_collision {
   Relation relation_of_trees(Question question)
   {
     if (witness_ && elements_meet(a_.element(witness_->first), b_.element(witness_->second))) return Relation::surfaces;
+    relate_frames();
+    witness_.reset();
+    const bool surfaces_meet = descend_trees([this](Box box_a, Box box_b) {
+      const bool meet = elements_meet(a_.element(box_a), b_.element(box_b));
+      if (meet && coherence_ == Coherence::last_frame) witness_ = {box_a, box_b};
+      return meet;
+    });
+    if (surfaces_meet) return Relation::surfaces;
+    if (question == Question::surface) return Relation::apart;
+    place();
+    return containment_(a_, b_, counts_)   ? Relation::b_in_a
+           : containment_(b_, a_, counts_) ? Relation::a_in_b
+                                           : Relation::apart;
+  }
+
+  void relate_frames()
+  {
     const Pose &pose_a = *pose_a_, &pose_b = *pose_b_;
     const kernel::Local_scale &in_a = a_.tree->scale(), &in_b = b_.tree->scale();
     const kernel::Origin_offset between(pose_a, in_a, pose_b, in_b);
     // In place: a copy would stall on store forwarding.
     std::construct_at(&a_.into_other, pose_b, in_b, pose_a, in_a, -between);
     std::construct_at(&b_.into_other, pose_a, in_a, pose_b, in_b, between);
-    witness_.reset();
-    if (surfaces_meet()) return Relation::surfaces;
-    if (question == Question::surface) return Relation::apart;
-    place();
-    return containment_(a_, b_, counts_)   ? Relation::b_in_a
-           : containment_(b_, a_, counts_) ? Relation::a_in_b
-                                           : Relation::apart;
   }
 
   void place()
@@ -129,7 +153,9 @@ class Bvh8_collision {
     is_placed_ = true;
   }
 
-  bool surfaces_meet()
+  /// Whether leaves_meet(box of A, box of B) holds for some pair of leaves that is not discarded.
+  template <class Leaves_meet>
+  bool descend_trees(const Leaves_meet& leaves_meet)
   {
     // Of a similarity it is between these. Else sizes tell no more than which box to open; but none may become 0 or
     // undefined.
@@ -143,8 +169,7 @@ class Bvh8_collision {
       const Box box_a = stack_.box(0), box_b = stack_.box(1);
       if (stop == Stop::leaves) {
         stack_.pop();
-        meet = elements_meet(a_.element(box_a), b_.element(box_b));
-        if (meet && coherence_ == Coherence::last_frame) witness_ = {box_a, box_b};
+        meet = leaves_meet(box_a, box_b);
       } else {
         const int larger = first_is_larger(stack_.size(0), stack_.size(1)) ? 0 : 1;
         const Bvh8& tree = *(larger == 0 ? a_ : b_).tree;
