@@ -1,7 +1,7 @@
 #include "experiments/accuracy/sign_maps.h"
 
 #include "experiments/accuracy/contracted.h"
-#include "experiments/support/build_info.h"
+#include "experiments/support/csv_row.h"
 #include "experiments/support/output_file.h"
 #include "experiments/support/progress.h"
 #include "tetracone/kernel/predicate/frame.h"
@@ -206,9 +206,7 @@ void run_sign_maps(const std::filesystem::path& out, int size)
 {
   make_folder(out);
   const auto all = maps(size);
-  std::string table = "map,subject,row,answers,version,compiler,flags,processor\n";
-  const std::string made_by =
-      std::string("," TETRACONE_VERSION ",") + compiler() + "," + compiler_flags() + "," + processor() + "\n";
+  Csv_table table;
   Progress progress("rows of sign maps", all.size() * std::size_t(size));
   for (const Map& map : all) {
     std::vector<std::vector<std::string>> rows(size);
@@ -220,10 +218,14 @@ void run_sign_maps(const std::filesystem::path& out, int size)
     });
     for (std::size_t s = 0; s < map.subjects.size(); ++s)
       for (int row = 0; row < size; ++row)
-        table +=
-            map.name + "," + field(map.subjects[s].name) + "," + std::to_string(row) + "," + rows[row][s] + made_by;
+        table.add(Csv_row()
+                      .add("map", map.name)
+                      .add("subject", map.subjects[s].name)
+                      .add("row", row)
+                      .add("answers", rows[row][s])
+                      .add_build());
   }
-  write_whole(out / "sign_maps.csv", table);
+  write_whole(out / "sign_maps.csv", table.text());
 }
 
 }  // namespace tetracone::experiments

@@ -62,7 +62,7 @@ Csv_row row(const Race_course& course, Question question, const Runner& runner, 
   } else {
     for (const char* name : {"build_and_hundred_ms", "nodes_after_one", "nodes_after_hundred"}) row.none(name);
   }
-  return row.add_origin(seed);
+  return row.add_origin(seed).add("fcl", TETRACONE_FCL);
 }
 
 }  // namespace
@@ -71,19 +71,16 @@ std::string race_rows(const Race_course& course, const std::vector<Contestant>& 
                       double seconds, std::uint64_t seed)
 {
   Race race(course, contestants);
-  std::string header, lines;
+  Csv_table table;
   for (const Question question : {Question::surface, Question::solid}) {
     if (question == Question::solid && !solid) break;
     const auto checked = race.check(question);
     const auto timings = race.run(question, passes, seconds);
     for (std::size_t k = 0; k < timings.size(); ++k) {
-      if (!timings[k]) continue;
-      const Csv_row made = row(course, question, race.runners()[k], *timings[k], checked, seed);
-      header = made.header();
-      lines += made.line();
+      if (timings[k]) table.add(row(course, question, race.runners()[k], *timings[k], checked, seed));
     }
   }
-  return header + lines;
+  return table.text();
 }
 
 }  // namespace tetracone::experiments

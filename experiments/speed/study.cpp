@@ -2,11 +2,8 @@
 
 #include "experiments/peers/fcl_peer.h"
 #include "experiments/speed/workloads.h"
-#include "experiments/support/build_info.h"
-#include "experiments/support/output_file.h"
-#include "experiments/support/progress.h"
-#include "tetracone/covering/io/input_error.h"
-#include "tetracone/covering/io/text_lines.h"
+#include "experiments/support/csv_row.h"
+#include "experiments/support/resumable_csv.h"
 #include "verify/subjects/subject.h"
 
 #include <algorithm>
@@ -16,8 +13,8 @@
 #include <limits>
 #include <memory>
 #include <numeric>
-#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tetracone::experiments {
@@ -111,83 +108,75 @@ Judged judge(const Workload& workload, const Candidate& candidate, Question ques
   return result;
 }
 
-std::string header()
+Csv_row row(const Workload& workload, Question question, const Candidate& candidate, const Judged& judged,
+            std::uint64_t seed)
 {
-  return "regime,scenario,a,b,ratio,question,subject,kernel,method,exact,poses,collisions,false_positives,false_"
-         "negatives,"
-         "mean_ns,median_ns,p99_ns,build_ms,bytes,nodes,pairs_visited,discarded_by_hull,discarded_by_sphere,"
-         "discarded_by_tetrahedron,bounding_tests,primitive_tests,exact_fallbacks,seed,version,compiler,flags,"
-         "processor\n";
-}
-
-std::string row(const Workload& w, Question question, const Candidate& candidate, const Judged& judged,
-                std::uint64_t seed)
-{
-  std::ostringstream out;
-  const double n = static_cast<double>(judged.poses);
-  const auto each = [n](std::uint64_t count) { return kernel::shortest(static_cast<double>(count) / n); };
-  const auto& ns = judged.nanoseconds;
+  const double poses = static_cast<double>(judged.poses);
+  const std::vector<double>& ns = judged.nanoseconds;
   const auto at = [&ns](double share) {
     return ns[std::min(ns.size() - 1, static_cast<std::size_t>(share * ns.size()))];
   };
-  const auto whole = [](double x) { return std::to_string(static_cast<long long>(x)); };
-  const auto& c = judged.counts;
-  out << w.regime << ',' << w.scenario << ',' << w.a_name << ',' << w.b_name << ',' << kernel::shortest(1 / w.scale_b)
-      << ',' << to_string(question) << ',' << candidate.name << ',' << candidate.kernel << ',' << candidate.method
-      << ',' << (candidate.exact ? 1 : 0) << ',' << judged.poses << ',' << judged.collisions << ','
-      << judged.false_positives << ',' << judged.false_negatives << ','
-      << whole(std::accumulate(ns.begin(), ns.end(), 0.0) / n) << ',' << whole(at(0.5)) << ',' << whole(at(0.99)) << ','
-      << kernel::shortest(std::round(judged.build_seconds * 1e6) / 1e3) << ',' << judged.bytes << ',' << judged.nodes
-      << ',' << each(c.pairs_visited) << ',' << each(c.discarded_by_hull) << ',' << each(c.discarded_by_sphere) << ','
-      << each(c.discarded_by_tetrahedron) << ',' << each(c.bounding_tests()) << ',' << each(c.primitive_tests()) << ','
-      << each(c.exact_fallbacks) << ',' << seed << ',' << TETRACONE_VERSION << ',' << compiler() << ','
-      << compiler_flags() << ',' << processor() << '\n';
-  return out.str();
+  const auto whole = [](double x) { return static_cast<long long>(x); };
+  const auto a_pose = [poses](std::uint64_t count) { return static_cast<double>(count) / poses; };
+  const auto& counts = judged.counts;
+  return Csv_row()
+      .add("regime", workload.regime)
+      .add("scenario", workload.scenario)
+      .add("a", workload.a_name)
+      .add("b", workload.b_name)
+      .add_exact("ratio", 1 / workload.scale_b)
+      .add("question", std::string(to_string(question)))
+      .add("subject", candidate.name)
+      .add("kernel", candidate.kernel)
+      .add("method", candidate.method)
+      .add("exact", candidate.exact ? 1 : 0)
+      .add("poses", judged.poses)
+      .add("collisions", judged.collisions)
+      .add("false_positives", judged.false_positives)
+      .add("false_negatives", judged.false_negatives)
+      .add("mean_ns", whole(std::accumulate(ns.begin(), ns.end(), 0.0) / poses))
+      .add("median_ns", whole(at(0.5)))
+      .add("p99_ns", whole(at(0.99)))
+      .add_exact("build_ms", std::round(judged.build_seconds * 1e6) / 1e3)
+      .add("bytes", judged.bytes)
+      .add("nodes", judged.nodes)
+      .add_exact("pairs_visited", a_pose(counts.pairs_visited))
+      .add_exact("discarded_by_hull", a_pose(counts.discarded_by_hull))
+      .add_exact("discarded_by_sphere", a_pose(counts.discarded_by_sphere))
+      .add_exact("discarded_by_tetrahedron", a_pose(counts.discarded_by_tetrahedron))
+      .add_exact("bounding_tests", a_pose(counts.bounding_tests()))
+      .add_exact("primitive_tests", a_pose(counts.primitive_tests()))
+      .add_exact("exact_fallbacks", a_pose(counts.exact_fallbacks))
+      .add_origin(seed);
 }
 
-std::string study_workload(const Workload& workload, std::uint64_t seed, const std::string& title)
+std::string study_workload(const Workload& workload, std::uint64_t seed)
 {
   const auto truth_teller = verify::prepare(*Subject::parse("rational", Method::brute), workload.a, workload.b);
-  std::string rows;
-  const auto list = candidates(workload);
-  Progress progress(title, workload.questions.size() * (list.size() + workload.poses_b.size()));
+  Csv_table table;
   for (const Question question : workload.questions) {
     std::vector<char> truth;
-    for (std::size_t k = 0; k < workload.poses_b.size(); ++k) {
+    for (std::size_t k = 0; k < workload.poses_b.size(); ++k)
       truth.push_back(truth_teller->collide(workload.pose_a(k), workload.poses_b[k], question));
-      progress.step();
-    }
-    for (const Candidate& candidate : list) {
+    for (const Candidate& candidate : candidates(workload)) {
       const Judged judged = judge(workload, candidate, question, truth);
-      if (judged.poses > 0) rows += row(workload, question, candidate, judged, seed);
-      progress.step();
+      if (judged.poses > 0) table.add(row(workload, question, candidate, judged, seed));
     }
   }
-  return rows;
+  return table.text();
 }
 
 }  // namespace
 
 void run_study(const Study_options& options)
 {
-  const auto workloads = study_workloads(options.models, options.frames, options.rotations, options.seed);
-  // What was made with other options, or by another version, stays where it is and is not taken for this one.
-  const std::string key = "v" TETRACONE_VERSION "-seed" + std::to_string(options.seed) + "-frames" +
-                          std::to_string(options.frames) + "-rotations" + std::to_string(options.rotations);
-  const std::filesystem::path parts = options.out / "study" / key;
-  make_folder(parts);
-
-  std::string table = header();
-  for (std::size_t k = 0; k < workloads.size(); ++k) {
-    const std::filesystem::path part = parts / (workloads[k].name + ".csv");
-    if (!std::filesystem::exists(part)) {
-      const std::string title =
-          "study " + std::to_string(k + 1) + "/" + std::to_string(workloads.size()) + " " + workloads[k].name;
-      write_whole(part, study_workload(workloads[k].make(), options.seed, title));
-    }
-    table += covering::read_bytes(part);
-  }
-  write_whole(options.out / "study.csv", table);
+  std::vector<Table_part> parts;
+  for (Named_workload& workload : study_workloads(options.models, options.frames, options.rotations, options.seed))
+    parts.push_back({std::move(workload.name),
+                     [make = std::move(workload.make), seed = options.seed] { return study_workload(make(), seed); }});
+  const std::string key = "frames" + std::to_string(options.frames) + "-rotations" + std::to_string(options.rotations) +
+                          "-seed" + std::to_string(options.seed);
+  write_table(options.out, "study", key, parts);
 }
 
 }  // namespace tetracone::experiments
