@@ -1,11 +1,11 @@
 #include "experiments/speed/race.h"
 
+#include "experiments/support/stopwatch.h"
 #include "verify/truth/cgal_truth.h"
 
 #include <malloc.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <ctime>
 #include <limits>
@@ -14,21 +14,18 @@
 namespace tetracone::experiments {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using kernel::Pose;
 using kernel::Question;
 
 /// A's pose in every frame: made once, since the time of a query holds no other work.
 const Pose unmoved;
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
 /// The least that the clock says of nothing at all.
 double clock_ns()
 {
   static const double least = [] {
     double ns = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < 1000; ++k) ns = std::min(ns, 1e9 * seconds_since(Clock::now()));
+    for (int k = 0; k < 1000; ++k) ns = std::min(ns, Stopwatch().nanoseconds());
     return ns;
   }();
   return least;
@@ -45,18 +42,18 @@ Runner prepare(const Contestant& contestant, const Race_course& course)
 {
   Runner runner{contestant, nullptr, {}};
   const auto build = [&](const Contestant::Prepare& how) {
-    const auto start = Clock::now();
+    const Stopwatch watch;
     runner.ready = how(course.a, course.b);
-    return 1e3 * seconds_since(start);
+    return watch.milliseconds();
   };
   if (contestant.prepare_on_demand) {
-    const auto start = Clock::now();
+    const Stopwatch watch;
     build(contestant.prepare_on_demand);
     for (std::size_t k = 0; k < std::min(Race::first_poses, course.poses_b.size()); ++k) {
       runner.ready->collide(unmoved, course.poses_b[k], Question::surface);
       if (k == 0) runner.build.nodes_after_one = runner.ready->node_count();
     }
-    runner.build.with_first_milliseconds = 1e3 * seconds_since(start);
+    runner.build.with_first_milliseconds = watch.milliseconds();
     runner.build.nodes_after_first = runner.ready->node_count();
     runner.ready.reset();
   }
@@ -74,23 +71,13 @@ Runner prepare(const Contestant& contestant, const Race_course& course)
 class Laps {
  public:
   Laps(Runner& runner, const Race_course& course, Question question, const std::vector<char>& reference)
-      : runner_(runner), course_(course), question_(question), reference_(reference)
-  {
-    for (std::size_t k = 0; k < course.poses_b.size(); k += runner.contestant.one_in) asked_.push_back(k);
-    fastest_.assign(asked_.size(), std::numeric_limits<double>::infinity());
-  }
+      : runner_(runner), course_(course), question_(question), poses_(reference, runner.contestant.one_in)
+  {}
+
+  const Timed_poses& poses() const { return poses_; }
 
   /// Of the processor.
   double seconds() const { return seconds_; }
-
-  /// Of the poses that `other` was asked: the mean of the fastest. Requires that this one was asked them all.
-  double mean_on_poses_of(const Laps& other) const
-  {
-    const std::size_t step = other.runner_.contestant.one_in / runner_.contestant.one_in;
-    double total = 0;
-    for (std::size_t i = 0; i < other.asked_.size(); ++i) total += fastest_[i * step];
-    return total / other.asked_.size();
-  }
 
   void lap()
   {
@@ -102,7 +89,7 @@ class Laps {
     // The clock counts where queries are fast, and so do the caches, which the contestant before has filled with its
     // own: so the mean is of a pass without the clock, and the poses are clocked once more after it.
     constexpr double long_ns = 1e8;
-    if (mean * double(asked_.size()) < long_ns) {
+    if (mean * double(poses_.numbers().size()) < long_ns) {
       mean = pass();
       clocked_pass();
     }
@@ -113,13 +100,10 @@ class Laps {
   Timing timing() const
   {
     Timing timing = timing_;
-    std::vector<double> sorted = fastest_;
-    std::sort(sorted.begin(), sorted.end());
-    const auto at = [&sorted](double share) {
-      return sorted[std::min(sorted.size() - 1, static_cast<std::size_t>(share * sorted.size()))];
-    };
-    timing.poses = asked_.size();
-    timing.mean_ns = mean_, timing.median_ns = at(0.5), timing.p99_ns = at(0.99);
+    static_cast<Judged_answers&>(timing) = poses_.judged();
+    timing.mean_ns = mean_;
+    timing.median_ns = poses_.quantile_ns(0.5);
+    timing.p99_ns = poses_.quantile_ns(0.99);
     return timing;
   }
 
@@ -127,39 +111,22 @@ class Laps {
   /// Mean time over the poses.
   double pass()
   {
-    const auto start = Clock::now();
-    for (std::size_t i = 0; i < asked_.size(); ++i) found_ += ask(i);
-    return 1e9 * seconds_since(start) / asked_.size();
+    const Stopwatch watch;
+    for (const std::size_t k : poses_.numbers()) found_ += collide(k);
+    return watch.nanoseconds() / poses_.numbers().size();
   }
 
-  /// The same, by a clock that times every pose for itself; the first time answers are judged.
   double clocked_pass()
   {
-    const double of_nothing = clock_ns();
-    double total = 0;
-    for (std::size_t i = 0; i < asked_.size(); ++i) {
-      const auto start = Clock::now();
-      const bool answer = ask(i);
-      const double ns = std::max(0.0, 1e9 * seconds_since(start) - of_nothing);
-      total += ns;
-      fastest_[i] = std::min(fastest_[i], ns);
-      if (timing_.passes > 0) continue;
-      const bool truth = reference_[asked_[i]];
-      timing_.collisions += truth;
-      timing_.false_positives += answer && !truth;
-      timing_.false_negatives += !answer && truth;
-    }
-    return total / asked_.size();
+    return poses_.pass([this](std::size_t k) { return collide(k); }, clock_ns());
   }
 
-  bool ask(std::size_t i) { return runner_.ready->collide(unmoved, course_.poses_b[asked_[i]], question_); }
+  bool collide(std::size_t k) { return runner_.ready->collide(unmoved, course_.poses_b[k], question_); }
 
   Runner& runner_;
   const Race_course& course_;
   Question question_;
-  const std::vector<char>& reference_;
-  std::vector<std::size_t> asked_;
-  std::vector<double> fastest_;
+  Timed_poses poses_;
   double mean_ = std::numeric_limits<double>::infinity(), seconds_ = 0;
   std::size_t found_ = 0;  // uses the answers
   Timing timing_;
@@ -199,9 +166,9 @@ std::vector<std::optional<Timing>> Race::run(Question question, int passes, doub
     timings.emplace_back();
     if (!each) continue;
     timings.back() = each->timing();
-    timings.back()->same_poses_ns = each->mean_on_poses_of(*each);
-    timings.back()->first_same_poses_ns = laps[0]->mean_on_poses_of(*each);
-    if (fcl) timings.back()->fcl_same_poses_ns = fcl->mean_on_poses_of(*each);
+    timings.back()->same_poses_ns = each->poses().mean_ns(each->poses());
+    timings.back()->first_same_poses_ns = laps[0]->poses().mean_ns(each->poses());
+    if (fcl) timings.back()->fcl_same_poses_ns = fcl->poses().mean_ns(each->poses());
   }
   return timings;
 }

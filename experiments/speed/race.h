@@ -3,6 +3,7 @@
 
 #include "experiments/speed/benchmark_workload.h"
 #include "experiments/speed/contestant.h"
+#include "experiments/speed/timed_poses.h"
 
 #include <cstddef>
 #include <memory>
@@ -19,10 +20,8 @@ struct Build {
   std::size_t nodes_after_one = 0, nodes_after_first = 0;
 };
 
-/// How one contestant answered one question on a course.
-struct Timing {
-  std::size_t poses = 0, collisions = 0, false_positives = 0, false_negatives = 0;  ///< wrong: against
-                                                                                    ///< `Race::reference`
+/// How one contestant answered one question on a course: judged by `Race::reference`.
+struct Timing : Judged_answers {
   double mean_ns = 0;                ///< of the fastest pass over all poses
   double median_ns = 0, p99_ns = 0;  ///< over the poses, of each the fastest pass, less the least that the clock says
                                      ///< of nothing

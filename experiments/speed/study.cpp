@@ -1,18 +1,17 @@
 #include "experiments/speed/study.h"
 
 #include "experiments/peers/fcl_peer.h"
+#include "experiments/speed/timed_poses.h"
 #include "experiments/speed/workloads.h"
 #include "experiments/support/csv_row.h"
 #include "experiments/support/resumable_csv.h"
+#include "experiments/support/stopwatch.h"
 #include "verify/subjects/subject.h"
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <memory>
-#include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,15 +19,12 @@
 namespace tetracone::experiments {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using kernel::Pose;
 using kernel::Question;
 using verify::Kernel_name;
 using verify::Method;
 using verify::Prepared_pair;
 using verify::Subject;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// A subject of the study: one of ours, or a peer.
 struct Candidate {
@@ -65,59 +61,40 @@ std::vector<Candidate> candidates(const Workload& workload)
 }
 
 struct Judged {
-  std::size_t poses = 0, collisions = 0, false_positives = 0, false_negatives = 0;
-  std::vector<double> nanoseconds;  ///< of each pose asked, the fastest of the passes
+  Timed_poses poses;
   double build_seconds = 0;
   std::size_t bytes = 0, nodes = 0;
   tetratree::Query_statistics counts;  ///< of one pass
 };
 
-Judged judge(const Workload& workload, const Candidate& candidate, Question question, const std::vector<char>& truth)
+/// Nothing where the candidate does not take such bodies.
+std::optional<Judged> judge(const Workload& workload, const Candidate& candidate, Question question,
+                            const std::vector<char>& truth)
 {
-  Judged result;
-  const auto start = Clock::now();
+  const Stopwatch build;
   const auto pair = candidate.prepare(workload);
-  if (!pair) return result;
-  result.build_seconds = seconds_since(start);
-  result.bytes = pair->bytes();
-  result.nodes = pair->node_count();
+  if (!pair) return std::nullopt;
+  const double build_seconds = build.seconds();
+  Judged result{Timed_poses(truth, candidate.one_in), build_seconds, pair->bytes(), pair->node_count(), {}};
 
-  std::vector<std::size_t> asked;
-  for (std::size_t k = 0; k < workload.poses_b.size(); k += candidate.one_in) asked.push_back(k);
-  result.poses = asked.size();
-  result.nanoseconds.assign(asked.size(), std::numeric_limits<double>::infinity());
-  const auto first_pass = Clock::now();
+  const Stopwatch since_first;
   constexpr int passes = 5;
   constexpr double enough_seconds = 0.3;  // slow subjects are timed once
   for (int pass = 0; pass < passes; ++pass) {
-    for (std::size_t i = 0; i < asked.size(); ++i) {
-      const std::size_t k = asked[i];
-      const auto before = Clock::now();
-      const bool answer = pair->collide(workload.pose_a(k), workload.poses_b[k], question);
-      const double ns = std::chrono::duration<double, std::nano>(Clock::now() - before).count();
-      result.nanoseconds[i] = std::min(result.nanoseconds[i], ns);
-      if (pass > 0) continue;
-      result.collisions += truth[k];
-      result.false_positives += answer && !truth[k];
-      result.false_negatives += !answer && truth[k];
-    }
+    result.poses.pass([&](std::size_t k) { return pair->collide(workload.pose_a(k), workload.poses_b[k], question); });
     if (pass == 0) result.counts = pair->take_counts();
-    if (seconds_since(first_pass) > enough_seconds) break;
+    if (since_first.seconds() > enough_seconds) break;
   }
-  std::sort(result.nanoseconds.begin(), result.nanoseconds.end());
   return result;
 }
 
 Csv_row row(const Workload& workload, Question question, const Candidate& candidate, const Judged& judged,
             std::uint64_t seed)
 {
-  const double poses = static_cast<double>(judged.poses);
-  const std::vector<double>& ns = judged.nanoseconds;
-  const auto at = [&ns](double share) {
-    return ns[std::min(ns.size() - 1, static_cast<std::size_t>(share * ns.size()))];
-  };
+  const Timed_poses& timed = judged.poses;
+  const Judged_answers& answers = timed.judged();
   const auto whole = [](double x) { return static_cast<long long>(x); };
-  const auto a_pose = [poses](std::uint64_t count) { return static_cast<double>(count) / poses; };
+  const auto a_pose = [&](std::uint64_t count) { return static_cast<double>(count) / double(answers.poses); };
   const auto& counts = judged.counts;
   return Csv_row()
       .add("regime", workload.regime)
@@ -130,13 +107,13 @@ Csv_row row(const Workload& workload, Question question, const Candidate& candid
       .add("kernel", candidate.kernel)
       .add("method", candidate.method)
       .add("exact", candidate.exact ? 1 : 0)
-      .add("poses", judged.poses)
-      .add("collisions", judged.collisions)
-      .add("false_positives", judged.false_positives)
-      .add("false_negatives", judged.false_negatives)
-      .add("mean_ns", whole(std::accumulate(ns.begin(), ns.end(), 0.0) / poses))
-      .add("median_ns", whole(at(0.5)))
-      .add("p99_ns", whole(at(0.99)))
+      .add("poses", answers.poses)
+      .add("collisions", answers.collisions)
+      .add("false_positives", answers.false_positives)
+      .add("false_negatives", answers.false_negatives)
+      .add("mean_ns", whole(timed.mean_ns(timed)))
+      .add("median_ns", whole(timed.quantile_ns(0.5)))
+      .add("p99_ns", whole(timed.quantile_ns(0.99)))
       .add_exact("build_ms", std::round(judged.build_seconds * 1e6) / 1e3)
       .add("bytes", judged.bytes)
       .add("nodes", judged.nodes)
@@ -159,8 +136,8 @@ std::string study_workload(const Workload& workload, std::uint64_t seed)
     for (std::size_t k = 0; k < workload.poses_b.size(); ++k)
       truth.push_back(truth_teller->collide(workload.pose_a(k), workload.poses_b[k], question));
     for (const Candidate& candidate : candidates(workload)) {
-      const Judged judged = judge(workload, candidate, question, truth);
-      if (judged.poses > 0) table.add(row(workload, question, candidate, judged, seed));
+      if (const auto judged = judge(workload, candidate, question, truth))
+        table.add(row(workload, question, candidate, *judged, seed));
     }
   }
   return table.text();

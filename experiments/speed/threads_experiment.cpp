@@ -3,12 +3,12 @@
 #include "experiments/speed/trajectory.h"
 #include "experiments/support/csv_row.h"
 #include "experiments/support/output_file.h"
+#include "experiments/support/stopwatch.h"
 #include "tetracone/tetratree/door/tetracone.h"
 #include "verify/cases/shape_generators.h"
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cstdio>
 #include <string>
 #include <thread>
@@ -39,13 +39,12 @@ Lap lap(const Body& a, const Body& b, const std::vector<kernel::Pose>& poses, in
         mine += bool(query.collide(unmoved, poses[k % poses.size()]));
     hits += mine;
   };
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   std::vector<std::thread> threads;
   for (int k = 1; k < count; ++k) threads.emplace_back(work);
   work();
   for (std::thread& thread : threads) thread.join();
-  const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - start;
-  return {time.count() / double(all), hits};
+  return {watch.nanoseconds() / double(all), hits};
 }
 
 }  // namespace
