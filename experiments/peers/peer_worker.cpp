@@ -98,18 +98,18 @@ class Bench {
 
   const Peer& peer_;
   covering::Polyhedron a_, b_;
-  std::unique_ptr<Peer_pair> pair_;
+  std::unique_ptr<Prepared_pair> pair_;
   bool built_ = false;
 };
 
 template <void (*misbehave)()>
-struct Misbehaving : Peer_pair {
+struct Misbehaving : Prepared_pair {
   bool collide(const kernel::Pose&, const kernel::Pose&, kernel::Question question) override
   {
     if (question == kernel::Question::surface) misbehave();
     return false;
   }
-  static std::unique_ptr<Peer_pair> prepare(const Peer_mesh&, const Peer_mesh&)
+  static std::unique_ptr<Prepared_pair> prepare(const Peer_mesh&, const Peer_mesh&)
   {
     return std::make_unique<Misbehaving>();
   }

@@ -38,40 +38,40 @@ std::size_t heap()
   return info.uordblks + info.hblkhd;
 }
 
-Runner prepare(const Contestant& contestant, const Race_course& course)
+Prepared_contestant prepare(const Contestant& contestant, const Race_course& course)
 {
-  Runner runner{contestant, nullptr, {}};
+  Prepared_contestant prepared{contestant, nullptr, {}};
   const auto build = [&](const Contestant::Prepare& how) {
     const Stopwatch watch;
-    runner.ready = how(course.a, course.b);
+    prepared.pair = how(course.a, course.b);
     return watch.milliseconds();
   };
   if (contestant.prepare_on_demand) {
     const Stopwatch watch;
     build(contestant.prepare_on_demand);
     for (std::size_t k = 0; k < std::min(Race::first_poses, course.poses_b.size()); ++k) {
-      runner.ready->collide(unmoved, course.poses_b[k], Question::surface);
-      if (k == 0) runner.build.nodes_after_one = runner.ready->node_count();
+      prepared.pair->collide(unmoved, course.poses_b[k], Question::surface);
+      if (k == 0) prepared.build.nodes_after_one = prepared.pair->node_count();
     }
-    runner.build.with_first_milliseconds = watch.milliseconds();
-    runner.build.nodes_after_first = runner.ready->node_count();
-    runner.ready.reset();
+    prepared.build.with_first_milliseconds = watch.milliseconds();
+    prepared.build.nodes_after_first = prepared.pair->node_count();
+    prepared.pair.reset();
   }
   const std::size_t before = heap();
-  runner.build.milliseconds = build(contestant.prepare);
-  runner.build.bytes = heap() - before + (runner.ready ? runner.ready->mapped_bytes() : 0);
+  prepared.build.milliseconds = build(contestant.prepare);
+  prepared.build.bytes = heap() - before + (prepared.pair ? prepared.pair->mapped_bytes() : 0);
   constexpr double soon_milliseconds = 100;
-  if (!runner.ready || runner.build.milliseconds > soon_milliseconds) return runner;
-  runner.ready.reset();
-  runner.build.milliseconds = std::min(runner.build.milliseconds, build(contestant.prepare));
-  return runner;
+  if (!prepared.pair || prepared.build.milliseconds > soon_milliseconds) return prepared;
+  prepared.pair.reset();
+  prepared.build.milliseconds = std::min(prepared.build.milliseconds, build(contestant.prepare));
+  return prepared;
 }
 
-/// A runner's passes over its poses.
+/// A contestant's passes over its poses.
 class Laps {
  public:
-  Laps(Runner& runner, const Race_course& course, Question question, const std::vector<char>& reference)
-      : runner_(runner), course_(course), question_(question), poses_(reference, runner.contestant.one_in)
+  Laps(Prepared_contestant& prepared, const Race_course& course, Question question, const std::vector<char>& reference)
+      : prepared_(prepared), course_(course), question_(question), poses_(reference, prepared.contestant.one_in)
   {}
 
   const Timed_poses& poses() const { return poses_; }
@@ -81,10 +81,10 @@ class Laps {
 
   void lap()
   {
-    if (timing_.passes == 0) runner_.ready->take_counts();
+    if (timing_.passes == 0) prepared_.pair->take_counts();
     const std::clock_t start = std::clock();  // of the processor: who had to wait for it is not the slower
     double mean = clocked_pass();
-    if (timing_.passes == 0) timing_.counts = runner_.ready->take_counts();
+    if (timing_.passes == 0) timing_.counts = prepared_.pair->take_counts();
     ++timing_.passes;
     // The clock counts where queries are fast, and so do the caches, which the contestant before has filled with its
     // own: so the mean is of a pass without the clock, and the poses are clocked once more after it.
@@ -121,9 +121,9 @@ class Laps {
     return poses_.pass([this](std::size_t k) { return collide(k); }, clock_ns());
   }
 
-  bool collide(std::size_t k) { return runner_.ready->collide(unmoved, course_.poses_b[k], question_); }
+  bool collide(std::size_t k) { return prepared_.pair->collide(unmoved, course_.poses_b[k], question_); }
 
-  Runner& runner_;
+  Prepared_contestant& prepared_;
   const Race_course& course_;
   Question question_;
   Timed_poses poses_;
@@ -137,12 +137,12 @@ class Laps {
 Race::Race(const Race_course& course, const std::vector<Contestant>& contestants) : course_(course)
 {
   for (const Contestant& contestant : contestants) {
-    Runner runner = prepare(contestant, course);
-    std::unique_ptr<Ready> shared;
-    for (std::size_t k = 0; k < runners_.size() && !shared; ++k)
-      if (runner.ready && runners_[k].ready && contestant.share) shared = contestant.share(*runners_[k].ready);
-    if (shared) runner.ready = std::move(shared);
-    runners_.push_back(std::move(runner));
+    Prepared_contestant prepared = prepare(contestant, course);
+    std::unique_ptr<Prepared_pair> shared;
+    for (std::size_t k = 0; k < contestants_.size() && !shared; ++k)
+      if (prepared.pair && contestants_[k].pair && contestant.share) shared = contestant.share(*contestants_[k].pair);
+    if (shared) prepared.pair = std::move(shared);
+    contestants_.push_back(std::move(prepared));
   }
 }
 
@@ -150,10 +150,10 @@ std::vector<std::optional<Timing>> Race::run(Question question, int passes, doub
 {
   const auto& answers = reference(question);
   std::vector<std::optional<Laps>> laps;
-  for (Runner& runner : runners_) {
+  for (Prepared_contestant& prepared : contestants_) {
     laps.emplace_back();
-    if (runner.ready && (question == Question::surface || runner.contestant.knows_solids))
-      laps.back().emplace(runner, course_, question, answers);
+    if (prepared.pair && (question == Question::surface || prepared.contestant.knows_solids))
+      laps.back().emplace(prepared, course_, question, answers);
   }
   for (int pass = 0; pass < passes; ++pass)
     for (auto& each : laps)
@@ -161,7 +161,7 @@ std::vector<std::optional<Timing>> Race::run(Question question, int passes, doub
   std::vector<std::optional<Timing>> timings;
   const Laps* fcl = nullptr;
   for (std::size_t k = 0; k < laps.size(); ++k)
-    if (laps[k] && runners_[k].contestant.name == "FCL OBBRSS") fcl = &*laps[k];
+    if (laps[k] && contestants_[k].contestant.name == "FCL OBBRSS") fcl = &*laps[k];
   for (const auto& each : laps) {
     timings.emplace_back();
     if (!each) continue;
@@ -178,7 +178,7 @@ const std::vector<char>& Race::reference(Question question)
   auto& known = question == Question::surface ? surface_ : solid_;
   if (known) return *known;
   known.emplace();
-  for (const Pose& pose : course_.poses_b) known->push_back(runners_[0].ready->collide(unmoved, pose, question));
+  for (const Pose& pose : course_.poses_b) known->push_back(contestants_[0].pair->collide(unmoved, pose, question));
   return *known;
 }
 

@@ -32,10 +32,11 @@ struct Timing : Judged_answers {
   tetratree::Query_statistics counts;  ///< of one pass
 };
 
-/// A contestant in the race: null where it does not take such bodies.
-struct Runner {
+/// A contestant, ready for a course.
+struct Prepared_contestant {
   Contestant contestant;
-  std::unique_ptr<Ready> ready;  ///< where that can be, on the trees of a contestant before it
+  std::unique_ptr<Prepared_pair> pair;  ///< where that can be, on the trees of a contestant before it; null where the
+                                        ///< contestant does not take such bodies
   Build build;
 };
 
@@ -47,9 +48,9 @@ class Race {
 
   Race(const Race_course& course, const std::vector<Contestant>& contestants);
 
-  const std::vector<Runner>& runners() const { return runners_; }
+  const std::vector<Prepared_contestant>& contestants() const { return contestants_; }
 
-  /// Asks all runners that know the question. After its first pass, one that has had `seconds` of the processor rests.
+  /// Asks all contestants that know the question. After its first pass, one that has had `seconds` of the processor rests.
   /// Absent: not asked.
   std::vector<std::optional<Timing>> run(kernel::Question question, int passes, double seconds);
 
@@ -65,7 +66,7 @@ class Race {
   const std::vector<char>& reference(kernel::Question question);
 
   const Race_course& course_;
-  std::vector<Runner> runners_;
+  std::vector<Prepared_contestant> contestants_;
   std::optional<std::vector<char>> surface_, solid_;
 };
 

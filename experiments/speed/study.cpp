@@ -1,6 +1,7 @@
 #include "experiments/speed/study.h"
 
 #include "experiments/peers/fcl_peer.h"
+#include "experiments/speed/contestant.h"
 #include "experiments/speed/timed_poses.h"
 #include "experiments/speed/workloads.h"
 #include "experiments/support/csv_row.h"
@@ -9,7 +10,6 @@
 #include "verify/subjects/subject.h"
 
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,33 +21,55 @@ namespace {
 
 using kernel::Pose;
 using kernel::Question;
-using verify::Kernel_name;
 using verify::Method;
-using verify::Prepared_pair;
 using verify::Subject;
 
-/// A subject of the study: one of ours, or a peer.
-struct Candidate {
-  std::string name, kernel, method;
-  bool exact = false;
-  std::size_t one_in = 1;  ///< asks every so many-th pose: slow subjects see fewer
-  std::function<std::unique_ptr<Prepared_pair>(const Workload&)> prepare;
+/// A subject of the harness as a contestant makes it ready.
+class Subject_pair : public Prepared_pair {
+ public:
+  explicit Subject_pair(std::unique_ptr<verify::Prepared_pair> pair) : pair_(std::move(pair)) {}
+
+  bool collide(const Pose& pose_a, const Pose& pose_b, Question question) override
+  {
+    return pair_->collide(pose_a, pose_b, question);
+  }
+  tetratree::Query_statistics take_counts() override { return pair_->take_counts(); }
+  std::size_t node_count() const override { return pair_->node_count(); }
+  std::size_t tree_bytes() const override { return pair_->bytes(); }
+
+ private:
+  std::unique_ptr<verify::Prepared_pair> pair_;
 };
 
-Candidate ours(const std::string& kernel, Method method, std::size_t one_in = 1)
+Contestant ours(const std::string& kernel, Method method, std::size_t one_in = 1)
 {
   const Subject subject = *Subject::parse(kernel, method);
-  return {subject.name(),
-          subject.kernel_name(),
-          std::string(to_string(method)),
-          subject.is_exact(),
-          one_in,
-          [subject](const Workload& w) { return verify::prepare(subject, w.a, w.b); }};
+  return {.name = subject.name(),
+          .exact = subject.is_exact(),
+          .knows_solids = true,
+          .counts_work = true,
+          .one_in = one_in,
+          .prepare =
+              [subject](const covering::Polyhedron& a, const covering::Polyhedron& b) {
+                return std::make_unique<Subject_pair>(verify::prepare(subject, a, b));
+              },
+          .kernel = subject.kernel_name(),
+          .method = std::string(to_string(method))};
 }
 
-std::vector<Candidate> candidates(const Workload& workload)
+/// FCL, its B made as large as the poses of the workload say. It is asked of solids too, and answers of surfaces.
+Contestant scaled_fcl(const Workload& workload)
 {
-  std::vector<Candidate> list;
+  return {.name = "FCL OBBRSS",
+          .prepare = [scale_b = workload.scale_b](const covering::Polyhedron& a,
+                                                  const covering::Polyhedron& b) { return prepare_fcl(a, b, scale_b); },
+          .kernel = "FCL",
+          .method = "peer"};
+}
+
+std::vector<Contestant> contestants(const Workload& workload)
+{
+  std::vector<Contestant> list;
   for (const char* kernel : {"float", "double", "double-eps=1e-12", "epick", "epeck", "adaptive"})
     list.push_back(ours(kernel, Method::tree));
   list.push_back(ours("rational", Method::tree, 4));
@@ -55,8 +77,7 @@ std::vector<Candidate> candidates(const Workload& workload)
   if (workload.regime == "degenerate")
     for (const char* kernel : {"float", "double", "double-eps=1e-12", "epick", "adaptive"})
       list.push_back(ours(kernel, Method::brute));
-  list.push_back(
-      {"FCL OBBRSS", "FCL", "peer", false, 1, [](const Workload& w) { return prepare_fcl(w.a, w.b, w.scale_b); }});
+  list.push_back(scaled_fcl(workload));
   return list;
 }
 
@@ -67,15 +88,15 @@ struct Judged {
   tetratree::Query_statistics counts;  ///< of one pass
 };
 
-/// Nothing where the candidate does not take such bodies.
-std::optional<Judged> judge(const Workload& workload, const Candidate& candidate, Question question,
+/// Nothing where the contestant does not take such bodies.
+std::optional<Judged> judge(const Workload& workload, const Contestant& contestant, Question question,
                             const std::vector<char>& truth)
 {
   const Stopwatch build;
-  const auto pair = candidate.prepare(workload);
+  const auto pair = contestant.prepare(workload.a, workload.b);
   if (!pair) return std::nullopt;
   const double build_seconds = build.seconds();
-  Judged result{Timed_poses(truth, candidate.one_in), build_seconds, pair->bytes(), pair->node_count(), {}};
+  Judged result{Timed_poses(truth, contestant.one_in), build_seconds, pair->tree_bytes(), pair->node_count(), {}};
 
   const Stopwatch since_first;
   constexpr int passes = 5;
@@ -88,7 +109,7 @@ std::optional<Judged> judge(const Workload& workload, const Candidate& candidate
   return result;
 }
 
-Csv_row row(const Workload& workload, Question question, const Candidate& candidate, const Judged& judged,
+Csv_row row(const Workload& workload, Question question, const Contestant& contestant, const Judged& judged,
             std::uint64_t seed)
 {
   const Timed_poses& timed = judged.poses;
@@ -103,10 +124,10 @@ Csv_row row(const Workload& workload, Question question, const Candidate& candid
       .add("b", workload.b_name)
       .add_exact("ratio", 1 / workload.scale_b)
       .add("question", std::string(to_string(question)))
-      .add("subject", candidate.name)
-      .add("kernel", candidate.kernel)
-      .add("method", candidate.method)
-      .add("exact", candidate.exact ? 1 : 0)
+      .add("subject", contestant.name)
+      .add("kernel", contestant.kernel)
+      .add("method", contestant.method)
+      .add("exact", contestant.exact ? 1 : 0)
       .add("poses", answers.poses)
       .add("collisions", answers.collisions)
       .add("false_positives", answers.false_positives)
@@ -135,9 +156,9 @@ std::string study_workload(const Workload& workload, std::uint64_t seed)
     std::vector<char> truth;
     for (std::size_t k = 0; k < workload.poses_b.size(); ++k)
       truth.push_back(truth_teller->collide(workload.pose_a(k), workload.poses_b[k], question));
-    for (const Candidate& candidate : candidates(workload)) {
-      if (const auto judged = judge(workload, candidate, question, truth))
-        table.add(row(workload, question, candidate, *judged, seed));
+    for (const Contestant& contestant : contestants(workload)) {
+      if (const auto judged = judge(workload, contestant, question, truth))
+        table.add(row(workload, question, contestant, *judged, seed));
     }
   }
   return table.text();
