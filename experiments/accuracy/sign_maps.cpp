@@ -66,7 +66,10 @@ struct Map {
 Predicate_case case_at(const std::array<Vertex, 4>& v, const Vertex& p, const Vertex& q, const Vertex& r)
 {
   Predicate_case c;
-  c.v = v, c.p = p, c.q = q, c.r = r;
+  c.v = v;
+  c.p = p;
+  c.q = q;
+  c.r = r;
   c.pose_a = c.pose_b = turn();
   return c;
 }
@@ -83,7 +86,10 @@ int contracted(Predicate predicate, const Predicate_case& c)
   if (predicate == Predicate::segment_triangle)
     return kernel::segment_triangle<K>(p, q, v[1], v[2], v[3]) != kernel::Contact::none;
   tetratree::Cone_points<K> cone(kernel::Cone_lattice{}, tetratree::Tetra_cone::octant(0));
-  cone.v0 = v[0], cone.v1 = v[1], cone.v2 = v[2], cone.v3 = v[3];
+  cone.v0 = v[0];
+  cone.v1 = v[1];
+  cone.v2 = v[2];
+  cone.v3 = v[3];
   if (kernel::volume_sign<K>(v[0], v[1], v[2], v[3]) == kernel::NEGATIVE) std::swap(cone.v1, cone.v2);
   return tetratree::classify<K>(cone, p, q, r) != tetratree::Classified::no;
 }
@@ -154,7 +160,10 @@ Map collision_map(int size)
                       }};
   const auto truth = [=](int row, int column) {
     verify::Object_case c;
-    c.a = a, c.b = b, c.pose_a = turn(), c.pose_b = pose(row, column);
+    c.a = a;
+    c.b = b;
+    c.pose_a = turn();
+    c.pose_b = pose(row, column);
     return verify::integer_truth::collide(c, Question::solid) ? 1 : -1;
   };
   return {"collision of two bodies",

@@ -81,7 +81,8 @@ class Libccd_pair : public Prepared_pair {
 
   bool collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, kernel::Question) override
   {
-    a_.pose = &pose_a, b_.pose = &pose_b;
+    a_.pose = &pose_a;
+    b_.pose = &pose_b;
     return intersect_(&a_, &b_, &ccd_) != 0;
   }
 

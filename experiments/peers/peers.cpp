@@ -30,7 +30,8 @@ class Peer_answering : public verify::Answering {
     }
     message_.clear();
     if (c.a != a_ || c.b != b_) {
-      a_ = c.a, b_ = c.b;
+      a_ = c.a;
+      b_ = c.b;
       wire::append(message_, wire::Message::models);
       wire::append(message_, *a_);
       wire::append(message_, *b_);

@@ -52,7 +52,8 @@ std::shared_ptr<const covering::Polyhedron> shared(covering::Polyhedron polyhedr
 Object_case two(covering::Polyhedron a, covering::Polyhedron b, const Pose& pose_b = {})
 {
   Object_case c;
-  c.a = shared(std::move(a)), c.b = shared(std::move(b));
+  c.a = shared(std::move(a));
+  c.b = shared(std::move(b));
   c.pose_b = pose_b;
   return c;
 }
@@ -203,8 +204,10 @@ BOOST_AUTO_TEST_CASE(what_a_peer_does_not_take_is_not_asked)
   covering::Polyhedron pair;
   pair.vertices = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
   for (const auto& [a, b] : {std::array<covering::Index, 2>{2, 3}, {4, 5}}) {
-    pair.add_polygon({0, a, 1}), pair.add_polygon({0, 1, b});
-    pair.add_polygon({0, b, a}), pair.add_polygon({1, a, b});
+    pair.add_polygon({0, a, 1});
+    pair.add_polygon({0, 1, b});
+    pair.add_polygon({0, b, a});
+    pair.add_polygon({1, a, b});
   }
   const Object_case c = two(pair, verify::unit_cube());
   BOOST_TEST(ask("CGAL RMCD EPICK", c, Question::solid) == Outcome::not_asked);
