@@ -119,7 +119,7 @@ Map predicate_map(const std::string& name, Predicate predicate,
           [=](int row, int column) { return drawn(*verify::integer_truth::answer(predicate, at(row, column))); }};
 }
 
-/// Two tetrahedra, of which the second touches the first's edge with its vertex.
+/// Two tetrahedra; a vertex of the second touches an edge of the first.
 Map collision_map(int size)
 {
   const auto tetrahedron = [](const std::array<Vertex, 4>& v) {

@@ -69,7 +69,7 @@ Scene scene_of(const verify::Object_case& c, const std::string& file, Question q
 }
 
 struct Row {
-  int answer = 0;  // of a predicate, also -1
+  int answer = 0;  // 0 or 1; a predicate's may be -1
   double nanoseconds = std::numeric_limits<double>::infinity();
   tetratree::Query_statistics counts;
 };

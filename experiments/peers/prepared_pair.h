@@ -14,7 +14,7 @@ class Prepared_pair {
  public:
   virtual ~Prepared_pair() = default;
 
-  /// The answer of whoever made them ready. A peer requires rigid poses, and rounds fractions to the nearest double.
+  /// A peer requires rigid poses, and rounds fractions to the nearest double.
   virtual bool collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, kernel::Question question) = 0;
 
   /// Work since the last call, and nodes made so far; none for a peer.

@@ -21,15 +21,15 @@ struct Contestant {
   bool exact = false;  ///< every answer is right by construction
   bool knows_solids = false;
   bool counts_work = false;  ///< `Prepared_pair::take_counts` tells something
-  std::size_t one_in = 1;    ///< asks every so many-th pose: slow ones see fewer
+  std::size_t one_in = 1;    ///< is asked every `one_in`-th pose; more than 1 for the slow
 
   using Prepare =
       std::function<std::unique_ptr<Prepared_pair>(const covering::Polyhedron& a, const covering::Polyhedron& b)>;
   Prepare prepare = {};            ///< its result is null when such bodies are not taken
   Prepare prepare_on_demand = {};  ///< empty where nodes are not made on demand
 
-  /// Of one that differs from another in the query alone: its own query on what that one has made ready, or null.
-  /// Whoever asks the same trees has the same places in memory, which move times by some per cent.
+  /// This contestant's query on the trees of `other`; null where it cannot ask those. Shared trees lie at one place
+  /// in memory: another place moves times by some per cent.
   std::function<std::unique_ptr<Prepared_pair>(const Prepared_pair& other)> share = {};
 
   std::string kernel = {}, method = {};  ///< the study's columns of these names

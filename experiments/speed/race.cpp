@@ -17,10 +17,10 @@ namespace {
 using kernel::Pose;
 using kernel::Question;
 
-/// A's pose in every frame: made once, since the time of a query holds no other work.
+/// A's pose in every frame: made once, outside the time of a query.
 const Pose unmoved;
 
-/// The least that the clock says of nothing at all.
+/// The shortest time that the clock tells between two readings.
 double clock_ns()
 {
   static const double least = [] {
@@ -31,7 +31,7 @@ double clock_ns()
   return least;
 }
 
-/// Bytes in use of the whole heap.
+/// The bytes of the heap that are in use.
 std::size_t heap()
 {
   const auto info = mallinfo2();
@@ -76,18 +76,18 @@ class Laps {
 
   const Timed_poses& poses() const { return poses_; }
 
-  /// Of the processor.
+  /// Processor time of all laps.
   double seconds() const { return seconds_; }
 
   void lap()
   {
     if (timing_.passes == 0) prepared_.pair->take_counts();
-    const std::clock_t start = std::clock();  // of the processor: who had to wait for it is not the slower
+    const std::clock_t start = std::clock();  // processor time: waiting for a core does not count
     double mean = clocked_pass();
     if (timing_.passes == 0) timing_.counts = prepared_.pair->take_counts();
     ++timing_.passes;
-    // The clock counts where queries are fast, and so do the caches, which the contestant before has filled with its
-    // own: so the mean is of a pass without the clock, and the poses are clocked once more after it.
+    // Fast queries: the mean is of a pass without the clock, whose own time matters. The poses are clocked again after
+    // it: the caches are no longer those that the contestant before has filled.
     constexpr double long_ns = 1e8;
     if (mean * double(poses_.numbers().size()) < long_ns) {
       mean = pass();
@@ -108,7 +108,7 @@ class Laps {
   }
 
  private:
-  /// Mean time over the poses.
+  /// One pass without the clock: the mean time of a pose.
   double pass()
   {
     const Stopwatch watch;

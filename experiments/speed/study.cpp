@@ -85,7 +85,7 @@ struct Judged {
   Timed_poses poses;
   double build_seconds = 0;
   std::size_t bytes = 0, nodes = 0;
-  tetratree::Query_statistics counts;  ///< of one pass
+  tetratree::Query_statistics counts;  ///< work of one pass
 };
 
 /// Nothing where the contestant does not take such bodies.

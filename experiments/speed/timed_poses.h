@@ -15,8 +15,8 @@ struct Judged_answers {
   std::size_t poses = 0, collisions = 0, false_positives = 0, false_negatives = 0;
 };
 
-/// The poses that one contestant is asked, pass by pass, each clocked for itself: the fastest time of each pose is kept,
-/// the answers of the first pass are judged.
+/// The poses that one contestant is asked, pass by pass, each clocked for itself: the fastest time of each pose is
+/// kept, the answers of the first pass are judged.
 class Timed_poses {
  public:
   /// Every `one_in`-th of the poses of `truth`, which must outlive this.

@@ -29,7 +29,7 @@ class Turning_body {
   /// B with its centroid at `position`, at `time` from 0 to 1.
   Pose pose(const Vector& position, double time) const
   {
-    const auto [c, s] = turn(time);  // of half the angle
+    const auto [c, s] = turn(time);  // cosine and sine of half the angle
     const auto [x, y, z] = axis_;
     const auto [p, q, r, t] = start_;
     // The product of the quaternions (c, s axis) and start.
