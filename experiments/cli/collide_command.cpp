@@ -3,6 +3,7 @@
 #include "experiments/support/output_file.h"
 #include "experiments/support/progress.h"
 #include "experiments/support/scene_options.h"
+#include "experiments/support/stopwatch.h"
 #include "tetracone/covering/edge_uses.h"
 #include "tetracone/covering/io/input_error.h"
 #include "verify/cases/case_file.h"
@@ -12,7 +13,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -76,14 +76,13 @@ struct Row {
 
 std::vector<Row> ask(verify::Prepared_pair& pair, const Pose_pairs& poses, Question question, int passes)
 {
-  using Clock = std::chrono::steady_clock;
   std::vector<Row> rows(poses.count());
   Progress progress("poses", rows.size() * passes);
   for (int pass = 0; pass < passes; ++pass)
     for (std::size_t k = 0; k < rows.size(); ++k) {
-      const auto start = Clock::now();
+      const Stopwatch watch;
       rows[k].answer = pair.collide(poses.of_a(k), poses.of_b(k), question);
-      const double ns = std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+      const double ns = watch.nanoseconds();
       rows[k].nanoseconds = std::min(rows[k].nanoseconds, ns);
       rows[k].counts = pair.take_counts();
       progress.step();

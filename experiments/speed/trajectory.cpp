@@ -148,8 +148,8 @@ std::vector<Pose> circular_trajectory(const covering::Polyhedron& a, const cover
 
 namespace {
 
-/// A distance that is at most `error` outside the first collision on the way from `outside` to 0 in steps; nothing where
-/// no step collides.
+/// The distance of the first collision on the way from `outside` to 0 in steps, at most `error` too far out; nothing
+/// where no step collides.
 template <class Collides_at>
 std::optional<double> first_contact(double outside, double step, double error, const Collides_at& collides_at)
 {
