@@ -144,7 +144,10 @@ BOOST_AUTO_TEST_CASE(faces_with_holes_are_triangulated_and_nothing_collides_in_a
   // A thin rod through the tunnel along z, and the same rod through the wall.
   const covering::Polyhedron prism = verify::prism_with_tunnel();
   double low = 0, high = 0;
-  for (const auto& v : prism.vertices) low = std::min(low, v[0]), high = std::max(high, v[0]);
+  for (const auto& v : prism.vertices) {
+    low = std::min(low, v[0]);
+    high = std::max(high, v[0]);
+  }
   const double middle = (low + high) / 2, wall = low + (high - low) / 64, thin = (high - low) / 128;
   const auto rod = [&](double x) { return verify::box({x - thin, middle - thin, -9}, {x + thin, middle + thin, 9}); };
   for (const Object_subject& s : experiments::peer_subjects(program)) {
