@@ -70,7 +70,10 @@ int true_sign(const Quadruple& q)
   mpz_t m[3][3], sum, product, term;
   mpz_inits(sum, product, term, nullptr);
   for (int i = 0; i < 3; ++i)
-    for (int k = 0; k < 3; ++k) mpz_init(m[i][k]), set(m[i][k], q[i + 1][k] - q[0][k]);
+    for (int k = 0; k < 3; ++k) {
+      mpz_init(m[i][k]);
+      set(m[i][k], q[i + 1][k] - q[0][k]);
+    }
   for (int k = 0; k < 3; ++k) {
     const int l = (k + 1) % 3, n = (k + 2) % 3;
     mpz_mul(product, m[1][l], m[2][n]);
@@ -111,7 +114,10 @@ Quadruple coplanar_grid()
   const int i = int(bits() % 7) - 3, j = int(bits() % 7) - 3;
   for (int k = 0; k < 3; ++k) {
     const Integer o = entry(), u = entry(), v = entry();
-    q[0][k] = o << 60, q[1][k] = (o + u) << 60, q[2][k] = (o + v) << 60, q[3][k] = (o + i * u + j * v) << 60;
+    q[0][k] = o << 60;
+    q[1][k] = (o + u) << 60;
+    q[2][k] = (o + v) << 60;
+    q[3][k] = (o + i * u + j * v) << 60;
   }
   return q;
 }

@@ -1,6 +1,6 @@
 #include "experiments/accuracy/compilers.h"
 
-#include "experiments/support/build_info.h"
+#include "experiments/support/csv_row.h"
 #include "experiments/support/output_file.h"
 #include "experiments/support/progress.h"
 
@@ -12,6 +12,7 @@
 #include <array>
 #include <cstdio>
 #include <mutex>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -66,27 +67,53 @@ std::vector<Build> builds()
   return all;
 }
 
-std::string rows_of(const Build& build, const std::filesystem::path& program)
+/// What the probe prints of one test: `subject,test,n,wrong`.
+struct Tested {
+  std::string subject, test, n, wrong;
+};
+
+std::vector<Tested> tested(const std::string& printed)
+{
+  std::vector<Tested> tests;
+  std::istringstream lines(printed);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream fields(line);
+    Tested& test = tests.emplace_back();
+    for (std::string* text : {&test.subject, &test.test, &test.n, &test.wrong}) std::getline(fields, *text, ',');
+  }
+  return tests;
+}
+
+std::vector<Csv_row> rows_of(const Build& build, const std::filesystem::path& program)
 {
   std::string version = run(build.compiler + " -dumpfullversion -dumpversion").out;
   version = version.substr(0, version.find('\n'));
-  const std::string made_by = build.compiler + "," + version + "," + build.flags + ",";
+  const auto row = [&](const Tested& test, const char* outcome) {
+    return Csv_row()
+        .add("compiler", build.compiler)
+        .add("compiler_version", version)
+        .add("flags", build.flags)
+        .add("subject", test.subject)
+        .add("test", test.test)
+        .add("n", test.n)
+        .add("wrong", test.wrong)
+        .add("outcome", outcome)
+        .add("version", TETRACONE_VERSION)
+        .add("processor", processor());
+  };
   const std::string compile = build.compiler + " -std=c++20 -w " + build.flags +
                               (build.with_adaptive ? " -DADAPTIVE" : "") +
                               " -frounding-math -I'" TETRACONE_INCLUDE_FOLDER "' " TETRACONE_INCLUDE_FLAGS
                               " '" TETRACONE_SOURCE_DIR "/experiments/accuracy/compiler_probe.cpp' -lgmp -lmpfr -o '" +
                               program.native() + "'";
   if (run(compile).status != 0)
-    return build.with_adaptive ? made_by + "adaptive,,0,0,refused to compile\n" : made_by + ",,0,0,did not compile\n";
+    return {build.with_adaptive ? row({"adaptive", "", "0", "0"}, "refused to compile")
+                                : row({"", "", "0", "0"}, "did not compile")};
   const Ran ran = run("'" + program.native() + "'");
   std::filesystem::remove(program);
-  if (ran.status != 0) return made_by + ",,0,0,crashed\n";
-  std::string rows;
-  for (std::size_t at = 0; at < ran.out.size();) {
-    const std::size_t end = ran.out.find('\n', at);
-    rows += made_by + ran.out.substr(at, end - at) + ",ran\n";
-    at = end + 1;
-  }
+  if (ran.status != 0) return {row({"", "", "0", "0"}, "crashed")};
+  std::vector<Csv_row> rows;
+  for (const Tested& test : tested(ran.out)) rows.push_back(row(test, "ran"));
   return rows;
 }
 
@@ -97,7 +124,7 @@ void run_compilers(const std::filesystem::path& out)
   const std::vector<Build> all = builds();
   if (all.empty()) throw std::runtime_error("no compiler; expected g++ or clang++");
   make_folder(out);
-  std::vector<std::string> rows(all.size());
+  std::vector<std::vector<Csv_row>> rows(all.size());
   Progress progress("compilations", all.size());
   std::mutex one_at_a_time;
   tbb::parallel_for(std::size_t(0), all.size(), [&](std::size_t k) {
@@ -106,14 +133,10 @@ void run_compilers(const std::filesystem::path& out)
     const std::lock_guard lock(one_at_a_time);
     progress.step();
   });
-  std::string table = "compiler,compiler_version,flags,subject,test,n,wrong,outcome,version,processor\n";
-  for (const std::string& part : rows)
-    for (std::size_t at = 0; at < part.size();) {
-      const std::size_t end = part.find('\n', at);
-      table += part.substr(at, end - at) + "," TETRACONE_VERSION "," + processor() + "\n";
-      at = end + 1;
-    }
-  write_whole(out / "compilers.csv", table);
+  Csv_table table;
+  for (const std::vector<Csv_row>& of_build : rows)
+    for (const Csv_row& row : of_build) table.add(row);
+  write_whole(out / "compilers.csv", table.text());
 }
 
 }  // namespace tetracone::experiments

@@ -1,5 +1,6 @@
 #include "experiments/accuracy/dataset.h"
 
+#include "experiments/support/csv_row.h"
 #include "experiments/support/output_file.h"
 #include "experiments/support/progress.h"
 #include "tetracone/covering/io/input_error.h"
@@ -18,6 +19,7 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tetracone::experiments {
@@ -125,21 +127,18 @@ covering::Polyhedron as_triangles(const covering::Polyhedron& polyhedron)
 /// Rows of a table, as CSV and as JSON.
 class Rows {
  public:
-  void begin() { row_ = Json::object(); }
   /// A value as JSON has it; CSV knows no strings, and 1 and 0 for true and false.
   void add(const std::string& column, const Json& value)
   {
-    if (json_.empty()) header_ += (header_.empty() ? "" : ",") + column;
-    line_ += (line_.empty() ? "" : ",") + csv_of(value);
-    row_[column] = value;
+    csv_row_.add(column, csv_of(value));
+    json_row_[column] = value;
   }
   void end()
   {
-    csv_ += line_ + "\n";
-    line_.clear();
-    json_.push_back(row_);
+    csv_.add(std::exchange(csv_row_, {}));
+    json_.push_back(std::exchange(json_row_, Json::object()));
   }
-  std::string csv() const { return header_ + "\n" + csv_; }
+  const std::string& csv() const { return csv_.text(); }
   std::string json() const { return json_.dump(0) + "\n"; }
 
  private:
@@ -150,8 +149,9 @@ class Rows {
     return value.is_number_float() ? kernel::shortest(value.get<double>()) : value.dump();
   }
 
-  std::string header_, line_, csv_;
-  Json row_, json_ = Json::array();
+  Csv_row csv_row_;
+  Csv_table csv_;
+  Json json_row_ = Json::object(), json_ = Json::array();
 };
 
 void add_pose(Rows& rows, char body, const kernel::Pose& pose)
@@ -206,7 +206,6 @@ void export_dataset(const std::filesystem::path& out, std::uint64_t cases, std::
       c.a = std::make_shared<const covering::Polyhedron>(as_triangles(*c.a));
       c.b = std::make_shared<const covering::Polyhedron>(as_triangles(*c.b));
       const verify::Brute_body a(*c.a), b(*c.b);
-      objects.begin();
       add_origin(objects, c.origin);
       objects.add("mesh_a", meshes.name_of(*c.a));
       objects.add("mesh_b", meshes.name_of(*c.b));
@@ -228,7 +227,6 @@ void export_dataset(const std::filesystem::path& out, std::uint64_t cases, std::
         const auto truth = verify::true_answer(predicate, p);
         agree(truth == verify::integer_truth::answer(predicate, p));
         if (!truth) continue;
-        predicates.begin();
         add_origin(predicates, p.origin);
         predicates.add("predicate", verify::to_string(predicate));
         predicates.add("truth", *truth);

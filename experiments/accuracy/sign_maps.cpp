@@ -1,7 +1,7 @@
 #include "experiments/accuracy/sign_maps.h"
 
 #include "experiments/accuracy/contracted.h"
-#include "experiments/support/build_info.h"
+#include "experiments/support/csv_row.h"
 #include "experiments/support/output_file.h"
 #include "experiments/support/progress.h"
 #include "tetracone/kernel/predicate/frame.h"
@@ -66,7 +66,10 @@ struct Map {
 Predicate_case case_at(const std::array<Vertex, 4>& v, const Vertex& p, const Vertex& q, const Vertex& r)
 {
   Predicate_case c;
-  c.v = v, c.p = p, c.q = q, c.r = r;
+  c.v = v;
+  c.p = p;
+  c.q = q;
+  c.r = r;
   c.pose_a = c.pose_b = turn();
   return c;
 }
@@ -83,7 +86,10 @@ int contracted(Predicate predicate, const Predicate_case& c)
   if (predicate == Predicate::segment_triangle)
     return kernel::segment_triangle<K>(p, q, v[1], v[2], v[3]) != kernel::Contact::none;
   tetratree::Cone_points<K> cone(kernel::Cone_lattice{}, tetratree::Tetra_cone::octant(0));
-  cone.v0 = v[0], cone.v1 = v[1], cone.v2 = v[2], cone.v3 = v[3];
+  cone.v0 = v[0];
+  cone.v1 = v[1];
+  cone.v2 = v[2];
+  cone.v3 = v[3];
   if (kernel::volume_sign<K>(v[0], v[1], v[2], v[3]) == kernel::NEGATIVE) std::swap(cone.v1, cone.v2);
   return tetratree::classify<K>(cone, p, q, r) != tetratree::Classified::no;
 }
@@ -113,7 +119,7 @@ Map predicate_map(const std::string& name, Predicate predicate,
           [=](int row, int column) { return drawn(*verify::integer_truth::answer(predicate, at(row, column))); }};
 }
 
-/// Two tetrahedra, of which the second touches the first's edge with its vertex.
+/// Two tetrahedra; a vertex of the second touches an edge of the first.
 Map collision_map(int size)
 {
   const auto tetrahedron = [](const std::array<Vertex, 4>& v) {
@@ -154,7 +160,10 @@ Map collision_map(int size)
                       }};
   const auto truth = [=](int row, int column) {
     verify::Object_case c;
-    c.a = a, c.b = b, c.pose_a = turn(), c.pose_b = pose(row, column);
+    c.a = a;
+    c.b = b;
+    c.pose_a = turn();
+    c.pose_b = pose(row, column);
     return verify::integer_truth::collide(c, Question::solid) ? 1 : -1;
   };
   return {"collision of two bodies",
@@ -206,9 +215,7 @@ void run_sign_maps(const std::filesystem::path& out, int size)
 {
   make_folder(out);
   const auto all = maps(size);
-  std::string table = "map,subject,row,answers,version,compiler,flags,processor\n";
-  const std::string made_by =
-      std::string("," TETRACONE_VERSION ",") + compiler() + "," + compiler_flags() + "," + processor() + "\n";
+  Csv_table table;
   Progress progress("rows of sign maps", all.size() * std::size_t(size));
   for (const Map& map : all) {
     std::vector<std::vector<std::string>> rows(size);
@@ -220,10 +227,14 @@ void run_sign_maps(const std::filesystem::path& out, int size)
     });
     for (std::size_t s = 0; s < map.subjects.size(); ++s)
       for (int row = 0; row < size; ++row)
-        table +=
-            map.name + "," + field(map.subjects[s].name) + "," + std::to_string(row) + "," + rows[row][s] + made_by;
+        table.add(Csv_row()
+                      .add("map", map.name)
+                      .add("subject", map.subjects[s].name)
+                      .add("row", row)
+                      .add("answers", rows[row][s])
+                      .add_build());
   }
-  write_whole(out / "sign_maps.csv", table);
+  write_whole(out / "sign_maps.csv", table.text());
 }
 
 }  // namespace tetracone::experiments

@@ -1,9 +1,8 @@
 #include "experiments/accuracy/stability.h"
 
-#include "experiments/support/build_info.h"
+#include "experiments/support/csv_row.h"
 #include "experiments/support/output_file.h"
 #include "experiments/support/progress.h"
-#include "tetracone/kernel/number/number.h"
 #include "verify/cases/exact_motion.h"
 #include "verify/cases/object_placing.h"
 #include "verify/cases/random.h"
@@ -76,9 +75,7 @@ void run_stability(const std::filesystem::path& out, int ways, std::uint64_t see
 {
   make_folder(out);
   const auto all = motions(seed);
-  std::string table = "motion,way,subject,threshold,error_doubles,error_ulps,seed,version,compiler,flags,processor\n";
-  const std::string made_by = "," + std::to_string(seed) + "," TETRACONE_VERSION "," + compiler() + "," +
-                              compiler_flags() + "," + processor() + "\n";
+  Csv_table table;
   Progress progress("thresholds", all.size() * std::size_t(ways));
   verify::Random random(seed);
   for (const Motion& motion : all) {
@@ -105,13 +102,18 @@ void run_stability(const std::filesystem::path& out, int ways, std::uint64_t see
       for (const auto& [subject, pair] : subjects) {
         const double own = bisected(*bracket, asked(*pair)).out_of;
         const auto doubles = std::abs(std::bit_cast<std::int64_t>(own) - std::bit_cast<std::int64_t>(right.out_of));
-        table += motion.name + "," + std::to_string(way) + "," + subject.name() + "," + kernel::shortest(right.out_of) +
-                 "," + std::to_string(doubles) + "," +
-                 kernel::shortest(std::abs(own - right.out_of) / verify::ulp(right.out_of)) + made_by;
+        table.add(Csv_row()
+                      .add("motion", motion.name)
+                      .add("way", way)
+                      .add("subject", subject.name())
+                      .add_exact("threshold", right.out_of)
+                      .add("error_doubles", doubles)
+                      .add_exact("error_ulps", std::abs(own - right.out_of) / verify::ulp(right.out_of))
+                      .add_origin(seed));
       }
     }
   }
-  write_whole(out / "stability.csv", table);
+  write_whole(out / "stability.csv", table.text());
 }
 
 }  // namespace tetracone::experiments

@@ -11,7 +11,6 @@
 #include <iostream>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -174,70 +173,112 @@ std::string shell_text(const Shell& shell)
   return text;
 }
 
-std::string to_text(const Checked& checked)
+/// Lines of a name and a value, the values one below the other.
+class Text_rows {
+ public:
+  void add(const std::string& name, const std::string& value)
+  {
+    text_ += "  " + name + std::string(name.size() < 20 ? 20 - name.size() : 1, ' ') + value + '\n';
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+void add_counts(Text_rows& rows, const Check& check)
+{
+  rows.add("vertices", std::to_string(check.vertices) +
+                           (check.isolated_vertices.empty()
+                                ? ""
+                                : ", " + std::to_string(check.isolated_vertices.size()) + " of no face") +
+                           (check.repeated_vertices.empty()
+                                ? ""
+                                : ", " + std::to_string(check.repeated_vertices.size()) + " repeat one before them"));
+  rows.add("faces", std::to_string(check.faces) + ", " + counted(check.triangles, "triangle") +
+                        (check.holed_faces.empty() ? ""
+                                                   : ", " + std::to_string(check.holed_faces.size()) + " with " +
+                                                         counted(check.hole_loops, "hole loop")));
+  rows.add(
+      "edges",
+      std::to_string(check.edges) +
+          (check.border_edges == 0 ? "" : ", " + std::to_string(check.border_edges) + " of one face") +
+          (check.non_manifold_edges == 0 ? "" : ", " + std::to_string(check.non_manifold_edges) + " of more than two"));
+}
+
+void add_closed(Text_rows& rows, const Checked& checked)
 {
   const Check& check = checked.check;
-  std::ostringstream out;
-  const auto row = [&out](const std::string& name, const std::string& value) {
-    out << "  " << name << std::string(name.size() < 20 ? 20 - name.size() : 1, ' ') << value << '\n';
-  };
-  const auto number = [](auto value) { return std::to_string(value); };
-  out << printable(checked.file) << '\n';
-
-  row("vertices",
-      number(check.vertices) +
-          (check.isolated_vertices.empty() ? "" : ", " + number(check.isolated_vertices.size()) + " of no face") +
-          (check.repeated_vertices.empty()
-               ? ""
-               : ", " + number(check.repeated_vertices.size()) + " repeat one before them"));
-  row("faces", number(check.faces) + ", " + counted(check.triangles, "triangle") +
-                   (check.holed_faces.empty()
-                        ? ""
-                        : ", " + number(check.holed_faces.size()) + " with " + counted(check.hole_loops, "hole loop")));
-  row("edges",
-      number(check.edges) + (check.border_edges == 0 ? "" : ", " + number(check.border_edges) + " of one face") +
-          (check.non_manifold_edges == 0 ? "" : ", " + number(check.non_manifold_edges) + " of more than two"));
-
   if (check.closed) {
-    row("closed", "yes");
+    rows.add("closed", "yes");
   } else {
-    row("closed", "NO: " + counted(check.open_edges.size(), "directed edge") +
-                      " without enough reverse: " + first_few(check.open_edges, [](const auto& edge) {
-                        return std::to_string(edge.from) + "->" + std::to_string(edge.to);
-                      }));
-    row("", checked.closes_if_oriented ? "consistent orientation would close it: --orient"
-                                       : "consistent orientation alone would not close it");
-    if (!check.repeated_vertices.empty()) row("", "equal vertices can be merged: --merge");
+    rows.add("closed", "NO: " + counted(check.open_edges.size(), "directed edge") +
+                           " without enough reverse: " + first_few(check.open_edges, [](const auto& edge) {
+                             return std::to_string(edge.from) + "->" + std::to_string(edge.to);
+                           }));
+    rows.add("", checked.closes_if_oriented ? "consistent orientation would close it: --orient"
+                                            : "consistent orientation alone would not close it");
+    if (!check.repeated_vertices.empty()) rows.add("", "equal vertices can be merged: --merge");
   }
-  if (check.volume) row("volume", volume_text(*check.volume) + ", " + std::string(to_string(check.orientation)));
-  row("shells", number(check.shells.size()));
-  constexpr std::size_t most_shells = 10;
-  for (std::size_t k = 0; k < check.shells.size() && k < most_shells; ++k) row("", shell_text(check.shells[k]));
-  if (check.shells.size() > most_shells) row("", "...");
+}
 
+void add_shells(Text_rows& rows, const Check& check)
+{
+  if (check.volume) rows.add("volume", volume_text(*check.volume) + ", " + std::string(to_string(check.orientation)));
+  rows.add("shells", std::to_string(check.shells.size()));
+  constexpr std::size_t most_shells = 10;
+  for (std::size_t k = 0; k < check.shells.size() && k < most_shells; ++k) rows.add("", shell_text(check.shells[k]));
+  if (check.shells.size() > most_shells) rows.add("", "...");
+}
+
+void add_planar(Text_rows& rows, const Check& check)
+{
   if (check.off_plane.empty()) {
-    row("planar", "yes, every face exactly");
+    rows.add("planar", "yes, every face exactly");
   } else {
     const auto worst = std::ranges::max_element(check.off_plane, {}, &covering::Off_plane::distance);
-    row("planar", "NO: " + counted(check.off_plane.size(), "face") + ", at most " + kernel::shortest(worst->distance) +
-                      " off (face " + number(worst->face) + ", vertex " + number(worst->vertex) + ")");
+    rows.add("planar", "NO: " + counted(check.off_plane.size(), "face") + ", at most " +
+                           kernel::shortest(worst->distance) + " off (face " + std::to_string(worst->face) +
+                           ", vertex " + std::to_string(worst->vertex) + ")");
   }
+}
+
+void add_degenerate(Text_rows& rows, const Check& check)
+{
   const auto index = [](covering::Index k) { return std::to_string(k); };
   if (!check.degenerate_faces.empty())
-    row("degenerate faces", number(check.degenerate_faces.size()) + ": " + first_few(check.degenerate_faces, index));
+    rows.add("degenerate faces",
+             std::to_string(check.degenerate_faces.size()) + ": " + first_few(check.degenerate_faces, index));
   if (!check.degenerate_edges.empty())
-    row("degenerate edges",
-        number(check.degenerate_edges.size()) + ": " + first_few(check.degenerate_edges, [](const auto& edge) {
-          return std::to_string(edge[0]) + "-" + std::to_string(edge[1]);
-        }));
+    rows.add("degenerate edges", std::to_string(check.degenerate_edges.size()) + ": " +
+                                     first_few(check.degenerate_edges, [](const auto& edge) {
+                                       return std::to_string(edge[0]) + "-" + std::to_string(edge[1]);
+                                     }));
+}
+
+/// What reading and the user's options have changed, and the reader's notes.
+void add_changes(Text_rows& rows, const Checked& checked)
+{
   if (checked.model.loops_turned != 0)
-    row("done on reading", counted(checked.model.loops_turned, "hole loop") + " turned against the outer loop");
+    rows.add("done on reading", counted(checked.model.loops_turned, "hole loop") + " turned against the outer loop");
   if (checked.model.facets_turned != 0)
-    row("done on reading", counted(checked.model.facets_turned, "facet") + " oriented across the edges");
-  if (checked.vertices_merged != 0) row("done by --merge", counted(checked.vertices_merged, "vertex") + " merged");
-  if (checked.faces_oriented != 0) row("done by --orient", counted(checked.faces_oriented, "face") + " turned round");
-  for (const std::string& note : checked.model.notes) row("note", note);
-  return out.str();
+    rows.add("done on reading", counted(checked.model.facets_turned, "facet") + " oriented across the edges");
+  if (checked.vertices_merged != 0) rows.add("done by --merge", counted(checked.vertices_merged, "vertex") + " merged");
+  if (checked.faces_oriented != 0)
+    rows.add("done by --orient", counted(checked.faces_oriented, "face") + " turned round");
+  for (const std::string& note : checked.model.notes) rows.add("note", note);
+}
+
+std::string to_text(const Checked& checked)
+{
+  Text_rows rows;
+  add_counts(rows, checked.check);
+  add_closed(rows, checked);
+  add_shells(rows, checked.check);
+  add_planar(rows, checked.check);
+  add_degenerate(rows, checked.check);
+  add_changes(rows, checked);
+  return printable(checked.file) + '\n' + rows.text();
 }
 
 void run(const Options& options)

@@ -3,6 +3,7 @@
 #include "experiments/support/output_file.h"
 #include "experiments/support/progress.h"
 #include "experiments/support/scene_options.h"
+#include "experiments/support/stopwatch.h"
 #include "tetracone/covering/edge_uses.h"
 #include "tetracone/covering/io/input_error.h"
 #include "verify/cases/case_file.h"
@@ -12,7 +13,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -69,21 +69,20 @@ Scene scene_of(const verify::Object_case& c, const std::string& file, Question q
 }
 
 struct Row {
-  int answer = 0;  // of a predicate, also -1
+  int answer = 0;  // 0 or 1; a predicate's may be -1
   double nanoseconds = std::numeric_limits<double>::infinity();
   tetratree::Query_statistics counts;
 };
 
 std::vector<Row> ask(verify::Prepared_pair& pair, const Pose_pairs& poses, Question question, int passes)
 {
-  using Clock = std::chrono::steady_clock;
   std::vector<Row> rows(poses.count());
   Progress progress("poses", rows.size() * passes);
   for (int pass = 0; pass < passes; ++pass)
     for (std::size_t k = 0; k < rows.size(); ++k) {
-      const auto start = Clock::now();
+      const Stopwatch watch;
       rows[k].answer = pair.collide(poses.of_a(k), poses.of_b(k), question);
-      const double ns = std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+      const double ns = watch.nanoseconds();
       rows[k].nanoseconds = std::min(rows[k].nanoseconds, ns);
       rows[k].counts = pair.take_counts();
       progress.step();

@@ -39,7 +39,10 @@ std::filesystem::path models(const Options& options)
 
 void study(Options options)
 {
-  if (options.full) options.study.frames *= 20, options.study.rotations *= 20;
+  if (options.full) {
+    options.study.frames *= 20;
+    options.study.rotations *= 20;
+  }
   options.study.models = models(options);
   run_study(options.study);
   draw("report.py", options.study.out);

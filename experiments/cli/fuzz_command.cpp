@@ -248,7 +248,7 @@ class Fuzz {
   std::vector<const verify::Predicate_subject*> predicate_subjects_;
   std::map<std::pair<verify::Level, std::string>, Tally> tallies_;
   std::set<std::string> exact_, names_;
-  std::string name_;  // of the last find
+  std::string name_;  // the file of the last find
 };
 
 void run(const Options& options)

@@ -38,7 +38,8 @@ void parse_shard(const std::string& text, Campaign& campaign)
   if (std::sscanf(text.c_str(), "%d/%d%n", &i, &n, &end) != 2 || end != int(text.size()) || i < 0 || n <= i ||
       n > 1'000'000)
     throw CLI::ValidationError("--shard " + text, "expected i/n with 0 <= i < n");
-  campaign.shard = i, campaign.shards = n;
+  campaign.shard = i;
+  campaign.shards = n;
 }
 
 /// The subject of that name, or all whose names begin with it and a space.
@@ -57,7 +58,10 @@ std::vector<Subject> chosen(const std::vector<Subject>& all, const std::vector<s
   for (const Subject& subject : all) {
     bool wanted = false;
     for (const std::string& name : names)
-      if (is_named(subject.name, name)) wanted = true, known.insert(name);
+      if (is_named(subject.name, name)) {
+        wanted = true;
+        known.insert(name);
+      }
     if (wanted) some.push_back(subject);
   }
   return some;
@@ -100,12 +104,14 @@ void choose_families(const Options& options, Campaign& campaign)
 void choose_sizes(const Options& options, Campaign& campaign)
 {
   if (options.cases != 0) campaign.predicate_cases = campaign.object_cases = options.cases;
-  if (options.level == "predicate")
-    campaign.object_cases = 0, campaign.sequence_frames = 0;
-  else if (options.level == "object")
+  if (options.level == "predicate") {
+    campaign.object_cases = 0;
+    campaign.sequence_frames = 0;
+  } else if (options.level == "object") {
     campaign.predicate_cases = 0;
-  else if (!options.level.empty())
+  } else if (!options.level.empty()) {
     throw CLI::ValidationError("--level " + options.level, "expected predicate or object");
+  }
 }
 
 /// Keeps the case on which the truths disagree beside the database.

@@ -52,7 +52,7 @@ struct Any_contact : btManifoldResult {
   }
 };
 
-class Bullet_pair : public Peer_pair {
+class Bullet_pair : public Prepared_pair {
  public:
   Bullet_pair(const Peer_mesh& a, const Peer_mesh& b) : a_(a), b_(b)
   {
@@ -82,7 +82,7 @@ class Bullet_pair : public Peer_pair {
 
 }  // namespace
 
-std::unique_ptr<Peer_pair> prepare_bullet(const Peer_mesh& a, const Peer_mesh& b)
+std::unique_ptr<Prepared_pair> prepare_bullet(const Peer_mesh& a, const Peer_mesh& b)
 {
   return std::make_unique<Bullet_pair>(a, b);
 }

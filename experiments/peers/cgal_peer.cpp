@@ -26,7 +26,7 @@ std::optional<Mesh<K>> surface_mesh(const Peer_mesh& mesh)
 }
 
 template <class K>
-class Cgal_pair : public Peer_pair {
+class Cgal_pair : public Prepared_pair {
  public:
   Cgal_pair(Mesh<K> a, Mesh<K> b)
       : a_(std::move(a)), b_(std::move(b)), id_a_(collision_.add_mesh(a_)), id_b_(collision_.add_mesh(b_))
@@ -52,7 +52,7 @@ class Cgal_pair : public Peer_pair {
 };
 
 template <class K>
-std::unique_ptr<Peer_pair> prepare(const Peer_mesh& a, const Peer_mesh& b)
+std::unique_ptr<Prepared_pair> prepare(const Peer_mesh& a, const Peer_mesh& b)
 {
   auto mesh_a = surface_mesh<K>(a), mesh_b = surface_mesh<K>(b);
   if (!mesh_a || !mesh_b) return nullptr;
@@ -61,11 +61,11 @@ std::unique_ptr<Peer_pair> prepare(const Peer_mesh& a, const Peer_mesh& b)
 
 }  // namespace
 
-std::unique_ptr<Peer_pair> prepare_cgal_epick(const Peer_mesh& a, const Peer_mesh& b)
+std::unique_ptr<Prepared_pair> prepare_cgal_epick(const Peer_mesh& a, const Peer_mesh& b)
 {
   return prepare<kernel::Epick>(a, b);
 }
-std::unique_ptr<Peer_pair> prepare_cgal_epeck(const Peer_mesh& a, const Peer_mesh& b)
+std::unique_ptr<Prepared_pair> prepare_cgal_epeck(const Peer_mesh& a, const Peer_mesh& b)
 {
   return prepare<kernel::Epeck>(a, b);
 }

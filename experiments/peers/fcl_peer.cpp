@@ -41,7 +41,7 @@ fcl::Transform3d transform(const kernel::Pose& pose, double scale)
 }
 
 template <class Volume>
-class Fcl_pair : public Peer_pair {
+class Fcl_pair : public Prepared_pair {
  public:
   Fcl_pair(const Peer_mesh& a, const Peer_mesh& b, double scale_b)
       : a_(build<Volume>(a, 1)), b_(build<Volume>(b, scale_b)), scale_b_(scale_b)
@@ -69,46 +69,34 @@ Peer_mesh mesh_of(const covering::Polyhedron& polyhedron)
   return std::move(*mesh);
 }
 
-class Studied : public verify::Prepared_pair {
+/// Says its bytes, which hold FCL's copy of the models too.
+class Fcl_pair_with_bytes : public Fcl_pair<fcl::OBBRSSd> {
  public:
-  Studied(const covering::Polyhedron& a, const covering::Polyhedron& b, double scale_b)
-      : pair_(mesh_of(a), mesh_of(b), scale_b)
-  {}
+  using Fcl_pair::Fcl_pair;
 
-  bool collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, kernel::Question question) override
-  {
-    return pair_.collide(pose_a, pose_b, question);
-  }
-  std::vector<kernel::Feature_pair> features(const kernel::Pose&, const kernel::Pose&) override { return {}; }
-  tetratree::Query_statistics take_counts() override { return {}; }
-  std::size_t bytes() const override { return pair_.bytes(); }
-  std::size_t node_count() const override { return 0; }
-
- private:
-  Fcl_pair<fcl::OBBRSSd> pair_;
+  std::size_t tree_bytes() const override { return bytes(); }
 };
 
 }  // namespace
 
-std::unique_ptr<Peer_pair> prepare_fcl_obbrss(const Peer_mesh& a, const Peer_mesh& b)
+std::unique_ptr<Prepared_pair> prepare_fcl_obbrss(const Peer_mesh& a, const Peer_mesh& b)
 {
   return std::make_unique<Fcl_pair<fcl::OBBRSSd>>(a, b, 1);
 }
 
-std::unique_ptr<Peer_pair> prepare_fcl_aabb(const Peer_mesh& a, const Peer_mesh& b)
+std::unique_ptr<Prepared_pair> prepare_fcl_aabb(const Peer_mesh& a, const Peer_mesh& b)
 {
   return std::make_unique<Fcl_pair<fcl::AABBd>>(a, b, 1);
 }
 
-std::unique_ptr<verify::Prepared_pair> prepare_fcl(const covering::Polyhedron& a, const covering::Polyhedron& b,
-                                                   double scale_b)
+std::unique_ptr<Prepared_pair> prepare_fcl(const covering::Polyhedron& a, const covering::Polyhedron& b, double scale_b)
 {
-  return std::make_unique<Studied>(a, b, scale_b);
+  return std::make_unique<Fcl_pair_with_bytes>(mesh_of(a), mesh_of(b), scale_b);
 }
 
 #else
 
-std::unique_ptr<verify::Prepared_pair> prepare_fcl(const covering::Polyhedron&, const covering::Polyhedron&, double)
+std::unique_ptr<Prepared_pair> prepare_fcl(const covering::Polyhedron&, const covering::Polyhedron&, double)
 {
   return nullptr;
 }

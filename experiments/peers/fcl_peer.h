@@ -1,8 +1,8 @@
 #ifndef TETRACONE_EXPERIMENTS_PEERS_FCL_PEER_H
 #define TETRACONE_EXPERIMENTS_PEERS_FCL_PEER_H
 
+#include "experiments/peers/prepared_pair.h"
 #include "tetracone/covering/polyhedron.h"
-#include "verify/subjects/subject.h"
 
 #include <memory>
 
@@ -12,8 +12,8 @@ namespace tetracone::experiments {
 /// *surface* question, whatever is asked: it has no solids. Faces are triangulated; its transforms are rigid, so a pose
 /// must be a rotation times a power of two: the scale goes into the vertices of the body, exactly. Null when the
 /// program was built without FCL.
-std::unique_ptr<verify::Prepared_pair> prepare_fcl(const covering::Polyhedron& a, const covering::Polyhedron& b,
-                                                   double scale_b);
+std::unique_ptr<Prepared_pair> prepare_fcl(const covering::Polyhedron& a, const covering::Polyhedron& b,
+                                           double scale_b);
 
 }  // namespace tetracone::experiments
 

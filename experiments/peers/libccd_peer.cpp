@@ -67,7 +67,7 @@ void center(const void* object, ccd_vec3_t* out)
   body.image(body.middle, out);
 }
 
-class Libccd_pair : public Peer_pair {
+class Libccd_pair : public Prepared_pair {
  public:
   using Intersect = int (*)(const void*, const void*, const ccd_t*);
 
@@ -81,7 +81,8 @@ class Libccd_pair : public Peer_pair {
 
   bool collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, kernel::Question) override
   {
-    a_.pose = &pose_a, b_.pose = &pose_b;
+    a_.pose = &pose_a;
+    b_.pose = &pose_b;
     return intersect_(&a_, &b_, &ccd_) != 0;
   }
 
@@ -91,7 +92,7 @@ class Libccd_pair : public Peer_pair {
   ccd_t ccd_;
 };
 
-std::unique_ptr<Peer_pair> prepare(const Peer_mesh& a, const Peer_mesh& b, Libccd_pair::Intersect intersect)
+std::unique_ptr<Prepared_pair> prepare(const Peer_mesh& a, const Peer_mesh& b, Libccd_pair::Intersect intersect)
 {
   if (!is_convex(a) || !is_convex(b)) return nullptr;
   return std::make_unique<Libccd_pair>(a, b, intersect);
@@ -99,11 +100,11 @@ std::unique_ptr<Peer_pair> prepare(const Peer_mesh& a, const Peer_mesh& b, Libcc
 
 }  // namespace
 
-std::unique_ptr<Peer_pair> prepare_libccd_gjk(const Peer_mesh& a, const Peer_mesh& b)
+std::unique_ptr<Prepared_pair> prepare_libccd_gjk(const Peer_mesh& a, const Peer_mesh& b)
 {
   return prepare(a, b, ccdGJKIntersect);
 }
-std::unique_ptr<Peer_pair> prepare_libccd_mpr(const Peer_mesh& a, const Peer_mesh& b)
+std::unique_ptr<Prepared_pair> prepare_libccd_mpr(const Peer_mesh& a, const Peer_mesh& b)
 {
   return prepare(a, b, ccdMPRIntersect);
 }

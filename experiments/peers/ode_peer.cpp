@@ -42,7 +42,7 @@ class Body {
   dGeomID geometry_;
 };
 
-class Ode_pair : public Peer_pair {
+class Ode_pair : public Prepared_pair {
  public:
   Ode_pair(const Peer_mesh& a, const Peer_mesh& b) : a_(a), b_(b) {}
 
@@ -58,7 +58,7 @@ class Ode_pair : public Peer_pair {
 
 }  // namespace
 
-std::unique_ptr<Peer_pair> prepare_ode(const Peer_mesh& a, const Peer_mesh& b)
+std::unique_ptr<Prepared_pair> prepare_ode(const Peer_mesh& a, const Peer_mesh& b)
 {
   static const bool ready = dInitODE2(0) != 0;
   // What ODE keeps a thread; again on the same thread it does nothing.

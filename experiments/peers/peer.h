@@ -1,9 +1,9 @@
 #ifndef TETRACONE_EXPERIMENTS_PEERS_PEER_H
 #define TETRACONE_EXPERIMENTS_PEERS_PEER_H
 
+#include "experiments/peers/prepared_pair.h"
 #include "tetracone/covering/polyhedron.h"
 #include "tetracone/kernel/number/pose.h"
-#include "tetracone/kernel/predicate/question.h"
 
 #include <array>
 #include <memory>
@@ -27,15 +27,6 @@ std::optional<Peer_mesh> peer_mesh(const covering::Polyhedron& polyhedron);
 /// True when the pose's doubles are a rotation and a translation: rows orthonormal to 1e-9, and no reflection.
 bool is_rigid(const kernel::Pose& pose);
 
-/// Two meshes made ready for one peer.
-class Peer_pair {
- public:
-  virtual ~Peer_pair() = default;
-
-  /// The peer's answer. Requires rigid poses; fractions are rounded to the nearest double.
-  virtual bool collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, kernel::Question question) = 0;
-};
-
 /// A library with one of its ways to answer.
 struct Peer {
   std::string name;
@@ -43,7 +34,7 @@ struct Peer {
   bool solids_only;  ///< it knows solids and no surfaces: `Question::surface` is not asked
 
   /// Null when the peer does not take such meshes.
-  std::unique_ptr<Peer_pair> (*prepare)(const Peer_mesh& a, const Peer_mesh& b);
+  std::unique_ptr<Prepared_pair> (*prepare)(const Peer_mesh& a, const Peer_mesh& b);
 };
 
 /// The peers that the program was built with; CGAL's are always there.
@@ -52,22 +43,22 @@ const std::vector<Peer>& peers();
 // One adapter a file, NAME_peer.cpp, built where the library is installed.
 
 /// FCL on trees of oriented boxes and sphere-swept rectangles, and of axis-aligned boxes.
-std::unique_ptr<Peer_pair> prepare_fcl_obbrss(const Peer_mesh& a, const Peer_mesh& b);
-std::unique_ptr<Peer_pair> prepare_fcl_aabb(const Peer_mesh& a, const Peer_mesh& b);
+std::unique_ptr<Prepared_pair> prepare_fcl_obbrss(const Peer_mesh& a, const Peer_mesh& b);
+std::unique_ptr<Prepared_pair> prepare_fcl_aabb(const Peer_mesh& a, const Peer_mesh& b);
 
 /// Bullet's GImpact meshes without a margin.
-std::unique_ptr<Peer_pair> prepare_bullet(const Peer_mesh& a, const Peer_mesh& b);
+std::unique_ptr<Prepared_pair> prepare_bullet(const Peer_mesh& a, const Peer_mesh& b);
 
 /// ODE's trimesh against trimesh.
-std::unique_ptr<Peer_pair> prepare_ode(const Peer_mesh& a, const Peer_mesh& b);
+std::unique_ptr<Prepared_pair> prepare_ode(const Peer_mesh& a, const Peer_mesh& b);
 
 /// libccd's GJK and MPR on the vertices. Null unless both meshes are closed and convex.
-std::unique_ptr<Peer_pair> prepare_libccd_gjk(const Peer_mesh& a, const Peer_mesh& b);
-std::unique_ptr<Peer_pair> prepare_libccd_mpr(const Peer_mesh& a, const Peer_mesh& b);
+std::unique_ptr<Prepared_pair> prepare_libccd_gjk(const Peer_mesh& a, const Peer_mesh& b);
+std::unique_ptr<Prepared_pair> prepare_libccd_mpr(const Peer_mesh& a, const Peer_mesh& b);
 
 /// CGAL's Rigid_triangle_mesh_collision_detection. Null unless both meshes are manifold.
-std::unique_ptr<Peer_pair> prepare_cgal_epick(const Peer_mesh& a, const Peer_mesh& b);
-std::unique_ptr<Peer_pair> prepare_cgal_epeck(const Peer_mesh& a, const Peer_mesh& b);
+std::unique_ptr<Prepared_pair> prepare_cgal_epick(const Peer_mesh& a, const Peer_mesh& b);
+std::unique_ptr<Prepared_pair> prepare_cgal_epeck(const Peer_mesh& a, const Peer_mesh& b);
 
 }  // namespace tetracone::experiments
 

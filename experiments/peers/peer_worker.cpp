@@ -35,7 +35,9 @@ class Input {
       if (next_ == end_) fill();
       const std::size_t part = std::min(bytes, end_ - next_);
       std::memcpy(out, buffer_.data() + next_, part);
-      next_ += part, out += part, bytes -= part;
+      next_ += part;
+      out += part;
+      bytes -= part;
     }
   }
 
@@ -47,7 +49,8 @@ class Input {
       got = ::read(STDIN_FILENO, buffer_.data(), buffer_.size());
     } while (got < 0 && errno == EINTR);
     if (got <= 0) throw Closed();
-    next_ = 0, end_ = static_cast<std::size_t>(got);
+    next_ = 0;
+    end_ = static_cast<std::size_t>(got);
   }
 
   std::array<char, 1 << 16> buffer_;
@@ -70,7 +73,8 @@ class Bench {
 
   void take(covering::Polyhedron a, covering::Polyhedron b)
   {
-    a_ = std::move(a), b_ = std::move(b);
+    a_ = std::move(a);
+    b_ = std::move(b);
     built_ = false;
   }
 
@@ -98,18 +102,18 @@ class Bench {
 
   const Peer& peer_;
   covering::Polyhedron a_, b_;
-  std::unique_ptr<Peer_pair> pair_;
+  std::unique_ptr<Prepared_pair> pair_;
   bool built_ = false;
 };
 
 template <void (*misbehave)()>
-struct Misbehaving : Peer_pair {
+struct Misbehaving : Prepared_pair {
   bool collide(const kernel::Pose&, const kernel::Pose&, kernel::Question question) override
   {
     if (question == kernel::Question::surface) misbehave();
     return false;
   }
-  static std::unique_ptr<Peer_pair> prepare(const Peer_mesh&, const Peer_mesh&)
+  static std::unique_ptr<Prepared_pair> prepare(const Peer_mesh&, const Peer_mesh&)
   {
     return std::make_unique<Misbehaving>();
   }

@@ -14,9 +14,9 @@ using verify::Object_case;
 using verify::Outcome;
 
 /// A peer at work in a child process.
-class Asking : public verify::Answering {
+class Peer_answering : public verify::Answering {
  public:
-  Asking(std::string program, std::string name, bool solids_only, std::chrono::milliseconds limit)
+  Peer_answering(std::string program, std::string name, bool solids_only, std::chrono::milliseconds limit)
       : program_(std::move(program)), name_(std::move(name)), solids_only_(solids_only), limit_(limit)
   {}
 
@@ -30,7 +30,8 @@ class Asking : public verify::Answering {
     }
     message_.clear();
     if (c.a != a_ || c.b != b_) {
-      a_ = c.a, b_ = c.b;
+      a_ = c.a;
+      b_ = c.b;
       wire::append(message_, wire::Message::models);
       wire::append(message_, *a_);
       wire::append(message_, *b_);
@@ -59,7 +60,8 @@ class Asking : public verify::Answering {
 verify::Object_subject subject(const std::string& program, const std::string& name, const std::string& note,
                                bool solids_only, std::chrono::milliseconds limit)
 {
-  return {name, false, note, std::nullopt, [=] { return std::make_unique<Asking>(program, name, solids_only, limit); }};
+  return {name, false, note, std::nullopt,
+          [=] { return std::make_unique<Peer_answering>(program, name, solids_only, limit); }};
 }
 
 }  // namespace

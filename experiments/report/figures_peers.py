@@ -2,6 +2,7 @@
 wrong answers."""
 
 import html
+import math
 import os
 
 from report_data import by, distinct, geometric_mean, read, share, times
@@ -37,14 +38,23 @@ def drawing(page, name, source):
             + "".join(f' <a href="{f}">PDF</a>.' for f in links) + "</figcaption></figure>")
 
 
+def groups_of(rows):
+    """The rows in motion and near contact, of either question, with the group's name; groups without rows are left out."""
+    groups = []
+    for degenerate, regime in (("0", "in motion"), ("1", "degenerate")):
+        for question in ("surface", "solid"):
+            mine = [r for r in rows if (r["degenerate"], r["question"]) == (degenerate, question)]
+            if mine:
+                groups.append((f"{regime}, {question}", mine))
+    return groups
+
+
 def against_the_first(page, rows, source):
     """Time as a multiple of the first subject's on the same workload, with the wrong answers beside it, in motion and near contact."""
     key = lambda r: tuple(r[k] for k in WORKLOAD)
     first = rows[0]["subject"]
     reference = {key(r): float(r["mean_ns"]) for r in rows if r["subject"] == first}
-    groups = [(f"{'degenerate' if d == '1' else 'in motion'}, {q}", [r for r in rows if (r["degenerate"], r["question"]) == (d, q)])
-              for d in ("0", "1") for q in ("surface", "solid")]
-    groups = [(name, mine) for name, mine in groups if mine]
+    groups = groups_of(rows)
     body, lines = [], []
     for (subject,), mine in by(rows, "subject").items():
         cells = [html.escape(subject)]
@@ -53,13 +63,17 @@ def against_the_first(page, rows, source):
             if not own:
                 cells.append("–")
                 continue
-            wrong, asked = sum(int(r["false_positives"]) + int(r["false_negatives"]) for r in own), sum(int(r["poses"]) for r in own)
+            wrong = sum(int(r["false_positives"]) + int(r["false_negatives"]) for r in own)
+            asked = sum(int(r["poses"]) for r in own)
             ratio = geometric_mean(1e6 * float(r["mean_ns"]) / reference[key(r)] for r in own if key(r) in reference) / 1e6
-            cells.append(f"{times(ratio)} ×; {share(wrong, asked)} wrong" if ratio == ratio else f"{share(wrong, asked)} wrong")
-            lines.append([subject, name, f"{ratio:.4g}" if ratio == ratio else "", wrong, asked])
+            is_timed = not math.isnan(ratio)
+            time = f"{times(ratio)} ×; " if is_timed else ""
+            cells.append(f"{time}{share(wrong, asked)} wrong")
+            lines.append([subject, name, f"{ratio:.4g}" if is_timed else "", wrong, asked])
         body.append((mine[0].get("exact") == "1", cells))
     data = page.table("peers_ratios", ["subject", "workloads", f"time_per_{first}".replace(" ", "_"), "wrong", "asked"], lines, source)
-    return f"<p>Times are multiples of those of <i>{html.escape(first)}</i> on the same poses, geometric means.</p>" + page.html_table(["subject"] + [name for name, _ in groups], body, source, data)
+    table = page.html_table(["subject"] + [name for name, _ in groups], body, source, data)
+    return f"<p>Times are multiples of those of <i>{html.escape(first)}</i> on the same poses, geometric means.</p>" + table
 
 
 def number(text):

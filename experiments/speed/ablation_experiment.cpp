@@ -11,7 +11,7 @@ namespace {
 
 using tetratree::Config;
 
-/// The paper's tree of so many levels more, or fewer, than its default.
+/// The depth of the paper's default plus `more` levels.
 int depth(std::size_t triangles, int more)
 {
   return std::max(1, static_cast<int>(std::ceil(std::log2(double(triangles)) / 2)) + more);

@@ -18,7 +18,7 @@ namespace tetracone::experiments {
 /// doubles. A relative size is in B's vertices.
 struct Race_course {
   std::string scenario;  ///< circular, contour, or a kind of near contact
-  std::string object;    ///< of which both bodies are
+  std::string object;    ///< both bodies are of this shape
   double ratio = 1;      ///< A's size over B's
   covering::Polyhedron a, b;
   std::vector<kernel::Pose> poses_b;
@@ -47,8 +47,8 @@ class Race_objects {
   std::map<std::pair<std::string, std::size_t>, covering::Polyhedron> made_;
 };
 
-/// The object against itself, B 1 / ratio as large, on a trajectory of JS08 section 4, "circular" or "contour"; or on
-/// so many of the kind, one after the other, `frames` poses each. Requires ratio a power of two.
+/// The object against itself, B 1 / ratio as large, on `trajectories` of JS08 section 4, "circular" or "contour", one
+/// after the other, `frames` poses each. Requires ratio a power of two.
 Race_course on_trajectory(const covering::Polyhedron& object, const std::string& name, const std::string& trajectory,
                           double ratio, int frames, std::uint64_t seed, int trajectories = 1);
 

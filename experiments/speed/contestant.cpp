@@ -7,7 +7,6 @@
 #include "tetracone/tetratree/paper/collision.h"
 
 #include <optional>
-#include <utility>
 
 namespace tetracone::experiments {
 namespace {
@@ -30,14 +29,16 @@ struct Bodies {
   Bodies(const Polyhedron& polyhedron_a, const Polyhedron& polyhedron_b, Nodes nodes)
       : a(triangulated_body(polyhedron_a)), b(triangulated_body(polyhedron_b))
   {
-    if (nodes == Nodes::at_once) a.make_all(), b.make_all();
+    if (nodes == Nodes::on_demand) return;
+    a.make_all();
+    b.make_all();
   }
   Body a, b;
 };
 
-class Fast_ready : public Ready {
+class Fast_pair : public Prepared_pair {
  public:
-  Fast_ready(const Bodies& bodies, bool remember)
+  Fast_pair(const Bodies& bodies, bool remember)
       : bodies_(bodies), surface_(bodies.a, bodies.b, Question::surface, {.remember = remember}), remember_(remember)
   {}
 
@@ -53,7 +54,9 @@ class Fast_ready : public Ready {
   {
     tetratree::Query_statistics counts = surface_.statistics();
     surface_.clear_statistics();
-    if (solid_) counts += solid_->statistics(), solid_->clear_statistics();
+    if (!solid_) return counts;
+    counts += solid_->statistics();
+    solid_->clear_statistics();
     return counts;
   }
   std::size_t node_count() const override { return surface_.node_count(); }
@@ -71,14 +74,20 @@ Contestant fast_as(const std::string& name, bool remember)
 {
   const auto prepare = [remember](Nodes nodes) {
     return [=](const Polyhedron& a, const Polyhedron& b) {
-      return std::make_unique<Fast_ready>(Bodies(a, b, nodes), remember);
+      return std::make_unique<Fast_pair>(Bodies(a, b, nodes), remember);
     };
   };
-  const auto share = [remember](const Ready& other) -> std::unique_ptr<Ready> {
-    const auto* fast = dynamic_cast<const Fast_ready*>(&other);
-    return fast ? std::make_unique<Fast_ready>(fast->bodies(), remember) : nullptr;
+  const auto share = [remember](const Prepared_pair& other) -> std::unique_ptr<Prepared_pair> {
+    const auto* fast = dynamic_cast<const Fast_pair*>(&other);
+    return fast ? std::make_unique<Fast_pair>(fast->bodies(), remember) : nullptr;
   };
-  return {name, true, true, true, 1, prepare(Nodes::at_once), prepare(Nodes::on_demand), share};
+  return {.name = name,
+          .exact = true,
+          .knows_solids = true,
+          .counts_work = true,
+          .prepare = prepare(Nodes::at_once),
+          .prepare_on_demand = prepare(Nodes::on_demand),
+          .share = share};
 }
 
 template <class K>
@@ -91,9 +100,9 @@ double copies_in_leaves(const tetratree::Tetra_tree<K>& tree)
 }
 
 template <class K>
-class Paper_ready : public Ready {
+class Paper_pair : public Prepared_pair {
  public:
-  Paper_ready(const Polyhedron& a, const Polyhedron& b, const tetratree::Config& config)
+  Paper_pair(const Polyhedron& a, const Polyhedron& b, const tetratree::Config& config)
       : a_(a, config), b_(b, config), collision_(a_, b_)
   {}
 
@@ -113,27 +122,14 @@ class Paper_ready : public Ready {
 template <class K>
 Contestant paper_over(const std::string& name, const tetratree::Config& config)
 {
-  return {name,
-          kernel::Kernel_traits<K>::exact_signs,
-          true,
-          true,
-          1,
-          [config](const Polyhedron& a, const Polyhedron& b) { return std::make_unique<Paper_ready<K>>(a, b, config); },
-          {},
-          {}};
+  return {.name = name,
+          .exact = kernel::Kernel_traits<K>::exact_signs,
+          .knows_solids = true,
+          .counts_work = true,
+          .prepare = [config](const Polyhedron& a, const Polyhedron& b) {
+            return std::make_unique<Paper_pair<K>>(a, b, config);
+          }};
 }
-
-class Peer_ready : public Ready {
- public:
-  explicit Peer_ready(std::unique_ptr<Peer_pair> pair) : pair_(std::move(pair)) {}
-  bool collide(const Pose& pose_a, const Pose& pose_b, Question question) override
-  {
-    return pair_->collide(pose_a, pose_b, question);
-  }
-
- private:
-  std::unique_ptr<Peer_pair> pair_;
-};
 
 }  // namespace
 
@@ -151,15 +147,16 @@ Contestant paper_adaptive(const std::string& name, const tetratree::Config& conf
 
 Contestant peer(const std::string& name, std::size_t one_in)
 {
-  Contestant result{name,  false,  name.starts_with("CGAL"),
-                    false, one_in, [](const Polyhedron&, const Polyhedron&) { return nullptr; },
-                    {},    {}};
+  Contestant result{.name = name,
+                    .knows_solids = name.starts_with("CGAL"),
+                    .one_in = one_in,
+                    .prepare = [](const Polyhedron&, const Polyhedron&) { return nullptr; }};
   for (const Peer& known : peers()) {
     if (known.name != name) continue;
-    result.prepare = [prepare = known.prepare](const Polyhedron& a, const Polyhedron& b) -> std::unique_ptr<Ready> {
+    result.prepare = [prepare = known.prepare](const Polyhedron& a,
+                                               const Polyhedron& b) -> std::unique_ptr<Prepared_pair> {
       const auto mesh_a = peer_mesh(a), mesh_b = peer_mesh(b);
-      auto pair = mesh_a && mesh_b ? prepare(*mesh_a, *mesh_b) : nullptr;
-      return pair ? std::make_unique<Peer_ready>(std::move(pair)) : nullptr;
+      return mesh_a && mesh_b ? prepare(*mesh_a, *mesh_b) : nullptr;
     };
   }
   return result;

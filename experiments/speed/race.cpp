@@ -1,11 +1,11 @@
 #include "experiments/speed/race.h"
 
+#include "experiments/support/stopwatch.h"
 #include "verify/truth/cgal_truth.h"
 
 #include <malloc.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <ctime>
 #include <limits>
@@ -14,95 +14,82 @@
 namespace tetracone::experiments {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using kernel::Pose;
 using kernel::Question;
 
-/// A's pose in every frame: made once, since the time of a query holds no other work.
+/// A's pose in every frame: made once, outside the time of a query.
 const Pose unmoved;
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-/// The least that the clock says of nothing at all.
+/// The shortest time that the clock tells between two readings.
 double clock_ns()
 {
   static const double least = [] {
     double ns = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < 1000; ++k) ns = std::min(ns, 1e9 * seconds_since(Clock::now()));
+    for (int k = 0; k < 1000; ++k) ns = std::min(ns, Stopwatch().nanoseconds());
     return ns;
   }();
   return least;
 }
 
-/// Bytes in use of the whole heap.
+/// The bytes of the heap that are in use.
 std::size_t heap()
 {
   const auto info = mallinfo2();
   return info.uordblks + info.hblkhd;
 }
 
-Runner prepare(const Contestant& contestant, const Race_course& course)
+Prepared_contestant prepare(const Contestant& contestant, const Race_course& course)
 {
-  Runner runner{contestant, nullptr, {}};
+  Prepared_contestant prepared{contestant, nullptr, {}};
   const auto build = [&](const Contestant::Prepare& how) {
-    const auto start = Clock::now();
-    runner.ready = how(course.a, course.b);
-    return 1e3 * seconds_since(start);
+    const Stopwatch watch;
+    prepared.pair = how(course.a, course.b);
+    return watch.milliseconds();
   };
   if (contestant.prepare_on_demand) {
-    const auto start = Clock::now();
+    const Stopwatch watch;
     build(contestant.prepare_on_demand);
     for (std::size_t k = 0; k < std::min(Race::first_poses, course.poses_b.size()); ++k) {
-      runner.ready->collide(unmoved, course.poses_b[k], Question::surface);
-      if (k == 0) runner.build.nodes_after_one = runner.ready->node_count();
+      prepared.pair->collide(unmoved, course.poses_b[k], Question::surface);
+      if (k == 0) prepared.build.nodes_after_one = prepared.pair->node_count();
     }
-    runner.build.with_first_milliseconds = 1e3 * seconds_since(start);
-    runner.build.nodes_after_first = runner.ready->node_count();
-    runner.ready.reset();
+    prepared.build.with_first_milliseconds = watch.milliseconds();
+    prepared.build.nodes_after_first = prepared.pair->node_count();
+    prepared.pair.reset();
   }
   const std::size_t before = heap();
-  runner.build.milliseconds = build(contestant.prepare);
-  runner.build.bytes = heap() - before + (runner.ready ? runner.ready->mapped_bytes() : 0);
+  prepared.build.milliseconds = build(contestant.prepare);
+  prepared.build.bytes = heap() - before + (prepared.pair ? prepared.pair->mapped_bytes() : 0);
   constexpr double soon_milliseconds = 100;
-  if (!runner.ready || runner.build.milliseconds > soon_milliseconds) return runner;
-  runner.ready.reset();
-  runner.build.milliseconds = std::min(runner.build.milliseconds, build(contestant.prepare));
-  return runner;
+  if (!prepared.pair || prepared.build.milliseconds > soon_milliseconds) return prepared;
+  prepared.pair.reset();
+  prepared.build.milliseconds = std::min(prepared.build.milliseconds, build(contestant.prepare));
+  return prepared;
 }
 
-/// A runner's passes over its poses.
+/// A contestant's passes over its poses.
 class Laps {
  public:
-  Laps(Runner& runner, const Race_course& course, Question question, const std::vector<char>& reference)
-      : runner_(runner), course_(course), question_(question), reference_(reference)
-  {
-    for (std::size_t k = 0; k < course.poses_b.size(); k += runner.contestant.one_in) asked_.push_back(k);
-    fastest_.assign(asked_.size(), std::numeric_limits<double>::infinity());
-  }
+  Laps(Prepared_contestant& prepared, const Race_course& course, Question question, const std::vector<char>& reference)
+      : prepared_(prepared), course_(course), question_(question), poses_(reference, prepared.contestant.one_in)
+  {}
 
-  /// Of the processor.
+  const Timed_poses& poses() const { return poses_; }
+
+  /// Processor time of all laps.
   double seconds() const { return seconds_; }
-
-  /// Of the poses that `other` was asked: the mean of the fastest. Requires that this one was asked them all.
-  double mean_on_poses_of(const Laps& other) const
-  {
-    const std::size_t step = other.runner_.contestant.one_in / runner_.contestant.one_in;
-    double total = 0;
-    for (std::size_t i = 0; i < other.asked_.size(); ++i) total += fastest_[i * step];
-    return total / other.asked_.size();
-  }
 
   void lap()
   {
-    if (timing_.passes == 0) runner_.ready->take_counts();
-    const std::clock_t start = std::clock();  // of the processor: who had to wait for it is not the slower
+    if (timing_.passes == 0) prepared_.pair->take_counts();
+    const std::clock_t start = std::clock();  // processor time: waiting for a core does not count
     double mean = clocked_pass();
-    if (timing_.passes == 0) timing_.counts = runner_.ready->take_counts();
+    if (timing_.passes == 0) timing_.counts = prepared_.pair->take_counts();
     ++timing_.passes;
-    // The clock counts where queries are fast, and so do the caches, which the contestant before has filled with its
-    // own: so the mean is of a pass without the clock, and the poses are clocked once more after it.
+    // Fast queries: the mean is of a pass without the clock, whose own time matters. The poses are clocked again after
+    // it: the caches are no longer those that the contestant before has filled.
     constexpr double long_ns = 1e8;
-    if (mean * double(asked_.size()) < long_ns) {
+    if (mean * double(poses_.numbers().size()) < long_ns) {
       mean = pass();
       clocked_pass();
     }
@@ -113,53 +100,33 @@ class Laps {
   Timing timing() const
   {
     Timing timing = timing_;
-    std::vector<double> sorted = fastest_;
-    std::sort(sorted.begin(), sorted.end());
-    const auto at = [&sorted](double share) {
-      return sorted[std::min(sorted.size() - 1, static_cast<std::size_t>(share * sorted.size()))];
-    };
-    timing.poses = asked_.size();
-    timing.mean_ns = mean_, timing.median_ns = at(0.5), timing.p99_ns = at(0.99);
+    static_cast<Judged_answers&>(timing) = poses_.judged();
+    timing.mean_ns = mean_;
+    timing.median_ns = poses_.quantile_ns(0.5);
+    timing.p99_ns = poses_.quantile_ns(0.99);
     return timing;
   }
 
  private:
-  /// Mean time over the poses.
+  /// One pass without the clock: the mean time of a pose.
   double pass()
   {
-    const auto start = Clock::now();
-    for (std::size_t i = 0; i < asked_.size(); ++i) found_ += ask(i);
-    return 1e9 * seconds_since(start) / asked_.size();
+    const Stopwatch watch;
+    for (const std::size_t k : poses_.numbers()) found_ += collide(k);
+    return watch.nanoseconds() / poses_.numbers().size();
   }
 
-  /// The same, by a clock that times every pose for itself; the first time answers are judged.
   double clocked_pass()
   {
-    const double of_nothing = clock_ns();
-    double total = 0;
-    for (std::size_t i = 0; i < asked_.size(); ++i) {
-      const auto start = Clock::now();
-      const bool answer = ask(i);
-      const double ns = std::max(0.0, 1e9 * seconds_since(start) - of_nothing);
-      total += ns;
-      fastest_[i] = std::min(fastest_[i], ns);
-      if (timing_.passes > 0) continue;
-      const bool truth = reference_[asked_[i]];
-      timing_.collisions += truth;
-      timing_.false_positives += answer && !truth;
-      timing_.false_negatives += !answer && truth;
-    }
-    return total / asked_.size();
+    return poses_.pass([this](std::size_t k) { return collide(k); }, clock_ns());
   }
 
-  bool ask(std::size_t i) { return runner_.ready->collide(unmoved, course_.poses_b[asked_[i]], question_); }
+  bool collide(std::size_t k) { return prepared_.pair->collide(unmoved, course_.poses_b[k], question_); }
 
-  Runner& runner_;
+  Prepared_contestant& prepared_;
   const Race_course& course_;
   Question question_;
-  const std::vector<char>& reference_;
-  std::vector<std::size_t> asked_;
-  std::vector<double> fastest_;
+  Timed_poses poses_;
   double mean_ = std::numeric_limits<double>::infinity(), seconds_ = 0;
   std::size_t found_ = 0;  // uses the answers
   Timing timing_;
@@ -170,12 +137,12 @@ class Laps {
 Race::Race(const Race_course& course, const std::vector<Contestant>& contestants) : course_(course)
 {
   for (const Contestant& contestant : contestants) {
-    Runner runner = prepare(contestant, course);
-    std::unique_ptr<Ready> shared;
-    for (std::size_t k = 0; k < runners_.size() && !shared; ++k)
-      if (runner.ready && runners_[k].ready && contestant.share) shared = contestant.share(*runners_[k].ready);
-    if (shared) runner.ready = std::move(shared);
-    runners_.push_back(std::move(runner));
+    Prepared_contestant prepared = prepare(contestant, course);
+    std::unique_ptr<Prepared_pair> shared;
+    for (std::size_t k = 0; k < contestants_.size() && !shared; ++k)
+      if (prepared.pair && contestants_[k].pair && contestant.share) shared = contestant.share(*contestants_[k].pair);
+    if (shared) prepared.pair = std::move(shared);
+    contestants_.push_back(std::move(prepared));
   }
 }
 
@@ -183,10 +150,10 @@ std::vector<std::optional<Timing>> Race::run(Question question, int passes, doub
 {
   const auto& answers = reference(question);
   std::vector<std::optional<Laps>> laps;
-  for (Runner& runner : runners_) {
+  for (Prepared_contestant& prepared : contestants_) {
     laps.emplace_back();
-    if (runner.ready && (question == Question::surface || runner.contestant.knows_solids))
-      laps.back().emplace(runner, course_, question, answers);
+    if (prepared.pair && (question == Question::surface || prepared.contestant.knows_solids))
+      laps.back().emplace(prepared, course_, question, answers);
   }
   for (int pass = 0; pass < passes; ++pass)
     for (auto& each : laps)
@@ -194,14 +161,14 @@ std::vector<std::optional<Timing>> Race::run(Question question, int passes, doub
   std::vector<std::optional<Timing>> timings;
   const Laps* fcl = nullptr;
   for (std::size_t k = 0; k < laps.size(); ++k)
-    if (laps[k] && runners_[k].contestant.name == "FCL OBBRSS") fcl = &*laps[k];
+    if (laps[k] && contestants_[k].contestant.name == "FCL OBBRSS") fcl = &*laps[k];
   for (const auto& each : laps) {
     timings.emplace_back();
     if (!each) continue;
     timings.back() = each->timing();
-    timings.back()->same_poses_ns = each->mean_on_poses_of(*each);
-    timings.back()->first_same_poses_ns = laps[0]->mean_on_poses_of(*each);
-    if (fcl) timings.back()->fcl_same_poses_ns = fcl->mean_on_poses_of(*each);
+    timings.back()->same_poses_ns = each->poses().mean_ns(each->poses());
+    timings.back()->first_same_poses_ns = laps[0]->poses().mean_ns(each->poses());
+    if (fcl) timings.back()->fcl_same_poses_ns = fcl->poses().mean_ns(each->poses());
   }
   return timings;
 }
@@ -211,7 +178,7 @@ const std::vector<char>& Race::reference(Question question)
   auto& known = question == Question::surface ? surface_ : solid_;
   if (known) return *known;
   known.emplace();
-  for (const Pose& pose : course_.poses_b) known->push_back(runners_[0].ready->collide(unmoved, pose, question));
+  for (const Pose& pose : course_.poses_b) known->push_back(contestants_[0].pair->collide(unmoved, pose, question));
   return *known;
 }
 

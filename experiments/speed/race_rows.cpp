@@ -2,67 +2,99 @@
 
 #include "experiments/support/csv_row.h"
 
+#include <initializer_list>
+
 namespace tetracone::experiments {
 namespace {
 
 using kernel::Question;
 
-Csv_row row(const Race_course& course, Question question, const Runner& runner, const Timing& timing,
-            const Race::Checked& checked, std::uint64_t seed)
+void add_none(Csv_row& row, std::initializer_list<const char*> names)
 {
-  const double poses = static_cast<double>(timing.poses),
-               triangles = static_cast<double>(course.a.face_count() + course.b.face_count());
-  Csv_row row;
+  for (const char* name : names) row.none(name);
+}
+
+void add_course(Csv_row& row, const Race_course& course)
+{
   row.add("scenario", course.scenario)
       .add("object", course.object)
       .add("triangles", course.a.face_count())
       .add("star_share", star_share(course.a))
       .add("ratio", course.ratio)
-      .add("degenerate", course.degenerate ? 1 : 0)
-      .add("question", std::string(to_string(question)))
-      .add("subject", runner.contestant.name)
-      .add("exact", runner.contestant.exact ? 1 : 0)
-      .add("poses", timing.poses)
-      .add("collisions", timing.collisions)
-      .add("false_positives", timing.false_positives)
-      .add("false_negatives", timing.false_negatives)
+      .add("degenerate", course.degenerate ? 1 : 0);
+}
+
+void add_answers(Csv_row& row, const Judged_answers& answers, const Race::Checked& checked)
+{
+  row.add("poses", answers.poses)
+      .add("collisions", answers.collisions)
+      .add("false_positives", answers.false_positives)
+      .add("false_negatives", answers.false_negatives)
       .add("reference_checked", checked.frames)
-      .add("reference_wrong", checked.wrong)
-      .add("passes", timing.passes)
+      .add("reference_wrong", checked.wrong);
+}
+
+void add_times(Csv_row& row, const Timing& timing)
+{
+  row.add("passes", timing.passes)
       .add("mean_ns", timing.mean_ns)
       .add("median_ns", timing.median_ns)
       .add("p99_ns", timing.p99_ns)
       .add("same_poses_ns", timing.same_poses_ns)
       .add("tetracone_same_poses_ns", timing.first_same_poses_ns)
-      .add("fcl_same_poses_ns", timing.fcl_same_poses_ns)
-      .add("build_ms", runner.build.milliseconds)
-      .add("bytes_per_triangle", static_cast<double>(runner.build.bytes) / triangles);
-  if (runner.ready->tree_bytes() > 0)
-    row.add("tree_bytes_per_triangle", static_cast<double>(runner.ready->tree_bytes()) / triangles);
+      .add("fcl_same_poses_ns", timing.fcl_same_poses_ns);
+}
+
+void add_build(Csv_row& row, const Prepared_contestant& prepared, double triangles)
+{
+  row.add("build_ms", prepared.build.milliseconds)
+      .add("bytes_per_triangle", static_cast<double>(prepared.build.bytes) / triangles);
+  const std::size_t tree_bytes = prepared.pair->tree_bytes();
+  if (tree_bytes > 0)
+    row.add("tree_bytes_per_triangle", static_cast<double>(tree_bytes) / triangles);
   else
     row.none("tree_bytes_per_triangle");
-  const auto& c = timing.counts;
-  if (runner.contestant.counts_work) {
-    row.add("bounding_tests", c.bounding_tests() / poses)
-        .add("pairs_visited", c.pairs_visited / poses)
-        .add("leaf_pairs", c.leaf_pairs / poses)
-        .add("primitive_tests", c.primitive_tests() / poses)
-        .add("exact_fallbacks", c.exact_fallbacks / poses)
-        .add("nodes", runner.ready->node_count())
-        .add("copies", runner.ready->copies());
-  } else {
-    for (const char* name :
-         {"bounding_tests", "pairs_visited", "leaf_pairs", "primitive_tests", "exact_fallbacks", "nodes", "copies"})
-      row.none(name);
-  }
-  if (runner.contestant.prepare_on_demand) {
-    row.add("build_and_hundred_ms", runner.build.with_first_milliseconds)
-        .add("nodes_after_one", runner.build.nodes_after_one)
-        .add("nodes_after_hundred", runner.build.nodes_after_first);
-  } else {
-    for (const char* name : {"build_and_hundred_ms", "nodes_after_one", "nodes_after_hundred"}) row.none(name);
-  }
-  return row.add_origin(seed);
+}
+
+void add_work(Csv_row& row, const Prepared_contestant& prepared, const Timing& timing)
+{
+  if (!prepared.contestant.counts_work)
+    return add_none(row, {"bounding_tests", "pairs_visited", "leaf_pairs", "primitive_tests", "exact_fallbacks",
+                          "nodes", "copies"});
+  const auto& counts = timing.counts;
+  const double poses = static_cast<double>(timing.poses);
+  row.add("bounding_tests", counts.bounding_tests() / poses)
+      .add("pairs_visited", counts.pairs_visited / poses)
+      .add("leaf_pairs", counts.leaf_pairs / poses)
+      .add("primitive_tests", counts.primitive_tests() / poses)
+      .add("exact_fallbacks", counts.exact_fallbacks / poses)
+      .add("nodes", prepared.pair->node_count())
+      .add("copies", prepared.pair->copies());
+}
+
+void add_build_on_demand(Csv_row& row, const Prepared_contestant& prepared)
+{
+  if (!prepared.contestant.prepare_on_demand)
+    return add_none(row, {"build_and_hundred_ms", "nodes_after_one", "nodes_after_hundred"});
+  row.add("build_and_hundred_ms", prepared.build.with_first_milliseconds)
+      .add("nodes_after_one", prepared.build.nodes_after_one)
+      .add("nodes_after_hundred", prepared.build.nodes_after_first);
+}
+
+Csv_row row(const Race_course& course, Question question, const Prepared_contestant& prepared, const Timing& timing,
+            const Race::Checked& checked, std::uint64_t seed)
+{
+  Csv_row row;
+  add_course(row, course);
+  row.add("question", std::string(to_string(question)))
+      .add("subject", prepared.contestant.name)
+      .add("exact", prepared.contestant.exact ? 1 : 0);
+  add_answers(row, timing, checked);
+  add_times(row, timing);
+  add_build(row, prepared, static_cast<double>(course.a.face_count() + course.b.face_count()));
+  add_work(row, prepared, timing);
+  add_build_on_demand(row, prepared);
+  return row.add_origin(seed).add("fcl", TETRACONE_FCL);
 }
 
 }  // namespace
@@ -71,19 +103,16 @@ std::string race_rows(const Race_course& course, const std::vector<Contestant>& 
                       double seconds, std::uint64_t seed)
 {
   Race race(course, contestants);
-  std::string header, lines;
+  Csv_table table;
   for (const Question question : {Question::surface, Question::solid}) {
     if (question == Question::solid && !solid) break;
     const auto checked = race.check(question);
     const auto timings = race.run(question, passes, seconds);
     for (std::size_t k = 0; k < timings.size(); ++k) {
-      if (!timings[k]) continue;
-      const Csv_row made = row(course, question, race.runners()[k], *timings[k], checked, seed);
-      header = made.header();
-      lines += made.line();
+      if (timings[k]) table.add(row(course, question, race.contestants()[k], *timings[k], checked, seed));
     }
   }
-  return header + lines;
+  return table.text();
 }
 
 }  // namespace tetracone::experiments

@@ -1,60 +1,75 @@
 #include "experiments/speed/study.h"
 
 #include "experiments/peers/fcl_peer.h"
+#include "experiments/speed/contestant.h"
+#include "experiments/speed/timed_poses.h"
 #include "experiments/speed/workloads.h"
-#include "experiments/support/build_info.h"
-#include "experiments/support/output_file.h"
-#include "experiments/support/progress.h"
-#include "tetracone/covering/io/input_error.h"
-#include "tetracone/covering/io/text_lines.h"
+#include "experiments/support/csv_row.h"
+#include "experiments/support/resumable_csv.h"
+#include "experiments/support/stopwatch.h"
 #include "verify/subjects/subject.h"
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <functional>
-#include <limits>
 #include <memory>
-#include <numeric>
-#include <sstream>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tetracone::experiments {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using kernel::Pose;
 using kernel::Question;
-using verify::Kernel_name;
 using verify::Method;
-using verify::Prepared_pair;
 using verify::Subject;
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+/// A subject of the harness as a contestant makes it ready.
+class Subject_pair : public Prepared_pair {
+ public:
+  explicit Subject_pair(std::unique_ptr<verify::Prepared_pair> pair) : pair_(std::move(pair)) {}
 
-/// A subject of the study: one of ours, or a peer.
-struct Candidate {
-  std::string name, kernel, method;
-  bool exact = false;
-  std::size_t one_in = 1;  ///< asks every so many-th pose: slow subjects see fewer
-  std::function<std::unique_ptr<Prepared_pair>(const Workload&)> prepare;
+  bool collide(const Pose& pose_a, const Pose& pose_b, Question question) override
+  {
+    return pair_->collide(pose_a, pose_b, question);
+  }
+  tetratree::Query_statistics take_counts() override { return pair_->take_counts(); }
+  std::size_t node_count() const override { return pair_->node_count(); }
+  std::size_t tree_bytes() const override { return pair_->bytes(); }
+
+ private:
+  std::unique_ptr<verify::Prepared_pair> pair_;
 };
 
-Candidate ours(const std::string& kernel, Method method, std::size_t one_in = 1)
+Contestant ours(const std::string& kernel, Method method, std::size_t one_in = 1)
 {
   const Subject subject = *Subject::parse(kernel, method);
-  return {subject.name(),
-          subject.kernel_name(),
-          std::string(to_string(method)),
-          subject.is_exact(),
-          one_in,
-          [subject](const Workload& w) { return verify::prepare(subject, w.a, w.b); }};
+  return {.name = subject.name(),
+          .exact = subject.is_exact(),
+          .knows_solids = true,
+          .counts_work = true,
+          .one_in = one_in,
+          .prepare =
+              [subject](const covering::Polyhedron& a, const covering::Polyhedron& b) {
+                return std::make_unique<Subject_pair>(verify::prepare(subject, a, b));
+              },
+          .kernel = subject.kernel_name(),
+          .method = std::string(to_string(method))};
 }
 
-std::vector<Candidate> candidates(const Workload& workload)
+/// FCL, its B made as large as the poses of the workload say. It is asked of solids too, and answers of surfaces.
+Contestant scaled_fcl(const Workload& workload)
 {
-  std::vector<Candidate> list;
+  return {.name = "FCL OBBRSS",
+          .prepare = [scale_b = workload.scale_b](const covering::Polyhedron& a,
+                                                  const covering::Polyhedron& b) { return prepare_fcl(a, b, scale_b); },
+          .kernel = "FCL",
+          .method = "peer"};
+}
+
+std::vector<Contestant> contestants(const Workload& workload)
+{
+  std::vector<Contestant> list;
   for (const char* kernel : {"float", "double", "double-eps=1e-12", "epick", "epeck", "adaptive"})
     list.push_back(ours(kernel, Method::tree));
   list.push_back(ours("rational", Method::tree, 4));
@@ -62,132 +77,104 @@ std::vector<Candidate> candidates(const Workload& workload)
   if (workload.regime == "degenerate")
     for (const char* kernel : {"float", "double", "double-eps=1e-12", "epick", "adaptive"})
       list.push_back(ours(kernel, Method::brute));
-  list.push_back(
-      {"FCL OBBRSS", "FCL", "peer", false, 1, [](const Workload& w) { return prepare_fcl(w.a, w.b, w.scale_b); }});
+  list.push_back(scaled_fcl(workload));
   return list;
 }
 
 struct Judged {
-  std::size_t poses = 0, collisions = 0, false_positives = 0, false_negatives = 0;
-  std::vector<double> nanoseconds;  ///< of each pose asked, the fastest of the passes
+  Timed_poses poses;
   double build_seconds = 0;
   std::size_t bytes = 0, nodes = 0;
-  tetratree::Query_statistics counts;  ///< of one pass
+  tetratree::Query_statistics counts;  ///< work of one pass
 };
 
-Judged judge(const Workload& workload, const Candidate& candidate, Question question, const std::vector<char>& truth)
+/// Nothing where the contestant does not take such bodies.
+std::optional<Judged> judge(const Workload& workload, const Contestant& contestant, Question question,
+                            const std::vector<char>& truth)
 {
-  Judged result;
-  const auto start = Clock::now();
-  const auto pair = candidate.prepare(workload);
-  if (!pair) return result;
-  result.build_seconds = seconds_since(start);
-  result.bytes = pair->bytes();
-  result.nodes = pair->node_count();
+  const Stopwatch build;
+  const auto pair = contestant.prepare(workload.a, workload.b);
+  if (!pair) return std::nullopt;
+  const double build_seconds = build.seconds();
+  Judged result{Timed_poses(truth, contestant.one_in), build_seconds, pair->tree_bytes(), pair->node_count(), {}};
 
-  std::vector<std::size_t> asked;
-  for (std::size_t k = 0; k < workload.poses_b.size(); k += candidate.one_in) asked.push_back(k);
-  result.poses = asked.size();
-  result.nanoseconds.assign(asked.size(), std::numeric_limits<double>::infinity());
-  const auto first_pass = Clock::now();
+  const Stopwatch since_first;
   constexpr int passes = 5;
   constexpr double enough_seconds = 0.3;  // slow subjects are timed once
   for (int pass = 0; pass < passes; ++pass) {
-    for (std::size_t i = 0; i < asked.size(); ++i) {
-      const std::size_t k = asked[i];
-      const auto before = Clock::now();
-      const bool answer = pair->collide(workload.pose_a(k), workload.poses_b[k], question);
-      const double ns = std::chrono::duration<double, std::nano>(Clock::now() - before).count();
-      result.nanoseconds[i] = std::min(result.nanoseconds[i], ns);
-      if (pass > 0) continue;
-      result.collisions += truth[k];
-      result.false_positives += answer && !truth[k];
-      result.false_negatives += !answer && truth[k];
-    }
+    result.poses.pass([&](std::size_t k) { return pair->collide(workload.pose_a(k), workload.poses_b[k], question); });
     if (pass == 0) result.counts = pair->take_counts();
-    if (seconds_since(first_pass) > enough_seconds) break;
+    if (since_first.seconds() > enough_seconds) break;
   }
-  std::sort(result.nanoseconds.begin(), result.nanoseconds.end());
   return result;
 }
 
-std::string header()
+Csv_row row(const Workload& workload, Question question, const Contestant& contestant, const Judged& judged,
+            std::uint64_t seed)
 {
-  return "regime,scenario,a,b,ratio,question,subject,kernel,method,exact,poses,collisions,false_positives,false_"
-         "negatives,"
-         "mean_ns,median_ns,p99_ns,build_ms,bytes,nodes,pairs_visited,discarded_by_hull,discarded_by_sphere,"
-         "discarded_by_tetrahedron,bounding_tests,primitive_tests,exact_fallbacks,seed,version,compiler,flags,"
-         "processor\n";
+  const Timed_poses& timed = judged.poses;
+  const Judged_answers& answers = timed.judged();
+  const auto whole = [](double x) { return static_cast<long long>(x); };
+  const auto a_pose = [&](std::uint64_t count) { return static_cast<double>(count) / double(answers.poses); };
+  const auto& counts = judged.counts;
+  return Csv_row()
+      .add("regime", workload.regime)
+      .add("scenario", workload.scenario)
+      .add("a", workload.a_name)
+      .add("b", workload.b_name)
+      .add_exact("ratio", 1 / workload.scale_b)
+      .add("question", std::string(to_string(question)))
+      .add("subject", contestant.name)
+      .add("kernel", contestant.kernel)
+      .add("method", contestant.method)
+      .add("exact", contestant.exact ? 1 : 0)
+      .add("poses", answers.poses)
+      .add("collisions", answers.collisions)
+      .add("false_positives", answers.false_positives)
+      .add("false_negatives", answers.false_negatives)
+      .add("mean_ns", whole(timed.mean_ns(timed)))
+      .add("median_ns", whole(timed.quantile_ns(0.5)))
+      .add("p99_ns", whole(timed.quantile_ns(0.99)))
+      .add_exact("build_ms", std::round(judged.build_seconds * 1e6) / 1e3)
+      .add("bytes", judged.bytes)
+      .add("nodes", judged.nodes)
+      .add_exact("pairs_visited", a_pose(counts.pairs_visited))
+      .add_exact("discarded_by_hull", a_pose(counts.discarded_by_hull))
+      .add_exact("discarded_by_sphere", a_pose(counts.discarded_by_sphere))
+      .add_exact("discarded_by_tetrahedron", a_pose(counts.discarded_by_tetrahedron))
+      .add_exact("bounding_tests", a_pose(counts.bounding_tests()))
+      .add_exact("primitive_tests", a_pose(counts.primitive_tests()))
+      .add_exact("exact_fallbacks", a_pose(counts.exact_fallbacks))
+      .add_origin(seed);
 }
 
-std::string row(const Workload& w, Question question, const Candidate& candidate, const Judged& judged,
-                std::uint64_t seed)
-{
-  std::ostringstream out;
-  const double n = static_cast<double>(judged.poses);
-  const auto each = [n](std::uint64_t count) { return kernel::shortest(static_cast<double>(count) / n); };
-  const auto& ns = judged.nanoseconds;
-  const auto at = [&ns](double share) {
-    return ns[std::min(ns.size() - 1, static_cast<std::size_t>(share * ns.size()))];
-  };
-  const auto whole = [](double x) { return std::to_string(static_cast<long long>(x)); };
-  const auto& c = judged.counts;
-  out << w.regime << ',' << w.scenario << ',' << w.a_name << ',' << w.b_name << ',' << kernel::shortest(1 / w.scale_b)
-      << ',' << to_string(question) << ',' << candidate.name << ',' << candidate.kernel << ',' << candidate.method
-      << ',' << (candidate.exact ? 1 : 0) << ',' << judged.poses << ',' << judged.collisions << ','
-      << judged.false_positives << ',' << judged.false_negatives << ','
-      << whole(std::accumulate(ns.begin(), ns.end(), 0.0) / n) << ',' << whole(at(0.5)) << ',' << whole(at(0.99)) << ','
-      << kernel::shortest(std::round(judged.build_seconds * 1e6) / 1e3) << ',' << judged.bytes << ',' << judged.nodes
-      << ',' << each(c.pairs_visited) << ',' << each(c.discarded_by_hull) << ',' << each(c.discarded_by_sphere) << ','
-      << each(c.discarded_by_tetrahedron) << ',' << each(c.bounding_tests()) << ',' << each(c.primitive_tests()) << ','
-      << each(c.exact_fallbacks) << ',' << seed << ',' << TETRACONE_VERSION << ',' << compiler() << ','
-      << compiler_flags() << ',' << processor() << '\n';
-  return out.str();
-}
-
-std::string study_workload(const Workload& workload, std::uint64_t seed, const std::string& title)
+std::string study_workload(const Workload& workload, std::uint64_t seed)
 {
   const auto truth_teller = verify::prepare(*Subject::parse("rational", Method::brute), workload.a, workload.b);
-  std::string rows;
-  const auto list = candidates(workload);
-  Progress progress(title, workload.questions.size() * (list.size() + workload.poses_b.size()));
+  Csv_table table;
   for (const Question question : workload.questions) {
     std::vector<char> truth;
-    for (std::size_t k = 0; k < workload.poses_b.size(); ++k) {
+    for (std::size_t k = 0; k < workload.poses_b.size(); ++k)
       truth.push_back(truth_teller->collide(workload.pose_a(k), workload.poses_b[k], question));
-      progress.step();
-    }
-    for (const Candidate& candidate : list) {
-      const Judged judged = judge(workload, candidate, question, truth);
-      if (judged.poses > 0) rows += row(workload, question, candidate, judged, seed);
-      progress.step();
+    for (const Contestant& contestant : contestants(workload)) {
+      if (const auto judged = judge(workload, contestant, question, truth))
+        table.add(row(workload, question, contestant, *judged, seed));
     }
   }
-  return rows;
+  return table.text();
 }
 
 }  // namespace
 
 void run_study(const Study_options& options)
 {
-  const auto workloads = study_workloads(options.models, options.frames, options.rotations, options.seed);
-  // What was made with other options, or by another version, stays where it is and is not taken for this one.
-  const std::string key = "v" TETRACONE_VERSION "-seed" + std::to_string(options.seed) + "-frames" +
-                          std::to_string(options.frames) + "-rotations" + std::to_string(options.rotations);
-  const std::filesystem::path parts = options.out / "study" / key;
-  make_folder(parts);
-
-  std::string table = header();
-  for (std::size_t k = 0; k < workloads.size(); ++k) {
-    const std::filesystem::path part = parts / (workloads[k].name + ".csv");
-    if (!std::filesystem::exists(part)) {
-      const std::string title =
-          "study " + std::to_string(k + 1) + "/" + std::to_string(workloads.size()) + " " + workloads[k].name;
-      write_whole(part, study_workload(workloads[k].make(), options.seed, title));
-    }
-    table += covering::read_bytes(part);
-  }
-  write_whole(options.out / "study.csv", table);
+  std::vector<Table_part> parts;
+  for (Named_workload& workload : study_workloads(options.models, options.frames, options.rotations, options.seed))
+    parts.push_back({std::move(workload.name),
+                     [make = std::move(workload.make), seed = options.seed] { return study_workload(make(), seed); }});
+  const std::string key = "frames" + std::to_string(options.frames) + "-rotations" + std::to_string(options.rotations) +
+                          "-seed" + std::to_string(options.seed);
+  write_table(options.out, "study", key, parts);
 }
 
 }  // namespace tetracone::experiments

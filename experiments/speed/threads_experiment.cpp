@@ -1,15 +1,14 @@
 #include "experiments/speed/threads_experiment.h"
 
 #include "experiments/speed/trajectory.h"
-#include "experiments/support/build_info.h"
+#include "experiments/support/csv_row.h"
 #include "experiments/support/output_file.h"
-#include "tetracone/kernel/number/number.h"
+#include "experiments/support/stopwatch.h"
 #include "tetracone/tetratree/door/tetracone.h"
 #include "verify/cases/shape_generators.h"
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cstdio>
 #include <string>
 #include <thread>
@@ -40,13 +39,12 @@ Lap lap(const Body& a, const Body& b, const std::vector<kernel::Pose>& poses, in
         mine += bool(query.collide(unmoved, poses[k % poses.size()]));
     hits += mine;
   };
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   std::vector<std::thread> threads;
   for (int k = 1; k < count; ++k) threads.emplace_back(work);
   work();
   for (std::thread& thread : threads) thread.join();
-  const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - start;
-  return {time.count() / double(all), hits};
+  return {watch.nanoseconds() / double(all), hits};
 }
 
 }  // namespace
@@ -61,7 +59,7 @@ void run_threads(const std::filesystem::path& out, int frames, std::uint64_t see
   const auto poses = contour_trajectory(object, object, 1, frames, seed, [&](const kernel::Pose& pose) {
     return bool(of_reference.collide(kernel::Pose(), pose));
   });
-  std::string table = "threads,bodies,ns,speedup,hits,poses,seed,version,compiler,flags,processor\n";
+  Csv_table table;
   std::printf("%8s  %-6s  %10s  %8s\n", "threads", "bodies", "ns a query", "speed-up");
   for (const std::string bodies : {"fresh", "warm"}) {
     double alone = 0;
@@ -69,19 +67,26 @@ void run_threads(const std::filesystem::path& out, int frames, std::uint64_t see
       Lap best{0, 0};
       for (int pass = 0; pass < 5; ++pass) {
         const Body a(object), b(object);
-        if (bodies == "warm") a.make_all(), b.make_all();
+        if (bodies == "warm") {
+          a.make_all();
+          b.make_all();
+        }
         const Lap now = lap(a, b, poses, count, bodies == "warm" ? 20 : 1);
         if (pass == 0 || now.nanoseconds < best.nanoseconds) best = now;
       }
       if (count == 1) alone = best.nanoseconds;
-      table += std::to_string(count) + "," + bodies + "," + kernel::shortest(best.nanoseconds) + "," +
-               kernel::shortest(alone / best.nanoseconds) + "," + std::to_string(best.hits) + "," +
-               std::to_string(poses.size()) + "," + std::to_string(seed) + "," TETRACONE_VERSION "," + compiler() +
-               "," + compiler_flags() + "," + processor() + "\n";
+      table.add(Csv_row()
+                    .add("threads", count)
+                    .add("bodies", bodies)
+                    .add_exact("ns", best.nanoseconds)
+                    .add_exact("speedup", alone / best.nanoseconds)
+                    .add("hits", best.hits)
+                    .add("poses", poses.size())
+                    .add_origin(seed));
       std::printf("%8d  %-6s  %10.0f  %8.2f\n", count, bodies.c_str(), best.nanoseconds, alone / best.nanoseconds);
     }
   }
-  write_whole(out / "threads.csv", table);
+  write_whole(out / "threads.csv", table.text());
 }
 
 }  // namespace tetracone::experiments

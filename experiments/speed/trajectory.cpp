@@ -8,6 +8,7 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace tetracone::experiments {
 
@@ -28,7 +29,7 @@ class Turning_body {
   /// B with its centroid at `position`, at `time` from 0 to 1.
   Pose pose(const Vector& position, double time) const
   {
-    const auto [c, s] = turn(time);  // of half the angle
+    const auto [c, s] = turn(time);  // cosine and sine of half the angle
     const auto [x, y, z] = axis_;
     const auto [p, q, r, t] = start_;
     // The product of the quaternions (c, s axis) and start.
@@ -145,6 +146,28 @@ std::vector<Pose> circular_trajectory(const covering::Polyhedron& a, const cover
   return all.poses(outside);
 }
 
+namespace {
+
+/// The distance of the first collision on the way from `outside` to 0 in steps, at most `error` too far out; nothing
+/// where no step collides.
+template <class Collides_at>
+std::optional<double> first_contact(double outside, double step, double error, const Collides_at& collides_at)
+{
+  double far = outside, near = outside - step;
+  while (near > 0 && !collides_at(near)) {
+    far = near;
+    near -= step;
+  }
+  if (near <= 0) return std::nullopt;
+  while (far - near > error) {
+    const double middle = near / 2 + far / 2;
+    (collides_at(middle) ? near : far) = middle;
+  }
+  return far;
+}
+
+}  // namespace
+
 std::vector<Pose> contour_trajectory(const covering::Polyhedron& a, const covering::Polyhedron& b, double ratio,
                                      int frames, std::uint64_t seed, const Collides& collides)
 {
@@ -167,22 +190,11 @@ std::vector<Pose> contour_trajectory(const covering::Polyhedron& a, const coveri
   const auto on_ray = [&](int k, double distance) { return body.pose(sum(centre, distance, direction(k)), time(k)); };
 
   std::vector<double> touching;
-  const double outside = 1.01 * (size + size_b), step = size_b / 2;
+  const double outside = 1.01 * (size + size_b);
   for (int k = 0; k < frames; ++k) {
-    double far = outside, near = outside - step;
-    while (near > 0 && !collides(on_ray(k, near))) {
-      far = near;
-      near -= step;
-    }
-    if (near <= 0) {
-      touching.push_back(touching.empty() ? outside : touching.back());
-      continue;
-    }
-    while (far - near > size / 2048) {
-      const double middle = near / 2 + far / 2;
-      (collides(on_ray(k, middle)) ? near : far) = middle;
-    }
-    touching.push_back(far);
+    const auto collides_at = [&](double distance) { return collides(on_ray(k, distance)); };
+    const auto found = first_contact(outside, size_b / 2, size / 2048, collides_at);
+    touching.push_back(found ? *found : touching.empty() ? outside : touching.back());
   }
 
   const double jitter = 1.6 * size * (0.005 + 0.005 / ratio);

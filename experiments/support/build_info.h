@@ -28,13 +28,16 @@ inline std::string compiler()
 inline std::string compiler_flags() { return field(TETRACONE_FLAGS); }
 
 /// The processor's own name, where the system tells.
-inline std::string processor()
+inline const std::string& processor()
 {
-  std::ifstream cpuinfo("/proc/cpuinfo");
-  for (std::string line; std::getline(cpuinfo, line);) {
-    if (line.starts_with("model name")) return field(line.substr(std::min(line.size(), line.find(':') + 2)));
-  }
-  return "unknown";
+  static const std::string name = [] {
+    std::ifstream cpuinfo("/proc/cpuinfo");
+    for (std::string line; std::getline(cpuinfo, line);) {
+      if (line.starts_with("model name")) return field(line.substr(std::min(line.size(), line.find(':') + 2)));
+    }
+    return std::string("unknown");
+  }();
+  return name;
 }
 
 }  // namespace tetracone::experiments

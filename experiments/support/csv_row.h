@@ -11,7 +11,7 @@
 
 namespace tetracone::experiments {
 
-/// A row of a table with its header: each field with its name. Numbers are written to four digits, counts as they are.
+/// A row of a CSV with its header: each field with its name. Numbers are written to four digits, counts as they are.
 class Csv_row {
  public:
   Csv_row& add(const std::string& name, const std::string& value)
@@ -30,25 +30,43 @@ class Csv_row {
     return add(name, kernel::shortest(unit < 1 ? std::round(value / unit) / std::round(1 / unit)
                                                : std::round(value / unit) * unit));
   }
+  /// The shortest decimal that is read back as this double.
+  Csv_row& add_exact(const std::string& name, double value) { return add(name, kernel::shortest(value)); }
   /// A field that this row has no value for.
   Csv_row& none(const std::string& name) { return add(name, std::string()); }
 
-  /// What made the row.
-  Csv_row& add_origin(std::uint64_t seed)
+  /// The program and the processor that made the row.
+  Csv_row& add_build()
   {
-    return add("seed", seed)
-        .add("version", TETRACONE_VERSION)
+    return add("version", TETRACONE_VERSION)
         .add("compiler", compiler())
         .add("flags", compiler_flags())
-        .add("processor", processor())
-        .add("fcl", TETRACONE_FCL);
+        .add("processor", processor());
   }
+  /// The seed, and what `add_build` says.
+  Csv_row& add_origin(std::uint64_t seed) { return add("seed", seed).add_build(); }
 
   std::string header() const { return header_ + '\n'; }
   std::string line() const { return line_ + '\n'; }
 
  private:
   std::string header_, line_;
+};
+
+/// A CSV of rows with the same names of fields.
+class Csv_table {
+ public:
+  void add(const Csv_row& row)
+  {
+    if (text_.empty()) text_ = row.header();
+    text_ += row.line();
+  }
+
+  /// The header and all rows; nothing where there is no row.
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
 };
 
 }  // namespace tetracone::experiments

@@ -1,9 +1,10 @@
 #ifndef TETRACONE_EXPERIMENTS_SUPPORT_PROGRESS_H
 #define TETRACONE_EXPERIMENTS_SUPPORT_PROGRESS_H
 
+#include "experiments/support/stopwatch.h"
+
 #include <unistd.h>
 
-#include <chrono>
 #include <cstddef>
 #include <cstdio>
 #include <string>
@@ -29,9 +30,9 @@ class Progress {
   {
     done_ += count;
     if (!shown_) return;
-    const double seconds = seconds_since(start_);
-    if (seconds < 2 || (printed_ && seconds_since(last_) < 0.2)) return;
-    last_ = Clock::now();
+    const double seconds = start_.seconds();
+    if (seconds < 2 || (printed_ && last_.seconds() < 0.2)) return;
+    last_ = Stopwatch();
     printed_ = true;
     const double rate = done_ / seconds, left = rate > 0 ? (total_ - done_) / rate : 0;
     std::fprintf(stderr, "\r\033[K%s: %zu of %zu (%.0f %%), %.3g a second, %.0f s left", what_.c_str(), done_, total_,
@@ -40,13 +41,10 @@ class Progress {
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
-  static double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
-
   std::string what_;
   std::size_t total_, done_ = 0;
   bool shown_, printed_ = false;
-  Clock::time_point start_ = Clock::now(), last_ = start_;
+  Stopwatch start_, last_;
 };
 
 }  // namespace tetracone::experiments

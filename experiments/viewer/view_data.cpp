@@ -280,7 +280,7 @@ std::string view_data(const View_scene& scene, const std::string& kernel, verify
     throw covering::Input_error(scene.name, 0, std::to_string(triangles) + " triangles",
                                 "expected at most " + std::to_string(most_triangles) + " in a page");
 
-  // The paper's own choices: they are what there is to see.
+  // The paper's own choices: the page shows the paper's tree.
   std::vector<Tree> trees;
   if (triangles <= most_detailed)
     for (const Model_file& body : scene.bodies) trees.emplace_back(body.polyhedron, tetratree::Config());

@@ -9,8 +9,8 @@
 
 namespace tetracone::experiments {
 
-/// Of more triangles in all a page has neither covering, nodes and hull nor features, and of too many it is not made:
-/// both are linear in time.
+/// Triangles of all bodies. A page of more than `most_detailed` has no covering, nodes, hull or features; of more than
+/// `most_triangles` there is none. Both take time linear in the triangles.
 constexpr std::size_t most_detailed = 50'000, most_triangles = 1'000'000;
 /// Where the paper's query leaves more pairs of leaves, no features are looked for.
 constexpr std::size_t most_leaf_pairs = 100'000;

@@ -13,7 +13,7 @@ namespace tetracone::experiments {
 
 /// One or two bodies under poses.
 struct View_scene {
-  std::string name;                ///< of the files, without their folders
+  std::string name;                ///< the names of the files without their folders
   std::vector<Model_file> bodies;  ///< one or two
   Pose_pairs poses;
   kernel::Question question = kernel::Question::solid;

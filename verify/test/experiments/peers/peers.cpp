@@ -52,7 +52,8 @@ std::shared_ptr<const covering::Polyhedron> shared(covering::Polyhedron polyhedr
 Object_case two(covering::Polyhedron a, covering::Polyhedron b, const Pose& pose_b = {})
 {
   Object_case c;
-  c.a = shared(std::move(a)), c.b = shared(std::move(b));
+  c.a = shared(std::move(a));
+  c.b = shared(std::move(b));
   c.pose_b = pose_b;
   return c;
 }
@@ -143,7 +144,10 @@ BOOST_AUTO_TEST_CASE(faces_with_holes_are_triangulated_and_nothing_collides_in_a
   // A thin rod through the tunnel along z, and the same rod through the wall.
   const covering::Polyhedron prism = verify::prism_with_tunnel();
   double low = 0, high = 0;
-  for (const auto& v : prism.vertices) low = std::min(low, v[0]), high = std::max(high, v[0]);
+  for (const auto& v : prism.vertices) {
+    low = std::min(low, v[0]);
+    high = std::max(high, v[0]);
+  }
   const double middle = (low + high) / 2, wall = low + (high - low) / 64, thin = (high - low) / 128;
   const auto rod = [&](double x) { return verify::box({x - thin, middle - thin, -9}, {x + thin, middle + thin, 9}); };
   for (const Object_subject& s : experiments::peer_subjects(program)) {
@@ -203,8 +207,10 @@ BOOST_AUTO_TEST_CASE(what_a_peer_does_not_take_is_not_asked)
   covering::Polyhedron pair;
   pair.vertices = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
   for (const auto& [a, b] : {std::array<covering::Index, 2>{2, 3}, {4, 5}}) {
-    pair.add_polygon({0, a, 1}), pair.add_polygon({0, 1, b});
-    pair.add_polygon({0, b, a}), pair.add_polygon({1, a, b});
+    pair.add_polygon({0, a, 1});
+    pair.add_polygon({0, 1, b});
+    pair.add_polygon({0, b, a});
+    pair.add_polygon({1, a, b});
   }
   const Object_case c = two(pair, verify::unit_cube());
   BOOST_TEST(ask("CGAL RMCD EPICK", c, Question::solid) == Outcome::not_asked);

@@ -26,7 +26,7 @@ Race_course three_poses()
 }
 
 /// Says no, whatever is asked.
-class Denying : public Ready {
+class Denying : public Prepared_pair {
  public:
   bool collide(const Pose&, const Pose&, Question) override { return false; }
 };
@@ -39,10 +39,9 @@ BOOST_AUTO_TEST_CASE(wrong_answers_are_counted_by_their_kind_and_only_where_they
 {
   const Race_course course = three_poses();
   const Contestant denying{
-      "denying", false,
-      false,     false,
-      2,         [](const covering::Polyhedron&, const covering::Polyhedron&) { return std::make_unique<Denying>(); },
-      {},        {}};
+      .name = "denying", .one_in = 2, .prepare = [](const covering::Polyhedron&, const covering::Polyhedron&) {
+        return std::make_unique<Denying>();
+      }};
   Race race(course, {fast(), denying});
   const auto surface = race.run(Question::surface, 2, 1);
   BOOST_TEST(surface[0]->poses == 4u);
@@ -108,11 +107,11 @@ BOOST_AUTO_TEST_CASE(time_memory_and_nodes_are_measured)
 {
   const Race_course course = on_trajectory(verify::blob(2000, 1), "blob", "contour", 1, 20, 1);
   Race race(course, {fast()});
-  const Build& build = race.runners()[0].build;
+  const Build& build = race.contestants()[0].build;
   BOOST_TEST(build.milliseconds > 0);
   BOOST_TEST(build.bytes > 100u * (course.a.face_count() + course.b.face_count()));
   BOOST_TEST(build.nodes_after_one <= build.nodes_after_first);
-  BOOST_TEST(build.nodes_after_first < race.runners()[0].ready->node_count());
+  BOOST_TEST(build.nodes_after_first < race.contestants()[0].pair->node_count());
   const auto timing = race.run(Question::surface, 3, 1)[0];
   BOOST_TEST(timing->passes == 3u);
   BOOST_TEST(timing->mean_ns > 0);
