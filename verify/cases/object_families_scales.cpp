@@ -173,23 +173,31 @@ std::vector<Object_case> boxes_on_an_axis(Random& random, int size, int count)
 
   const auto turned_about_axis = [&](const std::array<int, 3>& exponents) {
     std::array<double, 12> entries = stretch(exponents).entries();
-    if (random.bits() % 4 != 0) entries[4 * u + v] = -entries[4 * v + v], entries[4 * v + u] = entries[4 * u + u];
+    if (random.bits() % 4 != 0) {
+      entries[4 * u + v] = -entries[4 * v + v];
+      entries[4 * v + u] = entries[4 * u + u];
+    }
     return Pose(entries);
   };
   std::vector<Object_case> cases;
   for (int k = 0; k < count; ++k) {
     std::array<int, 3> of_a, of_b;
-    of_a[u] = size * integer(random, -1, 1), of_a[v] = random.bits() % 4 != 0 ? of_a[u] : integer(random, -size, size);
+    of_a[u] = size * integer(random, -1, 1);
+    of_a[v] = random.bits() % 4 != 0 ? of_a[u] : integer(random, -size, size);
     for (const int i : {u, v})
       of_b[i] = random.bits() % 4 == 0 ? integer(random, -size, size) : integer(random, -8, 24) - of_a[i];
-    of_a[axis] = integer(random, -2, 2), of_b[axis] = integer(random, -2, 2);
+    of_a[axis] = integer(random, -2, 2);
+    of_b[axis] = integer(random, -2, 2);
     const Pose pose_a = turned_about_axis(of_a), pose_b = turned_about_axis(of_b);
     Exact_vector shift = {0, 0, 0};
     const int eighths = integer(random, 0, 9);
     shift[axis] = Rational(std::ldexp(half_a[axis], of_a[axis]) + std::ldexp(half_b[axis], of_b[axis])) * eighths / 8;
     const Pose common = signed_permutation(integer(random, 0, 47));
     Object_case c{a, b, composed(common, pose_a), composed(common, moved(pose_b, shift)), {}, {}, {}};
-    if (random.bits() % 2 == 0) std::swap(c.a, c.b), std::swap(c.pose_a, c.pose_b);
+    if (random.bits() % 2 == 0) {
+      std::swap(c.a, c.b);
+      std::swap(c.pose_a, c.pose_b);
+    }
     cases.push_back(eighths < 8 ? with_answer(c, {}, true) : with_answer(c, eighths == 8));
   }
   return cases;

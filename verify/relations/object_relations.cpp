@@ -100,8 +100,11 @@ Verdict absorbed(const Object_case& c, Question question, Answering& subject, Ra
   for (const std::size_t which : {0, 1}) {
     Body it = body(twin, which);
     if (it.pose.is_identity()) continue;
-    if (auto placed = with_vertices(*it.polyhedron, [&](const Vertex& v) { return exact_image(it.pose, v); }))
-      it.become(std::move(*placed)), it.pose = Pose(), changed = true;
+    if (auto placed = with_vertices(*it.polyhedron, [&](const Vertex& v) { return exact_image(it.pose, v); })) {
+      it.become(std::move(*placed));
+      it.pose = Pose();
+      changed = true;
+    }
   }
   if (!changed) {  // the part of a motion that any double can take: a permutation of the axes
     Body it = body(twin, one_of(random, 2));
@@ -128,7 +131,8 @@ Verdict relative(const Object_case& c, Question question, Answering& subject, Ra
   if (still.pose.is_identity()) return Verdict::not_applicable;
   const auto pose = seen_from(still.pose, other.pose);
   if (!pose) return Verdict::not_applicable;
-  other.pose = *pose, still.pose = Pose();
+  other.pose = *pose;
+  still.pose = Pose();
   return same(c, twin, question, subject);
 }
 
@@ -136,14 +140,19 @@ Verdict common_motion(const Object_case& c, Question question, Answering& subjec
 {
   Object_case twin = c;
   const auto p = Signed_permutation::any(random);
-  twin.pose_a = turned(p, c.pose_a), twin.pose_b = turned(p, c.pose_b);
+  twin.pose_a = turned(p, c.pose_a);
+  twin.pose_b = turned(p, c.pose_b);
   bool changed = !p.is_identity();
   const double unit = 4096 * ulp(scale_of(c));
   for (int k = 0; k < 3; ++k) {
     std::array<Rational, 3> d{0, 0, 0};
     d[k] = Rational(unit * double(one_of(random, 4096)));
     const auto a = translated(twin.pose_a, d), b = translated(twin.pose_b, d);
-    if (a && b) twin.pose_a = *a, twin.pose_b = *b, changed = true;
+    if (a && b) {
+      twin.pose_a = *a;
+      twin.pose_b = *b;
+      changed = true;
+    }
   }
   return changed ? same(c, twin, question, subject) : Verdict::not_applicable;
 }
@@ -157,7 +166,8 @@ Verdict scaling(const Object_case& c, Question question, Answering& subject, Ran
     auto bodies = with_vertices(*it.polyhedron, [&](const Vertex& v) { return exact_scaled(v, exponent); });
     const auto pose = scaled(it.pose, exponent);
     if (!bodies || !pose) return Verdict::not_applicable;
-    it.become(std::move(*bodies)), it.pose = *pose;
+    it.become(std::move(*bodies));
+    it.pose = *pose;
   }
   return same(c, twin, question, subject);
 }
@@ -183,7 +193,10 @@ std::optional<Polyhedron> with_split_edge(const Polyhedron& what, Random& random
         for (std::size_t k = 0; k < loop.size(); ++k) {
           const Index from = loop[k], to = loop[(k + 1) % loop.size()];
           longer.push_back(from);
-          if ((from == u && to == v) || (from == v && to == u)) longer.push_back(m), ++uses;
+          if ((from == u && to == v) || (from == v && to == u)) {
+            longer.push_back(m);
+            ++uses;
+          }
         }
         loop = longer;
       }
@@ -264,7 +277,8 @@ std::optional<Polyhedron> reordered(const Polyhedron& what, Random& random)
   std::vector<Index> place(what.vertices.size()), order(what.face_count());
   std::iota(place.begin(), place.end(), Index(0));
   std::iota(order.begin(), order.end(), Index(0));
-  shuffle(place, random), shuffle(order, random);
+  shuffle(place, random);
+  shuffle(order, random);
   Polyhedron result;
   result.vertices.resize(place.size());
   for (std::size_t v = 0; v < place.size(); ++v) result.vertices[place[v]] = what.vertices[v];
@@ -297,7 +311,10 @@ Corners corners_of(const Polyhedron& what)
 {
   Corners box{what.vertices[0], what.vertices[0], 0};
   for (const Vertex& v : what.vertices)
-    for (int k = 0; k < 3; ++k) box.low[k] = std::min(box.low[k], v[k]), box.high[k] = std::max(box.high[k], v[k]);
+    for (int k = 0; k < 3; ++k) {
+      box.low[k] = std::min(box.low[k], v[k]);
+      box.high[k] = std::max(box.high[k], v[k]);
+    }
   for (int k = 0; k < 3; ++k) box.extent = std::max(box.extent, box.high[k] - box.low[k]);
   return box;
 }
@@ -384,7 +401,8 @@ Verdict opposite_moves(const Object_case& c, Question question, Answering& subje
     auto moved = with_vertices(*it.polyhedron, [&](const Vertex& v) { return exact_sum(v, d); });
     const auto pose = translated_back(it.pose, d);
     if (!moved || !pose || d == Vertex{0, 0, 0}) continue;
-    it.become(std::move(*moved)), it.pose = *pose;
+    it.become(std::move(*moved));
+    it.pose = *pose;
     return same(c, twin, question, subject);
   }
   return Verdict::not_applicable;

@@ -57,7 +57,8 @@ Verdict same(Answer a, Answer b) { return a && b ? verdict(*a == *b) : Verdict::
 /// The case with every point of both bodies under one pose.
 Predicate_case under(Predicate_case c, const Pose& pose)
 {
-  c.pose_a = pose, c.pose_b = pose;
+  c.pose_a = pose;
+  c.pose_b = pose;
   return c;
 }
 
@@ -113,7 +114,8 @@ Verdict absorbed(const Predicate_case& c, Predicate predicate, const Predicate_s
     if (pose.is_identity()) return;
     if (const auto placed = images(pose, begin, end)) {
       for (std::size_t k = begin; k < end; ++k) *points_of(twin)[k] = (*placed)[k - begin];
-      pose = Pose(), changed = true;
+      pose = Pose();
+      changed = true;
     }
   };
   absorb(twin.pose_a, 0, 4);
@@ -121,7 +123,8 @@ Verdict absorbed(const Predicate_case& c, Predicate predicate, const Predicate_s
   if (!changed) {  // the part of a motion that any double can take: a permutation of the axes
     const auto p = Signed_permutation::any(random);
     for (Vertex* point : points_of(twin)) *point = p(*point);
-    twin.pose_a = turned_back(twin.pose_a, p), twin.pose_b = turned_back(twin.pose_b, p);
+    twin.pose_a = turned_back(twin.pose_a, p);
+    twin.pose_b = turned_back(twin.pose_b, p);
   }
   return same(ask(subject, predicate, c), ask(subject, predicate, twin));
 }
@@ -138,7 +141,9 @@ Verdict grassmann_pluecker(const Predicate_case& c, Predicate predicate, const P
   bool answered = true;
   const auto sign = [&](int i, int j, int k, int l) {
     Predicate_case quadruple = base;
-    quadruple.v[1] = points[x[i]], quadruple.v[2] = points[x[j]], quadruple.v[3] = points[x[k]],
+    quadruple.v[1] = points[x[i]];
+    quadruple.v[2] = points[x[j]];
+    quadruple.v[3] = points[x[k]];
     quadruple.p = points[x[l]];
     const Answer answer = ask(subject, predicate, quadruple);
     answered = answered && answer;
@@ -181,14 +186,19 @@ Verdict common_motion(const Predicate_case& c, Predicate predicate, const Predic
 {
   Predicate_case twin = c;
   const auto p = Signed_permutation::any(random);
-  twin.pose_a = turned(p, c.pose_a), twin.pose_b = turned(p, c.pose_b);
+  twin.pose_a = turned(p, c.pose_a);
+  twin.pose_b = turned(p, c.pose_b);
   bool changed = !p.is_identity();
   const double unit = 4096 * ulp(scale_of(c));
   for (int k = 0; k < 3; ++k) {
     std::array<Rational, 3> d{0, 0, 0};
     d[k] = Rational(unit * double(one_of(random, 4096)));
     const auto a = translated(twin.pose_a, d), b = translated(twin.pose_b, d);
-    if (a && b) twin.pose_a = *a, twin.pose_b = *b, changed = true;
+    if (a && b) {
+      twin.pose_a = *a;
+      twin.pose_b = *b;
+      changed = true;
+    }
   }
   if (!changed) return Verdict::not_applicable;
   return same(turned_over(predicate, ask(subject, predicate, c), p.determinant()), ask(subject, predicate, twin));
@@ -205,7 +215,8 @@ Verdict scaling(const Predicate_case& c, Predicate predicate, const Predicate_su
   }
   const auto a = scaled(c.pose_a, exponent), b = scaled(c.pose_b, exponent);
   if (!a || !b) return Verdict::not_applicable;
-  twin.pose_a = *a, twin.pose_b = *b;
+  twin.pose_a = *a;
+  twin.pose_b = *b;
   return same(ask(subject, predicate, c), ask(subject, predicate, twin));
 }
 
@@ -216,7 +227,8 @@ Verdict halves(const Predicate_case& c, Predicate predicate, const Predicate_sub
   Predicate_case left = c, right = c;
   const auto middle = exact_middle(first(left), second(left));
   if (!middle) return Verdict::not_applicable;
-  second(left) = *middle, first(right) = *middle;
+  second(left) = *middle;
+  first(right) = *middle;
   const Answer whole = ask(subject, predicate, c), a = ask(subject, predicate, left),
                b = ask(subject, predicate, right);
   return whole && a && b ? verdict(*whole == std::max(*a, *b)) : Verdict::not_applicable;

@@ -158,7 +158,10 @@ inline Polyhedron prism(const std::vector<std::array<double, 2>>& polygon, doubl
   for (const double z : {0.0, height})
     for (const auto& [x, y] : polygon) result.vertices.push_back({x, y, z});
   std::vector<Index> top(n), bottom(n);
-  for (Index k = 0; k < n; ++k) top[k] = n + k, bottom[k] = n - 1 - k;
+  for (Index k = 0; k < n; ++k) {
+    top[k] = n + k;
+    bottom[k] = n - 1 - k;
+  }
   result.add_polygon(top);
   result.add_polygon(bottom);
   for (Index k = 0; k < n; ++k) result.add_polygon({k, (k + 1) % n, n + (k + 1) % n, n + k});
@@ -206,7 +209,8 @@ struct Voxels {
               std::vector<Index> square;
               for (const auto& [du, dv] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
                 std::array<int, 3> q = p;
-                q[(axis + 1) % 3] += du, q[(axis + 2) % 3] += dv;
+                q[(axis + 1) % 3] += du;
+                q[(axis + 2) % 3] += dv;
                 square.push_back(corner(q));
               }
               if (side == 0) std::reverse(square.begin(), square.end());
@@ -222,7 +226,10 @@ struct Voxels {
     int cells = 0, filled = 0;
     for (int i = (x - 1) >> 1; i <= x >> 1; ++i)
       for (int j = (y - 1) >> 1; j <= y >> 1; ++j)
-        for (int k = (z - 1) >> 1; k <= z >> 1; ++k) ++cells, filled += (*this)(i, j, k);
+        for (int k = (z - 1) >> 1; k <= z >> 1; ++k) {
+          ++cells;
+          filled += (*this)(i, j, k);
+        }
     return filled == 0 ? -1 : filled == cells ? 1 : 0;
   }
 };
@@ -255,8 +262,10 @@ inline Polyhedron blob(Random& random, int divisions, double low, double high)
     std::vector<std::array<Corner, 3>> finer;
     for (const auto& [a, b, c] : triangles) {
       const Corner ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-      finer.push_back({a, ab, ca}), finer.push_back({ab, b, bc}), finer.push_back({ca, bc, c}),
-          finer.push_back({ab, bc, ca});
+      finer.push_back({a, ab, ca});
+      finer.push_back({ab, b, bc});
+      finer.push_back({ca, bc, c});
+      finer.push_back({ab, bc, ca});
     }
     triangles = finer;
   }

@@ -60,7 +60,10 @@ std::optional<int> by_signs(Predicate predicate, const Predicate_case& c)
   if (predicate == Predicate::tetra_cone) return kernel::is_in_tetra_cone<K>(p, v0, v1, v2, v3);
   if (kernel::volume_sign<K>(v0, p, q, r) == kernel::ZERO) return std::nullopt;
   tetracone::tetratree::Cone_points<K> cone(kernel::Cone_lattice{}, tetracone::tetratree::Tetra_cone::octant(0));
-  cone.v0 = v0, cone.v1 = v1, cone.v2 = v2, cone.v3 = v3;
+  cone.v0 = v0;
+  cone.v1 = v1;
+  cone.v2 = v2;
+  cone.v3 = v3;
   return tetracone::tetratree::classify<K>(cone, p, q, r) != tetracone::tetratree::Classified::no;
 }
 
@@ -131,7 +134,9 @@ Predicate_case any_points(Random& random)
     return v;
   };
   for (Vertex& v : c.v) v = point();
-  c.p = point(), c.q = point(), c.r = point();
+  c.p = point();
+  c.q = point();
+  c.r = point();
   c.pose_a = any_pose(random);
   c.pose_b = one_of(random, 2) == 0 ? c.pose_a : any_pose(random);
   if (kind < 2) return c;
@@ -157,7 +162,7 @@ Object_case any_bodies(Random& random)
   const auto one = [&] { return std::make_shared<const Polyhedron>(bodies[one_of(random, bodies.size())].body); };
   Object_case c{one(), one(), any_pose(random), any_pose(random), {}, {}, {}};
   if (one_of(random, 3) == 0) {  // unit cubes that touch, or nearly so, under a true rotation
-    c.a = std::make_shared<const Polyhedron>(scenes::unit_cube()),
+    c.a = std::make_shared<const Polyhedron>(scenes::unit_cube());
     c.b = std::make_shared<const Polyhedron>(scenes::triangulated(scenes::unit_cube()));
     c.pose_a = Pose::from_quaternion(between(random, 1, 3), between(random, -3, 3), between(random, -3, 3),
                                      between(random, -3, 3));

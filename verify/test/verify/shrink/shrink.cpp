@@ -180,7 +180,11 @@ BOOST_AUTO_TEST_CASE(a_spent_budget_gives_a_case_that_still_shows_it)
   const auto check = [](const Object_case& x) { return verify::true_answer(x, Question::surface); };
   BOOST_TEST(check(verify::shrink(c, Question::surface, check, {3, 60})));
   std::size_t asked = 0;
-  verify::shrink(c, Question::surface, [&](const Object_case& x) { return ++asked, check(x); }, {3, 60});
+  const auto counted = [&](const Object_case& x) {
+    ++asked;
+    return check(x);
+  };
+  verify::shrink(c, Question::surface, counted, {3, 60});
   BOOST_TEST(asked <= 3u);
 }
 
@@ -211,7 +215,9 @@ BOOST_AUTO_TEST_CASE(a_triangle_and_a_segment_stay_what_they_are)
                                         [](Predicate, const Predicate_case&) -> std::optional<int> { return 0; }};
   Predicate_case c{};
   c.v = {{{9, 9, 9}, {0.1, 0.2, 0.3}, {1.1, 0.7, 0.3}, {0.3, 1.9, 0.3}}};
-  c.p = {0.5, 0.75, -1.25}, c.q = {0.5, 0.75, 1.5}, c.r = {1, 2, 3};
+  c.p = {0.5, 0.75, -1.25};
+  c.q = {0.5, 0.75, 1.5};
+  c.r = {1, 2, 3};
   BOOST_REQUIRE(verify::true_answer(Predicate::segment_triangle, c) == 1);
   const auto small = verify::shrink(c, verify::same_error(never, Predicate::segment_triangle, c, 0, 1));
   BOOST_TEST((small.p != small.q));
