@@ -14,7 +14,7 @@ using verify::Object_case;
 using verify::Outcome;
 
 /// A peer at work in a child process.
-class Asking : public verify::Answering {
+class Asking : public verify::Running_subject {
  public:
   Asking(std::string program, std::string name, bool solids_only, std::chrono::milliseconds limit)
       : program_(std::move(program)), name_(std::move(name)), solids_only_(solids_only), limit_(limit)

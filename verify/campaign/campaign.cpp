@@ -206,7 +206,7 @@ bool truth_of(const Object_case& c, const Placed_body& a, const Placed_body& b, 
 }
 
 /// The subjects of one thread at work.
-using Answerings = std::vector<std::unique_ptr<Answering>>;
+using Answerings = std::vector<std::unique_ptr<Running_subject>>;
 
 Answerings make_answerings(const Campaign& campaign)
 {

@@ -33,7 +33,8 @@ struct Relation {
   Level level;
 
   /// The check of this level; the other is null.
-  Verdict (*of_object)(const Object_case& c, kernel::Question question, Answering& subject, Random& random) = nullptr;
+  Verdict (*of_object)(const Object_case& c, kernel::Question question, Running_subject& subject,
+                       Random& random) = nullptr;
   Verdict (*of_predicate)(const Predicate_case& c, Predicate predicate, const Predicate_subject& subject,
                           Random& random) = nullptr;
 };
@@ -45,9 +46,9 @@ const std::vector<Relation>& relations();
 std::vector<Relation> predicate_relations();
 std::vector<Relation> object_relations();
 
-/// Asks the subject about the case and its twins. Requires a relation of the level, and what `Answering` and
+/// Asks the subject about the case and its twins. Requires a relation of the level, and what `Running_subject` and
 /// `Predicate` require.
-Verdict check(const Relation& relation, const Object_case& c, kernel::Question question, Answering& subject,
+Verdict check(const Relation& relation, const Object_case& c, kernel::Question question, Running_subject& subject,
               Random& random);
 Verdict check(const Relation& relation, const Predicate_case& c, Predicate predicate, const Predicate_subject& subject,
               Random& random);

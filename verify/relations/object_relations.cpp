@@ -24,13 +24,13 @@ using kernel::Vertex;
 using Answer = std::optional<bool>;
 using Loops = std::vector<std::vector<Index>>;
 
-Answer ask(Answering& subject, const Object_case& c, Question question)
+Answer ask(Running_subject& subject, const Object_case& c, Question question)
 {
   const Outcome outcome = subject(c, question);
   return outcome == Outcome::yes ? Answer(true) : outcome == Outcome::no ? Answer(false) : std::nullopt;
 }
 
-Verdict same(const Object_case& c, const Object_case& twin, Question question, Answering& subject)
+Verdict same(const Object_case& c, const Object_case& twin, Question question, Running_subject& subject)
 {
   const Answer answer = ask(subject, c, question);
   if (!answer) return Verdict::not_applicable;
@@ -93,7 +93,7 @@ double scale_of(const Object_case& c)
 
 // --- motions ---------------------------------------------------------------------------------------------------------
 
-Verdict absorbed(const Object_case& c, Question question, Answering& subject, Random& random)
+Verdict absorbed(const Object_case& c, Question question, Running_subject& subject, Random& random)
 {
   Object_case twin = c;
   bool changed = false;
@@ -115,7 +115,7 @@ Verdict absorbed(const Object_case& c, Question question, Answering& subject, Ra
   return same(c, twin, question, subject);
 }
 
-Verdict swap(const Object_case& c, Question question, Answering& subject, Random&)
+Verdict swap(const Object_case& c, Question question, Running_subject& subject, Random&)
 {
   Object_case twin = c;
   std::swap(twin.a, twin.b);
@@ -123,7 +123,7 @@ Verdict swap(const Object_case& c, Question question, Answering& subject, Random
   return same(c, twin, question, subject);
 }
 
-Verdict relative(const Object_case& c, Question question, Answering& subject, Random& random)
+Verdict relative(const Object_case& c, Question question, Running_subject& subject, Random& random)
 {
   Object_case twin = c;
   const std::size_t which = one_of(random, 2);
@@ -136,7 +136,7 @@ Verdict relative(const Object_case& c, Question question, Answering& subject, Ra
   return same(c, twin, question, subject);
 }
 
-Verdict common_motion(const Object_case& c, Question question, Answering& subject, Random& random)
+Verdict common_motion(const Object_case& c, Question question, Running_subject& subject, Random& random)
 {
   Object_case twin = c;
   const auto p = Signed_permutation::any(random);
@@ -157,7 +157,7 @@ Verdict common_motion(const Object_case& c, Question question, Answering& subjec
   return changed ? same(c, twin, question, subject) : Verdict::not_applicable;
 }
 
-Verdict scaling(const Object_case& c, Question question, Answering& subject, Random& random)
+Verdict scaling(const Object_case& c, Question question, Running_subject& subject, Random& random)
 {
   const int exponent = (one_of(random, 2) == 0 ? 1 : -1) * int(1 + one_of(random, 40));
   Object_case twin = c;
@@ -256,7 +256,7 @@ std::optional<Polyhedron> with_split_face(const Polyhedron& what, Random& random
 
 /// The relation that a change of one body, chosen at random, changes no answer.
 template <std::optional<Polyhedron> (*change)(const Polyhedron&, Random&)>
-Verdict unchanged_by(const Object_case& c, Question question, Answering& subject, Random& random)
+Verdict unchanged_by(const Object_case& c, Question question, Running_subject& subject, Random& random)
 {
   Object_case twin = c;
   Body it = body(twin, one_of(random, 2));
@@ -344,7 +344,7 @@ std::optional<Polyhedron> with_tetrahedron(const Polyhedron& what, bool beside, 
   return result;
 }
 
-Verdict adding(const Object_case& c, Question question, Answering& subject, Random& random)
+Verdict adding(const Object_case& c, Question question, Running_subject& subject, Random& random)
 {
   Object_case twin = c;
   Body it = body(twin, one_of(random, 2));
@@ -356,7 +356,7 @@ Verdict adding(const Object_case& c, Question question, Answering& subject, Rand
   return !with_more ? Verdict::not_applicable : *with_more ? Verdict::holds : Verdict::violated;
 }
 
-Verdict removing(const Object_case& c, Question question, Answering& subject, Random& random)
+Verdict removing(const Object_case& c, Question question, Running_subject& subject, Random& random)
 {
   // Without a face a surface is less of it, but no solid's.
   if (question != Question::surface) return Verdict::not_applicable;
@@ -388,7 +388,7 @@ std::optional<Polyhedron> with_unused_vertices(const Polyhedron& what, Random& r
   return result;
 }
 
-Verdict opposite_moves(const Object_case& c, Question question, Answering& subject, Random& random)
+Verdict opposite_moves(const Object_case& c, Question question, Running_subject& subject, Random& random)
 {
   Object_case twin = c;
   Body it = body(twin, one_of(random, 2));
@@ -431,7 +431,7 @@ bool is_convex(const Polyhedron& what)
   return covering::volume(what) != 0;
 }
 
-Verdict monotone(const Object_case& c, Question question, Answering& subject, Random& random)
+Verdict monotone(const Object_case& c, Question question, Running_subject& subject, Random& random)
 {
   // A surface inside another convex one does not meet it, on either side of that it does.
   if (question != Question::solid || !is_convex(*c.a) || !is_convex(*c.b)) return Verdict::not_applicable;

@@ -224,7 +224,7 @@ bool true_answer(const Object_case& c, Question question)
   return verify::collide(Brute_body(*c.a), c.pose_a, Brute_body(*c.b), c.pose_b, question);
 }
 
-Object_check same_error(Answering& subject, Question question, Outcome answer, bool truth)
+Object_check same_error(Running_subject& subject, Question question, Outcome answer, bool truth)
 {
   // The subject first: it is faster.
   return [=, &subject](const Object_case& c) {

@@ -7,7 +7,7 @@
 namespace tetracone::verify {
 namespace {
 
-class Own : public Answering {
+class Own : public Running_subject {
  public:
   explicit Own(Subject subject) : subject_(std::move(subject)) {}
 

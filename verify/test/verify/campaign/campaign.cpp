@@ -52,15 +52,15 @@ const Family cheap{1, "cheap", "", "gap", {1, 0.5}, points, cubes};
 const Family cheap_too{2, "cheap-too", "", "gap", {0.25}, points, cubes};
 const Family lying{3, "lying", "", "gap", {1}, points, nonsense};
 
-class Says_no : public Answering {
+class Says_no : public Running_subject {
  public:
   Outcome operator()(const Object_case&, Question) override { return Outcome::no; }
 };
-class Fails : public Answering {
+class Fails : public Running_subject {
  public:
   Outcome operator()(const Object_case&, Question) override { return Outcome::failed; }
 };
-class Declines : public Answering {
+class Declines : public Running_subject {
  public:
   Outcome operator()(const Object_case&, Question) override { return Outcome::not_asked; }
 };

@@ -77,7 +77,7 @@ Predicate_subject predicate_subject(const std::string& name,
 using Truth = std::function<bool(const Object_case&, Question)>;
 using Planted = std::function<Outcome(const Object_case&, Question, const Truth&)>;
 
-class Wrong : public Answering {
+class Wrong : public Running_subject {
  public:
   explicit Wrong(Planted planted) : planted_(std::move(planted)) {}
   Outcome operator()(const Object_case& c, Question question) override
@@ -88,7 +88,7 @@ class Wrong : public Answering {
 
  private:
   Planted planted_;
-  std::unique_ptr<Answering> truth_ = object_subject(*Subject::parse("adaptive")).make();
+  std::unique_ptr<Running_subject> truth_ = object_subject(*Subject::parse("adaptive")).make();
 };
 
 Outcome outcome(bool yes) { return yes ? Outcome::yes : Outcome::no; }
@@ -205,7 +205,7 @@ Query_statistics of_predicates(const Predicate_subject& subject, int cases, std:
   return counts;
 }
 
-Query_statistics of_objects(Answering& subject, int cases, std::uint64_t seed, std::string_view only = "")
+Query_statistics of_objects(Running_subject& subject, int cases, std::uint64_t seed, std::string_view only = "")
 {
   Query_statistics counts;
   Random random(seed);

@@ -38,7 +38,7 @@ Object_case case_of(Polyhedron a, const Pose& pose_a, Polyhedron b, const Pose& 
 }
 
 /// Right, but when `goes_wrong` says so.
-class Planted : public verify::Answering {
+class Planted : public verify::Running_subject {
  public:
   explicit Planted(std::function<bool(const Object_case&)> goes_wrong) : goes_wrong_(std::move(goes_wrong)) {}
 
@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(a_wrong_yes_keeps_its_direction)
 
 BOOST_AUTO_TEST_CASE(a_failure_is_shrunk_too)
 {
-  class Fails : public verify::Answering {
+  class Fails : public verify::Running_subject {
     Outcome operator()(const Object_case& c, Question) override
     {
       return c.a->face_count() >= 3 ? Outcome::failed : Outcome::yes;
