@@ -4,6 +4,7 @@
 #include "tetracone/covering/polyhedron.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
+#include "verify/cases/tetrahedron.h"
 
 #include <algorithm>
 #include <array>
@@ -80,8 +81,7 @@ inline Polyhedron triangulated(const Polyhedron& body)
 inline Polyhedron tetrahedron(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d)
 {
   Polyhedron result;
-  result.vertices = {a, b, c, d};
-  for (const auto& face : {std::array<Index, 3>{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}) result.add_polygon(face);
+  add_tetrahedron(result, {a, b, c, d});
   return result;
 }
 

@@ -180,9 +180,9 @@ Object_case any_bodies(Random& random)
 struct Count {
   int applicable = 0, violated = 0;
 };
-using Query_statistics = std::map<std::string, Count, std::less<>>;
+using Counts = std::map<std::string, Count, std::less<>>;
 
-void count(Query_statistics& counts, std::string_view relation, Verdict verdict)
+void count(Counts& counts, std::string_view relation, Verdict verdict)
 {
   Count& of = counts[std::string(relation)];
   of.applicable += verdict != Verdict::not_applicable;
@@ -190,10 +190,9 @@ void count(Query_statistics& counts, std::string_view relation, Verdict verdict)
 }
 
 /// All relations, or one.
-Query_statistics of_predicates(const Predicate_subject& subject, int cases, std::uint64_t seed,
-                               std::string_view only = "")
+Counts of_predicates(const Predicate_subject& subject, int cases, std::uint64_t seed, std::string_view only = "")
 {
-  Query_statistics counts;
+  Counts counts;
   Random random(seed);
   for (int k = 0; k < cases; ++k) {
     const Predicate_case c = any_points(random);
@@ -205,9 +204,9 @@ Query_statistics of_predicates(const Predicate_subject& subject, int cases, std:
   return counts;
 }
 
-Query_statistics of_objects(Running_subject& subject, int cases, std::uint64_t seed, std::string_view only = "")
+Counts of_objects(Running_subject& subject, int cases, std::uint64_t seed, std::string_view only = "")
 {
-  Query_statistics counts;
+  Counts counts;
   Random random(seed);
   for (int k = 0; k < cases; ++k) {
     const Object_case c = any_bodies(random);
@@ -219,7 +218,7 @@ Query_statistics of_objects(Running_subject& subject, int cases, std::uint64_t s
   return counts;
 }
 
-std::set<std::string> violated(const Query_statistics& counts)
+std::set<std::string> violated(const Counts& counts)
 {
   std::set<std::string> names;
   for (const auto& [name, of] : counts)
@@ -328,7 +327,7 @@ BOOST_AUTO_TEST_CASE(exact_predicates_hold_every_relation_and_each_is_asked_ofte
 {
   for (const auto& subject : {predicate_subject("adaptive", by_signs<kernel::Adaptive>),
                               predicate_subject("rational", by_signs<kernel::Rational_kernel>)}) {
-    const Query_statistics counts = of_predicates(subject, subject.name == "adaptive" ? 500 : 120, 41);
+    const Counts counts = of_predicates(subject, subject.name == "adaptive" ? 500 : 120, 41);
     for (const auto& [name, of] : counts) {
       BOOST_TEST_INFO_SCOPE(subject.name << ", " << name << ": applied " << of.applicable);
       BOOST_TEST(of.violated == 0);
@@ -366,7 +365,7 @@ BOOST_AUTO_TEST_CASE(exact_objects_hold_every_relation_and_each_is_asked_often)
                                                                       {"rational", Method::tree, 10}};
   for (const auto& [kernel_name, method, cases] : subjects) {
     const auto subject = object_subject(*Subject::parse(kernel_name, method));
-    const Query_statistics counts = of_objects(*subject.make(), cases, 51);
+    const Counts counts = of_objects(*subject.make(), cases, 51);
     for (const auto& [name, of] : counts) {
       BOOST_TEST_INFO_SCOPE(subject.name << ", " << name << ": applied " << of.applicable);
       BOOST_TEST(of.violated == 0);
