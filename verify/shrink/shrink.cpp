@@ -21,7 +21,7 @@ using covering::Index;
 using covering::Polyhedron;
 using kernel::Question;
 
-/// Query_statistics questions and time.
+/// What a shrink has spent of its budget: questions and time.
 class Spending {
  public:
   struct Over {};
