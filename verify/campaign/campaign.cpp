@@ -35,7 +35,7 @@ constexpr std::array questions = {Question::surface, Question::solid};
 
 std::string name_of(Question question) { return std::string(kernel::to_string(question)); }
 
-/// A piece of a campaign, done as a whole: cases first .. last of a family, or one sequence.
+/// Unit of work: the cases first to last - 1 of a family, or one sequence.
 struct Batch {
   Level level;
   const Family* family;
@@ -45,7 +45,7 @@ struct Batch {
   std::string family_name() const { return sequence ? "sequence " + sequence->name : std::string(family->name); }
 };
 
-/// Which relation case k is tried with: each family begins with another one.
+/// Number of the relation that case k is tried with, modulo their count: each family begins with another one.
 std::size_t relation_turn(const Batch& batch, std::uint64_t k)
 {
   return k / relation_stride + std::size_t(batch.family->number);
@@ -74,7 +74,7 @@ std::vector<Sequence> sequences_of(const Campaign& campaign)
   return sequences(campaign.seed, campaign.sequence_frames);
 }
 
-/// What the database has of a seed: cases by batch and subject.
+/// Cases of a seed that are in the database already, by batch and subject.
 class Done {
  public:
   Done(Database& database, std::uint64_t seed)
@@ -96,7 +96,7 @@ class Done {
   std::map<std::tuple<std::string, std::string, std::uint64_t, std::string>, std::uint64_t> cases_;
 };
 
-/// Who is wanted for the cases of a batch: the subjects, and the truth, that have not been asked them before.
+/// Subjects that have not been asked all cases of a batch before; the truth is one of them.
 class Wanted {
  public:
   template <class Subject>
@@ -114,7 +114,7 @@ class Wanted {
     return std::ranges::any_of(next_, [k](std::uint64_t next) { return next <= k; });
   }
 
-  /// When the batch is done: what each has been asked now.
+  /// Records for each the cases asked now. Call when the batch is done.
   void add_done(Findings& found) const
   {
     for (std::size_t s = 0; s < names_.size(); ++s)
@@ -359,7 +359,7 @@ class Object_batch {
 
 // --- the database ----------------------------------------------------------------------------------------------------
 
-/// All of them or none: what has some is another program's.
+/// Makes all tables or none: a file with only some of them is another program's.
 void make_tables(Database& database)
 {
   Database::Transaction transaction(database);

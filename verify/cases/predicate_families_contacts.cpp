@@ -138,7 +138,7 @@ Predicate_case edge_in_face_plane(Random& random, double kind)
 
 namespace {
 
-/// What two coplanar triangles share: the numbers of the parameter of face-on-face.
+/// Common part of two coplanar triangles; the numbers are those of the parameter of face-on-face.
 enum class Sharing { all, part, inside, edge, vertex, nothing };
 
 /// A place in the plane v1 v2 v3, in sixteenths of the sides v1 v2 and v1 v3.

@@ -28,7 +28,7 @@ class Spending {
 
   explicit Spending(const Shrink_budget& budget) : budget_(budget) {}
 
-  /// Throws Over where nothing is left: the way out of all loops at once.
+  /// Throws Over where the budget is spent, which ends all loops at once.
   void one_more()
   {
     if (spent_ >= budget_.evaluations || std::chrono::duration<double>(Clock::now() - start_).count() > budget_.seconds)
@@ -43,8 +43,8 @@ class Spending {
   Clock::time_point start_ = Clock::now();
 };
 
-/// Whether the predicate takes a segment or triangle that is none; it may, but that is another case. (Cones and
-/// tetrahedra may not.)
+/// Whether the predicate gets a degenerate segment or triangle: legal, but another kind of case. (Cones and tetrahedra
+/// may not be degenerate.)
 bool is_degenerate(Predicate predicate, const Predicate_case& c)
 {
   const auto on_line = [](const kernel::Vertex& p, const kernel::Vertex& q, const kernel::Vertex& r) {
@@ -61,8 +61,7 @@ bool is_flat(const Case_numbers& numbers)
                      [](const kernel::Pose& pose) { return pose.determinant_sign() == CGAL::ZERO; });
 }
 
-/// What a body keeps while it shrinks: else most of what is wrong would end as two points, which shows nothing of its
-/// own.
+/// Properties that a body keeps while it shrinks: else most errors would end as two points, which all look alike.
 struct Shape {
   bool degenerate_faces = false, flat = false;
   bool open = false;

@@ -15,7 +15,7 @@
 /// Makes a case that shows something as small as it can be made while it still shows it (delta debugging).
 namespace tetracone::verify {
 
-/// How complex a case is; what is less in the first that differs is simpler.
+/// Complexity of a case, compared lexicographically.
 struct Case_size {
   std::size_t corners = 0, vertices = 0;  ///< of all faces of both bodies; of a predicate's points always the same
   std::size_t bits = 0;  ///< of the coordinates, and of the entries of the poses that differ from the identity's

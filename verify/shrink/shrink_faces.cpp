@@ -32,7 +32,7 @@ Faces faces_of(const Polyhedron& polyhedron)
   return faces;
 }
 
-/// The polyhedron of these faces, without vertices that none uses.
+/// The polyhedron of these faces, without unused vertices.
 Polyhedron polyhedron_of(const std::vector<kernel::Vertex>& vertices, Faces faces)
 {
   Polyhedron result;
