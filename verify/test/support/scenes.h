@@ -93,6 +93,15 @@ inline Polyhedron with_cavity(Polyhedron outer, const Polyhedron& inner)
 }
 inline Polyhedron cube_with_cavity() { return with_cavity(cube(3), cube(2)); }
 
+/// The only loop of a face the other way round, its vertices numbered from `first`.
+inline std::vector<Index> reversed_loop(const Polyhedron& body, Index f, Index first)
+{
+  std::vector<Index> loop;
+  for (const Index v : body.loop(f, 0)) loop.push_back(first + v);
+  std::reverse(loop.begin(), loop.end());
+  return loop;
+}
+
 /// The cube [-3, 3]^3 with a square tunnel of half width 1 along z: top and bottom are faces with a hole.
 inline Polyhedron cube_with_tunnel()
 {
@@ -101,17 +110,11 @@ inline Polyhedron cube_with_tunnel()
   body.vertices.insert(body.vertices.end(), tunnel.vertices.begin(), tunnel.vertices.end());
   for (Index f = 0; f < 4; ++f) {
     body.add_polygon(result.loop(f, 0));
-    std::vector<Index> inner;
-    for (const Index v : tunnel.loop(f, 0)) inner.push_back(8 + v);
-    std::reverse(inner.begin(), inner.end());
-    body.add_polygon(inner);
+    body.add_polygon(reversed_loop(tunnel, f, 8));
   }
   for (const Index f : {4u, 5u}) {
-    std::vector<std::vector<Index>> loops(2);
-    for (const Index v : result.loop(f, 0)) loops[0].push_back(v);
-    for (const Index v : tunnel.loop(f, 0)) loops[1].push_back(8 + v);
-    std::reverse(loops[1].begin(), loops[1].end());
-    body.add_face(loops);
+    const auto outer = result.loop(f, 0);
+    body.add_face(std::vector<std::vector<Index>>{{outer.begin(), outer.end()}, reversed_loop(tunnel, f, 8)});
   }
   return body;
 }

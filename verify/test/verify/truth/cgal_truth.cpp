@@ -96,18 +96,12 @@ Polyhedron cube_with_pocket()
   Polyhedron body;
   body.vertices = outer.vertices;
   body.vertices.insert(body.vertices.end(), inner.vertices.begin(), inner.vertices.end());
-  const auto reversed_inner = [&](Index f) {
-    std::vector<Index> loop;
-    for (const Index v : inner.loop(f, 0)) loop.push_back(8 + v);
-    std::reverse(loop.begin(), loop.end());
-    return loop;
-  };
   for (Index f = 0; f < 5; ++f) {
     body.add_polygon(outer.loop(f, 0));
-    body.add_polygon(reversed_inner(f));
+    body.add_polygon(reversed_loop(inner, f, 8));
   }
   const auto top = outer.loop(5, 0);
-  body.add_face(std::vector<std::vector<Index>>{{top.begin(), top.end()}, reversed_inner(5)});
+  body.add_face(std::vector<std::vector<Index>>{{top.begin(), top.end()}, reversed_loop(inner, 5, 8)});
   return body;
 }
 
