@@ -157,7 +157,7 @@ class Fuzz {
  private:
   struct At_work {
     verify::Object_subject subject;
-    std::unique_ptr<verify::Answering> answer;
+    std::unique_ptr<verify::Running_subject> answer;
   };
 
   /// False when the time is up.

@@ -14,9 +14,9 @@ using verify::Object_case;
 using verify::Outcome;
 
 /// A peer at work in a child process.
-class Peer_answering : public verify::Answering {
+class Running_peer : public verify::Running_subject {
  public:
-  Peer_answering(std::string program, std::string name, bool solids_only, std::chrono::milliseconds limit)
+  Running_peer(std::string program, std::string name, bool solids_only, std::chrono::milliseconds limit)
       : program_(std::move(program)), name_(std::move(name)), solids_only_(solids_only), limit_(limit)
   {}
 
@@ -61,7 +61,7 @@ verify::Object_subject subject(const std::string& program, const std::string& na
                                bool solids_only, std::chrono::milliseconds limit)
 {
   return {name, false, note, std::nullopt,
-          [=] { return std::make_unique<Peer_answering>(program, name, solids_only, limit); }};
+          [=] { return std::make_unique<Running_peer>(program, name, solids_only, limit); }};
 }
 
 }  // namespace

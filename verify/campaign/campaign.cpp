@@ -15,8 +15,10 @@
 #include <tbb/parallel_for_each.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <tuple>
 #include <utility>
@@ -33,7 +35,7 @@ constexpr std::array questions = {Question::surface, Question::solid};
 
 std::string name_of(Question question) { return std::string(kernel::to_string(question)); }
 
-/// A piece of a campaign, done as a whole: cases first .. last of a family, or one sequence.
+/// Unit of work: the cases first to last - 1 of a family, or one sequence.
 struct Batch {
   Level level;
   const Family* family;
@@ -43,7 +45,7 @@ struct Batch {
   std::string family_name() const { return sequence ? "sequence " + sequence->name : std::string(family->name); }
 };
 
-/// Which relation case k is tried with: each family begins with another one.
+/// Number of the relation that case k is tried with, modulo their count: each family begins with another one.
 std::size_t relation_turn(const Batch& batch, std::uint64_t k)
 {
   return k / relation_stride + std::size_t(batch.family->number);
@@ -72,7 +74,7 @@ std::vector<Sequence> sequences_of(const Campaign& campaign)
   return sequences(campaign.seed, campaign.sequence_frames);
 }
 
-/// What the database has of a seed: cases by batch and subject.
+/// Cases of a seed that are in the database already, by batch and subject.
 class Done {
  public:
   Done(Database& database, std::uint64_t seed)
@@ -94,7 +96,7 @@ class Done {
   std::map<std::tuple<std::string, std::string, std::uint64_t, std::string>, std::uint64_t> cases_;
 };
 
-/// Who is wanted for the cases of a batch: the subjects, and the truth, that have not been asked them before.
+/// Subjects that have not been asked all cases of a batch before; the truth is one of them.
 class Wanted {
  public:
   template <class Subject>
@@ -112,7 +114,7 @@ class Wanted {
     return std::ranges::any_of(next_, [k](std::uint64_t next) { return next <= k; });
   }
 
-  /// When the batch is done: what each has been asked now.
+  /// Records for each the cases asked now. Call when the batch is done.
   void add_done(Findings& found) const
   {
     for (std::size_t s = 0; s < names_.size(); ++s)
@@ -150,49 +152,71 @@ std::optional<int> truth_of(const Predicate_case& c, Predicate predicate)
   return first;
 }
 
-Findings ask_predicates(const Campaign& campaign, const Batch& batch, const Done& done)
-{
-  static const std::vector<Relation> relations = predicate_relations();
-  Findings found(batch.level, batch.family_name());
-  const auto& subjects = campaign.predicate_subjects;
-  const Wanted wanted(batch, subjects, done);
+/// A batch of predicate cases at work.
+class Predicate_batch {
+ public:
+  Predicate_batch(const Campaign& campaign, const Batch& batch, const Done& done)
+      : seed_(campaign.seed),
+        subjects_(campaign.predicate_subjects),
+        batch_(batch),
+        wanted_(batch, subjects_, done),
+        found_(batch.level, batch.family_name())
+  {}
 
-  for (std::uint64_t k = batch.first; k < batch.last; ++k) {
-    if (!wanted.anyone(k)) continue;
-    const Predicate_case c = batch.family->predicate_case(campaign.seed, k);
-    for (const Predicate predicate : all_predicates) {
-      const std::string question = verify::to_string(predicate);
-      const auto truth = truth_of(c, predicate);
-      if (!truth) continue;
-      if (wanted.truth(k)) found.add_truth(question, *truth > 0, false);
-      const Distance away = distance(predicate, c);
-      for (std::size_t s = 0; s < subjects.size(); ++s) {
-        if (!wanted.subject(s, k)) continue;
-        const auto [value, ns] = timed([&] { return subjects[s].answer(predicate, c); });
-        if (!value) continue;  // another predicate's formulation
-        const Findings::Answer answer{value, false};
-        found.add_answer(subjects[s].name, question, away, *truth, answer, ns);
-        if (*value != *truth && k < kept_one_by_one)
-          found.add_wrong(c.origin, subjects[s].name, question, away, *truth, answer, {});
-      }
+  Findings judge()
+  {
+    for (std::uint64_t k = batch_.first; k < batch_.last; ++k) {
+      if (!wanted_.anyone(k)) continue;
+      const Predicate_case c = batch_.family->predicate_case(seed_, k);
+      for (const Predicate predicate : all_predicates) judge_answers(c, k, predicate);
+      if (k % relation_stride == 0) try_relation(c, k);
     }
-    if (k % relation_stride == 0) {
-      const std::size_t number = relation_turn(batch, k) % relations.size();
-      const Relation& relation = relations[number];
-      for (std::size_t s = 0; s < subjects.size(); ++s)
-        for (const Predicate predicate : all_predicates) {
-          if (!wanted.subject(s, k)) continue;
-          Random random = random_of(c.origin, number);
-          const Verdict verdict = check(relation, c, predicate, subjects[s], random);
-          if (verdict == Verdict::not_applicable) continue;  // most relations are about one predicate
-          found.add_relation(std::string(relation.name), subjects[s].name, verify::to_string(predicate), true,
-                             verdict == Verdict::violated);
-        }
+    wanted_.add_done(found_);
+    return std::move(found_);
+  }
+
+ private:
+  void judge_answers(const Predicate_case& c, std::uint64_t k, Predicate predicate)
+  {
+    const std::string question = verify::to_string(predicate);
+    const auto truth = truth_of(c, predicate);
+    if (!truth) return;
+    if (wanted_.truth(k)) found_.add_truth(question, *truth > 0, false);
+    const Distance away = distance(predicate, c);
+    for (std::size_t s = 0; s < subjects_.size(); ++s) {
+      if (!wanted_.subject(s, k)) continue;
+      const auto [value, ns] = timed([&] { return subjects_[s].answer(predicate, c); });
+      if (!value) continue;  // another predicate's formulation
+      const Findings::Answer answer{value, false};
+      found_.add_answer(subjects_[s].name, question, away, *truth, answer, ns);
+      if (*value != *truth && k < kept_one_by_one)
+        found_.add_wrong(c.origin, subjects_[s].name, question, away, *truth, answer, {});
     }
   }
-  wanted.add_done(found);
-  return found;
-}
+
+  void try_relation(const Predicate_case& c, std::uint64_t k)
+  {
+    static const std::vector<Relation> relations = predicate_relations();
+    const std::size_t number = relation_turn(batch_, k) % relations.size();
+    const Relation& relation = relations[number];
+    for (std::size_t s = 0; s < subjects_.size(); ++s) {
+      if (!wanted_.subject(s, k)) continue;
+      for (const Predicate predicate : all_predicates) {
+        Random random = random_of(c.origin, number);
+        const Verdict verdict = check(relation, c, predicate, subjects_[s], random);
+        if (verdict == Verdict::not_applicable) continue;  // most relations are about one predicate
+        found_.add_relation(std::string(relation.name), subjects_[s].name, verify::to_string(predicate), true,
+                            verdict == Verdict::violated);
+      }
+    }
+  }
+
+  std::uint64_t seed_;
+  const std::vector<Predicate_subject>& subjects_;
+  const Batch& batch_;
+  Wanted wanted_;
+  Findings found_;
+};
 
 // --- objects --------------------------------------------------------------------------------------------------------
 
@@ -205,14 +229,14 @@ bool truth_of(const Object_case& c, const Placed_body& a, const Placed_body& b, 
   return first;
 }
 
-/// The subjects of one thread at work.
-using Answerings = std::vector<std::unique_ptr<Answering>>;
+/// All subjects of a campaign, running in one thread.
+using Running_subjects = std::vector<std::unique_ptr<Running_subject>>;
 
-Answerings make_answerings(const Campaign& campaign)
+Running_subjects make_running(const Campaign& campaign)
 {
-  Answerings answerings;
-  for (const Object_subject& subject : campaign.object_subjects) answerings.push_back(subject.make());
-  return answerings;
+  Running_subjects running;
+  for (const Object_subject& subject : campaign.object_subjects) running.push_back(subject.make());
+  return running;
 }
 
 Findings::Answer as_answer(Outcome outcome)
@@ -222,72 +246,120 @@ Findings::Answer as_answer(Outcome outcome)
   return {outcome == Outcome::yes ? 1 : 0, false};
 }
 
-Findings ask_objects(const Campaign& campaign, const Batch& batch, const Done& done, Answerings& answerings)
+int changes(const std::vector<int>& answers)
 {
-  static const std::vector<Relation> relations = object_relations();
-  Findings found(batch.level, batch.family_name());
-  const auto& subjects = campaign.object_subjects;
-  const Wanted wanted(batch, subjects, done);
-  // Answer after answer in a sequence, by subject and question: to count its changes.
-  std::map<std::pair<std::size_t, Question>, std::vector<int>> answers;
-  std::map<Question, std::vector<int>> truths;
-
-  for (std::uint64_t k = batch.first; k < batch.last; ++k) {
-    if (!wanted.anyone(k)) continue;
-    const Object_case c = batch.sequence ? batch.sequence->frames[k] : batch.family->object_case(campaign.seed, k);
-    const Brute_body body_a(*c.a), body_b(*c.b);
-    const Placed_body a(body_a, c.pose_a), b(body_b, c.pose_b);
-    const Distance away = distance(c);
-    const bool try_relation = !batch.sequence && k % relation_stride == 0;
-    const std::size_t number = batch.sequence ? 0 : relation_turn(batch, k) % relations.size();
-    const Question of_relation = questions[k / relation_stride % 2];
-    std::map<Question, bool> truth;
-    for (const Question question : questions) {
-      truth[question] = truth_of(c, a, b, question);
-      if (wanted.truth(k)) found.add_truth(name_of(question), truth[question], c.known(question).has_value());
-      truths[question].push_back(truth[question]);
-    }
-    for (std::size_t s = 0; s < subjects.size(); ++s) {
-      if (!wanted.subject(s, k)) continue;
-      const std::string& name = subjects[s].name;
-      for (const Question question : questions) {
-        const auto [outcome, ns] = timed([&] { return (*answerings[s])(c, question); });
-        const Findings::Answer answer = as_answer(outcome);
-        found.add_answer(name, name_of(question), away, truth[question], answer, ns);
-        answers[{s, question}].push_back(answer.value.value_or(-1));
-        if (answer.not_asked || answer.value == int(truth[question])) continue;
-        const auto stage =
-            subjects[s].own && answer.value ? blame(*subjects[s].own, c, question, truth[question]) : std::nullopt;
-        if (stage) found.add_blame(name, name_of(question), *stage);
-        if (k < kept_one_by_one)
-          found.add_wrong(c.origin, name, name_of(question), away, truth[question], answer, stage);
-      }
-      if (!try_relation) continue;
-      Random random = random_of(c.origin, number);
-      const Verdict verdict = check(relations[number], c, of_relation, *answerings[s], random);
-      found.add_relation(std::string(relations[number].name), name, name_of(of_relation),
-                         verdict != Verdict::not_applicable, verdict == Verdict::violated);
-    }
-  }
-  if (batch.sequence)
-    for (const auto& [asked, given] : answers) {
-      const std::vector<int>& right = truths[asked.second];
-      if (given.size() != right.size()) continue;  // asked before: counted before
-      const auto changes = [](const std::vector<int>& of) {
-        int count = 0;
-        for (std::size_t k = 1; k < of.size(); ++k) count += of[k] != of[k - 1];
-        return count;
-      };
-      int wrong = 0;
-      for (std::size_t k = 0; k < given.size(); ++k) wrong += given[k] != right[k];
-      found.add_flips(subjects[asked.first].name, name_of(asked.second), int(given.size()), wrong, changes(given),
-                      changes(right));
-    }
-  wanted.add_done(found);
-  return found;
+  int count = 0;
+  for (std::size_t k = 1; k < answers.size(); ++k) count += answers[k] != answers[k - 1];
+  return count;
 }
 
-/// All of them or none: what has some is another program's.
+int differences(const std::vector<int>& answers, const std::vector<int>& truths)
+{
+  int count = 0;
+  for (std::size_t k = 0; k < answers.size(); ++k) count += answers[k] != truths[k];
+  return count;
+}
+
+/// A batch of object cases, or a sequence, at work.
+class Object_batch {
+ public:
+  Object_batch(const Campaign& campaign, const Batch& batch, const Done& done, Running_subjects& running)
+      : seed_(campaign.seed),
+        subjects_(campaign.object_subjects),
+        running_(running),
+        batch_(batch),
+        wanted_(batch, subjects_, done),
+        found_(batch.level, batch.family_name())
+  {}
+
+  Findings judge()
+  {
+    for (std::uint64_t k = batch_.first; k < batch_.last; ++k)
+      if (wanted_.anyone(k))
+        judge(batch_.sequence ? batch_.sequence->frames[k] : batch_.family->object_case(seed_, k), k);
+    if (batch_.sequence) count_flips();
+    wanted_.add_done(found_);
+    return std::move(found_);
+  }
+
+ private:
+  /// The truth of both questions of a case.
+  using Truth = std::map<Question, bool>;
+
+  void judge(const Object_case& c, std::uint64_t k)
+  {
+    const Truth truth = find_truth(c, k);
+    const Distance away = distance(c);
+    for (std::size_t s = 0; s < subjects_.size(); ++s) {
+      if (!wanted_.subject(s, k)) continue;
+      for (const Question question : questions) judge_answer(c, k, s, question, truth.at(question), away);
+      if (!batch_.sequence && k % relation_stride == 0) try_relation(c, k, s);
+    }
+  }
+
+  Truth find_truth(const Object_case& c, std::uint64_t k)
+  {
+    const Brute_body body_a(*c.a), body_b(*c.b);
+    const Placed_body a(body_a, c.pose_a), b(body_b, c.pose_b);
+    Truth truth;
+    for (const Question question : questions) {
+      truth[question] = truth_of(c, a, b, question);
+      if (wanted_.truth(k)) found_.add_truth(name_of(question), truth[question], c.known(question).has_value());
+      truths_[question].push_back(truth[question]);
+    }
+    return truth;
+  }
+
+  void judge_answer(const Object_case& c, std::uint64_t k, std::size_t s, Question question, bool truth,
+                    const Distance& away)
+  {
+    const Object_subject& subject = subjects_[s];
+    const auto [outcome, ns] = timed([&] { return (*running_[s])(c, question); });
+    const Findings::Answer answer = as_answer(outcome);
+    found_.add_answer(subject.name, name_of(question), away, truth, answer, ns);
+    answers_[{s, question}].push_back(answer.value.value_or(-1));
+    if (answer.not_asked || answer.value == int(truth)) return;
+    const auto stage = subject.own && answer.value ? blame(*subject.own, c, question, truth) : std::nullopt;
+    if (stage) found_.add_blame(subject.name, name_of(question), *stage);
+    if (k < kept_one_by_one) found_.add_wrong(c.origin, subject.name, name_of(question), away, truth, answer, stage);
+  }
+
+  void try_relation(const Object_case& c, std::uint64_t k, std::size_t s)
+  {
+    static const std::vector<Relation> relations = object_relations();
+    const std::size_t number = relation_turn(batch_, k) % relations.size();
+    const Question question = questions[k / relation_stride % 2];
+    Random random = random_of(c.origin, number);
+    const Verdict verdict = check(relations[number], c, question, *running_[s], random);
+    found_.add_relation(std::string(relations[number].name), subjects_[s].name, name_of(question),
+                        verdict != Verdict::not_applicable, verdict == Verdict::violated);
+  }
+
+  /// Counts how often answers change along the sequence, and how often the truth does.
+  void count_flips()
+  {
+    for (const auto& [asked, given] : answers_) {
+      const auto& [s, question] = asked;
+      const std::vector<int>& right = truths_[question];
+      if (given.size() != right.size()) continue;  // asked before: counted before
+      found_.add_flips(subjects_[s].name, name_of(question), int(given.size()), differences(given, right),
+                       changes(given), changes(right));
+    }
+  }
+
+  std::uint64_t seed_;
+  const std::vector<Object_subject>& subjects_;
+  Running_subjects& running_;
+  const Batch& batch_;
+  Wanted wanted_;
+  Findings found_;
+  std::map<std::pair<std::size_t, Question>, std::vector<int>> answers_;  // case after case, by subject and question
+  std::map<Question, std::vector<int>> truths_;
+};
+
+// --- the database ----------------------------------------------------------------------------------------------------
+
+/// Makes all tables or none: a file with only some of them is another program's.
 void make_tables(Database& database)
 {
   Database::Transaction transaction(database);
@@ -320,6 +392,69 @@ std::int64_t run_number(Database& database, const Campaign& campaign)
   return id;
 }
 
+/// The database of another campaign, as `other`, while this lives.
+class Attached {
+ public:
+  Attached(Database& database, const std::filesystem::path& other) : database_(database)
+  {
+    Database::Statement(database, "ATTACH ?1 AS other").run(other.native());
+  }
+  Attached(const Attached&) = delete;
+  Attached& operator=(const Attached&) = delete;
+  ~Attached()
+  {
+    try {
+      database_.run("DETACH other");
+    } catch (const covering::Input_error&) {
+    }
+  }
+
+ private:
+  Database& database_;
+};
+
+/// Throws covering::Input_error when `into` and the attached database `from` have a batch of the same cases and
+/// subject.
+void refuse_common_batches(Database& into, const std::filesystem::path& from)
+{
+  Database::Statement twice(into,
+                            "SELECT level, family, batch, subject FROM done JOIN other.done USING (seed, level, "
+                            "family, batch, subject) LIMIT 1");
+  if (twice.with().next())
+    throw covering::Input_error(from.native(), 0,
+                                "batch " + twice.text(2) + " of " + twice.text(0) + " " + twice.text(1) + " asked of " +
+                                    twice.text(3) + " is in " + into.file().native() + " already",
+                                "expected shards of one campaign, or other seeds");
+}
+
+/// Adds all rows of the attached database, its runs renumbered.
+constexpr const char* merge_attached = R"(
+    INSERT OR IGNORE INTO run (version, compiler, flags, processor, seed, real_meshes)
+      SELECT version, compiler, flags, processor, seed, real_meshes FROM other.run;
+    CREATE TEMP TABLE renumbered AS SELECT there.id AS there, here.id AS here FROM other.run AS there
+      JOIN main.run AS here USING (version, compiler, flags, processor, seed, real_meshes);
+    INSERT INTO main.done SELECT * FROM other.done;
+    INSERT INTO main.tally SELECT here, level, family, subject, question, axis, bin, n, false_positives, false_negatives, failures, not_asked
+      FROM other.tally JOIN renumbered ON run = there WHERE true ON CONFLICT DO UPDATE SET n = n + excluded.n,
+      false_positives = false_positives + excluded.false_positives, false_negatives = false_negatives + excluded.false_negatives,
+      failures = failures + excluded.failures, not_asked = not_asked + excluded.not_asked;
+    INSERT INTO main.truth SELECT here, level, family, question, n, positives, by_construction FROM other.truth JOIN renumbered ON run = there
+      WHERE true ON CONFLICT DO UPDATE SET n = n + excluded.n, positives = positives + excluded.positives,
+      by_construction = by_construction + excluded.by_construction;
+    INSERT INTO main.wrong SELECT here, level, family, number, parameter, subject, question, truth, answer, log2_rho, log2_ulps, stage
+      FROM other.wrong JOIN renumbered ON run = there WHERE true;
+    INSERT INTO main.blame SELECT here, level, family, subject, question, stage, n FROM other.blame JOIN renumbered ON run = there
+      WHERE true ON CONFLICT DO UPDATE SET n = n + excluded.n;
+    INSERT INTO main.relation SELECT here, level, family, relation, subject, question, tried, violated, not_applicable
+      FROM other.relation JOIN renumbered ON run = there WHERE true ON CONFLICT DO UPDATE SET tried = tried + excluded.tried,
+      violated = violated + excluded.violated, not_applicable = not_applicable + excluded.not_applicable;
+    INSERT INTO main.flips SELECT here, sequence, subject, question, frames, wrong, changes, true_changes
+      FROM other.flips JOIN renumbered ON run = there WHERE true;
+    INSERT INTO main.time SELECT here, level, family, subject, question, n, nanoseconds FROM other.time JOIN renumbered ON run = there
+      WHERE true ON CONFLICT DO UPDATE SET n = n + excluded.n, nanoseconds = nanoseconds + excluded.nanoseconds;
+    DROP TABLE renumbered;
+  )";
+
 }  // namespace
 
 std::uint64_t case_count(const Campaign& campaign)
@@ -336,12 +471,13 @@ void run_campaign(Database& database, const Campaign& campaign, const std::funct
   const std::int64_t run = run_number(database, campaign);
   const Done before(database, campaign.seed);
   const auto sequences = sequences_of(campaign);
-  tbb::enumerable_thread_specific<Answerings> answerings([&] { return make_answerings(campaign); });
+  tbb::enumerable_thread_specific<Running_subjects> running([&] { return make_running(campaign); });
   std::mutex one_at_a_time;
   const auto todo = batches(campaign, sequences);
   tbb::parallel_for_each(todo, [&](const Batch& batch) {
-    const Findings found = batch.level == Level::predicate ? ask_predicates(campaign, batch, before)
-                                                           : ask_objects(campaign, batch, before, answerings.local());
+    const Findings found = batch.level == Level::predicate
+                               ? Predicate_batch(campaign, batch, before).judge()
+                               : Object_batch(campaign, batch, before, running.local()).judge();
     const std::lock_guard lock(one_at_a_time);
     Database::Transaction transaction(database);
     found.store(database, run, campaign.seed, batch.number);
@@ -370,52 +506,10 @@ void merge(Database& into, const std::filesystem::path& from)
 {
   require_campaign(from);
   make_tables(into);
-  Database::Statement(into, "ATTACH ?1 AS other").run(from.native());
-  struct Detach {
-    Database& database;
-    ~Detach()
-    {
-      try {
-        database.run("DETACH other");
-      } catch (const covering::Input_error&) {
-      }
-    }
-  } const detach{into};
+  const Attached attached(into, from);
   Database::Transaction transaction(into);
-  Database::Statement twice(into,
-                            "SELECT level, family, batch, subject FROM done JOIN other.done USING (seed, level, "
-                            "family, batch, subject) LIMIT 1");
-  if (twice.with().next())
-    throw covering::Input_error(from.native(), 0,
-                                "batch " + twice.text(2) + " of " + twice.text(0) + " " + twice.text(1) + " asked of " +
-                                    twice.text(3) + " is in " + into.file().native() + " already",
-                                "expected shards of one campaign, or other seeds");
-  into.run(R"(
-    INSERT OR IGNORE INTO run (version, compiler, flags, processor, seed, real_meshes)
-      SELECT version, compiler, flags, processor, seed, real_meshes FROM other.run;
-    CREATE TEMP TABLE renumbered AS SELECT there.id AS there, here.id AS here FROM other.run AS there
-      JOIN main.run AS here USING (version, compiler, flags, processor, seed, real_meshes);
-    INSERT INTO main.done SELECT * FROM other.done;
-    INSERT INTO main.tally SELECT here, level, family, subject, question, axis, bin, n, false_positives, false_negatives, failures, not_asked
-      FROM other.tally JOIN renumbered ON run = there WHERE true ON CONFLICT DO UPDATE SET n = n + excluded.n,
-      false_positives = false_positives + excluded.false_positives, false_negatives = false_negatives + excluded.false_negatives,
-      failures = failures + excluded.failures, not_asked = not_asked + excluded.not_asked;
-    INSERT INTO main.truth SELECT here, level, family, question, n, positives, by_construction FROM other.truth JOIN renumbered ON run = there
-      WHERE true ON CONFLICT DO UPDATE SET n = n + excluded.n, positives = positives + excluded.positives,
-      by_construction = by_construction + excluded.by_construction;
-    INSERT INTO main.wrong SELECT here, level, family, number, parameter, subject, question, truth, answer, log2_rho, log2_ulps, stage
-      FROM other.wrong JOIN renumbered ON run = there WHERE true;
-    INSERT INTO main.blame SELECT here, level, family, subject, question, stage, n FROM other.blame JOIN renumbered ON run = there
-      WHERE true ON CONFLICT DO UPDATE SET n = n + excluded.n;
-    INSERT INTO main.relation SELECT here, level, family, relation, subject, question, tried, violated, not_applicable
-      FROM other.relation JOIN renumbered ON run = there WHERE true ON CONFLICT DO UPDATE SET tried = tried + excluded.tried,
-      violated = violated + excluded.violated, not_applicable = not_applicable + excluded.not_applicable;
-    INSERT INTO main.flips SELECT here, sequence, subject, question, frames, wrong, changes, true_changes
-      FROM other.flips JOIN renumbered ON run = there WHERE true;
-    INSERT INTO main.time SELECT here, level, family, subject, question, n, nanoseconds FROM other.time JOIN renumbered ON run = there
-      WHERE true ON CONFLICT DO UPDATE SET n = n + excluded.n, nanoseconds = nanoseconds + excluded.nanoseconds;
-    DROP TABLE renumbered;
-  )");
+  refuse_common_batches(into, from);
+  into.run(merge_attached);
   transaction.commit();
 }
 

@@ -22,7 +22,7 @@ struct Provenance {
   std::string version, compiler, flags, processor;
 };
 
-/// Which cases are asked of whom. Default sizes take a few minutes on two cores.
+/// Cases and the subjects that are asked them. Default sizes take a few minutes on two cores.
 struct Campaign {
   std::uint64_t seed = 1;
   std::uint64_t predicate_cases = 400, object_cases = 24;  ///< per family; 0: not that level
@@ -55,11 +55,10 @@ class Truths_disagree : public std::runtime_error {
 std::uint64_t case_count(const Campaign& campaign);
 
 /// Judges all subjects on all cases, on all cores, and adds what it finds to the database (schema: campaign_schema.h).
-/// What the database has of this seed already is not done again: a campaign that was stopped, even killed, goes on
-/// where it was, one with more cases or other subjects adds what is missing. The rows depend on the campaign only, not
-/// on threads, shards or interruptions; the table `time` apart. `done` is called with the number of cases just done or
-/// found, from several threads, one at a time. Throws Truths_disagree; covering::Input_error when the database cannot
-/// be used.
+/// Resumes: cases of this seed that are in the database are not asked again, after a stop or a kill, with more cases or
+/// with other subjects. The rows depend on the campaign only, not on threads, shards or interruptions; the table `time`
+/// apart. `done` is called with the number of cases just done or found, from several threads, one at a time. Throws
+/// Truths_disagree; covering::Input_error when the database cannot be used.
 void run_campaign(Database& database, const Campaign& campaign, const std::function<void(std::uint64_t)>& done);
 
 /// Opens a campaign's database to write; makes it when it is not there. Throws covering::Input_error, and changes

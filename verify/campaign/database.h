@@ -31,7 +31,7 @@ class Database {
   /// Runs one or more statements that return nothing.
   void run(const std::string& sql);
 
-  /// All or nothing: what is done before `commit` is undone without it.
+  /// A transaction: rolled back at its end unless committed.
   class Transaction {
    public:
     explicit Transaction(Database& database) : database_(database) { database_.run("BEGIN IMMEDIATE"); }

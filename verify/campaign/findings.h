@@ -16,8 +16,7 @@
 
 namespace tetracone::verify {
 
-/// What a batch of cases found, before it goes into the database as one transaction. Names are kept as they stand in
-/// its tables.
+/// Results of a batch of cases, stored in the database as one transaction. Names are those of its tables.
 class Findings {
  public:
   /// The answer that the subject gave, if it gave one, and whether it did not take the question.

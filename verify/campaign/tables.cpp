@@ -89,7 +89,7 @@ constexpr Table all[] = {
      "SELECT id AS run, version, compiler, flags, processor, seed, real_meshes FROM run ORDER BY 1"},
 };
 
-/// temp.sweep: which parameter each of these cases has; what the database itself need not say.
+/// temp.sweep: the parameter of each of these cases, which the database does not hold.
 void add_sweep(Database& database)
 {
   database.run(

@@ -23,8 +23,8 @@ struct Interval {
   double low, high;
 };
 
-/// Wilson's 95 % interval for `hits` of `n`; of no cases at all, all of [0, 1]. With no hits in n its upper end, 3.84 /
-/// (n + 3.84), is the bound that "none" stands for.
+/// Wilson's 95 % interval for `hits` of `n`; [0, 1] where n = 0. With no hits in n its upper end, 3.84 / (n + 3.84), is
+/// the bound that "none" stands for.
 Interval wilson(std::int64_t hits, std::int64_t n);
 
 }  // namespace tetracone::verify

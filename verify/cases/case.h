@@ -13,7 +13,7 @@
 
 namespace tetracone::verify {
 
-/// What a case is about: one predicate on a few points, or two polyhedra.
+/// Level of a case: one predicate on a few points, or two polyhedra.
 enum class Level { predicate, object };
 
 /// What made a case: enough to make it again.

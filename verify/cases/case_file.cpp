@@ -25,7 +25,7 @@ using kernel::Vertex;
 /// Of the file's form, not of the program.
 constexpr int format = 1;
 
-/// An infinite parameter, which JSON has no number for.
+/// Infinite parameters: JSON has no number for them.
 constexpr const char* infinite = "infinite";
 
 template <class Named, std::size_t N>

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <optional>
 
-/// Changes of points and poses that round nothing: each is nothing where its result is no double.
+/// Exact changes of points and poses: nothing where the result is no double.
 namespace tetracone::verify {
 
 /// A number from 0 to `count` - 1. Requires count > 0.
@@ -177,8 +177,8 @@ inline std::optional<kernel::Pose> seen_from(const kernel::Pose& pose, const ker
   return exact_pose(result, pose.is_rational() || first.is_rational());
 }
 
-/// The translation of a pose times 2^exponent: with every point scaled likewise, the pose's images are. A pose of
-/// doubles stays one. Nothing when 2^exponent is no double.
+/// The pose with its translation times 2^exponent: images of points scaled likewise are scaled. A pose of doubles stays
+/// one. Nothing when 2^exponent is no double.
 inline std::optional<kernel::Pose> scaled(const kernel::Pose& pose, int exponent)
 {
   const double power = std::ldexp(1.0, exponent);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// What a family is called, says and sweeps, and its two generators: they fill everything but `origin`. Its number is
+/// Name, description and sweep of a family, and its two generators, which fill everything but `origin`. Its number is
 /// its place.
 struct Entry {
   std::string_view name, what, parameter;

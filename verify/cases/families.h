@@ -31,7 +31,7 @@ struct Family {
 /// All families, in the order of their numbers.
 const std::vector<Family>& families();
 
-/// The family of this name; null when there is none such.
+/// The family of this name; null when there is none.
 const Family* find_family(std::string_view name);
 
 }  // namespace tetracone::verify

@@ -24,7 +24,7 @@ std::size_t behind_string(std::string_view text, std::size_t at)
   return at + 1;
 }
 
-/// Goes through a text that is known to be JSON, to find where a value stands: the parsed value does not say.
+/// Finds where a value stands in a text that is JSON: the parsed value does not know.
 class Walk {
  public:
   Walk(std::string_view text, std::size_t from) : text_(text), at_(from) { skip_blanks(); }
@@ -81,8 +81,8 @@ std::size_t line_of(std::string_view text, const std::vector<std::string>& path)
   return line_at(text, walk.position());
 }
 
-/// Where a name begins that its object has had before; nothing: all are different. The text must be JSON, which ends at
-/// its first zero byte for the parser.
+/// The place of a name that occurs twice in its object; nothing when all are different. The text must be JSON, which
+/// ends at its first zero byte for the parser.
 std::optional<std::size_t> repeated_name(std::string_view text)
 {
   std::vector<std::set<std::string>> names;  // of the objects and, empty, the arrays around
@@ -112,7 +112,7 @@ Json_text::Json_text(std::string text_given, std::string file_given)
     throw covering::Input_error(file, line_at(text, error.byte == 0 ? 0 : error.byte - 1), "is not JSON here",
                                 "expected a case file as JSON");
   } catch (const nlohmann::json::exception& error) {
-    // The one other error of parsing: a number beyond the doubles, of which the message has only the digits, in quotes.
+    // Any other error of parsing is a number beyond the doubles; the message has only its digits, in quotes.
     const std::string_view what = error.what();
     const std::size_t begin = what.find('\'') + 1;
     const std::string_view digits = what.substr(begin, what.rfind('\'') - begin);

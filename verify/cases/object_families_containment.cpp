@@ -140,8 +140,11 @@ Object_case covering_apex(Random& random, double parameter)
   };
   covering::Polyhedron body;
   Exact_vector p = integer_direction(random, 4), q = integer_direction(random, 4), r = integer_direction(random, 4);
-  while (dot(p, cross(q, r)) == 0)
-    p = integer_direction(random, 4), q = integer_direction(random, 4), r = integer_direction(random, 4);
+  while (dot(p, cross(q, r)) == 0) {
+    p = integer_direction(random, 4);
+    q = integer_direction(random, 4);
+    r = integer_direction(random, 4);
+  }
   const Exact_vector zero = {0, 0, 0};
   for (const int side : {1, -1}) {
     const auto at = [side](const Exact_vector& v) { return times(Rational(side), v); };
@@ -202,7 +205,10 @@ struct Cells {
     std::pair<int, int> count{0, 0};
     for (int x = (p[0] - 1) >> 1; x <= p[0] >> 1; ++x)
       for (int y = (p[1] - 1) >> 1; y <= p[1] >> 1; ++y)
-        for (int z = (p[2] - 1) >> 1; z <= p[2] >> 1; ++z) ++count.first, count.second += (*this)(x, y, z);
+        for (int z = (p[2] - 1) >> 1; z <= p[2] >> 1; ++z) {
+          ++count.first;
+          count.second += (*this)(x, y, z);
+        }
     return count;
   }
 };

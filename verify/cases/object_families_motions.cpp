@@ -159,8 +159,10 @@ Object_case corpus(Random& random, double parameter)
   const bool up = random.bits() % 2 == 0;
   for (int k = 0; k < parameter; ++k) x = std::nextafter(x, up ? HUGE_VAL : -HUGE_VAL);
   Exact_vector aside = {0, 0, 0};
-  if (random.bits() % 3 == 0)
-    aside = integer_direction(random, 1), aside = times(power_of_two(-integer(random, 30, 60)), aside);
+  if (random.bits() % 3 == 0) {
+    aside = integer_direction(random, 1);
+    aside = times(power_of_two(-integer(random, 30, 60)), aside);
+  }
   return placed(random, tetrahedron(entry.a), tetrahedron(entry.b), moved(Pose(), aside), exact_motion(random));
 }
 

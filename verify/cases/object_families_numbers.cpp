@@ -142,7 +142,10 @@ Object_case decimal_grid(Random& random, double parameter)
   const int range = static_cast<int>(std::min(10 * unit, 2e9));
   const auto decimal = [&](std::int64_t k) { return double(k) / unit; };
   std::array<std::int64_t, 3> corner, own;  // where they touch, in A and in B
-  for (int i = 0; i < 3; ++i) corner[i] = integer(random, 1, range), own[i] = integer(random, 1, range);
+  for (int i = 0; i < 3; ++i) {
+    corner[i] = integer(random, 1, range);
+    own[i] = integer(random, 1, range);
+  }
   const Vertex p = {decimal(corner[0]), decimal(corner[1]), decimal(corner[2])},
                q = {decimal(own[0]), decimal(own[1]), decimal(own[2])};
   const Pose relative =
@@ -162,7 +165,8 @@ Object_case decimal_grid(Random& random, double parameter)
   const int touching = integer(random, 1, 3), first = integer(random, 0, 2);
   for (int i = touching; i < 3; ++i) {
     const int axis = (first + i) % 3;
-    high_a[axis] += 1 / unit, low_b[axis] -= 1 / unit;
+    high_a[axis] += 1 / unit;
+    low_b[axis] -= 1 / unit;
   }
   const Object_case c =
       placed(random, shared(box(low_a, high_a)), shared(box(low_b, high_b)), relative, motion_of_doubles(random));

@@ -130,7 +130,10 @@ Object_case edge_in_face_plane(Random& random, double parameter)
   Exact_vector from = middle, to = sum(middle, Rational(-0.5), inward);
   if (kind == 0) from = sum(middle, Rational(-near), inward);
   if (kind == 1) from = sum(middle, Rational(near), inward);
-  if (kind == 2) from = point_inside(random, a, triangle, 4), to = point_inside(random, a, triangle, 4);
+  if (kind == 2) {
+    from = point_inside(random, a, triangle, 4);
+    to = point_inside(random, a, triangle, 4);
+  }
   const auto p = exactly(from), q = exactly(to);
   assert(p && q);
   const Exact_vector up = scaled_to_one(a.normals[triangle.face]);

@@ -108,7 +108,7 @@ Object_case shear(Random& random, double parameter)
   return placed(random, contact);
 }
 
-/// A flattening of one axis by 2^-d between shears, of both bodies or of B alone.
+/// Both bodies, or B alone, flattened along one axis by 2^-d between shears.
 Object_case nearly_singular(Random& random, double parameter)
 {
   const double least = std::copysign(std::ldexp(1.0, -static_cast<int>(std::abs(parameter))), parameter);

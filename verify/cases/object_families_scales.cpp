@@ -173,65 +173,84 @@ std::vector<Object_case> boxes_on_an_axis(Random& random, int size, int count)
 
   const auto turned_about_axis = [&](const std::array<int, 3>& exponents) {
     std::array<double, 12> entries = stretch(exponents).entries();
-    if (random.bits() % 4 != 0) entries[4 * u + v] = -entries[4 * v + v], entries[4 * v + u] = entries[4 * u + u];
+    if (random.bits() % 4 != 0) {
+      entries[4 * u + v] = -entries[4 * v + v];
+      entries[4 * v + u] = entries[4 * u + u];
+    }
     return Pose(entries);
   };
   std::vector<Object_case> cases;
   for (int k = 0; k < count; ++k) {
     std::array<int, 3> of_a, of_b;
-    of_a[u] = size * integer(random, -1, 1), of_a[v] = random.bits() % 4 != 0 ? of_a[u] : integer(random, -size, size);
+    of_a[u] = size * integer(random, -1, 1);
+    of_a[v] = random.bits() % 4 != 0 ? of_a[u] : integer(random, -size, size);
     for (const int i : {u, v})
       of_b[i] = random.bits() % 4 == 0 ? integer(random, -size, size) : integer(random, -8, 24) - of_a[i];
-    of_a[axis] = integer(random, -2, 2), of_b[axis] = integer(random, -2, 2);
+    of_a[axis] = integer(random, -2, 2);
+    of_b[axis] = integer(random, -2, 2);
     const Pose pose_a = turned_about_axis(of_a), pose_b = turned_about_axis(of_b);
     Exact_vector shift = {0, 0, 0};
     const int eighths = integer(random, 0, 9);
     shift[axis] = Rational(std::ldexp(half_a[axis], of_a[axis]) + std::ldexp(half_b[axis], of_b[axis])) * eighths / 8;
     const Pose common = signed_permutation(integer(random, 0, 47));
     Object_case c{a, b, composed(common, pose_a), composed(common, moved(pose_b, shift)), {}, {}, {}};
-    if (random.bits() % 2 == 0) std::swap(c.a, c.b), std::swap(c.pose_a, c.pose_b);
+    if (random.bits() % 2 == 0) {
+      std::swap(c.a, c.b);
+      std::swap(c.pose_a, c.pose_b);
+    }
     cases.push_back(eighths < 8 ? with_answer(c, {}, true) : with_answer(c, eighths == 8));
   }
   return cases;
 }
 
-/// Blocks whose vertices are stretched along their axes, and whose poses undo that before a turn, a contact or a place
-/// inside, and a map of both; tetrahedra whose coordinates have any exponents, corner on corner; or boxes on an axis.
-/// With exact poses, or these rounded to doubles.
-std::vector<Object_case> wild_run(Random& random, double parameter, int count)
+/// The case, or with its poses rounded to doubles where these are maps.
+static Object_case perhaps_rounded(Random& random, const Object_case& c)
 {
-  const auto finished = [&](const Object_case& c) {
-    if (random.bits() % 2 == 0) return c;
-    const Object_case rounded = rounded_poses(c);
-    return rounded.pose_a.determinant_sign() == CGAL::ZERO || rounded.pose_b.determinant_sign() == CGAL::ZERO ? c
-                                                                                                              : rounded;
+  if (random.bits() % 2 == 0) return c;
+  const Object_case rounded = rounded_poses(c);
+  const bool is_flat =
+      rounded.pose_a.determinant_sign() == CGAL::ZERO || rounded.pose_b.determinant_sign() == CGAL::ZERO;
+  return is_flat ? c : rounded;
+}
+
+/// Tetrahedra whose coordinates have any exponents up to `size`, corner on corner.
+static std::vector<Object_case> wild_tetrahedra(Random& random, int size, int count)
+{
+  const auto coordinate = [&] {
+    const double mantissa = random.symmetric();
+    return std::ldexp(mantissa, integer(random, -size, size));
+  };
+  const auto body = [&] {
+    std::array<kernel::Vertex, 4> corners;
+    for (kernel::Vertex& v : corners)
+      for (double& x : v) x = coordinate();
+    return tetrahedron(corners);
   };
   std::vector<Object_case> cases;
-  const std::uint64_t kind = random.bits() % 3;
-  if (kind == 0) return boxes_on_an_axis(random, static_cast<int>(parameter) * 3 / 4, count);
-  if (kind != 1) {
-    const int size = static_cast<int>(parameter) / 5;
-    const auto coordinate = [&] {
-      const double mantissa = random.symmetric();
-      return std::ldexp(mantissa, integer(random, -size, size));
-    };
-    const auto body = [&] {
-      std::array<kernel::Vertex, 4> corners;
-      for (kernel::Vertex& v : corners)
-        for (double& x : v) x = coordinate();
-      return tetrahedron(corners);
-    };
-    const Body a = body(), b = body();
-    for (int k = 0; k < count; ++k) {
-      const Pose turn = wild_map(random, size);
-      const Touching contact = vertex_on_vertex(random, a, b, turn);
-      const Rational gap = any_gap(random);
-      const Pose common = wild_map(random, size);
-      cases.push_back(finished(placed(random, contact, gap, common)));
-    }
-    return cases;
+  const Body a = body(), b = body();
+  for (int k = 0; k < count; ++k) {
+    const Pose turn = wild_map(random, size);
+    const Touching contact = vertex_on_vertex(random, a, b, turn);
+    const Rational gap = any_gap(random);
+    const Pose common = wild_map(random, size);
+    cases.push_back(perhaps_rounded(random, placed(random, contact, gap, common)));
   }
-  const int size = static_cast<int>(parameter) / 3;
+  return cases;
+}
+
+/// B turned in the middle of A's corners, some thirty times smaller.
+static Touching in_the_middle(Random& random, const Shape& a, const Shape& b)
+{
+  Exact_vector middle = {0, 0, 0};
+  for (Index v = 0; v < a.body->vertices.size(); ++v)
+    middle = sum(middle, Rational(1) / Rational(int(a.body->vertices.size())), a.vertex(v));
+  return {a.body, b.body, moved(composed(scaling(0x1p-5), any_turn(random)), middle), middle};
+}
+
+/// Blocks whose vertices are stretched along their axes by up to 2^size, and whose poses undo that before a turn, a
+/// contact or a place inside, and a map of both.
+static std::vector<Object_case> stretched_blocks(Random& random, int size, int count)
+{
   const auto exponents = [&] {
     std::array<int, 3> result{0, 0, 0};
     if (random.bits() % 2 == 0)
@@ -239,17 +258,14 @@ std::vector<Object_case> wild_run(Random& random, double parameter, int count)
     return result;
   };
   const auto negative = [](const std::array<int, 3>& e) { return std::array{-e[0], -e[1], -e[2]}; };
+  std::vector<Object_case> cases;
   const Shape& a = small_block(random);
   const Shape& b = small_block(random);
   const std::array<int, 3> of_a = exponents(), of_b = exponents();
   for (int k = 0; k < count; ++k) {
     Touching contact;
     if (random.bits() % 4 == 0) {
-      // About the middle of the corners, some thirty times smaller.
-      Exact_vector middle = {0, 0, 0};
-      for (Index v = 0; v < a.body->vertices.size(); ++v)
-        middle = sum(middle, Rational(1) / Rational(int(a.body->vertices.size())), a.vertex(v));
-      contact = {a.body, b.body, moved(composed(scaling(0x1p-5), any_turn(random)), middle), middle};
+      contact = in_the_middle(random, a, b);
     } else {
       const Pose turn = any_turn(random);
       contact = any_contact(random, a, b, turn);
@@ -266,9 +282,19 @@ std::vector<Object_case> wild_run(Random& random, double parameter, int count)
                   {},
                   {}};
     if (is_contact && gap >= 0) c = with_answer(c, gap == 0);
-    cases.push_back(finished(c));
+    cases.push_back(perhaps_rounded(random, c));
   }
   return cases;
+}
+
+/// A run of one kind: stretched blocks, tetrahedra of any exponents, or boxes on an axis. With exact poses, or these
+/// rounded to doubles.
+std::vector<Object_case> wild_run(Random& random, double parameter, int count)
+{
+  const std::uint64_t kind = random.bits() % 3;
+  if (kind == 0) return boxes_on_an_axis(random, static_cast<int>(parameter) * 3 / 4, count);
+  if (kind == 1) return stretched_blocks(random, static_cast<int>(parameter) / 3, count);
+  return wild_tetrahedra(random, static_cast<int>(parameter) / 5, count);
 }
 
 Object_case wild(Random& random, double parameter) { return wild_run(random, parameter, 1).front(); }

@@ -62,8 +62,10 @@ Object_case nearly_collinear(Random& random, double parameter)
   // An even distance: the middle is exact.
   for (int i = 0; i < 3; ++i) to[i] += std::ldexp(integer(random, -7, 7), -2);
   if (to == from) to[0] += 1;
-  for (int i = 0; i < 3; ++i)
-    from[i] = std::floor(from[i] * 0x1p40) * 0x1p-40, to[i] = std::floor(to[i] * 0x1p40) * 0x1p-40;
+  for (int i = 0; i < 3; ++i) {
+    from[i] = std::floor(from[i] * 0x1p40) * 0x1p-40;
+    to[i] = std::floor(to[i] * 0x1p40) * 0x1p-40;
+  }
   Vertex broken = *exactly(middle(from, to));
   const int axis = integer(random, 0, 2);
   broken[axis] = nudged(broken[axis], random.bits() % 2 == 0 ? ulps : -ulps);
@@ -159,7 +161,10 @@ Object_case duplicates(Random& random, double parameter)
         const auto& [x, y] = rays[2 * w];
         const auto& [u, v] = rays[2 * w + 1];
         const Index p = fan.vertices.size();
-        for (const double z : {0.0, 1.0}) fan.vertices.push_back({x, y, z}), fan.vertices.push_back({u, v, z});
+        for (const double z : {0.0, 1.0}) {
+          fan.vertices.push_back({x, y, z});
+          fan.vertices.push_back({u, v, z});
+        }
         fan.add_polygon({0, p + 1, p});
         fan.add_polygon({1, p + 2, p + 3});
         fan.add_polygon({0, p, p + 2, 1});

@@ -10,10 +10,9 @@
 #include <optional>
 #include <vector>
 
-/// Exact contacts and where they are put: what the object families are made of.
-/// Arguments of one call are evaluated in an order of the compiler's choice: at most one of them draws from `random`,
-/// here and in the families, so that a seed means the same cases everywhere. (What stands in braces is evaluated from
-/// left to right.)
+/// Exact contacts and their placing, from which the object families are made. Arguments of one call are evaluated in an
+/// order of the compiler's choice: at most one of them draws from `random`, here and in the families, so that a seed
+/// means the same cases everywhere. (What stands in braces is evaluated from left to right.)
 namespace tetracone::verify::object_family {
 
 using kernel::Pose;
@@ -92,8 +91,7 @@ Exact_vector point_on(const Shape& shape, const Face_triangle& triangle, double 
 /// Mostly 0, else 2^-10 to 2^-60 apart or into one another.
 Rational any_gap(Random& random);
 
-/// A at the identity and B at `relative`, both then moved, and the two exchanged or not. Nothing is known of the
-/// answers.
+/// A at the identity and B at `relative`, both then moved, and the two exchanged or not. No answer is known.
 Object_case placed(Random& random, const Body& a, const Body& b, const Pose& relative, Motion kind);
 Object_case placed(Random& random, const Body& a, const Body& b, const Pose& relative, const Pose& common);
 

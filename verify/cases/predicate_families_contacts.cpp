@@ -70,7 +70,10 @@ Predicate_case edge_across_edge(Random& random, double k)
     switch (random.bits() % 8) {
       case 0:
       case 1: ulps = sign(random); break;
-      case 2: scene.p = outward(random, v, x), scene.q = outward(random, v, x); break;
+      case 2:
+        scene.p = outward(random, v, x);
+        scene.q = outward(random, v, x);
+        break;
       default: break;
     }
     return finished(random, scene, ulps);
@@ -101,15 +104,25 @@ Predicate_case edge_in_face_plane(Random& random, double kind)
     const auto beyond = [&](const Point& x, const Rational& s) { return between(in_face(), x, 1 + s); };
     Scene scene{v, {}, {}, {}};
     switch (static_cast<int>(kind)) {
-      case 0: scene.p = beyond(on_edge, power_of_two(-integer(random, 0, 20))), scene.q = beyond(on_edge, 1); break;
-      case 1: scene.p = beyond(on_edge, 1), scene.q = between(scene.p, inner, Rational(integer(random, 1, 4))); break;
-      case 2: scene.p = inner, scene.q = in_face(); break;
+      case 0:
+        scene.p = beyond(on_edge, power_of_two(-integer(random, 0, 20)));
+        scene.q = beyond(on_edge, 1);
+        break;
+      case 1:
+        scene.p = beyond(on_edge, 1);
+        scene.q = between(scene.p, inner, Rational(integer(random, 1, 4)));
+        break;
+      case 2:
+        scene.p = inner;
+        scene.q = in_face();
+        break;
       default:
-        scene.p = on_edge, scene.q = beyond(on_edge, 1);
+        scene.p = on_edge;
+        scene.q = beyond(on_edge, 1);
         // Past a vertex on both sides, or the end on an edge or a vertex.
         if (is_zero(difference(on_edge, corner[1])) && one_in(random, 2)) {
           const Point way = difference(corner[3], corner[2]);
-          scene.p = sum(on_edge, Rational(-1) / 2, way),
+          scene.p = sum(on_edge, Rational(-1) / 2, way);
           scene.q = sum(on_edge, Rational(integer(random, 1, 3)) / 2, way);
         }
     }
@@ -125,7 +138,7 @@ Predicate_case edge_in_face_plane(Random& random, double kind)
 
 namespace {
 
-/// What two coplanar triangles share: the numbers of the parameter of face-on-face.
+/// Common part of two coplanar triangles; the numbers are those of the parameter of face-on-face.
 enum class Sharing { all, part, inside, edge, vertex, nothing };
 
 /// A place in the plane v1 v2 v3, in sixteenths of the sides v1 v2 and v1 v3.

@@ -72,7 +72,8 @@ Predicate_case mixed_scales(Random& random, double s)
     if (one_in(random, 2)) {
       for (Point& x : scene.v) x = times(factor, x);
     } else {
-      scene.q = times(factor, scene.q), scene.r = times(factor, scene.r);
+      scene.q = times(factor, scene.q);
+      scene.r = times(factor, scene.r);
     }
     return finished(random, scene, ulps);
   });
@@ -169,7 +170,7 @@ Predicate_case extreme_exponents(Random& random, double kind)
     for (Point& x : scene.v) x = times(Rational(std::ldexp(1.0, a_is_big ? 664 : -664)), x);
     // B's numbers are no powers of two; its p is about A, of A's size or far less.
     scene.p = times_double(scene.p, a_is_big && one_in(random, 2) ? big : small);
-    scene.q = times_double(scene.q, a_is_big ? small : big),
+    scene.q = times_double(scene.q, a_is_big ? small : big);
     scene.r = times_double(scene.r, one_in(random, 2) ? small : big);
     relabel(random, scene);
     return placed(scene, permuted(random));

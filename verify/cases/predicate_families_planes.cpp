@@ -39,7 +39,9 @@ Predicate_case random_points(Random& random, double scale)
     return near ? sum(centre, Rational(0.25), mantissa_point(random, 52)) : mantissa_point(random, 52);
   };
   Scene scene{v, {}, {}, {}};
-  scene.p = point(), scene.q = point(), scene.r = point();
+  scene.p = point();
+  scene.q = point();
+  scene.r = point();
   return rescaled(placed_nearly(scene, any_frames(random)), static_cast<int>(scale));
 }
 
@@ -57,7 +59,10 @@ Predicate_case rounded_on_plane(Random& random, double bits)
   }
   relabel(random, scene);
   Frames f = any_frames(random);
-  if (one_in(random, 2)) f.a = f.b = Pose(), f.scale = 1;
+  if (one_in(random, 2)) {
+    f.a = f.b = Pose();
+    f.scale = 1;
+  }
   return placed_nearly(scene, f);
 }
 
@@ -177,7 +182,9 @@ Predicate_case decimal_grid(Random& random, double d)
       for (Rational& coordinate : x) coordinate = Rational(kernel::nearest_double(coordinate) / unit);
     };
     for (Point& x : scene.v) decimal(x);
-    decimal(scene.p), decimal(scene.q), decimal(scene.r);
+    decimal(scene.p);
+    decimal(scene.q);
+    decimal(scene.r);
     return placed_somehow(scene, any_frames(random));
   });
 }

@@ -29,7 +29,8 @@ Pose half_turn(int axis)
   std::array<double, 12> entries = Pose().entries();
   const int j = (axis + 1) % 3, k = (axis + 2) % 3;
   entries[5 * j] = entries[5 * k] = -1;
-  entries[4 * j + k] = -sine, entries[4 * k + j] = sine;
+  entries[4 * j + k] = -sine;
+  entries[4 * k + j] = sine;
   return Pose(entries);
 }
 
@@ -88,8 +89,14 @@ Predicate_case shear(Random& random, double largest)
   Frames f;
   switch (random.bits() % 4) {
     case 0: f.b = there; break;
-    case 1: f.a = there, f.b = back; break;
-    case 2: f.b = back, f.common = there; break;  // B's pose is the product, an identity
+    case 1:
+      f.a = there;
+      f.b = back;
+      break;
+    case 2:
+      f.b = back;
+      f.common = there;
+      break;  // B's pose is the product, an identity
     default: f.common = there;
   }
   return any_contact(random, f);
@@ -169,7 +176,8 @@ Predicate_case swept_contact(Random& random, double bisections)
   for (int k = 0; k < 3; ++k) entries[4 * k + 3] = s * kernel::nearest_double(way[k]);
   c.pose_b = Pose(entries);
   const Pose common = any_frames(random).common;
-  c.pose_a = composed(common, c.pose_a), c.pose_b = composed(common, c.pose_b);
+  c.pose_a = composed(common, c.pose_a);
+  c.pose_b = composed(common, c.pose_b);
   return c;
 }
 

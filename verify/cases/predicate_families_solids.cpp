@@ -54,15 +54,17 @@ Predicate_case nested_touching(Random& random, double dimension)
     } else if (dimension == 0) {
       // A is inside: it has a vertex in B's face, an edge, or a face. Here B's face is parallel to the one opposite v1.
       const Point way = difference(v[2], v[3]), other = difference(v[3], v[0]);
-      scene.p = sum(v[1], way), scene.q = sum(v[1], other);
+      scene.p = sum(v[1], way);
+      scene.q = sum(v[1], other);
       scene.r = sum(sum(v[1], Rational(-integer(random, 0, 2)), way), Rational(-1), other);
     } else if (dimension == 1) {
-      scene.p = between(v[1], v[2], Rational(-1) / 2),
+      scene.p = between(v[1], v[2], Rational(-1) / 2);
       scene.q = between(v[1], v[2], Rational(integer(random, 3, 6)) / 4);
       scene.r = outward(random, v, on(2));
     } else {
       scene.p = in_plane(v, Rational(-1) / 2, Rational(-1) / 2);
-      scene.q = in_plane(v, 3, Rational(-1) / 2), scene.r = in_plane(v, Rational(-1) / 2, 3);
+      scene.q = in_plane(v, 3, Rational(-1) / 2);
+      scene.r = in_plane(v, Rational(-1) / 2, 3);
     }
     const int ulps = one_in(random, 2) ? any_of(random, std::array{-2, -1, 1, 2}) : 0;
     return finished(random, scene, ulps);
@@ -79,11 +81,13 @@ Predicate_case nested(Random& random, double distance)
     if (one_in(random, 2)) {
       // B is inside.
       scene.p = times(Rational(distance), inward);
-      scene.q = inner_point(random, v), scene.r = inner_point(random, v);
+      scene.q = inner_point(random, v);
+      scene.r = inner_point(random, v);
     } else {
       // A is inside, p q r on B's face beyond x.
       scene.p = times(Rational(-distance), inward);
-      scene.q = outward(random, v, x), scene.r = outward(random, v, x);
+      scene.q = outward(random, v, x);
+      scene.r = outward(random, v, x);
     }
     relabel(random, scene);
     return placed_somehow(scene, any_frames(random));
@@ -137,7 +141,8 @@ Predicate_case duplicates(Random& random, double what)
         default: break;
       }
     } else if (what == 1) {
-      scene.q = v[2], scene.r = v[3];
+      scene.q = v[2];
+      scene.r = v[3];
     } else {
       // B's face is another one of the edge v1 v2: right beyond A's, against it, or on it.
       const std::array<Point, 6> wing = {v[3],
@@ -146,11 +151,15 @@ Predicate_case duplicates(Random& random, double what)
                                          v[0],
                                          between(v[0], v[3], Rational(0.5)),
                                          between(v[1], between(v[0], v[3], Rational(0.5)), -1)};
-      scene.q = v[2], scene.r = wing[random.bits() % (what == 2 ? 4 : 6)];
+      scene.q = v[2];
+      scene.r = wing[random.bits() % (what == 2 ? 4 : 6)];
     }
     if (one_in(random, 4)) std::swap(scene.p, scene.q);
     const int ulps = moved_aside(random, scene);
-    if (one_in(random, 4)) scene.q = outward(random, v, v[1]), scene.r = outward(random, v, v[1]);
+    if (one_in(random, 4)) {
+      scene.q = outward(random, v, v[1]);
+      scene.r = outward(random, v, v[1]);
+    }
     return finished(random, scene, ulps);
   });
 }
@@ -193,7 +202,8 @@ Predicate_case tangent_fan(Random& random, double valence)
     Scene scene{{Point{0, 0, Rational(-1)}, hub, rim(k, -slope), rim(k + 1, -slope)}, hub, {}, {}};
     const int m = one_in(random, 2) ? k : integer(random, 0, n - 1);
     const Rational other = Rational(integer(random, 0, 4)) / 8 - (one_in(random, 4) ? Rational(1) / 2 : Rational(0));
-    scene.q = rim(m, other), scene.r = rim(m + 1, other);
+    scene.q = rim(m, other);
+    scene.r = rim(m + 1, other);
     if (one_in(random, 4)) scene.r = Point{0, 0, 1};
     const int ulps = moved_aside(random, scene);
     return finished(random, scene, ulps);
@@ -214,26 +224,33 @@ Predicate_case swept_primitives(Random& random, double kind)
   const double thin = any_of(random, std::array{1e-2, 1e-6, 1e-12});
   switch (static_cast<int>(kind)) {
     case 0:  // a spike's tip on a face or another tip, its other corners close together
-      scene.p = on(one_in(random, 2) ? 3 : 1), scene.q = out(scene.p);
+      scene.p = on(one_in(random, 2) ? 3 : 1);
+      scene.q = out(scene.p);
       scene.r = sum(scene.q, Rational(thin), difference(v[2], v[1]));
       break;
     case 1:  // a wedge's edge across another edge
-      scene.p = out(on(2)), scene.q = between(scene.p, on(2), 2), scene.r = out(on(2));
+      scene.p = out(on(2));
+      scene.q = between(scene.p, on(2), 2);
+      scene.r = out(on(2));
       break;
     case 2: {  // a corner in a crack: between the face and one right opposite
       const Point x = on(3);
       scene.p = sum(x, Rational(thin), difference(out(x), x));
-      scene.q = sum(scene.p, Rational(0.5), difference(v[2], v[1])), scene.r = out(x);
+      scene.q = sum(scene.p, Rational(0.5), difference(v[2], v[1]));
+      scene.r = out(x);
       break;
     }
     case 3:  // a corner at a cliff's edge, about to fall
-      scene.p = on(2), scene.q = sum(scene.p, Rational(thin), difference(v[2], v[3]));
+      scene.p = on(2);
+      scene.q = sum(scene.p, Rational(thin), difference(v[2], v[3]));
       scene.r = out(scene.p);
       break;
     default:  // on the edge between two triangles of one plane
       scene.v[0] = sum(v[2], difference(v[1], v[3]));
       scene.v[0][integer(random, 0, 2)] += Rational(thin);
-      scene.p = on(2), scene.q = out(scene.p), scene.r = out(scene.p);
+      scene.p = on(2);
+      scene.q = out(scene.p);
+      scene.r = out(scene.p);
   }
   if (one_in(random, 3)) {
     // The start of the sweep.

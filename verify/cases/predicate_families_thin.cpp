@@ -23,7 +23,8 @@ Predicate_case sliver(Random& random, double h)
     if (one_in(random, 2)) {
       const Point through = grid_point(random, 1);
       const Rational before = one_in(random, 2) ? 0 : 1;
-      scene.p = sum(x, Rational(-before), through), scene.q = sum(x, 1, through);
+      scene.p = sum(x, Rational(-before), through);
+      scene.q = sum(x, 1, through);
     }
     relabel(random, scene);
     return placed_somehow(scene, any_frames(random));
@@ -53,7 +54,10 @@ Predicate_case needle(Random& random, double a)
     scene.r = sum(x, 1, mantissa_point(random, 20));
     relabel(random, scene);
     Frames f = any_frames(random);
-    if (!one_in(random, 4)) f.a = f.b = Pose(), f.scale = 1;
+    if (!one_in(random, 4)) {
+      f.a = f.b = Pose();
+      f.scale = 1;
+    }
     return placed_nearly(scene, f);
   });
 }
@@ -95,7 +99,8 @@ Predicate_case degenerate_face(Random& random, double kind)
       case 2: scene.p = between(scene.p, scene.q, -1); break;  // through it
       case 3: scene.p = grid_point(random, 8); break;
       case 4:
-        scene.p = between(v[1], v[2], Rational(1.25)), scene.q = between(v[1], v[2], Rational(1.5));
+        scene.p = between(v[1], v[2], Rational(1.25));
+        scene.q = between(v[1], v[2], Rational(1.5));
         break;                           // along it, beyond it
       case 5: scene.q = scene.p; break;  // B's is degenerate too
       default: break;
@@ -124,7 +129,8 @@ Predicate_case near_parallel_edges(Random& random, double a)
       case 2:
       case 3: {
         const Point shift = times(angle == 0 ? power_of_two(-40) : angle, grid_point(random, 1));
-        scene.p = sum(scene.p, shift), scene.q = sum(scene.q, shift);
+        scene.p = sum(scene.p, shift);
+        scene.q = sum(scene.q, shift);
         break;
       }
       case 4: scene.p = Point{0, 0, 0}; break;

@@ -96,7 +96,8 @@ void complete(Random& random, Scene& scene, int grid)
     }
     default: break;
   }
-  scene.q = on_grid(scene.q, grid), scene.r = on_grid(scene.r, grid);
+  scene.q = on_grid(scene.q, grid);
+  scene.r = on_grid(scene.r, grid);
 }
 
 int moved_aside(Random& random, Scene& scene, int grid)
@@ -167,12 +168,15 @@ std::optional<Predicate_case> with_points(const Scene& scene, const Frames& fram
     return nearest;
   };
   for (int k = 0; k < 4; ++k) c.v[k] = model(frames.a, scene.v[k]);
-  c.p = model(frames.b, scene.p), c.q = model(frames.b, scene.q), c.r = model(frames.b, scene.r);
+  c.p = model(frames.b, scene.p);
+  c.q = model(frames.b, scene.q);
+  c.r = model(frames.b, scene.r);
   if (exactly_so && !all_exact) return std::nullopt;
   const auto put = [&](const Pose& frame) {
     return frame.is_identity() ? frames.common : composed(frames.common, frame);
   };
-  c.pose_a = put(frames.a), c.pose_b = put(frames.b);
+  c.pose_a = put(frames.a);
+  c.pose_b = put(frames.b);
   return c;
 }
 
@@ -188,10 +192,14 @@ Frames frames(Random& random, Frame_kind kind)
   switch (kind) {
     case Frame_kind::identity: break;
     case Frame_kind::translation:
-      f.a = translation(random, 32), f.b = translation(random, 32);
+      f.a = translation(random, 32);
+      f.b = translation(random, 32);
       if (one_in(random, 2)) f.common = full_translation(random);
       break;
-    case Frame_kind::permutation: f.a = permutation(), f.b = permutation(); break;
+    case Frame_kind::permutation:
+      f.a = permutation();
+      f.b = permutation();
+      break;
     case Frame_kind::true_rotation: return true_rotations(random, 3);
     case Frame_kind::rounded_rotation:
       f.common = rounded_motion(random);
@@ -200,7 +208,8 @@ Frames frames(Random& random, Frame_kind kind)
       break;
     case Frame_kind::shear: {
       const auto [there, back] = shear_and_inverse(random, 3);
-      f.a = one_in(random, 2) ? back : Pose(), f.b = there;
+      f.a = one_in(random, 2) ? back : Pose();
+      f.b = there;
       break;
     }
   }

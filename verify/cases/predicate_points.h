@@ -11,8 +11,8 @@
 #include <cstddef>
 #include <optional>
 
-/// What the predicates' families are made of: seven points where the poses are to put them, exactly, and the ways of
-/// putting them there.
+/// Building blocks of the predicate families: seven points in the world, exactly, and frames whose poses put them
+/// there.
 namespace tetracone::verify::points {
 
 using kernel::Pose;
@@ -112,7 +112,7 @@ void nudge(Random& random, Predicate_case& c, int ulps);
 
 // --- placing ---------------------------------------------------------------------------------------------------------
 
-/// The frames in which the bodies' points are written, and the map that both are put under at last.
+/// Frames in which the bodies' points are written, and a map applied last to both.
 struct Frames {
   Pose a, b, common;
   Rational scale = 1;  ///< of the scene, so that its points are doubles in the frames
@@ -141,7 +141,7 @@ std::optional<Predicate_case> finished(Random& random, const Scene& scene, const
 /// The same, relabelled before, in any frames.
 std::optional<Predicate_case> finished(Random& random, Scene scene, int ulps);
 
-/// The nearest doubles in the frames: what was exact is so but for an ulp or two.
+/// The case of the nearest doubles in the frames: exact to an ulp or two.
 Predicate_case placed_nearly(const Scene& scene, const Frames& frames);
 
 /// Everything times 2^exponent, translations too. Requires that nothing is lost.

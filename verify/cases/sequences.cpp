@@ -16,7 +16,7 @@ using namespace object_family;
 /// Where B is in frame k, in A's frame.
 using Track = std::function<Pose(int k)>;
 
-/// A motion before it is turned: what it keeps, if anything, are the answers in every frame.
+/// A motion before it is turned, with the answers that hold in every frame, if any.
 struct Motion_of_two {
   std::string name;
   Body a, b;

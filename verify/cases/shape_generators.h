@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-/// The objects of the experiments. All are closed; all are outward where nothing else is said.
+/// The objects of the experiments. All are closed, and outward unless said otherwise.
 namespace tetracone::verify {
 
 using covering::Polyhedron;

@@ -2,6 +2,7 @@
 
 #include "tetracone/covering/repair/repair.h"
 #include "verify/cases/shape_generators.h"
+#include "verify/cases/tetrahedron.h"
 
 #include <algorithm>
 #include <cassert>
@@ -270,9 +271,7 @@ Body tetrahedron(const std::array<Vertex, 4>& corners)
   const Rational volume =
       dot(difference(exact(b), origin), cross(difference(exact(c), origin), difference(exact(d), origin)));
   Polyhedron result;
-  result.vertices.assign(corners.begin(), corners.end());
-  if (volume < 0) std::swap(result.vertices[2], result.vertices[3]);
-  for (const auto& face : {std::array<Index, 3>{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}) result.add_polygon(face);
+  add_tetrahedron(result, volume < 0 ? std::array{a, b, d, c} : corners);
   return shared(std::move(result));
 }
 

@@ -9,8 +9,7 @@
 #include <memory>
 #include <vector>
 
-/// The bodies of the object families, each made once: cases share them, so that what a subject prepares for a body
-/// serves many cases.
+/// The bodies of the object families, each made once: cases share them, and with them what a subject has prepared.
 namespace tetracone::verify {
 
 /// Whether the meshes of `fetch_models.sh` are there, under .cache/models of the source folder. The cases of a seed
@@ -37,7 +36,7 @@ struct Hull_edge {
   std::array<Index, 2> faces;
 };
 
-/// A body with what a contact is made of: where a plane may touch it.
+/// A body with its features for contacts: where a plane may touch it.
 struct Shape {
   explicit Shape(Body body);
 

@@ -15,7 +15,7 @@ const std::vector<Relation>& relations()
   return all;
 }
 
-Verdict check(const Relation& relation, const Object_case& c, kernel::Question question, Answering& subject,
+Verdict check(const Relation& relation, const Object_case& c, kernel::Question question, Running_subject& subject,
               Random& random)
 {
   assert(relation.level == Level::object);

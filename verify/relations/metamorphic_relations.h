@@ -25,17 +25,26 @@ inline const char* to_string(Verdict verdict)
   return verdict == Verdict::holds ? "holds" : verdict == Verdict::violated ? "violated" : "not applicable";
 }
 
-/// A relation of one level. Its own check draws the twins from the random state; an answer that the subject does not
-/// give, to the case or to a twin, makes it not applicable.
+/// A relation of one level. Its check draws the twins from the random state; an answer that the subject does not give,
+/// to the case or to a twin, makes it not applicable.
 struct Relation {
+  using Object_check = Verdict(const Object_case& c, kernel::Question question, Running_subject& subject,
+                               Random& random);
+  using Predicate_check = Verdict(const Predicate_case& c, Predicate predicate, const Predicate_subject& subject,
+                                  Random& random);
+
+  Relation(std::string_view name, std::string_view what, Object_check* check)
+      : name(name), what(what), level(Level::object), of_object(check)
+  {}
+  Relation(std::string_view name, std::string_view what, Predicate_check* check)
+      : name(name), what(what), level(Level::predicate), of_predicate(check)
+  {}
+
   std::string_view name;  ///< "R5 swap": unique on its level
   std::string_view what;  ///< what must hold, in a line
   Level level;
-
-  /// The check of this level; the other is null.
-  Verdict (*of_object)(const Object_case& c, kernel::Question question, Answering& subject, Random& random) = nullptr;
-  Verdict (*of_predicate)(const Predicate_case& c, Predicate predicate, const Predicate_subject& subject,
-                          Random& random) = nullptr;
+  Object_check* of_object = nullptr;  ///< the check of the level; the other is null
+  Predicate_check* of_predicate = nullptr;
 };
 
 /// All relations, those of predicates first, each level in the order of the numbers.
@@ -45,9 +54,9 @@ const std::vector<Relation>& relations();
 std::vector<Relation> predicate_relations();
 std::vector<Relation> object_relations();
 
-/// Asks the subject about the case and its twins. Requires a relation of the level, and what `Answering` and
+/// Asks the subject about the case and its twins. Requires a relation of the level, and what `Running_subject` and
 /// `Predicate` require.
-Verdict check(const Relation& relation, const Object_case& c, kernel::Question question, Answering& subject,
+Verdict check(const Relation& relation, const Object_case& c, kernel::Question question, Running_subject& subject,
               Random& random);
 Verdict check(const Relation& relation, const Predicate_case& c, Predicate predicate, const Predicate_subject& subject,
               Random& random);

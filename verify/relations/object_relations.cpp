@@ -1,7 +1,9 @@
 #include "tetracone/covering/covering.h"
 #include "tetracone/kernel/predicate/adaptive.h"
 #include "verify/cases/exact_motion.h"
+#include "verify/cases/tetrahedron.h"
 #include "verify/relations/metamorphic_relations.h"
+#include "verify/relations/moved_twins.h"
 
 #include <algorithm>
 #include <array>
@@ -24,13 +26,13 @@ using kernel::Vertex;
 using Answer = std::optional<bool>;
 using Loops = std::vector<std::vector<Index>>;
 
-Answer ask(Answering& subject, const Object_case& c, Question question)
+Answer ask(Running_subject& subject, const Object_case& c, Question question)
 {
   const Outcome outcome = subject(c, question);
   return outcome == Outcome::yes ? Answer(true) : outcome == Outcome::no ? Answer(false) : std::nullopt;
 }
 
-Verdict same(const Object_case& c, const Object_case& twin, Question question, Answering& subject)
+Verdict same(const Object_case& c, const Object_case& twin, Question question, Running_subject& subject)
 {
   const Answer answer = ask(subject, c, question);
   if (!answer) return Verdict::not_applicable;
@@ -83,25 +85,26 @@ std::optional<Polyhedron> with_vertices(const Polyhedron& what, const Change& ch
 /// The largest coordinate of a vertex or of a translation.
 double scale_of(const Object_case& c)
 {
-  double largest = 0;
+  double largest = largest_translation(c.pose_a, c.pose_b);
   for (const auto& polyhedron : {c.a, c.b})
     for (const Vertex& v : polyhedron->vertices) largest = std::max(largest, magnitude(v));
-  for (const Pose* pose : {&c.pose_a, &c.pose_b})
-    for (const int k : {3, 7, 11}) largest = std::max(largest, std::abs((*pose)[k]));
   return largest;
 }
 
 // --- motions ---------------------------------------------------------------------------------------------------------
 
-Verdict absorbed(const Object_case& c, Question question, Answering& subject, Random& random)
+Verdict absorbed(const Object_case& c, Question question, Running_subject& subject, Random& random)
 {
   Object_case twin = c;
   bool changed = false;
   for (const std::size_t which : {0, 1}) {
     Body it = body(twin, which);
     if (it.pose.is_identity()) continue;
-    if (auto placed = with_vertices(*it.polyhedron, [&](const Vertex& v) { return exact_image(it.pose, v); }))
-      it.become(std::move(*placed)), it.pose = Pose(), changed = true;
+    if (auto placed = with_vertices(*it.polyhedron, [&](const Vertex& v) { return exact_image(it.pose, v); })) {
+      it.become(std::move(*placed));
+      it.pose = Pose();
+      changed = true;
+    }
   }
   if (!changed) {  // the part of a motion that any double can take: a permutation of the axes
     Body it = body(twin, one_of(random, 2));
@@ -112,7 +115,7 @@ Verdict absorbed(const Object_case& c, Question question, Answering& subject, Ra
   return same(c, twin, question, subject);
 }
 
-Verdict swap(const Object_case& c, Question question, Answering& subject, Random&)
+Verdict swap(const Object_case& c, Question question, Running_subject& subject, Random&)
 {
   Object_case twin = c;
   std::swap(twin.a, twin.b);
@@ -120,7 +123,7 @@ Verdict swap(const Object_case& c, Question question, Answering& subject, Random
   return same(c, twin, question, subject);
 }
 
-Verdict relative(const Object_case& c, Question question, Answering& subject, Random& random)
+Verdict relative(const Object_case& c, Question question, Running_subject& subject, Random& random)
 {
   Object_case twin = c;
   const std::size_t which = one_of(random, 2);
@@ -128,27 +131,20 @@ Verdict relative(const Object_case& c, Question question, Answering& subject, Ra
   if (still.pose.is_identity()) return Verdict::not_applicable;
   const auto pose = seen_from(still.pose, other.pose);
   if (!pose) return Verdict::not_applicable;
-  other.pose = *pose, still.pose = Pose();
+  other.pose = *pose;
+  still.pose = Pose();
   return same(c, twin, question, subject);
 }
 
-Verdict common_motion(const Object_case& c, Question question, Answering& subject, Random& random)
+Verdict common_motion(const Object_case& c, Question question, Running_subject& subject, Random& random)
 {
   Object_case twin = c;
   const auto p = Signed_permutation::any(random);
-  twin.pose_a = turned(p, c.pose_a), twin.pose_b = turned(p, c.pose_b);
-  bool changed = !p.is_identity();
-  const double unit = 4096 * ulp(scale_of(c));
-  for (int k = 0; k < 3; ++k) {
-    std::array<Rational, 3> d{0, 0, 0};
-    d[k] = Rational(unit * double(one_of(random, 4096)));
-    const auto a = translated(twin.pose_a, d), b = translated(twin.pose_b, d);
-    if (a && b) twin.pose_a = *a, twin.pose_b = *b, changed = true;
-  }
-  return changed ? same(c, twin, question, subject) : Verdict::not_applicable;
+  if (!move_together(twin, p, scale_of(c), random)) return Verdict::not_applicable;
+  return same(c, twin, question, subject);
 }
 
-Verdict scaling(const Object_case& c, Question question, Answering& subject, Random& random)
+Verdict scaling(const Object_case& c, Question question, Running_subject& subject, Random& random)
 {
   const int exponent = (one_of(random, 2) == 0 ? 1 : -1) * int(1 + one_of(random, 40));
   Object_case twin = c;
@@ -157,7 +153,8 @@ Verdict scaling(const Object_case& c, Question question, Answering& subject, Ran
     auto bodies = with_vertices(*it.polyhedron, [&](const Vertex& v) { return exact_scaled(v, exponent); });
     const auto pose = scaled(it.pose, exponent);
     if (!bodies || !pose) return Verdict::not_applicable;
-    it.become(std::move(*bodies)), it.pose = *pose;
+    it.become(std::move(*bodies));
+    it.pose = *pose;
   }
   return same(c, twin, question, subject);
 }
@@ -183,7 +180,10 @@ std::optional<Polyhedron> with_split_edge(const Polyhedron& what, Random& random
         for (std::size_t k = 0; k < loop.size(); ++k) {
           const Index from = loop[k], to = loop[(k + 1) % loop.size()];
           longer.push_back(from);
-          if ((from == u && to == v) || (from == v && to == u)) longer.push_back(m), ++uses;
+          if ((from == u && to == v) || (from == v && to == u)) {
+            longer.push_back(m);
+            ++uses;
+          }
         }
         loop = longer;
       }
@@ -243,7 +243,7 @@ std::optional<Polyhedron> with_split_face(const Polyhedron& what, Random& random
 
 /// The relation that a change of one body, chosen at random, changes no answer.
 template <std::optional<Polyhedron> (*change)(const Polyhedron&, Random&)>
-Verdict unchanged_by(const Object_case& c, Question question, Answering& subject, Random& random)
+Verdict unchanged_by(const Object_case& c, Question question, Running_subject& subject, Random& random)
 {
   Object_case twin = c;
   Body it = body(twin, one_of(random, 2));
@@ -264,7 +264,8 @@ std::optional<Polyhedron> reordered(const Polyhedron& what, Random& random)
   std::vector<Index> place(what.vertices.size()), order(what.face_count());
   std::iota(place.begin(), place.end(), Index(0));
   std::iota(order.begin(), order.end(), Index(0));
-  shuffle(place, random), shuffle(order, random);
+  shuffle(place, random);
+  shuffle(order, random);
   Polyhedron result;
   result.vertices.resize(place.size());
   for (std::size_t v = 0; v < place.size(); ++v) result.vertices[place[v]] = what.vertices[v];
@@ -297,7 +298,10 @@ Corners corners_of(const Polyhedron& what)
 {
   Corners box{what.vertices[0], what.vertices[0], 0};
   for (const Vertex& v : what.vertices)
-    for (int k = 0; k < 3; ++k) box.low[k] = std::min(box.low[k], v[k]), box.high[k] = std::max(box.high[k], v[k]);
+    for (int k = 0; k < 3; ++k) {
+      box.low[k] = std::min(box.low[k], v[k]);
+      box.high[k] = std::max(box.high[k], v[k]);
+    }
   for (int k = 0; k < 3; ++k) box.extent = std::max(box.extent, box.high[k] - box.low[k]);
   return box;
 }
@@ -311,23 +315,17 @@ std::optional<Polyhedron> with_tetrahedron(const Polyhedron& what, bool beside, 
   for (int k = 0; k < 3; ++k) corner[k] = box.low[k] + random.unit() * box.extent;
   const std::size_t axis = one_of(random, 3);
   if (beside) corner[axis] = box.high[axis] + box.extent * (0.125 + random.unit());
+  std::array<Vertex, 4> corners;
+  corners.fill(corner);
+  for (int k = 0; k < 3; ++k) corners[k + 1][k] += box.extent * (0.25 + random.unit());
+  for (const Vertex& v : corners)
+    if (!std::isfinite(magnitude(v)) || (beside && !(v[axis] > box.high[axis]))) return std::nullopt;
   Polyhedron result = what;
-  const Index first = result.vertices.size();
-  result.vertices.push_back(corner);
-  for (int k = 0; k < 3; ++k) {
-    Vertex further = corner;
-    further[k] += box.extent * (0.25 + random.unit());
-    result.vertices.push_back(further);
-  }
-  for (Index v = first; v < first + 4; ++v)
-    if (!std::isfinite(magnitude(result.vertices[v])) || (beside && !(result.vertices[v][axis] > box.high[axis])))
-      return std::nullopt;
-  for (const auto& [a, b, c] : {std::array<Index, 3>{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}})
-    result.add_polygon({first + a, first + b, first + c});
+  add_tetrahedron(result, corners);
   return result;
 }
 
-Verdict adding(const Object_case& c, Question question, Answering& subject, Random& random)
+Verdict adding(const Object_case& c, Question question, Running_subject& subject, Random& random)
 {
   Object_case twin = c;
   Body it = body(twin, one_of(random, 2));
@@ -339,7 +337,7 @@ Verdict adding(const Object_case& c, Question question, Answering& subject, Rand
   return !with_more ? Verdict::not_applicable : *with_more ? Verdict::holds : Verdict::violated;
 }
 
-Verdict removing(const Object_case& c, Question question, Answering& subject, Random& random)
+Verdict removing(const Object_case& c, Question question, Running_subject& subject, Random& random)
 {
   // Without a face a surface is less of it, but no solid's.
   if (question != Question::surface) return Verdict::not_applicable;
@@ -371,7 +369,7 @@ std::optional<Polyhedron> with_unused_vertices(const Polyhedron& what, Random& r
   return result;
 }
 
-Verdict opposite_moves(const Object_case& c, Question question, Answering& subject, Random& random)
+Verdict opposite_moves(const Object_case& c, Question question, Running_subject& subject, Random& random)
 {
   Object_case twin = c;
   Body it = body(twin, one_of(random, 2));
@@ -384,7 +382,8 @@ Verdict opposite_moves(const Object_case& c, Question question, Answering& subje
     auto moved = with_vertices(*it.polyhedron, [&](const Vertex& v) { return exact_sum(v, d); });
     const auto pose = translated_back(it.pose, d);
     if (!moved || !pose || d == Vertex{0, 0, 0}) continue;
-    it.become(std::move(*moved)), it.pose = *pose;
+    it.become(std::move(*moved));
+    it.pose = *pose;
     return same(c, twin, question, subject);
   }
   return Verdict::not_applicable;
@@ -413,20 +412,14 @@ bool is_convex(const Polyhedron& what)
   return covering::volume(what) != 0;
 }
 
-Verdict monotone(const Object_case& c, Question question, Answering& subject, Random& random)
+Verdict monotone(const Object_case& c, Question question, Running_subject& subject, Random& random)
 {
   // A surface inside another convex one does not meet it, on either side of that it does.
   if (question != Question::solid || !is_convex(*c.a) || !is_convex(*c.b)) return Verdict::not_applicable;
-  const int axis = one_of(random, 3);
-  const double step = std::ldexp(ulp(scale_of(c)), int(std::array{0, 0, 2, 24}[one_of(random, 4)]));
   std::vector<bool> answers;
-  for (int k = -2; k <= 2; ++k) {
-    std::array<Rational, 3> d{0, 0, 0};
-    d[axis] = Rational(k) * Rational(step);
-    const auto pose = translated(c.pose_b, d);
-    if (!pose) continue;
+  for (const Pose& pose : poses_along_axis(c.pose_b, scale_of(c), random)) {
     Object_case twin = c;
-    twin.pose_b = *pose;
+    twin.pose_b = pose;
     if (const Answer answer = ask(subject, twin, question)) answers.push_back(*answer);
   }
   if (answers.size() < 3) return Verdict::not_applicable;
@@ -439,30 +432,25 @@ Verdict monotone(const Object_case& c, Question question, Answering& subject, Ra
 
 std::vector<Relation> object_relations()
 {
-  const auto relation = [](std::string_view name, std::string_view what, auto check) {
-    return Relation{name, what, Level::object, check, nullptr};
-  };
   return {
-      relation("R3 absorbed", "a motion done to the vertices beforehand, exactly, gives the same answer", absorbed),
-      relation("R5 swap", "A and B may be swapped", swap),
-      relation("R5 relative",
-               "one body may stand still and the other be moved as seen from it, where the inverse motion is exact",
-               relative),
-      relation("R6 motion", "a common permutation of the axes and translation gives the same answer", common_motion),
-      relation("R6 scale", "everything times a power of two gives the same answer", scaling),
-      relation("R7 edge", "an edge split in its middle, for all faces at it, gives the same answer",
-               unchanged_by<with_split_edge>),
-      relation("R7 face", "a face split at an inner point or along a diagonal gives the same answer",
-               unchanged_by<with_split_face>),
-      relation("R8 order", "vertices, faces and the first corners of loops may stand in any order",
-               unchanged_by<reordered>),
-      relation("R8 winding", "all loops may run the other way round", unchanged_by<wound_backwards>),
-      relation("R9 adding", "a shell more keeps a collision", adding),
-      relation("R9 removing", "a face less keeps surfaces apart", removing),
-      relation("R10 unused", "vertices of no face, which move the covering's origin, give the same answer",
-               unchanged_by<with_unused_vertices>),
-      relation("R10 opposite", "vertices moved and the pose moved back, exactly, give the same answer", opposite_moves),
-      relation("R13 monotone", "along a translation, convex solids meet in one stretch", monotone),
+      {"R3 absorbed", "a motion done to the vertices beforehand, exactly, gives the same answer", absorbed},
+      {"R5 swap", "A and B may be swapped", swap},
+      {"R5 relative",
+       "one body may stand still and the other be moved as seen from it, where the inverse motion is exact", relative},
+      {"R6 motion", "a common permutation of the axes and translation gives the same answer", common_motion},
+      {"R6 scale", "everything times a power of two gives the same answer", scaling},
+      {"R7 edge", "an edge split in its middle, for all faces at it, gives the same answer",
+       unchanged_by<with_split_edge>},
+      {"R7 face", "a face split at an inner point or along a diagonal gives the same answer",
+       unchanged_by<with_split_face>},
+      {"R8 order", "vertices, faces and the first corners of loops may stand in any order", unchanged_by<reordered>},
+      {"R8 winding", "all loops may run the other way round", unchanged_by<wound_backwards>},
+      {"R9 adding", "a shell more keeps a collision", adding},
+      {"R9 removing", "a face less keeps surfaces apart", removing},
+      {"R10 unused", "vertices of no face, which move the covering's origin, give the same answer",
+       unchanged_by<with_unused_vertices>},
+      {"R10 opposite", "vertices moved and the pose moved back, exactly, give the same answer", opposite_moves},
+      {"R13 monotone", "along a translation, convex solids meet in one stretch", monotone},
   };
 }
 

@@ -1,6 +1,7 @@
 #include "tetracone/kernel/predicate/adaptive.h"
 #include "verify/cases/exact_motion.h"
 #include "verify/relations/metamorphic_relations.h"
+#include "verify/relations/moved_twins.h"
 
 #include <algorithm>
 #include <array>
@@ -57,7 +58,8 @@ Verdict same(Answer a, Answer b) { return a && b ? verdict(*a == *b) : Verdict::
 /// The case with every point of both bodies under one pose.
 Predicate_case under(Predicate_case c, const Pose& pose)
 {
-  c.pose_a = pose, c.pose_b = pose;
+  c.pose_a = pose;
+  c.pose_b = pose;
   return c;
 }
 
@@ -113,7 +115,8 @@ Verdict absorbed(const Predicate_case& c, Predicate predicate, const Predicate_s
     if (pose.is_identity()) return;
     if (const auto placed = images(pose, begin, end)) {
       for (std::size_t k = begin; k < end; ++k) *points_of(twin)[k] = (*placed)[k - begin];
-      pose = Pose(), changed = true;
+      pose = Pose();
+      changed = true;
     }
   };
   absorb(twin.pose_a, 0, 4);
@@ -121,7 +124,8 @@ Verdict absorbed(const Predicate_case& c, Predicate predicate, const Predicate_s
   if (!changed) {  // the part of a motion that any double can take: a permutation of the axes
     const auto p = Signed_permutation::any(random);
     for (Vertex* point : points_of(twin)) *point = p(*point);
-    twin.pose_a = turned_back(twin.pose_a, p), twin.pose_b = turned_back(twin.pose_b, p);
+    twin.pose_a = turned_back(twin.pose_a, p);
+    twin.pose_b = turned_back(twin.pose_b, p);
   }
   return same(ask(subject, predicate, c), ask(subject, predicate, twin));
 }
@@ -138,7 +142,9 @@ Verdict grassmann_pluecker(const Predicate_case& c, Predicate predicate, const P
   bool answered = true;
   const auto sign = [&](int i, int j, int k, int l) {
     Predicate_case quadruple = base;
-    quadruple.v[1] = points[x[i]], quadruple.v[2] = points[x[j]], quadruple.v[3] = points[x[k]],
+    quadruple.v[1] = points[x[i]];
+    quadruple.v[2] = points[x[j]];
+    quadruple.v[3] = points[x[k]];
     quadruple.p = points[x[l]];
     const Answer answer = ask(subject, predicate, quadruple);
     answered = answered && answer;
@@ -170,10 +176,8 @@ Verdict swap_ends(const Predicate_case& c, Predicate predicate, const Predicate_
 /// The largest coordinate of a point or of a translation: the scale of what is worth adding to it.
 double scale_of(const Predicate_case& c)
 {
-  double largest = 0;
+  double largest = largest_translation(c.pose_a, c.pose_b);
   for (const Vertex& point : points_of(c)) largest = std::max(largest, magnitude(point));
-  for (const Pose* pose : {&c.pose_a, &c.pose_b})
-    for (const int k : {3, 7, 11}) largest = std::max(largest, std::abs((*pose)[k]));
   return largest;
 }
 
@@ -181,16 +185,7 @@ Verdict common_motion(const Predicate_case& c, Predicate predicate, const Predic
 {
   Predicate_case twin = c;
   const auto p = Signed_permutation::any(random);
-  twin.pose_a = turned(p, c.pose_a), twin.pose_b = turned(p, c.pose_b);
-  bool changed = !p.is_identity();
-  const double unit = 4096 * ulp(scale_of(c));
-  for (int k = 0; k < 3; ++k) {
-    std::array<Rational, 3> d{0, 0, 0};
-    d[k] = Rational(unit * double(one_of(random, 4096)));
-    const auto a = translated(twin.pose_a, d), b = translated(twin.pose_b, d);
-    if (a && b) twin.pose_a = *a, twin.pose_b = *b, changed = true;
-  }
-  if (!changed) return Verdict::not_applicable;
+  if (!move_together(twin, p, scale_of(c), random)) return Verdict::not_applicable;
   return same(turned_over(predicate, ask(subject, predicate, c), p.determinant()), ask(subject, predicate, twin));
 }
 
@@ -205,7 +200,8 @@ Verdict scaling(const Predicate_case& c, Predicate predicate, const Predicate_su
   }
   const auto a = scaled(c.pose_a, exponent), b = scaled(c.pose_b, exponent);
   if (!a || !b) return Verdict::not_applicable;
-  twin.pose_a = *a, twin.pose_b = *b;
+  twin.pose_a = *a;
+  twin.pose_b = *b;
   return same(ask(subject, predicate, c), ask(subject, predicate, twin));
 }
 
@@ -216,7 +212,8 @@ Verdict halves(const Predicate_case& c, Predicate predicate, const Predicate_sub
   Predicate_case left = c, right = c;
   const auto middle = exact_middle(first(left), second(left));
   if (!middle) return Verdict::not_applicable;
-  second(left) = *middle, first(right) = *middle;
+  second(left) = *middle;
+  first(right) = *middle;
   const Answer whole = ask(subject, predicate, c), a = ask(subject, predicate, left),
                b = ask(subject, predicate, right);
   return whole && a && b ? verdict(*whole == std::max(*a, *b)) : Verdict::not_applicable;
@@ -299,16 +296,10 @@ Verdict stages(const Predicate_case& c, Predicate predicate, const Predicate_sub
 
 Verdict monotone(const Predicate_case& c, Predicate predicate, const Predicate_subject& subject, Random& random)
 {
-  const int axis = one_of(random, 3);
-  const double step = std::ldexp(ulp(scale_of(c)), int(std::array{0, 0, 2, 24}[one_of(random, 4)]));
   std::vector<int> answers;
-  for (int k = -2; k <= 2; ++k) {
+  for (const Pose& pose : poses_along_axis(c.pose_b, scale_of(c), random)) {
     Predicate_case twin = c;
-    std::array<Rational, 3> d{0, 0, 0};
-    d[axis] = Rational(k) * Rational(step);
-    const auto pose = translated(c.pose_b, d);
-    if (!pose) continue;
-    twin.pose_b = *pose;
+    twin.pose_b = pose;
     if (const Answer answer = ask(subject, predicate, twin)) answers.push_back(*answer);
   }
   if (answers.size() < 3) return Verdict::not_applicable;
@@ -325,28 +316,22 @@ Verdict monotone(const Predicate_case& c, Predicate predicate, const Predicate_s
 
 std::vector<Relation> predicate_relations()
 {
-  const auto relation = [](std::string_view name, std::string_view what, auto check) {
-    return Relation{name, what, Level::predicate, nullptr, check};
-  };
   return {
-      relation("R1 permutations",
-               "a permutation of the four points turns the orientation by its parity, in mixed frames too",
-               permutations),
-      relation("R2 one frame",
-               "where all points are under one pose, it changes nothing but the orientation, and that by sign(det M)",
-               one_frame),
-      relation("R3 absorbed", "a motion done to the points beforehand, exactly, gives the same answer", absorbed),
-      relation("R4 grassmann-pluecker", "[abcd][abef] - [abce][abdf] + [abcf][abde] = 0 for the six signs",
-               grassmann_pluecker),
-      relation("R5 swap", "a segment's ends may be swapped and a triangle's corners rotated", swap_ends),
-      relation("R6 motion", "a common permutation of the axes and translation gives the same answer", common_motion),
-      relation("R6 scale", "everything times a power of two gives the same answer", scaling),
-      relation("R7 split", "the whole is met exactly when one of its two halves is", split),
-      relation("R8 order", "corners of a tetrahedron, a cone or a triangle may stand in any order", order),
-      relation("R10 apex", "another origin of the covering gives the same place of the point", apex),
-      relation("R11 stages", "every stage of the adaptive kernel that decides a sign decides the exact one", stages),
-      relation("R13 monotone", "along a translation, orientation is monotone and convex sets meet in one stretch",
-               monotone),
+      {"R1 permutations", "a permutation of the four points turns the orientation by its parity, in mixed frames too",
+       permutations},
+      {"R2 one frame",
+       "where all points are under one pose, it changes nothing but the orientation, and that by sign(det M)",
+       one_frame},
+      {"R3 absorbed", "a motion done to the points beforehand, exactly, gives the same answer", absorbed},
+      {"R4 grassmann-pluecker", "[abcd][abef] - [abce][abdf] + [abcf][abde] = 0 for the six signs", grassmann_pluecker},
+      {"R5 swap", "a segment's ends may be swapped and a triangle's corners rotated", swap_ends},
+      {"R6 motion", "a common permutation of the axes and translation gives the same answer", common_motion},
+      {"R6 scale", "everything times a power of two gives the same answer", scaling},
+      {"R7 split", "the whole is met exactly when one of its two halves is", split},
+      {"R8 order", "corners of a tetrahedron, a cone or a triangle may stand in any order", order},
+      {"R10 apex", "another origin of the covering gives the same place of the point", apex},
+      {"R11 stages", "every stage of the adaptive kernel that decides a sign decides the exact one", stages},
+      {"R13 monotone", "along a translation, orientation is monotone and convex sets meet in one stretch", monotone},
   };
 }
 

@@ -97,7 +97,8 @@ Object_case mutated(const Object_case& c, Random& random)
   const bool swap = one_of(random, 4) == 0;
   if (!change_some(numbers, random)) return c;
   Object_case result = with_numbers(c, numbers);
-  result.a = planar(result.a), result.b = planar(result.b);
+  result.a = planar(result.a);
+  result.b = planar(result.b);
   if (swap) {
     std::swap(result.a, result.b);
     std::swap(result.pose_a, result.pose_b);

@@ -21,14 +21,14 @@ using covering::Index;
 using covering::Polyhedron;
 using kernel::Question;
 
-/// Query_statistics questions and time.
+/// What a shrink has spent of its budget: questions and time.
 class Spending {
  public:
   struct Over {};
 
   explicit Spending(const Shrink_budget& budget) : budget_(budget) {}
 
-  /// Throws Over where nothing is left: the way out of all loops at once.
+  /// Throws Over where the budget is spent, which ends all loops at once.
   void one_more()
   {
     if (spent_ >= budget_.evaluations || std::chrono::duration<double>(Clock::now() - start_).count() > budget_.seconds)
@@ -43,8 +43,8 @@ class Spending {
   Clock::time_point start_ = Clock::now();
 };
 
-/// Whether the predicate takes a segment or triangle that is none; it may, but that is another case. (Cones and
-/// tetrahedra may not.)
+/// Whether the predicate gets a degenerate segment or triangle: legal, but another kind of case. (Cones and tetrahedra
+/// may not be degenerate.)
 bool is_degenerate(Predicate predicate, const Predicate_case& c)
 {
   const auto on_line = [](const kernel::Vertex& p, const kernel::Vertex& q, const kernel::Vertex& r) {
@@ -61,8 +61,7 @@ bool is_flat(const Case_numbers& numbers)
                      [](const kernel::Pose& pose) { return pose.determinant_sign() == CGAL::ZERO; });
 }
 
-/// What a body keeps while it shrinks: else most of what is wrong would end as two points, which shows nothing of its
-/// own.
+/// Properties that a body keeps while it shrinks: else most errors would end as two points, which all look alike.
 struct Shape {
   bool degenerate_faces = false, flat = false;
   bool open = false;
@@ -224,7 +223,7 @@ bool true_answer(const Object_case& c, Question question)
   return verify::collide(Brute_body(*c.a), c.pose_a, Brute_body(*c.b), c.pose_b, question);
 }
 
-Object_check same_error(Answering& subject, Question question, Outcome answer, bool truth)
+Object_check same_error(Running_subject& subject, Question question, Outcome answer, bool truth)
 {
   // The subject first: it is faster.
   return [=, &subject](const Object_case& c) {

@@ -15,7 +15,7 @@
 /// Makes a case that shows something as small as it can be made while it still shows it (delta debugging).
 namespace tetracone::verify {
 
-/// How complex a case is; what is less in the first that differs is simpler.
+/// Complexity of a case, compared lexicographically.
 struct Case_size {
   std::size_t corners = 0, vertices = 0;  ///< of all faces of both bodies; of a predicate's points always the same
   std::size_t bits = 0;  ///< of the coordinates, and of the entries of the poses that differ from the identity's
@@ -45,12 +45,12 @@ Object_case shrink(Object_case c, kernel::Question question, const Object_check&
                    const Shrink_budget& budget = {});
 Predicate_case shrink(const Predicate_case& c, const Predicate_check& still_wrong, const Shrink_budget& budget = {});
 
-/// The answer to an object case by `brute.h`.
+/// The answer to an object case by `cgal_truth.h`.
 bool true_answer(const Object_case& c, kernel::Question question);
 
 /// That a subject answers just this, or fails, where the truth is just that: wrong in the same way. The subject must
 /// outlive it.
-Object_check same_error(Answering& subject, kernel::Question question, Outcome answer, bool truth);
+Object_check same_error(Running_subject& subject, kernel::Question question, Outcome answer, bool truth);
 
 /// The same, as it was in `c`: where the triangles and the segment that the predicate takes are not degenerate there,
 /// neither are they later.

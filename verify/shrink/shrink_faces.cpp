@@ -32,7 +32,7 @@ Faces faces_of(const Polyhedron& polyhedron)
   return faces;
 }
 
-/// The polyhedron of these faces, without vertices that none uses.
+/// The polyhedron of these faces, without unused vertices.
 Polyhedron polyhedron_of(const std::vector<kernel::Vertex>& vertices, Faces faces)
 {
   Polyhedron result;
@@ -222,8 +222,10 @@ class Shrink_faces {
     for (bool found = true; found;) {
       found = false;
       std::vector<std::array<Index, 2>> edges;
-      for (const auto& use : covering::edge_uses(polyhedron_))
-        edges.push_back({use.low, use.high}), edges.push_back({use.high, use.low});
+      for (const auto& use : covering::edge_uses(polyhedron_)) {
+        edges.push_back({use.low, use.high});
+        edges.push_back({use.high, use.low});
+      }
       std::sort(edges.begin(), edges.end());
       edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
       for (const auto& [from, to] : edges) {

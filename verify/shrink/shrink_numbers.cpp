@@ -163,7 +163,7 @@ class Simplify {
     return columns.size() == 3 ? exact_pose(m, true) : std::nullopt;
   }
 
-  /// A point becomes the origin of its frame, or of the world, by a translation that rounds nothing.
+  /// Moves a point to the origin of its frame, or of the world, by an exact translation.
   void common_frames()
   {
     for (int body = 0; body < 2; ++body)
@@ -276,7 +276,7 @@ class Simplify {
     }
   }
 
-  /// All coordinates of an axis that are equal, at once: what is flat stays flat.
+  /// Changes equal coordinates of an axis together, so that flat faces stay flat.
   void equal_coordinates()
   {
     for (int body = 0; body < 2; ++body)

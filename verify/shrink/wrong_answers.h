@@ -9,14 +9,14 @@
 #include <string>
 #include <vector>
 
-/// Who answers a case wrong, and why: what a case file says about a case.
+/// Subjects that answer a case wrong, and the cause, as a case file records them.
 namespace tetracone::verify {
 
 /// Our own subjects, of all kernels and methods, that answer the question wrong.
 std::vector<Wrong> wrong_answers(const Object_case& c, kernel::Question question, bool truth);
 std::vector<Wrong> wrong_answers(const Predicate_case& c, Predicate predicate, int truth);
 
-/// How the two placed bodies stand to one another: "vertex-face" and the like, after the most special kind among all
+/// Relative position of the two placed bodies: "vertex-face" and the like, after the most special kind among all
 /// contacts; "nested" where only the solids share a point, "apart" where nothing does.
 std::string contact_of(const Object_case& c);
 

@@ -118,7 +118,9 @@ std::optional<Stage> blame_in(const tetratree::Config& config, const Object_case
   };
   tetratree::Config& discards = collision.config();
   const auto wrong_with = [&](bool spheres, bool tetrahedra, bool hull) {
-    discards.spheres = spheres, discards.tetrahedra = tetrahedra, discards.regular_hull = hull;
+    discards.spheres = spheres;
+    discards.tetrahedra = tetrahedra;
+    discards.regular_hull = hull;
     return (contained || collision.any_leaf_pair(c.pose_a, c.pose_b, exact_leaves)) != truth;
   };
   if (wrong_with(false, false, false)) return Stage::classification;

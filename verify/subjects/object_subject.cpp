@@ -7,7 +7,7 @@
 namespace tetracone::verify {
 namespace {
 
-class Own : public Answering {
+class Own : public Running_subject {
  public:
   explicit Own(Subject subject) : subject_(std::move(subject)) {}
 
@@ -15,7 +15,8 @@ class Own : public Answering {
   {
     try {
       if (!pair_ || c.a != a_ || c.b != b_) {
-        a_ = c.a, b_ = c.b;
+        a_ = c.a;
+        b_ = c.b;
         pair_ = prepare(subject_, *a_, *b_);
       }
       return pair_->collide(c.pose_a, c.pose_b, question) ? Outcome::yes : Outcome::no;

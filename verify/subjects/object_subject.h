@@ -20,11 +20,10 @@ enum class Outcome {
   failed      ///< crash, hang, exception
 };
 
-/// One way of answering at work; not for two threads at a time. Keeps what it has prepared for the polyhedra of the
-/// last case.
-class Answering {
+/// An object subject that takes questions, in one thread. Keeps what it has prepared for the polyhedra of the last case.
+class Running_subject {
  public:
-  virtual ~Answering() = default;
+  virtual ~Running_subject() = default;
   virtual Outcome operator()(const Object_case& c, kernel::Question question) = 0;
 };
 
@@ -34,7 +33,7 @@ struct Object_subject {
   bool is_exact = false;
   std::string note;            ///< of a peer: the question it really answers
   std::optional<Subject> own;  ///< the kernel and method; nothing for a peer
-  std::function<std::unique_ptr<Answering>()> make;
+  std::function<std::unique_ptr<Running_subject>()> make;
 };
 
 /// Our kernels with their methods.

@@ -24,7 +24,9 @@ struct Placed {
   {
     const kernel::Frame<K> a(c.pose_a), b(c.pose_b);
     for (int k = 0; k < 4; ++k) v[k] = a(kernel::point<K>(c.v[k]));
-    p = b(kernel::point<K>(c.p)), q = b(kernel::point<K>(c.q)), r = b(kernel::point<K>(c.r));
+    p = b(kernel::point<K>(c.p));
+    q = b(kernel::point<K>(c.q));
+    r = b(kernel::point<K>(c.r));
   }
 
   std::array<Point<K>, 4> v;
@@ -36,7 +38,10 @@ template <class K>
 tetratree::Cone_points<K> cone(const Placed<K>& x)
 {
   tetratree::Cone_points<K> cone(kernel::Cone_lattice{}, tetratree::Tetra_cone::octant(0));
-  cone.v0 = x.v[0], cone.v1 = x.v[1], cone.v2 = x.v[2], cone.v3 = x.v[3];
+  cone.v0 = x.v[0];
+  cone.v1 = x.v[1];
+  cone.v2 = x.v[2];
+  cone.v3 = x.v[3];
   if (kernel::volume_sign<K>(x.v[0], x.v[1], x.v[2], x.v[3]) == kernel::NEGATIVE) std::swap(cone.v1, cone.v2);
   return cone;
 }

@@ -97,13 +97,22 @@ bool jimenez_segura_feito(const Vector<Number>& p, const Vector<Number>& q, cons
     // Seen from the side of p: with w < 0 all four volumes have the other sign.
     const Vector<Number> turn = cross(first, second);
     Number t = dot(turn, cb), u = -dot(turn, ca);
-    if (w < 0) w = -w, s = -s, t = -t, u = -u;
+    if (w < 0) {
+      w = -w;
+      s = -s;
+      t = -t;
+      u = -u;
+    }
     return s <= eps && t >= -eps && u >= -eps && w >= s + t + u;
   }
   if (s > eps || s < -eps) {
     const Vector<Number> turn = cross(second, first);
     Number t = dot(turn, cb), u = -dot(turn, ca);
-    if (s < 0) s = -s, t = -t, u = -u;
+    if (s < 0) {
+      s = -s;
+      t = -t;
+      u = -u;
+    }
     if (t < -eps || u < -eps) return false;
     if constexpr (Transcription == First_end_on_plane::sign_error) s = -s;
     return s >= t + u;

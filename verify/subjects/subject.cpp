@@ -43,7 +43,10 @@ class Query_pair : public Prepared_pair {
   {
     tetratree::Query_statistics counts;
     for (auto& query : queries_)
-      if (query) counts += query->statistics(), query->clear_statistics();
+      if (query) {
+        counts += query->statistics();
+        query->clear_statistics();
+      }
     return counts;
   }
   std::size_t bytes() const override

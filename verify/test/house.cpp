@@ -1,6 +1,6 @@
-// The house rule of includes, read from the sources as text: experiments -> verify -> tetratree -> covering -> kernel,
-// and within each folder from room to room. Rules are functions from a file's path and text to what is wrong with it,
-// so that each is also shown a file that breaks it.
+// House rules read from the sources as text: includes point to the right, experiments -> verify -> tetratree ->
+// covering -> kernel, and within each folder from room to room; guards, NaN, comma operators. A rule is a function from
+// a file's path and text to what is wrong with it: each is also shown a file that breaks it.
 
 #include <boost/test/unit_test.hpp>
 
@@ -217,6 +217,231 @@ Strings drops_nan(const std::string& path, const std::string& text)
   return wrong;
 }
 
+/// The code of a C++ text: comments, literals and preprocessor lines are blanks, line breaks stay.
+std::string code_of(const std::string& text)
+{
+  std::string code = text;
+  const auto blank = [&code](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k)
+      if (code[k] != '\n') code[k] = ' ';
+  };
+  const auto after = [&text](const std::string& what, std::size_t from) {
+    const std::size_t at = text.find(what, from);
+    return at == std::string::npos ? text.size() : at + what.size();
+  };
+  bool line_is_empty = true;
+  for (std::size_t k = 0; k < text.size();) {
+    std::size_t end = k;
+    if (text.compare(k, 2, "//") == 0) {
+      end = std::min(text.find('\n', k), text.size());
+    } else if (text.compare(k, 2, "/*") == 0) {
+      end = after("*/", k + 2);
+    } else if (text[k] == '#' && line_is_empty) {
+      do end = after("\n", end);
+      while (end < text.size() && text[end - 2] == '\\');
+      --end;
+    } else if (text.compare(k, 2, "R\"") == 0) {
+      end = after(")" + text.substr(k + 2, text.find('(', k) - k - 2) + "\"", k);
+    } else if (text[k] == '"' ||
+               (text[k] == '\'' && (k == 0 || !std::isalnum(static_cast<unsigned char>(text[k - 1]))))) {
+      for (end = k + 1; end < text.size() && text[end] != text[k]; ++end) end += text[end] == '\\' ? 1 : 0;
+      end = std::min(end + 1, text.size());
+    }
+    line_is_empty = text[k] == '\n' || (line_is_empty && std::isspace(static_cast<unsigned char>(text[k])));
+    if (end == k) {
+      ++k;
+      continue;
+    }
+    blank(k, end);
+    if (text[k] == '"') code[k] = '0';  // a string is a value
+    k = end;
+  }
+  return code;
+}
+
+/// The end of what `text` opens at `begin`, one beyond the bracket that closes it.
+std::size_t bracket_end(std::string_view text, std::size_t begin)
+{
+  int depth = 0;
+  for (std::size_t k = begin; k < text.size(); ++k) {
+    if (text[k] == '(' || text[k] == '[' || text[k] == '{') ++depth;
+    if ((text[k] == ')' || text[k] == ']' || text[k] == '}') && --depth == 0) return k + 1;
+  }
+  return text.size();
+}
+
+/// Reads the pieces of an expression from the front of a text, blanks skipped before each.
+class Reader {
+ public:
+  explicit Reader(std::string_view text) : rest_(text) { skip_blanks(); }
+
+  std::string_view rest() const { return rest_; }
+  bool starts_with(std::string_view what) const { return rest_.starts_with(what); }
+
+  bool take(std::string_view what)
+  {
+    if (!starts_with(what)) return false;
+    drop(what.size());
+    return true;
+  }
+
+  /// A word of letters, digits and '_'; empty where none stands.
+  std::string_view word()
+  {
+    std::size_t n = 0;
+    while (n < rest_.size() && (std::isalnum(static_cast<unsigned char>(rest_[n])) || rest_[n] == '_')) ++n;
+    const std::string_view found = rest_.substr(0, n);
+    drop(n);
+    return found;
+  }
+
+  bool take_word(std::string_view what)
+  {
+    Reader ahead = *this;
+    if (ahead.word() != what) return false;
+    *this = ahead;
+    return true;
+  }
+
+  bool take_brackets(char open)
+  {
+    if (rest_.empty() || rest_[0] != open) return false;
+    drop(bracket_end(rest_, 0));
+    return true;
+  }
+
+ private:
+  void skip_blanks() { rest_.remove_prefix(std::min(rest_.find_first_not_of(" \n\t\r"), rest_.size())); }
+  void drop(std::size_t n)
+  {
+    rest_.remove_prefix(n);
+    skip_blanks();
+  }
+
+  std::string_view rest_;
+};
+
+/// Without what stands before a statement's expression: labels, `else`, `do`, headers of `if`, `for`, `while`.
+std::string_view without_headers(std::string_view statement)
+{
+  for (Reader reader(statement);;) {
+    Reader ahead = reader;
+    if (ahead.take_word("else") || ahead.take_word("do")) {
+      reader = ahead;
+      continue;
+    }
+    if (ahead.take_word("if") || ahead.take_word("for") || ahead.take_word("while") || ahead.take_word("switch")) {
+      ahead.take_word("constexpr");
+      if (!ahead.take_brackets('(')) return reader.rest();
+    } else if (ahead.take_word("case")) {
+      while (!ahead.rest().empty() && (!ahead.take(":") || ahead.take(":"))) {
+        if (ahead.word().empty() && !ahead.starts_with(":")) return reader.rest();
+      }
+    } else if (ahead.word().empty() || !ahead.take(":") || ahead.starts_with(":")) {
+      return reader.rest();
+    }
+    reader = ahead;
+  }
+}
+
+/// A statement that begins with a call, an increment or an assignment, which no declaration does, or with `return`.
+bool begins_as_expression(std::string_view statement)
+{
+  Reader reader(statement);
+  if (reader.take_word("return")) return true;
+  bool acts = false;
+  for (bool more = true; more;) {
+    more = reader.take("*");
+    if (reader.take("++") || reader.take("--")) acts = more = true;
+  }
+  reader.take("::");
+  do {
+    const std::string_view word = reader.word();
+    if (word.empty() || word == "auto" || word == "operator") return false;
+  } while (reader.take("::") || reader.take("->") || (!reader.starts_with("...") && reader.take(".")));
+  for (;;) {
+    if (reader.take_brackets('(') || reader.take("++") || reader.take("--")) {
+      acts = true;
+    } else if (reader.take("->") || reader.take(".")) {
+      reader.word();
+    } else if (!reader.take_brackets('[')) {
+      break;
+    }
+  }
+  if (acts && reader.starts_with(",")) return true;
+  for (const std::string_view assignment : {"+=", "-=", "*=", "/=", "%=", "|=", "&=", "^=", "<<=", ">>="})
+    if (reader.starts_with(assignment)) return true;
+  return reader.starts_with("=") && !reader.starts_with("==");
+}
+
+/// The text without template arguments, as far as they can be told from comparisons: words, calls and commas alone.
+std::string without_template_arguments(std::string text)
+{
+  for (std::size_t open = text.rfind('<'); open != std::string::npos && open > 0; open = text.rfind('<', open - 1)) {
+    const std::size_t close = text.find_first_not_of(
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789"
+        "_:,*&(). \n",
+        open + 1);
+    const bool after_word = std::isalnum(static_cast<unsigned char>(text[open - 1])) || text[open - 1] == '_';
+    if (after_word && close != std::string::npos && text[close] == '>') text.erase(open, close + 1 - open);
+  }
+  return text;
+}
+
+/// True when a comma of the statement stands in no bracket.
+bool has_open_comma(std::string_view statement)
+{
+  for (std::size_t k = 0; k < statement.size(); ++k) {
+    if (statement[k] == ',') return true;
+    if (statement[k] == '(' || statement[k] == '[' || statement[k] == '{') k = bracket_end(statement, k) - 1;
+  }
+  return false;
+}
+
+/// Comma operators of statements, those of lambdas too; not those within brackets, nor in the headers of `for`.
+Strings comma_operators(const std::string& path, const std::string& text)
+{
+  struct Block {
+    std::string statement;  // so far
+    std::size_t begin = 0;
+    int open = 0;  // parentheses and brackets
+  };
+  const std::string code = code_of(text);
+  Strings wrong;
+  std::vector<Block> blocks(1);
+  for (std::size_t k = 0; k < code.size(); ++k) {
+    const char c = code[k];
+    if (c == '}') {
+      if (blocks.size() > 1) blocks.pop_back();
+      Block& outer = blocks.back();
+      const std::string plain = without_template_arguments(outer.statement);
+      if (outer.open > 0 || begins_as_expression(without_headers(plain)))
+        outer.statement += "{}";
+      else
+        outer.statement.clear();
+      continue;
+    }
+    Block& block = blocks.back();
+    if (c == '{') {
+      blocks.emplace_back();
+      continue;
+    }
+    block.open += (c == '(' || c == '[') - (c == ')' || c == ']');
+    if (c != ';' || block.open > 0) {
+      if (block.statement.empty()) block.begin = k;
+      if (!block.statement.empty() || !std::isspace(static_cast<unsigned char>(c))) block.statement += c;
+      continue;
+    }
+    const std::string plain = without_template_arguments(block.statement);
+    const std::string_view expression = without_headers(plain);
+    if (begins_as_expression(expression) && has_open_comma(expression))
+      wrong.push_back(path + ":" + std::to_string(1 + std::count(code.begin(), code.begin() + block.begin, '\n')) +
+                      ": a comma operator outside the header of a for");
+    block.statement.clear();
+  }
+  return wrong;
+}
+
 /// The test of a header includes it first: verify/test/FOLDER/ROOM/NAME.cpp that of FOLDER/ROOM/NAME.h.
 Strings late_own_header(const std::string& path, const std::string& text)
 {
@@ -344,6 +569,26 @@ BOOST_AUTO_TEST_CASE(no_bound_is_made_by_what_may_drop_nan)
   BOOST_TEST(drops_nan("tetratree/tree.h", "least = std::min<double>(x, y);").size() == 1);
   BOOST_TEST(drops_nan("kernel/bound/bounds.h", "worst = maximum(x, y, z);").empty());
   BOOST_TEST(drops_nan("covering/check.h", "first = std::min(a, b);").empty());
+}
+
+BOOST_AUTO_TEST_CASE(no_comma_operator_stands_outside_the_header_of_a_for) { check_each_source(comma_operators); }
+
+BOOST_AUTO_TEST_CASE(comma_operators_are_told_from_other_commas)
+{
+  const auto count = [](const std::string& text) { return comma_operators("kernel/x.h", text).size(); };
+  for (const std::string wrong :
+       {"void f() { a = b, c = d; }", "if (x) a[k] += 2, ++n;", "else std::swap(a, b), std::swap(c, d);",
+        "x.y = {1, 2}, z = 3;", "each([&](int k) { ++n, sum += k; });", "case Case::one: a->b = 1, c = 2;",
+        "for (int k = 0; k < n; ++k) *a++ = k, b = k;", "do f(a), g(b); while (x);", "return a, b;",
+        "f = [](int k) { return k; }, g = 1;", "a = \"x\", b = '\\'', c = 1;"})
+    BOOST_TEST(count(wrong) == 1, wrong);
+  for (const std::string right :
+       {"int a = 1, b = 2;", "const auto [a, b] = f(c, d);", "for (a = 0, b = 1; a < b; ++a, --b) f(a, b);",
+        "auto [a, b] = c;", "std::map<A, B> x = y, z{1, 2};", "x = std::map<A, std::pair<B, C>>{a, b};",
+        "return std::pair<A, B>(a, b);", "Point(A a, B b) : a_(a), b_{b} { f(a, b); }", "enum { a = 1, b = 2 };",
+        "// a = b, c = d;\n#define X a = b, \\\n c = d;\n", "f(a = b, c);", "auto f = R\"(a = b, c = d;)\";",
+        "T* a = b, *c = d;", "template <class A, class B> void f(A, B);"})
+    BOOST_TEST(count(right) == 0, right);
 }
 
 BOOST_AUTO_TEST_CASE(the_test_of_a_header_includes_it_first)

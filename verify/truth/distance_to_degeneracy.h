@@ -5,7 +5,7 @@
 
 namespace tetracone::verify {
 
-/// How far a case is from degenerate, in exact arithmetic: the least over the determinants D whose signs decide it, of
+/// Distance of a case from degeneracy, in exact arithmetic: the least over the determinants D whose signs decide it, of
 /// each measure by itself. No magnitude of coordinates overflows or underflows it; a logarithm is right to some 1e-12.
 /// Minus infinity: exactly degenerate. Plus infinity: no determinant was needed.
 struct Distance {

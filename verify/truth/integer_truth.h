@@ -7,7 +7,7 @@
 #include <optional>
 
 /// The second truth: integers of GMP and nothing else. Every placed coordinate is an integer over one common
-/// denominator, which scales nothing that matters. Shares neither arithmetic nor formulation with `brute.h` and
+/// denominator, which changes no sign. Shares neither arithmetic nor formulation with `cgal_truth.h` and
 /// `predicate_truth.h`, which are CGAL's, nor with the subjects: faces are never triangulated, a point's place in loops
 /// is counted by quadrants and in solids by faces above it, and hulls and cones meet where a system of linear equations
 /// has a non-negative solution.

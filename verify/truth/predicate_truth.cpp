@@ -42,7 +42,7 @@ struct Points {
   }
 };
 
-/// What a triangle or a segment with any corners is: CGAL's own want to be neither segment nor point.
+/// Shape spanned by any three or two corners: CGAL's own triangles and segments must not be degenerate.
 struct Simplex {
   int dimension;
   std::array<Point, 3> corner;  ///< dimension + 1 of them mean something
@@ -114,7 +114,7 @@ std::vector<Point> clipped(const std::vector<Point>& polygon, const Plane& plane
   return kept;
 }
 
-/// What the half-spaces of the cone leave of the triangle is not empty.
+/// True when the triangle clipped by the half-spaces of the cone is not empty.
 bool triangle_meets_cone(const Points& x)
 {
   std::vector<Point> polygon = {x.p, x.q, x.r};

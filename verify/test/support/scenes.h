@@ -4,6 +4,7 @@
 #include "tetracone/covering/polyhedron.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
+#include "verify/cases/tetrahedron.h"
 
 #include <algorithm>
 #include <array>
@@ -80,8 +81,7 @@ inline Polyhedron triangulated(const Polyhedron& body)
 inline Polyhedron tetrahedron(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d)
 {
   Polyhedron result;
-  result.vertices = {a, b, c, d};
-  for (const auto& face : {std::array<Index, 3>{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}) result.add_polygon(face);
+  add_tetrahedron(result, {a, b, c, d});
   return result;
 }
 
@@ -93,6 +93,15 @@ inline Polyhedron with_cavity(Polyhedron outer, const Polyhedron& inner)
 }
 inline Polyhedron cube_with_cavity() { return with_cavity(cube(3), cube(2)); }
 
+/// The only loop of a face the other way round, its vertices numbered from `first`.
+inline std::vector<Index> reversed_loop(const Polyhedron& body, Index f, Index first)
+{
+  std::vector<Index> loop;
+  for (const Index v : body.loop(f, 0)) loop.push_back(first + v);
+  std::reverse(loop.begin(), loop.end());
+  return loop;
+}
+
 /// The cube [-3, 3]^3 with a square tunnel of half width 1 along z: top and bottom are faces with a hole.
 inline Polyhedron cube_with_tunnel()
 {
@@ -101,17 +110,11 @@ inline Polyhedron cube_with_tunnel()
   body.vertices.insert(body.vertices.end(), tunnel.vertices.begin(), tunnel.vertices.end());
   for (Index f = 0; f < 4; ++f) {
     body.add_polygon(result.loop(f, 0));
-    std::vector<Index> inner;
-    for (const Index v : tunnel.loop(f, 0)) inner.push_back(8 + v);
-    std::reverse(inner.begin(), inner.end());
-    body.add_polygon(inner);
+    body.add_polygon(reversed_loop(tunnel, f, 8));
   }
   for (const Index f : {4u, 5u}) {
-    std::vector<std::vector<Index>> loops(2);
-    for (const Index v : result.loop(f, 0)) loops[0].push_back(v);
-    for (const Index v : tunnel.loop(f, 0)) loops[1].push_back(8 + v);
-    std::reverse(loops[1].begin(), loops[1].end());
-    body.add_face(loops);
+    const auto outer = result.loop(f, 0);
+    body.add_face(std::vector<std::vector<Index>>{{outer.begin(), outer.end()}, reversed_loop(tunnel, f, 8)});
   }
   return body;
 }
@@ -158,7 +161,10 @@ inline Polyhedron prism(const std::vector<std::array<double, 2>>& polygon, doubl
   for (const double z : {0.0, height})
     for (const auto& [x, y] : polygon) result.vertices.push_back({x, y, z});
   std::vector<Index> top(n), bottom(n);
-  for (Index k = 0; k < n; ++k) top[k] = n + k, bottom[k] = n - 1 - k;
+  for (Index k = 0; k < n; ++k) {
+    top[k] = n + k;
+    bottom[k] = n - 1 - k;
+  }
   result.add_polygon(top);
   result.add_polygon(bottom);
   for (Index k = 0; k < n; ++k) result.add_polygon({k, (k + 1) % n, n + (k + 1) % n, n + k});
@@ -206,7 +212,8 @@ struct Voxels {
               std::vector<Index> square;
               for (const auto& [du, dv] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
                 std::array<int, 3> q = p;
-                q[(axis + 1) % 3] += du, q[(axis + 2) % 3] += dv;
+                q[(axis + 1) % 3] += du;
+                q[(axis + 2) % 3] += dv;
                 square.push_back(corner(q));
               }
               if (side == 0) std::reverse(square.begin(), square.end());
@@ -222,7 +229,10 @@ struct Voxels {
     int cells = 0, filled = 0;
     for (int i = (x - 1) >> 1; i <= x >> 1; ++i)
       for (int j = (y - 1) >> 1; j <= y >> 1; ++j)
-        for (int k = (z - 1) >> 1; k <= z >> 1; ++k) ++cells, filled += (*this)(i, j, k);
+        for (int k = (z - 1) >> 1; k <= z >> 1; ++k) {
+          ++cells;
+          filled += (*this)(i, j, k);
+        }
     return filled == 0 ? -1 : filled == cells ? 1 : 0;
   }
 };
@@ -255,8 +265,10 @@ inline Polyhedron blob(Random& random, int divisions, double low, double high)
     std::vector<std::array<Corner, 3>> finer;
     for (const auto& [a, b, c] : triangles) {
       const Corner ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-      finer.push_back({a, ab, ca}), finer.push_back({ab, b, bc}), finer.push_back({ca, bc, c}),
-          finer.push_back({ab, bc, ca});
+      finer.push_back({a, ab, ca});
+      finer.push_back({ab, b, bc});
+      finer.push_back({ca, bc, c});
+      finer.push_back({ab, bc, ca});
     }
     triangles = finer;
   }

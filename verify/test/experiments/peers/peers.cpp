@@ -290,7 +290,7 @@ BOOST_AUTO_TEST_CASE(threads_ask_at_once_and_outlive_the_one_that_started_the_wo
 {
   const auto cube = shared(verify::unit_cube());
   const Object_subject s = peer_subject(program, "CGAL RMCD EPICK");
-  std::vector<std::unique_ptr<verify::Answering>> answerings(4);
+  std::vector<std::unique_ptr<verify::Running_subject>> answerings(4);
   for (auto& answering : answerings) answering = s.make();
   std::vector<int> wrong(answerings.size(), 0);
   // Twice: the threads of the first round, parents of the workers, are gone in the second.

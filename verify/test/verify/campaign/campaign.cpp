@@ -52,15 +52,15 @@ const Family cheap{1, "cheap", "", "gap", {1, 0.5}, points, cubes};
 const Family cheap_too{2, "cheap-too", "", "gap", {0.25}, points, cubes};
 const Family lying{3, "lying", "", "gap", {1}, points, nonsense};
 
-class Says_no : public Answering {
+class Says_no : public Running_subject {
  public:
   Outcome operator()(const Object_case&, Question) override { return Outcome::no; }
 };
-class Fails : public Answering {
+class Fails : public Running_subject {
  public:
   Outcome operator()(const Object_case&, Question) override { return Outcome::failed; }
 };
-class Declines : public Answering {
+class Declines : public Running_subject {
  public:
   Outcome operator()(const Object_case&, Question) override { return Outcome::not_asked; }
 };
@@ -77,7 +77,9 @@ Campaign small()
 {
   Campaign campaign;
   campaign.seed = 5;
-  campaign.predicate_cases = 450, campaign.object_cases = 25, campaign.sequence_frames = 0;
+  campaign.predicate_cases = 450;
+  campaign.object_cases = 25;
+  campaign.sequence_frames = 0;
   campaign.families = {&cheap, &cheap_too};
   campaign.predicate_subjects = {right, low};
   campaign.object_subjects = {object_subject(*Subject::parse("adaptive")),
@@ -167,7 +169,8 @@ BOOST_AUTO_TEST_CASE(cases_and_subjects_added_later_make_the_same_rows)
   const std::string at_once = Results("at_once").with(small()).rows();
   Results results("later");
   Campaign part = small();
-  part.predicate_cases = 130, part.object_cases = 7;
+  part.predicate_cases = 130;
+  part.object_cases = 7;
   part.object_subjects.resize(2);
   part.predicate_subjects = {low};
   results.with(part);
@@ -182,7 +185,8 @@ BOOST_AUTO_TEST_CASE(shards_merge_to_the_whole)
   for (const int shard : {2, 0, 1}) {
     Results part(("shard" + std::to_string(shard)).c_str());
     Campaign campaign = small();
-    campaign.shard = shard, campaign.shards = 3;
+    campaign.shard = shard;
+    campaign.shards = 3;
     part.with(campaign);
     BOOST_TEST((part.rows() != whole));
     merge(merged.database, part.file.path());
@@ -215,7 +219,8 @@ BOOST_AUTO_TEST_CASE(case_count_is_what_is_reported_done)
   Results results("count");
   std::uint64_t done = 0;
   Campaign campaign = small();
-  campaign.sequence_frames = 3, campaign.object_subjects = {says_no};
+  campaign.sequence_frames = 3;
+  campaign.object_subjects = {says_no};
   run_campaign(results.database, campaign, [&](std::uint64_t cases) { done += cases; });
   BOOST_TEST(done == case_count(campaign));
   BOOST_TEST(done > 2 * 475);

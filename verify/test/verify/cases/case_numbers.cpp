@@ -27,7 +27,8 @@ BOOST_AUTO_TEST_CASE(an_odd_mantissa_and_a_power_of_two_make_the_number_again)
 BOOST_AUTO_TEST_CASE(the_identity_and_zeros_have_no_bits)
 {
   verify::Predicate_case c{};
-  c.v = {}, c.p = c.q = c.r = {0, 0, 0};
+  c.v = {};
+  c.p = c.q = c.r = {0, 0, 0};
   BOOST_TEST(verify::bits(numbers_of(c)) == 0u);
   c.r[2] = 5;
   BOOST_TEST(verify::bits(numbers_of(c)) == 3u);
@@ -56,7 +57,9 @@ BOOST_AUTO_TEST_CASE(numbers_put_back_change_nothing_else)
 
   verify::Predicate_case p;
   p.v = {{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {10, 11, 12}}};
-  p.p = {13, 14, 15}, p.q = {16, 17, 18}, p.r = {19, 20, 21};
+  p.p = {13, 14, 15};
+  p.q = {16, 17, 18};
+  p.r = {19, 20, 21};
   const auto same = with_numbers(p, numbers_of(p));
   BOOST_TEST((same.v == p.v && same.p == p.p && same.q == p.q && same.r == p.r));
 }

@@ -95,7 +95,8 @@ const Tallies& tallies()
           const auto truth = true_answer(predicate, c);
           if (!truth) continue;
           Tally& tally = result[{std::string(family.name), predicate}];
-          ++tally.answers[*truth], ++tally.asked;
+          ++tally.answers[*truth];
+          ++tally.asked;
           tally.double_wrong += in_double.answer(predicate, c) != truth;
         }
       }
@@ -258,7 +259,8 @@ BOOST_AUTO_TEST_CASE(a_sweep_ends_in_the_exact_contact)
     for (int index = 0; count < 100; ++index) {
       const Predicate_case c = family->predicate_case(8, index);
       if (c.origin.parameter != parameter) continue;
-      ++count, on_plane += is_on_a_plane(c);
+      ++count;
+      on_plane += is_on_a_plane(c);
     }
     BOOST_TEST((from <= on_plane && on_plane <= to), name << " at " << parameter << ": " << on_plane);
   }
@@ -350,7 +352,9 @@ BOOST_AUTO_TEST_CASE(poses_of_all_kinds_occur)
       const Predicate_case c = family.predicate_case(11, index);
       const bool a = !c.pose_a.is_identity(), b = !c.pose_b.is_identity();
       rational += c.pose_a.is_rational() || c.pose_b.is_rational();
-      both += a && b, identity += !a && !b, moved_b += !a && b;
+      both += a && b;
+      identity += !a && !b;
+      moved_b += !a && b;
       mirrored += c.pose_a.determinant_sign() != c.pose_b.determinant_sign();
       rounded += a && !c.pose_a.is_rational() && c.pose_a[0] != std::round(c.pose_a[0]);
     }

@@ -313,7 +313,9 @@ BOOST_AUTO_TEST_CASE(random_numbers_are_those_of_the_published_generators)
   double least = 1, greatest = 0, mean = 0;
   for (int k = 0; k < 10000; ++k) {
     const double x = other.unit();
-    least = std::min(least, x), greatest = std::max(greatest, x), mean += x / 10000;
+    least = std::min(least, x);
+    greatest = std::max(greatest, x);
+    mean += x / 10000;
   }
   BOOST_TEST((least >= 0 && least < 0.01 && greatest < 1 && greatest > 0.99));
   BOOST_TEST(std::abs(mean - 0.5) < 0.02);

@@ -68,7 +68,8 @@ BOOST_AUTO_TEST_CASE(answers_on_wild_poses_are_those_of_all_pairs_in_rationals)
                   : k % 3 == 1 ? other_way(pose_b, pose_a, question)
                                : paper(pose_a, pose_b, question)) != truth;
         known_wrong += c.known(question) && *c.known(question) != truth;
-        ++asked, yes += truth;
+        ++asked;
+        yes += truth;
       }
     }
   }

@@ -60,7 +60,10 @@ std::optional<int> by_signs(Predicate predicate, const Predicate_case& c)
   if (predicate == Predicate::tetra_cone) return kernel::is_in_tetra_cone<K>(p, v0, v1, v2, v3);
   if (kernel::volume_sign<K>(v0, p, q, r) == kernel::ZERO) return std::nullopt;
   tetracone::tetratree::Cone_points<K> cone(kernel::Cone_lattice{}, tetracone::tetratree::Tetra_cone::octant(0));
-  cone.v0 = v0, cone.v1 = v1, cone.v2 = v2, cone.v3 = v3;
+  cone.v0 = v0;
+  cone.v1 = v1;
+  cone.v2 = v2;
+  cone.v3 = v3;
   return tetracone::tetratree::classify<K>(cone, p, q, r) != tetracone::tetratree::Classified::no;
 }
 
@@ -74,7 +77,7 @@ Predicate_subject predicate_subject(const std::string& name,
 using Truth = std::function<bool(const Object_case&, Question)>;
 using Planted = std::function<Outcome(const Object_case&, Question, const Truth&)>;
 
-class Wrong : public Answering {
+class Wrong : public Running_subject {
  public:
   explicit Wrong(Planted planted) : planted_(std::move(planted)) {}
   Outcome operator()(const Object_case& c, Question question) override
@@ -85,7 +88,7 @@ class Wrong : public Answering {
 
  private:
   Planted planted_;
-  std::unique_ptr<Answering> truth_ = object_subject(*Subject::parse("adaptive")).make();
+  std::unique_ptr<Running_subject> truth_ = object_subject(*Subject::parse("adaptive")).make();
 };
 
 Outcome outcome(bool yes) { return yes ? Outcome::yes : Outcome::no; }
@@ -131,7 +134,9 @@ Predicate_case any_points(Random& random)
     return v;
   };
   for (Vertex& v : c.v) v = point();
-  c.p = point(), c.q = point(), c.r = point();
+  c.p = point();
+  c.q = point();
+  c.r = point();
   c.pose_a = any_pose(random);
   c.pose_b = one_of(random, 2) == 0 ? c.pose_a : any_pose(random);
   if (kind < 2) return c;
@@ -157,7 +162,7 @@ Object_case any_bodies(Random& random)
   const auto one = [&] { return std::make_shared<const Polyhedron>(bodies[one_of(random, bodies.size())].body); };
   Object_case c{one(), one(), any_pose(random), any_pose(random), {}, {}, {}};
   if (one_of(random, 3) == 0) {  // unit cubes that touch, or nearly so, under a true rotation
-    c.a = std::make_shared<const Polyhedron>(scenes::unit_cube()),
+    c.a = std::make_shared<const Polyhedron>(scenes::unit_cube());
     c.b = std::make_shared<const Polyhedron>(scenes::triangulated(scenes::unit_cube()));
     c.pose_a = Pose::from_quaternion(between(random, 1, 3), between(random, -3, 3), between(random, -3, 3),
                                      between(random, -3, 3));
@@ -175,9 +180,9 @@ Object_case any_bodies(Random& random)
 struct Count {
   int applicable = 0, violated = 0;
 };
-using Query_statistics = std::map<std::string, Count, std::less<>>;
+using Counts = std::map<std::string, Count, std::less<>>;
 
-void count(Query_statistics& counts, std::string_view relation, Verdict verdict)
+void count(Counts& counts, std::string_view relation, Verdict verdict)
 {
   Count& of = counts[std::string(relation)];
   of.applicable += verdict != Verdict::not_applicable;
@@ -185,10 +190,9 @@ void count(Query_statistics& counts, std::string_view relation, Verdict verdict)
 }
 
 /// All relations, or one.
-Query_statistics of_predicates(const Predicate_subject& subject, int cases, std::uint64_t seed,
-                               std::string_view only = "")
+Counts of_predicates(const Predicate_subject& subject, int cases, std::uint64_t seed, std::string_view only = "")
 {
-  Query_statistics counts;
+  Counts counts;
   Random random(seed);
   for (int k = 0; k < cases; ++k) {
     const Predicate_case c = any_points(random);
@@ -200,9 +204,9 @@ Query_statistics of_predicates(const Predicate_subject& subject, int cases, std:
   return counts;
 }
 
-Query_statistics of_objects(Answering& subject, int cases, std::uint64_t seed, std::string_view only = "")
+Counts of_objects(Running_subject& subject, int cases, std::uint64_t seed, std::string_view only = "")
 {
-  Query_statistics counts;
+  Counts counts;
   Random random(seed);
   for (int k = 0; k < cases; ++k) {
     const Object_case c = any_bodies(random);
@@ -214,7 +218,7 @@ Query_statistics of_objects(Answering& subject, int cases, std::uint64_t seed, s
   return counts;
 }
 
-std::set<std::string> violated(const Query_statistics& counts)
+std::set<std::string> violated(const Counts& counts)
 {
   std::set<std::string> names;
   for (const auto& [name, of] : counts)
@@ -323,7 +327,7 @@ BOOST_AUTO_TEST_CASE(exact_predicates_hold_every_relation_and_each_is_asked_ofte
 {
   for (const auto& subject : {predicate_subject("adaptive", by_signs<kernel::Adaptive>),
                               predicate_subject("rational", by_signs<kernel::Rational_kernel>)}) {
-    const Query_statistics counts = of_predicates(subject, subject.name == "adaptive" ? 500 : 120, 41);
+    const Counts counts = of_predicates(subject, subject.name == "adaptive" ? 500 : 120, 41);
     for (const auto& [name, of] : counts) {
       BOOST_TEST_INFO_SCOPE(subject.name << ", " << name << ": applied " << of.applicable);
       BOOST_TEST(of.violated == 0);
@@ -361,7 +365,7 @@ BOOST_AUTO_TEST_CASE(exact_objects_hold_every_relation_and_each_is_asked_often)
                                                                       {"rational", Method::tree, 10}};
   for (const auto& [kernel_name, method, cases] : subjects) {
     const auto subject = object_subject(*Subject::parse(kernel_name, method));
-    const Query_statistics counts = of_objects(*subject.make(), cases, 51);
+    const Counts counts = of_objects(*subject.make(), cases, 51);
     for (const auto& [name, of] : counts) {
       BOOST_TEST_INFO_SCOPE(subject.name << ", " << name << ": applied " << of.applicable);
       BOOST_TEST(of.violated == 0);

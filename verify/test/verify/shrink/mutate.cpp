@@ -93,7 +93,9 @@ BOOST_AUTO_TEST_CASE(a_point_comes_to_where_the_other_body_has_one)
 {
   Predicate_case c{};
   c.v = {{{1, 2, 3}, {4, 5, 6}, {7, 8, 10}, {-1, 2, 8}}};
-  c.p = {11, 12, 13}, c.q = {14, 15, 16}, c.r = {17, 18, 19};
+  c.p = {11, 12, 13};
+  c.q = {14, 15, 16};
+  c.r = {17, 18, 19};
   c.pose_b = Pose::translation(100, 200, 300);
   Random random(2);
   bool found = false;

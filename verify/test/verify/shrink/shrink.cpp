@@ -38,7 +38,7 @@ Object_case case_of(Polyhedron a, const Pose& pose_a, Polyhedron b, const Pose& 
 }
 
 /// Right, but when `goes_wrong` says so.
-class Planted : public verify::Answering {
+class Planted : public verify::Running_subject {
  public:
   explicit Planted(std::function<bool(const Object_case&)> goes_wrong) : goes_wrong_(std::move(goes_wrong)) {}
 
@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(a_wrong_yes_keeps_its_direction)
 
 BOOST_AUTO_TEST_CASE(a_failure_is_shrunk_too)
 {
-  class Fails : public verify::Answering {
+  class Fails : public verify::Running_subject {
     Outcome operator()(const Object_case& c, Question) override
     {
       return c.a->face_count() >= 3 ? Outcome::failed : Outcome::yes;
@@ -180,7 +180,11 @@ BOOST_AUTO_TEST_CASE(a_spent_budget_gives_a_case_that_still_shows_it)
   const auto check = [](const Object_case& x) { return verify::true_answer(x, Question::surface); };
   BOOST_TEST(check(verify::shrink(c, Question::surface, check, {3, 60})));
   std::size_t asked = 0;
-  verify::shrink(c, Question::surface, [&](const Object_case& x) { return ++asked, check(x); }, {3, 60});
+  const auto counted = [&](const Object_case& x) {
+    ++asked;
+    return check(x);
+  };
+  verify::shrink(c, Question::surface, counted, {3, 60});
   BOOST_TEST(asked <= 3u);
 }
 
@@ -211,7 +215,9 @@ BOOST_AUTO_TEST_CASE(a_triangle_and_a_segment_stay_what_they_are)
                                         [](Predicate, const Predicate_case&) -> std::optional<int> { return 0; }};
   Predicate_case c{};
   c.v = {{{9, 9, 9}, {0.1, 0.2, 0.3}, {1.1, 0.7, 0.3}, {0.3, 1.9, 0.3}}};
-  c.p = {0.5, 0.75, -1.25}, c.q = {0.5, 0.75, 1.5}, c.r = {1, 2, 3};
+  c.p = {0.5, 0.75, -1.25};
+  c.q = {0.5, 0.75, 1.5};
+  c.r = {1, 2, 3};
   BOOST_REQUIRE(verify::true_answer(Predicate::segment_triangle, c) == 1);
   const auto small = verify::shrink(c, verify::same_error(never, Predicate::segment_triangle, c, 0, 1));
   BOOST_TEST((small.p != small.q));

@@ -79,7 +79,9 @@ BOOST_AUTO_TEST_CASE(a_formulation_with_a_wrong_sign_is_wrong_in_rationals_too)
 {
   verify::Predicate_case c{};
   c.v = {{{0, 0, 0}, {0, 0, 0}, {0, 0, 1}, {0, 1, 0}}};
-  c.p = {0, 0.25, 0.25}, c.q = {1, 0, 0}, c.r = {0, 0, 0};
+  c.p = {0, 0.25, 0.25};
+  c.q = {1, 0, 0};
+  c.r = {0, 0, 0};
   const auto wrong = verify::wrong_answers(c, verify::Predicate::segment_triangle, 1);
   BOOST_TEST(names(wrong, "rational jimenez-segura-feito-sign-error"));
   BOOST_TEST(!names(wrong, "double"));

@@ -130,7 +130,8 @@ BOOST_AUTO_TEST_CASE(unmoved_bodies_leave_only_the_signs_to_blame)
     for (int i = 0; i < 3; ++i) {
       on[i] = p[i] + s * (q[i] - p[i]) + t * (r[i] - p[i]);
       far[i] = on[i] + 2 * (on[i] - top[i]);
-      far_1[i] = far[i] + (q[i] - p[i]) / 8, far_2[i] = far[i] + (r[i] - p[i]) / 8;
+      far_1[i] = far[i] + (q[i] - p[i]) / 8;
+      far_2[i] = far[i] + (r[i] - p[i]) / 8;
     }
     const Object_case c = object_case(tetrahedron(p, q, r, top), Pose(), tetrahedron(on, far, far_1, far_2), Pose());
     const bool truth = truth_of(c, Question::surface);

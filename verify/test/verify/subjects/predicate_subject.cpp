@@ -231,10 +231,19 @@ BOOST_AUTO_TEST_CASE(exact_subjects_are_right_on_degenerate_and_random_cases_und
         case 0: break;
         case 1: c.pose_a = c.pose_b = turned; break;
         case 2: c.pose_a = c.pose_b = rounded_rotation(random); break;
-        case 3: c.pose_a = mirrored, c.pose_b = kernel::Pose::translation(1, 0, 0); break;
-        case 4: c.pose_a = sheared, c.pose_b = mirrored; break;
+        case 3:
+          c.pose_a = mirrored;
+          c.pose_b = kernel::Pose::translation(1, 0, 0);
+          break;
+        case 4:
+          c.pose_a = sheared;
+          c.pose_b = mirrored;
+          break;
         case 5: c.pose_b = turned; break;
-        default: c.pose_a = rounded_rotation(random), c.pose_b = sheared; break;
+        default:
+          c.pose_a = rounded_rotation(random);
+          c.pose_b = sheared;
+          break;
       }
       return c;
     });
@@ -277,10 +286,13 @@ BOOST_AUTO_TEST_CASE(every_formulation_is_right_on_a_segment_clearly_through_a_t
 {
   Predicate_case through;
   through.v = {{{9, 9, 9}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
-  through.p = {1, 1, -1}, through.q = {1, 1, 1};
+  through.p = {1, 1, -1};
+  through.q = {1, 1, 1};
   Predicate_case beside = through, above = through;
-  beside.p = {3, 3, -1}, beside.q = {3, 3, 1};
-  above.p = {1, 1, 2}, above.q = {1, 1, 1};
+  beside.p = {3, 3, -1};
+  beside.q = {3, 3, 1};
+  above.p = {1, 1, 2};
+  above.q = {1, 1, 1};
   for (const Predicate_subject& s : predicate_subjects()) {
     for (Predicate_case c : {through, beside, above}) {
       for (int turn = 0; turn < 4; ++turn) {
@@ -296,7 +308,8 @@ BOOST_AUTO_TEST_CASE(only_cgal_and_we_decide_coplanar_segments)
 {
   Predicate_case c{};  // inside the triangle
   c.v = {{{9, 9, 9}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
-  c.p = {1, 1, 0}, c.q = {1, 2, 0};
+  c.p = {1, 1, 0};
+  c.q = {1, 2, 0};
   for (const Predicate_subject& s : predicate_subjects()) {
     const bool decides = s.note.empty() || s.name.ends_with("cgal");
     BOOST_TEST(*s.answer(Predicate::segment_triangle, c) == int(decides), s.name);

@@ -96,15 +96,12 @@ Polyhedron cube_with_pocket()
   Polyhedron body;
   body.vertices = outer.vertices;
   body.vertices.insert(body.vertices.end(), inner.vertices.begin(), inner.vertices.end());
-  const auto reversed_inner = [&](Index f) {
-    std::vector<Index> loop;
-    for (const Index v : inner.loop(f, 0)) loop.push_back(8 + v);
-    std::reverse(loop.begin(), loop.end());
-    return loop;
-  };
-  for (Index f = 0; f < 5; ++f) body.add_polygon(outer.loop(f, 0)), body.add_polygon(reversed_inner(f));
+  for (Index f = 0; f < 5; ++f) {
+    body.add_polygon(outer.loop(f, 0));
+    body.add_polygon(reversed_loop(inner, f, 8));
+  }
   const auto top = outer.loop(5, 0);
-  body.add_face(std::vector<std::vector<Index>>{{top.begin(), top.end()}, reversed_inner(5)});
+  body.add_face(std::vector<std::vector<Index>>{{top.begin(), top.end()}, reversed_loop(inner, 5, 8)});
   return body;
 }
 
@@ -396,7 +393,8 @@ BOOST_AUTO_TEST_CASE(of_voxel_solids_on_half_steps_are_those_of_boxes)
       for (const Index v : vertices)
         for (int k = 0; k < 3; ++k) {
           const int x = int(2 * body.vertices[v][k]) + (moved ? step[k] : 0);
-          range[0][k] = std::min(range[0][k], x), range[1][k] = std::max(range[1][k], x);
+          range[0][k] = std::min(range[0][k], x);
+          range[1][k] = std::max(range[1][k], x);
         }
       return range;
     };
@@ -465,7 +463,10 @@ BOOST_AUTO_TEST_CASE(voxel_solids_collide_where_their_cells_touch)
       };
       for (const int x : around(p[0]))
         for (const int y : around(p[1]))
-          for (const int z : around(p[2])) ++cells, filled += body(x, y, z);
+          for (const int z : around(p[2])) {
+            ++cells;
+            filled += body(x, y, z);
+          }
       return filled > 0 && filled < cells;
     };
     for (int x = 0; x <= 4 * a.n; ++x)
@@ -500,8 +501,10 @@ bool tetrahedra_meet(const Tetrahedron& a, const Tetrahedron& b)
   const auto separates = [&](const Corner& axis) {
     long low_a = inner(axis, a[0]), high_a = low_a, low_b = inner(axis, b[0]), high_b = low_b;
     for (int i = 1; i < 4; ++i) {
-      low_a = std::min(low_a, inner(axis, a[i])), high_a = std::max(high_a, inner(axis, a[i]));
-      low_b = std::min(low_b, inner(axis, b[i])), high_b = std::max(high_b, inner(axis, b[i]));
+      low_a = std::min(low_a, inner(axis, a[i]));
+      high_a = std::max(high_a, inner(axis, a[i]));
+      low_b = std::min(low_b, inner(axis, b[i]));
+      high_b = std::max(high_b, inner(axis, b[i]));
     }
     return high_a < low_b || high_b < low_a;
   };
@@ -764,8 +767,12 @@ BOOST_AUTO_TEST_CASE(triangles_of_the_tests_of_cgal)
     for (const auto& [key, child] : tree) p.push_back({numbers(child)[0], numbers(child)[1], numbers(child)[2]});
     const auto u = rationals::minus(p[1], p[0]), v = rationals::minus(p[2], p[0]), w = rationals::outer(u, v);
     std::array<Rational, 12> entries;
-    for (int i = 0; i < 3; ++i)
-      entries[4 * i] = u[i], entries[4 * i + 1] = v[i], entries[4 * i + 2] = w[i], entries[4 * i + 3] = p[0][i];
+    for (int i = 0; i < 3; ++i) {
+      entries[4 * i] = u[i];
+      entries[4 * i + 1] = v[i];
+      entries[4 * i + 2] = w[i];
+      entries[4 * i + 3] = p[0][i];
+    }
     return Pose(entries);
   };
   int count = 0;

@@ -215,7 +215,10 @@ BOOST_AUTO_TEST_CASE(the_truths_agree_on_random_cases)
     Predicate_case c{};
     const double scale = std::ldexp(1.0, integer(random, -20, 20));
     for (Vertex* x : {&c.v[0], &c.v[1], &c.v[2], &c.v[3], &c.p, &c.q, &c.r}) *x = real_vertex(random, scale);
-    if (k % 2 == 0) c.pose_a = any_pose(random), c.pose_b = any_pose(random);
+    if (k % 2 == 0) {
+      c.pose_a = any_pose(random);
+      c.pose_b = any_pose(random);
+    }
     return c;
   });
   for (const Predicate predicate : all_predicates) {
@@ -253,7 +256,10 @@ BOOST_AUTO_TEST_CASE(the_truths_agree_where_points_are_on_what_they_are_asked_ab
     for (Vertex* x : {&c.p, &c.q, &c.r}) {
       std::array<double, 4> weight{};
       double rest = 1;
-      for (int i = 1; i < 4; ++i) weight[i] = integer(random, -1, 4) / 4.0 * integer(random, 0, 1), rest -= weight[i];
+      for (int i = 1; i < 4; ++i) {
+        weight[i] = integer(random, -1, 4) / 4.0 * integer(random, 0, 1);
+        rest -= weight[i];
+      }
       weight[0] = rest;
       for (int i = 0; i < 3; ++i) {
         (*x)[i] = 0;
