@@ -40,6 +40,7 @@ namespace tetracone::kernel {
 class Adaptive {
  public:
   using Exact_image = std::array<CGAL::Mpzf, 3>;
+  using Stage = Adaptive_stage;
 
   struct Point_3 {
     std::array<double, 3> image;  ///< the image, rounded
@@ -114,7 +115,7 @@ class Adaptive {
     return counts;
   }
   /// How often the calling thread needed the exact stage.
-  static std::uint64_t exact_fallbacks() { return decided_by().exact + decided_by().out_of_gate; }
+  static std::uint64_t exact_fallbacks() { return decided_by()[Stage::exact] + decided_by()[Stage::out_of_gate]; }
 
   using Decision = std::optional<CGAL::Sign>;  ///< nothing: undecided
 
@@ -342,17 +343,17 @@ class Adaptive {
 
   static CGAL::Sign volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
   {
-    if (const Decision sign = filtered_volume_sign(a, b, c, d)) return ++decided_by().filter, *sign;
+    if (const Decision sign = filtered_volume_sign(a, b, c, d)) return ++decided_by()[Stage::filter], *sign;
     return unfiltered_volume_sign(a, b, c, d);
   }
   static CGAL::Sign normal_sign(const Point_3& a, const Point_3& b, const Point_3& c, int axis)
   {
-    if (const Decision sign = filtered_normal_sign(a, b, c, axis)) return ++decided_by().filter, *sign;
+    if (const Decision sign = filtered_normal_sign(a, b, c, axis)) return ++decided_by()[Stage::filter], *sign;
     return unfiltered_normal_sign(a, b, c, axis);
   }
   static CGAL::Sign difference_sign(const Point_3& a, const Point_3& b, int axis)
   {
-    if (const Decision sign = filtered_difference_sign(a, b, axis)) return ++decided_by().filter, *sign;
+    if (const Decision sign = filtered_difference_sign(a, b, axis)) return ++decided_by()[Stage::filter], *sign;
     return unfiltered_difference_sign(a, b, axis);
   }
 
@@ -362,36 +363,38 @@ class Adaptive {
   [[gnu::noinline]] static CGAL::Sign unfiltered_volume_sign(const Point_3& a, const Point_3& b, const Point_3& c,
                                                              const Point_3& d)
   {
-    if (const Decision sign = zero_volume_sign(a, b, c, d)) return ++decided_by().zero, *sign;
+    if (const Decision sign = zero_volume_sign(a, b, c, d)) return ++decided_by()[Stage::zero], *sign;
     if (a.pose == b.pose && a.pose == c.pose && a.pose == d.pose && a.pose != nullptr) {
       const CGAL::Sign unplaced =
           volume_sign(unmoved(a.vertex), unmoved(b.vertex), unmoved(c.vertex), unmoved(d.vertex));
       return unplaced * a.pose->determinant_sign();
     }
-    if (!in_gate(a, b, c, d)) return ++decided_by().out_of_gate, exact_volume_sign(a, b, c, d);
-    if (const Decision sign = int128_volume_sign(a, b, c, d)) return ++decided_by().grid, *sign;
-    if (const Decision sign = double_double_volume_sign(a, b, c, d)) return ++decided_by().double_double, *sign;
-    ++decided_by().exact;
+    if (!in_gate(a, b, c, d)) return ++decided_by()[Stage::out_of_gate], exact_volume_sign(a, b, c, d);
+    if (const Decision sign = int128_volume_sign(a, b, c, d)) return ++decided_by()[Stage::grid], *sign;
+    if (const Decision sign = double_double_volume_sign(a, b, c, d)) return ++decided_by()[Stage::double_double], *sign;
+    ++decided_by()[Stage::exact];
     return exact_volume_sign(a, b, c, d);
   }
 
   [[gnu::noinline]] static CGAL::Sign unfiltered_normal_sign(const Point_3& a, const Point_3& b, const Point_3& c,
                                                              int axis)
   {
-    if (const Decision sign = zero_normal_sign(a, b, c, axis)) return ++decided_by().zero, *sign;
-    if (!in_gate(a, b, c)) return ++decided_by().out_of_gate, exact_normal_sign(a, b, c, axis);
-    if (const Decision sign = int128_normal_sign(a, b, c, axis)) return ++decided_by().grid, *sign;
-    if (const Decision sign = double_double_normal_sign(a, b, c, axis)) return ++decided_by().double_double, *sign;
-    ++decided_by().exact;
+    if (const Decision sign = zero_normal_sign(a, b, c, axis)) return ++decided_by()[Stage::zero], *sign;
+    if (!in_gate(a, b, c)) return ++decided_by()[Stage::out_of_gate], exact_normal_sign(a, b, c, axis);
+    if (const Decision sign = int128_normal_sign(a, b, c, axis)) return ++decided_by()[Stage::grid], *sign;
+    if (const Decision sign = double_double_normal_sign(a, b, c, axis))
+      return ++decided_by()[Stage::double_double], *sign;
+    ++decided_by()[Stage::exact];
     return exact_normal_sign(a, b, c, axis);
   }
 
   [[gnu::noinline]] static CGAL::Sign unfiltered_difference_sign(const Point_3& a, const Point_3& b, int axis)
   {
-    if (identical(a, b)) return ++decided_by().zero, CGAL::ZERO;
-    if (!in_gate(a, b)) return ++decided_by().out_of_gate, exact_difference_sign(a, b, axis);
-    if (const Decision sign = double_double_difference_sign(a, b, axis)) return ++decided_by().double_double, *sign;
-    ++decided_by().exact;
+    if (identical(a, b)) return ++decided_by()[Stage::zero], CGAL::ZERO;
+    if (!in_gate(a, b)) return ++decided_by()[Stage::out_of_gate], exact_difference_sign(a, b, axis);
+    if (const Decision sign = double_double_difference_sign(a, b, axis))
+      return ++decided_by()[Stage::double_double], *sign;
+    ++decided_by()[Stage::exact];
     return exact_difference_sign(a, b, axis);
   }
 

@@ -22,6 +22,7 @@ using namespace tetracone::kernel;
 using CGAL::Sign;
 using Point = Adaptive::Point_3;
 using Decision = Adaptive::Decision;
+using Stage = Adaptive::Stage;
 
 namespace {
 
@@ -497,12 +498,12 @@ BOOST_AUTO_TEST_CASE(every_stage_that_answers_is_right_and_the_counter_says_whic
   const auto expected = [](const Decision& filtered, const Decision& zero, bool in_gate, const Decision& grid,
                            const Decision& wide) {
     Stage_counts counts;
-    ++(filtered   ? counts.filter
-       : zero     ? counts.zero
-       : !in_gate ? counts.out_of_gate
-       : grid     ? counts.grid
-       : wide     ? counts.double_double
-                  : counts.exact);
+    ++counts[filtered   ? Stage::filter
+             : zero     ? Stage::zero
+             : !in_gate ? Stage::out_of_gate
+             : grid     ? Stage::grid
+             : wide     ? Stage::double_double
+                        : Stage::exact];
     return counts;
   };
   for (const Family& family : families()) {
@@ -547,7 +548,7 @@ BOOST_AUTO_TEST_CASE(every_stage_that_answers_is_right_and_the_counter_says_whic
         wrong_stage += stages != expected(filtered, zero, in_gate(a, b, c, d), grid, wide);
       by_identity += !filtered && found_twice(4);
       by_zero_factors += !filtered && zero && !found_twice(4);
-      by_gate += stages.out_of_gate;
+      by_gate += stages[Stage::out_of_gate];
 
       const int axis = n % 3;
       const Sign normal_truth = normal(s.exact[0], s.exact[1], s.exact[2], axis);
@@ -753,11 +754,11 @@ BOOST_AUTO_TEST_CASE(a_translation_keeps_images_exact_where_sums_are)
   // A face moved onto the plane of another: no exact stage.
   const Pose up = Pose::translation(0.5, 0.25, 1);
   const auto before = Adaptive::exact_fallbacks();
-  const auto zeros = Adaptive::decided_by().zero;
+  const auto zeros = Adaptive::decided_by()[Stage::zero];
   BOOST_TEST(Adaptive::volume_sign(Adaptive::unmoved({0, 0, 1}), Adaptive::unmoved({1, 0, 1}),
                                    Adaptive::unmoved({0, 1, 1}), Adaptive::placed({3, 5, 0}, up)) == CGAL::ZERO);
   BOOST_TEST(Adaptive::exact_fallbacks() == before);
-  BOOST_TEST(Adaptive::decided_by().zero == zeros + 1);
+  BOOST_TEST(Adaptive::decided_by()[Stage::zero] == zeros + 1);
 }
 
 BOOST_AUTO_TEST_CASE(fallbacks_are_counted_by_each_thread_alone)
