@@ -109,7 +109,10 @@ class Covering {
     const auto side = [&](Index v) {
       Index edge = none;
       for (auto& [neighbour, has_triangle] : neighbours)
-        if (neighbour == v) has_triangle = true, edge = edge_number(w, v);
+        if (neighbour == v) {
+          has_triangle = true;
+          edge = edge_number(w, v);
+        }
       return edge;
     };
     for (std::size_t k = first; k < from_.size(); ++k) {

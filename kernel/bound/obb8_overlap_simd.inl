@@ -50,7 +50,9 @@ HWY_INLINE auto together(const Test& test)
       return hn::MulAdd(a2, all(v[2]), hn::MulAdd(a1, all(v[1]), hn::Mul(a0, all(v[0]))));
     };
     t = hn::MulAdd(a2, z, hn::MulAdd(a1, y, hn::Mul(a0, x)));
-    r0 = dot(box.edge[0]), r1 = dot(box.edge[1]), r2 = dot(box.edge[2]);
+    r0 = dot(box.edge[0]);
+    r1 = dot(box.edge[1]);
+    r2 = dot(box.edge[2]);
   };
   along(0, t0, r00, r01, r02);
   along(1, t1, r10, r11, r12);
@@ -84,7 +86,9 @@ HWY_INLINE auto together(const Test& test)
       const float height =
           box.edge[j][0] * box.normal[j][0] + box.edge[j][1] * box.normal[j][1] + box.edge[j][2] * box.normal[j][2];
       const Floats m0 = dot(0), m1 = dot(1), m2 = dot(2);
-      n0 = hn::Abs(m0), n1 = hn::Abs(m1), n2 = hn::Abs(m2);
+      n0 = hn::Abs(m0);
+      n1 = hn::Abs(m1);
+      n2 = hn::Abs(m2);
       gap = hn::Max(gap,
                     other(m0, m1, m2, hn::Set(test.tag, box.extent[j] * (height < 0 ? -height : height)), n0, n1, n2));
     };

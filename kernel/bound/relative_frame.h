@@ -277,7 +277,11 @@ class Relative_frame {
       double row = 0;
       for (int j = 0; j < 3; ++j) {
         double sum = i == j ? -1 : 0, magnitude = 1;
-        for (int k = 0; k < 3; ++k) sum += x[i][k] * a[4 * k + j], magnitude += std::abs(x[i][k] * a[4 * k + j]);
+        for (int k = 0; k < 3; ++k) {
+          const double product = x[i][k] * a[4 * k + j];
+          sum += product;
+          magnitude += std::abs(product);
+        }
         row += std::abs(sum) + 6 * unit_roundoff<double> * magnitude;
       }
       norm = maximum(norm, row);

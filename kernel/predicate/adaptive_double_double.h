@@ -74,7 +74,10 @@ class Adaptive_double_double : public Adaptive_points {
                                       (m[0][0] * m[1][1] - m[0][1] * m[1][0]) * m[2][2];
     const double images = p[0].error + maximum(p[1].error, p[2].error, p[3].error);
     std::array<double, 3> error, M;
-    for (int k = 0; k < 3; ++k) error[k] = images + 3.02 * u2 * largest[k], M[k] = largest[k] + error[k];
+    for (int k = 0; k < 3; ++k) {
+      error[k] = images + 3.02 * u2 * largest[k];
+      M[k] = largest[k] + error[k];
+    }
     const double bound =
         146 * u2 * (M[0] * M[1] * M[2]) +
         6.001 * (error[0] * (M[1] * M[2]) + largest[0] * error[1] * M[2] + largest[0] * largest[1] * error[2]) +

@@ -22,7 +22,10 @@ struct Opening {
 
   HWY_INLINE Opening(Pair_stack& stack, std::size_t position, const Both_trees& trees)
   {
-    for (int k = 0; k < 2; ++k) box[k] = stack.boxes(k)[position], size[k] = stack.sizes(k)[position];
+    for (int k = 0; k < 2; ++k) {
+      box[k] = stack.boxes(k)[position];
+      size[k] = stack.sizes(k)[position];
+    }
     body = first_is_larger(size[0], size[1]) ? 0 : 1;
     if (size[body] < 0) {
       stop = Stop::leaves;
@@ -91,7 +94,8 @@ HWY_INLINE std::size_t store(Pair_stack& stack, std::size_t count, const Opening
     hn::StoreU(hn::Set(tag, o.size[other]), tag, stack.sizes(other) + count);
     count += hn::CountTrue(tag, mask);
   }
-  ++trees.opened, trees.compared += held;
+  ++trees.opened;
+  trees.compared += held;
   return count;
 }
 

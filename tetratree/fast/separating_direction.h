@@ -138,7 +138,8 @@ class Separating_direction {
     // So that no product overflows, and what underflows is far below the slack; also what is undefined ends here.
     if (!(placed.slack < 1e8f && norm_m < 1e14f && norm_a[0] > 1e-15f && norm_b[0] > 1e-15f)) return tried;
     tried.is_defined = true;
-    tried.at_a = Support_table::place(along_a, norm_a), tried.at_b = Support_table::place(along_b, norm_b);
+    tried.at_a = Support_table::place(along_a, norm_a);
+    tried.at_b = Support_table::place(along_b, norm_b);
     tried.reach = a_.table.reach(tried.at_a) + b_.table.reach(tried.at_b);
     tried.gap = kernel::sum_of_lanes(m * placed.apart - tried.reach)[0];
     tried.slack = Support_table::slack * (norm_a[0] + norm_b[0]) + norm_m * placed.slack;
@@ -151,12 +152,16 @@ class Separating_direction {
   {
     const auto separates = [&] {
       if (tried.is_defined && !(kernel::sum_of_lanes(tried.reach)[0] < std::numeric_limits<float>::infinity())) {
-        a_.table.find(tried.at_a), b_.table.find(tried.at_b);
+        a_.table.find(tried.at_a);
+        b_.table.find(tried.at_b);
         tried = attempt(placed, m);
       }
       return tried.separates();
     };
-    if (last_one_first && were_apart_ && !separates()) m = placed.apart, tried = attempt(placed, m);
+    if (last_one_first && were_apart_ && !separates()) {
+      m = placed.apart;
+      tried = attempt(placed, m);
+    }
     were_apart_ = separates();
     while (!were_apart_ && --steps > 0 && tried.is_defined &&
            kernel::sum_of_lanes(m * placed.apart)[0] > hopeless * kernel::sum_of_lanes(tried.reach)[0]) {
