@@ -94,13 +94,6 @@ class Truth_pair : public Prepared_pair {
 
 }  // namespace
 
-tetratree::Config config_of(Method method)
-{
-  if (method == Method::tree) return tetratree::Config::fastest();
-  if (method == Method::brute) return tetratree::Config::brute();
-  return {};
-}
-
 std::optional<Method> parse_method(std::string_view name)
 {
   for (const Method method : {Method::tree, Method::paper, Method::brute})
