@@ -173,16 +173,19 @@ class Separating_direction {
     return were_apart_;
   }
 
+  /// The next direction (Chung and Wang): m mirrored at the plane across w, which leads from A's farthest point along m
+  /// to B's farthest point against it.
   Floats mirrored(Floats m, const Attempt& tried, const Placed& placed) const
   {
     const Floats p = a_.table.point(tried.at_a), q = b_.table.point(tried.at_b);
-    Floats back[3];  // lanes of the parts of A's point less B's, each as seen from its own origin
-    for (int i = 0; i < 3; ++i) back[i] = placed.row_a[i] * p + placed.row_b[i] * q;
-    const Floats even = __builtin_shufflevector(back[0], back[1], 0, 4, 2, 6),
-                 odd = __builtin_shufflevector(back[0], back[1], 1, 5, 3, 7), two = even + odd;
-    const Floats sums = two + __builtin_shufflevector(two, two, 2, 3, 0, 1);
-    const Floats w =
-        placed.apart - kernel::first_three(__builtin_shufflevector(sums, kernel::sum_of_lanes(back[2]), 0, 1, 4, 4));
+    Floats terms[3];  // in the lanes of part i: A's point less B's, each as seen from its own origin
+    for (int i = 0; i < 3; ++i) terms[i] = placed.row_a[i] * p + placed.row_b[i] * q;
+    // Sums of the lanes of x and y at once: of neighbours, then of both pairs.
+    const Floats even = __builtin_shufflevector(terms[0], terms[1], 0, 4, 2, 6),
+                 odd = __builtin_shufflevector(terms[0], terms[1], 1, 5, 3, 7), pairs = even + odd;
+    const Floats xy = pairs + __builtin_shufflevector(pairs, pairs, 2, 3, 0, 1);
+    const Floats xyz = kernel::first_three(__builtin_shufflevector(xy, kernel::sum_of_lanes(terms[2]), 0, 1, 4, 4));
+    const Floats w = placed.apart - xyz;
     return m - 2 * kernel::sum_of_lanes(m * w) / kernel::sum_of_lanes(w * w) * w;
   }
 
