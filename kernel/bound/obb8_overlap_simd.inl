@@ -1,7 +1,7 @@
 #ifndef TETRACONE_KERNEL_BOUND_OBB8_OVERLAP_SIMD_INL
 #define TETRACONE_KERNEL_BOUND_OBB8_OVERLAP_SIMD_INL
 // Included by kernel/bound/obb8_overlap.h, once for each target.
-#ifndef TETRACONE_SIMD_KERNEL
+#ifndef TETRACONE_SIMD_FILE
 #undef TETRACONE_KERNEL_BOUND_OBB8_OVERLAP_SIMD_INL  // that header includes this one, again and again
 #include "tetracone/kernel/bound/obb8_overlap.h"
 #else
@@ -195,12 +195,12 @@ HWY_INLINE Single_box carried(const Obb8& boxes, const Box_map& map, const Obb8&
   return box;
 }
 
-inline HWY_ATTR unsigned overlapping_kernel(const Obb8& boxes, const Single_box& box, bool similarity)
+inline HWY_ATTR unsigned overlapping_simd(const Obb8& boxes, const Single_box& box, bool similarity)
 {
   return similarity ? overlapping<true>(boxes, box) : overlapping<false>(boxes, box);
 }
 
-inline HWY_ATTR unsigned overlapping_mapped_kernel(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane)
+inline HWY_ATTR unsigned overlapping_mapped_simd(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane)
 {
   if (!map.is_similarity()) return overlapping<false>(boxes, map(boxes, from, lane));
   const float size = (from.extent[0][lane] + from.extent[1][lane] + from.extent[2][lane]) * map.stretch();

@@ -90,7 +90,7 @@ inline bool first_is_larger(float size_a, float size_b) { return size_a > size_b
 
 }  // namespace tetracone::tetratree
 
-#define TETRACONE_SIMD_KERNEL "tetracone/tetratree/fast/bvh8_descent_simd.inl"
+#define TETRACONE_SIMD_FILE "tetracone/tetratree/fast/bvh8_descent_simd.inl"
 #include "tetracone/kernel/simd/simd_rounds.h"
 
 namespace tetracone::tetratree {
@@ -100,7 +100,7 @@ namespace tetracone::tetratree {
 inline Stop descend(Pair_stack& stack, Both_trees& trees)
 {
   using Function = Stop(Pair_stack&, Both_trees&);
-  static Function* const fastest = kernel::fastest_version<Function>(TETRACONE_SIMD_VERSIONS(descend_kernel));
+  static Function* const fastest = kernel::fastest_version<Function>(TETRACONE_SIMD_VERSIONS(descend_simd));
   return fastest(stack, trees);
 }
 

@@ -1,7 +1,7 @@
 #ifndef TETRACONE_TETRATREE_FAST_BVH8_DESCENT_SIMD_INL
 #define TETRACONE_TETRATREE_FAST_BVH8_DESCENT_SIMD_INL
 // Included by tetratree/fast/bvh8_descent.h, once for each target.
-#ifndef TETRACONE_SIMD_KERNEL
+#ifndef TETRACONE_SIMD_FILE
 #undef TETRACONE_TETRATREE_FAST_BVH8_DESCENT_SIMD_INL  // that header includes this one, again and again
 #include "tetracone/tetratree/fast/bvh8_descent.h"
 #else
@@ -137,7 +137,7 @@ HWY_ATTR Stop descend(Pair_stack& stack, Both_trees& trees)
   return Stop::nothing_left;
 }
 
-inline HWY_ATTR Stop descend_kernel(Pair_stack& stack, Both_trees& trees)
+inline HWY_ATTR Stop descend_simd(Pair_stack& stack, Both_trees& trees)
 {
   return trees.into[0]->is_similarity() && trees.into[1]->is_similarity() ? descend<true>(stack, trees)
                                                                           : descend<false>(stack, trees);
