@@ -6,6 +6,7 @@
 #include "tetracone/covering/orient.h"
 #include "tetracone/covering/planarity.h"
 #include "tetracone/covering/polyhedron.h"
+#include "tetracone/covering/union_find.h"
 #include "tetracone/kernel/number/number.h"
 
 #include <CGAL/enum.h>
@@ -24,27 +25,12 @@ namespace tetracone::covering {
 /// ascend, the shells stand in the order of their first faces.
 inline std::vector<std::vector<Index>> shell_faces(const Polyhedron& polyhedron)
 {
-  std::vector<Index> parent(polyhedron.vertices.size());
-  std::iota(parent.begin(), parent.end(), Index{0});
-  const auto root = [&parent](Index v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
+  Union_find sets(polyhedron.vertices.size());
   const auto some_vertex = [&polyhedron](Index f) { return polyhedron.loop(f, 0)[0]; };
   for (Index f = 0; f < polyhedron.face_count(); ++f)
     for (std::size_t k = 0; k < polyhedron.loop_count(f); ++k)
-      for (const Index v : polyhedron.loop(f, k)) parent[root(v)] = root(some_vertex(f));
-  std::vector<std::vector<Index>> shells;
-  std::vector<std::size_t> shell_of(parent.size(), parent.size());  // of each root
-  for (Index f = 0; f < polyhedron.face_count(); ++f) {
-    std::size_t& shell = shell_of[root(some_vertex(f))];
-    if (shell == parent.size()) {
-      shell = shells.size();
-      shells.emplace_back();
-    }
-    shells[shell].push_back(f);
-  }
-  return shells;
+      for (const Index v : polyhedron.loop(f, k)) sets.join(v, some_vertex(f));
+  return grouped_faces(polyhedron.face_count(), sets, some_vertex);
 }
 
 /// The connected shells, each a polyhedron of its own with only the vertices that it uses.
@@ -155,7 +141,7 @@ struct Check {
   std::vector<Index> isolated_vertices;                ///< vertices of no face
 };
 
-/// Query_statistics of one shell, its genus, volume and orientation.
+/// Counts of one shell, its genus, volume and orientation.
 inline Shell check_shell(const Polyhedron& shell)
 {
   Shell result;
@@ -179,16 +165,12 @@ inline Shell check_shell(const Polyhedron& shell)
   return result;
 }
 
-/// Everything about a polyhedron that a user should know before asking for collisions. Exact; any polyhedron is legal
-/// here.
-inline Check check(const Polyhedron& polyhedron)
-{
-  Check result;
-  const auto& vertices = polyhedron.vertices;
-  result.vertices = vertices.size();
-  result.faces = polyhedron.face_count();
+namespace detail {
 
-  std::vector<bool> used(vertices.size());
+/// Counts faces and corners, and finds the faces and vertices that stand out.
+inline void check_faces(const Polyhedron& polyhedron, Check& result)
+{
+  std::vector<bool> used(polyhedron.vertices.size());
   for (Index f = 0; f < polyhedron.face_count(); ++f) {
     if (polyhedron.is_triangle(f)) ++result.triangles;
     result.hole_loops += polyhedron.loop_count(f) - 1;
@@ -205,17 +187,28 @@ inline Check check(const Polyhedron& polyhedron)
     }
   }
   result.used_vertices = static_cast<std::size_t>(std::ranges::count(used, true));
-  for (Index v = 0; v < vertices.size(); ++v)
+  for (Index v = 0; v < used.size(); ++v)
     if (!used[v]) result.isolated_vertices.push_back(v);
+}
 
+/// The vertices with the coordinates of one before them, ascending.
+inline std::vector<Index> repeated_vertices(const std::vector<Vertex>& vertices)
+{
   std::vector<Index> order(vertices.size());
   std::iota(order.begin(), order.end(), Index{0});
   std::ranges::sort(order,
                     [&](Index a, Index b) { return vertices[a] != vertices[b] ? vertices[a] < vertices[b] : a < b; });
+  std::vector<Index> repeated;
   for (std::size_t k = 1; k < order.size(); ++k)
-    if (vertices[order[k]] == vertices[order[k - 1]]) result.repeated_vertices.push_back(order[k]);
-  std::ranges::sort(result.repeated_vertices);
+    if (vertices[order[k]] == vertices[order[k - 1]]) repeated.push_back(order[k]);
+  std::ranges::sort(repeated);
+  return repeated;
+}
 
+/// Counts edges, and finds the open, non-manifold and degenerate ones. `check_faces` has found the edges (a, a).
+inline void check_edges(const Polyhedron& polyhedron, Check& result)
+{
+  const auto& vertices = polyhedron.vertices;
   const auto uses = edge_uses(polyhedron);
   for_each_edge(uses, [&](std::span<const Edge_use> edge) {
     ++result.edges;
@@ -232,17 +225,34 @@ inline Check check(const Polyhedron& polyhedron)
   result.degenerate_edges.erase(std::unique(result.degenerate_edges.begin(), result.degenerate_edges.end()),
                                 result.degenerate_edges.end());
   std::ranges::sort(result.open_edges, {}, [](const Open_edge& edge) { return std::array{edge.from, edge.to}; });
+}
 
+/// What the shells have in common: `mixed` where they differ. Requires a shell.
+inline Orientation common_orientation(const std::vector<Shell>& shells)
+{
+  const auto same = [&](const Shell& shell) { return shell.orientation == shells[0].orientation; };
+  return std::ranges::all_of(shells, same) ? shells[0].orientation : Orientation::mixed;
+}
+
+}  // namespace detail
+
+/// Everything about a polyhedron that a user should know before asking for collisions. Exact; any polyhedron is legal
+/// here.
+inline Check check(const Polyhedron& polyhedron)
+{
+  Check result;
+  result.vertices = polyhedron.vertices.size();
+  result.faces = polyhedron.face_count();
+  detail::check_faces(polyhedron, result);
+  result.repeated_vertices = detail::repeated_vertices(polyhedron.vertices);
+  detail::check_edges(polyhedron, result);
   result.closed = result.open_edges.empty();
+
   for (const Polyhedron& shell : shells(polyhedron)) result.shells.push_back(check_shell(shell));
   if (result.closed) {
     result.volume = kernel::Rational(0);
     for (const Shell& shell : result.shells) *result.volume += *shell.volume;
-  }
-  if (!result.shells.empty()) {
-    const auto same = [&](const Shell& shell) { return shell.orientation == result.shells[0].orientation; };
-    result.orientation = std::ranges::all_of(result.shells, same) ? result.shells[0].orientation : Orientation::mixed;
-    if (!result.closed) result.orientation = Orientation::open;
+    if (!result.shells.empty()) result.orientation = detail::common_orientation(result.shells);
   }
   return result;
 }

@@ -2,6 +2,7 @@
 #define TETRACONE_COVERING_COVERING_H
 
 #include "tetracone/covering/polyhedron.h"
+#include "tetracone/covering/union_find.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/volume.h"
 #include "tetracone/kernel/predicate/plane_basis.h"
@@ -10,7 +11,6 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -109,7 +109,10 @@ class Covering {
     const auto side = [&](Index v) {
       Index edge = none;
       for (auto& [neighbour, has_triangle] : neighbours)
-        if (neighbour == v) has_triangle = true, edge = edge_number(w, v);
+        if (neighbour == v) {
+          has_triangle = true;
+          edge = edge_number(w, v);
+        }
       return edge;
     };
     for (std::size_t k = first; k < from_.size(); ++k) {
@@ -138,18 +141,13 @@ class Covering {
 
   void collect_shells(const Polyhedron& polyhedron)
   {
-    std::vector<Index> parent(polyhedron.vertices.size());
-    std::iota(parent.begin(), parent.end(), Index(0));
-    const auto root = [&](Index v) {
-      while (parent[v] != v) v = parent[v] = parent[parent[v]];
-      return v;
-    };
+    Union_find sets(polyhedron.vertices.size());
     for (Index f = 0; f < polyhedron.face_count(); ++f)
-      for (std::size_t k = 0; k < from(f).size(); ++k) parent[root(from(f)[k])] = root(to(f)[k]);
+      for (std::size_t k = 0; k < from(f).size(); ++k) sets.join(from(f)[k], to(f)[k]);
     std::vector<bool> seen(polyhedron.vertices.size(), false);
     for (const Index v : from_) {
-      if (!seen[root(v)]) shell_vertices_.push_back(v);
-      seen[root(v)] = true;
+      if (!seen[sets.root(v)]) shell_vertices_.push_back(v);
+      seen[sets.root(v)] = true;
     }
   }
 

@@ -4,11 +4,11 @@
 #include "tetracone/covering/covering.h"
 #include "tetracone/covering/edge_uses.h"
 #include "tetracone/covering/polyhedron.h"
+#include "tetracone/covering/union_find.h"
 
 #include <CGAL/enum.h>
 
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -19,27 +19,12 @@ namespace tetracone::covering {
 /// group ascend, the groups stand in the order of their first faces.
 inline std::vector<std::vector<Index>> edge_groups(const Polyhedron& polyhedron)
 {
-  std::vector<Index> parent(polyhedron.face_count());
-  std::iota(parent.begin(), parent.end(), Index{0});
-  const auto root = [&parent](Index f) {
-    while (parent[f] != f) f = parent[f] = parent[parent[f]];
-    return f;
-  };
+  Union_find sets(polyhedron.face_count());
   const auto uses = edge_uses(polyhedron);
   for_each_edge(uses, [&](std::span<const Edge_use> edge) {
-    if (edge.size() == 2) parent[root(edge[0].face)] = root(edge[1].face);
+    if (edge.size() == 2) sets.join(edge[0].face, edge[1].face);
   });
-  std::vector<std::vector<Index>> groups;
-  std::vector<std::size_t> group_of(parent.size(), parent.size());  // of each root
-  for (Index f = 0; f < parent.size(); ++f) {
-    std::size_t& group = group_of[root(f)];
-    if (group == parent.size()) {
-      group = groups.size();
-      groups.emplace_back();
-    }
-    groups[group].push_back(f);
-  }
-  return groups;
+  return grouped_faces(polyhedron.face_count(), sets, [](Index f) { return f; });
 }
 
 /// Which faces to turn so that the two uses of each edge that is used exactly twice run against each other:

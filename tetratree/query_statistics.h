@@ -1,6 +1,9 @@
 #ifndef TETRACONE_TETRATREE_QUERY_STATISTICS_H
 #define TETRACONE_TETRATREE_QUERY_STATISTICS_H
 
+#include <array>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 
 namespace tetracone::tetratree {
@@ -10,11 +13,11 @@ struct Query_statistics {
   std::uint64_t queries = 0;                   ///< poses that were asked
   std::uint64_t pairs_visited = 0;             ///< pairs of nodes whose bounding volumes were compared
   std::uint64_t hull_tests = 0;                ///< nodes compared with a plane of the other body's regular hull
-  std::uint64_t discarded_by_hull = 0;         ///< of these: nodes beyond it (Theorem 2)
+  std::uint64_t discarded_by_hull = 0;         ///< nodes beyond it (Theorem 2)
   std::uint64_t sphere_tests = 0;              ///< pairs of nodes whose bounding spheres were compared
-  std::uint64_t discarded_by_sphere = 0;       ///< of these: pairs apart
+  std::uint64_t discarded_by_sphere = 0;       ///< pairs apart
   std::uint64_t tetrahedron_tests = 0;         ///< pairs of nodes whose bounding tetrahedra were compared
-  std::uint64_t discarded_by_tetrahedron = 0;  ///< of these: pairs apart
+  std::uint64_t discarded_by_tetrahedron = 0;  ///< pairs apart
   std::uint64_t box_tests = 0;                 ///< oriented boxes compared with one of the other body, in the fast tree
   std::uint64_t leaf_pairs = 0;                ///< pairs of leaves that no bounding volume discarded
   std::uint64_t discarded_by_box = 0;          ///< pairs of an edge and a face in a leaf pair whose boxes are apart
@@ -23,19 +26,15 @@ struct Query_statistics {
   std::uint64_t inclusion_tests = 0;           ///< vertices of a shell against the other solid
   std::uint64_t exact_fallbacks = 0;           ///< signs that the adaptive kernel had to find in exact arithmetic
 
-  /// Adds each count to its own.
+  /// Adds field by field.
   Query_statistics& operator+=(const Query_statistics& other)
   {
-    queries += other.queries, pairs_visited += other.pairs_visited, hull_tests += other.hull_tests,
-        discarded_by_hull += other.discarded_by_hull;
-    sphere_tests += other.sphere_tests, discarded_by_sphere += other.discarded_by_sphere,
-        tetrahedron_tests += other.tetrahedron_tests;
-    discarded_by_tetrahedron += other.discarded_by_tetrahedron, box_tests += other.box_tests,
-        leaf_pairs += other.leaf_pairs;
-    discarded_by_box += other.discarded_by_box, edge_face_tests += other.edge_face_tests,
-        triangle_tests += other.triangle_tests, inclusion_tests += other.inclusion_tests;
-    exact_fallbacks += other.exact_fallbacks;
-    return *this;
+    // All fields as one array, which leaves none out; a field of another size does not compile.
+    using Fields = std::array<std::uint64_t, sizeof(Query_statistics) / sizeof(std::uint64_t)>;
+    auto sums = std::bit_cast<Fields>(*this);
+    const auto added = std::bit_cast<Fields>(other);
+    for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += added[k];
+    return *this = std::bit_cast<Query_statistics>(sums);
   }
 
   /// All comparisons of bounding volumes.

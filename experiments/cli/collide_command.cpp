@@ -237,7 +237,7 @@ void run(const Options& options, bool question_is_given)
   auto question = kernel::parse_question(options.question);
   const auto method = verify::parse_method(options.method);
   if (!question) throw CLI::ValidationError("--question " + options.question, "expected solid or surface");
-  if (!method) throw CLI::ValidationError("--method " + options.method, "expected tree, paper or brute");
+  if (!method) throw CLI::ValidationError("--method " + options.method, "expected tree, tuned, paper or brute");
   if (options.time && options.csv.empty() && !options.json)
     throw CLI::ValidationError("--time", "expected --csv or --json to hold the times");
   if (options.time && options.features) throw CLI::ValidationError("--time", "expected without --features");

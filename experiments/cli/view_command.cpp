@@ -54,7 +54,7 @@ void run(const Options& options)
   if (!options.question.empty() && !(question = kernel::parse_question(options.question)))
     throw CLI::ValidationError("--question " + options.question, "expected solid or surface");
   const auto method = verify::parse_method(options.method);
-  if (!method) throw CLI::ValidationError("--method " + options.method, "expected tree, paper or brute");
+  if (!method) throw CLI::ValidationError("--method " + options.method, "expected tree, tuned, paper or brute");
   if (viewer::three_js.empty())
     throw std::runtime_error(
         "view was built without three.js; expected Debian's libjs-three where this program was configured");

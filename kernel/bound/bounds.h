@@ -189,8 +189,14 @@ Bound_point<B> improved_centre(Bound_point<B> start, std::span<const Bound_point
     const Bound_point<B>* farthest = nullptr;
     B radius = -1;
     for (const auto& p : points)
-      if (const B d = squared_length(difference(p, start)); d > radius) radius = d, farthest = &p;
-    if (radius < best_radius) best = start, best_radius = radius;
+      if (const B d = squared_length(difference(p, start)); d > radius) {
+        radius = d;
+        farthest = &p;
+      }
+    if (radius < best_radius) {
+      best = start;
+      best_radius = radius;
+    }
     if (farthest == nullptr) break;
     for (int k = 0; k < 3; ++k) start[k] += ((*farthest)[k] - start[k]) / B(n + 1);
   }
@@ -332,7 +338,11 @@ template <class B>
 struct Box {
   Bound_point<B> low, high;
 
-  Box() { low.fill(std::numeric_limits<B>::infinity()), high.fill(-std::numeric_limits<B>::infinity()); }
+  Box()
+  {
+    low.fill(std::numeric_limits<B>::infinity());
+    high.fill(-std::numeric_limits<B>::infinity());
+  }
 
   void add(const Bound_point<B>& p)
   {
@@ -343,7 +353,10 @@ struct Box {
   }
   void grow(B margin)
   {
-    for (int k = 0; k < 3; ++k) low[k] -= margin, high[k] += margin;
+    for (int k = 0; k < 3; ++k) {
+      low[k] -= margin;
+      high[k] += margin;
+    }
   }
   bool meets(const Box& other) const
   {

@@ -105,7 +105,11 @@ class Cone_coordinates {
           for (int i = 0; i < 3; ++i) long_edge = long_edge || candidate[i] > 4 * isosceles_[i];
           // Of no volume: no point is on the cone's side of V0, or it underflowed.
           if (candidate_volume > 0 && candidate_volume < best_volume && !long_edge && bounded_by(candidate)) {
-            best = candidate, best_volume = candidate_volume, x += dx, y += dy, moved = true;
+            best = candidate;
+            best_volume = candidate_volume;
+            x += dx;
+            y += dy;
+            moved = true;
             break;
           }
         }

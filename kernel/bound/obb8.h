@@ -122,8 +122,12 @@ class Box_map {
     stretch_ = float(frame_.scale()) * (1 + 0x1p-20f);
     position_slack_ = obb8_slack(0, frame_.error());
     for (int j = 0; j < 3; ++j) {
-      for (int i = 0; i < 3; ++i) direction_[j][i] = float(m[i][j] * shrink), column_[j][i] = m[i][j];
-      direction_[j][3] = 0, column_[j][3] = 0;
+      for (int i = 0; i < 3; ++i) {
+        direction_[j][i] = float(m[i][j] * shrink);
+        column_[j][i] = m[i][j];
+      }
+      direction_[j][3] = 0;
+      column_[j][3] = 0;
     }
     for (int i = 0; i < 3; ++i) column_[3][i] = frame_.offset()[i];
     column_[3][3] = 0;

@@ -4,7 +4,7 @@
 #include "tetracone/kernel/bound/obb8.h"
 #include "tetracone/kernel/simd/simd.h"
 
-#define TETRACONE_SIMD_KERNEL "tetracone/kernel/bound/obb8_overlap_simd.inl"
+#define TETRACONE_SIMD_FILE "tetracone/kernel/bound/obb8_overlap_simd.inl"
 #include "tetracone/kernel/simd/simd_rounds.h"
 
 namespace tetracone::kernel {
@@ -14,7 +14,7 @@ namespace tetracone::kernel {
 inline unsigned overlapping(const Obb8& boxes, const Single_box& box, bool similarity)
 {
   using Function = unsigned(const Obb8&, const Single_box&, bool);
-  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(overlapping_kernel));
+  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(overlapping_simd));
   return fastest(boxes, box, similarity);
 }
 
@@ -23,7 +23,7 @@ inline unsigned overlapping(const Obb8& boxes, const Single_box& box, bool simil
 inline unsigned overlapping(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane)
 {
   using Function = unsigned(const Obb8&, const Box_map&, const Obb8&, int);
-  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(overlapping_mapped_kernel));
+  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(overlapping_mapped_simd));
   return fastest(boxes, map, from, lane);
 }
 

@@ -1,7 +1,7 @@
 #ifndef TETRACONE_KERNEL_BOUND_OBB8_OVERLAP_SIMD_INL
 #define TETRACONE_KERNEL_BOUND_OBB8_OVERLAP_SIMD_INL
 // Included by kernel/bound/obb8_overlap.h, once for each target.
-#ifndef TETRACONE_SIMD_KERNEL
+#ifndef TETRACONE_SIMD_FILE
 #undef TETRACONE_KERNEL_BOUND_OBB8_OVERLAP_SIMD_INL  // that header includes this one, again and again
 #include "tetracone/kernel/bound/obb8_overlap.h"
 #else
@@ -50,7 +50,9 @@ HWY_INLINE auto together(const Test& test)
       return hn::MulAdd(a2, all(v[2]), hn::MulAdd(a1, all(v[1]), hn::Mul(a0, all(v[0]))));
     };
     t = hn::MulAdd(a2, z, hn::MulAdd(a1, y, hn::Mul(a0, x)));
-    r0 = dot(box.edge[0]), r1 = dot(box.edge[1]), r2 = dot(box.edge[2]);
+    r0 = dot(box.edge[0]);
+    r1 = dot(box.edge[1]);
+    r2 = dot(box.edge[2]);
   };
   along(0, t0, r00, r01, r02);
   along(1, t1, r10, r11, r12);
@@ -84,7 +86,9 @@ HWY_INLINE auto together(const Test& test)
       const float height =
           box.edge[j][0] * box.normal[j][0] + box.edge[j][1] * box.normal[j][1] + box.edge[j][2] * box.normal[j][2];
       const Floats m0 = dot(0), m1 = dot(1), m2 = dot(2);
-      n0 = hn::Abs(m0), n1 = hn::Abs(m1), n2 = hn::Abs(m2);
+      n0 = hn::Abs(m0);
+      n1 = hn::Abs(m1);
+      n2 = hn::Abs(m2);
       gap = hn::Max(gap,
                     other(m0, m1, m2, hn::Set(test.tag, box.extent[j] * (height < 0 ? -height : height)), n0, n1, n2));
     };
@@ -191,12 +195,12 @@ HWY_INLINE Single_box carried(const Obb8& boxes, const Box_map& map, const Obb8&
   return box;
 }
 
-inline HWY_ATTR unsigned overlapping_kernel(const Obb8& boxes, const Single_box& box, bool similarity)
+inline HWY_ATTR unsigned overlapping_simd(const Obb8& boxes, const Single_box& box, bool similarity)
 {
   return similarity ? overlapping<true>(boxes, box) : overlapping<false>(boxes, box);
 }
 
-inline HWY_ATTR unsigned overlapping_mapped_kernel(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane)
+inline HWY_ATTR unsigned overlapping_mapped_simd(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane)
 {
   if (!map.is_similarity()) return overlapping<false>(boxes, map(boxes, from, lane));
   const float size = (from.extent[0][lane] + from.extent[1][lane] + from.extent[2][lane]) * map.stretch();

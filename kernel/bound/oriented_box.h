@@ -55,7 +55,8 @@ struct Oriented_box {
     Vector low = Vector::Constant(std::numeric_limits<double>::infinity()), high = -low;
     for (const Vector& p : points) {
       const Vector s = axes.transpose() * p;
-      low = low.cwiseMin(s), high = high.cwiseMax(s);
+      low = low.cwiseMin(s);
+      high = high.cwiseMax(s);
     }
     centre = axes * (0.5 * (low + high));
     extent = 0.5 * (high - low);
@@ -132,7 +133,10 @@ inline Oriented_box triangle_box(std::span<const Vector, 3> corners)
   double length = -1;
   for (int k = 0; k < 3; ++k) {
     const double here = (corners[(k + 1) % 3] - corners[k]).squaredNorm();
-    if (here > length) longest = k, length = here;
+    if (here > length) {
+      longest = k;
+      length = here;
+    }
   }
   // So small that squares of its sides' products would underflow: as good as a point.
   if (!(length > 0x1p-400)) return Oriented_box(Matrix::Identity(), corners);

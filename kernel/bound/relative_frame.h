@@ -30,7 +30,7 @@ struct Local_scale {
 /// D = (M_b o_b + t_b) - (M_a o_a + t_a): from where A's local origin is placed to where B's is.
 class Origin_offset {
  public:
-  /// In double.
+  /// D in double.
   Origin_offset(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b)
   {
     const Two_doubles a_first = {in_a.origin[0], in_a.origin[1]}, a_last = {in_a.origin[2], 1};
@@ -49,10 +49,9 @@ class Origin_offset {
     finish(most, 0, 5.1 * unit_roundoff<double> * most);
   }
 
-  /// In double-double: off by 4 u |D| + 2^-98 times the terms, and by 2 u times these where entries are rounded
+  /// D in double-double: off by 4 u |D| + 2^-98 times the terms, and by 2 u times these where entries are rounded
   /// fractions.
-  static Origin_offset summed_twice_as_wide(const Pose& a, const Local_scale& in_a, const Pose& b,
-                                            const Local_scale& in_b)
+  static Origin_offset in_double_double(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b)
   {
     Origin_offset d;
     double terms = 0;
@@ -135,7 +134,7 @@ class Relative_frame {
       : Relative_frame(a, in_a, b, in_b, Origin_offset(a, in_a, b, in_b))
   {}
 
-  /// The same, where D is known.
+  /// From B's units to A's, where D is known.
   Relative_frame(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b, const Origin_offset& d)
   {
     if (!by_transpose(a, in_a, b, in_b, d)) by_inverse(a, in_a, b, in_b);
@@ -187,31 +186,51 @@ class Relative_frame {
   bool by_transpose(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b, Origin_offset d)
   {
     constexpr double u = unit_roundoff<double>;
-    const auto columns = [](const auto& p, const auto& q, int i, int j) {
-      return p[i] * q[j] + p[4 + i] * q[4 + j] + p[8 + i] * q[8 + j];
-    };
     const std::array<double, 12>&m = a.entries(), &n = b.entries();
-    const double square = columns(m, m, 0, 0), g01 = std::abs(columns(m, m, 0, 1)), g02 = std::abs(columns(m, m, 0, 2)),
-                 g12 = std::abs(columns(m, m, 1, 2));
-    const double g11 = std::abs(columns(m, m, 1, 1) - square), g22 = std::abs(columns(m, m, 2, 2) - square);
-    const double row = maximum(g01 + g02, g11 + g01 + g12, g22 + g02 + g12);
-    if (!(row <= 0x1p-24 * square && square >= 0x1p-100 && square <= 0x1p100)) return false;
+    const auto [square, defect] = gram(m);
+    if (!(defect <= 0x1p-24 * square && square >= 0x1p-100 && square <= 0x1p100)) return false;
     const double f = 1 / square, per_unit = 1 / in_a.unit, shrink = 1.7321 * std::sqrt(f) * per_unit;
     const double of_columns = f * (in_b.unit * per_unit), of_offset = f * per_unit;
-    const double rho = row * f + 24 * u;
+    const double rho = defect * f + 24 * u;
 
-    if (!(d.error() * shrink <= 0x1p-30)) d = Origin_offset::summed_twice_as_wide(a, in_a, b, in_b);
+    if (!(d.error() * shrink <= 0x1p-30)) d = Origin_offset::in_double_double(a, in_a, b, in_b);
     for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) linear_[i][j] = columns(m, n, i, j) * of_columns;
+      for (int j = 0; j < 3; ++j) linear_[i][j] = product_of_columns(m, n, i, j) * of_columns;
       offset_[i] = (m[i] * d[0] + m[4 + i] * d[1] + m[8 + i] * d[2]) * of_offset;
     }
     const double longest = decide_similarity(), relative = 1.01 * rho + 16 * u;
     const double error = relative * (3 * longest + shrink * d.largest()) + shrink * d.error();
     // What is lost where entries of M_b are denormal is below 2^-300 then.
-    const double top = maximum(longest, 1 / longest, d.terms());
+    accept(error, maximum(longest, 1 / longest, d.terms()), in_a, in_b);
+    return true;
+  }
+
+  /// Entry (i, j) of P^T Q, P and Q the linear parts of two poses' entries.
+  static double product_of_columns(const std::array<double, 12>& p, const std::array<double, 12>& q, int i, int j)
+  {
+    return p[i] * q[j] + p[4 + i] * q[4 + j] + p[8 + i] * q[8 + j];
+  }
+
+  /// How far G = M^T M is from s^2 I.
+  struct Gram {
+    double square;  ///< s^2, its first entry
+    double defect;  ///< ||G - s^2 I||, the largest row sum
+  };
+  static Gram gram(const std::array<double, 12>& m)
+  {
+    const auto g = [&m](int i, int j) { return product_of_columns(m, m, i, j); };
+    const double square = g(0, 0), g01 = std::abs(g(0, 1)), g02 = std::abs(g(0, 2)), g12 = std::abs(g(1, 2));
+    const double g11 = std::abs(g(1, 1) - square), g22 = std::abs(g(2, 2) - square);
+    const double row = maximum(g01 + g02, g11 + g01 + g12, g22 + g02 + g12);
+    return {square, row};
+  }
+
+  /// Takes over `error`, unless a number near the ends of the range may have overflowed or underflowed: `top` is the
+  /// largest that it was made of.
+  void accept(double error, double top, const Local_scale& in_a, const Local_scale& in_b)
+  {
     if (top <= 0x1p200 && in_a.is_in_range() && in_b.is_in_range() && error <= std::numeric_limits<double>::max())
       error_ = error * 1.01 + 0x1p-300;
-    return true;
   }
 
   /// With X the inverse of M_a as computed and rho >= ||I - X M_a||: M_a^-1 differs from X by at most rho / (1 - rho)
@@ -221,30 +240,34 @@ class Relative_frame {
     constexpr double u = unit_roundoff<double>;
     std::array<Row, 3> inverse;
     if (!invert(a, inverse)) return;
-    const double residual = residual_norm(a, inverse), norm_x = norm(inverse), scale = in_b.unit / in_a.unit;
+    const double residual = residual_norm(a, inverse);
     if (!(residual < 0x1p-20)) return;
+    const double norm_x = norm(inverse), scale = in_b.unit / in_a.unit;
+    const Origin_offset d = Origin_offset::in_double_double(a, in_a, b, in_b);
+    const double norm_b = compose(inverse, b, d, scale, in_a.unit);
 
-    const Origin_offset d = Origin_offset::summed_twice_as_wide(a, in_a, b, in_b);
+    // Relative errors of the products X M_b and X D: 4 u for their own roundings, u for a fraction's entry, 2 rho for
+    // X.
+    const double relative = 2 * residual + 8 * u;
+    const double error = norm_x * (norm_b * scale * relative + (d.largest() * relative + d.error() * 1.01) / in_a.unit);
+    accept(error, maximum(d.terms(), norm_b, norm_x), in_a, in_b);
+    decide_similarity();
+  }
 
+  /// The map of X, D and M_b: linear X M_b `scale`, offset X D / `unit`. Returns ||M_b||.
+  double compose(const std::array<Row, 3>& x, const Pose& b, const Origin_offset& d, double scale, double unit)
+  {
     double norm_b = 0;
     for (int i = 0; i < 3; ++i) {
       norm_b = maximum(norm_b, std::abs(b[4 * i]) + std::abs(b[4 * i + 1]) + std::abs(b[4 * i + 2]));
       for (int j = 0; j < 3; ++j) {
         double sum = 0;
-        for (int k = 0; k < 3; ++k) sum += inverse[i][k] * b[4 * k + j];
+        for (int k = 0; k < 3; ++k) sum += x[i][k] * b[4 * k + j];
         linear_[i][j] = sum * scale;
       }
-      offset_[i] = (inverse[i][0] * d[0] + inverse[i][1] * d[1] + inverse[i][2] * d[2]) / in_a.unit;
+      offset_[i] = (x[i][0] * d[0] + x[i][1] * d[1] + x[i][2] * d[2]) / unit;
     }
-    // Relative errors of the products X M_b and X D: 4 u for their own roundings, u for a fraction's entry, 2 rho for
-    // X.
-    const double relative = 2 * residual + 8 * u;
-    const double error = norm_x * (norm_b * scale * relative + (d.largest() * relative + d.error() * 1.01) / in_a.unit);
-    // Beyond the gate something may have overflowed or underflowed: then nothing is known.
-    const double top = maximum(d.terms(), norm_b, norm_x);
-    if (top <= 0x1p200 && in_a.is_in_range() && in_b.is_in_range() && error <= std::numeric_limits<double>::max())
-      error_ = error * 1.01 + 0x1p-300;
-    decide_similarity();
+    return norm_b;
   }
 
   static bool invert(const Pose& a, std::array<Row, 3>& inverse)
@@ -277,7 +300,11 @@ class Relative_frame {
       double row = 0;
       for (int j = 0; j < 3; ++j) {
         double sum = i == j ? -1 : 0, magnitude = 1;
-        for (int k = 0; k < 3; ++k) sum += x[i][k] * a[4 * k + j], magnitude += std::abs(x[i][k] * a[4 * k + j]);
+        for (int k = 0; k < 3; ++k) {
+          const double product = x[i][k] * a[4 * k + j];
+          sum += product;
+          magnitude += std::abs(product);
+        }
         row += std::abs(sum) + 6 * unit_roundoff<double> * magnitude;
       }
       norm = maximum(norm, row);

@@ -31,14 +31,20 @@ std::optional<std::array<std::size_t, 3>> plane_basis(std::size_t corner_count, 
   std::size_t farthest = 0, widest = 0;
   double distance = 0, area = 0;
   for (std::size_t k = 1; k < corner_count; ++k) {
-    if (const double d = length(difference(0, k)); d > distance) distance = d, farthest = k;
+    if (const double d = length(difference(0, k)); d > distance) {
+      distance = d;
+      farthest = k;
+    }
   }
   const auto base = difference(0, farthest);
   for (std::size_t k = 1; k < corner_count; ++k) {
     const auto v = difference(0, k);
     const double a =
         length({base[1] * v[2] - base[2] * v[1], base[2] * v[0] - base[0] * v[2], base[0] * v[1] - base[1] * v[0]});
-    if (a > area) area = a, widest = k;
+    if (a > area) {
+      area = a;
+      widest = k;
+    }
   }
   if (spans(0, farthest, widest)) return std::array<std::size_t, 3>{0, farthest, widest};
 

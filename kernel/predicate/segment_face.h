@@ -124,10 +124,13 @@ Contact coplanar_contact(const Point<K>& p, const Point<K>& q, const Face& face)
     const Point<K>* this_end = nullptr;
     const Point<K>* this_corner = nullptr;
     if (at != Contact::edge_edge) {
-      if (on(p, a, b))
-        this_end = &p, p_on_loop = true;
-      else if (on(q, a, b))
-        this_end = &q, q_on_loop = true;
+      if (on(p, a, b)) {
+        this_end = &p;
+        p_on_loop = true;
+      } else if (on(q, a, b)) {
+        this_end = &q;
+        q_on_loop = true;
+      }
       if (on(a, p, q))
         this_corner = &a;
       else if (on(b, p, q))

@@ -1,30 +1,42 @@
 #ifndef TETRACONE_KERNEL_PREDICATE_STAGE_COUNTS_H
 #define TETRACONE_KERNEL_PREDICATE_STAGE_COUNTS_H
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <numeric>
 
 namespace tetracone::kernel {
 
+/// The stages of the adaptive kernel, in the order in which they are asked.
+enum class Adaptive_stage {
+  filter,
+  zero,         ///< found to be exactly 0 without arithmetic
+  out_of_gate,  ///< the exact stage, asked at once: a point lies beyond the magnitude gate
+  grid,         ///< exact, in integers: exact images on a common grid
+  double_double,
+  exact  ///< after all others were undecided
+};
+constexpr std::size_t stage_count = static_cast<std::size_t>(Adaptive_stage::exact) + 1;
+
 /// How many of the adaptive kernel's signs each stage decided. The sign of four points of one pose is decided where
 /// that of their vertices is.
-struct Stage_counts {
-  std::uint64_t filter = 0;
-  std::uint64_t zero = 0;  ///< found to be exactly 0 without arithmetic
-  std::uint64_t grid = 0;  ///< exact, by integers: of exact images on a common grid
-  std::uint64_t double_double = 0;
-  std::uint64_t exact = 0;        ///< after all others were undecided
-  std::uint64_t out_of_gate = 0;  ///< by the exact stage too, which alone may be asked: a point beyond the magnitude
-                                  ///< gate
+class Stage_counts {
+ public:
+  std::uint64_t& operator[](Adaptive_stage stage) { return count_[static_cast<std::size_t>(stage)]; }
+  std::uint64_t operator[](Adaptive_stage stage) const { return count_[static_cast<std::size_t>(stage)]; }
 
-  std::uint64_t total() const { return filter + zero + grid + double_double + exact + out_of_gate; }
+  std::uint64_t total() const { return std::accumulate(count_.begin(), count_.end(), std::uint64_t{0}); }
 
   friend Stage_counts operator-(Stage_counts a, const Stage_counts& b)
   {
-    a.filter -= b.filter, a.zero -= b.zero, a.grid -= b.grid, a.double_double -= b.double_double, a.exact -= b.exact,
-        a.out_of_gate -= b.out_of_gate;
+    for (std::size_t k = 0; k < stage_count; ++k) a.count_[k] -= b.count_[k];
     return a;
   }
   friend bool operator==(const Stage_counts&, const Stage_counts&) = default;
+
+ private:
+  std::array<std::uint64_t, stage_count> count_{};
 };
 
 }  // namespace tetracone::kernel

@@ -41,7 +41,8 @@ inline std::array<Sign, 3> sides<Adaptive>(const Corners<Adaptive>& triangle, co
     const auto& d = points[k]->image;
     const double dx = d[0] - a[0], dy = d[1] - a[1], dz = d[2] - a[2];
     determinant[k] = nx * dx + ny * dy + nz * dz;
-    mx = maximum_of_defined(mx, std::abs(dx)), my = maximum_of_defined(my, std::abs(dy)),
+    mx = maximum_of_defined(mx, std::abs(dx));
+    my = maximum_of_defined(my, std::abs(dy));
     mz = maximum_of_defined(mz, std::abs(dz));
   }
   const double error = triangle[0]->error + maximum(triangle[1]->error, triangle[2]->error, points[0]->error,

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 /// Vectors of 16 bytes, the compiler's own: for work so short that the call of a version chosen at run time (see
 /// simd.h) would take longer. Operations are lane by lane, in the instructions that every processor of the architecture
@@ -22,6 +23,24 @@ inline Four_floats magnitudes(Four_floats v)
 inline Two_doubles magnitudes(Two_doubles v)
 {
   return reinterpret_cast<Two_doubles>(reinterpret_cast<Two_longs>(v) & 0x7fffffffffffffff);
+}
+
+/// In each lane all bits, where `v` has the sign bit; else none.
+inline Four_ints is_negative(Four_floats v) { return reinterpret_cast<Four_ints>(v) >> 31; }
+
+/// `v` with its signs changed where `signs` has the sign bit.
+inline Four_floats with_signs_of(Four_floats v, Four_floats signs)
+{
+  constexpr std::int32_t sign_bit = std::numeric_limits<std::int32_t>::min();
+  return reinterpret_cast<Four_floats>(reinterpret_cast<Four_ints>(v) ^
+                                       (reinterpret_cast<Four_ints>(signs) & sign_bit));
+}
+
+/// Lane by lane: `yes` where the mask has all bits, `no` where it has none.
+inline Four_floats select(Four_ints mask, Four_floats yes, Four_floats no)
+{
+  return reinterpret_cast<Four_floats>((reinterpret_cast<Four_ints>(yes) & mask) |
+                                       (reinterpret_cast<Four_ints>(no) & ~mask));
 }
 
 /// The sum of the lanes, in every lane: of (v0 + v1) and (v2 + v3).

@@ -10,28 +10,28 @@
 #include <cstdint>
 #include <initializer_list>
 
-/// Vectors of numbers by Highway, chosen at run time: kernels are compiled for what every processor of the architecture
-/// has (x86-64: SSE2), for SSSE3, AVX2 and AVX-512.
+/// Vectors of numbers by Highway, chosen at run time: functions are compiled for what every processor of the
+/// architecture has (x86-64: SSE2), for SSSE3, AVX2 and AVX-512.
 ///
-/// A kernel is an inline function of the namespace HWY_NAMESPACE within its folder's, in a file NAME_simd.inl. NAME.h
-/// includes that file once for each target and chooses a version. Example: kernel/bound/obb8_overlap_simd.inl and
+/// A vector function is an inline one of the namespace HWY_NAMESPACE within its folder's, in a file NAME_simd.inl.
+/// NAME.h includes that file once for each target and chooses a version. Example: kernel/bound/obb8_overlap_simd.inl and
 /// obb8_overlap.h.
 ///
-///     #define TETRACONE_SIMD_KERNEL "tetracone/FOLDER/ROOM/NAME_simd.inl"
+///     #define TETRACONE_SIMD_FILE "tetracone/FOLDER/ROOM/NAME_simd.inl"
 ///     #include "tetracone/kernel/simd/simd_rounds.h"
 ///
 ///     inline Function* name()
 ///     {
-///       static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(name_kernel));
+///       static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(name_simd));
 ///       return fastest;
 ///     }
 ///
-/// Vectors never cross a call. Signs are the same bits in all versions: kernels that decide them use neither MulAdd nor
-/// sums over lanes.
+/// Vectors never cross a call. Signs are the same bits in all versions: functions that decide them use neither MulAdd
+/// nor sums over lanes.
 ///
-/// Highway generates the operations of a target once in a translation unit. One that has Highway kernels of its own may
+/// Highway generates the operations of a target once in a translation unit. One that has Highway code of its own may
 /// include this header after all of them (where HWY_ONCE is true), which takes the operations that are there; or before
-/// them, and then its own kernels are compiled for its static target only.
+/// them, and then its own code is compiled for its static target only.
 
 #ifdef HIGHWAY_HWY_FOREACH_TARGET_H_
 #if !HWY_ONCE
@@ -40,33 +40,33 @@
 #define TETRACONE_SIMD_HAS_OPERATIONS
 #endif
 
-// Which targets, and where their versions of a kernel are. HWY_TARGETS is narrowed below.
+// Which targets, and where their versions of a function are. HWY_TARGETS is narrowed below.
 #if (HWY_TARGETS & HWY_SSSE3) && HWY_STATIC_TARGET != HWY_SSSE3
-#define TETRACONE_SIMD_SSSE3(kernel) {HWY_SSSE3, &N_SSSE3::kernel},
+#define TETRACONE_SIMD_SSSE3(function) {HWY_SSSE3, &N_SSSE3::function},
 #else
-#define TETRACONE_SIMD_SSSE3(kernel)
+#define TETRACONE_SIMD_SSSE3(function)
 #define TETRACONE_SIMD_NO_SSSE3
 #endif
 #if (HWY_TARGETS & HWY_AVX2) && HWY_STATIC_TARGET != HWY_AVX2
-#define TETRACONE_SIMD_AVX2(kernel) {HWY_AVX2, &N_AVX2::kernel},
+#define TETRACONE_SIMD_AVX2(function) {HWY_AVX2, &N_AVX2::function},
 #else
-#define TETRACONE_SIMD_AVX2(kernel)
+#define TETRACONE_SIMD_AVX2(function)
 #define TETRACONE_SIMD_NO_AVX2
 #endif
 #if (HWY_TARGETS & HWY_AVX3) && HWY_STATIC_TARGET != HWY_AVX3
-#define TETRACONE_SIMD_AVX3(kernel) {HWY_AVX3, &N_AVX3::kernel},
+#define TETRACONE_SIMD_AVX3(function) {HWY_AVX3, &N_AVX3::function},
 #else
-#define TETRACONE_SIMD_AVX3(kernel)
+#define TETRACONE_SIMD_AVX3(function)
 #define TETRACONE_SIMD_NO_AVX3
 #endif
 
-/// The versions of a kernel that this translation unit has, the fastest first.
-#define TETRACONE_SIMD_VERSIONS(kernel)                                                  \
-  {                                                                                      \
-    TETRACONE_SIMD_AVX3(kernel) TETRACONE_SIMD_AVX2(kernel) TETRACONE_SIMD_SSSE3(kernel) \
-    {                                                                                    \
-      HWY_STATIC_TARGET, &HWY_STATIC_DISPATCH(kernel)                                    \
-    }                                                                                    \
+/// The versions of a function that this translation unit has, the fastest first.
+#define TETRACONE_SIMD_VERSIONS(function)                                                      \
+  {                                                                                            \
+    TETRACONE_SIMD_AVX3(function) TETRACONE_SIMD_AVX2(function) TETRACONE_SIMD_SSSE3(function) \
+    {                                                                                          \
+      HWY_STATIC_TARGET, &HWY_STATIC_DISPATCH(function)                                        \
+    }                                                                                          \
   }
 
 #ifndef TETRACONE_SIMD_HAS_OPERATIONS
@@ -117,7 +117,7 @@
 
 namespace tetracone::kernel {
 
-/// A kernel's function for a target of Highway's.
+/// A vector function compiled for a target of Highway's.
 template <class Function>
 struct Simd_version {
   std::int64_t target;

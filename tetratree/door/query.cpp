@@ -60,7 +60,10 @@ void require_solid(const Body_data& body, const char* which)
 
 Query::Query(const Body& a, const Body& b, Question question, const Query_options& options)
 {
-  if (question == Question::solid) detail::require_solid(*a.data_, "a"), detail::require_solid(*b.data_, "b");
+  if (question == Question::solid) {
+    detail::require_solid(*a.data_, "a");
+    detail::require_solid(*b.data_, "b");
+  }
   data_ = std::make_unique<detail::Query_data>(detail::Query_data{question, detail::solver(a.data_, b.data_, options)});
 }
 

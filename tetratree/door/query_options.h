@@ -3,6 +3,7 @@
 
 #include "tetracone/kernel/predicate/tolerance.h"
 
+#include <array>
 #include <string_view>
 
 namespace tetracone {
@@ -19,6 +20,8 @@ enum class Method {
   paper,  ///< the tetra-tree of JS08 with the paper's choices
   brute   ///< every edge against every face
 };
+
+inline constexpr std::array all_methods = {Method::tree, Method::tuned, Method::paper, Method::brute};
 
 /// The enumerator's own name.
 constexpr std::string_view to_string(Method method)

@@ -3,6 +3,7 @@
 // Included by the one unit of each kernel.
 
 #include "tetracone/kernel/predicate/tolerant.h"
+#include "tetracone/tetratree/door/method_config.h"
 #include "tetracone/tetratree/door/solver.h"
 #include "tetracone/tetratree/paper/collision.h"
 
@@ -49,10 +50,7 @@ class Tetra_tree_solver : public Solver {
     const std::string name = std::to_string(int(options.kernel)) + ' ' + std::to_string(int(options.method)) + ' ' +
                              std::to_string(options.tolerance.absolute) + ' ' +
                              std::to_string(options.tolerance.relative);
-    const auto config = options.method == Method::paper   ? tetratree::Config::paper()
-                        : options.method == Method::brute ? tetratree::Config::brute()
-                                                          : tetratree::Config::fastest();
-    return body.tetra_tree<K>(name, config);
+    return body.tetra_tree<K>(name, config_of(options.method));
   }
 
   Tolerance tolerance_;

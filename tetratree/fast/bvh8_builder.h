@@ -70,7 +70,10 @@ class Bvh8_builder {
   {
     Vector sum = Vector::Zero();
     int count = 0;
-    for_corners(element, [&](const Vector& p) { sum += p, ++count; });
+    for_corners(element, [&](const Vector& p) {
+      sum += p;
+      ++count;
+    });
     sum /= count;
     return {float(sum[0]), float(sum[1]), float(sum[2])};
   }
@@ -140,7 +143,8 @@ class Bvh8_builder {
     Sample s{vector(centroids_[e]), Vector::Constant(8), Vector::Constant(-8)};
     for_corners(elements_[e], [&](const Vector& p) {
       const Vector along = axes.transpose() * p;
-      s.low = s.low.cwiseMin(along), s.high = s.high.cwiseMax(along);
+      s.low = s.low.cwiseMin(along);
+      s.high = s.high.cwiseMax(along);
     });
     return s;
   }
@@ -174,7 +178,9 @@ class Bvh8_builder {
 
       double cost_with(const Sample& s)
       {
-        low = low.cwiseMin(s.low), high = high.cwiseMax(s.high), ++count;
+        low = low.cwiseMin(s.low);
+        high = high.cwiseMax(s.high);
+        ++count;
         const Vector e = high - low;
         return std::sqrt(double(count)) * (e[0] * e[1] + e[1] * e[2] + e[2] * e[0]);
       }
@@ -188,8 +194,10 @@ class Bvh8_builder {
     for (std::size_t k = 1; k < samples_.size(); ++k) {
       const double cost = before.cost_with(samples_[order[k - 1].second]) + costs_after_[k];
       const bool is_even = k >= fewest && k + fewest <= samples_.size();
-      if (is_even && cost < best.cost && order[k - 1].first < order[k].first)
-        best.cost = cost, best.place = order[k].first;
+      if (is_even && cost < best.cost && order[k - 1].first < order[k].first) {
+        best.cost = cost;
+        best.place = order[k].first;
+      }
     }
     return best;
   }
@@ -201,7 +209,10 @@ class Bvh8_builder {
     ++stamp_;
     for (Index k = part.first; k < part.last; ++k)
       elements_.for_vertices(elements_[order_[k]], [&](Index v) {
-        if (stamps_[v] != stamp_) stamps_[v] = stamp_, points.push_back(elements_.local(v));
+        if (stamps_[v] != stamp_) {
+          stamps_[v] = stamp_;
+          points.push_back(elements_.local(v));
+        }
       });
     return points;
   }
@@ -222,7 +233,8 @@ class Bvh8_builder {
       const bool triangle = points.size() == 3;
       const auto box = triangle ? kernel::triangle_box(std::span<const Vector, 3>(points.data(), 3))
                                 : kernel::fitted_box(points, fitting_rounds);
-      low = low.cwiseMin(box.centre), high = high.cwiseMax(box.centre);
+      low = low.cwiseMin(box.centre);
+      high = high.cwiseMax(box.centre);
       all.push_back({box, std::move(points)});
     }
     // Exact in float, and so in double.
@@ -241,8 +253,10 @@ class Bvh8_builder {
               ? Bvh8_node::leaf(kernel::apex_code(node.boxes, int(lane), origin, std::span<const Vector, 3>(points)))
               : Bvh8_node::leaf(0);
       double sum = 0, square = 0;
-      for (int i = 0; i < 3; ++i)
-        sum += node.boxes.extent[i][lane], square += double(node.boxes.centre[i][lane]) * node.boxes.centre[i][lane];
+      for (int i = 0; i < 3; ++i) {
+        sum += node.boxes.extent[i][lane];
+        square += double(node.boxes.centre[i][lane]) * node.boxes.centre[i][lane];
+      }
       reach = kernel::maximum(reach, sum + std::sqrt(square));
     }
     node.boxes.reach = float(reach * 1.0000002);

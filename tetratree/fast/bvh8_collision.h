@@ -105,7 +105,9 @@ class Bvh8_collision {
   [[gnu::noinline]] Relation ask_trees(const Pose& pose_a, const Pose& pose_b, Question question)
   {
     const std::uint64_t fallbacks = exact_fallbacks();
-    pose_a_ = &pose_a, pose_b_ = &pose_b, is_placed_ = false;
+    pose_a_ = &pose_a;
+    pose_b_ = &pose_b;
+    is_placed_ = false;
     const Relation answer = relation_of_trees(question);
     counts_.exact_fallbacks += exact_fallbacks() - fallbacks;
     return answer;
@@ -149,7 +151,8 @@ class Bvh8_collision {
   void place()
   {
     if (is_placed_) return;
-    a_.placed.place(*pose_a_), b_.placed.place(*pose_b_);
+    a_.placed.place(*pose_a_);
+    b_.placed.place(*pose_b_);
     is_placed_ = true;
   }
 
@@ -177,7 +180,8 @@ class Bvh8_collision {
         tree.child(box / 8, int(box % 8));
       }
     }
-    counts_.pairs_visited += trees.opened, counts_.box_tests += trees.compared;
+    counts_.pairs_visited += trees.opened;
+    counts_.box_tests += trees.compared;
     return meet;
   }
 

@@ -123,7 +123,10 @@ class Bvh8_containment {
     const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
     kernel::Single_box box{};
     if (!(length > 0x1p20 * error) || !(length < 0x1p20)) {
-      for (int i = 0; i < 3; ++i) box.edge[i][i] = 1, box.extent[i] = 4;
+      for (int i = 0; i < 3; ++i) {
+        box.edge[i][i] = 1;
+        box.extent[i] = 4;
+      }
       return box;
     }
     const double end = kernel::maximum(2.0, 1.5 * length);

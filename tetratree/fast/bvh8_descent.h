@@ -26,7 +26,10 @@ class Pair_stack {
   void push(std::uint32_t a, std::uint32_t b, float size_a, float size_b)
   {
     reserve();
-    box_[0][count_] = a, box_[1][count_] = b, size_[0][count_] = size_a, size_[1][count_] = size_b;
+    box_[0][count_] = a;
+    box_[1][count_] = b;
+    size_[0][count_] = size_a;
+    size_[1][count_] = size_b;
     ++count_;
   }
 
@@ -34,7 +37,10 @@ class Pair_stack {
   void reserve()
   {
     if (count_ + 5 * kernel::lanes <= box_[0].size()) return;
-    for (int body = 0; body < 2; ++body) box_[body].resize(2 * count_ + 256), size_[body].resize(2 * count_ + 256);
+    for (int body = 0; body < 2; ++body) {
+      box_[body].resize(2 * count_ + 256);
+      size_[body].resize(2 * count_ + 256);
+    }
   }
   std::uint32_t* boxes(int body) { return box_[body].data(); }
   float* sizes(int body) { return size_[body].data(); }
@@ -84,7 +90,7 @@ inline bool first_is_larger(float size_a, float size_b) { return size_a > size_b
 
 }  // namespace tetracone::tetratree
 
-#define TETRACONE_SIMD_KERNEL "tetracone/tetratree/fast/bvh8_descent_simd.inl"
+#define TETRACONE_SIMD_FILE "tetracone/tetratree/fast/bvh8_descent_simd.inl"
 #include "tetracone/kernel/simd/simd_rounds.h"
 
 namespace tetracone::tetratree {
@@ -94,7 +100,7 @@ namespace tetracone::tetratree {
 inline Stop descend(Pair_stack& stack, Both_trees& trees)
 {
   using Function = Stop(Pair_stack&, Both_trees&);
-  static Function* const fastest = kernel::fastest_version<Function>(TETRACONE_SIMD_VERSIONS(descend_kernel));
+  static Function* const fastest = kernel::fastest_version<Function>(TETRACONE_SIMD_VERSIONS(descend_simd));
   return fastest(stack, trees);
 }
 

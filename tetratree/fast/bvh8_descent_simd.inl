@@ -1,7 +1,7 @@
 #ifndef TETRACONE_TETRATREE_FAST_BVH8_DESCENT_SIMD_INL
 #define TETRACONE_TETRATREE_FAST_BVH8_DESCENT_SIMD_INL
 // Included by tetratree/fast/bvh8_descent.h, once for each target.
-#ifndef TETRACONE_SIMD_KERNEL
+#ifndef TETRACONE_SIMD_FILE
 #undef TETRACONE_TETRATREE_FAST_BVH8_DESCENT_SIMD_INL  // that header includes this one, again and again
 #include "tetracone/tetratree/fast/bvh8_descent.h"
 #else
@@ -22,7 +22,10 @@ struct Opening {
 
   HWY_INLINE Opening(Pair_stack& stack, std::size_t position, const Both_trees& trees)
   {
-    for (int k = 0; k < 2; ++k) box[k] = stack.boxes(k)[position], size[k] = stack.sizes(k)[position];
+    for (int k = 0; k < 2; ++k) {
+      box[k] = stack.boxes(k)[position];
+      size[k] = stack.sizes(k)[position];
+    }
     body = first_is_larger(size[0], size[1]) ? 0 : 1;
     if (size[body] < 0) {
       stop = Stop::leaves;
@@ -91,7 +94,8 @@ HWY_INLINE std::size_t store(Pair_stack& stack, std::size_t count, const Opening
     hn::StoreU(hn::Set(tag, o.size[other]), tag, stack.sizes(other) + count);
     count += hn::CountTrue(tag, mask);
   }
-  ++trees.opened, trees.compared += held;
+  ++trees.opened;
+  trees.compared += held;
   return count;
 }
 
@@ -133,7 +137,7 @@ HWY_ATTR Stop descend(Pair_stack& stack, Both_trees& trees)
   return Stop::nothing_left;
 }
 
-inline HWY_ATTR Stop descend_kernel(Pair_stack& stack, Both_trees& trees)
+inline HWY_ATTR Stop descend_simd(Pair_stack& stack, Both_trees& trees)
 {
   return trees.into[0]->is_similarity() && trees.into[1]->is_similarity() ? descend<true>(stack, trees)
                                                                           : descend<false>(stack, trees);

@@ -138,7 +138,8 @@ class Separating_direction {
     // So that no product overflows, and what underflows is far below the slack; also what is undefined ends here.
     if (!(placed.slack < 1e8f && norm_m < 1e14f && norm_a[0] > 1e-15f && norm_b[0] > 1e-15f)) return tried;
     tried.is_defined = true;
-    tried.at_a = Support_table::place(along_a, norm_a), tried.at_b = Support_table::place(along_b, norm_b);
+    tried.at_a = Support_table::place(along_a, norm_a);
+    tried.at_b = Support_table::place(along_b, norm_b);
     tried.reach = a_.table.reach(tried.at_a) + b_.table.reach(tried.at_b);
     tried.gap = kernel::sum_of_lanes(m * placed.apart - tried.reach)[0];
     tried.slack = Support_table::slack * (norm_a[0] + norm_b[0]) + norm_m * placed.slack;
@@ -151,12 +152,16 @@ class Separating_direction {
   {
     const auto separates = [&] {
       if (tried.is_defined && !(kernel::sum_of_lanes(tried.reach)[0] < std::numeric_limits<float>::infinity())) {
-        a_.table.find(tried.at_a), b_.table.find(tried.at_b);
+        a_.table.find(tried.at_a);
+        b_.table.find(tried.at_b);
         tried = attempt(placed, m);
       }
       return tried.separates();
     };
-    if (last_one_first && were_apart_ && !separates()) m = placed.apart, tried = attempt(placed, m);
+    if (last_one_first && were_apart_ && !separates()) {
+      m = placed.apart;
+      tried = attempt(placed, m);
+    }
     were_apart_ = separates();
     while (!were_apart_ && --steps > 0 && tried.is_defined &&
            kernel::sum_of_lanes(m * placed.apart)[0] > hopeless * kernel::sum_of_lanes(tried.reach)[0]) {
@@ -168,16 +173,19 @@ class Separating_direction {
     return were_apart_;
   }
 
+  /// The next direction (Chung and Wang): m mirrored at the plane across w, which leads from A's farthest point along m
+  /// to B's farthest point against it.
   Floats mirrored(Floats m, const Attempt& tried, const Placed& placed) const
   {
     const Floats p = a_.table.point(tried.at_a), q = b_.table.point(tried.at_b);
-    Floats back[3];  // lanes of the parts of A's point less B's, each as seen from its own origin
-    for (int i = 0; i < 3; ++i) back[i] = placed.row_a[i] * p + placed.row_b[i] * q;
-    const Floats even = __builtin_shufflevector(back[0], back[1], 0, 4, 2, 6),
-                 odd = __builtin_shufflevector(back[0], back[1], 1, 5, 3, 7), two = even + odd;
-    const Floats sums = two + __builtin_shufflevector(two, two, 2, 3, 0, 1);
-    const Floats w =
-        placed.apart - kernel::first_three(__builtin_shufflevector(sums, kernel::sum_of_lanes(back[2]), 0, 1, 4, 4));
+    Floats terms[3];  // in the lanes of part i: A's point less B's, each as seen from its own origin
+    for (int i = 0; i < 3; ++i) terms[i] = placed.row_a[i] * p + placed.row_b[i] * q;
+    // Sums of the lanes of x and y at once: of neighbours, then of both pairs.
+    const Floats even = __builtin_shufflevector(terms[0], terms[1], 0, 4, 2, 6),
+                 odd = __builtin_shufflevector(terms[0], terms[1], 1, 5, 3, 7), pairs = even + odd;
+    const Floats xy = pairs + __builtin_shufflevector(pairs, pairs, 2, 3, 0, 1);
+    const Floats xyz = kernel::first_three(__builtin_shufflevector(xy, kernel::sum_of_lanes(terms[2]), 0, 1, 4, 4));
+    const Floats w = placed.apart - xyz;
     return m - 2 * kernel::sum_of_lanes(m * w) / kernel::sum_of_lanes(w * w) * w;
   }
 

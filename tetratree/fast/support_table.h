@@ -55,16 +55,15 @@ class Support_table {
     const Four_floats part = in_octant - __builtin_convertvector(whole, Four_floats);
     // In the triangle of corners 0, 1 and 2; where their weights would be below 0, in that of 3, 1 and 2.
     const Four_floats rest = 1 - kernel::repeated<1>(part) - kernel::repeated<2>(part);
-    const Four_ints beyond = reinterpret_cast<Four_ints>(rest) & (reinterpret_cast<Four_ints>(rest) >> 31);
-    constexpr std::int32_t minus = std::numeric_limits<std::int32_t>::min();
+    const Four_ints beyond = reinterpret_cast<Four_ints>(rest) & kernel::is_negative(rest);
+    constexpr std::int32_t sign_bit = std::numeric_limits<std::int32_t>::min();
     const Four_floats weight = __builtin_shufflevector(rest, part, 0, 5, 6, 7) +
-                               reinterpret_cast<Four_floats>(beyond ^ Four_ints{minus, 0, 0, minus});
+                               reinterpret_cast<Four_floats>(beyond ^ Four_ints{sign_bit, 0, 0, sign_bit});
     // Products of the low halves, all there is of numbers up to 16.
     static_assert(std::endian::native == std::endian::little);
     const Four_ints corner =
         reinterpret_cast<Four_ints>(reinterpret_cast<Eight_shorts>(whole) * Eight_shorts{0, 0, 1, 0, row, 0, 0, 0});
-    const Four_ints octant =
-        (reinterpret_cast<Four_ints>(d) >> 31) & Four_ints{row * row, 2 * row * row, 4 * row * row, 0};
+    const Four_ints octant = kernel::is_negative(d) & Four_ints{row * row, 2 * row * row, 4 * row * row, 0};
     return {kernel::sum_of_lanes(corner + octant)[0], weight, sum, at};
   }
 
@@ -94,12 +93,9 @@ class Support_table {
     const Four_floats below = __builtin_shufflevector(h, h, 0, 1, 2, 0) - kernel::repeated<0>(h),
                       beyond = kernel::repeated<3>(h) - __builtin_shufflevector(h, h, 3, 2, 1, 3);
     const Four_ints is_beyond = kernel::repeated<3>(p.weight) > 0.0f;
-    const Four_floats step = reinterpret_cast<Four_floats>((reinterpret_cast<Four_ints>(beyond) & is_beyond) |
-                                                           (reinterpret_cast<Four_ints>(below) & ~is_beyond));
+    const Four_floats step = kernel::select(is_beyond, beyond, below);
     const Four_floats x = kernel::sum_of_lanes(p.weight * h - kernel::magnitudes(p.at) * step);
-    const Four_ints point = reinterpret_cast<Four_ints>(kernel::first_three(x + float(n) * step));
-    return reinterpret_cast<Four_floats>(
-        point ^ (reinterpret_cast<Four_ints>(p.at) & std::numeric_limits<std::int32_t>::min()));
+    return kernel::with_signs_of(kernel::first_three(x + float(n) * step), p.at);
   }
 
   std::size_t bytes() const { return reach_.capacity() * sizeof(float); }

@@ -66,7 +66,10 @@ struct Cone_points {
   Cone_points placed(const Frame& frame) const
   {
     Cone_points result = *this;
-    result.v0 = frame(v0), result.v1 = frame(v1), result.v2 = frame(v2), result.v3 = frame(v3);
+    result.v0 = frame(v0);
+    result.v1 = frame(v1);
+    result.v2 = frame(v2);
+    result.v3 = frame(v3);
     return result;
   }
 };

@@ -147,7 +147,7 @@ void judge(const char* subject, const tetratree::Config& config, const covering:
 }
 
 /// The fast tree, asked twice: the second time it begins with what it kept.
-void judge_wide(const covering::Polyhedron& a, const covering::Polyhedron& b, const Pose& pose_a, const Pose& pose_b,
+void judge_bvh8(const covering::Polyhedron& a, const covering::Polyhedron& b, const Pose& pose_a, const Pose& pose_b,
                 int surface, int solid, int number)
 {
   tetratree::Bvh8 tree_a(a), tree_b(b);
@@ -176,7 +176,7 @@ void judge_object(std::istream& in, int number)
   judge<Adaptive>("adaptive spheres", plain, a, b, pose_a, pose_b, surface, solid, number);
   judge<Adaptive>("adaptive tree", tetratree::Config::fastest(), a, b, pose_a, pose_b, surface, solid, number);
   judge<Adaptive>("adaptive brute", tetratree::Config::brute(), a, b, pose_a, pose_b, surface, solid, number);
-  judge_wide(a, b, pose_a, pose_b, surface, solid, number);
+  judge_bvh8(a, b, pose_a, pose_b, surface, solid, number);
   if (number % 16 == 0)
     judge<kernel::Rational_kernel>("rational tree", tetratree::Config::fastest(), a, b, pose_a, pose_b, surface, solid,
                                    number);
@@ -250,7 +250,7 @@ void judge_double_doubles(int rounds)
 
 /// The double-double stage: decides nothing within its proved error, nothing wrongly, nothing of points out of the
 /// gate.
-void judge_wide_stage(int rounds)
+void judge_double_double_stage(int rounds)
 {
   const auto silent = [](const Adaptive::Decision& decision, const char* what) {
     if (decision) wrong(std::string("double-double stage decides within its error: ") + what);
@@ -347,7 +347,7 @@ int main(int argc, char** argv)
   }
   judge_stages(300000);
   judge_double_doubles(20000);
-  judge_wide_stage(4000);
+  judge_double_double_stage(4000);
   judge_zero_exits(20000);
   std::cout << "right: " << cases << " cases\n";
 }

@@ -1,6 +1,8 @@
 #include "verify/subjects/blame.h"
 
 #include "tetracone/covering/inclusion.h"
+#include "tetracone/covering/repair/repair.h"
+#include "tetracone/tetratree/fast/bvh8_collision.h"
 #include "tetracone/tetratree/paper/collision.h"
 
 #include <algorithm>
@@ -95,8 +97,38 @@ bool any_in(const Meeting& pairs, std::span<const Index> edges, std::span<const 
   });
 }
 
+/// An edge of one face meets the other.
+bool edges_meet(const Rounded_face& with_edges, const Rounded_face& face)
+{
+  for (std::size_t k = 0; k < with_edges.edge_count(); ++k)
+    if (kernel::segment_face<Epick>(with_edges.from(k), with_edges.to(k), face) != kernel::Contact::none) return true;
+  return false;
+}
+
+/// Both rounded bodies, and what exact signs say of them.
+struct Rounded_pair {
+  Rounded_body a, b;
+  bool is_finite;
+  Meeting a_in_b, b_in_a;
+  bool contained = false;
+
+  template <class K>
+  Rounded_pair(covering::Placed_model<K>& body_a, covering::Placed_model<K>& body_b, Question question)
+      : a(body_a), b(body_b), is_finite(a.is_finite() && b.is_finite())
+  {
+    // A point at infinity has lost its place, and has no exact signs.
+    if (!is_finite) return;
+    a_in_b = meeting(a, b, body_b.model().face_count());
+    b_in_a = meeting(b, a, body_a.model().face_count());
+    contained = question == Question::solid && (holds_a_shell(a, b) || holds_a_shell(b, a));
+  }
+
+  bool collide() const { return contained || !a_in_b.empty() || !b_in_a.empty(); }
+};
+
 template <class K>
-std::optional<Stage> blame_in(const tetratree::Config& config, const Object_case& c, Question question, bool truth)
+std::optional<Stage> blame_in_tetra_tree(const tetratree::Config& config, const Object_case& c, Question question,
+                                         bool truth)
 {
   using Tree = tetratree::Tetra_tree<K>;
   using Node = tetratree::Node<typename Tree::B>;
@@ -104,45 +136,72 @@ std::optional<Stage> blame_in(const tetratree::Config& config, const Object_case
   tetratree::Collision<K> collision(tree_a, tree_b);
   if (collision(c.pose_a, c.pose_b, question) == truth) return std::nullopt;
 
-  const Rounded_body a(collision.a().body()), b(collision.b().body());
-  // A point at infinity has lost its place, and has no exact signs.
-  if (!a.is_finite() || !b.is_finite()) return Stage::pose;
-  const Meeting a_in_b = meeting(a, b, c.b->face_count()), b_in_a = meeting(b, a, c.a->face_count());
-  const bool contained = question == Question::solid && (holds_a_shell(a, b) || holds_a_shell(b, a));
-  if ((contained || !a_in_b.empty() || !b_in_a.empty()) != truth) return Stage::pose;
+  const Rounded_pair rounded(collision.a().body(), collision.b().body(), question);
+  if (!rounded.is_finite || rounded.collide() != truth) return Stage::pose;
 
   // From here on, discarding one thing more at a time.
   const auto exact_leaves = [&](const Node& leaf_a, const Node& leaf_b) {
-    return any_in(a_in_b, tree_a.edges(leaf_a), tree_b.faces(leaf_b)) ||
-           any_in(b_in_a, tree_b.edges(leaf_b), tree_a.faces(leaf_a));
+    return any_in(rounded.a_in_b, tree_a.edges(leaf_a), tree_b.faces(leaf_b)) ||
+           any_in(rounded.b_in_a, tree_b.edges(leaf_b), tree_a.faces(leaf_a));
   };
   tetratree::Config& discards = collision.config();
   const auto wrong_with = [&](bool spheres, bool tetrahedra, bool hull) {
     discards.spheres = spheres;
     discards.tetrahedra = tetrahedra;
     discards.regular_hull = hull;
-    return (contained || collision.any_leaf_pair(c.pose_a, c.pose_b, exact_leaves)) != truth;
+    return (rounded.contained || collision.any_leaf_pair(c.pose_a, c.pose_b, exact_leaves)) != truth;
   };
   if (wrong_with(false, false, false)) return Stage::classification;
   if (wrong_with(true, false, false)) return Stage::bounding_sphere;
   if (wrong_with(true, true, false)) return Stage::bounding_tetrahedron;
   if (wrong_with(true, true, config.regular_hull)) return Stage::regular_hull;
-  if ((contained || collision(c.pose_a, c.pose_b, Question::surface)) != truth) return Stage::leaf_sign;
+  if ((rounded.contained || collision(c.pose_a, c.pose_b, Question::surface)) != truth) return Stage::leaf_sign;
   return Stage::containment;
+}
+
+template <class K>
+std::optional<Stage> blame_in_fast_tree(const Object_case& c, Question question, bool truth)
+{
+  using tetratree::Bvh8, tetratree::Element;
+  const Bvh8 tree_a(*c.a, covering::triangulate_faces(*c.a)), tree_b(*c.b, covering::triangulate_faces(*c.b));
+  const covering::Model<K> model_a(*c.a), model_b(*c.b);
+  tetratree::Bvh8_collision<K> collision(tree_a, model_a, tree_b, model_b);
+  if (collision(c.pose_a, c.pose_b, question) == truth) return std::nullopt;
+
+  covering::Placed_model<K> placed_a(model_a), placed_b(model_b);
+  placed_a.place(c.pose_a);
+  placed_b.place(c.pose_b);
+  const Rounded_pair rounded(placed_a, placed_b, question);
+  if (!rounded.is_finite || rounded.collide() != truth) return Stage::pose;
+
+  const auto exact_leaves = [&](const Element& of_a, const Element& of_b) {
+    const Rounded_face a{rounded.a, of_a.face}, b{rounded.b, of_b.face};
+    return edges_meet(a, b) || edges_meet(b, a);
+  };
+  if ((rounded.contained || collision.any_element_pair(c.pose_a, c.pose_b, exact_leaves)) != truth)
+    return Stage::bounding_box;
+  if ((rounded.contained || collision(c.pose_a, c.pose_b, Question::surface)) != truth) return Stage::leaf_sign;
+  return Stage::containment;
+}
+
+template <class K>
+std::optional<Stage> blame_in(Method method, const Object_case& c, Question question, bool truth)
+{
+  return method == Method::tree ? blame_in_fast_tree<K>(c, question, truth)
+                                : blame_in_tetra_tree<K>(config_of(method), c, question, truth);
 }
 
 }  // namespace
 
 std::optional<Stage> blame(const Subject& subject, const Object_case& c, Question question, bool truth)
 {
-  const tetratree::Config config = config_of(subject.method);
   switch (subject.kernel) {
-    case Kernel_name::double_: return blame_in<kernel::Double>(config, c, question, truth);
-    case Kernel_name::float_: return blame_in<kernel::Float>(config, c, question, truth);
-    case Kernel_name::epick: return blame_in<kernel::Epick>(config, c, question, truth);
+    case Kernel_name::double_: return blame_in<kernel::Double>(subject.method, c, question, truth);
+    case Kernel_name::float_: return blame_in<kernel::Float>(subject.method, c, question, truth);
+    case Kernel_name::epick: return blame_in<kernel::Epick>(subject.method, c, question, truth);
     case Kernel_name::double_eps:
       kernel::Tolerant::tolerance() = subject.tolerance;
-      return blame_in<kernel::Tolerant>(config, c, question, truth);
+      return blame_in<kernel::Tolerant>(subject.method, c, question, truth);
     default: return std::nullopt;
   }
 }

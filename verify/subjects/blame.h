@@ -11,15 +11,24 @@ namespace tetracone::verify {
 
 /// The stages at which a tree in rounded arithmetic can leave the right answer, in the order in which a query goes
 /// through them.
-enum class Stage { pose, classification, bounding_sphere, bounding_tetrahedron, regular_hull, leaf_sign, containment };
+enum class Stage {
+  pose,
+  classification,
+  bounding_sphere,
+  bounding_tetrahedron,
+  regular_hull,
+  bounding_box,
+  leaf_sign,
+  containment
+};
 inline constexpr std::array all_stages = {
     Stage::pose,         Stage::classification, Stage::bounding_sphere, Stage::bounding_tetrahedron,
-    Stage::regular_hull, Stage::leaf_sign,      Stage::containment};
+    Stage::regular_hull, Stage::bounding_box,   Stage::leaf_sign,       Stage::containment};
 
 inline const char* to_string(Stage stage)
 {
   constexpr std::array names = {"pose",         "classification", "bounding sphere", "bounding tetrahedron",
-                                "regular hull", "leaf sign",      "containment"};
+                                "regular hull", "bounding box",   "leaf sign",       "containment"};
   return names[static_cast<std::size_t>(stage)];
 }
 
@@ -28,7 +37,8 @@ inline const char* to_string(Stage stage)
 /// from `truth` is to blame.
 ///  - pose: exact signs on the rounded images of the vertices already give the wrong answer;
 ///  - classification: no leaf pair of the subject's tree holds what meets;
-///  - bounding sphere, bounding tetrahedron, regular hull: the leaf pair that holds it is discarded;
+///  - bounding sphere, bounding tetrahedron, regular hull; of the fast tree bounding box, its separating directions
+///    among them: the leaf pair that holds it is discarded;
 ///  - leaf sign: the subject's own leaf tests go wrong on it; containment: its own sums over the covering do.
 /// Nothing for exact subjects, and where the subject's answer is right after all.
 std::optional<Stage> blame(const Subject& subject, const Object_case& c, kernel::Question question, bool truth);

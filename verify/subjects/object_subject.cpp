@@ -44,7 +44,7 @@ std::vector<Object_subject> object_subjects()
   std::vector<Object_subject> subjects;
   for (const std::string_view kernel :
        {"adaptive", "rational", "epeck", "epick", "double", "double-eps=1e-12", "double-eps=rel:1e-12", "float"})
-    for (const Method method : {Method::tree, Method::paper, Method::brute})
+    for (const Method method : all_methods)
       // All pairs in rational arithmetic are the truth itself.
       if (kernel != "rational" || method != Method::brute)
         subjects.push_back(object_subject(*Subject::parse(kernel, method)));

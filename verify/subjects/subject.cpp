@@ -97,16 +97,9 @@ class Truth_pair : public Prepared_pair {
 
 }  // namespace
 
-tetratree::Config config_of(Method method)
-{
-  if (method == Method::tree) return tetratree::Config::fastest();
-  if (method == Method::brute) return tetratree::Config::brute();
-  return {};
-}
-
 std::optional<Method> parse_method(std::string_view name)
 {
-  for (const Method method : {Method::tree, Method::paper, Method::brute})
+  for (const Method method : all_methods)
     if (name == to_string(method)) return method;
   return std::nullopt;
 }

@@ -6,8 +6,8 @@
 #include "tetracone/kernel/predicate/contact.h"
 #include "tetracone/kernel/predicate/question.h"
 #include "tetracone/kernel/predicate/tolerant.h"
+#include "tetracone/tetratree/door/method_config.h"
 #include "tetracone/tetratree/door/query_options.h"
-#include "tetracone/tetratree/paper/config.h"
 #include "tetracone/tetratree/query_statistics.h"
 
 #include <cstddef>
@@ -49,8 +49,6 @@ struct Subject {
 
 using tetracone::to_string;
 
-/// The choices of trees and queries that the method stands for.
-tetratree::Config config_of(Method method);
 std::optional<Method> parse_method(std::string_view name);
 
 /// Two polyhedra made ready for one subject: built once, asked for many poses. Faces must be planar.

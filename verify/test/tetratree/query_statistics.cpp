@@ -27,4 +27,18 @@ BOOST_AUTO_TEST_CASE(sums_are_of_tests_not_of_what_they_discard)
   BOOST_TEST(counts.primitive_tests() == 54000u);
 }
 
+BOOST_AUTO_TEST_CASE(statistics_add_up_field_by_field)
+{
+  Query_statistics a, b;
+  a.queries = 1;
+  a.leaf_pairs = 20;
+  b.leaf_pairs = 300;
+  b.exact_fallbacks = 4000;
+  a += b;
+  BOOST_TEST(a.queries == 1u);
+  BOOST_TEST(a.leaf_pairs == 320u);
+  BOOST_TEST(a.exact_fallbacks == 4000u);
+  BOOST_TEST(a.pairs_visited == 0u);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

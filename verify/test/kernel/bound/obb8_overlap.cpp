@@ -27,10 +27,10 @@ std::vector<Function*> here(std::vector<Simd_version<Function>> versions)
     if (version.target & (hwy::SupportedTargets() | HWY_STATIC_TARGET)) found.push_back(version.function);
   return found;
 }
-std::vector<Overlapping*> versions() { return here<Overlapping>(TETRACONE_SIMD_VERSIONS(overlapping_kernel)); }
+std::vector<Overlapping*> versions() { return here<Overlapping>(TETRACONE_SIMD_VERSIONS(overlapping_simd)); }
 std::vector<Overlapping_mapped*> mapped_versions()
 {
-  return here<Overlapping_mapped>(TETRACONE_SIMD_VERSIONS(overlapping_mapped_kernel));
+  return here<Overlapping_mapped>(TETRACONE_SIMD_VERSIONS(overlapping_mapped_simd));
 }
 
 }  // namespace tetracone::kernel

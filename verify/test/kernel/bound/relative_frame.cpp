@@ -366,12 +366,12 @@ BOOST_AUTO_TEST_CASE(a_similarity_has_a_scale_that_floats_can_carry)
 BOOST_AUTO_TEST_CASE(the_origins_are_as_far_apart_as_said)
 {
   Random random(9);
-  double worst = 0, worst_wide = 0;
+  double worst = 0, worst_finer = 0;
   for (int k = 0; k < 3600; ++k) {
     const Pose a = any_pose(random, k), b = any_pose(random, k / 6);
     const Local_scale in_a{scenes::real_vertex(random, k % 5 == 0 ? 1e9 : 2), 1},
         in_b{scenes::real_vertex(random, 3), 8};
-    const Origin_offset d(a, in_a, b, in_b), wide = Origin_offset::summed_twice_as_wide(a, in_a, b, in_b);
+    const Origin_offset d(a, in_a, b, in_b), finer = Origin_offset::in_double_double(a, in_a, b, in_b);
     double largest = 0;
     for (int i = 0; i < 3; ++i) {
       Rational right = b.exact(4 * i + 3) - a.exact(4 * i + 3),
@@ -383,9 +383,9 @@ BOOST_AUTO_TEST_CASE(the_origins_are_as_far_apart_as_said)
       }
       const auto off = [&](double x) { return std::abs(nearest_double(Rational(Rational(x) - right))); };
       if (d.error() > 0) worst = maximum(worst, off(d[i]) / d.error());
-      if (wide.error() > 0) worst_wide = maximum(worst_wide, off(wide[i]) / wide.error());
+      if (finer.error() > 0) worst_finer = maximum(worst_finer, off(finer[i]) / finer.error());
       BOOST_TEST(off(d[i]) <= d.error());
-      BOOST_TEST(off(wide[i]) <= wide.error());
+      BOOST_TEST(off(finer[i]) <= finer.error());
       BOOST_TEST(nearest_double(terms) <= d.terms() * (1 + 1e-14));
       BOOST_TEST((-d)[i] == -d[i]);
       largest = maximum(largest, std::abs(d[i]));
@@ -393,9 +393,9 @@ BOOST_AUTO_TEST_CASE(the_origins_are_as_far_apart_as_said)
     BOOST_TEST(d.largest() == largest);
     BOOST_TEST((-d).error() == d.error());
   }
-  BOOST_TEST_MESSAGE("largest error / bound: " << worst << ", in double-double " << worst_wide);
+  BOOST_TEST_MESSAGE("largest error / bound: " << worst << ", in double-double " << worst_finer);
   BOOST_TEST(worst > 0.01);
-  BOOST_TEST(worst_wide > 0.01);
+  BOOST_TEST(worst_finer > 0.01);
 }
 
 BOOST_AUTO_TEST_CASE(a_frame_of_known_origins_is_the_frame)

@@ -22,6 +22,7 @@ using namespace tetracone::kernel;
 using CGAL::Sign;
 using Point = Adaptive::Point_3;
 using Decision = Adaptive::Decision;
+using Stage = Adaptive::Stage;
 
 namespace {
 
@@ -127,10 +128,10 @@ Number normal_bound(const Number& mi, const Number& mj, const Number& error, con
   return rounding * ((mi + error) * (mj + error)) + motion * error * ((mj + error) + mi) + underflow;
 }
 
-/// The same of the double-double stage: `m` are magnitudes of high parts, `images` the error of two images.
+/// The bound of the double-double stage: `m` are magnitudes of high parts, `images` the error of two images.
 template <class Number>
-Number wide_volume_bound(const std::array<Number, 3>& m, const Number& images, const Number& difference,
-                         const Number& rounding, const Number& motion, const Number& underflow)
+Number double_double_volume_bound(const std::array<Number, 3>& m, const Number& images, const Number& difference,
+                                  const Number& rounding, const Number& motion, const Number& underflow)
 {
   const Number ex = images + difference * m[0], ey = images + difference * m[1], ez = images + difference * m[2];
   const Number Mx = m[0] + ex, My = m[1] + ey, Mz = m[2] + ez;
@@ -138,8 +139,8 @@ Number wide_volume_bound(const std::array<Number, 3>& m, const Number& images, c
 }
 
 template <class Number>
-Number wide_normal_bound(const Number& mi, const Number& mj, const Number& images, const Number& difference,
-                         const Number& rounding, const Number& motion, const Number& underflow)
+Number double_double_normal_bound(const Number& mi, const Number& mj, const Number& images, const Number& difference,
+                                  const Number& rounding, const Number& motion, const Number& underflow)
 {
   const Number ei = images + difference * mi, ej = images + difference * mj;
   return rounding * ((mi + ei) * (mj + ej)) + motion * (ei * (mj + ej) + mi * ej) + underflow;
@@ -148,8 +149,8 @@ Number wide_normal_bound(const Number& mi, const Number& mj, const Number& image
 constexpr double volume_rounding = 49 * u, volume_motion = 6.001;
 constexpr double normal_rounding = 9 * u, normal_motion = 2.001;
 constexpr double placed_rounding = 6 * u, difference_motion = 1.001;
-constexpr double wide_difference = 3.02 * (u * u), wide_placed_rounding = 20 * u * u;
-constexpr double wide_volume_rounding = 146 * (u * u), wide_normal_rounding = 22 * (u * u);
+constexpr double double_double_difference = 3.02 * (u * u), double_double_placed_rounding = 20 * u * u;
+constexpr double double_double_volume_rounding = 146 * (u * u), double_double_normal_rounding = 22 * (u * u);
 
 struct Filter {
   double value, bound;
@@ -189,18 +190,21 @@ Filter normal_filter(const Point& a, const Point& b, const Point& c, int axis, d
                                Adaptive::underflow)};
 }
 
-struct Wide_filter {
+struct Double_double_filter {
   Double_double value;
   double bound;
 
   Decision decision() const { return Filter{value.high, bound}.decision(); }
 };
 
-using Wide_vertex = std::array<Double_double, 3>;
-Wide_vertex operator-(const Wide_vertex& p, const Wide_vertex& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
+using Double_double_vertex = std::array<Double_double, 3>;
+Double_double_vertex operator-(const Double_double_vertex& p, const Double_double_vertex& q)
+{
+  return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
+}
 
 /// The double-double stage.
-Wide_filter wide_volume_filter(const Point& a, const Point& b, const Point& c, const Point& d)
+Double_double_filter double_double_volume_filter(const Point& a, const Point& b, const Point& c, const Point& d)
 {
   const auto p = Adaptive::double_double_image(a), q = Adaptive::double_double_image(b),
              r = Adaptive::double_double_image(c), s = Adaptive::double_double_image(d);
@@ -210,21 +214,21 @@ Wide_filter wide_volume_filter(const Point& a, const Point& b, const Point& c, c
   const std::array<double, 3> m = {magnitude(bx.high, cx.high, dx.high), magnitude(by.high, cy.high, dy.high),
                                    magnitude(bz.high, cz.high, dz.high)};
   return {Differences<Double_double>{bx, by, bz, cx, cy, cz, dx, dy, dz}.determinant(),
-          wide_volume_bound<double>(m, p.error + maximum(q.error, r.error, s.error), wide_difference,
-                                    wide_volume_rounding, volume_motion, Adaptive::underflow)};
+          double_double_volume_bound<double>(m, p.error + maximum(q.error, r.error, s.error), double_double_difference,
+                                             double_double_volume_rounding, volume_motion, Adaptive::underflow)};
 }
 
-Wide_filter wide_normal_filter(const Point& a, const Point& b, const Point& c, int axis)
+Double_double_filter double_double_normal_filter(const Point& a, const Point& b, const Point& c, int axis)
 {
   const int i = (axis + 1) % 3, j = (axis + 2) % 3;
   const auto p = Adaptive::double_double_image(a), q = Adaptive::double_double_image(b),
              r = Adaptive::double_double_image(c);
-  const Wide_vertex qp = q.coordinate - p.coordinate, rp = r.coordinate - p.coordinate;
+  const Double_double_vertex qp = q.coordinate - p.coordinate, rp = r.coordinate - p.coordinate;
   return {qp[i] * rp[j] - qp[j] * rp[i],
-          wide_normal_bound<double>(maximum(std::abs(qp[i].high), std::abs(rp[i].high)),
-                                    maximum(std::abs(qp[j].high), std::abs(rp[j].high)),
-                                    p.error + maximum(q.error, r.error), wide_difference, wide_normal_rounding,
-                                    normal_motion, Adaptive::underflow)};
+          double_double_normal_bound<double>(maximum(std::abs(qp[i].high), std::abs(rp[i].high)),
+                                             maximum(std::abs(qp[j].high), std::abs(rp[j].high)),
+                                             p.error + maximum(q.error, r.error), double_double_difference,
+                                             double_double_normal_rounding, normal_motion, Adaptive::underflow)};
 }
 
 // --- samples ---------------------------------------------------------------------------------------------------------
@@ -492,17 +496,17 @@ BOOST_AUTO_TEST_SUITE(test_adaptive)
 BOOST_AUTO_TEST_CASE(every_stage_that_answers_is_right_and_the_counter_says_which_did)
 {
   int total = 0, wrong_filter = 0, wrong_zero = 0, wrong_exact = 0, wrong_sign = 0, wrong_stage = 0, other_bound = 0;
-  int by_identity = 0, by_zero_factors = 0, by_gate = 0, grid_decided = 0, wide_decided = 0;
+  int by_identity = 0, by_zero_factors = 0, by_gate = 0, grid_decided = 0, double_double_decided = 0;
   // One sign, by the first stage that answers.
   const auto expected = [](const Decision& filtered, const Decision& zero, bool in_gate, const Decision& grid,
-                           const Decision& wide) {
+                           const Decision& double_double) {
     Stage_counts counts;
-    ++(filtered   ? counts.filter
-       : zero     ? counts.zero
-       : !in_gate ? counts.out_of_gate
-       : grid     ? counts.grid
-       : wide     ? counts.double_double
-                  : counts.exact);
+    ++counts[filtered        ? Stage::filter
+             : zero          ? Stage::zero
+             : !in_gate      ? Stage::out_of_gate
+             : grid          ? Stage::grid
+             : double_double ? Stage::double_double
+                             : Stage::exact];
     return counts;
   };
   for (const Family& family : families()) {
@@ -512,14 +516,14 @@ BOOST_AUTO_TEST_CASE(every_stage_that_answers_is_right_and_the_counter_says_whic
       const Sign truth = CGAL::sign(sgn(volume(s.exact)));
       const Decision filtered = Adaptive::filtered_volume_sign(a, b, c, d);
       const Decision grid = Adaptive::int128_volume_sign(a, b, c, d),
-                     wide = Adaptive::double_double_volume_sign(a, b, c, d);
+                     double_double = Adaptive::double_double_volume_sign(a, b, c, d);
       wrong_exact += grid && *grid != truth;
       grid_decided += !filtered && grid;
       decided += filtered.has_value();
-      wide_decided += !filtered && wide;
-      wrong_filter += (filtered && *filtered != truth) || (wide && *wide != truth);
+      double_double_decided += !filtered && double_double;
+      wrong_filter += (filtered && *filtered != truth) || (double_double && *double_double != truth);
       other_bound += filtered != volume_filter(a, b, c, d).decision();
-      other_bound += wide != wide_volume_filter(a, b, c, d).decision();
+      other_bound += double_double != double_double_volume_filter(a, b, c, d).decision();
 
       // Whether two of the first points are one vertex of one frame: then no exact stage is needed.
       const auto found_twice = [&s](int points) {
@@ -544,38 +548,38 @@ BOOST_AUTO_TEST_CASE(every_stage_that_answers_is_right_and_the_counter_says_whic
                                           Adaptive::int128_volume_sign(ha, hb, hc, hd),
                                           Adaptive::double_double_volume_sign(ha, hb, hc, hd));
       else
-        wrong_stage += stages != expected(filtered, zero, in_gate(a, b, c, d), grid, wide);
+        wrong_stage += stages != expected(filtered, zero, in_gate(a, b, c, d), grid, double_double);
       by_identity += !filtered && found_twice(4);
       by_zero_factors += !filtered && zero && !found_twice(4);
-      by_gate += stages.out_of_gate;
+      by_gate += stages[Stage::out_of_gate];
 
       const int axis = n % 3;
       const Sign normal_truth = normal(s.exact[0], s.exact[1], s.exact[2], axis);
       const Decision normal_filtered = Adaptive::filtered_normal_sign(a, b, c, axis);
       const Decision normal_zero = Adaptive::zero_normal_sign(a, b, c, axis);
       const Decision normal_grid = Adaptive::int128_normal_sign(a, b, c, axis),
-                     normal_wide = Adaptive::double_double_normal_sign(a, b, c, axis);
+                     normal_double_double = Adaptive::double_double_normal_sign(a, b, c, axis);
       wrong_exact += normal_grid && *normal_grid != normal_truth;
       wrong_zero += normal_zero ? normal_truth != CGAL::ZERO : found_twice(3);
-      wrong_filter +=
-          (normal_filtered && *normal_filtered != normal_truth) || (normal_wide && *normal_wide != normal_truth);
+      wrong_filter += (normal_filtered && *normal_filtered != normal_truth) ||
+                      (normal_double_double && *normal_double_double != normal_truth);
       other_bound += normal_filtered != normal_filter(a, b, c, axis).decision();
-      other_bound += normal_wide != wide_normal_filter(a, b, c, axis).decision();
+      other_bound += normal_double_double != double_double_normal_filter(a, b, c, axis).decision();
       before = Adaptive::decided_by();
       wrong_sign += Adaptive::normal_sign(a, b, c, axis) != normal_truth;
       wrong_stage += Adaptive::decided_by() - before !=
-                     expected(normal_filtered, normal_zero, in_gate(a, b, c), normal_grid, normal_wide);
+                     expected(normal_filtered, normal_zero, in_gate(a, b, c), normal_grid, normal_double_double);
 
       const Sign difference_truth = difference(s.exact[0], s.exact[1], axis);
       const Decision difference_filtered = Adaptive::filtered_difference_sign(a, b, axis);
       const Decision difference_zero = found_twice(2) ? Decision(CGAL::ZERO) : Decision();
-      const Decision difference_wide = Adaptive::double_double_difference_sign(a, b, axis);
+      const Decision difference_double_double = Adaptive::double_double_difference_sign(a, b, axis);
       wrong_filter += (difference_filtered && *difference_filtered != difference_truth) ||
-                      (difference_wide && *difference_wide != difference_truth);
+                      (difference_double_double && *difference_double_double != difference_truth);
       before = Adaptive::decided_by();
       wrong_sign += Adaptive::difference_sign(a, b, axis) != difference_truth;
       wrong_stage += Adaptive::decided_by() - before !=
-                     expected(difference_filtered, difference_zero, in_gate(a, b), {}, difference_wide);
+                     expected(difference_filtered, difference_zero, in_gate(a, b), {}, difference_double_double);
 
       if (n++ % 8 == 0)
         wrong_exact += Adaptive::exact_volume_sign(a, b, c, d) != truth ||
@@ -600,9 +604,9 @@ BOOST_AUTO_TEST_CASE(every_stage_that_answers_is_right_and_the_counter_says_whic
   BOOST_TEST(by_identity > 1'000);
   BOOST_TEST(by_zero_factors > 100);
   BOOST_TEST(by_gate > 1'000);
-  BOOST_TEST(wide_decided > 10'000);
+  BOOST_TEST(double_double_decided > 10'000);
   BOOST_TEST(grid_decided > 10'000);
-  BOOST_TEST_MESSAGE("decided by double-double: " << wide_decided << " of " << total);
+  BOOST_TEST_MESSAGE("decided by double-double: " << double_double_decided << " of " << total);
   BOOST_TEST(total >= 1'000'000);
 }
 
@@ -753,11 +757,11 @@ BOOST_AUTO_TEST_CASE(a_translation_keeps_images_exact_where_sums_are)
   // A face moved onto the plane of another: no exact stage.
   const Pose up = Pose::translation(0.5, 0.25, 1);
   const auto before = Adaptive::exact_fallbacks();
-  const auto zeros = Adaptive::decided_by().zero;
+  const auto zeros = Adaptive::decided_by()[Stage::zero];
   BOOST_TEST(Adaptive::volume_sign(Adaptive::unmoved({0, 0, 1}), Adaptive::unmoved({1, 0, 1}),
                                    Adaptive::unmoved({0, 1, 1}), Adaptive::placed({3, 5, 0}, up)) == CGAL::ZERO);
   BOOST_TEST(Adaptive::exact_fallbacks() == before);
-  BOOST_TEST(Adaptive::decided_by().zero == zeros + 1);
+  BOOST_TEST(Adaptive::decided_by()[Stage::zero] == zeros + 1);
 }
 
 BOOST_AUTO_TEST_CASE(fallbacks_are_counted_by_each_thread_alone)
@@ -1074,8 +1078,9 @@ namespace {
 // The relative errors of the sum and of the product of two Double_doubles. That of the sum is proved by Joldes, Muller
 // and Popescu (theorem 3.1; again, by machine, by Muller and Rideau, TOMS 2022); that of the product is derived below.
 // The test of kernel/number/double_double.h goes through all operands of few digits.
-const Rational wide_roundoff = roundoff * roundoff;
-const Rational wide_sum = 3 * wide_roundoff / (1 - 4 * roundoff), wide_product = 7 * wide_roundoff * (1 + 4 * roundoff);
+const Rational double_double_roundoff = roundoff * roundoff;
+const Rational double_double_sum = 3 * double_double_roundoff / (1 - 4 * roundoff),
+               double_double_product = 7 * double_double_roundoff * (1 + 4 * roundoff);
 
 /// The most that rounding to nearest takes from a number of magnitude at most `bound`: half the step below the power of
 /// 2 that is no less.
@@ -1088,30 +1093,34 @@ Rational most_rounded_off(const Rational& bound)
 }
 
 /// A computed Double_double: |high + low| <= magnitude, |high + low - exact| <= error.
-struct Wide_bounded {
+struct Double_double_bounded {
   Polynomial magnitude, error;
 
-  friend Wide_bounded operator+(const Wide_bounded& a, const Wide_bounded& b)
+  friend Double_double_bounded operator+(const Double_double_bounded& a, const Double_double_bounded& b)
   {
     const Polynomial magnitude = a.magnitude + b.magnitude;
-    return {magnitude * Rational(1 + wide_sum), a.error + b.error + wide_sum * magnitude};
+    return {magnitude * Rational(1 + double_double_sum), a.error + b.error + double_double_sum * magnitude};
   }
-  friend Wide_bounded operator-(const Wide_bounded& a, const Wide_bounded& b) { return a + b; }
-  friend Wide_bounded operator*(const Wide_bounded& a, const Wide_bounded& b)
+  friend Double_double_bounded operator-(const Double_double_bounded& a, const Double_double_bounded& b)
+  {
+    return a + b;
+  }
+  friend Double_double_bounded operator*(const Double_double_bounded& a, const Double_double_bounded& b)
   {
     // Underflow may take half a step from each of three products and from the residue of one, and its grown share of
     // the sums.
     const Polynomial magnitude = a.magnitude * b.magnitude, lost = Rational(5) * eta;
-    return {magnitude * Rational(1 + wide_product) + lost,
-            a.magnitude * b.error + a.error * b.magnitude + a.error * b.error + wide_product * magnitude + lost};
+    return {
+        magnitude * Rational(1 + double_double_product) + lost,
+        a.magnitude * b.error + a.error * b.magnitude + a.error * b.error + double_double_product * magnitude + lost};
   }
 };
 
-/// A difference of wide images whose high part is `m`: its own rounding, of what is no more than m (1 + u) / (1 -
-/// wide_sum), and that of the images.
-Wide_bounded difference_of_wide_images(const Polynomial& m, const Polynomial& images)
+/// A difference of double-double images whose high part is `m`: its own rounding, of what is no more than m (1 + u) / (1 -
+/// double_double_sum), and that of the images.
+Double_double_bounded difference_of_double_double_images(const Polynomial& m, const Polynomial& images)
 {
-  return {grown * m, Rational(wide_sum * grown / (1 - wide_sum)) * m + images};
+  return {grown * m, Rational(double_double_sum * grown / (1 - double_double_sum)) * m + images};
 }
 
 At_least at_least(const Rational& value) { return At_least(Polynomial(value)); }
@@ -1138,122 +1147,130 @@ BOOST_AUTO_TEST_CASE(relative_error_of_a_double_double_product_is_no_less_than_d
     const Rational crosses_rounded = small ? Rational(3 * roundoff) : Rational(4 * roundoff);
     BOOST_TEST((crosses <= crosses_rounded));
     error += most_rounded_off(residue + crosses_rounded);
-    error += wide_roundoff;  // the product of the low parts, left out
+    error += double_double_roundoff;  // the product of the low parts, left out
     // The exact product is at least least (1 - u)^2.
     derived = std::max(derived, Rational(error / (least * shrunk * shrunk)));
   }
-  BOOST_TEST_MESSAGE("product of double-doubles: derived " << rounded_up(derived / wide_roundoff) << " u^2");
-  BOOST_TEST((derived <= wide_product));
-  BOOST_TEST((derived >= 7 * wide_roundoff));
+  BOOST_TEST_MESSAGE("product of double-doubles: derived " << rounded_up(derived / double_double_roundoff) << " u^2");
+  BOOST_TEST((derived <= double_double_product));
+  BOOST_TEST((derived >= 7 * double_double_roundoff));
 }
 
-BOOST_AUTO_TEST_CASE(constants_of_the_wide_volume_sign_are_no_less_than_derived)
+BOOST_AUTO_TEST_CASE(constants_of_the_double_double_volume_sign_are_no_less_than_derived)
 {
   const Polynomial mx = Polynomial::variable(0), my = Polynomial::variable(1), mz = Polynomial::variable(2),
                    images = Polynomial::variable(3);
-  const Wide_bounded x = difference_of_wide_images(mx, images), y = difference_of_wide_images(my, images),
-                     z = difference_of_wide_images(mz, images);
-  const Polynomial off = of_high_part(Differences<Wide_bounded>{x, y, z, x, y, z, x, y, z}.determinant().error);
+  const Double_double_bounded x = difference_of_double_double_images(mx, images),
+                              y = difference_of_double_double_images(my, images),
+                              z = difference_of_double_double_images(mz, images);
+  const Polynomial off =
+      of_high_part(Differences<Double_double_bounded>{x, y, z, x, y, z, x, y, z}.determinant().error);
 
   // The error of two images is itself a sum rounded once.
   const auto bound = [&](const Rational& difference, const Rational& rounding, const Rational& motion,
                          const Rational& underflow) {
-    return wide_volume_bound<At_least>({mx, my, mz}, At_least(shrunk * images), at_least(difference),
-                                       at_least(rounding), at_least(motion), at_least(underflow));
+    return double_double_volume_bound<At_least>({mx, my, mz}, At_least(shrunk * images), at_least(difference),
+                                                at_least(rounding), at_least(motion), at_least(underflow));
   };
-  const Polynomial motion = bound(Rational(wide_difference), 0, Rational(volume_motion), 0).sure;
-  const Rational derived_rounding = least_factor(off, bound(Rational(wide_difference), 1, 0, 0).sure, motion);
+  const Polynomial motion = bound(Rational(double_double_difference), 0, Rational(volume_motion), 0).sure;
+  const Rational derived_rounding = least_factor(off, bound(Rational(double_double_difference), 1, 0, 0).sure, motion);
   const Rational derived_motion =
-      least_factor(off, bound(Rational(wide_difference), 0, 1, 0).sure,
-                   bound(Rational(wide_difference), Rational(wide_volume_rounding), 0, 0).sure);
+      least_factor(off, bound(Rational(double_double_difference), 0, 1, 0).sure,
+                   bound(Rational(double_double_difference), Rational(double_double_volume_rounding), 0, 0).sure);
   const Rational derived_difference = x.error[{1, 0, 0, 0, 0}] / shrunk / shrunk;
-  BOOST_TEST_MESSAGE("wide volume: derived "
-                     << rounded_up(derived_rounding / wide_roundoff) << " u^2, " << rounded_up(derived_motion)
-                     << " and " << rounded_up(derived_difference / wide_roundoff) << " u^2 for a difference");
-  BOOST_TEST((derived_rounding <= Rational(wide_volume_rounding)));
-  BOOST_TEST((derived_rounding > 130 * wide_roundoff));  // and not for want of counting
+  BOOST_TEST_MESSAGE("double-double volume: derived "
+                     << rounded_up(derived_rounding / double_double_roundoff) << " u^2, " << rounded_up(derived_motion)
+                     << " and " << rounded_up(derived_difference / double_double_roundoff) << " u^2 for a difference");
+  BOOST_TEST((derived_rounding <= Rational(double_double_volume_rounding)));
+  BOOST_TEST((derived_rounding > 130 * double_double_roundoff));  // and not for want of counting
   BOOST_TEST((derived_motion <= Rational(volume_motion)));
   BOOST_TEST((derived_motion > Rational(5.9)));
-  BOOST_TEST((derived_difference <= Rational(wide_difference)));
-  BOOST_TEST((derived_difference > 3 * wide_roundoff));
+  BOOST_TEST((derived_difference <= Rational(double_double_difference)));
+  BOOST_TEST((derived_difference > 3 * double_double_roundoff));
 
-  const At_least all = bound(Rational(wide_difference), Rational(wide_volume_rounding), Rational(volume_motion),
-                             Rational(Adaptive::underflow));
+  const At_least all = bound(Rational(double_double_difference), Rational(double_double_volume_rounding),
+                             Rational(volume_motion), Rational(Adaptive::underflow));
   for (const auto& [powers, coefficient] : off.terms())
     if (powers[4] == 0) BOOST_TEST((coefficient <= all.sure[powers]));
   BOOST_TEST((at_the_gate(off) + at_the_gate(all.lost) <= all.sure[{}]));
 }
 
-BOOST_AUTO_TEST_CASE(constants_of_the_wide_normal_sign_are_no_less_than_derived)
+BOOST_AUTO_TEST_CASE(constants_of_the_double_double_normal_sign_are_no_less_than_derived)
 {
   const Polynomial mi = Polynomial::variable(0), mj = Polynomial::variable(1), images = Polynomial::variable(3);
-  const Wide_bounded i = difference_of_wide_images(mi, images), j = difference_of_wide_images(mj, images);
+  const Double_double_bounded i = difference_of_double_double_images(mi, images),
+                              j = difference_of_double_double_images(mj, images);
   const Polynomial off = of_high_part((i * j - j * i).error);
 
   const auto bound = [&](const Rational& rounding, const Rational& motion, const Rational& underflow) {
-    return wide_normal_bound<At_least>(mi, mj, At_least(shrunk * images), at_least(Rational(wide_difference)),
-                                       at_least(rounding), at_least(motion), at_least(underflow));
+    return double_double_normal_bound<At_least>(mi, mj, At_least(shrunk * images),
+                                                at_least(Rational(double_double_difference)), at_least(rounding),
+                                                at_least(motion), at_least(underflow));
   };
   const Rational derived_rounding = least_factor(off, bound(1, 0, 0).sure, bound(0, Rational(normal_motion), 0).sure);
   const Rational derived_motion =
-      least_factor(off, bound(0, 1, 0).sure, bound(Rational(wide_normal_rounding), 0, 0).sure);
-  BOOST_TEST_MESSAGE("wide normal: derived " << rounded_up(derived_rounding / wide_roundoff) << " u^2 and "
-                                             << rounded_up(derived_motion));
-  BOOST_TEST((derived_rounding <= Rational(wide_normal_rounding)));
-  BOOST_TEST((derived_rounding > 19 * wide_roundoff));
+      least_factor(off, bound(0, 1, 0).sure, bound(Rational(double_double_normal_rounding), 0, 0).sure);
+  BOOST_TEST_MESSAGE("double-double normal: derived " << rounded_up(derived_rounding / double_double_roundoff)
+                                                      << " u^2 and " << rounded_up(derived_motion));
+  BOOST_TEST((derived_rounding <= Rational(double_double_normal_rounding)));
+  BOOST_TEST((derived_rounding > 19 * double_double_roundoff));
   BOOST_TEST((derived_motion <= Rational(normal_motion)));
   BOOST_TEST((derived_motion > Rational(1.9)));
 
-  const At_least all = bound(Rational(wide_normal_rounding), Rational(normal_motion), Rational(Adaptive::underflow));
+  const At_least all =
+      bound(Rational(double_double_normal_rounding), Rational(normal_motion), Rational(Adaptive::underflow));
   for (const auto& [powers, coefficient] : off.terms())
     if (powers[4] == 0) BOOST_TEST((coefficient <= all.sure[powers]));
   BOOST_TEST((at_the_gate(off) + at_the_gate(all.lost) <= all.sure[{}]));
 }
 
-BOOST_AUTO_TEST_CASE(constant_of_the_wide_image_is_no_less_than_derived)
+BOOST_AUTO_TEST_CASE(constant_of_the_double_double_image_is_no_less_than_derived)
 {
   // The variables are the products as they are, and the translation: of entries rounded to double, as the stage sums
   // them. A fraction is the sum of two doubles but for u^2 of it, or but for 2^-1074 = 2 eta, which its vertex
   // multiplies by at most the gate.
   for (const bool fractions : {false, true}) {
-    std::array<Wide_bounded, 4> terms;
+    std::array<Double_double_bounded, 4> terms;
     for (int k = 0; k < 4; ++k) {
       const Polynomial m = Polynomial::variable(k);
       if (!fractions)
         terms[k] = {m, k < 3 ? Rational(2) * eta : Polynomial()};
       else {
         // The value is the high part's but for u of it; the exact entry is off by u^2 of it.
-        const Polynomial entry = grown * m, off = Rational(wide_roundoff / shrunk) * entry +
+        const Polynomial entry = grown * m, off = Rational(double_double_roundoff / shrunk) * entry +
                                                   Rational(2 * Rational(Adaptive::magnitude_gate)) * eta;
         terms[k] = {entry, off};
-        if (k < 3) terms[k] = {entry * Rational(1 + wide_product), off + wide_product * entry + Rational(5) * eta};
+        if (k < 3)
+          terms[k] = {entry * Rational(1 + double_double_product),
+                      off + double_double_product * entry + Rational(5) * eta};
       }
     }
     const Polynomial off = (((terms[3] + terms[0]) + terms[1]) + terms[2]).error;
     const auto product = [](int k) { return At_least(shrunk * Polynomial::variable(k), eta); };
     const At_least largest = ((At_least(Polynomial::variable(3)) + product(0)) + product(1)) + product(2);
     const Rational derived = least_factor(off, (at_least(1) * largest).sure, {});
-    BOOST_TEST_MESSAGE("wide image under " << (fractions ? "fractions" : "doubles") << ": derived "
-                                           << rounded_up(derived / wide_roundoff) << " u^2");
-    BOOST_TEST((derived <= Rational(wide_placed_rounding)));
-    BOOST_TEST((derived > (fractions ? 16 : 9) * wide_roundoff));
-    const At_least all = at_least(Rational(wide_placed_rounding)) * largest + at_least(Rational(Adaptive::underflow));
+    BOOST_TEST_MESSAGE("double-double image under " << (fractions ? "fractions" : "doubles") << ": derived "
+                                                    << rounded_up(derived / double_double_roundoff) << " u^2");
+    BOOST_TEST((derived <= Rational(double_double_placed_rounding)));
+    BOOST_TEST((derived > (fractions ? 16 : 9) * double_double_roundoff));
+    const At_least all =
+        at_least(Rational(double_double_placed_rounding)) * largest + at_least(Rational(Adaptive::underflow));
     for (const auto& [powers, coefficient] : off.terms())
       if (powers[4] == 0) BOOST_TEST((coefficient <= all.sure[powers]));
     BOOST_TEST((at_the_gate(off) + at_the_gate(all.lost) <= all.sure[{}]));
   }
 }
 
-BOOST_AUTO_TEST_CASE(constant_of_the_wide_difference_is_no_less_than_derived)
+BOOST_AUTO_TEST_CASE(constant_of_the_double_double_difference_is_no_less_than_derived)
 {
   // high > c (e + f + d high), computed, must say high (1 - u) > e + f + what the difference of the images is off by.
   const Polynomial e = Polynomial::variable(0), f = Polynomial::variable(1), high = Polynomial::variable(2);
-  const Polynomial needed = of_high_part(e + f + difference_of_wide_images(high, {}).error);
+  const Polynomial needed = of_high_part(e + f + difference_of_double_double_images(high, {}).error);
   const auto bound = [&](const Rational& c) {
-    return at_least(c) * ((At_least(e) + At_least(f)) + at_least(Rational(wide_difference)) * At_least(high));
+    return at_least(c) * ((At_least(e) + At_least(f)) + at_least(Rational(double_double_difference)) * At_least(high));
   };
   const Rational derived = least_factor(needed, bound(1).sure, {});
-  BOOST_TEST_MESSAGE("wide difference: derived " << rounded_up(derived));
+  BOOST_TEST_MESSAGE("double-double difference: derived " << rounded_up(derived));
   BOOST_TEST((derived <= Rational(difference_motion)));
   BOOST_TEST((derived > 1));
   // Where images are exact nothing underflows but the bound, to 0 at least; where they are not, what it loses is less
@@ -1314,8 +1331,8 @@ BOOST_AUTO_TEST_CASE(the_filters_turn_exactly_at_the_bounds_proved)
       p.error = error;
       return p;
     };
-    const double volume_turn = wide_volume_bound<double>({1, 1, 1}, 2 * error, wide_difference, wide_volume_rounding,
-                                                         volume_motion, underflow);
+    const double volume_turn = double_double_volume_bound<double>(
+        {1, 1, 1}, 2 * error, double_double_difference, double_double_volume_rounding, volume_motion, underflow);
     const auto volume_at = [&](double h) {
       return Adaptive::double_double_volume_sign(at(o), at({1, 0, 1}), at({0, 1, 0}), at({0, 0, h}));
     };
@@ -1323,8 +1340,8 @@ BOOST_AUTO_TEST_CASE(the_filters_turn_exactly_at_the_bounds_proved)
     BOOST_TEST(!volume_at(-volume_turn));
     BOOST_TEST((volume_at(std::nextafter(volume_turn, 1)) == CGAL::POSITIVE));
     BOOST_TEST((volume_at(-std::nextafter(volume_turn, 1)) == CGAL::NEGATIVE));
-    const double normal_turn =
-        wide_normal_bound<double>(1, 1, 2 * error, wide_difference, wide_normal_rounding, normal_motion, underflow);
+    const double normal_turn = double_double_normal_bound<double>(
+        1, 1, 2 * error, double_double_difference, double_double_normal_rounding, normal_motion, underflow);
     const auto normal_at = [&](double h) {
       return Adaptive::double_double_normal_sign(at(o), at({1, 1, 0}), at({0, h, 0}), 2);
     };
@@ -1336,7 +1353,8 @@ BOOST_AUTO_TEST_CASE(the_filters_turn_exactly_at_the_bounds_proved)
       return Adaptive::double_double_difference_sign(at({h, h, h}), at(o), 1);
     };
     double difference_turn = difference_motion * (2 * error);
-    for (int k = 0; k < 4; ++k) difference_turn = difference_motion * (2 * error + wide_difference * difference_turn);
+    for (int k = 0; k < 4; ++k)
+      difference_turn = difference_motion * (2 * error + double_double_difference * difference_turn);
     BOOST_TEST(!difference_at(difference_turn));
     BOOST_TEST((difference_at(difference_turn * (1 + 0x1p-50)) == CGAL::POSITIVE));
     BOOST_TEST((difference_at(-difference_turn * (1 + 0x1p-50)) == CGAL::NEGATIVE));
@@ -1344,7 +1362,7 @@ BOOST_AUTO_TEST_CASE(the_filters_turn_exactly_at_the_bounds_proved)
 
   const Pose pose(std::array<double, 12>{2, 3, 5, 7, 0, 1, 0, 0, 0, 0, 1, 0});
   BOOST_TEST(Adaptive::double_double_image(Adaptive::placed({1, -1, 1}, pose)).error ==
-             wide_placed_rounding * 17 + underflow);
+             double_double_placed_rounding * 17 + underflow);
   BOOST_TEST(Adaptive::placed({1, -1, 1}, pose).error == placed_rounding * 17 + underflow);
   BOOST_TEST(Adaptive::unmoved({1, -1, 1}).error == 0);
 }
@@ -1360,7 +1378,7 @@ double ratio(const Filter& filter, const mpq_class& exact)
 
 mpq_class whole(const Double_double& x) { return mpq_class(x.high) + mpq_class(x.low); }
 
-double ratio(const Wide_filter& filter, const mpq_class& exact)
+double ratio(const Double_double_filter& filter, const mpq_class& exact)
 {
   return mpq_class(abs(mpq_class(whole(filter.value) - exact)) / mpq_class(filter.bound)).get_d();
 }
@@ -1416,40 +1434,46 @@ struct Badly_placed {
 
 BOOST_AUTO_TEST_CASE(observed_errors_are_within_the_bounds_and_are_recorded)
 {
-  double volume_largest = 0, normal_largest = 0, wide_largest = 0, wide_normal_largest = 0, wide_image_largest = 0;
+  double volume_largest = 0, normal_largest = 0, double_double_largest = 0, double_double_normal_largest = 0,
+         double_double_image_largest = 0;
   for (const Family& family : families()) {
-    double here = 0, here_normal = 0, here_wide = 0, here_wide_normal = 0, here_image = 0;
+    double here = 0, here_normal = 0, here_double_double = 0, here_double_double_normal = 0, here_image = 0;
     each_sample(family, 1'500, [&](const Sample& s) {
       const auto& [a, b, c, d] = s.points;
       const Filter filter = volume_filter(a, b, c, d);
       if (filter.bound < infinity) here = maximum(here, ratio(filter, exact_volume(s)));
       const Filter area = normal_filter(a, b, c, 2);
       if (area.bound < infinity) here_normal = maximum(here_normal, ratio(area, exact_area(s, 2)));
-      const Wide_filter wide = wide_volume_filter(a, b, c, d), wide_area = wide_normal_filter(a, b, c, 2);
-      if (wide.bound < infinity) here_wide = maximum(here_wide, ratio(wide, exact_volume(s)));
-      if (wide_area.bound < infinity) here_wide_normal = maximum(here_wide_normal, ratio(wide_area, exact_area(s, 2)));
+      const Double_double_filter double_double = double_double_volume_filter(a, b, c, d),
+                                 double_double_area = double_double_normal_filter(a, b, c, 2);
+      if (double_double.bound < infinity)
+        here_double_double = maximum(here_double_double, ratio(double_double, exact_volume(s)));
+      if (double_double_area.bound < infinity)
+        here_double_double_normal = maximum(here_double_double_normal, ratio(double_double_area, exact_area(s, 2)));
       const auto image = Adaptive::double_double_image(a);
       for (int k = 0; k < 3 && 0 < image.error && image.error < infinity; ++k) {
         const mpq_class off = whole(image.coordinate[k]) - mpq_class(s.exact[0][k], s.exact[0].w);
         here_image = maximum(here_image, mpq_class(abs(off) / mpq_class(image.error)).get_d());
       }
     });
-    BOOST_TEST_MESSAGE(family.name << ": double-double " << here_wide << " (volume), " << here_wide_normal
-                                   << " (normal), " << here_image << " (image)");
-    wide_largest = maximum(wide_largest, here_wide);
-    wide_normal_largest = maximum(wide_normal_largest, here_wide_normal);
-    wide_image_largest = maximum(wide_image_largest, here_image);
+    BOOST_TEST_MESSAGE(family.name << ": double-double " << here_double_double << " (volume), "
+                                   << here_double_double_normal << " (normal), " << here_image << " (image)");
+    double_double_largest = maximum(double_double_largest, here_double_double);
+    double_double_normal_largest = maximum(double_double_normal_largest, here_double_double_normal);
+    double_double_image_largest = maximum(double_double_image_largest, here_image);
     BOOST_TEST_MESSAGE(family.name << ": observed error/bound " << here << " (volume), " << here_normal << " (normal)");
     volume_largest = maximum(volume_largest, here);
     normal_largest = maximum(normal_largest, here_normal);
   }
   BOOST_TEST(volume_largest <= 1);
   BOOST_TEST(normal_largest <= 1);
-  BOOST_TEST_MESSAGE("double-double, largest: " << wide_largest << " (volume), " << wide_normal_largest << " (normal), "
-                                                << wide_image_largest << " (image)");
-  for (const double wide_ratio : {wide_largest, wide_normal_largest, wide_image_largest}) {
-    BOOST_TEST(wide_ratio <= 1);
-    BOOST_TEST(wide_ratio > 1.0 / 4096);  // there was an error to be seen
+  BOOST_TEST_MESSAGE("double-double, largest: " << double_double_largest << " (volume), "
+                                                << double_double_normal_largest << " (normal), "
+                                                << double_double_image_largest << " (image)");
+  for (const double double_double_ratio :
+       {double_double_largest, double_double_normal_largest, double_double_image_largest}) {
+    BOOST_TEST(double_double_ratio <= 1);
+    BOOST_TEST(double_double_ratio > 1.0 / 4096);  // there was an error to be seen
   }
   // So bounds of a sixteenth would be exceeded, by the roundings ...
   BOOST_TEST(volume_largest > 1.0 / 16);
@@ -1479,17 +1503,17 @@ BOOST_AUTO_TEST_CASE(an_adversary_who_climbs_does_not_reach_the_bounds)
   // Changes one coordinate at a time, and keeps what makes the error larger against its bound.
   Random random(7);
   const Motion moved{random.rotation(random.vertex())};
-  double volume_reached = 0, wide_reached = 0;
+  double volume_reached = 0, double_double_reached = 0;
   for (int start = 0; start < 12; ++start)
-    for (const bool wide : {false, true}) {
+    for (const bool double_double : {false, true}) {
       std::array<Vertex, 4> v;
       for (Vertex& p : v) p = random.vertex();
       const auto value = [&] {
         Sample s;
         for (int k = 0; k < 4; ++k) s.set(k, v[k], start % 2 == 1 && k > 1 ? &moved : nullptr);
         const auto& [a, b, c, d] = s.points;
-        return wide ? ratio(wide_volume_filter(a, b, c, d), exact_volume(s))
-                    : ratio(volume_filter(a, b, c, d), exact_volume(s));
+        return double_double ? ratio(double_double_volume_filter(a, b, c, d), exact_volume(s))
+                             : ratio(volume_filter(a, b, c, d), exact_volume(s));
       };
       double best = value();
       for (int step = 0; step < 600; ++step) {
@@ -1500,14 +1524,14 @@ BOOST_AUTO_TEST_CASE(an_adversary_who_climbs_does_not_reach_the_bounds)
         if (here < best) x = before;
         best = maximum(best, here);
       }
-      double& reached = wide ? wide_reached : volume_reached;
+      double& reached = double_double ? double_double_reached : volume_reached;
       reached = maximum(reached, best);
     }
-  BOOST_TEST_MESSAGE("an adversary reaches " << volume_reached << " (filter), " << wide_reached
+  BOOST_TEST_MESSAGE("an adversary reaches " << volume_reached << " (filter), " << double_double_reached
                                              << " (double-double) of the bound of a volume");
   BOOST_TEST(volume_reached <= 1);
-  BOOST_TEST(wide_reached <= 1);
-  BOOST_TEST(wide_reached > 0.01);
+  BOOST_TEST(double_double_reached <= 1);
+  BOOST_TEST(double_double_reached > 0.01);
 }
 
 BOOST_AUTO_TEST_CASE(a_sixteenth_of_the_rounding_constants_gives_wrong_signs)

@@ -55,7 +55,7 @@ std::vector<std::int64_t> targets()
   std::vector<std::int64_t> found;
   using Overlapping = unsigned(const Obb8&, const Single_box&, bool);
   for (const Simd_version<Overlapping>& version :
-       std::initializer_list<Simd_version<Overlapping>> TETRACONE_SIMD_VERSIONS(overlapping_kernel))
+       std::initializer_list<Simd_version<Overlapping>> TETRACONE_SIMD_VERSIONS(overlapping_simd))
     found.push_back(version.target);
   return found;
 }

@@ -21,7 +21,7 @@ std::vector<Descend*> versions()
 {
   std::vector<Descend*> found;
   for (const kernel::Simd_version<Descend>& version :
-       std::initializer_list<kernel::Simd_version<Descend>> TETRACONE_SIMD_VERSIONS(descend_kernel))
+       std::initializer_list<kernel::Simd_version<Descend>> TETRACONE_SIMD_VERSIONS(descend_simd))
     if (version.target & (hwy::SupportedTargets() | HWY_STATIC_TARGET)) found.push_back(version.function);
   return found;
 }

@@ -1,0 +1,123 @@
+#ifndef TETRACONE_KERNEL_PREDICATE_ADAPTIVE_POINTS_H
+#define TETRACONE_KERNEL_PREDICATE_ADAPTIVE_POINTS_H
+
+#include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/number/pose.h"
+#include "tetracone/kernel/number/vertex.h"
+
+#include <CGAL/Mpzf.h>
+#include <CGAL/enum.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+
+namespace tetracone::kernel {
+
+/// Points of the adaptive kernel: a vertex and the pose that places it. Its image is never rounded, only approximated:
+/// `image` and `error` enclose it.
+class Adaptive_points {
+ public:
+  using Exact_image = std::array<CGAL::Mpzf, 3>;
+  using Decision = std::optional<CGAL::Sign>;  ///< nothing: undecided
+
+  struct Point_3 {
+    std::array<double, 3> image;  ///< the image, rounded
+    double error;                 ///< per coordinate: |image - exact image| <= error; infinite: not known
+    Vertex vertex;                ///< the point before it was placed
+    const Pose* pose;             ///< null: not placed, the image is the vertex; else outlives the point
+    std::unique_ptr<Exact_image>* slot = nullptr;  ///< where the exact image is kept once it has been asked for; null:
+                                                   ///< nowhere
+
+    double x() const { return image[0]; }
+    double y() const { return image[1]; }
+    double z() const { return image[2]; }
+  };
+
+  /// Beyond this magnitude the filter is not asked: within it no expression of its overflows, and what gradual
+  /// underflow loses, at most 2^-1074 a product times two factors below 2^112, is far below `underflow`.
+  static constexpr double magnitude_gate = 0x1p110;
+  static constexpr double underflow = 0x1p-800;
+
+  /// `vertex` where it stands.
+  static Point_3 unmoved(const Vertex& vertex)
+  {
+    return {vertex, magnitude(vertex) <= magnitude_gate ? 0 : std::numeric_limits<double>::infinity(), vertex, nullptr};
+  }
+
+  /// `vertex` placed by `pose`, which must outlive the point.
+  ///
+  /// Error of a coordinate, S = |m0 x| + |m1 y| + |m2 z| + |t|: the sum rounds each product once and each of three sums
+  /// once, so at most 4 roundings a term, ((1+u)^4 - 1) S <= 4.001 u S; entries that are rounded rationals add 1.001 u
+  /// S. S itself is computed with at most 4 roundings down. Hence 6 u S covers both. A fraction that is rounded to a
+  /// denormal, or to 0, is off by 2^-1075 instead, which vertices within the gate keep far below `underflow`; beyond it
+  /// the error is not known.
+  static Point_3 placed(const Vertex& vertex, const Pose& pose)
+  {
+    if (pose.is_translation()) return translated(vertex, pose);
+    Point_3 point{{}, 0, vertex, &pose};
+    double largest = 0;
+    for (int row = 0; row < 3; ++row) {
+      const double a = pose[4 * row] * vertex[0], b = pose[4 * row + 1] * vertex[1], c = pose[4 * row + 2] * vertex[2],
+                   t = pose[4 * row + 3];
+      point.image[row] = ((a + b) + c) + t;
+      largest = maximum(largest, ((std::abs(a) + std::abs(b)) + std::abs(c)) + std::abs(t));
+    }
+    const bool known = largest <= magnitude_gate && (!pose.is_rational() || magnitude(vertex) <= magnitude_gate);
+    point.error = known ? 6 * unit_roundoff<double> * largest + underflow : std::numeric_limits<double>::infinity();
+    return point;
+  }
+
+  /// The image under a pose that only translates: one sum a coordinate. Relative error u; exact where TwoSum's (Knuth)
+  /// remainder is 0.
+  static Point_3 translated(const Vertex& vertex, const Pose& pose)
+  {
+    Point_3 point{{}, 0, vertex, &pose};
+    double largest = 0, terms = 0, lost = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double v = vertex[k], t = pose[4 * k + 3], sum = v + t, of_t = sum - v;
+      lost = maximum(lost, std::abs((v - (sum - of_t)) + (t - of_t)));
+      point.image[k] = sum;
+      largest = maximum(largest, std::abs(sum));
+      terms = maximum(terms, std::abs(v), std::abs(t));
+    }
+    point.error = !(terms <= magnitude_gate) ? std::numeric_limits<double>::infinity()
+                  : lost == 0                ? 0
+                                             : 1.001 * unit_roundoff<double> * largest;
+    return point;
+  }
+
+  /// True when the two are one vertex under one pose. Unequal ones may still have the same image.
+  static bool identical(const Point_3& a, const Point_3& b) { return a.pose == b.pose && a.vertex == b.vertex; }
+
+  /// Whether no image is rounded.
+  template <class... Points>
+  static bool are_exact(const Points&... points)
+  {
+    return ((points.error == 0) && ...);
+  }
+
+  /// Whether the errors of all points are known.
+  template <class... Points>
+  static bool in_gate(const Points&... points)
+  {
+    return ((points.error <= std::numeric_limits<double>::max()) && ...);
+  }
+
+ protected:
+  static double magnitude(const Vertex& v) { return maximum(std::abs(v[0]), std::abs(v[1]), std::abs(v[2])); }
+
+  /// The sign of what `value` approximates to `bound`, or undecided. NaN is undecided.
+  static Decision beyond(double value, double bound)
+  {
+    if (value > bound) return CGAL::POSITIVE;
+    if (value < -bound) return CGAL::NEGATIVE;
+    return std::nullopt;
+  }
+};
+
+}  // namespace tetracone::kernel
+
+#endif
