@@ -51,9 +51,9 @@ def blame(page, campaign):
 
 def blame_by_family(page, campaign, source):
     """For the trees: the stage that most often is the first to go wrong, by family."""
-    rows = [r for r in campaign.tables["blame"] if r["subject"].endswith((" tree", " paper")) and not r["family"].startswith("sequence ")]
+    rows = [r for r in campaign.tables["blame"] if r["subject"].endswith((" tree", " tuned", " paper")) and not r["family"].startswith("sequence ")]
     subjects = [s for s in distinct(r["subject"] for r in rows)
-                if s in ("float tree", "double tree", "double paper", "double-eps=1e-12 tree", "epick tree")]
+                if s in ("float tree", "double tree", "double tuned", "double paper", "double-eps=1e-12 tree", "epick tree")]
     count, body = defaultdict(lambda: defaultdict(int)), []
     for r in rows:
         count[r["family"], r["subject"]][r["stage"]] += int(r["n"])

@@ -68,7 +68,7 @@ def wrong_in(row):
 
 def kernel_of(subject):
     """"double" of "double-eps=1e-12 brute" is "double-eps=1e-12"; a peer is its own kernel."""
-    return subject.rsplit(" ", 1)[0] if subject.endswith((" tree", " paper", " brute")) else subject
+    return subject.rsplit(" ", 1)[0] if subject.endswith((" tree", " tuned", " paper", " brute")) else subject
 
 
 def short(subject):

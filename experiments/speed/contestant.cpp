@@ -38,8 +38,8 @@ struct Bodies {
 
 class Fast_pair : public Prepared_pair {
  public:
-  Fast_pair(const Bodies& bodies, bool remember)
-      : bodies_(bodies), surface_(bodies.a, bodies.b, Question::surface, {.remember = remember}), remember_(remember)
+  Fast_pair(const Bodies& bodies, const Query_options& options)
+      : bodies_(bodies), options_(options), surface_(bodies.a, bodies.b, Question::surface, options)
   {}
 
   const Bodies& bodies() const { return bodies_; }
@@ -47,7 +47,7 @@ class Fast_pair : public Prepared_pair {
   bool collide(const Pose& pose_a, const Pose& pose_b, Question question) override
   {
     if (question == Question::surface) return bool(surface_.collide(pose_a, pose_b));
-    if (!solid_) solid_.emplace(bodies_.a, bodies_.b, Question::solid, Query_options{.remember = remember_});
+    if (!solid_) solid_.emplace(bodies_.a, bodies_.b, Question::solid, options_);
     return bool(solid_->collide(pose_a, pose_b));
   }
   tetratree::Query_statistics take_counts() override
@@ -65,24 +65,24 @@ class Fast_pair : public Prepared_pair {
 
  private:
   Bodies bodies_;
+  Query_options options_;
   Query surface_;
   std::optional<Query> solid_;
-  bool remember_;
 };
 
-Contestant fast_as(const std::string& name, bool remember)
+Contestant fast_as(const std::string& name, const Query_options& options)
 {
-  const auto prepare = [remember](Nodes nodes) {
+  const auto prepare = [options](Nodes nodes) {
     return [=](const Polyhedron& a, const Polyhedron& b) {
-      return std::make_unique<Fast_pair>(Bodies(a, b, nodes), remember);
+      return std::make_unique<Fast_pair>(Bodies(a, b, nodes), options);
     };
   };
-  const auto share = [remember](const Prepared_pair& other) -> std::unique_ptr<Prepared_pair> {
+  const auto share = [options](const Prepared_pair& other) -> std::unique_ptr<Prepared_pair> {
     const auto* fast = dynamic_cast<const Fast_pair*>(&other);
-    return fast ? std::make_unique<Fast_pair>(fast->bodies(), remember) : nullptr;
+    return fast ? std::make_unique<Fast_pair>(fast->bodies(), options) : nullptr;
   };
   return {.name = name,
-          .exact = true,
+          .exact = options.kernel == Kernel::adaptive,
           .knows_solids = true,
           .counts_work = true,
           .prepare = prepare(Nodes::at_once),
@@ -133,8 +133,9 @@ Contestant paper_over(const std::string& name, const tetratree::Config& config)
 
 }  // namespace
 
-Contestant fast() { return fast_as("tetracone", false); }
-Contestant fast_with_last_frame() { return fast_as("tetracone with last frame", true); }
+Contestant fast() { return fast_as("tetracone", {}); }
+Contestant fast_with_last_frame() { return fast_as("tetracone with last frame", {.remember = true}); }
+Contestant fast_in_double() { return fast_as("tetracone in double", {.kernel = Kernel::double_}); }
 
 Contestant paper(const std::string& name, const tetratree::Config& config)
 {

@@ -45,6 +45,8 @@ struct Contestant {
 /// The fast tree of the adaptive kernel; and with what the last frame told remembered: poses in the order of a motion.
 Contestant fast();
 Contestant fast_with_last_frame();
+/// The fast tree with leaves decided in double: what exactness costs is its time below the adaptive kernel's.
+Contestant fast_in_double();
 
 /// The paper's tree in double with these choices, or over the adaptive kernel.
 Contestant paper(const std::string& name, const tetratree::Config& config);

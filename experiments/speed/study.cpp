@@ -73,7 +73,8 @@ std::vector<Contestant> contestants(const Workload& workload)
   for (const char* kernel : {"float", "double", "double-eps=1e-12", "epick", "epeck", "adaptive"})
     list.push_back(ours(kernel, Method::tree));
   list.push_back(ours("rational", Method::tree, 4));
-  for (const char* kernel : {"double", "adaptive"}) list.push_back(ours(kernel, Method::paper));
+  for (const char* kernel : {"double", "adaptive"})
+    for (const Method method : {Method::tuned, Method::paper}) list.push_back(ours(kernel, method));
   if (workload.regime == "degenerate")
     for (const char* kernel : {"float", "double", "double-eps=1e-12", "epick", "adaptive"})
       list.push_back(ours(kernel, Method::brute));

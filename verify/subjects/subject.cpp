@@ -49,21 +49,11 @@ class Query_pair : public Prepared_pair {
       }
     return counts;
   }
-  std::size_t bytes() const override
-  {
-    for (const auto& query : queries_)
-      if (query) return query->bytes();
-    return 0;
-  }
-  std::size_t node_count() const override
-  {
-    for (const auto& query : queries_)
-      if (query) return query->node_count();
-    return 0;
-  }
+  std::size_t bytes() const override { return query(kernel::Question::surface).bytes(); }
+  std::size_t node_count() const override { return query(kernel::Question::surface).node_count(); }
 
  private:
-  Query& query(kernel::Question question)
+  Query& query(kernel::Question question) const
   {
     auto& query = queries_[question == kernel::Question::solid ? 1 : 0];
     if (!query) query.emplace(a_, b_, question, options_);
@@ -72,7 +62,7 @@ class Query_pair : public Prepared_pair {
 
   Query_options options_;
   Body a_, b_;
-  std::array<std::optional<Query>, 2> queries_;
+  mutable std::array<std::optional<Query>, 2> queries_;
 };
 
 class Truth_pair : public Prepared_pair {
