@@ -75,7 +75,8 @@ struct Off_plane {
 
 /// The largest distance of a corner of face `f` from the plane through three of its corners: p the first corner of the
 /// face, q the farthest from p, r the one that spans the largest triangle with p and q, each the first of equals. So
-/// the plane is a wide one, exact, and depends on nothing but the face. Requires `Planarity::off_plane`.
+/// the plane is spanned by a large triangle, exact, and depends on nothing but the face. Requires
+/// `Planarity::off_plane`.
 inline Off_plane deviation(const Polyhedron& polyhedron, Index f)
 {
   using kernel::Rational;

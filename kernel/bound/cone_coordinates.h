@@ -23,7 +23,7 @@ namespace tetracone::kernel {
 template <class B, bool sound>
 class Cone_coordinates {
  public:
-  /// The points relative to the origin, of which the farthest is at most `radius` away. Requires det[V1, V2, V3] > 0.
+  /// The points relative to the origin, each at most `radius` away. Requires det[V1, V2, V3] > 0.
   Cone_coordinates(const std::array<Direction, 3>& ray, B step, std::span<const Bound_point<B>> relative, B radius)
   {
     std::array<Bound_point<B>, 3> v;

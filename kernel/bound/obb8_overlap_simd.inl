@@ -26,6 +26,50 @@ struct One_test {
   HWY_INLINE Floats all(const float& x) const { return hn::Set(tag, x); }
 };
 
+/// Along the axes 0, 1, 2 of the eight: the way t from their centres to the single box's, and the single box's edges 1
+/// and 2.
+template <class Floats>
+struct Relative_edges {
+  Floats t0, t1, t2;
+  Floats r01, r11, r21;  ///< edge 1
+  Floats r02, r12, r22;  ///< edge 2
+};
+
+/// Whether the single box holds a triangle to which it can be cut down. Below that width, products underflow.
+HWY_INLINE bool holds_triangle(const Single_box& box) { return box.apex != no_apex && box.extent[2] > 0x1p-41f; }
+
+/// The lanes whose box, of the extents e0, e1 and e2, lies beyond one of the triangle's two other edges.
+///
+/// The normals of these edges are (-base, left) and (base, right) along the single box's edges 1 and 2, no unit
+/// vectors: so the slack is times base + left, or base + right. It is twice that of the other axes, for two more
+/// roundings a term, and the tolerance of the apex, twice, for the roundings of the extents.
+template <class Test, class Floats>
+HWY_INLINE auto beside_triangle(const Test& test, const Relative_edges<Floats>& of, Floats e0, Floats e1, Floats e2)
+{
+  const Single_box& box = test.box;
+  const float length = box.extent[1], width = box.extent[2], base = 2 * width, left = length * (1 + box.apex),
+              right = length * (1 - box.apex);
+  const float slack = 2 * box.slack + float(2 * apex_tolerance) * (length + width);
+  const auto number = [&](float value) HWY_ATTR { return hn::Set(test.tag, value); };
+  const Floats d1 = hn::Mul(number(base), hn::MulAdd(of.t2, of.r21, hn::MulAdd(of.t1, of.r11, hn::Mul(of.t0, of.r01)))),
+               d2 = hn::MulAdd(of.t2, of.r22, hn::MulAdd(of.t1, of.r12, hn::Mul(of.t0, of.r02)));
+  const Floats b0 = hn::Mul(number(base), of.r01), b1 = hn::Mul(number(base), of.r11),
+               b2 = hn::Mul(number(base), of.r21);
+  const auto beside = [&](Floats distance, float reach, Floats n0, Floats n1, Floats n2, float sum) HWY_ATTR {
+    const Floats beyond =
+        hn::NegMulAdd(e2, hn::Abs(n2),
+                      hn::NegMulAdd(e1, hn::Abs(n1), hn::NegMulAdd(e0, hn::Abs(n0), hn::Sub(distance, number(reach)))));
+    return hn::Gt(beyond, number(slack * sum));
+  };
+  // t leads from the eight to the single one: their centres are at (-d1, -d2) / (base, 1).
+  const Floats l = number(left), r = number(right);
+  const auto beside_left = beside(hn::NegMulAdd(l, d2, d1), width * right, hn::NegMulAdd(l, of.r02, b0),
+                                  hn::NegMulAdd(l, of.r12, b1), hn::NegMulAdd(l, of.r22, b2), base + left);
+  const auto beside_right = beside(hn::NegMulAdd(r, d2, hn::Neg(d1)), width * left, hn::MulAdd(r, of.r02, b0),
+                                   hn::MulAdd(r, of.r12, b1), hn::MulAdd(r, of.r22, b2), base + right);
+  return hn::Or(beside_left, beside_right);
+}
+
 /// The lanes whose box is not found apart from the single box: separating axes are the normals of both and the 9 cross
 /// products of edges. A gap is |distance| minus both reaches; with an infinite slack none is found, whatever
 /// overflowed. Of a similarity, a single box that holds a triangle is cut down to it.
@@ -115,35 +159,11 @@ HWY_INLINE auto together(const Test& test)
                                          crossed(t1, r02, t0, r12, e0, s12, e1, s02, f0, n21, f1, n20)));
   gap = hn::Max(hn::Max(gap, across0), hn::Max(across1, across2));
 
-  auto apart = hn::Gt(gap, all(box.slack));
-
+  const auto apart = hn::Gt(gap, all(box.slack));
   if constexpr (similarity) {
-    // Below that, products underflow.
-    if (box.apex != no_apex && box.extent[2] > 0x1p-41f) {
-      // The triangle's two other edges, by their normals (-base, left) and (base, right) along the single box's edges 1 and
-      // 2, no unit vectors: so the slack is times base + left, or base + right. It is twice that of the other axes, for two
-      // more roundings a term, and the tolerance of the apex, twice, for the roundings of the extents.
-      const float length = box.extent[1], width = box.extent[2], base = 2 * width, left = length * (1 + box.apex),
-                  right = length * (1 - box.apex);
-      const float slack = 2 * box.slack + float(2 * apex_tolerance) * (length + width);
-      const auto number = [&](float value) HWY_ATTR { return hn::Set(test.tag, value); };
-      const Floats d1 = hn::Mul(number(base), hn::MulAdd(t2, r21, hn::MulAdd(t1, r11, hn::Mul(t0, r01)))),
-                   d2 = hn::MulAdd(t2, r22, hn::MulAdd(t1, r12, hn::Mul(t0, r02)));
-      const Floats b0 = hn::Mul(number(base), r01), b1 = hn::Mul(number(base), r11), b2 = hn::Mul(number(base), r21);
-      const auto beside = [&](Floats distance, float reach, Floats n0, Floats n1, Floats n2, float sum) HWY_ATTR {
-        const Floats beyond = hn::NegMulAdd(
-            e2, hn::Abs(n2),
-            hn::NegMulAdd(e1, hn::Abs(n1), hn::NegMulAdd(e0, hn::Abs(n0), hn::Sub(distance, number(reach)))));
-        return hn::Gt(beyond, number(slack * sum));
-      };
-      // t leads from the eight to the single one: their centres are at (-d1, -d2) / (base, 1).
-      const Floats l = number(left), r = number(right);
-      const auto beside_left = beside(hn::NegMulAdd(l, d2, d1), width * right, hn::NegMulAdd(l, r02, b0),
-                                      hn::NegMulAdd(l, r12, b1), hn::NegMulAdd(l, r22, b2), base + left);
-      const auto beside_right = beside(hn::NegMulAdd(r, d2, hn::Neg(d1)), width * left, hn::MulAdd(r, r02, b0),
-                                       hn::MulAdd(r, r12, b1), hn::MulAdd(r, r22, b2), base + right);
-      apart = hn::Or(apart, hn::Or(beside_left, beside_right));
-    }
+    if (holds_triangle(box))
+      return hn::Not(hn::Or(
+          apart, beside_triangle(test, Relative_edges<Floats>{t0, t1, t2, r01, r11, r21, r02, r12, r22}, e0, e1, e2)));
   }
   return hn::Not(apart);
 }

@@ -67,7 +67,7 @@ struct Oriented_box {
 
 namespace detail {
 
-/// Right-handed axes of which the first is `first`, the second as near to `second` as can be. Requires that the squares
+/// Right-handed axes: the first is `first`, the second as near to `second` as can be. Requires that the squares
 /// of their lengths, times 1e-20, are no denormals.
 inline Matrix axes_from(const Vector& first, const Vector& second)
 {

@@ -14,8 +14,8 @@
 /// architecture has (x86-64: SSE2), for SSSE3, AVX2 and AVX-512.
 ///
 /// A vector function is an inline one of the namespace HWY_NAMESPACE within its folder's, in a file NAME_simd.inl.
-/// NAME.h includes that file once for each target and chooses a version. Example: kernel/bound/obb8_overlap_simd.inl and
-/// obb8_overlap.h.
+/// NAME.h includes that file once for each target and chooses a version. Example: kernel/bound/obb8_overlap_simd.inl
+/// and obb8_overlap.h.
 ///
 ///     #define TETRACONE_SIMD_FILE "tetracone/FOLDER/ROOM/NAME_simd.inl"
 ///     #include "tetracone/kernel/simd/simd_rounds.h"

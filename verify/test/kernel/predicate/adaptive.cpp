@@ -1116,8 +1116,8 @@ struct Double_double_bounded {
   }
 };
 
-/// A difference of double-double images whose high part is `m`: its own rounding, of what is no more than m (1 + u) / (1 -
-/// double_double_sum), and that of the images.
+/// A difference of double-double images whose high part is `m`: its own rounding, of what is no more than m (1 + u) /
+/// (1 - double_double_sum), and that of the images.
 Double_double_bounded difference_of_double_double_images(const Polynomial& m, const Polynomial& images)
 {
   return {grown * m, Rational(double_double_sum * grown / (1 - double_double_sum)) * m + images};
