@@ -78,4 +78,4 @@ def short(subject):
 
 def method_of(subject):
     method = subject.rsplit(" ", 1)[-1]
-    return method if method in ("tree", "paper", "brute") else "peer"
+    return method if method in ("tree", "tuned", "paper", "brute") else "peer"

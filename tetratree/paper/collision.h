@@ -132,7 +132,8 @@ class Collision {
     a_.place(pose_a);
     b_.place(pose_b);
     slack_ = kernel::projection_slack(a_.frame(), b_.frame());
-    determinant_a_ = std::abs(volume_factor(a_)), determinant_b_ = std::abs(volume_factor(b_));
+    determinant_a_ = std::abs(volume_factor(a_));
+    determinant_b_ = std::abs(volume_factor(b_));
     plane_a_.reset();
     plane_b_.reset();
     met_ = false;

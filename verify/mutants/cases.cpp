@@ -47,7 +47,11 @@ void write(const Predicate_case& c)
     if (!truth) continue;
     std::cout << "P " << int(predicate) << ' ' << *truth;
     for (const Vertex& v : c.v) write(v);
-    write(c.p), write(c.q), write(c.r), write(c.pose_a), write(c.pose_b);
+    write(c.p);
+    write(c.q);
+    write(c.r);
+    write(c.pose_a);
+    write(c.pose_b);
     std::cout << '\n';
   }
 }
@@ -58,7 +62,10 @@ void write(const covering::Polyhedron& a, const covering::Polyhedron& b, const P
   if (!of_a.is_closed() || !of_b.is_closed()) return;
   std::cout << "O " << collide(of_a, pose_a, of_b, pose_b, kernel::Question::surface) << ' '
             << collide(of_a, pose_a, of_b, pose_b);
-  write(a), write(b), write(pose_a), write(pose_b);
+  write(a);
+  write(b);
+  write(pose_a);
+  write(pose_b);
   std::cout << '\n';
 }
 
@@ -174,7 +181,9 @@ void write_near(Random& random)
       for (int k = 0; k < 3; ++k) c.v[3][k] = c.v[0][k] + s * (c.v[1][k] - c.v[0][k]) + t * (c.v[2][k] - c.v[0][k]);
     }
     c.pose_b = Pose(entries);
-    c.p = c.v[1], c.q = c.v[2], c.r = c.v[3];
+    c.p = c.v[1];
+    c.q = c.v[2];
+    c.r = c.v[3];
     if (c.pose_a.determinant_sign() != CGAL::ZERO && c.pose_b.determinant_sign() != CGAL::ZERO) write(c);
   }
 }

@@ -114,7 +114,10 @@ int answer(Predicate predicate, const verify::Predicate_case& c)
   if (kernel::volume_sign<K>(v[0], v[1], v[2], v[3]) == kernel::NEGATIVE) std::swap(v[2], v[3]);
   if (predicate == Predicate::tetra_cone) return kernel::is_in_tetra_cone<K>(p, v[0], v[1], v[2], v[3]);
   tetratree::Cone_points<K> cone(kernel::Cone_lattice{}, tetratree::Tetra_cone::octant(0));
-  cone.v0 = v[0], cone.v1 = v[1], cone.v2 = v[2], cone.v3 = v[3];
+  cone.v0 = v[0];
+  cone.v1 = v[1];
+  cone.v2 = v[2];
+  cone.v3 = v[3];
   return tetratree::classify<K>(cone, p, q, r) != tetratree::Classified::no;
 }
 
@@ -124,8 +127,11 @@ void judge_predicate(std::istream& in, int number)
   in >> predicate >> truth;
   verify::Predicate_case c;
   for (Vertex& v : c.v) v = read_vertex(in);
-  c.p = read_vertex(in), c.q = read_vertex(in), c.r = read_vertex(in);
-  c.pose_a = read_pose(in), c.pose_b = read_pose(in);
+  c.p = read_vertex(in);
+  c.q = read_vertex(in);
+  c.r = read_vertex(in);
+  c.pose_a = read_pose(in);
+  c.pose_b = read_pose(in);
   const auto which = static_cast<Predicate>(predicate);
   const std::string name = std::string(verify::to_string(which)) + " in case " + std::to_string(number);
   if (answer<Adaptive>(which, c) != truth) wrong("adaptive, " + name);
@@ -168,7 +174,8 @@ void judge_object(std::istream& in, int number)
   const Pose pose_a = read_pose(in), pose_b = read_pose(in);
   tetratree::Config fine, plain, shallow;
   fine.leaf_size = 1;
-  shallow.depth = 1, shallow.far_plane = tetratree::Far_plane::tightest;
+  shallow.depth = 1;
+  shallow.far_plane = tetratree::Far_plane::tightest;
   plain.tetrahedra = plain.regular_hull = false;
   judge<Adaptive>("adaptive paper", {}, a, b, pose_a, pose_b, surface, solid, number);
   judge<Adaptive>("adaptive small leaves", fine, a, b, pose_a, pose_b, surface, solid, number);
@@ -288,8 +295,10 @@ void judge_double_double_stage(int rounds)
     for (int row = 0; row < 3; ++row) {
       Rational exact = entries[4 * row + 3],
                computed = Rational(image.coordinate[row].high) + Rational(image.coordinate[row].low), sum = abs(exact);
-      for (int k = 0; k < 3; ++k)
-        exact += entries[4 * row + k] * Rational(v[k]), sum += abs(Rational(entries[4 * row + k] * Rational(v[k])));
+      for (int k = 0; k < 3; ++k) {
+        exact += entries[4 * row + k] * Rational(v[k]);
+        sum += abs(Rational(entries[4 * row + k] * Rational(v[k])));
+      }
       if (abs(Rational(exact - computed)) > Rational(image.error))
         wrong("image of twice the digits is off by more than its error");
       if (Rational(image.error) < (round % 2 == 0 ? 9 : 17) * Rational(u2) * sum)

@@ -18,7 +18,10 @@ Polyhedron polygon(const std::vector<std::array<double, 2>>& corners, bool turne
 {
   Polyhedron p;
   std::vector<Index> loop;
-  for (const auto& [x, y] : corners) loop.push_back(Index(loop.size())), p.vertices.push_back({x, y, x + 2 * y});
+  for (const auto& [x, y] : corners) {
+    loop.push_back(Index(loop.size()));
+    p.vertices.push_back({x, y, x + 2 * y});
+  }
   if (turned) std::reverse(loop.begin(), loop.end());
   p.add_polygon(loop);
   return p;

@@ -55,7 +55,10 @@ Pose any_pose(Random& random, const Polyhedron& p, int kind)
 {
   Vertex low = p.vertices.front(), high = low;
   for (const Vertex& v : p.vertices)
-    for (int k = 0; k < 3; ++k) low[k] = std::min(low[k], v[k]), high[k] = std::max(high[k], v[k]);
+    for (int k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], v[k]);
+      high[k] = std::max(high[k], v[k]);
+    }
   if (kind == 0) {
     Vertex t{0, 0, 0};
     const int axis = integer(random, 0, 2);
@@ -95,7 +98,8 @@ BOOST_AUTO_TEST_CASE(faces_with_holes_get_the_answers_of_the_papers_tree_in_rati
         const bool answer = reference(Pose(), pose, question);
         differ += of_whole(Pose(), pose, question) != answer;
         differ += of_triangles(Pose(), pose, question) != answer;
-        ++answers, collisions += answer;
+        ++answers;
+        collisions += answer;
       }
     }
   }

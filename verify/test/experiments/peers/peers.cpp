@@ -274,7 +274,8 @@ BOOST_AUTO_TEST_CASE(a_worker_that_hangs_dies_with_the_program_that_asked_it)
   };
   for (int k = 0; k < 1000 && !has_ended(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
   BOOST_TEST(has_ended());
-  ::close(ends[0]), ::close(ends[1]);
+  ::close(ends[0]);
+  ::close(ends[1]);
 }
 
 BOOST_AUTO_TEST_CASE(a_program_that_is_none_is_refused_and_not_taken_for_a_failure)

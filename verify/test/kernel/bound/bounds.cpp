@@ -54,7 +54,10 @@ Pose linear_map(Random& random, int kind, int scale)
       for (int j = 0; j < 3; ++j) set(2, j, entries[j] + entries[8 + j] * Rational(0x1p-40));
       break;
     case 4:  // sheared and reflected
-      set(0, 0, -1), set(1, 1, 1), set(2, 2, 1), set(0, 1, scenes::integer(random, -1'000'000, 1'000'000));
+      set(0, 0, -1);
+      set(1, 1, 1);
+      set(2, 2, 1);
+      set(0, 1, scenes::integer(random, -1'000'000, 1'000'000));
       break;
     case 5:  // three very different scales
       for (int j = 0; j < 3; ++j) set(j, j, std::ldexp(scenes::real(random, 0.5, 1), scenes::integer(random, -40, 40)));
@@ -313,7 +316,10 @@ BOOST_AUTO_TEST_CASE(balls_of_bodies_that_touch_are_never_separated)
       if (!t) continue;
       if (kind % 4 == 1) {
         // Two points and the middle between them; B the same mirrored: the two balls touch from outside, in one point.
-        for (int k = 0; k < 3; ++k) t->b[0][k] = -t->a[0][k], t->b[1][k] = -t->a[1][k];
+        for (int k = 0; k < 3; ++k) {
+          t->b[0][k] = -t->a[0][k];
+          t->b[1][k] = -t->a[1][k];
+        }
         t->pose_b =
             bringing(t->pose_a, rationals::exactly(t->b[0]), rationals::image(t->pose_a, rationals::exactly(t->a[0])));
         if (!is_usable(t->pose_b)) continue;
@@ -490,7 +496,10 @@ BOOST_AUTO_TEST_CASE(a_point_of_the_body_is_never_beyond_its_half_space)
         const Rational d =
             rationals::inner(rationals::exactly(half_space.normal),
                              rationals::minus(rationals::exactly(p), rationals::exactly(half_space.origin)));
-        if (d > offset) offset = d, contact = p;
+        if (d > offset) {
+          offset = d;
+          contact = p;
+        }
       }
       half_space.offset = rounded_up(offset);
       const double reach = maximum(reach_of(t->a), reach_of({half_space.origin}));
@@ -574,9 +583,12 @@ BOOST_AUTO_TEST_CASE(boxes_of_bodies_that_touch_meet)
 BOOST_AUTO_TEST_CASE(boxes_that_touch_in_a_corner_meet_and_boxes_apart_do_not)
 {
   Box<double> a, b, c;
-  a.add({0, 0, 0}), a.add({1, 1, 1});
-  b.add({1, 1, 1}), b.add({2, 3, 2});
-  c.add({1.5, 1.5, 1.0000001}), c.add({2, 2, 2});
+  a.add({0, 0, 0});
+  a.add({1, 1, 1});
+  b.add({1, 1, 1});
+  b.add({2, 3, 2});
+  c.add({1.5, 1.5, 1.0000001});
+  c.add({2, 2, 2});
   BOOST_TEST(a.meets(b));
   BOOST_TEST(b.meets(c));
   BOOST_TEST(!a.meets(c));

@@ -43,8 +43,12 @@ Placing placing(Random& random, int kind)
   if (kind % 3 == 1) p.b = scenes::random_affine(random, 2);
   if (kind % 3 == 2) {  // both far away, where the translations cancel
     auto far_a = scenes::rounded(p.a).entries(), far_b = p.b.entries();
-    for (int i = 0; i < 3; ++i) far_a[4 * i + 3] += 0x1p30 * (i + 1), far_b[4 * i + 3] += 0x1p30 * (i + 1);
-    p.a = Pose(far_a), p.b = Pose(far_b);
+    for (int i = 0; i < 3; ++i) {
+      far_a[4 * i + 3] += 0x1p30 * (i + 1);
+      far_b[4 * i + 3] += 0x1p30 * (i + 1);
+    }
+    p.a = Pose(far_a);
+    p.b = Pose(far_b);
   }
   return p;
 }
@@ -85,8 +89,10 @@ BOOST_AUTO_TEST_CASE(a_mapped_box_holds_the_exact_images_of_its_points_but_for_t
     const Placing p = placing(random, k);
     const Box_map map(p.a, p.in_a, p.b, p.in_b);
     Obb8 from{}, boxes{};
-    for (int i = 0; i < 3; ++i)
-      from.origin[i] = float(real(random, -0.5, 0.5)), boxes.origin[i] = float(real(random, -0.5, 0.5));
+    for (int i = 0; i < 3; ++i) {
+      from.origin[i] = float(real(random, -0.5, 0.5));
+      boxes.origin[i] = float(real(random, -0.5, 0.5));
+    }
     boxes.reach = 1;
     const int lane = integer(random, 0, 7);
     set_lane(from, lane, random);

@@ -58,7 +58,8 @@ struct Solid {
 
   void round()
   {
-    centre = centre.cast<float>().cast<double>(), extent = extent.cast<float>().cast<double>();
+    centre = centre.cast<float>().cast<double>();
+    extent = extent.cast<float>().cast<double>();
     edges = edges.cast<float>().cast<double>();
   }
   /// The corner that reaches farthest along the direction.
@@ -74,7 +75,10 @@ void set(Single_box& box, const Solid& s)
 {
   for (int j = 0; j < 3; ++j) {
     const Vector normal = s.edges.col((j + 1) % 3).cross(s.edges.col((j + 2) % 3));
-    for (int i = 0; i < 3; ++i) box.edge[j][i] = float(s.edges(i, j)), box.normal[j][i] = float(normal[i]);
+    for (int i = 0; i < 3; ++i) {
+      box.edge[j][i] = float(s.edges(i, j));
+      box.normal[j][i] = float(normal[i]);
+    }
     box.extent[j] = float(s.extent[j]);
     box.centre[j] = float(s.centre[j]);
   }
@@ -350,7 +354,10 @@ BOOST_AUTO_TEST_CASE(what_is_infinite_or_undefined_is_not_told_apart)
       undefined = box;
       if (similarity) continue;
       // As of an edge that vanishes, which an affine map may have.
-      for (int i = 0; i < 3; ++i) undefined.edge[1][i] = nan, undefined.normal[0][i] = undefined.normal[2][i] = nan;
+      for (int i = 0; i < 3; ++i) {
+        undefined.edge[1][i] = nan;
+        undefined.normal[0][i] = undefined.normal[2][i] = nan;
+      }
       BOOST_TEST(overlap(boxes, undefined, similarity) == 0xffu);
     }
 }
@@ -375,8 +382,12 @@ Placing placing(Random& random, int kind)
     case 2: p.a = scenes::random_affine(random, 2); break;
     case 3: {  // far away
       auto a = p.a.entries(), b = p.b.entries();
-      for (int i = 0; i < 3; ++i) a[4 * i + 3] = 0x1p35 * (i + 1) + 0x1p-10, b[4 * i + 3] = 0x1p35 * (i + 1);
-      p.a = Pose(a), p.b = Pose(b);
+      for (int i = 0; i < 3; ++i) {
+        a[4 * i + 3] = 0x1p35 * (i + 1) + 0x1p-10;
+        b[4 * i + 3] = 0x1p35 * (i + 1);
+      }
+      p.a = Pose(a);
+      p.b = Pose(b);
       break;
     }
     case 4: p.in_b.unit = std::ldexp(1.0, integer(random, -30, 30)); break;

@@ -98,7 +98,10 @@ BOOST_AUTO_TEST_CASE(axes_that_are_not_orthonormal_are_not_stored)
     if (kind == 1) axes.col(2) = axes.col(0);
     if (kind == 2) axes *= 1 + 0x1p-20;
     if (kind == 3) axes(1, 2) = nan;
-    if (kind == 4) axes.setConstant(nan), box.centre.setConstant(nan);
+    if (kind == 4) {
+      axes.setConstant(nan);
+      box.centre.setConstant(nan);
+    }
     if (kind == 5) axes.col(0) *= std::numeric_limits<double>::infinity();
     Obb8 boxes{};
     store_lane(boxes, 2, box, Vector::Zero(), all, 0);

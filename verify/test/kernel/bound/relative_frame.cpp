@@ -137,7 +137,11 @@ BOOST_AUTO_TEST_CASE(squares_that_overflow_make_no_similarity_and_no_bound)
       const double h = std::ldexp(1.0, exponent);
       std::array<double, 12> entries{};
       const int i = turn, j = (turn + 1) % 3, k = (turn + 2) % 3;
-      entries[5 * i] = 1, entries[5 * j] = h, entries[5 * k] = h, entries[4 * j + k] = -h, entries[4 * k + j] = h;
+      entries[5 * i] = 1;
+      entries[5 * j] = h;
+      entries[5 * k] = h;
+      entries[4 * j + k] = -h;
+      entries[4 * k + j] = h;
       const Relative_frame frame(Pose(entries), {}, Pose(), {});
       BOOST_TEST(!frame.is_similarity());
       if (exponent > 300) BOOST_TEST(std::isinf(frame.error()));
@@ -225,8 +229,12 @@ BOOST_AUTO_TEST_CASE(both_routes_keep_their_bound_for_scales_units_and_distances
     if (k % 5 == 0) {  // both far away
       auto far_a = a.entries(), far_b = b.entries();
       const double distance = std::ldexp(1.0, scenes::integer(random, 10, 90));
-      for (int i = 0; i < 3; ++i) far_a[4 * i + 3] = distance + i, far_b[4 * i + 3] = distance;
-      a = Pose(far_a), b = Pose(far_b);
+      for (int i = 0; i < 3; ++i) {
+        far_a[4 * i + 3] = distance + i;
+        far_b[4 * i + 3] = distance;
+      }
+      a = Pose(far_a);
+      b = Pose(far_b);
     }
     const Local_scale in_a{scenes::real_vertex(random, k % 7 == 0 ? 1e12 : 1),
                            std::ldexp(1.0, scenes::integer(random, -90, 90))};
@@ -309,7 +317,8 @@ BOOST_AUTO_TEST_CASE(a_fraction_that_rounds_to_nothing_has_no_false_bound)
     for (const int digits : {1, 49, 51, 99}) {
       std::array<Rational, 12> entries;
       for (Rational& x : entries) x = 0;
-      entries[0] = Rational(0x1p-1074) * Rational(digits) / Rational(100), entries[5] = entries[10] = small;
+      entries[0] = Rational(0x1p-1074) * Rational(digits) / Rational(100);
+      entries[5] = entries[10] = small;
       const Pose flat(entries), straight(std::array<double, 12>{small, 0, 0, 0, 0, small, 0, 0, 0, 0, small, 0});
       const Local_scale far{{std::ldexp(1.0, exponent), 0, 0}, 4};
       for (const Pose& a : {straight, sheared(straight)}) {
@@ -379,7 +388,8 @@ BOOST_AUTO_TEST_CASE(the_origins_are_as_far_apart_as_said)
       for (int j = 0; j < 3; ++j) {
         const Rational plus = b.exact(4 * i + j) * Rational(in_b.origin[j]),
                        minus = a.exact(4 * i + j) * Rational(in_a.origin[j]);
-        right += plus - minus, terms += CGAL::abs(plus) + CGAL::abs(minus);
+        right += plus - minus;
+        terms += CGAL::abs(plus) + CGAL::abs(minus);
       }
       const auto off = [&](double x) { return std::abs(nearest_double(Rational(Rational(x) - right))); };
       if (d.error() > 0) worst = maximum(worst, off(d[i]) / d.error());

@@ -96,7 +96,11 @@ BOOST_AUTO_TEST_CASE(an_adversary_who_climbs_stays_within_the_published_bounds)
                                     : Double_double::sum(changed.high, changed.low + part(0x1p-53 * scale));
         if (!product && random() % 8 == 0) changed = Double_double(-changed.high / 2, -changed.low / 2);
         const double here = value(c, d);
-        if (here >= best) a = c, b = d, best = here;
+        if (here >= best) {
+          a = c;
+          b = d;
+          best = here;
+        }
       }
       double& reached = product ? of_product : of_sum;
       reached = maximum(reached, best);

@@ -1305,7 +1305,8 @@ BOOST_AUTO_TEST_CASE(the_filters_turn_exactly_at_the_bounds_proved)
         const int i = (axis + 1) % 3, j = (axis + 2) % 3;
         const auto normal_at = [&](double h) {
           Vertex b{}, c{};
-          b[i] = b[j] = 1, c[j] = h;
+          b[i] = b[j] = 1;
+          c[j] = h;
           return Adaptive::filtered_normal_sign(o, b, c, axis, error);
         };
         BOOST_TEST(!normal_at(normal_turn));
@@ -1315,7 +1316,8 @@ BOOST_AUTO_TEST_CASE(the_filters_turn_exactly_at_the_bounds_proved)
     if (error == 0) continue;
     const auto difference_at = [&](double h) {
       Point a = Adaptive::unmoved({h, h, h}), b = Adaptive::unmoved(o);
-      a.error = error, b.error = error / 2;
+      a.error = error;
+      b.error = error / 2;
       return Adaptive::filtered_difference_sign(a, b, 1);
     };
     const double difference_turn = difference_motion * (1.5 * error);

@@ -52,7 +52,9 @@ Points on_a_grid(Random& random, int bits, int scale, bool coplanar)
     for (double& x : v) x = number();
   if (coplanar)
     for (int k = 0; k < 3; ++k) {
-      p[1][k] = std::trunc(p[1][k] / 8), p[2][k] = std::trunc(p[2][k] / 8), p[0][k] = std::trunc(p[0][k] / 8);
+      p[1][k] = std::trunc(p[1][k] / 8);
+      p[2][k] = std::trunc(p[2][k] / 8);
+      p[0][k] = std::trunc(p[0][k] / 8);
       p[3][k] = p[1][k] + p[2][k] - p[0][k];
     }
   for (Vertex& v : p)

@@ -115,7 +115,10 @@ BOOST_AUTO_TEST_CASE(the_sign_of_a_determinant_is_that_of_its_reflection_turned)
   check("determinant", [] {
     const auto entries = *rc::gen::container<std::array<double, 12>>(coordinate());
     std::array<double, 12> swapped = entries, negated = entries;
-    for (int k = 0; k < 4; ++k) std::swap(swapped[k], swapped[4 + k]), negated[8 + k] = -negated[8 + k];
+    for (int k = 0; k < 4; ++k) {
+      std::swap(swapped[k], swapped[4 + k]);
+      negated[8 + k] = -negated[8 + k];
+    }
     RC_ASSERT(Pose(swapped).determinant_sign() == -Pose(entries).determinant_sign());
     RC_ASSERT(Pose(negated).determinant_sign() == -Pose(entries).determinant_sign());
   });

@@ -361,7 +361,8 @@ class Face_samples {
   {
     Grid_point u, v;
     do {
-      u = random_.any(1), v = random_.any(random_.from(1, 2));
+      u = random_.any(1);
+      v = random_.any(random_.from(1, 2));
     } while (cross(u, v) == Grid_point{});
     const Grid_point o = random_.any(2);
     const auto lift = [&](const Flat& f) { return o + f[0] * u + f[1] * v; };

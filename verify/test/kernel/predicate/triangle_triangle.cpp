@@ -216,7 +216,10 @@ BOOST_AUTO_TEST_CASE(random_triangles_of_grids_in_every_order_swapped_and_scaled
     const double scale = std::ldexp(1.0, integer(random, -300, 300));
     Three far_p = p, far_q = q;
     for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) far_p[i][j] *= scale, far_q[i][j] *= scale;
+      for (int j = 0; j < 3; ++j) {
+        far_p[i][j] *= scale;
+        far_q[i][j] *= scale;
+      }
     wrong += meet<Adaptive>(far_p, far_q) != truth;
     const auto a = placed<Adaptive>(p, Pose()), b = placed<Adaptive>(q, Pose());
     for (const auto& order : orders) {

@@ -251,7 +251,8 @@ BOOST_AUTO_TEST_CASE(poses_that_are_nearly_flat_or_far_off_in_size_end_and_are_r
     for (const double height : {0.5, 1.0, std::nextafter(1.0, 2.0), 1.5})
       for (int axis = 0; axis < 3; ++axis) {
         std::array<double, 12> entries{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
-        entries[5 * axis] = thin, entries[4 * axis + 3] = height;
+        entries[5 * axis] = thin;
+        entries[4 * axis + 3] = height;
         for (const Body* other : {&a, &b}) {
           Body second(other == &a ? cube(1) : star_prism());
           const bool truth = verify::collide(a.truth, Pose(), second.truth, Pose(entries), Question::solid);

@@ -36,7 +36,8 @@ struct Placed_pair {
   Placed_pair(Bvh8& holder_tree, const Pose& of_holder, Bvh8& held_tree, const Pose& of_held)
       : pose_holder(of_holder), pose_held(of_held), holder(holder_tree), held(held_tree)
   {
-    holder.placed.place(pose_holder), held.placed.place(pose_held);
+    holder.placed.place(pose_holder);
+    held.placed.place(pose_held);
     holder.into_other = kernel::Box_map(pose_held, held_tree.scale(), pose_holder, holder_tree.scale());
     held.into_other = kernel::Box_map(pose_holder, holder_tree.scale(), pose_held, held_tree.scale());
   }

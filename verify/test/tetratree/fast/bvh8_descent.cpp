@@ -62,7 +62,8 @@ Descended descended(Descend* descend, Placed_bvh8<>& a, Placed_bvh8<>& b)
     const std::uint32_t box = first ? box_a : box_b;
     (first ? a : b).tree->child(box / 8, int(box % 8));
     ++result.made;
-    result.trees.nodes[0] = a.tree->nodes(), result.trees.nodes[1] = b.tree->nodes();
+    result.trees.nodes[0] = a.tree->nodes();
+    result.trees.nodes[1] = b.tree->nodes();
   }
   return result;
 }
@@ -71,7 +72,8 @@ Descended descended(Descend* descend, Placed_bvh8<>& a, Placed_bvh8<>& b)
 Pairs meeting(const Polyhedron& p, const Pose& pose_a, Placed_bvh8<>& a, const Polyhedron& q, const Pose& pose_b,
               Placed_bvh8<>& b)
 {
-  a.placed.place(pose_a), b.placed.place(pose_b);
+  a.placed.place(pose_a);
+  b.placed.place(pose_b);
   Pairs pairs;
   std::vector<const Element*> of_a, of_b;
   for (const auto& [body, elements, count] : {std::tuple{&a, &of_a, p.face_count()}, {&b, &of_b, q.face_count()}}) {
@@ -134,7 +136,8 @@ BOOST_AUTO_TEST_CASE(every_pair_of_leaves_that_meet_is_offered_once)
     for (Descend* descend : versions()) {
       const Descended all = descended(descend, a, b);
       for (const auto& pair : truth) missed += !all.offered.contains(pair);
-      met += int(truth.size()), offered += int(all.offered.size());
+      met += int(truth.size());
+      offered += int(all.offered.size());
       possible += int(tree_a.element_count() * tree_b.element_count());
       BOOST_TEST(all.repeated == 0u);
       BOOST_TEST(all.made == 0u);  // all were there
@@ -197,8 +200,10 @@ BOOST_AUTO_TEST_CASE(triangles_that_touch_in_one_point_of_a_side_are_offered)
     Polyhedron clear = small;
     for (std::size_t n = 0; n < side_of.size(); ++n) {
       const Vertex &from = large.vertices[side_of[n]], &to = large.vertices[(side_of[n] + 1) % 3];
-      for (std::size_t corner = 3 * n; corner < 3 * n + 3; ++corner)
-        clear.vertices[corner][0] += 0.02 * (to[1] - from[1]), clear.vertices[corner][1] -= 0.02 * (to[0] - from[0]);
+      for (std::size_t corner = 3 * n; corner < 3 * n + 3; ++corner) {
+        clear.vertices[corner][0] += 0.02 * (to[1] - from[1]);
+        clear.vertices[corner][1] -= 0.02 * (to[0] - from[0]);
+      }
     }
     Bvh8 tree_clear(clear);
     Placed_bvh8 c(tree_clear);
@@ -240,7 +245,8 @@ BOOST_AUTO_TEST_CASE(children_that_are_made_on_the_way_change_nothing)
     const Descended again = descended(&descend, a, b);
     BOOST_TEST(again.made == 0u);
     BOOST_TEST((by_corners(first.offered) == by_corners(again.offered)));
-    lazy_a.make_all(), lazy_b.make_all();
+    lazy_a.make_all();
+    lazy_b.make_all();
     BOOST_TEST((by_corners(descended(&descend, a, b).offered) == by_corners(first.offered)));
   }
   BOOST_TEST(made > 100);

@@ -43,9 +43,12 @@ Direction direction(Random& random, int kind)
   Direction d;
   switch (kind % 6) {
     case 0: d = {float(real(random, -1, 1)), float(real(random, -1, 1)), float(real(random, -1, 1))}; break;
-    case 1: d = {0, 0, 0}, d[integer(random, 0, 2)] = random() % 2 ? 1 : -1; break;
+    case 1:
+      d = {0, 0, 0};
+      d[integer(random, 0, 2)] = random() % 2 ? 1 : -1;
+      break;
     case 2:
-      d = {float(real(random, -1, 1)), float(real(random, -1, 1)), float(real(random, -1, 1))},
+      d = {float(real(random, -1, 1)), float(real(random, -1, 1)), float(real(random, -1, 1))};
       d[integer(random, 0, 2)] = random() % 2 ? 0.0f : -0.0f;
       break;
     case 3:
@@ -151,7 +154,9 @@ BOOST_AUTO_TEST_CASE(weights_make_the_direction_of_the_corners)
       const int y = i + corner % 2, z = j + corner / 2;
       const double weight = at.weight[corner] * at.sum[0] / 16;
       negative += at.weight[corner] < 0;
-      made[0] += weight * (16 - y - z), made[1] += weight * y, made[2] += weight * z;
+      made[0] += weight * (16 - y - z);
+      made[1] += weight * y;
+      made[2] += weight * z;
     }
     double apart = 0;
     for (int c = 0; c < 3; ++c) apart += std::abs(made[c] - std::abs(double(d[c])));

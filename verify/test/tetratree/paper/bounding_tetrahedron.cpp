@@ -117,7 +117,8 @@ BOOST_AUTO_TEST_CASE(the_loop_is_the_papers_step_by_step)
   const std::vector<Bound_point<double>> points = {{1, 0, 0}};  // on V2 only: the other two edges may shrink at will
   const Cone_coordinates<double, true> coordinates(cone.ray, 1.0 / lattice_size, points, 1);
   Config config;
-  config.shorten_by = 0.10, config.lengthen_by = 0.05;
+  config.shorten_by = 0.10;
+  config.lengthen_by = 0.05;
   config.shortening_rounds = 2;
   const Lengths start = coordinates.isosceles(), length = bounding_tetrahedron(coordinates, config);
   BOOST_TEST(start[0] > std::sqrt(3.0));

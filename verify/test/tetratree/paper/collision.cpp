@@ -197,8 +197,14 @@ Config config_number(int n, Random& random)
     case 4: config.all_axes = !config.all_axes; return config;
     case 5: config.leaf_boxes = !config.leaf_boxes; return config;
     case 6: config.descent = Descent::both; return config;
-    case 7: config.depth = 2, config.leaf_size = 4; return config;
-    case 8: config.leaf_size = 1, config.all_pairs_after = 0.01; return config;
+    case 7:
+      config.depth = 2;
+      config.leaf_size = 4;
+      return config;
+    case 8:
+      config.leaf_size = 1;
+      config.all_pairs_after = 0.01;
+      return config;
     default: return random_config(random);
   }
 }
@@ -275,7 +281,8 @@ BOOST_AUTO_TEST_CASE(the_cases_hold_answers_of_both_kinds_and_contacts_of_all_ki
   for (const Cases* cases : {&touching_cubes(), &grid_bodies(), &placed_bodies(), &meshes()}) {
     int surface = 0, solid = 0;
     for (const Case& c : *cases) {
-      surface += c.surface, solid += c.solid;
+      surface += c.surface;
+      solid += c.solid;
       for (const Feature_pair& pair : c.features) contacts.insert(pair.kind);
     }
     BOOST_TEST(surface > 20);
@@ -380,7 +387,8 @@ BOOST_AUTO_TEST_CASE(powers_of_two_change_no_answer_from_denormals_to_the_larges
     for (const int power : {-1072, -1030, -700, -420, -400, -130, 120, 240, 260, 500, 1015}) {
       Case c = grid_bodies()[n];
       const double scale = std::ldexp(1.0, power);
-      c.a = scenes::moved(c.a, scale), c.b = scenes::moved(c.b, scale);
+      c.a = scenes::moved(c.a, scale);
+      c.b = scenes::moved(c.b, scale);
       // Half the cases scaled back by the pose, where a power of two has an inverse.
       if (n % 2 == 0 && std::abs(power) < 1020) {
         const double back = std::ldexp(1.0, -power / 2 * 2 + (power < 0 ? -100 : 100) * int(n % 4 == 0));
@@ -404,7 +412,9 @@ BOOST_AUTO_TEST_CASE(translations_far_away_change_no_answer)
     const double far = std::array{1e3, 1e12, 1e17, 1e100, 1e300}[magnitude];
     std::array<Rational, 12> shift;
     for (int k = 0; k < 12; ++k) shift[k] = k % 5 == 0 ? 1 : 0;
-    shift[3] = far, shift[7] = -far / 3, shift[11] = far / 7;
+    shift[3] = far;
+    shift[7] = -far / 3;
+    shift[11] = far / 7;
     c.pose_a = scenes::composed(Pose(shift), c.pose_a);
     c.pose_b = scenes::composed(Pose(shift), c.pose_b);
     Config config = random_config(random);

@@ -62,7 +62,11 @@ Interval volume(const Direction& a, const Direction& b, const Direction& c, cons
 {
   const auto p = unit(a), q = unit(b), r = unit(c), s = unit(d);
   std::array<Interval, 3> x, y, z;
-  for (int k = 0; k < 3; ++k) x[k] = q[k] - p[k], y[k] = r[k] - p[k], z[k] = s[k] - p[k];
+  for (int k = 0; k < 3; ++k) {
+    x[k] = q[k] - p[k];
+    y[k] = r[k] - p[k];
+    z[k] = s[k] - p[k];
+  }
   return (x[1] * y[2] - x[2] * y[1]) * z[0] + (x[2] * y[0] - x[0] * y[2]) * z[1] + (x[0] * y[1] - x[1] * y[0]) * z[2];
 }
 
@@ -167,8 +171,10 @@ BOOST_AUTO_TEST_CASE(every_vertex_is_in_the_half_space_of_every_facet)
     const Hull hull = tree.regular_hull();
     int lowest = max_cone_depth, deepest = 0;
     for (Index k = 0; k < tree.node_count(); ++k)
-      if (tree.node(k).is_leaf)
-        lowest = std::min(lowest, tree.node(k).level), deepest = std::max(deepest, tree.node(k).level);
+      if (tree.node(k).is_leaf) {
+        lowest = std::min(lowest, tree.node(k).level);
+        deepest = std::max(deepest, tree.node(k).level);
+      }
     leaf_levels_differ += lowest < deepest;
     for (const Tetra_cone& cone : cones_of_level(std::min(config.depth, 3))) {
       Vertex d = middle_of(cone);
