@@ -53,9 +53,9 @@ METHODS = (
      "truth twice, by formulations that share no code with each other or with what they judge: CGAL's exact intersections over rationals, "
      "and integers of GMP; a case on which the two disagree, or which contradicts what its family knows by construction, stops the "
      "campaign. The study's truth is the first of the two."),
-    ("Subjects", "<i>tree</i> is the tetra-tree tuned within its own parameters, with boxes in its leaves; for the adaptive kernel, the "
-     "BVH8 of oriented boxes. <i>paper</i> has the choices of Jiménez and Segura 2008; <i>brute</i> tests every edge against every "
-     "face. Peers are other libraries as their users run them, each in a process of its own. A subject that does not take an input is not "
+    ("Subjects", "<i>tree</i> is the fast tree of oriented boxes, eight a node, with leaves and containment decided by the kernel; <i>tuned</i> is "
+     "the tetra-tree tuned within its own parameters, with boxes in its leaves; <i>paper</i> has the choices of Jiménez and Segura 2008. "
+     "Both look at all pairs once where their leaves would be asked about more. <i>brute</i> tests every edge against every face. Peers are other libraries as their users run them, each in a process of its own. A subject that does not take an input is not "
      "asked; a crash or a missing answer is counted as wrong."),
     ("Families", "A family is a generator from (seed, index); its parameter sweeps from far from degenerate to exactly degenerate. They "
      "are grouped for the panels thus: {regimes}. Sequences are motions in exact contact, frame by frame, by dyadic steps or rational "
