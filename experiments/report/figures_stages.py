@@ -10,10 +10,10 @@ import numpy as np
 from campaign_data import is_exact
 from report_data import distinct, share
 from report_page import Source
-from report_style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, SKY, VERMILION, WIDTH
+from report_style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, SKY, VERMILION, WIDTH, YELLOW
 
 STAGES = (("pose", VERMILION), ("classification", GREEN), ("bounding sphere", SKY), ("bounding tetrahedron", ORANGE),
-          ("regular hull", BLUE), ("leaf sign", PURPLE), ("containment", GREY))
+          ("regular hull", BLUE), ("bounding box", YELLOW), ("leaf sign", PURPLE), ("containment", GREY))
 
 
 def blame(page, campaign):

@@ -96,8 +96,7 @@ std::optional<Judged> judge(const Workload& workload, const Contestant& contesta
   const Stopwatch build;
   const auto pair = contestant.prepare(workload.a, workload.b);
   if (!pair) return std::nullopt;
-  const double build_seconds = build.seconds();
-  Judged result{Timed_poses(truth, contestant.one_in), build_seconds, pair->tree_bytes(), pair->node_count(), {}};
+  Judged result{Timed_poses(truth, contestant.one_in), build.seconds(), 0, 0, {}};
 
   const Stopwatch since_first;
   constexpr int passes = 5;
@@ -107,6 +106,9 @@ std::optional<Judged> judge(const Workload& workload, const Contestant& contesta
     if (pass == 0) result.counts = pair->take_counts();
     if (since_first.seconds() > enough_seconds) break;
   }
+  // Nodes made on demand are there now.
+  result.bytes = pair->tree_bytes();
+  result.nodes = pair->node_count();
   return result;
 }
 

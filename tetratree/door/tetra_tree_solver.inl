@@ -2,6 +2,7 @@
 #define TETRACONE_TETRATREE_DOOR_TETRA_TREE_SOLVER_INL
 // Included by the one unit of each kernel.
 
+#include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/predicate/tolerant.h"
 #include "tetracone/tetratree/door/method_config.h"
 #include "tetracone/tetratree/door/solver.h"
@@ -48,8 +49,8 @@ class Tetra_tree_solver : public Solver {
   {
     use_tolerance(options.tolerance);
     const std::string name = std::to_string(int(options.kernel)) + ' ' + std::to_string(int(options.method)) + ' ' +
-                             std::to_string(options.tolerance.absolute) + ' ' +
-                             std::to_string(options.tolerance.relative);
+                             kernel::shortest(options.tolerance.absolute) + ' ' +
+                             kernel::shortest(options.tolerance.relative);
     return body.tetra_tree<K>(name, config_of(options.method));
   }
 

@@ -99,7 +99,7 @@ class Body {
   /// True when every directed edge occurs as often as its reverse: then the body bounds a solid.
   bool is_closed() const;
 
-  /// Makes now what queries of the adaptive kernel's fast tree would make when they first need it.
+  /// Makes now the nodes that queries of the fast tree would make when they first need them.
   void make_all() const;
 
  private:

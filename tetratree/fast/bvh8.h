@@ -15,17 +15,15 @@
 
 namespace tetracone::tetratree {
 
-/// The fast tree of the adaptive kernel: eight boxes a node, one element a leaf.
+/// The fast tree: eight boxes a node, one element a leaf, which any kernel decides.
 ///
-/// What is kept of the tetra-tree of JS08: a covering with one origin, elements gathered by tetra-cones about it, a
-/// bounding volume a cone, and the pairwise descent of two trees. What is different, and why:
-///  - an element is in the one cone that holds its centroid, not in all that it meets: nothing is tested twice;
-///  - cones are cut where it pays: by a plane through the origin, which leaves two cones, or by one across the
-///  direction in which its elements
-///    spread most, which parts layers of the surface that lie behind one another (the shells of a cone) and local
-///    patches;
+/// It keeps of JS08 the covering and its origin, the pairwise descent of two trees and, as `Support_table`, the idea of
+/// the regular hull on the lattice of tetra-cones. It is no tetra-tree:
+///  - an element is in one part, not in every cone that it meets: nothing is tested twice;
+///  - parts come of cuts by cost, across the direction in which elements spread most; among the cuts tried are planes
+///    through the origin, the sides of cones, which part layers of the surface that lie behind one another;
 ///  - the bounding volume is an oriented box, which is tight on a patch of surface where a tetrahedron from the origin
-///  is not;
+///    is not;
 ///  - nodes have eight parts, so that one box is compared with eight at once, in float, rounded outward.
 /// Faces are triangles, or are given as triangles with the polyhedron; others are leaves as a whole.
 ///

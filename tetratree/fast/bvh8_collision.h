@@ -39,8 +39,8 @@ enum class Coherence {
 /// elements against all elements, exact where these signs are. Of solids whose surfaces share no point,
 /// `Bvh8_containment` tells whether one holds the other.
 ///
-/// Both trees, and their models, must outlive the query object. Making it and every query throw kernel::Unsound_floating_point when
-/// floating point is not as exact answers need it.
+/// Both trees, and their models, must outlive the query object. Making it and every query throw
+/// kernel::Unsound_floating_point when floating point is not as exact answers need it.
 template <class K = kernel::Adaptive>
 class Bvh8_collision {
  public:

@@ -37,8 +37,10 @@ using kernel::Relation;
 ///
 /// Departures from the listing: the choice of the node to descend (see `Descent`); flags of Theorem 2 are decided when
 /// a node is descended, not set by a walk over the whole tree; Theorem 2 asks for V0 beyond the plane too, without
-/// which a body whose origin lies inside the hull could be discarded. `solid` and `features` are extensions that the
-/// paper names.
+/// which a body whose origin lies inside the hull could be discarded; pairs of nodes are compared along all 44 axes of
+/// two tetrahedra (`Config::all_axes`); the side of a vertex against a face is decided once for all edges at that
+/// vertex; a query may give up the descent and look at each pair once (`Config::all_pairs_after`). `solid` and
+/// `features` are extensions that the paper names.
 ///
 /// The config of the first tree decides how a query runs. Both trees must outlive the query object. Where K decides
 /// exactly, making it and every query throw kernel::Unsound_floating_point when floating point is not as that needs it.
@@ -112,7 +114,7 @@ class Collision {
   using Body = Placed_tree<K>;
   using Plane = std::optional<kernel::Placed_half_space<B, sound>>;
 
-  /// Query_statistics the exact stage of the adaptive kernel over its lifetime.
+  /// Counts the exact stage of the adaptive kernel over its lifetime.
   struct Fallbacks {
     Query_statistics& counts;
     std::uint64_t before = now();

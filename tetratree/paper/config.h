@@ -42,7 +42,7 @@ struct Config {
 
   Far_plane far_plane = Far_plane::shortened;
   /// The loop of `Far_plane::shortened`: rounds over the three edges, share by which an edge is shortened, and share by
-  /// which it is lengthened again when that was too much.
+  /// which it is lengthened again when that was too much. (JS08 Fig. 8 has 10 % and 5 %.)
   int shortening_rounds = 60;
   double shorten_by = 0.03, lengthen_by = 0.015;
 

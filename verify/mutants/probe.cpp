@@ -181,11 +181,11 @@ void judge_object(std::istream& in, int number)
   judge<Adaptive>("adaptive small leaves", fine, a, b, pose_a, pose_b, surface, solid, number);
   judge<Adaptive>("adaptive shallow", shallow, a, b, pose_a, pose_b, surface, solid, number);
   judge<Adaptive>("adaptive spheres", plain, a, b, pose_a, pose_b, surface, solid, number);
-  judge<Adaptive>("adaptive tree", tetratree::Config::fastest(), a, b, pose_a, pose_b, surface, solid, number);
+  judge<Adaptive>("adaptive tuned", tetratree::Config::fastest(), a, b, pose_a, pose_b, surface, solid, number);
   judge<Adaptive>("adaptive brute", tetratree::Config::brute(), a, b, pose_a, pose_b, surface, solid, number);
   judge_bvh8(a, b, pose_a, pose_b, surface, solid, number);
   if (number % 16 == 0)
-    judge<kernel::Rational_kernel>("rational tree", tetratree::Config::fastest(), a, b, pose_a, pose_b, surface, solid,
+    judge<kernel::Rational_kernel>("rational tuned", tetratree::Config::fastest(), a, b, pose_a, pose_b, surface, solid,
                                    number);
 }
 

@@ -97,11 +97,33 @@ bool any_in(const Meeting& pairs, std::span<const Index> edges, std::span<const 
   });
 }
 
-/// An edge of one face meets the other.
-bool edges_meet(const Rounded_face& with_edges, const Rounded_face& face)
+/// A triangle of a rounded body, likewise.
+kernel::Triangle<Epick> rounded_triangle(const Rounded_body& body, const tetratree::Element& element)
 {
-  for (std::size_t k = 0; k < with_edges.edge_count(); ++k)
-    if (kernel::segment_face<Epick>(with_edges.from(k), with_edges.to(k), face) != kernel::Contact::none) return true;
+  return {body.points[element.corner[0]], body.points[element.corner[1]], body.points[element.corner[2]]};
+}
+
+/// The segment meets the element, by exact signs.
+bool meets(const Epick::Point_3& p, const Epick::Point_3& q, const Rounded_body& body,
+           const tetratree::Element& element)
+{
+  const auto contact = element.is_whole_face() ? kernel::segment_face<Epick>(p, q, Rounded_face{body, element.face})
+                                               : kernel::segment_face<Epick>(p, q, rounded_triangle(body, element));
+  return contact != kernel::Contact::none;
+}
+
+/// An edge of one element meets the other.
+bool edges_meet(const Rounded_body& a, const tetratree::Element& with_edges, const Rounded_body& b,
+                const tetratree::Element& other)
+{
+  if (!with_edges.is_whole_face()) {
+    const auto& v = with_edges.corner;
+    return meets(a.points[v[0]], a.points[v[1]], b, other) || meets(a.points[v[1]], a.points[v[2]], b, other) ||
+           meets(a.points[v[2]], a.points[v[0]], b, other);
+  }
+  const Rounded_face face{a, with_edges.face};
+  for (std::size_t k = 0; k < face.edge_count(); ++k)
+    if (meets(face.from(k), face.to(k), b, other)) return true;
   return false;
 }
 
@@ -175,8 +197,7 @@ std::optional<Stage> blame_in_fast_tree(const Object_case& c, Question question,
   if (!rounded.is_finite || rounded.collide() != truth) return Stage::pose;
 
   const auto exact_leaves = [&](const Element& of_a, const Element& of_b) {
-    const Rounded_face a{rounded.a, of_a.face}, b{rounded.b, of_b.face};
-    return edges_meet(a, b) || edges_meet(b, a);
+    return edges_meet(rounded.a, of_a, rounded.b, of_b) || edges_meet(rounded.b, of_b, rounded.a, of_a);
   };
   if ((rounded.contained || collision.any_element_pair(c.pose_a, c.pose_b, exact_leaves)) != truth)
     return Stage::bounding_box;

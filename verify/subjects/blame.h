@@ -40,6 +40,7 @@ inline const char* to_string(Stage stage)
 ///  - bounding sphere, bounding tetrahedron, regular hull; of the fast tree bounding box, its separating directions
 ///    among them: the leaf pair that holds it is discarded;
 ///  - leaf sign: the subject's own leaf tests go wrong on it; containment: its own sums over the covering do.
+/// The descent is followed to its end, where the subject itself may have given it up (`Config::all_pairs_after`).
 /// Nothing for exact subjects, and where the subject's answer is right after all.
 std::optional<Stage> blame(const Subject& subject, const Object_case& c, kernel::Question question, bool truth);
 

@@ -22,14 +22,16 @@ constexpr std::array<std::pair<Kernel_name, std::string_view>, 7> kernel_names =
     {Kernel_name::rational, "rational"},
 }};
 
-/// By the library's own door. Each question is a query, made when it is first asked.
+/// By the library's own door. Each question is a query; that of solids is made when it is first asked.
 class Query_pair : public Prepared_pair {
  public:
   Query_pair(const Subject& subject, const covering::Polyhedron& a, const covering::Polyhedron& b)
       : options_{subject.kernel, subject.method, subject.tolerance, false},
         a_(triangulated_body(a)),
         b_(triangulated_body(b))
-  {}
+  {
+    query(kernel::Question::surface);
+  }
 
   bool collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, kernel::Question question) override
   {
@@ -49,11 +51,11 @@ class Query_pair : public Prepared_pair {
       }
     return counts;
   }
-  std::size_t bytes() const override { return query(kernel::Question::surface).bytes(); }
-  std::size_t node_count() const override { return query(kernel::Question::surface).node_count(); }
+  std::size_t bytes() const override { return queries_[0]->bytes(); }
+  std::size_t node_count() const override { return queries_[0]->node_count(); }
 
  private:
-  Query& query(kernel::Question question) const
+  Query& query(kernel::Question question)
   {
     auto& query = queries_[question == kernel::Question::solid ? 1 : 0];
     if (!query) query.emplace(a_, b_, question, options_);
@@ -62,7 +64,7 @@ class Query_pair : public Prepared_pair {
 
   Query_options options_;
   Body a_, b_;
-  mutable std::array<std::optional<Query>, 2> queries_;
+  std::array<std::optional<Query>, 2> queries_;
 };
 
 class Truth_pair : public Prepared_pair {

@@ -47,6 +47,7 @@ struct Subject {
   }
 };
 
+using tetracone::all_methods;
 using tetracone::to_string;
 
 std::optional<Method> parse_method(std::string_view name);

@@ -76,7 +76,7 @@ BOOST_AUTO_TEST_CASE(the_pose_is_to_blame_exactly_when_exact_signs_of_rounded_im
     const Object_case c = object_case(cube, rotation, k % 2 ? cube : box, Pose(moved));
     const Question question = k % 3 == 0 ? Question::solid : Question::surface;
     const bool truth = truth_of(c, question);
-    for (const Method method : {Method::tree, Method::paper, Method::brute}) {
+    for (const Method method : all_methods) {
       const auto judge = [&]<class K>(const char* name, K) {
         const Subject subject = *Subject::parse(name, method);
         const bool right = prepare(subject, *c.a, *c.b)->collide(c.pose_a, c.pose_b, question) == truth;
@@ -153,6 +153,24 @@ BOOST_AUTO_TEST_CASE(a_sphere_in_double_that_rejects_touching_cubes_is_to_blame)
   BOOST_TEST_REQUIRE(stage.has_value());
   BOOST_TEST((*stage == Stage::bounding_sphere));
   BOOST_TEST(!blame(*Subject::parse("double", Method::brute), c, Question::solid, true).has_value());
+}
+
+BOOST_AUTO_TEST_CASE(a_box_of_the_exact_place_that_leaves_a_rounded_image_out_is_to_blame)
+{
+  // Floats of that size are as far apart as an edge is long: faces whose images meet need not be those that meet.
+  Random random(17);
+  std::map<Stage, int> stages;
+  for (int k = 0; k < 4000; ++k) {
+    const double far = std::ldexp(1.0, integer(random, 18, 24));
+    const auto place = [&] {
+      return translation(far + real(random, -0.5, 0.5), far + real(random, -0.5, 0.5), far + real(random, -0.5, 0.5));
+    };
+    const Object_case c = object_case(unit_cube(), place(), unit_cube(), place());
+    const bool truth = truth_of(c, Question::surface);
+    if (const auto stage = blame(*Subject::parse("float"), c, Question::surface, truth)) ++stages[*stage];
+  }
+  BOOST_TEST(stages[Stage::pose] > 0);
+  BOOST_TEST(stages[Stage::bounding_box] > 0);
 }
 
 BOOST_AUTO_TEST_CASE(an_absolute_tolerance_is_to_blame_where_it_closes_a_gap)
