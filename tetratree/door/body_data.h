@@ -21,8 +21,8 @@ namespace tetracone::detail {
 
 /// What copies of a `Body` share. What is not yet here is made once, by the first thread that asks for it.
 struct Body_data {
-  Body_data(covering::Polyhedron polyhedron, std::vector<covering::Face_triangle> triangles)
-      : polyhedron(std::move(polyhedron)), triangles(std::move(triangles))
+  Body_data(covering::Polyhedron p, std::vector<covering::Face_triangle> t)
+      : polyhedron(std::move(p)), triangles(std::move(t))
   {}
 
   const covering::Polyhedron polyhedron;
