@@ -59,8 +59,13 @@ struct Tally {
   {
     ++asked;
     if (answer == truth) return "";
-    if (!answer) return ++failures, "failed";
-    return *answer > truth ? (++false_positives, "fp") : (++false_negatives, "fn");
+    if (!answer) {
+      ++failures;
+      return "failed";
+    }
+    const bool is_positive = *answer > truth;
+    ++(is_positive ? false_positives : false_negatives);
+    return is_positive ? "fp" : "fn";
   }
 };
 

@@ -284,7 +284,7 @@ BOOST_AUTO_TEST_CASE(
 
 BOOST_AUTO_TEST_CASE(every_formulation_is_right_on_a_segment_clearly_through_a_triangle_and_clearly_beside_it)
 {
-  Predicate_case through;
+  Predicate_case through{};
   through.v = {{{9, 9, 9}, {0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
   through.p = {1, 1, -1};
   through.q = {1, 1, 1};
