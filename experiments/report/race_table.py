@@ -12,7 +12,7 @@ import matplotlib.pyplot as plt
 
 from report_style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, SKY, VERMILION, set_style  # noqa: F401
 
-OURS, FCL, PAPER = "tetracone", "FCL OBBRSS", "tetra-tree tuned, in double"
+OURS, FCL, PAPER = "tetracone", "FCL OBBRSS", "tetra-tree tuned in double"
 LAST_FRAME, IN_DOUBLE, EPICK, EPECK = "tetracone with last frame", "tetracone in double", "CGAL RMCD EPICK", "CGAL RMCD EPECK"
 COLOURS = {OURS: GREEN, LAST_FRAME: "#005a41", IN_DOUBLE: "#7fc4a4", FCL: INK, PAPER: VERMILION, EPICK: SKY, EPECK: BLUE, "Bullet GImpact": ORANGE, "ODE trimesh": PURPLE}
 SHORT = {LAST_FRAME: "with last frame", IN_DOUBLE: "in double", FCL: "FCL", PAPER: "tetra-tree, double", EPICK: "EPICK"}

@@ -18,7 +18,7 @@ std::vector<Contestant> contestants(std::size_t triangles, bool degenerate)
       fast_with_last_frame(),
       fast_in_double(),
       peer("FCL OBBRSS"),
-      paper("tetra-tree tuned, in double", tetratree::Config::fastest()).every(triangles > 2000 ? 10 : 1),
+      paper("tetra-tree tuned in double", tetratree::Config::fastest()).every(triangles > 2000 ? 10 : 1),
       peer("CGAL RMCD EPICK", (large ? 20 : 4)),
       peer("CGAL RMCD EPECK", (large ? 100 : 20) * many / (degenerate ? 4 : 1)),
       peer("Bullet GImpact", large ? 20 : 4),

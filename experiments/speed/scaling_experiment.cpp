@@ -11,7 +11,7 @@ namespace {
 std::vector<Contestant> contestants(std::size_t triangles)
 {
   std::vector<Contestant> list = {fast(), fast_with_last_frame(), peer("FCL OBBRSS"), peer("CGAL RMCD EPICK", 20)};
-  if (triangles <= 10000) list.push_back(paper("tetra-tree tuned, in double", tetratree::Config::fastest()).every(10));
+  if (triangles <= 10000) list.push_back(paper("tetra-tree tuned in double", tetratree::Config::fastest()).every(10));
   return list;
 }
 
