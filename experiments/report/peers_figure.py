@@ -5,7 +5,7 @@ import math
 
 import matplotlib.pyplot as plt
 
-from race_table import COLOURS, EPECK, EPICK, FCL, GREY, LAST_FRAME, OURS, PAPER, against, answers, checked, geometric_mean, read, save, wrong
+from race_table import COLOURS, EPECK, EPICK, FCL, GREY, IN_DOUBLE, LAST_FRAME, OURS, PAPER, against, answers, checked, geometric_mean, read, save, wrong
 
 
 def label(row):
@@ -51,6 +51,20 @@ def near_contact(rows):
                   f'EPICK takes {epick.get(r["scenario"], math.nan):8.3g} times our {r["mean_ns"] / 1e3:.3g} µs')
 
 
+def price_of_exactness(rows):
+    """The adaptive kernel's time over double's on the same tree, a line a scenario: the geometric mean over workloads, its interval of 95 % by their spread, and its range."""
+    over = against(rows, OURS, IN_DOUBLE)
+    if not over:
+        return
+    print("\nprice of exactness: time of the adaptive kernel over that of double, on the same tree, both questions")
+    for scenario in dict.fromkeys(c[0] for c in over):
+        logs = [math.log(v) for c, v in over.items() if c[0] == scenario]
+        mean = sum(logs) / len(logs)
+        half = 1.96 * math.sqrt(sum((x - mean) ** 2 for x in logs) / max(len(logs) - 1, 1) / len(logs))
+        print(f"  {scenario:16} {math.exp(mean):6.3f} ({math.exp(mean - half):.3f} .. {math.exp(mean + half):.3f})"
+              f"   [{math.exp(min(logs)):.3f}, {math.exp(max(logs)):.3f}] of {len(logs)}")
+
+
 def summary(rows):
     ordinary = [r for r in rows if not r["degenerate"]]
     surface = [r for r in ordinary if r["question"] == "surface"]
@@ -71,6 +85,7 @@ def summary(rows):
                 some = {c: v for c, v in fcl.items() if c[0] == scenario and c[3] == ratio}
                 print(f"  {scenario:9} 1:{ratio}  {geometric_mean(some.values()):5.2f}   " + ", ".join(f"{c[1]} {c[2] / 1000:.3g}k {v:.2f}" for c, v in some.items()))
     near_contact(rows)
+    price_of_exactness(rows)
     print()
     if fcl:
         large = [r for r in surface if r["triangles"] > 2000]
