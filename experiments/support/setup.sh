@@ -65,15 +65,19 @@ jobs_at_once()
 # Copies its input; behind a line that counts, "[12/80] ..." of a build or " 3/90 Test ..." of tests, how long the rest will take at this pace.
 with_time_left()
 {
-  awk -v start="$(date +%s)" '
-    match($0, /^(\[[0-9]+\/[0-9]+\]| *[0-9]+\/[0-9]+ Test)/) {
-      split(substr($0, RSTART, RLENGTH), part, /[^0-9]+/)
-      done = part[1] == "" ? part[2] : part[1]; all = part[1] == "" ? part[3] : part[2]
-      "date +%s" | getline now; close("date +%s")
-      if (done > 0) left = sprintf("   (%d min %02d s left)", (now - start) * (all - done) / done / 60, (now - start) * (all - done) / done % 60)
-      print $0 left; fflush(); next
-    }
-    { print; fflush() }'
+  local line left finished all
+  SECONDS=0
+  while IFS= read -r line || [[ -n $line ]]; do
+    left=
+    if [[ $line =~ ^\[([0-9]+)/([0-9]+)\] || $line =~ ^\ *([0-9]+)/([0-9]+)\ Test ]]; then
+      finished=${BASH_REMATCH[1]} all=${BASH_REMATCH[2]}
+      if ((finished > 0)); then
+        left=$((SECONDS * (all - finished) / finished))
+        left=$(printf '   (%d min %02d s left)' $((left / 60)) $((left % 60)))
+      fi
+    fi
+    printf '%s%s\n' "$line" "$left"
+  done
 }
 
 # build PRESET [-D...] [--target TARGET...]: configures quietly and builds.
