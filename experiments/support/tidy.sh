@@ -1,6 +1,6 @@
 #!/bin/bash
 # experiments/support/tidy.sh [FILE...]: clang-tidy, by the checks of .clang-tidy, on all headers of the package as one unit, and on these sources or, without
-# any, on those that the last commit or the working tree changed, as many as two minutes allow. Exit status 1 where it finds something, 77 without clang-tidy.
+# any, on those that the working tree changes, as many as two minutes allow. Exit status 1 where it finds something, 77 without clang-tidy.
 
 . "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
@@ -23,7 +23,7 @@ tidy()
 if (($#)); then
   sources=("$@")
 else
-  mapfile -t sources < <(git diff --name-only --diff-filter=d HEAD~1 -- '*.cpp' 2> /dev/null)
+  mapfile -t sources < <(git diff --name-only --diff-filter=d HEAD -- '*.cpp' 2> /dev/null)
 fi
 status=0
 tidy "$scratch/headers.cpp" || status=1
