@@ -48,8 +48,8 @@ inline std::array<Sign, 3> sides<Adaptive>(const Corners<Adaptive>& triangle, co
   const double error = triangle[0]->error + maximum(triangle[1]->error, triangle[2]->error, points[0]->error,
                                                     points[1]->error, points[2]->error);
   const double Mx = mx + error, My = my + error, Mz = mz + error;
-  const double bound =
-      49 * unit_roundoff<double> * (Mx * My * Mz) + 6.001 * error * (My * Mz + mx * Mz + mx * my) + Adaptive::underflow;
+  const double bound = Adaptive::volume_rounding * (Mx * My * Mz) +
+                       Adaptive::volume_motion * error * (My * Mz + mx * Mz + mx * my) + Adaptive::underflow;
   std::array<Sign, 3> side;
   for (int k = 0; k < 3; ++k) {
     if (determinant[k] > bound)

@@ -52,7 +52,7 @@ class Collision {
         a_(a),
         b_(b),
         sides_(kernel::maximum(a.model().vertices().size(), b.model().vertices().size())),
-        most_pairs_(config_.all_pairs_after * (pairs(a, b) + pairs(b, a)))
+        all_pairs_(pairs(a, b) + pairs(b, a))
   {
     if constexpr (sound) kernel::require_exact_arithmetic();
   }
@@ -257,7 +257,7 @@ class Collision {
     ++counts_.leaf_pairs;
     const Elements of_a = {a_.tree().edges(a), a_.tree().faces(a)}, of_b = {b_.tree().edges(b), b_.tree().faces(b)};
     pairs_seen_ += of_a.edges.size() * of_b.faces.size() + of_b.edges.size() * of_a.faces.size();
-    if (!(double(pairs_seen_) > most_pairs_) || (is_whole(a_, of_a) && is_whole(b_, of_b))) {
+    if (!(double(pairs_seen_) > config_.all_pairs_after * all_pairs_) || (is_whole(a_, of_a) && is_whole(b_, of_b))) {
       met_ = elements_meet(of_a, of_b);
       return met_;
     }
@@ -361,8 +361,8 @@ class Collision {
   std::vector<Side> sides_;  // of the vertices of either body against the face at hand
   std::uint64_t face_now_ = 0;
   std::vector<kernel::Box<B>> edge_boxes_;  // of the leaf at hand
-  const double most_pairs_;
-  std::size_t pairs_seen_ = 0;  // by this query
+  const double all_pairs_;                  // of an edge and a face
+  std::size_t pairs_seen_ = 0;              // by this query
   Query_statistics counts_;
 };
 

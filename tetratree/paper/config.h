@@ -70,7 +70,7 @@ struct Config {
   /// never, as the paper lists it.
   double all_pairs_after = std::numeric_limits<double>::infinity();
 
-  /// The paper's method, never more than a tenth slower than no tree at all.
+  /// The paper's method, never far slower than no tree at all.
   static Config paper()
   {
     Config config;

@@ -161,7 +161,7 @@ Object_case extreme_exponents(Random& random, double parameter)
 /// Needles and plates: boxes about the origin, each stretched along its axes by its own powers of two and then turned
 /// about one of them by an eighth, or not; they touch or pierce one another along that axis. Their axes differ by more
 /// than a double's square can hold.
-std::vector<Object_case> boxes_on_an_axis(Random& random, int size, int count)
+static std::vector<Object_case> boxes_on_an_axis(Random& random, int size, int count)
 {
   const int axis = integer(random, 0, 2), u = (axis + 1) % 3, v = (axis + 2) % 3;
   const auto half_lengths = [&] { return kernel::Vertex{dyadic(random, 3), dyadic(random, 3), dyadic(random, 3)}; };
