@@ -48,14 +48,14 @@ Ran run(const std::string& command)
 }
 
 /// One compiler with one set of flags.
-struct Build {
+struct Compiled_probe {
   std::string compiler, flags;
   bool with_adaptive;
 };
 
-std::vector<Build> builds()
+std::vector<Compiled_probe> builds()
 {
-  std::vector<Build> all;
+  std::vector<Compiled_probe> all;
   for (const char* compiler : {"g++", "clang++"}) {
     if (run(std::string(compiler) + " --version").status != 0) continue;
     for (const std::string set : flags) {
@@ -84,7 +84,7 @@ std::vector<Tested> tested(const std::string& printed)
   return tests;
 }
 
-std::vector<Csv_row> rows_of(const Build& build, const std::filesystem::path& program)
+std::vector<Csv_row> rows_of(const Compiled_probe& build, const std::filesystem::path& program)
 {
   std::string version = run(build.compiler + " -dumpfullversion -dumpversion").out;
   version = version.substr(0, version.find('\n'));
@@ -121,7 +121,7 @@ std::vector<Csv_row> rows_of(const Build& build, const std::filesystem::path& pr
 
 void run_compilers(const std::filesystem::path& out)
 {
-  const std::vector<Build> all = builds();
+  const std::vector<Compiled_probe> all = builds();
   if (all.empty()) throw std::runtime_error("no compiler; expected g++ or clang++");
   make_folder(out);
   std::vector<std::vector<Csv_row>> rows(all.size());

@@ -16,6 +16,8 @@
 #include <utility>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_house)
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -478,8 +480,6 @@ void check_each_source(const Rule& rule)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_house)
 
 BOOST_AUTO_TEST_CASE(the_sources_are_found)
 {

@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_check)
+
 using namespace tetracone::covering;
 using tetracone::kernel::Rational;
 namespace scenes = tetracone::verify::scenes;
@@ -57,8 +59,6 @@ bool closed_by_brute_force(const Polyhedron& polyhedron)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_check)
 
 BOOST_AUTO_TEST_CASE(a_cube_is_a_cube)
 {

@@ -13,6 +13,8 @@
 #include <set>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_covering)
+
 using namespace tetracone::covering;
 using tetracone::kernel::Rational;
 namespace rationals = tetracone::verify::rationals;
@@ -52,8 +54,6 @@ std::optional<int> signed_sum(const Polyhedron& body, const Covering& covering, 
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_covering)
 
 BOOST_AUTO_TEST_CASE(the_signed_tetrahedra_sum_to_the_winding_number_for_any_origin)
 {

@@ -10,6 +10,8 @@
 #include <tuple>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_inclusion)
+
 using namespace tetracone::covering;
 using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
@@ -50,8 +52,6 @@ std::vector<Vertex> hard_points(const Polyhedron& body, const Vertex& origin, Ra
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_inclusion)
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(voxel_solids_hold_the_points_that_their_cells_hold, K, Exact_signs)
 {

@@ -8,6 +8,8 @@
 #include <array>
 #include <tuple>
 
+BOOST_AUTO_TEST_SUITE(test_model)
+
 using namespace tetracone::covering;
 using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
@@ -29,8 +31,6 @@ rationals::Vector exactly(const Point<K>& p)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_model)
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(a_model_has_the_vertices_as_points_and_its_origin_in_its_lattice, K, Vertex_kernels)
 {

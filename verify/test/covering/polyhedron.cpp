@@ -7,6 +7,8 @@
 #include <array>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_polyhedron)
+
 using namespace tetracone::covering;
 namespace scenes = tetracone::verify::scenes;
 
@@ -15,8 +17,6 @@ namespace {
 std::vector<Index> indices(Loop loop) { return {loop.begin(), loop.end()}; }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_polyhedron)
 
 BOOST_AUTO_TEST_CASE(an_empty_polyhedron_has_no_faces)
 {

@@ -9,6 +9,8 @@
 #include <set>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_star_faces)
+
 using namespace tetracone::covering;
 namespace scenes = tetracone::verify::scenes;
 
@@ -28,8 +30,6 @@ Polyhedron polygon(const std::vector<std::array<double, 2>>& corners, bool turne
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_star_faces)
 
 BOOST_AUTO_TEST_CASE(convex_faces_are_fans)
 {

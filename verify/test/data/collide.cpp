@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_collide)
+
 using namespace tetracone::verify::scenes;
 using namespace tetracone::tetratree;
 namespace covering = tetracone::covering;
@@ -78,8 +80,6 @@ Pose any_pose(Random& random, const Polyhedron& p, int kind)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_collide)
 
 BOOST_AUTO_TEST_CASE(faces_with_holes_get_the_answers_of_the_papers_tree_in_rationals)
 {

@@ -11,9 +11,9 @@
 #include <memory>
 #include <string>
 
-using namespace tetracone;
-
 BOOST_AUTO_TEST_SUITE(test_soundness)
+
+using namespace tetracone;
 
 BOOST_AUTO_TEST_CASE(what_was_wrong_of_real_files_is_right)
 {

@@ -18,6 +18,8 @@
 #include <string>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_sweep)
+
 using namespace tetracone::covering;
 namespace fs = std::filesystem;
 using tetracone::verify::scenes::data_folder;
@@ -74,8 +76,6 @@ const std::vector<Known> known = {
 };
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_sweep)
 
 BOOST_AUTO_TEST_CASE(every_file_is_read_or_refused_in_one_line_and_in_time)
 {

@@ -2,9 +2,9 @@
 
 #include <boost/test/unit_test.hpp>
 
-using namespace tetracone::tetratree;
-
 BOOST_AUTO_TEST_SUITE(test_query_statistics)
+
+using namespace tetracone::tetratree;
 
 BOOST_AUTO_TEST_CASE(counts_begin_at_zero)
 {

@@ -6,6 +6,8 @@
 #include <set>
 #include <string>
 
+BOOST_AUTO_TEST_SUITE(test_mutants)
+
 // The list of planted errors (verify/mutants) is not run here, which takes many minutes, but it must not go stale.
 
 namespace {
@@ -25,8 +27,6 @@ int count(const std::string& text, const std::string& part)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_mutants)
 
 BOOST_AUTO_TEST_CASE(every_planted_error_has_its_one_place_in_the_source)
 {

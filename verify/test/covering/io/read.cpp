@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_read)
+
 using namespace tetracone::covering;
 using tetracone::verify::Temporary_file;
 
@@ -110,8 +112,6 @@ std::string ascii_ply(const std::string& coordinate, const std::string& index, c
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_read)
 
 BOOST_AUTO_TEST_CASE(the_same_tetrahedron_comes_out_of_every_format)
 {

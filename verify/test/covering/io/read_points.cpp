@@ -6,6 +6,8 @@
 
 #include <string>
 
+BOOST_AUTO_TEST_SUITE(test_read_points)
+
 using namespace tetracone::covering;
 using tetracone::kernel::Rational;
 using tetracone::verify::Temporary_file;
@@ -18,8 +20,6 @@ std::string error_of(const std::string& text)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_read_points)
 
 BOOST_AUTO_TEST_CASE(points_are_doubles_or_fractions)
 {

@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_read_poly)
+
 using namespace tetracone::covering;
 using tetracone::kernel::Rational;
 using tetracone::verify::Temporary_file;
@@ -59,8 +61,6 @@ std::string facets(const std::vector<std::vector<int>>& faces, int base)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_read_poly)
 
 BOOST_AUTO_TEST_CASE(hole_loops_are_turned_against_their_outer_loop_and_facets_across_their_edges)
 {

@@ -6,6 +6,8 @@
 
 #include <string>
 
+BOOST_AUTO_TEST_SUITE(test_read_poses)
+
 using namespace tetracone::kernel;
 using namespace tetracone::covering;
 using tetracone::verify::Temporary_file;
@@ -36,8 +38,6 @@ std::string error_of(const std::string& text)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_read_poses)
 
 BOOST_AUTO_TEST_CASE(the_sample_file_holds_three_poses)
 {

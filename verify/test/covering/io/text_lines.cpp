@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <string>
 
+BOOST_AUTO_TEST_SUITE(test_text_lines)
+
 using namespace tetracone::covering;
 using tetracone::verify::error_of;
 using tetracone::verify::Temporary_file;
@@ -59,8 +61,6 @@ std::vector<Dialect> tetrahedra()
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_text_lines)
 
 BOOST_AUTO_TEST_CASE(a_byte_order_mark_and_old_line_ends_change_nothing)
 {

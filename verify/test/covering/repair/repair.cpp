@@ -16,6 +16,8 @@
 #include <utility>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_repair)
+
 using namespace tetracone::covering;
 using tetracone::kernel::Rational;
 namespace scenes = tetracone::verify::scenes;
@@ -47,8 +49,6 @@ Polyhedron turn_some(const Polyhedron& p, unsigned long turned)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_repair)
 
 BOOST_AUTO_TEST_CASE(planar_faces_stay_as_they_are)
 {

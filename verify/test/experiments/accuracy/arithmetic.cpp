@@ -15,6 +15,8 @@
 #include <utility>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_arithmetic)
+
 using namespace tetracone::verify;
 
 namespace {
@@ -35,8 +37,6 @@ std::vector<std::vector<std::string>> rows(const std::filesystem::path& csv, std
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_arithmetic)
 
 BOOST_AUTO_TEST_CASE(sign_maps_are_exact_where_they_say_so_and_rounding_shows)
 {

@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 
+BOOST_AUTO_TEST_SUITE(test_contracted)
+
 using namespace tetracone;
 using experiments::Contracted;
 using kernel::Sign;
@@ -32,8 +34,6 @@ Sign exact_volume_sign(const std::array<Point, 4>& p)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_contracted)
 
 BOOST_AUTO_TEST_CASE(the_first_product_is_not_rounded)
 {

@@ -12,11 +12,11 @@
 #include <fstream>
 #include <string>
 
+BOOST_AUTO_TEST_SUITE(test_dataset)
+
 using namespace tetracone::verify;
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
-
-BOOST_AUTO_TEST_SUITE(test_dataset)
 
 BOOST_AUTO_TEST_CASE(rows_of_json_have_numbers_and_booleans)
 {

@@ -9,6 +9,8 @@
 
 #include <string>
 
+BOOST_AUTO_TEST_SUITE(test_check_command)
+
 using namespace tetracone::verify;
 
 namespace {
@@ -18,8 +20,6 @@ const std::string models = std::string(TETRACONE_SOURCE_DIR) + "/verify/test/mod
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_check_command)
 
 BOOST_AUTO_TEST_CASE(help_and_version_succeed_and_show_an_example)
 {

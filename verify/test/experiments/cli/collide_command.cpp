@@ -11,6 +11,8 @@
 #include <chrono>
 #include <string>
 
+BOOST_AUTO_TEST_SUITE(test_collide_command)
+
 using namespace tetracone::verify;
 
 namespace {
@@ -25,8 +27,6 @@ const std::string poses =
     "1 0 0 3 0 1 0 0 0 0 1 0\n";
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_collide_command)
 
 BOOST_AUTO_TEST_CASE(kernels_compared_answer_side_by_side)
 {

@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_fuzz)
+
 using namespace tetracone;
 using verify::check_refused;
 using verify::in_quotes;
@@ -44,8 +46,6 @@ std::optional<fs::path> case_with(const fs::path& folder, verify::Level level, c
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_fuzz)
 
 BOOST_AUTO_TEST_CASE(double_is_found_wrong_and_its_cases_replay)
 {

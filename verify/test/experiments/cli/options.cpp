@@ -6,6 +6,8 @@
 
 #include <string>
 
+BOOST_AUTO_TEST_SUITE(test_options)
+
 using namespace tetracone::verify;
 
 namespace {
@@ -13,8 +15,6 @@ namespace {
 const std::string cube = std::string(TETRACONE_SOURCE_DIR) + "/verify/test/models/cube.off";
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_options)
 
 BOOST_AUTO_TEST_CASE(numbers_out_of_their_range_are_refused_at_once)
 {

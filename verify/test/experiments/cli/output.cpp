@@ -12,6 +12,8 @@
 #include <iterator>
 #include <string>
 
+BOOST_AUTO_TEST_SUITE(test_output)
+
 using namespace tetracone::verify;
 namespace fs = std::filesystem;
 
@@ -39,8 +41,6 @@ struct Folder : Temporary_folder {
 };
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_output)
 
 BOOST_AUTO_TEST_CASE(a_device_stays_a_device)
 {

@@ -20,6 +20,8 @@
 #include <thread>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_verify)
+
 extern char** environ;
 
 using namespace tetracone::verify;
@@ -81,8 +83,6 @@ const std::string campaign =
     "--subject adaptive";
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_verify)
 
 BOOST_AUTO_TEST_CASE(killed_ten_times_it_ends_with_the_rows_of_an_undisturbed_run)
 {

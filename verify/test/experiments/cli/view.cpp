@@ -24,6 +24,8 @@
 #include <set>
 #include <string>
 
+BOOST_AUTO_TEST_SUITE(test_view)
+
 using namespace tetracone::verify;
 using Json = nlohmann::json;
 
@@ -86,8 +88,6 @@ std::string torus(int n)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_view)
 
 BOOST_AUTO_TEST_CASE(answers_stand_beside_the_exact_ones_pose_by_pose)
 {

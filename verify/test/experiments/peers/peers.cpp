@@ -23,14 +23,6 @@
 #include <thread>
 #include <vector>
 
-using namespace tetracone;
-using experiments::peer_subject;
-using kernel::Pose;
-using kernel::Question;
-using verify::Object_case;
-using verify::Object_subject;
-using verify::Outcome;
-
 /// For Boost.Test's messages.
 namespace tetracone::verify {
 std::ostream& operator<<(std::ostream& out, Outcome outcome)
@@ -39,6 +31,16 @@ std::ostream& operator<<(std::ostream& out, Outcome outcome)
   return out << names[static_cast<std::size_t>(outcome)];
 }
 }  // namespace tetracone::verify
+
+BOOST_AUTO_TEST_SUITE(test_peers)
+
+using namespace tetracone;
+using experiments::peer_subject;
+using kernel::Pose;
+using kernel::Question;
+using verify::Object_case;
+using verify::Object_subject;
+using verify::Outcome;
 
 namespace {
 
@@ -79,8 +81,6 @@ Pose rounded_rotation(const verify::Rotation& m, double x, double y, double z)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_peers)
 
 BOOST_AUTO_TEST_CASE(every_peer_says_what_it_answers)
 {

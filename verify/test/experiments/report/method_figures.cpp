@@ -13,11 +13,11 @@
 #include <fstream>
 #include <string>
 
+BOOST_AUTO_TEST_SUITE(test_method_figures)
+
 using namespace tetracone::verify;
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
-
-BOOST_AUTO_TEST_SUITE(test_method_figures)
 
 BOOST_AUTO_TEST_CASE(every_picture_is_drawn_from_data_that_agree)
 {

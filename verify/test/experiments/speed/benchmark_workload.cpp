@@ -10,6 +10,8 @@
 #include <cmath>
 #include <cstddef>
 
+BOOST_AUTO_TEST_SUITE(test_benchmark_workload)
+
 using namespace tetracone;
 using namespace tetracone::experiments;
 using kernel::Pose;
@@ -26,8 +28,6 @@ std::size_t hits(const Race_course& course, Question question)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_benchmark_workload)
 
 BOOST_AUTO_TEST_CASE(poses_are_rigid_and_the_relative_size_is_in_the_vertices)
 {

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_race)
+
 using namespace tetracone;
 using namespace tetracone::experiments;
 using kernel::Pose;
@@ -32,8 +34,6 @@ class Denying : public Prepared_pair {
 };
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_race)
 
 BOOST_AUTO_TEST_CASE(wrong_answers_are_counted_by_their_kind_and_only_where_they_were_given)
 {

@@ -12,6 +12,8 @@
 #include <memory>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_trajectory)
+
 using namespace tetracone;
 using namespace tetracone::experiments;
 using namespace tetracone::verify;
@@ -57,8 +59,6 @@ const std::vector<Scene>& scenes()
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_trajectory)
 
 BOOST_AUTO_TEST_CASE(on_the_circle_between_3_and_4_5_percent_collide)
 {

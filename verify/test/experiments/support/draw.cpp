@@ -8,11 +8,11 @@
 #include <stdexcept>
 #include <string>
 
+BOOST_AUTO_TEST_SUITE(test_draw)
+
 using namespace tetracone::experiments;
 using tetracone::covering::Input_error;
 using tetracone::verify::Temporary_folder;
-
-BOOST_AUTO_TEST_SUITE(test_draw)
 
 BOOST_AUTO_TEST_CASE(a_script_that_is_missing_is_named)
 {

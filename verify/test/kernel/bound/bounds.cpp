@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_bounds)
+
 using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
 namespace scenes = tetracone::verify::scenes;
@@ -173,8 +175,6 @@ double rounded_up(const Rational& value)
 }  // namespace
 
 // --- frames --------------------------------------------------------------------------------------------------------
-
-BOOST_AUTO_TEST_SUITE(test_bounds)
 
 BOOST_AUTO_TEST_CASE(images_are_within_the_error_and_the_magnitude_of_their_frame)
 {

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_cone_coordinates)
+
 using namespace tetracone::kernel;
 using tetracone::tetratree::Tetra_cone;
 namespace rationals = tetracone::verify::rationals;
@@ -85,8 +87,6 @@ bool is_finite(const Lengths& length)
 constexpr int samples = 1200;
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_cone_coordinates)
 
 BOOST_AUTO_TEST_CASE(isosceles_lengths_bound_every_point_and_are_equal_as_distances)
 {

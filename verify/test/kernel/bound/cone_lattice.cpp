@@ -8,6 +8,8 @@
 #include <cmath>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_cone_lattice)
+
 using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
 namespace scenes = tetracone::verify::scenes;
@@ -65,8 +67,6 @@ std::vector<Vertex> cloud(scenes::Random& random, int count, double radius, cons
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_cone_lattice)
 
 BOOST_AUTO_TEST_CASE(lattice_points_are_exact_in_double_at_every_scale_and_place)
 {

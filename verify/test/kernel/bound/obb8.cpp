@@ -12,6 +12,8 @@
 #include <limits>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_obb8)
+
 using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
 namespace scenes = tetracone::verify::scenes;
@@ -75,8 +77,6 @@ void set_lane(Obb8& boxes, int lane, Random& random)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_obb8)
 
 BOOST_AUTO_TEST_CASE(a_mapped_box_holds_the_exact_images_of_its_points_but_for_the_slack)
 {

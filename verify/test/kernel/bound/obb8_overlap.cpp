@@ -35,6 +35,8 @@ std::vector<Overlapping_mapped*> mapped_versions()
 
 }  // namespace tetracone::kernel
 
+BOOST_AUTO_TEST_SUITE(test_obb8_overlap)
+
 using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
 namespace scenes = tetracone::verify::scenes;
@@ -117,8 +119,6 @@ Matrix sheared(Random& random)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_obb8_overlap)
 
 BOOST_AUTO_TEST_CASE(boxes_that_touch_are_never_told_apart)
 {

@@ -8,6 +8,8 @@
 #include <random>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_oriented_box)
+
 using namespace tetracone::kernel;
 
 namespace {
@@ -30,8 +32,6 @@ std::vector<Vector> points(Random& random, int count, int kind)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_oriented_box)
 
 BOOST_AUTO_TEST_CASE(a_stored_box_holds_its_points)
 {

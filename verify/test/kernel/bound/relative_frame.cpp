@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+BOOST_AUTO_TEST_SUITE(test_relative_frame)
+
 using namespace tetracone::kernel;
 namespace scenes = tetracone::verify::scenes;
 using scenes::Random;
@@ -72,8 +74,6 @@ Pose any_pose(Random& random, int kind)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_relative_frame)
 
 BOOST_AUTO_TEST_CASE(no_image_is_farther_off_than_the_error_says)
 {

@@ -12,6 +12,8 @@
 #include <random>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_double_double)
+
 using namespace tetracone::kernel;
 
 namespace {
@@ -38,8 +40,6 @@ double error(const Double_double& computed, const Rational& right)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_double_double)
 
 BOOST_AUTO_TEST_CASE(sums_and_products_of_doubles_are_exact)
 {

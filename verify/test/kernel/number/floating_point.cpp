@@ -9,6 +9,8 @@
 #include <limits>
 #include <thread>
 
+BOOST_AUTO_TEST_SUITE(test_floating_point)
+
 using tetracone::kernel::floating_point_is_sound;
 using tetracone::kernel::maximum;
 using tetracone::kernel::minimum;
@@ -25,8 +27,6 @@ bool is_sound_in_a_new_thread()
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_floating_point)
 
 BOOST_AUTO_TEST_CASE(floating_point_is_sound_by_default)
 {

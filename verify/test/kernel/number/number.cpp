@@ -6,6 +6,8 @@
 #include <limits>
 #include <random>
 
+BOOST_AUTO_TEST_SUITE(test_number)
+
 using namespace tetracone::kernel;
 
 namespace {
@@ -22,8 +24,6 @@ double any_double(std::mt19937_64& random)
 Rational distance(const Rational& a, double b) { return abs(Rational(a - Rational(b))); }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_number)
 
 BOOST_AUTO_TEST_CASE(decimals_become_the_nearest_double)
 {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstdint>
 
-using namespace tetracone::kernel;
-
 BOOST_AUTO_TEST_SUITE(test_pose)
+
+using namespace tetracone::kernel;
 
 BOOST_AUTO_TEST_CASE(identity_moves_nothing)
 {

@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+BOOST_AUTO_TEST_SUITE(test_volume)
+
 using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
 namespace scenes = tetracone::verify::scenes;
@@ -20,8 +22,6 @@ Rational exact_determinant(const Vertex& o, const Vertex& a, const Vertex& b, co
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_volume)
 
 BOOST_AUTO_TEST_CASE(an_empty_sum_is_zero) { BOOST_TEST((Volume_sum().value() == 0)); }
 

@@ -18,6 +18,8 @@
 #include <thread>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_adaptive)
+
 using namespace tetracone::kernel;
 using CGAL::Sign;
 using Point = Adaptive::Point_3;
@@ -490,8 +492,6 @@ void each_sample(const Family& family, int count, const Visit& visit)
 }  // namespace
 
 // --- stages ----------------------------------------------------------------------------------------------------------
-
-BOOST_AUTO_TEST_SUITE(test_adaptive)
 
 BOOST_AUTO_TEST_CASE(every_stage_that_answers_is_right_and_the_counter_says_which_did)
 {

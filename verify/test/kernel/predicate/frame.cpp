@@ -8,6 +8,8 @@
 #include <tuple>
 #include <type_traits>
 
+BOOST_AUTO_TEST_SUITE(test_frame)
+
 using namespace tetracone::kernel;
 
 namespace {
@@ -73,8 +75,6 @@ class Random_motion {
 };
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_frame)
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(a_vertex_is_taken_exactly, K, Wide_kernels)
 {

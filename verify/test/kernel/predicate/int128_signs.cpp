@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 
+BOOST_AUTO_TEST_SUITE(test_int128_signs)
+
 using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
@@ -63,8 +65,6 @@ Points on_a_grid(Random& random, int bits, int scale, bool coplanar)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_int128_signs)
 
 BOOST_AUTO_TEST_CASE(points_of_a_grid_have_their_exact_signs)
 {

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_plane_basis)
+
 using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
 namespace scenes = tetracone::verify::scenes;
@@ -44,8 +46,6 @@ bool is_right(const std::vector<Vertex>& corners)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_plane_basis)
 
 BOOST_AUTO_TEST_CASE(a_triple_off_one_line_is_found_exactly_where_there_is_one)
 {

@@ -13,6 +13,8 @@
 #include <cstdint>
 #include <cstring>
 
+BOOST_AUTO_TEST_SUITE(test_properties)
+
 using namespace tetracone::kernel;
 
 namespace {
@@ -56,8 +58,6 @@ void check(const char* name, const Property& property)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_properties)
 
 BOOST_AUTO_TEST_CASE(adaptive_signs_are_those_of_rational_arithmetic)
 {

@@ -12,6 +12,8 @@
 #include <tuple>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_segment)
+
 using namespace tetracone::kernel;
 
 namespace {
@@ -128,8 +130,6 @@ class Samples {
 };
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_segment)
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(a_point_of_the_line_is_located_on_the_segment, K, Kernels)
 {

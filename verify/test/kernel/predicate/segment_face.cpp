@@ -15,6 +15,8 @@
 #include <tuple>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_segment_face)
+
 using namespace tetracone::kernel;
 
 namespace {
@@ -469,8 +471,6 @@ class Face_samples {
 }  // namespace
 
 // --- triangles -------------------------------------------------------------------------------------------------------
-
-BOOST_AUTO_TEST_SUITE(test_segment_face)
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(each_kind_of_a_triangle_by_hand, K, Kernels)
 {

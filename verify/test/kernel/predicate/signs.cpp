@@ -13,6 +13,8 @@
 #include <tuple>
 #include <type_traits>
 
+BOOST_AUTO_TEST_SUITE(test_signs)
+
 using namespace tetracone::kernel;
 
 namespace {
@@ -71,8 +73,6 @@ int area_by_shoelace(const Grid_point& a, const Grid_point& b, const Grid_point&
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_signs)
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(a_unit_corner_is_positive, K, Kernels)
 {

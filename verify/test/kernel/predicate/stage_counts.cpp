@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <thread>
 
+BOOST_AUTO_TEST_SUITE(test_stage_counts)
+
 using namespace tetracone::kernel;
 using Stage = Adaptive::Stage;
 
@@ -30,8 +32,6 @@ Stage_counts one(Stage stage)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_stage_counts)
 
 BOOST_AUTO_TEST_CASE(each_stage_counts_the_sign_that_it_decides_and_no_other_does)
 {

@@ -10,6 +10,8 @@
 #include <random>
 #include <tuple>
 
+BOOST_AUTO_TEST_SUITE(test_tetrahedron)
+
 using namespace tetracone::kernel;
 
 namespace {
@@ -92,8 +94,6 @@ class Random_points {
 };
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_tetrahedron)
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(each_element_of_a_corner_is_named, K, Kernels)
 {

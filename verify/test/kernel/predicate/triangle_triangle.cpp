@@ -11,6 +11,8 @@
 #include <cmath>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_triangle_triangle)
+
 using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
@@ -120,8 +122,6 @@ Three grid_triangle(Random& random, int radius)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_triangle_triangle)
 
 BOOST_AUTO_TEST_CASE(hand_made_triangles_of_every_kind_of_contact)
 {

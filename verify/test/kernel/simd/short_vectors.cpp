@@ -10,6 +10,8 @@
 #include <limits>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_short_vectors)
+
 using namespace tetracone::kernel;
 using namespace tetracone::verify::scenes;
 
@@ -50,8 +52,6 @@ bool same(double x, double y) { return std::bit_cast<std::uint64_t>(x) == std::b
 bool same(float x, float y) { return std::bit_cast<std::uint32_t>(x) == std::bit_cast<std::uint32_t>(y); }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_short_vectors)
 
 BOOST_AUTO_TEST_CASE(what_is_loaded_is_rounded_to_nearest_and_magnitudes_lose_the_sign_alone)
 {

@@ -17,6 +17,8 @@
 #include <type_traits>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_tetracone)
+
 namespace scenes = tetracone::verify::scenes;
 namespace verify = tetracone::verify;
 using tetracone::Answer;
@@ -74,8 +76,6 @@ std::string said(const Ask& ask)
 const std::vector<Kernel> exact_kernels = {Kernel::adaptive, Kernel::epeck, Kernel::rational};
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_tetracone)
 
 BOOST_AUTO_TEST_CASE(every_misuse_has_its_line)
 {

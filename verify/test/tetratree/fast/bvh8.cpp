@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_bvh8)
+
 using namespace tetracone::tetratree;
 namespace covering = tetracone::covering;
 namespace kernel = tetracone::kernel;
@@ -32,8 +34,6 @@ std::vector<Polyhedron> bodies()
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_bvh8)
 
 BOOST_AUTO_TEST_CASE(every_element_is_in_one_leaf_and_in_all_boxes_above_it)
 {

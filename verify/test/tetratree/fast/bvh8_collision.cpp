@@ -15,6 +15,8 @@
 #include <tuple>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_bvh8_collision)
+
 using namespace tetracone::tetratree;
 namespace covering = tetracone::covering;
 namespace verify = tetracone::verify;
@@ -58,8 +60,6 @@ Pose any_pose(Random& random, int kind)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_bvh8_collision)
 
 BOOST_AUTO_TEST_CASE(answers_are_those_of_all_pairs)
 {

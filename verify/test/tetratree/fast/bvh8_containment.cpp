@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_bvh8_containment)
+
 using namespace tetracone::tetratree;
 namespace covering = tetracone::covering;
 namespace kernel = tetracone::kernel;
@@ -70,8 +72,6 @@ Polyhedron many_shells(Random& random, int count)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_bvh8_containment)
 
 BOOST_AUTO_TEST_CASE(answers_are_those_of_the_whole_covering)
 {

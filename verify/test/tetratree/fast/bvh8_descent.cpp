@@ -28,6 +28,8 @@ std::vector<Descend*> versions()
 
 }  // namespace tetracone::tetratree
 
+BOOST_AUTO_TEST_SUITE(test_bvh8_descent)
+
 using namespace tetracone::tetratree;
 namespace covering = tetracone::covering;
 namespace kernel = tetracone::kernel;
@@ -120,8 +122,6 @@ std::vector<Scene> scenes()
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_bvh8_descent)
 
 BOOST_AUTO_TEST_CASE(every_pair_of_leaves_that_meet_is_offered_once)
 {

@@ -4,9 +4,9 @@
 
 #include <cstddef>
 
-using namespace tetracone::tetratree;
-
 BOOST_AUTO_TEST_SUITE(test_bvh8_node)
+
+using namespace tetracone::tetratree;
 
 BOOST_AUTO_TEST_CASE(a_node_is_made_of_whole_cache_lines_and_its_boxes_begin_one)
 {

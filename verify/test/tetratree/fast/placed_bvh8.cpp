@@ -7,12 +7,12 @@
 
 #include <cmath>
 
+BOOST_AUTO_TEST_SUITE(test_placed_bvh8)
+
 using namespace tetracone::tetratree;
 namespace kernel = tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
 using namespace tetracone::verify::scenes;
-
-BOOST_AUTO_TEST_SUITE(test_placed_bvh8)
 
 BOOST_AUTO_TEST_CASE(size_is_that_of_the_root_and_negative_where_it_is_a_leaf)
 {

@@ -11,6 +11,8 @@
 #include <memory>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_separating_direction)
+
 using namespace tetracone::tetratree;
 namespace kernel = tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
@@ -75,8 +77,6 @@ Index farthest(const Polyhedron& body, const Pose& pose, const kernel::Vector& d
 kernel::Vector vector(Random& random) { return {real(random, -1, 1), real(random, -1, 1), real(random, -1, 1)}; }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_separating_direction)
 
 BOOST_AUTO_TEST_CASE(bodies_that_touch_in_one_vertex_are_never_apart)
 {

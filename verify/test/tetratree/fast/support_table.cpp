@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_support_table)
+
 using namespace tetracone::tetratree;
 namespace kernel = tetracone::kernel;
 using namespace tetracone::verify::scenes;
@@ -104,8 +106,6 @@ Support support(Support_table& table, const Direction& d)
 double sum(const Direction& d) { return std::abs(double(d[0])) + std::abs(double(d[1])) + std::abs(double(d[2])); }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_support_table)
 
 BOOST_AUTO_TEST_CASE(the_bound_is_above_the_farthest_vertex_and_not_far_above)
 {

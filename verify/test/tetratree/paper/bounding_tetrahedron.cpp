@@ -10,6 +10,8 @@
 #include <span>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_bounding_tetrahedron)
+
 using namespace tetracone::tetratree;
 using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
@@ -55,8 +57,6 @@ bool bounds(const Tetra_cone& cone, double step, const Lengths& length, std::spa
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_bounding_tetrahedron)
 
 BOOST_AUTO_TEST_CASE(both_far_planes_bound_all_points_and_the_tightest_is_the_smaller_on_average)
 {

@@ -11,6 +11,8 @@
 #include <tuple>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_classification)
+
 using namespace tetracone::tetratree;
 using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
@@ -88,8 +90,6 @@ std::array<Vertex, 3> hard_triangle(Random& random, const Tetra_cone& cone)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_classification)
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(a_tetrahedron_that_is_not_flat_is_classified_exactly_where_its_triangle_meets_the_cone, K,
                               Exact_signs)

@@ -16,6 +16,8 @@
 #include <tuple>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_collision)
+
 using namespace tetracone::tetratree;
 using namespace tetracone::kernel;
 using tetracone::covering::Polyhedron;
@@ -272,8 +274,6 @@ constexpr int stride_of = std::is_same_v<K, Adaptive> ? 1
                                                       : 19;
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_collision)
 
 BOOST_AUTO_TEST_CASE(the_cases_hold_answers_of_both_kinds_and_contacts_of_all_kinds)
 {

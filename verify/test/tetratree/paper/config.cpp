@@ -2,9 +2,9 @@
 
 #include <boost/test/unit_test.hpp>
 
-using namespace tetracone::tetratree;
-
 BOOST_AUTO_TEST_SUITE(test_config)
+
+using namespace tetracone::tetratree;
 
 BOOST_AUTO_TEST_CASE(the_default_is_the_papers_method)
 {

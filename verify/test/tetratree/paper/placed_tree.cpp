@@ -10,6 +10,8 @@
 #include <tuple>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_placed_tree)
+
 using namespace tetracone::tetratree;
 using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
@@ -42,8 +44,6 @@ std::vector<Pose> poses(Random& random)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_placed_tree)
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(a_solid_contains_a_point_off_its_surface_where_its_winding_number_is_not_zero, K,
                               Exact_motions)

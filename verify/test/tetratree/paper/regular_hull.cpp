@@ -15,6 +15,8 @@
 #include <utility>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_regular_hull)
+
 using namespace tetracone::tetratree;
 using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
@@ -91,8 +93,6 @@ Vertex middle_of(const Tetra_cone& cone)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_regular_hull)
 
 // The proof that Theorem 2 needs. The hull of a level is closed and star-shaped about V0: its facets are those of the
 // cones, each of which V0 sees from inside (the determinant of its rays is positive). Such a surface is convex when

@@ -11,6 +11,8 @@
 #include <tuple>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_tetra_cone)
+
 using namespace tetracone::tetratree;
 using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
@@ -65,8 +67,6 @@ Direction random_direction(scenes::Random& random, int radius)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_tetra_cone)
 
 BOOST_AUTO_TEST_CASE(the_first_octant_is_the_papers)
 {

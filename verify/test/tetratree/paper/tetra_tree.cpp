@@ -12,6 +12,8 @@
 #include <tuple>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_tetra_tree)
+
 using namespace tetracone::tetratree;
 using namespace tetracone::kernel;
 using tetracone::covering::Polyhedron;
@@ -62,8 +64,6 @@ bool is_in_cone(const Tetra_cone& cone, const Vector& from_origin)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_tetra_tree)
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(leaves_hold_every_tetrahedron_edge_and_face, K, Exact_signs)
 {

@@ -15,6 +15,8 @@
 #include <string_view>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_campaign)
+
 using namespace tetracone::verify;
 namespace scenes = tetracone::verify::scenes;
 using scenes::Polyhedron;
@@ -122,8 +124,6 @@ struct Results {
 };
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_campaign)
 
 BOOST_AUTO_TEST_CASE(planted_answers_are_counted_as_what_they_are)
 {

@@ -12,6 +12,8 @@
 #include <limits>
 #include <string>
 
+BOOST_AUTO_TEST_SUITE(test_database)
+
 using namespace tetracone::verify;
 using tetracone::covering::Input_error;
 using Mode = Database::Mode;
@@ -23,8 +25,6 @@ struct Fresh {
 };
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_database)
 
 BOOST_FIXTURE_TEST_CASE(values_come_back_as_they_went_in, Fresh)
 {

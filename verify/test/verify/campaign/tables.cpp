@@ -10,9 +10,9 @@
 #include <cmath>
 #include <string>
 
-using namespace tetracone::verify;
-
 BOOST_AUTO_TEST_SUITE(test_tables)
+
+using namespace tetracone::verify;
 
 BOOST_AUTO_TEST_CASE(wilson_is_the_interval_of_the_textbook)
 {

@@ -16,6 +16,8 @@
 #include <string>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_case_file)
+
 using namespace tetracone;
 using kernel::Pose;
 using kernel::Question;
@@ -118,8 +120,6 @@ void check_refused(const std::string& text, std::size_t line, const std::string&
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_case_file)
 
 BOOST_AUTO_TEST_CASE(an_object_case_with_holes_reads_back_as_it_was)
 {

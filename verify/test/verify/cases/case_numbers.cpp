@@ -10,9 +10,9 @@
 #include <limits>
 #include <memory>
 
-using namespace tetracone;
-
 BOOST_AUTO_TEST_SUITE(test_case_numbers)
+
+using namespace tetracone;
 
 BOOST_AUTO_TEST_CASE(an_odd_mantissa_and_a_power_of_two_make_the_number_again)
 {

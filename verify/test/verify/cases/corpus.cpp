@@ -22,6 +22,8 @@
 #include <string>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_corpus)
+
 using namespace tetracone;
 using verify::Case_file;
 using verify::Level;
@@ -63,8 +65,6 @@ Answers answers(const Case_file& file, bool exact)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_corpus)
 
 BOOST_AUTO_TEST_CASE(there_are_cases_of_both_levels_each_a_page)
 {

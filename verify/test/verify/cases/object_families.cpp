@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_object_families)
+
 using namespace tetracone;
 using namespace tetracone::verify;
 using namespace tetracone::verify::object_family;
@@ -77,8 +79,6 @@ const std::set<std::string_view> of_containment = {"nested-touching", "nested", 
                                                    "covering-apex",   "winding-axis", "voxels"};
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_object_families)
 
 BOOST_AUTO_TEST_CASE(every_body_of_the_pool_is_legal_outward_and_has_places_to_touch)
 {

@@ -19,6 +19,8 @@
 #include <utility>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_predicate_families)
+
 using namespace tetracone::verify;
 using tetracone::kernel::Pose;
 using tetracone::kernel::Rational;
@@ -106,8 +108,6 @@ const Tallies& tallies()
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_predicate_families)
 
 BOOST_AUTO_TEST_CASE(a_seed_and_an_index_make_one_case_and_others_make_others)
 {

@@ -7,6 +7,8 @@
 
 #include <set>
 
+BOOST_AUTO_TEST_SUITE(test_sequences)
+
 using namespace tetracone;
 using namespace tetracone::verify;
 using kernel::Question;
@@ -30,8 +32,6 @@ int changes(const std::vector<bool>& answers)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_sequences)
 
 BOOST_AUTO_TEST_CASE(answers_change_exactly_as_claimed_in_every_frame)
 {

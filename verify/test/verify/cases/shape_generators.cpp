@@ -22,6 +22,8 @@
 #include <string>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_shape_generators)
+
 using namespace tetracone;
 using namespace tetracone::verify;
 using covering::Check;
@@ -102,8 +104,6 @@ Polyhedron read_back(const std::string& name, const std::string& text)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_shape_generators)
 
 BOOST_AUTO_TEST_CASE(complex_one_has_the_papers_counts_and_our_shape)
 {

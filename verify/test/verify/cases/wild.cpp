@@ -15,6 +15,8 @@
 #include <cstddef>
 #include <cstdlib>
 
+BOOST_AUTO_TEST_SUITE(test_wild)
+
 using namespace tetracone;
 using namespace tetracone::verify;
 using kernel::Question;
@@ -28,8 +30,6 @@ long number_from(const char* variable, long otherwise)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_wild)
 
 BOOST_AUTO_TEST_CASE(answers_on_wild_poses_are_those_of_all_pairs_in_rationals)
 {

@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_metamorphic_relations)
+
 using namespace tetracone::verify;
 using tetracone::covering::Index;
 using tetracone::covering::Polyhedron;
@@ -238,8 +240,6 @@ int violations(std::optional<int> (*planted)(Predicate, const Predicate_case&), 
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_metamorphic_relations)
 
 BOOST_AUTO_TEST_CASE(names_are_unique_and_have_the_check_of_their_level)
 {

@@ -13,6 +13,8 @@
 #include <limits>
 #include <memory>
 
+BOOST_AUTO_TEST_SUITE(test_mutate)
+
 using namespace tetracone;
 using covering::Index;
 using kernel::Pose;
@@ -55,8 +57,6 @@ std::size_t changes(const verify::Case_numbers& a, const verify::Case_numbers& b
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_mutate)
 
 BOOST_AUTO_TEST_CASE(mutants_are_planar_closed_and_of_unknown_answer)
 {

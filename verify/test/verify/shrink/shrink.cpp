@@ -15,6 +15,8 @@
 #include <limits>
 #include <memory>
 
+BOOST_AUTO_TEST_SUITE(test_shrink)
+
 using namespace tetracone;
 using covering::Index;
 using covering::Polyhedron;
@@ -81,8 +83,6 @@ bool has_odd_last_bit(const Polyhedron& polyhedron)
 const Pose turned(std::array<double, 12>{0.8, -0.6, 0, 0.1, 0.6, 0.8, 0, 0.2, 0, 0, 1, 0.3});
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_shrink)
 
 BOOST_AUTO_TEST_CASE(bits_count_the_digits_that_a_number_needs)
 {

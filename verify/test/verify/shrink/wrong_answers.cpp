@@ -11,6 +11,8 @@
 #include <optional>
 #include <string>
 
+BOOST_AUTO_TEST_SUITE(test_wrong_answers)
+
 using namespace tetracone;
 using kernel::Pose;
 using kernel::Question;
@@ -33,8 +35,6 @@ bool names(const std::vector<verify::Wrong>& wrong, const std::string& subject)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_wrong_answers)
 
 BOOST_AUTO_TEST_CASE(how_two_bodies_stand_is_named_after_their_most_special_contact)
 {

@@ -10,6 +10,8 @@
 #include <memory>
 #include <string>
 
+BOOST_AUTO_TEST_SUITE(test_blame)
+
 using namespace tetracone::verify;
 using namespace tetracone::verify::scenes;
 namespace kernel = tetracone::kernel;
@@ -47,8 +49,6 @@ bool right_on_rounded_images(const Object_case& c, Question question, bool truth
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_blame)
 
 BOOST_AUTO_TEST_CASE(an_exact_subject_or_a_right_answer_has_no_stage)
 {

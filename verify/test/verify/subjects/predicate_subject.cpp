@@ -15,6 +15,8 @@
 #include <string>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_predicate_subject)
+
 using namespace tetracone;
 using namespace tetracone::verify;
 using rationals::determinant;
@@ -179,8 +181,6 @@ Tally tally(const Predicate_subject& s, int n, const std::function<Predicate_cas
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_predicate_subject)
 
 BOOST_AUTO_TEST_CASE(names_are_unique_and_what_is_not_ours_says_where_it_comes_from)
 {

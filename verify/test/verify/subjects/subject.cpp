@@ -11,8 +11,11 @@
 #include <string>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_subject)
+
 using namespace tetracone::verify;
 using namespace tetracone::verify::scenes;
+using Random = tetracone::verify::scenes::Random;
 using tetracone::tetratree::Query_statistics;
 
 namespace {
@@ -35,8 +38,6 @@ bool is_truth(const Subject& subject)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_subject)
 
 BOOST_AUTO_TEST_CASE(names_are_read_back)
 {

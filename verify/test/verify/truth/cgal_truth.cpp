@@ -20,6 +20,8 @@
 #include <string>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_cgal_truth)
+
 using namespace tetracone::verify;
 using tetracone::kernel::Contact;
 using tetracone::kernel::parse_double;
@@ -113,8 +115,6 @@ Pose shift(const Rational& x, const Rational& y, const Rational& z)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_cgal_truth)
 
 BOOST_AUTO_TEST_SUITE(made_by_hand)
 

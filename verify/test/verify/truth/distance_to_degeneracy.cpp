@@ -12,6 +12,8 @@
 #include <memory>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_distance_to_degeneracy)
+
 // Planted by hand, and caught by these tests: the determinant's minus a plus; the permanent without one of its absolute
 // values; n not halved after its square; the exponent of the largest coordinate one too high; the denominator
 // forgotten; boxes not grown; edges' lines asked where both ends are on one side; edges of one body only; a wrong point
@@ -45,8 +47,6 @@ void check_near(double value, double expected)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_distance_to_degeneracy)
 
 BOOST_AUTO_TEST_CASE(a_vertex_over_a_plane_is_as_many_ulps_away_as_its_height)
 {

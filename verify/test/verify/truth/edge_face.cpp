@@ -8,6 +8,8 @@
 #include <random>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_edge_face)
+
 using namespace tetracone::verify;
 using tetracone::kernel::Rational;
 using tetracone::kernel::to_string;
@@ -79,8 +81,6 @@ Contact by_clipping(const Vector& from, const Vector& to, const std::array<Vecto
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_edge_face)
 
 BOOST_AUTO_TEST_CASE(an_edge_through_the_plane_meets_the_face_the_hole_or_a_boundary)
 {

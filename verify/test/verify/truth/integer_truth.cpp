@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_integer_truth)
+
 // Planted by hand, and caught by these tests: the weights of a crossing exchanged; edges between opposite quadrants
 // turned the other way, all or those through y only; a coordinate equal to y's counted as more; on_loop ignored; in one
 // plane no test at all, or none against the loops; segments_meet without its one-line branch; faces below the point
@@ -93,8 +95,6 @@ Pose any_pose(Random& random, int reach)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_integer_truth)
 
 BOOST_AUTO_TEST_CASE(touching_counts_and_a_gap_of_an_ulp_does_not)
 {

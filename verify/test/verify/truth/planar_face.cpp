@@ -8,6 +8,8 @@
 #include <random>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_planar_face)
+
 using namespace tetracone::verify;
 using tetracone::kernel::Rational;
 
@@ -86,8 +88,6 @@ void check_on_grid(const Grid_loops& loops, int low, int high)
 const Grid_loops holed_square = {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {1, 3}, {3, 3}, {3, 1}}};
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_planar_face)
 
 BOOST_AUTO_TEST_CASE(points_of_a_triangle_are_its_corners_its_edges_and_its_inside)
 {

@@ -17,14 +17,16 @@
 // unsorted corners; inequalities of pivots with the wrong sign; bounds combined with the wrong sign; constants that
 // must be > 0; rows without coefficients forgotten.
 
-using namespace tetracone::verify;
-using namespace tetracone::verify::scenes;
-
 namespace tetracone::verify {
 
 std::ostream& operator<<(std::ostream& out, Predicate predicate) { return out << to_string(predicate); }
 
 }  // namespace tetracone::verify
+
+BOOST_AUTO_TEST_SUITE(test_predicate_truth)
+
+using namespace tetracone::verify;
+using namespace tetracone::verify::scenes;
 
 namespace {
 
@@ -70,8 +72,6 @@ Pose any_pose(Random& random)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_predicate_truth)
 
 BOOST_AUTO_TEST_CASE(orientation_is_the_sign_of_its_determinant)
 {
