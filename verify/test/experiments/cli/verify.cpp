@@ -22,8 +22,6 @@
 
 BOOST_AUTO_TEST_SUITE(test_verify)
 
-extern char** environ;
-
 using namespace tetracone::verify;
 
 namespace {
