@@ -1,0 +1,12 @@
+// The compiled library as one unit, for a compiler that has no build folder.
+#include "covering/io/read.cpp"
+#include "tetratree/door/body.cpp"
+#include "tetratree/door/pose.cpp"
+#include "tetratree/door/query.cpp"
+#include "tetratree/door/solver_adaptive.cpp"
+#include "tetratree/door/solver_double.cpp"
+#include "tetratree/door/solver_epeck.cpp"
+#include "tetratree/door/solver_epick.cpp"
+#include "tetratree/door/solver_float.cpp"
+#include "tetratree/door/solver_rational.cpp"
+#include "tetratree/door/solver_tolerant.cpp"
