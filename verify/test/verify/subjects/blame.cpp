@@ -1,6 +1,7 @@
 #include "verify/subjects/blame.h"
 
 #include "tetracone/kernel/predicate/frame.h"
+#include "verify/subjects/blame_stages.h"
 #include "verify/test/support/scenes.h"
 #include "verify/truth/cgal_truth.h"
 
@@ -9,6 +10,73 @@
 #include <map>
 #include <memory>
 #include <string>
+
+// Kernels in double, each with one formula that no arithmetic repairs.
+namespace tetracone::verify {
+namespace {
+
+struct Wrong_volume : kernel::Double {};     // a determinant with a plus for a minus
+struct Wrong_side : kernel::Double {};       // the tie of a point on a plane broken to either side: for containment alone
+struct Wrong_image : kernel::Double {};      // a matrix with its rows for its columns
+struct Wrong_classes : kernel::Double {};    // a triangle is in a cone only where a corner is
+
+}  // namespace
+}  // namespace tetracone::verify
+
+namespace tetracone::kernel {
+
+using namespace verify;
+
+template <>
+struct Kernel_traits<Wrong_volume> : Kernel_traits<Double> {};
+template <>
+struct Kernel_traits<Wrong_side> : Kernel_traits<Double> {};
+template <>
+struct Kernel_traits<Wrong_image> : Kernel_traits<Double> {};
+template <>
+struct Kernel_traits<Wrong_classes> : Kernel_traits<Double> {
+  using Fixed = Wrong_classes;
+};
+
+template <>
+Sign volume_sign<Wrong_volume>(const Double::Point_3& a, const Double::Point_3& b, const Double::Point_3& c,
+                               const Double::Point_3& d)
+{
+  const auto p = b - a, q = c - a, r = d - a;
+  return CGAL::sign((p.y() * q.z() + p.z() * q.y()) * r.x() + (p.z() * q.x() - p.x() * q.z()) * r.y() +
+                    (p.x() * q.y() - p.y() * q.x()) * r.z());
+}
+
+template <>
+Sign perturbed_side<Wrong_side>(const Double::Point_3& a, const Double::Point_3& b, const Double::Point_3& c,
+                                const Double::Point_3& p)
+{
+  return -volume_sign<Double>(b, a, p, c) == POSITIVE ? NEGATIVE : POSITIVE;
+}
+
+template <>
+Double::Point_3 Frame<Wrong_image>::operator()(const Double::Point_3& p) const
+{
+  const auto& m = entries_;
+  return {m[0] * p.x() + m[4] * p.y() + m[8] * p.z() + m[3], m[1] * p.x() + m[5] * p.y() + m[9] * p.z() + m[7],
+          m[2] * p.x() + m[6] * p.y() + m[10] * p.z() + m[11]};
+}
+
+}  // namespace tetracone::kernel
+
+namespace tetracone::tetratree {
+
+template <>
+Classified classify<verify::Wrong_classes>(const Cone_points<verify::Wrong_classes>& t,
+                                           const kernel::Double::Point_3& a, const kernel::Double::Point_3& b,
+                                           const kernel::Double::Point_3& c)
+{
+  for (const auto* p : {&a, &b, &c})
+    if (kernel::is_in_tetra_cone<verify::Wrong_classes>(*p, t.v0, t.v1, t.v2, t.v3)) return Classified::vertex_in_cone;
+  return Classified::no;
+}
+
+}  // namespace tetracone::tetratree
 
 using namespace tetracone::verify;
 using namespace tetracone::verify::scenes;
@@ -170,6 +238,41 @@ BOOST_AUTO_TEST_CASE(a_box_of_the_exact_place_that_leaves_a_rounded_image_out_is
     if (const auto stage = blame(*Subject::parse("float"), c, Question::surface, truth)) ++stages[*stage];
   }
   BOOST_TEST(stages[Stage::bounding_box] > 0);
+}
+
+/// Stages that are blamed for the wrong answers of K, over bodies that meet and that do not.
+template <class K>
+std::map<Stage, int> stages_of(Method method, Question question)
+{
+  Random random(19);
+  std::map<Stage, int> stages;
+  const std::vector<Named> bodies = closed_bodies();
+  for (int k = 0; k < 300; ++k) {
+    const Polyhedron &a = bodies[k % bodies.size()].body, &b = bodies[k / bodies.size() % bodies.size()].body;
+    const auto shift = [&] { return integer(random, -12, 12) / 8.0; };
+    const double s = k % 2 == 0 ? 1 : 0.125;
+    // Quarter turns: every image is a double, and exact.
+    const Pose turn({0, -s, 0, shift(), s, 0, 0, shift(), 0, 0, s, shift()});
+    const Object_case c = object_case(a, Pose(), b, turn);
+    const bool truth = truth_of(c, question);
+    if (const auto stage = detail::blame_in<K>(method, c, question, truth)) ++stages[*stage];
+  }
+  return stages;
+}
+
+BOOST_AUTO_TEST_CASE(a_wrong_formula_is_blamed_where_it_stands)
+{
+  const auto only = [](const std::map<Stage, int>& stages, Stage stage) {
+    for (const auto& [blamed, count] : stages) BOOST_TEST((blamed == stage), to_string(blamed) << ": " << count);
+    BOOST_TEST(!stages.empty(), to_string(stage));
+  };
+  for (const Method method : {Method::tree, Method::brute}) {
+    only(stages_of<Wrong_volume>(method, Question::surface), Stage::leaf_sign);
+    only(stages_of<Wrong_side>(method, Question::solid), Stage::containment);
+    only(stages_of<Wrong_image>(method, Question::surface), Stage::pose);
+  }
+  only(stages_of<Wrong_classes>(Method::paper, Question::surface), Stage::classification);
+  for (const Method method : all_methods) BOOST_TEST(stages_of<kernel::Double>(method, Question::solid).empty());
 }
 
 BOOST_AUTO_TEST_CASE(an_absolute_tolerance_is_to_blame_where_it_closes_a_gap)
