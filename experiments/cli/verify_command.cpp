@@ -198,8 +198,9 @@ void add_verify_command(CLI::App& app)
   const auto options = std::make_shared<Options>();
   command->add_option("--db", options->db, "Database of the results (SQLite)")->capture_default_str();
   command
-      ->add_option("--cases", options->cases, "Cases per family and level; default: 400 of predicates, 24 of objects, 6 of "
-                                           "features")
+      ->add_option("--cases", options->cases,
+                   "Cases per family and level; default: 400 of predicates, 24 of objects, 6 of "
+                   "features")
       ->check(CLI::Range(1ul, 1'000'000'000ul));
   command->add_option("--seed", options->campaign.seed, "Seed of all cases")
       ->capture_default_str()

@@ -78,7 +78,8 @@ std::vector<Batch> batches(const Campaign& campaign, const std::vector<Sequence>
   for (const Family* family : campaign.families)
     add(Asked_for::predicates, family, campaign.predicate_cases, predicate_batch);
   for (const Family* family : campaign.families) add(Asked_for::collision, family, campaign.object_cases, object_batch);
-  for (const Family* family : campaign.families) add(Asked_for::features, family, campaign.feature_cases, feature_batch);
+  for (const Family* family : campaign.families)
+    add(Asked_for::features, family, campaign.feature_cases, feature_batch);
   for (std::size_t k = 0; k < sequences.size(); ++k)
     if (int(k % std::size_t(campaign.shards)) == campaign.shard)
       all.push_back({Asked_for::collision, nullptr, &sequences[k], 0, 0, sequences[k].frames.size()});

@@ -25,7 +25,7 @@ enum class Outcome {
 
 /// What a subject lists of the features of two placed bodies.
 struct Listed {
-  Outcome outcome = Outcome::not_asked;      ///< yes: it has listed
+  Outcome outcome = Outcome::not_asked;     ///< yes: it has listed
   std::vector<kernel::Feature_pair> pairs;  ///< sorted
 };
 

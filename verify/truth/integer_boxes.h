@@ -169,9 +169,9 @@ inline std::array<Element_boxes, 2> grown_boxes(const Integer_body& a, const Int
   constexpr int beyond = std::numeric_limits<int>::max();
   std::vector<Rank_box> boxes;
   for (const int k : bounds_of)
-    boxes.push_back(k < 0 ? Rank_box{{beyond, beyond, beyond}, {-1, -1, -1}}
-                          : Rank_box{{rank[0][k], rank[1][k], rank[2][k]},
-                                     {rank[0][k + 1], rank[1][k + 1], rank[2][k + 1]}});
+    boxes.push_back(
+        k < 0 ? Rank_box{{beyond, beyond, beyond}, {-1, -1, -1}}
+              : Rank_box{{rank[0][k], rank[1][k], rank[2][k]}, {rank[0][k + 1], rank[1][k + 1], rank[2][k + 1]}});
   return {element_boxes_from(a, boxes.begin()), element_boxes_from(b, boxes.begin() + std::ptrdiff_t(of_a))};
 }
 
@@ -219,8 +219,8 @@ inline std::vector<std::pair<Index, Index>> meeting_boxes(const std::vector<Rank
   };
   std::size_t i = 0, j = 0;
   while (i < of_a.by_low.size() || j < of_b.by_low.size()) {
-    const bool first = j == of_b.by_low.size() ||
-                       (i < of_a.by_low.size() && a[of_a.by_low[i]].low[0] <= b[of_b.by_low[j]].low[0]);
+    const bool first =
+        j == of_b.by_low.size() || (i < of_a.by_low.size() && a[of_a.by_low[i]].low[0] <= b[of_b.by_low[j]].low[0]);
     const Index k = first ? of_a.by_low[i++] : of_b.by_low[j++];
     if (first)
       begin(k, of_a, of_b, [&](Index other) { pairs.emplace_back(k, other); });

@@ -69,8 +69,9 @@ std::vector<Rank_box> face_boxes(const Polyhedron& surface, std::vector<Rank_box
 
 bool Rounded_body::is_finite() const
 {
-  return std::ranges::all_of(surface.vertices,
-                             [](const auto& v) { return std::ranges::all_of(v, [](double x) { return std::isfinite(x); }); });
+  return std::ranges::all_of(surface.vertices, [](const auto& v) {
+    return std::ranges::all_of(v, [](double x) { return std::isfinite(x); });
+  });
 }
 
 Rounded_pair::Rounded_pair(const Rounded_body& a, const Rounded_body& b, kernel::Question question)
@@ -80,8 +81,8 @@ Rounded_pair::Rounded_pair(const Rounded_body& a, const Rounded_body& b, kernel:
   bring_together(points_a, points_b);
   const Integer_body body_a(a.surface, points_a.points), body_b(b.surface, points_b.points);
   const auto [of_a, of_b] = element_boxes(body_a, body_b);
-  const auto add = [&](int number, const Integer_body& with_edges, const Element_boxes& edges, const Integer_body& other,
-                       const Rounded_body& with_faces, const Element_boxes& faces) {
+  const auto add = [&](int number, const Integer_body& with_edges, const Element_boxes& edges,
+                       const Integer_body& other, const Rounded_body& with_faces, const Element_boxes& faces) {
     for (const auto& [f, e] : meeting_boxes(face_boxes(with_faces.surface, faces.faces), edges.edges)) {
       const auto& [from, to] = with_edges.edges()[e];
       if (meets_bent_face(with_edges.point(from), with_edges.point(to), other, f, with_faces.planes[f]))
@@ -93,10 +94,14 @@ Rounded_pair::Rounded_pair(const Rounded_body& a, const Rounded_body& b, kernel:
 
   // Which faces these edges are of.
   std::map<std::pair<Index, Index>, std::vector<Index>> faces_at[2];
-  for (int k = 0; k < 2; ++k) {
+  for (const auto& [body, from, to, face] : pairs_) faces_at[body][{from, to}];
+  for (int k = 0; k < 2 && !pairs_.empty(); ++k) {
     const Integer_body& body = k == 0 ? body_a : body_b;
     for (Index f = 0; f < body.face_count(); ++f)
-      body.for_edges(f, [&](Index from, Index to) { faces_at[k][std::minmax(from, to)].push_back(f); });
+      body.for_edges(f, [&](Index from, Index to) {
+        if (const auto edge = faces_at[k].find(std::minmax(from, to)); edge != faces_at[k].end())
+          edge->second.push_back(f);
+      });
   }
   for (const auto& [body, from, to, face] : pairs_)
     for (const Index f : faces_at[body].at({from, to}))

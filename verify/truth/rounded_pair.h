@@ -4,7 +4,9 @@
 #include "tetracone/covering/polyhedron.h"
 #include "tetracone/kernel/predicate/question.h"
 
+#include <algorithm>
 #include <array>
+#include <compare>
 #include <optional>
 #include <set>
 #include <utility>
