@@ -314,7 +314,7 @@ std::vector<Entry> entries()
       {"many-faces",
        "meshes of 10^3 to 10^5 triangles, and triangles as small as theirs",
        "triangles of the larger body, about; each number as often as all larger ones together",
-       {1000, 3000, 1000, 10000, 1000, 3000, 1000, 30000, 1000, 3000, 1000, 10000, 1000, 3000, 1000, 100000},
+       {1000, 2000, 1000, 5000, 1000, 2000, 1000, 20000, 1000, 2000, 1000, 5000, 1000, 2000, 1000, 100000},
        predicate_family::many_faces,
        object_family::many_faces},
   };

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <exception>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -49,7 +50,7 @@ class Own : public Running_subject {
 
   Outcome operator()(const Object_case& c, kernel::Question question) override
   {
-    if (subject_.method != Method::tree && is_large(c)) return Outcome::not_asked;
+    if (has_more(c, most_faces_asked())) return Outcome::not_asked;
     try {
       prepare_for(c);
       if (subject_.remembers)
@@ -63,7 +64,7 @@ class Own : public Running_subject {
 
   Listed features(const Object_case& c) override
   {
-    if (is_large(c)) return {};
+    if (has_more(c, most_faces)) return {};
     try {
       prepare_for(c);
       return {Outcome::yes, pair_->features(c.pose_a, c.pose_b)};
@@ -74,9 +75,16 @@ class Own : public Running_subject {
   }
 
  private:
-  static bool is_large(const Object_case& c)
+  static bool has_more(const Object_case& c, std::size_t faces)
   {
-    return c.a->face_count() > most_faces || c.b->face_count() > most_faces;
+    return c.a->face_count() > faces || c.b->face_count() > faces;
+  }
+
+  std::size_t most_faces_asked() const
+  {
+    if (subject_.method != Method::tree) return most_faces;
+    const bool largest = subject_.kernel == Kernel_name::adaptive || subject_.kernel == Kernel_name::double_;
+    return largest ? std::numeric_limits<std::size_t>::max() : most_faces_of_trees;
   }
 
   void prepare_for(const Object_case& c)

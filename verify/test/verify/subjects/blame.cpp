@@ -241,9 +241,9 @@ BOOST_AUTO_TEST_CASE(a_box_of_the_exact_place_that_leaves_a_rounded_image_out_is
   BOOST_TEST(stages[Stage::bounding_box] > 0);
 }
 
-/// Stages that are blamed for the wrong answers of K, over bodies that meet and that do not.
-template <class K>
-std::map<Stage, int> stages_of(Method method, Question question)
+/// Stages that blame(case, truth) blames for wrong answers to the question, over bodies that meet and that do not.
+template <class Blame>
+std::map<Stage, int> stages_of(Question question, const Blame& blame)
 {
   Random random(19);
   std::map<Stage, int> stages;
@@ -251,12 +251,10 @@ std::map<Stage, int> stages_of(Method method, Question question)
   for (int k = 0; k < 300; ++k) {
     const Polyhedron &a = bodies[k % bodies.size()].body, &b = bodies[k / bodies.size() % bodies.size()].body;
     const auto shift = [&] { return integer(random, -12, 12) / 8.0; };
-    const double s = k % 2 == 0 ? 1 : 0.125;
-    // Quarter turns: every image is a double, and exact.
-    const Pose turn({0, -s, 0, shift(), s, 0, 0, shift(), 0, 0, s, shift()});
-    const Object_case c = object_case(a, Pose(), b, turn);
-    const bool truth = truth_of(c, question);
-    if (const auto stage = detail::blame_in<K>(method, c, question, truth)) ++stages[*stage];
+    const double s = k % 2 == 0 ? 1 : 0.125, x = shift(), y = shift(), z = shift();
+    // A quarter turn: every image is a double, and exact.
+    const Object_case c = object_case(a, Pose(), b, Pose(std::array<double, 12>{0, -s, 0, x, s, 0, 0, y, 0, 0, s, z}));
+    if (const auto stage = blame(c, truth_of(c, question))) ++stages[*stage];
   }
   return stages;
 }
@@ -267,14 +265,25 @@ BOOST_AUTO_TEST_CASE(a_wrong_formula_is_blamed_where_it_stands)
     for (const auto& [blamed, count] : stages) BOOST_TEST((blamed == stage), to_string(blamed) << ": " << count);
     BOOST_TEST(!stages.empty(), to_string(stage));
   };
-  for (const Method method : {Method::tree, Method::brute}) {
-    only(stages_of<Wrong_volume>(method, Question::surface), Stage::leaf_sign);
-    only(stages_of<Wrong_side>(method, Question::solid), Stage::containment);
-  }
-  // The fast tree's boxes are not where the wrong images are.
-  only(stages_of<Wrong_image>(Method::brute, Question::surface), Stage::pose);
-  only(stages_of<Wrong_classes>(Method::paper, Question::surface), Stage::classification);
-  for (const Method method : all_methods) BOOST_TEST(stages_of<kernel::Double>(method, Question::solid).empty());
+  using namespace tetracone::verify::detail;
+  const auto surface = Question::surface, solid = Question::solid;
+  only(stages_of(surface,
+                 [&](const Object_case& c, bool truth) { return blame_in_fast_tree<Wrong_volume>(c, surface, truth); }),
+       Stage::leaf_sign);
+  only(stages_of(solid,
+                 [&](const Object_case& c, bool truth) { return blame_in_fast_tree<Wrong_side>(c, solid, truth); }),
+       Stage::containment);
+  const auto in_tetra_tree = [&]<class K>(Method method, K) {
+    return stages_of(surface, [&](const Object_case& c, bool truth) {
+      return blame_in_tetra_tree<K>(tetracone::config_of(method), c, surface, truth);
+    });
+  };
+  only(in_tetra_tree(Method::brute, Wrong_image()), Stage::pose);
+  only(in_tetra_tree(Method::paper, Wrong_classes()), Stage::classification);
+  for (const Method method : all_methods)
+    BOOST_TEST(stages_of(solid, [&](const Object_case& c, bool truth) {
+                 return blame(*Subject::parse("double", method), c, solid, truth);
+               }).empty());
 }
 
 BOOST_AUTO_TEST_CASE(an_absolute_tolerance_is_to_blame_where_it_closes_a_gap)
