@@ -72,7 +72,8 @@ class Lists : public Running_subject {
   Outcome operator()(const Object_case&, Question) override { return Outcome::not_asked; }
   Listed features(const Object_case& c) override
   {
-    auto pairs = verify::features(Brute_body(*c.a), c.pose_a, Brute_body(*c.b), c.pose_b);
+    std::vector<tetracone::kernel::Feature_pair> pairs =
+        tetracone::verify::features(Brute_body(*c.a), c.pose_a, Brute_body(*c.b), c.pose_b);
     if (invents)
       pairs.push_back({2, 0, 0, 0, tetracone::kernel::Contact::edge_face});
     else if (!pairs.empty())
