@@ -19,7 +19,7 @@ namespace {
 struct Wrong_volume : kernel::Double {};   // a determinant with a plus for a minus
 struct Wrong_side : kernel::Double {};     // sides turned round, where a point is sought in a solid
 struct Wrong_image : kernel::Double {};    // a matrix with its rows for its columns
-struct Wrong_classes : kernel::Double {};  // a triangle is in a cone only where a corner is
+struct Wrong_classes : kernel::Double {};  // a triangle is in a cone only as a whole
 
 }  // namespace
 }  // namespace tetracone::verify
@@ -73,8 +73,8 @@ Classified classify<verify::Wrong_classes>(const Cone_points<verify::Wrong_class
                                            const kernel::Double::Point_3& c)
 {
   for (const auto* p : {&a, &b, &c})
-    if (kernel::is_in_tetra_cone<verify::Wrong_classes>(*p, t.v0, t.v1, t.v2, t.v3)) return Classified::vertex_in_cone;
-  return Classified::no;
+    if (!kernel::is_in_tetra_cone<verify::Wrong_classes>(*p, t.v0, t.v1, t.v2, t.v3)) return Classified::no;
+  return Classified::vertex_in_cone;
 }
 
 }  // namespace tetracone::tetratree
