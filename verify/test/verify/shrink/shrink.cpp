@@ -6,6 +6,7 @@
 #include "tetracone/covering/planarity.h"
 #include "verify/cases/shape_generators.h"
 #include "verify/shrink/shrink_numbers.h"
+#include "verify/truth/cgal_truth.h"
 #include "verify/truth/predicate_truth.h"
 
 #include <boost/test/unit_test.hpp>
@@ -271,7 +272,7 @@ BOOST_AUTO_TEST_CASE(a_wrong_list_of_features_shrinks_to_what_is_wrong_in_it)
   BOOST_TEST(!invents(c));
   const Object_case small = verify::shrink(c, Question::surface, misses);
   BOOST_TEST(misses(small));
-  BOOST_TEST(verify::face_count(small) == 2);
+  BOOST_TEST(verify::face_count(small) <= 4u);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
