@@ -75,6 +75,7 @@ void choose_subjects(const Options& options, Campaign& campaign)
   std::set<std::string> known;
   campaign.predicate_subjects = chosen(verify::predicate_subjects(), options.subjects, known);
   campaign.object_subjects = chosen(objects, options.subjects, known);
+  campaign.feature_subjects = chosen(verify::feature_subjects(), options.subjects, known);
   for (const std::string& name : options.subjects)
     if (!known.contains(name)) {
       std::string list;
@@ -103,15 +104,14 @@ void choose_families(const Options& options, Campaign& campaign)
 
 void choose_sizes(const Options& options, Campaign& campaign)
 {
-  if (options.cases != 0) campaign.predicate_cases = campaign.object_cases = options.cases;
-  if (options.level == "predicate") {
-    campaign.object_cases = 0;
-    campaign.sequence_frames = 0;
-  } else if (options.level == "object") {
-    campaign.predicate_cases = 0;
-  } else if (!options.level.empty()) {
-    throw CLI::ValidationError("--level " + options.level, "expected predicate or object");
-  }
+  if (options.cases != 0) campaign.predicate_cases = campaign.object_cases = campaign.feature_cases = options.cases;
+  if (options.level.empty()) return;
+  if (options.level != "predicate" && options.level != "object" && options.level != "features")
+    throw CLI::ValidationError("--level " + options.level, "expected predicate, object or features");
+  if (options.level != "predicate") campaign.predicate_cases = 0;
+  if (options.level != "features") campaign.feature_cases = 0;
+  if (options.level != "object") campaign.object_cases = 0;
+  if (options.level != "object") campaign.sequence_frames = 0;
 }
 
 /// Keeps the case on which the truths disagree beside the database.
@@ -143,6 +143,8 @@ bool print_summary(Database& database, const Campaign& campaign)
     if (subject.is_exact) exact.insert("predicate " + subject.name);
   for (const auto& subject : campaign.object_subjects)
     if (subject.is_exact) exact.insert("object " + subject.name);
+  for (const auto& subject : campaign.feature_subjects)
+    if (subject.is_exact) exact.insert("features " + subject.name);
   Database::Statement rows(
       database,
       "SELECT level, subject, sum(n), sum(false_positives), sum(false_negatives), sum(failures), sum(not_asked) FROM "
@@ -196,7 +198,9 @@ void add_verify_command(CLI::App& app)
   const auto options = std::make_shared<Options>();
   command->add_option("--db", options->db, "Database of the results (SQLite)")->capture_default_str();
   command
-      ->add_option("--cases", options->cases, "Cases per family and level; default: 400 of predicates, 24 of objects")
+      ->add_option("--cases", options->cases,
+                   "Cases per family and level; default: 400 of predicates, 24 of objects, 6 of "
+                   "features")
       ->check(CLI::Range(1ul, 1'000'000'000ul));
   command->add_option("--seed", options->campaign.seed, "Seed of all cases")
       ->capture_default_str()
@@ -210,7 +214,7 @@ void add_verify_command(CLI::App& app)
       ->add_option("--subject", options->subjects,
                    "Only this subject, or a kernel with all its methods; may be given again")
       ->allow_extra_args(false);
-  command->add_option("--level", options->level, "Only this level: predicate or object");
+  command->add_option("--level", options->level, "Only this level: predicate, object or features");
   command->add_option("--frames", options->campaign.sequence_frames, "Frames of each sequence of exact contact")
       ->capture_default_str()
       ->check(CLI::Range(0, 100'000));

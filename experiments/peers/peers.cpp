@@ -4,6 +4,7 @@
 #include "experiments/peers/peer_process.h"
 #include "experiments/peers/peer_wire.h"
 
+#include <cstddef>
 #include <memory>
 #include <utility>
 
@@ -12,6 +13,9 @@ namespace {
 
 using verify::Object_case;
 using verify::Outcome;
+
+/// Of a body: campaigns have larger ones, which some peers take seconds to make ready.
+constexpr std::size_t most_faces = 4000;
 
 /// A peer at work in a child process.
 class Running_peer : public verify::Running_subject {
@@ -24,6 +28,7 @@ class Running_peer : public verify::Running_subject {
   {
     if (solids_only_ && question == kernel::Question::surface) return Outcome::not_asked;
     if (!is_rigid(c.pose_a) || !is_rigid(c.pose_b)) return Outcome::not_asked;
+    if (c.a->face_count() > most_faces || c.b->face_count() > most_faces) return Outcome::not_asked;
     if (!process_) {
       process_ = std::make_unique<Peer_process>(program_, name_);
       a_ = b_ = nullptr;

@@ -19,7 +19,7 @@ REGIME = {family: regime for regime, families in {
     "exactly degenerate": "special-poses extreme-exponents exponent-gate coplanar-grid coplanar-parallelogram vertex-on-vertex "
                                                   "vertex-on-edge vertex-on-face edge-across-edge edge-along-edge edge-in-face-plane "
                                                   "face-on-face coplanar-sharing stacked degenerate-face duplicates true-rotation shear "
-                                                  "t-junctions voxels tangent-fan",
+                                                  "t-junctions voxels tangent-fan many-faces",
     "nested": "nested nested-touching cavity-wall covering-elements covering-apex winding-axis"}.items() for family in families.split()}
 
 
@@ -47,7 +47,8 @@ class Campaign:
         seeds = distinct(r["seed"] for r in self.tables["runs"])
         frames = max((int(r["frames"]) for r in self.tables["flips"]), default=0)
         parts = [f"--level {level} --cases {max(n.values())}" + (f" --frames {frames}" if level == "object" else "")
-                 for level, n in (("predicate", self.families("predicate")), ("object", self.families("object"))) if n]
+                 for level, n in (("predicate", self.families("predicate")), ("object", self.families("object")),
+                                    ("features", self.families("features"))) if n]
         return " && ".join([f"build/tetracone verify --db out/verify.db --seed {seed} {part}" for seed in seeds for part in parts] +
                            ["build/tetracone report out/verify.db --out out"])
 

@@ -68,7 +68,8 @@ def wrong_in(row):
 
 def kernel_of(subject):
     """"double" of "double-eps=1e-12 brute" is "double-eps=1e-12"; a peer is its own kernel."""
-    return subject.rsplit(" ", 1)[0] if subject.endswith((" tree", " tuned", " paper", " brute")) else subject
+    words, method = subject.split(" "), method_of(subject)
+    return subject if method == "peer" else " ".join(words[:words.index(method)])
 
 
 def short(subject):
@@ -77,5 +78,5 @@ def short(subject):
 
 
 def method_of(subject):
-    method = subject.rsplit(" ", 1)[-1]
-    return method if method in ("tree", "tuned", "paper", "brute") else "peer"
+    """"tree" of "adaptive tree" and of "adaptive tree remembering"."""
+    return next((word for word in subject.split(" ") if word in ("tree", "tuned", "paper", "brute")), "peer")

@@ -8,6 +8,7 @@
 #include "verify/relations/metamorphic_relations.h"
 #include "verify/truth/cgal_truth.h"
 #include "verify/truth/distance_to_degeneracy.h"
+#include "verify/truth/integer_features.h"
 #include "verify/truth/integer_truth.h"
 #include "verify/truth/predicate_truth.h"
 
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -28,16 +30,30 @@ namespace {
 
 using kernel::Question;
 
-constexpr std::uint64_t predicate_batch = 200, object_batch = 10;
+constexpr std::uint64_t predicate_batch = 200, object_batch = 10, feature_batch = 3;
 constexpr std::uint64_t relation_stride = 4;  // each such case is tried with one relation, all of them in turn
 constexpr const char* truth_name = "truth";
 constexpr std::array questions = {Question::surface, Question::solid};
 
 std::string name_of(Question question) { return std::string(kernel::to_string(question)); }
 
+/// What is asked of a case: its predicates, whether its bodies collide, which of their features meet.
+enum class Asked_for { predicates, collision, features };
+
+/// The name of that in the database.
+constexpr const char* level_name(Asked_for what)
+{
+  switch (what) {
+    case Asked_for::predicates: return "predicate";
+    case Asked_for::collision: return "object";
+    case Asked_for::features: break;
+  }
+  return "features";
+}
+
 /// Unit of work: the cases first to last - 1 of a family, or one sequence.
 struct Batch {
-  Level level;
+  Asked_for what;
   const Family* family;
   const Sequence* sequence;  // instead of a family
   std::uint64_t number, first, last;
@@ -54,17 +70,19 @@ std::size_t relation_turn(const Batch& batch, std::uint64_t k)
 std::vector<Batch> batches(const Campaign& campaign, const std::vector<Sequence>& sequences)
 {
   std::vector<Batch> all;
-  const auto add = [&](Level level, const Family* family, std::uint64_t cases, std::uint64_t size) {
+  const auto add = [&](Asked_for what, const Family* family, std::uint64_t cases, std::uint64_t size) {
     for (std::uint64_t number = 0; number * size < cases; ++number)
       if (int((family->number + number) % std::uint64_t(campaign.shards)) == campaign.shard)
-        all.push_back({level, family, nullptr, number, number * size, std::min(cases, (number + 1) * size)});
+        all.push_back({what, family, nullptr, number, number * size, std::min(cases, (number + 1) * size)});
   };
   for (const Family* family : campaign.families)
-    add(Level::predicate, family, campaign.predicate_cases, predicate_batch);
-  for (const Family* family : campaign.families) add(Level::object, family, campaign.object_cases, object_batch);
+    add(Asked_for::predicates, family, campaign.predicate_cases, predicate_batch);
+  for (const Family* family : campaign.families) add(Asked_for::collision, family, campaign.object_cases, object_batch);
+  for (const Family* family : campaign.families)
+    add(Asked_for::features, family, campaign.feature_cases, feature_batch);
   for (std::size_t k = 0; k < sequences.size(); ++k)
     if (int(k % std::size_t(campaign.shards)) == campaign.shard)
-      all.push_back({Level::object, nullptr, &sequences[k], 0, 0, sequences[k].frames.size()});
+      all.push_back({Asked_for::collision, nullptr, &sequences[k], 0, 0, sequences[k].frames.size()});
   return all;
 }
 
@@ -88,7 +106,7 @@ class Done {
   /// The first case of the batch that the subject has not been asked.
   std::uint64_t next(const Batch& batch, const std::string& subject) const
   {
-    const auto found = cases_.find({verify::to_string(batch.level), batch.family_name(), batch.number, subject});
+    const auto found = cases_.find({level_name(batch.what), batch.family_name(), batch.number, subject});
     return batch.first + (found == cases_.end() ? 0 : found->second);
   }
 
@@ -160,7 +178,7 @@ class Predicate_batch {
         subjects_(campaign.predicate_subjects),
         batch_(batch),
         wanted_(batch, subjects_, done),
-        found_(batch.level, batch.family_name())
+        found_(level_name(batch.what), batch.family_name())
   {}
 
   Findings judge()
@@ -232,10 +250,10 @@ bool truth_of(const Object_case& c, const Placed_body& a, const Placed_body& b, 
 /// All subjects of a campaign, running in one thread.
 using Running_subjects = std::vector<std::unique_ptr<Running_subject>>;
 
-Running_subjects make_running(const Campaign& campaign)
+Running_subjects make_running(const std::vector<Object_subject>& subjects)
 {
   Running_subjects running;
-  for (const Object_subject& subject : campaign.object_subjects) running.push_back(subject.make());
+  for (const Object_subject& subject : subjects) running.push_back(subject.make());
   return running;
 }
 
@@ -269,7 +287,7 @@ class Object_batch {
         running_(running),
         batch_(batch),
         wanted_(batch, subjects_, done),
-        found_(batch.level, batch.family_name())
+        found_(level_name(batch.what), batch.family_name())
   {}
 
   Findings judge()
@@ -355,6 +373,80 @@ class Object_batch {
   Findings found_;
   std::map<std::pair<std::size_t, Question>, std::vector<int>> answers_;  // case after case, by subject and question
   std::map<Question, std::vector<int>> truths_;
+};
+
+// --- features --------------------------------------------------------------------------------------------------------
+
+using Pairs = std::vector<kernel::Feature_pair>;
+
+Pairs true_features(const Object_case& c)
+{
+  Pairs first = features(Brute_body(*c.a), c.pose_a, Brute_body(*c.b), c.pose_b);
+  if (first != integer_truth::features(c))
+    throw Truths_disagree("the two truths of features disagree", c, Question::surface);
+  return first;
+}
+
+/// A list as an answer: the number of pairs of the truth that it has, and where it has all of them, of its own.
+int as_number(const Pairs& listed, const Pairs& truth)
+{
+  Pairs right;
+  std::ranges::set_intersection(listed, truth, std::back_inserter(right));
+  return int(right.size() < truth.size() ? right.size() : listed.size());
+}
+
+/// A batch of cases whose features are asked for, at work.
+class Feature_batch {
+ public:
+  Feature_batch(const Campaign& campaign, const Batch& batch, const Done& done, Running_subjects& running)
+      : seed_(campaign.seed),
+        subjects_(campaign.feature_subjects),
+        running_(running),
+        batch_(batch),
+        wanted_(batch, subjects_, done),
+        found_(level_name(batch.what), batch.family_name())
+  {}
+
+  Findings judge()
+  {
+    for (std::uint64_t k = batch_.first; k < batch_.last; ++k)
+      if (wanted_.anyone(k)) judge(batch_.family->object_case(seed_, k), k);
+    wanted_.add_done(found_);
+    return std::move(found_);
+  }
+
+ private:
+  void judge(const Object_case& c, std::uint64_t k)
+  {
+    const Pairs truth = true_features(c);
+    if (wanted_.truth(k)) found_.add_truth(question, !truth.empty(), false);
+    const Distance away = distance(c);
+    for (std::size_t s = 0; s < subjects_.size(); ++s) {
+      if (!wanted_.subject(s, k)) continue;
+      const auto [listed, ns] = timed([&] { return running_[s]->features(c); });
+      Findings::Answer answer{{}, listed.outcome == Outcome::not_asked};
+      if (listed.outcome == Outcome::yes) answer.value = as_number(listed.pairs, truth);
+      found_.add_answer(subjects_[s].name, question, away, int(truth.size()), answer, ns);
+      if (!answer.not_asked && answer.value != int(truth.size()) && k < kept_one_by_one)
+        found_.add_wrong(c.origin, subjects_[s].name, question, away, int(truth.size()), answer, {});
+      if (k % relation_stride == 0) try_swap(c, s);
+    }
+  }
+
+  void try_swap(const Object_case& c, std::size_t s)
+  {
+    const Verdict verdict = check_swapped_features(c, *running_[s]);
+    found_.add_relation("R5 swap", subjects_[s].name, question, verdict != Verdict::not_applicable,
+                        verdict == Verdict::violated);
+  }
+
+  static constexpr const char* question = "features";
+  std::uint64_t seed_;
+  const std::vector<Object_subject>& subjects_;
+  Running_subjects& running_;
+  const Batch& batch_;
+  Wanted wanted_;
+  Findings found_;
 };
 
 // --- the database ----------------------------------------------------------------------------------------------------
@@ -471,13 +563,20 @@ void run_campaign(Database& database, const Campaign& campaign, const std::funct
   const std::int64_t run = run_number(database, campaign);
   const Done before(database, campaign.seed);
   const auto sequences = sequences_of(campaign);
-  tbb::enumerable_thread_specific<Running_subjects> running([&] { return make_running(campaign); });
+  tbb::enumerable_thread_specific<Running_subjects> running([&] { return make_running(campaign.object_subjects); });
+  tbb::enumerable_thread_specific<Running_subjects> listing([&] { return make_running(campaign.feature_subjects); });
+  const auto judged = [&](const Batch& batch) {
+    switch (batch.what) {
+      case Asked_for::predicates: return Predicate_batch(campaign, batch, before).judge();
+      case Asked_for::collision: return Object_batch(campaign, batch, before, running.local()).judge();
+      case Asked_for::features: break;
+    }
+    return Feature_batch(campaign, batch, before, listing.local()).judge();
+  };
   std::mutex one_at_a_time;
   const auto todo = batches(campaign, sequences);
   tbb::parallel_for_each(todo, [&](const Batch& batch) {
-    const Findings found = batch.level == Level::predicate
-                               ? Predicate_batch(campaign, batch, before).judge()
-                               : Object_batch(campaign, batch, before, running.local()).judge();
+    const Findings found = judged(batch);
     const std::lock_guard lock(one_at_a_time);
     Database::Transaction transaction(database);
     found.store(database, run, campaign.seed, batch.number);

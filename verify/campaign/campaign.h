@@ -25,12 +25,12 @@ struct Provenance {
 /// Cases and the subjects that are asked them. Default sizes take a few minutes on two cores.
 struct Campaign {
   std::uint64_t seed = 1;
-  std::uint64_t predicate_cases = 400, object_cases = 24;  ///< per family; 0: not that level
-  int sequence_frames = 16;                                ///< of each exact sequence; 0: none
-  int shard = 0, shards = 1;                               ///< this process does each `shards`-th batch, from `shard`
+  std::uint64_t predicate_cases = 400, object_cases = 24, feature_cases = 6;  ///< per family; 0: not that level
+  int sequence_frames = 16;                                                   ///< of each exact sequence; 0: none
+  int shard = 0, shards = 1;  ///< this process does each `shards`-th batch, from `shard`
   std::vector<const Family*> families;
   std::vector<Predicate_subject> predicate_subjects;
-  std::vector<Object_subject> object_subjects;
+  std::vector<Object_subject> object_subjects, feature_subjects;
   Provenance made_by;
 };
 

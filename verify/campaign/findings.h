@@ -25,7 +25,8 @@ class Findings {
     bool not_asked = false;
   };
 
-  Findings(Level level, std::string family) : level_(to_string(level)), family_(std::move(family)) {}
+  /// The level is "predicate", "object" or "features".
+  Findings(std::string level, std::string family) : level_(std::move(level)), family_(std::move(family)) {}
 
   void add_truth(const std::string& question, bool positive, bool by_construction);
   void add_answer(const std::string& subject, const std::string& question, const Distance& distance, int truth,

@@ -311,6 +311,12 @@ std::vector<Entry> entries()
        {0, 30, 150, 500, 960},
        predicate_family::wild,
        object_family::wild},
+      {"many-faces",
+       "meshes of 10^3 to 10^5 triangles, and triangles as small as theirs",
+       "triangles of the larger body, about; each number as often as all larger ones together",
+       {1000, 2000, 1000, 5000, 1000, 2000, 1000, 20000, 1000, 2000, 1000, 5000, 1000, 2000, 1000, 100000},
+       predicate_family::many_faces,
+       object_family::many_faces},
   };
 }
 

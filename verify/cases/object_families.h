@@ -24,6 +24,8 @@ Generator nested_touching, nested, cavity_wall, covering_elements, covering_apex
 Generator sliver, needle, tangent_fan;
 // shapes: faces and edges that are nearly or quite degenerate
 Generator nearly_collinear, degenerate_face, duplicates, non_planar_quads, t_junctions;
+// meshes: of 10^3 to 10^5 triangles
+Generator many_faces;
 // scales: exponents
 Generator far_from_origin, mixed_scales, cancelled_translation, exponent_gate, extreme_exponents, wild;
 // poses: the maps

@@ -46,6 +46,7 @@ Predicate_case needle(Random& random, double a);
 Predicate_case nearly_collinear(Random& random, double ulps);
 Predicate_case degenerate_face(Random& random, double kind);
 Predicate_case near_parallel_edges(Random& random, double a);
+Predicate_case many_faces(Random& random, double triangles);
 
 // predicate_families_numbers.cpp: where the doubles are scarce, or end
 Predicate_case far_from_origin(Random& random, double f);

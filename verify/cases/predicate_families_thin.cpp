@@ -141,4 +141,21 @@ Predicate_case near_parallel_edges(Random& random, double a)
   });
 }
 
+/// A tetrahedron from 0 to a triangle about 1 away that is one of that many about 0.
+Predicate_case many_faces(Random& random, double triangles)
+{
+  constexpr int bits = 30;
+  const Rational edge = on_grid({Rational(std::sqrt(29 / triangles)), 0, 0}, bits)[0];
+  return settled([&]() -> std::optional<Predicate_case> {
+    const auto corner = [&] { return on_grid(mantissa_point(random, bits), bits); };
+    Tetra v = {Point{0, 0, 0}, corner(), corner(), corner()};
+    for (int k = 2; k <= 3; ++k) v[k] = on_grid(sum(v[1], edge, v[k]), bits);
+    if (dot(v[1], cross(v[2], v[3])) == 0) return std::nullopt;
+    const int corners = integer(random, 1, 3);
+    const Point x = element_point(random, v, corners, 4);
+    const Frames frames = any_frames(random);
+    return contact(random, v, x, frames, bits + 4);
+  });
+}
+
 }  // namespace tetracone::verify::predicate_family

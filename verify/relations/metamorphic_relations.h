@@ -61,6 +61,9 @@ Verdict check(const Relation& relation, const Object_case& c, kernel::Question q
 Verdict check(const Relation& relation, const Predicate_case& c, Predicate predicate, const Predicate_subject& subject,
               Random& random);
 
+/// The relation "R5 swap" of features: the pairs of A and B are those of B and A, with the bodies exchanged.
+Verdict check_swapped_features(const Object_case& c, Running_subject& subject);
+
 }  // namespace tetracone::verify
 
 #endif

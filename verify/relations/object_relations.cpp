@@ -430,6 +430,19 @@ Verdict monotone(const Object_case& c, Question question, Running_subject& subje
 
 }  // namespace
 
+Verdict check_swapped_features(const Object_case& c, Running_subject& subject)
+{
+  Object_case twin = c;
+  std::swap(twin.a, twin.b);
+  std::swap(twin.pose_a, twin.pose_b);
+  const Listed forth = subject.features(c);
+  Listed back = subject.features(twin);
+  if (forth.outcome != Outcome::yes || back.outcome != Outcome::yes) return Verdict::not_applicable;
+  for (kernel::Feature_pair& pair : back.pairs) pair.body = 1 - pair.body;
+  std::sort(back.pairs.begin(), back.pairs.end());
+  return forth.pairs == back.pairs ? Verdict::holds : Verdict::violated;
+}
+
 std::vector<Relation> object_relations()
 {
   return {

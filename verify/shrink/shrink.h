@@ -52,6 +52,9 @@ bool true_answer(const Object_case& c, kernel::Question question);
 /// outlive it.
 Object_check same_error(Running_subject& subject, kernel::Question question, Outcome answer, bool truth);
 
+/// That a subject lists some pair of features that is none, or misses one: as before, if both, the missed one counts.
+Object_check same_error_of_features(Running_subject& subject, bool misses);
+
 /// The same, as it was in `c`: where the triangles and the segment that the predicate takes are not degenerate there,
 /// neither are they later.
 Predicate_check same_error(const Predicate_subject& subject, Predicate predicate, const Predicate_case& c, int answer,

@@ -32,10 +32,11 @@ inline const char* to_string(Stage stage)
   return names[static_cast<std::size_t>(stage)];
 }
 
-/// The stage that made the subject's answer wrong: the query is run with its first stages in the subject's arithmetic
-/// and the rest exact, with no stage rounded, with one, with two, ...; the stage with which the answer first differs
-/// from `truth` is to blame.
-///  - pose: exact signs on the rounded images of the vertices already give the wrong answer;
+/// The stage that made the subject's answer wrong: the query is run with its first stages the subject's own and the rest
+/// exact, with no stage of its own, with one, with two, ...; the stage with which the answer first differs from `truth`
+/// is to blame. What is exact is `Rounded_pair`, which shares no formulation with the subject: a wrong formula is blamed
+/// where it stands, as rounding is.
+///  - pose: the images of the vertices as the subject has them already give the wrong answer;
 ///  - classification: no leaf pair of the subject's tree holds what meets;
 ///  - bounding sphere, bounding tetrahedron, regular hull; of the fast tree bounding box, its separating directions
 ///    among them: the leaf pair that holds it is discarded;

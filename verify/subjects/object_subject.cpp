@@ -1,11 +1,48 @@
 #include "verify/subjects/object_subject.h"
 
+#include "tetracone/kernel/number/pose.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <exception>
+#include <limits>
 #include <string_view>
 #include <utility>
 
 namespace tetracone::verify {
 namespace {
+
+/// The middle of the placed body's box, rounded.
+std::array<double, 3> middle(const covering::Polyhedron& body, const kernel::Pose& m)
+{
+  std::array<double, 3> low, high;
+  low.fill(HUGE_VAL);
+  high.fill(-HUGE_VAL);
+  for (const auto& [x, y, z] : body.vertices)
+    for (int i = 0; i < 3; ++i) {
+      const double image = m[4 * i] * x + m[4 * i + 1] * y + m[4 * i + 2] * z + m[4 * i + 3];
+      low[i] = std::min(low[i], image);
+      high[i] = std::max(high[i], image);
+    }
+  return {low[0] / 2 + high[0] / 2, low[1] / 2 + high[1] / 2, low[2] / 2 + high[2] / 2};
+}
+
+/// Poses of B from which a memory comes to the case's own pose: with its middle on A's, where surfaces as a rule meet,
+/// then a little off the case's pose, the way away from A. Only such as can be asked.
+std::vector<kernel::Pose> poses_before(const Object_case& c)
+{
+  const std::array<double, 3> of_a = middle(*c.a, c.pose_a), of_b = middle(*c.b, c.pose_b);
+  std::vector<kernel::Pose> poses;
+  for (const double share : {1.0, -1 / 16.0}) {
+    std::array<double, 12> entries = c.pose_b.entries();
+    for (int i = 0; i < 3; ++i) entries[4 * i + 3] += share * (of_a[i] - of_b[i]);
+    if (!std::ranges::all_of(entries, [](double x) { return std::isfinite(x); })) continue;
+    const kernel::Pose pose(entries);
+    if (pose.determinant_sign() != CGAL::ZERO) poses.push_back(pose);
+  }
+  return poses;
+}
 
 class Own : public Running_subject {
  public:
@@ -13,12 +50,11 @@ class Own : public Running_subject {
 
   Outcome operator()(const Object_case& c, kernel::Question question) override
   {
+    if (has_more(c, most_faces_asked())) return Outcome::not_asked;
     try {
-      if (!pair_ || c.a != a_ || c.b != b_) {
-        a_ = c.a;
-        b_ = c.b;
-        pair_ = prepare(subject_, *a_, *b_);
-      }
+      prepare_for(c);
+      if (subject_.remembers)
+        for (const kernel::Pose& before : poses_before(c)) pair_->collide(c.pose_a, before, question);
       return pair_->collide(c.pose_a, c.pose_b, question) ? Outcome::yes : Outcome::no;
     } catch (const std::exception&) {
       pair_.reset();
@@ -26,7 +62,39 @@ class Own : public Running_subject {
     }
   }
 
+  Listed features(const Object_case& c) override
+  {
+    if (has_more(c, most_faces)) return {};
+    try {
+      prepare_for(c);
+      return {Outcome::yes, pair_->features(c.pose_a, c.pose_b)};
+    } catch (const std::exception&) {
+      pair_.reset();
+      return {Outcome::failed, {}};
+    }
+  }
+
  private:
+  static bool has_more(const Object_case& c, std::size_t faces)
+  {
+    return c.a->face_count() > faces || c.b->face_count() > faces;
+  }
+
+  std::size_t most_faces_asked() const
+  {
+    if (subject_.method != Method::tree) return most_faces;
+    const bool largest = subject_.kernel == Kernel_name::adaptive || subject_.kernel == Kernel_name::double_;
+    return largest ? std::numeric_limits<std::size_t>::max() : most_faces_of_trees;
+  }
+
+  void prepare_for(const Object_case& c)
+  {
+    if (pair_ && c.a == a_ && c.b == b_) return;
+    a_ = c.a;
+    b_ = c.b;
+    pair_ = prepare(subject_, *a_, *b_);
+  }
+
   Subject subject_;
   std::shared_ptr<const covering::Polyhedron> a_, b_;
   std::unique_ptr<Prepared_pair> pair_;
@@ -48,6 +116,23 @@ std::vector<Object_subject> object_subjects()
       // All pairs in rational arithmetic are the truth itself.
       if (kernel != "rational" || method != Method::brute)
         subjects.push_back(object_subject(*Subject::parse(kernel, method)));
+  Subject special;
+  special.remembers = true;
+  subjects.push_back(object_subject(special));
+  special = {};
+  special.whole_faces = true;
+  subjects.push_back(object_subject(special));
+  return subjects;
+}
+
+std::vector<Object_subject> feature_subjects()
+{
+  std::vector<Object_subject> subjects = object_subjects();
+  std::erase_if(subjects, [](const Object_subject& subject) {
+    const Subject& own = *subject.own;
+    if (own.remembers || own.whole_faces || own.method == Method::tuned) return true;
+    return own.method != Method::tree && own.kernel != Kernel_name::adaptive && own.kernel != Kernel_name::double_;
+  });
   return subjects;
 }
 

@@ -1,9 +1,11 @@
 #ifndef TETRACONE_VERIFY_SUBJECTS_OBJECT_SUBJECT_H
 #define TETRACONE_VERIFY_SUBJECTS_OBJECT_SUBJECT_H
 
+#include "tetracone/kernel/predicate/contact.h"
 #include "verify/cases/case.h"
 #include "verify/subjects/subject.h"
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -16,8 +18,15 @@ namespace tetracone::verify {
 enum class Outcome {
   no,
   yes,
-  not_asked,  ///< the subject does not take such input (a peer whose transforms are rigid, a pose that is not)
+  not_asked,  ///< the subject does not take such input (a peer whose transforms are rigid, a pose that is not; all pairs
+              ///< of 10^5 faces)
   failed      ///< crash, hang, exception
+};
+
+/// What a subject lists of the features of two placed bodies.
+struct Listed {
+  Outcome outcome = Outcome::not_asked;     ///< yes: it has listed
+  std::vector<kernel::Feature_pair> pairs;  ///< sorted
 };
 
 /// An object subject that takes questions, in one thread. Keeps what it has prepared for the polyhedra of the last case.
@@ -25,6 +34,9 @@ class Running_subject {
  public:
   virtual ~Running_subject() = default;
   virtual Outcome operator()(const Object_case& c, kernel::Question question) = 0;
+
+  /// All pairs of an edge of one and a face of the other that share a point. Most subjects don't list them.
+  virtual Listed features(const Object_case&) { return {}; }
 };
 
 /// Something that answers whether two placed polyhedra collide: a kernel with a method, or another library.
@@ -36,8 +48,17 @@ struct Object_subject {
   std::function<std::unique_ptr<Running_subject>()> make;
 };
 
-/// Our kernels with their methods.
+/// Our kernels with their methods; and of the adaptive kernel the fast tree that remembers the last pose, asked others
+/// before each one that counts, and the fast tree whose leaves are whole faces. Methods without a tree that is made on
+/// demand are not asked about bodies of more than `most_faces` faces, and nobody about their features; the fast trees of
+/// the adaptive kernel and of double alone about more than `most_faces_of_trees`, since kernels decide nothing but
+/// leaves and shells.
 std::vector<Object_subject> object_subjects();
+inline constexpr std::size_t most_faces = 800, most_faces_of_trees = 10000;
+
+/// Those of them that campaigns ask for features: each kernel as its users ask it, and what else differs there, the
+/// paper's tree and all pairs, of the adaptive kernel and of double.
+std::vector<Object_subject> feature_subjects();
 
 /// A kernel and method of our own as a subject of a campaign.
 Object_subject object_subject(const Subject& subject);

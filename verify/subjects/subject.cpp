@@ -26,9 +26,9 @@ constexpr std::array<std::pair<Kernel_name, std::string_view>, 7> kernel_names =
 class Query_pair : public Prepared_pair {
  public:
   Query_pair(const Subject& subject, const covering::Polyhedron& a, const covering::Polyhedron& b)
-      : options_{subject.kernel, subject.method, subject.tolerance, false},
-        a_(triangulated_body(a)),
-        b_(triangulated_body(b))
+      : options_{subject.kernel, subject.method, subject.tolerance, subject.remembers},
+        a_(subject.whole_faces ? Body(a) : triangulated_body(a)),
+        b_(subject.whole_faces ? Body(b) : triangulated_body(b))
   {
     query(kernel::Question::surface);
   }
@@ -127,7 +127,11 @@ std::string Subject::kernel_name() const
                                         : "=" + kernel::shortest(tolerance.absolute));
 }
 
-std::string Subject::name() const { return kernel_name() + " " + std::string(to_string(method)); }
+std::string Subject::name() const
+{
+  return kernel_name() + " " + std::string(to_string(method)) + (remembers ? " remembering" : "") +
+         (whole_faces ? " whole-faces" : "");
+}
 
 std::unique_ptr<Prepared_pair> prepare(const Subject& subject, const covering::Polyhedron& a,
                                        const covering::Polyhedron& b)

@@ -30,13 +30,15 @@ struct Subject {
   Kernel_name kernel = Kernel_name::adaptive;
   kernel::Tolerance tolerance;  ///< of double_eps
   Method method = Method::tree;
+  bool remembers = false;    ///< of Method::tree: keeps from pose to pose what decided the last one
+  bool whole_faces = false;  ///< of Method::tree: faces as they are, which is what a body is without `repair`
 
   /// The kernel by its name: adaptive, double, float, epick, epeck, rational, double-eps=E or double-eps=rel:E with E
   /// >= 0 finite: a sign is zero up to E, absolute, or relative to the sum of its products. Nothing when there is none
   /// such.
   static std::optional<Subject> parse(std::string_view kernel, Method method = Method::tree);
 
-  /// "adaptive tree", "double-eps=1e-12 brute".
+  /// "adaptive tree", "double-eps=1e-12 brute", "adaptive tree remembering", "adaptive tree whole-faces".
   std::string name() const;
   std::string kernel_name() const;
 

@@ -150,28 +150,29 @@ void add_pairs(const Integer_body& with_edges, const std::vector<Rank_box>& edge
   int pairs = 0;
   std::vector<std::optional<int>> sides(with_edges.vertex_count());
   std::vector<Index> touched;
-  for (Index f = 0; f < with_faces.face_count(); ++f) {
-    std::optional<std::array<Index, 3>> plane;
-    for (const Index v : touched) sides[v].reset();
-    touched.clear();
-    const auto side = [&](Index v) {
-      if (!sides[v]) {
-        const auto corner = [&](int i) -> const Integer_vector& { return with_faces.point((*plane)[i]); };
-        sides[v] = least.add_plane(corner(0), corner(1), corner(2), with_edges.point(v));
-        touched.push_back(v);
-      }
-      return *sides[v];
-    };
-    for (std::size_t e = 0; e < edge_boxes.size(); ++e) {
-      if (!face_boxes[f].meets(edge_boxes[e])) continue;
-      if (++pairs > 2000 || least.is_degenerate()) return;
-      if (!plane) plane = plane_basis(with_faces, f);
-      const auto [from, to] = with_edges.edges()[e];
-      if (side(from) * side(to) > 0) continue;
-      with_faces.for_edges(f, [&, from = from, to = to](Index a, Index b) {
-        least.add_lines(with_edges.point(from), with_edges.point(to), with_faces.point(a), with_faces.point(b));
-      });
+  Index last = with_faces.face_count();
+  std::array<Index, 3> plane{};
+  const auto side = [&](Index v) {
+    if (!sides[v]) {
+      const auto corner = [&](int i) -> const Integer_vector& { return with_faces.point(plane[i]); };
+      sides[v] = least.add_plane(corner(0), corner(1), corner(2), with_edges.point(v));
+      touched.push_back(v);
     }
+    return *sides[v];
+  };
+  for (const auto& [f, e] : meeting_boxes(face_boxes, edge_boxes)) {
+    if (++pairs > 2000 || least.is_degenerate()) return;
+    if (f != last) {
+      for (const Index v : touched) sides[v].reset();
+      touched.clear();
+      plane = plane_basis(with_faces, f);
+      last = f;
+    }
+    const auto [from, to] = with_edges.edges()[e];
+    if (side(from) * side(to) > 0) continue;
+    with_faces.for_edges(f, [&, from = from, to = to](Index a, Index b) {
+      least.add_lines(with_edges.point(from), with_edges.point(to), with_faces.point(a), with_faces.point(b));
+    });
   }
 }
 
@@ -203,7 +204,7 @@ Distance distance(const Object_case& c)
   const Integer largest = std::max(largest_coordinate(of_a.points), largest_coordinate(of_b.points));
   const Integer_body a(*c.a, std::move(of_a.points)), b(*c.b, std::move(of_b.points));
 
-  const auto [boxes_a, boxes_b] = element_boxes(a, b, 20);
+  const auto [boxes_a, boxes_b] = grown_boxes(a, b, 20);
   Least least(sgn(largest) == 0 ? 0 : log2_ulp(largest, of_b.denominator));
   add_pairs(a, boxes_a.edges, b, boxes_b.faces, least);
   add_pairs(b, boxes_b.edges, a, boxes_a.faces, least);

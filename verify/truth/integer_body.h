@@ -86,15 +86,21 @@ class Integer_body {
     return is_zero(n) ? std::nullopt : std::optional(n);
   }
 
-  /// The face's loops seen along an axis about y = x / w, w > 0: by the quadrants about y that their corners are in. An
-  /// edge turns by the quadrants between its ends; between opposite ones the side of y tells which way. A coordinate
-  /// equal to y's counts as less, which is what moving y by (e, e^2) does; so does an edge through y.
+  /// The face's loops seen along an axis about y = x / w, w > 0.
   Turns turns(Index f, int axis, const Integer_vector& x, const Integer& w) const
   {
     const int i = (axis + 1) % 3, j = (axis + 2) % 3;
-    const auto about = [&](Index v) {
+    return turns(f, [&](Index v) {
       return std::array{Integer(points_[v][i] * w - x[i]), Integer(points_[v][j] * w - x[j])};
-    };
+    });
+  }
+
+  /// The face's loops seen in a plane, where `about(v)` is vertex v as seen from y: by the quadrants about y that their
+  /// corners are in. An edge turns by the quadrants between its ends; between opposite ones the side of y tells which
+  /// way. A coordinate equal to y's counts as less, which is what moving y by (e, e^2) does; so does an edge through y.
+  template <class About>
+  Turns turns(Index f, const About& about) const
+  {
     const auto quadrant = [](const std::array<Integer, 2>& d) {
       return sgn(d[1]) > 0 ? (sgn(d[0]) > 0 ? 0 : 1) : (sgn(d[0]) > 0 ? 3 : 2);
     };

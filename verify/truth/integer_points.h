@@ -1,7 +1,6 @@
 #ifndef TETRACONE_VERIFY_TRUTH_INTEGER_POINTS_H
 #define TETRACONE_VERIFY_TRUTH_INTEGER_POINTS_H
 
-#include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
 
 #include <gmpxx.h>
@@ -52,7 +51,7 @@ inline Integer_points placed(std::span<const kernel::Vertex> vertices, const ker
   std::array<mpq_class, 12> entries;
   Integer common = 1;
   for (int k = 0; k < 12; ++k) {
-    entries[k] = pose.is_rational() ? mpq_class(kernel::to_string(pose.exact(k))) : mpq_class(pose[k]);
+    entries[k] = pose.exact(k);
     common = lcm(common, entries[k].get_den());
   }
   std::array<Integer, 12> m;

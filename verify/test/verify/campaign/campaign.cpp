@@ -67,9 +67,29 @@ class Declines : public Running_subject {
   Outcome operator()(const Object_case&, Question) override { return Outcome::not_asked; }
 };
 
+/// Right but for one pair, which it invents or leaves out.
+template <bool invents>
+class Lists : public Running_subject {
+ public:
+  Outcome operator()(const Object_case&, Question) override { return Outcome::not_asked; }
+  Listed features(const Object_case& c) override
+  {
+    std::vector<tetracone::kernel::Feature_pair> pairs =
+        tetracone::verify::features(Brute_body(*c.a), c.pose_a, Brute_body(*c.b), c.pose_b);
+    if (invents)
+      pairs.push_back({2, 0, 0, 0, tetracone::kernel::Contact::edge_face});
+    else if (!pairs.empty())
+      pairs.pop_back();
+    return {Outcome::yes, pairs};
+  }
+};
+
 Object_subject says_no{"says no", false, "", {}, [] { return std::make_unique<Says_no>(); }};
 Object_subject fails{"fails", false, "", {}, [] { return std::make_unique<Fails>(); }};
 Object_subject declines{"declines", false, "", {}, [] { return std::make_unique<Declines>(); }};
+
+Object_subject invents{"invents", false, "", {}, [] { return std::make_unique<Lists<true>>(); }};
+Object_subject leaves_out{"leaves out", false, "", {}, [] { return std::make_unique<Lists<false>>(); }};
 
 Predicate_subject right{"right", true, "",
                         [](Predicate predicate, const Predicate_case& c) { return true_answer(predicate, c); }};
@@ -81,11 +101,13 @@ Campaign small()
   campaign.seed = 5;
   campaign.predicate_cases = 450;
   campaign.object_cases = 25;
+  campaign.feature_cases = 8;
   campaign.sequence_frames = 0;
   campaign.families = {&cheap, &cheap_too};
   campaign.predicate_subjects = {right, low};
   campaign.object_subjects = {object_subject(*Subject::parse("adaptive")),
                               object_subject(*Subject::parse("double", Method::paper)), says_no, fails, declines};
+  campaign.feature_subjects = {object_subject(*Subject::parse("adaptive")), invents, leaves_out, fails, declines};
   campaign.made_by = {"0", "compiler", "flags", "processor"};
   return campaign;
 }
@@ -140,14 +162,37 @@ BOOST_AUTO_TEST_CASE(planted_answers_are_counted_as_what_they_are)
   BOOST_TEST(results.sum("n", "subject = 'says no'") == n);
   BOOST_TEST(results.sum("false_negatives", "subject = 'says no'") == positives);
   BOOST_TEST(results.sum("false_positives", "subject = 'says no'") == 0);
-  BOOST_TEST(results.sum("failures", "subject = 'fails'") == n);
-  BOOST_TEST(results.sum("not_asked", "subject = 'declines'") == n);
+  BOOST_TEST(results.sum("failures", "level = 'object' AND subject = 'fails'") == n);
+  BOOST_TEST(results.sum("not_asked", "level = 'object' AND subject = 'declines'") == n);
   BOOST_TEST(results.sum("n", "subject = 'declines'") == 0);
-  BOOST_TEST(results.sum("n", "subject = 'adaptive tree'") == n);
+  BOOST_TEST(results.sum("n", "level = 'object' AND subject = 'adaptive tree'") == n);
   BOOST_TEST(results.sum("false_positives + false_negatives + failures", "subject = 'adaptive tree'") == 0);
   BOOST_TEST(results.sum("false_positives + false_negatives + failures", "subject = 'right'") == 0);
   BOOST_TEST(results.sum("n", "subject = 'low'") == results.sum("false_negatives", "subject = 'low'"));
   BOOST_TEST(results.sum("n", "subject = 'low' AND question = 'orientation'") == 2 * 450);
+  // Lists of features.
+  const auto features = [&](const std::string& what, const std::string& subject) {
+    return results.sum(what, "level = 'features' AND question = 'features' AND subject = '" + subject + "'");
+  };
+  Database::Statement lists(results.database, "SELECT sum(n), sum(positives) FROM truth WHERE level = 'features'");
+  BOOST_TEST_REQUIRE(lists.with().next());
+  BOOST_TEST(lists.integer(0) == 2 * 8);
+  BOOST_TEST(lists.integer(1) > 0);
+  BOOST_TEST(lists.integer(1) < 2 * 8);
+  BOOST_TEST(features("n", "adaptive tree") == 2 * 8);
+  BOOST_TEST(features("false_positives + false_negatives + failures", "adaptive tree") == 0);
+  BOOST_TEST(features("false_positives", "invents") == 2 * 8);
+  BOOST_TEST(features("false_negatives", "invents") == 0);
+  BOOST_TEST(features("false_positives", "leaves out") == 0);
+  BOOST_TEST(features("false_negatives", "leaves out") == lists.integer(1));
+  BOOST_TEST(features("not_asked", "fails") == 2 * 8);
+  Database::Statement swaps(
+      results.database,
+      "SELECT subject, sum(tried), sum(violated) FROM relation WHERE level = 'features' GROUP BY 1 ORDER BY 1");
+  BOOST_TEST_REQUIRE(swaps.with().next());
+  BOOST_TEST(swaps.text(0) == "adaptive tree");
+  BOOST_TEST(swaps.integer(1) == 2 * 2);
+  BOOST_TEST(swaps.integer(2) == 0);
   // Both axes count each answer once.
   Database::Statement axes(results.database, "SELECT sum(CASE axis WHEN 'rho' THEN n ELSE -n END), sum(n) FROM tally");
   BOOST_TEST_REQUIRE(axes.with().next());
@@ -171,7 +216,9 @@ BOOST_AUTO_TEST_CASE(cases_and_subjects_added_later_make_the_same_rows)
   Campaign part = small();
   part.predicate_cases = 130;
   part.object_cases = 7;
+  part.feature_cases = 4;
   part.object_subjects.resize(2);
+  part.feature_subjects.resize(1);
   part.predicate_subjects = {low};
   results.with(part);
   BOOST_TEST((results.rows() != at_once));

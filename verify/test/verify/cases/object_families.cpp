@@ -59,6 +59,9 @@ bool is_finite(const Polyhedron& body, const kernel::Pose& pose)
   return true;
 }
 
+/// Every case of these is tried but those of large bodies, which campaigns have.
+bool is_small(const Object_case& c) { return c.a->face_count() + c.b->face_count() < 8000; }
+
 struct Answers {
   bool surface, solid;
 };
@@ -75,8 +78,8 @@ Answers truth(const Object_case& c)
 const std::set<std::string_view> surfaces_never_meet = {"nested"};
 
 /// One solid may be inside the other.
-const std::set<std::string_view> of_containment = {"nested-touching", "nested",       "covering-elements",
-                                                   "covering-apex",   "winding-axis", "voxels"};
+const std::set<std::string_view> of_containment = {"nested-touching", "nested", "covering-elements", "covering-apex",
+                                                   "winding-axis",    "voxels", "many-faces"};
 
 }  // namespace
 
@@ -145,6 +148,7 @@ BOOST_AUTO_TEST_CASE(every_case_is_legal)
   for (const Family& family : families())
     for (std::uint64_t index = 0; index < 2 * family.sweep.size() + 20; ++index) {
       const Object_case c = family.object_case(1, index);
+      if (!is_small(c)) continue;
       BOOST_TEST_CONTEXT(family.name << ' ' << index)
       {
         BOOST_TEST(is_legal(*c.a));
@@ -165,6 +169,7 @@ BOOST_AUTO_TEST_CASE(both_answers_are_frequent_and_known_answers_true)
     int yes = 0, no = 0, contained = 0;
     for (std::uint64_t index = 0; index < 200 && (yes < 20 || no < 20); ++index) {
       const Object_case c = family.object_case(2, index);
+      if (!is_small(c)) continue;
       const Answers answer = truth(c);
       BOOST_TEST_CONTEXT(family.name << ' ' << index)
       {

@@ -17,7 +17,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstdio>
 #include <set>
 #include <string>
 #include <vector>
@@ -32,8 +31,6 @@ using kernel::Rational;
 using verify::Temporary_file;
 
 namespace {
-
-const std::filesystem::path models = std::filesystem::path(TETRACONE_SOURCE_DIR) / ".cache" / "models";
 
 /// Whether triangles of the boundary, each face triangulated in itself, meet elsewhere than in shared corners and
 /// edges.
@@ -283,23 +280,6 @@ BOOST_AUTO_TEST_CASE(a_folder_without_meshes_gives_none)
 {
   BOOST_TEST(!demo_mesh("no/such/folder", "bunny00"));
   BOOST_TEST(!small_mesh("no/such/folder"));
-}
-
-BOOST_AUTO_TEST_CASE(real_meshes_have_the_papers_counts)
-{
-  const auto small = small_mesh(models), large = large_mesh(models);
-  if (!small || !large) {
-    BOOST_TEST_MESSAGE("skipped: no models; run experiments/support/fetch_models.sh");
-    std::puts("skipped: no models; run experiments/support/fetch_models.sh");
-    return;
-  }
-  BOOST_TEST(small->face_count() == 760u);
-  BOOST_TEST(small->vertices.size() == 382u);
-  BOOST_TEST(large->face_count() == 7172u);
-  for (const auto& mesh : {*small, *large}) {
-    check_clean(mesh, 0);
-    BOOST_TEST(std::abs(radius(mesh) - 1) < 1e-14);
-  }
 }
 
 BOOST_AUTO_TEST_CASE(random_numbers_are_those_of_the_published_generators)

@@ -374,6 +374,33 @@ BOOST_AUTO_TEST_CASE(exact_objects_hold_every_relation_and_each_is_asked_often)
   }
 }
 
+BOOST_AUTO_TEST_CASE(features_may_be_asked_with_the_bodies_swapped)
+{
+  // Leaves out what is an edge of B.
+  class One_way : public Running_subject {
+   public:
+    Outcome operator()(const Object_case&, Question) override { return Outcome::not_asked; }
+    Listed features(const Object_case& c) override
+    {
+      Listed all = exact_->features(c);
+      std::erase_if(all.pairs, [](const auto& pair) { return pair.body == 1; });
+      return all;
+    }
+
+   private:
+    std::unique_ptr<Running_subject> exact_ = object_subject(*Subject::parse("adaptive")).make();
+  } one_way;
+  const auto exact = object_subject(*Subject::parse("adaptive")).make();
+  Random random(54);
+  int violated = 0;
+  for (int k = 0; k < 20; ++k) {
+    const Object_case c = any_bodies(random);
+    BOOST_TEST((check_swapped_features(c, *exact) == Verdict::holds));
+    violated += check_swapped_features(c, one_way) == Verdict::violated;
+  }
+  BOOST_TEST(violated > 0);
+}
+
 BOOST_AUTO_TEST_CASE(rounded_objects_violate_several_relations)
 {
   const auto subject = object_subject(*Subject::parse("double"));

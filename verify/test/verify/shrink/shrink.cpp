@@ -6,6 +6,7 @@
 #include "tetracone/covering/planarity.h"
 #include "verify/cases/shape_generators.h"
 #include "verify/shrink/shrink_numbers.h"
+#include "verify/truth/cgal_truth.h"
 #include "verify/truth/predicate_truth.h"
 
 #include <boost/test/unit_test.hpp>
@@ -249,6 +250,29 @@ BOOST_AUTO_TEST_CASE(doubles_at_the_ends_of_their_range_shrink_without_infinitie
     return x.v[0][0] == largest || x.p[1] > 1;
   });
   BOOST_TEST(verify::size_of(small).bits < 100u);
+}
+
+BOOST_AUTO_TEST_CASE(a_wrong_list_of_features_shrinks_to_what_is_wrong_in_it)
+{
+  // Misses what is edge against edge.
+  class Blind : public verify::Running_subject {
+   public:
+    Outcome operator()(const Object_case&, Question) override { return Outcome::not_asked; }
+    verify::Listed features(const Object_case& c) override
+    {
+      auto pairs = verify::features(verify::Brute_body(*c.a), c.pose_a, verify::Brute_body(*c.b), c.pose_b);
+      std::erase_if(pairs, [](const auto& pair) { return pair.kind == kernel::Contact::edge_edge; });
+      return {Outcome::yes, pairs};
+    }
+  } blind;
+  const Object_case c = case_of(verify::unit_cube(), Pose(), verify::unit_cube(), Pose::translation(0.5, 0.5, 0));
+  const auto misses = verify::same_error_of_features(blind, true),
+             invents = verify::same_error_of_features(blind, false);
+  BOOST_TEST(misses(c));
+  BOOST_TEST(!invents(c));
+  const Object_case small = verify::shrink(c, Question::surface, misses);
+  BOOST_TEST(misses(small));
+  BOOST_TEST(verify::face_count(small) <= 4u);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,6 +1,8 @@
 #include "verify/subjects/blame.h"
 
 #include "tetracone/kernel/predicate/frame.h"
+#include "tetracone/kernel/predicate/tetrahedron.h"
+#include "verify/subjects/blame_stages.h"
 #include "verify/test/support/scenes.h"
 #include "verify/truth/cgal_truth.h"
 
@@ -10,6 +12,72 @@
 #include <memory>
 #include <string>
 
+// Kernels in double, each with one formula that no arithmetic repairs.
+namespace tetracone::verify {
+namespace {
+
+struct Wrong_volume : kernel::Double {};   // a determinant with a plus for a minus
+struct Wrong_side : kernel::Double {};     // sides turned round, where a point is sought in a solid
+struct Wrong_image : kernel::Double {};    // a matrix with its rows for its columns
+struct Wrong_classes : kernel::Double {};  // a triangle is in a cone only as a whole
+
+}  // namespace
+}  // namespace tetracone::verify
+
+namespace tetracone::kernel {
+
+using namespace verify;
+
+template <>
+struct Kernel_traits<Wrong_volume> : Kernel_traits<Double> {};
+template <>
+struct Kernel_traits<Wrong_side> : Kernel_traits<Double> {};
+template <>
+struct Kernel_traits<Wrong_image> : Kernel_traits<Double> {};
+template <>
+struct Kernel_traits<Wrong_classes> : Kernel_traits<Double> {
+  using Fixed = Wrong_classes;
+};
+
+template <>
+Sign volume_sign<Wrong_volume>(const Double::Point_3& a, const Double::Point_3& b, const Double::Point_3& c,
+                               const Double::Point_3& d)
+{
+  const auto p = b - a, q = c - a, r = d - a;
+  return CGAL::sign((p.y() * q.z() + p.z() * q.y()) * r.x() + (p.z() * q.x() - p.x() * q.z()) * r.y() +
+                    (p.x() * q.y() - p.y() * q.x()) * r.z());
+}
+
+template <>
+Sign perturbed_side<Wrong_side>(const Double::Point_3& a, const Double::Point_3& b, const Double::Point_3& c,
+                                const Double::Point_3& p)
+{
+  return volume_sign<Double>(b, a, c, p);
+}
+
+template <>
+Double::Point_3 Frame<Wrong_image>::operator()(const Double::Point_3& p) const
+{
+  const auto& m = entries_;
+  return {m[0] * p.x() + m[4] * p.y() + m[8] * p.z() + m[3], m[1] * p.x() + m[5] * p.y() + m[9] * p.z() + m[7],
+          m[2] * p.x() + m[6] * p.y() + m[10] * p.z() + m[11]};
+}
+
+}  // namespace tetracone::kernel
+
+namespace tetracone::tetratree {
+
+template <>
+Classified classify<verify::Wrong_classes>(const Cone_points<verify::Wrong_classes>& t,
+                                           const kernel::Double::Point_3& a, const kernel::Double::Point_3& b,
+                                           const kernel::Double::Point_3& c)
+{
+  for (const auto* p : {&a, &b, &c})
+    if (!kernel::is_in_tetra_cone<verify::Wrong_classes>(*p, t.v0, t.v1, t.v2, t.v3)) return Classified::no;
+  return Classified::vertex_in_cone;
+}
+
+}  // namespace tetracone::tetratree
 BOOST_AUTO_TEST_SUITE(test_blame)
 
 using namespace tetracone::verify;
@@ -170,6 +238,55 @@ BOOST_AUTO_TEST_CASE(a_box_of_the_exact_place_that_leaves_a_rounded_image_out_is
     if (const auto stage = blame(*Subject::parse("float"), c, Question::surface, truth)) ++stages[*stage];
   }
   BOOST_TEST(stages[Stage::bounding_box] > 0);
+}
+
+/// Stages that blame(case, truth) blames for wrong answers to the question, over bodies that meet and that do not.
+template <class Blame>
+std::map<Stage, int> stages_of(Question question, const Blame& blame)
+{
+  Random random(19);
+  std::map<Stage, int> stages;
+  const std::vector<Named> bodies = closed_bodies();
+  for (int k = 0; k < 300; ++k) {
+    const Polyhedron &a = bodies[k % bodies.size()].body, &b = bodies[k / bodies.size() % bodies.size()].body;
+    const auto shift = [&] { return integer(random, -12, 12) / 8.0; };
+    const double s = k % 2 == 0 ? 1 : 0.125, x = shift(), y = shift(), z = shift();
+    // A quarter turn: every image is a double, and exact.
+    const Object_case c = object_case(a, Pose(), b, Pose(std::array<double, 12>{0, -s, 0, x, s, 0, 0, y, 0, 0, s, z}));
+    if (const auto stage = blame(c, truth_of(c, question))) ++stages[*stage];
+  }
+  return stages;
+}
+
+BOOST_AUTO_TEST_CASE(a_wrong_formula_is_blamed_where_it_stands)
+{
+  const auto only = [](const std::map<Stage, int>& stages, Stage stage) {
+    for (const auto& [blamed, count] : stages) BOOST_TEST((blamed == stage), to_string(blamed) << ": " << count);
+    BOOST_TEST(!stages.empty(), to_string(stage));
+  };
+  using namespace tetracone::verify::detail;
+  const auto surface = Question::surface, solid = Question::solid;
+  only(stages_of(surface,
+                 [&](const Object_case& c, bool truth) { return blame_in_fast_tree<Wrong_volume>(c, surface, truth); }),
+       Stage::leaf_sign);
+  only(stages_of(solid,
+                 [&](const Object_case& c, bool truth) { return blame_in_fast_tree<Wrong_side>(c, solid, truth); }),
+       Stage::containment);
+  const auto in_tetra_tree = [&]<class K>(Method method, K) {
+    return stages_of(surface, [&](const Object_case& c, bool truth) {
+      return blame_in_tetra_tree<K>(tetracone::config_of(method), c, surface, truth);
+    });
+  };
+  only(in_tetra_tree(Method::brute, Wrong_image()), Stage::pose);
+  // The volumes of a node bound what has been classified in it, and can be wrong with it.
+  const std::map<Stage, int> of_classes = in_tetra_tree(Method::paper, Wrong_classes());
+  BOOST_TEST(of_classes.contains(Stage::classification));
+  for (const auto& [blamed, count] : of_classes)
+    BOOST_TEST((blamed >= Stage::classification && blamed <= Stage::regular_hull), to_string(blamed));
+  for (const Method method : all_methods)
+    BOOST_TEST(stages_of(solid, [&](const Object_case& c, bool truth) {
+                 return blame(*Subject::parse("double", method), c, solid, truth);
+               }).empty());
 }
 
 BOOST_AUTO_TEST_CASE(an_absolute_tolerance_is_to_blame_where_it_closes_a_gap)
