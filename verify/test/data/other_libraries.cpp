@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_other_libraries)
+
 using namespace tetracone::verify;
 using tetracone::kernel::Contact;
 using tetracone::kernel::parse_double;
@@ -72,8 +74,6 @@ Polyhedron model(const Tree& tree)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_other_libraries)
 
 BOOST_AUTO_TEST_CASE(triangles_of_the_tests_of_cgal)
 {

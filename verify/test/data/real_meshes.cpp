@@ -9,10 +9,10 @@
 #include <filesystem>
 #include <iostream>
 
+BOOST_AUTO_TEST_SUITE(test_real_meshes)
+
 using namespace tetracone;
 using namespace tetracone::verify;
-
-BOOST_AUTO_TEST_SUITE(test_real_meshes)
 
 BOOST_AUTO_TEST_CASE(real_meshes_have_the_papers_counts)
 {

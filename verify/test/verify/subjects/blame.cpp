@@ -26,7 +26,10 @@ struct Wrong_classes : kernel::Double {};  // a triangle is in a cone only as a 
 
 namespace tetracone::kernel {
 
-using namespace verify;
+using verify::Wrong_classes;
+using verify::Wrong_image;
+using verify::Wrong_side;
+using verify::Wrong_volume;
 
 template <>
 struct Kernel_traits<Wrong_volume> : Kernel_traits<Double> {};
@@ -78,6 +81,7 @@ Classified classify<verify::Wrong_classes>(const Cone_points<verify::Wrong_class
 }
 
 }  // namespace tetracone::tetratree
+
 BOOST_AUTO_TEST_SUITE(test_blame)
 
 using namespace tetracone::verify;

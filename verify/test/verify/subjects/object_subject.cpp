@@ -11,6 +11,8 @@
 #include <set>
 #include <string>
 
+BOOST_AUTO_TEST_SUITE(test_object_subject)
+
 // Planted by hand, and wrong in a campaign of 4 cases a family: a pair of elements that met in the last pose taken for
 // one that meets in this (64 of 196 answers), a last pose apart taken for this one apart (50), whole faces bounded by
 // their first four corners (1). And in 24 cases of "many-faces": a tree that leaves out a part of each lowest node (2).
@@ -30,8 +32,6 @@ Object_subject named(const std::string& name)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_object_subject)
 
 BOOST_AUTO_TEST_CASE(names_are_unique)
 {

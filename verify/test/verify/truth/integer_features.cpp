@@ -11,6 +11,8 @@
 #include <memory>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_integer_features)
+
 using namespace tetracone::verify;
 using namespace tetracone::verify::scenes;
 using tetracone::kernel::Contact;
@@ -57,8 +59,6 @@ std::map<Contact, int>& operator+=(std::map<Contact, int>& seen, const Pairs& pa
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_integer_features)
 
 BOOST_AUTO_TEST_CASE(a_stick_and_a_frame_meet_in_every_kind)
 {

@@ -13,6 +13,8 @@
 #include <tuple>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_rounded_pair)
+
 using namespace tetracone::verify;
 using namespace tetracone::verify::scenes;
 
@@ -27,8 +29,6 @@ Rounded_body as_it_is(const Polyhedron& body)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_rounded_pair)
 
 BOOST_AUTO_TEST_CASE(what_is_not_rounded_meets_as_in_cgals_rationals)
 {
