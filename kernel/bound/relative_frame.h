@@ -48,14 +48,14 @@ class Relative_frame {
   /// In the norm of I - f G: roundings of G's entries, with those of fractions, and of f.
   static constexpr double gram_rounding = 24 * u;
 
-  /// Of the entries of f M_a^T M_b and of f M_a^T D, shares of columns' lengths.
+  /// Of f M_a^T M_b and of f M_a^T D, and of the image that is made of them, shares of columns' lengths.
   static constexpr double transpose_rounding = 16 * u;
 
   /// In I - X M_a, a share of the terms of an entry.
   static constexpr double residual_rounding = 6 * u;
 
-  /// Of the entries of X M_b and X D, shares of norms.
-  static constexpr double inverse_rounding = 8 * u;
+  /// Of X M_b and X D, and of the image that is made of them, shares of norms.
+  static constexpr double inverse_rounding = 10 * u;
 
   /// Entry (i, j) of P^T Q, P and Q the linear parts of two poses' entries.
   template <class Number>
@@ -83,19 +83,19 @@ class Relative_frame {
   template <class Number>
   Row operator()(const std::array<Number, 3>& p) const
   {
-    Row image = direction(p);
-    for (int i = 0; i < 3; ++i) image[i] += offset_[i];
-    return image;
+    const Row point = {double(p[0]), double(p[1]), double(p[2])};
+    const auto row = [&](int i) {
+      return sum(placed_terms(linear_[i][0], linear_[i][1], linear_[i][2], offset_[i], point));
+    };
+    return {row(0), row(1), row(2)};
   }
 
   /// The linear part alone.
   template <class Number>
   Row direction(const std::array<Number, 3>& p) const
   {
-    Row image;
-    for (int i = 0; i < 3; ++i)
-      image[i] = linear_[i][0] * double(p[0]) + linear_[i][1] * double(p[1]) + linear_[i][2] * double(p[2]);
-    return image;
+    const Row v = {double(p[0]), double(p[1]), double(p[2])};
+    return {dot(linear_[0], v), dot(linear_[1], v), dot(linear_[2], v)};
   }
 
  private:

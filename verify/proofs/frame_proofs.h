@@ -111,7 +111,12 @@ inline Proved_bounds frame_proofs()
   const Rational columns = 1 + Rational(0x1p-23);
   add("Relative_frame::gram_rounding", Frame::gram_rounding,
       3 * entry_of_gram * columns * columns + roundoff * once + 8 * roundoff * Rational(0x1p-23), u);
-  const auto linear = [&](const auto& in) { return of_columns(in, true, true); };
+  // An image is made of the entries by 4 roundings more: product, two sums, the offset.
+  const auto image_of = [](const auto& entry_of_map) {
+    const auto zero = std::decay_t<decltype(entry_of_map)>(0), one = std::decay_t<decltype(entry_of_map)>(1);
+    return kernel::sum(kernel::placed_terms(entry_of_map, zero, zero, zero, std::array{one, one, one}));
+  };
+  const auto linear = [&](const auto& in) { return image_of(of_columns(in, true, true)); };
   add("Relative_frame::transpose_rounding", Frame::transpose_rounding,
       largest(slice_errors<Relative_64>(linear, terms_of_dot)) * columns * columns, u);
 
@@ -128,10 +133,10 @@ inline Proved_bounds frame_proofs()
       largest(slice_errors<Relative_64>(residual, terms_of_residual)) * lost(magnitude) +
           4 * roundoff * Rational(0x1p-20),
       u);
-  const auto row = [](const auto& in) {
+  const auto row = [&](const auto& in) {
     const auto column = triple(in, 3);
-    return kernel::dot(triple(in, 0), std::array{entry(column[0]), entry(column[1]), entry(column[2])}) *
-           std::decay_t<decltype(in[0])>(1);
+    return image_of(kernel::dot(triple(in, 0), std::array{entry(column[0]), entry(column[1]), entry(column[2])}) *
+                    std::decay_t<decltype(in[0])>(1));
   };
   add("Relative_frame::inverse_rounding", Frame::inverse_rounding,
       largest(slice_errors<Relative_64>(row, terms_of_dot)), u);

@@ -43,28 +43,27 @@ inline std::string gappa_number(double value)
 class Gappa_script {
  public:
   /// Returns the name of a new definition.
-  std::string define(const std::string& expression)
+  std::string define(const std::string& expression) { return add("x", {expression + ";", false}); }
+
+  /// Returns the name of a constant, defined once.
+  std::string named(const std::string& constant)
   {
-    const std::string name = "x" + std::to_string(names_++);
-    definitions_ += name + " = " + expression + ";\n";
-    return name;
+    std::string& name = constants_[constant];
+    return name.empty() ? name = define(constant) : name;
   }
 
   /// Returns the name of a new variable of at most this magnitude.
   std::string variable(const std::string& most)
   {
-    const std::string name = "v" + std::to_string(names_++);
-    assumptions_ += (assumptions_.empty() ? "" : " /\\ ") + ("|" + name + "| <= " + most);
-    return name;
+    const std::string name = "v" + std::to_string(lines_.size());
+    return add("v", {"|" + name + "| <= " + most, true});
   }
 
   /// Returns the name of a new variable in an interval.
   std::string variable(double low, double high)
   {
-    const std::string name = "v" + std::to_string(names_++);
-    assumptions_ +=
-        (assumptions_.empty() ? "" : " /\\ ") + name + " in [" + gappa_number(low) + ", " + gappa_number(high) + "]";
-    return name;
+    const std::string name = "v" + std::to_string(lines_.size());
+    return add("v", {name + " in [" + gappa_number(low) + ", " + gappa_number(high) + "]", true});
   }
 
   /// Asks for an enclosure. Returns its place in what `prove` returns.
@@ -74,20 +73,51 @@ class Gappa_script {
     return goals_.size() - 1;
   }
 
+  /// The script, of what the goals are made of alone.
   std::string text() const
   {
-    std::string goals;
+    std::vector<bool> is_needed(lines_.size(), false);
+    for (const std::string& goal : goals_) is_needed[std::stoul(goal.substr(1))] = true;
+    for (std::size_t k = lines_.size(); k-- > 0;)
+      if (is_needed[k] && !lines_[k].is_variable) need_names(lines_[k].text, is_needed);
+    std::string definitions, assumptions, goals;
+    for (std::size_t k = 0; k < lines_.size(); ++k) {
+      if (!is_needed[k]) continue;
+      if (lines_[k].is_variable)
+        assumptions += (assumptions.empty() ? "" : " /\\\n  ") + lines_[k].text;
+      else
+        definitions += "x" + std::to_string(k) + " = " + lines_[k].text + "\n";
+    }
     for (const std::string& goal : goals_) goals += (goals.empty() ? "" : " /\\\n  ") + goal + " in ?";
-    return definitions_ + "{ " + (assumptions_.empty() ? "" : assumptions_ + " ->\n  ") + goals + " }\n";
+    return definitions + "{ " + (assumptions.empty() ? "" : assumptions + " ->\n  ") + goals + " }\n";
   }
 
   /// The enclosures asked for, as Gappa proves them. Throws std::runtime_error with what it says where it does not.
   std::vector<Enclosure> prove() const;
 
  private:
-  std::string definitions_, assumptions_;
+  struct Line {
+    std::string text;
+    bool is_variable;
+  };
+
+  /// Names end in their line's number.
+  std::string add(const char* prefix, const Line& line)
+  {
+    lines_.push_back(line);
+    return prefix + std::to_string(lines_.size() - 1);
+  }
+
+  static void need_names(const std::string& text, std::vector<bool>& is_needed)
+  {
+    for (std::size_t at = text.find_first_of("xv"); at != std::string::npos; at = text.find_first_of("xv", at + 1))
+      if (at + 1 < text.size() && text[at + 1] >= '0' && text[at + 1] <= '9' && (at == 0 || text[at - 1] != '0'))
+        is_needed[std::stoul(text.substr(at + 1))] = true;
+  }
+
+  std::vector<Line> lines_;
   std::vector<std::string> goals_;
-  int names_ = 0;
+  std::map<std::string, std::string> constants_;
 };
 
 /// Whether the program is there.
@@ -147,18 +177,16 @@ class Temporary_file {
 inline std::vector<Enclosure> Gappa_script::prove() const
 {
   const detail::Temporary_file file(text());
-  // 400 bits: the squares of roundings are seen beside 1, in double-double too.
-  const std::string output = detail::output_of("gappa -Eprecision=400 " + file.name() + " 2>&1");
+  // 200 bits: the squares of roundings are seen beside 1, in double-double too.
+  const std::string output = detail::output_of("gappa -Eprecision=200 " + file.name() + " 2>&1");
   std::map<std::string, Enclosure> found;
   for (const std::string& goal : goals_) {
     const std::size_t line = output.find("\n  " + goal + " in [");
     if (line == std::string::npos) throw std::runtime_error("gappa does not enclose " + goal + ":\n" + output + text());
-    const std::size_t low = output.find('[', line) + 1, high = output.find(", ", output.find('}', low)) + 2;
-    const bool is_plain = output.find('}', low) > output.find('\n', low);
-    found[goal] = is_plain
-                      ? Enclosure{detail::parse_gappa(output.substr(low)),
-                                  detail::parse_gappa(output.substr(output.find(", ", low) + 2))}
-                      : Enclosure{detail::parse_gappa(output.substr(low)), detail::parse_gappa(output.substr(high))};
+    // "[-3b-5 {-0.09, -2^(-3.4)}, 0]": what stands in braces is rounded.
+    const std::size_t low = output.find('[', line) + 1, end = output.find_first_of(" ,", low);
+    const std::size_t high = output[end] == ' ' ? output.find('}', end) + 3 : end + 2;
+    found[goal] = {detail::parse_gappa(output.substr(low, end - low)), detail::parse_gappa(output.substr(high, 400))};
   }
   std::vector<Enclosure> enclosures;
   for (const std::string& goal : goals_) enclosures.push_back(found[goal]);

@@ -97,8 +97,11 @@ class Recorded {
     return a.is_zero() ? a : Recorded(*a.script_, a.script_->define("|" + a.name_ + "|"));
   }
 
+  friend Recorded operator-(float a, const Recorded& b) { return Recorded(a) - b; }
+  friend Recorded operator/(float a, const Recorded& b) { return Recorded(a) / b; }
+
   /// a b + c, and c - a b, rounded once.
-  friend Recorded fused(const Recorded& a, const Recorded& b, const Recorded& c, char sign)
+  friend Recorded fused_sum(const Recorded& a, const Recorded& b, const Recorded& c, char sign)
   {
     const std::string product = exact_product(a, b);
     if (product == "0") return made<false>(b, c, c.name_);  // of c, and rounded
