@@ -28,7 +28,7 @@ struct alignas(32) Obb8 {
   int lane_count;        ///< so many lanes hold a box, the first ones
   std::uint32_t marked;  ///< lanes, as bits, that mean something to whoever keeps the boxes
 };
-inline constexpr double axis_defect = 0x1p-21;
+inline constexpr double axis_defect = 0x1p-22;
 
 /// A point's coordinates s along axes of that defect d are a_i . y but for 3 d (1 + 4 d) max_k |a_k . y|; the fourth takes
 /// what is rounded in double. And |a_i|_1 is below 2: what an error of each coordinate moves a point along an axis.
@@ -52,7 +52,7 @@ struct Single_box {
 
 /// What a comparison of boxes may be off by, a share of M = |t|_1 + reach + sum of extents, t the single box's centre
 /// relative to the node's origin and reach a bound on |c|_2 + sum_i e_i of every lane: roundings, and the axes' defect.
-inline constexpr double box_rounding = 64 * 0x1p-24;
+inline constexpr double box_rounding = 80 * 0x1p-24;
 
 /// The same of a box that a similarity carries, a share of reach + sum of extents: where |t|_2 is above that, the boxes
 /// are apart, whatever is computed. The edges are carried in float.

@@ -65,7 +65,7 @@ inline Proved_bounds bound_proofs()
   const Rational radius = lost(distance + count) * once * once * once * once;
   add("ball_radius_rounding", kernel::ball_radius_rounding, Rational(radius - 1) / 2, "rationals");
 
-  // Two dot products of points of at most the magnitude, and their difference; what frames' errors have to spare covers
+  // Two dot products of points of at most the magnitude, and their difference; what the frames' errors have to spare covers
   // the second order.
   const auto interval = [](const auto& in) {
     return kernel::dot(triple(in, 0), triple(in, 3)) - kernel::dot(triple(in, 0), triple(in, 6));
@@ -80,8 +80,9 @@ inline Proved_bounds bound_proofs()
   const Count allowance_of_interval = (count + count + count * count) * kernel::norm_1(point) + count;
   const Rational projection =
       2 * largest(slice_errors<Relative_64>(interval, terms_of_interval)) * lost(allowance_of_interval);
-  const Rational spare = 2 * Rational(Rational(Frame::error_rounding) - error * lost(allowance_of_interval));
-  add("projection_rounding", kernel::projection_rounding<double>, projection - spare);
+  add("projection_rounding and error_rounding of two frames",
+      kernel::projection_rounding<double> + 2 * Frame::error_rounding,
+      projection + 2 * Rational(error * lost(allowance_of_interval)));
 
   // Shares of permanents, of entries that may be fractions; the normal's for points that are 2 magnitudes apart, and what
   // a point's own projection rounds beyond the first order.

@@ -150,6 +150,14 @@ inline std::string output_of(const std::string& command)
   return output;
 }
 
+/// Keeps a script in the folder that TETRACONE_KEEP_PROOFS names, where it names one: for check_with_coq.sh.
+inline void keep(const std::string& script)
+{
+  static int count = 0;
+  if (const char* const folder = std::getenv("TETRACONE_KEEP_PROOFS"))
+    std::ofstream(std::string(folder) + "/proof_" + std::to_string(count++) + ".g") << script;
+}
+
 /// A file of the system's folder for such, gone with the object.
 class Temporary_file {
  public:
@@ -176,7 +184,9 @@ class Temporary_file {
 
 inline std::vector<Enclosure> Gappa_script::prove() const
 {
-  const detail::Temporary_file file(text());
+  const std::string script = text();
+  detail::keep(script);
+  const detail::Temporary_file file(script);
   // 200 bits: the squares of roundings are seen beside 1, in double-double too.
   const std::string output = detail::output_of("gappa -Eprecision=200 " + file.name() + " 2>&1");
   std::map<std::string, Enclosure> found;

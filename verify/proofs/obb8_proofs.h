@@ -65,6 +65,7 @@ struct Recorded_test {
       box.centre.push_back(entry(in[single_centre + i]));  // rounded to float
       box.extent.push_back(in[single_extent + i]);
     }
+    box.apex = Number(*in[0].script(), "0");
     for (int j = 0; j < 3; ++j) {
       std::vector<Number> e;
       for (int k = 0; k < 3; ++k) {
