@@ -2,6 +2,7 @@
 
 #include "experiments/accuracy/compilers.h"
 #include "experiments/accuracy/dataset.h"
+#include "experiments/accuracy/error_bounds.h"
 #include "experiments/accuracy/sign_maps.h"
 #include "experiments/accuracy/stability.h"
 #include "experiments/report/method_figures.h"
@@ -62,6 +63,7 @@ void method(Options options) { run_method_figures(options.study.out, options.mod
 void sign_maps(Options options) { run_sign_maps(options.study.out, options.size); }
 void stability(Options options) { run_stability(options.study.out, options.full ? 400 : 20, options.study.seed); }
 
+void bounds(Options options) { run_error_bounds(options.study.out, 20000, options.study.seed); }
 void compilers(Options options) { run_compilers(options.study.out); }
 
 void dataset(Options options)
@@ -90,6 +92,8 @@ constexpr std::array experiments = {
                sign_maps},
     Experiment{"stability", "how many doubles from the exact place does each kernel change its answer?", "10 s",
                stability},
+    Experiment{"bounds", "how much of each error bound is proved to be needed, and how much does a search find?",
+               "1 min", bounds},
     Experiment{"method", "what do covering, cones, bounding volumes and hull of the paper look like?", "10 s", method},
     Experiment{"compilers", "which compiler flags make which signs wrong?", "1 min", compilers},
     Experiment{"dataset", "cases of every family with their exact truth, as CSV and JSON for other libraries", "1 min",

@@ -4,6 +4,7 @@
 #include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
+#include "tetracone/kernel/number/products.h"
 
 #include <array>
 #include <cmath>
@@ -21,24 +22,10 @@ template <class B>
 using Bound_point = std::array<B, 3>;
 
 template <class B>
-Bound_point<B> difference(const Bound_point<B>& a, const Bound_point<B>& b)
-{
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-template <class B>
-B dot(const Bound_point<B>& a, const Bound_point<B>& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-template <class B>
-Bound_point<B> cross(const Bound_point<B>& a, const Bound_point<B>& b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-template <class B>
 B norm_1(const Bound_point<B>& a)
 {
-  return std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]);
+  using std::abs;
+  return abs(a[0]) + abs(a[1]) + abs(a[2]);
 }
 template <class B>
 B squared_length(const Bound_point<B>& a)
@@ -54,12 +41,7 @@ Bound_point<B> bound_point(const Vertex& v)
 }
 
 /// Sound tests separate nothing beyond this magnitude: up to it no expression here overflows.
-inline constexpr double magnitude_gate = 0x1p250;
-
-/// What sound tests in double add to a quantity that may have underflowed. What underflows, be it a product or an entry
-/// of a pose that was a fraction, loses at most 2^-1074; some ten of these, each times a coordinate or offset below
-/// 2^254, stay below it.
-inline constexpr double underflow_slack = 0x1p-800;
+inline constexpr double separation_gate = 0x1p250;
 
 template <class B>
 struct Ball {
@@ -77,39 +59,48 @@ struct Ball {
 template <class B, bool sound>
 class Bound_frame {
  public:
+  static constexpr B u = unit_roundoff<B>;
+
+  /// Shares of S, of the largest row sum's root, and of S again.
+  static constexpr B error_rounding = 8 * u, stretch_rounding = 32 * u, magnitude_rounding = 16 * u;
+
+  /// S of one row.
+  template <class Number>
+  static Number reach_of_row(const Number& m0, const Number& m1, const Number& m2, const Number& t, const Number& reach)
+  {
+    using std::abs;
+    return (abs(m0) + abs(m1) + abs(m2)) * reach + abs(t);
+  }
+
   Bound_frame() = default;
   Bound_frame(const Pose& pose, B reach) : identity_(pose.is_identity())
   {
     for (int k = 0; k < 12; ++k) m_[k] = static_cast<B>(pose[k]);
-    constexpr B u = unit_roundoff<B>;
     B largest = 0;
-    for (int i = 0; i < 3; ++i) {
-      const B sum =
-          (std::abs(m_[4 * i]) + std::abs(m_[4 * i + 1]) + std::abs(m_[4 * i + 2])) * reach + std::abs(m_[4 * i + 3]);
-      largest = maximum(largest, sum);
-    }
-    magnitude_ = largest * (1 + 16 * u);
+    for (int i = 0; i < 3; ++i)
+      largest = maximum(largest, reach_of_row(m_[4 * i], m_[4 * i + 1], m_[4 * i + 2], m_[4 * i + 3], reach));
+    magnitude_ = largest * (1 + magnitude_rounding);
     if constexpr (sound) {
       // Beyond the gate a product of three coordinates could overflow: nothing is separated then.
-      const bool in_range = reach <= B(magnitude_gate) && magnitude_ <= B(magnitude_gate);
-      error_ = in_range ? 8 * u * magnitude_ + B(underflow_slack) : std::numeric_limits<B>::infinity();
+      const bool in_range = reach <= B(separation_gate) && magnitude_ <= B(separation_gate);
+      error_ = in_range ? error_rounding * magnitude_ + B(underflow_slack) : std::numeric_limits<B>::infinity();
     }
     B square = 0;
     for (int i = 0; i < 3; ++i) {
       B row = 0;
-      for (int j = 0; j < 3; ++j) row += std::abs(m_[i] * m_[j] + m_[4 + i] * m_[4 + j] + m_[8 + i] * m_[8 + j]);
+      for (int j = 0; j < 3; ++j) row += std::abs(dot(column(i), column(j)));
       square = maximum(square, row);  // undefined where products overflow to both sides: no ball of that radius is
                                       // apart from another
     }
     if constexpr (sound) square += B(underflow_slack);
-    stretch_ = identity_ ? 1 : std::sqrt(square) * (sound ? 1 + 32 * u : 1);
+    stretch_ = identity_ ? 1 : std::sqrt(square) * (sound ? 1 + stretch_rounding : 1);
   }
 
   Bound_point<B> operator()(const Bound_point<B>& p) const
   {
     if (identity_) return p;
-    return {m_[0] * p[0] + m_[1] * p[1] + m_[2] * p[2] + m_[3], m_[4] * p[0] + m_[5] * p[1] + m_[6] * p[2] + m_[7],
-            m_[8] * p[0] + m_[9] * p[1] + m_[10] * p[2] + m_[11]};
+    const auto row = [&](int i) { return sum(placed_terms(m_[i], m_[i + 1], m_[i + 2], m_[i + 3], p)); };
+    return {row(0), row(4), row(8)};
   }
 
   /// A multiple of M^-1 v, by cofactors: the direction in the model's frame that the map turns into v, up to a positive
@@ -134,6 +125,8 @@ class Bound_frame {
   const std::array<B, 12>& entries() const { return m_; }
 
  private:
+  Bound_point<B> column(int j) const { return {m_[j], m_[4 + j], m_[8 + j]}; }
+
   std::array<B, 12> m_{};
   B error_ = 0, magnitude_ = 0, stretch_ = 1;
   bool identity_ = true;
@@ -147,13 +140,23 @@ Ball<B> placed(const Bound_frame<B, sound>& frame, const Ball<B>& ball)
   return {frame(ball.centre), ball.radius * frame.stretch() + 2 * frame.error()};
 }
 
-/// True when the two closed balls share no point. Sound: distance^2 and radius^2 are each off by at most 8 u, and the
-/// difference of the centres by u, relative; 2^-44 covers them.
+/// What a sound comparison of balls allows for rounding: of squared distances, and of a radius that is computed.
+inline constexpr double ball_distance_rounding = 0x1p-44, ball_radius_rounding = 0x1p-46;
+
+/// The squared distance at which balls of these radii touch, and somewhat more.
+template <class Number>
+Number touching_distance_2(const Number& a, const Number& b)
+{
+  const Number radius = a + b;
+  return radius * radius * Number(1 + ball_distance_rounding) + Number(underflow_slack);
+}
+
+/// True when the two closed balls share no point.
 template <class B, bool sound>
 bool separated(const Ball<B>& a, const Ball<B>& b)
 {
   const B distance_2 = squared_length(difference(a.centre, b.centre)), radius = a.radius + b.radius;
-  if constexpr (sound) return distance_2 > radius * radius * B(1 + 0x1p-44) + B(underflow_slack);
+  if constexpr (sound) return distance_2 > touching_distance_2(a.radius, b.radius);
   return distance_2 > radius * radius;
 }
 
@@ -164,7 +167,7 @@ Ball<B> enclosing_ball(const Bound_point<B>& centre, std::span<const Bound_point
   B largest = 0;
   for (const auto& p : points) largest = maximum(largest, squared_length(difference(p, centre)));
   B radius = std::sqrt(largest);
-  if constexpr (sound) radius = std::sqrt(largest + B(underflow_slack)) * B(1 + 0x1p-46);
+  if constexpr (sound) radius = std::sqrt(largest + B(underflow_slack)) * B(1 + ball_radius_rounding);
   return {centre, radius};
 }
 
@@ -206,14 +209,18 @@ Bound_point<B> improved_centre(Bound_point<B> start, std::span<const Bound_point
 template <class B>
 using Bound_tetrahedron = std::array<Bound_point<B>, 4>;
 
+/// Of an interval between projections on an axis, a share of the larger magnitude and of |axis|_1: 3 roundings of each
+/// dot product and one of the difference.
+template <class B>
+inline constexpr B projection_rounding = 8 * unit_roundoff<B>;
+
 /// How much an interval of dot products with `axis` may be off, both bodies together, a unit of |axis|_1: the errors of
-/// the points and 3 u of rounding a dot product of coordinates up to the larger magnitude (8 u with the final
-/// difference).
+/// the points and what is rounded.
 template <class B, bool sound>
 B projection_slack(const Bound_frame<B, sound>& a, const Bound_frame<B, sound>& b)
 {
   if constexpr (!sound) return 0;
-  return a.error() + b.error() + 8 * unit_roundoff<B> * maximum(a.magnitude(), b.magnitude());
+  return a.error() + b.error() + projection_rounding<B> * maximum(a.magnitude(), b.magnitude());
 }
 
 /// The projections of the four corners of a tetrahedron on an axis, and the interval that they span.
@@ -286,39 +293,43 @@ struct Half_space {
 /// A half-space placed with its body, asked which points of another body lie strictly beyond it.
 ///
 /// With C the cofactors of M, N = C n: N . (Mx - MO) = det M (n . (x - O)), so |N . (y - y_O)| <= |det M| offset for
-/// every image y. A cofactor rounds 3 times, N twice more, entries that were fractions twice: |N^ - N| <= 10 u sum_j
-/// |C_ij| |n_j| =: 10 u A_i, and |y - y_O| <= 2 magnitude; the determinant is off by 10 u of its permanent. `threshold`
-/// takes all of it, and the slack of a projection on N^ covers the points asked.
+/// every image y. N is a determinant with n, off by a share of its permanent A_i, and |y - y_O| <= 2 magnitude; det M is
+/// off by a share of its own permanent. `threshold` takes all of it, and the slack of a projection on N^ covers the
+/// points asked.
 template <class B, bool sound>
 class Placed_half_space {
  public:
+  static constexpr B u = unit_roundoff<B>;
+
+  /// Shares of the permanent times the offset, and of the cofactors' magnitudes times the coordinates'.
+  static constexpr B determinant_rounding = 16 * u, normal_rounding = 32 * u;
+
   Placed_half_space(const Bound_frame<B, sound>& frame, const Half_space<B>& half_space, int determinant_sign)
   {
     const auto& m = frame.entries();
-    B determinant = 0, permanent = 0, absolute_sum = 0;
+    const auto row = [&m](int i) { return Bound_point<B>{m[4 * i], m[4 * i + 1], m[4 * i + 2]}; };
+    B absolute_sum = 0;
     for (int i = 0; i < 3; ++i) {
-      const int p = (i + 1) % 3, q = (i + 2) % 3;
-      normal_[i] = 0;
-      for (int j = 0; j < 3; ++j) {
-        const int k = (j + 1) % 3, l = (j + 2) % 3;
-        const B plus = m[4 * p + k] * m[4 * q + l], minus = m[4 * p + l] * m[4 * q + k];
-        normal_[i] += (plus - minus) * half_space.normal[j];
-        absolute_sum += (std::abs(plus) + std::abs(minus)) * std::abs(half_space.normal[j]);
-        if (j == 0) {
-          determinant += m[4 * i] * (plus - minus);
-          permanent += std::abs(m[4 * i]) * (std::abs(plus) + std::abs(minus));
-        }
-      }
-      normal_[i] *= B(determinant_sign);
+      const Bound_point<B> p = row((i + 1) % 3), q = row((i + 2) % 3);
+      normal_[i] = B(determinant_sign) * determinant(p, q, half_space.normal);
+      absolute_sum += permanent(p, q, half_space.normal);
     }
     origin_ = frame(half_space.origin);
-    threshold_ = std::abs(determinant) * half_space.offset;
-    if constexpr (sound) {
-      constexpr B u = unit_roundoff<B>;
-      threshold_ = (threshold_ + 16 * u * permanent * half_space.offset + 32 * u * absolute_sum * frame.magnitude()) *
-                       B(1 + 0x1p-40) +
-                   B(underflow_slack);
-    }
+    const B volume = std::abs(determinant(row(1), row(2), row(0)));
+    threshold_ = volume * half_space.offset;
+    if constexpr (sound)
+      threshold_ = sound_threshold(volume, permanent(row(1), row(2), row(0)), half_space.offset, absolute_sum,
+                                   frame.magnitude());
+  }
+
+  template <class Number>
+  static Number sound_threshold(const Number& volume, const Number& permanent, const Number& offset,
+                                const Number& absolute_sum, const Number& magnitude)
+  {
+    return (volume * offset + Number(determinant_rounding) * permanent * offset +
+            Number(normal_rounding) * absolute_sum * magnitude) *
+               Number(1 + 0x1p-40) +
+           Number(underflow_slack);
   }
 
   /// The body's half-space ends before the point; `slack` is the `projection_slack` of the two bodies.

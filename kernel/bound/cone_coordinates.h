@@ -16,13 +16,35 @@ namespace tetracone::kernel {
 /// lattice points. What a bounding tetrahedron asks of them is whether all points lie on V0's side of a plane that cuts
 /// ray i at length_i V_i: whether sum_i c_i / length_i <= 1, the sign of the barycentric coordinate at V0.
 ///
-/// Sound: c_i = ((p - V0) . N_i) / D with N_i, D exact (products of integers below 2^13), so a rounding of p - V0, one
-/// of each of 3 products and 2 sums and one of the division: |error| <= 6 u A_i, A_i = sum_k |p - V0|_k |N_ik| / D.
-/// Over the largest A_i of all points, sum_i (16 u A_i) / length_i covers the error of the whole form; `bounded_by`
-/// asks for that much more.
+/// Sound: c_i = ((p - V0) . N_i) / D with N_i, D exact (products of integers below 2^13), so only p - V0, the products,
+/// sums and the division round, shares of A_i = sum_k |p - V0|_k |N_ik| / D. Over the largest A_i of all points, sum_i
+/// `form_rounding` A_i / length_i covers the error of the whole form; `bounded_by` asks for that much more.
 template <class B, bool sound>
 class Cone_coordinates {
  public:
+  /// Shares of the form's terms, and of 1, from which they are taken.
+  static constexpr B form_rounding = 16 * unit_roundoff<B>, one_rounding = 4 * unit_roundoff<B>;
+
+  template <class Number>
+  static Number coordinate(const std::array<Number, 3>& p, const std::array<Number, 3>& normal, const Number& scale)
+  {
+    return dot(p, normal) / scale;
+  }
+
+  /// 1 on the plane that cuts the rays at these lengths.
+  template <class Number>
+  static Number form(const std::array<Number, 3>& c, const std::array<Number, 3>& length)
+  {
+    return c[0] / length[0] + c[1] / length[1] + c[2] / length[2];
+  }
+
+  /// What a form may be, less the shares of its coordinates' errors.
+  template <class Number>
+  static Number allowed(const std::array<Number, 3>& shares)
+  {
+    return (((Number(1) - shares[0]) - shares[1]) - shares[2]) - Number(one_rounding);
+  }
+
   /// The points relative to the origin, each at most `radius` away. Requires det[V1, V2, V3] > 0.
   Cone_coordinates(const std::array<Direction, 3>& ray, B step, std::span<const Bound_point<B>> relative, B radius)
   {
@@ -37,7 +59,7 @@ class Cone_coordinates {
     for (const auto& p : relative) {
       std::array<B, 3> c;
       for (int i = 0; i < 3; ++i) {
-        c[i] = dot(p, normal[i]) / scale;
+        c[i] = coordinate(p, normal[i], scale);
         const B absolute =
             (std::abs(p[0] * normal[i][0]) + std::abs(p[1] * normal[i][1]) + std::abs(p[2] * normal[i][2])) / scale;
         largest_[i] = maximum(largest_[i], absolute);
@@ -56,13 +78,10 @@ class Cone_coordinates {
 
   bool bounded_by(const std::array<B, 3>& length) const
   {
-    B allowed = 1;
-    if constexpr (sound) {
-      for (int i = 0; i < 3; ++i) allowed -= 16 * unit_roundoff<B> * largest_[i] / length[i];
-      allowed -= 4 * unit_roundoff<B>;
-    }
+    const auto share = [&](int i) { return form_rounding * largest_[i] / length[i]; };
+    const B most = sound ? allowed(std::array{share(0), share(1), share(2)}) : B(1);
     for (const auto& c : coordinates_)
-      if (!(c[0] / length[0] + c[1] / length[1] + c[2] / length[2] <= allowed)) return false;
+      if (!(form(c, length) <= most)) return false;
     return true;
   }
 
@@ -82,10 +101,10 @@ class Cone_coordinates {
       std::array<B, 3> length = {std::exp(x) / length_of_ray_[0], std::exp(y) / length_of_ray_[1],
                                  std::exp(-x - y) / length_of_ray_[2]};
       B farthest = 0;
-      for (const auto& c : coordinates_)
-        farthest = maximum(farthest, c[0] / length[0] + c[1] / length[1] + c[2] / length[2]);
+      for (const auto& c : coordinates_) farthest = maximum(farthest, form(c, length));
       // As far as `bounded_by` asks, and not less: in a slender cone its allowance for rounding is many units.
-      for (int i = 0; i < 3; ++i) farthest += (sound ? 17 : 1) * unit_roundoff<B> * largest_[i] / length[i];
+      for (int i = 0; i < 3; ++i)
+        farthest += (sound ? form_rounding + unit_roundoff<B> : unit_roundoff<B>)*largest_[i] / length[i];
       for (B& l : length) l *= farthest * (1 + 64 * unit_roundoff<B>);
       return length;
     };

@@ -2,6 +2,7 @@
 #define TETRACONE_KERNEL_BOUND_OBB8_H
 
 #include "tetracone/kernel/bound/relative_frame.h"
+#include "tetracone/kernel/number/products.h"
 
 #include <array>
 #include <cmath>
@@ -27,7 +28,11 @@ struct alignas(32) Obb8 {
   int lane_count;        ///< so many lanes hold a box, the first ones
   std::uint32_t marked;  ///< lanes, as bits, that mean something to whoever keeps the boxes
 };
-inline constexpr double axis_defect = 0x1p-21;
+inline constexpr double axis_defect = 0x1p-22;
+
+/// A point's coordinates s along axes of that defect d are a_i . y but for 3 d (1 + 4 d) max_k |a_k . y|; the fourth takes
+/// what is rounded in double. And |a_i|_1 is below 2: what an error of each coordinate moves a point along an axis.
+inline constexpr double axis_defect_factor = 4, axis_norm_1 = 2;
 
 /// Where a triangle lies in its box: in the plane of axes 1 and 2, with corners (-e1, -e2), (e1, -e2) and (apex e1,
 /// e2), up to `apex_tolerance` (e1 + e2); kept in 16 bits, 0 for a box of something else.
@@ -45,16 +50,22 @@ struct Single_box {
   float centre[3], extent[3], normal[3][3], slack, apex = no_apex;
 };
 
-/// The slack of a test among boxes of a node. With M = |t|_1 + reach + sum of extents, t the single box's centre
-/// relative to the node's origin and reach a bound on |c_k| + sum_i e_i of every lane, each side of each of the 15
-/// inequalities is a sum of at most six terms below 2 M, each rounded at most 6 times (a dot product of three, a
-/// product, two sums; fewer where products and sums are fused) on top of the roundings of its factors to float (1 each;
-/// an edge carried over in float, 4) and of the axes' defect (8 u): below 60 u M in all, both sides together.
-/// `position_error` bounds how far, in one coordinate, any point of the single box is from where it belongs; no axis is
-/// longer than sqrt(3) (1 + 2^-20). The last term is for what underflows.
+/// What a comparison of boxes may be off by, a share of M = |t|_1 + reach + sum of extents, t the single box's centre
+/// relative to the node's origin and reach a bound on |c|_2 + sum_i e_i of every lane: roundings, and the axes' defect.
+inline constexpr double box_rounding = 80 * 0x1p-24;
+
+/// The same of a box that a similarity carries, a share of reach + sum of extents: where |t|_2 is above that, the boxes
+/// are apart, whatever is computed. The edges are carried in float.
+inline constexpr double carried_box_rounding = 192 * 0x1p-24;
+
+/// Above the length of every axis tried in |.|_1: what an error of each coordinate of a point moves it along an axis.
+inline constexpr double position_factor = 8;
+
+/// The slack of a test among boxes of a node. `position_error` bounds how far, in one coordinate, any point of the
+/// single box is from where it belongs. The last term is for what underflows.
 inline float obb8_slack(double m, double position_error)
 {
-  return static_cast<float>(64 * 0x1p-24 * m + 8 * position_error) * (1 + 0x1p-20f) + 0x1p-100f;
+  return static_cast<float>(box_rounding * m + position_factor * position_error) * (1 + 0x1p-20f) + 0x1p-100f;
 }
 
 /// A `Relative_frame` made ready to carry boxes.
@@ -88,9 +99,8 @@ class Box_map {
   const double* column(int j) const { return column_[j]; }
   float stretch() const { return stretch_; }
 
-  /// As `obb8_slack`, wherever the single box is: when |t|_2 is above the sum of reach and extents, the boxes are
-  /// apart, whatever is computed. Else |t|_1 is at most sqrt(3) times that sum, and M at most 2.74 times.
-  float slack(float reach, float size) const { return 3 * 64 * 0x1p-24f * (reach + size) + position_slack_; }
+  /// As `obb8_slack`, of a box that a similarity carries, wherever it is.
+  float slack(float reach, float size) const { return float(carried_box_rounding) * (reach + size) + position_slack_; }
 
   /// The whole single box, for any map.
   Single_box operator()(const Obb8& boxes, const Obb8& from, int lane) const
@@ -108,7 +118,8 @@ class Box_map {
     }
     for (int j = 0; j < 3; ++j) {
       const auto &p = box.edge[(j + 1) % 3], &q = box.edge[(j + 2) % 3];
-      for (int i = 0; i < 3; ++i) box.normal[j][i] = p[(i + 1) % 3] * q[(i + 2) % 3] - p[(i + 2) % 3] * q[(i + 1) % 3];
+      const auto normal = cross(std::array{p[0], p[1], p[2]}, std::array{q[0], q[1], q[2]});
+      for (int i = 0; i < 3; ++i) box.normal[j][i] = normal[i];
     }
     place_centre(box, sum, boxes, from, lane);
     return box;

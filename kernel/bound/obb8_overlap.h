@@ -4,6 +4,8 @@
 #include "tetracone/kernel/bound/obb8.h"
 #include "tetracone/kernel/simd/simd.h"
 
+#include <type_traits>
+
 #define TETRACONE_SIMD_FILE "tetracone/kernel/bound/obb8_overlap_simd.inl"
 #include "tetracone/kernel/simd/simd_rounds.h"
 

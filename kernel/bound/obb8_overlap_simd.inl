@@ -11,6 +11,10 @@ namespace tetracone::kernel::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+// The comparison is written over these alone, so that it is also done with other numbers than vectors: what it may be
+// off by is proved of it (verify/proofs/).
+using hn::Abs, hn::Gt, hn::Max, hn::Mul, hn::MulAdd, hn::Neg, hn::NegMulAdd, hn::Not, hn::Or, hn::Sub;
+
 /// As many of the eight lanes as the instruction set compares at once.
 using Float_tag = hn::CappedTag<float, lanes>;
 
@@ -24,6 +28,9 @@ struct One_test {
 
   HWY_INLINE Floats load(const float* lane) const { return hn::Load(tag, lane + first); }
   HWY_INLINE Floats all(const float& x) const { return hn::Set(tag, x); }
+
+  /// Whether the single box holds a triangle to which it can be cut down. Below that width, products underflow.
+  HWY_INLINE bool holds_triangle() const { return box.apex != no_apex && box.extent[2] > 0x1p-41f; }
 };
 
 /// Along the axes 0, 1, 2 of the eight: the way t from their centres to the single box's, and the single box's edges 1
@@ -35,9 +42,6 @@ struct Relative_edges {
   Floats r02, r12, r22;  ///< edge 2
 };
 
-/// Whether the single box holds a triangle to which it can be cut down. Below that width, products underflow.
-HWY_INLINE bool holds_triangle(const Single_box& box) { return box.apex != no_apex && box.extent[2] > 0x1p-41f; }
-
 /// The lanes whose box, of the extents e0, e1 and e2, lies beyond one of the triangle's two other edges.
 ///
 /// The normals of these edges are (-base, left) and (base, right) along the single box's edges 1 and 2, no unit
@@ -46,28 +50,28 @@ HWY_INLINE bool holds_triangle(const Single_box& box) { return box.apex != no_ap
 template <class Test, class Floats>
 HWY_INLINE auto beside_triangle(const Test& test, const Relative_edges<Floats>& of, Floats e0, Floats e1, Floats e2)
 {
-  const Single_box& box = test.box;
-  const float length = box.extent[1], width = box.extent[2], base = 2 * width, left = length * (1 + box.apex),
-              right = length * (1 - box.apex);
-  const float slack = 2 * box.slack + float(2 * apex_tolerance) * (length + width);
-  const auto number = [&](float value) HWY_ATTR { return hn::Set(test.tag, value); };
-  const Floats d1 = hn::Mul(number(base), hn::MulAdd(of.t2, of.r21, hn::MulAdd(of.t1, of.r11, hn::Mul(of.t0, of.r01)))),
-               d2 = hn::MulAdd(of.t2, of.r22, hn::MulAdd(of.t1, of.r12, hn::Mul(of.t0, of.r02)));
-  const Floats b0 = hn::Mul(number(base), of.r01), b1 = hn::Mul(number(base), of.r11),
-               b2 = hn::Mul(number(base), of.r21);
-  const auto beside = [&](Floats distance, float reach, Floats n0, Floats n1, Floats n2, float sum) HWY_ATTR {
+  const auto& box = test.box;
+  using Number = std::decay_t<decltype(box.slack)>;
+  const Number length = box.extent[1], width = box.extent[2], base = Number(2) * width,
+               left = length * (Number(1) + box.apex), right = length * (Number(1) - box.apex);
+  const Number slack = Number(2) * box.slack + Number(2 * apex_tolerance) * (length + width);
+  const auto number = [&](const Number& value) HWY_ATTR { return test.all(value); };
+  const Floats d1 = Mul(number(base), MulAdd(of.t2, of.r21, MulAdd(of.t1, of.r11, Mul(of.t0, of.r01)))),
+               d2 = MulAdd(of.t2, of.r22, MulAdd(of.t1, of.r12, Mul(of.t0, of.r02)));
+  const Floats b0 = Mul(number(base), of.r01), b1 = Mul(number(base), of.r11), b2 = Mul(number(base), of.r21);
+  const auto beside = [&](Floats distance, const Number& reach, Floats n0, Floats n1, Floats n2,
+                          const Number& sum) HWY_ATTR {
     const Floats beyond =
-        hn::NegMulAdd(e2, hn::Abs(n2),
-                      hn::NegMulAdd(e1, hn::Abs(n1), hn::NegMulAdd(e0, hn::Abs(n0), hn::Sub(distance, number(reach)))));
-    return hn::Gt(beyond, number(slack * sum));
+        NegMulAdd(e2, Abs(n2), NegMulAdd(e1, Abs(n1), NegMulAdd(e0, Abs(n0), Sub(distance, number(reach)))));
+    return Gt(beyond, number(slack * sum));
   };
   // t leads from the eight to the single one: their centres are at (-d1, -d2) / (base, 1).
   const Floats l = number(left), r = number(right);
-  const auto beside_left = beside(hn::NegMulAdd(l, d2, d1), width * right, hn::NegMulAdd(l, of.r02, b0),
-                                  hn::NegMulAdd(l, of.r12, b1), hn::NegMulAdd(l, of.r22, b2), base + left);
-  const auto beside_right = beside(hn::NegMulAdd(r, d2, hn::Neg(d1)), width * left, hn::MulAdd(r, of.r02, b0),
-                                   hn::MulAdd(r, of.r12, b1), hn::MulAdd(r, of.r22, b2), base + right);
-  return hn::Or(beside_left, beside_right);
+  const auto beside_left = beside(NegMulAdd(l, d2, d1), width * right, NegMulAdd(l, of.r02, b0),
+                                  NegMulAdd(l, of.r12, b1), NegMulAdd(l, of.r22, b2), base + left);
+  const auto beside_right = beside(NegMulAdd(r, d2, Neg(d1)), width * left, MulAdd(r, of.r02, b0),
+                                   MulAdd(r, of.r12, b1), MulAdd(r, of.r22, b2), base + right);
+  return Or(beside_left, beside_right);
 }
 
 /// The lanes whose box is not found apart from the single box: separating axes are the normals of both and the 9 cross
@@ -77,23 +81,22 @@ template <bool similarity, class Test>
 HWY_INLINE auto together(const Test& test)
 {
   using Floats = typename Test::Floats;
-  const Obb8& boxes = test.boxes;
-  const Single_box& box = test.box;
-  const auto load = [&](const float* lane) HWY_ATTR { return test.load(lane); };
-  const auto all = [&](const float& x) HWY_ATTR { return test.all(x); };
+  const auto& boxes = test.boxes;
+  const auto& box = test.box;
+  using Number = std::decay_t<decltype(box.slack)>;
+  const auto load = [&](const auto& lane) HWY_ATTR { return test.load(lane); };
+  const auto all = [&](const Number& x) HWY_ATTR { return test.all(x); };
 
-  const Floats x = hn::Sub(all(box.centre[0]), load(boxes.centre[0])),
-               y = hn::Sub(all(box.centre[1]), load(boxes.centre[1])),
-               z = hn::Sub(all(box.centre[2]), load(boxes.centre[2]));
+  const Floats x = Sub(all(box.centre[0]), load(boxes.centre[0])), y = Sub(all(box.centre[1]), load(boxes.centre[1])),
+               z = Sub(all(box.centre[2]), load(boxes.centre[2]));
   const Floats e0 = load(boxes.extent[0]), e1 = load(boxes.extent[1]), e2 = load(boxes.extent[2]);
   const Floats f0 = all(box.extent[0]), f1 = all(box.extent[1]), f2 = all(box.extent[2]);
   Floats t0, t1, t2, r00, r01, r02, r10, r11, r12, r20, r21, r22;
   const auto along = [&](int i, Floats& t, Floats& r0, Floats& r1, Floats& r2) HWY_ATTR {
     const Floats a0 = load(boxes.axis[i][0]), a1 = load(boxes.axis[i][1]), a2 = load(boxes.axis[i][2]);
-    const auto dot = [&](const float* v) HWY_ATTR {
-      return hn::MulAdd(a2, all(v[2]), hn::MulAdd(a1, all(v[1]), hn::Mul(a0, all(v[0]))));
-    };
-    t = hn::MulAdd(a2, z, hn::MulAdd(a1, y, hn::Mul(a0, x)));
+    const auto dot = [&](const auto& v)
+                         HWY_ATTR { return MulAdd(a2, all(v[2]), MulAdd(a1, all(v[1]), Mul(a0, all(v[0])))); };
+    t = MulAdd(a2, z, MulAdd(a1, y, Mul(a0, x)));
     r0 = dot(box.edge[0]);
     r1 = dot(box.edge[1]);
     r2 = dot(box.edge[2]);
@@ -101,40 +104,38 @@ HWY_INLINE auto together(const Test& test)
   along(0, t0, r00, r01, r02);
   along(1, t1, r10, r11, r12);
   along(2, t2, r20, r21, r22);
-  const Floats s00 = hn::Abs(r00), s01 = hn::Abs(r01), s02 = hn::Abs(r02), s10 = hn::Abs(r10), s11 = hn::Abs(r11),
-               s12 = hn::Abs(r12), s20 = hn::Abs(r20), s21 = hn::Abs(r21), s22 = hn::Abs(r22);
+  const Floats s00 = Abs(r00), s01 = Abs(r01), s02 = Abs(r02), s10 = Abs(r10), s11 = Abs(r11), s12 = Abs(r12),
+               s20 = Abs(r20), s21 = Abs(r21), s22 = Abs(r22);
 
   // The normals of the eight.
-  const auto own = [&](Floats t, Floats e, Floats s0, Floats s1, Floats s2) HWY_ATTR {
-    return hn::NegMulAdd(f2, s2, hn::NegMulAdd(f1, s1, hn::NegMulAdd(f0, s0, hn::Sub(hn::Abs(t), e))));
-  };
-  Floats gap = hn::Max(own(t0, e0, s00, s01, s02), hn::Max(own(t1, e1, s10, s11, s12), own(t2, e2, s20, s21, s22)));
+  const auto own = [&](Floats t, Floats e, Floats s0, Floats s1, Floats s2)
+                       HWY_ATTR { return NegMulAdd(f2, s2, NegMulAdd(f1, s1, NegMulAdd(f0, s0, Sub(Abs(t), e)))); };
+  Floats gap = Max(own(t0, e0, s00, s01, s02), Max(own(t1, e1, s10, s11, s12), own(t2, e2, s20, s21, s22)));
 
   // n_ij = a_i . normal_j, and its magnitude: of a similarity the edges themselves.
   Floats n00 = s00, n01 = s01, n02 = s02, n10 = s10, n11 = s11, n12 = s12, n20 = s20, n21 = s21, n22 = s22;
   const auto other = [&](Floats m0, Floats m1, Floats m2, Floats reach, Floats s0, Floats s1, Floats s2) HWY_ATTR {
-    const Floats distance = hn::Abs(hn::MulAdd(t2, m2, hn::MulAdd(t1, m1, hn::Mul(t0, m0))));
-    return hn::NegMulAdd(e2, s2, hn::NegMulAdd(e1, s1, hn::NegMulAdd(e0, s0, hn::Sub(distance, reach))));
+    const Floats distance = Abs(MulAdd(t2, m2, MulAdd(t1, m1, Mul(t0, m0))));
+    return NegMulAdd(e2, s2, NegMulAdd(e1, s1, NegMulAdd(e0, s0, Sub(distance, reach))));
   };
   if constexpr (similarity) {
-    gap = hn::Max(gap,
-                  hn::Max(other(r00, r10, r20, f0, s00, s10, s20),
-                          hn::Max(other(r01, r11, r21, f1, s01, s11, s21), other(r02, r12, r22, f2, s02, s12, s22))));
+    gap = Max(gap, Max(other(r00, r10, r20, f0, s00, s10, s20),
+                       Max(other(r01, r11, r21, f1, s01, s11, s21), other(r02, r12, r22, f2, s02, s12, s22))));
   } else {
     const auto normals = [&](int j, Floats& n0, Floats& n1, Floats& n2) HWY_ATTR {
       const auto dot = [&](int i) HWY_ATTR {
-        const float* v = box.normal[j];
-        return hn::MulAdd(load(boxes.axis[i][2]), all(v[2]),
-                          hn::MulAdd(load(boxes.axis[i][1]), all(v[1]), hn::Mul(load(boxes.axis[i][0]), all(v[0]))));
+        const auto& v = box.normal[j];
+        return MulAdd(load(boxes.axis[i][2]), all(v[2]),
+                      MulAdd(load(boxes.axis[i][1]), all(v[1]), Mul(load(boxes.axis[i][0]), all(v[0]))));
       };
-      const float height =
+      using std::abs;
+      const Number height =
           box.edge[j][0] * box.normal[j][0] + box.edge[j][1] * box.normal[j][1] + box.edge[j][2] * box.normal[j][2];
       const Floats m0 = dot(0), m1 = dot(1), m2 = dot(2);
-      n0 = hn::Abs(m0);
-      n1 = hn::Abs(m1);
-      n2 = hn::Abs(m2);
-      gap = hn::Max(gap,
-                    other(m0, m1, m2, hn::Set(test.tag, box.extent[j] * (height < 0 ? -height : height)), n0, n1, n2));
+      n0 = Abs(m0);
+      n1 = Abs(m1);
+      n2 = Abs(m2);
+      gap = Max(gap, other(m0, m1, m2, all(box.extent[j] * abs(height)), n0, n1, n2));
     };
     normals(0, n00, n10, n20);
     normals(1, n01, n11, n21);
@@ -145,27 +146,27 @@ HWY_INLINE auto together(const Test& test)
   // as a_i does along the box's normals.
   const auto crossed = [&](Floats tm, Floats rl, Floats tl, Floats rm, Floats el, Floats sm, Floats em, Floats sl,
                            Floats fk, Floats no, Floats fo, Floats nk) HWY_ATTR {
-    const Floats distance = hn::Abs(hn::NegMulAdd(tl, rm, hn::Mul(tm, rl)));
-    return hn::NegMulAdd(fo, nk, hn::NegMulAdd(fk, no, hn::NegMulAdd(em, sl, hn::NegMulAdd(el, sm, distance))));
+    const Floats distance = Abs(NegMulAdd(tl, rm, Mul(tm, rl)));
+    return NegMulAdd(fo, nk, NegMulAdd(fk, no, NegMulAdd(em, sl, NegMulAdd(el, sm, distance))));
   };
-  const Floats across0 = hn::Max(crossed(t2, r10, t1, r20, e1, s20, e2, s10, f1, n02, f2, n01),
-                                 hn::Max(crossed(t2, r11, t1, r21, e1, s21, e2, s11, f2, n00, f0, n02),
-                                         crossed(t2, r12, t1, r22, e1, s22, e2, s12, f0, n01, f1, n00)));
-  const Floats across1 = hn::Max(crossed(t0, r20, t2, r00, e2, s00, e0, s20, f1, n12, f2, n11),
-                                 hn::Max(crossed(t0, r21, t2, r01, e2, s01, e0, s21, f2, n10, f0, n12),
-                                         crossed(t0, r22, t2, r02, e2, s02, e0, s22, f0, n11, f1, n10)));
-  const Floats across2 = hn::Max(crossed(t1, r00, t0, r10, e0, s10, e1, s00, f1, n22, f2, n21),
-                                 hn::Max(crossed(t1, r01, t0, r11, e0, s11, e1, s01, f2, n20, f0, n22),
-                                         crossed(t1, r02, t0, r12, e0, s12, e1, s02, f0, n21, f1, n20)));
-  gap = hn::Max(hn::Max(gap, across0), hn::Max(across1, across2));
+  const Floats across0 = Max(crossed(t2, r10, t1, r20, e1, s20, e2, s10, f1, n02, f2, n01),
+                             Max(crossed(t2, r11, t1, r21, e1, s21, e2, s11, f2, n00, f0, n02),
+                                 crossed(t2, r12, t1, r22, e1, s22, e2, s12, f0, n01, f1, n00)));
+  const Floats across1 = Max(crossed(t0, r20, t2, r00, e2, s00, e0, s20, f1, n12, f2, n11),
+                             Max(crossed(t0, r21, t2, r01, e2, s01, e0, s21, f2, n10, f0, n12),
+                                 crossed(t0, r22, t2, r02, e2, s02, e0, s22, f0, n11, f1, n10)));
+  const Floats across2 = Max(crossed(t1, r00, t0, r10, e0, s10, e1, s00, f1, n22, f2, n21),
+                             Max(crossed(t1, r01, t0, r11, e0, s11, e1, s01, f2, n20, f0, n22),
+                                 crossed(t1, r02, t0, r12, e0, s12, e1, s02, f0, n21, f1, n20)));
+  gap = Max(Max(gap, across0), Max(across1, across2));
 
-  const auto apart = hn::Gt(gap, all(box.slack));
+  const auto apart = Gt(gap, all(box.slack));
   if constexpr (similarity) {
-    if (holds_triangle(box))
-      return hn::Not(hn::Or(
+    if (test.holds_triangle())
+      return Not(Or(
           apart, beside_triangle(test, Relative_edges<Floats>{t0, t1, t2, r01, r11, r21, r02, r12, r22}, e0, e1, e2)));
   }
-  return hn::Not(apart);
+  return Not(apart);
 }
 
 /// The lanes whose box may meet the single box.
@@ -181,6 +182,20 @@ HWY_INLINE unsigned overlapping(const Obb8& boxes, const Single_box& box)
   return found;
 }
 
+/// An axis (a0, a1, a2) turned by the columns of a rotation.
+template <class Floats>
+HWY_INLINE Floats carried_edge(Floats c0, Floats c1, Floats c2, Floats a0, Floats a1, Floats a2)
+{
+  return MulAdd(c2, a2, MulAdd(c1, a1, Mul(c0, a0)));
+}
+
+/// A point (p0, p1, p2) by the columns of a map, the last its offset.
+template <class Doubles>
+HWY_INLINE Doubles carried_point(Doubles c0, Doubles c1, Doubles c2, Doubles offset, Doubles p0, Doubles p1, Doubles p2)
+{
+  return MulAdd(c2, p2, MulAdd(c1, p1, MulAdd(c0, p0, offset)));
+}
+
 /// Box `lane` of `from`, carried into the frame of `boxes` by a similarity. `size` is at least the sum of its extents
 /// there.
 HWY_INLINE Single_box carried(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane, float size)
@@ -192,9 +207,8 @@ HWY_INLINE Single_box carried(const Obb8& boxes, const Box_map& map, const Obb8&
     const auto c0 = hn::Load(tag, map.direction(0) + k), c1 = hn::Load(tag, map.direction(1) + k),
                c2 = hn::Load(tag, map.direction(2) + k);
     for (int j = 0; j < 3; ++j) {
-      const auto edge = hn::MulAdd(
-          c2, hn::Set(tag, from.axis[j][2][lane]),
-          hn::MulAdd(c1, hn::Set(tag, from.axis[j][1][lane]), hn::Mul(c0, hn::Set(tag, from.axis[j][0][lane]))));
+      const auto edge = carried_edge(c0, c1, c2, hn::Set(tag, from.axis[j][0][lane]),
+                                     hn::Set(tag, from.axis[j][1][lane]), hn::Set(tag, from.axis[j][2][lane]));
       hn::Store(edge, tag, box.edge[j] + k);
     }
   }
@@ -206,8 +220,7 @@ HWY_INLINE Single_box carried(const Obb8& boxes, const Box_map& map, const Obb8&
   for (std::size_t k = 0; k < 4; k += hn::Lanes(doubles)) {
     const auto column = [&](int j) HWY_ATTR { return hn::Load(doubles, map.column(j) + k); };
     const auto all = [&](double x) HWY_ATTR { return hn::Set(doubles, x); };
-    hn::Store(hn::MulAdd(column(2), all(centre[2]),
-                         hn::MulAdd(column(1), all(centre[1]), hn::MulAdd(column(0), all(centre[0]), column(3)))),
+    hn::Store(carried_point(column(0), column(1), column(2), column(3), all(centre[0]), all(centre[1]), all(centre[2])),
               doubles, at + k);
   }
   for (int i = 0; i < 3; ++i) box.centre[i] = float(at[i] - double(boxes.origin[i]));

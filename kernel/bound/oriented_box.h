@@ -179,7 +179,8 @@ inline void store_lane(Obb8& boxes, int lane, const Oriented_box& box, const Vec
     for (int i = 0; i < 3; ++i) extent[i] = maximum(extent[i], std::abs(axis[i].dot(y)));
     size = maximum(size, y.cwiseAbs().sum());
   }
-  const double margin = 4 * axis_defect * extent.maxCoeff() + 0x1p-40 * size + 2 * point_error;
+  const double margin =
+      axis_defect_factor * axis_defect * extent.maxCoeff() + 0x1p-40 * size + axis_norm_1 * point_error;
   for (int i = 0; i < 3; ++i)
     boxes.extent[i][lane] =
         std::nextafter(static_cast<float>(extent[i] + margin), std::numeric_limits<float>::infinity());

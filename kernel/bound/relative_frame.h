@@ -2,123 +2,16 @@
 #define TETRACONE_KERNEL_BOUND_RELATIVE_FRAME_H
 
 #include "tetracone/kernel/bound/bounds.h"
+#include "tetracone/kernel/bound/origin_offset.h"
 #include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/number/pose.h"
-#include "tetracone/kernel/simd/short_vectors.h"
+#include "tetracone/kernel/number/products.h"
 
 #include <array>
 #include <cmath>
 #include <limits>
 
 namespace tetracone::kernel {
-
-/// Where a body's local units are: p local is origin + unit * p in the model's coordinates. `unit` is a power of two
-/// and the body lies within |p_k| <= 1.
-struct Local_scale {
-  Vertex origin{0, 0, 0};
-  double unit = 1;
-
-  /// Within these bounds, what underflows of a pose's entries or of a product is far below all rounding; beyond,
-  /// nothing may be said.
-  bool is_in_range() const
-  {
-    return unit >= 0x1p-200 && unit <= 0x1p200 &&
-           maximum(std::abs(origin[0]), std::abs(origin[1]), std::abs(origin[2])) <= 0x1p200;
-  }
-};
-
-/// D = (M_b o_b + t_b) - (M_a o_a + t_a): from where A's local origin is placed to where B's is.
-class Origin_offset {
- public:
-  /// D in double.
-  Origin_offset(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b)
-  {
-    const Two_doubles a_first = {in_a.origin[0], in_a.origin[1]}, a_last = {in_a.origin[2], 1};
-    const Two_doubles b_first = {in_b.origin[0], in_b.origin[1]}, b_last = {in_b.origin[2], 1};
-    Two_doubles sum[3], terms[3];  // of component i, in two parts
-    for (int i = 0; i < 3; ++i) {
-      const double *row_a = a.entries().data() + 4 * i, *row_b = b.entries().data() + 4 * i;
-      const Two_doubles p = two_from(row_a) * a_first, q = two_from(row_a + 2) * a_last;
-      const Two_doubles r = two_from(row_b) * b_first, s = two_from(row_b + 2) * b_last;
-      sum[i] = (r - p) + (s - q);
-      terms[i] = (magnitudes(p) + magnitudes(r)) + (magnitudes(q) + magnitudes(s));
-    }
-    value_ = {sum[0][0] + sum[0][1], sum[1][0] + sum[1][1], sum[2][0] + sum[2][1]};
-    // 4 roundings of the terms, and one of a fraction's entry; the terms' own are 3 more of these.
-    const double most = maximum(terms[0][0] + terms[0][1], terms[1][0] + terms[1][1], terms[2][0] + terms[2][1]);
-    finish(most, 0, 5.1 * unit_roundoff<double> * most);
-  }
-
-  /// D in double-double: off by 4 u |D| + 2^-98 times the terms, and by 2 u times these where entries are rounded
-  /// fractions.
-  static Origin_offset in_double_double(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b)
-  {
-    Origin_offset d;
-    double terms = 0;
-    for (int i = 0; i < 3; ++i) {
-      Sum sum;
-      for (int j = 0; j < 3; ++j) {
-        sum.add_product(b[4 * i + j], in_b.origin[j]);
-        sum.add_product(-a[4 * i + j], in_a.origin[j]);
-      }
-      sum.add(b[4 * i + 3]);
-      sum.add(-a[4 * i + 3]);
-      d.value_[i] = sum.high + sum.low;
-      terms = maximum(terms, sum.magnitude);
-    }
-    d.finish(terms, 4 * unit_roundoff<double>,
-             (a.is_rational() || b.is_rational() ? 2 * unit_roundoff<double> : 0x1p-98) * terms);
-    return d;
-  }
-
-  double operator[](int i) const { return value_[i]; }
-  double largest() const { return largest_; }
-
-  /// Of one component.
-  double error() const { return error_; }
-
-  /// The largest sum of magnitudes of the terms of a component.
-  double terms() const { return terms_; }
-
-  Origin_offset operator-() const
-  {
-    Origin_offset reversed = *this;
-    for (double& x : reversed.value_) x = -x;
-    return reversed;
-  }
-
- private:
-  Origin_offset() = default;
-
-  /// A sum in double-double.
-  struct Sum {
-    double high = 0, low = 0, magnitude = 0;
-
-    void add(double x)
-    {
-      const double sum = high + x, part = sum - high;
-      low += (high - (sum - part)) + (x - part);
-      high = sum;
-      magnitude += std::abs(x);
-    }
-    void add_product(double x, double y)
-    {
-      const double product = x * y;
-      low += std::fma(x, y, -product);
-      add(product);
-    }
-  };
-
-  void finish(double terms, double of_largest, double of_terms)
-  {
-    terms_ = terms;
-    largest_ = maximum(std::abs(value_[0]), std::abs(value_[1]), std::abs(value_[2]));
-    error_ = of_largest * largest_ + of_terms;
-  }
-
-  std::array<double, 3> value_{};
-  double largest_ = 0, terms_ = 0, error_ = 0;
-};
 
 /// The map from the local units of one placed body to those of another, in double, with a bound on its error: p ->
 /// linear p + offset, every coordinate of the image of a point with |p_k| <= 1 within `error` of the exact one. `error`
@@ -145,7 +38,38 @@ class Relative_frame {
   /// How far the image of a point may be off that is itself off by `of_point` in a coordinate. The exact linear part L
   /// is within 2 `error` of this one in a row's sum, so |L (p - q)| <= (norm + 2 error) of_point; 1.01 takes the second
   /// term, for of_point below 2^-10, and what is rounded here.
-  double error(double of_point) const { return 1.01 * (error_ + of_point * norm(linear_)); }
+  double error(double of_point) const { return second_order * (error_ + of_point * norm(linear_)); }
+
+  static constexpr double u = unit_roundoff<double>;
+
+  /// For products of two errors, and what bounds lose by being computed.
+  static constexpr double second_order = 1.01;
+
+  /// In the norm of I - f G: roundings of G's entries, with those of fractions, and of f.
+  static constexpr double gram_rounding = 24 * u;
+
+  /// Of f M_a^T M_b and of f M_a^T D, and of the image that is made of them, shares of columns' lengths.
+  static constexpr double transpose_rounding = 16 * u;
+
+  /// In I - X M_a, a share of the terms of an entry.
+  static constexpr double residual_rounding = 6 * u;
+
+  /// Of X M_b and X D, and of the image that is made of them, shares of norms.
+  static constexpr double inverse_rounding = 10 * u;
+
+  /// Entry (i, j) of P^T Q, P and Q the linear parts of two poses' entries.
+  template <class Number>
+  static Number product_of_columns(const std::array<Number, 12>& p, const std::array<Number, 12>& q, int i, int j)
+  {
+    return p[i] * q[j] + p[4 + i] * q[4 + j] + p[8 + i] * q[8 + j];
+  }
+
+  /// `first` and the products of a row and a column, added one by one.
+  template <class Number>
+  static Number product_sum(const Number& first, const std::array<Number, 3>& row, const std::array<Number, 3>& column)
+  {
+    return ((first + row[0] * column[0]) + row[1] * column[1]) + row[2] * column[2];
+  }
 
   /// linear = scale * (orthonormal columns but for `axis_defect`), with a scale that floats can carry, 2^-60 .. 2^60.
   bool is_similarity() const { return similarity_; }
@@ -159,56 +83,48 @@ class Relative_frame {
   template <class Number>
   Row operator()(const std::array<Number, 3>& p) const
   {
-    Row image = direction(p);
-    for (int i = 0; i < 3; ++i) image[i] += offset_[i];
-    return image;
+    const Row point = {double(p[0]), double(p[1]), double(p[2])};
+    const auto row = [&](int i) {
+      return sum(placed_terms(linear_[i][0], linear_[i][1], linear_[i][2], offset_[i], point));
+    };
+    return {row(0), row(1), row(2)};
   }
 
   /// The linear part alone.
   template <class Number>
   Row direction(const std::array<Number, 3>& p) const
   {
-    Row image;
-    for (int i = 0; i < 3; ++i)
-      image[i] = linear_[i][0] * double(p[0]) + linear_[i][1] * double(p[1]) + linear_[i][2] * double(p[2]);
-    return image;
+    const Row v = {double(p[0]), double(p[1]), double(p[2])};
+    return {dot(linear_[0], v), dot(linear_[1], v), dot(linear_[2], v)};
   }
 
  private:
   /// Where M_a is a similarity but for 2^-24: the inverse is X = f M_a^T with f = 1 / s^2, rounded, s the length of its
   /// first column. Nothing is done where it is not, or numbers are near the ends of the range.
   ///
-  /// With G = M_a^T M_a, each entry computed to 3.01 u s^2, rho = ||I - f G|| is what is computed, and 24 u for G's
-  /// roundings, f's and those of fractions' entries. M_a^-1 = X + (I - X M_a) M_a^-1, so rows of the linear part are
-  /// off by rho of their sums, which are below three times the longest column c, and by 5 roundings and two fractions'
-  /// entries of products |col_i M_a| |col_j M_b| f, which is (1 + 2^-23) times a column. Rows of X sum to at most
-  /// sqrt(3) / s. When D's error in double is too much, it is summed again in double-double.
+  /// With G = M_a^T M_a, rho = ||I - f G|| is what is computed, and `gram_rounding`. M_a^-1 = X + (I - X M_a) M_a^-1, so
+  /// rows of the linear part are off by rho of their sums, which are below three times the longest column c, and by
+  /// `transpose_rounding` of products |col_i M_a| |col_j M_b| f, which is (1 + 2^-23) times a column. Rows of X sum to
+  /// at most sqrt(3) / s. When D's error in double is too much, it is summed again in double-double.
   bool by_transpose(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b, Origin_offset d)
   {
-    constexpr double u = unit_roundoff<double>;
     const std::array<double, 12>&m = a.entries(), &n = b.entries();
     const auto [square, defect] = gram(m);
     if (!(defect <= 0x1p-24 * square && square >= 0x1p-100 && square <= 0x1p100)) return false;
     const double f = 1 / square, per_unit = 1 / in_a.unit, shrink = 1.7321 * std::sqrt(f) * per_unit;
     const double of_columns = f * (in_b.unit * per_unit), of_offset = f * per_unit;
-    const double rho = defect * f + 24 * u;
+    const double rho = defect * f + gram_rounding;
 
     if (!(d.error() * shrink <= 0x1p-30)) d = Origin_offset::in_double_double(a, in_a, b, in_b);
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j) linear_[i][j] = product_of_columns(m, n, i, j) * of_columns;
-      offset_[i] = (m[i] * d[0] + m[4 + i] * d[1] + m[8 + i] * d[2]) * of_offset;
+      offset_[i] = dot(Row{m[i], m[4 + i], m[8 + i]}, Row{d[0], d[1], d[2]}) * of_offset;
     }
-    const double longest = decide_similarity(), relative = 1.01 * rho + 16 * u;
+    const double longest = decide_similarity(), relative = second_order * rho + transpose_rounding;
     const double error = relative * (3 * longest + shrink * d.largest()) + shrink * d.error();
     // What is lost where entries of M_b are denormal is below 2^-300 then.
     accept(error, maximum(longest, 1 / longest, d.terms()), in_a, in_b);
     return true;
-  }
-
-  /// Entry (i, j) of P^T Q, P and Q the linear parts of two poses' entries.
-  static double product_of_columns(const std::array<double, 12>& p, const std::array<double, 12>& q, int i, int j)
-  {
-    return p[i] * q[j] + p[4 + i] * q[4 + j] + p[8 + i] * q[8 + j];
   }
 
   /// How far G = M^T M is from s^2 I.
@@ -230,14 +146,13 @@ class Relative_frame {
   void accept(double error, double top, const Local_scale& in_a, const Local_scale& in_b)
   {
     if (top <= 0x1p200 && in_a.is_in_range() && in_b.is_in_range() && error <= std::numeric_limits<double>::max())
-      error_ = error * 1.01 + 0x1p-300;
+      error_ = error * second_order + underflow;
   }
 
   /// With X the inverse of M_a as computed and rho >= ||I - X M_a||: M_a^-1 differs from X by at most rho / (1 - rho)
   /// ||X||. Norms are maxima of row sums.
   void by_inverse(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b)
   {
-    constexpr double u = unit_roundoff<double>;
     std::array<Row, 3> inverse;
     if (!invert(a, inverse)) return;
     const double residual = residual_norm(a, inverse);
@@ -246,10 +161,10 @@ class Relative_frame {
     const Origin_offset d = Origin_offset::in_double_double(a, in_a, b, in_b);
     const double norm_b = compose(inverse, b, d, scale, in_a.unit);
 
-    // Relative errors of the products X M_b and X D: 4 u for their own roundings, u for a fraction's entry, 2 rho for
-    // X.
-    const double relative = 2 * residual + 8 * u;
-    const double error = norm_x * (norm_b * scale * relative + (d.largest() * relative + d.error() * 1.01) / in_a.unit);
+    // Relative errors of the products X M_b and X D: their own roundings, and 2 rho for X.
+    const double relative = 2 * residual + inverse_rounding;
+    const double error =
+        norm_x * (norm_b * scale * relative + (d.largest() * relative + d.error() * second_order) / in_a.unit);
     accept(error, maximum(d.terms(), norm_b, norm_x), in_a, in_b);
     decide_similarity();
   }
@@ -261,11 +176,9 @@ class Relative_frame {
     for (int i = 0; i < 3; ++i) {
       norm_b = maximum(norm_b, std::abs(b[4 * i]) + std::abs(b[4 * i + 1]) + std::abs(b[4 * i + 2]));
       for (int j = 0; j < 3; ++j) {
-        double sum = 0;
-        for (int k = 0; k < 3; ++k) sum += x[i][k] * b[4 * k + j];
-        linear_[i][j] = sum * scale;
+        linear_[i][j] = dot(x[i], Row{b[j], b[4 + j], b[8 + j]}) * scale;
       }
-      offset_[i] = (x[i][0] * d[0] + x[i][1] * d[1] + x[i][2] * d[2]) / unit;
+      offset_[i] = dot(x[i], Row{d[0], d[1], d[2]}) / unit;
     }
     return norm_b;
   }
@@ -292,20 +205,18 @@ class Relative_frame {
     return norm;
   }
 
-  /// At least ||I - X M_a||: as computed, and 5 u a term for the computation and a fraction's entry.
+  /// At least ||I - X M_a||: as computed, and what the computation and a fraction's entry may be off by.
   static double residual_norm(const Pose& a, const std::array<Row, 3>& x)
   {
     double norm = 0;
     for (int i = 0; i < 3; ++i) {
       double row = 0;
       for (int j = 0; j < 3; ++j) {
-        double sum = i == j ? -1 : 0, magnitude = 1;
-        for (int k = 0; k < 3; ++k) {
-          const double product = x[i][k] * a[4 * k + j];
-          sum += product;
-          magnitude += std::abs(product);
-        }
-        row += std::abs(sum) + 6 * unit_roundoff<double> * magnitude;
+        const Row column = {a[j], a[4 + j], a[8 + j]};
+        const Row row_magnitudes = {std::abs(x[i][0]), std::abs(x[i][1]), std::abs(x[i][2])},
+                  column_magnitudes = {std::abs(column[0]), std::abs(column[1]), std::abs(column[2])};
+        row += std::abs(product_sum(i == j ? -1.0 : 0.0, x[i], column)) +
+               residual_rounding * product_sum(1.0, row_magnitudes, column_magnitudes);
       }
       norm = maximum(norm, row);
     }
@@ -325,6 +236,9 @@ class Relative_frame {
     scale_ = std::sqrt(square);
     return similarity_ ? scale_ * (1 + 0x1p-23) : std::sqrt(square + second + third);
   }
+
+  /// Far above what underflows within `Local_scale::is_in_range`.
+  static constexpr double underflow = 0x1p-300;
 
   std::array<Row, 3> linear_{};
   Row offset_{};

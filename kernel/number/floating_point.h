@@ -35,6 +35,14 @@ namespace tetracone::kernel {
 template <class Number>
 inline constexpr Number unit_roundoff = std::numeric_limits<Number>::epsilon() / 2;
 
+/// Beyond this magnitude of a coordinate or of a pose's entry no sign is decided in rounded arithmetic: within it no
+/// expression of the stages overflows.
+inline constexpr double magnitude_gate = 0x1p110;
+
+/// What bounds in double add for gradual underflow, which loses at most 2^-1075 a product: times the factors that
+/// follow, all within the gates, that stays far below.
+inline constexpr double underflow_slack = 0x1p-800;
+
 /// The largest and the least of the numbers as IEEE 754-2019 has them: NaN where any of them is. std::max and std::min
 /// keep NaN or drop it by the order of their arguments, and a bound that has dropped it lets pass what it should stop.
 template <class Number, std::same_as<Number>... Numbers>

@@ -4,6 +4,7 @@
 #include "tetracone/kernel/number/double_double.h"
 #include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/number/number.h"
+#include "tetracone/kernel/number/products.h"
 
 #include <CGAL/Mpzf.h>
 #include <CGAL/enum.h>
@@ -128,18 +129,14 @@ class Pose {
   /// The sign of det M, exact. Zero: the map is flat and no pose.
   CGAL::Sign determinant_sign() const
   {
-    // In double first: 6 products of 3 entries, at most 8 roundings each (entries rounded from fractions included).
-    // Within the gate nothing overflows, and what underflow loses, 2^-1074 times two entries, is far below the absolute
-    // term.
-    double determinant = 0, permanent = 0, largest = 0;
-    for (int j = 0; j < 3; ++j) {
-      const int k = (j + 1) % 3, l = (j + 2) % 3;
-      const double plus = entries_[4 + k] * entries_[8 + l], minus = entries_[4 + l] * entries_[8 + k];
-      determinant += entries_[j] * (plus - minus);
-      permanent += std::abs(entries_[j]) * (std::abs(plus) + std::abs(minus));
-      for (int row = 0; row < 3; ++row) largest = maximum(largest, std::abs(entries_[4 * row + j]));
-    }
-    if (largest <= 0x1p110 && std::abs(determinant) > 0x1p-49 * permanent + 0x1p-800)
+    double largest = 0;
+    for (int row = 0; row < 3; ++row)
+      for (int j = 0; j < 3; ++j) largest = maximum(largest, std::abs(entries_[4 * row + j]));
+    const std::array<double, 3> x = {entries_[0], entries_[1], entries_[2]},
+                                y = {entries_[4], entries_[5], entries_[6]},
+                                z = {entries_[8], entries_[9], entries_[10]};
+    const double determinant = kernel::determinant(y, z, x), bound = determinant_bound(permanent(y, z, x));
+    if (largest <= magnitude_gate && std::abs(determinant) > bound)
       return determinant > 0 ? CGAL::POSITIVE : CGAL::NEGATIVE;
 
     const auto m = [this](int row, int column) { return exact(4 * row + column); };
@@ -147,6 +144,16 @@ class Pose {
                              m(0, 1) * (m(1, 0) * m(2, 2) - m(1, 2) * m(2, 0)) +
                              m(0, 2) * (m(1, 0) * m(2, 1) - m(1, 1) * m(2, 0));
     return CGAL::Sign(sgn(exactly));
+  }
+
+  /// The error of a determinant of entries, a share of its permanent: 6 products of 3 entries, of at most 5 roundings
+  /// each and 3 more of entries that are rounded fractions, with what the permanent's own roundings take from it.
+  static constexpr double determinant_rounding = 0x1p-49;
+
+  template <class Number>
+  static Number determinant_bound(const Number& permanent)
+  {
+    return Number(determinant_rounding) * permanent + Number(underflow_slack);
   }
 
   friend bool operator==(const Pose& a, const Pose& b)

@@ -3,7 +3,9 @@
 
 #include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/number/pose.h"
+#include "tetracone/kernel/number/products.h"
 #include "tetracone/kernel/number/vertex.h"
+#include "tetracone/kernel/predicate/adaptive_bounds.h"
 
 #include <CGAL/Mpzf.h>
 #include <CGAL/enum.h>
@@ -36,11 +38,6 @@ class Adaptive_points {
     double z() const { return image[2]; }
   };
 
-  /// Beyond this magnitude the filter is not asked: within it no expression of its overflows, and what gradual
-  /// underflow loses, at most 2^-1074 a product times two factors below 2^112, is far below `underflow`.
-  static constexpr double magnitude_gate = 0x1p110;
-  static constexpr double underflow = 0x1p-800;
-
   /// `vertex` where it stands.
   static Point_3 unmoved(const Vertex& vertex)
   {
@@ -49,24 +46,21 @@ class Adaptive_points {
 
   /// `vertex` placed by `pose`, which must outlive the point.
   ///
-  /// Error of a coordinate, S = |m0 x| + |m1 y| + |m2 z| + |t|: the sum rounds each product once and each of three sums
-  /// once, so at most 4 roundings a term, ((1+u)^4 - 1) S <= 4.001 u S; entries that are rounded rationals add 1.001 u
-  /// S. S itself is computed with at most 4 roundings down. Hence 6 u S covers both. A fraction that is rounded to a
-  /// denormal, or to 0, is off by 2^-1075 instead, which vertices within the gate keep far below `underflow`; beyond it
-  /// the error is not known.
+  /// Its error is `adaptive_bound::image` of the largest sum of its terms' magnitudes. A fraction that is rounded to a
+  /// denormal, or to 0, is off by 2^-1075 instead, which vertices within the gate keep far below `underflow_slack`;
+  /// beyond it the error is not known.
   static Point_3 placed(const Vertex& vertex, const Pose& pose)
   {
     if (pose.is_translation()) return translated(vertex, pose);
     Point_3 point{{}, 0, vertex, &pose};
     double largest = 0;
     for (int row = 0; row < 3; ++row) {
-      const double a = pose[4 * row] * vertex[0], b = pose[4 * row + 1] * vertex[1], c = pose[4 * row + 2] * vertex[2],
-                   t = pose[4 * row + 3];
-      point.image[row] = ((a + b) + c) + t;
-      largest = maximum(largest, ((std::abs(a) + std::abs(b)) + std::abs(c)) + std::abs(t));
+      const auto terms = placed_terms(pose[4 * row], pose[4 * row + 1], pose[4 * row + 2], pose[4 * row + 3], vertex);
+      point.image[row] = sum(terms);
+      largest = maximum(largest, sum_of_magnitudes(terms));
     }
     const bool known = largest <= magnitude_gate && (!pose.is_rational() || magnitude(vertex) <= magnitude_gate);
-    point.error = known ? 6 * unit_roundoff<double> * largest + underflow : std::numeric_limits<double>::infinity();
+    point.error = known ? adaptive_bound::image_bound(largest) : std::numeric_limits<double>::infinity();
     return point;
   }
 
@@ -85,7 +79,7 @@ class Adaptive_points {
     }
     point.error = !(terms <= magnitude_gate) ? std::numeric_limits<double>::infinity()
                   : lost == 0                ? 0
-                                             : 1.001 * unit_roundoff<double> * largest;
+                                             : adaptive_bound::translation * largest;
     return point;
   }
 

@@ -2,6 +2,8 @@
 #define TETRACONE_KERNEL_PREDICATE_TRIANGLE_TRIANGLE_H
 
 #include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/number/products.h"
+#include "tetracone/kernel/predicate/adaptive_bounds.h"
 #include "tetracone/kernel/predicate/kernels.h"
 #include "tetracone/kernel/predicate/segment_face.h"
 #include "tetracone/kernel/predicate/signs.h"
@@ -31,25 +33,21 @@ template <>
 inline std::array<Sign, 3> sides<Adaptive>(const Corners<Adaptive>& triangle, const Corners<Adaptive>& points)
 {
   const auto &a = triangle[0]->image, &b = triangle[1]->image, &c = triangle[2]->image;
-  const double bx = b[0] - a[0], by = b[1] - a[1], bz = b[2] - a[2];
-  const double cx = c[0] - a[0], cy = c[1] - a[1], cz = c[2] - a[2];
-  const double nx = by * cz - bz * cy, ny = bz * cx - bx * cz, nz = bx * cy - by * cx;
-  double mx = maximum_of_defined(std::abs(bx), std::abs(cx)), my = maximum_of_defined(std::abs(by), std::abs(cy)),
-         mz = maximum_of_defined(std::abs(bz), std::abs(cz));
+  const Vertex p = difference(b, a), q = difference(c, a), normal = cross(p, q);
+  double mx = maximum_of_defined(std::abs(p[0]), std::abs(q[0])),
+         my = maximum_of_defined(std::abs(p[1]), std::abs(q[1])),
+         mz = maximum_of_defined(std::abs(p[2]), std::abs(q[2]));
   std::array<double, 3> determinant;
   for (int k = 0; k < 3; ++k) {
-    const auto& d = points[k]->image;
-    const double dx = d[0] - a[0], dy = d[1] - a[1], dz = d[2] - a[2];
-    determinant[k] = nx * dx + ny * dy + nz * dz;
-    mx = maximum_of_defined(mx, std::abs(dx));
-    my = maximum_of_defined(my, std::abs(dy));
-    mz = maximum_of_defined(mz, std::abs(dz));
+    const Vertex r = difference(points[k]->image, a);
+    determinant[k] = dot(normal, r);
+    mx = maximum_of_defined(mx, std::abs(r[0]));
+    my = maximum_of_defined(my, std::abs(r[1]));
+    mz = maximum_of_defined(mz, std::abs(r[2]));
   }
   const double error = triangle[0]->error + maximum(triangle[1]->error, triangle[2]->error, points[0]->error,
                                                     points[1]->error, points[2]->error);
-  const double Mx = mx + error, My = my + error, Mz = mz + error;
-  const double bound = Adaptive::volume_rounding * (Mx * My * Mz) +
-                       Adaptive::volume_motion * error * (My * Mz + mx * Mz + mx * my) + Adaptive::underflow;
+  const double bound = adaptive_bound::volume_bound(mx, my, mz, error);
   std::array<Sign, 3> side;
   for (int k = 0; k < 3; ++k) {
     if (determinant[k] > bound)

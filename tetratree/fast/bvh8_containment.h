@@ -36,6 +36,9 @@ class Bvh8_containment {
     return false;
   }
 
+  /// Of a ray's box, a share of its end: centre, direction and extent are rounded to float.
+  static constexpr double ray_rounding = 64 * 0x1p-24;
+
  private:
   using Point = kernel::Point<K>;
   using Placed = Placed_bvh8<K>;
@@ -63,7 +66,9 @@ class Bvh8_containment {
     for (int i = 0; i < 3; ++i) {
       const double along = from_centre[0] * root.axis[i][0][0] + from_centre[1] * root.axis[i][1][0] +
                            from_centre[2] * root.axis[i][2][0];
-      if (std::abs(along) > root.extent[i][0] + 4 * kernel::axis_defect * size + 2 * error) return true;
+      if (std::abs(along) >
+          root.extent[i][0] + kernel::axis_defect_factor * kernel::axis_defect * size + kernel::axis_norm_1 * error)
+        return true;
     }
     return false;
   }
@@ -136,7 +141,7 @@ class Bvh8_containment {
       box.centre[i] = float(0.5 * (1 + end / length) * p[i]);
     }
     box.extent[0] = float(0.5 * (end - length));
-    box.slack = kernel::obb8_slack(0, error * end / length) + 64 * 0x1p-24f * float(end);
+    box.slack = kernel::obb8_slack(0, error * end / length) + float(ray_rounding) * float(end);
     return box;
   }
 

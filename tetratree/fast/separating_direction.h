@@ -42,6 +42,29 @@ class Separating_direction {
 
   std::size_t bytes() const { return a_.table.bytes() + b_.table.bytes(); }
 
+  /// Roundings, each times u of float or of double: of directions turned back, 4; of the distance along m, 5 of D as
+  /// rounded; of D in double, 5 of its terms.
+  static constexpr double rounding = 6;
+
+  // The expressions, lane by lane.
+  template <class Lanes>
+  [[gnu::always_inline]] static Lanes turned_back_by(const Lanes& m0, const Lanes& m1, const Lanes& m2,
+                                                     const Lanes& row0, const Lanes& row1, const Lanes& row2)
+  {
+    return m0 * row0 + m1 * row1 + m2 * row2;
+  }
+  template <class Lanes>
+  [[gnu::always_inline]] static Lanes difference_in_parts(const Lanes& b_first, const Lanes& a_first,
+                                                          const Lanes& b_last, const Lanes& a_last)
+  {
+    return (b_first - a_first) + (b_last - a_last);
+  }
+  template <class Lanes>
+  [[gnu::always_inline]] static Lanes lanes_of_gap(const Lanes& m, const Lanes& apart, const Lanes& reach)
+  {
+    return m * apart - reach;
+  }
+
  private:
   using Floats = kernel::Four_floats;
   using Doubles = kernel::Two_doubles;
@@ -76,8 +99,8 @@ class Separating_direction {
       is_in_range = is_in_range && units.unit >= 0x1p-60 && units.unit <= 0x1p60;
     }
     if (!is_in_range) return;
-    const float of_rows = float(6 * (u + kernel::unit_roundoff<double> * farthest)),
-                of_translation = float(6 * kernel::unit_roundoff<double>);
+    const float of_rows = float(rounding * (u + kernel::unit_roundoff<double> * farthest)),
+                of_translation = float(rounding * kernel::unit_roundoff<double>);
     slack_ = Floats{of_rows, of_rows, of_rows, of_translation};
   }
 
@@ -94,7 +117,8 @@ class Separating_direction {
         const double *from_a = pose_a.entries().data() + 4 * i, *from_b = pose_b.entries().data() + 4 * i;
         const Doubles a_first = kernel::two_from(from_a), a_last = kernel::two_from(from_a + 2);
         const Doubles b_first = kernel::two_from(from_b), b_last = kernel::two_from(from_b + 2);
-        part[i] = (b_first * b.origin[0] - a_first * a.origin[0]) + (b_last * b.origin[1] - a_last * a.origin[1]);
+        part[i] = difference_in_parts(b_first * b.origin[0], a_first * a.origin[0], b_last * b.origin[1],
+                                      a_last * a.origin[1]);
         row_a[i] = kernel::rounded(a_first, a_last) * a.scale;
         row_b[i] = kernel::rounded(b_first, b_last) * b.scale;
       }
@@ -104,7 +128,7 @@ class Separating_direction {
       apart = kernel::first_three(kernel::rounded(first, last));
       const auto both = [this](int i) { return kernel::magnitudes(row_a[i]) + kernel::magnitudes(row_b[i]); };
       slack = kernel::sum_of_lanes((both(0) + (both(1) + both(2))) * slack_of_rows +
-                                   kernel::magnitudes(apart) * (6 * u))[0];
+                                   kernel::magnitudes(apart) * (float(rounding) * u))[0];
     }
   };
 
@@ -128,8 +152,8 @@ class Separating_direction {
   {
     Attempt tried;
     const auto turned_back = [&](const Floats* row) {
-      return kernel::first_three(kernel::repeated<0>(m) * row[0] + kernel::repeated<1>(m) * row[1] +
-                                 kernel::repeated<2>(m) * row[2]);
+      return kernel::first_three(turned_back_by(kernel::repeated<0>(m), kernel::repeated<1>(m), kernel::repeated<2>(m),
+                                                row[0], row[1], row[2]));
     };
     const auto norm = [](Floats v) { return kernel::sum_of_lanes(kernel::magnitudes(v)); };
     const Floats along_a = turned_back(placed.row_a), along_b = turned_back(placed.row_b), norm_a = norm(along_a),
@@ -141,7 +165,7 @@ class Separating_direction {
     tried.at_a = Support_table::place(along_a, norm_a);
     tried.at_b = Support_table::place(along_b, norm_b);
     tried.reach = a_.table.reach(tried.at_a) + b_.table.reach(tried.at_b);
-    tried.gap = kernel::sum_of_lanes(m * placed.apart - tried.reach)[0];
+    tried.gap = kernel::sum_of_lanes(lanes_of_gap(m, placed.apart, tried.reach))[0];
     tried.slack = Support_table::slack * (norm_a[0] + norm_b[0]) + norm_m * placed.slack;
     return tried;
   }

@@ -36,11 +36,33 @@ class Support_table {
     kernel::Four_floats at;   ///< n d / |d|_1
   };
 
-  /// For what is rounded between values and bound: the place by 4 roundings a coordinate, two of three coordinates once
-  /// more for the third, so by 8 u |d|_1; weights, none of which comes out below 0, by 3 each, 14 u |d|_1; both move h
-  /// by no more, since |p_k| <= 1. Products and sums over four corners of |h| <= 18/16, and of the difference from a
-  /// distance, 8 u |d|_1.
+  /// For what is rounded between values and bound, a share of |d|_1: the place by 4 roundings a coordinate, and two of
+  /// three coordinates once more for the third, which moves h by no more, since |p_k| <= 1; the weights of corners of
+  /// |h| <= 18/16; products, sums, and the difference from a distance.
   static constexpr float slack = 40 * 0x1p-24f;
+
+  // The expressions, lane by lane: n d / |d|_1; the weight of corner 0; a corner's part of the reach.
+  template <class Lanes>
+  [[gnu::always_inline]] static Lanes scaled(const Lanes& d, const Lanes& sum)
+  {
+    return d * (float(n) / sum);
+  }
+  template <class Lanes>
+  [[gnu::always_inline]] static Lanes weight_of_first(const Lanes& second, const Lanes& third)
+  {
+    return 1.0f - second - third;
+  }
+  template <class Lanes>
+  [[gnu::always_inline]] static Lanes weighted(const Lanes& weight, const Lanes& reach, const Lanes& sum)
+  {
+    return weight * (reach * sum);
+  }
+
+  /// In a lattice of n steps, with corners one beyond the octant: their reach is at most 18 / 16.
+  static constexpr int n = 16, row = n + 2;
+
+  /// Above what a reach in double may be off by: of a local coordinate, and of its product with a direction.
+  static constexpr double reach_rounding = 0x1p-48;
 
   /// `tree` must outlive the table, and its root be made.
   explicit Support_table(const Bvh8& tree) : tree_(&tree), reach_(8 * row * row, unknown) {}
@@ -50,11 +72,11 @@ class Support_table {
   [[gnu::always_inline]] static Place place(kernel::Four_floats d, kernel::Four_floats sum)
   {
     using kernel::Eight_shorts, kernel::Four_floats, kernel::Four_ints;
-    const Four_floats at = d * (float(n) / sum), in_octant = kernel::magnitudes(at);
+    const Four_floats at = scaled(d, sum), in_octant = kernel::magnitudes(at);
     const Four_ints whole = __builtin_convertvector(in_octant, Four_ints);
     const Four_floats part = in_octant - __builtin_convertvector(whole, Four_floats);
     // In the triangle of corners 0, 1 and 2; where their weights would be below 0, in that of 3, 1 and 2.
-    const Four_floats rest = 1 - kernel::repeated<1>(part) - kernel::repeated<2>(part);
+    const Four_floats rest = weight_of_first(kernel::repeated<1>(part), kernel::repeated<2>(part));
     const Four_ints beyond = reinterpret_cast<Four_ints>(rest) & kernel::is_negative(rest);
     constexpr std::int32_t sign_bit = std::numeric_limits<std::int32_t>::min();
     const Four_floats weight = __builtin_shufflevector(rest, part, 0, 5, 6, 7) +
@@ -69,7 +91,7 @@ class Support_table {
 
   /// h(d) is at most the sum of these and `slack` |d|_1. Their sum is infinite or undefined where a corner's reach is
   /// not known yet.
-  kernel::Four_floats reach(const Place& p) const { return p.weight * (corners(p) * p.sum); }
+  kernel::Four_floats reach(const Place& p) const { return weighted(p.weight, corners(p), p.sum); }
 
   /// Finds what is not known of the corners.
   void find(const Place& p)
@@ -103,7 +125,6 @@ class Support_table {
  private:
   /// Corner (n - i - j, i, j) / n of an octant has the number k = (octant row + j) row + i. The last of each row, and
   /// the last rows, are corners beyond the octant, of no weight but by rounding.
-  static constexpr int n = 16, row = n + 2;
   static constexpr float unknown = std::numeric_limits<float>::infinity();
 
   kernel::Four_floats corners(const Place& p) const
@@ -142,8 +163,7 @@ class Support_table {
       while (!open.empty() && open.back().first <= best) open.pop_back();
       if (open.empty()) break;
     }
-    // A local coordinate is off by 2^-52, the product by less than 2^-49.
-    return std::nextafter(float(best + 0x1p-48), unknown);
+    return std::nextafter(float(best + reach_rounding), unknown);
   }
 
   /// As far as the box reaches, and for its float numbers and axes (see `Obb8`) a little farther.

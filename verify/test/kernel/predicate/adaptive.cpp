@@ -178,7 +178,7 @@ Filter volume_filter(const Point& a, const Point& b, const Point& c, const Point
   const double error = a.error + maximum(b.error, c.error, d.error);
   return {Differences<double>{bx, by, bz, cx, cy, cz, dx, dy, dz}.determinant(),
           volume_bound<double>(magnitude(bx, cx, dx), magnitude(by, cy, dy), magnitude(bz, cz, dz), error,
-                               rounding * volume_rounding, motion * volume_motion, Adaptive::underflow)};
+                               rounding * volume_rounding, motion * volume_motion, underflow_slack)};
 }
 
 Filter normal_filter(const Point& a, const Point& b, const Point& c, int axis, double rounding = 1, double motion = 1)
@@ -189,7 +189,7 @@ Filter normal_filter(const Point& a, const Point& b, const Point& c, int axis, d
   return {bi * cj - bj * ci,
           normal_bound<double>(maximum(std::abs(bi), std::abs(ci)), maximum(std::abs(bj), std::abs(cj)),
                                a.error + maximum(b.error, c.error), rounding * normal_rounding, motion * normal_motion,
-                               Adaptive::underflow)};
+                               underflow_slack)};
 }
 
 struct Double_double_filter {
@@ -217,7 +217,7 @@ Double_double_filter double_double_volume_filter(const Point& a, const Point& b,
                                    magnitude(bz.high, cz.high, dz.high)};
   return {Differences<Double_double>{bx, by, bz, cx, cy, cz, dx, dy, dz}.determinant(),
           double_double_volume_bound<double>(m, p.error + maximum(q.error, r.error, s.error), double_double_difference,
-                                             double_double_volume_rounding, volume_motion, Adaptive::underflow)};
+                                             double_double_volume_rounding, volume_motion, underflow_slack)};
 }
 
 Double_double_filter double_double_normal_filter(const Point& a, const Point& b, const Point& c, int axis)
@@ -230,7 +230,7 @@ Double_double_filter double_double_normal_filter(const Point& a, const Point& b,
           double_double_normal_bound<double>(maximum(std::abs(qp[i].high), std::abs(rp[i].high)),
                                              maximum(std::abs(qp[j].high), std::abs(rp[j].high)),
                                              p.error + maximum(q.error, r.error), double_double_difference,
-                                             double_double_normal_rounding, normal_motion, Adaptive::underflow)};
+                                             double_double_normal_rounding, normal_motion, underflow_slack)};
 }
 
 // --- samples ---------------------------------------------------------------------------------------------------------
@@ -994,7 +994,7 @@ BOOST_AUTO_TEST_CASE(constants_of_the_volume_filter_are_no_less_than_derived)
   BOOST_TEST((derived_rounding > Rational(45 * u)));  // and not for want of counting
   BOOST_TEST((derived_motion > Rational(5.9)));
 
-  const At_least all = bound(Rational(volume_rounding), Rational(volume_motion), Rational(Adaptive::underflow));
+  const At_least all = bound(Rational(volume_rounding), Rational(volume_motion), Rational(underflow_slack));
   for (const auto& [powers, coefficient] : off.terms())
     if (powers[4] == 0) BOOST_TEST((coefficient <= all.sure[powers]));
   BOOST_TEST((at_the_gate(off) + at_the_gate(all.lost) <= all.sure[{}]));
@@ -1019,7 +1019,7 @@ BOOST_AUTO_TEST_CASE(constants_of_the_normal_filter_are_no_less_than_derived)
   BOOST_TEST((derived_rounding > Rational(7 * u)));
   BOOST_TEST((derived_motion > Rational(1.9)));
 
-  const At_least all = bound(Rational(normal_rounding), Rational(normal_motion), Rational(Adaptive::underflow));
+  const At_least all = bound(Rational(normal_rounding), Rational(normal_motion), Rational(underflow_slack));
   for (const auto& [powers, coefficient] : off.terms())
     if (powers[4] == 0) BOOST_TEST((coefficient <= all.sure[powers]));
   BOOST_TEST((at_the_gate(off) + at_the_gate(all.lost) <= all.sure[{}]));
@@ -1037,8 +1037,7 @@ BOOST_AUTO_TEST_CASE(constant_of_the_placed_error_is_no_less_than_derived)
       const Polynomial before_rounding = grown * m + eta;
       terms[k] = {m, {}};
       if (k < 3) terms[k].error = roundoff * m + eta;
-      if (fractions)
-        terms[k].error = terms[k].error + roundoff * before_rounding + Rational(Adaptive::magnitude_gate) * eta;
+      if (fractions) terms[k].error = terms[k].error + roundoff * before_rounding + Rational(magnitude_gate) * eta;
     }
     const Polynomial off = (((terms[0] + terms[1]) + terms[2]) + terms[3]).error;
     const auto variable = [](int k) { return At_least(Polynomial::variable(k)); };
@@ -1049,7 +1048,7 @@ BOOST_AUTO_TEST_CASE(constant_of_the_placed_error_is_no_less_than_derived)
     BOOST_TEST((derived <= Rational(placed_rounding)));
     BOOST_TEST((derived > Rational((fractions ? 4.9 : 3.9) * u)));
     const At_least all =
-        At_least(Polynomial(Rational(placed_rounding))) * largest + At_least(Polynomial(Rational(Adaptive::underflow)));
+        At_least(Polynomial(Rational(placed_rounding))) * largest + At_least(Polynomial(Rational(underflow_slack)));
     for (const auto& [powers, coefficient] : off.terms())
       if (powers[4] == 0) BOOST_TEST((coefficient <= all.sure[powers]));
     BOOST_TEST((at_the_gate(off) + at_the_gate(all.lost) <= all.sure[{}]));
@@ -1067,7 +1066,7 @@ BOOST_AUTO_TEST_CASE(constant_of_the_difference_filter_is_no_less_than_derived)
   BOOST_TEST((derived <= Rational(difference_motion)));
   // What the product loses to underflow is less than what is left of an error that is not zero.
   const Rational left =
-      (Rational(difference_motion) - derived) * bound(1).sure[{1, 0, 0, 0, 0}] * Rational(Adaptive::underflow);
+      (Rational(difference_motion) - derived) * bound(1).sure[{1, 0, 0, 0, 0}] * Rational(underflow_slack);
   BOOST_TEST((at_the_gate(bound(Rational(difference_motion)).lost) < left));
 }
 
@@ -1189,7 +1188,7 @@ BOOST_AUTO_TEST_CASE(constants_of_the_double_double_volume_sign_are_no_less_than
   BOOST_TEST((derived_difference > 3 * double_double_roundoff));
 
   const At_least all = bound(Rational(double_double_difference), Rational(double_double_volume_rounding),
-                             Rational(volume_motion), Rational(Adaptive::underflow));
+                             Rational(volume_motion), Rational(underflow_slack));
   for (const auto& [powers, coefficient] : off.terms())
     if (powers[4] == 0) BOOST_TEST((coefficient <= all.sure[powers]));
   BOOST_TEST((at_the_gate(off) + at_the_gate(all.lost) <= all.sure[{}]));
@@ -1218,7 +1217,7 @@ BOOST_AUTO_TEST_CASE(constants_of_the_double_double_normal_sign_are_no_less_than
   BOOST_TEST((derived_motion > Rational(1.9)));
 
   const At_least all =
-      bound(Rational(double_double_normal_rounding), Rational(normal_motion), Rational(Adaptive::underflow));
+      bound(Rational(double_double_normal_rounding), Rational(normal_motion), Rational(underflow_slack));
   for (const auto& [powers, coefficient] : off.terms())
     if (powers[4] == 0) BOOST_TEST((coefficient <= all.sure[powers]));
   BOOST_TEST((at_the_gate(off) + at_the_gate(all.lost) <= all.sure[{}]));
@@ -1238,7 +1237,7 @@ BOOST_AUTO_TEST_CASE(constant_of_the_double_double_image_is_no_less_than_derived
       else {
         // The value is the high part's but for u of it; the exact entry is off by u^2 of it.
         const Polynomial entry = grown * m, off = Rational(double_double_roundoff / shrunk) * entry +
-                                                  Rational(2 * Rational(Adaptive::magnitude_gate)) * eta;
+                                                  Rational(2 * Rational(magnitude_gate)) * eta;
         terms[k] = {entry, off};
         if (k < 3)
           terms[k] = {entry * Rational(1 + double_double_product),
@@ -1254,7 +1253,7 @@ BOOST_AUTO_TEST_CASE(constant_of_the_double_double_image_is_no_less_than_derived
     BOOST_TEST((derived <= Rational(double_double_placed_rounding)));
     BOOST_TEST((derived > (fractions ? 16 : 9) * double_double_roundoff));
     const At_least all =
-        at_least(Rational(double_double_placed_rounding)) * largest + at_least(Rational(Adaptive::underflow));
+        at_least(Rational(double_double_placed_rounding)) * largest + at_least(Rational(underflow_slack));
     for (const auto& [powers, coefficient] : off.terms())
       if (powers[4] == 0) BOOST_TEST((coefficient <= all.sure[powers]));
     BOOST_TEST((at_the_gate(off) + at_the_gate(all.lost) <= all.sure[{}]));
@@ -1276,7 +1275,7 @@ BOOST_AUTO_TEST_CASE(constant_of_the_double_double_difference_is_no_less_than_de
   // Where images are exact nothing underflows but the bound, to 0 at least; where they are not, what it loses is less
   // than what is left.
   const Rational left =
-      (Rational(difference_motion) - derived) * bound(1).sure[{1, 0, 0, 0, 0}] * Rational(Adaptive::underflow);
+      (Rational(difference_motion) - derived) * bound(1).sure[{1, 0, 0, 0, 0}] * Rational(underflow_slack);
   BOOST_TEST((at_the_gate(bound(Rational(difference_motion)).lost) < left));
 }
 
@@ -1284,7 +1283,7 @@ BOOST_AUTO_TEST_CASE(constant_of_the_double_double_difference_is_no_less_than_de
 
 BOOST_AUTO_TEST_CASE(the_filters_turn_exactly_at_the_bounds_proved)
 {
-  const double underflow = Adaptive::underflow;
+  const double underflow = underflow_slack;
   const Vertex o = {0, 0, 0};
   for (const double error : {0.0, 0x1p-60, 0x1p-50, 0x1p-20, 1.0}) {
     // Rows (1, 0, 1), (0, 1, 0), (0, 0, h): volume h, and every axis has magnitude 1.

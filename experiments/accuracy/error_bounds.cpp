@@ -1,0 +1,38 @@
+#include "experiments/accuracy/error_bounds.h"
+
+#include "experiments/support/csv_row.h"
+#include "experiments/support/output_file.h"
+#include "verify/proofs/all_proofs.h"
+#include "verify/proofs/gappa_script.h"
+
+#include <cstdio>
+#include <stdexcept>
+
+namespace tetracone::experiments {
+
+void run_error_bounds(const std::filesystem::path& out, int steps, std::uint64_t seed)
+{
+  if (!verify::proofs::gappa_is_there())
+    throw std::runtime_error("gappa: not found; expected the Debian package gappa, which proves the bounds");
+  make_folder(out);
+  Csv_table table;
+  for (const auto& bound : verify::proofs::all_proofs()) {
+    const double in_code = bound.in_code.get_d() / bound.unit, proved = bound.proved.get_d() / bound.unit;
+    const double found = verify::proofs::worst_found(bound.name, steps, unsigned(seed));
+    Csv_row row;
+    row.add("constant", bound.name).add("file", bound.file).add("unit", bound.unit).add("in_code", in_code);
+    row.add("proved", proved).add("proved_by", bound.by);
+    std::printf("%-50s %9.4f in the code %9.4f proved", bound.name.c_str(), in_code, proved);
+    if (found < 0) {
+      row.none("found").none("proved_over_found");
+      std::puts("");
+    } else {
+      row.add("found", found).add("proved_over_found", proved / found);
+      std::printf(" %9.4f found, margin %.2f\n", found, proved / found);
+    }
+    table.add(row.add_origin(seed));
+  }
+  write_whole(out / "error_bounds.csv", table.text());
+}
+
+}  // namespace tetracone::experiments

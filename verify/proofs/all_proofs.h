@@ -1,0 +1,19 @@
+#ifndef TETRACONE_VERIFY_PROOFS_ALL_PROOFS_H
+#define TETRACONE_VERIFY_PROOFS_ALL_PROOFS_H
+
+#include "verify/proofs/proved_bound.h"
+
+#include <string>
+
+namespace tetracone::verify::proofs {
+
+/// Every proof of a constant. Requires Gappa: throws std::runtime_error without it.
+Proved_bounds all_proofs();
+
+/// The worst error that a search by hill climbing finds for a constant, in its unit; negative where none looks for it.
+/// Truth is rational. The same seed finds the same.
+double worst_found(const std::string& name, int steps, unsigned seed);
+
+}  // namespace tetracone::verify::proofs
+
+#endif

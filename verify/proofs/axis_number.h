@@ -1,0 +1,60 @@
+#ifndef TETRACONE_VERIFY_PROOFS_AXIS_NUMBER_H
+#define TETRACONE_VERIFY_PROOFS_AXIS_NUMBER_H
+
+#include "verify/proofs/recorded.h"
+
+#include <vector>
+
+namespace tetracone::verify::proofs {
+
+/// What vectors are to the SIMD comparison of boxes: a recorded number or, of a largest one, those that it is the
+/// largest of. With `fused`, a product and sum are rounded once, as processors with FMA do; else twice.
+template <class Arithmetic, bool fused>
+class Axis_number {
+ public:
+  using Number = Recorded<Arithmetic>;
+
+  Axis_number() = default;
+  Axis_number(const Number& number) : any_({number}) {}
+
+  const Number& one() const
+  {
+    assert(any_.size() == 1);
+    return any_[0];
+  }
+  const std::vector<Number>& any() const { return any_; }
+
+  friend Axis_number Sub(const Axis_number& a, const Axis_number& b) { return a.one() - b.one(); }
+  friend Axis_number Mul(const Axis_number& a, const Axis_number& b) { return a.one() * b.one(); }
+  friend Axis_number Abs(const Axis_number& a) { return abs(a.one()); }
+  friend Axis_number Neg(const Axis_number& a) { return -a.one(); }
+  friend Axis_number MulAdd(const Axis_number& a, const Axis_number& b, const Axis_number& c)
+  {
+    if constexpr (fused) return fused_sum(a.one(), b.one(), c.one(), '+');
+    return a.one() * b.one() + c.one();
+  }
+  friend Axis_number NegMulAdd(const Axis_number& a, const Axis_number& b, const Axis_number& c)
+  {
+    if constexpr (fused) return fused_sum(a.one(), b.one(), c.one(), '-');
+    return c.one() - a.one() * b.one();
+  }
+  friend Axis_number Max(const Axis_number& a, const Axis_number& b) { return joined(a, b); }
+
+  // Comparisons keep what is compared: "greater than the slack", of any of these.
+  friend Axis_number Gt(const Axis_number& a, const Axis_number&) { return a; }
+  friend Axis_number Or(const Axis_number& a, const Axis_number& b) { return joined(a, b); }
+  friend Axis_number Not(const Axis_number& a) { return a; }
+
+ private:
+  static Axis_number joined(const Axis_number& a, const Axis_number& b)
+  {
+    Axis_number both = a;
+    both.any_.insert(both.any_.end(), b.any_.begin(), b.any_.end());
+    return both;
+  }
+  std::vector<Number> any_;
+};
+
+}  // namespace tetracone::verify::proofs
+
+#endif

@@ -1,0 +1,144 @@
+#ifndef TETRACONE_VERIFY_PROOFS_BOUND_PROOFS_H
+#define TETRACONE_VERIFY_PROOFS_BOUND_PROOFS_H
+
+#include "tetracone/kernel/bound/bounds.h"
+#include "tetracone/kernel/bound/cone_coordinates.h"
+#include "verify/proofs/adaptive_proofs.h"
+#include "verify/proofs/proved_bound.h"
+#include "verify/proofs/rounding_count.h"
+#include "verify/proofs/slices.h"
+
+/// The constants of kernel/bound/bounds.h and cone_coordinates.h, of sound tests in double.
+namespace tetracone::verify::proofs {
+
+inline Proved_bounds bound_proofs()
+{
+  using Count = Rounding_count;
+  using Frame = kernel::Bound_frame<double, true>;
+  using Half_space = kernel::Placed_half_space<double, true>;
+  using detail::triple;
+  const double u = kernel::unit_roundoff<double>;
+  const Rational once = 1 / (1 - Rational(u));
+  const auto lost = [&](const Count& count) { return Rational(1 / count.least(Rational(u))); };
+  const std::vector<Count> counts(9);
+  const Count count;
+  Proved_bounds bounds;
+  const auto add = [&](const std::string& name, double in_code, const Rational& proved, const std::string& by = "gappa",
+                       const std::string& file = "kernel/bound/bounds.h") {
+    bounds.push_back({name, file, Rational(in_code), proved, u, by});
+  };
+
+  // Points of the cube that were computed in the model's frame are off by two roundings themselves.
+  const auto placed = [](const auto& in) {
+    auto computed = in;
+    for (int k = 4; k < 7; ++k) computed[k] = entry(entry(computed[k]));
+    return kernel::sum(detail::placed_terms(computed));
+  };
+  const Rational image = largest(slice_errors<Relative_64>(placed, detail::slices_of_placed()));
+  const Count reach = Frame::reach_of_row(entry(count), entry(count), entry(count), entry(count), count) * count;
+  const Rational magnitude = (1 + image) * lost(reach) - 1;
+  const Rational error = image * lost(reach * count) / (1 + Rational(Frame::magnitude_rounding));
+  add("Bound_frame::error_rounding", Frame::error_rounding, error);
+  add("Bound_frame::magnitude_rounding", Frame::magnitude_rounding, magnitude);
+
+  // Of M^T M three entries a row, each a share of the longest column's square, which is no more than the largest row; two
+  // sums of a row and the slack's. The root halves all, the root's own rounding and what a ball's radius is made by are
+  // whole.
+  const auto of_columns = [](const auto& in) {
+    auto entries = in;
+    for (auto& x : entries) x = entry(x);
+    return kernel::dot(triple(entries, 0), triple(entries, 3));
+  };
+  const std::vector<Slice> terms_of_dot = {{1, 0, 0, 1, 0, 0}, {0, 1, 0, 0, 1, 0}, {0, 0, 1, 0, 0, 1}};
+  const Rational column = largest(slice_errors<Relative_64>(of_columns, terms_of_dot));
+  const Rational squares = once * once * once / (1 - 3 * column);
+  const Rational roots = once * once * once * once;  // root, its factor, the radius' product and sum
+  add("Bound_frame::stretch_rounding", Frame::stretch_rounding, Rational(squares * roots * roots - 1) / 2);
+
+  // Squares of distances and radii, by the roundings on the longest way.
+  const std::array<Count, 3> point;
+  const Count distance = kernel::squared_length(kernel::difference(point, point));
+  Rational most = 1;
+  for (int k = 0; k < distance.count(); ++k) most *= 1 + Rational(u);
+  add("ball_distance_rounding", kernel::ball_distance_rounding,
+      most * lost(kernel::touching_distance_2(count, count)) - 1, "rationals");
+  const Rational radius = lost(distance + count) * once * once * once * once;
+  add("ball_radius_rounding", kernel::ball_radius_rounding, Rational(radius - 1) / 2, "rationals");
+
+  // Two dot products of points of at most the magnitude, and their difference; what the frames' errors have to spare covers
+  // the second order.
+  const auto interval = [](const auto& in) {
+    return kernel::dot(triple(in, 0), triple(in, 3)) - kernel::dot(triple(in, 0), triple(in, 6));
+  };
+  std::vector<Slice> terms_of_interval;
+  for (int k = 0; k < 3; ++k)
+    for (const int p : {3, 6}) {
+      Slice slice(9, 0);
+      slice[k] = slice[p + k] = 1;
+      terms_of_interval.push_back(slice);
+    }
+  const Count allowance_of_interval = (count + count + count * count) * kernel::norm_1(point) + count;
+  const Rational projection =
+      2 * largest(slice_errors<Relative_64>(interval, terms_of_interval)) * lost(allowance_of_interval);
+  add("projection_rounding and error_rounding of two frames",
+      kernel::projection_rounding<double> + 2 * Frame::error_rounding,
+      projection + 2 * Rational(error * lost(allowance_of_interval)));
+
+  // Shares of permanents, of entries that may be fractions; the normal's for points that are 2 magnitudes apart, and what
+  // a point's own projection rounds beyond the first order.
+  const auto determinant = [](const auto& in) {
+    return kernel::determinant(triple(in, 0), triple(in, 3), triple(in, 6));
+  };
+  const auto with_entries = [&](int n) {
+    return [determinant, n](const auto& in) {
+      auto entries = in;
+      for (int k = 0; k < n; ++k) entries[k] = entry(entries[k]);
+      return determinant(entries);
+    };
+  };
+  Count permanent = kernel::permanent(std::array{entry(count), entry(count), entry(count)},
+                                      std::array{entry(count), entry(count), entry(count)},
+                                      std::array{entry(count), entry(count), entry(count)});
+  const Count threshold =
+      Half_space::sound_threshold(count, permanent, count, permanent + count + count, reach * count);
+  add("Placed_half_space::determinant_rounding", Half_space::determinant_rounding,
+      largest(slice_errors<Relative_64>(with_entries(9), slices_of_determinant())) * lost(threshold));
+  const auto beyond = [](const auto& in) {
+    return kernel::dot(triple(in, 0), kernel::difference(triple(in, 3), triple(in, 6)));
+  };
+  const Rational asked =
+      2 * largest(slice_errors<Relative_64>(beyond, terms_of_interval)) * lost(allowance_of_interval);
+  add("Placed_half_space::normal_rounding", Half_space::normal_rounding,
+      2 * largest(slice_errors<Relative_64>(with_entries(6), slices_of_determinant())) * lost(threshold) +
+          Rational(asked - Rational(kernel::projection_rounding<double>)));
+
+  // A coordinate along a ray, of a difference that is rounded; and its share of the form that a plane cuts at 1.
+  using Cone = kernel::Cone_coordinates<double, true>;
+  const auto form = [](const auto& in) {
+    const auto zero = std::decay_t<decltype(in[0])>(0);
+    const auto p = kernel::difference(triple(in, 0), std::array{zero, zero, zero});
+    const auto c = Cone::coordinate(p, triple(in, 3), in[6]);
+    return Cone::form(std::array{c, zero, zero}, std::array{in[6], in[6], in[6]});
+  };
+  std::vector<Slice> terms_of_form;
+  for (int k = 0; k < 3; ++k) {
+    Slice slice(7, 0);
+    slice[k] = slice[3 + k] = slice[6] = 1;
+    terms_of_form.push_back(slice);
+  }
+  const Count absolute = Cone::coordinate(std::array{count * count, count, count}, point, count) * count * count;
+  const std::string cone = "kernel/bound/cone_coordinates.h";
+  add("Cone_coordinates::form_rounding", Cone::form_rounding,
+      largest(slice_errors<Relative_64>(form, terms_of_form)) * lost(absolute) + 3 * Rational(u) * 16 * Rational(u),
+      "gappa", cone);
+  // What is left of 1, rounded as IEEE 754 does: below 1 by half of u. Where shares are more, `form_rounding` has more to
+  // spare than they are rounded.
+  const auto allowance = [](const auto& in) { return Cone::allowed(triple(in, 0)); };
+  add("Cone_coordinates::one_rounding", Cone::one_rounding,
+      error_within<Ieee_64>(allowance, {{0, 0.25}, {0, 0.25}, {0, 0.25}}), "gappa", cone);
+  return bounds;
+}
+
+}  // namespace tetracone::verify::proofs
+
+#endif

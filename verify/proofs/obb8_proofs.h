@@ -1,0 +1,264 @@
+#ifndef TETRACONE_VERIFY_PROOFS_OBB8_PROOFS_H
+#define TETRACONE_VERIFY_PROOFS_OBB8_PROOFS_H
+
+#include "tetracone/kernel/bound/obb8_overlap.h"
+#include "verify/proofs/axis_number.h"
+#include "verify/proofs/near_orthonormal.h"
+#include "verify/proofs/proved_bound.h"
+#include "verify/proofs/slices.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// The slacks of kernel/bound/obb8.h, from the comparison of kernel/bound/obb8_overlap_simd.inl itself.
+namespace tetracone::verify::proofs {
+
+/// How the single box's edges come to be.
+enum class Edges {
+  given,    ///< floats: what the box is made of
+  general,  ///< floats, and their cross products
+  carried   ///< an axis in float, turned by directions in float
+};
+
+/// The comparison's inputs, each an input of a slice.
+template <class Number_, bool fused_>
+struct Recorded_test {
+  using Floats = Axis_number<Number_, fused_>;
+  using Number = Recorded<Number_>;
+
+  struct Boxes {
+    Floats centre[3], axis[3][3], extent[3];
+  } boxes;
+  struct Single {
+    std::vector<std::vector<Number>> edge, normal;
+    std::vector<Number> centre, extent;
+    Number slack = Number(0), apex = Number(0);
+  } box;
+  bool is_triangle = false;
+
+  const Floats& load(const Floats& lane) const { return lane; }
+  Floats all(const Number& x) const { return x; }
+  bool holds_triangle() const { return is_triangle; }
+
+  /// Where the inputs are in a slice: of the eight's axes, the single box's edges or its axes, the turning directions.
+  enum Place {
+    single_centre = 0,
+    centre = 3,
+    extent = 6,
+    single_extent = 9,
+    axis = 12,
+    edge = 21,
+    direction = 30,
+    end = 39
+  };
+
+  Recorded_test(const std::vector<Number>& in, Edges edges, bool triangle) : is_triangle(triangle)
+  {
+    for (int i = 0; i < 3; ++i) {
+      boxes.centre[i] = in[centre + i];
+      boxes.extent[i] = in[extent + i];
+      for (int k = 0; k < 3; ++k) boxes.axis[i][k] = in[axis + 3 * i + k];
+      box.centre.push_back(entry(in[single_centre + i]));  // rounded to float
+      box.extent.push_back(in[single_extent + i]);
+    }
+    box.apex = Number(*in[0].script(), "0");
+    for (int j = 0; j < 3; ++j) {
+      std::vector<Number> e;
+      for (int k = 0; k < 3; ++k) {
+        const auto turned = [&](int q) { return Floats(entry(in[direction + 3 * k + q])); };
+        const auto of_axis = [&](int q) { return Floats(in[edge + 3 * j + q]); };
+        e.push_back(edges != Edges::carried ? in[edge + 3 * j + k]
+                                            : kernel::HWY_NAMESPACE::carried_edge(turned(0), turned(1), turned(2),
+                                                                                  of_axis(0), of_axis(1), of_axis(2))
+                                                  .one());
+      }
+      box.edge.push_back(e);
+    }
+    for (int j = 0; j < 3; ++j) {
+      const auto &p = box.edge[(j + 1) % 3], &q = box.edge[(j + 2) % 3];
+      const auto n = kernel::cross(std::array{p[0], p[1], p[2]}, std::array{q[0], q[1], q[2]});
+      box.normal.push_back({n[0], n[1], n[2]});
+    }
+  }
+};
+
+namespace detail {
+
+/// The places of a slice's inputs, whatever the arithmetic.
+using Place = Recorded_test<Exact, true>;
+
+/// The error of an axis' gap, a share of each of: |single centre|, |centre|, sum of extents, sum of the single box's.
+using Shares = std::array<Rational, 4>;
+
+/// The gaps of all axes tried, by the comparison itself: 3 of the eight's normals, 3 of the single box's, 9 across, and of
+/// a triangle 2 more.
+template <class Arithmetic, bool fused>
+std::vector<Recorded<Arithmetic>> gaps(const std::vector<Recorded<Arithmetic>>& in, Edges edges, bool triangle)
+{
+  const Recorded_test<Arithmetic, fused> test(in, edges, triangle);
+  return edges == Edges::general ? kernel::HWY_NAMESPACE::together<false>(test).any()
+                                 : kernel::HWY_NAMESPACE::together<true>(test).any();
+}
+
+/// The slices of a scale: one component of it is 1, and so is component q of the first axis and, for products across two,
+/// of the second. Edges lie along q; of `general` ones the others follow. A product of other components is rounded no more
+/// often than where all are the worst one, and other axes are treated by the same text.
+inline std::vector<Slice> slices_of_box(int scale, bool two_axes, Edges edges, bool triangle)
+{
+  std::vector<Slice> slices;
+  for (int s = 0; s < 3; ++s) {
+    // A centre counts along the same component of an axis; of others, the first product of a sum is rounded most.
+    const int q = scale == Place::extent || scale == Place::single_extent ? 0 : s;
+    Slice slice(Place::end, 0);
+    slice[scale + s] = 1;
+    slice[Place::axis + q] = 1;
+    if (two_axes) slice[Place::axis + 3 + q] = 1;
+    for (int j = 0; j < 3; ++j)
+      slice[Place::edge + 3 * j + (edges == Edges::carried ? 0 : edges == Edges::general ? (q + j) % 3 : q)] = 1;
+    slice[Place::direction + 3 * q] = 1;
+    if (triangle) slice[Place::single_extent + 1] = slice[Place::single_extent + 2] = 1;
+    slices.push_back(slice);
+  }
+  return slices;
+}
+
+/// What is rounded in the gap of each kind of axis, and of a triangle's sides: Gappa's, of single products of the inputs,
+/// times how many of these a gap has. All inputs but the scale are components of vectors of length about 1, so the sums
+/// of their products are at most 1 by Cauchy and Schwarz: for a normal of the single box, along which the centres'
+/// distance is a sum over all three of the eight's axes, 3; across two axes, 2.
+enum class Kind { own, other, across, triangle };
+
+template <bool fused>
+std::array<Shares, 4> rounding_of_gaps(Edges edges, bool triangle)
+{
+  std::array<Shares, 4> shares{};
+  constexpr std::array<int, 4> scales = {Place::single_centre, Place::centre, Place::extent, Place::single_extent};
+  for (int scale = 0; scale < (triangle ? 3 : 4); ++scale)
+    for (const bool two_axes : {false, true}) {
+      if (two_axes && (triangle || scale > 1)) continue;
+      const auto slices = slices_of_box(scales[scale], two_axes, edges, triangle);
+      Gappa_script script;
+      std::vector<std::pair<Kind, Rational>> asked;  // and how often it counts
+      for (std::size_t n = 0; n < slices.size(); ++n) {
+        std::vector<Recorded<Relative_32>> computed;
+        std::vector<Recorded<Exact>> exact;
+        for (const double input : slices[n]) {
+          const std::string name = input == 0 ? "0" : script.named("1");
+          computed.emplace_back(script, name);
+          exact.emplace_back(script, name);
+        }
+        const auto rounded = gaps<Relative_32, fused>(computed, edges, triangle);
+        const auto meant = gaps<Exact, true>(exact, edges, triangle);
+        std::array<bool, 4> is_asked{};
+        for (std::size_t g = 0; g < rounded.size(); ++g) {
+          const Kind kind = g < 3 ? Kind::own : g < 6 ? Kind::other : g < 15 ? Kind::across : Kind::triangle;
+          if (rounded[g].is_zero() || two_axes != (kind == Kind::across && scale < 2)) continue;
+          if (triangle != (kind == Kind::triangle) || is_asked[int(kind)]) continue;
+          is_asked[int(kind)] = kind != Kind::triangle;
+          // Both products across stand in one slice. A triangle's normal has length 3 in these slices, and distances of
+          // centres 3 terms, as along others' normals.
+          const Rational times = kind == Kind::triangle && scale >= 2 ? Rational(1, 3)
+                                 : kind == Kind::other && scale < 2   ? Rational(3)
+                                                                      : Rational(1);
+          script.ask(rounded[g].name() + " - (" + meant[g].name() + ")");
+          asked.emplace_back(kind, times);
+        }
+      }
+      if (asked.empty()) continue;
+      const auto enclosures = script.prove();
+      for (std::size_t k = 0; k < asked.size(); ++k) {
+        Rational& most = shares[int(asked[k].first)][scale];
+        most = std::max(most, Rational(asked[k].second * enclosures[k].magnitude()));
+      }
+    }
+  return shares;
+}
+
+/// What the eight's axes, off by `d` from orthonormal, and the single box's, off by `e`, change in the gap of boxes that
+/// share a point, over real numbers.
+///
+/// Along its own normal a_i an axis is reached by others by d. Another's normal n is tried as A A^T n, which differs by 3
+/// d; it reaches others' edges by e. Across, r_l a_m - r_m a_l, the eight reach sqrt(2) d more, and an edge b_k reaches
+/// (a_l x a_m) . (b_j x b_k) in place of a_i . b_o.
+inline Shares defect_of_gap(Kind kind, Edges edges, const Rational& d, const Rational& e)
+{
+  const Rational none = 0, second_order = 1 + Rational(0x1p-10);
+  const Rational of_normal = edges == Edges::general ? none : Rational(e),
+                 across_edges = edges == Edges::general ? none : cross_defect(e);
+  switch (kind) {
+    case Kind::own: return {none, none, d, none};
+    case Kind::other:
+    case Kind::triangle: return {none, none, 3 * d * second_order, (3 * d + of_normal) * second_order};
+    case Kind::across:
+      return {none, none, root_2() * d * second_order, (cross_defect(d) + across_edges) * second_order};
+  }
+  return {};
+}
+
+/// The shares of one kind of box, at most of all its gaps, both with fused products and without.
+inline Shares shares_of(Edges edges, Kind kind, const Rational& d, const Rational& e)
+{
+  const bool triangle = kind == Kind::triangle;
+  static std::map<std::pair<Edges, bool>, std::array<std::array<Shares, 4>, 2>> known;
+  auto& both = known[{edges, triangle}];
+  if (both[0][int(kind)] == Shares{})
+    both = {rounding_of_gaps<true>(edges, triangle), rounding_of_gaps<false>(edges, triangle)};
+  // Lengths above 1, of normals and of directions: |b x c| taken with absolute terms, and a rotation's entries as well.
+  const Rational longer = (edges == Edges::general   ? root_2()
+                           : edges == Edges::carried ? root_3()
+                                                     : Rational(1)) *
+                          (1 + Rational(0x1p-16));
+  const Shares defect = defect_of_gap(kind, edges, d, e);
+  Shares sum;
+  for (int k = 0; k < 4; ++k) sum[k] = longer * std::max(both[0][int(kind)][k], both[1][int(kind)][k]) + defect[k];
+  // Floats of edges in double: a point of the single box is off by as much along any axis.
+  if (edges == Edges::general) sum[3] += Rational(kernel::unit_roundoff<float>);
+  return sum;
+}
+
+}  // namespace detail
+
+inline Proved_bounds obb8_proofs()
+{
+  using detail::Kind;
+  const double u = kernel::unit_roundoff<float>;
+  const Rational roundoff(u), defect(kernel::axis_defect), computed = 1 + Rational(0x1p-18);
+  Proved_bounds bounds;
+  const std::string file = "kernel/bound/obb8.h";
+
+  const auto largest = [&](Edges edges, const Rational& e) {
+    Rational most = 0;
+    for (const Kind kind : {Kind::own, Kind::other, Kind::across})
+      for (const Rational& share : detail::shares_of(edges, kind, defect, e)) most = std::max(most, share);
+    return Rational(most * computed);
+  };
+  bounds.push_back(
+      {"box_rounding, boxes of any map", file, Rational(kernel::box_rounding), largest(Edges::general, 0), u, "gappa"});
+  // Orthonormal in double, and rounded to float.
+  bounds.push_back({"box_rounding, rays of containment", file, Rational(kernel::box_rounding),
+                    largest(Edges::given, Rational(2 * roundoff * computed)), u, "gappa"});
+
+  // Axes with their defect, turned by directions of a similarity, orthonormal but for 2^-24. Centres are no farther apart
+  // than reach and extents together.
+  const auto carried = [&](Kind kind) {
+    const auto share = detail::shares_of(Edges::carried, kind, defect, Rational(defect + 3 * roundoff * computed));
+    return Rational((share[0] + std::max({share[1], share[2], share[3]})) * computed);
+  };
+  bounds.push_back({"carried_box_rounding", file, Rational(kernel::carried_box_rounding),
+                    std::max({carried(Kind::own), carried(Kind::other), carried(Kind::across)}), u, "gappa"});
+  bounds.push_back({"twice carried_box_rounding, sides of a triangle", file, Rational(2 * kernel::carried_box_rounding),
+                    carried(Kind::triangle), u, "gappa"});
+
+  // |L|_1 <= sqrt(3) |L|_2 of every axis L, of length 1 but for the defect.
+  bounds.push_back({"position_factor", file, Rational(kernel::position_factor), root_3() * (1 + 6 * defect) * computed,
+                    1, "rationals"});
+  return bounds;
+}
+
+}  // namespace tetracone::verify::proofs
+
+#endif

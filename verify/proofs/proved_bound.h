@@ -1,0 +1,25 @@
+#ifndef TETRACONE_VERIFY_PROOFS_PROVED_BOUND_H
+#define TETRACONE_VERIFY_PROOFS_PROVED_BOUND_H
+
+#include "tetracone/kernel/number/number.h"
+
+#include <string>
+#include <vector>
+
+namespace tetracone::verify::proofs {
+
+using kernel::Rational;
+
+/// A constant of an error bound in the code, and the least that is proved to be enough, in the same unit.
+struct Proved_bound {
+  std::string name, file;
+  Rational in_code, proved;
+  double unit;     ///< in which both are told: u, u^2, or 1
+  std::string by;  ///< "gappa", or "rationals" where the argument is none of rounding
+};
+
+using Proved_bounds = std::vector<Proved_bound>;
+
+}  // namespace tetracone::verify::proofs
+
+#endif

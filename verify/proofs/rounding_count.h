@@ -1,0 +1,61 @@
+#ifndef TETRACONE_VERIFY_PROOFS_ROUNDING_COUNT_H
+#define TETRACONE_VERIFY_PROOFS_ROUNDING_COUNT_H
+
+#include "tetracone/kernel/number/number.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace tetracone::verify::proofs {
+
+using kernel::Rational;
+
+/// A computed number that is not negative, made by sums and products of such: it is at least (1 - u)^n of the exact one
+/// and at most (1 + u)^n, n the roundings on the longest way to it. An expression run with these tells what a bound
+/// loses by being computed itself.
+class Rounding_count {
+ public:
+  explicit Rounding_count(double = 0) {}
+
+  friend Rounding_count operator+(const Rounding_count& a, const Rounding_count& b)
+  {
+    return Rounding_count::of(std::max(a.count_, b.count_) + 1);
+  }
+  friend Rounding_count operator*(const Rounding_count& a, const Rounding_count& b)
+  {
+    return Rounding_count::of(a.count_ + b.count_ + 1);
+  }
+  /// Of exact numbers alone: what is left of rounded ones knows no relative error.
+  friend Rounding_count operator-(const Rounding_count& a, const Rounding_count& b)
+  {
+    assert(a.count_ == 0 && b.count_ == 0);
+    return a + b;
+  }
+  friend Rounding_count operator/(float, const Rounding_count& b) { return Rounding_count() * b; }
+  friend Rounding_count operator/(const Rounding_count& a, const Rounding_count& b) { return a * b; }
+  friend Rounding_count entry(const Rounding_count& a) { return Rounding_count::of(a.count_ + 1); }
+  friend Rounding_count abs(const Rounding_count& a) { return a; }
+
+  int count() const { return count_; }
+
+  /// (1 - u)^n.
+  Rational least(const Rational& u) const
+  {
+    Rational factor = 1;
+    for (int k = 0; k < count_; ++k) factor *= 1 - u;
+    return factor;
+  }
+
+ private:
+  static Rounding_count of(int count)
+  {
+    Rounding_count made;
+    made.count_ = count;
+    return made;
+  }
+  int count_ = 0;
+};
+
+}  // namespace tetracone::verify::proofs
+
+#endif

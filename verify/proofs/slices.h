@@ -1,0 +1,95 @@
+#ifndef TETRACONE_VERIFY_PROOFS_SLICES_H
+#define TETRACONE_VERIFY_PROOFS_SLICES_H
+
+#include "verify/proofs/gappa_script.h"
+#include "verify/proofs/recorded.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace tetracone::verify::proofs {
+
+/// Inputs of an expression that pick one of its terms: 1 for the term's factors, 0 for all others.
+using Slice = std::vector<double>;
+
+/// The n slices of a sum of n terms.
+inline std::vector<Slice> slices_of_sum(std::size_t n)
+{
+  std::vector<Slice> slices(n, Slice(n, 0));
+  for (std::size_t k = 0; k < n; ++k) slices[k][k] = 1;
+  return slices;
+}
+
+/// The 6 slices of a determinant of nine entries, row by row.
+inline std::vector<Slice> slices_of_determinant()
+{
+  std::vector<Slice> slices;
+  std::array<int, 3> column = {0, 1, 2};
+  do {
+    Slice slice(9, 0);
+    for (int row = 0; row < 3; ++row) slice[3 * row + column[row]] = 1;
+    slices.push_back(slice);
+  } while (std::next_permutation(column.begin(), column.end()));
+  return slices;
+}
+
+/// The rounding error of each slice of an expression, as Gappa proves it in the standard model.
+///
+/// With the factors 1 + e of all roundings taken as they are, an expression that is a sum of products of its inputs, each
+/// input at most once in each, stays one: its error is the sum, over the products, of the product of the inputs times
+/// the slice's error. So errors are bounded by sums of magnitudes of products times what is returned, for inputs of
+/// every scale. `expression` is a template over std::vector<Recorded<...>>.
+template <class Arithmetic, class Expression>
+std::vector<Rational> slice_errors(const Expression& expression, const std::vector<Slice>& slices)
+{
+  Gappa_script script;
+  for (const Slice& slice : slices) {
+    std::vector<Recorded<Arithmetic>> computed;
+    std::vector<Recorded<Exact>> exact;
+    for (const double input : slice) {
+      // Named, so that operations know their script; 0 is known to be 0.
+      const std::string name = input == 0 ? "0" : script.define(gappa_number(input));
+      computed.emplace_back(script, name);
+      exact.emplace_back(script, name);
+    }
+    script.ask(expression(computed).name() + " - (" + expression(exact).name() + ")");
+  }
+  std::vector<Rational> errors;
+  for (const Enclosure& enclosure : script.prove()) errors.push_back(enclosure.magnitude());
+  return errors;
+}
+
+/// An interval that an input is in.
+struct Range {
+  double low, high;
+};
+
+/// The rounding error of an expression for inputs in these ranges, as Gappa proves it.
+template <class Arithmetic, class Expression>
+Rational error_within(const Expression& expression, const std::vector<Range>& ranges)
+{
+  Gappa_script script;
+  std::vector<Recorded<Arithmetic>> computed;
+  std::vector<Recorded<Exact>> exact;
+  for (const auto& [low, high] : ranges) {
+    const std::string name = script.variable(low, high);
+    computed.emplace_back(script, name);
+    exact.emplace_back(script, name);
+  }
+  script.ask(expression(computed).name() + " - (" + expression(exact).name() + ")");
+  return script.prove()[0].magnitude();
+}
+
+inline Rational largest(const std::vector<Rational>& errors) { return *std::max_element(errors.begin(), errors.end()); }
+inline Rational sum(const std::vector<Rational>& errors)
+{
+  Rational all = 0;
+  for (const Rational& error : errors) all += error;
+  return all;
+}
+
+}  // namespace tetracone::verify::proofs
+
+#endif

@@ -1,0 +1,38 @@
+#ifndef TETRACONE_VERIFY_TEST_SUPPORT_PROOFS_H
+#define TETRACONE_VERIFY_TEST_SUPPORT_PROOFS_H
+
+#include "verify/proofs/gappa_script.h"
+#include "verify/proofs/proved_bound.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <iostream>
+
+namespace tetracone::verify::proofs {
+
+/// Says so where Gappa is not installed; ctest takes the line for a skipped test.
+inline bool skipped_without_gappa()
+{
+  if (gappa_is_there()) return false;
+  std::cout << "SKIPPED: no gappa to prove bounds with\n";
+  return true;
+}
+
+/// Each constant is at least what is proved, and proved for the reason that it is there: not below a share of it.
+inline void check_proved(const Proved_bounds& bounds, double loosest)
+{
+  BOOST_TEST(!bounds.empty());
+  for (const Proved_bound& bound : bounds) {
+    const double proved = bound.proved.get_d() / bound.unit, in_code = bound.in_code.get_d() / bound.unit;
+    BOOST_TEST_MESSAGE(bound.name << ": " << in_code << " in the code, " << proved << " proved");
+    BOOST_TEST((bound.proved <= bound.in_code), bound.file << ": " << bound.name << " is " << in_code
+                                                           << " in the code, less than the " << proved << " that "
+                                                           << bound.by << " proves to be enough");
+    BOOST_TEST(proved > 0);
+    BOOST_TEST(in_code <= loosest * proved, bound.name << " is loose: " << in_code << ", proved " << proved);
+  }
+}
+
+}  // namespace tetracone::verify::proofs
+
+#endif
