@@ -125,6 +125,8 @@ Csv_row row(const Workload& workload, Question question, const Contestant& conte
       .add("scenario", workload.scenario)
       .add("a", workload.a_name)
       .add("b", workload.b_name)
+      .add("faces_a", workload.a.face_count())
+      .add("faces_b", workload.b.face_count())
       .add_exact("ratio", 1 / workload.scale_b)
       .add("question", std::string(to_string(question)))
       .add("subject", contestant.name)
