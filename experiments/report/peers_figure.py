@@ -69,7 +69,7 @@ def price_of_exactness(rows):
 def cold(rows):
     """FCL's time over ours on the first query after making both bodies ready, that included or not, and with empty caches."""
     of = {(course(r), r["subject"]): r for r in rows if r["question"] == "surface" and not r["degenerate"]}
-    both = [(of[c, OURS], of[c, FCL]) for c, s in of if s == OURS and (c, FCL) in of and of[c, OURS]["cold_ns"]]
+    both = [(of[c, OURS], of[c, FCL]) for c, s in of if s == OURS and (c, FCL) in of and of[c, OURS].get("cold_ns")]
     if not both:
         return
     print("\nmeans over poses spread over each trajectory, geometric means over these: tetracone, FCL, FCL over tetracone [least, most]")

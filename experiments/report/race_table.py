@@ -70,7 +70,7 @@ def exponent(xs, ys):
 
 def judged(rows):
     """One line: how many answers were held against the truth."""
-    n, asked = (sum(int(r[key]) for r in rows) for key in ("judged_by_truth", "poses"))
+    n, asked = (sum(int(r.get(key) or 0) for r in rows) for key in ("judged_by_truth", "poses"))
     return f"answers: {n} of {asked} judged by the truth in rationals"
 
 
