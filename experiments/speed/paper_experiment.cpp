@@ -14,7 +14,7 @@ namespace {
 using tetratree::Config;
 
 /// The names are the table's: `paper_figure.py` knows them by their first word.
-std::vector<Contestant> contestants(std::size_t triangles, std::size_t one_in)
+std::vector<Contestant> contestants(std::size_t triangles, std::size_t one_in, Turning turning)
 {
   std::vector<Contestant> list = {fast(), peer("FCL OBBRSS")};
   const auto add = [&](const std::string& name, const Config& a, const Config& b) {
@@ -22,6 +22,7 @@ std::vector<Contestant> contestants(std::size_t triangles, std::size_t one_in)
   };
   const Config as_published = Config::paper();
   add("published", as_published, as_published);
+  if (turning == Turning::no) return list;
 
   const auto adjusted = [&](const std::string& name, int rounds, double shorter, double longer) {
     Config config = as_published;
@@ -37,7 +38,7 @@ std::vector<Contestant> contestants(std::size_t triangles, std::size_t one_in)
 
   const int first = triangles > 2000 ? 4 : 2;
   for (int depth = first; depth <= first + 3; ++depth)
-    for (const int less_in_b : {0, 1, 2}) {
+    for (const int less_in_b : {0, 2}) {
       Config a = as_published, b = as_published;
       a.depth = depth;
       b.depth = depth - less_in_b;
@@ -66,7 +67,8 @@ void run_paper(const Race_options& options)
           parts.push_back({part, [=, name = name, triangles = triangles] {
                              const Race_course course = on_trajectory((*objects)(name, triangles), name, trajectory,
                                                                       ratio, options.frames, seed, 1, turning);
-                             return race_rows(course, contestants(triangles, one_in), false, passes, seconds, options);
+                             return race_rows(course, contestants(triangles, one_in, turning), false, passes, seconds,
+                                              options);
                            }});
         }
   write_table(options.out, "paper", options.key(), parts);
