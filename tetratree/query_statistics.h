@@ -18,7 +18,7 @@ struct Query_statistics {
   std::uint64_t discarded_by_sphere = 0;       ///< pairs apart
   std::uint64_t tetrahedron_tests = 0;         ///< pairs of nodes whose bounding tetrahedra were compared
   std::uint64_t discarded_by_tetrahedron = 0;  ///< pairs apart
-  std::uint64_t box_tests = 0;                 ///< oriented boxes compared with one of the other body, in the fast tree
+  std::uint64_t box_tests = 0;                 ///< oriented boxes compared with one of the other body
   std::uint64_t leaf_pairs = 0;                ///< pairs of leaves that no bounding volume discarded
   std::uint64_t discarded_by_box = 0;          ///< pairs of an edge and a face in a leaf pair whose boxes are apart
   std::uint64_t edge_face_tests = 0;           ///< edges against faces, decided by signs

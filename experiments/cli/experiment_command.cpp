@@ -7,6 +7,7 @@
 #include "experiments/accuracy/stability.h"
 #include "experiments/report/method_figures.h"
 #include "experiments/speed/ablation_experiment.h"
+#include "experiments/speed/paper_experiment.h"
 #include "experiments/speed/peers_experiment.h"
 #include "experiments/speed/scaling_experiment.h"
 #include "experiments/speed/study.h"
@@ -56,6 +57,7 @@ Race_options race(const Options& options)
 
 void peers(Options options) { run_peers(race(options)); }
 void scaling(Options options) { run_scaling(race(options)); }
+void paper(Options options) { run_paper(race(options)); }
 void ablation(Options options) { run_ablation(race(options)); }
 void threads(Options options) { run_threads(options.study.out, options.race_frames, options.study.seed); }
 
@@ -80,11 +82,14 @@ constexpr std::array experiments = {
         "study",
         "how fast and how often wrong is each kernel on the paper's trajectories and in exactly degenerate contact?",
         "2 min", study},
-    Experiment{"peers", "how fast are ours and FCL, CGAL, Bullet and ODE, in one run, and how often wrong?", "3 min",
+    Experiment{"peers", "how fast are ours and FCL, CGAL, Bullet and ODE, in one run, and how often wrong?", "4 min",
                peers},
     Experiment{"scaling", "how do time, build and memory grow with the triangles of one geometry?", "2 min", scaling},
     Experiment{"ablation", "what does each choice of the paper cost, and each step to the fast tree bring?", "3 min",
                ablation},
+    Experiment{"paper",
+               "what do adjusted tetrahedra, depth, relative size and a turning body cost in the paper's study?",
+               "4 min", paper},
     Experiment{"threads", "how do queries on shared bodies scale with threads, while nodes are made and after?", "10 s",
                threads},
     Experiment{"sign-maps",
@@ -135,8 +140,9 @@ void add_experiment_command(CLI::App& app)
       ->check(poses)
       ->capture_default_str();
   command
-      ->add_option("--race-frames", options->race_frames,
-                   "peers, scaling, ablation, threads: poses of each trajectory (peers: of each of eight circles)")
+      ->add_option(
+          "--race-frames", options->race_frames,
+          "peers, scaling, ablation, paper, threads: poses of each trajectory (peers: of each of eight circles)")
       ->check(poses)
       ->capture_default_str();
   command->add_option("--size", options->size, "sign-maps: doubles along each side of a map")
@@ -150,9 +156,10 @@ void add_experiment_command(CLI::App& app)
   command->add_option("--cases", options->cases, "dataset: cases per family and level")
       ->check(CLI::Range(1ul, 1'000'000ul))
       ->capture_default_str();
-  command->add_flag("--full", options->full,
-                    "Twenty times as many poses or cases; peers and scaling: larger objects; ablation: all poses; "
-                    "stability: more ways");
+  command->add_flag(
+      "--full", options->full,
+      "Twenty times as many poses or cases; peers and scaling: larger objects; ablation and paper: all poses; "
+      "stability: more ways");
   command->footer(
       "Stopped and started again with the same words, it goes on where it was.\nExample: tetracone experiment study "
       "--out out");

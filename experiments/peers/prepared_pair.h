@@ -3,6 +3,7 @@
 
 #include "tetracone/kernel/number/pose.h"
 #include "tetracone/kernel/predicate/question.h"
+#include "tetracone/tetratree/fast/bvh8_options.h"
 #include "tetracone/tetratree/query_statistics.h"
 
 #include <cstddef>
@@ -20,6 +21,9 @@ class Prepared_pair {
   /// Work since the last call, and nodes made so far; none for a peer.
   virtual tetratree::Query_statistics take_counts() { return {}; }
   virtual std::size_t node_count() const { return 0; }
+
+  /// How the nodes of fast trees made so far came about; nothing where that is not known.
+  virtual tetratree::Cut_counts cuts() const { return {}; }
 
   /// How many copies of a triangle the leaves hold in the mean.
   virtual double copies() const { return 1; }

@@ -28,15 +28,15 @@ def work(page, study):
     scenes, lines = [], []
     for (panel, scenario), mine in sorted(by(rows, "panel", "scenario").items(), key=lambda s: REGIMES.index(s[0][0])):
         asked = sum(r["poses"] for r in mine)
-        visited = sum(r["pairs_visited"] / max((r["nodes"] / 2) ** 2, 1) * r["poses"] for r in mine) / asked
+        of_all_pairs = sum((r["bounding_tests"] + r["primitive_tests"]) / (r["faces_a"] * r["faces_b"]) * r["poses"] for r in mine) / asked
         tests = sum((r["bounding_tests"] + r["primitive_tests"]) * r["poses"] for r in mine)
         exact = sum(r["exact_fallbacks"] * r["poses"] for r in mine)
-        scenes.append((scenario, visited, exact / tests if tests else 0, tests > 0))
-        lines.append([panel, scenario, int(asked), f"{visited:.6g}", f"{tests / asked:.6g}", f"{exact / asked:.6g}"])
+        scenes.append((scenario, of_all_pairs, exact / tests if tests else 0, tests > 0))
+        lines.append([panel, scenario, int(asked), f"{of_all_pairs:.6g}", f"{tests / asked:.6g}", f"{exact / asked:.6g}"])
     fig, axes = plt.subplots(1, 2, figsize=(WIDTH, 0.75 + 0.19 * len(scenes)), sharey=True)
-    for axis, index, colour, label in ((axes[0], 1, BLUE, "pairs of nodes visited, of n²/4 (n nodes in both)"),
+    for axis, index, colour, label in ((axes[0], 1, BLUE, "tests of boxes and elements, of all pairs of faces"),
                                        (axes[1], 2, VERMILION, "signs decided exactly, per test")):
-        ticks = (1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1) if index == 1 else (1e-3, 1e-2, 1e-1, 1, 10)
+        ticks = (1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1) if index == 1 else (1e-3, 1e-2, 1e-1, 1, 10)
         for y, scene in enumerate(scenes):
             value = scene[index]
             axis.barh(y, value, color=colour, height=0.7)
@@ -52,7 +52,7 @@ def work(page, study):
     axes[0].set_ylim(len(scenes) - 0.4, -0.6)
     fig.tight_layout(w_pad=0.6)
     source = study.source(f"How much of the trees and of exact arithmetic does a scene ask for ({SUBJECT}, a query)?", rows)
-    data = page.table("needs", ["regime", "scenario", "queries", "pairs_visited_of_n2_4", "tests_a_query", "exact_evaluations_a_query"],
+    data = page.table("needs", ["regime", "scenario", "queries", "tests_of_all_pairs_of_faces", "tests_a_query", "exact_evaluations_a_query"],
                       lines, source)
     return page.figure("needs", fig, source, data)
 

@@ -10,7 +10,8 @@ from report_page import Source
 
 EXPERIMENTS = (("peers", "Peers", "How does each library compare, in time and in wrong answers?"),
                ("scaling", "Scaling", "How do time, preparation and memory grow with the number of triangles?"),
-               ("ablation", "Ablation", "What does each choice of the method cost, or bring?"))
+               ("ablation", "Ablation", "What does each choice of the method cost, or bring?"),
+               ("paper", "The rest of the paper's study", "What do adjusted tetrahedra, depth, relative size and a turning body cost and bring?"))
 MADE_BY = ("seed", "version", "compiler", "flags", "processor", "command", "fcl")
 WORKLOAD = ("scenario", "object", "triangles", "ratio", "question")
 
@@ -65,7 +66,7 @@ def against_the_first(page, rows, source):
                 continue
             wrong = sum(int(r["false_positives"]) + int(r["false_negatives"]) for r in own)
             asked = sum(int(r["poses"]) for r in own)
-            ratio = geometric_mean(1e6 * float(r["mean_ns"]) / reference[key(r)] for r in own if key(r) in reference) / 1e6
+            ratio = geometric_mean(float(r["mean_ns"]) / reference[key(r)] for r in own if key(r) in reference)
             is_timed = not math.isnan(ratio)
             time = f"{times(ratio)} ×; " if is_timed else ""
             cells.append(f"{time}{share(wrong, asked)} wrong")

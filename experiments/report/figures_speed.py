@@ -159,7 +159,7 @@ def verdict(subject, study, campaign):
             peer = {workload(r): r["mean_ns"] for r in study.rows if r["method"] == "peer"}
             pairs = [r["mean_ns"] / peer[workload(r)] for r in random if workload(r) in peer and r["method"] != "peer"]
             if pairs:
-                fast += f", {times(geometric_mean(1e6 * x for x in pairs) / 1e6)} times FCL's"
+                fast += f", {times(geometric_mean(pairs))} times FCL's"
             parts.append(fast)
         counts = [(regime, sum(r["wrong"] for r in rows), sum(r["poses"] for r in rows)) for regime in REGIMES
                   if (rows := [r for r in study.asked_in(regime) if r["subject"] == subject])]
@@ -198,7 +198,7 @@ def summary(page, study):
         on = {regime: [r for r in study.asked_in(regime) if r["subject"] == subject] for regime in REGIMES}
         counts = [(sum(r["wrong"] for r in rows), sum(r["poses"] for r in rows)) for rows in on.values()]
         ns = geometric_mean(r["mean_ns"] for r in on["random"])
-        against = geometric_mean(1e6 * r["mean_ns"] / peer[workload(r)] for r in on["random"] if workload(r) in peer) / 1e6
+        against = geometric_mean(r["mean_ns"] / peer[workload(r)] for r in on["random"] if workload(r) in peer)
         missed, invented = (sum(r[key] for rows in on.values() for r in rows) for key in ("false_negatives", "false_positives"))
         there = bool(on["random"])
         lines.append([subject, *(int(x) for pair in counts for x in pair), int(missed), int(invented), round(ns) if there else "",

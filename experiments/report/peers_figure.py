@@ -5,7 +5,8 @@ import math
 
 import matplotlib.pyplot as plt
 
-from race_table import COLOURS, EPECK, EPICK, FCL, GREY, IN_DOUBLE, LAST_FRAME, OURS, PAPER, against, answers, checked, geometric_mean, read, save, wrong
+from race_table import COLOURS, EPECK, EPICK, FCL, GREY, IN_DOUBLE, LAST_FRAME, OURS, PAPER, PUBLISHED, against, answers, course, judged, read, save, wrong
+from report_data import geometric_mean
 
 
 def label(row):
@@ -65,6 +66,22 @@ def price_of_exactness(rows):
               f"   [{math.exp(min(logs)):.3f}, {math.exp(max(logs)):.3f}] of {len(logs)}")
 
 
+def cold(rows):
+    """FCL's time over ours on the first query after making both bodies ready, that included or not, and with empty caches."""
+    of = {(course(r), r["subject"]): r for r in rows if r["question"] == "surface" and not r["degenerate"]}
+    both = [(of[c, OURS], of[c, FCL]) for c, s in of if s == OURS and (c, FCL) in of and of[c, OURS].get("cold_ns")]
+    if not both:
+        return
+    print("\nmeans over poses spread over each trajectory, geometric means over these: tetracone, FCL, FCL over tetracone [least, most]")
+    for name, value in (("caches empty, ns", lambda r: r["cold_ns"]),
+                        ("the same poses with caches full, ns", lambda r: r["warm_ns"]),
+                        ("first query of bodies just made, µs", lambda r: 1e3 * r["first_query_ms"]),
+                        ("making them, with the first query, µs", lambda r: 1e3 * (r["first_build_ms"] + r["first_query_ms"]))):
+        ratios = [value(f) / value(o) for o, f in both if value(o) > 0 and value(f) > 0]
+        mine, its = (geometric_mean(value(r) for r in rs if value(r) > 0) for rs in zip(*both))
+        print(f"  {name:40} {mine:9.4g} {its:9.4g} {geometric_mean(ratios):8.3g} [{min(ratios):.3g}, {max(ratios):.3g}]")
+
+
 def summary(rows):
     ordinary = [r for r in rows if not r["degenerate"]]
     surface = [r for r in ordinary if r["question"] == "surface"]
@@ -76,7 +93,7 @@ def summary(rows):
             continue
         print(f"  {subject:34} {geometric_mean(ratios.values()):8.3g} [{min(ratios.values()):.3g}, {max(ratios.values()):.3g}]"
               f"   wrong {wrong(rows, subject)} of {answers(rows, subject)}")
-    print("  " + checked(rows))
+    print("  " + judged(rows))
     fcl = against(surface, FCL, OURS)
     if fcl:
         print("\nFCL's time over tetracone's by workload")
@@ -84,6 +101,7 @@ def summary(rows):
             for ratio in (1, 8):
                 some = {c: v for c, v in fcl.items() if c[0] == scenario and c[3] == ratio}
                 print(f"  {scenario:9} 1:{ratio}  {geometric_mean(some.values()):5.2f}   " + ", ".join(f"{c[1]} {c[2] / 1000:.3g}k {v:.2f}" for c, v in some.items()))
+    cold(rows)
     near_contact(rows)
     price_of_exactness(rows)
     print()
@@ -92,7 +110,7 @@ def summary(rows):
         build = against(large, OURS, FCL, "build_ms")
         print(f"build over FCL's {geometric_mean(build.values()):.2f}; built on demand with the first hundred queries, over FCL's build alone "
               f"{geometric_mean(first_hundred(large).values()):.2f}")
-    for subject in (OURS, FCL, EPICK, EPECK, PAPER):
+    for subject in (OURS, FCL, EPICK, EPECK, PAPER, PUBLISHED):
         sizes = [r["bytes_per_triangle"] for r in surface if r["subject"] == subject and r["triangles"] > 2000]
         if sizes:
             print(f"  {subject:34} {geometric_mean(sizes):6.0f} bytes a triangle of the heap, the copy of the mesh included")

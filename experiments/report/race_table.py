@@ -12,9 +12,9 @@ import matplotlib.pyplot as plt
 
 from report_style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, SKY, VERMILION, set_style  # noqa: F401
 
-OURS, FCL, PAPER = "tetracone", "FCL OBBRSS", "tetra-tree tuned in double"
+OURS, FCL, PAPER, PUBLISHED = "tetracone", "FCL OBBRSS", "tetra-tree tuned in double", "tetra-tree as published in double"
 LAST_FRAME, IN_DOUBLE, EPICK, EPECK = "tetracone with last frame", "tetracone in double", "CGAL RMCD EPICK", "CGAL RMCD EPECK"
-COLOURS = {OURS: GREEN, LAST_FRAME: "#005a41", IN_DOUBLE: "#7fc4a4", FCL: INK, PAPER: VERMILION, EPICK: SKY, EPECK: BLUE, "Bullet GImpact": ORANGE, "ODE trimesh": PURPLE}
+COLOURS = {OURS: GREEN, LAST_FRAME: "#005a41", IN_DOUBLE: "#7fc4a4", FCL: INK, PAPER: VERMILION, PUBLISHED: "#8c3a00", EPICK: SKY, EPECK: BLUE, "Bullet GImpact": ORANGE, "ODE trimesh": PURPLE}
 SHORT = {LAST_FRAME: "with last frame", IN_DOUBLE: "in double", FCL: "FCL", PAPER: "tetra-tree, double", EPICK: "EPICK"}
 TEXT = {"scenario", "object", "question", "subject", "version", "compiler", "flags", "processor", "fcl"}
 
@@ -52,11 +52,6 @@ def ratio(row, other, value):
     return over if other["subject"] in (OURS, FCL) else over / (other["same_poses_ns"] / other[ruler])
 
 
-def geometric_mean(values):
-    values = list(values)
-    return math.exp(sum(map(math.log, values)) / len(values)) if values else math.nan
-
-
 def wrong(rows, subject):
     return sum(int(r["false_positives"] + r["false_negatives"]) for r in rows if r["subject"] == subject)
 
@@ -73,11 +68,10 @@ def exponent(xs, ys):
     return sum((a - x) * (b - y) for a, b in zip(xs, ys)) / spread if spread else math.nan
 
 
-def checked(rows):
-    """One line: what the reference was held against."""
-    seen = {course(r): r for r in rows}.values()
-    n, bad = sum(int(r["reference_checked"]) for r in seen), sum(int(r["reference_wrong"]) for r in seen)
-    return f"reference: tetracone's answers, of which {n} were compared with the truth in rationals: {bad} wrong"
+def judged(rows):
+    """One line: how many answers were held against the truth."""
+    n, asked = (sum(int(r.get(key) or 0) for r in rows) for key in ("judged_by_truth", "poses"))
+    return f"answers: {n} of {asked} judged by the truth in rationals"
 
 
 def save(figure, out, name):

@@ -36,8 +36,9 @@ def wilson(wrong, n, z=1.959964):
 
 
 def geometric_mean(values):
-    values = [max(v, 1.0) for v in values]
-    return math.exp(sum(math.log(v) for v in values) / len(values)) if values else math.nan
+    """Of positive numbers; of none, not a number."""
+    values = list(values)
+    return math.exp(sum(map(math.log, values)) / len(values)) if values else math.nan
 
 
 def percent(x):

@@ -5,7 +5,7 @@ import os
 from report_data import by, distinct, geometric_mean, read
 from report_page import Source
 
-NUMBERS = ("ratio poses collisions false_positives false_negatives mean_ns median_ns p99_ns build_ms bytes nodes "
+NUMBERS = ("faces_a faces_b ratio poses collisions false_positives false_negatives mean_ns median_ns p99_ns build_ms bytes nodes "
            "pairs_visited discarded_by_hull discarded_by_sphere discarded_by_tetrahedron bounding_tests primitive_tests "
            "exact_fallbacks").split()
 CONTAINMENT = ("nested", "in a cavity")
@@ -32,6 +32,7 @@ class Study:
         for row in self.rows:
             for key in NUMBERS:
                 row[key] = float(row[key])
+            row["mean_ns"] = max(row["mean_ns"], 1.0)  # whole nanoseconds
             row["exact"] = row["exact"] == "1"
             row["wrong"] = row["false_positives"] + row["false_negatives"]
             row["panel"] = regime_of(row)

@@ -9,7 +9,9 @@
 namespace tetracone::experiments {
 namespace {
 
+using tetratree::Bvh8_options;
 using tetratree::Config;
+using tetratree::Cuts;
 
 /// The depth of the paper's default plus `more` levels.
 int depth(std::size_t triangles, int more)
@@ -48,6 +50,28 @@ std::vector<Contestant> contestants(std::size_t triangles, std::size_t one_in)
   config.leaf_boxes = true;
   add("step 6 boxes in leaves", config);
   list.push_back(paper_adaptive("step 7 exact signs", config).every(one_in));
+  config.boxes = true;
+  config.spheres = config.tetrahedra = false;
+  list.push_back(paper_adaptive("step 8 boxes for spheres and tetrahedra", config).every(one_in));
+  // A node of octants has eight parts, one of a tetra-cone four: so have the nodes that are cut, at first.
+  list.push_back(fast_as_chosen("step 9 each element in one cone", {.cuts = Cuts::tetra_cones, .leaf_size = 8}));
+  list.push_back(
+      fast_as_chosen("step 10 cuts through the origin", {.cuts = Cuts::through_origin, .parts = 4, .leaf_size = 8}));
+  list.push_back(fast_as_chosen("step 11 principal axes too", {.parts = 4, .leaf_size = 8}));
+  list.push_back(fast_as_chosen("step 12 one element a leaf", {.parts = 4}));
+  list.push_back(fast_as_chosen("step 13 eight a node", {}));
+
+  // One choice of the fast tree's at a time.
+  const auto add_fast = [&](const std::string& name, const Bvh8_options& options) {
+    list.push_back(fast_as_chosen("fast " + name, options));
+  };
+  add_fast("with octants and four cones each", {.cuts = Cuts::tetra_cones});
+  add_fast("with cuts through the origin", {.cuts = Cuts::through_origin});
+  add_fast("with principal axes alone", {.cuts = Cuts::principal});
+  add_fast("with two a node", {.parts = 2});
+  add_fast("with four a node", {.parts = 4});
+  add_fast("with two elements a leaf", {.leaf_size = 2});
+  add_fast("with eight elements a leaf", {.leaf_size = 8});
 
   // One choice of the paper's at a time. Two of them are thousands of times slower.
   const std::size_t rare = 5;
@@ -61,6 +85,10 @@ std::vector<Contestant> contestants(std::size_t triangles, std::size_t one_in)
       paper("with one cone level", changed(as_published, [](Config& c) { c.depth = 1; })).every(one_in * rare));
   add("with smaller spheres",
       changed(as_published, [](Config& c) { c.sphere_centre = tetratree::Sphere_centre::improved; }));
+  add("with boxes for spheres and tetrahedra", changed(as_published, [](Config& c) {
+        c.boxes = true;
+        c.spheres = c.tetrahedra = false;
+      }));
   add("with the tightest far plane",
       changed(as_published, [](Config& c) { c.far_plane = tetratree::Far_plane::tightest; }));
   add("with boxes in leaves", changed(as_published, [](Config& c) { c.leaf_boxes = true; }));
@@ -95,7 +123,7 @@ void run_ablation(const Race_options& options)
                            const Race_course course =
                                on_trajectory((*objects)(name, triangles), name, trajectory, 1, options.frames, seed);
                            return race_rows(course, contestants(course.a.face_count(), one_in), false, passes, seconds,
-                                            options.seed);
+                                            options);
                          }});
       }
   write_table(options.out, "ablation", options.key(), parts);

@@ -1,6 +1,5 @@
 #include "experiments/speed/benchmark_workload.h"
 
-#include "experiments/speed/trajectory.h"
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/repair/repair.h"
 #include "tetracone/tetratree/fast/bvh8_collision.h"
@@ -130,15 +129,20 @@ const Polyhedron& Race_objects::operator()(const std::string& name, std::size_t 
 }
 
 Race_course on_trajectory(const Polyhedron& object, const std::string& name, const std::string& trajectory,
-                          double ratio, int frames, std::uint64_t seed, int trajectories)
+                          double ratio, int frames, std::uint64_t seed, int trajectories, Turning turning)
 {
-  Race_course course{trajectory, name, ratio, object, scaled(object, 1 / ratio), {}};
+  Race_course course{turning == Turning::yes ? trajectory : trajectory + " not turning",
+                     name,
+                     ratio,
+                     object,
+                     scaled(object, 1 / ratio),
+                     {}};
   tetratree::Bvh8 a(course.a), b(object);
   tetratree::Bvh8_collision collide(a, b);
   const auto collides = [&](const Pose& pose) { return collide(Pose(), pose, Question::surface); };
   const auto find = trajectory == "circular" ? circular_trajectory : contour_trajectory;
   for (int k = 0; k < trajectories; ++k)
-    for (const Pose& pose : find(object, object, ratio, frames, seed + 100 * std::uint64_t(k), collides)) {
+    for (const Pose& pose : find(object, object, ratio, frames, seed + 100 * std::uint64_t(k), collides, turning)) {
       auto entries = pose.entries();
       for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 3; ++column) entries[4 * row + column] *= ratio;

@@ -1,6 +1,7 @@
 #ifndef TETRACONE_EXPERIMENTS_SPEED_BENCHMARK_WORKLOAD_H
 #define TETRACONE_EXPERIMENTS_SPEED_BENCHMARK_WORKLOAD_H
 
+#include "experiments/speed/trajectory.h"
 #include "tetracone/covering/polyhedron.h"
 #include "tetracone/kernel/number/pose.h"
 
@@ -33,7 +34,8 @@ struct Race_course {
 double star_share(const covering::Polyhedron& polyhedron);
 
 /// Triangle meshes of a size by their name: "blob" (star-shaped) and "knot" (genus 1), generated, at any size; others
-/// are libcgal-demo's, decimated and normalised: "bunny", "camel" (on four legs), "anchor" (genus 4) and "elephant".
+/// are libcgal-demo's, decimated and normalised: "bunny", "dino", "camel" (on four legs), "anchor" (genus 4) and
+/// "elephant".
 class Race_objects {
  public:
   /// `models` is the folder that fetch_models.sh filled.
@@ -48,9 +50,10 @@ class Race_objects {
 };
 
 /// The object against itself, B 1 / ratio as large, on `trajectories` of JS08 section 4, "circular" or "contour", one
-/// after the other, `frames` poses each. Requires ratio a power of two.
+/// after the other, `frames` poses each; where B does not turn, the scenario's name says so. Requires ratio a power of two.
 Race_course on_trajectory(const covering::Polyhedron& object, const std::string& name, const std::string& trajectory,
-                          double ratio, int frames, std::uint64_t seed, int trajectories = 1);
+                          double ratio, int frames, std::uint64_t seed, int trajectories = 1,
+                          Turning turning = Turning::yes);
 
 // Exactly degenerate contact: bodies turned so that no face lies along an axis, in poses whose doubles say it exactly.
 // Every answer takes the exact path.

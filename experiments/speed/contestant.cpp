@@ -3,7 +3,7 @@
 #include "experiments/peers/peer.h"
 #include "tetracone/kernel/predicate/kernels.h"
 #include "tetracone/tetratree/door/repair.h"
-#include "tetracone/tetratree/fast/bvh8_node.h"
+#include "tetracone/tetratree/fast/bvh8_collision.h"
 #include "tetracone/tetratree/paper/collision.h"
 
 #include <optional>
@@ -90,6 +90,34 @@ Contestant fast_as(const std::string& name, const Query_options& options)
           .share = share};
 }
 
+class Chosen_pair : public Prepared_pair {
+ public:
+  Chosen_pair(const Polyhedron& a, const Polyhedron& b, const tetratree::Bvh8_options& options)
+      : a_(a, {}, options), b_(b, {}, options), collision_(a_, b_)
+  {
+    a_.make_all();
+    b_.make_all();
+  }
+
+  bool collide(const Pose& pose_a, const Pose& pose_b, Question question) override
+  {
+    return collision_(pose_a, pose_b, question);
+  }
+  tetratree::Query_statistics take_counts() override { return taken(collision_); }
+  std::size_t node_count() const override { return a_.node_count() + b_.node_count(); }
+  std::size_t tree_bytes() const override { return a_.bytes() + b_.bytes() + collision_.bytes(); }
+  std::size_t mapped_bytes() const override { return a_.node_bytes() + b_.node_bytes(); }
+  tetratree::Cut_counts cuts() const override
+  {
+    const tetratree::Cut_counts a = a_.cuts(), b = b_.cuts();
+    return {a.all + b.all, a.tried_cones + b.tried_cones, a.through_origin + b.through_origin};
+  }
+
+ private:
+  tetratree::Bvh8 a_, b_;
+  tetratree::Bvh8_collision<> collision_;
+};
+
 template <class K>
 double copies_in_leaves(const tetratree::Tetra_tree<K>& tree)
 {
@@ -102,8 +130,8 @@ double copies_in_leaves(const tetratree::Tetra_tree<K>& tree)
 template <class K>
 class Paper_pair : public Prepared_pair {
  public:
-  Paper_pair(const Polyhedron& a, const Polyhedron& b, const tetratree::Config& config)
-      : a_(a, config), b_(b, config), collision_(a_, b_)
+  Paper_pair(const Polyhedron& a, const tetratree::Config& of_a, const Polyhedron& b, const tetratree::Config& of_b)
+      : a_(a, of_a), b_(b, of_b), collision_(a_, b_)
   {}
 
   bool collide(const Pose& pose_a, const Pose& pose_b, Question question) override
@@ -120,36 +148,54 @@ class Paper_pair : public Prepared_pair {
 };
 
 template <class K>
-Contestant paper_over(const std::string& name, const tetratree::Config& config)
+Contestant paper_over(const std::string& name, const tetratree::Config& of_a, const tetratree::Config& of_b)
 {
   return {.name = name,
           .exact = kernel::Kernel_traits<K>::exact_signs,
           .knows_solids = true,
           .counts_work = true,
-          .prepare = [config](const Polyhedron& a, const Polyhedron& b) {
-            return std::make_unique<Paper_pair<K>>(a, b, config);
+          .prepare = [of_a, of_b](const Polyhedron& a, const Polyhedron& b) {
+            return std::make_unique<Paper_pair<K>>(a, of_a, b, of_b);
           }};
 }
 
 }  // namespace
 
-Contestant fast() { return fast_as("tetracone", {}); }
+Contestant fast()
+{
+  Contestant contestant = fast_as("tetracone", {});
+  contestant.clocked_cold = true;
+  return contestant;
+}
 Contestant fast_with_last_frame() { return fast_as("tetracone with last frame", {.remember = true}); }
 Contestant fast_in_double() { return fast_as("tetracone in double", {.kernel = Kernel::double_}); }
 
-Contestant paper(const std::string& name, const tetratree::Config& config)
+Contestant fast_as_chosen(const std::string& name, const tetratree::Bvh8_options& options)
 {
-  return paper_over<kernel::Double>(name, config);
+  return {.name = name,
+          .exact = true,
+          .knows_solids = true,
+          .counts_work = true,
+          .prepare = [options](const Polyhedron& a, const Polyhedron& b) {
+            return std::make_unique<Chosen_pair>(a, b, options);
+          }};
+}
+
+Contestant paper(const std::string& name, const tetratree::Config& config) { return paper(name, config, config); }
+Contestant paper(const std::string& name, const tetratree::Config& of_a, const tetratree::Config& of_b)
+{
+  return paper_over<kernel::Double>(name, of_a, of_b);
 }
 Contestant paper_adaptive(const std::string& name, const tetratree::Config& config)
 {
-  return paper_over<kernel::Adaptive>(name, config);
+  return paper_over<kernel::Adaptive>(name, config, config);
 }
 
 Contestant peer(const std::string& name, std::size_t one_in)
 {
   Contestant result{.name = name,
                     .knows_solids = name.starts_with("CGAL"),
+                    .clocked_cold = name.starts_with("FCL"),
                     .one_in = one_in,
                     .prepare = [](const Polyhedron&, const Polyhedron&) { return nullptr; }};
   for (const Peer& known : peers()) {

@@ -3,6 +3,7 @@
 
 #include "experiments/peers/prepared_pair.h"
 #include "tetracone/covering/polyhedron.h"
+#include "tetracone/tetratree/fast/bvh8_options.h"
 #include "tetracone/tetratree/paper/config.h"
 
 #include <cstddef>
@@ -20,8 +21,9 @@ struct Contestant {
   std::string name = {};
   bool exact = false;  ///< every answer is right by construction
   bool knows_solids = false;
-  bool counts_work = false;  ///< `Prepared_pair::take_counts` tells something
-  std::size_t one_in = 1;    ///< is asked every `one_in`-th pose; more than 1 for the slow
+  bool counts_work = false;   ///< `Prepared_pair::take_counts` tells something
+  bool clocked_cold = false;  ///< its first query, and queries with empty caches, are clocked too
+  std::size_t one_in = 1;     ///< is asked every `one_in`-th pose; more than 1 for the slow
 
   using Prepare =
       std::function<std::unique_ptr<Prepared_pair>(const covering::Polyhedron& a, const covering::Polyhedron& b)>;
@@ -48,8 +50,12 @@ Contestant fast_with_last_frame();
 /// The fast tree with leaves decided in double: what exactness costs is its time below the adaptive kernel's.
 Contestant fast_in_double();
 
-/// The paper's tree in double with these choices, or over the adaptive kernel.
+/// The fast tree of the adaptive kernel with these choices, and how it was cut.
+Contestant fast_as_chosen(const std::string& name, const tetratree::Bvh8_options& options);
+
+/// The paper's tree in double with these choices, of B with others where they are given, or over the adaptive kernel.
 Contestant paper(const std::string& name, const tetratree::Config& config);
+Contestant paper(const std::string& name, const tetratree::Config& of_a, const tetratree::Config& of_b);
 Contestant paper_adaptive(const std::string& name, const tetratree::Config& config);
 
 /// A peer by its name (see `peers`), its meshes triangulated. Takes nothing where the program was built without it.

@@ -1,9 +1,9 @@
 #include "experiments/speed/race.h"
 
 #include "experiments/support/stopwatch.h"
-#include "verify/truth/cgal_truth.h"
 
 #include <malloc.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -38,6 +38,46 @@ std::size_t heap()
   return info.uordblks + info.hblkhd;
 }
 
+/// `Race::cold_poses` numbers of poses, or all where these are fewer, evenly spread over the course.
+std::vector<std::size_t> spread_poses(const Race_course& course)
+{
+  const std::size_t all = course.poses_b.size(), count = std::min(Race::cold_poses, all);
+  std::vector<std::size_t> numbers;
+  for (std::size_t k = 0; k < count; ++k) numbers.push_back((2 * k + 1) * all / (2 * count));
+  return numbers;
+}
+
+/// Nothing of what was read before is in a cache of the processor after this.
+void empty_caches()
+{
+  constexpr std::size_t line = 64, least = std::size_t(64) << 20;
+  static std::vector<unsigned char> buffer(
+      std::max(least, 2 * std::size_t(std::max(0L, sysconf(_SC_LEVEL3_CACHE_SIZE)))));
+  for (std::size_t k = 0; k < buffer.size(); k += line) ++buffer[k];
+}
+
+void clock_first_queries(Prepared_contestant& prepared, const Race_course& course)
+{
+  const Contestant& contestant = prepared.contestant;
+  const auto& how = contestant.prepare_on_demand ? contestant.prepare_on_demand : contestant.prepare;
+  constexpr double enough_seconds = 2;  // large bodies are made fewer times
+  const Stopwatch all;
+  double build = 0, query = 0, count = 0;
+  for (const std::size_t k : spread_poses(course)) {
+    const Stopwatch whole;
+    const auto pair = how(course.a, course.b);
+    if (!pair) return;
+    build += whole.milliseconds();
+    const Stopwatch first;
+    pair->collide(unmoved, course.poses_b[k], Question::surface);
+    query += first.milliseconds();
+    ++count;
+    if (all.seconds() > enough_seconds) break;
+  }
+  prepared.build.first_build_milliseconds = build / count;
+  prepared.build.first_query_milliseconds = query / count;
+}
+
 Prepared_contestant prepare(const Contestant& contestant, const Race_course& course)
 {
   Prepared_contestant prepared{contestant, nullptr, {}};
@@ -46,6 +86,7 @@ Prepared_contestant prepare(const Contestant& contestant, const Race_course& cou
     prepared.pair = how(course.a, course.b);
     return watch.milliseconds();
   };
+  if (contestant.clocked_cold) clock_first_queries(prepared, course);
   if (contestant.prepare_on_demand) {
     const Stopwatch watch;
     build(contestant.prepare_on_demand);
@@ -70,8 +111,8 @@ Prepared_contestant prepare(const Contestant& contestant, const Race_course& cou
 /// A contestant's passes over its poses.
 class Laps {
  public:
-  Laps(Prepared_contestant& prepared, const Race_course& course, Question question, const std::vector<char>& reference)
-      : prepared_(prepared), course_(course), question_(question), poses_(reference, prepared.contestant.one_in)
+  Laps(Prepared_contestant& prepared, const Race_course& course, Question question, const std::vector<char>& truth)
+      : prepared_(prepared), course_(course), question_(question), poses_(truth, prepared.contestant.one_in)
   {}
 
   const Timed_poses& poses() const { return poses_; }
@@ -95,6 +136,20 @@ class Laps {
     }
     mean_ = std::min(mean_, mean);
     seconds_ += double(std::clock() - start) / CLOCKS_PER_SEC;
+  }
+
+  /// After the laps: one pose at a time with nothing in the caches. Requires a contestant that is asked every pose.
+  void clock_cold()
+  {
+    const auto numbers = spread_poses(course_);
+    timing_.cold_ns = timing_.warm_ns = 0;
+    for (const std::size_t k : numbers) {
+      empty_caches();
+      const Stopwatch watch;
+      found_ += collide(k);
+      timing_.cold_ns += std::max(0.0, watch.nanoseconds() - clock_ns()) / double(numbers.size());
+      timing_.warm_ns += poses_.fastest_ns()[k] / double(numbers.size());
+    }
   }
 
   Timing timing() const
@@ -134,7 +189,8 @@ class Laps {
 
 }  // namespace
 
-Race::Race(const Race_course& course, const std::vector<Contestant>& contestants) : course_(course)
+Race::Race(const Race_course& course, const Course_truth& truth, const std::vector<Contestant>& contestants)
+    : course_(course), truth_(truth)
 {
   for (const Contestant& contestant : contestants) {
     Prepared_contestant prepared = prepare(contestant, course);
@@ -148,16 +204,18 @@ Race::Race(const Race_course& course, const std::vector<Contestant>& contestants
 
 std::vector<std::optional<Timing>> Race::run(Question question, int passes, double seconds)
 {
-  const auto& answers = reference(question);
   std::vector<std::optional<Laps>> laps;
   for (Prepared_contestant& prepared : contestants_) {
     laps.emplace_back();
     if (prepared.pair && (question == Question::surface || prepared.contestant.knows_solids))
-      laps.back().emplace(prepared, course_, question, answers);
+      laps.back().emplace(prepared, course_, question, truth_.of(question));
   }
   for (int pass = 0; pass < passes; ++pass)
     for (auto& each : laps)
       if (each && (pass == 0 || each->seconds() < seconds)) each->lap();
+  if (question == Question::surface)
+    for (std::size_t k = 0; k < laps.size(); ++k)
+      if (laps[k] && contestants_[k].contestant.clocked_cold) laps[k]->clock_cold();
   std::vector<std::optional<Timing>> timings;
   const Laps* fcl = nullptr;
   for (std::size_t k = 0; k < laps.size(); ++k)
@@ -171,34 +229,6 @@ std::vector<std::optional<Timing>> Race::run(Question question, int passes, doub
     if (fcl) timings.back()->fcl_same_poses_ns = fcl->poses().mean_ns(each->poses());
   }
   return timings;
-}
-
-const std::vector<char>& Race::reference(Question question)
-{
-  auto& known = question == Question::surface ? surface_ : solid_;
-  if (known) return *known;
-  known.emplace();
-  for (const Pose& pose : course_.poses_b) known->push_back(contestants_[0].pair->collide(unmoved, pose, question));
-  return *known;
-}
-
-Race::Checked Race::check(Question question)
-{
-  const auto& answers = reference(question);
-  const std::size_t faces = course_.a.face_count() + course_.b.face_count(), wanted = faces > 20000 ? 1 : 6;
-  const verify::Brute_body a(course_.a), b(course_.b);
-  Checked checked;
-  for (const bool hit : {false, true}) {
-    std::vector<std::size_t> frames;
-    for (std::size_t k = 0; k < answers.size(); ++k)
-      if (bool(answers[k]) == hit) frames.push_back(k);
-    const std::size_t stride = std::max<std::size_t>(1, frames.size() / wanted);
-    for (std::size_t i = 0, asked = 0; i < frames.size() && asked < wanted; i += stride, ++asked) {
-      ++checked.frames;
-      checked.wrong += verify::collide(a, unmoved, b, course_.poses_b[frames[i]], question) != hit;
-    }
-  }
-  return checked;
 }
 
 }  // namespace tetracone::experiments

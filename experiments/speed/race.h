@@ -3,6 +3,7 @@
 
 #include "experiments/speed/benchmark_workload.h"
 #include "experiments/speed/contestant.h"
+#include "experiments/speed/course_truth.h"
 #include "experiments/speed/timed_poses.h"
 
 #include <cstddef>
@@ -18,15 +19,21 @@ struct Build {
   std::size_t bytes = 0;               ///< growth of the heap, the contestant's copy of the meshes included
   double with_first_milliseconds = 0;  ///< where nodes are made on demand: built so, and asked the first hundred poses
   std::size_t nodes_after_one = 0, nodes_after_first = 0;
+  /// Of a contestant that is `clocked_cold`: to make it ready, on demand where it can be, and its first answer to the
+  /// surface question then; means over `Race::cold_poses` poses at most, each asked of bodies made anew.
+  double first_build_milliseconds = 0, first_query_milliseconds = 0;
 };
 
-/// How one contestant answered one question on a course: judged by `Race::reference`.
+/// How one contestant answered one question on a course: judged by the truth.
 struct Timing : Judged_answers {
   double mean_ns = 0;                ///< over the poses, in the fastest pass
   double median_ns = 0, p99_ns = 0;  ///< over the poses, the fastest time of each, less the clock's own
   /// The mean of the fastest times of the poses that this contestant was asked: its own, the first's and FCL's. Ratios
   /// of contestants that were asked unequal poses are taken from these.
   double same_poses_ns = 0, first_same_poses_ns = 0, fcl_same_poses_ns = 0;
+  /// Of a contestant that is `clocked_cold`: the mean over `Race::cold_poses` poses, the caches emptied before each, and
+  /// of the fastest times in the same poses.
+  double cold_ns = 0, warm_ns = 0;
   std::size_t passes = 0;              ///< each: clocked, without the clock, clocked again; a long one clocked alone
   tetratree::Query_statistics counts;  ///< work of one pass
 };
@@ -43,9 +50,11 @@ struct Prepared_contestant {
 /// machine for a while slows all.
 class Race {
  public:
-  static constexpr std::size_t first_poses = 100;
+  static constexpr std::size_t first_poses = 100, cold_poses = 16;
 
-  Race(const Race_course& course, const std::vector<Contestant>& contestants);
+  /// Both must outlive the race. The first contestant is the one that others are compared with: it must be asked every
+  /// pose; FCL must be asked every pose too, where it takes part.
+  Race(const Race_course& course, const Course_truth& truth, const std::vector<Contestant>& contestants);
 
   const std::vector<Prepared_contestant>& contestants() const { return contestants_; }
 
@@ -53,20 +62,10 @@ class Race {
   /// rests. Nothing for one that was not asked.
   std::vector<std::optional<Timing>> run(kernel::Question question, int passes, double seconds);
 
-  /// A sample of the reference, held against the truth of `verify/truth/cgal_truth.h`, which shares no code with it.
-  /// The reference is the first contestant's answers: it must be exact and asked every pose; FCL must be asked every
-  /// pose too, where it takes part.
-  struct Checked {
-    std::size_t frames = 0, wrong = 0;
-  };
-  Checked check(kernel::Question question);
-
  private:
-  const std::vector<char>& reference(kernel::Question question);
-
   const Race_course& course_;
+  const Course_truth& truth_;
   std::vector<Prepared_contestant> contestants_;
-  std::optional<std::vector<char>> surface_, solid_;
 };
 
 }  // namespace tetracone::experiments

@@ -24,14 +24,13 @@ void add_course(Csv_row& row, const Race_course& course)
       .add("degenerate", course.degenerate ? 1 : 0);
 }
 
-void add_answers(Csv_row& row, const Judged_answers& answers, const Race::Checked& checked)
+void add_answers(Csv_row& row, const Judged_answers& answers)
 {
   row.add("poses", answers.poses)
       .add("collisions", answers.collisions)
       .add("false_positives", answers.false_positives)
       .add("false_negatives", answers.false_negatives)
-      .add("reference_checked", checked.frames)
-      .add("reference_wrong", checked.wrong);
+      .add("judged_by_truth", answers.poses);
 }
 
 void add_times(Csv_row& row, const Timing& timing)
@@ -43,6 +42,16 @@ void add_times(Csv_row& row, const Timing& timing)
       .add("same_poses_ns", timing.same_poses_ns)
       .add("tetracone_same_poses_ns", timing.first_same_poses_ns)
       .add("fcl_same_poses_ns", timing.fcl_same_poses_ns);
+}
+
+void add_cold(Csv_row& row, const Prepared_contestant& prepared, const Timing& timing, Question question)
+{
+  if (!prepared.contestant.clocked_cold || question != Question::surface)
+    return add_none(row, {"cold_ns", "warm_ns", "first_build_ms", "first_query_ms"});
+  row.add("cold_ns", timing.cold_ns)
+      .add("warm_ns", timing.warm_ns)
+      .add("first_build_ms", prepared.build.first_build_milliseconds)
+      .add("first_query_ms", prepared.build.first_query_milliseconds);
 }
 
 void add_build(Csv_row& row, const Prepared_contestant& prepared, double triangles)
@@ -60,7 +69,7 @@ void add_work(Csv_row& row, const Prepared_contestant& prepared, const Timing& t
 {
   if (!prepared.contestant.counts_work)
     return add_none(row, {"bounding_tests", "pairs_visited", "leaf_pairs", "primitive_tests", "exact_fallbacks",
-                          "nodes", "copies"});
+                          "nodes", "copies", "cuts", "cuts_that_tried_cones", "cuts_into_cones"});
   const auto& counts = timing.counts;
   const double poses = static_cast<double>(timing.poses);
   row.add("bounding_tests", counts.bounding_tests() / poses)
@@ -70,6 +79,9 @@ void add_work(Csv_row& row, const Prepared_contestant& prepared, const Timing& t
       .add("exact_fallbacks", counts.exact_fallbacks / poses)
       .add("nodes", prepared.pair->node_count())
       .add("copies", prepared.pair->copies());
+  const tetratree::Cut_counts cuts = prepared.pair->cuts();
+  if (cuts.all == 0) return add_none(row, {"cuts", "cuts_that_tried_cones", "cuts_into_cones"});
+  row.add("cuts", cuts.all).add("cuts_that_tried_cones", cuts.tried_cones).add("cuts_into_cones", cuts.through_origin);
 }
 
 void add_build_on_demand(Csv_row& row, const Prepared_contestant& prepared)
@@ -82,15 +94,16 @@ void add_build_on_demand(Csv_row& row, const Prepared_contestant& prepared)
 }
 
 Csv_row row(const Race_course& course, Question question, const Prepared_contestant& prepared, const Timing& timing,
-            const Race::Checked& checked, std::uint64_t seed)
+            std::uint64_t seed)
 {
   Csv_row row;
   add_course(row, course);
   row.add("question", std::string(to_string(question)))
       .add("subject", prepared.contestant.name)
       .add("exact", prepared.contestant.exact ? 1 : 0);
-  add_answers(row, timing, checked);
+  add_answers(row, timing);
   add_times(row, timing);
+  add_cold(row, prepared, timing, question);
   add_build(row, prepared, static_cast<double>(course.a.face_count() + course.b.face_count()));
   add_work(row, prepared, timing);
   add_build_on_demand(row, prepared);
@@ -100,16 +113,16 @@ Csv_row row(const Race_course& course, Question question, const Prepared_contest
 }  // namespace
 
 std::string race_rows(const Race_course& course, const std::vector<Contestant>& contestants, bool solid, int passes,
-                      double seconds, std::uint64_t seed)
+                      double seconds, const Race_options& options)
 {
-  Race race(course, contestants);
+  const Course_truth truth = kept_course_truth(course, options.out / "truth");
+  Race race(course, truth, contestants);
   Csv_table table;
   for (const Question question : {Question::surface, Question::solid}) {
     if (question == Question::solid && !solid) break;
-    const auto checked = race.check(question);
     const auto timings = race.run(question, passes, seconds);
     for (std::size_t k = 0; k < timings.size(); ++k) {
-      if (timings[k]) table.add(row(course, question, race.contestants()[k], *timings[k], checked, seed));
+      if (timings[k]) table.add(row(course, question, race.contestants()[k], *timings[k], options.seed));
     }
   }
   return table.text();

@@ -24,11 +24,11 @@ struct Race_options {
   }
 };
 
-/// Runs these contestants on the course, the first one the reference, and returns a row for each question, first
-/// surface and, when `solid`, then solid, and each contestant that takes it: times, wrong answers, build, memory,
-/// counts. A CSV with its header.
+/// Runs these contestants on the course, the first one that others are compared with, and returns a row for each
+/// question, first surface and, when `solid`, then solid, and each contestant that takes it: times, answers judged by
+/// the truth, which is kept under out/truth, build, memory, counts. A CSV with its header.
 std::string race_rows(const Race_course& course, const std::vector<Contestant>& contestants, bool solid, int passes,
-                      double seconds, std::uint64_t seed);
+                      double seconds, const Race_options& options);
 
 }  // namespace tetracone::experiments
 

@@ -33,7 +33,7 @@ void run_scaling(const Race_options& options)
                            Race_course course = on_trajectory((*objects)(name, of_poses), name, trajectory, 1,
                                                               options.frames, options.seed);
                            course.a = course.b = (*objects)(name, triangles);
-                           return race_rows(course, contestants(triangles), false, passes, seconds, options.seed);
+                           return race_rows(course, contestants(triangles), false, passes, seconds, options);
                          }});
   write_table(options.out, "scaling", options.key(), parts);
   draw("scaling_figure.py", options.out);

@@ -59,6 +59,9 @@ class Timed_poses {
     return total / other.numbers_.size();
   }
 
+  /// The fastest time of each pose of `numbers()`.
+  const std::vector<double>& fastest_ns() const { return fastest_; }
+
   /// The fastest time of a pose, such that `share` of the poses have a shorter one.
   double quantile_ns(double share) const
   {

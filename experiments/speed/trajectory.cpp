@@ -19,17 +19,21 @@ using kernel::Pose;
 
 Vector sum(const Vector& a, double s, const Vector& b) { return {a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]}; }
 
-/// B turning: from a random rotation about a random axis, twice round in the whole trajectory.
+/// B in a random rotation and, where it turns, from there about a random axis, twice round in the whole trajectory.
 class Turning_body {
  public:
-  Turning_body(const covering::Polyhedron& b, double ratio, Random& random)
-      : centre_(centroid(b)), scale_(1 / ratio), start_(random.quaternion()), axis_(random.direction())
+  Turning_body(const covering::Polyhedron& b, double ratio, Random& random, Turning turning)
+      : centre_(centroid(b)),
+        scale_(1 / ratio),
+        start_(random.quaternion()),
+        axis_(random.direction()),
+        turns_(turning == Turning::yes)
   {}
 
   /// B with its centroid at `position`, at `time` from 0 to 1.
   Pose pose(const Vector& position, double time) const
   {
-    const auto [c, s] = turn(time);  // cosine and sine of half the angle
+    const auto [c, s] = turn(turns_ ? time : 0);  // cosine and sine of half the angle
     const auto [x, y, z] = axis_;
     const auto [p, q, r, t] = start_;
     // The product of the quaternions (c, s axis) and start.
@@ -52,6 +56,7 @@ class Turning_body {
   double scale_;
   std::array<double, 4> start_;
   Vector axis_;
+  bool turns_;
 };
 
 /// How many frames are to collide, at least and at most.
@@ -113,11 +118,11 @@ class Frames {
 }  // namespace
 
 std::vector<Pose> circular_trajectory(const covering::Polyhedron& a, const covering::Polyhedron& b, double ratio,
-                                      int frames, std::uint64_t seed, const Collides& collides)
+                                      int frames, std::uint64_t seed, const Collides& collides, Turning turning)
 {
   assert(ratio > 0 && frames >= 1);
   Random random(seed);
-  const Turning_body body(b, ratio, random);
+  const Turning_body body(b, ratio, random, turning);
   const Vector centre = centroid(a);
   const double size = radius(a), jitter = 0.02 * size;
   const auto [w, x, y, z] = random.quaternion();
@@ -169,11 +174,11 @@ std::optional<double> first_contact(double outside, double step, double error, c
 }  // namespace
 
 std::vector<Pose> contour_trajectory(const covering::Polyhedron& a, const covering::Polyhedron& b, double ratio,
-                                     int frames, std::uint64_t seed, const Collides& collides)
+                                     int frames, std::uint64_t seed, const Collides& collides, Turning turning)
 {
   assert(ratio > 0 && frames >= 1);
   Random random(seed);
-  const Turning_body body(b, ratio, random);
+  const Turning_body body(b, ratio, random, turning);
   const Vector centre = centroid(a);
   const double size = radius(a), size_b = radius(b) / ratio;
   const auto [w, x, y, z] = random.quaternion();

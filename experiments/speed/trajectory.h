@@ -9,7 +9,7 @@
 #include <vector>
 
 /// The trajectories of the paper's time study (JS08 section 4): A stays in its own frame, B moves, scaled to 1 /
-/// `ratio` and always turning. The scale is in B's pose, whose matrix is (1 / ratio) times a rotation.
+/// `ratio` and, where not told otherwise, turning. The scale is in B's pose, whose matrix is (1 / ratio) times a rotation.
 ///
 /// Both keep to the paper's share of frames that collide by trial: the caller says whether a pose collides, which
 /// should mean that the surfaces meet. With the same answers the poses are the same on every machine. Both require
@@ -19,12 +19,16 @@ namespace tetracone::experiments {
 /// Whether A collides with B in this pose. A fast kernel in double will do: a wrong answer shifts the share by a frame.
 using Collides = std::function<bool(const kernel::Pose&)>;
 
+/// Whether B turns about itself on its way: twice round. The paper does not say whether its moving object does.
+enum class Turning { yes, no };
+
 /// Once round a circle in a random plane through A's centroid, each frame moved by up to 2 % of A's radius. The
 /// circle is the largest found on which 3 % to 4.5 % of the frames collide; where no whole number of frames is in
 /// that range, the largest number under 5 %. Never 5 % or more. Where no circle does it (B so small that it never
 /// meets A's surface), none collides. Asks some 10 to 30 times a frame, mostly far away.
 std::vector<kernel::Pose> circular_trajectory(const covering::Polyhedron& a, const covering::Polyhedron& b,
-                                              double ratio, int frames, std::uint64_t seed, const Collides& collides);
+                                              double ratio, int frames, std::uint64_t seed, const Collides& collides,
+                                              Turning turning = Turning::yes);
 
 /// Close to A's border all the way: B stands on a spiral of directions over the sphere about A's centroid; along each
 /// it is brought to touch from outside, by steps and bisection, then moved out again by a small distance, the same
@@ -33,7 +37,8 @@ std::vector<kernel::Pose> circular_trajectory(const covering::Polyhedron& a, con
 /// number of frames is in that range, the nearest to 7.5 %. Where B reaches A's centroid without touching (through a
 /// tunnel), it keeps the distance of the frame before. Asks some 15 to 40 times a frame.
 std::vector<kernel::Pose> contour_trajectory(const covering::Polyhedron& a, const covering::Polyhedron& b, double ratio,
-                                             int frames, std::uint64_t seed, const Collides& collides);
+                                             int frames, std::uint64_t seed, const Collides& collides,
+                                             Turning turning = Turning::yes);
 
 }  // namespace tetracone::experiments
 

@@ -238,8 +238,8 @@ struct Projection {
 
 /// True when the projections on `axis` are disjoint by more than slack * |axis|_1; never where any of these is
 /// undefined. Any axis is sound, whatever it was meant to be.
-template <class B>
-bool separated_along(const Bound_point<B>& axis, const Projection<B>& a, const Projection<B>& b, B slack)
+template <class B, class Interval>
+bool separated_along(const Bound_point<B>& axis, const Interval& a, const Interval& b, B slack)
 {
   const B allowed = slack == 0 ? 0 : slack * norm_1(axis) + B(underflow_slack);
   return b.low - a.high > allowed || a.low - b.high > allowed;

@@ -5,6 +5,7 @@
 #include "tetracone/tetratree/fast/bvh8_builder.h"
 #include "tetracone/tetratree/fast/bvh8_elements.h"
 #include "tetracone/tetratree/fast/bvh8_node.h"
+#include "tetracone/tetratree/fast/bvh8_options.h"
 #include "tetracone/tetratree/fast/reserved_array.h"
 
 #include <cstddef>
@@ -15,7 +16,7 @@
 
 namespace tetracone::tetratree {
 
-/// The fast tree: eight boxes a node, one element a leaf, which any kernel decides.
+/// The fast tree: eight boxes a node, one element a leaf, which any kernel decides (`Bvh8_options` has other choices).
 ///
 /// It keeps of JS08 the covering and its origin, the pairwise descent of two trees and, as `Support_table`, the idea of
 /// the regular hull on the lattice of tetra-cones. It is no tetra-tree:
@@ -33,8 +34,11 @@ namespace tetracone::tetratree {
 class Bvh8 {
  public:
   /// `triangles`: for each face that has some, triangles that cover exactly the face. Requires planar faces.
-  explicit Bvh8(const covering::Polyhedron& polyhedron, std::span<const Face_triangle> triangles = {})
-      : elements_(polyhedron, triangles), builder_(std::in_place, elements_, order_), nodes_(elements_.count())
+  explicit Bvh8(const covering::Polyhedron& polyhedron, std::span<const Face_triangle> triangles = {},
+                const Bvh8_options& options = {})
+      : elements_(polyhedron, triangles),
+        builder_(std::in_place, elements_, options, order_, leaf_ends_),
+        nodes_(elements_.count())
   {
     // Of every node but the root at least two elements come apart: there are no more nodes than elements.
     if (!empty()) nodes_.push_back(builder_->root());
@@ -63,7 +67,13 @@ class Bvh8 {
   }
 
   bool is_leaf(Index n, int lane) const { return node(n).is_leaf(lane); }
-  const Element& element(Index n, int lane) const { return elements_[order_[node(n).first[lane]]]; }
+  /// Element k of a leaf, and how many it holds: one, where the options don't say more.
+  const Element& element(Index n, int lane, Index k = 0) const { return elements_[order_[node(n).first[lane] + k]]; }
+  Index leaf_count(Index n, int lane) const
+  {
+    const Index first = node(n).first[lane];
+    return leaf_ends_.empty() ? 1 : leaf_ends_[first] - first;
+  }
 
   /// Calls what(v) for every corner v of the element.
   template <class What>
@@ -80,7 +90,15 @@ class Bvh8 {
       for (int lane = 0; lane < node(n).boxes.lane_count; ++lane)
         if (!is_leaf(n, lane)) child(n, lane);
     const std::lock_guard lock(making_);
+    if (builder_) cuts_ = builder_->cuts();
     builder_.reset();
+  }
+
+  /// The cuts by which the nodes that there are were made.
+  Cut_counts cuts() const
+  {
+    const std::lock_guard lock(making_);
+    return builder_ ? builder_->cuts() : cuts_;
   }
 
   std::size_t node_count() const { return nodes_.size(); }
@@ -90,7 +108,8 @@ class Bvh8 {
   std::size_t bytes() const
   {
     const std::lock_guard lock(making_);
-    return node_bytes() + elements_.bytes() + order_.capacity() * sizeof(Index) + (builder_ ? builder_->bytes() : 0);
+    return node_bytes() + elements_.bytes() + (order_.capacity() + leaf_ends_.capacity()) * sizeof(Index) +
+           (builder_ ? builder_->bytes() : 0);
   }
 
   /// Of the nodes alone, which are no part of the heap.
@@ -99,7 +118,8 @@ class Bvh8 {
  private:
   Bvh8_elements elements_;
   mutable std::mutex making_;
-  mutable std::vector<Index> order_;  // a lane's elements are in their place before the lane can be seen
+  mutable std::vector<Index> order_, leaf_ends_;  // a lane's are in their place before the lane can be seen
+  mutable Cut_counts cuts_;                       // of a builder that is gone
   mutable std::optional<Bvh8_builder> builder_;
   mutable Reserved_array<Bvh8_node> nodes_;
 };

@@ -5,6 +5,8 @@
 #include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/tetratree/fast/bvh8_elements.h"
 #include "tetracone/tetratree/fast/bvh8_node.h"
+#include "tetracone/tetratree/fast/bvh8_options.h"
+#include "tetracone/tetratree/fast/cone_order.h"
 
 #include <algorithm>
 #include <array>
@@ -24,9 +26,12 @@ namespace tetracone::tetratree {
 class Bvh8_builder {
  public:
   /// `elements` must outlive the builder. `order` becomes that of the leaves: a node's making changes its own range of
-  /// it alone.
-  Bvh8_builder(const Bvh8_elements& elements, std::vector<Index>& order) : elements_(elements), order_(order)
+  /// it alone. `leaf_ends`, where leaves may hold several elements: by where in the order a leaf begins, where it ends.
+  Bvh8_builder(const Bvh8_elements& elements, const Bvh8_options& options, std::vector<Index>& order,
+               std::vector<Index>& leaf_ends)
+      : elements_(elements), options_(options), order_(order), leaf_ends_(leaf_ends)
   {
+    if (options_.leaf_size > 1) leaf_ends_.resize(elements_.count());
     order_.resize(elements_.count());
     std::iota(order_.begin(), order_.end(), Index(0));
     for (Index e = 0; e < elements_.count(); ++e) centroids_.push_back(centroid(elements_[e]));
@@ -36,14 +41,15 @@ class Bvh8_builder {
   /// One lane that holds everything. Requires an element.
   Bvh8_node root() { return node_of({part(0, elements_.count())}); }
 
-  /// The node of elements first .. last of the order, of which there are at least two.
+  /// The node of elements first .. last of the order, of which there are more than a leaf holds.
   Bvh8_node node(Index first, Index last)
   {
-    std::vector<Part> parts = {part(first, last)};
-    while (parts.size() < 8) {
+    std::vector<Part> parts = parts_in_cones(first, last);
+    const std::size_t most = parts.size() > 1 ? parts.size() : options_.parts;  // cones are not cut further
+    while (parts.size() < most) {
       const auto largest =
           std::max_element(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.size < b.size; });
-      if (largest->last - largest->first < 2) break;
+      if (is_leaf(*largest)) break;
       const Part whole = *largest;
       const Index middle = split(whole);
       *largest = part(whole.first, middle);
@@ -51,6 +57,8 @@ class Bvh8_builder {
     }
     return node_of(parts);
   }
+
+  const Cut_counts& cuts() const { return cuts_; }
 
   std::size_t bytes() const
   {
@@ -94,8 +102,21 @@ class Bvh8_builder {
     gathered_.clear();
     for (Index k = first; k < last; ++k) gathered_.push_back(centroid_of(k));
     const kernel::Spread spread(gathered_);
-    return {first, last, last - first > 1 ? kernel::maximum(spread.size(), 1e-300) : 0, spread.mean,
+    return {first, last, last - first > options_.leaf_size ? kernel::maximum(spread.size(), 1e-300) : 0, spread.mean,
             spread.principal_axes()};
+  }
+  bool is_leaf(const Part& part) const { return part.last - part.first <= options_.leaf_size; }
+
+  /// With `Cuts::tetra_cones`: the parts that cones hold; one part where these are not asked for, or do not part it.
+  std::vector<Part> parts_in_cones(Index first, Index last)
+  {
+    if (options_.cuts != Cuts::tetra_cones) return {part(first, last)};
+    const auto begins = order_by_cones(std::span(order_).subspan(first, last - first),
+                                       [this](Index e) { return vector(centroids_[e]); });
+    std::vector<Part> parts;
+    for (std::size_t k = 0; k < begins.size(); ++k)
+      parts.push_back(part(first + Index(begins[k]), k + 1 < begins.size() ? first + Index(begins[k + 1]) : last));
+    return parts;
   }
 
   /// Planes, one through every point: all across one direction or, of a cone, all through the origin and a line there.
@@ -128,14 +149,24 @@ class Bvh8_builder {
     const Index step = (count + most_samples - 1) / most_samples;
     for (Index k = part.first; k < part.last; k += step) samples_.push_back(sample(order_[k], part.axes));
     Cut best = best_cut({part.axes.col(2), {}});
-    if (const auto cones = count > fewest_in_cones ? cones_about(part) : std::nullopt) {
+    ++cuts_.all;
+    if (const auto cones = tries_cones(count) ? cones_about(part) : std::nullopt) {
+      ++cuts_.tried_cones;
       const Cut into_cones = best_cut(*cones);
-      if (into_cones.cost < 1.03 * best.cost) best = into_cones;
+      if (options_.cuts == Cuts::through_origin || into_cones.cost < 1.03 * best.cost) {
+        ++cuts_.through_origin;
+        best = into_cones;
+      }
     }
     const auto begin = order_.begin() + part.first, end = order_.begin() + part.last;
     const auto cut =
         std::partition(begin, end, [&](Index e) { return best.pencil.place(vector(centroids_[e])) < best.place; });
     return cut == begin || cut == end ? middle : Index(cut - order_.begin());
+  }
+
+  bool tries_cones(Index count) const
+  {
+    return options_.cuts == Cuts::through_origin || (options_.cuts == Cuts::least_cost && count > fewest_in_cones);
   }
 
   Sample sample(Index e, const kernel::Matrix& axes) const
@@ -245,10 +276,11 @@ class Bvh8_builder {
       node.first[lane] = parts[lane].first;
       const std::vector<Vector>& points = all[lane].points;
       kernel::store_lane(node.boxes, int(lane), all[lane].box, origin, points, Bvh8_elements::local_error);
-      const bool is_leaf = parts[lane].last - parts[lane].first == 1;
-      node.boxes.marked |= std::uint32_t(is_leaf) << lane;
+      const bool leaf = is_leaf(parts[lane]);
+      if (leaf && !leaf_ends_.empty()) leaf_ends_[parts[lane].first] = parts[lane].last;
+      node.boxes.marked |= std::uint32_t(leaf) << lane;
       node.child[lane] =
-          !is_leaf ? Bvh8_node::not_made(parts[lane].last)
+          !leaf ? Bvh8_node::not_made(parts[lane].last)
           : points.size() == 3
               ? Bvh8_node::leaf(kernel::apex_code(node.boxes, int(lane), origin, std::span<const Vector, 3>(points)))
               : Bvh8_node::leaf(0);
@@ -264,7 +296,9 @@ class Bvh8_builder {
   }
 
   const Bvh8_elements& elements_;
-  std::vector<Index>& order_;
+  const Bvh8_options options_;
+  std::vector<Index>&order_, &leaf_ends_;
+  Cut_counts cuts_;
   std::vector<std::array<float, 3>> centroids_;
   std::vector<std::uint32_t> stamps_;  // of vertices: when last gathered
   std::uint32_t stamp_ = 0;

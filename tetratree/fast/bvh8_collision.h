@@ -86,7 +86,7 @@ class Bvh8_collision {
     pose_b_ = &pose_b;
     is_placed_ = false;
     relate_frames();
-    return descend_trees([&](Box box_a, Box box_b) { return leaf_test(a_.element(box_a), b_.element(box_b)); });
+    return descend_trees([&](Box box_a, Box box_b) { return any_pair(box_a, box_b, leaf_test); });
   }
 
   const Query_statistics& counts() const { return counts_; }
@@ -122,11 +122,11 @@ class Bvh8_collision {
 
   Relation relation_of_trees(Question question)
   {
-    if (witness_ && elements_meet(a_.element(witness_->first), b_.element(witness_->second))) return Relation::surfaces;
+    if (witness_ && leaves_meet(witness_->first, witness_->second)) return Relation::surfaces;
     relate_frames();
     witness_.reset();
     const bool surfaces_meet = descend_trees([this](Box box_a, Box box_b) {
-      const bool meet = elements_meet(a_.element(box_a), b_.element(box_b));
+      const bool meet = leaves_meet(box_a, box_b);
       if (meet && coherence_ == Coherence::last_frame) witness_ = {box_a, box_b};
       return meet;
     });
@@ -156,9 +156,23 @@ class Bvh8_collision {
     is_placed_ = true;
   }
 
-  /// Whether leaves_meet(box of A, box of B) holds for some pair of leaves that is not discarded.
-  template <class Leaves_meet>
-  bool descend_trees(const Leaves_meet& leaves_meet)
+  /// Whether meet(element of A, element of B) holds for some pair of elements of the two leaves.
+  template <class Meet>
+  bool any_pair(Box box_a, Box box_b, const Meet& meet)
+  {
+    for (Index i = 0; i < a_.leaf_count(box_a); ++i)
+      for (Index j = 0; j < b_.leaf_count(box_b); ++j)
+        if (meet(a_.element(box_a, i), b_.element(box_b, j))) return true;
+    return false;
+  }
+  bool leaves_meet(Box box_a, Box box_b)
+  {
+    return any_pair(box_a, box_b, [this](const Element& a, const Element& b) { return elements_meet(a, b); });
+  }
+
+  /// Whether leaf_pair(box of A, box of B) holds for some pair of leaves that is not discarded.
+  template <class Leaf_pair>
+  bool descend_trees(const Leaf_pair& leaf_pair)
   {
     // Of a similarity it is between these. Else sizes tell no more than which box to open; but none may become 0 or
     // undefined.
@@ -172,7 +186,7 @@ class Bvh8_collision {
       const Box box_a = stack_.box(0), box_b = stack_.box(1);
       if (stop == Stop::leaves) {
         stack_.pop();
-        meet = leaves_meet(box_a, box_b);
+        meet = leaf_pair(box_a, box_b);
       } else {
         const int larger = first_is_larger(stack_.size(0), stack_.size(1)) ? 0 : 1;
         const Bvh8& tree = *(larger == 0 ? a_ : b_).tree;

@@ -95,10 +95,12 @@ class Bvh8_containment {
       counts.box_tests += unsigned(node.boxes.lane_count);
       for (; met != 0; met &= met - 1) {
         const int lane = std::countr_zero(met);
-        if (holder.tree->is_leaf(n, lane))
-          winding += winding_of(holder, holder.tree->element(n, lane), p, origin);
-        else
+        if (!holder.tree->is_leaf(n, lane)) {
           nodes_.push_back(holder.tree->child(n, lane));
+          continue;
+        }
+        for (Index k = 0; k < holder.tree->leaf_count(n, lane); ++k)
+          winding += winding_of(holder, holder.tree->element(n, lane, k), p, origin);
       }
     }
     return winding;

@@ -23,7 +23,9 @@ struct Placed_bvh8 {
   /// `model`: of the tree's polyhedron.
   Placed_bvh8(const Bvh8& t, const covering::Model<K>& model) : tree(&t), placed(model) {}
 
-  const Element& element(Box box) const { return tree->element(box / 8, int(box % 8)); }
+  /// Element k of a leaf.
+  const Element& element(Box box, Index k = 0) const { return tree->element(box / 8, int(box % 8), k); }
+  Index leaf_count(Box box) const { return tree->leaf_count(box / 8, int(box % 8)); }
 
   /// The sum of the extents of the root's box, negative where it is a leaf.
   float size() const

@@ -155,8 +155,9 @@ class Support_table {
           open.push_back({bound, 8 * node + Index(lane)});
           continue;
         }
-        tree_->for_vertices(tree_->element(node, lane),
-                            [&](Index v) { best = kernel::maximum(best, d.dot(tree_->local(v))); });
+        for (Index e = 0; e < tree_->leaf_count(node, lane); ++e)
+          tree_->for_vertices(tree_->element(node, lane, e),
+                              [&](Index v) { best = kernel::maximum(best, d.dot(tree_->local(v))); });
       }
       // The farthest last, to be opened first.
       std::sort(open.begin() + std::ptrdiff_t(first), open.end());

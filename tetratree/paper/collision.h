@@ -39,7 +39,7 @@ using kernel::Relation;
 /// a node is descended, not set by a walk over the whole tree; Theorem 2 asks for V0 beyond the plane too, without
 /// which a body whose origin lies inside the hull could be discarded; pairs of nodes are compared along all 44 axes of
 /// two tetrahedra (`Config::all_axes`); the side of a vertex against a face is decided once for all edges at that
-/// vertex; a query may give up the descent and look at each pair once (`Config::all_pairs_after`). `solid` and
+/// vertex; nodes may have oriented boxes (`Config::boxes`); a query may give up the descent and look at each pair once (`Config::all_pairs_after`). `solid` and
 /// `features` are extensions that the paper names.
 ///
 /// The config of the first tree decides how a query runs. Both trees must outlive the query object. Where K decides
@@ -207,13 +207,20 @@ class Collision {
     return apart;
   }
 
+  bool boxes_apart(Index na, Index nb)
+  {
+    if (!(config_.boxes && a_.tree().config().boxes && b_.tree().config().boxes)) return false;
+    ++counts_.box_tests;
+    return kernel::separated<B>(a_.box(na), b_.box(nb), slack_);
+  }
+
   // A pair of nodes: true when a contact was found and one is enough.
   template <class Leaf_test>
   bool visit(Index na, Index nb, const Leaf_test& leaf_test)
   {
     ++counts_.pairs_visited;
     const Node<B>&a = a_.tree().node(na), &b = b_.tree().node(nb);
-    if (spheres_apart(a, b) || tetrahedra_apart(a, b)) return false;
+    if (spheres_apart(a, b) || tetrahedra_apart(a, b) || boxes_apart(na, nb)) return false;
     return descend(na, nb, leaf_test);
   }
 

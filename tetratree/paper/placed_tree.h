@@ -51,6 +51,13 @@ class Placed_tree {
     return {frame_(t[0]), frame_(t[1]), frame_(t[2]), frame_(t[3])};
   }
 
+  kernel::Bound_box<B> box(Index n) const
+  {
+    kernel::Bound_box<B> placed = tree_.box(n);
+    for (auto& corner : placed) corner = frame_(corner);
+    return placed;
+  }
+
   /// The placed half-space of the hull's triangle that faces `point` (JS08 Definition 8).
   kernel::Placed_half_space<B, sound> reference(const kernel::Bound_point<B>& point) const
   {

@@ -2,6 +2,7 @@
 #define TETRACONE_TETRATREE_PAPER_TETRA_TREE_H
 
 #include "tetracone/covering/model.h"
+#include "tetracone/kernel/bound/bound_box.h"
 #include "tetracone/kernel/bound/bounds.h"
 #include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/tetratree/paper/bounding_tetrahedron.h"
@@ -47,7 +48,7 @@ struct Node {
 /// are in K's bound arithmetic, rounded outward where K has exact signs.
 ///
 /// Departures from the paper: a cone in which nothing is classified has no node; nodes can be made on demand (see
-/// `Config`); the regular hull is that of all leaves (see `Regular_hull`). A tree whose nodes are made on demand
+/// `Config`), and have oriented boxes on demand (`Config::boxes`); the regular hull is that of all leaves (see `Regular_hull`). A tree whose nodes are made on demand
 /// changes while it is asked: it belongs to one thread.
 template <class K>
 class Tetra_tree {
@@ -76,6 +77,7 @@ class Tetra_tree {
     root.end = count;
     const auto points = vertices_of(root);
     root.sphere = bounding_sphere(points);
+    add_box(points);
     radius_ = kernel::enclosing_ball<B, sound>(origin_, points).radius;
     root.volume = std::numeric_limits<B>::infinity();
     root.is_leaf = config_.depth == 0;
@@ -90,6 +92,8 @@ class Tetra_tree {
 
   static constexpr Index root() { return 0; }
   const Node<B>& node(Index n) const { return nodes_[n]; }
+  /// Its oriented box. Requires `Config::boxes`.
+  const kernel::Bound_box<B>& box(Index n) const { return boxes_[n]; }
 
   /// The nodes that exist: all, or with nodes on demand those that queries have made so far.
   std::size_t node_count() const { return nodes_.size(); }
@@ -97,7 +101,7 @@ class Tetra_tree {
   /// Bytes of the tree, the model excluded.
   std::size_t bytes() const
   {
-    return nodes_.capacity() * sizeof(Node<B>) +
+    return nodes_.capacity() * sizeof(Node<B>) + boxes_.capacity() * sizeof(kernel::Bound_box<B>) +
            (elements_.capacity() + edges_.capacity() + faces_.capacity()) * sizeof(Index);
   }
 
@@ -170,6 +174,11 @@ class Tetra_tree {
     return kernel::enclosing_ball<B, sound>(centre, points);
   }
 
+  void add_box(std::span<const kernel::Bound_point<B>> points)
+  {
+    if (config_.boxes) boxes_.push_back(kernel::bound_box<B>(points));
+  }
+
   void make_children(Index n)
   {
     if (nodes_[n].is_leaf) return;
@@ -216,6 +225,7 @@ class Tetra_tree {
   {
     const auto points = vertices_of(child);
     child.sphere = bounding_sphere(points);
+    add_box(points);
     const B radius = kernel::enclosing_ball<B, sound>(origin_, points).radius;
     std::vector<kernel::Bound_point<B>> relative;
     relative.reserve(points.size());
@@ -255,6 +265,7 @@ class Tetra_tree {
   kernel::Bound_point<B> origin_;
   B radius_ = 0;  // of the sphere about the origin that holds every vertex
   std::vector<Node<B>> nodes_;
+  std::vector<kernel::Bound_box<B>> boxes_;      // of the nodes, where the config asks for them
   std::vector<Index> elements_, edges_, faces_;  // of all nodes, one after the other
 
   // Marks of one pass over a node's elements: x is seen when seen_[x] == now_.

@@ -38,8 +38,10 @@ inline const char* to_string(Stage stage)
 /// where it stands, as rounding is.
 ///  - pose: the images of the vertices as the subject has them already give the wrong answer;
 ///  - classification: no leaf pair of the subject's tree holds what meets;
-///  - bounding sphere, bounding tetrahedron, regular hull; of the fast tree bounding box, its separating directions
-///    among them: the leaf pair that holds it is discarded;
+///  - bounding sphere, bounding tetrahedron, regular hull, and of the fast tree bounding box: the leaf pair that holds
+///    it is discarded. The fast tree's boxes and separating directions bound the bodies where they exactly are, and a box
+///    is to blame where only rounding has brought together what is in it. A separating direction never is: it ends a
+///    query only where the bodies are exactly apart, and then the answer is right;
 ///  - leaf sign: the subject's own leaf tests go wrong on it; containment: its own sums over the covering do.
 /// The descent is followed to its end, where the subject itself may have given it up (`Config::all_pairs_after`).
 /// Nothing for exact subjects, and where the subject's answer is right after all.

@@ -43,6 +43,8 @@ class Brute_body {
   {
     for (const auto& [x, y, z] : polyhedron.vertices) points_.emplace_back(x, y, z);
     for (Index f = 0; f < polyhedron.face_count(); ++f) add_face(f);
+    for (const Exact::Point_3& p : points_)
+      bounds_.push_back({CGAL::to_interval(p.x()), CGAL::to_interval(p.y()), CGAL::to_interval(p.z())});
     find_edges();
     find_components();
   }
@@ -51,6 +53,10 @@ class Brute_body {
 
   /// The polyhedron's vertices, then the points where loops of a face cross.
   const std::vector<Exact::Point_3>& points() const { return points_; }
+
+  /// Doubles that enclose each point's coordinates: lower and upper, of x, y and z.
+  using Bounds = std::array<std::pair<double, double>, 3>;
+  const std::vector<Bounds>& bounds() const { return bounds_; }
 
   const std::vector<Element>& elements() const { return elements_; }
 
@@ -205,6 +211,7 @@ class Brute_body {
 
   covering::Polyhedron polyhedron_;
   std::vector<Exact::Point_3> points_;
+  std::vector<Bounds> bounds_;
   std::vector<Element> elements_;
   std::vector<std::pair<Index, Index>> edges_;
   std::vector<std::optional<std::array<Index, 3>>> bases_;

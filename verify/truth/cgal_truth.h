@@ -52,11 +52,12 @@ void for_pairs(std::vector<Box> a, std::vector<Box> b, Report&& report)
                            [&](const Box& x, const Box& y) { report(x.info(), y.info()); });
 }
 
-inline std::vector<Box> element_boxes(const Placed_body& placed)
+/// The boxes of the elements that meet `near`.
+inline std::vector<Box> element_boxes(const Placed_body& placed, const CGAL::Bbox_3& near)
 {
   std::vector<Box> boxes;
-  for (std::size_t i = 0; i < placed.body().elements().size(); ++i)
-    boxes.emplace_back(placed.box(placed.body().elements()[i]), i);
+  for (std::size_t i = 0; i < placed.element_boxes().size(); ++i)
+    if (meet(placed.element_boxes()[i], near)) boxes.emplace_back(placed.element_boxes()[i], i);
   return boxes;
 }
 
@@ -111,10 +112,11 @@ inline int winding(const Placed_body& solid, const Placed_body& other, Index poi
   const CGAL::Bbox_3 origin = other.box(std::array{point});
   for (double s = 0.4375;; s += 0.8125) {
     std::optional<int> sum = 0;
-    for (const Element& element : solid.body().elements()) {
+    for (std::size_t i = 0; i < solid.body().elements().size(); ++i) {
+      const Element& element = solid.body().elements()[i];
       if (element.dimension < 2) continue;
       // The directions are positive: a triangle below p in some coordinate is never met.
-      const CGAL::Bbox_3 box = solid.box(element);
+      const CGAL::Bbox_3& box = solid.element_boxes()[i];
       if (box.xmax() < origin.xmin() || box.ymax() < origin.ymin() || box.zmax() < origin.zmin()) continue;
       const auto cross = decide(solid, other, [&]<class K>(K) {
         const auto corner = [&](int i) { return solid.template image<K>(element.corners[i]); };
@@ -135,9 +137,10 @@ inline int winding(const Placed_body& solid, const Placed_body& other, Index poi
 
 inline bool surfaces_meet(const Placed_body& a, const Placed_body& b)
 {
+  if (!meet(a.whole_box(), b.whole_box())) return false;
   struct Found {};  // the way out of CGAL's box pairs at the first hit
   try {
-    for_pairs(element_boxes(a), element_boxes(b), [&](std::size_t i, std::size_t j) {
+    for_pairs(element_boxes(a, b.whole_box()), element_boxes(b, a.whole_box()), [&](std::size_t i, std::size_t j) {
       if (elements_meet(a, a.body().elements()[i], b, b.body().elements()[j])) throw Found();
     });
   } catch (const Found&) {
@@ -149,10 +152,15 @@ inline bool surfaces_meet(const Placed_body& a, const Placed_body& b)
 /// Some connected part of the surface of `inner` is in the solid of `outer`. Requires surfaces that share no point.
 inline bool contains(const Placed_body& outer, const Placed_body& inner)
 {
-  const CGAL::Bbox_3 all = hull(element_boxes(outer));
   for (const Index point : inner.body().component_points())
-    if (meet(all, inner.box(std::array{point})) && winding(outer, inner, point) != 0) return true;
+    if (meet(outer.whole_box(), inner.box(std::array{point})) && winding(outer, inner, point) != 0) return true;
   return false;
+}
+inline bool is_nested(const Placed_body& a, const Placed_body& b) { return contains(a, b) || contains(b, a); }
+
+inline void require_closed(const Placed_body& a, const Placed_body& b)
+{
+  if (!(a.body().is_closed() && b.body().is_closed())) throw std::invalid_argument("an open surface has no solid");
 }
 
 }  // namespace detail
@@ -161,10 +169,21 @@ inline bool contains(const Placed_body& outer, const Placed_body& inner)
 /// Throws std::invalid_argument when the question is `solid` and a body is not closed.
 inline bool collide(const Placed_body& a, const Placed_body& b, Question question = Question::solid)
 {
-  if (question == Question::solid && !(a.body().is_closed() && b.body().is_closed()))
-    throw std::invalid_argument("an open surface has no solid");
-  if (detail::surfaces_meet(a, b)) return true;
-  return question == Question::solid && (detail::contains(a, b) || detail::contains(b, a));
+  if (question == Question::solid) detail::require_closed(a, b);
+  return detail::surfaces_meet(a, b) || (question == Question::solid && detail::is_nested(a, b));
+}
+
+/// Which of two placed bodies' surfaces and solids share a point.
+struct Both_answers {
+  bool surface = false, solid = false;
+};
+
+/// Both questions at once. Throws std::invalid_argument when a body is not closed.
+inline Both_answers collide_both(const Placed_body& a, const Placed_body& b)
+{
+  detail::require_closed(a, b);
+  const bool surface = detail::surfaces_meet(a, b);
+  return {surface, surface || detail::is_nested(a, b)};
 }
 
 /// Places the bodies and answers. Requires poses whose det M is not 0.

@@ -22,7 +22,7 @@ namespace tetracone::verify {
 using Enclosing = CGAL::Simple_cartesian<CGAL::Interval_nt_advanced>;
 
 /// A body at a pose: the image of each of its points, enclosed in intervals at once and exact when it is asked for.
-/// Not for two threads at a time: exact images are kept.
+/// Not for two threads at a time: exact images and boxes are kept.
 class Placed_body {
  public:
   /// Requires det M != 0, and the body to outlive this.
@@ -61,6 +61,22 @@ class Placed_body {
 
   CGAL::Bbox_3 box(const Element& element) const { return box(element.corners); }
 
+  /// The boxes of all elements, in their order, and the box of all of them. Each made when it is first asked for.
+  const std::vector<CGAL::Bbox_3>& element_boxes() const
+  {
+    if (element_boxes_.empty())
+      for (const Element& element : body_->elements()) element_boxes_.push_back(box(element));
+    return element_boxes_;
+  }
+  const CGAL::Bbox_3& whole_box() const
+  {
+    if (!whole_box_) {
+      whole_box_.emplace();
+      for (Index v = 0; v < body_->points().size(); ++v) *whole_box_ += point_box(v);
+    }
+    return *whole_box_;
+  }
+
  private:
   Exact::Point_3 exact_image(const Exact::Point_3& p) const
   {
@@ -75,11 +91,9 @@ class Placed_body {
     using Interval = CGAL::Interval_nt_advanced;
     std::array<Interval, 12> m;
     for (int k = 0; k < 12; ++k) m[k] = CGAL::to_interval(pose_[k]);
-    std::vector<std::array<std::pair<double, double>, 3>> bounds;
-    for (const Exact::Point_3& p : body_->points())
-      bounds.push_back({CGAL::to_interval(p.x()), CGAL::to_interval(p.y()), CGAL::to_interval(p.z())});
+    enclosing_.reserve(body_->bounds().size());
     const CGAL::Protect_FPU_rounding<true> upward;
-    for (const auto& point : bounds) {
+    for (const Brute_body::Bounds& point : body_->bounds()) {
       const auto row = [&](int i) {
         return m[i] * Interval(point[0]) + m[i + 1] * Interval(point[1]) + m[i + 2] * Interval(point[2]) + m[i + 3];
       };
@@ -112,6 +126,8 @@ class Placed_body {
   std::vector<Enclosing::Point_3> enclosing_;
   bool enclosed_ = true;
   mutable std::vector<std::optional<Exact::Point_3>> exact_;
+  mutable std::vector<CGAL::Bbox_3> element_boxes_;
+  mutable std::optional<CGAL::Bbox_3> whole_box_;
 };
 
 /// The exact value of a predicate on images of two bodies: `predicate(kernel)` in interval arithmetic and, where that

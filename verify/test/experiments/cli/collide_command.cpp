@@ -46,6 +46,18 @@ BOOST_AUTO_TEST_CASE(kernels_compared_answer_side_by_side)
   check_refused(compared + " --time --json", "without --time and --features");
 }
 
+BOOST_AUTO_TEST_CASE(what_the_first_query_makes_is_told_beside_the_table)
+{
+  const Temporary_file file("poses.txt", poses);
+  const std::string words =
+      "collide " + cube + " " + cube + " --pose-b " + in_quotes(file.path()) + " --csv /dev/stdout";
+  const Run timed = run(words + " --time --repeat 2");
+  BOOST_TEST(timed.out.starts_with("pose,answer,ns,bounding_tests,primitive_tests,exact_fallbacks\n0,1,"), timed.out);
+  BOOST_TEST(timed.error.starts_with("first query: "), timed.error);
+  BOOST_TEST(timed.error.find("of it trees ") != std::string::npos, timed.error);
+  BOOST_TEST(run(words).error.empty());
+}
+
 BOOST_AUTO_TEST_CASE(fractions_of_a_hundred_thousand_digits_are_read_in_seconds)
 {
   // x = 1 + 10^-100000 in both rows of one pose: an exactly known gap that no double holds.

@@ -39,7 +39,7 @@ def study():
     for k, scene in enumerate(SCENES):
         for s, (subject, kernel, method, exact, wrong) in enumerate(SUBJECTS):
             row = dict(zip(("regime", "scenario", "a", "b", "ratio", "question"), scene), subject=subject, kernel=kernel, method=method,
-                       exact=exact, poses=50, collisions=20,
+                       exact=exact, poses=50, collisions=20, faces_a=12, faces_b=20,
                        false_positives=0, false_negatives=wrong if scene[0] == "degenerate" else 0,
                        **{c: 1000 * (s + 1) + k for c in STUDY_COUNTS}, **MADE)
             rows.append(row)

@@ -37,23 +37,23 @@ std::vector<Polyhedron> bodies()
 
 BOOST_AUTO_TEST_CASE(every_element_is_in_one_leaf_and_in_all_boxes_above_it)
 {
+  const Bvh8_options choices[] = {
+      {}, {Cuts::tetra_cones, 8, 1}, {Cuts::tetra_cones, 8, 3}, {Cuts::through_origin, 4, 1}, {Cuts::principal, 2, 5}};
   for (const Polyhedron& body : bodies())
-    for (const bool with_triangles : {false, true}) {
-      const auto triangles =
-          with_triangles ? covering::triangulate_faces(body) : std::vector<covering::Face_triangle>();
-      Bvh8 tree(body, triangles);
+    for (const Bvh8_options& options : choices) {
+      const auto triangles = options.leaf_size > 1 || &options == &choices[1] ? covering::triangulate_faces(body)
+                                                                              : std::vector<covering::Face_triangle>();
+      Bvh8 tree(body, triangles, options);
       std::size_t leaves = 0;
       std::size_t outside = 0;
       // The elements under a lane are checked against its box, and each leaf is counted.
       const std::function<std::vector<Index>(Index, int)> visit = [&](Index n, int lane) {
         std::vector<Index> corners;
         if (tree.is_leaf(n, lane)) {
-          const Element& e = tree.element(n, lane);
-          ++leaves;
-          if (e.is_whole_face())
-            corners.assign(tree.model().covering().from(e.face).begin(), tree.model().covering().from(e.face).end());
-          else
-            corners.assign(e.corner.begin(), e.corner.end());
+          leaves += tree.leaf_count(n, lane);
+          BOOST_TEST(tree.leaf_count(n, lane) <= options.leaf_size);
+          for (Index k = 0; k < tree.leaf_count(n, lane); ++k)
+            tree.for_vertices(tree.element(n, lane, k), [&](Index v) { corners.push_back(v); });
         } else {
           const Index child = tree.child(n, lane);
           for (int k = 0; k < tree.node(child).boxes.lane_count; ++k)
@@ -126,6 +126,27 @@ BOOST_AUTO_TEST_CASE(nodes_are_made_when_they_are_entered)
   BOOST_TEST(lazy.child(0, 0) == 1u);
   BOOST_TEST(lazy.node_count() == 2u);
   BOOST_TEST(whole.bytes() < 400 * body.face_count());
+}
+
+BOOST_AUTO_TEST_CASE(cuts_are_counted_by_their_kind)
+{
+  Random random(3);
+  const Polyhedron body = blob(random, 4, 0.5, 1.5);
+  const auto cuts = [&](Cuts kind) {
+    Bvh8 tree(body, {}, {.cuts = kind});
+    tree.make_all();
+    return tree.cuts();
+  };
+  const Cut_counts cheapest = cuts(Cuts::least_cost), principal = cuts(Cuts::principal),
+                   cones = cuts(Cuts::tetra_cones), origin = cuts(Cuts::through_origin);
+  BOOST_TEST(cheapest.all > body.face_count() / 4);
+  BOOST_TEST(cheapest.tried_cones < cheapest.all);  // small parts are not worth it
+  BOOST_TEST(cheapest.through_origin <= cheapest.tried_cones);
+  BOOST_TEST(cheapest.through_origin > 0u);
+  BOOST_TEST(principal.tried_cones == 0u);
+  BOOST_TEST(cones.all == 0u);
+  BOOST_TEST(origin.through_origin == origin.tried_cones);
+  BOOST_TEST(origin.through_origin > cheapest.through_origin);
 }
 
 BOOST_AUTO_TEST_CASE(a_body_without_faces_is_empty) { BOOST_TEST(Bvh8(Polyhedron()).empty()); }

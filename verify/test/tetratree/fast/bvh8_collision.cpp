@@ -28,11 +28,23 @@ namespace {
 using Kernels = std::tuple<tetracone::kernel::Float, tetracone::kernel::Double, tetracone::kernel::Tolerant,
                            tetracone::kernel::Epick, tetracone::kernel::Epeck, tetracone::kernel::Rational_kernel>;
 
+/// All cuts, numbers of parts and sizes of leaves, by number.
+Bvh8_options options_number(std::size_t n)
+{
+  const auto cuts = std::array{Cuts::tetra_cones, Cuts::through_origin, Cuts::principal, Cuts::least_cost}[n % 4];
+  return {cuts, cuts == Cuts::tetra_cones ? 8 : 2 + n % 7, 1 + n % 5};
+}
+
 struct Body {
-  explicit Body(const Polyhedron& p) : polyhedron(p), whole(p), triangles(p, covering::triangulate_faces(p)), truth(p)
+  explicit Body(const Polyhedron& p, std::size_t n = 0)
+      : polyhedron(p),
+        whole(p),
+        triangles(p, covering::triangulate_faces(p)),
+        chosen(p, covering::triangulate_faces(p), options_number(n)),
+        truth(p)
   {}
   Polyhedron polyhedron;
-  Bvh8 whole, triangles;
+  Bvh8 whole, triangles, chosen;
   verify::Brute_body truth;
 };
 
@@ -43,7 +55,7 @@ std::vector<std::unique_ptr<Body>> bodies()
   for (const Polyhedron& p : {unit_cube(), cube_with_cavity(), cube_with_tunnel(), star_prism(), cube(0.5),
                               blob(random, 4, 1, 2), turned(cube_with_tunnel()), random_tetrahedra(random, 6, 3),
                               tetrahedron({0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2})})
-    all.push_back(std::make_unique<Body>(p));
+    all.push_back(std::make_unique<Body>(p, all.size()));
   return all;
 }
 
@@ -68,7 +80,8 @@ BOOST_AUTO_TEST_CASE(answers_are_those_of_all_pairs)
   int yes = 0, no = 0, differ = 0;
   for (const auto& a : all)
     for (const auto& b : all) {
-      Bvh8_collision whole(a->whole, b->whole), triangles(a->triangles, b->triangles);
+      Bvh8_collision whole(a->whole, b->whole), triangles(a->triangles, b->triangles),
+          chosen(a->chosen, b->chosen, Coherence::last_frame);
       for (int k = 0; k < 25; ++k) {
         const Pose pose_a = k % 4 == 0 ? any_pose(random, k / 4 % 5) : Pose(), pose_b = any_pose(random, k % 5);
         if (pose_a.determinant_sign() == CGAL::ZERO || pose_b.determinant_sign() == CGAL::ZERO) continue;
@@ -76,6 +89,7 @@ BOOST_AUTO_TEST_CASE(answers_are_those_of_all_pairs)
           const bool truth = verify::collide(a->truth, pose_a, b->truth, pose_b, question);
           differ += whole(pose_a, pose_b, question) != truth;
           differ += triangles(pose_a, pose_b, question) != truth;
+          differ += chosen(pose_a, pose_b, question) != truth;
           (truth ? yes : no)++;
         }
       }

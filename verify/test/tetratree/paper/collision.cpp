@@ -183,6 +183,7 @@ Config random_config(Random& random)
   config.descent = coin() ? Descent::larger_first : Descent::both;
   config.all_axes = coin();
   config.leaf_boxes = coin();
+  config.boxes = coin();
   config.all_pairs_after = coin() ? 0.01 : std::numeric_limits<double>::infinity();
   return config;
 }
@@ -606,11 +607,13 @@ BOOST_AUTO_TEST_CASE(every_stage_discards_something_and_the_regular_hull_saves_v
   const Query_statistics paper = counts_with([](Config&) {}),
                          no_hull = counts_with([](Config&c) { c.regular_hull = false; });
   const Query_statistics boxes = counts_with([](Config& c) { c.leaf_boxes = true; });
+  const Query_statistics oriented = counts_with([](Config& c) { c.boxes = true; });
   BOOST_TEST(paper.discarded_by_hull > 0u);
   BOOST_TEST(paper.discarded_by_sphere > 0u);
   BOOST_TEST(paper.discarded_by_tetrahedron > 0u);
   BOOST_TEST(paper.discarded_by_box == 0u);
   BOOST_TEST(boxes.discarded_by_box > 0u);
+  BOOST_TEST(oriented.pairs_visited < paper.pairs_visited);
   BOOST_TEST(no_hull.discarded_by_hull == 0u);
   BOOST_TEST(paper.pairs_visited <= no_hull.pairs_visited);
 }

@@ -1,0 +1,79 @@
+#ifndef TETRACONE_KERNEL_BOUND_BOUND_BOX_H
+#define TETRACONE_KERNEL_BOUND_BOUND_BOX_H
+
+#include "tetracone/kernel/bound/bounds.h"
+#include "tetracone/kernel/bound/oriented_box.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace tetracone::kernel {
+
+/// The corners of an oriented box in the arithmetic of the bounds; bit i of a corner's number is its side along axis i.
+template <class B>
+using Bound_box = std::array<Bound_point<B>, 8>;
+
+/// A box of little surface that holds all points, those of no finite box where numbers overflow: then no test tells it
+/// apart from another. Requires a point.
+///
+/// The axes are the columns of A, orthonormal but for a defect below 2^-30 in each product. A point c + y is c + A s
+/// with |s_i| <= |a_i . y| + 4 * 2^-30 max_k |a_k . y|; roundings, those of the corners included, are below 2^-40 of
+/// |y|_1 + |c|_1 in double. In float nothing is promised.
+template <class B>
+Bound_box<B> bound_box(std::span<const Bound_point<B>> points)
+{
+  std::vector<Vector> all;
+  for (const auto& p : points) all.emplace_back(double(p[0]), double(p[1]), double(p[2]));
+  constexpr int rounds = 8;
+  Oriented_box box = fitted_box(all, rounds);
+  const Matrix defect = box.axes.transpose() * box.axes - Matrix::Identity();
+  if (!defect.allFinite() || !(defect.cwiseAbs().maxCoeff() < 0x1p-30)) box = Oriented_box(Matrix::Identity(), all);
+  double size = 0;
+  for (const Vector& p : all) size = maximum(size, (p - box.centre).cwiseAbs().sum());
+  const double margin = 4 * 0x1p-30 * maximum(box.extent[0], box.extent[1], box.extent[2]) +
+                        0x1p-40 * (size + box.centre.cwiseAbs().sum()) + underflow_slack;
+  Bound_box<B> corners;
+  for (int k = 0; k < 8; ++k) {
+    Vector corner = box.centre;
+    for (int i = 0; i < 3; ++i) corner += (k >> i & 1 ? 1 : -1) * (box.extent[i] + margin) * box.axes.col(i);
+    for (int i = 0; i < 3; ++i) corners[k][i] = B(corner[i]);
+  }
+  return corners;
+}
+
+/// True when the two placed boxes are found to share no point: along the normals of their faces and the cross products
+/// of their edges. `slack` is `projection_slack`; any axis is sound, whatever it was meant to be.
+template <class B>
+bool separated(const Bound_box<B>& a, const Bound_box<B>& b, B slack)
+{
+  using Edges = std::array<Bound_point<B>, 3>;
+  const auto edges_of = [](const Bound_box<B>& box) {
+    return Edges{difference(box[1], box[0]), difference(box[2], box[0]), difference(box[4], box[0])};
+  };
+  const Edges e = edges_of(a), f = edges_of(b);
+  const auto separates = [&](const Bound_point<B>& axis) {
+    struct Interval {
+      B low, high;
+    };
+    const auto interval = [&](const Bound_box<B>& box) {
+      Interval all{dot(axis, box[0]), dot(axis, box[0])};
+      for (int k = 1; k < 8; ++k) {
+        const B at = dot(axis, box[k]);
+        all = {minimum(all.low, at), maximum(all.high, at)};
+      }
+      return all;
+    };
+    return separated_along(axis, interval(a), interval(b), slack);
+  };
+  for (int i = 0; i < 3; ++i)
+    if (separates(cross(e[i], e[(i + 1) % 3])) || separates(cross(f[i], f[(i + 1) % 3]))) return true;
+  for (const auto& edge_a : e)
+    for (const auto& edge_b : f)
+      if (separates(cross(edge_a, edge_b))) return true;
+  return false;
+}
+
+}  // namespace tetracone::kernel
+
+#endif

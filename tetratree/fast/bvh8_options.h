@@ -1,0 +1,37 @@
+#ifndef TETRACONE_TETRATREE_FAST_BVH8_OPTIONS_H
+#define TETRACONE_TETRATREE_FAST_BVH8_OPTIONS_H
+
+#include <cstddef>
+
+namespace tetracone::tetratree {
+
+/// How the elements of a node of a `Bvh8` are parted.
+enum class Cuts {
+  least_cost,      ///< by the cheaper of the best cuts of the next two
+  principal,       ///< by planes across the direction in which they spread most
+  through_origin,  ///< by planes through the origin, the sides of cones, where all lie before it; else across the spread
+  tetra_cones  ///< by the octants, then by the four children of a tetra-cone each (JS08 Definition 4): an element is
+               ///< in the cone of its centroid
+};
+
+/// What can be chosen about a `Bvh8`. The default is the fastest choice known; no choice changes an answer.
+struct Bvh8_options {
+  Cuts cuts = Cuts::least_cost;
+
+  /// A node has so many parts at most. Requires 2 to 8, and 8 of `Cuts::tetra_cones`.
+  std::size_t parts = 8;
+
+  /// A part of at most so many elements is a leaf. Requires at least 1.
+  std::size_t leaf_size = 1;
+};
+
+/// What a builder has done. Parts of two elements need no cut.
+struct Cut_counts {
+  std::size_t all = 0;             ///< cuts made so far
+  std::size_t tried_cones = 0;     ///< of these: where planes through the origin were tried
+  std::size_t through_origin = 0;  ///< of those: where one of them was taken
+};
+
+}  // namespace tetracone::tetratree
+
+#endif
