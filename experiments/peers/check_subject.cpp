@@ -94,7 +94,7 @@ class Talk {
     const auto status = process_->end(Clock::now() + milliseconds(200));
     if (status) throw Wrong{what + ", and it ends with status " + std::to_string(*status) + "; expected an answer"};
     process_->close_input();
-    if (process_->line(Clock::now() + milliseconds(500)))
+    if (process_->line(Clock::now() + milliseconds(2000)))
       throw Wrong{what + " before its input ends; expected standard output to be flushed after each answer"};
     throw Wrong{what + " within the limit; expected an answer"};
   }

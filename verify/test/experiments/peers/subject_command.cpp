@@ -45,9 +45,11 @@ namespace {
 constexpr const char* script = R"(
 import json, os, sys, time
 mode = sys.argv[1] if len(sys.argv) > 1 else ""
-bodies = {}
+bodies, held = {}, []
 def put(value):
-    print(value if isinstance(value, str) else json.dumps(value), flush=mode != "held")
+    line = value if isinstance(value, str) else json.dumps(value)
+    if mode == "held": held.append(line)
+    else: print(line, flush=True)
 if mode == "banner":
     put("welcome")
 for line in sys.stdin:
@@ -76,6 +78,7 @@ for line in sys.stdin:
         put({"ask": m["ask"], "answer": None})
     else: put({"ask": m["ask"], "answer": 1 if x in (1, "1/3") else 0})
     if mode == "once": sys.exit(3)
+print("\n".join(held))
 )";
 
 const Temporary_file& program()
