@@ -61,6 +61,7 @@ void print_progress(const std::vector<std::string>& dbs)
   std::set<int> begun;
   int shards = 0;
   std::uint64_t done = 0, of = 0;
+  std::string lines;
   for (const std::string& db : dbs) {
     verify::require_campaign(db);
     verify::Database database(db, verify::Database::Mode::read);
@@ -74,9 +75,11 @@ void print_progress(const std::vector<std::string>& dbs)
     of += progress.of_begun;
     const std::string which = progress.begun.size() == 1 ? "shard " + std::to_string(progress.begun.front())
                                                          : std::to_string(progress.begun.size()) + " shards";
-    std::cout << db << ": " << which << " of " << shards << ", " << share(progress.done, progress.of_begun) << '\n';
+    lines +=
+        db + ": " + which + " of " + std::to_string(shards) + ", " + share(progress.done, progress.of_begun) + "\n";
   }
-  std::cout << "all: " << begun.size() << " of " << shards << " shards begun, " << share(done, of) << " of these\n";
+  std::cout << lines << "all: " << begun.size() << " of " << shards << " shards begun, " << share(done, of)
+            << " of these\n";
   if (done < of || int(begun.size()) < shards) throw CLI::RuntimeError(1);
 }
 

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -28,8 +29,8 @@ void on_child(int) {}
 [[noreturn]] void guard(const char* command)
 {
   ::setpgid(0, 0);  // Ctrl-C is the program's
-  sigset_t all_but_child, child_alone;
-  sigemptyset(&all_but_child);
+  sigset_t none, child_alone;
+  sigemptyset(&none);
   sigemptyset(&child_alone);
   sigaddset(&child_alone, SIGCHLD);
   ::sigprocmask(SIG_SETMASK, &child_alone, nullptr);
@@ -41,7 +42,7 @@ void on_child(int) {}
   if (child < 0) ::_exit(126);
   if (child == 0) {
     ::setpgid(0, 0);
-    ::sigprocmask(SIG_SETMASK, &all_but_child, nullptr);
+    ::sigprocmask(SIG_SETMASK, &none, nullptr);
     ::execl("/bin/sh", "sh", "-c", command, nullptr);
     ::_exit(127);
   }
@@ -51,7 +52,7 @@ void on_child(int) {}
   for (;;) {
     if (::waitid(P_PID, id_t(child), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 && ended.si_pid == child) break;
     pollfd reader = {STDOUT_FILENO, 0, 0};  // that nobody reads is told unasked
-    if (::ppoll(&reader, 1, nullptr, &all_but_child) > 0) break;
+    if (::ppoll(&reader, 1, nullptr, &none) > 0) break;
   }
   ::kill(-child, SIGKILL);
   ::waitid(P_PID, id_t(child), &ended, WEXITED);

@@ -34,7 +34,8 @@ std::string subjects_of(const Campaign& campaign)
 }
 
 /// What shards have in common.
-#define COMMON_WORDS "version, seed, predicate_cases, object_cases, frames, families, subjects, real_meshes, shards"
+const std::string common =
+    "version, seed, predicate_cases, object_cases, frames, families, subjects, real_meshes, shards";
 constexpr std::array common_words = {"version",  "seed",     "predicate cases", "object cases", "frames",
                                      "families", "subjects", "real meshes",     "shards"};
 
@@ -68,9 +69,9 @@ void record_words(Database& database, const Campaign& campaign, std::uint64_t an
     add.run(subject.name, subject.command);
   }
   // Replaced rows are the last again.
-  Database::Statement(database, "INSERT OR REPLACE INTO words (" COMMON_WORDS
-                                ", shard, answers) "
-                                "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11)")
+  Database::Statement(database, "INSERT OR REPLACE INTO words (" + common +
+                                    ", shard, answers) "
+                                    "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11)")
       .run(campaign.made_by.version, campaign.seed, campaign.predicate_cases, campaign.object_cases,
            campaign.sequence_frames, families_of(campaign), subjects_of(campaign), real_meshes_available(),
            campaign.shards, campaign.shard, answers);
@@ -79,11 +80,12 @@ void record_words(Database& database, const Campaign& campaign, std::uint64_t an
 
 void refuse_other_words(Database& into, const std::filesystem::path& from)
 {
-  Database::Statement here(into, "SELECT DISTINCT " COMMON_WORDS " FROM main.words"),
-      there(into, "SELECT DISTINCT " COMMON_WORDS " FROM other.words");
+  Database::Statement here(into, "SELECT DISTINCT " + common + " FROM main.words"),
+      there(into, "SELECT DISTINCT " + common + " FROM other.words");
   if (!here.with().next()) return;
-  for (const char* apart : {"SELECT " COMMON_WORDS " FROM other.words EXCEPT SELECT " COMMON_WORDS " FROM main.words",
-                            "SELECT " COMMON_WORDS " FROM main.words EXCEPT SELECT " COMMON_WORDS " FROM other.words"})
+  for (const std::string& apart :
+       {"SELECT " + common + " FROM other.words EXCEPT SELECT " + common + " FROM main.words",
+        "SELECT " + common + " FROM main.words EXCEPT SELECT " + common + " FROM other.words"})
     if (Database::Statement(into, apart).with().next())
       throw covering::Input_error(
           from.native(), 0,
@@ -102,9 +104,8 @@ void refuse_other_words(Database& into, const std::filesystem::path& from)
 
 Campaign_progress progress(Database& database)
 {
-  Database::Statement rows(database,
-                           "SELECT shard, answers, " COMMON_WORDS " FROM words NATURAL JOIN (SELECT " COMMON_WORDS
-                           " FROM words ORDER BY words.rowid DESC LIMIT 1) ORDER BY shard");
+  Database::Statement rows(database, "SELECT shard, answers, " + common + " FROM words NATURAL JOIN (SELECT " + common +
+                                         " FROM words ORDER BY words.rowid DESC LIMIT 1) ORDER BY shard");
   Campaign_progress progress;
   Database::Statement done(
       database,
