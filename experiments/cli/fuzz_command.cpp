@@ -1,5 +1,6 @@
 #include "experiments/cli/fuzz_command.h"
 
+#include "experiments/cli/subject_options.h"
 #include "experiments/support/output_file.h"
 #include "experiments/support/progress.h"
 #include "tetracone/covering/edge_uses.h"
@@ -42,6 +43,7 @@ struct Options {
   double seconds = 60;
   std::uint64_t seed = 1;
   std::string subject;
+  Subject_options others;
   std::filesystem::path out = "out/fuzz";
 };
 
@@ -108,12 +110,15 @@ class Fuzz {
  public:
   explicit Fuzz(const Options& options) : options_(options), progress_("seconds", std::size_t(options.seconds))
   {
+    const auto commands = command_subjects(options.others, verify::object_subjects());
     std::vector<std::string> names;
+    for (const auto& command : commands) names.push_back(command.name);
     for (const auto& subject : verify::object_subjects()) names.push_back(subject.name);
     for (const auto& subject : verify::predicate_subjects()) names.push_back(subject.name);
     const auto wanted = chosen(names, options.subject);
     for (auto& subject : verify::object_subjects())
       if (wanted.contains(subject.name)) object_subjects_.push_back({subject, subject.make()});
+    for (const auto& subject : commands) object_subjects_.push_back({subject, subject.make()});
     for (const auto& subject : verify::predicate_subjects())
       if (wanted.contains(subject.name)) predicate_subjects_.push_back(&subject);
     make_folder(options.out);
@@ -284,6 +289,7 @@ void add_fuzz_command(CLI::App& app)
   command->add_option(
       "--subject", options->subject,
       "Only this subject, or those whose names begin so; default: the trees of double, float, epick and adaptive");
+  add_subject_options(*command, options->others);
   command->add_option("--out", options->out, "Folder of the case files")->capture_default_str();
   command->footer(
       "Each new kind of wrong answer (subject, family, question, direction) is written once.\n"

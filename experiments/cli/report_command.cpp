@@ -3,25 +3,35 @@
 #include "experiments/peers/peer.h"
 #include "experiments/support/draw.h"
 #include "experiments/support/output_file.h"
+#include "tetracone/covering/io/input_error.h"
 #include "verify/campaign/campaign.h"
+#include "verify/campaign/campaign_words.h"
 #include "verify/campaign/tables.h"
 #include "verify/subjects/predicate_subject.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <set>
 #include <string>
+#include <vector>
 
 namespace tetracone::experiments {
 namespace {
 
 struct Options {
-  std::string db, table, out = "out";
+  std::vector<std::string> dbs;
+  std::string table, out = "out";
+  bool progress = false;
 };
 
 /// What a subject's answers mean where it is not ours: the question that it answers, its numbers, its source.
-std::string notes_as_csv()
+std::string notes_as_csv(verify::Database& database)
 {
   std::string csv = "level,subject,note\n";
   const auto add = [&csv](const std::string& level, const std::string& subject, std::string note) {
@@ -29,16 +39,63 @@ std::string notes_as_csv()
     if (!note.empty()) csv += level + "," + subject + ",\"" + note + "\"\n";
   };
   for (const Peer& peer : peers()) add("object", peer.name, peer.note);
+  verify::Database::Statement commands(database, "SELECT subject, command FROM command ORDER BY 1");
+  for (commands.with(); commands.next();)
+    add("object", commands.text(0), "somebody else's program: " + commands.text(1));
   for (const verify::Predicate_subject& subject : verify::predicate_subjects())
     add("predicate", subject.name, subject.note);
   return csv;
 }
 
+std::string share(std::uint64_t done, std::uint64_t of)
+{
+  std::array<char, 64> text;
+  std::snprintf(text.data(), text.size(), "%llu of %llu answers, %.1f %%", (unsigned long long)done,
+                (unsigned long long)of, of == 0 ? 100.0 : std::floor(1000 * double(done) / double(of)) / 10);
+  return text.data();
+}
+
+/// A line a database and one of all. Throws CLI::RuntimeError(1) unless every shard is done.
+void print_progress(const std::vector<std::string>& dbs)
+{
+  std::set<int> begun;
+  int shards = 0;
+  std::uint64_t done = 0, of = 0;
+  std::string lines;
+  for (const std::string& db : dbs) {
+    verify::require_campaign(db);
+    verify::Database database(db, verify::Database::Mode::read);
+    const verify::Campaign_progress progress = verify::progress(database);
+    if (shards != 0 && progress.shards != shards)
+      throw covering::Input_error(db, 0, "of a campaign in " + std::to_string(progress.shards) + " shards",
+                                  "expected " + std::to_string(shards) + ", as in " + dbs.front());
+    shards = progress.shards;
+    for (const int shard : progress.begun) begun.insert(shard);
+    done += progress.done;
+    of += progress.of_begun;
+    const std::string which = progress.begun.size() == 1 ? "shard " + std::to_string(progress.begun.front())
+                                                         : std::to_string(progress.begun.size()) + " shards";
+    lines +=
+        db + ": " + which + " of " + std::to_string(shards) + ", " + share(progress.done, progress.of_begun) + "\n";
+  }
+  std::cout << lines << "all: " << begun.size() << " of " << shards << " shards begun, " << share(done, of)
+            << " of these\n";
+  if (done < of || int(begun.size()) < shards) throw CLI::RuntimeError(1);
+}
+
 void run(const Options& options)
 {
+  if (options.progress) {
+    if (!options.table.empty()) throw CLI::ValidationError("--progress", "expected without --table");
+    print_progress(options.dbs);
+    return;
+  }
   const auto& tables = verify::tables();
-  verify::require_campaign(options.db);
-  verify::Database database(options.db, verify::Database::Mode::read);
+  if (options.dbs.size() != 1)
+    throw CLI::ValidationError("DB", "expected one database; `tetracone merge` joins several");
+  const std::string& db = options.dbs.front();
+  verify::require_campaign(db);
+  verify::Database database(db, verify::Database::Mode::read);
   if (!options.table.empty()) {
     if (std::none_of(tables.begin(), tables.end(), [&](const auto& table) { return table.first == options.table; })) {
       std::string list;
@@ -52,7 +109,7 @@ void run(const Options& options)
   make_folder(folder);
   for (const auto& [name, what] : tables)
     write_whole(folder / ("verify_" + std::string(name) + ".csv"), verify::table_as_csv(database, name));
-  write_whole(folder / "verify_notes.csv", notes_as_csv());
+  write_whole(folder / "verify_notes.csv", notes_as_csv(database));
   draw("report.py", options.out);
 }
 
@@ -62,7 +119,10 @@ void add_report_command(CLI::App& app)
 {
   CLI::App* command = app.add_subcommand("report", "The report and the tables of a campaign's database");
   const auto options = std::make_shared<Options>();
-  command->add_option("DB", options->db, "Database that `tetracone verify` wrote")->required();
+  command->add_option("DB", options->dbs, "Database that `tetracone verify` wrote; with --progress, any number")
+      ->required();
+  command->add_flag("--progress", options->progress,
+                    "Print how far each database and the whole campaign are; exit status 1 while something is missing");
   command->add_option("--table", options->table, "Print this one table as CSV");
   command
       ->add_option("--out", options->out,
@@ -72,7 +132,9 @@ void add_report_command(CLI::App& app)
   for (const auto& [name, what] : verify::tables())
     footer +=
         "\n  " + std::string(name) + std::string(12 - std::min<std::size_t>(11, name.size()), ' ') + std::string(what);
-  command->footer(footer + "\nExample: tetracone report out/verify.db --table errors");
+  command->footer(footer +
+                  "\nExample: tetracone report out/verify.db --table errors\n"
+                  "         tetracone report --progress out/shard-*.db");
   command->callback([options] { run(*options); });
 }
 

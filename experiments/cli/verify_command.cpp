@@ -1,5 +1,7 @@
 #include "experiments/cli/verify_command.h"
 
+#include "experiments/cli/subject_options.h"
+#include "experiments/peers/check_subject.h"
 #include "experiments/peers/peers.h"
 #include "experiments/support/build_info.h"
 #include "experiments/support/output_file.h"
@@ -25,8 +27,9 @@ using verify::Campaign;
 using verify::Database;
 
 struct Options {
-  std::string db = "out/verify.db", shard = "0/1", level;
+  std::string db = "out/verify.db", shard = "0/1", level, check_subject;
   std::vector<std::string> families, subjects;
+  Subject_options others;
   std::uint64_t cases = 0;
   Campaign campaign;
 };
@@ -72,10 +75,13 @@ void choose_subjects(const Options& options, Campaign& campaign)
   auto objects = verify::object_subjects();
   for (auto& peer : peer_subjects(std::filesystem::read_symlink("/proc/self/exe").native()))
     objects.push_back(std::move(peer));
+  const auto commands = command_subjects(options.others, objects);
   std::set<std::string> known;
+  for (const auto& command : commands) known.insert(command.name);
   campaign.predicate_subjects = chosen(verify::predicate_subjects(), options.subjects, known);
   campaign.object_subjects = chosen(objects, options.subjects, known);
   campaign.feature_subjects = chosen(verify::feature_subjects(), options.subjects, known);
+  campaign.object_subjects.insert(campaign.object_subjects.end(), commands.begin(), commands.end());
   for (const std::string& name : options.subjects)
     if (!known.contains(name)) {
       std::string list;
@@ -167,6 +173,10 @@ bool print_summary(Database& database, const Campaign& campaign)
 
 void run(Options options)
 {
+  if (!options.check_subject.empty()) {
+    if (!check_subject(options.check_subject, options.others.limit_ms(), std::cout)) throw CLI::RuntimeError(1);
+    return;
+  }
   Campaign& campaign = options.campaign;
   parse_shard(options.shard, campaign);
   choose_families(options, campaign);
@@ -214,6 +224,9 @@ void add_verify_command(CLI::App& app)
       ->add_option("--subject", options->subjects,
                    "Only this subject, or a kernel with all its methods; may be given again")
       ->allow_extra_args(false);
+  add_subject_options(*command, options->others);
+  command->add_option("--check-subject", options->check_subject,
+                      "No campaign: whether the program COMMAND follows the protocol, in at most a minute");
   command->add_option("--level", options->level, "Only this level: predicate, object or features");
   command->add_option("--frames", options->campaign.sequence_frames, "Frames of each sequence of exact contact")
       ->capture_default_str()
@@ -221,8 +234,10 @@ void add_verify_command(CLI::App& app)
   command->footer(
       "Run again with the same words, it goes on where it was; with more cases or other subjects, it adds what is "
       "missing.\n"
-      "Exit status 1: an exact subject was wrong, or the truths disagree.\n"
-      "Example: tetracone verify --db out/verify.db --family sliver --subject double");
+      "Exit status 1: an exact subject was wrong, the truths disagree, or the program checked does not follow the "
+      "protocol.\n"
+      "Example: tetracone verify --db out/verify.db --family sliver --subject double\n"
+      "         tetracone verify --subject mine --subject-command \"mine=./mine --tolerance 1e-9\"");
   command->callback([options] { run(*options); });
 }
 
@@ -232,12 +247,13 @@ void add_merge_command(CLI::App& app)
     std::string into;
     std::vector<std::string> from;
   };
-  CLI::App* command = app.add_subcommand("merge", "Join the databases of several campaigns or shards");
+  CLI::App* command = app.add_subcommand("merge", "Join the databases of a campaign's shards");
   const auto files = std::make_shared<Files>();
   command->add_option("INTO", files->into, "Database that takes all; made when it is not there")->required();
   command->add_option("FROM", files->from, "Databases of `tetracone verify`")->required();
   command->footer(
-      "A batch that both have is refused, and nothing of that file is taken.\nExample: tetracone merge all.db "
+      "A shard that INTO has is not taken again; one that was asked with other words (version, seed, cases, families, "
+      "subjects) is refused, and nothing of that file is taken.\nExample: tetracone merge all.db "
       "shard0.db shard1.db");
   command->callback([files] {
     // Nothing is made before all are known to be what they should.

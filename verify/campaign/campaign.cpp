@@ -2,6 +2,7 @@
 
 #include "tetracone/covering/io/input_error.h"
 #include "verify/campaign/campaign_schema.h"
+#include "verify/campaign/campaign_words.h"
 #include "verify/campaign/findings.h"
 #include "verify/cases/sequences.h"
 #include "verify/cases/shape_library.h"
@@ -84,6 +85,25 @@ std::vector<Batch> batches(const Campaign& campaign, const std::vector<Sequence>
     if (int(k % std::size_t(campaign.shards)) == campaign.shard)
       all.push_back({Asked_for::collision, nullptr, &sequences[k], 0, 0, sequences[k].frames.size()});
   return all;
+}
+
+std::size_t subject_count(const Campaign& campaign, Asked_for what)
+{
+  switch (what) {
+    case Asked_for::predicates: return campaign.predicate_subjects.size();
+    case Asked_for::collision: return campaign.object_subjects.size();
+    case Asked_for::features: break;
+  }
+  return campaign.feature_subjects.size();
+}
+
+/// Answers of all subjects and of the truth to these batches.
+std::uint64_t answer_count(const Campaign& campaign, const std::vector<Batch>& batches)
+{
+  std::uint64_t count = 0;
+  for (const Batch& batch : batches)
+    count += (batch.last - batch.first) * (1 + subject_count(campaign, batch.what));
+  return count;
 }
 
 std::vector<Sequence> sequences_of(const Campaign& campaign)
@@ -505,6 +525,14 @@ class Attached {
   Database& database_;
 };
 
+/// True when the attached database has no batch that `into` does not have, to the same case.
+bool has_all(Database& into)
+{
+  return !Database::Statement(into, "SELECT 1 FROM (SELECT * FROM other.done EXCEPT SELECT * FROM main.done) LIMIT 1")
+              .with()
+              .next();
+}
+
 /// Throws covering::Input_error when `into` and the attached database `from` have a batch of the same cases and
 /// subject.
 void refuse_common_batches(Database& into, const std::filesystem::path& from)
@@ -516,7 +544,7 @@ void refuse_common_batches(Database& into, const std::filesystem::path& from)
     throw covering::Input_error(from.native(), 0,
                                 "batch " + twice.text(2) + " of " + twice.text(0) + " " + twice.text(1) + " asked of " +
                                     twice.text(3) + " is in " + into.file().native() + " already",
-                                "expected shards of one campaign, or other seeds");
+                                "expected each shard once, or a new file that takes all");
 }
 
 /// Adds all rows of the attached database, its runs renumbered.
@@ -559,10 +587,12 @@ std::uint64_t case_count(const Campaign& campaign)
 
 void run_campaign(Database& database, const Campaign& campaign, const std::function<void(std::uint64_t)>& done)
 {
+  const auto sequences = sequences_of(campaign);
+  const auto todo = batches(campaign, sequences);
   make_tables(database);
+  record_words(database, campaign, answer_count(campaign, todo));
   const std::int64_t run = run_number(database, campaign);
   const Done before(database, campaign.seed);
-  const auto sequences = sequences_of(campaign);
   tbb::enumerable_thread_specific<Running_subjects> running([&] { return make_running(campaign.object_subjects); });
   tbb::enumerable_thread_specific<Running_subjects> listing([&] { return make_running(campaign.feature_subjects); });
   const auto judged = [&](const Batch& batch) {
@@ -574,7 +604,6 @@ void run_campaign(Database& database, const Campaign& campaign, const std::funct
     return Feature_batch(campaign, batch, before, listing.local()).judge();
   };
   std::mutex one_at_a_time;
-  const auto todo = batches(campaign, sequences);
   tbb::parallel_for_each(todo, [&](const Batch& batch) {
     const Findings found = judged(batch);
     const std::lock_guard lock(one_at_a_time);
@@ -607,8 +636,14 @@ void merge(Database& into, const std::filesystem::path& from)
   make_tables(into);
   const Attached attached(into, from);
   Database::Transaction transaction(into);
-  refuse_common_batches(into, from);
-  into.run(merge_attached);
+  refuse_other_words(into, from);
+  if (!has_all(into)) {
+    refuse_common_batches(into, from);
+    into.run(merge_attached);
+  }
+  into.run(
+      "INSERT OR IGNORE INTO main.words SELECT * FROM other.words ORDER BY rowid;"
+      "INSERT OR IGNORE INTO main.command SELECT * FROM other.command");
   transaction.commit();
 }
 

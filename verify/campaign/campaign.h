@@ -58,7 +58,7 @@ std::uint64_t case_count(const Campaign& campaign);
 /// Resumes: cases of this seed that are in the database are not asked again, after a stop or a kill, with more cases or
 /// with other subjects. The rows depend on the campaign only, not on threads, shards or interruptions; the table `time`
 /// apart. `done` is called with the number of cases just done or found, from several threads, one at a time. Throws
-/// Truths_disagree; covering::Input_error when the database cannot be used.
+/// Truths_disagree; covering::Input_error when the database cannot be used, or knows a subject by another command.
 void run_campaign(Database& database, const Campaign& campaign, const std::function<void(std::uint64_t)>& done);
 
 /// Opens a campaign's database to write; makes it when it is not there. Throws covering::Input_error, and changes
@@ -68,8 +68,9 @@ Database open_campaign(const std::filesystem::path& file);
 /// Throws covering::Input_error when the file is no database of a campaign.
 void require_campaign(const std::filesystem::path& file);
 
-/// Adds to `into` what `from` has. Throws covering::Input_error, and changes nothing, when both have a batch of the
-/// same cases and subject.
+/// Adds to `into` what `from`, a shard of the same campaign, has; nothing where `into` has it all. Throws
+/// covering::Input_error, and changes nothing, when the two were not asked with the same words (campaign_words.h), or
+/// when `into` has a part of the shard: an earlier state of it.
 void merge(Database& into, const std::filesystem::path& from);
 
 }  // namespace tetracone::verify

@@ -23,6 +23,9 @@ namespace tetracone::verify {
 ///  - blame: wrong answers of rounding trees by the stage of first divergence.
 ///  - relation: how often a metamorphic relation was tried, did not apply, and was violated.
 ///  - flips: how often the answer changed in a sequence of frames, and how often the truth did.
+///  - words: what was asked for, by shard, and how many answers that is, the truth's included; the last row is the last
+///  run's.
+///  - command: what starts the subjects that are somebody else's programs.
 ///  - time: nanoseconds, preparation included; of this machine and run.
 inline constexpr int exactly_degenerate = -9999, not_near = 9999;
 inline constexpr std::uint64_t kept_one_by_one = 200;
@@ -47,6 +50,10 @@ CREATE TABLE IF NOT EXISTS relation (run INTEGER, level TEXT, family TEXT, relat
   PRIMARY KEY (run, level, family, relation, subject, question)) WITHOUT ROWID;
 CREATE TABLE IF NOT EXISTS flips (run INTEGER, sequence TEXT, subject TEXT, question TEXT, frames INTEGER, wrong INTEGER,
   changes INTEGER, true_changes INTEGER, PRIMARY KEY (run, sequence, subject, question)) WITHOUT ROWID;
+CREATE TABLE IF NOT EXISTS words (version TEXT, seed INTEGER, predicate_cases INTEGER, object_cases INTEGER, frames INTEGER, families TEXT,
+  subjects TEXT, real_meshes INTEGER, shards INTEGER, shard INTEGER, answers INTEGER,
+  UNIQUE (version, seed, predicate_cases, object_cases, frames, families, subjects, real_meshes, shards, shard));
+CREATE TABLE IF NOT EXISTS command (subject TEXT PRIMARY KEY, command TEXT) WITHOUT ROWID;
 CREATE TABLE IF NOT EXISTS time (run INTEGER, level TEXT, family TEXT, subject TEXT, question TEXT, n INTEGER, nanoseconds INTEGER,
   PRIMARY KEY (run, level, family, subject, question)) WITHOUT ROWID;
 )";

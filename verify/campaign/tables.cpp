@@ -85,6 +85,8 @@ constexpr Table all[] = {
     {"times", "mean nanoseconds an answer by family, preparation included",
      "SELECT level, family, subject, question, sum(n) AS n, sum(nanoseconds) / sum(n) AS mean_nanoseconds FROM time "
      "GROUP BY level, family, subject, question HAVING sum(n) > 0 ORDER BY 1, 2, 3, 4"},
+    {"commands", "subjects that are somebody else's programs, and what starts them",
+     "SELECT subject, command FROM command ORDER BY 1"},
     {"runs", "what made the rows: version, compiler, flags, processor and seed",
      "SELECT id AS run, version, compiler, flags, processor, seed, real_meshes FROM run ORDER BY 1"},
 };

@@ -71,6 +71,7 @@ Case_file case_file_of(const Object_case& c, Question question, const Object_sub
   file.wrong = wrong_answers(c, question, file.truth);
   const std::optional<int> given =
       answer == Outcome::failed ? std::nullopt : std::optional<int>(answer == Outcome::yes);
+  if (!subject.own) file.wrong.push_back({subject.name, given});
   file.cause = subject.name + ": " + direction(given, file.truth);
   if (given && subject.own) {
     const auto stage = blame(*subject.own, c, question, file.truth);

@@ -46,6 +46,7 @@ struct Object_subject {
   std::string note;            ///< of a peer: the question it really answers
   std::optional<Subject> own;  ///< the kernel and method; nothing for a peer
   std::function<std::unique_ptr<Running_subject>()> make;
+  std::string command{};  ///< of somebody else's program: what starts it
 };
 
 /// Our kernels with their methods; and of the adaptive kernel the fast tree that remembers the last pose, asked others

@@ -104,6 +104,24 @@ BOOST_AUTO_TEST_CASE(exact_subjects_find_nothing)
   BOOST_TEST(r.out.find("exact") != std::string::npos);
 }
 
+BOOST_AUTO_TEST_CASE(somebody_elses_program_is_found_wrong)
+{
+  const Temporary_folder folder("fuzz_command");
+  const Temporary_file script("no.py", R"(
+import json, sys
+for line in sys.stdin:
+    m = json.loads(line)
+    if "ask" in m: print(json.dumps({"ask": m["ask"], "answer": 0}), flush=True)
+)");
+  const Run r = run("fuzz --seconds 4 --subject mine --subject-command 'mine=python3 " + script.path().native() +
+                    "' --out " + in_quotes(folder.path()));
+  BOOST_TEST(r.status == 0, r.error);
+  const auto path = case_with(folder.path(), verify::Level::object, "mine");
+  BOOST_REQUIRE(path.has_value());
+  BOOST_TEST(path->filename().native().starts_with("mine-"));
+  BOOST_TEST(run("collide " + in_quotes(*path)).out == "1\n");
+}
+
 BOOST_AUTO_TEST_CASE(bad_use_is_one_line)
 {
   check_refused("fuzz --subject foo", "expected one of adaptive tree");

@@ -114,7 +114,61 @@ BOOST_AUTO_TEST_CASE(shards_merge_to_the_whole)
   BOOST_TEST(run("verify --shard 1/2 --db " + second.path + " " + campaign).status == 0);
   BOOST_TEST(run("merge " + merged.path + " " + first.path + " " + second.path).status == 0);
   BOOST_TEST((tables(merged.path) == tables(whole.path)));
-  check_refused("merge " + merged.path + " " + first.path, "already");
+  // The same again changes nothing, other words are refused.
+  BOOST_TEST(run("merge " + merged.path + " " + first.path).status == 0);
+  BOOST_TEST((tables(merged.path) == tables(whole.path)));
+  check_refused("merge " + merged.path + " " + whole.path, "shards: 1 instead of 2");
+  check_refused("merge " + first.path + " " + whole.path, first.path);
+  const Run both = run("report --progress " + first.path + " " + second.path);
+  BOOST_TEST(both.status == 0);
+  BOOST_TEST(both.out.find(": shard 1 of 2, ") != std::string::npos, both.out);
+  BOOST_TEST(both.out.find("all: 2 of 2 shards begun, ") != std::string::npos, both.out);
+  const Run half = run("report --progress " + first.path);
+  BOOST_TEST(half.status == 1);
+  BOOST_TEST(half.out.find("all: 1 of 2 shards begun, ") != std::string::npos, half.out);
+  BOOST_TEST(run("report --progress " + merged.path).status == 0);
+  check_refused("report " + first.path + " " + second.path, "expected one database");
+}
+
+BOOST_AUTO_TEST_CASE(somebody_elses_program_is_a_subject_and_is_remembered)
+{
+  // Says no, and dies where a pose is turned.
+  const Temporary_file script("mine.py", R"(
+import json, sys
+for line in sys.stdin:
+    m = json.loads(line)
+    if "ask" not in m: continue
+    if m["pose_b"][1] != 0: sys.exit(1)
+    print(json.dumps({"ask": m["ask"], "answer": 0 if m["question"] == "surface" else None}), flush=True)
+)");
+  const std::string command = "python3 " + script.path().native();
+  const Database_file db("mine");
+  const std::string words = "verify --db " + db.path +
+                            " --cases 16 --frames 0 --level object --family random --family special-poses "
+                            "--family vertex-on-face --subject mine --subject-command ";
+  const Run first = run(words + "'mine=" + command + "'");
+  BOOST_TEST(first.status == 0, first.error);
+  Database database(db.path, Database::Mode::read);
+  Database::Statement sums(database,
+                           "SELECT sum(n), sum(false_negatives), sum(failures), sum(not_asked) FROM tally WHERE axis = "
+                           "'rho' AND subject = 'mine'");
+  BOOST_TEST_REQUIRE(sums.with().next());
+  for (int k = 0; k < 4; ++k) BOOST_TEST(sums.integer(k) > 0, k);
+  BOOST_TEST(sums.integer(0) + sums.integer(3) == 2 * 3 * 16);
+  BOOST_TEST(run("report " + db.path + " --table relations").out.find(",mine,") != std::string::npos);
+  BOOST_TEST(run("report " + db.path + " --table commands").out == "subject,command\nmine," + command + "\n");
+  const std::string before = tables(db.path);
+  BOOST_TEST(run(words + "'mine=" + command + "'").status == 0);
+  BOOST_TEST((tables(db.path) == before));
+  check_refused(words + "'mine=" + command + " --other'", "expected the same command, or another name");
+  BOOST_TEST((tables(db.path) == before));
+  for (const std::string wrong : {"mine", "mine=", "=x", "'my name=x'", "adaptive=x", "CGAL=x", "truth=x"})
+    check_refused(words + wrong);
+  check_refused(words + "mine=true --subject-command mine=true", "another subject's");
+  check_refused(words + "mine=/nowhere/program", "expected a program that the shell can run");
+  const Run check = run("verify --check-subject '" + command + "'");
+  BOOST_TEST(check.status == 1);
+  BOOST_TEST(check.out.find("does not follow the protocol") != std::string::npos, check.out);
 }
 
 BOOST_AUTO_TEST_CASE(the_table_of_errors_has_the_columns_that_others_rely_on)

@@ -1,0 +1,32 @@
+#ifndef TETRACONE_EXPERIMENTS_CLI_SUBJECT_OPTIONS_H
+#define TETRACONE_EXPERIMENTS_CLI_SUBJECT_OPTIONS_H
+
+#include "verify/subjects/object_subject.h"
+
+#include <CLI/CLI.hpp>
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace tetracone::experiments {
+
+/// The words by which `verify` and `fuzz` are given somebody else's methods.
+struct Subject_options {
+  std::vector<std::string> commands;  ///< NAME=COMMAND
+  double limit = 10;                  ///< seconds for an answer
+
+  std::chrono::milliseconds limit_ms() const { return std::chrono::milliseconds(long(limit * 1000)); }
+};
+
+/// Adds `--subject-command` and `--subject-limit`.
+void add_subject_options(CLI::App& command, Subject_options& options);
+
+/// The subjects of `--subject-command`, each asked one question by now. Throws CLI::ValidationError for a name that is
+/// none, that comes twice, or that one of `others` begins with, and for what the shell cannot run.
+std::vector<verify::Object_subject> command_subjects(const Subject_options& options,
+                                                     const std::vector<verify::Object_subject>& others);
+
+}  // namespace tetracone::experiments
+
+#endif

@@ -1,0 +1,57 @@
+#ifndef TETRACONE_EXPERIMENTS_PEERS_COMMAND_PROCESS_H
+#define TETRACONE_EXPERIMENTS_PEERS_COMMAND_PROCESS_H
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+namespace tetracone::experiments {
+
+/// A command of the shell as a child that is spoken to in lines, over pipes to its standard input and output. It and
+/// all that it started are killed when this goes, and when the program dies. Not for two threads at a time.
+class Command_process {
+ public:
+  using Deadline = std::chrono::steady_clock::time_point;
+
+  /// Where its standard error goes: nowhere, or where the program's goes.
+  enum class Errors { dropped, shown };
+
+  /// Throws std::runtime_error when no process can be started. That the shell finds no such program shows as an end
+  /// with status 127.
+  explicit Command_process(const std::string& command, Errors errors = Errors::dropped);
+  ~Command_process();
+  Command_process(const Command_process&) = delete;
+  Command_process& operator=(const Command_process&) = delete;
+
+  /// False when the child ends or the deadline passes before all is sent.
+  bool send(const std::string& text, Deadline deadline);
+
+  /// The next line of its output, without its end; nothing when the child ends or the deadline passes first. Of a line
+  /// longer than 65,536 bytes, what has come of it.
+  std::optional<std::string> line(Deadline deadline);
+
+  /// What has come after the last line.
+  const std::string& rest() const { return received_; }
+
+  /// The child reads the end of its input. Nothing can be sent any more.
+  void close_input();
+
+  /// How the child ended, as the shell tells it: its status, or 128 and the signal; nothing when it has not ended at
+  /// the deadline.
+  std::optional<int> end(Deadline deadline);
+
+ private:
+  bool receive(Deadline deadline);
+
+  int input_ = -1, output_ = -1;  // our ends
+  int their_input_ = -1;          // held open, so that writing to a dead child is no signal
+  pid_t guard_ = -1;
+  std::optional<int> status_;
+  std::string received_;
+};
+
+}  // namespace tetracone::experiments
+
+#endif

@@ -1,0 +1,250 @@
+// Runs small programs of Python as somebody else's methods.
+
+#include "experiments/peers/subject_command.h"
+
+#include "experiments/peers/check_subject.h"
+#include "verify/cases/shape_generators.h"
+#include "verify/test/support/temporary_file.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+using namespace tetracone;
+using kernel::Pose;
+using kernel::Question;
+using verify::Object_case;
+using verify::Outcome;
+using verify::Temporary_file;
+using namespace std::chrono_literals;
+
+namespace tetracone::verify {
+/// For Boost.Test's messages.
+static std::ostream& operator<<(std::ostream& out, Outcome outcome)
+{
+  constexpr std::array names = {"no", "yes", "not asked", "failed"};
+  return out << names[static_cast<std::size_t>(outcome)];
+}
+}  // namespace tetracone::verify
+
+namespace {
+
+/// Does what B's translation along x says, and with the argument `MODE` one thing wrong.
+constexpr const char* script = R"(
+import json, os, sys, time
+mode = sys.argv[1] if len(sys.argv) > 1 else ""
+bodies, held = {}, []
+def put(value):
+    line = value if isinstance(value, str) else json.dumps(value)
+    if mode == "held": held.append(line)
+    else: print(line, flush=True)
+if mode == "banner":
+    put("welcome")
+for line in sys.stdin:
+    m = json.loads(line)
+    if "model" in m:
+        bodies[m["model"]] = m
+    if "forget" in m:
+        del bodies[m["forget"]]
+        if mode == "forgetful":
+            bodies.clear()
+    if "ask" not in m:
+        continue
+    x = m["pose_b"][3]
+    bodies[m["a"]], bodies[m["b"]]
+    if mode: x = 2 if mode not in ("column", "twice") else 0
+    if x == 3: os.abort()
+    elif x == 4: put("no JSON")
+    elif x == 5: time.sleep(60)
+    elif x == 6: put({"ask": m["ask"] + 1, "answer": 1})
+    elif x == 7: put({"ask": m["ask"], "answer": len(bodies) % 2})
+    elif x == 8: put({"ask": m["ask"], "answer": True})
+    elif x == 2 or mode in ("held", "forgetful", "banner", "once"): put({"ask": m["ask"], "answer": None})
+    elif mode == "column": put({"ask": m["ask"], "answer": int(all(-1 <= a - b <= 1 for a, b in zip(m["pose_b"][9:], m["pose_a"][9:])))})
+    elif mode == "twice":
+        put({"ask": m["ask"], "answer": None})
+        put({"ask": m["ask"], "answer": None})
+    else: put({"ask": m["ask"], "answer": 1 if x in (1, "1/3") else 0})
+    if mode == "once": sys.exit(3)
+print("\n".join(held))
+)";
+
+const Temporary_file& program()
+{
+  static const Temporary_file file("subject.py", script);
+  return file;
+}
+
+std::string command(const std::string& mode = "") { return "exec python3 '" + program().path().native() + "' " + mode; }
+
+Object_case cubes(const Pose& pose_b)
+{
+  static const auto cube = std::make_shared<const covering::Polyhedron>(verify::unit_cube());
+  Object_case c;
+  c.a = c.b = cube;
+  c.pose_b = pose_b;
+  return c;
+}
+
+Object_case along(double x) { return cubes(Pose::translation(x, 0, 0)); }
+
+std::string checked(const std::string& mode)
+{
+  std::ostringstream out;
+  const bool follows = experiments::check_subject(command(mode), 4s, out);
+  BOOST_TEST(follows == (out.str().find("WRONG") == std::string::npos));
+  return out.str();
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(test_subject_command)
+
+BOOST_AUTO_TEST_CASE(its_answers_are_taken_as_they_are)
+{
+  const auto subject = experiments::subject_command("mine", command(), 10s);
+  BOOST_TEST(subject.name == "mine");
+  BOOST_TEST(subject.command == command());
+  BOOST_TEST(!subject.is_exact);
+  const auto running = subject.make();
+  BOOST_TEST((*running)(along(1), Question::surface) == Outcome::yes);
+  BOOST_TEST((*running)(along(0), Question::solid) == Outcome::no);
+  BOOST_TEST((*running)(along(2), Question::solid) == Outcome::not_asked);
+  // A fraction comes as it is.
+  const Pose third = Pose::from_quaternion(1, 0, 0, 0, {kernel::Rational(1, 3), 0, 0});
+  BOOST_TEST((*running)(cubes(third), Question::surface) == Outcome::yes);
+}
+
+BOOST_AUTO_TEST_CASE(what_goes_wrong_is_a_failure_and_the_next_question_is_answered)
+{
+  // 3 dies, 4 no JSON, 6 another ask, 8 `true` for 1.
+  const auto running = experiments::subject_command("mine", command(), 10s).make();
+  for (const double wrong : {3, 4, 6, 8, 3}) {
+    BOOST_TEST((*running)(along(wrong), Question::surface) == Outcome::failed, wrong);
+    BOOST_TEST((*running)(along(1), Question::surface) == Outcome::yes, wrong);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(silence_past_the_limit_is_a_failure)
+{
+  const auto running = experiments::subject_command("mine", command(), 300ms).make();
+  BOOST_TEST((*running)(along(1), Question::surface) == Outcome::yes);
+  const auto start = std::chrono::steady_clock::now();
+  BOOST_TEST((*running)(along(5), Question::surface) == Outcome::failed);
+  const auto took = std::chrono::steady_clock::now() - start;
+  BOOST_TEST((took >= 300ms));
+  BOOST_TEST((took < 20s));
+  BOOST_TEST((*running)(along(1), Question::surface) == Outcome::yes);
+}
+
+BOOST_AUTO_TEST_CASE(bodies_are_announced_once_and_forgotten_when_others_come)
+{
+  const auto running = experiments::subject_command("mine", command(), 10s).make();
+  const auto cube = cubes({}).a, box = std::make_shared<const covering::Polyhedron>(verify::box({0, 0, 0}, {1, 2, 3}));
+  Object_case one = along(7), two = along(7);  // 7: whether the program has an odd number of bodies
+  two.b = box;
+  for (int k = 0; k < 3; ++k) {
+    BOOST_TEST((*running)(one, Question::surface) == Outcome::yes);
+    BOOST_TEST((*running)(two, Question::surface) == Outcome::no);
+  }
+  one.a = one.b = box;
+  BOOST_TEST((*running)(one, Question::surface) == Outcome::yes);
+}
+
+BOOST_AUTO_TEST_CASE(a_command_that_cannot_be_run_is_refused_and_one_that_dies_is_not)
+{
+  BOOST_CHECK_THROW(experiments::require_command("/nowhere/program --option", 1s), std::runtime_error);
+  BOOST_CHECK_THROW(experiments::require_command("/dev/null", 1s), std::runtime_error);
+  experiments::require_command("exit 3", 1s);
+  experiments::require_command(command(), 10s);
+  BOOST_TEST((*experiments::subject_command("mine", "exit 3", 1s).make())(along(1), Question::surface) ==
+             Outcome::failed);
+}
+
+BOOST_AUTO_TEST_CASE(nothing_that_it_started_outlives_it)
+{
+  // The shell stays and starts a process that would go on.
+  const Temporary_file number("child", "");
+  const std::string grandchild = "sleep 600 & echo $! > '" + number.path().native() + "'; ";
+  {
+    const auto running =
+        experiments::subject_command("mine", grandchild + "python3 '" + program().path().native() + "'; true", 10s)
+            .make();
+    BOOST_TEST((*running)(along(1), Question::surface) == Outcome::yes);
+  }
+  pid_t child = 0;
+  std::ifstream(number.path()) >> child;
+  BOOST_TEST_REQUIRE(child > 0);
+  const auto has_ended = [child] {
+    std::ifstream status("/proc/" + std::to_string(child) + "/stat");
+    std::string id, name, state;
+    return !(status >> id >> name >> state) || state == "Z";
+  };
+  for (int k = 0; k < 500 && !has_ended(); ++k) std::this_thread::sleep_for(10ms);
+  BOOST_TEST(has_ended());
+}
+
+BOOST_AUTO_TEST_CASE(the_check_says_what_is_wrong)
+{
+  const auto wrong = [](const std::string& mode, const std::string& what) {
+    const std::string said = checked(mode);
+    BOOST_TEST(said.find("WRONG") != std::string::npos, mode);
+    BOOST_TEST(said.find(what) != std::string::npos, mode << ": " << said);
+  };
+  wrong("held", "flushed");
+  wrong("banner", "\"welcome\" is no JSON object");
+  wrong("column", "poses are row-major");
+  wrong("forgetful", "a body forgotten, and its number used again: no line, and it ends with status 1");
+  wrong("once", "ends with status 3");
+  wrong("twice", "output behind the answer");
+}
+
+BOOST_AUTO_TEST_CASE(a_program_that_declines_all_follows_the_protocol)
+{
+  const Temporary_file declines("declines.py", R"(
+import json, sys
+for line in sys.stdin:
+    m = json.loads(line)
+    if "ask" in m: print(json.dumps({"why": "no idea", "answer": None, "ask": m["ask"]}), flush=True)
+)");
+  std::ostringstream out;
+  BOOST_TEST(experiments::check_subject("python3 '" + declines.path().native() + "'", 10s, out), out.str());
+  BOOST_TEST(out.str().find("declined 26 of 26 questions") != std::string::npos, out.str());
+}
+
+BOOST_AUTO_TEST_CASE(the_examples_follow_the_protocol)
+{
+  // Those in C++ are built where their libraries are.
+  const auto folder = std::filesystem::path(TETRACONE_PROGRAM).parent_path() / "subjects";
+  const auto example = [](const std::string& name, const std::string& words, bool is_there) {
+    if (!is_there) {
+      BOOST_TEST_MESSAGE("skipped: " << name << " is not in this build, or what it needs is not installed");
+      return;
+    }
+    std::ostringstream out;
+    BOOST_TEST(experiments::check_subject(words, 10s, out), name << ":\n" << out.str());
+    // Surfaces of the cubes are asked of all.
+    const auto running = experiments::subject_command(name, words, 10s).make();
+    BOOST_TEST((*running)(along(0.5), Question::surface) == Outcome::yes, name);
+    BOOST_TEST((*running)(along(1.5), Question::surface) == Outcome::no, name);
+  };
+  for (const char* name : {"plain_sat", "embree_rays"})
+    example(name, "exec '" + (folder / name).native() + "'", std::filesystem::exists(folder / name));
+  const std::string numpy = std::string(TETRACONE_SOURCE_DIR) + "/experiments/subjects/numpy_edges.py";
+  example("numpy_edges", "exec /usr/bin/python3 '" + numpy + "'",
+          std::system("/usr/bin/python3 -c 'import numpy' 2> /dev/null") == 0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
