@@ -86,8 +86,7 @@ void detail::require_solid(const Body_data& body, const std::string& who, const 
       first = "the edge from vertex " + std::to_string(edge[0].low) + " to " + std::to_string(edge[0].high);
     only_turned += edge.size() % 2 == 0;
   });
-  throw Error(who + " is open at " + std::to_string(open) +
-              (open == 1 ? " edge, " : " edges, first at ") + first +
+  throw Error(who + " is open at " + std::to_string(open) + (open == 1 ? " edge, " : " edges, first at ") + first +
               "; expected a closed surface for " + what +
               (only_turned == open ? " (consistent orientation may close it: tetracone/repair.h)" : ""));
 }

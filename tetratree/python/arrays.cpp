@@ -99,7 +99,10 @@ std::string shortest(double value)
   return {letters.data(), std::to_chars(letters.data(), letters.data() + letters.size(), value).ptr};
 }
 
-bool is_loop(const py::handle& value) { return py::isinstance<py::sequence>(value) || py::isinstance<py::array>(value); }
+bool is_loop(const py::handle& value)
+{
+  return py::isinstance<py::sequence>(value) || py::isinstance<py::array>(value);
+}
 
 std::vector<std::uint32_t> loop_of(const py::handle& corners, std::size_t face, std::size_t vertex_count)
 {

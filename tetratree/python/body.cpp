@@ -102,33 +102,33 @@ array([ 1,  0, -1], dtype=int8)
 >>> body.inside(["1/3", "1/3", "1/3"])
 0
 )")
-      .def("make_all", [](const Shared_body& self) { self.body.make_all(); },
-           py::call_guard<py::gil_scoped_release>(), R"(make_all()
+      .def(
+          "make_all", [](const Shared_body& self) { self.body.make_all(); }, py::call_guard<py::gil_scoped_release>(),
+          R"(make_all()
 
 Makes now what queries of the method `tree` would make when they first need it.
 
 >>> import tetracone
 >>> tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]).make_all()
 )")
-      .def_property_readonly("is_closed", [](const Shared_body& self) { return self.body.is_closed(); },
-                             "True when every directed edge occurs as often as its reverse: then the body bounds a solid.")
-      .def_property_readonly("vertices",
-                             [](const py::object& self) {
-                               return vertices_of(self.cast<const Shared_body&>().body.polyhedron(), self);
-                             },
-                             "The vertices: array (n, 3) of doubles, a read-only view.")
-      .def_property_readonly("faces",
-                             [](const Shared_body& self) { return faces_of(self.body.polyhedron()); },
-                             "The faces: a list of faces, each a list of loops, each a tuple of vertex numbers.")
+      .def_property_readonly(
+          "is_closed", [](const Shared_body& self) { return self.body.is_closed(); },
+          "True when every directed edge occurs as often as its reverse: then the body bounds a solid.")
+      .def_property_readonly(
+          "vertices",
+          [](const py::object& self) { return vertices_of(self.cast<const Shared_body&>().body.polyhedron(), self); },
+          "The vertices: array (n, 3) of doubles, a read-only view.")
+      .def_property_readonly(
+          "faces", [](const Shared_body& self) { return faces_of(self.body.polyhedron()); },
+          "The faces: a list of faces, each a list of loops, each a tuple of vertex numbers.")
       .def("__repr__",
            [](const Shared_body& self) {
              const Polyhedron& p = self.body.polyhedron();
              return "Body(" + std::to_string(p.vertices.size()) + " vertices, " + std::to_string(p.face_count()) +
                     " faces, " + (self.body.is_closed() ? "closed)" : "open)");
            })
-      .def(py::pickle(
-          [](const py::object& self) { return py::make_tuple(self.attr("vertices"), self.attr("faces")); },
-          [](const py::tuple& state) { return made(state[0], state[1]); }));
+      .def(py::pickle([](const py::object& self) { return py::make_tuple(self.attr("vertices"), self.attr("faces")); },
+                      [](const py::tuple& state) { return made(state[0], state[1]); }));
 
   module.def("read", &read, py::arg("path"), R"(read(path)
 

@@ -54,10 +54,11 @@ struct Feature_row {
 py::dtype feature_type()
 {
   py::list names, formats, offsets;
-  for (const auto& [name, format, offset] :
-       {std::tuple("body", "i4", offsetof(Feature_row, body)), {"edge_from", "u4", offsetof(Feature_row, edge_from)},
-        {"edge_to", "u4", offsetof(Feature_row, edge_to)}, {"face", "u4", offsetof(Feature_row, face)},
-        {"kind", "U16", offsetof(Feature_row, kind)}}) {
+  for (const auto& [name, format, offset] : {std::tuple("body", "i4", offsetof(Feature_row, body)),
+                                             {"edge_from", "u4", offsetof(Feature_row, edge_from)},
+                                             {"edge_to", "u4", offsetof(Feature_row, edge_to)},
+                                             {"face", "u4", offsetof(Feature_row, face)},
+                                             {"kind", "U16", offsetof(Feature_row, kind)}}) {
     names.append(name);
     formats.append(format);
     offsets.append(offset);
@@ -99,9 +100,8 @@ void ask_all(Locked_query& self, const Pose_pairs& poses, const Answer_of& answe
   // One pose of A is made once.
   const Pose only_a = poses.a.count() == 1 ? poses.a(0) : Pose();
   const bool is_only = poses.a.count() == 1;
-  for_each_unlocked(poses.count, self.lock, [&](std::size_t k) {
-    answer(k, self.query, is_only ? only_a : poses.a(k), poses.b(k));
-  });
+  for_each_unlocked(poses.count, self.lock,
+                    [&](std::size_t k) { answer(k, self.query, is_only ? only_a : poses.a(k), poses.b(k)); });
 }
 
 py::object collide(Locked_query& self, const py::object& poses_b, const py::object& poses_a)
@@ -109,16 +109,14 @@ py::object collide(Locked_query& self, const py::object& poses_b, const py::obje
   const Pose_pairs poses(poses_b, poses_a);
   if (poses.is_one()) {
     bool answer = false;
-    ask_all(self, poses, [&](std::size_t, Query& query, const Pose& a, const Pose& b) {
-      answer = bool(query.collide(a, b));
-    });
+    ask_all(self, poses,
+            [&](std::size_t, Query& query, const Pose& a, const Pose& b) { answer = bool(query.collide(a, b)); });
     return py::bool_(answer);
   }
   py::array_t<bool> answers(static_cast<py::ssize_t>(poses.count));
   bool* const answer = answers.mutable_data();
-  ask_all(self, poses, [&](std::size_t k, Query& query, const Pose& a, const Pose& b) {
-    answer[k] = bool(query.collide(a, b));
-  });
+  ask_all(self, poses,
+          [&](std::size_t k, Query& query, const Pose& a, const Pose& b) { answer[k] = bool(query.collide(a, b)); });
   return answers;
 }
 
@@ -222,7 +220,8 @@ std::unique_ptr<Locked_query> made(const Shared_body& a, const Shared_body& b, c
   if (!asked) throw Error("query: question '" + question + "'; expected solid or surface");
   auto options = parse_kernel(kernel);
   if (!options)
-    throw Error("query: kernel '" + kernel + "'; expected adaptive, double, float, double-eps=E, epick, epeck or rational");
+    throw Error("query: kernel '" + kernel +
+                "'; expected adaptive, double, float, double-eps=E, epick, epeck or rational");
   const auto way = parse_method(method);
   if (!way) throw Error("query: method '" + method + "'; expected " + listed(method_names()));
   options->method = *way;

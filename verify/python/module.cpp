@@ -5,7 +5,6 @@
 #include "verify/cases/case_file.h"
 #include "verify/cases/families.h"
 #include "verify/shrink/shrink.h"
-#include "verify/shrink/wrong_answers.h"
 #include "verify/truth/integer_truth.h"
 
 #include <pybind11/functional.h>
@@ -106,7 +105,7 @@ Asked shrunk(const Asked& asked, const py::function& function, double seconds, s
   return {shrink(asked.c, asked.question, still, {evaluations, seconds}), asked.question};
 }
 
-py::tuple read(const std::string& path)
+py::tuple case_of(const std::string& path)
 {
   const Case_file file = read_case(path);
   if (file.level != Level::object) throw Error(path + ": the case of a predicate; expected one of two bodies");
@@ -138,7 +137,7 @@ PYBIND11_MODULE(_verify, module)
   using namespace tetracone::verify;
 
   // The class of the other module: one `Error` for users.
-  static const py::handle error = py::module_::import("tetracone._tetracone").attr("Error").release();
+  static const py::handle error = py::object(py::module_::import("tetracone._tetracone").attr("Error")).release();
   py::register_local_exception_translator([](std::exception_ptr thrown) {
     try {
       std::rethrow_exception(std::move(thrown));
@@ -155,10 +154,8 @@ PYBIND11_MODULE(_verify, module)
                                const Origin& o = asked.c.origin;
                                return py::make_tuple(o.family, o.seed, o.index, o.parameter);
                              })
-      .def("same_body",
-           [](const Asked& asked, const Asked& other, bool b) {
-             return b ? asked.c.b == other.c.b : asked.c.a == other.c.a;
-           })
+      .def("same_body", [](const Asked& asked, const Asked& other,
+                           bool b) { return b ? asked.c.b == other.c.b : asked.c.a == other.c.a; })
       .def("body",
            [](const py::object& self, bool b) {
              const Asked& asked = self.cast<const Asked&>();
@@ -172,13 +169,14 @@ PYBIND11_MODULE(_verify, module)
     for (const Family& family : families()) all[py::str(std::string(family.name))] = std::string(family.what);
     return all;
   });
-  module.def("case_of", [](const std::string& name, std::uint64_t seed, std::uint64_t index, const std::string& question) {
-    const auto asked = tetracone::kernel::parse_question(question);
-    if (!asked) throw tetracone::Error("cases: question '" + question + "'; expected solid or surface");
-    return Asked{family(name).object_case(seed, index), *asked};
-  });
+  module.def("case_of",
+             [](const std::string& name, std::uint64_t seed, std::uint64_t index, const std::string& question) {
+               const auto asked = tetracone::kernel::parse_question(question);
+               if (!asked) throw tetracone::Error("cases: question '" + question + "'; expected solid or surface");
+               return Asked{family(name).object_case(seed, index), *asked};
+             });
   module.def("truth", &truth);
   module.def("shrunk", &shrunk);
-  module.def("read_case", &read);
+  module.def("read_case", &case_of);
   module.def("case_text", &text_of);
 }

@@ -9,7 +9,7 @@
 >>> table = verify.judge(boxes, verify.cases("nested", 20))
 >>> print(table)
 family  question   n  false_positives  false_negatives  failures
-nested  solid     20                5                0         0
+nested  solid     20                4                0         0
 >>> small = verify.shrink(table.wrong[0], boxes, seconds=0.5)
 >>> verify.truth(small), boxes(small)
 (False, True)
@@ -96,7 +96,7 @@ def cases(family, n, seed=1, question="solid"):
 
     >>> from tetracone import verify
     >>> [case.parameter for case in verify.cases("nested", 3)]
-    [0.25, 0.125, 0.0625]
+    [0.25, 0.0009765625, 9.5367431640625e-07]
     """
     case = None
     for index in range(n):

@@ -25,16 +25,16 @@ class Harness(unittest.TestCase):
 
     def test_families_and_cases(self):
         self.assertEqual(len(verify.families), 48)
-        for family in ("stacked", "true-rotations"):
+        for family in ("stacked", "true-rotation"):
             for question in ("solid", "surface"):
                 some = list(verify.cases(family, 4, seed=3, question=question))
                 self.assertEqual([(c.family, c.seed, c.index, c.question) for c in some], [(family, 3, k, question) for k in range(4)])
-        case = next(verify.cases("true-rotations", 1))
+        case = next(verify.cases("true-rotation", 1))
         self.assertTrue(any(isinstance(x, Fraction) for pose in (case.pose_a, case.pose_b) for x in pose.ravel()))
 
     def test_adaptive_is_never_wrong_and_float_is(self):
         wrong = 0
-        for family in ("stacked", "true-rotations", "far-from-origin", "nested"):
+        for family in ("stacked", "true-rotation", "far-from-origin", "nested"):
             cases = list(verify.cases(family, 15))
             self.assertFalse(verify.judge(by("adaptive"), cases).wrong)
             wrong += len(verify.judge(by("float"), cases).wrong)
@@ -52,7 +52,7 @@ class Harness(unittest.TestCase):
         self.assertEqual(list(verify.judge(lambda case: None, cases)), [("nested", "solid", 0, 0, 0, 0)])
         answers = iter(range(20))
         table = verify.judge(lambda case: verify.truth(case) != (next(answers) == 7), cases)
-        self.assertEqual(len(table.wrong), 19)
+        self.assertEqual([case.index for case in table.wrong], [7])
 
     def test_shrinking_keeps_what_is_wrong(self):
         case = next(c for c in verify.cases("far-from-origin", 60) if verify.truth(c) != by("float", "brute")(c))
@@ -74,7 +74,7 @@ class Harness(unittest.TestCase):
     def test_case_files_come_back_and_are_the_program_s(self):
         with tempfile.TemporaryDirectory() as folder:
             name = os.path.join(folder, "x.case.json")
-            for case in (*verify.cases("true-rotations", 3), *verify.cases("nested", 3, question="surface")):
+            for case in (*verify.cases("true-rotation", 3), *verify.cases("nested", 3, question="surface")):
                 verify.write_case(name, case, wrong={"mine": None, "yours": True}, cause="none")
                 self.assertEqual(os.listdir(folder), ["x.case.json"])
                 again, truth, wrong, cause = verify.read_case(name)
