@@ -1,5 +1,6 @@
 #include "tetracone/tetratree/python/arrays.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <limits>
@@ -191,48 +192,43 @@ Poses::Poses(const py::object& values, const std::string& name) : name_(name)
   is_one_ = dimensions == 2;
   count_ = is_one_ ? 1 : numbers_->extent(0);
   rows_ = numbers_->extent(dimensions - 2);
-}
-
-Pose Poses::operator()(std::size_t k) const
-{
-  if (!numbers_) return {};
-  if (count_ == 1) k = 0;
-  try {
-    return made(k);
-  } catch (const Error& error) {
-    throw renamed(error, "pose:", name_of(k) + ":");
+  if (numbers_->is_exact_text() || rows_ == 4) return;
+  if (numbers_->stride(dimensions - 1) == sizeof(double) && numbers_->stride(dimensions - 2) == 4 * sizeof(double)) {
+    packed_ = numbers_->data();
+    stride_ = is_one_ ? 0 : numbers_->stride(0);
   }
 }
+
+Error Poses::about(std::size_t k, const Error& error) const { return renamed(error, "pose:", name_of(k) + ":"); }
 
 std::string Poses::name_of(std::size_t k) const { return is_one_ ? name_ : name_ + "[" + std::to_string(k) + "]"; }
 
 Pose Poses::made(std::size_t k) const
 {
-  const auto at = [&]<class Value>(Value&& value, std::size_t row, std::size_t column) {
+  const auto at = [&](auto&& value, std::size_t row, std::size_t column) {
     return is_one_ ? value(row, column) : value(k, row, column);
   };
   const auto number = [&](auto... i) { return numbers_->number(i...); };
   const auto text = [&](auto... i) { return numbers_->text(i...); };
-  const auto require_last_row = [&](std::size_t column, bool is_right, const std::string& is) {
-    if (!is_right)
-      throw Error("pose: entry " + std::to_string(column + 1) + " of the last row is " + is + "; expected 0 0 0 1");
+  const auto refuse = [](std::size_t column, const std::string& is) {
+    throw Error("pose: entry " + std::to_string(column + 1) + " of the last row is " + is + "; expected 0 0 0 1");
   };
   if (numbers_->is_exact_text()) {
     std::array<std::string, 12> rows;
     for (std::size_t i = 0; i < 12; ++i) rows[i] = at(text, i / 4, i % 4);
     for (std::size_t column = 0; rows_ == 4 && column < 4; ++column) {
       const std::string last = at(text, 3, column), right = column == 3 ? "1" : "0";
-      require_last_row(column, last == right || last == right + "/1", last);
+      if (last != right && last != right + "/1") refuse(column, last);
     }
     return Pose::from_text(rows);
   }
-  std::array<double, 12> rows;
-  for (std::size_t i = 0; i < 12; ++i) rows[i] = at(number, i / 4, i % 4);
-  for (std::size_t column = 0; rows_ == 4 && column < 4; ++column) {
-    const double last = at(number, 3, column);
-    if (last != (column == 3 ? 1 : 0)) require_last_row(column, false, shortest(last));
-  }
-  return Pose(rows);
+  std::array<double, 16> rows{};
+  for (std::size_t i = 0; i < 4 * rows_; ++i) rows[i] = at(number, i / 4, i % 4);
+  for (std::size_t column = 0; rows_ == 4 && column < 4; ++column)
+    if (rows[12 + column] != (column == 3 ? 1 : 0)) refuse(column, shortest(rows[12 + column]));
+  std::array<double, 12> upper;
+  std::copy_n(rows.begin(), 12, upper.begin());
+  return Pose(upper);
 }
 
 Polyhedron polyhedron_of(const py::handle& vertices, const py::handle& faces)

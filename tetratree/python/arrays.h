@@ -36,6 +36,10 @@ class Numbers {
 
   bool is_exact_text() const { return !texts_.empty(); }
 
+  /// The first double, and the bytes from one index to the next. Requires doubles.
+  const char* data() const { return data_; }
+  std::ptrdiff_t stride(std::size_t dimension) const { return strides_[dimension]; }
+
   /// The double at these indices, of an array of as many dimensions. Requires doubles. Needs no interpreter's lock.
   template <class... Indices>
   double number(Indices... indices) const
@@ -80,17 +84,32 @@ class Poses {
   bool is_one() const { return is_one_; }
   std::size_t count() const { return count_; }
 
-  /// Pose `k`; of one pose always that. Throws Error that names it. Needs no interpreter's lock.
-  Pose operator()(std::size_t k) const;
+  /// Pose `k`. Throws Error that names it. Needs no interpreter's lock.
+  Pose operator()(std::size_t k) const
+  {
+    try {
+      if (packed_) {
+        std::array<double, 12> rows;
+        std::memcpy(rows.data(), packed_ + std::ptrdiff_t(k) * stride_, sizeof rows);
+        return Pose(rows);
+      }
+      return numbers_ ? made(k) : Pose();
+    } catch (const Error& error) {
+      throw about(k, error);
+    }
+  }
 
  private:
   std::string name_of(std::size_t k) const;
   Pose made(std::size_t k) const;
+  Error about(std::size_t k, const Error& error) const;
 
   std::string name_;
   std::unique_ptr<Numbers> numbers_;  // null: the identity
   bool is_one_ = true;
   std::size_t count_ = 1, rows_ = 3;
+  std::ptrdiff_t stride_ = 0;
+  const char* packed_ = nullptr;  // the numbers of pose 0 where those of each pose (3, 4) follow each other
 };
 
 /// The polyhedron of vertices (n, 3) and faces: an array (m, k) of vertex numbers, or a sequence of faces, each a

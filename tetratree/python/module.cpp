@@ -11,6 +11,7 @@ PYBIND11_MODULE(_tetracone, module)
 {
   py::register_exception<tetracone::Error>(module, "Error", PyExc_ValueError).attr("__doc__") =
       "What a caller or a file has done wrong: one line, \"what is wrong; what was expected\".";
+  module.attr("__version__") = TETRACONE_VERSION;
   tetracone::python::add_body(module);
   tetracone::python::add_query(module);
 }

@@ -97,11 +97,16 @@ struct Pose_pairs {
 template <class Answer_of>
 void ask_all(Locked_query& self, const Pose_pairs& poses, const Answer_of& answer)
 {
-  // One pose of A is made once.
-  const Pose only_a = poses.a.count() == 1 ? poses.a(0) : Pose();
-  const bool is_only = poses.a.count() == 1;
-  for_each_unlocked(poses.count, self.lock,
-                    [&](std::size_t k) { answer(k, self.query, is_only ? only_a : poses.a(k), poses.b(k)); });
+  // One pose of a body is made once.
+  const Pose first_a = poses.a.count() == 1 ? poses.a(0) : Pose(), first_b = poses.b.count() == 1 ? poses.b(0) : Pose();
+  if (poses.a.count() == 1 && poses.b.count() == 1)
+    for_each_unlocked(1, self.lock, [&](std::size_t k) { answer(k, self.query, first_a, first_b); });
+  else if (poses.a.count() == 1)
+    for_each_unlocked(poses.count, self.lock, [&](std::size_t k) { answer(k, self.query, first_a, poses.b(k)); });
+  else if (poses.b.count() == 1)
+    for_each_unlocked(poses.count, self.lock, [&](std::size_t k) { answer(k, self.query, poses.a(k), first_b); });
+  else
+    for_each_unlocked(poses.count, self.lock, [&](std::size_t k) { answer(k, self.query, poses.a(k), poses.b(k)); });
 }
 
 py::object collide(Locked_query& self, const py::object& poses_b, const py::object& poses_a)

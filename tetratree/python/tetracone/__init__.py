@@ -14,7 +14,7 @@ every mistake of a caller is an `Error`. `tetracone.verify`: cases that are hard
 with them whatever answers.
 """
 
-from ._tetracone import Body, Error, Query, kernels, methods, read
+from ._tetracone import Body, Error, Query, __version__, kernels, methods, read
 
 for _of_module in (Body, Error, Query, read):
     _of_module.__module__ = "tetracone"

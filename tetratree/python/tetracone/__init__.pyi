@@ -12,6 +12,7 @@ Loop = Sequence[int]
 Faces = Union[npt.NDArray[np.integer[Any]], Sequence[Union[Loop, Sequence[Loop]]]]
 Relation = Literal["apart", "surfaces", "a_in_b", "b_in_a"]
 
+__version__: str
 kernels: tuple[str, ...]
 methods: tuple[str, ...]
 
