@@ -2,6 +2,7 @@
 """Tests of the package `tetracone`: answers against the program's, errors, arrays of every kind, threads, documentation."""
 
 import copy
+import doctest
 import os
 import pickle
 import signal
@@ -312,6 +313,12 @@ class Objects(unittest.TestCase):
 
     def test_the_examples_of_the_docstrings(self):
         self.assertEqual(examples_failed(tetracone), 0)
+
+    def test_the_example_of_the_readme(self):
+        name = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "..", "README.md")
+        failed, attempted = doctest.testfile(name, module_relative=False, encoding="utf-8")
+        self.assertEqual(failed, 0)
+        self.assertGreater(attempted, 5)
 
     def test_the_stubs_name_what_there_is(self):
         with open(os.path.join(os.path.dirname(tetracone.__file__), "__init__.pyi")) as file:
