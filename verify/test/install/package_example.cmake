@@ -95,7 +95,7 @@ if(packages)
     endif()
   endforeach()
   run(${CMAKE_COMMAND} -E env PYTHONPATH=${packages} /usr/bin/python3 -B -c
-      "import tetracone, tetracone.verify as v; print(v.truth(v.Case(*map(tetracone.read, ('cube.off', 'tetrahedron.off')))), tetracone.__file__)")
+      "import tetracone, tetracone.verify as v\nprint(v.truth(v.Case(*map(tetracone.read, ('cube.off', 'tetrahedron.off')))), tetracone.__file__)")
   if(NOT output STREQUAL "True ${packages}/tetracone/__init__.py\n")
     message(FATAL_ERROR "the installed Python package says of two models that collide: ${output}")
   endif()
