@@ -1,6 +1,7 @@
 #ifndef TETRACONE_COVERING_INCLUSION_H
 #define TETRACONE_COVERING_INCLUSION_H
 
+#include "tetracone/covering/location.h"
 #include "tetracone/covering/model.h"
 #include "tetracone/kernel/predicate/signs.h"
 
@@ -36,9 +37,6 @@ int winding_number(const kernel::Point<K>& p, Placed_model<K>& body)
         signed_inclusion<K>(p, origin, body.point(t.corner[0]), body.point(t.corner[1]), body.point(t.corner[2]));
   return winding;
 }
-
-/// Where a point stands with regard to a solid.
-enum class Location { outside = -1, on_surface = 0, inside = 1 };
 
 /// Where p stands with regard to the placed solid: the surface first, then the winding number. Requires the polyhedron
 /// closed.

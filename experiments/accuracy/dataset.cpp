@@ -1,8 +1,10 @@
 #include "experiments/accuracy/dataset.h"
 
+#include "experiments/accuracy/dataset_files.h"
 #include "experiments/support/csv_row.h"
 #include "experiments/support/output_file.h"
 #include "experiments/support/progress.h"
+#include "experiments/support/sha256.h"
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/io/write.h"
 #include "tetracone/covering/repair/repair.h"
@@ -19,6 +21,7 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -27,69 +30,6 @@ namespace {
 
 using kernel::Question;
 using Json = nlohmann::ordered_json;
-
-constexpr const char* readme = R"(# Collisions with exact truth
-
-Configurations of two polyhedra under two poses, and of seven points, most of them degenerate or nearly so, each with its true answer. Made
-by `tetracone experiment dataset`; every truth was computed twice, in rational and in integer arithmetic that share no code.
-
-All numbers are exact. A decimal stands for the double nearest to it, a fraction n/d for itself. In JSON decimals are numbers, `surface` and
-`solid` true or false, and fractions, `inf` and `-inf` strings. A pose is x -> M x + t, row-major 3x4, and is
-taken exactly: M is a true rotation only where its entries are fractions.
-
-- `cases.csv`, `cases.json`: one row a case. `id`; `family`, `index`, `parameter`, `seed`: what made it; `mesh_a`, `mesh_b`: files in `meshes/` (OFF, closed, triangles,
-  outward unless the family is about that; `meshes` of one case are exact copies of polyhedra whose larger faces were triangulated without new
-  vertices); `a00` .. `a23`, `b00` .. `b23`: the poses; `surface`: 1 when the two surfaces share a point; `solid`: 1 when the two solids do (touching counts, in a single
-  point too; one inside the other collides, one inside the other's cavity does not); `log2_rho`, `log2_ulps`: how far from degenerate (-inf: exactly; inf: nothing near).
-- `predicates.csv`: one row a predicate and case. Points v0 v1 v2 v3 under pose a, p q r under pose b. `truth` by `predicate`: orientation: sign of
-  det[v1-p, v2-p, v3-p]; tetra-cone: p in the closed cone from v0 through v1 v2 v3; tetrahedron: p in the closed tetrahedron v0 v1 v2 v3; segment-triangle:
-  the segment p q meets the triangle v1 v2 v3; solid: p inside (1), on (0) or outside (-1) the tetrahedron; classification: the triangle p q r meets the
-  closed cone from v0 through v1 v2 v3.
-- `example.py`: reads the cases and counts the wrong answers of a function. Put your library in its place.
-)";
-
-constexpr const char* example = R"(#!/usr/bin/env python3
-"""Counts the wrong answers of `collide` on the cases. Put your library in its place."""
-import json
-import os
-from collections import Counter
-from fractions import Fraction
-
-folder = os.path.dirname(os.path.abspath(__file__))
-
-
-def read_off(name):
-    with open(os.path.join(folder, "meshes", name)) as file:
-        words = iter(file.read().split())
-    assert next(words) == "OFF"
-    vertices, faces, _ = int(next(words)), int(next(words)), next(words)
-    points = [tuple(float(next(words)) for _ in range(3)) for _ in range(vertices)]
-    return points, [tuple(int(next(words)) for _ in range(int(next(words)))) for _ in range(faces)]
-
-
-def placed(points, row, body):
-    pose = [float(Fraction(row[f"{body}{i}{j}"])) for i in range(3) for j in range(4)]
-    return [tuple(sum(pose[4 * i + k] * p[k] for k in range(3)) + pose[4 * i + 3] for i in range(3)) for p in points]
-
-
-def collide(a, faces_a, b, faces_b):
-    """A toy: whether the boxes of the two bodies meet."""
-    return all(min(p[i] for p in a) <= max(p[i] for p in b) and min(p[i] for p in b) <= max(p[i] for p in a) for i in range(3))
-
-
-meshes, count = {}, Counter()
-with open(os.path.join(folder, "cases.json")) as file:
-    for row in json.load(file):
-        for name in (row["mesh_a"], row["mesh_b"]):
-            if name not in meshes:
-                meshes[name] = read_off(name)
-        (a, faces_a), (b, faces_b) = meshes[row["mesh_a"]], meshes[row["mesh_b"]]
-        answer = collide(placed(a, row, "a"), faces_a, placed(b, row, "b"), faces_b)
-        count[row["family"], "cases"] += 1
-        count[row["family"], "wrong"] += answer != row["solid"]
-for family in dict.fromkeys(family for family, _ in count):
-    print(f"{family}: {count[family, 'wrong']} wrong of {count[family, 'cases']}")
-)";
 
 /// A double is a number, any other rational a string n/d.
 Json number(const kernel::Pose& pose, int k)
@@ -182,13 +122,44 @@ class Meshes {
   {
     const std::string text = covering::write_off(polyhedron);
     const auto [found, is_new] = names_.try_emplace(text, "m" + std::to_string(names_.size()) + ".off");
-    if (is_new) write_whole(folder_ / found->second, text);
+    if (is_new) {
+      write_whole(folder_ / found->second, text);
+      checksums_["meshes/" + found->second] = sha256(text);
+    }
     return found->second;
+  }
+
+  /// By the files' names.
+  const std::map<std::string, std::string>& checksums() const { return checksums_; }
+
+ private:
+  std::filesystem::path folder_;
+  std::map<std::string, std::string> names_, checksums_;
+};
+
+/// Files and, last, their checksums in SHA256SUMS.
+class Checked_folder {
+ public:
+  Checked_folder(std::filesystem::path folder, std::map<std::string, std::string> checksums)
+      : folder_(std::move(folder)), checksums_(std::move(checksums))
+  {}
+
+  void add(const std::string& name, std::string_view text)
+  {
+    write_whole(folder_ / name, std::string(text));
+    checksums_[name] = sha256(text);
+  }
+
+  void write_sums() const
+  {
+    std::string text;
+    for (const auto& [name, sum] : checksums_) text += sum + "  " + name + "\n";
+    write_whole(folder_ / "SHA256SUMS", text);
   }
 
  private:
   std::filesystem::path folder_;
-  std::map<std::string, std::string> names_;
+  std::map<std::string, std::string> checksums_;
 };
 
 }  // namespace
@@ -243,11 +214,24 @@ void export_dataset(const std::filesystem::path& out, std::uint64_t cases, std::
       }
       progress.step();
     }
-  write_whole(folder / "cases.csv", objects.csv());
-  write_whole(folder / "cases.json", objects.json());
-  write_whole(folder / "predicates.csv", predicates.csv());
-  write_whole(folder / "README.md", readme);
-  write_whole(folder / "example.py", example);
+  Checked_folder kept(folder, meshes.checksums());
+  kept.add("cases.csv", objects.csv());
+  kept.add("cases.json", objects.json());
+  kept.add("predicates.csv", predicates.csv());
+  kept.add("README.md", dataset_files::readme_md);
+  kept.add("LICENSE", dataset_files::license);
+  kept.add("tetracone_dataset.py", dataset_files::tetracone_dataset_py);
+  kept.add("score.py", dataset_files::score_py);
+  kept.add("example.py", dataset_files::example_py);
+  kept.add("dataset.json", Json{{"name", "Collisions with exact truth"},
+                                {"version", TETRACONE_VERSION},
+                                {"licence", "CC0-1.0"},
+                                {"seed", seed},
+                                {"cases_per_family", cases},
+                                {"families", verify::families().size()}}
+                                   .dump(1) +
+                               "\n");
+  kept.write_sums();
 }
 
 }  // namespace tetracone::experiments

@@ -3,10 +3,10 @@
 #include "experiments/support/model_file.h"
 #include "experiments/support/progress.h"
 #include "tetracone/covering/io/read_points.h"
-#include "tetracone/tetratree/paper/placed_tree.h"
+#include "tetracone/kernel/number/number.h"
+#include "tetracone/tetratree/door/tetracone.h"
 
 #include <algorithm>
-#include <array>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -22,26 +22,17 @@ struct Options {
 
 void run(const Options& options)
 {
-  using K = kernel::Adaptive;
   const auto points = covering::read_points(options.points);
   const Model_file model = load_model(options.model, options.models, true);
-  tetratree::Tetra_tree<K> tree(model.polyhedron, tetratree::Config::fastest());
-  tetratree::Placed_tree<K> placed(tree);
-  placed.place(kernel::Pose());
+  Point_query query(Body(model.polyhedron));
 
   std::string text;
   Progress progress("points", points.size());
   for (const covering::Point_numbers& p : points) {
-    // A point of fractions is the coordinate origin under an exact translation.
     const bool fractions = std::ranges::any_of(p, [](const covering::Number& x) { return x.fraction.has_value(); });
-    covering::Location at;
-    if (fractions) {
-      const kernel::Pose translation(
-          std::array<kernel::Rational, 12>{1, 0, 0, p[0].exact(), 0, 1, 0, p[1].exact(), 0, 0, 1, p[2].exact()});
-      at = placed.locate(K::placed({0, 0, 0}, translation));
-    } else {
-      at = placed.locate(K::unmoved({p[0].nearest, p[1].nearest, p[2].nearest}));
-    }
+    const auto exact = [&](int k) { return kernel::exact_text(p[k].exact()); };
+    const Location at = fractions ? query.locate_text({exact(0), exact(1), exact(2)})
+                                  : query.locate({p[0].nearest, p[1].nearest, p[2].nearest});
     text += std::to_string(static_cast<int>(at)) + "\n";
     progress.step();
   }

@@ -9,9 +9,10 @@ build_packages=(g++ cmake ninja-build libcgal-dev libgmp-dev libmpfr-dev libeige
   librapidcheck-dev libjs-three)
 # For the fuzz targets.
 fuzz_packages=(clang libclang-rt-14-dev)
-# For the tests of the sources' form, of error bounds, of the report, of the page in 3D and of the examples of subjects, which skip without them.
-test_packages=(clang-format clang-tidy gappa python3 python3-matplotlib python3-numpy python3-pil python3-selenium chromium chromium-driver
-  libembree-dev)
+# For the tests of the sources' form, of error bounds, of the report, of the page in 3D, of the examples of subjects, of the Python package, its notebooks and the
+# Debian packages, which skip without them.
+test_packages=(clang-format clang-tidy gappa python3 python3-matplotlib python3-pil python3-selenium chromium chromium-driver libembree-dev
+  pybind11-dev python3-dev python3-numpy jupyter-nbconvert python3-ipykernel dpkg-dev)
 # For the study: the peers that it compares with, and the figures of its report.
 study_packages=(libfcl-dev libbullet-dev libode-dev libccd-dev python3 python3-matplotlib)
 

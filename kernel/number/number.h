@@ -88,6 +88,15 @@ inline double nearest_double(const Rational& value)
   return best;
 }
 
+/// The number that `text` stands for: of a decimal its nearest double, of a fraction "n/d" itself. Nothing when it is
+/// neither, or its nearest double is not finite.
+inline std::optional<Rational> parse_number(std::string_view text)
+{
+  const auto decimal = parse_double(text);
+  const auto number = decimal ? std::optional<Rational>(*decimal) : parse_fraction(text);
+  return number && std::isfinite(nearest_double(*number)) ? number : std::nullopt;
+}
+
 /// The shortest decimal that reads back as exactly `value`.
 inline std::string shortest(double value)
 {

@@ -74,6 +74,23 @@ std::shared_ptr<const detail::Body_data> checked(Polyhedron polyhedron, std::vec
 
 }  // namespace
 
+void detail::require_solid(const Body_data& body, const std::string& who, const std::string& what)
+{
+  if (body.is_closed()) return;
+  std::size_t open = 0, only_turned = 0;
+  std::string first;
+  const auto uses = covering::edge_uses(body.polyhedron);
+  covering::for_each_edge(uses, [&](std::span<const covering::Edge_use> edge) {
+    if (covering::surplus(edge) == 0) return;
+    if (open++ == 0)
+      first = "the edge from vertex " + std::to_string(edge[0].low) + " to " + std::to_string(edge[0].high);
+    only_turned += edge.size() % 2 == 0;
+  });
+  throw Error(who + " is open at " + std::to_string(open) + (open == 1 ? " edge, " : " edges, first at ") + first +
+              "; expected a closed surface for " + what +
+              (only_turned == open ? " (consistent orientation may close it: tetracone/repair.h)" : ""));
+}
+
 Body::Body(Polyhedron polyhedron) : Body(std::move(polyhedron), {}) {}
 
 Body::Body(Polyhedron polyhedron, std::vector<Face_triangle> triangles)

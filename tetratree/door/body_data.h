@@ -73,6 +73,9 @@ struct Body_data {
   mutable std::map<std::type_index, std::shared_ptr<void>> models_;
 };
 
+/// Throws Error when the body is no solid: "WHO is open at ...; expected a closed surface for WHAT".
+void require_solid(const Body_data& body, const std::string& who, const std::string& what);
+
 }  // namespace tetracone::detail
 
 #endif

@@ -34,11 +34,10 @@ kernel::Pose checked(const std::array<std::string, 12>& rows)
 {
   std::array<kernel::Rational, 12> exact;
   for (std::size_t k = 0; k < 12; ++k) {
-    const auto decimal = kernel::parse_double(rows[k]);
-    const auto fraction = decimal ? std::optional(kernel::Rational(*decimal)) : kernel::parse_fraction(rows[k]);
-    if (!fraction || !std::isfinite(kernel::nearest_double(*fraction)))
+    const auto number = kernel::parse_number(rows[k]);
+    if (!number)
       throw Error(entry(k) + " is '" + rows[k].substr(0, 40) + "'; expected a finite decimal number or a fraction n/d");
-    exact[k] = *fraction;
+    exact[k] = *number;
   }
   return not_flat(kernel::Pose(exact));
 }

@@ -37,32 +37,14 @@ std::unique_ptr<Solver> solver(const Shared_body& a, const Shared_body& b, const
   throw Error("query: no such kernel; expected one of Kernel's");
 }
 
-void require_solid(const Body_data& body, const char* which)
-{
-  if (body.is_closed()) return;
-  std::size_t open = 0, only_turned = 0;
-  std::string first;
-  const auto uses = covering::edge_uses(body.polyhedron);
-  covering::for_each_edge(uses, [&](std::span<const covering::Edge_use> edge) {
-    if (covering::surplus(edge) == 0) return;
-    if (open++ == 0)
-      first = "the edge from vertex " + std::to_string(edge[0].low) + " to " + std::to_string(edge[0].high);
-    only_turned += edge.size() % 2 == 0;
-  });
-  throw Error(std::string("query: body ") + which + " is open at " + std::to_string(open) +
-              (open == 1 ? " edge, " : " edges, first at ") + first +
-              "; expected a closed surface for Question::solid" +
-              (only_turned == open ? " (consistent orientation may close it: tetracone/repair.h)" : ""));
-}
-
 }  // namespace
 }  // namespace detail
 
 Query::Query(const Body& a, const Body& b, Question question, const Query_options& options)
 {
   if (question == Question::solid) {
-    detail::require_solid(*a.data_, "a");
-    detail::require_solid(*b.data_, "b");
+    detail::require_solid(*a.data_, "query: body a", "Question::solid");
+    detail::require_solid(*b.data_, "query: body b", "Question::solid");
   }
   data_ = std::make_unique<detail::Query_data>(detail::Query_data{question, detail::solver(a.data_, b.data_, options)});
 }

@@ -4,6 +4,8 @@
 #include "tetracone/kernel/predicate/tolerance.h"
 
 #include <array>
+#include <optional>
+#include <string>
 #include <string_view>
 
 namespace tetracone {
@@ -35,6 +37,9 @@ constexpr std::string_view to_string(Method method)
   return "brute";
 }
 
+/// The method of that name; nothing when there is none.
+std::optional<Method> parse_method(std::string_view name);
+
 /// What else a query can be told.
 struct Query_options {
   Kernel kernel = Kernel::adaptive;  ///< the arithmetic
@@ -43,6 +48,14 @@ struct Query_options {
   bool remember = false;  ///< keep from pose to pose what decided the last one: for motions in small steps. Changes no
                           ///< answer
 };
+
+/// The kernel, and where it has one the tolerance, of a name: adaptive, double, float, epick, epeck, rational,
+/// double-eps=E or double-eps=rel:E with E >= 0 finite: a sign is zero up to E, absolute, or relative to the sum of its
+/// products. Nothing when there is none such.
+std::optional<Query_options> parse_kernel(std::string_view name);
+
+/// The name that `parse_kernel` reads.
+std::string kernel_name(Kernel kernel, const Tolerance& tolerance = {});
 
 }  // namespace tetracone
 

@@ -1,6 +1,7 @@
 #ifndef TETRACONE_TETRATREE_DOOR_TETRACONE_H
 #define TETRACONE_TETRATREE_DOOR_TETRACONE_H
 
+#include "tetracone/covering/location.h"
 #include "tetracone/covering/polyhedron.h"
 #include "tetracone/kernel/number/error.h"
 #include "tetracone/kernel/predicate/contact.h"
@@ -29,9 +30,11 @@ inline std::ostream& operator<<(std::ostream& out, Relation relation) { return o
 namespace detail {
 struct Body_data;
 struct Query_data;
+class Point_locator;
 }  // namespace detail
 
 using covering::Face_triangle;
+using covering::Location;
 using covering::Polyhedron;
 using kernel::Contact;
 using kernel::Feature_pair;
@@ -104,6 +107,7 @@ class Body {
 
  private:
   friend class Query;
+  friend class Point_query;
   friend Body read_body(const std::filesystem::path& file);
   explicit Body(const std::filesystem::path& file);
 
@@ -172,6 +176,27 @@ class Query {
   detail::Query_data& data() const;
 
   std::unique_ptr<detail::Query_data> data_;
+};
+
+/// A solid, asked where points are: exactly, by the winding number. One query per thread.
+class Point_query {
+ public:
+  /// Shares the body's data and outlives it. Throws Error for an open surface.
+  explicit Point_query(const Body& body);
+
+  ~Point_query();
+  /// Moves what the query keeps.
+  Point_query(Point_query&&) noexcept;
+
+  /// Where the point is. Throws Error for a coordinate that is not finite, and when the thread's floating point is not
+  /// as exact answers need it.
+  Location locate(const std::array<double, 3>& point);
+
+  /// Of decimals or fractions "n/d". Throws as for doubles, and for a text that is no number.
+  Location locate_text(const std::array<std::string, 3>& point);
+
+ private:
+  std::unique_ptr<detail::Point_locator> locator_;
 };
 
 }  // namespace tetracone

@@ -1,26 +1,13 @@
 #include "verify/subjects/subject.h"
 
-#include "tetracone/kernel/number/number.h"
 #include "tetracone/tetratree/door/repair.h"
 #include "verify/truth/cgal_truth.h"
 
 #include <array>
-#include <cmath>
 #include <optional>
-#include <utility>
 
 namespace tetracone::verify {
 namespace {
-
-constexpr std::array<std::pair<Kernel_name, std::string_view>, 7> kernel_names = {{
-    {Kernel_name::adaptive, "adaptive"},
-    {Kernel_name::double_, "double"},
-    {Kernel_name::float_, "float"},
-    {Kernel_name::double_eps, "double-eps"},
-    {Kernel_name::epick, "epick"},
-    {Kernel_name::epeck, "epeck"},
-    {Kernel_name::rational, "rational"},
-}};
 
 /// By the library's own door. Each question is a query; that of solids is made when it is first asked.
 class Query_pair : public Prepared_pair {
@@ -89,43 +76,14 @@ class Truth_pair : public Prepared_pair {
 
 }  // namespace
 
-std::optional<Method> parse_method(std::string_view name)
-{
-  for (const Method method : all_methods)
-    if (name == to_string(method)) return method;
-  return std::nullopt;
-}
-
 std::optional<Subject> Subject::parse(std::string_view kernel, Method method)
 {
-  Subject subject;
-  subject.method = method;
-  constexpr std::string_view eps = "double-eps=", relative = "rel:";
-  if (kernel.starts_with(eps)) {
-    kernel.remove_prefix(eps.size());
-    const bool is_relative = kernel.starts_with(relative);
-    if (is_relative) kernel.remove_prefix(relative.size());
-    const auto value = kernel::parse_double(kernel);
-    if (!value || std::signbit(*value)) return std::nullopt;
-    subject.kernel = Kernel_name::double_eps;
-    (is_relative ? subject.tolerance.relative : subject.tolerance.absolute) = *value;
-    return subject;
-  }
-  for (const auto& [name, known] : kernel_names) {
-    if (kernel != known || name == Kernel_name::double_eps) continue;
-    subject.kernel = name;
-    return subject;
-  }
-  return std::nullopt;
+  const auto options = parse_kernel(kernel);
+  if (!options) return std::nullopt;
+  return Subject{options->kernel, options->tolerance, method};
 }
 
-std::string Subject::kernel_name() const
-{
-  std::string name(kernel_names[static_cast<std::size_t>(kernel)].second);
-  if (kernel != Kernel_name::double_eps) return name;
-  return name + (tolerance.relative > 0 ? "=rel:" + kernel::shortest(tolerance.relative)
-                                        : "=" + kernel::shortest(tolerance.absolute));
-}
+std::string Subject::kernel_name() const { return tetracone::kernel_name(kernel, tolerance); }
 
 std::string Subject::name() const
 {

@@ -33,9 +33,7 @@ struct Subject {
   bool remembers = false;    ///< of Method::tree: keeps from pose to pose what decided the last one
   bool whole_faces = false;  ///< of Method::tree: faces as they are, which is what a body is without `repair`
 
-  /// The kernel by its name: adaptive, double, float, epick, epeck, rational, double-eps=E or double-eps=rel:E with E
-  /// >= 0 finite: a sign is zero up to E, absolute, or relative to the sum of its products. Nothing when there is none
-  /// such.
+  /// The kernel by its name, as `parse_kernel` reads it. Nothing when there is none such.
   static std::optional<Subject> parse(std::string_view kernel, Method method = Method::tree);
 
   /// "adaptive tree", "double-eps=1e-12 brute", "adaptive tree remembering", "adaptive tree whole-faces".
@@ -50,9 +48,8 @@ struct Subject {
 };
 
 using tetracone::all_methods;
+using tetracone::parse_method;
 using tetracone::to_string;
-
-std::optional<Method> parse_method(std::string_view name);
 
 /// Two polyhedra made ready for one subject: built once, asked for many poses. Faces must be planar.
 class Prepared_pair {

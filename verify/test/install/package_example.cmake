@@ -85,3 +85,18 @@ if(EXISTS ${work}/prefix/bin/tetracone)
     message(FATAL_ERROR "the installed program says of two models that collide: ${output}")
   endif()
 endif()
+
+# So is the Python package, with all of its files.
+file(GLOB packages ${work}/prefix/lib/python3*/dist-packages)
+if(packages)
+  foreach(file __init__.py __init__.pyi py.typed verify.py verify.pyi)
+    if(NOT EXISTS ${packages}/tetracone/${file})
+      message(FATAL_ERROR "${packages}/tetracone: no ${file}; expected the whole package")
+    endif()
+  endforeach()
+  run(${CMAKE_COMMAND} -E env PYTHONPATH=${packages} /usr/bin/python3 -B -c
+      "import tetracone, tetracone.verify as v\nprint(v.truth(v.Case(*map(tetracone.read, ('cube.off', 'tetrahedron.off')))), tetracone.__file__)")
+  if(NOT output STREQUAL "True ${packages}/tetracone/__init__.py\n")
+    message(FATAL_ERROR "the installed Python package says of two models that collide: ${output}")
+  endif()
+endif()

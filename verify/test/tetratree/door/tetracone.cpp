@@ -25,7 +25,9 @@ using tetracone::Answer;
 using tetracone::Body;
 using tetracone::Error;
 using tetracone::Kernel;
+using tetracone::Location;
 using tetracone::Method;
+using tetracone::Point_query;
 using tetracone::Polyhedron;
 using tetracone::Pose;
 using tetracone::Query;
@@ -287,6 +289,29 @@ BOOST_AUTO_TEST_CASE(work_is_counted_and_features_are_found)
   BOOST_TEST(query.features(Pose(), Pose::translation(2, 0, 0)).empty());
   query.clear_statistics();
   BOOST_TEST(query.statistics().queries == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(points_of_doubles_and_of_fractions_are_located_exactly)
+{
+  Point_query cube{Body(scenes::unit_cube())};
+  const double above = std::nextafter(1.0, 2.0);
+  BOOST_TEST((cube.locate({0.5, 0.5, 0.5}) == Location::inside));
+  BOOST_TEST((cube.locate({0.5, 0.5, 1}) == Location::on_surface));
+  BOOST_TEST((cube.locate({0.5, 0.5, above}) == Location::outside));
+  const std::string large = "100000000000000000000000000000000000000000";
+  BOOST_TEST((cube.locate_text({"1/3", "0.5", large + "1/" + large + "0"}) == Location::outside));
+  BOOST_TEST((cube.locate_text({"1/3", "0.5", "1"}) == Location::on_surface));
+  BOOST_TEST((cube.locate_text({"1/3", "0.5", large + "0/" + large + "1"}) == Location::inside));
+  BOOST_TEST(said([&] {
+               cube.locate({0, std::numeric_limits<double>::quiet_NaN(), 0});
+             }) == "point: y is nan; expected a finite number");
+  BOOST_TEST(said([&] {
+               cube.locate_text({"0", "0", "1/0"});
+             }) == "point: z is '1/0'; expected a finite decimal number or a fraction n/d");
+  BOOST_TEST(
+      said([] { Point_query{Body(open_box())}; }) ==
+      "body is open at 4 edges, first at the edge from vertex 4 to 5; expected a closed surface for points inside "
+      "or outside");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

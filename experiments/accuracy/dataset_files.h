@@ -1,0 +1,13 @@
+#ifndef TETRACONE_EXPERIMENTS_ACCURACY_DATASET_FILES_H
+#define TETRACONE_EXPERIMENTS_ACCURACY_DATASET_FILES_H
+
+#include <string_view>
+
+/// The files of experiments/accuracy/dataset/, which the program writes beside the cases.
+namespace tetracone::experiments::dataset_files {
+
+extern const std::string_view readme_md, license, tetracone_dataset_py, score_py, example_py;
+
+}  // namespace tetracone::experiments::dataset_files
+
+#endif

@@ -1,0 +1,293 @@
+#include "tetracone/tetratree/python/arrays.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace tetracone::python {
+
+namespace py = pybind11;
+
+namespace {
+
+std::string type_of(const py::handle& value) { return py::str(py::type::handle_of(value).attr("__name__")); }
+
+/// What the door takes for exactly this number. A fraction whose denominator is 1 keeps it: a decimal would be rounded.
+std::string exact_text(const py::handle& value)
+{
+  if (py::isinstance<py::str>(value)) return py::str(value);
+  try {
+    py::object top, bottom;
+    if (py::hasattr(value, "numerator") && py::hasattr(value, "denominator")) {
+      top = value.attr("numerator");
+      bottom = value.attr("denominator");
+    } else {
+      const py::tuple ratio = value.attr("as_integer_ratio")();
+      top = ratio[0];
+      bottom = ratio[1];
+    }
+    return std::string(py::str(top)) + "/" + std::string(py::str(bottom));
+  } catch (py::error_already_set& e) {
+    if (e.matches(PyExc_AttributeError)) return "a " + type_of(value);
+    return py::str(value);  // nan and infinity: refused where numbers are read
+  }
+}
+
+py::array as_array(const py::handle& values, const std::string& name)
+{
+  try {
+    return py::array(py::reinterpret_borrow<py::object>(values));
+  } catch (py::error_already_set& e) {
+    if (!e.matches(PyExc_Exception)) throw;
+    throw Error(name + ": rows of different lengths; expected an array of numbers");
+  }
+}
+
+/// Whether integers all are doubles.
+bool are_doubles(const py::array& integers)
+{
+  if (integers.itemsize() <= 4 || integers.size() == 0) return true;
+  const py::int_ largest(1LL << std::numeric_limits<double>::digits);
+  return integers.attr("max")() <= largest && integers.attr("min")() >= -largest;
+}
+
+std::uint32_t vertex_number(long long number, std::size_t face, std::size_t vertex_count)
+{
+  if (number < 0 || number >= (long long)(vertex_count))
+    throw Error("body: face " + std::to_string(face) + " names vertex " + std::to_string(number) + " of " +
+                std::to_string(vertex_count) + " vertices; expected numbers from 0 to " + std::to_string(vertex_count) +
+                ", the last excluded");
+  return std::uint32_t(number);
+}
+
+std::uint32_t vertex_number(const py::handle& corner, std::size_t face, std::size_t vertex_count)
+{
+  const auto number = py::reinterpret_steal<py::object>(PyNumber_Index(corner.ptr()));
+  if (!number) {
+    PyErr_Clear();
+    throw Error("body: face " + std::to_string(face) + " has a corner of type " + type_of(corner) +
+                "; expected vertex numbers, or loops of them");
+  }
+  int overflow = 0;
+  const long long value = PyLong_AsLongLongAndOverflow(number.ptr(), &overflow);
+  if (overflow != 0)
+    throw Error("body: face " + std::to_string(face) + " names vertex " + std::string(py::str(number)) + " of " +
+                std::to_string(vertex_count) + " vertices; expected numbers from 0 to " + std::to_string(vertex_count) +
+                ", the last excluded");
+  return vertex_number(value, face, vertex_count);
+}
+
+/// The double that is exactly this number; nothing when none is.
+std::optional<double> double_of(const std::string& text)
+{
+  try {
+    const py::object exact = py::module_::import("fractions").attr("Fraction")(text);
+    const py::float_ nearest(exact);
+    if (exact.equal(nearest)) return double(nearest);
+  } catch (py::error_already_set& e) {
+    if (!e.matches(PyExc_ArithmeticError) && !e.matches(PyExc_ValueError)) throw;
+  }
+  return std::nullopt;
+}
+
+/// Needs no interpreter's lock.
+std::string shortest(double value)
+{
+  std::array<char, 32> letters{};
+  return {letters.data(), std::to_chars(letters.data(), letters.data() + letters.size(), value).ptr};
+}
+
+bool is_loop(const py::handle& value)
+{
+  return py::isinstance<py::sequence>(value) || py::isinstance<py::array>(value);
+}
+
+std::vector<std::uint32_t> loop_of(const py::handle& corners, std::size_t face, std::size_t vertex_count)
+{
+  std::vector<std::uint32_t> loop;
+  for (const py::handle corner : corners) loop.push_back(vertex_number(corner, face, vertex_count));
+  if (loop.empty()) throw Error("body: face " + std::to_string(face) + " has an empty loop; expected vertex numbers");
+  return loop;
+}
+
+std::vector<std::vector<std::uint32_t>> loops_of(const py::handle& face, std::size_t f, std::size_t vertex_count)
+{
+  if (!is_loop(face))
+    throw Error("body: face " + std::to_string(f) + " is of type " + type_of(face) +
+                "; expected a sequence of vertex numbers, or of loops of them");
+  if (py::len(face) == 0) throw Error("body: face " + std::to_string(f) + " is empty; expected vertex numbers");
+  const auto first = py::reinterpret_borrow<py::object>(*py::iter(face));
+  if (!is_loop(first)) return {loop_of(face, f, vertex_count)};
+  std::vector<std::vector<std::uint32_t>> loops;
+  for (const py::handle loop : face) {
+    if (!is_loop(loop))
+      throw Error("body: face " + std::to_string(f) + " has a loop of type " + type_of(loop) +
+                  "; expected sequences of vertex numbers");
+    loops.push_back(loop_of(loop, f, vertex_count));
+  }
+  return loops;
+}
+
+/// Rows of an array of integers, each a polygon.
+void add_polygons(Polyhedron& polyhedron, const py::array& faces)
+{
+  const py::array_t<std::int64_t, py::array::forcecast> numbers(faces);
+  const auto number = numbers.unchecked<2>();
+  std::vector<std::uint32_t> loop(number.shape(1));
+  for (py::ssize_t f = 0; f < number.shape(0); ++f) {
+    for (py::ssize_t k = 0; k < number.shape(1); ++k)
+      loop[k] = vertex_number(number(f, k), f, polyhedron.vertices.size());
+    polyhedron.add_polygon(loop);
+  }
+}
+
+}  // namespace
+
+Error renamed(const Error& error, std::string_view from, const std::string& to)
+{
+  const std::string_view what = error.what();
+  return what.starts_with(from) ? Error(to + std::string(what.substr(from.size()))) : error;
+}
+
+Numbers::Numbers(const py::handle& values, std::string name) : name_(std::move(name)), array_(as_array(values, name_))
+{
+  const char kind = array_.dtype().kind();
+  const auto width = array_.itemsize();
+  shape_.assign(array_.shape(), array_.shape() + array_.ndim());
+  if (kind == 'b' || (kind == 'f' && width <= 8) || ((kind == 'i' || kind == 'u') && are_doubles(array_))) {
+    // Doubles of this machine are taken as they are.
+    if (!array_.dtype().is(py::dtype::of<double>())) array_ = py::array_t<double, py::array::forcecast>(array_);
+    data_ = static_cast<const char*>(array_.data());
+    strides_.assign(array_.strides(), array_.strides() + array_.ndim());
+    return;
+  }
+  if (kind == 'c' || kind == 'M' || kind == 'm' || kind == 'V')
+    throw Error(name_ + ": an array of " + std::string(py::str(array_.dtype())) + "; expected numbers");
+  const py::object objects = array_.attr("astype")("object").attr("ravel")();
+  for (const py::handle value : objects) texts_.push_back(exact_text(value));
+  text_strides_.assign(shape_.size(), 1);
+  for (std::size_t k = shape_.size(); k-- > 1;) text_strides_[k - 1] = text_strides_[k] * std::ptrdiff_t(shape_[k]);
+}
+
+std::string Numbers::shape() const
+{
+  std::string text;
+  for (const std::size_t n : shape_) text += (text.empty() ? "(" : ", ") + std::to_string(n);
+  return text.empty() ? "()" : text + (shape_.size() == 1 ? ",)" : ")");
+}
+
+Poses::Poses(const py::object& values, const std::string& name) : name_(name)
+{
+  if (values.is_none()) return;
+  numbers_ = std::make_unique<Numbers>(values, name);
+  const std::size_t dimensions = numbers_->dimensions();
+  const bool fits = (dimensions == 2 || dimensions == 3) && numbers_->extent(dimensions - 1) == 4 &&
+                    (numbers_->extent(dimensions - 2) == 3 || numbers_->extent(dimensions - 2) == 4);
+  if (!fits)
+    throw Error(name + ": an array of shape " + numbers_->shape() +
+                "; expected (n, 3, 4) or (n, 4, 4), or one pose (3, 4) or (4, 4)");
+  is_one_ = dimensions == 2;
+  count_ = is_one_ ? 1 : numbers_->extent(0);
+  rows_ = numbers_->extent(dimensions - 2);
+  if (numbers_->is_exact_text() || rows_ == 4) return;
+  if (numbers_->stride(dimensions - 1) == sizeof(double) && numbers_->stride(dimensions - 2) == 4 * sizeof(double)) {
+    packed_ = numbers_->data();
+    stride_ = is_one_ ? 0 : numbers_->stride(0);
+  }
+}
+
+Error Poses::about(std::size_t k, const Error& error) const { return renamed(error, "pose:", name_of(k) + ":"); }
+
+std::string Poses::name_of(std::size_t k) const { return is_one_ ? name_ : name_ + "[" + std::to_string(k) + "]"; }
+
+Pose Poses::made(std::size_t k) const
+{
+  const auto at = [&](auto&& value, std::size_t row, std::size_t column) {
+    return is_one_ ? value(row, column) : value(k, row, column);
+  };
+  const auto number = [&](auto... i) { return numbers_->number(i...); };
+  const auto text = [&](auto... i) { return numbers_->text(i...); };
+  const auto refuse = [](std::size_t column, const std::string& is) {
+    throw Error("pose: entry " + std::to_string(column + 1) + " of the last row is " + is + "; expected 0 0 0 1");
+  };
+  if (numbers_->is_exact_text()) {
+    std::array<std::string, 12> rows;
+    for (std::size_t i = 0; i < 12; ++i) rows[i] = at(text, i / 4, i % 4);
+    for (std::size_t column = 0; rows_ == 4 && column < 4; ++column) {
+      const std::string last = at(text, 3, column), right = column == 3 ? "1" : "0";
+      if (last != right && last != right + "/1") refuse(column, last);
+    }
+    return Pose::from_text(rows);
+  }
+  std::array<double, 16> rows{};
+  for (std::size_t i = 0; i < 4 * rows_; ++i) rows[i] = at(number, i / 4, i % 4);
+  for (std::size_t column = 0; rows_ == 4 && column < 4; ++column)
+    if (rows[12 + column] != (column == 3 ? 1 : 0)) refuse(column, shortest(rows[12 + column]));
+  std::array<double, 12> upper;
+  std::copy_n(rows.begin(), 12, upper.begin());
+  return Pose(upper);
+}
+
+Polyhedron polyhedron_of(const py::handle& vertices, const py::handle& faces)
+{
+  const Numbers numbers(vertices, "vertices");
+  if (numbers.dimensions() != 2 || numbers.extent(1) != 3)
+    throw Error("vertices: an array of shape " + numbers.shape() + "; expected (n, 3)");
+  Polyhedron polyhedron;
+  polyhedron.vertices.resize(numbers.extent(0));
+  for (std::size_t v = 0; v < polyhedron.vertices.size(); ++v)
+    for (std::size_t k = 0; k < 3; ++k) {
+      double& x = polyhedron.vertices[v][k];
+      if (!numbers.is_exact_text()) {
+        x = numbers.number(v, k);
+        continue;
+      }
+      const auto number = double_of(numbers.text(v, k));
+      if (!number)
+        throw Error("vertices[" + std::to_string(v) + "]: '" + numbers.text(v, k) + "' is no double; expected doubles");
+      x = *number;
+    }
+  if (py::isinstance<py::array>(faces)) {
+    const auto array = py::reinterpret_borrow<py::array>(faces);
+    const char kind = array.dtype().kind();
+    if (array.ndim() == 2 && (kind == 'i' || kind == 'u')) {
+      if (array.shape(1) == 0) throw Error("faces: an array of 0 columns; expected vertex numbers");
+      add_polygons(polyhedron, array);
+      return polyhedron;
+    }
+  }
+  if (!is_loop(faces))
+    throw Error("faces: of type " + type_of(faces) + "; expected an array (m, k) of integers, or a sequence of faces");
+  std::size_t f = 0;
+  for (const py::handle face : faces) polyhedron.add_face(loops_of(face, f++, polyhedron.vertices.size()));
+  return polyhedron;
+}
+
+py::list faces_of(const Polyhedron& polyhedron)
+{
+  py::list faces;
+  for (std::uint32_t f = 0; f < polyhedron.face_count(); ++f) {
+    py::list loops;
+    for (std::size_t k = 0; k < polyhedron.loop_count(f); ++k) {
+      const auto loop = polyhedron.loop(f, k);
+      py::tuple corners(loop.size());
+      for (std::size_t i = 0; i < loop.size(); ++i) corners[i] = loop[i];
+      loops.append(std::move(corners));
+    }
+    faces.append(std::move(loops));
+  }
+  return faces;
+}
+
+py::array vertices_of(const Polyhedron& polyhedron, const py::handle& owner)
+{
+  py::array_t<double> vertices({polyhedron.vertices.size(), std::size_t(3)},
+                               reinterpret_cast<const double*>(polyhedron.vertices.data()), owner);
+  vertices.attr("flags").attr("writeable") = false;
+  return vertices;
+}
+
+}  // namespace tetracone::python

@@ -1,0 +1,127 @@
+#ifndef TETRACONE_TETRATREE_PYTHON_ARRAYS_H
+#define TETRACONE_TETRATREE_PYTHON_ARRAYS_H
+
+#include "tetracone/tetratree/door/tetracone.h"
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Arrays of Python as the door takes them. A number is never rounded on the way: what is no double is taken as a text.
+namespace tetracone::python {
+
+/// The error with `to` for `from` where its line begins so.
+Error renamed(const Error& error, std::string_view from, const std::string& to);
+
+/// An array of doubles, read where it lies, or of exact numbers as texts: decimals and fractions "n/d".
+class Numbers {
+ public:
+  /// `name` is what messages call it. Doubles are not copied, whatever their strides; other numbers that are doubles
+  /// become such; all others, as fractions.Fraction, large integers or texts, become texts. Throws Error for what is no
+  /// array of numbers.
+  Numbers(const pybind11::handle& values, std::string name);
+
+  const std::string& name() const { return name_; }
+  std::size_t dimensions() const { return shape_.size(); }
+  std::size_t extent(std::size_t dimension) const { return shape_[dimension]; }
+  /// "(10, 3, 4)".
+  std::string shape() const;
+
+  bool is_exact_text() const { return !texts_.empty(); }
+
+  /// The first double, and the bytes from one index to the next. Requires doubles.
+  const char* data() const { return data_; }
+  std::ptrdiff_t stride(std::size_t dimension) const { return strides_[dimension]; }
+
+  /// The double at these indices, of an array of as many dimensions. Requires doubles. Needs no interpreter's lock.
+  template <class... Indices>
+  double number(Indices... indices) const
+  {
+    double value;
+    std::memcpy(&value, data_ + offset(strides_, indices...), sizeof value);
+    return value;
+  }
+
+  /// The text at these indices. Requires texts. Needs no interpreter's lock.
+  template <class... Indices>
+  const std::string& text(Indices... indices) const
+  {
+    return texts_[offset(text_strides_, indices...)];
+  }
+
+ private:
+  template <class Strides, class... Indices>
+  static std::ptrdiff_t offset(const Strides& strides, Indices... indices)
+  {
+    std::ptrdiff_t sum = 0;
+    std::size_t k = 0;
+    ((sum += strides[k++] * std::ptrdiff_t(indices)), ...);
+    return sum;
+  }
+
+  std::string name_;
+  pybind11::array array_;  // keeps the data
+  const char* data_ = nullptr;
+  std::vector<std::size_t> shape_;
+  std::vector<std::ptrdiff_t> strides_, text_strides_;
+  std::vector<std::string> texts_;
+};
+
+/// Poses of one body: an array (n, 3, 4) or (n, 4, 4), or one pose (3, 4) or (4, 4), or None for the identity.
+class Poses {
+ public:
+  /// Throws Error for another shape, and for texts that are no pose.
+  Poses(const pybind11::object& values, const std::string& name);
+
+  /// True for one pose and None.
+  bool is_one() const { return is_one_; }
+  std::size_t count() const { return count_; }
+
+  /// Pose `k`. Throws Error that names it. Needs no interpreter's lock.
+  Pose operator()(std::size_t k) const
+  {
+    try {
+      if (packed_) {
+        std::array<double, 12> rows;
+        std::memcpy(rows.data(), packed_ + std::ptrdiff_t(k) * stride_, sizeof rows);
+        return Pose(rows);
+      }
+      return numbers_ ? made(k) : Pose();
+    } catch (const Error& error) {
+      throw about(k, error);
+    }
+  }
+
+ private:
+  std::string name_of(std::size_t k) const;
+  Pose made(std::size_t k) const;
+  Error about(std::size_t k, const Error& error) const;
+
+  std::string name_;
+  std::unique_ptr<Numbers> numbers_;  // null: the identity
+  bool is_one_ = true;
+  std::size_t count_ = 1, rows_ = 3;
+  std::ptrdiff_t stride_ = 0;
+  const char* packed_ = nullptr;  // the numbers of pose 0 where those of each pose (3, 4) follow each other
+};
+
+/// The polyhedron of vertices (n, 3) and faces: an array (m, k) of vertex numbers, or a sequence of faces, each a
+/// sequence of numbers or of loops of numbers, the outer one first. Throws Error for what is none.
+Polyhedron polyhedron_of(const pybind11::handle& vertices, const pybind11::handle& faces);
+
+/// A list of faces, each a list of loops, each a tuple of vertex numbers.
+pybind11::list faces_of(const Polyhedron& polyhedron);
+
+/// The vertices (n, 3), a read-only view of what `owner` keeps.
+pybind11::array vertices_of(const Polyhedron& polyhedron, const pybind11::handle& owner);
+
+}  // namespace tetracone::python
+
+#endif

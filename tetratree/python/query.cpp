@@ -1,0 +1,322 @@
+#include "tetracone/tetratree/python/query.h"
+
+#include "tetracone/tetratree/python/arrays.h"
+#include "tetracone/tetratree/python/body.h"
+#include "tetracone/tetratree/python/unlocked.h"
+
+#include <pybind11/numpy.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <iterator>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace tetracone::python {
+
+namespace py = pybind11;
+
+namespace {
+
+/// A query, and the lock of what it keeps between poses: threads that share one wait for each other.
+struct Locked_query {
+  explicit Locked_query(Query q) : query(std::move(q)) {}
+
+  Query query;
+  std::mutex lock;  // never waited for with the interpreter's lock
+};
+
+/// A word in an array of numpy's texts.
+template <std::size_t length>
+struct Word {
+  std::array<char32_t, length> letters{};
+
+  Word& operator=(std::string_view word)
+  {
+    letters = {};
+    std::copy(word.begin(), word.end(), letters.begin());
+    return *this;
+  }
+};
+using Relation_word = Word<8>;
+
+struct Feature_row {
+  std::int32_t body;
+  std::uint32_t edge_from, edge_to, face;
+  Word<16> kind;
+};
+
+py::dtype feature_type()
+{
+  py::list names, formats, offsets;
+  for (const auto& [name, format, offset] : {std::tuple("body", "i4", offsetof(Feature_row, body)),
+                                             {"edge_from", "u4", offsetof(Feature_row, edge_from)},
+                                             {"edge_to", "u4", offsetof(Feature_row, edge_to)},
+                                             {"face", "u4", offsetof(Feature_row, face)},
+                                             {"kind", "U16", offsetof(Feature_row, kind)}}) {
+    names.append(name);
+    formats.append(format);
+    offsets.append(offset);
+  }
+  return py::dtype(names, formats, offsets, sizeof(Feature_row));
+}
+
+py::array rows_of(const std::vector<Feature_pair>& features)
+{
+  py::array rows(feature_type(), features.size());
+  auto* row = static_cast<Feature_row*>(rows.mutable_data());
+  for (const Feature_pair& f : features) {
+    *row = {f.body, f.edge_from, f.edge_to, f.face, {}};
+    row++->kind = to_string(f.kind);
+  }
+  return rows;
+}
+
+/// The poses of both bodies, and how many answers they want.
+struct Pose_pairs {
+  Pose_pairs(const py::object& poses_b, const py::object& poses_a) : a(poses_a, "poses_a"), b(poses_b, "poses_b")
+  {
+    count = a.is_one() ? b.count() : a.count();
+    if (!a.is_one() && !b.is_one() && a.count() != b.count() && a.count() != 1 && b.count() != 1)
+      throw Error("query: " + std::to_string(a.count()) + " poses of a and " + std::to_string(b.count()) +
+                  " of b; expected as many, or one of either");
+    if (a.count() == 1) count = b.count();
+  }
+  bool is_one() const { return a.is_one() && b.is_one(); }
+
+  Poses a, b;
+  std::size_t count;
+};
+
+/// answer(k, what the query says of pair k) for all pairs.
+template <class Answer_of>
+void ask_all(Locked_query& self, const Pose_pairs& poses, const Answer_of& answer)
+{
+  // One pose of a body is made once.
+  const Pose first_a = poses.a.count() == 1 ? poses.a(0) : Pose(), first_b = poses.b.count() == 1 ? poses.b(0) : Pose();
+  if (poses.a.count() == 1 && poses.b.count() == 1)
+    for_each_unlocked(1, self.lock, [&](std::size_t k) { answer(k, self.query, first_a, first_b); });
+  else if (poses.a.count() == 1)
+    for_each_unlocked(poses.count, self.lock, [&](std::size_t k) { answer(k, self.query, first_a, poses.b(k)); });
+  else if (poses.b.count() == 1)
+    for_each_unlocked(poses.count, self.lock, [&](std::size_t k) { answer(k, self.query, poses.a(k), first_b); });
+  else
+    for_each_unlocked(poses.count, self.lock, [&](std::size_t k) { answer(k, self.query, poses.a(k), poses.b(k)); });
+}
+
+py::object collide(Locked_query& self, const py::object& poses_b, const py::object& poses_a)
+{
+  const Pose_pairs poses(poses_b, poses_a);
+  if (poses.is_one()) {
+    bool answer = false;
+    ask_all(self, poses,
+            [&](std::size_t, Query& query, const Pose& a, const Pose& b) { answer = bool(query.collide(a, b)); });
+    return py::bool_(answer);
+  }
+  py::array_t<bool> answers(static_cast<py::ssize_t>(poses.count));
+  bool* const answer = answers.mutable_data();
+  ask_all(self, poses,
+          [&](std::size_t k, Query& query, const Pose& a, const Pose& b) { answer[k] = bool(query.collide(a, b)); });
+  return answers;
+}
+
+py::object relation(Locked_query& self, const py::object& poses_b, const py::object& poses_a)
+{
+  const Pose_pairs poses(poses_b, poses_a);
+  py::array answers(py::dtype("U8"), poses.count);
+  static_assert(sizeof(Relation_word) == 4 * 8);
+  auto* const answer = static_cast<Relation_word*>(answers.mutable_data());
+  ask_all(self, poses, [&](std::size_t k, Query& query, const Pose& a, const Pose& b) {
+    answer[k] = to_string(query.collide(a, b).relation());
+  });
+  if (poses.is_one()) return py::str(answers[py::int_(0)]);
+  return answers;
+}
+
+py::object features(Locked_query& self, const py::object& poses_b, const py::object& poses_a)
+{
+  const Pose_pairs poses(poses_b, poses_a);
+  std::vector<std::vector<Feature_pair>> found(poses.count);
+  ask_all(self, poses,
+          [&](std::size_t k, Query& query, const Pose& a, const Pose& b) { found[k] = query.features(a, b); });
+  if (poses.is_one()) return rows_of(found[0]);
+  py::list rows;
+  for (const auto& pairs : found) rows.append(rows_of(pairs));
+  return rows;
+}
+
+py::dict statistics(Locked_query& self)
+{
+  Query_statistics s;
+  for_each_unlocked(1, self.lock, [&](std::size_t) { s = self.query.statistics(); });
+  py::dict counts;
+  for (const auto& [name, count] : {std::pair("queries", s.queries),
+                                    {"pairs_visited", s.pairs_visited},
+                                    {"hull_tests", s.hull_tests},
+                                    {"discarded_by_hull", s.discarded_by_hull},
+                                    {"sphere_tests", s.sphere_tests},
+                                    {"discarded_by_sphere", s.discarded_by_sphere},
+                                    {"tetrahedron_tests", s.tetrahedron_tests},
+                                    {"discarded_by_tetrahedron", s.discarded_by_tetrahedron},
+                                    {"box_tests", s.box_tests},
+                                    {"leaf_pairs", s.leaf_pairs},
+                                    {"discarded_by_box", s.discarded_by_box},
+                                    {"edge_face_tests", s.edge_face_tests},
+                                    {"triangle_tests", s.triangle_tests},
+                                    {"inclusion_tests", s.inclusion_tests},
+                                    {"exact_fallbacks", s.exact_fallbacks},
+                                    {"bounding_tests", s.bounding_tests()},
+                                    {"primitive_tests", s.primitive_tests()}})
+    counts[name] = count;
+  return counts;
+}
+
+/// Of the query, which no other thread is asking.
+template <class Value>
+auto alone(Value (Query::*of)() const)
+{
+  return [of](Locked_query& self) {
+    Value value{};
+    for_each_unlocked(1, self.lock, [&](std::size_t) { value = (self.query.*of)(); });
+    return value;
+  };
+}
+
+template <class Names>
+std::string listed(const Names& names)
+{
+  std::string text;
+  for (const auto& name : names) text += (text.empty() ? "" : ", ") + std::string(name);
+  return text;
+}
+
+std::vector<std::string> kernel_names()
+{
+  std::vector<std::string> names;
+  for (const Kernel kernel : {Kernel::adaptive, Kernel::double_, Kernel::float_, Kernel::double_eps, Kernel::epick,
+                              Kernel::epeck, Kernel::rational})
+    names.push_back(kernel_name(kernel, Tolerance{1e-12, 0}));
+  return names;
+}
+
+std::vector<std::string_view> method_names()
+{
+  std::vector<std::string_view> names;
+  for (const Method method : all_methods) names.push_back(to_string(method));
+  return names;
+}
+
+py::tuple tuple_of(const auto& names)
+{
+  py::list list;
+  for (const auto& name : names) list.append(py::str(std::string(name)));
+  return list;
+}
+
+std::unique_ptr<Locked_query> made(const Shared_body& a, const Shared_body& b, const std::string& question,
+                                   const std::string& kernel, const std::string& method, bool remember)
+{
+  const auto asked = kernel::parse_question(question);
+  if (!asked) throw Error("query: question '" + question + "'; expected solid or surface");
+  auto options = parse_kernel(kernel);
+  if (!options)
+    throw Error("query: kernel '" + kernel +
+                "'; expected adaptive, double, float, double-eps=E, epick, epeck or rational");
+  const auto way = parse_method(method);
+  if (!way) throw Error("query: method '" + method + "'; expected " + listed(method_names()));
+  options->method = *way;
+  options->remember = remember;
+  const py::gil_scoped_release unlocked;
+  return std::make_unique<Locked_query>(Query(a.body, b.body, *asked, *options));
+}
+
+}  // namespace
+
+void add_query(py::module_& module)
+{
+  module.attr("kernels") = tuple_of(kernel_names());
+  module.attr("methods") = tuple_of(method_names());
+
+  const auto poses_b = py::arg("poses_b");
+  const auto poses_a = py::arg("poses_a") = py::none();
+  py::class_<Locked_query>(module, "Query",
+                           R"(Query(a, b, question="solid", kernel="adaptive", method="tree", remember=False)
+
+Two bodies and a question, asked for many poses. Keeps work from one pose to the next: one query per thread answers
+fastest, threads that share one wait for each other. The interpreter's lock is released while it answers.
+
+question: "solid", do the two closed solids share a point, or "surface", do the two closed surfaces. Touching counts.
+kernel: the arithmetic that decides, of `tetracone.kernels`; adaptive, epeck and rational are exact. The tolerance of
+double-eps=E, or double-eps=rel:E, is any E >= 0.
+method: the way to the answer, of `tetracone.methods`.
+remember: keep from pose to pose what decided the last one, for motions in small steps. Changes no answer.
+
+A pose is the affine map x -> M x + t, row-major (3, 4), or (4, 4) with the last row 0 0 0 1; taken exactly. An array of
+n poses, (n, 3, 4) or (n, 4, 4), has n answers; so has one pose of one body with n of the other. Poses of doubles are
+read where they lie. Poses of fractions.Fraction, or texts "n/d", are taken exactly too: a rotation that is truly one
+has rational numbers.
+
+Raises Error when an open surface is asked for its solid, and for a pose that is none, which it names by its place.
+
+>>> import numpy as np, tetracone
+>>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+>>> query = tetracone.Query(a, a)
+>>> poses = np.tile(np.eye(3, 4), (3, 1, 1))
+>>> poses[:, 0, 3] = [0.5, 1, np.nextafter(1, 2)]
+>>> query.collide(poses)
+array([ True,  True, False])
+)")
+      .def(py::init(&made), py::arg("a"), py::arg("b"), py::arg("question") = "solid", py::arg("kernel") = "adaptive",
+           py::arg("method") = "tree", py::arg("remember") = false)
+      .def("collide", &collide, poses_b, poses_a, R"(collide(poses_b, poses_a=None)
+
+Whether the bodies collide: array (n,) of bool; of one pose of each, a bool.
+
+poses_b, poses_a: poses of either body as `Query` says; None is the identity.
+
+>>> import tetracone
+>>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+>>> tetracone.Query(a, a).collide([["1/3", 0, 0, "2/3"], [0, 1, 0, 0], [0, 0, 1, 0]])
+True
+)")
+      .def("relation", &relation, poses_b, poses_a, R"(relation(poses_b, poses_a=None)
+
+How the bodies stand: array (n,) of "apart", "surfaces" where the surfaces meet, "a_in_b" or "b_in_a"; of one pose of
+each, a str. Arguments as of `collide`.
+
+>>> import tetracone
+>>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+>>> tetracone.Query(a, a).relation([[0.25, 0, 0, 0.125], [0, 0.25, 0, 0.125], [0, 0, 0.25, 0.125]])
+'b_in_a'
+)")
+      .def("features", &features, poses_b, poses_a, R"(features(poses_b, poses_a=None)
+
+All pairs of an edge of one body and a face of the other that share a point: for each pose a structured array of `body`
+(0: an edge of a and a face of b; 1: the other way round), `edge_from`, `edge_to` (the edge's vertices), `face` and
+`kind`; a list of n of them, of one pose of each the array. Arguments as of `collide`.
+
+>>> import tetracone
+>>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+>>> found = tetracone.Query(a, a).features([[1, 0, 0, 1], [0, 1, 0, 0], [0, 0, 1, 0]])
+>>> len(found), found[0]
+(18, (0, 0, 1, 0, 'vertex-vertex'))
+)")
+      .def_property_readonly("statistics", &statistics,
+                             "What was done since `clear_statistics`: a dict of counts by their names.")
+      .def(
+          "clear_statistics",
+          [](Locked_query& self) {
+            for_each_unlocked(1, self.lock, [&](std::size_t) { self.query.clear_statistics(); });
+          },
+          "clear_statistics()\n\nSets all counts to 0.")
+      .def_property_readonly("bytes", alone(&Query::bytes),
+                             "Bytes of the trees of both bodies, as far as they have been made.")
+      .def_property_readonly("node_count", alone(&Query::node_count), "Nodes of these trees.");
+}
+
+}  // namespace tetracone::python

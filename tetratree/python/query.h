@@ -1,0 +1,13 @@
+#ifndef TETRACONE_TETRATREE_PYTHON_QUERY_H
+#define TETRACONE_TETRATREE_PYTHON_QUERY_H
+
+#include <pybind11/pybind11.h>
+
+namespace tetracone::python {
+
+/// Adds `Query`, `kernels` and `methods`.
+void add_query(pybind11::module_& module);
+
+}  // namespace tetracone::python
+
+#endif

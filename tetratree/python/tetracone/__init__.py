@@ -1,0 +1,23 @@
+"""Whether two placed polyhedra collide, exactly.
+
+>>> import numpy as np, tetracone
+>>> vertices = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+>>> faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+>>> cube = tetracone.Body(vertices, faces)
+>>> poses = np.tile(np.eye(3, 4), (3, 1, 1))
+>>> poses[:, 0, 3] = [0.5, 1, np.nextafter(1, 2)]
+>>> tetracone.Query(cube, cube).collide(poses)
+array([ True,  True, False])
+
+`Body` and `read` make bodies, `Query` asks about two of them, `kernels` and `methods` are what a query can be told, and
+every mistake of a caller is an `Error`. `tetracone.verify`: cases that are hard, their true answers, and how to judge
+with them whatever answers.
+"""
+
+from ._tetracone import Body, Error, Query, __version__, kernels, methods, read
+
+for _of_module in (Body, Error, Query, read):
+    _of_module.__module__ = "tetracone"
+del _of_module
+
+__all__ = ["Body", "Error", "Query", "kernels", "methods", "read"]

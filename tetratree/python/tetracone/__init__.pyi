@@ -1,0 +1,53 @@
+from collections.abc import Sequence
+from fractions import Fraction
+from os import PathLike
+from typing import Any, Literal, Union, overload
+
+import numpy as np
+import numpy.typing as npt
+
+Number = Union[float, Fraction, str]
+Numbers = Union[npt.NDArray[Any], Sequence[Any]]
+Loop = Sequence[int]
+Faces = Union[npt.NDArray[np.integer[Any]], Sequence[Union[Loop, Sequence[Loop]]]]
+Relation = Literal["apart", "surfaces", "a_in_b", "b_in_a"]
+
+__version__: str
+kernels: tuple[str, ...]
+methods: tuple[str, ...]
+
+class Error(ValueError): ...
+
+class Body:
+    def __init__(self, vertices: Numbers, faces: Faces) -> None: ...
+    def inside(self, points: Numbers) -> Union[npt.NDArray[np.int8], int]: ...
+    def make_all(self) -> None: ...
+    @property
+    def is_closed(self) -> bool: ...
+    @property
+    def vertices(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def faces(self) -> list[list[tuple[int, ...]]]: ...
+
+def read(path: Union[str, PathLike[str]]) -> Body: ...
+
+class Query:
+    def __init__(
+        self,
+        a: Body,
+        b: Body,
+        question: Literal["solid", "surface"] = "solid",
+        kernel: str = "adaptive",
+        method: Literal["tree", "tuned", "paper", "brute"] = "tree",
+        remember: bool = False,
+    ) -> None: ...
+    def collide(self, poses_b: Union[Numbers, None], poses_a: Union[Numbers, None] = None) -> Union[npt.NDArray[np.bool_], bool]: ...
+    def relation(self, poses_b: Union[Numbers, None], poses_a: Union[Numbers, None] = None) -> Union[npt.NDArray[np.str_], Relation]: ...
+    def features(self, poses_b: Union[Numbers, None], poses_a: Union[Numbers, None] = None) -> Union[list[npt.NDArray[Any]], npt.NDArray[Any]]: ...
+    @property
+    def statistics(self) -> dict[str, int]: ...
+    def clear_statistics(self) -> None: ...
+    @property
+    def bytes(self) -> int: ...
+    @property
+    def node_count(self) -> int: ...

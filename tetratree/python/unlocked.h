@@ -1,0 +1,34 @@
+#ifndef TETRACONE_TETRATREE_PYTHON_UNLOCKED_H
+#define TETRACONE_TETRATREE_PYTHON_UNLOCKED_H
+
+#include <pybind11/pybind11.h>
+
+#include <chrono>
+#include <cstddef>
+#include <mutex>
+
+namespace tetracone::python {
+
+/// Calls each(0) .. each(count - 1) without the interpreter's lock and within `own`, which is never waited for with
+/// that lock. Ctrl-C is noticed ten times a second, and leaves as KeyboardInterrupt.
+template <class Each>
+void for_each_unlocked(std::size_t count, std::mutex& own, const Each& each)
+{
+  using Clock = std::chrono::steady_clock;
+  constexpr std::size_t chunk = 256;
+  const pybind11::gil_scoped_release unlocked;
+  const std::lock_guard alone(own);
+  if (count == 1) return each(std::size_t(0));  // a clock costs a share of a query
+  auto looked = Clock::now();
+  for (std::size_t begin = 0; begin < count; begin += chunk) {
+    for (std::size_t k = begin; k < count && k < begin + chunk; ++k) each(k);
+    if (Clock::now() - looked < std::chrono::milliseconds(100)) continue;
+    const pybind11::gil_scoped_acquire locked;
+    if (PyErr_CheckSignals() != 0) throw pybind11::error_already_set();
+    looked = Clock::now();
+  }
+}
+
+}  // namespace tetracone::python
+
+#endif

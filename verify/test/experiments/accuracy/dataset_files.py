@@ -1,0 +1,153 @@
+#!/usr/bin/python3
+"""Tests of the reader and the scorer that `tetracone experiment dataset` writes beside its cases."""
+
+import csv
+import io
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from contextlib import redirect_stderr, redirect_stdout
+from fractions import Fraction
+
+sys.dont_write_bytecode = True
+PROGRAM = os.environ.get("TETRACONE_PROGRAM", "")
+if not os.path.exists(PROGRAM):
+    print("skipped: no program")
+    sys.exit(77)
+WORK = tempfile.TemporaryDirectory()
+subprocess.run([PROGRAM, "experiment", "dataset", "--cases", "2", "--out", WORK.name], check=True, capture_output=True)
+FOLDER = os.path.join(WORK.name, "dataset")
+sys.path.insert(0, FOLDER)
+import score  # noqa: E402
+import tetracone_dataset as dataset  # noqa: E402
+
+
+class Files(unittest.TestCase):
+    def answers(self, rows):
+        name = os.path.join(WORK.name, "answers.csv")
+        with open(name, "w", newline="") as file:
+            out = csv.writer(file, lineterminator="\n")
+            out.writerow(["id", "question", "answer"])
+            out.writerows(rows)
+        return name
+
+    def scored(self, name):
+        out, error = io.StringIO(), io.StringIO()
+        with redirect_stdout(out), redirect_stderr(error):
+            status = score.main([name])
+        return status, list(csv.DictReader(io.StringIO(out.getvalue()))), error.getvalue()
+
+    def test_cases_are_the_rows_of_the_json(self):
+        with open(os.path.join(FOLDER, "cases.json")) as file:
+            rows = json.load(file)
+        cases = list(dataset.cases())
+        self.assertEqual(len(cases), 2 * dataset.about()["families"])
+        self.assertEqual([c.id for c in cases], [r["id"] for r in rows])
+        rational = 0
+        for case, row in zip(cases, rows):
+            self.assertEqual((case.surface, case.solid), (row["surface"], row["solid"]))
+            for name, pose in (("a", case.pose_a), ("b", case.pose_b)):
+                for i in range(3):
+                    for j in range(4):
+                        exact = Fraction(row[f"{name}{i}{j}"])
+                        self.assertEqual(pose[i][j], exact)
+                        rational += exact != float(exact)
+            for vertices, triangles in (case.a, case.b):
+                edges = [(t[k], t[k - 2]) for t in triangles for k in range(3)]
+                self.assertEqual(sorted(edges), sorted((b, a) for a, b in edges))  # closed
+                self.assertLess(max(map(max, triangles)), len(vertices))
+        self.assertGreater(rational, 0)
+
+    def test_predicates_are_exact(self):
+        seen = set()
+        for case in dataset.predicates():
+            if case.predicate != "orientation":
+                continue
+            v0, v1, v2, v3, p = (self.placed(point, case.pose_a if k < 4 else case.pose_b) for k, point in enumerate(case.points[:5]))
+            rows = [[x - y for x, y in zip(v, p)] for v in (v1, v2, v3)]
+            (a, b, c), (d, e, f), (g, h, i) = rows
+            det = a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
+            self.assertEqual(case.truth, (det > 0) - (det < 0), case.id)
+            seen.add(case.truth)
+        self.assertEqual(seen, {-1, 0, 1})
+
+    def placed(self, point, pose):
+        return [sum(row[k] * Fraction(point[k]) for k in range(3)) + row[3] for row in pose]
+
+    def test_what_was_changed_is_noticed(self):
+        dataset.check()
+        said = subprocess.run(["sha256sum", "--quiet", "-c", "SHA256SUMS"], cwd=FOLDER, capture_output=True, text=True)
+        self.assertEqual((said.returncode, said.stdout), (0, ""))
+        with open(os.path.join(FOLDER, "SHA256SUMS")) as file:
+            named = {line.split()[1] for line in file}
+        there = {os.path.relpath(os.path.join(where, name), FOLDER) for where, _, names in os.walk(FOLDER) for name in names}
+        self.assertEqual(there - named, {"SHA256SUMS"})
+        mesh = os.path.join(FOLDER, "meshes", "m0.off")
+        with open(mesh) as file:
+            text = file.read()
+        try:
+            with open(mesh, "w") as file:
+                file.write(text + "\n")
+            with self.assertRaisesRegex(dataset.Error, "^meshes/m0.off: its SHA-256 is .*; expected "):
+                dataset.check()
+            os.rename(mesh, mesh + ".away")
+            with self.assertRaisesRegex(dataset.Error, "^meshes/m0.off: No such file or directory; expected "):
+                dataset.check()
+        finally:
+            if os.path.exists(mesh + ".away"):
+                os.remove(mesh + ".away")
+            with open(mesh, "w") as file:
+                file.write(text)
+        dataset.check()
+
+    def test_scores(self):
+        truth = score.truths(FOLDER)
+        right = [(*key, answer) for key, (_, answer) in truth.items()]
+        status, table, _ = self.scored(self.answers(right))
+        self.assertEqual(status, 0)
+        for row in table:
+            self.assertEqual({row[c] for c in score.COLUMNS[3:]}, {"0"})
+        self.assertEqual(sum(int(row["n"]) for row in table if row["family"] == "all"), len(truth))
+
+        solids = [(name, q, a) for name, q, a in right if q == "solid"]
+        yes, no = ([k for k, row in enumerate(solids) if row[2] == a] for a in (1, 0))
+        for k, answer in ((yes[0], 0), (yes[1], "failed"), (no[0], 1), (no[1], 1), (no[2], "declined")):
+            solids[k] = (*solids[k][:2], answer)
+        del solids[yes[2]]
+        status, table, _ = self.scored(self.answers(solids))
+        self.assertEqual({row["question"] for row in table}, {"solid"})
+        total = table[-1]
+        self.assertEqual([total[c] for c in score.COLUMNS],
+                         ["all", "solid", str(len(solids) - 1), "2", "1", "1", "1", "1"])
+        for column in score.COLUMNS[2:]:
+            self.assertEqual(sum(int(row[column]) for row in table[:-1]), int(total[column]))
+
+    def test_every_wrong_file_of_answers_has_its_line(self):
+        case = next(dataset.cases()).id
+        for rows, line in (([("none-0", "solid", 1)], ":2: no case 'none-0' with the question 'solid'; expected one of the dataset"),
+                           ([(case, "solid", 1), (case, "solid", 1)], f":3: '{case}', 'solid' once more; expected one answer"),
+                           ([(case, "solid", -1)], ":2: the answer '-1'; expected 0, 1, failed or declined"),
+                           ([(case, "orientation", 2)], ":2: the answer '2'; expected -1, 0, 1, failed or declined"),
+                           ([(case, "solid")], ":2: 2 fields; expected id,question,answer")):
+            name = self.answers(rows)
+            self.assertEqual(self.scored(name), (2, [], f"{name}{line}\n"))
+        self.assertEqual(self.scored("none.csv")[2], "none.csv: No such file or directory; expected a file of answers\n")
+        with open(name, "w") as file:
+            file.write("id,answer\n")
+        self.assertEqual(self.scored(name)[2], f"{name}:1: another header; expected id,question,answer\n")
+
+    def test_the_example_is_scored(self):
+        name = os.path.join(WORK.name, "toy.csv")
+        subprocess.run([sys.executable, "-B", os.path.join(FOLDER, "example.py"), name], check=True)
+        said = subprocess.run([sys.executable, "-B", os.path.join(FOLDER, "score.py"), name], capture_output=True, text=True)
+        self.assertEqual(said.returncode, 0, said.stderr)
+        family, question, n, false_positives, *_ = said.stdout.splitlines()[-1].split(",")
+        self.assertEqual((family, question, int(n)), ("all", "solid", 2 * dataset.about()["families"]))
+        self.assertGreater(int(false_positives), 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

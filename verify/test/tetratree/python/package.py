@@ -1,0 +1,381 @@
+#!/usr/bin/python3
+"""Tests of the package `tetracone`: answers against the program's, errors, arrays of every kind, threads, documentation."""
+
+import copy
+import doctest
+import os
+import pickle
+import signal
+import subprocess
+import tempfile
+import threading
+import time
+import unittest
+from decimal import Decimal
+from fractions import Fraction
+
+from support import CUBE, PROGRAM, examples_failed, off_of, text_of
+
+import numpy as np
+import tetracone
+from tetracone import Body, Error, Query
+
+IDENTITY = np.eye(3, 4)
+TETRAHEDRON = ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+# A square frame: a face above and one below, each with a hole, and eight walls.
+FRAME = ([[x, y, z] for z in (0, 1) for x, y in ((0, 0), (3, 0), (3, 3), (0, 3), (1, 1), (2, 1), (2, 2), (1, 2))],
+         [[[8, 9, 10, 11], [15, 14, 13, 12]], [[3, 2, 1, 0], [4, 5, 6, 7]]]
+         + [[k, (k + 1) % 4, (k + 1) % 4 + 8, k + 8] for k in range(4)]
+         + [[k + 12, (k + 1) % 4 + 12, (k + 1) % 4 + 4, k + 4] for k in range(4)])
+
+
+def translations(*vectors):
+    poses = np.tile(IDENTITY, (len(vectors), 1, 1))
+    poses[:, :, 3] = vectors
+    return poses
+
+
+def random_poses(n, seed):
+    """Rigid in doubles, near and far, some of them in exact contact with the unit cube."""
+    random = np.random.default_rng(seed)
+    poses = np.zeros((n, 3, 4))
+    poses[:, :, :3] = np.linalg.qr(random.normal(size=(n, 3, 3)))[0]
+    poses[:, :, 3] = random.uniform(-1.5, 1.5, (n, 3))
+    poses[::3, :, :3] = np.eye(3)
+    poses[::3, :, 3] = random.choice([-1, -0.5, 0, 0.5, 1, np.nextafter(1, 2)], (len(poses[::3]), 3))
+    return poses
+
+
+class Answers(unittest.TestCase):
+    def program(self, *words):
+        if not PROGRAM:
+            self.skipTest("no program")
+        return subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True)
+
+    def test_collide_relation_and_features_are_the_program_s(self):
+        a, b = Body(*CUBE), Body(*TETRAHEDRON)
+        poses = random_poses(60, 1)
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in (("a.off", off_of(a)), ("b.off", off_of(b)), ("poses.txt", text_of(poses))):
+                with open(os.path.join(folder, name), "w") as file:
+                    file.write(text)
+            models = [os.path.join(folder, name) for name in ("a.off", "b.off")]
+            moved = ["--pose-b", os.path.join(folder, "poses.txt")]
+            for question in ("solid", "surface"):
+                for kernel, method in (("adaptive", "tree"), ("epeck", "tree"), ("double", "paper"), ("epick", "brute")):
+                    said = self.program("collide", *models, *moved, "--question", question, "--kernel", kernel, "--method", method)
+                    ours = Query(a, b, question, kernel, method).collide(poses)
+                    self.assertEqual(said.stdout.split(), [str(int(x)) for x in ours], (question, kernel, method))
+                    self.assertEqual({0, 1}, set(ours.astype(int)))
+            said = self.program("collide", *models, *moved, "--features").stdout
+            ours = "".join(f"{k} {f['body']} {f['edge_from']} {f['edge_to']} {f['face']} {f['kind']}\n"
+                           for k, found in enumerate(Query(a, b).features(poses)) for f in found)
+            self.assertEqual(said, ours)
+            read = [tetracone.read(model) for model in models]
+            self.assertEqual(Query(*read).collide(poses).tolist(), Query(a, b).collide(poses).tolist())
+
+    def test_inside_is_the_program_s(self):
+        points = [[0.5, 0.5, 0.5], [1, 1, 1], [0.5, 0.5, 1], [0.5, 0.5, np.nextafter(1, 2)], [2, 0, 0]]
+        with tempfile.TemporaryDirectory() as folder:
+            names = [os.path.join(folder, name) for name in ("a.off", "points.txt")]
+            for name, text in zip(names, (off_of(Body(*CUBE)), "".join(f"{x!r} {y!r} {z!r}\n" for x, y, z in points))):
+                with open(name, "w") as file:
+                    file.write(text)
+            self.assertEqual(self.program("inside", *names).stdout.split(), [str(x) for x in Body(*CUBE).inside(points)])
+
+    def test_relations(self):
+        query = Query(Body(*CUBE), Body(*CUBE))
+        poses = translations([0.25, 0.25, 0.25], [0.25, 0.25, 0.25], [1, 1, 1], [2, 0, 0])
+        poses[0, :, :3] /= 4
+        said = query.relation(poses)
+        self.assertEqual(said.tolist(), ["b_in_a", "surfaces", "surfaces", "apart"])
+        self.assertEqual(query.relation(None, poses[0]), "a_in_b")
+        self.assertEqual(Query(Body(*CUBE), Body(*CUBE), "surface").relation(poses[0]), "apart")
+
+    def test_a_hole_is_empty(self):
+        frame, rod = Body(*FRAME), Body(*CUBE)
+        self.assertTrue(frame.is_closed)
+        self.assertEqual(frame.inside([[1.5, 1.5, 0.5], [0.5, 0.5, 0.5], [1, 1.5, 0.5], [1.5, 1.5, 1]]).tolist(), [-1, 1, 0, -1])
+        thin = [[0.5, 0, 0, 1.25], [0, 0.5, 0, 1.25], [0, 0, 4, -1]]
+        self.assertFalse(Query(frame, rod).collide(thin))
+        thin[0][3] = 1.5
+        self.assertTrue(Query(frame, rod).collide(thin))
+
+    def test_every_kernel_and_method_answers(self):
+        poses = translations([0.5, 0.5, 0.5], [3, 0, 0])
+        for kernel in tetracone.kernels:
+            for method in tetracone.methods:
+                for remember in (False, True):
+                    query = Query(Body(*CUBE), Body(*TETRAHEDRON), kernel=kernel, method=method, remember=remember)
+                    self.assertEqual(query.collide(poses).tolist(), [True, False], (kernel, method))
+
+    def test_statistics_count_poses(self):
+        query = Query(Body(*CUBE), Body(*TETRAHEDRON))
+        query.collide(random_poses(7, 2))
+        self.assertEqual(query.statistics["queries"], 7)
+        self.assertGreater(query.statistics["bounding_tests"], 0)
+        self.assertGreater(query.bytes, 0)
+        self.assertGreater(query.node_count, 0)
+        query.clear_statistics()
+        self.assertEqual(set(query.statistics.values()), {0})
+
+
+class Arrays(unittest.TestCase):
+    """Poses of every kind of array have the answers that their numbers have."""
+
+    query = Query(Body(*CUBE), Body(*TETRAHEDRON))
+
+    def test_poses_of_any_strides_and_types(self):
+        poses = random_poses(50, 3)
+        answers = self.query.collide(poses).tolist()
+        square = np.zeros((50, 4, 4))
+        square[:, :3], square[:, 3, 3] = poses, 1
+        padded = np.zeros((100, 5, 7))
+        padded[::2, 1:4, 2:6] = poses
+        for same in (square, padded[::2, 1:4, 2:6], np.asfortranarray(poses), poses.astype(">f8"), poses.astype(object), poses.tolist(),
+                     np.array([[[repr(x) for x in row] for row in pose] for pose in poses.tolist()]), poses.astype(np.longdouble)):
+            self.assertEqual(self.query.collide(same).tolist(), answers)
+        backwards = poses[::-1]
+        self.assertEqual(self.query.collide(backwards).tolist(), answers[::-1])
+        whole = translations([1, 0, 0], [2, 0, 0], [-1, 0, 0])
+        for kind in ("i1", "i4", "i8", "f4", "f2"):
+            self.assertEqual(self.query.collide(whole.astype(kind)).tolist(), self.query.collide(whole).tolist())
+
+    def test_poses_of_doubles_are_not_written(self):
+        poses = random_poses(5, 4)
+        before = poses.copy()
+        poses.flags.writeable = False
+        self.query.collide(poses)
+        self.assertTrue((poses == before).all())
+
+    def test_one_pose_of_either_goes_with_many_of_the_other(self):
+        poses = random_poses(20, 5)
+        one = poses[0]
+        both = self.query.collide(poses, np.repeat(one[None], 20, 0))
+        self.assertEqual(self.query.collide(poses, one).tolist(), both.tolist())
+        self.assertEqual(self.query.collide(poses, one[None]).tolist(), both.tolist())
+        self.assertEqual(self.query.collide(one, poses).tolist(), self.query.collide(np.repeat(one[None], 20, 0), poses).tolist())
+        self.assertIs(type(self.query.collide(one)), bool)
+        self.assertIs(type(self.query.collide(None)), bool)
+        self.assertEqual(self.query.collide(one[None]).shape, (1,))
+        self.assertEqual(self.query.collide(np.zeros((0, 3, 4))).shape, (0,))
+        self.assertEqual(self.query.collide(np.zeros((0, 3, 4)), one[None]).shape, (0,))
+
+    def test_numbers_that_are_no_doubles_are_exact(self):
+        # Between 1 and the next double: apart in truth, touching when rounded.
+        def pose(x):
+            return [[1, 0, 0, x], [0, 1, 0, 0], [0, 0, 1, 0]]
+
+        cube = Body(*CUBE)
+        query = Query(cube, cube)
+        tiny = Fraction(1, 10**40)
+        for x, touches in ((1 + tiny, False), (1 - tiny, True), (1, True), (str(1 + tiny), False), (Decimal(1) + Decimal("1e-20"), False),
+                           (np.longdouble(1) + np.finfo(np.longdouble).eps, False)):
+            self.assertEqual(query.collide(np.array(pose(x), dtype=object)), touches, x)
+        self.assertTrue(query.collide(pose(float(1 + tiny))))
+        third = Fraction(1, 3)
+        self.assertEqual(cube.inside([[third, third, 1 + tiny], [third, third, 1], [third, third, 1 - tiny]]).tolist(), [-1, 0, 1])
+        # 2^53 + 1 is no double.
+        n = 2**53
+        far = translations([1, 0, 0]).astype(object)
+        far[0, 0, 3] = n + 2
+        near = translations([n, 0, 0])
+        self.assertFalse(query.collide(far, near)[0])
+        far[0, 0, 3] = n + 1
+        self.assertTrue(query.collide(far, near)[0])
+        self.assertTrue(query.collide(far.astype("i8"), near)[0])
+
+    def test_a_pose_of_four_rows_may_be_of_fractions(self):
+        pose = np.array([[Fraction(1, 3), 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]], dtype=object)
+        self.assertTrue(self.query.collide(pose))
+        pose[3, 0] = Fraction(1, 7)
+        with self.assertRaisesRegex(Error, "poses_b: entry 1 of the last row is 1/7; expected 0 0 0 1"):
+            self.query.collide(pose)
+
+
+class Errors(unittest.TestCase):
+    def error(self, line, function, *arguments, **options):
+        with self.assertRaises(Error) as raised:
+            function(*arguments, **options)
+        self.assertEqual(str(raised.exception), line)
+
+    def test_every_wrong_pose_is_named(self):
+        cube = Body(*CUBE)
+        collide = Query(cube, cube).collide
+        poses = random_poses(9, 6)
+        for k, value, line in ((4, np.nan, "poses_b[4]: entry 12 of 12 is nan; expected a finite number"),
+                               (8, -np.inf, "poses_b[8]: entry 12 of 12 is -inf; expected a finite number")):
+            wrong = poses.copy()
+            wrong[k, 2, 3] = value
+            self.error(line, collide, wrong)
+            self.error(line.replace("_b", "_a"), collide, poses, wrong)
+            texts = "poses_b[%d]: entry 12 of 12 is '%s'; expected a finite decimal number or a fraction n/d" % (k, value)
+            self.error(texts, collide, wrong.astype(object))
+        flat = poses.copy()
+        flat[3, :, :3] = 0
+        self.error("poses_b[3]: the 3x3 part has determinant 0; expected a matrix that flattens nothing", collide, flat)
+        self.error("poses_b: the 3x3 part has determinant 0; expected a matrix that flattens nothing", collide, flat[3])
+        square = np.zeros((2, 4, 4))
+        square[:, :3], square[:, 3, 3] = IDENTITY, 1
+        square[1, 3, 1] = 0.5
+        self.error("poses_b[1]: entry 2 of the last row is 0.5; expected 0 0 0 1", collide, square)
+        shapes = "expected (n, 3, 4) or (n, 4, 4), or one pose (3, 4) or (4, 4)"
+        for shape in ((), (12,), (3, 3), (2, 4, 3), (2, 2, 3, 4), (4, 5)):
+            self.error(f"poses_b: an array of shape {shape}; {shapes}", collide, np.ones(shape))
+        self.error("query: 2 poses of a and 3 of b; expected as many, or one of either", collide, poses[:3], poses[:2])
+        self.error("poses_b: rows of different lengths; expected an array of numbers", collide, [[1, 2], [3]])
+        self.error("poses_b: an array of complex128; expected numbers", collide, poses.astype(complex))
+        self.error("poses_b: entry 1 of 12 is 'a dict'; expected a finite decimal number or a fraction n/d", collide,
+                   np.full((3, 4), {}, dtype=object))
+        self.error("poses_b: entry 1 of 12 is '1/0'; expected a finite decimal number or a fraction n/d", collide, [["1/0"] * 4] * 3)
+
+    def test_every_wrong_body_has_its_line(self):
+        v, f = CUBE
+        numbers = "expected numbers from 0 to 8, the last excluded"
+        for vertices, faces, line in (
+                (v, [], "body: no face; expected a body with faces"),
+                (v, [[0, 1, 8]], f"body: face 0 names vertex 8 of 8 vertices; {numbers}"),
+                (v, np.array([[0, 1, 2], [0, 1, -1]]), f"body: face 1 names vertex -1 of 8 vertices; {numbers}"),
+                (v, [[0, 1, 2**70]], f"body: face 0 names vertex {2**70} of 8 vertices; {numbers}"),
+                (v, [[0, 1, 2.0]], "body: face 0 has a corner of type float; expected vertex numbers, or loops of them"),
+                (v, [[0, 1, 2], 3], "body: face 1 is of type int; expected a sequence of vertex numbers, or of loops of them"),
+                (v, [[[0, 1, 2], 3]], "body: face 0 has a loop of type int; expected sequences of vertex numbers"),
+                (v, [[]], "body: face 0 is empty; expected vertex numbers"),
+                (v, [[[0, 1, 2], []]], "body: face 0 has an empty loop; expected vertex numbers"),
+                (v, 7, "faces: of type int; expected an array (m, k) of integers, or a sequence of faces"),
+                ([[0, 0]], [[0]], "vertices: an array of shape (1, 2); expected (n, 3)"),
+                ([[0, 0, np.nan]], [[0]], "body: vertex 0 has the coordinate nan; expected finite coordinates"),
+                ([[0, 0, Fraction(1, 3)]], [[0]], "vertices[0]: '1/3' is no double; expected doubles"),
+                ([[0, 0, 2**53 + 1]], [[0]], f"vertices[0]: '{2**53 + 1}/1' is no double; expected doubles")):
+            self.error(line, Body, vertices, faces)
+        lifted = [list(p) for p in v]
+        lifted[7][0] = 1.5
+        with self.assertRaisesRegex(Error, "^body: face 1 has a corner .* off its plane; expected exactly planar faces"):
+            Body(lifted, f)
+
+    def test_an_open_surface_has_no_solid(self):
+        cube, opened = Body(*CUBE), Body(CUBE[0], CUBE[1][:-1])
+        self.assertFalse(opened.is_closed)
+        self.error("query: body b is open at 4 edges, first at the edge from vertex 1 to 3; expected a closed surface for Question::solid",
+                   Query, cube, opened)
+        self.error("body is open at 4 edges, first at the edge from vertex 1 to 3; expected a closed surface for points inside or outside",
+                   opened.inside, [[0, 0, 0]])
+        self.assertTrue(Query(cube, opened, "surface").collide(None))
+
+    def test_every_other_misuse_has_its_line(self):
+        cube = Body(*CUBE)
+        self.error("query: question 'both'; expected solid or surface", Query, cube, cube, "both")
+        self.error("query: kernel 'exact'; expected adaptive, double, float, double-eps=E, epick, epeck or rational", Query, cube, cube,
+                   kernel="exact")
+        self.error("query: method 'fast'; expected tree, tuned, paper, brute", Query, cube, cube, method="fast")
+        self.error("points: an array of shape (2, 2); expected (n, 3), or one point (3,)", cube.inside, np.zeros((2, 2)))
+        self.error("points[1]: y is nan; expected a finite number", cube.inside, [[0, 0, 0], [0, np.nan, 0]])
+        self.error("points: z is 'top'; expected a finite decimal number or a fraction n/d", cube.inside, ["0", "0", "top"])
+        with self.assertRaises(ValueError):  # what numpy's users catch
+            Query(cube, cube, "both")
+
+    def test_a_file_s_error_is_the_program_s(self):
+        with tempfile.TemporaryDirectory() as folder:
+            name = os.path.join(folder, "bad.off")
+            with open(name, "w") as file:
+                file.write("OFF\n3 1 0\n0 0 0\n1 0 zero\n0 1 0\n3 0 1 2\n")
+            with self.assertRaises(Error) as raised:
+                tetracone.read(name)
+            self.assertRegex(str(raised.exception), r"^.*bad\.off:4: ")
+            if PROGRAM:
+                said = subprocess.run([PROGRAM, "collide", name, name], capture_output=True, text=True)
+                self.assertEqual((said.returncode, said.stderr), (2, f"{raised.exception}\n"))
+
+
+class Objects(unittest.TestCase):
+    def test_bodies_say_what_they_were_made_of(self):
+        body = Body(*FRAME)
+        self.assertEqual(body.vertices.tolist(), [[float(x) for x in v] for v in FRAME[0]])
+        self.assertEqual(body.faces[0], [(8, 9, 10, 11), (15, 14, 13, 12)])
+        self.assertEqual(body.faces[2], [(0, 1, 9, 8)])
+        with self.assertRaises(ValueError):
+            body.vertices[0, 0] = 7
+        vertices = body.vertices
+        del body
+        self.assertEqual(vertices[1].tolist(), [3, 0, 0])  # the view keeps the body
+
+    def test_a_body_is_its_own_when_its_arrays_change(self):
+        vertices, faces = np.array(CUBE[0], float), np.array(CUBE[1])
+        body = Body(vertices, faces)
+        vertices[:] = np.nan
+        faces[:] = 0
+        self.assertEqual(body.inside([0.5, 0.5, 0.5]), 1)
+
+    def test_bodies_are_pickled(self):
+        for body in (Body(*CUBE), Body(*FRAME)):
+            for again in (pickle.loads(pickle.dumps(body)), copy.deepcopy(body)):
+                self.assertEqual((again.vertices.tolist(), again.faces), (body.vertices.tolist(), body.faces))
+
+    def test_the_examples_of_the_docstrings(self):
+        self.assertEqual(examples_failed(tetracone), 0)
+
+    def test_the_example_of_the_readme(self):
+        name = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "..", "README.md")
+        failed, attempted = doctest.testfile(name, module_relative=False, encoding="utf-8")
+        self.assertEqual(failed, 0)
+        self.assertGreater(attempted, 5)
+
+    def test_the_stubs_name_what_there_is(self):
+        with open(os.path.join(os.path.dirname(tetracone.__file__), "__init__.pyi")) as file:
+            stubs = file.read()
+        for name in tetracone.__all__:
+            self.assertRegex(stubs, rf"(?m)^(class |def )?{name}\b")
+        for owner in (Body, Query):
+            for name in vars(owner):
+                if not name.startswith("_"):
+                    self.assertIn(f"def {name}(self", stubs)
+
+
+class Threads(unittest.TestCase):
+    def test_queries_run_beside_each_other_and_share_bodies(self):
+        a, b = Body(*CUBE), Body(*TETRAHEDRON)
+        poses = random_poses(2000, 8)
+        expected = Query(a, b).collide(poses).tolist()
+        shared, answers = Query(a, b), {}
+
+        def ask(k):
+            query = shared if k % 2 else Query(a, b)
+            answers[k] = query.collide(poses).tolist()
+            query.statistics
+
+        threads = [threading.Thread(target=ask, args=(k,)) for k in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(answers, {k: expected for k in range(4)})
+
+    def test_others_run_while_a_query_answers(self):
+        query = Query(Body(*CUBE), Body(*CUBE), kernel="rational", method="brute")
+        poses = np.tile(IDENTITY, (4000, 1, 1))
+        counted, done = 0, threading.Event()
+
+        def ask():
+            query.collide(poses)
+            done.set()
+
+        thread = threading.Thread(target=ask)
+        thread.start()
+        while not done.is_set():
+            counted += 1
+            time.sleep(0.001)
+        thread.join()
+        self.assertGreater(counted, 2)
+
+    def test_ctrl_c_ends_a_batch(self):
+        query = Query(Body(*CUBE), Body(*CUBE), kernel="rational", method="brute")
+        poses = np.broadcast_to(IDENTITY, (10**8, 3, 4))  # hours
+        timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+        timer.start()
+        with self.assertRaises(KeyboardInterrupt):
+            query.collide(poses)
+        timer.join()
+
+
+if __name__ == "__main__":
+    unittest.main()
