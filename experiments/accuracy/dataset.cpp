@@ -9,7 +9,7 @@
 #include "tetracone/covering/io/write.h"
 #include "tetracone/covering/repair/repair.h"
 #include "tetracone/kernel/number/number.h"
-#include "verify/cases/families.h"
+#include "verify/families/families.h"
 #include "verify/truth/cgal_truth.h"
 #include "verify/truth/distance_to_degeneracy.h"
 #include "verify/truth/integer_truth.h"

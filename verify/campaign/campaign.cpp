@@ -4,8 +4,8 @@
 #include "verify/campaign/campaign_schema.h"
 #include "verify/campaign/campaign_words.h"
 #include "verify/campaign/findings.h"
-#include "verify/cases/sequences.h"
 #include "verify/cases/shape_library.h"
+#include "verify/families/sequences.h"
 #include "verify/relations/metamorphic_relations.h"
 #include "verify/truth/cgal_truth.h"
 #include "verify/truth/distance_to_degeneracy.h"
@@ -101,8 +101,7 @@ std::size_t subject_count(const Campaign& campaign, Asked_for what)
 std::uint64_t answer_count(const Campaign& campaign, const std::vector<Batch>& batches)
 {
   std::uint64_t count = 0;
-  for (const Batch& batch : batches)
-    count += (batch.last - batch.first) * (1 + subject_count(campaign, batch.what));
+  for (const Batch& batch : batches) count += (batch.last - batch.first) * (1 + subject_count(campaign, batch.what));
   return count;
 }
 

@@ -3,7 +3,7 @@
 
 #include "verify/campaign/database.h"
 #include "verify/cases/case.h"
-#include "verify/cases/families.h"
+#include "verify/families/families.h"
 #include "verify/subjects/object_subject.h"
 #include "verify/subjects/predicate_subject.h"
 

@@ -2,7 +2,7 @@
 
 #include "tetracone/kernel/number/number.h"
 #include "verify/campaign/campaign_schema.h"
-#include "verify/cases/families.h"
+#include "verify/families/families.h"
 
 #include <algorithm>
 #include <cassert>

@@ -2,8 +2,8 @@
 // reads.
 
 #include "verify/cases/exact_motion.h"
-#include "verify/cases/families.h"
-#include "verify/cases/object_families.h"
+#include "verify/families/families.h"
+#include "verify/families/object_families.h"
 #include "verify/test/support/scenes.h"
 #include "verify/truth/cgal_truth.h"
 #include "verify/truth/predicate_truth.h"

@@ -3,7 +3,7 @@
 #include "tetracone/tetratree/door/tetracone.h"
 #include "tetracone/tetratree/python/arrays.h"
 #include "verify/cases/case_file.h"
-#include "verify/cases/families.h"
+#include "verify/families/families.h"
 #include "verify/shrink/shrink.h"
 #include "verify/truth/integer_truth.h"
 

@@ -5,6 +5,7 @@
 #include "experiments/peers/peer.h"
 #include "verify/cases/random.h"
 #include "verify/cases/shape_generators.h"
+#include "verify/test/support/print_outcome.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -22,15 +23,6 @@
 #include <string>
 #include <thread>
 #include <vector>
-
-/// For Boost.Test's messages.
-namespace tetracone::verify {
-std::ostream& operator<<(std::ostream& out, Outcome outcome)
-{
-  constexpr std::array names = {"no", "yes", "not asked", "failed"};
-  return out << names[static_cast<std::size_t>(outcome)];
-}
-}  // namespace tetracone::verify
 
 BOOST_AUTO_TEST_SUITE(test_peers)
 

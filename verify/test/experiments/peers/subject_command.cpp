@@ -4,6 +4,7 @@
 
 #include "experiments/peers/check_subject.h"
 #include "verify/cases/shape_generators.h"
+#include "verify/test/support/print_outcome.h"
 #include "verify/test/support/temporary_file.h"
 
 #include <boost/test/unit_test.hpp>
@@ -22,6 +23,8 @@
 #include <string>
 #include <thread>
 
+BOOST_AUTO_TEST_SUITE(test_subject_command)
+
 using namespace tetracone;
 using kernel::Pose;
 using kernel::Question;
@@ -29,15 +32,6 @@ using verify::Object_case;
 using verify::Outcome;
 using verify::Temporary_file;
 using namespace std::chrono_literals;
-
-namespace tetracone::verify {
-/// For Boost.Test's messages.
-static std::ostream& operator<<(std::ostream& out, Outcome outcome)
-{
-  constexpr std::array names = {"no", "yes", "not asked", "failed"};
-  return out << names[static_cast<std::size_t>(outcome)];
-}
-}  // namespace tetracone::verify
 
 namespace {
 
@@ -109,8 +103,6 @@ std::string checked(const std::string& mode)
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_subject_command)
 
 BOOST_AUTO_TEST_CASE(its_answers_are_taken_as_they_are)
 {

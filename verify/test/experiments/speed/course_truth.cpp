@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_course_truth)
+
 using namespace tetracone;
 using namespace tetracone::experiments;
 using kernel::Pose;
@@ -35,8 +37,6 @@ const std::vector<char> surface = {0, 1, 1, 0, 0}, solid = {0, 1, 1, 1, 0};
 void write(const std::filesystem::path& file, const std::string& text) { std::ofstream(file) << text; }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_course_truth)
 
 BOOST_AUTO_TEST_CASE(every_pose_has_an_answer_to_either_question)
 {

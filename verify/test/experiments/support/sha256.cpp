@@ -4,9 +4,9 @@
 
 #include <string>
 
-using tetracone::experiments::sha256;
-
 BOOST_AUTO_TEST_SUITE(test_sha256)
+
+using tetracone::experiments::sha256;
 
 // The examples of FIPS 180-4, and lengths about the end of a block.
 BOOST_AUTO_TEST_CASE(digests_are_those_of_the_standard)

@@ -6,6 +6,8 @@
 
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_bound_box)
+
 using namespace tetracone::kernel;
 using namespace tetracone::verify::scenes;
 using Points = std::vector<Bound_point<double>>;
@@ -24,8 +26,6 @@ Points random_points(tetracone::verify::scenes::Random& random, const Bound_poin
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_SUITE(test_bound_box)
 
 BOOST_AUTO_TEST_CASE(a_box_is_apart_from_no_point_that_it_holds)
 {

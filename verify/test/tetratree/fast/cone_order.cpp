@@ -4,11 +4,11 @@
 
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(test_cone_order)
+
 using namespace tetracone::tetratree;
 using tetracone::covering::Index;
 using tetracone::kernel::Vector;
-
-BOOST_AUTO_TEST_SUITE(test_cone_order)
 
 BOOST_AUTO_TEST_CASE(octants_part_first_then_the_children_of_the_one_that_holds_all)
 {

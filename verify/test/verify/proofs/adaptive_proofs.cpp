@@ -4,9 +4,9 @@
 
 #include <boost/test/unit_test.hpp>
 
-using namespace tetracone::verify::proofs;
-
 BOOST_AUTO_TEST_SUITE(test_adaptive_proofs)
+
+using namespace tetracone::verify::proofs;
 
 BOOST_AUTO_TEST_CASE(every_constant_of_the_adaptive_kernel_is_proved)
 {

@@ -7,9 +7,9 @@
 #include <set>
 #include <string>
 
-using namespace tetracone::verify::proofs;
-
 BOOST_AUTO_TEST_SUITE(test_all_proofs)
+
+using namespace tetracone::verify::proofs;
 
 BOOST_AUTO_TEST_CASE(no_search_finds_more_than_is_proved_and_each_finds_something)
 {

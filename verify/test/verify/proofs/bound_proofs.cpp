@@ -4,9 +4,9 @@
 
 #include <boost/test/unit_test.hpp>
 
-using namespace tetracone::verify::proofs;
-
 BOOST_AUTO_TEST_SUITE(test_bound_proofs)
+
+using namespace tetracone::verify::proofs;
 
 BOOST_AUTO_TEST_CASE(every_constant_of_bounding_volumes_and_of_coordinates_in_cones_is_proved)
 {

@@ -4,9 +4,9 @@
 
 #include <boost/test/unit_test.hpp>
 
-using namespace tetracone::verify::proofs;
-
 BOOST_AUTO_TEST_SUITE(test_frame_proofs)
+
+using namespace tetracone::verify::proofs;
 
 BOOST_AUTO_TEST_CASE(every_constant_of_relative_frames_and_of_their_offsets_is_proved)
 {

@@ -4,9 +4,9 @@
 
 #include <boost/test/unit_test.hpp>
 
-using namespace tetracone::verify::proofs;
-
 BOOST_AUTO_TEST_SUITE(test_separation_proofs)
+
+using namespace tetracone::verify::proofs;
 
 BOOST_AUTO_TEST_CASE(every_slack_of_separating_directions_and_of_containment_is_proved)
 {

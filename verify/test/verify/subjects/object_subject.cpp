@@ -1,6 +1,6 @@
 #include "verify/subjects/object_subject.h"
 
-#include "verify/cases/families.h"
+#include "verify/families/families.h"
 #include "verify/truth/integer_features.h"
 #include "verify/truth/integer_truth.h"
 

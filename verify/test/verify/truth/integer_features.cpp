@@ -1,6 +1,6 @@
 #include "verify/truth/integer_features.h"
 
-#include "verify/cases/families.h"
+#include "verify/families/families.h"
 #include "verify/test/support/scenes.h"
 #include "verify/truth/cgal_truth.h"
 

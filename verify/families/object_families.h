@@ -1,0 +1,41 @@
+#ifndef TETRACONE_VERIFY_FAMILIES_OBJECT_FAMILIES_H
+#define TETRACONE_VERIFY_FAMILIES_OBJECT_FAMILIES_H
+
+#include "verify/cases/case.h"
+#include "verify/cases/random.h"
+
+#include <vector>
+
+/// The families' object level, each by the name that it has in `families()`, by theme: object_families_THEME.cpp.
+/// Random state and parameter in, all but `origin` out.
+namespace tetracone::verify::object_family {
+
+using Generator = Object_case(Random&, double);
+
+// numbers: what the coordinates are
+Generator random, rounded_on_plane, ulps_off_plane, perturbed_zero, ulp_walk, decimal_grid, float_widened;
+// planes: coplanar faces
+Generator coplanar_grid, coplanar_parallelogram, edge_in_face_plane, face_on_face, coplanar_sharing, stacked;
+// contact: vertices and edges
+Generator vertex_on_vertex, vertex_on_edge, vertex_on_face, edge_across_edge, edge_along_edge, near_parallel_edges;
+// containment: one in the other
+Generator nested_touching, nested, cavity_wall, covering_elements, covering_apex, winding_axis, voxels;
+// thin: long, flat and narrow faces
+Generator sliver, needle, tangent_fan;
+// shapes: faces and edges that are nearly or quite degenerate
+Generator nearly_collinear, degenerate_face, duplicates, non_planar_quads, t_junctions;
+// meshes: of 10^3 to 10^5 triangles
+Generator many_faces;
+// scales: exponents
+Generator far_from_origin, mixed_scales, cancelled_translation, exponent_gate, extreme_exponents, wild;
+// poses: the maps
+Generator special_poses, true_rotation, shear, nearly_singular, drifted_rotation;
+// motions: ends of sweeps, and the corpus
+Generator swept_contact, swept_primitives, corpus;
+
+/// Cases of `wild`, one after another on the same two bodies, for what a query keeps from pose to pose.
+std::vector<Object_case> wild_run(Random& random, double parameter, int count);
+
+}  // namespace tetracone::verify::object_family
+
+#endif

@@ -1,0 +1,232 @@
+#include "verify/families/object_families.h"
+
+#include "verify/families/object_placing.h"
+
+#include "tetracone/covering/check.h"
+#include "verify/families/families.h"
+#include "verify/truth/cgal_truth.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_object_families)
+
+using namespace tetracone;
+using namespace tetracone::verify;
+using namespace tetracone::verify::object_family;
+using covering::Polyhedron;
+using kernel::Question;
+
+namespace {
+
+bool same(const Polyhedron& a, const Polyhedron& b)
+{
+  if (a.vertices != b.vertices || a.face_count() != b.face_count()) return false;
+  for (covering::Index f = 0; f < a.face_count(); ++f) {
+    if (a.loop_count(f) != b.loop_count(f)) return false;
+    for (std::size_t l = 0; l < a.loop_count(f); ++l)
+      if (!std::ranges::equal(a.loop(f, l), b.loop(f, l))) return false;
+  }
+  return true;
+}
+
+bool same(const Object_case& c, const Object_case& d)
+{
+  return same(*c.a, *d.a) && same(*c.b, *d.b) && c.pose_a == d.pose_a && c.pose_b == d.pose_b &&
+         c.surface == d.surface && c.solid == d.solid;
+}
+
+bool is_legal(const Polyhedron& body)
+{
+  bool legal = covering::is_closed(body);
+  for (covering::Index f = 0; f < body.face_count(); ++f)
+    legal = legal && covering::planarity(body, f) != covering::Planarity::off_plane;
+  for (const auto& v : body.vertices)
+    for (const double x : v) legal = legal && std::isfinite(x);
+  return legal;
+}
+
+/// The exact images have nearest doubles.
+bool is_finite(const Polyhedron& body, const kernel::Pose& pose)
+{
+  for (const auto& v : body.vertices)
+    for (const Rational& x : image(pose, exact(v)))
+      if (!std::isfinite(kernel::nearest_double(x))) return false;
+  return true;
+}
+
+/// Every case of these is tried but those of large bodies, which campaigns have.
+bool is_small(const Object_case& c) { return c.a->face_count() + c.b->face_count() < 8000; }
+
+struct Answers {
+  bool surface, solid;
+};
+
+Answers truth(const Object_case& c)
+{
+  const Brute_body a(*c.a), b(*c.b);
+  const Placed_body placed_a(a, c.pose_a), placed_b(b, c.pose_b);
+  const bool surface = collide(placed_a, placed_b, Question::surface);
+  return {surface, surface || collide(placed_a, placed_b, Question::solid)};
+}
+
+/// One solid strictly inside the other, or inside its cavity: the surfaces never meet, by what the family is.
+const std::set<std::string_view> surfaces_never_meet = {"nested"};
+
+/// One solid may be inside the other.
+const std::set<std::string_view> of_containment = {"nested-touching", "nested", "covering-elements", "covering-apex",
+                                                   "winding-axis",    "voxels", "many-faces"};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(every_body_of_the_pool_is_legal_outward_and_has_places_to_touch)
+{
+  BOOST_TEST_MESSAGE("real meshes: " << (real_meshes_available() ? "yes" : "no, generated ones in their place"));
+  for (const auto* pool : {&blocks(), &pebbles(), &meshes()})
+    for (const Shape& shape : *pool) {
+      const covering::Check check = covering::check(*shape.body);
+      BOOST_TEST(check.closed);
+      BOOST_TEST(check.off_plane.empty());
+      BOOST_TEST(check.degenerate_faces.empty());
+      BOOST_TEST((*check.volume > 0));
+      BOOST_TEST(!shape.hull.empty());
+      BOOST_TEST((pool == &meshes() || !shape.hull_edges.empty()));
+    }
+  for (const Shape& shape : blocks())
+    for (const auto& v : shape.body->vertices)
+      for (const double x : v) BOOST_TEST(std::floor(64 * x) == 64 * x);
+  // A solid face's triangles have its area: none is lost, none is in a hole.
+  const Shape& tunnelled = blocks()[tunnel_block];
+  Exact_vector total = {0, 0, 0};
+  for (const Face_triangle& t : tunnelled.triangles)
+    if (t.face == 0) {
+      const auto [a, b, c] = t.corners;
+      total = sum(total, cross(difference(tunnelled.vertex(b), tunnelled.vertex(a)),
+                               difference(tunnelled.vertex(c), tunnelled.vertex(a))));
+    }
+  BOOST_TEST((total == tunnelled.normals[0]));
+}
+
+BOOST_AUTO_TEST_CASE(signed_permutations_are_all_different_and_the_first_half_rotate)
+{
+  std::set<std::array<double, 12>> seen;
+  for (int k = 0; k < 48; ++k) {
+    seen.insert(signed_permutation(k).entries());
+    BOOST_TEST(signed_permutation(k).determinant_sign() == (k < 24 ? CGAL::POSITIVE : CGAL::NEGATIVE));
+  }
+  BOOST_TEST(seen.size() == 48);
+  BOOST_TEST(signed_permutation(0).is_identity());
+}
+
+BOOST_AUTO_TEST_CASE(shears_of_integers_have_their_inverses)
+{
+  Random random(3);
+  for (int k = 0; k < 20; ++k) {
+    const auto [there, back] = shear_and_inverse(random, 9);
+    BOOST_TEST(composed(there, back).is_identity());
+    BOOST_TEST(!there.is_identity());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(cases_are_the_same_again_in_any_order)
+{
+  for (const Family& family : families()) {
+    const Object_case late = family.object_case(5, 11), early = family.object_case(5, 2);
+    BOOST_TEST(same(early, family.object_case(5, 2)), family.name);
+    BOOST_TEST(same(late, family.object_case(5, 11)), family.name);
+    BOOST_TEST(!same(late, early), family.name);
+    BOOST_TEST(!same(late, family.object_case(6, 11)), family.name);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(every_case_is_legal)
+{
+  for (const Family& family : families())
+    for (std::uint64_t index = 0; index < 2 * family.sweep.size() + 20; ++index) {
+      const Object_case c = family.object_case(1, index);
+      if (!is_small(c)) continue;
+      BOOST_TEST_CONTEXT(family.name << ' ' << index)
+      {
+        BOOST_TEST(is_legal(*c.a));
+        BOOST_TEST(is_legal(*c.b));
+        BOOST_TEST(c.pose_a.determinant_sign() != CGAL::ZERO);
+        BOOST_TEST(c.pose_b.determinant_sign() != CGAL::ZERO);
+        BOOST_TEST(is_finite(*c.a, c.pose_a));
+        BOOST_TEST(is_finite(*c.b, c.pose_b));
+      }
+    }
+}
+
+// 20 of each answer in at most 200 cases; what the families know is right in all of them.
+BOOST_AUTO_TEST_CASE(both_answers_are_frequent_and_known_answers_true)
+{
+  for (const Family& family : families()) {
+    const bool by_solid = surfaces_never_meet.contains(family.name);
+    int yes = 0, no = 0, contained = 0;
+    for (std::uint64_t index = 0; index < 200 && (yes < 20 || no < 20); ++index) {
+      const Object_case c = family.object_case(2, index);
+      if (!is_small(c)) continue;
+      const Answers answer = truth(c);
+      BOOST_TEST_CONTEXT(family.name << ' ' << index)
+      {
+        if (c.surface) BOOST_TEST(*c.surface == answer.surface);
+        if (c.solid) BOOST_TEST(*c.solid == answer.solid);
+        if (by_solid) BOOST_TEST(!answer.surface);
+      }
+      ++((by_solid ? answer.solid : answer.surface) ? yes : no);
+      contained += answer.solid && !answer.surface;
+    }
+    BOOST_TEST_CONTEXT(family.name)
+    {
+      BOOST_TEST(yes >= 20);
+      BOOST_TEST(no >= 20);
+      BOOST_TEST((contained > 0 || !of_containment.contains(family.name)));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(contacts_touch_exactly_and_a_hair_apart_they_do_not)
+{
+  Random random(4);
+  for (const Shape& a : blocks()) {
+    const Shape& b = any_shape(random);
+    std::vector<Touching> contacts = {vertex_on_face(random, a, b.body, any_turn(random), 4),
+                                      vertex_on_vertex(random, a.body, b.body, any_turn(random)),
+                                      vertex_on_edge(random, a, b.body, any_turn(random), 4),
+                                      edge_across_edge(random, a, any_block(random), any_turn(random), 4)};
+    for (const Touching& contact : contacts) {
+      const Brute_body body_a(*contact.a), body_b(*contact.b);
+      const auto meet = [&](const Rational& gap) {
+        return collide(body_a, Pose(), body_b, moved(contact.relative, times(gap, contact.apart)), Question::solid);
+      };
+      BOOST_TEST(meet(0));
+      if (contact.separated) BOOST_TEST(!meet(power_of_two(-200)));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(most_crossing_edges_are_separated_by_a_plane)
+{
+  Random random(5);
+  int separated = 0;
+  for (int k = 0; k < 40; ++k)
+    separated += edge_across_edge(random, any_convex(random), any_convex(random), any_turn(random), 4).separated;
+  BOOST_TEST(separated >= 20);
+}
+
+BOOST_AUTO_TEST_CASE(lowest_vertices_are_exact_where_doubles_see_no_difference)
+{
+  const double tiny = 0x1p-60;
+  const std::vector<kernel::Vertex> vertices = {{1, 1, 0}, {1, 1, -tiny}, {2, 0, -tiny}, {0, 2, 0}};
+  const Exact_vector direction = {1, 1, 1};
+  BOOST_TEST(lowest(vertices, direction) == (std::vector<covering::Index>{1, 2}));
+  BOOST_TEST(lowest(vertices, {0, 0, 0}).size() == 4);
+  const std::vector<kernel::Vertex> huge = {{1e308, 1e308, 1e308}, {1e308, 1e308, 0}};
+  BOOST_TEST(lowest(huge, direction) == (std::vector<covering::Index>{1}));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
