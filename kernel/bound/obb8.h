@@ -28,7 +28,7 @@ struct alignas(32) Obb8 {
   int lane_count;        ///< so many lanes hold a box, the first ones
   std::uint32_t marked;  ///< lanes, as bits, that mean something to whoever keeps the boxes
 };
-inline constexpr double axis_defect = 0x1p-22;
+inline constexpr double axis_defect = 0x1p-21;
 
 /// A point's coordinates s along axes of that defect d are a_i . y but for 3 d (1 + 4 d) max_k |a_k . y|; the fourth takes
 /// what is rounded in double. And |a_i|_1 is below 2: what an error of each coordinate moves a point along an axis.

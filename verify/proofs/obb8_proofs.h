@@ -242,11 +242,12 @@ inline Proved_bounds obb8_proofs()
   bounds.push_back({"box_rounding, rays of containment", file, Rational(kernel::box_rounding),
                     largest(Edges::given, Rational(2 * roundoff * computed)), u, "gappa"});
 
-  // Axes with their defect, turned by directions of a similarity, orthonormal but for 2^-24. Centres are no farther apart
-  // than reach and extents together.
+  // Axes with their defect, turned by directions of a similarity, orthonormal but for 2^-24. Of centres, what follows
+  // their difference is rounded together: boxes that meet are no farther apart than extents reach, and neither is the
+  // single centre from the node's origin than reach and extents together, else they are apart.
   const auto carried = [&](Kind kind) {
     const auto share = detail::shares_of(Edges::carried, kind, defect, Rational(defect + 3 * roundoff * computed));
-    return Rational((share[0] + std::max({share[1], share[2], share[3]})) * computed);
+    return Rational((share[0] + std::max(share[2], share[3])) * computed);
   };
   bounds.push_back({"carried_box_rounding", file, Rational(kernel::carried_box_rounding),
                     std::max({carried(Kind::own), carried(Kind::other), carried(Kind::across)}), u, "gappa"});

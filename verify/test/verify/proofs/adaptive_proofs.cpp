@@ -11,7 +11,7 @@ using namespace tetracone::verify::proofs;
 BOOST_AUTO_TEST_CASE(every_constant_of_the_adaptive_kernel_is_proved)
 {
   if (skipped_without_gappa()) return;
-  check_proved(adaptive_proofs(), 1.1);
+  check_proved(adaptive_proofs(), 2.1);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
