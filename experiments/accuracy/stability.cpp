@@ -28,7 +28,7 @@ using verify::object_family::composed;
 using verify::object_family::rational_rotation;
 
 /// Whether the bodies collide with the second at this place of its way.
-using Collides = std::function<bool(double)>;
+using Collides_at = std::function<bool(double)>;
 
 /// Places on the way: collision at `in`, none at `out_of`; both positive, neighbouring doubles when found.
 struct Threshold {
@@ -37,7 +37,7 @@ struct Threshold {
 
 /// The last place without contact before `bracket.in`, by bisection over doubles; both ends may answer alike: then the
 /// nearer end.
-Threshold bisected(Threshold bracket, const Collides& collides)
+Threshold bisected(Threshold bracket, const Collides_at& collides)
 {
   auto in = std::bit_cast<std::int64_t>(bracket.in), out_of = std::bit_cast<std::int64_t>(bracket.out_of);
   while (out_of - in > 1) {
@@ -48,7 +48,7 @@ Threshold bisected(Threshold bracket, const Collides& collides)
 }
 
 /// The first contact of the way from `far` inwards, within a sixty-fourth of it.
-std::optional<Threshold> first_contact(double far, const Collides& collides)
+std::optional<Threshold> first_contact(double far, const Collides_at& collides)
 {
   for (int k = 64; k > 1; --k)
     if (collides(far * (k - 1) / 64)) return Threshold{far * (k - 1) / 64, far * k / 64};

@@ -85,11 +85,10 @@ if [[ $processor != aarch64 ]] && command -v qemu-aarch64-static > /dev/null &&
 fi
 if ((all)); then
   for compiler in g++ clang++-14 clang++-16 clang++-19; do
-    for standard in c++20 c++23; do
+    for standard in c++20 c++2b; do
       [[ "$compiler $standard" == "g++ c++20" ]] && continue
-      [[ "$compiler $standard" == "clang++-14 c++23" ]] && standard=c++2b  # its name for it
       compile other "$compiler" "-std=$standard" -ffp-contract=off || continue
-      ask other "" "$processor" "${compiler%%-*} $("$compiler" -dumpversion)" "$standard" off best
+      ask other "" "$processor" "${compiler%%-*} $("$compiler" -dumpversion)" "${standard/2b/23}" off best
     done
   done
   if [[ $processor == x86_64 ]] && grep -qw fma /proc/cpuinfo && compile contracted g++ -std=c++20 -march=haswell -ffp-contract=fast; then
