@@ -73,6 +73,13 @@ class Gappa_script {
     return goals_.size() - 1;
   }
 
+  /// Asks for enclosures of all that is defined: every intermediate result.
+  void ask_for_everything()
+  {
+    for (std::size_t k = 0; k < lines_.size(); ++k)
+      if (!lines_[k].is_variable) goals_.push_back("x" + std::to_string(k));
+  }
+
   /// The script, of what the goals are made of alone.
   std::string text() const
   {

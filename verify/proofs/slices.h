@@ -82,6 +82,21 @@ Rational error_within(const Expression& expression, const std::vector<Range>& ra
   return script.prove()[0].magnitude();
 }
 
+/// The largest magnitude of any intermediate result of an expression for inputs in these ranges, as Gappa proves it:
+/// whether it overflows, which Gappa's numbers do not.
+template <class Arithmetic, class Expression>
+Rational largest_result(const Expression& expression, const std::vector<Range>& ranges)
+{
+  Gappa_script script;
+  std::vector<Recorded<Arithmetic>> in;
+  for (const auto& [low, high] : ranges) in.emplace_back(script, script.variable(low, high));
+  expression(in);
+  script.ask_for_everything();
+  Rational largest = 0;
+  for (const Enclosure& enclosure : script.prove()) largest = std::max(largest, enclosure.magnitude());
+  return largest;
+}
+
 inline Rational largest(const std::vector<Rational>& errors) { return *std::max_element(errors.begin(), errors.end()); }
 inline Rational sum(const std::vector<Rational>& errors)
 {
