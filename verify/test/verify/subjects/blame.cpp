@@ -86,6 +86,7 @@ BOOST_AUTO_TEST_SUITE(test_blame)
 
 using namespace tetracone::verify;
 using namespace tetracone::verify::scenes;
+using Random = tetracone::verify::scenes::Random;
 namespace kernel = tetracone::kernel;
 using tetracone::verify::Question;
 

@@ -19,6 +19,7 @@ BOOST_AUTO_TEST_SUITE(test_cgal_truth)
 using namespace tetracone::verify;
 using tetracone::kernel::Contact;
 using namespace tetracone::verify::scenes;
+using Random = tetracone::verify::scenes::Random;
 
 namespace {
 

@@ -21,6 +21,7 @@ BOOST_AUTO_TEST_SUITE(test_distance_to_degeneracy)
 
 using namespace tetracone::verify;
 using namespace tetracone::verify::scenes;
+using Random = tetracone::verify::scenes::Random;
 namespace exact = tetracone::verify::rationals;
 
 namespace {

@@ -15,6 +15,7 @@ BOOST_AUTO_TEST_SUITE(test_integer_features)
 
 using namespace tetracone::verify;
 using namespace tetracone::verify::scenes;
+using Random = tetracone::verify::scenes::Random;
 using tetracone::kernel::Contact;
 
 namespace {

@@ -24,6 +24,7 @@ BOOST_AUTO_TEST_SUITE(test_integer_truth)
 
 using namespace tetracone::verify;
 using namespace tetracone::verify::scenes;
+using Random = tetracone::verify::scenes::Random;
 using tetracone::kernel::Question;
 
 namespace {

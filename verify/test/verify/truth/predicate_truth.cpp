@@ -27,6 +27,7 @@ BOOST_AUTO_TEST_SUITE(test_predicate_truth)
 
 using namespace tetracone::verify;
 using namespace tetracone::verify::scenes;
+using Random = tetracone::verify::scenes::Random;
 
 namespace {
 

@@ -17,6 +17,7 @@ BOOST_AUTO_TEST_SUITE(test_rounded_pair)
 
 using namespace tetracone::verify;
 using namespace tetracone::verify::scenes;
+using Random = tetracone::verify::scenes::Random;
 
 namespace {
 
