@@ -33,6 +33,10 @@ out=$(cd "$out" && pwd)
 mkdir "$work/include/tetracone"
 ln -s "$root"/{kernel,covering,tetratree} "$work/include/tetracone/"
 printf '#include "tetracone/tetratree/door/tetracone.h"\n' > "$work/include/tetracone/tetracone.h"
+# The library as one unit.
+for source in "$root"/tetratree/door/*.cpp "$root/covering/io/read.cpp"; do
+  [[ $source == */repair.cpp ]] || printf '#include "%s"\n' "$source"
+done > "$work/library.cpp"
 
 table=$work/machines.csv
 echo "architecture,compiler,standard,instructions,contraction,answers,wrong,sha256,seconds" > "$table"
@@ -69,7 +73,7 @@ compile()
   shift 2
   command -v "$compiler" > /dev/null || { echo "$compiler: not installed, left out" >&2; return 1; }
   "$compiler" -O2 -w -Wno-psabi -frounding-math -DCGAL_USE_GMPXX=1 "$@" -I "$work/include" -I "$root" -isystem /usr/include/eigen3 \
-    "$root/experiments/machines/answers.cpp" "$root/experiments/machines/library.cpp" -lhwy -lgmp -lmpfr -o "$work/$name" ||
+    "$root/experiments/machines/answers.cpp" "$work/library.cpp" -lhwy -lgmp -lmpfr -o "$work/$name" ||
     fail "$compiler $*: did not compile"
 }
 

@@ -10,7 +10,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 mkdir "$scratch/tetracone"
 for folder in kernel covering tetratree; do ln -s "$root/$folder" "$scratch/tetracone/$folder"; done
-find kernel covering tetratree -name '*.h' | LC_ALL=C sort | sed 's|.*|#include "tetracone/&"|' > "$scratch/headers.cpp"
+find kernel covering tetratree -name '*.h' -not -path 'tetratree/python/*' | LC_ALL=C sort | sed 's|.*|#include "tetracone/&"|' > "$scratch/headers.cpp"
 
 # tidy FILE: silent where nothing is found.
 tidy()

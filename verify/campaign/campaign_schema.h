@@ -50,9 +50,9 @@ CREATE TABLE IF NOT EXISTS relation (run INTEGER, level TEXT, family TEXT, relat
   PRIMARY KEY (run, level, family, relation, subject, question)) WITHOUT ROWID;
 CREATE TABLE IF NOT EXISTS flips (run INTEGER, sequence TEXT, subject TEXT, question TEXT, frames INTEGER, wrong INTEGER,
   changes INTEGER, true_changes INTEGER, PRIMARY KEY (run, sequence, subject, question)) WITHOUT ROWID;
-CREATE TABLE IF NOT EXISTS words (version TEXT, seed INTEGER, predicate_cases INTEGER, object_cases INTEGER, frames INTEGER, families TEXT,
+CREATE TABLE IF NOT EXISTS words (version TEXT, seed INTEGER, predicate_cases INTEGER, object_cases INTEGER, feature_cases INTEGER, frames INTEGER, families TEXT,
   subjects TEXT, real_meshes INTEGER, shards INTEGER, shard INTEGER, answers INTEGER,
-  UNIQUE (version, seed, predicate_cases, object_cases, frames, families, subjects, real_meshes, shards, shard));
+  UNIQUE (version, seed, predicate_cases, object_cases, feature_cases, frames, families, subjects, real_meshes, shards, shard));
 CREATE TABLE IF NOT EXISTS command (subject TEXT PRIMARY KEY, command TEXT) WITHOUT ROWID;
 CREATE TABLE IF NOT EXISTS time (run INTEGER, level TEXT, family TEXT, subject TEXT, question TEXT, n INTEGER, nanoseconds INTEGER,
   PRIMARY KEY (run, level, family, subject, question)) WITHOUT ROWID;

@@ -305,7 +305,7 @@ BOOST_AUTO_TEST_CASE(threads_ask_at_once_and_outlive_the_one_that_started_the_wo
 
 BOOST_AUTO_TEST_CASE(big_models_and_changing_ones_go_through)
 {
-  const auto sphere = verify::torus_knot(20000), cube = verify::unit_cube();
+  const auto sphere = verify::torus_knot(3900), cube = verify::unit_cube();
   const auto answering = peer_subject(program, "CGAL RMCD EPICK").make();
   for (int k = 0; k < 3; ++k) {
     BOOST_TEST((*answering)(two(sphere, cube, Pose::translation(5, 0, 0)), Question::solid) == Outcome::no);

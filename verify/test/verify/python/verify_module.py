@@ -24,7 +24,7 @@ class Harness(unittest.TestCase):
         self.assertEqual(examples_failed(verify), 0)
 
     def test_families_and_cases(self):
-        self.assertEqual(len(verify.families), 48)
+        self.assertGreaterEqual(len(verify.families), 48)
         for family in ("stacked", "true-rotation"):
             for question in ("solid", "surface"):
                 some = list(verify.cases(family, 4, seed=3, question=question))
