@@ -1,0 +1,384 @@
+#include "verify/campaign/batch_judge.h"
+
+#include "verify/campaign/campaign_schema.h"
+#include "verify/relations/metamorphic_relations.h"
+#include "verify/truth/cgal_truth.h"
+#include "verify/truth/distance_to_degeneracy.h"
+#include "verify/truth/integer_features.h"
+#include "verify/truth/integer_truth.h"
+#include "verify/truth/predicate_truth.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <iterator>
+#include <utility>
+
+namespace tetracone::verify {
+namespace {
+
+using kernel::Question;
+
+constexpr std::uint64_t relation_stride = 4;  // each such case is tried with one relation, all of them in turn
+constexpr std::array questions = {Question::surface, Question::solid};
+
+std::string name_of(Question question) { return std::string(kernel::to_string(question)); }
+
+/// Number of the relation that case k is tried with, modulo their count: each family begins with another one.
+std::size_t relation_turn(const Batch& batch, std::uint64_t k)
+{
+  return k / relation_stride + std::size_t(batch.family->number);
+}
+
+/// Subjects that have not been asked all cases of a batch before; the truth is one of them.
+class Wanted {
+ public:
+  template <class Subject>
+  Wanted(const Batch& batch, const std::vector<Subject>& subjects, const Done& done) : last_(batch.last)
+  {
+    for (const Subject& subject : subjects) names_.push_back(subject.name);
+    names_.push_back(truth_name);
+    for (const std::string& name : names_) next_.push_back(done.next(batch, name));
+  }
+
+  bool subject(std::size_t s, std::uint64_t k) const { return next_[s] <= k; }
+  bool truth(std::uint64_t k) const { return next_.back() <= k; }
+  bool anyone(std::uint64_t k) const
+  {
+    return std::ranges::any_of(next_, [k](std::uint64_t next) { return next <= k; });
+  }
+
+  /// Records for each the cases asked now. Call when the batch is done.
+  void add_done(Findings& found) const
+  {
+    for (std::size_t s = 0; s < names_.size(); ++s)
+      if (next_[s] < last_) found.add_done(names_[s], last_ - next_[s]);
+  }
+
+ private:
+  std::vector<std::string> names_;   // the truth's is the last
+  std::vector<std::uint64_t> next_;  // the first case that each has not been asked
+  std::uint64_t last_;
+};
+
+/// Calls what() and returns its result and the nanoseconds that it took.
+template <class What>
+auto timed(const What& what)
+{
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  auto result = what();
+  return std::pair(std::move(result),
+                   std::uint64_t(std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - start).count()));
+}
+
+Random random_of(const Origin& origin, std::size_t relation)
+{
+  return Random(origin.seed * 1'000'003 + origin.index * 101 + relation);
+}
+
+// --- predicates -----------------------------------------------------------------------------------------------------
+
+std::optional<int> truth_of(const Predicate_case& c, Predicate predicate)
+{
+  const auto first = true_answer(predicate, c), second = integer_truth::answer(predicate, c);
+  if (first != second) throw Truths_disagree("the two truths of a predicate disagree", c, predicate);
+  return first;
+}
+
+/// A batch of predicate cases at work.
+class Predicate_batch {
+ public:
+  Predicate_batch(const Campaign& campaign, const Batch& batch, const Done& done)
+      : seed_(campaign.seed),
+        subjects_(campaign.predicate_subjects),
+        batch_(batch),
+        wanted_(batch, subjects_, done),
+        found_(level_name(batch.what), batch.family_name())
+  {}
+
+  Findings judge()
+  {
+    for (std::uint64_t k = batch_.first; k < batch_.last; ++k) {
+      if (!wanted_.anyone(k)) continue;
+      const Predicate_case c = batch_.family->predicate_case(seed_, k);
+      for (const Predicate predicate : all_predicates) judge_answers(c, k, predicate);
+      if (k % relation_stride == 0) try_relation(c, k);
+    }
+    wanted_.add_done(found_);
+    return std::move(found_);
+  }
+
+ private:
+  void judge_answers(const Predicate_case& c, std::uint64_t k, Predicate predicate)
+  {
+    const std::string question = verify::to_string(predicate);
+    const auto truth = truth_of(c, predicate);
+    if (!truth) return;
+    if (wanted_.truth(k)) found_.add_truth(question, *truth > 0, false);
+    const Distance away = distance(predicate, c);
+    for (std::size_t s = 0; s < subjects_.size(); ++s) {
+      if (!wanted_.subject(s, k)) continue;
+      const auto [value, ns] = timed([&] { return subjects_[s].answer(predicate, c); });
+      if (!value) continue;  // another predicate's formulation
+      const Findings::Answer answer{value, false};
+      found_.add_answer(subjects_[s].name, question, away, *truth, answer, ns);
+      if (*value != *truth && k < kept_one_by_one)
+        found_.add_wrong(c.origin, subjects_[s].name, question, away, *truth, answer, {});
+    }
+  }
+
+  void try_relation(const Predicate_case& c, std::uint64_t k)
+  {
+    static const std::vector<Relation> relations = predicate_relations();
+    const std::size_t number = relation_turn(batch_, k) % relations.size();
+    const Relation& relation = relations[number];
+    for (std::size_t s = 0; s < subjects_.size(); ++s) {
+      if (!wanted_.subject(s, k)) continue;
+      for (const Predicate predicate : all_predicates) {
+        Random random = random_of(c.origin, number);
+        const Verdict verdict = check(relation, c, predicate, subjects_[s], random);
+        if (verdict == Verdict::not_applicable) continue;  // most relations are about one predicate
+        found_.add_relation(std::string(relation.name), subjects_[s].name, verify::to_string(predicate), true,
+                            verdict == Verdict::violated);
+      }
+    }
+  }
+
+  std::uint64_t seed_;
+  const std::vector<Predicate_subject>& subjects_;
+  const Batch& batch_;
+  Wanted wanted_;
+  Findings found_;
+};
+
+// --- objects --------------------------------------------------------------------------------------------------------
+
+bool truth_of(const Object_case& c, const Placed_body& a, const Placed_body& b, Question question)
+{
+  const bool first = verify::collide(a, b, question), second = integer_truth::collide(c, question);
+  if (first != second) throw Truths_disagree("the two truths disagree", c, question);
+  if (c.known(question) && *c.known(question) != first)
+    throw Truths_disagree("the truths disagree with what the family knows by construction", c, question);
+  return first;
+}
+
+Findings::Answer as_answer(Outcome outcome)
+{
+  if (outcome == Outcome::not_asked) return {{}, true};
+  if (outcome == Outcome::failed) return {};
+  return {outcome == Outcome::yes ? 1 : 0, false};
+}
+
+int changes(const std::vector<int>& answers)
+{
+  int count = 0;
+  for (std::size_t k = 1; k < answers.size(); ++k) count += answers[k] != answers[k - 1];
+  return count;
+}
+
+int differences(const std::vector<int>& answers, const std::vector<int>& truths)
+{
+  int count = 0;
+  for (std::size_t k = 0; k < answers.size(); ++k) count += answers[k] != truths[k];
+  return count;
+}
+
+/// A batch of object cases, or a sequence, at work.
+class Object_batch {
+ public:
+  Object_batch(const Campaign& campaign, const Batch& batch, const Done& done, Running_subjects& running)
+      : seed_(campaign.seed),
+        subjects_(campaign.object_subjects),
+        running_(running),
+        batch_(batch),
+        wanted_(batch, subjects_, done),
+        found_(level_name(batch.what), batch.family_name())
+  {}
+
+  Findings judge()
+  {
+    for (std::uint64_t k = batch_.first; k < batch_.last; ++k)
+      if (wanted_.anyone(k))
+        judge(batch_.sequence ? batch_.sequence->frames[k] : batch_.family->object_case(seed_, k), k);
+    if (batch_.sequence) count_flips();
+    wanted_.add_done(found_);
+    return std::move(found_);
+  }
+
+ private:
+  /// The truth of both questions of a case.
+  using Truth = std::map<Question, bool>;
+
+  void judge(const Object_case& c, std::uint64_t k)
+  {
+    const Truth truth = find_truth(c, k);
+    const Distance away = distance(c);
+    for (std::size_t s = 0; s < subjects_.size(); ++s) {
+      if (!wanted_.subject(s, k)) continue;
+      for (const Question question : questions) judge_answer(c, k, s, question, truth.at(question), away);
+      if (!batch_.sequence && k % relation_stride == 0) try_relation(c, k, s);
+    }
+  }
+
+  Truth find_truth(const Object_case& c, std::uint64_t k)
+  {
+    const Brute_body body_a(*c.a), body_b(*c.b);
+    const Placed_body a(body_a, c.pose_a), b(body_b, c.pose_b);
+    Truth truth;
+    for (const Question question : questions) {
+      truth[question] = truth_of(c, a, b, question);
+      if (wanted_.truth(k)) found_.add_truth(name_of(question), truth[question], c.known(question).has_value());
+      truths_[question].push_back(truth[question]);
+    }
+    return truth;
+  }
+
+  void judge_answer(const Object_case& c, std::uint64_t k, std::size_t s, Question question, bool truth,
+                    const Distance& away)
+  {
+    const Object_subject& subject = subjects_[s];
+    const auto [outcome, ns] = timed([&] { return (*running_[s])(c, question); });
+    const Findings::Answer answer = as_answer(outcome);
+    found_.add_answer(subject.name, name_of(question), away, truth, answer, ns);
+    answers_[{s, question}].push_back(answer.value.value_or(-1));
+    if (answer.not_asked || answer.value == int(truth)) return;
+    const auto stage = subject.own && answer.value ? blame(*subject.own, c, question, truth) : std::nullopt;
+    if (stage) found_.add_blame(subject.name, name_of(question), *stage);
+    if (k < kept_one_by_one) found_.add_wrong(c.origin, subject.name, name_of(question), away, truth, answer, stage);
+  }
+
+  void try_relation(const Object_case& c, std::uint64_t k, std::size_t s)
+  {
+    static const std::vector<Relation> relations = object_relations();
+    const std::size_t number = relation_turn(batch_, k) % relations.size();
+    const Question question = questions[k / relation_stride % 2];
+    Random random = random_of(c.origin, number);
+    const Verdict verdict = check(relations[number], c, question, *running_[s], random);
+    found_.add_relation(std::string(relations[number].name), subjects_[s].name, name_of(question),
+                        verdict != Verdict::not_applicable, verdict == Verdict::violated);
+  }
+
+  /// Counts how often answers change along the sequence, and how often the truth does.
+  void count_flips()
+  {
+    for (const auto& [asked, given] : answers_) {
+      const auto& [s, question] = asked;
+      const std::vector<int>& right = truths_[question];
+      if (given.size() != right.size()) continue;  // asked before: counted before
+      found_.add_flips(subjects_[s].name, name_of(question), int(given.size()), differences(given, right),
+                       changes(given), changes(right));
+    }
+  }
+
+  std::uint64_t seed_;
+  const std::vector<Object_subject>& subjects_;
+  Running_subjects& running_;
+  const Batch& batch_;
+  Wanted wanted_;
+  Findings found_;
+  std::map<std::pair<std::size_t, Question>, std::vector<int>> answers_;  // case after case, by subject and question
+  std::map<Question, std::vector<int>> truths_;
+};
+
+// --- features --------------------------------------------------------------------------------------------------------
+
+using Pairs = std::vector<kernel::Feature_pair>;
+
+Pairs true_features(const Object_case& c)
+{
+  Pairs first = features(Brute_body(*c.a), c.pose_a, Brute_body(*c.b), c.pose_b);
+  if (first != integer_truth::features(c))
+    throw Truths_disagree("the two truths of features disagree", c, Question::surface);
+  return first;
+}
+
+/// A list as an answer: the number of pairs of the truth that it has, and where it has all of them, of its own.
+int as_number(const Pairs& listed, const Pairs& truth)
+{
+  Pairs right;
+  std::ranges::set_intersection(listed, truth, std::back_inserter(right));
+  return int(right.size() < truth.size() ? right.size() : listed.size());
+}
+
+/// A batch of cases whose features are asked for, at work.
+class Feature_batch {
+ public:
+  Feature_batch(const Campaign& campaign, const Batch& batch, const Done& done, Running_subjects& running)
+      : seed_(campaign.seed),
+        subjects_(campaign.feature_subjects),
+        running_(running),
+        batch_(batch),
+        wanted_(batch, subjects_, done),
+        found_(level_name(batch.what), batch.family_name())
+  {}
+
+  Findings judge()
+  {
+    for (std::uint64_t k = batch_.first; k < batch_.last; ++k)
+      if (wanted_.anyone(k)) judge(batch_.family->object_case(seed_, k), k);
+    wanted_.add_done(found_);
+    return std::move(found_);
+  }
+
+ private:
+  void judge(const Object_case& c, std::uint64_t k)
+  {
+    const Pairs truth = true_features(c);
+    if (wanted_.truth(k)) found_.add_truth(question, !truth.empty(), false);
+    const Distance away = distance(c);
+    for (std::size_t s = 0; s < subjects_.size(); ++s) {
+      if (!wanted_.subject(s, k)) continue;
+      const auto [listed, ns] = timed([&] { return running_[s]->features(c); });
+      Findings::Answer answer{{}, listed.outcome == Outcome::not_asked};
+      if (listed.outcome == Outcome::yes) answer.value = as_number(listed.pairs, truth);
+      found_.add_answer(subjects_[s].name, question, away, int(truth.size()), answer, ns);
+      if (!answer.not_asked && answer.value != int(truth.size()) && k < kept_one_by_one)
+        found_.add_wrong(c.origin, subjects_[s].name, question, away, int(truth.size()), answer, {});
+      if (k % relation_stride == 0) try_swap(c, s);
+    }
+  }
+
+  void try_swap(const Object_case& c, std::size_t s)
+  {
+    const Verdict verdict = check_swapped_features(c, *running_[s]);
+    found_.add_relation("R5 swap", subjects_[s].name, question, verdict != Verdict::not_applicable,
+                        verdict == Verdict::violated);
+  }
+
+  static constexpr const char* question = "features";
+  std::uint64_t seed_;
+  const std::vector<Object_subject>& subjects_;
+  Running_subjects& running_;
+  const Batch& batch_;
+  Wanted wanted_;
+  Findings found_;
+};
+
+Running_subjects make_running(const std::vector<Object_subject>& subjects)
+{
+  Running_subjects running;
+  for (const Object_subject& subject : subjects) running.push_back(subject.make());
+  return running;
+}
+
+}  // namespace
+
+Batch_judge::Batch_judge(const Campaign& campaign, const Done& done)
+    : campaign_(campaign),
+      done_(done),
+      colliding_([&campaign] { return make_running(campaign.object_subjects); }),
+      listing_([&campaign] { return make_running(campaign.feature_subjects); })
+{}
+
+Findings Batch_judge::operator()(const Batch& batch)
+{
+  switch (batch.what) {
+    case Asked_for::predicates: return Predicate_batch(campaign_, batch, done_).judge();
+    case Asked_for::collision: return Object_batch(campaign_, batch, done_, colliding_.local()).judge();
+    case Asked_for::features: break;
+  }
+  return Feature_batch(campaign_, batch, done_, listing_.local()).judge();
+}
+
+}  // namespace tetracone::verify

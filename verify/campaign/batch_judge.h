@@ -1,0 +1,34 @@
+#ifndef TETRACONE_VERIFY_CAMPAIGN_BATCH_JUDGE_H
+#define TETRACONE_VERIFY_CAMPAIGN_BATCH_JUDGE_H
+
+#include "verify/campaign/batches.h"
+#include "verify/campaign/findings.h"
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <memory>
+#include <vector>
+
+namespace tetracone::verify {
+
+/// Subjects at work in one thread.
+using Running_subjects = std::vector<std::unique_ptr<Running_subject>>;
+
+/// Asks a campaign's subjects, and judges their answers by the truths.
+class Batch_judge {
+ public:
+  /// `done`: what need not be asked again. Both are kept by reference.
+  Batch_judge(const Campaign& campaign, const Done& done);
+
+  /// Judges one batch; from any number of threads at once. Throws Truths_disagree.
+  Findings operator()(const Batch& batch);
+
+ private:
+  const Campaign& campaign_;
+  const Done& done_;
+  tbb::enumerable_thread_specific<Running_subjects> colliding_, listing_;  // of the levels object and features
+};
+
+}  // namespace tetracone::verify
+
+#endif
