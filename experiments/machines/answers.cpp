@@ -1,5 +1,5 @@
-// answers FOLDER [best|avx2|ssse3|none]: every case of a dataset (`tetracone experiment dataset`) asked of the library, a
-// line each, the same on every machine. How many answers of the adaptive kernel were wrong goes to standard error.
+// answers FOLDER [best|avx2|ssse3|none]: every case of a dataset (`tetracone experiment dataset`) asked of the library,
+// a line each, the same on every machine. How many answers of the adaptive kernel were wrong goes to standard error.
 
 #include <tetracone/tetracone.h>
 

@@ -50,7 +50,8 @@ class Race_objects {
 };
 
 /// The object against itself, B 1 / ratio as large, on `trajectories` of JS08 section 4, "circular" or "contour", one
-/// after the other, `frames` poses each; where B does not turn, the scenario's name says so. Requires ratio a power of two.
+/// after the other, `frames` poses each; where B does not turn, the scenario's name says so. Requires ratio a power of
+/// two.
 Race_course on_trajectory(const covering::Polyhedron& object, const std::string& name, const std::string& trajectory,
                           double ratio, int frames, std::uint64_t seed, int trajectories = 1,
                           Turning turning = Turning::yes);

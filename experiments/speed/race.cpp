@@ -47,7 +47,7 @@ std::vector<std::size_t> spread_poses(const Race_course& course)
   return numbers;
 }
 
-/// Nothing of what was read before is in a cache of the processor after this.
+/// Drives what was read before out of the processor's caches, as large as the system says that they are.
 void empty_caches()
 {
   constexpr std::size_t line = 64, least = std::size_t(64) << 20;

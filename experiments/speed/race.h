@@ -31,8 +31,8 @@ struct Timing : Judged_answers {
   /// The mean of the fastest times of the poses that this contestant was asked: its own, the first's and FCL's. Ratios
   /// of contestants that were asked unequal poses are taken from these.
   double same_poses_ns = 0, first_same_poses_ns = 0, fcl_same_poses_ns = 0;
-  /// Of a contestant that is `clocked_cold`: the mean over `Race::cold_poses` poses, the caches emptied before each, and
-  /// of the fastest times in the same poses.
+  /// Of a contestant that is `clocked_cold`: the mean over `Race::cold_poses` poses, the caches emptied before each,
+  /// and of the fastest times in the same poses.
   double cold_ns = 0, warm_ns = 0;
   std::size_t passes = 0;              ///< each: clocked, without the clock, clocked again; a long one clocked alone
   tetratree::Query_statistics counts;  ///< work of one pass

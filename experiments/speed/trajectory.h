@@ -9,7 +9,8 @@
 #include <vector>
 
 /// The trajectories of the paper's time study (JS08 section 4): A stays in its own frame, B moves, scaled to 1 /
-/// `ratio` and, where not told otherwise, turning. The scale is in B's pose, whose matrix is (1 / ratio) times a rotation.
+/// `ratio` and, where not told otherwise, turning. The scale is in B's pose, whose matrix is (1 / ratio) times a
+/// rotation.
 ///
 /// Both keep to the paper's share of frames that collide by trial: the caller says whether a pose collides, which
 /// should mean that the surfaces meet. With the same answers the poses are the same on every machine. Both require

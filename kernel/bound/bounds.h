@@ -293,8 +293,8 @@ struct Half_space {
 /// A half-space placed with its body, asked which points of another body lie strictly beyond it.
 ///
 /// With C the cofactors of M, N = C n: N . (Mx - MO) = det M (n . (x - O)), so |N . (y - y_O)| <= |det M| offset for
-/// every image y. N is a determinant with n, off by a share of its permanent A_i, and |y - y_O| <= 2 magnitude; det M is
-/// off by a share of its own permanent. `threshold` takes all of it, and the slack of a projection on N^ covers the
+/// every image y. N is a determinant with n, off by a share of its permanent A_i, and |y - y_O| <= 2 magnitude; det M
+/// is off by a share of its own permanent. `threshold` takes all of it, and the slack of a projection on N^ covers the
 /// points asked.
 template <class B, bool sound>
 class Placed_half_space {

@@ -24,14 +24,15 @@ inline constexpr std::size_t lanes = 8;
 struct alignas(32) Obb8 {
   float centre[3][lanes], axis[3][3][lanes], extent[3][lanes];
   float origin[3];
-  float reach;           ///< |c_k| + sum_i e_i of every lane is at most this, c relative to the origin
+  float reach;           ///< |c|_2 + sum_i e_i of every lane is at most this, c relative to the origin
   int lane_count;        ///< so many lanes hold a box, the first ones
   std::uint32_t marked;  ///< lanes, as bits, that mean something to whoever keeps the boxes
 };
 inline constexpr double axis_defect = 0x1p-21;
 
-/// A point's coordinates s along axes of that defect d are a_i . y but for 3 d (1 + 4 d) max_k |a_k . y|; the fourth takes
-/// what is rounded in double. And |a_i|_1 is below 2: what an error of each coordinate moves a point along an axis.
+/// A point's coordinates s along axes of that defect d are a_i . y but for 3 d (1 + 4 d) max_k |a_k . y|; the fourth
+/// takes what is rounded in double. And |a_i|_1 is below 2: what an error of each coordinate moves a point along an
+/// axis.
 inline constexpr double axis_defect_factor = 4, axis_norm_1 = 2;
 
 /// Where a triangle lies in its box: in the plane of axes 1 and 2, with corners (-e1, -e2), (e1, -e2) and (apex e1,

@@ -102,8 +102,8 @@ class Relative_frame {
   /// Where M_a is a similarity but for 2^-24: the inverse is X = f M_a^T with f = 1 / s^2, rounded, s the length of its
   /// first column. Nothing is done where it is not, or numbers are near the ends of the range.
   ///
-  /// With G = M_a^T M_a, rho = ||I - f G|| is what is computed, and `gram_rounding`. M_a^-1 = X + (I - X M_a) M_a^-1, so
-  /// rows of the linear part are off by rho of their sums, which are below three times the longest column c, and by
+  /// With G = M_a^T M_a, rho = ||I - f G|| is what is computed, and `gram_rounding`. M_a^-1 = X + (I - X M_a) M_a^-1,
+  /// so rows of the linear part are off by rho of their sums, which are below three times the longest column c, and by
   /// `transpose_rounding` of products |col_i M_a| |col_j M_b| f, which is (1 + 2^-23) times a column. Rows of X sum to
   /// at most sqrt(3) / s. When D's error in double is too much, it is summed again in double-double.
   bool by_transpose(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b, Origin_offset d)

@@ -35,8 +35,8 @@ namespace tetracone::kernel {
 template <class Number>
 inline constexpr Number unit_roundoff = std::numeric_limits<Number>::epsilon() / 2;
 
-/// Beyond this magnitude of a coordinate or of a pose's entry no sign is decided in rounded arithmetic: within it no
-/// expression of the stages overflows.
+/// Beyond this magnitude of a coordinate or of a pose's entry no sign is decided in rounded arithmetic: within it
+/// neither images nor determinants nor their bounds overflow.
 inline constexpr double magnitude_gate = 0x1p110;
 
 /// What bounds in double add for gradual underflow, which loses at most 2^-1075 a product: times the factors that

@@ -6,7 +6,7 @@
 #include <array>
 
 /// The error bounds of the adaptive kernel: every constant once, and every bound as it is computed, over any number
-/// type. u = 2^-53. Each is proved from these texts by verify/test/verify/proofs/adaptive_bounds.cpp.
+/// type. u = 2^-53. Each is proved from these texts by verify/proofs/adaptive_proofs.h.
 namespace tetracone::kernel::adaptive_bound {
 
 inline constexpr double u = unit_roundoff<double>;

@@ -15,9 +15,9 @@ namespace tetracone::kernel {
 /// Double-double: the expression on images of twice the digits, decided when it is beyond its bound.
 class Adaptive_double_double : public Adaptive_points {
  public:
-  // The expressions are the filter's, and so are the bounds but for their constants (adaptive_bounds.h): a difference of
-  // images is rounded too, so its error is that of both images and a share of itself. All bounds are computed in double
-  // and judge the high part, which is off by u of itself.
+  // The expressions are the filter's, and so are the bounds but for their constants (adaptive_bounds.h): a difference
+  // of images is rounded too, so its error is that of both images and a share of itself. All bounds are computed in
+  // double and judge the high part, which is off by u of itself.
 
   /// An image of twice the digits.
   struct Double_double_image {

@@ -1,8 +1,11 @@
 #ifndef TETRACONE_TETRATREE_DOOR_METHOD_CONFIG_H
 #define TETRACONE_TETRATREE_DOOR_METHOD_CONFIG_H
 
+#include "tetracone/kernel/number/number.h"
 #include "tetracone/tetratree/door/query_options.h"
 #include "tetracone/tetratree/paper/config.h"
+
+#include <string>
 
 namespace tetracone {
 
@@ -17,6 +20,13 @@ inline tetratree::Config config_of(Method method)
     case Method::brute: break;
   }
   return tetratree::Config::brute();
+}
+
+/// Under which bodies keep the tetra-tree of these options, for all queries that ask alike.
+inline std::string tree_name(const Query_options& options)
+{
+  return std::to_string(int(options.kernel)) + ' ' + std::to_string(int(options.method)) + ' ' +
+         kernel::shortest(options.tolerance.absolute) + ' ' + kernel::shortest(options.tolerance.relative);
 }
 
 }  // namespace tetracone

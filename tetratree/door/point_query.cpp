@@ -18,7 +18,7 @@ class Point_locator {
  public:
   explicit Point_locator(std::shared_ptr<const Body_data> body)
       : body_(std::move(body)),
-        tree_(body_->tetra_tree<kernel::Adaptive>("points", config_of(Method::tuned))),
+        tree_(body_->tetra_tree<kernel::Adaptive>(tree_name(options), config_of(options.method))),
         placed_(*tree_)
   {
     placed_.place(unmoved_);
@@ -31,6 +31,8 @@ class Point_locator {
   }
 
  private:
+  static inline const Query_options options{.method = Method::tuned};
+
   std::shared_ptr<const Body_data> body_;
   std::shared_ptr<tetratree::Tetra_tree<kernel::Adaptive>> tree_;
   kernel::Pose unmoved_;
@@ -58,12 +60,20 @@ Point_query::Point_query(const Body& body) : locator_(std::make_unique<detail::P
 
 Point_query::~Point_query() = default;
 Point_query::Point_query(Point_query&&) noexcept = default;
+Point_query& Point_query::operator=(Point_query&&) noexcept = default;
+
+detail::Point_locator& Point_query::locator() const
+{
+  if (!locator_) [[unlikely]]
+    throw Error("query: moved from; expected one that still has its body");
+  return *locator_;
+}
 
 Location Point_query::locate(const std::array<double, 3>& point)
 {
   for (std::size_t k = 0; k < 3; ++k)
     if (!std::isfinite(point[k])) refuse(k, kernel::shortest(point[k]), "a finite number");
-  return locator_->locate(kernel::Adaptive::unmoved(point));
+  return locator().locate(kernel::Adaptive::unmoved(point));
 }
 
 Location Point_query::locate_text(const std::array<std::string, 3>& point)
@@ -77,7 +87,7 @@ Location Point_query::locate_text(const std::array<std::string, 3>& point)
   // The coordinate origin under an exact translation.
   const kernel::Pose translation(
       std::array<kernel::Rational, 12>{1, 0, 0, exact[0], 0, 1, 0, exact[1], 0, 0, 1, exact[2]});
-  return locator_->locate(kernel::Adaptive::placed({0, 0, 0}, translation));
+  return locator().locate(kernel::Adaptive::placed({0, 0, 0}, translation));
 }
 
 }  // namespace tetracone

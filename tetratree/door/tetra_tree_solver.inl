@@ -48,10 +48,7 @@ class Tetra_tree_solver : public Solver {
   static std::shared_ptr<Tree> tree(const Body_data& body, const Query_options& options)
   {
     use_tolerance(options.tolerance);
-    const std::string name = std::to_string(int(options.kernel)) + ' ' + std::to_string(int(options.method)) + ' ' +
-                             kernel::shortest(options.tolerance.absolute) + ' ' +
-                             kernel::shortest(options.tolerance.relative);
-    return body.tetra_tree<K>(name, config_of(options.method));
+    return body.tetra_tree<K>(tree_name(options), config_of(options.method));
   }
 
   Tolerance tolerance_;

@@ -185,8 +185,10 @@ class Point_query {
   explicit Point_query(const Body& body);
 
   ~Point_query();
-  /// Moves what the query keeps.
+  /// What is moved from answers with an Error.
   Point_query(Point_query&&) noexcept;
+  /// As the constructor.
+  Point_query& operator=(Point_query&&) noexcept;
 
   /// Where the point is. Throws Error for a coordinate that is not finite, and when the thread's floating point is not
   /// as exact answers need it.
@@ -196,6 +198,8 @@ class Point_query {
   Location locate_text(const std::array<std::string, 3>& point);
 
  private:
+  detail::Point_locator& locator() const;
+
   std::unique_ptr<detail::Point_locator> locator_;
 };
 

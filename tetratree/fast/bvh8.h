@@ -71,8 +71,10 @@ class Bvh8 {
   const Element& element(Index n, int lane, Index k = 0) const { return elements_[order_[node(n).first[lane] + k]]; }
   Index leaf_count(Index n, int lane) const
   {
+    if (leaf_ends_.empty()) [[likely]]
+      return 1;
     const Index first = node(n).first[lane];
-    return leaf_ends_.empty() ? 1 : leaf_ends_[first] - first;
+    return leaf_ends_[first] - first;
   }
 
   /// Calls what(v) for every corner v of the element.

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -31,6 +32,8 @@ class Bvh8_builder {
                std::vector<Index>& leaf_ends)
       : elements_(elements), options_(options), order_(order), leaf_ends_(leaf_ends)
   {
+    assert(options_.leaf_size >= 1 && options_.parts >= 2 && options_.parts <= kernel::lanes);
+    assert(options_.cuts != Cuts::tetra_cones || options_.parts == kernel::lanes);
     if (options_.leaf_size > 1) leaf_ends_.resize(elements_.count());
     order_.resize(elements_.count());
     std::iota(order_.begin(), order_.end(), Index(0));

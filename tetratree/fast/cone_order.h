@@ -11,8 +11,8 @@
 
 namespace tetracone::tetratree {
 
-/// The child of a tetra-cone that holds a point (JS08 Definition 4): 0, 1, 2 keep the first, second, third ray, 3 is the
-/// middle one. `weights`: of the cone's rays, whose sum times these is the point; becomes those of the child's.
+/// The child of a tetra-cone that holds a point (JS08 Definition 4): 0, 1, 2 keep the first, second, third ray, 3 is
+/// the middle one. `weights`: of the cone's rays, whose sum times these is the point; becomes those of the child's.
 inline int child_cone_of(kernel::Vector& weights)
 {
   const double half = 0.5 * weights.sum();

@@ -14,8 +14,8 @@ namespace tetracone::tetratree {
 /// `shortened`: an isosceles tetrahedron as long as the farthest vertex needs, then the loop of section 2.3.1: each
 /// edge in turn is shortened by a share; if the tetrahedron no longer bounds, it is lengthened again by a share; and
 /// kept if it bounds. `tightest`: the plane of least volume that bounds. Departures: the shares are 3 % and 1.5 % where
-/// Fig. 8 shows 10 % and 5 % (`Config::shorten_by`); the test "bounds" is the sign of the barycentric coordinate at V0 of
-/// all vertices at once, as the largest of the linear forms sum_i c_i / length_i, where c are a vertex's coordinates
+/// Fig. 8 shows 10 % and 5 % (`Config::shorten_by`); the test "bounds" is the sign of the barycentric coordinate at V0
+/// of all vertices at once, as the largest of the linear forms sum_i c_i / length_i, where c are a vertex's coordinates
 /// along the rays.
 template <class B, bool sound>
 std::array<B, 3> bounding_tetrahedron(const kernel::Cone_coordinates<B, sound>& vertices, const Config& config)

@@ -39,8 +39,8 @@ using kernel::Relation;
 /// a node is descended, not set by a walk over the whole tree; Theorem 2 asks for V0 beyond the plane too, without
 /// which a body whose origin lies inside the hull could be discarded; pairs of nodes are compared along all 44 axes of
 /// two tetrahedra (`Config::all_axes`); the side of a vertex against a face is decided once for all edges at that
-/// vertex; nodes may have oriented boxes (`Config::boxes`); a query may give up the descent and look at each pair once (`Config::all_pairs_after`). `solid` and
-/// `features` are extensions that the paper names.
+/// vertex; nodes may have oriented boxes (`Config::boxes`); a query may give up the descent and look at each pair once
+/// (`Config::all_pairs_after`). `solid` and `features` are extensions that the paper names.
 ///
 /// The config of the first tree decides how a query runs. Both trees must outlive the query object. Where K decides
 /// exactly, making it and every query throw kernel::Unsound_floating_point when floating point is not as that needs it.

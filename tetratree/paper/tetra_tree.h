@@ -48,8 +48,8 @@ struct Node {
 /// are in K's bound arithmetic, rounded outward where K has exact signs.
 ///
 /// Departures from the paper: a cone in which nothing is classified has no node; nodes can be made on demand (see
-/// `Config`), and have oriented boxes on demand (`Config::boxes`); the regular hull is that of all leaves (see `Regular_hull`). A tree whose nodes are made on demand
-/// changes while it is asked: it belongs to one thread.
+/// `Config`), and have oriented boxes on demand (`Config::boxes`); the regular hull is that of all leaves (see
+/// `Regular_hull`). A tree whose nodes are made on demand changes while it is asked: it belongs to one thread.
 template <class K>
 class Tetra_tree {
  public:

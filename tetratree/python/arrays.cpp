@@ -199,7 +199,14 @@ Poses::Poses(const py::object& values, const std::string& name) : name_(name)
   }
 }
 
-Error Poses::about(std::size_t k, const Error& error) const { return renamed(error, "pose:", name_of(k) + ":"); }
+void Poses::require(std::size_t k) const
+{
+  try {
+    (*this)(k);
+  } catch (const Error& error) {
+    throw renamed(error, "pose:", name_of(k) + ":");
+  }
+}
 
 std::string Poses::name_of(std::size_t k) const { return is_one_ ? name_ : name_ + "[" + std::to_string(k) + "]"; }
 

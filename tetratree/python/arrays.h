@@ -84,25 +84,23 @@ class Poses {
   bool is_one() const { return is_one_; }
   std::size_t count() const { return count_; }
 
-  /// Pose `k`. Throws Error that names it. Needs no interpreter's lock.
+  /// Pose `k`. Throws Error, which `require` repeats with its name. Needs no interpreter's lock.
   Pose operator()(std::size_t k) const
   {
-    try {
-      if (packed_) {
-        std::array<double, 12> rows;
-        std::memcpy(rows.data(), packed_ + std::ptrdiff_t(k) * stride_, sizeof rows);
-        return Pose(rows);
-      }
-      return numbers_ ? made(k) : Pose();
-    } catch (const Error& error) {
-      throw about(k, error);
+    if (packed_) [[likely]] {
+      std::array<double, 12> rows;
+      std::memcpy(rows.data(), packed_ + std::ptrdiff_t(k) * stride_, sizeof rows);
+      return Pose(rows);
     }
+    return numbers_ ? made(k) : Pose();
   }
+
+  /// Throws Error that names pose `k` where it is none.
+  void require(std::size_t k) const;
 
  private:
   std::string name_of(std::size_t k) const;
   Pose made(std::size_t k) const;
-  Error about(std::size_t k, const Error& error) const;
 
   std::string name_;
   std::unique_ptr<Numbers> numbers_;  // null: the identity

@@ -93,20 +93,34 @@ struct Pose_pairs {
   std::size_t count;
 };
 
-/// answer(k, what the query says of pair k) for all pairs.
+/// answer(k, what the query says of pair k) for all pairs. Throws Error that names a pose which is none.
 template <class Answer_of>
 void ask_all(Locked_query& self, const Pose_pairs& poses, const Answer_of& answer)
 {
-  // One pose of a body is made once.
-  const Pose first_a = poses.a.count() == 1 ? poses.a(0) : Pose(), first_b = poses.b.count() == 1 ? poses.b(0) : Pose();
-  if (poses.a.count() == 1 && poses.b.count() == 1)
-    for_each_unlocked(1, self.lock, [&](std::size_t k) { answer(k, self.query, first_a, first_b); });
-  else if (poses.a.count() == 1)
-    for_each_unlocked(poses.count, self.lock, [&](std::size_t k) { answer(k, self.query, first_a, poses.b(k)); });
-  else if (poses.b.count() == 1)
-    for_each_unlocked(poses.count, self.lock, [&](std::size_t k) { answer(k, self.query, poses.a(k), first_b); });
-  else
-    for_each_unlocked(poses.count, self.lock, [&](std::size_t k) { answer(k, self.query, poses.a(k), poses.b(k)); });
+  std::size_t asked = 0;
+  const auto for_all = [&](std::size_t count, const auto& ask) {
+    for_each_unlocked(count, self.lock, [&](std::size_t k) {
+      asked = k;
+      ask(k);
+    });
+  };
+  try {
+    // One pose of a body is made once.
+    const Pose first_a = poses.a.count() == 1 ? poses.a(0) : Pose(),
+               first_b = poses.b.count() == 1 ? poses.b(0) : Pose();
+    if (poses.a.count() == 1 && poses.b.count() == 1)
+      for_all(1, [&](std::size_t k) { answer(k, self.query, first_a, first_b); });
+    else if (poses.a.count() == 1)
+      for_all(poses.count, [&](std::size_t k) { answer(k, self.query, first_a, poses.b(k)); });
+    else if (poses.b.count() == 1)
+      for_all(poses.count, [&](std::size_t k) { answer(k, self.query, poses.a(k), first_b); });
+    else
+      for_all(poses.count, [&](std::size_t k) { answer(k, self.query, poses.a(k), poses.b(k)); });
+  } catch (const Error&) {
+    for (const Poses* of : {&poses.a, &poses.b})
+      if (of->count() > 0) of->require(of->count() == 1 ? 0 : asked);
+    throw;
+  }
 }
 
 py::object collide(Locked_query& self, const py::object& poses_b, const py::object& poses_a)

@@ -17,14 +17,18 @@ void for_each_unlocked(std::size_t count, std::mutex& own, const Each& each)
   using Clock = std::chrono::steady_clock;
   constexpr std::size_t chunk = 256;
   const pybind11::gil_scoped_release unlocked;
-  const std::lock_guard alone(own);
+  std::unique_lock alone(own);
   if (count == 1) return each(std::size_t(0));  // a clock costs a share of a query
   auto looked = Clock::now();
   for (std::size_t begin = 0; begin < count; begin += chunk) {
     for (std::size_t k = begin; k < count && k < begin + chunk; ++k) each(k);
     if (Clock::now() - looked < std::chrono::milliseconds(100)) continue;
-    const pybind11::gil_scoped_acquire locked;
-    if (PyErr_CheckSignals() != 0) throw pybind11::error_already_set();
+    alone.unlock();  // what handles a signal may ask the same query
+    {
+      const pybind11::gil_scoped_acquire locked;
+      if (PyErr_CheckSignals() != 0) throw pybind11::error_already_set();
+    }
+    alone.lock();
     looked = Clock::now();
   }
 }

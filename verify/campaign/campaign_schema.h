@@ -14,7 +14,8 @@ namespace tetracone::verify {
 ///    exactly_degenerate where the distance is 0, not_near where no determinant was near. False positive: higher than
 ///    the truth; false negative: lower. not_asked: the subject does not take such input; failures: crash, hang or
 ///    exception.
-///  At the level 'features' an answer is a list. Its truth is how many pairs it has; an answer that lacks some is how many
+///  At the level 'features' an answer is a list. Its truth is how many pairs it has; an answer that lacks some is how
+/// many
 ///  of them it has right, lower, and one with more pairs is how many it has in all, higher.
 ///  - truth: cases by question, how many of them have a positive answer, and how many were also known by construction.
 ///  Each is

@@ -41,9 +41,9 @@ inline Proved_bounds bound_proofs()
   add("Bound_frame::error_rounding", Frame::error_rounding, error);
   add("Bound_frame::magnitude_rounding", Frame::magnitude_rounding, magnitude);
 
-  // Of M^T M three entries a row, each a share of the longest column's square, which is no more than the largest row; two
-  // sums of a row and the slack's. The root halves all, the root's own rounding and what a ball's radius is made by are
-  // whole.
+  // Of M^T M three entries a row, each a share of the longest column's square, which is no more than the largest row;
+  // two sums of a row and the slack's. The root halves all, the root's own rounding and what a ball's radius is made by
+  // are whole.
   const auto of_columns = [](const auto& in) {
     auto entries = in;
     for (auto& x : entries) x = entry(x);
@@ -65,8 +65,8 @@ inline Proved_bounds bound_proofs()
   const Rational radius = lost(distance + count) * once * once * once * once;
   add("ball_radius_rounding", kernel::ball_radius_rounding, Rational(radius - 1) / 2, "rationals");
 
-  // Two dot products of points of at most the magnitude, and their difference; what the frames' errors have to spare covers
-  // the second order.
+  // Two dot products of points of at most the magnitude, and their difference; what the frames' errors have to spare
+  // covers the second order.
   const auto interval = [](const auto& in) {
     return kernel::dot(triple(in, 0), triple(in, 3)) - kernel::dot(triple(in, 0), triple(in, 6));
   };
@@ -84,8 +84,8 @@ inline Proved_bounds bound_proofs()
       kernel::projection_rounding<double> + 2 * Frame::error_rounding,
       projection + 2 * Rational(error * lost(allowance_of_interval)));
 
-  // Shares of permanents, of entries that may be fractions; the normal's for points that are 2 magnitudes apart, and what
-  // a point's own projection rounds beyond the first order.
+  // Shares of permanents, of entries that may be fractions; the normal's for points that are 2 magnitudes apart, and
+  // what a point's own projection rounds beyond the first order.
   const auto determinant = [](const auto& in) {
     return kernel::determinant(triple(in, 0), triple(in, 3), triple(in, 6));
   };
@@ -131,8 +131,8 @@ inline Proved_bounds bound_proofs()
   add("Cone_coordinates::form_rounding", Cone::form_rounding,
       largest(slice_errors<Relative_64>(form, terms_of_form)) * lost(absolute) + 3 * Rational(u) * 16 * Rational(u),
       "gappa", cone);
-  // What is left of 1, rounded as IEEE 754 does: below 1 by half of u. Where shares are more, `form_rounding` has more to
-  // spare than they are rounded.
+  // What is left of 1, rounded as IEEE 754 does: below 1 by half of u. Where shares are more, `form_rounding` has more
+  // to spare than they are rounded.
   const auto allowance = [](const auto& in) { return Cone::allowed(triple(in, 0)); };
   add("Cone_coordinates::one_rounding", Cone::one_rounding,
       error_within<Ieee_64>(allowance, {{0, 0.25}, {0, 0.25}, {0, 0.25}}), "gappa", cone);

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <stdexcept>
@@ -170,8 +171,7 @@ class Temporary_file {
  public:
   explicit Temporary_file(const std::string& text)
   {
-    const char* const folder = std::getenv("TMPDIR");
-    name_ = std::string(folder != nullptr ? folder : "/tmp") + "/tetracone-proof-XXXXXX";
+    name_ = (std::filesystem::temp_directory_path() / "tetracone-proof-XXXXXX").native();
     const int file = mkstemp(name_.data());
     if (file < 0) throw std::runtime_error("cannot write " + name_);
     close(file);

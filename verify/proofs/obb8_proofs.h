@@ -94,8 +94,8 @@ using Place = Recorded_test<Exact, true>;
 /// The error of an axis' gap, a share of each of: |single centre|, |centre|, sum of extents, sum of the single box's.
 using Shares = std::array<Rational, 4>;
 
-/// The gaps of all axes tried, by the comparison itself: 3 of the eight's normals, 3 of the single box's, 9 across, and of
-/// a triangle 2 more.
+/// The gaps of all axes tried, by the comparison itself: 3 of the eight's normals, 3 of the single box's, 9 across, and
+/// of a triangle 2 more.
 template <class Arithmetic, bool fused>
 std::vector<Recorded<Arithmetic>> gaps(const std::vector<Recorded<Arithmetic>>& in, Edges edges, bool triangle)
 {
@@ -104,9 +104,9 @@ std::vector<Recorded<Arithmetic>> gaps(const std::vector<Recorded<Arithmetic>>& 
                                  : kernel::HWY_NAMESPACE::together<true>(test).any();
 }
 
-/// The slices of a scale: one component of it is 1, and so is component q of the first axis and, for products across two,
-/// of the second. Edges lie along q; of `general` ones the others follow. A product of other components is rounded no more
-/// often than where all are the worst one, and other axes are treated by the same text.
+/// The slices of a scale: one component of it is 1, and so is component q of the first axis and, for products across
+/// two, of the second. Edges lie along q; of `general` ones the others follow. A product of other components is rounded
+/// no more often than where all are the worst one, and other axes are treated by the same text.
 inline std::vector<Slice> slices_of_box(int scale, bool two_axes, Edges edges, bool triangle)
 {
   std::vector<Slice> slices;
@@ -126,10 +126,10 @@ inline std::vector<Slice> slices_of_box(int scale, bool two_axes, Edges edges, b
   return slices;
 }
 
-/// What is rounded in the gap of each kind of axis, and of a triangle's sides: Gappa's, of single products of the inputs,
-/// times how many of these a gap has. All inputs but the scale are components of vectors of length about 1, so the sums
-/// of their products are at most 1 by Cauchy and Schwarz: for a normal of the single box, along which the centres'
-/// distance is a sum over all three of the eight's axes, 3; across two axes, 2.
+/// What is rounded in the gap of each kind of axis, and of a triangle's sides: Gappa's, of single products of the
+/// inputs, times how many of these a gap has. All inputs but the scale are components of vectors of length about 1, so
+/// the sums of their products are at most 1 by Cauchy and Schwarz: for a normal of the single box, along which the
+/// centres' distance is a sum over all three of the eight's axes, 3; across two axes, 2.
 enum class Kind { own, other, across, triangle };
 
 template <bool fused>
@@ -178,12 +178,12 @@ std::array<Shares, 4> rounding_of_gaps(Edges edges, bool triangle)
   return shares;
 }
 
-/// What the eight's axes, off by `d` from orthonormal, and the single box's, off by `e`, change in the gap of boxes that
-/// share a point, over real numbers.
+/// What the eight's axes, off by `d` from orthonormal, and the single box's, off by `e`, change in the gap of boxes
+/// that share a point, over real numbers.
 ///
-/// Along its own normal a_i an axis is reached by others by d. Another's normal n is tried as A A^T n, which differs by 3
-/// d; it reaches others' edges by e. Across, r_l a_m - r_m a_l, the eight reach sqrt(2) d more, and an edge b_k reaches
-/// (a_l x a_m) . (b_j x b_k) in place of a_i . b_o.
+/// Along its own normal a_i an axis is reached by others by d. Another's normal n is tried as A A^T n, which differs by
+/// 3 d; it reaches others' edges by e. Across, r_l a_m - r_m a_l, the eight reach sqrt(2) d more, and an edge b_k
+/// reaches (a_l x a_m) . (b_j x b_k) in place of a_i . b_o.
 inline Shares defect_of_gap(Kind kind, Edges edges, const Rational& d, const Rational& e)
 {
   const Rational none = 0, second_order = 1 + Rational(0x1p-10);

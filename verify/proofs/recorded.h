@@ -43,8 +43,8 @@ struct Relative {
 using Relative_64 = Relative<53>;
 using Relative_32 = Relative<24>;
 
-/// Double-double: relative errors 3 u^2 / (1 - 4 u) of a sum and 7 u^2 of a product, as Joldes, Muller and Popescu prove
-/// (see kernel/number/double_double.h); Gappa takes these as given.
+/// Double-double: relative errors 3 u^2 / (1 - 4 u) of a sum and 7 u^2 of a product, as Joldes, Muller and Popescu
+/// prove (see kernel/number/double_double.h); Gappa takes these as given.
 struct Relative_double_double {
   static std::string sum(Gappa_script& script, const std::string& exact)
   {

@@ -37,10 +37,10 @@ inline std::vector<Slice> slices_of_determinant()
 
 /// The rounding error of each slice of an expression, as Gappa proves it in the standard model.
 ///
-/// With the factors 1 + e of all roundings taken as they are, an expression that is a sum of products of its inputs, each
-/// input at most once in each, stays one: its error is the sum, over the products, of the product of the inputs times
-/// the slice's error. So errors are bounded by sums of magnitudes of products times what is returned, for inputs of
-/// every scale. `expression` is a template over std::vector<Recorded<...>>.
+/// With the factors 1 + e of all roundings taken as they are, an expression that is a sum of products of its inputs,
+/// each input at most once in each, stays one: its error is the sum, over the products, of the product of the inputs
+/// times the slice's error. So errors are bounded by sums of magnitudes of products times what is returned, for inputs
+/// of every scale. `expression` is a template over std::vector<Recorded<...>>.
 template <class Arithmetic, class Expression>
 std::vector<Rational> slice_errors(const Expression& expression, const std::vector<Slice>& slices)
 {

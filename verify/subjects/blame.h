@@ -32,14 +32,15 @@ inline const char* to_string(Stage stage)
   return names[static_cast<std::size_t>(stage)];
 }
 
-/// The stage that made the subject's answer wrong: the query is run with its first stages the subject's own and the rest
-/// exact, with no stage of its own, with one, with two, ...; the stage with which the answer first differs from `truth`
-/// is to blame. What is exact is `Rounded_pair`, which shares no formulation with the subject: a wrong formula is blamed
-/// where it stands, as rounding is.
+/// The stage that made the subject's answer wrong: the query is run with its first stages the subject's own and the
+/// rest exact, with no stage of its own, with one, with two, ...; the stage with which the answer first differs from
+/// `truth` is to blame. What is exact is `Rounded_pair`, which shares no formulation with the subject: a wrong formula
+/// is blamed where it stands, as rounding is.
 ///  - pose: the images of the vertices as the subject has them already give the wrong answer;
 ///  - classification: no leaf pair of the subject's tree holds what meets;
 ///  - bounding sphere, bounding tetrahedron, regular hull, and of the fast tree bounding box: the leaf pair that holds
-///    it is discarded. The fast tree's boxes and separating directions bound the bodies where they exactly are, and a box
+///    it is discarded. The fast tree's boxes and separating directions bound the bodies where they exactly are, and a
+/// box
 ///    is to blame where only rounding has brought together what is in it. A separating direction never is: it ends a
 ///    query only where the bodies are exactly apart, and then the answer is right;
 ///  - leaf sign: the subject's own leaf tests go wrong on it; containment: its own sums over the covering do.

@@ -29,7 +29,8 @@ struct Listed {
   std::vector<kernel::Feature_pair> pairs;  ///< sorted
 };
 
-/// An object subject that takes questions, in one thread. Keeps what it has prepared for the polyhedra of the last case.
+/// An object subject that takes questions, in one thread. Keeps what it has prepared for the polyhedra of the last
+/// case.
 class Running_subject {
  public:
   virtual ~Running_subject() = default;
@@ -51,8 +52,8 @@ struct Object_subject {
 
 /// Our kernels with their methods; and of the adaptive kernel the fast tree that remembers the last pose, asked others
 /// before each one that counts, and the fast tree whose leaves are whole faces. Methods without a tree that is made on
-/// demand are not asked about bodies of more than `most_faces` faces, and nobody about their features; the fast trees of
-/// the adaptive kernel and of double alone about more than `most_faces_of_trees`, since kernels decide nothing but
+/// demand are not asked about bodies of more than `most_faces` faces, and nobody about their features; the fast trees
+/// of the adaptive kernel and of double alone about more than `most_faces_of_trees`, since kernels decide nothing but
 /// leaves and shells.
 std::vector<Object_subject> object_subjects();
 inline constexpr std::size_t most_faces = 800, most_faces_of_trees = 10000;

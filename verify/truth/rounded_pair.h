@@ -26,9 +26,10 @@ struct Rounded_body {
   bool is_finite() const;
 };
 
-/// Two bodies as rounding has left them, and how they meet: in the integers and by the formulations of the second truth,
-/// which share nothing with the subjects but the images themselves and which corners span a face's plane. A face that is bent meets an edge whose ends are on
-/// different sides of the plane that the face has, where its loops wind about the edge, seen along it.
+/// Two bodies as rounding has left them, and how they meet: in the integers and by the formulations of the second
+/// truth, which share nothing with the subjects but the images themselves and which corners span a face's plane. A face
+/// that is bent meets an edge whose ends are on different sides of the plane that the face has, where its loops wind
+/// about the edge, seen along it.
 class Rounded_pair {
  public:
   /// Requires finite bodies; closed ones for `Question::solid`.

@@ -308,6 +308,12 @@ BOOST_AUTO_TEST_CASE(points_of_doubles_and_of_fractions_are_located_exactly)
   BOOST_TEST(said([&] {
                cube.locate_text({"0", "0", "1/0"});
              }) == "point: z is '1/0'; expected a finite decimal number or a fraction n/d");
+  for (const double far : {1e300, -1e300}) BOOST_TEST((cube.locate({far, 0.5, 0.5}) == Location::outside));
+  BOOST_TEST((cube.locate({5e-324, 0.5, 0.5}) == Location::inside));
+  BOOST_TEST((cube.locate({-5e-324, 0.5, 0.5}) == Location::outside));
+  Point_query moved = std::move(cube);
+  BOOST_TEST((moved.locate({0.5, 0.5, 0.5}) == Location::inside));
+  BOOST_TEST(said([&] { cube.locate({0, 0, 0}); }) == "query: moved from; expected one that still has its body");
   BOOST_TEST(
       said([] { Point_query{Body(open_box())}; }) ==
       "body is open at 4 edges, first at the edge from vertex 4 to 5; expected a closed surface for points inside "

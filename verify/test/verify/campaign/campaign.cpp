@@ -276,6 +276,7 @@ BOOST_AUTO_TEST_CASE(shards_of_another_campaign_are_refused)
   };
   refused(with([](Campaign& c) { c.seed = 6; }), "seed: 6 instead of 5");
   refused(with([](Campaign& c) { c.object_cases = 24; }), "object cases: 24 instead of 25");
+  refused(with([](Campaign& c) { c.feature_cases = 7; }), "feature cases: 7 instead of 8");
   refused(with([](Campaign& c) { c.made_by.version = "1"; }), "version: 1 instead of 0");
   refused(with([](Campaign& c) { c.families.pop_back(); }), "families: ");
   refused(with([](Campaign& c) { c.predicate_subjects.pop_back(); }), "subjects: ");
