@@ -3,6 +3,7 @@
 #include "experiments/peers/subject_command.h"
 
 #include <cctype>
+#include <cmath>
 #include <set>
 #include <stdexcept>
 
@@ -33,6 +34,7 @@ void add_subject_options(CLI::App& command, Subject_options& options)
 std::vector<verify::Object_subject> command_subjects(const Subject_options& options,
                                                      const std::vector<verify::Object_subject>& others)
 {
+  if (std::isnan(options.limit)) throw CLI::ValidationError("--subject-limit nan", "expected seconds");
   std::set<std::string> taken = {"truth"};
   for (const auto& other : others) taken.insert(other.name.substr(0, other.name.find(' ')));
   std::vector<verify::Object_subject> subjects;

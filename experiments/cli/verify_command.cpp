@@ -3,6 +3,7 @@
 #include "experiments/cli/subject_options.h"
 #include "experiments/peers/check_subject.h"
 #include "experiments/peers/peers.h"
+#include "experiments/peers/subject_command.h"
 #include "experiments/support/build_info.h"
 #include "experiments/support/output_file.h"
 #include "experiments/support/progress.h"
@@ -174,6 +175,7 @@ bool print_summary(Database& database, const Campaign& campaign)
 void run(Options options)
 {
   if (!options.check_subject.empty()) {
+    require_command(options.check_subject, options.others.limit_ms());
     if (!check_subject(options.check_subject, options.others.limit_ms(), std::cout)) throw CLI::RuntimeError(1);
     return;
   }

@@ -35,6 +35,8 @@ class Running_command : public verify::Running_subject {
     const auto outcome = ask(c, question, start + limit_ + (is_new ? start_ : Clock::duration::zero()));
     if (!outcome) {
       process_.reset();
+      // A program that does not start is not waited for as long each time.
+      if (is_new) start_ = std::min(start_, std::max<Clock::duration>(start_ / 4, std::chrono::seconds(1)));
       return Outcome::failed;
     }
     if (is_new) start_ = std::min<Clock::duration>(start_, 2 * (Clock::now() - start) + std::chrono::seconds(1));

@@ -30,7 +30,7 @@ def read_answers(name, truth):
     """{(id, question): "1", "0", "-1", "failed" or "declined"}."""
     answers = {}
     try:
-        file = open(name, newline="", encoding="utf-8")
+        file = open(name, newline="", encoding="utf-8", errors="replace")
     except OSError as error:
         raise Error(f"{name}: {error.strerror}; expected a file of answers") from None
     with file:
