@@ -1,7 +1,10 @@
 #include "tetracone/tetratree/python/arrays.h"
 
+#include "tetracone/kernel/number/number.h"
+#include "tetracone/tetratree/python/texts.h"
+
 #include <algorithm>
-#include <charconv>
+#include <concepts>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -13,35 +16,26 @@ namespace py = pybind11;
 
 namespace {
 
-std::string type_of(const py::handle& value) { return py::str(py::type::handle_of(value).attr("__name__")); }
-
-/// What the door takes for exactly this number. A fraction whose denominator is 1 keeps it: a decimal would be rounded.
-std::string exact_text(const py::handle& value)
+/// Whether an array, or one within lists of lists, has masked entries: numpy drops their mask.
+bool has_masked(const py::handle& values, int depth = 3)
 {
-  if (py::isinstance<py::str>(value)) return py::str(value);
-  try {
-    py::object top, bottom;
-    if (py::hasattr(value, "numerator") && py::hasattr(value, "denominator")) {
-      top = value.attr("numerator");
-      bottom = value.attr("denominator");
-    } else {
-      const py::tuple ratio = value.attr("as_integer_ratio")();
-      top = ratio[0];
-      bottom = ratio[1];
-    }
-    return std::string(py::str(top)) + "/" + std::string(py::str(bottom));
-  } catch (py::error_already_set& e) {
-    if (e.matches(PyExc_AttributeError)) return "a " + type_of(value);
-    return py::str(value);  // nan and infinity: refused where numbers are read
-  }
+  static const py::handle module = py::module_::import("numpy.ma").release();
+  static const py::handle masked_array = py::object(module.attr("MaskedArray")).release();
+  if (PyObject_TypeCheck(values.ptr(), reinterpret_cast<PyTypeObject*>(masked_array.ptr())))
+    return py::bool_(module.attr("is_masked")(values));
+  if (depth == 0 || !(py::isinstance<py::list>(values) || py::isinstance<py::tuple>(values))) return false;
+  for (const py::handle value : values)
+    if (has_masked(value, depth - 1)) return true;
+  return false;
 }
 
 py::array as_array(const py::handle& values, const std::string& name)
 {
+  if (has_masked(values)) throw Error(name + ": an array with masked entries; expected numbers");
   try {
     return py::array(py::reinterpret_borrow<py::object>(values));
   } catch (py::error_already_set& e) {
-    if (!e.matches(PyExc_Exception)) throw;
+    if (!e.matches(PyExc_ValueError) && !e.matches(PyExc_TypeError) && !e.matches(PyExc_OverflowError)) throw;
     throw Error(name + ": rows of different lengths; expected an array of numbers");
   }
 }
@@ -54,50 +48,43 @@ bool are_doubles(const py::array& integers)
   return integers.attr("max")() <= largest && integers.attr("min")() >= -largest;
 }
 
-std::uint32_t vertex_number(long long number, std::size_t face, std::size_t vertex_count)
+[[noreturn]] void no_vertex(const std::string& number, std::size_t face, std::size_t vertex_count)
 {
-  if (number < 0 || number >= (long long)(vertex_count))
-    throw Error("body: face " + std::to_string(face) + " names vertex " + std::to_string(number) + " of " +
-                std::to_string(vertex_count) + " vertices; expected numbers from 0 to " + std::to_string(vertex_count) +
-                ", the last excluded");
+  throw Error("body: face " + std::to_string(face) + " names vertex " + number.substr(0, 40) + " of " +
+              std::to_string(vertex_count) + " vertices; expected numbers from 0 to " + std::to_string(vertex_count) +
+              ", the last excluded");
+}
+
+template <std::integral Integer>
+std::uint32_t vertex_number(Integer number, std::size_t face, std::size_t vertex_count)
+{
+  if (std::cmp_less(number, 0) || std::cmp_greater_equal(number, vertex_count))
+    no_vertex(std::to_string(number), face, vertex_count);
   return std::uint32_t(number);
 }
 
 std::uint32_t vertex_number(const py::handle& corner, std::size_t face, std::size_t vertex_count)
 {
   const auto number = py::reinterpret_steal<py::object>(PyNumber_Index(corner.ptr()));
-  if (!number) {
+  if (!number && !PyErr_ExceptionMatches(PyExc_TypeError)) throw py::error_already_set();
+  if (!number || py::isinstance<py::bool_>(corner)) {
     PyErr_Clear();
     throw Error("body: face " + std::to_string(face) + " has a corner of type " + type_of(corner) +
                 "; expected vertex numbers, or loops of them");
   }
   int overflow = 0;
   const long long value = PyLong_AsLongLongAndOverflow(number.ptr(), &overflow);
-  if (overflow != 0)
-    throw Error("body: face " + std::to_string(face) + " names vertex " + std::string(py::str(number)) + " of " +
-                std::to_string(vertex_count) + " vertices; expected numbers from 0 to " + std::to_string(vertex_count) +
-                ", the last excluded");
+  if (overflow != 0) no_vertex(digits_of(number), face, vertex_count);
   return vertex_number(value, face, vertex_count);
 }
 
-/// The double that is exactly this number; nothing when none is.
+/// The double that the door's reader of numbers makes of a text; nothing when it makes none, or a fraction that is none.
 std::optional<double> double_of(const std::string& text)
 {
-  try {
-    const py::object exact = py::module_::import("fractions").attr("Fraction")(text);
-    const py::float_ nearest(exact);
-    if (exact.equal(nearest)) return double(nearest);
-  } catch (py::error_already_set& e) {
-    if (!e.matches(PyExc_ArithmeticError) && !e.matches(PyExc_ValueError)) throw;
-  }
-  return std::nullopt;
-}
-
-/// Needs no interpreter's lock.
-std::string shortest(double value)
-{
-  std::array<char, 32> letters{};
-  return {letters.data(), std::to_chars(letters.data(), letters.data() + letters.size(), value).ptr};
+  const auto number = kernel::parse_number(text);
+  if (!number) return std::nullopt;
+  const double nearest = kernel::nearest_double(*number);
+  return kernel::Rational(nearest) == *number ? std::optional(nearest) : std::nullopt;
 }
 
 bool is_loop(const py::handle& value)
@@ -132,9 +119,10 @@ std::vector<std::vector<std::uint32_t>> loops_of(const py::handle& face, std::si
 }
 
 /// Rows of an array of integers, each a polygon.
+template <std::integral Integer>
 void add_polygons(Polyhedron& polyhedron, const py::array& faces)
 {
-  const py::array_t<std::int64_t, py::array::forcecast> numbers(faces);
+  const py::array_t<Integer, py::array::forcecast> numbers(faces);
   const auto number = numbers.unchecked<2>();
   std::vector<std::uint32_t> loop(number.shape(1));
   for (py::ssize_t f = 0; f < number.shape(0); ++f) {
@@ -165,7 +153,8 @@ Numbers::Numbers(const py::handle& values, std::string name) : name_(std::move(n
     return;
   }
   if (kind == 'c' || kind == 'M' || kind == 'm' || kind == 'V')
-    throw Error(name_ + ": an array of " + std::string(py::str(array_.dtype())) + "; expected numbers");
+    throw Error(name_ + ": an array of " + text_of(py::str(array_.dtype())) + "; expected numbers");
+  exact_ = true;
   const py::object objects = array_.attr("astype")("object").attr("ravel")();
   for (const py::handle value : objects) texts_.push_back(exact_text(value));
   text_strides_.assign(shape_.size(), 1);
@@ -224,15 +213,15 @@ Pose Poses::made(std::size_t k) const
     std::array<std::string, 12> rows;
     for (std::size_t i = 0; i < 12; ++i) rows[i] = at(text, i / 4, i % 4);
     for (std::size_t column = 0; rows_ == 4 && column < 4; ++column) {
-      const std::string last = at(text, 3, column), right = column == 3 ? "1" : "0";
-      if (last != right && last != right + "/1") refuse(column, last);
+      const std::string last = at(text, 3, column);
+      if (kernel::parse_number(last) != kernel::Rational(column == 3 ? 1 : 0)) refuse(column, last.substr(0, 40));
     }
     return Pose::from_text(rows);
   }
   std::array<double, 16> rows{};
   for (std::size_t i = 0; i < 4 * rows_; ++i) rows[i] = at(number, i / 4, i % 4);
   for (std::size_t column = 0; rows_ == 4 && column < 4; ++column)
-    if (rows[12 + column] != (column == 3 ? 1 : 0)) refuse(column, shortest(rows[12 + column]));
+    if (rows[12 + column] != (column == 3 ? 1 : 0)) refuse(column, kernel::shortest(rows[12 + column]));
   std::array<double, 12> upper;
   std::copy_n(rows.begin(), 12, upper.begin());
   return Pose(upper);
@@ -254,15 +243,20 @@ Polyhedron polyhedron_of(const py::handle& vertices, const py::handle& faces)
       }
       const auto number = double_of(numbers.text(v, k));
       if (!number)
-        throw Error("vertices[" + std::to_string(v) + "]: '" + numbers.text(v, k) + "' is no double; expected doubles");
+        throw Error("vertices[" + std::to_string(v) + "]: '" + numbers.text(v, k).substr(0, 40) +
+                    "' is no double; expected doubles");
       x = *number;
     }
+  if (has_masked(faces)) throw Error("faces: an array with masked entries; expected vertex numbers");
   if (py::isinstance<py::array>(faces)) {
     const auto array = py::reinterpret_borrow<py::array>(faces);
     const char kind = array.dtype().kind();
     if (array.ndim() == 2 && (kind == 'i' || kind == 'u')) {
       if (array.shape(1) == 0) throw Error("faces: an array of 0 columns; expected vertex numbers");
-      add_polygons(polyhedron, array);
+      if (kind == 'u')
+        add_polygons<std::uint64_t>(polyhedron, array);
+      else
+        add_polygons<std::int64_t>(polyhedron, array);
       return polyhedron;
     }
   }

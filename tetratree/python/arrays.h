@@ -20,12 +20,13 @@ namespace tetracone::python {
 /// The error with `to` for `from` where its line begins so.
 Error renamed(const Error& error, std::string_view from, const std::string& to);
 
-/// An array of doubles, read where it lies, or of exact numbers as texts: decimals and fractions "n/d".
+/// An array of doubles, read where it lies, or of exact numbers as texts: decimals, each the double nearest to it, and
+/// fractions "n/d".
 class Numbers {
  public:
   /// `name` is what messages call it. Doubles are not copied, whatever their strides; other numbers that are doubles
   /// become such; all others, as fractions.Fraction, large integers or texts, become texts. Throws Error for what is no
-  /// array of numbers.
+  /// array of numbers, and for masked entries.
   Numbers(const pybind11::handle& values, std::string name);
 
   const std::string& name() const { return name_; }
@@ -34,7 +35,7 @@ class Numbers {
   /// "(10, 3, 4)".
   std::string shape() const;
 
-  bool is_exact_text() const { return !texts_.empty(); }
+  bool is_exact_text() const { return exact_; }
 
   /// The first double, and the bytes from one index to the next. Requires doubles.
   const char* data() const { return data_; }
@@ -71,6 +72,7 @@ class Numbers {
   const char* data_ = nullptr;
   std::vector<std::size_t> shape_;
   std::vector<std::ptrdiff_t> strides_, text_strides_;
+  bool exact_ = false;
   std::vector<std::string> texts_;
 };
 

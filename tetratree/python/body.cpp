@@ -1,6 +1,7 @@
 #include "tetracone/tetratree/python/body.h"
 
 #include "tetracone/tetratree/python/arrays.h"
+#include "tetracone/tetratree/python/texts.h"
 #include "tetracone/tetratree/python/unlocked.h"
 
 #include <pybind11/numpy.h>
@@ -26,9 +27,9 @@ std::shared_ptr<Shared_body> made(const py::handle& vertices, const py::handle& 
 
 std::shared_ptr<Shared_body> read(const py::object& path)
 {
-  const std::string name = py::str(py::module_::import("os").attr("fspath")(path));
+  const std::filesystem::path name = path_of(path);
   const py::gil_scoped_release unlocked;
-  return std::make_shared<Shared_body>(read_body(std::filesystem::path(name)));
+  return std::make_shared<Shared_body>(read_body(name));
 }
 
 Location located(Point_query& query, const Numbers& points, bool is_one, std::size_t k)
@@ -75,7 +76,7 @@ void add_body(py::module_& module)
 
 A polyhedron that queries can be asked about. Immutable, and shared by any number of threads.
 
-vertices: array (n, 3) of doubles, taken exactly.
+vertices: array (n, 3) of doubles, taken exactly; of texts, a decimal is the double nearest to it.
 faces: array (m, k) of vertex numbers, or a sequence of faces, each a sequence of numbers, or of loops of numbers: the
 outer boundary first, then holes, which run the other way round.
 

@@ -5,6 +5,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <cstddef>
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -14,6 +15,9 @@ namespace tetracone::python {
 /// A body, and the query of points that it answers by, made when it is first asked.
 struct Shared_body {
   explicit Shared_body(Body b) : body(std::move(b)) {}
+
+  /// What pybind11 calls for the object of `Body.__new__`, which nobody has made; others are made by make_shared.
+  static void* operator new(std::size_t) { throw Error("body: not made; expected Body(vertices, faces)"); }
 
   const Body body;
   std::mutex lock;  // of what follows; never waited for with the interpreter's lock

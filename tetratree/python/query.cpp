@@ -2,12 +2,14 @@
 
 #include "tetracone/tetratree/python/arrays.h"
 #include "tetracone/tetratree/python/body.h"
+#include "tetracone/tetratree/python/texts.h"
 #include "tetracone/tetratree/python/unlocked.h"
 
 #include <pybind11/numpy.h>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <memory>
@@ -26,6 +28,9 @@ namespace {
 /// A query, and the lock of what it keeps between poses: threads that share one wait for each other.
 struct Locked_query {
   explicit Locked_query(Query q) : query(std::move(q)) {}
+
+  /// As that of `Shared_body`.
+  static void* operator new(std::size_t) { throw Error("query: not made; expected Query(a, b)"); }
 
   Query query;
   std::mutex lock;  // never waited for with the interpreter's lock
@@ -232,9 +237,10 @@ py::tuple tuple_of(const auto& names)
   return list;
 }
 
-std::unique_ptr<Locked_query> made(const Shared_body& a, const Shared_body& b, const std::string& question,
-                                   const std::string& kernel, const std::string& method, bool remember)
+std::shared_ptr<Locked_query> made(const Shared_body& a, const Shared_body& b, const py::str& of_question,
+                                   const py::str& of_kernel, const py::str& of_method, bool remember)
 {
+  const std::string question = text_of(of_question), kernel = text_of(of_kernel), method = text_of(of_method);
   const auto asked = kernel::parse_question(question);
   if (!asked) throw Error("query: question '" + question + "'; expected solid or surface");
   auto options = parse_kernel(kernel);
@@ -246,7 +252,7 @@ std::unique_ptr<Locked_query> made(const Shared_body& a, const Shared_body& b, c
   options->method = *way;
   options->remember = remember;
   const py::gil_scoped_release unlocked;
-  return std::make_unique<Locked_query>(Query(a.body, b.body, *asked, *options));
+  return std::make_shared<Locked_query>(Query(a.body, b.body, *asked, *options));
 }
 
 }  // namespace
@@ -258,8 +264,9 @@ void add_query(py::module_& module)
 
   const auto poses_b = py::arg("poses_b");
   const auto poses_a = py::arg("poses_a") = py::none();
-  py::class_<Locked_query>(module, "Query",
-                           R"(Query(a, b, question="solid", kernel="adaptive", method="tree", remember=False)
+  py::class_<Locked_query, std::shared_ptr<Locked_query>>(
+      module, "Query",
+      R"(Query(a, b, question="solid", kernel="adaptive", method="tree", remember=False)
 
 Two bodies and a question, asked for many poses. Keeps work from one pose to the next: one query per thread answers
 fastest, threads that share one wait for each other. The interpreter's lock is released while it answers.

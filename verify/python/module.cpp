@@ -2,6 +2,7 @@
 
 #include "tetracone/tetratree/door/tetracone.h"
 #include "tetracone/tetratree/python/arrays.h"
+#include "tetracone/tetratree/python/texts.h"
 #include "verify/cases/case_file.h"
 #include "verify/families/families.h"
 #include "verify/shrink/shrink.h"
@@ -10,6 +11,7 @@
 #include <pybind11/functional.h>
 #include <pybind11/stl.h>
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -29,22 +31,26 @@ struct Asked {
   Question question;
 };
 
+Question asked_question(const py::str& of_name, const std::string& where)
+{
+  const std::string name = python::text_of(of_name);
+  if (const auto question = kernel::parse_question(name)) return *question;
+  throw Error(where + ": question '" + name + "'; expected solid or surface");
+}
+
 std::shared_ptr<const Polyhedron> checked(const py::handle& vertices, const py::handle& faces)
 {
   return std::make_shared<Polyhedron>(Body(python::polyhedron_of(vertices, faces)).polyhedron());
 }
 
 Asked made(const py::handle& a_vertices, const py::handle& a_faces, const py::object& pose_a,
-           const py::handle& b_vertices, const py::handle& b_faces, const py::object& pose_b,
-           const std::string& question)
+           const py::handle& b_vertices, const py::handle& b_faces, const py::object& pose_b, const py::str& question)
 {
   Asked asked;
-  const auto known = kernel::parse_question(question);
-  if (!known) throw Error("case: question '" + question + "'; expected solid or surface");
-  asked.question = *known;
+  asked.question = asked_question(question, "case");
   asked.c.a = checked(a_vertices, a_faces);
   asked.c.b = checked(b_vertices, b_faces);
-  Query(Body(*asked.c.a), Body(*asked.c.b), *known);  // that solids are closed
+  Query(Body(*asked.c.a), Body(*asked.c.b), asked.question);  // that solids are closed
   const auto one = [](const py::object& pose, const char* name) {
     const python::Poses poses(pose, name);
     if (!poses.is_one()) throw Error(std::string(name) + ": many poses; expected one, (3, 4) or (4, 4)");
@@ -55,17 +61,22 @@ Asked made(const py::handle& a_vertices, const py::handle& a_faces, const py::ob
   return asked;
 }
 
-const Family& family(const std::string& name)
+const Family& family(const py::str& of_name)
 {
+  const std::string name = python::text_of(of_name);
   if (const Family* const found = find_family(name)) return *found;
   throw Error("cases: no family '" + name + "'; expected one of tetracone.verify.families");
 }
 
-py::list texts_of(const kernel::Pose& pose)
+/// Numerators and denominators in hexadecimal: of decimals Python takes only short ones.
+py::list ratios_of(const kernel::Pose& pose)
 {
-  py::list texts;
-  for (int k = 0; k < 12; ++k) texts.append(kernel::to_string(pose.exact(k)));
-  return texts;
+  py::list ratios;
+  for (int k = 0; k < 12; ++k) {
+    const kernel::Rational x = pose.exact(k);
+    ratios.append(py::make_tuple(x.get_num().get_str(16), x.get_den().get_str(16)));
+  }
+  return ratios;
 }
 
 bool truth(const Asked& asked)
@@ -77,7 +88,7 @@ bool truth(const Asked& asked)
   return answer;
 }
 
-/// A function of Python that says yes, no, or by None that it fails.
+/// A function of Python that says yes or no by a bool, by None that it declines, and by anything else that it fails.
 class Python_subject : public Running_subject {
  public:
   Python_subject(py::function function, Question question) : function_(std::move(function)), question_(question) {}
@@ -85,7 +96,8 @@ class Python_subject : public Running_subject {
   Outcome operator()(const Object_case& c, Question) override
   {
     const py::object answer = function_(Asked{c, question_});
-    if (answer.is_none()) return Outcome::failed;
+    if (answer.is_none()) return Outcome::not_asked;
+    if (!py::isinstance<py::bool_>(answer)) return Outcome::failed;
     return answer.cast<bool>() ? Outcome::yes : Outcome::no;
   }
 
@@ -99,16 +111,19 @@ Asked shrunk(const Asked& asked, const py::function& function, double seconds, s
   Python_subject subject(function, asked.question);
   const bool right = truth(asked);
   const Outcome answer = subject(asked.c, asked.question);
+  if (answer == Outcome::not_asked)
+    throw Error("shrink: the function declines this case; expected one that it gets wrong");
   if (answer != Outcome::failed && (answer == Outcome::yes) == right)
     throw Error("shrink: the function is right about this case; expected one that it gets wrong");
   const auto still = same_error(subject, asked.question, answer, right);
   return {shrink(asked.c, asked.question, still, {evaluations, seconds}), asked.question};
 }
 
-py::tuple case_of(const std::string& path)
+py::tuple case_of(const py::object& of_path)
 {
+  const std::filesystem::path path = python::path_of(of_path);
   const Case_file file = read_case(path);
-  if (file.level != Level::object) throw Error(path + ": the case of a predicate; expected one of two bodies");
+  if (file.level != Level::object) throw Error(path.native() + ": the case of a predicate; expected one of two bodies");
   py::list wrong;
   for (const Wrong& w : file.wrong) wrong.append(py::make_tuple(w.subject, w.answer));
   return py::make_tuple(Asked{*file.object, file.question}, bool(file.truth), std::move(wrong), file.cause);
@@ -142,7 +157,7 @@ PYBIND11_MODULE(_verify, module)
     try {
       std::rethrow_exception(std::move(thrown));
     } catch (const tetracone::Error& e) {
-      PyErr_SetString(error.ptr(), e.what());
+      tetracone::python::set_error(error, e);
     }
   });
 
@@ -162,19 +177,17 @@ PYBIND11_MODULE(_verify, module)
              const tetracone::Polyhedron& p = b ? *asked.c.b : *asked.c.a;
              return py::make_tuple(tetracone::python::vertices_of(p, self), tetracone::python::faces_of(p));
            })
-      .def("pose", [](const Asked& asked, bool b) { return texts_of(b ? asked.c.pose_b : asked.c.pose_a); });
+      .def("pose", [](const Asked& asked, bool b) { return ratios_of(b ? asked.c.pose_b : asked.c.pose_a); });
 
   module.def("families", [] {
     py::dict all;
     for (const Family& family : families()) all[py::str(std::string(family.name))] = std::string(family.what);
     return all;
   });
-  module.def("case_of",
-             [](const std::string& name, std::uint64_t seed, std::uint64_t index, const std::string& question) {
-               const auto asked = tetracone::kernel::parse_question(question);
-               if (!asked) throw tetracone::Error("cases: question '" + question + "'; expected solid or surface");
-               return Asked{family(name).object_case(seed, index), *asked};
-             });
+  module.def("case_of", [](const py::str& name, std::uint64_t seed, std::uint64_t index, const py::str& question) {
+    const auto asked = asked_question(question, "cases");
+    return Asked{family(name).object_case(seed, index), asked};
+  });
   module.def("truth", &truth);
   module.def("shrunk", &shrunk);
   module.def("read_case", &case_of);

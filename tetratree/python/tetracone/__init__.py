@@ -9,8 +9,8 @@
 >>> tetracone.Query(cube, cube).collide(poses)
 array([ True,  True, False])
 
-`Body` and `read` make bodies, `Query` asks about two of them, `kernels` and `methods` are what a query can be told, and
-every mistake of a caller is an `Error`. `tetracone.verify`: cases that are hard, their true answers, and how to judge
+`Body` and `read` make bodies, `Body.inside` says where points are, `Query` asks about two bodies: `collide`, `relation`,
+`features`. `kernels` and `methods` are what a query can be told, and every mistake of a caller is an `Error`. `tetracone.verify`: cases that are hard, their true answers, and how to judge
 with them whatever answers.
 """
 

@@ -67,7 +67,7 @@ class Case:
 
     def _pose(self, b):
         if self._poses[b] is None:
-            exact = [_Fraction(text) for text in self._asked.pose(b)]
+            exact = [_Fraction(int(top, 16), int(bottom, 16)) for top, bottom in self._asked.pose(b)]
             doubles = [float(x) for x in exact]
             pose = _numpy.array(doubles if doubles == exact else exact).reshape(3, 4)
             pose.flags.writeable = False
@@ -133,10 +133,27 @@ class Table(list):
                          for row in rows)
 
 
+_failed = "failed"
+
+
+def _answer(function, case):
+    """What the function says: True or False, None where it declines, `_failed` for an exception and for all else."""
+    try:
+        answer = function(case)
+        if answer is None:
+            return None
+        if isinstance(answer, (int, _numpy.integer, _numpy.bool_)) and answer in (0, 1):
+            return bool(answer)
+    except Exception:
+        pass
+    return _failed
+
+
 def judge(function, cases):
     """The wrong answers of `function(case)` on cases, a `Table` with a row a family and question.
 
-    The function answers True or False; None declines, and is not counted; an exception is a failure.
+    The function answers True or False, or 1 or 0; None declines, and is not counted; an exception, and any other answer,
+    is a failure.
 
     >>> from tetracone import Query, verify
     >>> def exact(case):
@@ -148,20 +165,15 @@ def judge(function, cases):
     counts, wrong = {}, []
     for case in cases:
         row = counts.setdefault((case.family, case.question), [0, 0, 0, 0])
-        try:
-            answer = function(case)
-        except Exception:
-            answer, failed = None, True
-        else:
-            failed = False
-        if answer is None and not failed:
+        answer = _answer(function, case)
+        if answer is None:
             continue
         right = truth(case)
         row[0] += 1
-        row[1] += not failed and bool(answer) and not right
-        row[2] += not failed and not answer and right
-        row[3] += failed
-        if failed or bool(answer) != right:
+        row[1] += answer is True and not right
+        row[2] += answer is False and right
+        row[3] += answer is _failed
+        if answer is not right:
             wrong.append(case)
     return Table([Errors(*key, *row) for key, row in counts.items()], wrong)
 
@@ -169,8 +181,8 @@ def judge(function, cases):
 def shrink(case, function, seconds=3.0, evaluations=20000):
     """A smaller case that `function` still gets wrong in the same way: fewer faces, simpler poses, shorter numbers.
 
-    Stops after so many seconds or questions to the function. Raises Error when the function is right about the case, or
-    declines it.
+    Stops after so many seconds or questions to the function. A smaller case that it declines is none. Raises Error when
+    the function is right about the case, or declines it.
 
     >>> from tetracone import verify
     >>> case = next(case for case in verify.cases("nested", 20) if not verify.truth(case))
@@ -178,21 +190,7 @@ def shrink(case, function, seconds=3.0, evaluations=20000):
     >>> len(small.a.faces) <= len(case.a.faces), verify.truth(small)
     (True, False)
     """
-    declined = False
-
-    def answered(asked):
-        nonlocal declined
-        try:
-            answer = function(Case._of(asked))
-        except Exception:
-            return None
-        declined = declined or answer is None
-        return bool(answer)
-
-    answered(case._asked)
-    if declined:
-        raise _Error("shrink: the function declines this case; expected one that it gets wrong")
-    return Case._of(_verify.shrunk(case._asked, answered, seconds, evaluations))
+    return Case._of(_verify.shrunk(case._asked, lambda asked: _answer(function, Case._of(asked)), seconds, evaluations))
 
 
 #: What a case file says besides the case: the right answer, who was wrong with what answer (None: failed), and why.
@@ -211,26 +209,50 @@ def read_case(path):
     >>> file.truth, file.wrong, file.cause
     (True, {'boxes': False}, 'a test')
     """
-    asked, right, wrong, cause = _verify.read_case(_os.fspath(path))
+    asked, right, wrong, cause = _verify.read_case(path)
     return Case_file(Case._of(asked), right, {name: None if answer is None else bool(answer) for name, answer in wrong}, cause)
+
+
+def _shown(text):
+    """A text as messages quote it: on one line, and printable."""
+    return "".join(c if c.isprintable() else ascii(c)[1:-1] for c in str(text))
+
+
+def _one_line(text, name):
+    if not isinstance(text, str):
+        raise _Error(f"write_case: {name} is of type {type(text).__name__}; expected one line of text")
+    if any(c < " " or "\ud800" <= c <= "\udfff" for c in text):
+        raise _Error(f"write_case: {name} '{_shown(text)}' is no line of text; expected one without control characters and surrogates")
+    return text
 
 
 def write_case(path, case, wrong={}, cause=""):
     """Writes a case file, *.case.json, which `tetracone collide` replays with any kernel and `read_case` reads. Complete
     or not at all.
 
-    wrong: by the name of what was wrong, its answer, None where it failed. cause: one line. See `read_case`.
+    wrong: by the name of what was wrong, its answer, True or False, None where it failed. cause: one line. See
+    `read_case`. Raises Error for what it could not read.
     """
-    path = _os.fspath(path)
+    path = _os.fsdecode(path)
     if not path.endswith(".case.json"):
-        raise _Error(f"{path}: not the name of a case file; expected *.case.json")
-    text = _verify.case_text(case._asked, [(name, None if answer is None else int(answer)) for name, answer in wrong.items()], cause)
-    folder = _os.path.dirname(path) or "."
+        raise _Error(f"{_shown(path)}: not the name of a case file; expected *.case.json")
+    answers = []
+    for name, answer in wrong.items():
+        said = _answer(lambda _: answer, None)
+        if said is _failed:
+            raise _Error(f"write_case: the answer of '{_shown(name)}' is {_shown(repr(answer))[:40]}; expected True, False or None")
+        answers.append((_one_line(name, "a name of `wrong`"), None if said is None else int(said)))
+    text = _verify.case_text(case._asked, answers, _one_line(cause, "the cause"))
+    temporary = None
     try:
-        handle, temporary = _tempfile.mkstemp(dir=folder)
-        with _os.fdopen(handle, "w") as file:
+        handle, temporary = _tempfile.mkstemp(dir=_os.path.dirname(path) or ".")
+        with _os.fdopen(handle, "w", encoding="utf-8") as file:
             file.write(text)
         _os.chmod(temporary, 0o644)
         _os.replace(temporary, path)
-    except OSError as error:
-        raise _Error(f"{path}: {error.strerror}; expected a folder that can be written") from None
+        temporary = None
+    except (OSError, ValueError) as error:  # ValueError: no name of a file
+        raise _Error(f"{_shown(path)}: {getattr(error, 'strerror', error)}; expected a folder that can be written") from None
+    finally:
+        if temporary is not None:
+            _os.unlink(temporary)
