@@ -123,7 +123,7 @@ template <std::integral Integer>
 void add_polygons(Polyhedron& polyhedron, const py::array& faces)
 {
   const py::array_t<Integer, py::array::forcecast> numbers(faces);
-  const auto number = numbers.unchecked<2>();
+  const auto number = numbers.template unchecked<2>();
   std::vector<std::uint32_t> loop(number.shape(1));
   for (py::ssize_t f = 0; f < number.shape(0); ++f) {
     for (py::ssize_t k = 0; k < number.shape(1); ++k)
