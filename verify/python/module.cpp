@@ -54,6 +54,7 @@ Asked made(const py::handle& a_vertices, const py::handle& a_faces, const py::ob
   const auto one = [](const py::object& pose, const char* name) {
     const python::Poses poses(pose, name);
     if (!poses.is_one()) throw Error(std::string(name) + ": many poses; expected one, (3, 4) or (4, 4)");
+    poses.require(0);
     return poses(0).exact();
   };
   asked.c.pose_a = one(pose_a, "pose_a");
