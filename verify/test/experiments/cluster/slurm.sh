@@ -70,7 +70,7 @@ until_true 20 idle || skip "Slurm does not start: $(tail -qn 1 "$work"/slurm*.lo
 # A subject that needs its time on any machine.
 cat > "$work/slow" << 'END'
 while IFS= read -r line; do
-  case $line in '{"ask":'*) sleep 0.04; line=${line#'{"ask":'}; echo "{\"ask\":${line%%,*},\"answer\":0}" ;; esac
+  case $line in '{"ask":'*) sleep 0.12; line=${line#'{"ask":'}; echo "{\"ask\":${line%%,*},\"answer\":0}" ;; esac
 done
 END
 words=(--cases 20 --level object --frames 0 --subject slow --subject-command "slow=sh $work/slow")
