@@ -127,6 +127,26 @@ class Placed_face {
   Index face_;
 };
 
+/// A face of a model where it stands, as `kernel::segment_face` wants it.
+template <class K>
+class Model_face {
+ public:
+  using Point = kernel::Point<K>;
+
+  Model_face(const Model<K>& model, Index face) : model_(model), face_(face) {}
+
+  std::size_t edge_count() const { return model_.covering().from(face_).size(); }
+  const Point& from(std::size_t k) const { return model_.point(model_.covering().from(face_)[k]); }
+  const Point& to(std::size_t k) const { return model_.point(model_.covering().to(face_)[k]); }
+  const Point& origin() const { return from(0); }
+  bool is_degenerate() const { return !model_.covering().plane_basis(face_); }
+  const Point& plane_basis(int k) const { return model_.point((*model_.covering().plane_basis(face_))[k]); }
+
+ private:
+  const Model<K>& model_;
+  Index face_;
+};
+
 /// How the closed segment pq and face `f` of a placed model meet.
 template <class K>
 kernel::Contact segment_face(const kernel::Point<K>& p, const kernel::Point<K>& q, Placed_model<K>& body, Index f)

@@ -30,6 +30,7 @@ void run_error_bounds(const std::filesystem::path& out, int steps, std::uint64_t
       row.add("found", found).add("proved_over_found", proved / found);
       std::printf(" %9.4f found, margin %.2f\n", found, proved / found);
     }
+    row.add("not_searched", verify::proofs::why_not_searched(bound.name));
     table.add(row.add_origin(seed));
   }
   write_whole(out / "error_bounds.csv", table.text());

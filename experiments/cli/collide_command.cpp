@@ -1,5 +1,6 @@
 #include "experiments/cli/collide_command.h"
 
+#include "experiments/cli/contact_rows.h"
 #include "experiments/support/output_file.h"
 #include "experiments/support/progress.h"
 #include "experiments/support/scene_options.h"
@@ -33,10 +34,13 @@ using Json = nlohmann::ordered_json;
 
 struct Options {
   Scene_names names;
-  std::string csv, question = "solid", kernel = "adaptive", method = "tree";
+  std::string csv, question = "solid", kernel = "adaptive", method = "tree", curves;
   std::vector<std::string> compare;
-  bool features = false, json = false, time = false;
+  bool features = false, contacts = false, exact = false, relation = false, json = false, time = false;
   int repeat = 1;
+
+  /// Lists instead of answers, which need no solid.
+  bool lists() const { return features || contacts; }
 };
 
 /// What is asked: two models, or the bodies of a case file, and their poses.
@@ -52,7 +56,7 @@ Scene read_scene(const Options& options, Question question)
     throw CLI::ValidationError("collide " + options.names.a,
                                "expected a second model, B: only a case file, *.case.json, has both bodies");
   Pose_pairs poses = read_pose_pairs(options.names);
-  const bool solid = question == Question::solid && !options.features;
+  const bool solid = question == Question::solid && !options.lists();
   Model_file a = load_model(options.names.a, options.names.models, solid),
              b = load_model(options.names.b, options.names.models, solid);
   return {std::move(a), std::move(b), std::move(poses), question};
@@ -80,7 +84,8 @@ struct Answers {
   double first_nanoseconds = 0;  // of the very first query, which may make what later ones find
 };
 
-Answers ask(verify::Prepared_pair& pair, const Pose_pairs& poses, Question question, int passes)
+/// `relation`: answers are how the bodies stand.
+Answers ask(verify::Prepared_pair& pair, const Pose_pairs& poses, Question question, int passes, bool relation = false)
 {
   Answers answers{std::vector<Row>(poses.count())};
   std::vector<Row>& rows = answers.rows;
@@ -88,7 +93,8 @@ Answers ask(verify::Prepared_pair& pair, const Pose_pairs& poses, Question quest
   for (int pass = 0; pass < passes; ++pass)
     for (std::size_t k = 0; k < rows.size(); ++k) {
       const Stopwatch watch;
-      rows[k].answer = pair.collide(poses.of_a(k), poses.of_b(k), question);
+      rows[k].answer = relation ? int(pair.relation(poses.of_a(k), poses.of_b(k), question))
+                                : int(pair.collide(poses.of_a(k), poses.of_b(k), question));
       const double ns = watch.nanoseconds();
       if (pass == 0 && k == 0) answers.first_nanoseconds = ns;
       rows[k].nanoseconds = std::min(rows[k].nanoseconds, ns);
@@ -109,12 +115,18 @@ void tell_first_query(verify::Prepared_pair& pair, const Scene& scene, const Ans
                1e-6 * first, 1e-6 * std::max(0.0, first - again), ready_milliseconds);
 }
 
-std::string rows_as_csv(const std::vector<Row>& rows, bool time)
+/// `relation`: it is one.
+std::string answer_text(int answer, bool relation)
+{
+  return relation ? std::string(to_string(kernel::Relation(answer))) : std::to_string(answer);
+}
+
+std::string rows_as_csv(const std::vector<Row>& rows, bool time, bool relation)
 {
   std::string text = time ? "pose,answer,ns,bounding_tests,primitive_tests,exact_fallbacks\n" : "pose,answer\n";
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const Row& row = rows[k];
-    text += std::to_string(k) + "," + std::to_string(row.answer);
+    text += std::to_string(k) + "," + answer_text(row.answer, relation);
     if (time)
       text += "," + std::to_string(static_cast<long long>(row.nanoseconds)) + "," +
               std::to_string(row.counts.bounding_tests()) + "," + std::to_string(row.counts.primitive_tests()) + "," +
@@ -124,11 +136,12 @@ std::string rows_as_csv(const std::vector<Row>& rows, bool time)
   return text;
 }
 
-std::string rows_as_json(const std::vector<Row>& rows, bool time)
+std::string rows_as_json(const std::vector<Row>& rows, bool time, bool relation)
 {
   Json json = Json::array();
   for (std::size_t k = 0; k < rows.size(); ++k) {
     Json row = {{"pose", k}, {"answer", rows[k].answer}};
+    if (relation) row["answer"] = answer_text(rows[k].answer, relation);
     if (time) {
       row["ns"] = static_cast<long long>(rows[k].nanoseconds);
       row["bounding_tests"] = rows[k].counts.bounding_tests();
@@ -170,10 +183,10 @@ std::string features_as_json(const std::vector<std::vector<Feature_pair>>& featu
 
 std::string rows_as_text(const std::vector<Row>& rows, const Options& options)
 {
-  if (options.json) return rows_as_json(rows, options.time);
-  if (!options.csv.empty()) return rows_as_csv(rows, options.time);
+  if (options.json) return rows_as_json(rows, options.time, options.relation);
+  if (!options.csv.empty()) return rows_as_csv(rows, options.time, options.relation);
   std::string text;
-  for (const Row& row : rows) text += std::to_string(row.answer) + "\n";
+  for (const Row& row : rows) text += answer_text(row.answer, options.relation) + "\n";
   return text;
 }
 
@@ -193,6 +206,43 @@ std::string features_of(verify::Prepared_pair& pair, const Scene& scene, const O
   if (options.json) return features_as_json(features);
   return options.csv.empty() ? features_as_text(features, "", " ")
                              : features_as_text(features, "pose,body,edge_from,edge_to,face,kind\n", ",");
+}
+
+/// The curves, too, where they are asked for.
+std::string contacts_of(verify::Prepared_pair& pair, const Scene& scene, const Options& options, std::string& curves)
+{
+  if (!options.curves.empty() && scene.poses.count() != 1)
+    throw CLI::ValidationError("--curves " + options.curves,
+                               "expected one pose, not " + std::to_string(scene.poses.count()));
+  std::vector<Contacts> contacts;
+  Progress progress("poses", scene.poses.count());
+  for (std::size_t k = 0; k < scene.poses.count(); ++k) {
+    contacts.push_back(pair.contacts(scene.poses.of_a(k), scene.poses.of_b(k)));
+    progress.step();
+  }
+  if (!options.curves.empty()) curves = curves_text(contacts[0].curves(), options.curves);
+  return contact_rows(contacts, scene.a, scene.b, {options.json, !options.csv.empty(), options.exact});
+}
+
+/// Requires what only some options go with.
+void require_contact_options(const Options& options)
+{
+  const auto require = [](bool given, bool holds, const char* name, const char* expected) {
+    if (given && !holds) throw CLI::ValidationError(name, expected);
+  };
+  const bool rounds = options.kernel != "adaptive" && options.kernel != "epeck" && options.kernel != "rational";
+  require(options.contacts, !options.features, "--contacts", "expected without --features");
+  require(options.contacts, !options.time, "--time", "expected without --contacts");
+  require(options.contacts, options.compare.empty(), "--compare", "expected without --contacts");
+  require(options.contacts, !rounds, "--contacts", "expected with an exact kernel: adaptive, epeck or rational");
+  require(options.contacts, options.kernel != "rational" || options.method != "brute", "--method",
+          "expected tree, tuned or paper, with --contacts and --kernel rational");
+  require(options.exact, options.contacts, "--exact", "expected with --contacts");
+  require(!options.curves.empty(), options.contacts, "--curves", "expected with --contacts");
+  require(!options.curves.empty(), is_curve_file(options.curves), "--curves", "expected a file *.obj or *.ply");
+  require(options.relation, !options.lists(), "--relation", "expected without --features and --contacts");
+  require(options.relation, options.question == "solid", "--relation", "expected with --question solid");
+  require(options.relation, options.compare.empty(), "--compare", "expected without --relation");
 }
 
 /// The answers of several kernels side by side.
@@ -264,8 +314,12 @@ void run(const Options& options, bool question_is_given)
     throw CLI::ValidationError("--compare", "expected without --time and --features");
   if (options.json && !options.csv.empty()) throw CLI::ValidationError("--json", "expected without --csv");
   if (options.repeat < 1) throw CLI::ValidationError("--repeat", "expected a number from 1");
+  require_contact_options(options);
   const std::vector<std::string> kernels = kernels_of(options);
-  if (!options.csv.empty()) options.names.refuse_as_output(options.csv);
+  for (const std::string& output : {options.csv, options.curves})
+    if (!output.empty()) options.names.refuse_as_output(output);
+  if (!options.curves.empty() && !options.csv.empty() && is_same_file(options.curves, options.csv))
+    throw CLI::ValidationError("--curves " + options.curves, "expected another file than that of --csv");
 
   std::optional<verify::Case_file> c;
   if (verify::is_case_name(options.names.a)) {
@@ -273,10 +327,12 @@ void run(const Options& options, bool question_is_given)
     c = verify::read_case(options.names.a);
   }
   std::vector<std::vector<Row>> columns;
-  std::string text;
+  std::string text, curves;
   if (c && c->level == verify::Level::predicate) {
     for (const auto& [given, name] : {std::pair(question_is_given, "--question"),
                                       {options.features, "--features"},
+                                      {options.contacts, "--contacts"},
+                                      {options.relation, "--relation"},
                                       {options.time, "--time"},
                                       {options.method != "tree", "--method"}})
       if (given) throw CLI::ValidationError(name, "expected with bodies; " + options.names.a + " asks a predicate");
@@ -290,29 +346,31 @@ void run(const Options& options, bool question_is_given)
                                    "expected adaptive, double, float, double-eps=E, epick, epeck or rational");
       subjects.push_back(*subject);
     }
-    if (c && !question_is_given) question = c->question;
-    const bool solid = *question == Question::solid && !options.features;
+    if (c && !question_is_given && !options.relation) question = c->question;
+    const bool solid = *question == Question::solid && !options.lists();
     const Scene scene = c ? scene_of(*c->object, options.names.a, *question, solid) : read_scene(options, *question);
     for (const Subject& subject : subjects) {
       const Stopwatch since;
       const auto pair = verify::prepare(subject, scene.a.polyhedron, scene.b.polyhedron);
       const double ready = since.milliseconds();
-      if (options.features) {
-        text = features_of(*pair, scene, options);
+      if (options.lists()) {
+        text = options.features ? features_of(*pair, scene, options) : contacts_of(*pair, scene, options, curves);
         continue;
       }
-      const Answers answers = ask(*pair, scene.poses, scene.question, options.time ? options.repeat : 1);
+      const Answers answers =
+          ask(*pair, scene.poses, scene.question, options.time ? options.repeat : 1, options.relation);
       if (options.time) tell_first_query(*pair, scene, answers, ready);
       columns.push_back(answers.rows);
     }
   }
-  if (!options.features)
+  if (!options.lists())
     text =
         options.compare.empty() ? rows_as_text(columns.front(), options) : columns_as_text(kernels, columns, options);
   if (options.csv.empty())
     std::cout << text;
   else
     write_whole(options.csv, text);
+  if (!options.curves.empty()) write_whole(options.curves, curves);
 }
 
 }  // namespace
@@ -345,6 +403,14 @@ void add_collide_command(CLI::App& app)
       ->capture_default_str();
   command->add_flag("--features", options->features,
                     "All colliding pairs (edge of one, face of the other) instead of the answer");
+  command->add_flag("--contacts", options->contacts,
+                    "All pairs of faces that meet, and where, instead of the answer: points, segments and polygons");
+  command->add_flag("--exact", options->exact, "With --contacts: fractions instead of the nearest doubles");
+  command->add_option(
+      "--curves", options->curves,
+      "With --contacts: write the segments, joined into chains and loops, to this file, *.obj or *.ply");
+  command->add_flag("--relation", options->relation,
+                    "apart, surfaces, a_in_b or b_in_a instead of 0 or 1, for --question solid");
   command->add_option("--csv", options->csv, "Write a table to this file");
   command->add_flag("--json", options->json, "Write JSON to standard output");
   command->add_flag(
@@ -356,6 +422,8 @@ void add_collide_command(CLI::App& app)
   command->footer(
       "Prints 1 or 0 for each pose. With --features: a line for each pair: pose, body (0: edge of A, face of B), edge, "
       "face, kind.\n"
+      "With --contacts: pose, face of A, face of B, point, segment or coplanar, and two ends; --json has the "
+      "polygons.\n"
       "A case file of a predicate prints that predicate's answer.\n"
       "With --compare double,float a line is `1 1 0`: the answers of adaptive (or of --kernel), double and float; CSV: "
       "pose,adaptive,double,float.\n"

@@ -3,12 +3,16 @@
 #include "experiments/accuracy/compilers.h"
 #include "experiments/accuracy/dataset.h"
 #include "experiments/accuracy/error_bounds.h"
+#include "experiments/accuracy/motion.h"
 #include "experiments/accuracy/sign_maps.h"
 #include "experiments/accuracy/stability.h"
 #include "experiments/report/method_figures.h"
 #include "experiments/speed/ablation_experiment.h"
+#include "experiments/speed/contacts_experiment.h"
+#include "experiments/speed/distance_experiment.h"
 #include "experiments/speed/paper_experiment.h"
 #include "experiments/speed/peers_experiment.h"
+#include "experiments/speed/points_experiment.h"
 #include "experiments/speed/scaling_experiment.h"
 #include "experiments/speed/study.h"
 #include "experiments/speed/threads_experiment.h"
@@ -21,6 +25,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tetracone::experiments {
 namespace {
@@ -30,8 +35,9 @@ struct Options {
   bool list = false, full = false;
   Study_options study;
   std::uint64_t cases = 20;
-  int race_frames = 400, size = 256;
-  std::filesystem::path model;
+  int race_frames = 400, size = 256, points = 20'000;
+  std::filesystem::path model, queries;
+  std::vector<std::filesystem::path> meshes;
 };
 
 std::filesystem::path models(const Options& options)
@@ -59,13 +65,32 @@ void peers(Options options) { run_peers(race(options)); }
 void scaling(Options options) { run_scaling(race(options)); }
 void paper(Options options) { run_paper(race(options)); }
 void ablation(Options options) { run_ablation(race(options)); }
+void distance(Options options)
+{
+  run_distance(options.study.out, options.race_frames, options.full, options.study.seed);
+}
 void threads(Options options) { run_threads(options.study.out, options.race_frames, options.study.seed); }
+
+void contacts(Options options)
+{
+  run_contacts(options.study.out, models(options), options.race_frames, options.study.seed);
+}
+void points(Options options)
+{
+  run_points(options.study.out, options.meshes, options.full ? 20 * options.points : options.points,
+             options.study.seed);
+}
 
 void method(Options options) { run_method_figures(options.study.out, options.model); }
 void sign_maps(Options options) { run_sign_maps(options.study.out, options.size); }
 void stability(Options options) { run_stability(options.study.out, options.full ? 400 : 20, options.study.seed); }
 
 void bounds(Options options) { run_error_bounds(options.study.out, 20000, options.study.seed); }
+void motion(Options options)
+{
+  const std::uint64_t cases = options.full ? 500 * options.cases : 10 * options.cases;
+  run_motion(options.study.out, options.queries, cases, options.study.seed);
+}
 void compilers(Options options) { run_compilers(options.study.out); }
 
 void dataset(Options options)
@@ -90,13 +115,20 @@ constexpr std::array experiments = {
     Experiment{"paper",
                "what do adjusted tetrahedra, depth, relative size and a turning body cost in the paper's study?",
                "4 min", paper},
+    Experiment{"distance", "what does an exact distance cost beside FCL's, and how far off is each?", "20 s", distance},
     Experiment{"threads", "how do queries on shared bodies scale with threads, while nodes are made and after?", "10 s",
                threads},
+    Experiment{"contacts", "how fast are all contacts of bodies that collide, and FCL's, and how many of FCL's wrong?",
+               "20 s", contacts},
+    Experiment{"points", "what does a point in a solid cost, and the first hit of a ray, against CGAL?", "1 min",
+               points},
     Experiment{"sign-maps",
                "what does each arithmetic answer at 256 x 256 neighbouring doubles about a degenerate place?", "1 min",
                sign_maps},
     Experiment{"stability", "how many doubles from the exact place does each kernel change its answer?", "10 s",
                stability},
+    Experiment{"motion", "how fast and how often wrong are ways to decide whether moving primitives meet?", "20 s",
+               motion},
     Experiment{"bounds", "how much of each error bound is proved to be needed, and how much does a search find?",
                "1 min", bounds},
     Experiment{"method", "what do covering, cones, bounding volumes and hull of the paper look like?", "10 s", method},
@@ -142,24 +174,34 @@ void add_experiment_command(CLI::App& app)
   command
       ->add_option(
           "--race-frames", options->race_frames,
-          "peers, scaling, ablation, paper, threads: poses of each trajectory (peers: of each of eight circles)")
+          "peers, scaling, ablation, paper, distance, threads, contacts: poses of each trajectory (peers: of each of "
+          "eight circles)")
       ->check(poses)
       ->capture_default_str();
   command->add_option("--size", options->size, "sign-maps: doubles along each side of a map")
       ->check(CLI::Range(1, 4096))
       ->capture_default_str();
+  command->add_option("--points", options->points, "points: points and rays of each kind")
+      ->check(poses)
+      ->capture_default_str();
+  command->add_option("--mesh", options->meshes,
+                      "points: a closed mesh of triangles, beside the generated; may be repeated");
   command->add_option("--model", options->model,
                       "method: a closed model; default: a star-shaped body of 760 triangles");
+  command->add_option("--queries", options->queries,
+                      "motion: a folder of published queries, SCENE/KIND/*.csv, judged too; default: none");
   command->add_option("--seed", options->study.seed, "Seed of every random choice")
       ->check(CLI::Range(0ul, 1ul << 62))
       ->capture_default_str();
-  command->add_option("--cases", options->cases, "dataset: cases per family and level")
+  command
+      ->add_option("--cases", options->cases,
+                   "dataset: cases per family and level; motion: a tenth of the pairs per family")
       ->check(CLI::Range(1ul, 1'000'000ul))
       ->capture_default_str();
-  command->add_flag(
-      "--full", options->full,
-      "Twenty times as many poses or cases; peers and scaling: larger objects; ablation and paper: all poses; "
-      "stability: more ways");
+  command->add_flag("--full", options->full,
+                    "Twenty times as many poses or cases, motion fifty times; peers and scaling: larger objects; "
+                    "ablation and paper: all poses; "
+                    "stability: more ways");
   command->footer(
       "Stopped and started again with the same words, it goes on where it was.\nExample: tetracone experiment study "
       "--out out");

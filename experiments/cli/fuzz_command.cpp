@@ -12,6 +12,7 @@
 #include "verify/shrink/wrong_answers.h"
 #include "verify/subjects/object_subject.h"
 #include "verify/subjects/predicate_subject.h"
+#include "verify/truth/integer_features.h"
 #include "verify/truth/predicate_truth.h"
 
 #include <algorithm>
@@ -116,9 +117,12 @@ class Fuzz {
     for (const auto& subject : verify::object_subjects()) names.push_back(subject.name);
     for (const auto& subject : verify::predicate_subjects()) names.push_back(subject.name);
     const auto wanted = chosen(names, options.subject);
+    std::set<std::string> listing;
+    for (const auto& subject : verify::feature_subjects()) listing.insert(subject.name);
     for (auto& subject : verify::object_subjects())
-      if (wanted.contains(subject.name)) object_subjects_.push_back({subject, subject.make()});
-    for (const auto& subject : commands) object_subjects_.push_back({subject, subject.make()});
+      if (wanted.contains(subject.name))
+        object_subjects_.push_back({subject, subject.make(), listing.contains(subject.name)});
+    for (const auto& subject : commands) object_subjects_.push_back({subject, subject.make(), false});
     for (const auto& subject : verify::predicate_subjects())
       if (wanted.contains(subject.name)) predicate_subjects_.push_back(&subject);
     make_folder(options.out);
@@ -133,7 +137,8 @@ class Fuzz {
         verify::Random random(verify::Random(options_.seed ^ (std::uint64_t(family.number) << 32)).bits() ^ round);
         if (!object_subjects_.empty()) {
           const Object_case c = family.object_case(options_.seed, round);
-          if (!try_objects(c) || !try_objects(verify::mutated(c, random))) return;
+          for (const Object_case& each : {c, verify::mutated(c, random)})
+            if (!try_objects(each) || !try_features(each)) return;
         }
         for (int k = 0; k < predicates_a_round && !predicate_subjects_.empty(); ++k) {
           const Predicate_case c = family.predicate_case(options_.seed, predicates_a_round * round + k);
@@ -148,7 +153,7 @@ class Fuzz {
     std::printf("%-9s  %-40s %10s %10s %10s %9s %6s\n", "level", "subject", "answers", "false +", "false -", "failures",
                 "kinds");
     for (const auto& [who, tally] : tallies_)
-      std::printf("%-9s  %-40s %10llu %10llu %10llu %9llu %6llu%s\n", to_string(who.first), who.second.c_str(),
+      std::printf("%-9s  %-40s %10llu %10llu %10llu %9llu %6llu%s\n", who.first.c_str(), who.second.c_str(),
                   (unsigned long long)tally.asked, (unsigned long long)tally.false_positives,
                   (unsigned long long)tally.false_negatives, (unsigned long long)tally.failures,
                   (unsigned long long)tally.kinds,
@@ -168,6 +173,7 @@ class Fuzz {
   struct At_work {
     verify::Object_subject subject;
     std::unique_ptr<verify::Running_subject> answer;
+    bool lists_features;
   };
 
   /// False when the time is up.
@@ -179,7 +185,7 @@ class Fuzz {
     return seconds < options_.seconds;
   }
 
-  Tally& tally(verify::Level level, const std::string& subject, bool is_exact)
+  Tally& tally(const std::string& level, const std::string& subject, bool is_exact)
   {
     if (is_exact) exact_.insert(subject);
     return tallies_[{level, subject}];
@@ -195,7 +201,7 @@ class Fuzz {
         if (!go_on()) return false;
         const Outcome answer = (*each.answer)(c, question);
         if (answer == Outcome::not_asked) continue;
-        Tally& mine = tally(verify::Level::object, each.subject.name, each.subject.is_exact);
+        Tally& mine = tally(to_string(verify::Level::object), each.subject.name, each.subject.is_exact);
         const std::string kind =
             mine.add(answer == Outcome::failed ? std::nullopt : std::optional<int>(answer == Outcome::yes), truth);
         if (kind.empty() || !is_new(each.subject.name, c.origin.family, std::string(to_string(question)), kind))
@@ -203,13 +209,42 @@ class Fuzz {
         ++mine.kinds;
         const Object_case small =
             verify::shrink(c, question, verify::same_error(*each.answer, question, answer, truth), budget);
-        const auto size = [](const Object_case& x) {
-          return std::to_string(verify::face_count(x)) + " faces, " + std::to_string(verify::size_of(x).bits) + " bits";
-        };
         write(verify::case_file_of(small, question, each.subject, answer), name_, size(c) + " -> " + size(small));
       }
     }
     return true;
+  }
+
+  /// By the second truth: campaigns, which ask for fewer, compare both.
+  bool try_features(const Object_case& c)
+  {
+    std::optional<std::vector<kernel::Feature_pair>> truth;
+    for (At_work& each : object_subjects_) {
+      if (!each.lists_features) continue;
+      if (!go_on()) return false;
+      const verify::Listed listed = each.answer->features(c);
+      if (listed.outcome == Outcome::not_asked) continue;
+      if (!truth) truth = verify::integer_truth::features(c);
+      // A list with one wrong pair in place of a right one is lower.
+      const bool is_list = listed.outcome == Outcome::yes;
+      Tally& mine = tally("features", each.subject.name, each.subject.is_exact);
+      const std::string kind =
+          mine.add(is_list ? std::optional(verify::as_number(listed.pairs, *truth)) : std::nullopt, int(truth->size()));
+      if (kind.empty() || !is_new(each.subject.name, c.origin.family, "features", kind)) continue;
+      ++mine.kinds;
+      const Object_case small =
+          is_list
+              ? verify::shrink(c, Question::surface, verify::same_error_of_features(*each.answer, kind == "fn"), budget)
+              : c;
+      write(verify::case_file_of(small, each.subject, each.answer->features(small)), name_,
+            size(c) + " -> " + size(small));
+    }
+    return true;
+  }
+
+  static std::string size(const Object_case& c)
+  {
+    return std::to_string(verify::face_count(c)) + " faces, " + std::to_string(verify::size_of(c).bits) + " bits";
   }
 
   bool try_predicates(const Predicate_case& c)
@@ -221,7 +256,7 @@ class Fuzz {
         if (!go_on()) return false;
         const std::optional<int> answer = subject->answer(predicate, c);
         if (!answer) continue;
-        Tally& mine = tally(verify::Level::predicate, subject->name, subject->is_exact);
+        Tally& mine = tally(to_string(verify::Level::predicate), subject->name, subject->is_exact);
         const std::string kind = mine.add(*answer == verify::no_answer ? std::nullopt : answer, *truth);
         if (kind.empty() || !is_new(subject->name, c.origin.family, to_string(predicate), kind)) continue;
         ++mine.kinds;
@@ -256,7 +291,7 @@ class Fuzz {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::vector<At_work> object_subjects_;
   std::vector<const verify::Predicate_subject*> predicate_subjects_;
-  std::map<std::pair<verify::Level, std::string>, Tally> tallies_;
+  std::map<std::pair<std::string, std::string>, Tally> tallies_;  // by level and subject
   std::set<std::string> exact_, names_;
   std::string name_;  // the file of the last find
 };
@@ -292,7 +327,7 @@ void add_fuzz_command(CLI::App& app)
   add_subject_options(*command, options->others);
   command->add_option("--out", options->out, "Folder of the case files")->capture_default_str();
   command->footer(
-      "Each new kind of wrong answer (subject, family, question, direction) is written once.\n"
+      "Each new kind of wrong answer (subject, family, question or features, direction) is written once.\n"
       "Exit status 1: an exact subject was wrong.\n"
       "Example: tetracone fuzz --seconds 600 --subject \"double brute\" --out out/fuzz");
   command->callback([options] { run(*options); });

@@ -1,7 +1,9 @@
 #include "experiments/cli/inside_command.h"
 
 #include "experiments/support/model_file.h"
+#include "experiments/support/output_file.h"
 #include "experiments/support/progress.h"
+#include "experiments/support/stopwatch.h"
 #include "tetracone/covering/io/read_points.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/tetratree/door/tetracone.h"
@@ -16,27 +18,41 @@ namespace tetracone::experiments {
 namespace {
 
 struct Options {
-  std::string model, points;
+  std::string model, points, csv;
   Model_options models;
+  bool time = false;
 };
+
+Location answer(const Body& body, const covering::Point_numbers& p)
+{
+  if (std::ranges::any_of(p, [](const covering::Number& x) { return x.fraction.has_value(); }))
+    return body.inside_text(
+        {kernel::exact_text(p[0].exact()), kernel::exact_text(p[1].exact()), kernel::exact_text(p[2].exact())});
+  return body.inside({p[0].nearest, p[1].nearest, p[2].nearest});
+}
 
 void run(const Options& options)
 {
+  if (options.time && options.csv.empty()) throw CLI::ValidationError("--time", "expected --csv to hold the times");
+  if (!options.csv.empty()) refuse_input(options.csv, {options.model, options.points});
   const auto points = covering::read_points(options.points);
-  const Model_file model = load_model(options.model, options.models, true);
-  Point_query query(Body(model.polyhedron));
+  const Body body(load_model(options.model, options.models, true).polyhedron);
+  body.inside_bytes();  // no point's time is that of the table
 
-  std::string text;
+  std::string text, csv = options.time ? "point,answer,ns\n" : "point,answer\n";
   Progress progress("points", points.size());
-  for (const covering::Point_numbers& p : points) {
-    const bool fractions = std::ranges::any_of(p, [](const covering::Number& x) { return x.fraction.has_value(); });
-    const auto exact = [&](int k) { return kernel::exact_text(p[k].exact()); };
-    const Location at = fractions ? query.locate_text({exact(0), exact(1), exact(2)})
-                                  : query.locate({p[0].nearest, p[1].nearest, p[2].nearest});
-    text += std::to_string(static_cast<int>(at)) + "\n";
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Stopwatch watch;
+    const std::string at = std::to_string(int(answer(body, points[k])));
+    const long long ns = static_cast<long long>(watch.nanoseconds());
+    text += at + "\n";
+    csv += std::to_string(k) + "," + at + (options.time ? "," + std::to_string(ns) : "") + "\n";
     progress.step();
   }
-  std::cout << text;
+  if (options.csv.empty())
+    std::cout << text;
+  else
+    write_whole(options.csv, csv);
 }
 
 }  // namespace
@@ -51,6 +67,8 @@ void add_inside_command(CLI::App& app)
       ->add_option("POINTS", options->points,
                    "Points: one a line, three numbers, decimals or fractions n/d; '#' comments")
       ->required();
+  command->add_option("--csv", options->csv, "Write a table to this file");
+  command->add_flag("--time", options->time, "With --csv: nanoseconds of each point");
   options->models.add_to(*command);
   command->footer("One line a point. Example: tetracone inside house.poly points.txt");
   command->callback([options] { run(*options); });

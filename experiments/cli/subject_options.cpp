@@ -44,7 +44,8 @@ std::vector<verify::Object_subject> command_subjects(const Subject_options& opti
     const auto refuse = [&](const std::string& what) {
       throw CLI::ValidationError("--subject-command " + words, what);
     };
-    if (equals == std::string::npos || equals + 1 == words.size() || !is_name(name))
+    if (equals == std::string::npos || words.find_first_not_of(" \t\n", equals + 1) == std::string::npos ||
+        !is_name(name))
       refuse("expected NAME=COMMAND, NAME of letters, digits, '.', '_', '-' and '+'");
     if (!taken.insert(name).second) refuse("the name " + name + " is another subject's; expected a new one");
     const std::string command = words.substr(equals + 1);

@@ -3,11 +3,14 @@
 // Exit status: 0 done, 1 a check found something (the command throws CLI::RuntimeError(1)), 2 bad use or bad input,
 // with one line on stderr.
 
+#include "experiments/cli/ccd_command.h"
 #include "experiments/cli/check_command.h"
 #include "experiments/cli/collide_command.h"
+#include "experiments/cli/distance_command.h"
 #include "experiments/cli/experiment_command.h"
 #include "experiments/cli/fuzz_command.h"
 #include "experiments/cli/inside_command.h"
+#include "experiments/cli/ray_command.h"
 #include "experiments/cli/report_command.h"
 #include "experiments/cli/verify_command.h"
 #include "experiments/cli/view_command.h"
@@ -70,7 +73,10 @@ int main(int argc, char** argv)
 
   tetracone::experiments::add_check_command(app);
   tetracone::experiments::add_collide_command(app);
+  tetracone::experiments::add_distance_command(app);
   tetracone::experiments::add_inside_command(app);
+  tetracone::experiments::add_ray_command(app);
+  tetracone::experiments::add_ccd_command(app);
   tetracone::experiments::add_verify_command(app);
   tetracone::experiments::add_merge_command(app);
   tetracone::experiments::add_fuzz_command(app);

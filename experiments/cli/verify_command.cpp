@@ -82,6 +82,8 @@ void choose_subjects(const Options& options, Campaign& campaign)
   campaign.predicate_subjects = chosen(verify::predicate_subjects(), options.subjects, known);
   campaign.object_subjects = chosen(objects, options.subjects, known);
   campaign.feature_subjects = chosen(verify::feature_subjects(), options.subjects, known);
+  if (options.level.empty() || options.level == "contacts")
+    campaign.contact_subjects = chosen(verify::contact_subjects(), options.subjects, known);
   campaign.object_subjects.insert(campaign.object_subjects.end(), commands.begin(), commands.end());
   for (const std::string& name : options.subjects)
     if (!known.contains(name)) {
@@ -113,10 +115,12 @@ void choose_sizes(const Options& options, Campaign& campaign)
 {
   if (options.cases != 0) campaign.predicate_cases = campaign.object_cases = campaign.feature_cases = options.cases;
   if (options.level.empty()) return;
-  if (options.level != "predicate" && options.level != "object" && options.level != "features")
-    throw CLI::ValidationError("--level " + options.level, "expected predicate, object or features");
+  if (options.level != "predicate" && options.level != "object" && options.level != "features" &&
+      options.level != "contacts")
+    throw CLI::ValidationError("--level " + options.level, "expected predicate, object, features or contacts");
   if (options.level != "predicate") campaign.predicate_cases = 0;
-  if (options.level != "features") campaign.feature_cases = 0;
+  campaign.lists_features = options.level == "features";
+  if (options.level != "features" && options.level != "contacts") campaign.feature_cases = 0;
   if (options.level != "object") campaign.object_cases = 0;
   if (options.level != "object") campaign.sequence_frames = 0;
 }
@@ -152,6 +156,8 @@ bool print_summary(Database& database, const Campaign& campaign)
     if (subject.is_exact) exact.insert("object " + subject.name);
   for (const auto& subject : campaign.feature_subjects)
     if (subject.is_exact) exact.insert("features " + subject.name);
+  for (const auto& subject : campaign.contact_subjects)
+    if (subject.is_exact) exact.insert("contacts " + subject.name);
   Database::Statement rows(
       database,
       "SELECT level, subject, sum(n), sum(false_positives), sum(false_negatives), sum(failures), sum(not_asked) FROM "
@@ -212,7 +218,7 @@ void add_verify_command(CLI::App& app)
   command
       ->add_option("--cases", options->cases,
                    "Cases per family and level; default: 400 of predicates, 24 of objects, 6 of "
-                   "features")
+                   "features and of contacts")
       ->check(CLI::Range(1ul, 1'000'000'000ul));
   command->add_option("--seed", options->campaign.seed, "Seed of all cases")
       ->capture_default_str()
@@ -229,7 +235,7 @@ void add_verify_command(CLI::App& app)
   add_subject_options(*command, options->others);
   command->add_option("--check-subject", options->check_subject,
                       "No campaign: whether the program COMMAND follows the protocol, in at most a minute");
-  command->add_option("--level", options->level, "Only this level: predicate, object or features");
+  command->add_option("--level", options->level, "Only this level: predicate, object, features or contacts");
   command->add_option("--frames", options->campaign.sequence_frames, "Frames of each sequence of exact contact")
       ->capture_default_str()
       ->check(CLI::Range(0, 100'000));

@@ -207,7 +207,7 @@ def sections(page, study, campaign):
     if drawn := by_parameter(page, campaign):
         yield page.section("parameters", "Where methods fail: far out, across scales, on slivers", drawn)
     yield page.section("campaign", "The campaign: every subject on every family",
-                       f"<p>{cases:,} truths, each computed twice by formulations that share no code, {known:,} of them also known by "
+                       f"<p>{cases:,} truths, each computed twice by formulations that share the polyhedron, the poses' entries and GMP alone, {known:,} of them also known by "
                        f"construction. {len(campaign.families('object')) or len(campaign.families('predicate'))} families, and sequences "
                        f"of frames in exact contact, sweep from far from degenerate to exactly degenerate.</p>",
                        subjects(page, campaign, "object"))

@@ -19,6 +19,8 @@ import figures_stability
 import figures_stages
 import report_methods
 import table_bounds
+import table_motion
+import tables_queries
 from campaign_data import Campaign
 from report_page import Page
 from report_style import set_style
@@ -30,7 +32,7 @@ def page_of(page, study, campaign):
     opening = (f'<p class="claim">{figures_speed.claim(study, campaign)}</p>{chart}<h2 id="verdicts">The verdict</h2>'
                f"{figures_speed.verdicts(study, campaign)}{report_methods.KEY_OF_CHART}")
     sections = [section for module in (figures_speed, figures_failure, figures_stability, figures_signs, figures_paper, figures_stages,
-                                       figures_peers, figures_need, table_bounds)
+                                       figures_peers, tables_queries, figures_need, table_bounds, table_motion)
                 for section in module.sections(page, study, campaign)]
     sections += report_methods.sections(page, study, campaign)
     return report_methods.frame(opening, sections)

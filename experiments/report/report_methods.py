@@ -50,7 +50,7 @@ METHODS = (
      "the exact affine image. <i>surface</i> asks whether the two closed surfaces share a point, <i>solid</i> whether the two closed "
      "solids do: touching counts, in a single point too; one inside the other collides as solids, one inside the other's cavity does not."),
     ("Truth", "An answer is right or wrong against the exact answer; there is no tolerance in the comparison. The campaign computes each "
-     "truth twice, by formulations that share no code with each other or with what they judge: CGAL's exact intersections over rationals, "
+     "truth twice, by formulations that share with each other and with what they judge the polyhedron, the exact entries of poses and GMP alone: CGAL's exact intersections over rationals, "
      "and integers of GMP; a case on which the two disagree, or which contradicts what its family knows by construction, stops the "
      "campaign. The study's truth is the first of the two."),
     ("Subjects", "<i>tree</i> is the fast tree of oriented boxes, eight a node, with leaves and containment decided by the kernel; <i>tuned</i> is "

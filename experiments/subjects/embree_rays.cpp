@@ -3,13 +3,14 @@
 #include <embree3/rtcore.h>
 #include <algorithm>
 #include <iostream>
-#include <map>
 #include <nlohmann/json.hpp>
 using nlohmann::json;
 using Points = std::vector<std::array<float, 4>>;  // three a triangle; Embree wants room behind each
 const RTCDevice device = rtcNewDevice("threads=1");
+const RTCScene scene = rtcNewScene(device);  // of one mesh
+const RTCGeometry mesh = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
 
-Points placed(const json& model, const json& pose)  // fans; empty: declined
+Points placed(const json& model, const json& pose)  // fans; declined: fractions, holes, what is too far for Embree
 {
   Points all;
   if (pose.dump().find('/') != std::string::npos) return {};  // a fraction
@@ -18,47 +19,41 @@ Points placed(const json& model, const json& pose)  // fans; empty: declined
       for (const json& corner : {face[0][0], face[0][k - 1], face[0][k]}) {
         all.push_back({m[3], m[7], m[11]});
         for (int i = 0; i < 9; ++i) all.back()[i / 3] += m[i + i / 3] * float(model["vertices"][int(corner)][i % 3]);
-        const bool fits = std::ranges::all_of(all.back(), [](float x) { return std::abs(x) < 1e18f; });
-        if (!fits || face.size() > 1) return {};  // Embree aborts at what does not fit
+        if (face.size() > 1 || !std::ranges::all_of(all.back(), [](float x) { return std::abs(x) < 1e18f; })) return {};
       }
   return all;
 }
 
 bool hits(const Points& a, const Points& b)  // an edge of a, a triangle of b
 {
-  RTCScene scene = rtcNewScene(device);
-  RTCGeometry mesh = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   rtcSetSharedGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, b.data(), 0, 16, b.size());
   void* corners = rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, b.size() / 3);
   for (unsigned k = 0; k < b.size(); ++k) static_cast<unsigned*>(corners)[k] = k;
   rtcCommitGeometry(mesh);
-  rtcAttachGeometry(scene, mesh);
-  rtcReleaseGeometry(mesh);
   rtcCommitScene(scene);
-  bool hit = false;
-  for (std::size_t k = 0; k < a.size() && !hit; ++k) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  for (std::size_t k = 0; k < a.size(); ++k) {
     const auto &p = a[k], &q = a[k % 3 == 2 ? k - 2 : k + 1];  // a ray from p, at 0, to q, at 1
     RTCRay ray = {p[0], p[1], p[2], 0, q[0] - p[0], q[1] - p[1], q[2] - p[2], 0, 1, ~0u, 0, 0};
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
     rtcOccluded1(scene, &context, &ray);
-    hit = ray.tfar < 0;
+    if (ray.tfar < 0) return true;
   }
-  rtcReleaseScene(scene);
-  return hit;
+  return false;
 }
 
 int main()
 {
-  std::map<int, json> bodies;
+  rtcAttachGeometry(scene, mesh);
+  json bodies;
   for (std::string line; std::getline(std::cin, line);) {
     const json m = json::parse(line);
-    if (m.contains("model")) bodies[m["model"]] = m;
-    if (m.contains("forget")) bodies.erase(int(m["forget"]));
+    if (m.contains("model")) bodies[m["model"].dump()] = m;
+    if (m.contains("forget")) bodies.erase(m["forget"].dump());
     if (!m.contains("ask")) continue;
-    const Points a = placed(bodies[m["a"]], m["pose_a"]), b = placed(bodies[m["b"]], m["pose_b"]);
-    const bool declined = m["question"] == "solid" || a.empty() || b.empty();
-    std::cout << json{{"ask", m["ask"]}, {"answer", declined ? json() : json(int(hits(a, b) || hits(b, a)))}}
-              << std::endl;
+    const Points a = placed(bodies[m["a"].dump()], m["pose_a"]), b = placed(bodies[m["b"].dump()], m["pose_b"]);
+    json answer;  // null: declined
+    if (m["question"] == "surface" && !a.empty() && !b.empty()) answer = int(hits(a, b) || hits(b, a));
+    std::cout << json{{"ask", m["ask"]}, {"answer", answer}} << std::endl;
   }
 }

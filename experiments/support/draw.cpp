@@ -40,17 +40,28 @@ std::string last_line(std::string text)
   return text.substr(text.rfind('\n') + 1);
 }
 
+/// Where the script is: among the sources that the program was built from, else where it is installed with the program.
+std::filesystem::path script_path(const std::string& script)
+{
+  namespace fs = std::filesystem;
+  const fs::path built = fs::path(TETRACONE_SOURCE_DIR "/experiments/report") / script;
+  std::error_code none;
+  const fs::path prefix = fs::read_symlink("/proc/self/exe", none).parent_path().parent_path();
+  const fs::path installed = prefix / "share/tetracone/experiments/report" / script;
+  return !fs::exists(built, none) && fs::exists(installed, none) ? installed : built;
+}
+
 }  // namespace
 
 void draw(const std::string& script, const std::filesystem::path& out)
 {
   if (out.native().find('\'') != std::string::npos)
     throw std::runtime_error("the folder's name holds a quote; expected one without");
-  const std::filesystem::path path = std::filesystem::path(TETRACONE_SOURCE_DIR "/experiments/report") / script;
+  const std::filesystem::path path = script_path(script);
   if (!std::filesystem::exists(path))
     throw covering::Input_error(path.native(), 0, "no such file",
-                                "expected the sources that this program was built from");
-  const Ran ran = run("/usr/bin/python3 '" + path.native() + "' '" + out.native() + "'");
+                                "expected it among the sources that this program was built from, or installed with it");
+  const Ran ran = run("'" TETRACONE_PYTHON "' '" + path.native() + "' '" + out.native() + "'");
   if (ran.status == 0) {
     std::cerr << ran.errors;
     return;

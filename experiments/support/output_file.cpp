@@ -98,4 +98,12 @@ void refuse_input(const fs::path& output, const std::vector<fs::path>& inputs)
       refuse(output, "is an input too: " + input.native(), {}, "expected another file for the results");
 }
 
+bool is_same_file(const fs::path& a, const fs::path& b)
+{
+  // weakly_canonical leaves a relative name of which nothing is there as it is.
+  std::error_code none;
+  const fs::path of_a = fs::weakly_canonical(fs::absolute(a, none), none);
+  return !of_a.empty() && of_a == fs::weakly_canonical(fs::absolute(b, none), none);
+}
+
 }  // namespace tetracone::experiments

@@ -20,6 +20,9 @@ void write_whole(const std::filesystem::path& file, const std::string& text);
 /// Throws covering::Input_error when `output` is one of the files, under whatever name. Call before the work.
 void refuse_input(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs);
 
+/// Whether both names lead to one file, also where that file is not there yet.
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
 }  // namespace tetracone::experiments
 
 #endif

@@ -34,7 +34,7 @@ using Tree = tetratree::Tetra_tree<K>;
 using Node = tetratree::Node<Tree::B>;
 using Json = nlohmann::ordered_json;
 
-// More pairs of features in one pose than anybody can see make the page too long to load.
+// More pairs of features, or segments of contacts, in one pose than anybody can see make the page too long to load.
 constexpr std::size_t most_features = 2000;
 
 std::size_t triangle_count(const Polyhedron& polyhedron)
@@ -187,6 +187,24 @@ Json features_data(const std::vector<Feature_pair>& exact, const std::vector<Fea
   return rows;
 }
 
+/// The pieces of all contacts as segments, of six digits: of a point its own twice, of a polygon its border.
+Json contacts_data(const Contacts& contacts)
+{
+  Json segments = Json::array();
+  const auto add = [&](const auto& from, const auto& to) {
+    Json segment = Json::array();
+    append(segment, from);
+    append(segment, to);
+    segments.push_back(std::move(segment));
+  };
+  for (std::size_t k = 0; k < contacts.size() && segments.size() < most_features; ++k)
+    for (const auto& loop : contacts.nearest_loops(k)) {
+      const bool closed = contacts[k].kind == Piece::polygon || loop.size() == 1;
+      for (std::size_t i = closed ? 0 : 1; i < loop.size(); ++i) add(loop[i == 0 ? loop.size() - 1 : i - 1], loop[i]);
+    }
+  return segments;
+}
+
 /// The leaves of A and of B in the pairs that the query does not discard; nothing where there are too many pairs.
 std::optional<std::array<std::set<std::size_t>, 2>> leaves_left(tetratree::Collision<K>& query, const Tree& a,
                                                                 const Tree& b, const Pose& pose_a, const Pose& pose_b)
@@ -210,7 +228,7 @@ void add_answers(Json& data, const View_scene& scene, const Subject& subject, st
   std::optional<tetratree::Collision<K>> query;
   if (!trees.empty()) query.emplace(trees[0], trees[1]);
   Json answers = Json::array(), truths = Json::array(), features = Json::array(), counts = Json::array(),
-       left = Json::array();
+       left = Json::array(), contacts = Json::array();
   Progress progress("poses", scene.poses.count());
   for (std::size_t k = 0; k < scene.poses.count(); ++k) {
     const Pose &pose_a = scene.poses.of_a(k), &pose_b = scene.poses.of_b(k);
@@ -223,9 +241,11 @@ void add_answers(Json& data, const View_scene& scene, const Subject& subject, st
       counts.push_back(pairs.size());
       features.push_back(features_data(pairs, judged->features(pose_a, pose_b)));
       left.push_back(*leaves);
+      contacts.push_back(contacts_data(exact->contacts(pose_a, pose_b)));
     } else {
       counts.push_back(nullptr);
       features.push_back(Json::array());
+      contacts.push_back(Json::array());
       left.push_back({Json::array(), Json::array()});
     }
   }
@@ -236,6 +256,7 @@ void add_answers(Json& data, const View_scene& scene, const Subject& subject, st
   data["features"] = features;
   data["feature_counts"] = counts;
   data["left"] = left;
+  data["contacts"] = contacts;
 }
 
 void add_answer_of_predicate(Json& data, const verify::Case_file& c, const std::string& kernel)

@@ -14,12 +14,15 @@ namespace tetracone::kernel {
 template <class B>
 using Bound_box = std::array<Bound_point<B>, 8>;
 
+/// How far the axes of such a box may be from orthonormal, in each product.
+inline constexpr double bound_box_defect = 0x1p-30;
+
 /// A box of little surface that holds all points, those of no finite box where numbers overflow: then no test tells it
 /// apart from another. Requires a point.
 ///
-/// The axes are the columns of A, orthonormal but for a defect below 2^-30 in each product. A point c + y is c + A s
-/// with |s_i| <= |a_i . y| + 4 * 2^-30 max_k |a_k . y|; roundings, those of the corners included, are below 2^-40 of
-/// |y|_1 + |c|_1 in double. In float nothing is promised.
+/// The axes are the columns of A, orthonormal but for a `bound_box_defect` d. A point c + y is c + A s with |s_i| <=
+/// |a_i . y| + `axis_defect_factor` d max_k |a_k . y|; roundings, those of the corners included, are below
+/// `few_roundings` of |y|_1 + |c|_1 in double. In float nothing is promised.
 template <class B>
 Bound_box<B> bound_box(std::span<const Bound_point<B>> points)
 {
@@ -28,11 +31,12 @@ Bound_box<B> bound_box(std::span<const Bound_point<B>> points)
   constexpr int rounds = 8;
   Oriented_box box = fitted_box(all, rounds);
   const Matrix defect = box.axes.transpose() * box.axes - Matrix::Identity();
-  if (!defect.allFinite() || !(defect.cwiseAbs().maxCoeff() < 0x1p-30)) box = Oriented_box(Matrix::Identity(), all);
+  if (!defect.allFinite() || !(defect.cwiseAbs().maxCoeff() < bound_box_defect))
+    box = Oriented_box(Matrix::Identity(), all);
   double size = 0;
   for (const Vector& p : all) size = maximum(size, (p - box.centre).cwiseAbs().sum());
-  const double margin = 4 * 0x1p-30 * maximum(box.extent[0], box.extent[1], box.extent[2]) +
-                        0x1p-40 * (size + box.centre.cwiseAbs().sum()) + underflow_slack;
+  const double margin = axis_defect_factor * bound_box_defect * maximum(box.extent[0], box.extent[1], box.extent[2]) +
+                        few_roundings * (size + box.centre.cwiseAbs().sum()) + underflow_slack;
   Bound_box<B> corners;
   for (int k = 0; k < 8; ++k) {
     Vector corner = box.centre;

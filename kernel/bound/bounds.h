@@ -141,7 +141,8 @@ Ball<B> placed(const Bound_frame<B, sound>& frame, const Ball<B>& ball)
 }
 
 /// What a sound comparison of balls allows for rounding: of squared distances, and of a radius that is computed.
-inline constexpr double ball_distance_rounding = 0x1p-44, ball_radius_rounding = 0x1p-46;
+inline constexpr double ball_distance_rounding = 12 * unit_roundoff<double>,
+                        ball_radius_rounding = 6 * unit_roundoff<double>;
 
 /// The squared distance at which balls of these radii touch, and somewhat more.
 template <class Number>
@@ -328,7 +329,7 @@ class Placed_half_space {
   {
     return (volume * offset + Number(determinant_rounding) * permanent * offset +
             Number(normal_rounding) * absolute_sum * magnitude) *
-               Number(1 + 0x1p-40) +
+               Number(1 + few_roundings) +
            Number(underflow_slack);
   }
 

@@ -25,6 +25,9 @@ class Cone_coordinates {
   /// Shares of the form's terms, and of 1, from which they are taken.
   static constexpr B form_rounding = 16 * unit_roundoff<B>, one_rounding = 4 * unit_roundoff<B>;
 
+  /// Of the distance from V0 to the plane through the unit points of the rays, a share of it.
+  static constexpr double height_rounding = 0x1p-36;
+
   template <class Number>
   static Number coordinate(const std::array<Number, 3>& p, const std::array<Number, 3>& normal, const Number& scale)
   {
@@ -73,7 +76,8 @@ class Cone_coordinates {
       for (int k = 0; k < 3; ++k) unit[i][k] = v[i][k] * step / length_of_ray_[i];
     const Bound_point<B> plane = cross(difference(unit[1], unit[0]), difference(unit[2], unit[0]));
     const B height = std::abs(dot(plane, unit[0])) / std::sqrt(squared_length(plane));
-    for (int i = 0; i < 3; ++i) isosceles_[i] = radius / height * (sound ? B(1 + 0x1p-30) : B(1)) / length_of_ray_[i];
+    for (int i = 0; i < 3; ++i)
+      isosceles_[i] = radius / height * (sound ? B(1 + height_rounding) : B(1)) / length_of_ray_[i];
   }
 
   bool bounded_by(const std::array<B, 3>& length) const

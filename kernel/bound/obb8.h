@@ -40,7 +40,11 @@ inline constexpr double axis_defect_factor = 4, axis_norm_1 = 2;
 using Apex_code = std::uint16_t;
 inline constexpr float no_apex = 2;
 inline constexpr double apex_tolerance = 0x1p-15;
-inline float apex_of(Apex_code code) { return code == 0 ? no_apex : float(int(code) - 32768) * (1 / 32767.0f); }
+inline constexpr int apex_steps = 32767;  ///< from -1 to 0, and from 0 to 1
+inline float apex_of(Apex_code code)
+{
+  return code == 0 ? no_apex : float(int(code) - apex_steps - 1) * (1 / float(apex_steps));
+}
 
 /// One box of the other body, carried into the frame of the eight and relative to their origin: a parallelepiped of
 /// centre c and half-edges extent[j] * edge[j], edge[j] of length nearly 1 where `slack` is finite; normal[j] =
@@ -62,11 +66,17 @@ inline constexpr double carried_box_rounding = 192 * 0x1p-24;
 /// Above the length of every axis tried in |.|_1: what an error of each coordinate of a point moves it along an axis.
 inline constexpr double position_factor = 8;
 
+/// A factor that takes the roundings of a bound made of a few floats.
+inline constexpr float rounded_up = 1 + 0x1p-20f;
+
+/// Above what products of floats lose by underflow in a comparison.
+inline constexpr float box_underflow = 0x1p-100f;
+
 /// The slack of a test among boxes of a node. `position_error` bounds how far, in one coordinate, any point of the
-/// single box is from where it belongs. The last term is for what underflows.
+/// single box is from where it belongs.
 inline float obb8_slack(double m, double position_error)
 {
-  return static_cast<float>(box_rounding * m + position_factor * position_error) * (1 + 0x1p-20f) + 0x1p-100f;
+  return static_cast<float>(box_rounding * m + position_factor * position_error) * rounded_up + box_underflow;
 }
 
 /// A `Relative_frame` made ready to carry boxes.
@@ -115,7 +125,7 @@ class Box_map {
       // Below that, products underflow and `edge` would not be of length 1: no lane is found apart.
       if (!(square >= 0x1p-900)) sum = std::numeric_limits<double>::infinity();
       for (int i = 0; i < 3; ++i) box.edge[j][i] = float(edge[i] / length);
-      sum += box.extent[j] = float(double(from.extent[j][lane]) * length) * (1 + 0x1p-20f);
+      sum += box.extent[j] = float(double(from.extent[j][lane]) * length) * rounded_up;
     }
     for (int j = 0; j < 3; ++j) {
       const auto &p = box.edge[(j + 1) % 3], &q = box.edge[(j + 2) % 3];
@@ -131,7 +141,7 @@ class Box_map {
   {
     const auto& m = frame_.linear();
     const double shrink = 1 / frame_.scale();
-    stretch_ = float(frame_.scale()) * (1 + 0x1p-20f);
+    stretch_ = float(frame_.scale()) * rounded_up;
     position_slack_ = obb8_slack(0, frame_.error());
     for (int j = 0; j < 3; ++j) {
       for (int i = 0; i < 3; ++i) {

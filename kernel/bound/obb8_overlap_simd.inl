@@ -237,7 +237,7 @@ inline HWY_ATTR unsigned overlapping_mapped_simd(const Obb8& boxes, const Box_ma
 {
   if (!map.is_similarity()) return overlapping<false>(boxes, map(boxes, from, lane));
   const float size = (from.extent[0][lane] + from.extent[1][lane] + from.extent[2][lane]) * map.stretch();
-  return overlapping<true>(boxes, carried(boxes, map, from, lane, size * (1 + 0x1p-20f)));
+  return overlapping<true>(boxes, carried(boxes, map, from, lane, size * rounded_up));
 }
 
 }  // namespace tetracone::kernel::HWY_NAMESPACE

@@ -152,7 +152,7 @@ inline Oriented_box triangle_box(std::span<const Vector, 3> corners)
 /// instead. `point_error` bounds how far a coordinate of a point may be from the exact one.
 ///
 /// With axes a_i that are orthonormal but for a defect d, y = p - c is sum_i s_i a_i with |s_i| <= |a_i . y| + 3 d
-/// max_k |a_k . y| (1 + 4 d); the sums below are rounded 6 times in double, far below 2^-40 of |y|_1.
+/// max_k |a_k . y| (1 + 4 d); the sums below are rounded 6 times in double, far below `few_roundings` of |y|_1.
 inline void store_lane(Obb8& boxes, int lane, const Oriented_box& box, const Vector& node_origin,
                        std::span<const Vector> points, double point_error)
 {
@@ -180,7 +180,7 @@ inline void store_lane(Obb8& boxes, int lane, const Oriented_box& box, const Vec
     size = maximum(size, y.cwiseAbs().sum());
   }
   const double margin =
-      axis_defect_factor * axis_defect * extent.maxCoeff() + 0x1p-40 * size + axis_norm_1 * point_error;
+      axis_defect_factor * axis_defect * extent.maxCoeff() + few_roundings * size + axis_norm_1 * point_error;
   for (int i = 0; i < 3; ++i)
     boxes.extent[i][lane] =
         std::nextafter(static_cast<float>(extent[i] + margin), std::numeric_limits<float>::infinity());
@@ -199,7 +199,7 @@ inline Apex_code apex_code(const Obb8& boxes, int lane, const Vector& node_origi
   for (const Vector& p : corners)
     if (along(2, p) > along(2, *top)) top = &p;
   if (!(e1 > 0)) return 0;
-  const auto code = Apex_code(32768 + std::lround(32767 * std::clamp(along(1, *top) / e1, -1.0, 1.0)));
+  const auto code = Apex_code(apex_steps + 1 + std::lround(apex_steps * std::clamp(along(1, *top) / e1, -1.0, 1.0)));
   // Before the lines from (-e1, -e2) and from (e1, -e2) to the apex, each by its normal (x, y) and reach.
   const double apex = apex_of(code);
   for (const auto& [x, y, reach] : {std::array{-2 * e2, e1 * (1 + apex), e1 * e2 * (1 - apex)},

@@ -6,8 +6,10 @@
 #include "tetracone/kernel/number/pose.h"
 #include "tetracone/kernel/simd/short_vectors.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace tetracone::kernel {
 
@@ -25,6 +27,16 @@ struct Local_scale {
            maximum(std::abs(origin[0]), std::abs(origin[1]), std::abs(origin[2])) <= 0x1p200;
   }
 };
+
+/// Local units about the origin. The unit is a power of two, so that local coordinates are the model's but for the
+/// rounding of a difference. Halves, since a difference of the largest doubles overflows.
+inline Local_scale local_scale(const Vertex& origin, std::span<const Vertex> vertices)
+{
+  double half_reach = 0;
+  for (const Vertex& v : vertices)
+    for (int k = 0; k < 3; ++k) half_reach = maximum(half_reach, std::abs(0.5 * v[k] - 0.5 * origin[k]));
+  return {origin, half_reach > 0 ? std::ldexp(1.0, std::clamp(std::ilogb(half_reach) + 2, -1000, 1023)) : 1};
+}
 
 /// x + y and x y, exactly, as a rounded result and its remainder.
 inline Double_double two_sum(double x, double y) { return Double_double::sum(x, y); }

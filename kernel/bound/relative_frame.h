@@ -42,6 +42,12 @@ class Relative_frame {
 
   static constexpr double u = unit_roundoff<double>;
 
+  /// How far M^T M of a similarity may be from a multiple of I, a share of that; and I - X M from 0, where X inverts M.
+  static constexpr double similarity_defect = 0x1p-24, most_residual = 0x1p-20;
+
+  /// |v|_1 <= sqrt(3) |v|_2, of the rows of f M^T, and what that loses by being computed.
+  static constexpr double root_of_3 = 1.7321;
+
   /// For products of two errors, and what bounds lose by being computed.
   static constexpr double second_order = 1.01;
 
@@ -99,8 +105,8 @@ class Relative_frame {
   }
 
  private:
-  /// Where M_a is a similarity but for 2^-24: the inverse is X = f M_a^T with f = 1 / s^2, rounded, s the length of its
-  /// first column. Nothing is done where it is not, or numbers are near the ends of the range.
+  /// Where M_a is a similarity but for `similarity_defect`: the inverse is X = f M_a^T with f = 1 / s^2, rounded, s the
+  /// length of its first column. Nothing is done where it is not, or numbers are near the ends of the range.
   ///
   /// With G = M_a^T M_a, rho = ||I - f G|| is what is computed, and `gram_rounding`. M_a^-1 = X + (I - X M_a) M_a^-1,
   /// so rows of the linear part are off by rho of their sums, which are below three times the longest column c, and by
@@ -110,8 +116,8 @@ class Relative_frame {
   {
     const std::array<double, 12>&m = a.entries(), &n = b.entries();
     const auto [square, defect] = gram(m);
-    if (!(defect <= 0x1p-24 * square && square >= 0x1p-100 && square <= 0x1p100)) return false;
-    const double f = 1 / square, per_unit = 1 / in_a.unit, shrink = 1.7321 * std::sqrt(f) * per_unit;
+    if (!(defect <= similarity_defect * square && square >= 0x1p-100 && square <= 0x1p100)) return false;
+    const double f = 1 / square, per_unit = 1 / in_a.unit, shrink = root_of_3 * std::sqrt(f) * per_unit;
     const double of_columns = f * (in_b.unit * per_unit), of_offset = f * per_unit;
     const double rho = defect * f + gram_rounding;
 
@@ -156,7 +162,7 @@ class Relative_frame {
     std::array<Row, 3> inverse;
     if (!invert(a, inverse)) return;
     const double residual = residual_norm(a, inverse);
-    if (!(residual < 0x1p-20)) return;
+    if (!(residual < most_residual)) return;
     const double norm_x = norm(inverse), scale = in_b.unit / in_a.unit;
     const Origin_offset d = Origin_offset::in_double_double(a, in_a, b, in_b);
     const double norm_b = compose(inverse, b, d, scale, in_a.unit);
@@ -229,12 +235,13 @@ class Relative_frame {
     const auto column = [this](int i, int j) {
       return linear_[0][i] * linear_[0][j] + linear_[1][i] * linear_[1][j] + linear_[2][i] * linear_[2][j];
     };
-    const double square = column(0, 0), second = column(1, 1), third = column(2, 2), tolerance = square * 0x1p-24;
+    const double square = column(0, 0), second = column(1, 1), third = column(2, 2),
+                 tolerance = square * similarity_defect;
     similarity_ = square >= 0x1p-120 && square <= 0x1p120 && std::abs(second - square) <= tolerance &&
                   std::abs(third - square) <= tolerance && std::abs(column(0, 1)) <= tolerance &&
                   std::abs(column(1, 2)) <= tolerance && std::abs(column(0, 2)) <= tolerance;
     scale_ = std::sqrt(square);
-    return similarity_ ? scale_ * (1 + 0x1p-23) : std::sqrt(square + second + third);
+    return similarity_ ? scale_ * (1 + 2 * similarity_defect) : std::sqrt(square + second + third);
   }
 
   /// Far above what underflows within `Local_scale::is_in_range`.

@@ -43,6 +43,9 @@ inline constexpr double magnitude_gate = 0x1p110;
 /// follow, all within the gates, that stays far below.
 inline constexpr double underflow_slack = 0x1p-800;
 
+/// Above what 100 sums and products in double lose, one after the other: a share of their terms' magnitudes.
+inline constexpr double few_roundings = 0x1p-40;
+
 /// The largest and the least of the numbers as IEEE 754-2019 has them: NaN where any of them is. std::max and std::min
 /// keep NaN or drop it by the order of their arguments, and a bound that has dropped it lets pass what it should stop.
 template <class Number, std::same_as<Number>... Numbers>

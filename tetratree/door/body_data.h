@@ -4,6 +4,7 @@
 #include "tetracone/covering/edge_uses.h"
 #include "tetracone/covering/polyhedron.h"
 #include "tetracone/tetratree/fast/bvh8.h"
+#include "tetracone/tetratree/locator/point_locator.h"
 #include "tetracone/tetratree/paper/config.h"
 #include "tetracone/tetratree/paper/tetra_tree.h"
 
@@ -40,6 +41,13 @@ struct Body_data {
     return *bvh8_;
   }
 
+  /// Requires a closed polyhedron.
+  const tetratree::Point_locator& point_locator() const
+  {
+    std::call_once(point_locator_once_, [this] { point_locator_.emplace(bvh8().model()); });
+    return *point_locator_;
+  }
+
   /// The polyhedron as K sees it, of which the fast tree has the adaptive kernel's.
   template <class K>
   const covering::Model<K>& model() const
@@ -65,9 +73,10 @@ struct Body_data {
   }
 
  private:
-  mutable std::once_flag closed_once_, bvh8_once_;
+  mutable std::once_flag closed_once_, bvh8_once_, point_locator_once_;
   mutable bool closed_ = false;
   mutable std::optional<tetratree::Bvh8> bvh8_;
+  mutable std::optional<tetratree::Point_locator> point_locator_;
   mutable std::mutex trees_lock_;
   mutable std::map<std::string, std::shared_ptr<void>> trees_;
   mutable std::map<std::type_index, std::shared_ptr<void>> models_;

@@ -3,6 +3,7 @@
 // Included by the one unit of each kernel.
 
 #include "tetracone/kernel/predicate/tolerant.h"
+#include "tetracone/tetratree/door/contacts_data.h"
 #include "tetracone/tetratree/door/solver.h"
 #include "tetracone/tetratree/fast/bvh8_collision.h"
 
@@ -26,28 +27,37 @@ class Bvh8_solver : public Solver {
   }
   std::vector<Feature_pair> features(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
   {
-    if (!of_features_) of_features_ = tetra_tree_solver<K>(a_, b_, options_);
-    return of_features_->features(pose_a, pose_b);
+    return of_contacts().features(pose_a, pose_b);
+  }
+  tetratree::Found_contacts contacts(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
+  {
+    return of_contacts().contacts(pose_a, pose_b);
   }
   Query_statistics statistics() const override
   {
     Query_statistics all = collision_.counts();
-    if (of_features_) all += of_features_->statistics();
+    if (of_contacts_) all += of_contacts_->statistics();
     return all;
   }
   void clear_statistics() override
   {
     collision_.clear_counts();
-    if (of_features_) of_features_->clear_statistics();
+    if (of_contacts_) of_contacts_->clear_statistics();
   }
   std::size_t bytes() const override { return a_->bvh8().bytes() + b_->bvh8().bytes() + collision_.bytes(); }
   std::size_t node_count() const override { return a_->bvh8().node_count() + b_->bvh8().node_count(); }
 
  private:
+  Contact_solver& of_contacts()
+  {
+    if (!of_contacts_) of_contacts_ = bvh8_contact_solver<K>(a_, b_, options_);
+    return *of_contacts_;
+  }
+
   Shared_body a_, b_;
   Query_options options_;
   tetratree::Bvh8_collision<K> collision_;
-  std::unique_ptr<Solver> of_features_;  // the tetra-tree's, made when features are asked for
+  std::unique_ptr<Contact_solver> of_contacts_;  // made when features or contacts are asked for
 };
 
 template <class K>

@@ -1,5 +1,7 @@
 #include "tetracone/kernel/number/pose.h"
 #include "tetracone/kernel/predicate/kernels.h"
+#include "tetracone/tetratree/door/contacts_data.h"
+#include "tetracone/tetratree/door/query_data.h"
 #include "tetracone/tetratree/door/solver.h"
 #include "tetracone/tetratree/door/tetracone.h"
 
@@ -9,11 +11,6 @@
 
 namespace tetracone {
 namespace detail {
-
-struct Query_data {
-  Question question;
-  std::unique_ptr<Solver> solver;
-};
 
 namespace {
 
@@ -46,7 +43,8 @@ Query::Query(const Body& a, const Body& b, Question question, const Query_option
     detail::require_solid(*a.data_, "query: body a", "Question::solid");
     detail::require_solid(*b.data_, "query: body b", "Question::solid");
   }
-  data_ = std::make_unique<detail::Query_data>(detail::Query_data{question, detail::solver(a.data_, b.data_, options)});
+  data_ = std::make_unique<detail::Query_data>(
+      detail::Query_data{question, detail::solver(a.data_, b.data_, options), a.data_, b.data_, options, nullptr});
 }
 
 Query::~Query() = default;
@@ -91,8 +89,26 @@ std::vector<Feature_pair> Query::features(const kernel::Pose& pose_a, const kern
   return data().solver->features(pose_a, pose_b);
 }
 
-Query_statistics Query::statistics() const { return data().solver->statistics(); }
-void Query::clear_statistics() { data().solver->clear_statistics(); }
+Contacts Query::contacts(const Pose& pose_a, const Pose& pose_b) { return contacts(pose_a.exact(), pose_b.exact()); }
+
+Contacts Query::contacts(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
+{
+  detail::Query_data& d = data();
+  return Contacts(std::make_shared<const detail::Contacts_data>(
+      detail::Contacts_data{d.solver->contacts(pose_a, pose_b), d.a, d.b, pose_a, pose_b}));
+}
+
+Query_statistics Query::statistics() const
+{
+  Query_statistics all = data().solver->statistics();
+  if (data().distance) all += data().distance->statistics();
+  return all;
+}
+void Query::clear_statistics()
+{
+  data().solver->clear_statistics();
+  if (data().distance) data().distance->clear_statistics();
+}
 std::size_t Query::bytes() const { return data().solver->bytes(); }
 std::size_t Query::node_count() const { return data().solver->node_count(); }
 

@@ -9,6 +9,10 @@
 #include <memory>
 #include <vector>
 
+namespace tetracone::tetratree {
+struct Found_contacts;
+}
+
 namespace tetracone::detail {
 
 /// What answers a query: a tree of a kernel for each body.
@@ -17,6 +21,7 @@ class Solver {
   virtual ~Solver() = default;
   virtual Relation relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question) = 0;
   virtual std::vector<Feature_pair> features(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
+  virtual tetratree::Found_contacts contacts(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
   virtual Query_statistics statistics() const = 0;
   virtual void clear_statistics() = 0;
   virtual std::size_t bytes() const = 0;

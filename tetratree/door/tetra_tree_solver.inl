@@ -4,11 +4,14 @@
 
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/predicate/tolerant.h"
+#include "tetracone/tetratree/door/contacts_data.h"
 #include "tetracone/tetratree/door/method_config.h"
 #include "tetracone/tetratree/door/solver.h"
 #include "tetracone/tetratree/paper/collision.h"
 
+#include <set>
 #include <string>
+#include <utility>
 
 namespace tetracone::detail {
 
@@ -34,6 +37,13 @@ class Tetra_tree_solver : public Solver {
     use_tolerance(tolerance_);
     return collision_.features(pose_a, pose_b);
   }
+  tetratree::Found_contacts contacts(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
+  {
+    if constexpr (kernel::Kernel_traits<K>::exact_motion)
+      return leaves_contacts(pose_a, pose_b);
+    else
+      refuse_contacts();
+  }
   Query_statistics statistics() const override { return collision_.counts(); }
   void clear_statistics() override { collision_.clear_counts(); }
   std::size_t bytes() const override { return a_->bytes() + b_->bytes(); }
@@ -41,6 +51,24 @@ class Tetra_tree_solver : public Solver {
 
  private:
   using Tree = tetratree::Tetra_tree<K>;
+
+  /// Of the pairs of faces in leaves that the descent does not discard, each once.
+  tetratree::Found_contacts leaves_contacts(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
+  {
+    std::set<std::pair<covering::Index, covering::Index>> candidates;
+    collision_.any_leaf_pair(pose_a, pose_b, [&](const auto& leaf_a, const auto& leaf_b) {
+      for (const covering::Index face_a : a_->faces(leaf_a))
+        for (const covering::Index face_b : b_->faces(leaf_b)) candidates.insert({face_a, face_b});
+      return false;
+    });
+    const tetratree::Contact_faces faces_a(body_a_->polyhedron, a_->model().covering()),
+        faces_b(body_b_->polyhedron, b_->model().covering());
+    tetratree::Face_pairs<K> pairs(faces_a, faces_b);
+    tetratree::Found_contacts found;
+    for (const auto& [face_a, face_b] : candidates)
+      pairs.add_contacts(collision_.a().body(), pose_a, face_a, collision_.b().body(), pose_b, face_b, found);
+    return found;
+  }
 
   // The tolerance belongs to the thread, and the tree is built with it too.
   static void use_tolerance(const Tolerance& tolerance) { kernel::Tolerant::tolerance() = tolerance; }

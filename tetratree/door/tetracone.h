@@ -6,13 +6,17 @@
 #include "tetracone/kernel/number/error.h"
 #include "tetracone/kernel/predicate/contact.h"
 #include "tetracone/kernel/predicate/question.h"
+#include "tetracone/tetratree/door/contacts.h"
+#include "tetracone/tetratree/door/nearest.h"
 #include "tetracone/tetratree/door/query_options.h"
 #include "tetracone/tetratree/query_statistics.h"
+#include "tetracone/tetratree/ray_hit.h"
 
 #include <array>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <span>
 #include <string>
@@ -30,7 +34,6 @@ inline std::ostream& operator<<(std::ostream& out, Relation relation) { return o
 namespace detail {
 struct Body_data;
 struct Query_data;
-class Point_locator;
 }  // namespace detail
 
 using covering::Face_triangle;
@@ -41,6 +44,8 @@ using kernel::Feature_pair;
 using kernel::Question;
 using kernel::Relation;
 using tetratree::Query_statistics;
+using tetratree::Ray;
+using tetratree::Ray_hit;
 
 /// The affine map x -> M x + t that places a body, taken exactly: M need not be a perfect rotation. Immutable, cheap to
 /// copy.
@@ -105,9 +110,33 @@ class Body {
   /// Makes now the nodes that queries of the fast tree would make when they first need them.
   void make_all() const;
 
+  /// Where the point stands with regard to the solid, exactly: by its winding number. The first such question makes the
+  /// table that answers all. Throws Error for an open surface, and for a coordinate that is not finite.
+  Location inside(const std::array<double, 3>& point) const;
+
+  /// The answers for many points. Throws as for one.
+  std::vector<Location> inside(std::span<const std::array<double, 3>> points) const;
+
+  /// The answer for a point of decimals or fractions "n/d". Throws as for doubles, and for a text that is no number.
+  Location inside_text(const std::array<std::string, 3>& point) const;
+
+  /// Bytes of the table that `inside` asks, made now if it has to be. Throws Error for an open surface.
+  std::size_t inside_bytes() const;
+
+  /// The first face that the ray meets: of least t, exactly, and of those the one of the least number. Nothing where it
+  /// meets none. A ray in a face's plane meets it where it first comes to the closed face. Throws Error for a number
+  /// that is not finite, and for a direction of 0.
+  std::optional<Ray_hit> first_hit(const Ray& ray) const;
+
+  /// The first faces of many rays. Throws as for one.
+  std::vector<std::optional<Ray_hit>> first_hits(std::span<const Ray> rays) const;
+
+  /// Every face that the ray meets, each once, where it first does; in the exact order of t, then of faces. Throws as
+  /// `first_hit`.
+  std::vector<Ray_hit> hits(const Ray& ray) const;
+
  private:
   friend class Query;
-  friend class Point_query;
   friend Body read_body(const std::filesystem::path& file);
   explicit Body(const std::filesystem::path& file);
 
@@ -162,6 +191,32 @@ class Query {
   /// By poses of the templates. Requires det M != 0.
   std::vector<Feature_pair> features(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
 
+  /// All pairs of faces that share a point, and where. Throws Error for a kernel that rounds.
+  Contacts contacts(const Pose& pose_a, const Pose& pose_b);
+  /// By poses of the templates. Requires det M != 0.
+  Contacts contacts(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
+
+  /// The double nearest to the exact distance of the surfaces or, of `Question::solid`, of the solids: 0 where they
+  /// collide. By the fast tree, whatever the method. Of the kernels adaptive and rational are exact, double is what it
+  /// is; throws Error for others, and as `collide`.
+  double distance(const Pose& pose_a, const Pose& pose_b);
+  /// By poses of the templates. Requires det M != 0.
+  double distance(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
+
+  /// The squared distance and two nearest points, exactly, and what holds them; of several pairs one. Throws Error for a
+  /// kernel that is not adaptive or rational, and as `collide`.
+  Nearest nearest(const Pose& pose_a, const Pose& pose_b);
+  /// By poses of the templates. Requires det M != 0.
+  Nearest nearest(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
+
+  /// Whether the distance is at most `limit`, decided on squares, exactly; none is at most a negative one. Throws Error
+  /// for a limit that is no number, and as `distance`.
+  bool within(const Pose& pose_a, const Pose& pose_b, double limit);
+  /// Of a decimal or a fraction "n/d".
+  bool within(const Pose& pose_a, const Pose& pose_b, const std::string& limit);
+  /// By poses of the templates. Requires det M != 0.
+  bool within(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const std::string& limit);
+
   /// Work since the last `clear_statistics`.
   Query_statistics statistics() const;
   /// Sets all counts to 0.
@@ -176,31 +231,6 @@ class Query {
   detail::Query_data& data() const;
 
   std::unique_ptr<detail::Query_data> data_;
-};
-
-/// A solid, asked where points are: exactly, by the winding number. One query per thread.
-class Point_query {
- public:
-  /// Shares the body's data and outlives it. Throws Error for an open surface.
-  explicit Point_query(const Body& body);
-
-  ~Point_query();
-  /// What is moved from answers with an Error.
-  Point_query(Point_query&&) noexcept;
-  /// As the constructor.
-  Point_query& operator=(Point_query&&) noexcept;
-
-  /// Where the point is. Throws Error for a coordinate that is not finite, and when the thread's floating point is not
-  /// as exact answers need it.
-  Location locate(const std::array<double, 3>& point);
-
-  /// Of decimals or fractions "n/d". Throws as for doubles, and for a text that is no number.
-  Location locate_text(const std::array<std::string, 3>& point);
-
- private:
-  detail::Point_locator& locator() const;
-
-  std::unique_ptr<detail::Point_locator> locator_;
 };
 
 }  // namespace tetracone

@@ -81,12 +81,25 @@ class Bvh8_collision {
   bool any_element_pair(const Pose& pose_a, const Pose& pose_b, const Leaf_test& leaf_test)
   {
     kernel::require_sound_floating_point();
+    ++counts_.queries;
     if (a_.tree->empty() || b_.tree->empty() || separating_direction_(pose_a, pose_b, 6, false)) return false;
     pose_a_ = &pose_a;
     pose_b_ = &pose_b;
     is_placed_ = false;
     relate_frames();
     return descend_trees([&](Box box_a, Box box_b) { return any_pair(box_a, box_b, leaf_test); });
+  }
+
+  /// The bodies at the poses that were asked last. Requires that the poses are still there.
+  covering::Placed_model<K>& placed_a()
+  {
+    place();
+    return a_.placed;
+  }
+  covering::Placed_model<K>& placed_b()
+  {
+    place();
+    return b_.placed;
   }
 
   const Query_statistics& counts() const { return counts_; }

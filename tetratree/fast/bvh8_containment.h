@@ -37,7 +37,10 @@ class Bvh8_containment {
   }
 
   /// Of a ray's box, a share of its end: centre, direction and extent are rounded to float.
-  static constexpr double ray_rounding = 64 * 0x1p-24;
+  static constexpr double ray_rounding = 3 * 0x1p-24;
+
+  /// Beyond every point of the holder, which lies within |p_k| <= 1 of its origin, in its local units.
+  static constexpr double beyond_holder = 2;
 
  private:
   using Point = kernel::Point<K>;
@@ -122,9 +125,9 @@ class Bvh8_containment {
   /// A thin box about the part of the ray from the holder's origin through p that lies beyond p; where p is too near to
   /// the origin to tell the direction, a box about everything. `error` is that of p's coordinates.
   ///
-  /// The holder lies within 2 of its origin, so what of the exact ray can meet it is s p*, 1 <= s <= end / |p|, with p*
-  /// the exact point: off by s `error` in a coordinate from s p on the box's axis. The axis is rounded to float: by
-  /// `end` times u for the centre, for the direction and for the extent. `slack` takes both.
+  /// The holder lies within `beyond_holder` of its origin, so what of the exact ray can meet it is s p*, with 1 <= s <=
+  /// end / |p| and p* the exact point: off by s `error` in a coordinate from s p on the box's axis. The axis is rounded
+  /// to float: by `end` times u for the centre, and half of that each for direction and extent. `slack` takes both.
   static kernel::Single_box beyond(const Row& p, double error)
   {
     const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
@@ -132,11 +135,11 @@ class Bvh8_containment {
     if (!(length > 0x1p20 * error) || !(length < 0x1p20)) {
       for (int i = 0; i < 3; ++i) {
         box.edge[i][i] = 1;
-        box.extent[i] = 4;
+        box.extent[i] = 2 * beyond_holder;
       }
       return box;
     }
-    const double end = kernel::maximum(2.0, 1.5 * length);
+    const double end = kernel::maximum(beyond_holder, 1.5 * length);
     const kernel::Matrix axes = kernel::detail::axes_from(kernel::Vector(p[0], p[1], p[2]), kernel::Vector(1, 0, 0));
     for (int i = 0; i < 3; ++i) {
       for (int k = 0; k < 3; ++k) box.edge[i][k] = float(axes(k, i));

@@ -37,7 +37,8 @@ class Bvh8_elements {
   Bvh8_elements(const covering::Polyhedron& polyhedron, std::span<const Face_triangle> triangles) : model_(polyhedron)
   {
     collect_elements(polyhedron, triangles);
-    choose_scale();
+    scale_ = kernel::local_scale(model_.lattice().origin, model_.vertices());
+    per_half_unit_ = 2 / scale_.unit;
   }
 
   const covering::Model<Adaptive>& model() const { return model_; }
@@ -85,19 +86,6 @@ class Bvh8_elements {
     }
     assert(elements_.size() <= Bvh8_node::most_elements);
     elements_.shrink_to_fit();
-  }
-
-  /// The unit is a power of two, so that local coordinates are the model's but for the rounding of a difference.
-  /// Halves, since a difference of the largest doubles overflows.
-  void choose_scale()
-  {
-    scale_.origin = model_.lattice().origin;
-    double half_reach = 0;
-    for (const auto& v : model_.vertices())
-      for (int k = 0; k < 3; ++k)
-        half_reach = kernel::maximum(half_reach, std::abs(0.5 * v[k] - 0.5 * scale_.origin[k]));
-    scale_.unit = half_reach > 0 ? std::ldexp(1.0, std::clamp(std::ilogb(half_reach) + 2, -1000, 1023)) : 1;
-    per_half_unit_ = 2 / scale_.unit;
   }
 
   covering::Model<Adaptive> model_;

@@ -2,10 +2,12 @@
 #define TETRACONE_TETRATREE_FAST_SUPPORT_TABLE_H
 
 #include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/number/products.h"
 #include "tetracone/kernel/simd/short_vectors.h"
 #include "tetracone/tetratree/fast/bvh8.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -58,11 +60,26 @@ class Support_table {
     return weight * (reach * sum);
   }
 
+  /// How far a box with these axes reaches in direction d, rounded: its extents are of points' coordinates along the
+  /// axes, so that nothing is added for what these lack of orthonormal ones.
+  template <class Number>
+  static Number reach_of_box(const std::array<Number, 3>& d, const std::array<Number, 3>& origin,
+                             const std::array<Number, 3>& centre, const std::array<std::array<Number, 3>, 3>& axis,
+                             const std::array<Number, 3>& extent)
+  {
+    using std::abs;
+    const auto part = [&](int k) { return d[k] * (origin[k] + centre[k]) + abs(kernel::dot(d, axis[k])) * extent[k]; };
+    return part(0) + part(1) + part(2);
+  }
+
   /// In a lattice of n steps, with corners one beyond the octant: their reach is at most 18 / 16.
   static constexpr int n = 16, row = n + 2;
 
   /// Above what a reach in double may be off by: of a local coordinate, and of its product with a direction.
-  static constexpr double reach_rounding = 0x1p-48;
+  static constexpr double reach_rounding = 6 * kernel::unit_roundoff<double>;
+
+  /// Above what a box's reach loses by being computed in double.
+  static constexpr double box_reach_rounding = 0x1p-46;
 
   /// `tree` must outlive the table, and its root be made.
   explicit Support_table(const Bvh8& tree) : tree_(&tree), reach_(8 * row * row, unknown) {}
@@ -149,7 +166,7 @@ class Support_table {
     for (open.clear();; node = tree_->child(open.back().second / 8, int(open.back().second % 8)), open.pop_back()) {
       const std::size_t first = open.size();
       for (int lane = 0; lane < tree_->node(node).boxes.lane_count; ++lane) {
-        const double bound = box_reach(tree_->node(node).boxes, lane, d);
+        const double bound = box_reach(tree_->node(node).boxes, lane, d) + box_reach_rounding;
         if (bound <= best) continue;
         if (!tree_->is_leaf(node, lane)) {
           open.push_back({bound, 8 * node + Index(lane)});
@@ -167,17 +184,14 @@ class Support_table {
     return std::nextafter(float(best + reach_rounding), unknown);
   }
 
-  /// As far as the box reaches, and for its float numbers and axes (see `Obb8`) a little farther.
   static double box_reach(const kernel::Obb8& boxes, int lane, const kernel::Vector& d)
   {
-    double reach = 0x1p-18;
-    for (int k = 0; k < 3; ++k) {
-      const double along =
-          d[0] * boxes.axis[k][0][lane] + d[1] * boxes.axis[k][1][lane] + d[2] * boxes.axis[k][2][lane];
-      reach +=
-          d[k] * (double(boxes.origin[k]) + double(boxes.centre[k][lane])) + std::abs(along) * boxes.extent[k][lane];
-    }
-    return reach;
+    using Row = std::array<double, 3>;
+    const auto of_lane = [lane](const auto& lanes) { return Row{lanes[0][lane], lanes[1][lane], lanes[2][lane]}; };
+    const Row origin = {boxes.origin[0], boxes.origin[1], boxes.origin[2]};
+    return reach_of_box(Row{d[0], d[1], d[2]}, origin, of_lane(boxes.centre),
+                        std::array{of_lane(boxes.axis[0]), of_lane(boxes.axis[1]), of_lane(boxes.axis[2])},
+                        of_lane(boxes.extent));
   }
 
   const Bvh8* tree_;

@@ -69,9 +69,10 @@ struct Config {
   /// In leaves, edges and faces whose axis-aligned boxes are apart are not tested further. Not in the paper.
   bool leaf_boxes = false;
 
-  /// A query that has looked at more than this share of all pairs of an edge and a face looks at each pair once
-  /// instead: an element that lies in many cones is listed in each, and tested in every pair of their leaves. Infinite:
-  /// never, as the paper lists it.
+  /// A query whose descent has taken the time of more than this share of all pairs of an edge and a face looks at each
+  /// pair once instead: an element that lies in many cones is listed in each, and tested in every pair of their leaves.
+  /// In exact kernels pairs of nodes count too, of which bodies of a few faces have nearly as many, and so do the edges
+  /// of a face whose plane an edge crosses. Infinite: never, as the paper lists it.
   double all_pairs_after = std::numeric_limits<double>::infinity();
 
   /// The paper's method, never far slower than no tree at all.

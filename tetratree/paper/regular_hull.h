@@ -51,6 +51,10 @@ class Regular_hull {
  public:
   static constexpr int deepest_convex_level = 8;
 
+  /// What the rounded normal may move the plane by, a share of its distance: at these levels edges of the unit vectors
+  /// are of some 2^-level, and rounded by 2^-52.
+  static constexpr double normal_rounding = 0x1p-42;
+
   Regular_hull() = default;
 
   /// `longest_edge` is dmax, or negative when it is not known; `radius` bounds the distance of all vertices from V0.
@@ -74,9 +78,7 @@ class Regular_hull {
     const bool by_hull = longest_edge_ >= 0 && level_ <= deepest_convex_level;
     B offset =
         by_hull ? kernel::dot(normal, unit[0]) * longest_edge_ : std::sqrt(kernel::squared_length(normal)) * radius_;
-    // The rounded normal is off by less than 2^-40 of its length at these levels (edges of 2^-level, rounded by 2^-52),
-    // and normal . unit >= 0.57 of it.
-    if constexpr (sound) offset *= B(1 + 0x1p-36);
+    if constexpr (sound) offset *= B(1 + normal_rounding);
     return {normal, origin_, offset};
   }
 

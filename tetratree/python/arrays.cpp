@@ -63,11 +63,19 @@ std::uint32_t vertex_number(Integer number, std::size_t face, std::size_t vertex
   return std::uint32_t(number);
 }
 
+/// Of Python or numpy: both say that they are integers.
+bool is_truth_value(const py::handle& value)
+{
+  static const py::handle numpy_bool = py::object(py::dtype::of<bool>().attr("type")).release();
+  return py::isinstance<py::bool_>(value) || py::isinstance(value, numpy_bool);
+}
+
 std::uint32_t vertex_number(const py::handle& corner, std::size_t face, std::size_t vertex_count)
 {
-  const auto number = py::reinterpret_steal<py::object>(PyNumber_Index(corner.ptr()));
-  if (!number && !PyErr_ExceptionMatches(PyExc_TypeError)) throw py::error_already_set();
-  if (!number || py::isinstance<py::bool_>(corner)) {
+  const auto number =
+      is_truth_value(corner) ? py::object() : py::reinterpret_steal<py::object>(PyNumber_Index(corner.ptr()));
+  if (!number) {
+    if (PyErr_Occurred() != nullptr && !PyErr_ExceptionMatches(PyExc_TypeError)) throw py::error_already_set();
     PyErr_Clear();
     throw Error("body: face " + std::to_string(face) + " has a corner of type " + type_of(corner) +
                 "; expected vertex numbers, or loops of them");
@@ -87,8 +95,10 @@ std::optional<double> double_of(const std::string& text)
   return kernel::Rational(nearest) == *number ? std::optional(nearest) : std::nullopt;
 }
 
+/// A text is a sequence too, and bytes are one of numbers: neither is meant.
 bool is_loop(const py::handle& value)
 {
+  if (py::isinstance<py::str>(value) || py::isinstance<py::bytes>(value)) return false;
   return py::isinstance<py::sequence>(value) || py::isinstance<py::array>(value);
 }
 

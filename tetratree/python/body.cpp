@@ -9,8 +9,12 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <memory>
+#include <span>
 #include <string>
+#include <type_traits>
+#include <vector>
 
 namespace tetracone::python {
 
@@ -18,7 +22,7 @@ namespace py = pybind11;
 
 namespace {
 
-std::shared_ptr<Shared_body> made(const py::handle& vertices, const py::handle& faces)
+std::shared_ptr<Shared_body> made(const py::object& vertices, const py::object& faces)
 {
   Polyhedron polyhedron = polyhedron_of(vertices, faces);
   const py::gil_scoped_release unlocked;
@@ -32,40 +36,127 @@ std::shared_ptr<Shared_body> read(const py::object& path)
   return std::make_shared<Shared_body>(read_body(name));
 }
 
-Location located(Point_query& query, const Numbers& points, bool is_one, std::size_t k)
-{
-  const auto all = [&](auto&& value) {
-    return is_one ? std::array{value(std::size_t(0)), value(std::size_t(1)), value(std::size_t(2))}
-                  : std::array{value(k, std::size_t(0)), value(k, std::size_t(1)), value(k, std::size_t(2))};
-  };
-  try {
-    if (points.is_exact_text())
-      return query.locate_text(all([&](auto... i) -> std::string { return points.text(i...); }));
-    return query.locate(all([&](auto... i) { return points.number(i...); }));
-  } catch (const Error& error) {
-    throw renamed(error, "point:", is_one ? "points:" : "points[" + std::to_string(k) + "]:");
+/// Arrays (n, 3), or one row (3,).
+class Rows {
+ public:
+  Rows(const py::object& values, const std::string& name, const char* one) : name_(name), numbers_(values, name)
+  {
+    const std::size_t dimensions = numbers_.dimensions();
+    if ((dimensions != 1 && dimensions != 2) || numbers_.extent(dimensions - 1) != 3)
+      throw Error(name + ": an array of shape " + numbers_.shape() + "; expected (n, 3), or one " + one + " (3,)");
+    is_one_ = dimensions == 1;
+    count_ = is_one_ ? 1 : numbers_.extent(0);
   }
-}
 
-py::object inside(Shared_body& self, const py::object& values)
+  bool is_one() const { return is_one_; }
+  std::size_t count() const { return count_; }
+  bool is_exact_text() const { return numbers_.is_exact_text(); }
+  std::array<double, 3> row(std::size_t k) const { return {number(k, 0), number(k, 1), number(k, 2)}; }
+  std::array<std::string, 3> text(std::size_t k) const { return {word(k, 0), word(k, 1), word(k, 2)}; }
+  std::string name(std::size_t k) const { return is_one_ ? name_ : name_ + "[" + std::to_string(k) + "]"; }
+
+ private:
+  double number(std::size_t k, std::size_t i) const { return is_one_ ? numbers_.number(i) : numbers_.number(k, i); }
+  const std::string& word(std::size_t k, std::size_t i) const
+  {
+    return is_one_ ? numbers_.text(i) : numbers_.text(k, i);
+  }
+
+  std::string name_;
+  Numbers numbers_;
+  bool is_one_;
+  std::size_t count_;
+};
+
+py::object inside(const Shared_body& self, const py::object& values)
 {
-  const Numbers points(values, "points");
-  const std::size_t dimensions = points.dimensions();
-  if ((dimensions != 1 && dimensions != 2) || points.extent(dimensions - 1) != 3)
-    throw Error("points: an array of shape " + points.shape() + "; expected (n, 3), or one point (3,)");
-  const bool is_one = dimensions == 1;
-  const std::size_t count = is_one ? 1 : points.extent(0);
-  py::array_t<std::int8_t> answers(static_cast<py::ssize_t>(count));
+  const Rows points(values, "points", "point");
+  py::array_t<std::int8_t> answers(static_cast<py::ssize_t>(points.count()));
   std::int8_t* const answer = answers.mutable_data();
   {
     const py::gil_scoped_release unlocked;
-    const std::lock_guard alone(self.lock);
-    if (!self.points) self.points.emplace(self.body);
+    self.body.inside(std::span<const std::array<double, 3>>());  // an open surface is refused without points too
   }
-  for_each_unlocked(count, self.lock,
-                    [&](std::size_t k) { answer[k] = std::int8_t(located(*self.points, points, is_one, k)); });
-  if (is_one) return py::int_(int(answer[0]));
+  No_lock none;
+  for_each_unlocked(points.count(), none, [&](std::size_t k) {
+    try {
+      answer[k] =
+          std::int8_t(points.is_exact_text() ? self.body.inside_text(points.text(k)) : self.body.inside(points.row(k)));
+    } catch (const Error& error) {
+      throw renamed(error, "point:", points.name(k) + ":");
+    }
+  });
+  if (points.is_one()) return py::int_(int(answer[0]));
   return answers;
+}
+
+/// Rays: as many directions as origins, or one of either.
+class Rays {
+ public:
+  Rays(const py::object& origins, const py::object& directions)
+      : origins_(origins, "origins", "origin"), directions_(directions, "directions", "direction")
+  {
+    for (const Rows* rows : {&origins_, &directions_})
+      if (rows->is_exact_text()) throw Error(rows->name(0) + ": numbers that are no doubles; expected doubles");
+    if (!origins_.is_one() && !directions_.is_one() && origins_.count() != directions_.count())
+      throw Error("rays: " + std::to_string(origins_.count()) + " origins and " + std::to_string(directions_.count()) +
+                  " directions; expected as many, or one of either");
+  }
+
+  bool is_one() const { return origins_.is_one() && directions_.is_one(); }
+  std::size_t count() const { return origins_.is_one() ? directions_.count() : origins_.count(); }
+
+  /// What ask(ray k) answers. Throws Error with the ray's name.
+  template <class Ask>
+  auto answer(std::size_t k, const Ask& ask) const
+  {
+    try {
+      return ask(Ray{origins_.row(k), directions_.row(k)});
+    } catch (const Error& error) {
+      throw renamed(error, "ray:", is_one() ? "ray:" : "rays[" + std::to_string(k) + "]:");
+    }
+  }
+
+ private:
+  Rows origins_, directions_;
+};
+
+py::object first_hit(const Shared_body& self, const py::object& origins, const py::object& directions)
+{
+  const Rays rays(origins, directions);
+  const auto count = static_cast<py::ssize_t>(rays.count());
+  py::array_t<std::int64_t> faces(count);
+  py::array_t<double> ts(count);
+  std::int64_t* const face = faces.mutable_data();
+  double* const t = ts.mutable_data();
+  No_lock none;
+  for_each_unlocked(rays.count(), none, [&](std::size_t k) {
+    const auto hit = rays.answer(k, [&](const Ray& ray) { return self.body.first_hit(ray); });
+    face[k] = hit ? std::int64_t(hit->face) : -1;
+    t[k] = hit ? hit->t : std::numeric_limits<double>::infinity();
+  });
+  if (rays.is_one()) return py::make_tuple(face[0], t[0]);
+  return py::make_tuple(faces, ts);
+}
+
+py::tuple hits(const Shared_body& self, const py::object& origins, const py::object& directions)
+{
+  const Rays rays(origins, directions);
+  std::vector<std::int64_t> ray_of, faces;
+  std::vector<double> ts;
+  No_lock none;
+  for_each_unlocked(rays.count(), none, [&](std::size_t k) {
+    for (const Ray_hit& hit : rays.answer(k, [&](const Ray& ray) { return self.body.hits(ray); })) {
+      ray_of.push_back(std::int64_t(k));
+      faces.push_back(std::int64_t(hit.face));
+      ts.push_back(hit.t);
+    }
+  });
+  const auto array = [](const auto& values) {
+    using Value = typename std::decay_t<decltype(values)>::value_type;
+    return py::array_t<Value>(static_cast<py::ssize_t>(values.size()), values.data());
+  };
+  return py::make_tuple(array(ray_of), array(faces), array(ts));
 }
 
 }  // namespace
@@ -102,6 +193,34 @@ Raises Error for an open surface, and for a number that is not finite, which it 
 array([ 1,  0, -1], dtype=int8)
 >>> body.inside(["1/3", "1/3", "1/3"])
 0
+)")
+      .def("first_hit", &first_hit, py::arg("origins"), py::arg("directions"), R"(first_hit(origins, directions)
+
+The first face that each ray origin + t direction, t >= 0, meets, and t: (faces, t). Exact: of least t, and of those the
+face of the least number; each t is the double nearest to the exact one. Where a ray meets nothing, -1 and infinity.
+
+origins, directions: arrays (n, 3) of doubles, or one (3,) for all -> arrays (n,) of int64 and of float64; one ray -> an
+int and a float. A direction may have any length but 0. The surface may be open.
+Raises Error for a number that is not finite and for a direction of 0, with the ray.
+
+>>> import tetracone
+>>> body = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+>>> body.first_hit([[0.25, 0.25, -1], [2, 2, 2]], [0, 0, 3])
+(array([ 0, -1]), array([0.33333333,        inf]))
+>>> body.first_hit([0.25, 0.25, 9], [0, 0, -1])
+(3, 8.5)
+)")
+      .def("hits", &hits, py::arg("origins"), py::arg("directions"), R"(hits(origins, directions)
+
+Every face that each ray meets, once each, where it first does: (rays, faces, t), an entry a face, by rays, then in the
+exact order of t, then of faces. A ray in a face's plane meets it where it comes to the closed face.
+
+origins, directions: as first_hit -> arrays (m,) of int64, int64 and float64. Raises Error as first_hit.
+
+>>> import tetracone
+>>> body = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+>>> body.hits([0.25, 0.25, -1], [[0, 0, 1], [0, 1, 0]])
+(array([0, 0]), array([0, 3]), array([1. , 1.5]))
 )")
       .def(
           "make_all", [](const Shared_body& self) { self.body.make_all(); }, py::call_guard<py::gil_scoped_release>(),

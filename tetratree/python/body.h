@@ -6,13 +6,11 @@
 #include <pybind11/pybind11.h>
 
 #include <cstddef>
-#include <mutex>
-#include <optional>
 #include <utility>
 
 namespace tetracone::python {
 
-/// A body, and the query of points that it answers by, made when it is first asked.
+/// A body, which any number of threads may ask at once.
 struct Shared_body {
   explicit Shared_body(Body b) : body(std::move(b)) {}
 
@@ -20,8 +18,6 @@ struct Shared_body {
   static void* operator new(std::size_t) { throw Error("body: not made; expected Body(vertices, faces)"); }
 
   const Body body;
-  std::mutex lock;  // of what follows; never waited for with the interpreter's lock
-  std::optional<Point_query> points;
 };
 
 /// Adds `Body` and `read`.

@@ -1,6 +1,7 @@
 // The door in Python, as the module tetracone._tetracone; the package `tetracone` beside it is what users import.
 
 #include "tetracone/tetratree/python/body.h"
+#include "tetracone/tetratree/python/contacts.h"
 #include "tetracone/tetratree/python/query.h"
 #include "tetracone/tetratree/python/texts.h"
 
@@ -22,5 +23,6 @@ PYBIND11_MODULE(_tetracone, module)
   });
   module.attr("__version__") = TETRACONE_VERSION;
   tetracone::python::add_body(module);
+  tetracone::python::add_contacts(module);
   tetracone::python::add_query(module);
 }

@@ -14,6 +14,7 @@
 #include <iterator>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -157,6 +158,31 @@ py::object relation(Locked_query& self, const py::object& poses_b, const py::obj
   return answers;
 }
 
+/// answer(query, pose of a, pose of b) for all pairs, in an array of Value.
+template <class Value, class Answer>
+py::object all_of(Locked_query& self, const Pose_pairs& poses, const Answer& answer_of)
+{
+  py::array_t<Value> answers(static_cast<py::ssize_t>(poses.count));
+  Value* const answer = answers.mutable_data();
+  ask_all(self, poses,
+          [&](std::size_t k, Query& query, const Pose& a, const Pose& b) { answer[k] = answer_of(query, a, b); });
+  if (poses.is_one()) return py::cast(answer[0]);
+  return answers;
+}
+
+py::object distance(Locked_query& self, const py::object& poses_b, const py::object& poses_a)
+{
+  return all_of<double>(self, Pose_pairs(poses_b, poses_a),
+                        [](Query& query, const Pose& a, const Pose& b) { return query.distance(a, b); });
+}
+
+py::object within(Locked_query& self, const py::object& limit, const py::object& poses_b, const py::object& poses_a)
+{
+  const std::string most = exact_text(limit);
+  return all_of<bool>(self, Pose_pairs(poses_b, poses_a),
+                      [&](Query& query, const Pose& a, const Pose& b) { return query.within(a, b, most); });
+}
+
 py::object features(Locked_query& self, const py::object& poses_b, const py::object& poses_a)
 {
   const Pose_pairs poses(poses_b, poses_a);
@@ -167,6 +193,18 @@ py::object features(Locked_query& self, const py::object& poses_b, const py::obj
   py::list rows;
   for (const auto& pairs : found) rows.append(rows_of(pairs));
   return rows;
+}
+
+py::object contacts(Locked_query& self, const py::object& poses_b, const py::object& poses_a)
+{
+  const Pose_pairs poses(poses_b, poses_a);
+  std::vector<std::optional<Contacts>> found(poses.count);
+  ask_all(self, poses,
+          [&](std::size_t k, Query& query, const Pose& a, const Pose& b) { found[k] = query.contacts(a, b); });
+  if (poses.is_one()) return py::cast(*found[0]);
+  py::list all;
+  for (const auto& each : found) all.append(py::cast(*each));
+  return all;
 }
 
 py::dict statistics(Locked_query& self)
@@ -315,6 +353,27 @@ each, a str. Arguments as of `collide`.
 >>> tetracone.Query(a, a).relation([[0.25, 0, 0, 0.125], [0, 0.25, 0, 0.125], [0, 0, 0.25, 0.125]])
 'b_in_a'
 )")
+      .def("distance", &distance, poses_b, poses_a, R"(distance(poses_b, poses_a=None)
+
+How far apart the bodies are, or of question "solid" the solids, which are 0 apart where they collide: array (n,) of
+float, each the double nearest to the exact distance; of one pose of each, a float. Arguments as of `collide`. Of the
+kernels adaptive and rational are exact, double is what it is; Error for others.
+
+>>> import tetracone
+>>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+>>> tetracone.Query(a, a).distance([[1, 0, 0, 1], [0, 1, 0, 1], [0, 0, 1, 0]])
+0.7071067811865476
+)")
+      .def("within", &within, py::arg("limit"), poses_b, poses_a, R"(within(limit, poses_b, poses_a=None)
+
+Whether that distance is at most `limit`, a number, a fractions.Fraction or a text "n/d", decided exactly: array (n,) of
+bool; of one pose of each, a bool. Other arguments as of `collide`.
+
+>>> import tetracone
+>>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+>>> tetracone.Query(a, a).within("1/3", [[1, 0, 0, "4/3"], [0, 1, 0, 0], [0, 0, 1, 0]])
+True
+)")
       .def("features", &features, poses_b, poses_a, R"(features(poses_b, poses_a=None)
 
 All pairs of an edge of one body and a face of the other that share a point: for each pose a structured array of `body`
@@ -326,6 +385,19 @@ All pairs of an edge of one body and a face of the other that share a point: for
 >>> found = tetracone.Query(a, a).features([[1, 0, 0, 1], [0, 1, 0, 0], [0, 0, 1, 0]])
 >>> len(found), found[0]
 (18, (0, 0, 1, 0, 'vertex-vertex'))
+)")
+      .def("contacts", &contacts, poses_b, poses_a, R"(contacts(poses_b, poses_a=None)
+
+All pairs of faces that share a point, and where: a `Contacts` for each pose; a list of n of them, of one pose of each
+the `Contacts`. Arguments as of `collide`. Raises Error for a kernel that rounds.
+
+>>> import tetracone
+>>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+>>> found = tetracone.Query(a, a).contacts([[1, 0, 0, "1/3"], [0, 1, 0, "1/3"], [0, 0, 1, "-1/3"]])
+>>> len(found), found.faces[0].tolist(), str(found.kind[0]), found.held_by[0].tolist()
+(4, [0, 1], 'segment', ['interior', 'interior'])
+>>> found.exact_loops(0)[0][0]
+(Fraction(2, 3), Fraction(1, 3), Fraction(0, 1))
 )")
       .def_property_readonly("statistics", &statistics,
                              "What was done since `clear_statistics`: a dict of counts by their names.")

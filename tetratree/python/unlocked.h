@@ -9,10 +9,16 @@
 
 namespace tetracone::python {
 
+/// The lock of what any number of threads may ask at once.
+struct No_lock {
+  void lock() {}
+  void unlock() {}
+};
+
 /// Calls each(0) .. each(count - 1) without the interpreter's lock and within `own`, which is never waited for with
 /// that lock. Ctrl-C is noticed ten times a second, and leaves as KeyboardInterrupt.
-template <class Each>
-void for_each_unlocked(std::size_t count, std::mutex& own, const Each& each)
+template <class Lock, class Each>
+void for_each_unlocked(std::size_t count, Lock& own, const Each& each)
 {
   using Clock = std::chrono::steady_clock;
   constexpr std::size_t chunk = 256;

@@ -1,9 +1,12 @@
 #include "verify/campaign/batch_judge.h"
 
 #include "verify/campaign/campaign_schema.h"
+#include "verify/relations/contact_relations.h"
 #include "verify/relations/metamorphic_relations.h"
+#include "verify/truth/cgal_contacts.h"
 #include "verify/truth/cgal_truth.h"
 #include "verify/truth/distance_to_degeneracy.h"
+#include "verify/truth/integer_contacts.h"
 #include "verify/truth/integer_features.h"
 #include "verify/truth/integer_truth.h"
 #include "verify/truth/predicate_truth.h"
@@ -293,14 +296,6 @@ Pairs true_features(const Object_case& c)
   return first;
 }
 
-/// A list as an answer: the number of pairs of the truth that it has, and where it has all of them, of its own.
-int as_number(const Pairs& listed, const Pairs& truth)
-{
-  Pairs right;
-  std::ranges::set_intersection(listed, truth, std::back_inserter(right));
-  return int(right.size() < truth.size() ? right.size() : listed.size());
-}
-
 /// A batch of cases whose features are asked for, at work.
 class Feature_batch {
  public:
@@ -355,6 +350,75 @@ class Feature_batch {
   Findings found_;
 };
 
+// --- contacts --------------------------------------------------------------------------------------------------------
+
+Contact_forms true_contacts(const Object_case& c)
+{
+  const Contact_forms first = contacts(c);
+  if (with_joined_polygons(first) != integer_truth::contacts(c))
+    throw Truths_disagree("the two truths of contacts disagree", c, Question::surface);
+  return first;
+}
+
+/// A batch of cases whose contacts are asked for, at work. Of bodies of more than `most_faces` faces nobody is asked.
+class Contact_batch {
+ public:
+  Contact_batch(const Campaign& campaign, const Batch& batch, const Done& done, Running_subjects& running)
+      : seed_(campaign.seed),
+        subjects_(campaign.contact_subjects),
+        running_(running),
+        batch_(batch),
+        wanted_(batch, subjects_, done),
+        found_(level_name(batch.what), batch.family_name())
+  {}
+
+  Findings judge()
+  {
+    for (std::uint64_t k = batch_.first; k < batch_.last; ++k) {
+      if (!wanted_.anyone(k)) continue;
+      const Object_case c = batch_.family->object_case(seed_, k);
+      if (c.a->face_count() <= most_faces && c.b->face_count() <= most_faces) judge(c, k);
+    }
+    wanted_.add_done(found_);
+    return std::move(found_);
+  }
+
+ private:
+  void judge(const Object_case& c, std::uint64_t k)
+  {
+    const Contact_forms truth = true_contacts(c);
+    if (wanted_.truth(k)) found_.add_truth(question, !truth.empty(), false);
+    const Distance away = distance(c);
+    for (std::size_t s = 0; s < subjects_.size(); ++s) {
+      if (!wanted_.subject(s, k)) continue;
+      const auto [listed, ns] = timed([&] { return running_[s]->contacts(c); });
+      Findings::Answer answer{{}, listed.outcome == Outcome::not_asked};
+      if (listed.outcome == Outcome::yes) answer.value = as_number(listed.forms, truth);
+      found_.add_answer(subjects_[s].name, question, away, int(truth.size()), answer, ns);
+      if (!answer.not_asked && answer.value != int(truth.size()) && k < kept_one_by_one)
+        found_.add_wrong(c.origin, subjects_[s].name, question, away, int(truth.size()), answer, {});
+      if (listed.outcome == Outcome::yes && k % relation_stride == 0) try_relations(c, s, listed.forms);
+    }
+  }
+
+  void try_relations(const Object_case& c, std::size_t s, const Contact_forms& given)
+  {
+    for (const Contact_relation& relation : contact_relations()) {
+      const Verdict verdict = relation.check(c, *running_[s], given);
+      found_.add_relation(std::string(relation.name), subjects_[s].name, question, verdict != Verdict::not_applicable,
+                          verdict == Verdict::violated);
+    }
+  }
+
+  static constexpr const char* question = "contacts";
+  std::uint64_t seed_;
+  const std::vector<Object_subject>& subjects_;
+  Running_subjects& running_;
+  const Batch& batch_;
+  Wanted wanted_;
+  Findings found_;
+};
+
 Running_subjects make_running(const std::vector<Object_subject>& subjects)
 {
   Running_subjects running;
@@ -368,7 +432,8 @@ Batch_judge::Batch_judge(const Campaign& campaign, const Done& done)
     : campaign_(campaign),
       done_(done),
       colliding_([&campaign] { return make_running(campaign.object_subjects); }),
-      listing_([&campaign] { return make_running(campaign.feature_subjects); })
+      listing_([&campaign] { return make_running(campaign.feature_subjects); }),
+      locating_([&campaign] { return make_running(campaign.contact_subjects); })
 {}
 
 Findings Batch_judge::operator()(const Batch& batch)
@@ -376,9 +441,10 @@ Findings Batch_judge::operator()(const Batch& batch)
   switch (batch.what) {
     case Asked_for::predicates: return Predicate_batch(campaign_, batch, done_).judge();
     case Asked_for::collision: return Object_batch(campaign_, batch, done_, colliding_.local()).judge();
-    case Asked_for::features: break;
+    case Asked_for::features: return Feature_batch(campaign_, batch, done_, listing_.local()).judge();
+    case Asked_for::contacts: break;
   }
-  return Feature_batch(campaign_, batch, done_, listing_.local()).judge();
+  return Contact_batch(campaign_, batch, done_, locating_.local()).judge();
 }
 
 }  // namespace tetracone::verify

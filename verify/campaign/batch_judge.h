@@ -26,7 +26,8 @@ class Batch_judge {
  private:
   const Campaign& campaign_;
   const Done& done_;
-  tbb::enumerable_thread_specific<Running_subjects> colliding_, listing_;  // of the levels object and features
+  tbb::enumerable_thread_specific<Running_subjects> colliding_, listing_, locating_;  // of the levels object,
+                                                                                      // features and contacts
 };
 
 }  // namespace tetracone::verify

@@ -12,9 +12,10 @@ std::size_t subject_count(const Campaign& campaign, Asked_for what)
   switch (what) {
     case Asked_for::predicates: return campaign.predicate_subjects.size();
     case Asked_for::collision: return campaign.object_subjects.size();
-    case Asked_for::features: break;
+    case Asked_for::features: return campaign.feature_subjects.size();
+    case Asked_for::contacts: break;
   }
-  return campaign.feature_subjects.size();
+  return campaign.contact_subjects.size();
 }
 
 }  // namespace
@@ -31,7 +32,9 @@ std::vector<Batch> batches(const Campaign& campaign, const std::vector<Sequence>
     add(Asked_for::predicates, family, campaign.predicate_cases, predicate_batch);
   for (const Family* family : campaign.families) add(Asked_for::collision, family, campaign.object_cases, object_batch);
   for (const Family* family : campaign.families)
-    add(Asked_for::features, family, campaign.feature_cases, feature_batch);
+    if (campaign.lists_features) add(Asked_for::features, family, campaign.feature_cases, feature_batch);
+  for (const Family* family : campaign.families)
+    if (!campaign.contact_subjects.empty()) add(Asked_for::contacts, family, campaign.feature_cases, feature_batch);
   for (std::size_t k = 0; k < sequences.size(); ++k)
     if (int(k % std::size_t(campaign.shards)) == campaign.shard)
       all.push_back({Asked_for::collision, nullptr, &sequences[k], 0, 0, sequences[k].frames.size()});

@@ -16,8 +16,9 @@ namespace tetracone::verify {
 /// The truth's name among the subjects.
 inline constexpr const char* truth_name = "truth";
 
-/// What is asked of a case: its predicates, whether its bodies collide, which of their features meet.
-enum class Asked_for { predicates, collision, features };
+/// What is asked of a case: its predicates, whether its bodies collide, which of their features meet, and
+/// where their faces do.
+enum class Asked_for { predicates, collision, features, contacts };
 
 /// The name of that in the database.
 constexpr const char* level_name(Asked_for what)
@@ -25,9 +26,10 @@ constexpr const char* level_name(Asked_for what)
   switch (what) {
     case Asked_for::predicates: return "predicate";
     case Asked_for::collision: return "object";
-    case Asked_for::features: break;
+    case Asked_for::features: return "features";
+    case Asked_for::contacts: break;
   }
-  return "features";
+  return "contacts";
 }
 
 /// Unit of work: the cases first to last - 1 of a family, or one sequence.

@@ -158,14 +158,19 @@ Database open_campaign(const std::filesystem::path& file)
   std::error_code missing;
   if (std::filesystem::file_size(file, missing) != 0 && !missing) {
     Database there(file, Database::Mode::read);
-    if (Database::Statement(there, "SELECT 1 FROM sqlite_master").with().next()) require_tables(there);
+    if (Database::Statement(there, "SELECT 1 FROM sqlite_master").with().next()) {
+      require_tables(there);
+      require_columns_of_schema(there);
+    }
   }
   return Database(file, Database::Mode::write);
 }
 
 void merge(Database& into, const std::filesystem::path& from)
 {
-  require_campaign(from);
+  Database other(from, Database::Mode::read);
+  require_tables(other);
+  require_columns_of_schema(other);
   make_tables(into);
   const Attached attached(into, from);
   Database::Transaction transaction(into);

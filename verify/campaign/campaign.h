@@ -26,11 +26,12 @@ struct Provenance {
 struct Campaign {
   std::uint64_t seed = 1;
   std::uint64_t predicate_cases = 400, object_cases = 24, feature_cases = 6;  ///< per family; 0: not that level
-  int sequence_frames = 16;                                                   ///< of each exact sequence; 0: none
-  int shard = 0, shards = 1;  ///< this process does each `shards`-th batch, from `shard`
+  bool lists_features = true;  ///< of feature_cases: else only contacts are asked
+  int sequence_frames = 16;    ///< of each exact sequence; 0: none
+  int shard = 0, shards = 1;   ///< this process does each `shards`-th batch, from `shard`
   std::vector<const Family*> families;
   std::vector<Predicate_subject> predicate_subjects;
-  std::vector<Object_subject> object_subjects, feature_subjects;
+  std::vector<Object_subject> object_subjects, feature_subjects, contact_subjects;
   Provenance made_by;
 };
 
@@ -62,15 +63,15 @@ std::uint64_t case_count(const Campaign& campaign);
 void run_campaign(Database& database, const Campaign& campaign, const std::function<void(std::uint64_t)>& done);
 
 /// Opens a campaign's database to write; makes it when it is not there. Throws covering::Input_error, and changes
-/// nothing, when the file is something else.
+/// nothing, when the file is something else, or has the tables of another version.
 Database open_campaign(const std::filesystem::path& file);
 
 /// Throws covering::Input_error when the file is no database of a campaign.
 void require_campaign(const std::filesystem::path& file);
 
 /// Adds to `into` what `from`, a shard of the same campaign, has; nothing where `into` has it all. Throws
-/// covering::Input_error, and changes nothing, when the two were not asked with the same words (campaign_words.h), or
-/// when `into` has a part of the shard: an earlier state of it.
+/// covering::Input_error, and changes nothing, when the two were not asked with the same words (campaign_words.h), when
+/// `from` has the tables of another version, or when `into` has a part of the shard: an earlier state of it.
 void merge(Database& into, const std::filesystem::path& from);
 
 }  // namespace tetracone::verify

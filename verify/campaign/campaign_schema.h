@@ -1,6 +1,8 @@
 #ifndef TETRACONE_VERIFY_CAMPAIGN_CAMPAIGN_SCHEMA_H
 #define TETRACONE_VERIFY_CAMPAIGN_CAMPAIGN_SCHEMA_H
 
+#include "verify/campaign/database.h"
+
 #include <cstdint>
 
 namespace tetracone::verify {
@@ -14,7 +16,7 @@ namespace tetracone::verify {
 ///    exactly_degenerate where the distance is 0, not_near where no determinant was near. False positive: higher than
 ///    the truth; false negative: lower. not_asked: the subject does not take such input; failures: crash, hang or
 ///    exception.
-///  At the level 'features' an answer is a list. Its truth is how many pairs it has; an answer that lacks some is how
+///  At the levels 'features' and 'contacts' an answer is a list. Its truth is how many pairs it has; an answer that lacks some is how
 /// many
 ///  of them it has right, lower, and one with more pairs is how many it has in all, higher.
 ///  - truth: cases by question, how many of them have a positive answer, and how many were also known by construction.
@@ -58,6 +60,10 @@ CREATE TABLE IF NOT EXISTS command (subject TEXT PRIMARY KEY, command TEXT) WITH
 CREATE TABLE IF NOT EXISTS time (run INTEGER, level TEXT, family TEXT, subject TEXT, question TEXT, n INTEGER, nanoseconds INTEGER,
   PRIMARY KEY (run, level, family, subject, question)) WITHOUT ROWID;
 )";
+
+/// Throws covering::Input_error, with the table and its columns, where a table of the file has others than the schema:
+/// another version wrote it, and neither goes on with it nor takes shards from it.
+void require_columns_of_schema(Database& database);
 
 }  // namespace tetracone::verify
 

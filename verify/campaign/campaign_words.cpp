@@ -1,6 +1,7 @@
 #include "verify/campaign/campaign_words.h"
 
 #include "tetracone/covering/io/input_error.h"
+#include "verify/campaign/campaign_schema.h"
 #include "verify/cases/shape_library.h"
 
 #include <nlohmann/json.hpp>
@@ -31,6 +32,7 @@ std::string subjects_of(const Campaign& campaign)
     names.insert(to_string(Level::predicate) + (" " + subject.name));
   for (const auto& subject : campaign.object_subjects) names.insert(to_string(Level::object) + (" " + subject.name));
   for (const auto& subject : campaign.feature_subjects) names.insert("features " + subject.name);
+  for (const auto& subject : campaign.contact_subjects) names.insert("contacts " + subject.name);
   return array_of(names);
 }
 
@@ -105,6 +107,7 @@ void refuse_other_words(Database& into, const std::filesystem::path& from)
 
 Campaign_progress progress(Database& database)
 {
+  require_columns_of_schema(database);
   Database::Statement rows(database, "SELECT shard, answers, " + common + " FROM words NATURAL JOIN (SELECT " + common +
                                          " FROM words ORDER BY words.rowid DESC LIMIT 1) ORDER BY shard");
   Campaign_progress progress;

@@ -14,6 +14,9 @@ Proved_bounds all_proofs();
 /// Truth is rational. The same seed finds the same.
 double worst_found(const std::string& name, int steps, unsigned seed);
 
+/// Why no search looks for a constant's worst error; empty where one does.
+std::string why_not_searched(const std::string& name);
+
 }  // namespace tetracone::verify::proofs
 
 #endif

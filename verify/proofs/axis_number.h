@@ -1,19 +1,16 @@
 #ifndef TETRACONE_VERIFY_PROOFS_AXIS_NUMBER_H
 #define TETRACONE_VERIFY_PROOFS_AXIS_NUMBER_H
 
-#include "verify/proofs/recorded.h"
-
+#include <cassert>
 #include <vector>
 
 namespace tetracone::verify::proofs {
 
-/// What vectors are to the SIMD comparison of boxes: a recorded number or, of a largest one, those that it is the
+/// What vectors are to the SIMD comparison of boxes: a number or, of a largest one, those that it is the
 /// largest of. With `fused`, a product and sum are rounded once, as processors with FMA do; else twice.
-template <class Arithmetic, bool fused>
+template <class Number, bool fused>
 class Axis_number {
  public:
-  using Number = Recorded<Arithmetic>;
-
   Axis_number() = default;
   Axis_number(const Number& number) : any_({number}) {}
 

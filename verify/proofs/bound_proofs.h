@@ -23,9 +23,9 @@ inline Proved_bounds bound_proofs()
   const std::vector<Count> counts(9);
   const Count count;
   Proved_bounds bounds;
-  const auto add = [&](const std::string& name, double in_code, const Rational& proved, const std::string& by = "gappa",
-                       const std::string& file = "kernel/bound/bounds.h") {
-    bounds.push_back({name, file, Rational(in_code), proved, u, by});
+  const auto add = [&](const std::string& name, double in_code, const Rational& proved, double loosest,
+                       const std::string& by = "gappa", const std::string& file = "kernel/bound/bounds.h") {
+    bounds.push_back({name, file, Rational(in_code), proved, u, loosest, by});
   };
 
   // Points of the cube that were computed in the model's frame are off by two roundings themselves.
@@ -38,8 +38,8 @@ inline Proved_bounds bound_proofs()
   const Count reach = Frame::reach_of_row(entry(count), entry(count), entry(count), entry(count), count) * count;
   const Rational magnitude = (1 + image) * lost(reach) - 1;
   const Rational error = image * lost(reach * count) / (1 + Rational(Frame::magnitude_rounding));
-  add("Bound_frame::error_rounding", Frame::error_rounding, error);
-  add("Bound_frame::magnitude_rounding", Frame::magnitude_rounding, magnitude);
+  add("Bound_frame::error_rounding", Frame::error_rounding, error, 1.15);
+  add("Bound_frame::magnitude_rounding", Frame::magnitude_rounding, magnitude, 1.24);
 
   // Of M^T M three entries a row, each a share of the longest column's square, which is no more than the largest row;
   // two sums of a row and the slack's. The root halves all, the root's own rounding and what a ball's radius is made by
@@ -53,7 +53,7 @@ inline Proved_bounds bound_proofs()
   const Rational column = largest(slice_errors<Relative_64>(of_columns, terms_of_dot));
   const Rational squares = once * once * once / (1 - 3 * column);
   const Rational roots = once * once * once * once;  // root, its factor, the radius' product and sum
-  add("Bound_frame::stretch_rounding", Frame::stretch_rounding, Rational(squares * roots * roots - 1) / 2);
+  add("Bound_frame::stretch_rounding", Frame::stretch_rounding, Rational(squares * roots * roots - 1) / 2, 2.47);
 
   // Squares of distances and radii, by the roundings on the longest way.
   const std::array<Count, 3> point;
@@ -61,9 +61,9 @@ inline Proved_bounds bound_proofs()
   Rational most = 1;
   for (int k = 0; k < distance.count(); ++k) most *= 1 + Rational(u);
   add("ball_distance_rounding", kernel::ball_distance_rounding,
-      most * lost(kernel::touching_distance_2(count, count)) - 1, "rationals");
+      most * lost(kernel::touching_distance_2(count, count)) - 1, 1.21, "rationals");
   const Rational radius = lost(distance + count) * once * once * once * once;
-  add("ball_radius_rounding", kernel::ball_radius_rounding, Rational(radius - 1) / 2, "rationals");
+  add("ball_radius_rounding", kernel::ball_radius_rounding, Rational(radius - 1) / 2, 1.21, "rationals");
 
   // Two dot products of points of at most the magnitude, and their difference; what the frames' errors have to spare
   // covers the second order.
@@ -82,7 +82,7 @@ inline Proved_bounds bound_proofs()
       2 * largest(slice_errors<Relative_64>(interval, terms_of_interval)) * lost(allowance_of_interval);
   add("projection_rounding and error_rounding of two frames",
       kernel::projection_rounding<double> + 2 * Frame::error_rounding,
-      projection + 2 * Rational(error * lost(allowance_of_interval)));
+      projection + 2 * Rational(error * lost(allowance_of_interval)), 1.1);
 
   // Shares of permanents, of entries that may be fractions; the normal's for points that are 2 magnitudes apart, and
   // what a point's own projection rounds beyond the first order.
@@ -102,7 +102,7 @@ inline Proved_bounds bound_proofs()
   const Count threshold =
       Half_space::sound_threshold(count, permanent, count, permanent + count + count, reach * count);
   add("Placed_half_space::determinant_rounding", Half_space::determinant_rounding,
-      largest(slice_errors<Relative_64>(with_entries(9), slices_of_determinant())) * lost(threshold));
+      largest(slice_errors<Relative_64>(with_entries(9), slices_of_determinant())) * lost(threshold), 2.01);
   const auto beyond = [](const auto& in) {
     return kernel::dot(triple(in, 0), kernel::difference(triple(in, 3), triple(in, 6)));
   };
@@ -110,7 +110,8 @@ inline Proved_bounds bound_proofs()
       2 * largest(slice_errors<Relative_64>(beyond, terms_of_interval)) * lost(allowance_of_interval);
   add("Placed_half_space::normal_rounding", Half_space::normal_rounding,
       2 * largest(slice_errors<Relative_64>(with_entries(6), slices_of_determinant())) * lost(threshold) +
-          Rational(asked - Rational(kernel::projection_rounding<double>)));
+          Rational(asked - Rational(kernel::projection_rounding<double>)),
+      2.29);
 
   // A coordinate along a ray, of a difference that is rounded; and its share of the form that a plane cuts at 1.
   using Cone = kernel::Cone_coordinates<double, true>;
@@ -130,12 +131,12 @@ inline Proved_bounds bound_proofs()
   const std::string cone = "kernel/bound/cone_coordinates.h";
   add("Cone_coordinates::form_rounding", Cone::form_rounding,
       largest(slice_errors<Relative_64>(form, terms_of_form)) * lost(absolute) + 3 * Rational(u) * 16 * Rational(u),
-      "gappa", cone);
+      2.01, "gappa", cone);
   // What is left of 1, rounded as IEEE 754 does: below 1 by half of u. Where shares are more, `form_rounding` has more
   // to spare than they are rounded.
   const auto allowance = [](const auto& in) { return Cone::allowed(triple(in, 0)); };
   add("Cone_coordinates::one_rounding", Cone::one_rounding,
-      error_within<Ieee_64>(allowance, {{0, 0.25}, {0, 0.25}, {0, 0.25}}), "gappa", cone);
+      error_within<Ieee_64>(allowance, {{0, 0.25}, {0, 0.25}, {0, 0.25}}), 2.01, "gappa", cone);
   return bounds;
 }
 

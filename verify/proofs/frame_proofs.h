@@ -69,11 +69,11 @@ inline Proved_bounds frame_proofs()
   const auto lost = [&](const Count& count) { return Rational(1 / count.least(roundoff)); };
   const Count count;
   Proved_bounds bounds;
-  const auto add = [&](const std::string& name, double in_code, const Rational& proved, double unit,
+  const auto add = [&](const std::string& name, double in_code, const Rational& proved, double unit, double loosest,
                        const std::string& by = "gappa") {
     const std::string file =
         name.starts_with("Origin") ? "kernel/bound/origin_offset.h" : "kernel/bound/relative_frame.h";
-    bounds.push_back({name, file, Rational(in_code), proved, unit, by});
+    bounds.push_back({name, file, Rational(in_code), proved, unit, loosest, by});
   };
 
   const auto offset = [](const auto& in) {
@@ -83,13 +83,14 @@ inline Proved_bounds frame_proofs()
   const auto terms = detail::offset_terms(std::vector<Count>(14));
   const Count most = Offset::sum_of_parts(Offset::terms_in_parts(terms[0], terms[1], terms[2], terms[3]));
   add("Origin_offset::double_rounding", Offset::double_rounding,
-      largest(slice_errors<Relative_64>(offset, detail::slices_of_offset())) * lost(most * count), u);
+      largest(slice_errors<Relative_64>(offset, detail::slices_of_offset())) * lost(most * count), u, 1.03);
   // The result rounds once; remainders lose the same whatever is summed, and of entries that are off by u, u more.
   const Rational remainders = detail::remainder_loss() * lost(most * count);
-  add("Origin_offset::result_rounding", Offset::result_rounding, roundoff * once * lost(count * count), u, "rationals");
-  add("Origin_offset::remainder_rounding", Offset::remainder_rounding, remainders, u * u, "rationals");
-  add("Origin_offset::fraction_rounding", Offset::fraction_rounding, roundoff * lost(most * count) + remainders, u,
+  add("Origin_offset::result_rounding", Offset::result_rounding, roundoff * once * lost(count * count), u, 4.01,
       "rationals");
+  add("Origin_offset::remainder_rounding", Offset::remainder_rounding, remainders, u * u, 3.94, "rationals");
+  add("Origin_offset::fraction_rounding", Offset::fraction_rounding, roundoff * lost(most * count) + remainders, u,
+      2.01, "rationals");
 
   // Entries of f M^T N, and of f M^T D: products of columns |M_i| |N_j|, by Cauchy and Schwarz.
   const std::vector<Slice> terms_of_dot = {{1, 0, 0, 1, 0, 0}, {0, 1, 0, 0, 1, 0}, {0, 0, 1, 0, 0, 1}};
@@ -106,11 +107,11 @@ inline Proved_bounds frame_proofs()
   };
   const auto gram = [&](const auto& in) { return of_columns(in, true, false); };
   const Rational entry_of_gram = largest(slice_errors<Relative_64>(gram, terms_of_dot));
-  // Columns of a similarity but for 2^-24. Three entries a row, the quotient f, and the difference of squares, which is
-  // itself below 2^-23.
-  const Rational columns = 1 + Rational(0x1p-23);
+  // Columns of a similarity but for its defect. Three entries a row, the quotient f, and the difference of squares,
+  // which is itself below twice the defect.
+  const Rational defect(Frame::similarity_defect), columns = 1 + 2 * defect;
   add("Relative_frame::gram_rounding", Frame::gram_rounding,
-      3 * entry_of_gram * columns * columns + roundoff * once + 8 * roundoff * Rational(0x1p-23), u);
+      3 * entry_of_gram * columns * columns + roundoff * once + 16 * roundoff * defect, u, 1.51);
   // An image is made of the entries by 4 roundings more: product, two sums, the offset.
   const auto image_of = [](const auto& entry_of_map) {
     const auto zero = std::decay_t<decltype(entry_of_map)>(0), one = std::decay_t<decltype(entry_of_map)>(1);
@@ -118,7 +119,7 @@ inline Proved_bounds frame_proofs()
   };
   const auto linear = [&](const auto& in) { return image_of(of_columns(in, true, true)); };
   add("Relative_frame::transpose_rounding", Frame::transpose_rounding,
-      largest(slice_errors<Relative_64>(linear, terms_of_dot)) * columns * columns, u);
+      largest(slice_errors<Relative_64>(linear, terms_of_dot)) * columns * columns, u, 1.61);
 
   const auto residual = [](const auto& in) {
     const auto column = triple(in, 4);
@@ -128,25 +129,25 @@ inline Proved_bounds frame_proofs()
       {1, 0, 0, 0, 0, 0, 0}, {0, 1, 0, 0, 1, 0, 0}, {0, 0, 1, 0, 0, 1, 0}, {0, 0, 0, 1, 0, 0, 1}};
   const std::array<Count, 3> three, entries = {entry(count), entry(count), entry(count)};
   const Count magnitude = Frame::product_sum(count, three, entries) * count + count + count + count;
-  // Sums of a row's entries round what is computed too, which is below 2^-20 of the residual's terms.
+  // Sums of a row's entries round what is computed too, which is below `most_residual` of the residual's terms.
   add("Relative_frame::residual_rounding", Frame::residual_rounding,
       largest(slice_errors<Relative_64>(residual, terms_of_residual)) * lost(magnitude) +
-          4 * roundoff * Rational(0x1p-20),
-      u);
+          4 * roundoff * Rational(Frame::most_residual),
+      u, 1.21);
   const auto row = [&](const auto& in) {
     const auto column = triple(in, 3);
     return image_of(kernel::dot(triple(in, 0), std::array{entry(column[0]), entry(column[1]), entry(column[2])}) *
                     std::decay_t<decltype(in[0])>(1));
   };
   add("Relative_frame::inverse_rounding", Frame::inverse_rounding,
-      largest(slice_errors<Relative_64>(row, terms_of_dot)), u);
+      largest(slice_errors<Relative_64>(row, terms_of_dot)), u, 1.12);
 
   // An image of a point that is off by d < 2^-10: (norm + 2 error) d + error <= (1 + 2 d) (error + norm d); rho / (1 -
-  // rho) for rho < 2^-20; and some 30 roundings of the bounds themselves.
+  // rho) for rho < `most_residual`; and some 30 roundings of the bounds themselves.
   Rational roundings = 1;
   for (int k = 0; k < 30; ++k) roundings *= once;
   add("Relative_frame::second_order", Frame::second_order,
-      (1 + 2 * Rational(0x1p-10)) / (1 - Rational(0x1p-20)) * roundings, 1, "rationals");
+      (1 + 2 * Rational(0x1p-10)) / (1 - Rational(Frame::most_residual)) * roundings, 1, 1.009, "rationals");
   return bounds;
 }
 

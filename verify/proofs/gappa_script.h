@@ -43,14 +43,11 @@ inline std::string gappa_number(double value)
 /// A script for Gappa: definitions, what is assumed of their variables, and expressions to enclose.
 class Gappa_script {
  public:
-  /// Returns the name of a new definition.
-  std::string define(const std::string& expression) { return add("x", {expression + ";", false}); }
-
-  /// Returns the name of a constant, defined once.
-  std::string named(const std::string& constant)
+  /// Returns the name of an expression, which is defined once: Gappa knows equal ones by one name.
+  std::string define(const std::string& expression)
   {
-    std::string& name = constants_[constant];
-    return name.empty() ? name = define(constant) : name;
+    std::string& name = defined_[expression];
+    return name.empty() ? name = add("x", {expression + ";", false}) : name;
   }
 
   /// Returns the name of a new variable of at most this magnitude.
@@ -125,7 +122,7 @@ class Gappa_script {
 
   std::vector<Line> lines_;
   std::vector<std::string> goals_;
-  std::map<std::string, std::string> constants_;
+  std::map<std::string, std::string> defined_;  // the names of expressions
 };
 
 /// Whether the program is there.

@@ -2,7 +2,7 @@
 #define TETRACONE_VERIFY_PROOFS_OBB8_PROOFS_H
 
 #include "tetracone/kernel/bound/obb8_overlap.h"
-#include "verify/proofs/axis_number.h"
+#include "verify/proofs/box_test.h"
 #include "verify/proofs/near_orthonormal.h"
 #include "verify/proofs/proved_bound.h"
 #include "verify/proofs/slices.h"
@@ -17,91 +17,18 @@
 /// The slacks of kernel/bound/obb8.h, from the comparison of kernel/bound/obb8_overlap_simd.inl itself.
 namespace tetracone::verify::proofs {
 
-/// How the single box's edges come to be.
-enum class Edges {
-  given,    ///< floats: what the box is made of
-  general,  ///< floats, and their cross products
-  carried   ///< an axis in float, turned by directions in float
-};
-
-/// The comparison's inputs, each an input of a slice.
-template <class Number_, bool fused_>
-struct Recorded_test {
-  using Floats = Axis_number<Number_, fused_>;
-  using Number = Recorded<Number_>;
-
-  struct Boxes {
-    Floats centre[3], axis[3][3], extent[3];
-  } boxes;
-  struct Single {
-    std::vector<std::vector<Number>> edge, normal;
-    std::vector<Number> centre, extent;
-    Number slack = Number(0), apex = Number(0);
-  } box;
-  bool is_triangle = false;
-
-  const Floats& load(const Floats& lane) const { return lane; }
-  Floats all(const Number& x) const { return x; }
-  bool holds_triangle() const { return is_triangle; }
-
-  /// Where the inputs are in a slice: of the eight's axes, the single box's edges or its axes, the turning directions.
-  enum Place {
-    single_centre = 0,
-    centre = 3,
-    extent = 6,
-    single_extent = 9,
-    axis = 12,
-    edge = 21,
-    direction = 30,
-    end = 39
-  };
-
-  Recorded_test(const std::vector<Number>& in, Edges edges, bool triangle) : is_triangle(triangle)
-  {
-    for (int i = 0; i < 3; ++i) {
-      boxes.centre[i] = in[centre + i];
-      boxes.extent[i] = in[extent + i];
-      for (int k = 0; k < 3; ++k) boxes.axis[i][k] = in[axis + 3 * i + k];
-      box.centre.push_back(entry(in[single_centre + i]));  // rounded to float
-      box.extent.push_back(in[single_extent + i]);
-    }
-    box.apex = Number(*in[0].script(), "0");
-    for (int j = 0; j < 3; ++j) {
-      std::vector<Number> e;
-      for (int k = 0; k < 3; ++k) {
-        const auto turned = [&](int q) { return Floats(entry(in[direction + 3 * k + q])); };
-        const auto of_axis = [&](int q) { return Floats(in[edge + 3 * j + q]); };
-        e.push_back(edges != Edges::carried ? in[edge + 3 * j + k]
-                                            : kernel::HWY_NAMESPACE::carried_edge(turned(0), turned(1), turned(2),
-                                                                                  of_axis(0), of_axis(1), of_axis(2))
-                                                  .one());
-      }
-      box.edge.push_back(e);
-    }
-    for (int j = 0; j < 3; ++j) {
-      const auto &p = box.edge[(j + 1) % 3], &q = box.edge[(j + 2) % 3];
-      const auto n = kernel::cross(std::array{p[0], p[1], p[2]}, std::array{q[0], q[1], q[2]});
-      box.normal.push_back({n[0], n[1], n[2]});
-    }
-  }
-};
-
 namespace detail {
 
 /// The places of a slice's inputs, whatever the arithmetic.
-using Place = Recorded_test<Exact, true>;
+using Place = Box_test<Recorded<Exact>, true>;
 
 /// The error of an axis' gap, a share of each of: |single centre|, |centre|, sum of extents, sum of the single box's.
 using Shares = std::array<Rational, 4>;
 
-/// The gaps of all axes tried, by the comparison itself: 3 of the eight's normals, 3 of the single box's, 9 across, and
-/// of a triangle 2 more.
 template <class Arithmetic, bool fused>
 std::vector<Recorded<Arithmetic>> gaps(const std::vector<Recorded<Arithmetic>>& in, Edges edges, bool triangle)
 {
-  const Recorded_test<Arithmetic, fused> test(in, edges, triangle);
-  return edges == Edges::general ? kernel::HWY_NAMESPACE::together<false>(test).any()
-                                 : kernel::HWY_NAMESPACE::together<true>(test).any();
+  return gaps_of(Box_test<Recorded<Arithmetic>, fused>(in, edges, triangle, {*in[0].script(), "0"}), edges);
 }
 
 /// The slices of a scale: one component of it is 1, and so is component q of the first axis and, for products across
@@ -147,7 +74,7 @@ std::array<Shares, 4> rounding_of_gaps(Edges edges, bool triangle)
         std::vector<Recorded<Relative_32>> computed;
         std::vector<Recorded<Exact>> exact;
         for (const double input : slices[n]) {
-          const std::string name = input == 0 ? "0" : script.named("1");
+          const std::string name = input == 0 ? "0" : script.define("1");
           computed.emplace_back(script, name);
           exact.emplace_back(script, name);
         }
@@ -236,11 +163,11 @@ inline Proved_bounds obb8_proofs()
       for (const Rational& share : detail::shares_of(edges, kind, defect, e)) most = std::max(most, share);
     return Rational(most * computed);
   };
-  bounds.push_back(
-      {"box_rounding, boxes of any map", file, Rational(kernel::box_rounding), largest(Edges::general, 0), u, "gappa"});
+  bounds.push_back({"box_rounding, boxes of any map", file, Rational(kernel::box_rounding), largest(Edges::general, 0),
+                    u, 1.12, "gappa"});
   // Orthonormal in double, and rounded to float.
   bounds.push_back({"box_rounding, rays of containment", file, Rational(kernel::box_rounding),
-                    largest(Edges::given, Rational(2 * roundoff * computed)), u, "gappa"});
+                    largest(Edges::given, Rational(2 * roundoff * computed)), u, 1.79, "gappa"});
 
   // Axes with their defect, turned by directions of a similarity, orthonormal but for 2^-24. Of centres, what follows
   // their difference is rounded together: boxes that meet are no farther apart than extents reach, and neither is the
@@ -250,13 +177,13 @@ inline Proved_bounds obb8_proofs()
     return Rational((share[0] + std::max(share[2], share[3])) * computed);
   };
   bounds.push_back({"carried_box_rounding", file, Rational(kernel::carried_box_rounding),
-                    std::max({carried(Kind::own), carried(Kind::other), carried(Kind::across)}), u, "gappa"});
+                    std::max({carried(Kind::own), carried(Kind::other), carried(Kind::across)}), u, 1.36, "gappa"});
   bounds.push_back({"twice carried_box_rounding, sides of a triangle", file, Rational(2 * kernel::carried_box_rounding),
-                    carried(Kind::triangle), u, "gappa"});
+                    carried(Kind::triangle), u, 2.13, "gappa"});
 
   // |L|_1 <= sqrt(3) |L|_2 of every axis L, of length 1 but for the defect.
   bounds.push_back({"position_factor", file, Rational(kernel::position_factor), root_3() * (1 + 6 * defect) * computed,
-                    1, "rationals"});
+                    1, 4.63, "rationals"});
   return bounds;
 }
 

@@ -15,7 +15,8 @@ struct Proved_bound {
   std::string name, file;
   Rational in_code, proved;
   double unit;     ///< in which both are told: u, u^2, or 1
-  std::string by;  ///< "gappa", or "rationals" where the argument is none of rounding
+  double loosest;  ///< in_code over proved is at most this: what is larger was changed without a reason
+  std::string by;  ///< "gappa", or "rationals" or "intervals" where the argument is none of rounding
 };
 
 using Proved_bounds = std::vector<Proved_bound>;

@@ -33,7 +33,8 @@ inline Proved_bounds separation_proofs()
   };
   const std::vector<Slice> terms = {{1, 0, 0, 1, 0, 0}, {0, 1, 0, 0, 1, 0}, {0, 0, 1, 0, 0, 1}};
   bounds.push_back({"rounding of rows", direction, Rational(Separating_direction::rounding * u),
-                    largest(slice_errors<Relative_32>(turned, terms)) * once + 2 * Rational(of_double), u, "gappa"});
+                    largest(slice_errors<Relative_32>(turned, terms)) * once + 2 * Rational(of_double), u, 1.51,
+                    "gappa"});
 
   // The gap's part from D, which is rounded to float; and from the reach, which is the support tables'.
   const auto gap = [&](const auto& in) {
@@ -42,7 +43,7 @@ inline Proved_bounds separation_proofs()
     return sum_of_lanes(std::array{lane(0), lane(1), lane(2), zero});
   };
   bounds.push_back({"rounding of D in float", direction, Rational(Separating_direction::rounding * u),
-                    largest(slice_errors<Relative_32>(gap, terms)) * once, u, "gappa"});
+                    largest(slice_errors<Relative_32>(gap, terms)) * once, u, 1.21, "gappa"});
   const auto offset = [](const auto& in) {
     const auto part = [&in](int k) {
       return Separating_direction::difference_in_parts(entry(in[k]) * in[8 + k], entry(in[2 + k]) * in[8 + k],
@@ -57,7 +58,7 @@ inline Proved_bounds separation_proofs()
     terms_of_offset.push_back(slice);
   }
   bounds.push_back({"rounding of D in double", direction, Rational(Separating_direction::rounding * of_double),
-                    largest(slice_errors<Relative_64>(offset, terms_of_offset)) * once, of_double, "gappa"});
+                    largest(slice_errors<Relative_64>(offset, terms_of_offset)) * once, of_double, 1.21, "gappa"});
 
   // The place of a direction in the lattice; 2 of 3 coordinates move the third as well.
   const Rounding_count count, norm = sum_of_lanes(std::array{count, count, count, count});
@@ -85,21 +86,22 @@ inline Proved_bounds separation_proofs()
   }
   // Reaches of both tables are added before.
   const Rational sums = (largest(slice_errors<Relative_32>(reach, terms_of_reach)) + roundoff) * corner * once;
-  bounds.push_back(
-      {"Support_table::slack", table, Rational(Support_table::slack), (place + weights + sums) * once, u, "gappa"});
+  bounds.push_back({"Support_table::slack", table, Rational(Support_table::slack), (place + weights + sums) * once, u,
+                    1.78, "gappa"});
   const auto product = [](const auto& in) { return kernel::dot(triple(in, 0), triple(in, 3)); };
   bounds.push_back(
       {"Support_table::reach_rounding", table, Rational(Support_table::reach_rounding),
        largest(slice_errors<Relative_64>(product, terms)) + Rational(tetratree::Bvh8_elements::local_error), of_double,
-       "gappa"});
+       1.21, "gappa"});
 
   // s = (A^T A)^-1 A^T y, and row sums of A^T A - I are below 3 d.
   bounds.push_back({"axis_defect_factor", box, Rational(kernel::axis_defect_factor),
-                    3 / (1 - 3 * defect) + Rational(0x1p-20), 1, "rationals"});
-  bounds.push_back({"axis_norm_1", box, Rational(kernel::axis_norm_1), root_3() * (1 + 4 * defect), 1, "rationals"});
+                    3 / (1 - 3 * defect) + Rational(0x1p-20), 1, 1.34, "rationals"});
+  bounds.push_back(
+      {"axis_norm_1", box, Rational(kernel::axis_norm_1), root_3() * (1 + 4 * defect), 1, 1.16, "rationals"});
   // A ray's centre once, its direction along half of it, its extent, half of it; and the axes in double.
   bounds.push_back({"Bvh8_containment::ray_rounding", containment, Rational(Containment::ray_rounding),
-                    2 * roundoff * once, u, "rationals"});
+                    2 * roundoff * once, u, 1.51, "rationals"});
   return bounds;
 }
 

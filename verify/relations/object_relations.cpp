@@ -173,7 +173,7 @@ std::optional<Polyhedron> with_split_edge(const Polyhedron& what, Random& random
     std::vector<Vertex> vertices = what.vertices;
     const Index m = vertices.size();
     vertices.push_back(*middle);
-    return with_faces(vertices, what, [&](Index f, Loops loops, Polyhedron& result) {
+    return with_faces(vertices, what, [&, u = u, v = v](Index f, Loops loops, Polyhedron& result) {
       std::size_t uses = 0;
       for (auto& loop : loops) {
         std::vector<Index> longer;

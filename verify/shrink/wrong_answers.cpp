@@ -5,9 +5,11 @@
 #include "verify/shrink/shrink.h"
 #include "verify/subjects/blame.h"
 #include "verify/truth/cgal_truth.h"
+#include "verify/truth/integer_features.h"
 #include "verify/truth/predicate_truth.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace tetracone::verify {
 namespace {
@@ -21,6 +23,20 @@ std::string direction(std::optional<int> answer, int truth)
 }
 
 bool is_closed(const Object_case& c) { return covering::is_closed(*c.a) && covering::is_closed(*c.b); }
+
+/// The case with its truth and everyone who answers the question wrong.
+Case_file with_truth(const Object_case& c, Question question)
+{
+  Case_file file;
+  file.level = Level::object;
+  file.object = c;
+  file.question = question;
+  file.object->surface = true_answer(c, Question::surface);
+  if (is_closed(c)) file.object->solid = true_answer(c, Question::solid);
+  file.truth = *file.object->known(question);
+  file.wrong = wrong_answers(c, question, file.truth);
+  return file;
+}
 
 }  // namespace
 
@@ -61,14 +77,7 @@ std::string contact_of(const Object_case& c)
 
 Case_file case_file_of(const Object_case& c, Question question, const Object_subject& subject, Outcome answer)
 {
-  Case_file file;
-  file.level = Level::object;
-  file.object = c;
-  file.question = question;
-  file.object->surface = true_answer(c, Question::surface);
-  if (is_closed(c)) file.object->solid = true_answer(c, Question::solid);
-  file.truth = *file.object->known(question);
-  file.wrong = wrong_answers(c, question, file.truth);
+  Case_file file = with_truth(c, question);
   const std::optional<int> given =
       answer == Outcome::failed ? std::nullopt : std::optional<int>(answer == Outcome::yes);
   if (!subject.own) file.wrong.push_back({subject.name, given});
@@ -76,6 +85,24 @@ Case_file case_file_of(const Object_case& c, Question question, const Object_sub
   if (given && subject.own) {
     const auto stage = blame(*subject.own, c, question, file.truth);
     if (stage) file.cause += " by " + std::string(to_string(*stage));
+  }
+  file.cause += ", " + contact_of(c);
+  return file;
+}
+
+Case_file case_file_of(const Object_case& c, const Object_subject& subject, const Listed& listed)
+{
+  Case_file file = with_truth(c, Question::surface);
+  file.cause = subject.name + ": features";
+  if (listed.outcome == Outcome::yes) {
+    const auto truth = integer_truth::features(c);
+    std::vector<kernel::Feature_pair> missed, invented;
+    std::ranges::set_difference(truth, listed.pairs, std::back_inserter(missed));
+    std::ranges::set_difference(listed.pairs, truth, std::back_inserter(invented));
+    file.cause += ", " + std::to_string(missed.size()) + " missed of " + std::to_string(truth.size()) + ", " +
+                  std::to_string(invented.size()) + " invented";
+  } else {
+    file.cause += " fails";
   }
   file.cause += ", " + contact_of(c);
   return file;

@@ -1,11 +1,13 @@
 #include "verify/subjects/object_subject.h"
 
 #include "tetracone/kernel/number/pose.h"
+#include "tetracone/tetratree/door/contacts_data.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <exception>
+#include <iterator>
 #include <limits>
 #include <string_view>
 #include <utility>
@@ -74,6 +76,18 @@ class Own : public Running_subject {
     }
   }
 
+  Listed_contacts contacts(const Object_case& c) override
+  {
+    if (has_more(c, most_faces)) return {};
+    try {
+      prepare_for(c);
+      return {Outcome::yes, contact_forms(pair_->contacts(c.pose_a, c.pose_b))};
+    } catch (const std::exception&) {
+      pair_.reset();
+      return {Outcome::failed, {}};
+    }
+  }
+
  private:
   static bool has_more(const Object_case& c, std::size_t faces)
   {
@@ -134,6 +148,29 @@ std::vector<Object_subject> feature_subjects()
     return own.method != Method::tree && own.kernel != Kernel_name::adaptive && own.kernel != Kernel_name::double_;
   });
   return subjects;
+}
+
+std::vector<Object_subject> contact_subjects()
+{
+  std::vector<Object_subject> subjects = object_subjects();
+  std::erase_if(subjects, [](const Object_subject& subject) {
+    const Subject& own = *subject.own;
+    if (!own.is_exact() || own.remembers || own.method == Method::tuned) return true;
+    return own.method != Method::tree && own.kernel != Kernel_name::adaptive;
+  });
+  return subjects;
+}
+
+Contact_forms contact_forms(const Contacts& contacts)
+{
+  Contact_forms forms;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const Contact_piece piece = contacts[k];
+    forms.push_back(piece_form(piece.face_a, piece.face_b, piece.kind, piece.in_a, piece.in_b,
+                               tetracone::detail::rational_loops(contacts.data(), k)));
+  }
+  std::sort(forms.begin(), forms.end());
+  return forms;
 }
 
 }  // namespace tetracone::verify

@@ -4,9 +4,12 @@
 #include "tetracone/kernel/predicate/contact.h"
 #include "verify/cases/case.h"
 #include "verify/subjects/subject.h"
+#include "verify/truth/contact_pieces.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,6 +32,21 @@ struct Listed {
   std::vector<kernel::Feature_pair> pairs;  ///< sorted
 };
 
+/// What a subject lists of the contacts of two placed bodies.
+struct Listed_contacts {
+  Outcome outcome = Outcome::not_asked;  ///< yes: it has listed
+  Contact_forms forms;                   ///< sorted
+};
+/// Of lists that are sorted, one as an answer: the number of elements of the truth that it has, and where it has all of
+/// them, of its own.
+template <class List>
+int as_number(const List& listed, const List& truth)
+{
+  List right;
+  std::set_intersection(listed.begin(), listed.end(), truth.begin(), truth.end(), std::back_inserter(right));
+  return int(right.size() < truth.size() ? right.size() : listed.size());
+}
+
 /// An object subject that takes questions, in one thread. Keeps what it has prepared for the polyhedra of the last
 /// case.
 class Running_subject {
@@ -38,6 +56,9 @@ class Running_subject {
 
   /// All pairs of an edge of one and a face of the other that share a point. Most subjects don't list them.
   virtual Listed features(const Object_case&) { return {}; }
+
+  /// All maximal pieces of what pairs of faces share.
+  virtual Listed_contacts contacts(const Object_case&) { return {}; }
 };
 
 /// Something that answers whether two placed polyhedra collide: a kernel with a method, or another library.
@@ -61,6 +82,13 @@ inline constexpr std::size_t most_faces = 800, most_faces_of_trees = 10000;
 /// Those of them that campaigns ask for features: each kernel as its users ask it, and what else differs there, the
 /// paper's tree and all pairs, of the adaptive kernel and of double.
 std::vector<Object_subject> feature_subjects();
+
+/// Those of them that campaigns ask for contacts: the exact kernels' fast tree, and of the adaptive kernel the paper's
+/// tree, all pairs, and the fast tree whose leaves are whole faces.
+std::vector<Object_subject> contact_subjects();
+
+/// A list of contacts in the form in which lists are compared.
+Contact_forms contact_forms(const Contacts& contacts);
 
 /// A kernel and method of our own as a subject of a campaign.
 Object_subject object_subject(const Subject& subject);

@@ -17,6 +17,10 @@ namespace {
 
 using kernel::Point;
 
+// Arguments of templates by reference: clang before 18 takes no numbers in them.
+constexpr double eps_0 = 0, eps_1e_12 = 1e-12;
+constexpr kernel::Tolerance no_tolerance{}, absolute_1e_12{1e-12, 0}, relative_1e_12{0, 1e-12};
+
 /// The seven points as kernel K places them.
 template <class K>
 struct Placed {
@@ -84,7 +88,7 @@ std::optional<int> ask(Predicate predicate, const Predicate_case& c)
 }
 
 /// Kernel K, with the tolerance where it has one.
-template <class K, kernel::Tolerance tolerance = kernel::Tolerance{}>
+template <class K, const kernel::Tolerance& tolerance = no_tolerance>
 std::optional<int> ours(Predicate predicate, const Predicate_case& c)
 {
   kernel::Tolerant::tolerance() = tolerance;
@@ -112,14 +116,14 @@ std::optional<int> formulated(Predicate predicate, const Predicate_case& c)
   return meet(vector(x.p), vector(x.q), vector(x.v[1]), vector(x.v[2]), vector(x.v[3]));
 }
 
-template <double eps>
+template <const double& eps>
 bool moeller_trumbore(const Vector<double>& p, const Vector<double>& q, const Vector<double>& a,
                       const Vector<double>& b, const Vector<double>& c)
 {
   return formulations::moeller_trumbore(p, q, a, b, c, eps);
 }
 
-template <class Number, double eps,
+template <class Number, const double& eps,
           formulations::First_end_on_plane transcription = formulations::First_end_on_plane::right>
 bool jimenez_segura_feito(const Vector<Number>& p, const Vector<Number>& q, const Vector<Number>& a,
                           const Vector<Number>& b, const Vector<Number>& c)
@@ -161,19 +165,19 @@ const std::vector<Predicate_subject>& predicate_subjects()
       {"epeck", true, "", ours<Epeck>},
       {"epick", false, "", ours<Epick>},
       {"double", false, "", ours<Double>},
-      {"double-eps=1e-12", false, "", ours<Tolerant, Tolerance{1e-12, 0}>},
-      {"double-eps=rel:1e-12", false, "", ours<Tolerant, Tolerance{0, 1e-12}>},
+      {"double-eps=1e-12", false, "", ours<Tolerant, absolute_1e_12>},
+      {"double-eps=rel:1e-12", false, "", ours<Tolerant, relative_1e_12>},
       {"float", false, "", ours<Float>},
-      {"double moeller-trumbore-eps-1e-12", false, moeller, formulated<Double, moeller_trumbore<1e-12>>},
-      {"double moeller-trumbore-eps-0", false, moeller, formulated<Double, moeller_trumbore<0.0>>},
+      {"double moeller-trumbore-eps-1e-12", false, moeller, formulated<Double, moeller_trumbore<eps_1e_12>>},
+      {"double moeller-trumbore-eps-0", false, moeller, formulated<Double, moeller_trumbore<eps_0>>},
       {"double segura-feito", false, segura, formulated<Double, formulations::segura_feito<double>>},
-      {"double jimenez-segura-feito-eps-0", false, jimenez, formulated<Double, jimenez_segura_feito<double, 0.0>>},
+      {"double jimenez-segura-feito-eps-0", false, jimenez, formulated<Double, jimenez_segura_feito<double, eps_0>>},
       {"double jimenez-segura-feito-eps-1e-12", false, jimenez,
-       formulated<Double, jimenez_segura_feito<double, 1e-12>>},
+       formulated<Double, jimenez_segura_feito<double, eps_1e_12>>},
       {"double jimenez-segura-feito-sign-error", false, error,
-       formulated<Double, jimenez_segura_feito<double, 0.0, sign_error>>},
+       formulated<Double, jimenez_segura_feito<double, eps_0, sign_error>>},
       {"rational jimenez-segura-feito-sign-error", false, error,
-       formulated<Rational_kernel, jimenez_segura_feito<Rational, 0.0, sign_error>>},
+       formulated<Rational_kernel, jimenez_segura_feito<Rational, eps_0, sign_error>>},
       {"double cgal", false, cgal_note, cgal<Double>},
       {"float cgal", false, cgal_note, cgal<Float>},
       {"epick cgal", false, cgal_note, cgal<Epick>},

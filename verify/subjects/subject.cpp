@@ -24,9 +24,17 @@ class Query_pair : public Prepared_pair {
   {
     return bool(query(question).collide(pose_a, pose_b));
   }
+  kernel::Relation relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, kernel::Question question) override
+  {
+    return query(question).collide(pose_a, pose_b).relation();
+  }
   std::vector<kernel::Feature_pair> features(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
   {
     return query(kernel::Question::surface).features(pose_a, pose_b);
+  }
+  Contacts contacts(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
+  {
+    return query(kernel::Question::surface).contacts(pose_a, pose_b);
   }
   tetratree::Query_statistics take_counts() override
   {
@@ -62,9 +70,23 @@ class Truth_pair : public Prepared_pair {
   {
     return verify::collide(a_, pose_a, b_, pose_b, question);
   }
+  kernel::Relation relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, kernel::Question question) override
+  {
+    const Placed_body a(a_, pose_a), b(b_, pose_b);
+    if (verify::collide(a, b, kernel::Question::surface)) return kernel::Relation::surfaces;
+    if (question == kernel::Question::surface) return kernel::Relation::apart;
+    detail::require_closed(a, b);
+    return detail::contains(a, b)   ? kernel::Relation::b_in_a
+           : detail::contains(b, a) ? kernel::Relation::a_in_b
+                                    : kernel::Relation::apart;
+  }
   std::vector<kernel::Feature_pair> features(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
   {
     return verify::features(a_, pose_a, b_, pose_b);
+  }
+  Contacts contacts(const kernel::Pose&, const kernel::Pose&) override
+  {
+    throw Error("contacts of all pairs in rationals; expected another method or kernel");
   }
   tetratree::Query_statistics take_counts() override { return {}; }
   std::size_t bytes() const override { return 0; }

@@ -6,6 +6,7 @@
 #include "tetracone/kernel/predicate/contact.h"
 #include "tetracone/kernel/predicate/question.h"
 #include "tetracone/kernel/predicate/tolerant.h"
+#include "tetracone/tetratree/door/contacts.h"
 #include "tetracone/tetratree/door/method_config.h"
 #include "tetracone/tetratree/door/query_options.h"
 #include "tetracone/tetratree/query_statistics.h"
@@ -57,7 +58,12 @@ class Prepared_pair {
   virtual ~Prepared_pair() = default;
 
   virtual bool collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, kernel::Question question) = 0;
+  virtual kernel::Relation relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b,
+                                    kernel::Question question) = 0;
   virtual std::vector<kernel::Feature_pair> features(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
+
+  /// By an exact kernel; throws Error for others, and for the truth, which has no such list.
+  virtual Contacts contacts(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
 
   /// Work since the last call; zero for a method that counts nothing.
   virtual tetratree::Query_statistics take_counts() = 0;

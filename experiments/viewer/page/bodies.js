@@ -193,6 +193,16 @@ function featureObject(k, radius)
   return group;
 }
 
+// Where faces meet: segments, and points as segments of no length.
+const contactMaterial = withColour(new THREE.MeshLambertMaterial({depthTest: false, transparent: true, opacity: 0.95}), '--contact');
+function contactObject(k, radius)
+{
+  const segments = data.contacts[k].map(s => [s.slice(0, 3), s.slice(3)].map(inScene));
+  const group = new THREE.Group();
+  if (segments.length) group.add(rods(segments, radius, contactMaterial));
+  return group;
+}
+
 // Where the contacts are, about: the middle of the boxes' intersections of each pair.
 function contactBox(k)
 {
@@ -208,7 +218,7 @@ function contactBox(k)
 // What the paper's query leaves for the leaf tests: the faces in the leaves of pairs that are not discarded.
 const leftMaterial = withColour(new THREE.MeshBasicMaterial({side: THREE.DoubleSide, transparent: true, opacity: 0.75, depthWrite: false,
                                                             polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1}), '--left');
-const kept = new Set([leftMaterial, ...markMaterials.flatMap(m => [m.rod, m.sheet])]);  // their objects come and go with the pose
+const kept = new Set([leftMaterial, contactMaterial, ...markMaterials.flatMap(m => [m.rod, m.sheet])]);  // their objects come and go with the pose
 function leftObject(k)
 {
   const group = new THREE.Group();

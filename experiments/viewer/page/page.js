@@ -4,7 +4,7 @@
 const element = id => document.getElementById(id);
 const canvas = element('picture'), pair = bodies.length === 2, hasFeatures = Boolean(data.features);
 const hasMethod = bodies.every(body => body.nodes);  // a large body has no more than its surface
-const layers = ['a', 'b', 'edges', 'features', 'left', 'covering', 'tetrahedra', 'spheres', 'hull'];
+const layers = ['a', 'b', 'edges', 'features', 'contacts', 'left', 'covering', 'tetrahedra', 'spheres', 'hull'];
 const most = Math.max(...bodies.map(deepest));
 const fewFaces = bodies.every(body => body.faces.length < 500);  // through which one sees the contacts
 const start = {pose: 0, show: ['a', 'b', 'edges', 'features'], level: Math.min(3, most), opacity: hasFeatures && fewFaces ? 0.8 : 1, shrink: 0.8, theme: ''};
@@ -115,6 +115,7 @@ function update()
   const radius = 0.003 * Math.pow(1.25, Math.round(Math.log(camera.view.distance) / Math.log(1.25)));
   if (hasFeatures) {
     layer('features', state.pose + ' ' + radius, () => onMarks(featureObject(state.pose, radius)));
+    layer('contacts', state.pose + ' ' + radius, () => onMarks(contactObject(state.pose, radius)));
     layer('left', state.pose, () => onMarks(leftObject(state.pose)));
   }
 }

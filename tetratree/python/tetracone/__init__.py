@@ -9,15 +9,16 @@
 >>> tetracone.Query(cube, cube).collide(poses)
 array([ True,  True, False])
 
-`Body` and `read` make bodies, `Body.inside` says where points are, `Query` asks about two bodies: `collide`, `relation`,
-`features`. `kernels` and `methods` are what a query can be told, and every mistake of a caller is an `Error`. `tetracone.verify`: cases that are hard, their true answers, and how to judge
-with them whatever answers.
+`Body` and `read` make bodies, `Body.inside` says where points are, `Body.first_hit` and `Body.hits` where rays meet it,
+`Query` asks about two bodies: `collide`, `relation`, `features`, `contacts`. `kernels` and `methods` are what a query can
+be told. A wrong value is an `Error`, an argument of another type than is asked for Python's TypeError.
+`tetracone.verify`: cases that are hard, their true answers, and how to judge with them whatever answers.
 """
 
-from ._tetracone import Body, Error, Query, __version__, kernels, methods, read
+from ._tetracone import Body, Contacts, Error, Query, __version__, kernels, methods, read
 
-for _of_module in (Body, Error, Query, read):
+for _of_module in (Body, Contacts, Error, Query, read):
     _of_module.__module__ = "tetracone"
 del _of_module
 
-__all__ = ["Body", "Error", "Query", "kernels", "methods", "read"]
+__all__ = ["Body", "Contacts", "Error", "Query", "kernels", "methods", "read"]

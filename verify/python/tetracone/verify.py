@@ -19,12 +19,32 @@ import os as _os
 import tempfile as _tempfile
 from collections import namedtuple as _namedtuple
 from fractions import Fraction as _Fraction
+from operator import index as _index
 
 import numpy as _numpy
 
 from . import _verify
 from ._tetracone import Body as _Body
 from ._tetracone import Error as _Error
+
+
+def _of_type(value, kind, name):
+    if not isinstance(value, kind):
+        raise TypeError(f"{name} is of type {type(value).__name__}; expected a {kind.__name__}")
+    return value
+
+
+def _function(value, name):
+    if not callable(value):
+        raise TypeError(f"{name} is of type {type(value).__name__}; expected a function of a Case")
+    return value
+
+
+def _count(value, name):
+    if not 0 <= _index(value) < 2**64:
+        raise _Error(f"{name} is below 0 or has more than 64 bits; expected a number from 0 to 2^64 - 1")
+    return value
+
 
 #: What the cases of a family have in common, by the family's name.
 families = _verify.families()
@@ -48,6 +68,7 @@ class Case:
     __slots__ = ("_asked", "_bodies", "_poses")
 
     def __init__(self, a, b, pose_a=None, pose_b=None, question="solid"):
+        a, b = _of_type(a, _Body, "case: a"), _of_type(b, _Body, "case: b")
         self._asked = _verify.Asked(a.vertices, a.faces, pose_a, b.vertices, b.faces, pose_b, question)
         self._bodies, self._poses = [a, b], [None, None]
 
@@ -92,13 +113,14 @@ class Case:
 def cases(family, n, seed=1, question="solid"):
     """The first n cases of a family, one after the other: the same on every machine.
 
-    Raises Error for a family that is none of `families`, and for another question than "solid" or "surface".
+    Raises Error for a family that is none of `families`, for another question than "solid" or "surface", and for a seed
+    below 0 or of more than 64 bits.
 
     >>> from tetracone import verify
     >>> [case.parameter for case in verify.cases("nested", 3)]
     [0.25, 0.0009765625, 9.5367431640625e-07]
     """
-    case = None
+    case, seed = None, _count(seed, "cases: seed")
     for index in range(n):
         case = Case._of(_verify.case_of(family, seed, index, question), case)
         yield case
@@ -111,7 +133,7 @@ def truth(case):
     >>> [verify.truth(case) for case in verify.cases("nested", 3)]
     [True, True, True]
     """
-    return _verify.truth(case._asked)
+    return _verify.truth(_of_type(case, Case, "truth: case")._asked)
 
 
 #: A row of `judge`: of n questions that the function did not decline, its wrong answers.
@@ -163,7 +185,9 @@ def judge(function, cases):
     stacked  solid     10                0                0         0
     """
     counts, wrong = {}, []
+    function = _function(function, "judge: function")
     for case in cases:
+        case = _of_type(case, Case, "judge: a case")
         row = counts.setdefault((case.family, case.question), [0, 0, 0, 0])
         answer = _answer(function, case)
         if answer is None:
@@ -190,7 +214,8 @@ def shrink(case, function, seconds=3.0, evaluations=20000):
     >>> len(small.a.faces) <= len(case.a.faces), verify.truth(small)
     (True, False)
     """
-    return Case._of(_verify.shrunk(case._asked, lambda asked: _answer(function, Case._of(asked)), seconds, evaluations))
+    asked, function = _of_type(case, Case, "shrink: case")._asked, _function(function, "shrink: function")
+    return Case._of(_verify.shrunk(asked, lambda smaller: _answer(function, Case._of(smaller)), seconds, _count(evaluations, "shrink: evaluations")))
 
 
 #: What a case file says besides the case: the right answer, who was wrong with what answer (None: failed), and why.
@@ -233,7 +258,7 @@ def write_case(path, case, wrong={}, cause=""):
     wrong: by the name of what was wrong, its answer, True or False, None where it failed. cause: one line. See
     `read_case`. Raises Error for what it could not read.
     """
-    path = _os.fsdecode(path)
+    path, asked = _os.fsdecode(path), _of_type(case, Case, "write_case: case")._asked
     if not path.endswith(".case.json"):
         raise _Error(f"{_shown(path)}: not the name of a case file; expected *.case.json")
     answers = []
@@ -242,7 +267,7 @@ def write_case(path, case, wrong={}, cause=""):
         if said is _failed:
             raise _Error(f"write_case: the answer of '{_shown(name)}' is {_shown(repr(answer))[:40]}; expected True, False or None")
         answers.append((_one_line(name, "a name of `wrong`"), None if said is None else int(said)))
-    text = _verify.case_text(case._asked, answers, _one_line(cause, "the cause"))
+    text = _verify.case_text(asked, answers, _one_line(cause, "the cause"))
     temporary = None
     try:
         handle, temporary = _tempfile.mkstemp(dir=_os.path.dirname(path) or ".")

@@ -33,7 +33,8 @@ foreach(package IN LISTS packages)
     message(FATAL_ERROR "${package}: depends on nothing; expected the libraries that it needs")
   endif()
 endforeach()
-foreach(file include/tetracone/tetracone.h lib/libtetracone.a lib/cmake/tetracone/tetracone-config.cmake bin/tetracone)
+foreach(file include/tetracone/tetracone.h lib/libtetracone.a lib/cmake/tetracone/tetracone-config.cmake bin/tetracone
+        share/doc/tetracone/CHANGELOG.md share/tetracone/CITATION.cff share/tetracone/experiments/report/report.py)
   if(NOT EXISTS ${work}/root/usr/${file})
     message(FATAL_ERROR "no /usr/${file} in the packages")
   endif()
@@ -47,7 +48,7 @@ if(NOT output STREQUAL "1\n")
 endif()
 file(GLOB python ${work}/root/usr/lib/python3*/dist-packages)
 if(python)
-  run(${CMAKE_COMMAND} -E env PYTHONPATH=${python} /usr/bin/python3 -B -c
+  run(${CMAKE_COMMAND} -E env PYTHONPATH=${python} ${PYTHON} -B -c
       "import tetracone as t\nprint(t.Query(t.read('cube.off'), t.read('tetrahedron.off')).collide(None), t.__file__)")
   if(NOT output STREQUAL "True ${python}/tetracone/__init__.py\n")
     message(FATAL_ERROR "the packed Python package says: ${output}")

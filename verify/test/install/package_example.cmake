@@ -1,8 +1,13 @@
-# Installs BUILD into an empty prefix. Builds each ```cpp block of SOURCE/README.md against what was installed, runs it as
-# `example_N cube.off tetrahedron.off` where those two files are, and compares its output with the ```text block that follows it.
+# Installs BUILD into an empty prefix, or takes what is installed in PREFIX, and works in WORK. Builds each ```cpp block of SOURCE/README.md against what
+# was installed, runs it as `example_N cube.off tetrahedron.off` where those two files are, and compares its output with the ```text block that follows it.
 
 cmake_minimum_required(VERSION 3.25)
 set(work ${BUILD}/package_example)
+set(prefix ${work}/prefix)
+if(PREFIX)
+  set(work ${WORK})
+  set(prefix ${PREFIX})
+endif()
 file(REMOVE_RECURSE ${work})
 file(MAKE_DIRECTORY ${work})
 
@@ -33,7 +38,9 @@ function(take_block language)
   set(text "${text}" PARENT_SCOPE)
 endfunction()
 
-run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${work}/prefix)
+if(NOT PREFIX)
+  run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
+endif()
 
 if(NOT EXISTS ${SOURCE}/README.md)
   message(FATAL_ERROR "README.md: not there; its C++ blocks are the examples that this test builds")
@@ -60,11 +67,18 @@ if(count EQUAL 0)
   message(FATAL_ERROR "README.md: no ```cpp block; expected the examples")
 endif()
 
+# The program of the reference's first page.
+file(READ ${SOURCE}/tetratree/door/mainpage.md page)
+if(NOT page MATCHES "\n~~~~{.cpp}\n(.*)\n~~~~\n")
+  message(FATAL_ERROR "tetratree/door/mainpage.md: no ~~~~{.cpp} block; expected the example")
+endif()
+file(WRITE ${work}/examples/mainpage.cpp "${CMAKE_MATCH_1}\n")
+
 foreach(model cube tetrahedron)
   file(COPY ${SOURCE}/verify/test/install/${model}.off DESTINATION ${work})
 endforeach()
 run(${CMAKE_COMMAND} -S ${SOURCE}/verify/test/install -B ${work}/build -G ${GENERATOR} -D CMAKE_BUILD_TYPE=Release
-    -D CMAKE_PREFIX_PATH=${work}/prefix -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}
+    -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}
     -D EXAMPLES=${work}/examples)
 run(${CMAKE_COMMAND} --build ${work}/build)
 run(${work}/build/both_prefixes)
@@ -76,25 +90,30 @@ foreach(number RANGE 1 ${count})
     message(FATAL_ERROR "C++ block ${number} of README.md does not print what README.md says")
   endif()
 endforeach()
+run(${work}/build/mainpage cube.off tetrahedron.off)
+if(NOT output STREQUAL "surfaces\nsurfaces\napart\n")
+  message(FATAL_ERROR "the example of tetratree/door/mainpage.md says: ${output}")
+endif()
 message(STATUS "the ${count} examples of README.md printed what it says")
 
 # The program is installed where it was built, and works from there.
-if(EXISTS ${work}/prefix/bin/tetracone)
-  run(${work}/prefix/bin/tetracone collide cube.off tetrahedron.off)
+if(EXISTS ${prefix}/bin/tetracone)
+  run(${prefix}/bin/tetracone collide cube.off tetrahedron.off)
   if(NOT output STREQUAL "1\n")
     message(FATAL_ERROR "the installed program says of two models that collide: ${output}")
   endif()
 endif()
 
 # So is the Python package, with all of its files.
-file(GLOB packages ${work}/prefix/lib/python3*/dist-packages)
+file(GLOB packages ${prefix}/lib/python3*/dist-packages/tetracone)
 if(packages)
+  get_filename_component(packages ${packages} DIRECTORY)
   foreach(file __init__.py __init__.pyi py.typed verify.py verify.pyi)
     if(NOT EXISTS ${packages}/tetracone/${file})
       message(FATAL_ERROR "${packages}/tetracone: no ${file}; expected the whole package")
     endif()
   endforeach()
-  run(${CMAKE_COMMAND} -E env PYTHONPATH=${packages} /usr/bin/python3 -B -c
+  run(${CMAKE_COMMAND} -E env PYTHONPATH=${packages} ${PYTHON} -B -c
       "import tetracone, tetracone.verify as v\nprint(v.truth(v.Case(*map(tetracone.read, ('cube.off', 'tetrahedron.off')))), tetracone.__file__)")
   if(NOT output STREQUAL "True ${packages}/tetracone/__init__.py\n")
     message(FATAL_ERROR "the installed Python package says of two models that collide: ${output}")

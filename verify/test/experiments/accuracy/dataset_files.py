@@ -14,7 +14,7 @@ from fractions import Fraction
 
 sys.dont_write_bytecode = True
 PROGRAM = os.environ.get("TETRACONE_PROGRAM", "")
-if not os.path.exists(PROGRAM):
+if not PROGRAM:
     print("skipped: no program")
     sys.exit(77)
 WORK = tempfile.TemporaryDirectory()
@@ -138,6 +138,14 @@ class Files(unittest.TestCase):
         with open(name, "w") as file:
             file.write("id,answer\n")
         self.assertEqual(self.scored(name)[2], f"{name}:1: another header; expected id,question,answer\n")
+
+    def test_the_code_of_the_readme_reads_every_case(self):
+        with open(os.path.join(FOLDER, "README.md"), encoding="utf-8") as file:
+            lines = file.read().split("## Read the cases")[1].split("##")[0].splitlines()
+        read = {}
+        exec("\n".join(line[4:] for line in lines if line.startswith("    ")), read)
+        last = list(dataset.cases())[-1]
+        self.assertEqual((read["case"].id, read["vertices"]), (last.id, last.a[0]))
 
     def test_the_example_is_scored(self):
         name = os.path.join(WORK.name, "toy.csv")

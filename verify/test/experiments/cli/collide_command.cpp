@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include <chrono>
+#include <fstream>
+#include <iterator>
 #include <string>
 
 BOOST_AUTO_TEST_SUITE(test_collide_command)
@@ -56,6 +58,45 @@ BOOST_AUTO_TEST_CASE(what_the_first_query_makes_is_told_beside_the_table)
   BOOST_TEST(timed.error.starts_with("first query: "), timed.error);
   BOOST_TEST(timed.error.find("of it trees ") != std::string::npos, timed.error);
   BOOST_TEST(run(words).error.empty());
+}
+
+BOOST_AUTO_TEST_CASE(contacts_are_rows_fractions_polygons_and_curves)
+{
+  // The cube on itself, moved along x: so its right half, and then its side.
+  const Temporary_file overlapping("poses.txt", "1 0 0 1/3 0 1 0 1/3 0 0 1 1/3\n"),
+      touching("touching.txt", "1 0 0 1 0 1 0 0.5 0 0 1 0\n");
+  const std::string words = "collide " + cube + " " + cube + " --contacts --pose-b ";
+  const Run rows = run(words + in_quotes(overlapping.path()) + " --exact --csv /dev/stdout");
+  BOOST_TEST(rows.out.starts_with("pose,face_a,face_b,kind,x0,y0,z0,x1,y1,z1\n0,"), rows.out);
+  BOOST_TEST(rows.out.find(",segment,") != std::string::npos, rows.out);
+  BOOST_TEST(rows.out.find("1/3") != std::string::npos, rows.out);
+  BOOST_TEST(rows.out.find("0.3") == std::string::npos, rows.out);
+  const Run polygons = run(words + in_quotes(touching.path()) + " --json");
+  BOOST_TEST(polygons.out.find("\"kind\": \"coplanar\"") != std::string::npos, polygons.out);
+  const Temporary_file curves("curves.obj", "");
+  BOOST_TEST(run(words + in_quotes(overlapping.path()) + " --curves " + in_quotes(curves.path())).status == 0);
+  std::ifstream in(curves.path());
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  BOOST_TEST(text.starts_with("v "), text);
+  BOOST_TEST(text.find("\nl 1 2 ") != std::string::npos, text);
+
+  check_refused("collide " + cube + " " + cube + " --contacts --kernel float", "an exact kernel");
+  check_refused("collide " + cube + " " + cube + " --exact", "expected with --contacts");
+  check_refused("collide " + cube + " " + cube + " --contacts --curves out.txt", "*.obj or *.ply");
+  check_refused("collide " + cube + " " + cube + " --contacts --csv ./x.obj --curves x.obj", "another file");
+}
+
+BOOST_AUTO_TEST_CASE(relations_say_how_bodies_stand)
+{
+  const Temporary_file file("poses.txt",
+                            "0.25 0 0 0.25 0 0.25 0 0.25 0 0 0.25 0.25\n"
+                            "1 0 0 0.5 0 1 0 0 0 0 1 0\n"
+                            "1 0 0 3 0 1 0 0 0 0 1 0\n"
+                            "9 0 0 -4 0 9 0 -4 0 0 9 -4\n");
+  const std::string words = "collide " + cube + " " + cube + " --pose-b " + in_quotes(file.path()) + " --relation";
+  BOOST_TEST(run(words).out == "b_in_a\nsurfaces\napart\na_in_b\n");
+  BOOST_TEST(run(words + " --kernel rational --method brute").out == "b_in_a\nsurfaces\napart\na_in_b\n");
+  check_refused(words + " --question surface", "expected with --question solid");
 }
 
 BOOST_AUTO_TEST_CASE(fractions_of_a_hundred_thousand_digits_are_read_in_seconds)

@@ -55,15 +55,26 @@ BOOST_AUTO_TEST_CASE(double_is_found_wrong_and_its_cases_replay)
   BOOST_TEST(r.out.find("double brute") != std::string::npos);
   const auto files = files_of(folder.path());
   BOOST_REQUIRE(!files.empty());
+  int of_features = 0;
   for (const auto& path : files) {
     BOOST_TEST(verify::is_case_name(path), path);
     BOOST_TEST(path.filename().native().starts_with("double-brute-"), path);
     const auto file = verify::read_case(path);
+    if (path.native().find("-features-") != std::string::npos) {
+      ++of_features;
+      const auto features = [&](const std::string& how) {
+        return run("collide --features --kernel " + how + " " + in_quotes(path)).out;
+      };
+      BOOST_TEST(features("double --method brute") != features("rational"), path);
+      BOOST_TEST(features("adaptive") == features("rational"), path);
+      continue;
+    }
     const std::string truth = std::to_string(file.truth) + "\n", wrong = std::to_string(1 - file.truth) + "\n";
     BOOST_TEST(run("collide " + in_quotes(path)).out == truth, path);
     BOOST_TEST(run("collide --kernel rational --method brute " + in_quotes(path)).out == truth, path);
     BOOST_TEST(run("collide --kernel double --method brute " + in_quotes(path)).out == wrong, path);
   }
+  BOOST_TEST(of_features > 0);
   // The other ways of asking.
   const std::string first = in_quotes(files.front());
   BOOST_TEST(run("collide --json " + first).out.find("\"answer\"") != std::string::npos);
@@ -113,8 +124,8 @@ for line in sys.stdin:
     m = json.loads(line)
     if "ask" in m: print(json.dumps({"ask": m["ask"], "answer": 0}), flush=True)
 )");
-  const Run r = run("fuzz --seconds 4 --subject mine --subject-command 'mine=python3 " + script.path().native() +
-                    "' --out " + in_quotes(folder.path()));
+  const Run r = run("fuzz --seconds 4 --subject mine --subject-command 'mine=" TETRACONE_PYTHON " " +
+                    script.path().native() + "' --out " + in_quotes(folder.path()));
   BOOST_TEST(r.status == 0, r.error);
   const auto path = case_with(folder.path(), verify::Level::object, "mine");
   BOOST_REQUIRE(path.has_value());

@@ -61,6 +61,7 @@ BOOST_AUTO_TEST_CASE(an_empty_word_is_refused_by_name)
   check_refused("merge '' x.db", "INTO: an empty word");
   check_refused("merge x.db ''", "FROM: an empty word");
   check_refused("inside " + cube + " ''", "POINTS: an empty word");
+  check_refused("ray " + cube + " ''", "RAYS: an empty word");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

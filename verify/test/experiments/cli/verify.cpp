@@ -141,7 +141,7 @@ for line in sys.stdin:
     if m["pose_b"][1] != 0: sys.exit(1)
     print(json.dumps({"ask": m["ask"], "answer": 0 if m["question"] == "surface" else None}), flush=True)
 )");
-  const std::string command = "python3 " + script.path().native();
+  const std::string command = TETRACONE_PYTHON " " + script.path().native();
   const Database_file db("mine");
   const std::string words = "verify --db " + db.path +
                             " --cases 16 --frames 0 --level object --family random --family special-poses "
@@ -162,7 +162,7 @@ for line in sys.stdin:
   BOOST_TEST((tables(db.path) == before));
   check_refused(words + "'mine=" + command + " --other'", "expected the same command, or another name");
   BOOST_TEST((tables(db.path) == before));
-  for (const std::string wrong : {"mine", "mine=", "=x", "'my name=x'", "adaptive=x", "CGAL=x", "truth=x"})
+  for (const std::string wrong : {"mine", "mine=", "'mine= '", "=x", "'my name=x'", "adaptive=x", "CGAL=x", "truth=x"})
     check_refused(words + wrong);
   check_refused(words + "mine=true --subject-command mine=true", "another subject's");
   check_refused(words + "mine=/nowhere/program", "expected a program that the shell can run");

@@ -120,6 +120,11 @@ BOOST_AUTO_TEST_CASE(features_say_which_pairs_the_kernel_loses_and_invents)
   BOOST_TEST(marks(2, 2) == marks(1, 0));  // in float the third pose is the second
   BOOST_TEST(marks(2, 0) + marks(2, 1) == 0);
   BOOST_TEST(marks(4, 0) + marks(4, 1) + marks(4, 2) == 0);
+  // Faces that meet draw segments; where the cubes touch, all of them in the plane x = 1.
+  BOOST_TEST(!data["contacts"][1].empty());
+  for (const Json& segment : data["contacts"][1])
+    BOOST_TEST((segment.size() == 6u && segment[0] == 1 && segment[3] == 1));
+  BOOST_TEST(data["contacts"][2].empty());
   // A query that finds a pair tested its leaves.
   for (int pose = 0; pose < 2; ++pose)
     for (int body = 0; body < 2; ++body) BOOST_TEST(!data["left"][pose][body].empty());
@@ -280,9 +285,9 @@ BOOST_AUTO_TEST_CASE(bad_words_are_refused_and_leave_no_file)
 
 BOOST_AUTO_TEST_CASE(in_a_browser_pages_show_what_they_should)
 {
-  const int status = std::system(
-      ("/usr/bin/python3 " + in_quotes(source + "/verify/test/experiments/cli/view.py") + " " + in_quotes(program))
-          .c_str());
+  const int status = std::system(("'" TETRACONE_PYTHON "' " +
+                                  in_quotes(source + "/verify/test/experiments/cli/view.py") + " " + in_quotes(program))
+                                     .c_str());
   if (WIFEXITED(status) && WEXITSTATUS(status) == 77)
     BOOST_TEST_MESSAGE("skipped: see the line above");
   else

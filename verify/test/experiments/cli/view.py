@@ -132,7 +132,7 @@ with tempfile.TemporaryDirectory(prefix="tetracone_view_") as name, Browser() as
 
     # Every page loads without an error and draws something.
     for page in (case, predicate, alone, denormal):
-        state = browser.state(page, "show=a,b,edges,features,left,covering,tetrahedra,spheres,hull")
+        state = browser.state(page, "show=a,b,edges,features,contacts,left,covering,tetrahedra,spheres,hull")
         check(state["ready"] and state["errors"] == [], f"{page.name}: {state['errors']}")
         check(state["triangles"] + state["lines"] + state["points"] > 0, f"{page.name} draws nothing")
     state = browser.state(case)
@@ -141,7 +141,7 @@ with tempfile.TemporaryDirectory(prefix="tetracone_view_") as name, Browser() as
     check("wrong" in browser.state(predicate)["verdict"], "the predicate's case is not said to be wrong")
 
     # What each control is for: by the address, then by hand.
-    layers = ("edges", "features", "left", "covering", "tetrahedra", "spheres", "hull")
+    layers = ("edges", "features", "contacts", "left", "covering", "tetrahedra", "spheres", "hull")
     address = {"plain": "pose=1&show=a,b", "a": "pose=1&show=a", "pose 2": "pose=2", "pose 3": "pose=3", "pose 0": "pose=0",
                "odd": "pose=999&level=-3&show=nonsense,a&opacity=x&camera=1,2,no&theme=blue&shrink="}
     address |= {layer: f"pose=1&show=a,b,{layer}&opacity=0.3" for layer in layers} | {"faint": "pose=1&show=a,b&opacity=0.3"}

@@ -81,7 +81,10 @@ const Temporary_file& program()
   return file;
 }
 
-std::string command(const std::string& mode = "") { return "exec python3 '" + program().path().native() + "' " + mode; }
+std::string command(const std::string& mode = "")
+{
+  return "exec '" TETRACONE_PYTHON "' '" + program().path().native() + "' " + mode;
+}
 
 Object_case cubes(const Pose& pose_b)
 {
@@ -172,7 +175,8 @@ BOOST_AUTO_TEST_CASE(nothing_that_it_started_outlives_it)
   const std::string grandchild = "sleep 600 & echo $! > '" + number.path().native() + "'; ";
   {
     const auto running =
-        experiments::subject_command("mine", grandchild + "python3 '" + program().path().native() + "'; true", 10s)
+        experiments::subject_command(
+            "mine", grandchild + "'" TETRACONE_PYTHON "' '" + program().path().native() + "'; true", 10s)
             .make();
     BOOST_TEST((*running)(along(1), Question::surface) == Outcome::yes);
   }
@@ -212,7 +216,8 @@ for line in sys.stdin:
     if "ask" in m: print(json.dumps({"why": "no idea", "answer": None, "ask": m["ask"]}), flush=True)
 )");
   std::ostringstream out;
-  BOOST_TEST(experiments::check_subject("python3 '" + declines.path().native() + "'", 10s, out), out.str());
+  BOOST_TEST(experiments::check_subject("'" TETRACONE_PYTHON "' '" + declines.path().native() + "'", 10s, out),
+             out.str());
   BOOST_TEST(out.str().find("declined 26 of 26 questions") != std::string::npos, out.str());
 }
 
@@ -235,8 +240,8 @@ BOOST_AUTO_TEST_CASE(the_examples_follow_the_protocol)
   for (const char* name : {"plain_sat", "embree_rays"})
     example(name, "exec '" + (folder / name).native() + "'", std::filesystem::exists(folder / name));
   const std::string numpy = std::string(TETRACONE_SOURCE_DIR) + "/experiments/subjects/numpy_edges.py";
-  example("numpy_edges", "exec /usr/bin/python3 '" + numpy + "'",
-          std::system("/usr/bin/python3 -c 'import numpy' 2> /dev/null") == 0);
+  example("numpy_edges", "exec '" TETRACONE_PYTHON "' '" + numpy + "'",
+          std::system("'" TETRACONE_PYTHON "' -c 'import numpy' 2> /dev/null") == 0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

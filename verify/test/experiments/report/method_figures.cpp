@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 BOOST_AUTO_TEST_CASE(every_picture_is_drawn_from_data_that_agree)
 {
-  if (std::system("/usr/bin/python3 -c 'import matplotlib' 2> /dev/null") != 0) {
+  if (std::system("'" TETRACONE_PYTHON "' -c 'import matplotlib' 2> /dev/null") != 0) {
     std::puts("skipped: no python3-matplotlib");
     return;
   }

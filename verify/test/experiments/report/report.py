@@ -97,10 +97,25 @@ def compilers():
                  version="9.9.9", processor="Abacus") for t, w in (("random", 0), ("grid", 30))]
 
 
+def motion():
+    return [dict(family=f, subject=s, n=100, contacts=40, false_positives=0, false_negatives=w, us=us, **MADE)
+            for f in ("published scene", "grazing") for s, w, us in (("adaptive", 0, 1.5), ("double", 7, 0.3))]
+
+
 def peers():
     return [dict(scenario="circular", object="x", triangles=9, ratio=1, degenerate=0, question="surface", subject=s, exact=e, poses=50,
                  false_positives=0, false_negatives=w, mean_ns=ns, **MADE)
             for s, e, w, ns in (("tetracone", 1, 0, 1000), ("FCL", 0, 5, 500))]
+
+
+def queries():
+    """Rows of contacts, distances, points: name and rows."""
+    return (("contacts", [dict(scenario="circular", object="x", triangles=9, method=m, poses=4, pairs=10, ns=ns, ratio=ns / 2000, lost=lost,
+                               invented=0, **MADE) for m, ns, lost in (("tetracone", 2000, 0), ("FCL", 9000, 3))]),
+            ("distance", [dict(trajectory="gaps", triangles=12, subject="FCL RSS", question="distance", poses=5, mean_ns=1234567, mean_ulps=2.5,
+                               most_ulps=7, apart=4, zero_apart=1, touching=1, positive_touching=0, **MADE)]),
+            ("points", [dict(body="x", triangles=9, asked="near", contestant="cones", ns=70, signs=0.25, setup_ms=8, bytes_per_triangle=45.5,
+                             judged=50, wrong=0, **MADE)]))
 
 
 def write(path, rows):
@@ -126,7 +141,8 @@ def draw(out, with_study=None, with_campaign=None, everything=True):
     for name, rows in (with_campaign or {}).items():
         write(f"{out}/tables/verify_{name}.csv", rows)
     if everything:
-        for name, rows in (("sign_maps", signs()), ("stability", thresholds()), ("compilers", compilers()), ("peers", peers())):
+        for name, rows in (("sign_maps", signs()), ("stability", thresholds()), ("compilers", compilers()), ("peers", peers()),
+                           *queries(), ("motion", motion())):
             write(f"{out}/{name}.csv", rows)
     done = subprocess.run([sys.executable, "-B", os.path.join(SOURCE, "report.py"), out], capture_output=True, text=True)
     if done.returncode:
@@ -172,6 +188,13 @@ class Whole_report(unittest.TestCase):
             self.assertTrue(tables, name)
             for file in tables + [f"figures/{name}.pdf", f"figures/{name}.svg"]:
                 self.assertTrue(os.path.exists(f"{self.out}/{file}"), file)
+
+    def test_moving_primitives_are_summed_over_families(self):
+        with open(f"{self.out}/tables/motion.csv", newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([(r["of"], r["subject"], r["n"], r["false_negatives"]) for r in rows],
+                         [(g, s, "100", w) for g in ("published", "families") for s, w in (("adaptive", "0"), ("double", "7"))])
+        self.assertIn('<section id="motion">', self.page)
 
     def test_every_row_of_a_table_says_what_made_it(self):
         names = [n for n in os.listdir(f"{self.out}/tables") if not n.startswith("verify_")]
@@ -239,6 +262,11 @@ class Whole_report(unittest.TestCase):
     def test_peers_are_ratios_with_their_wrong_answers(self):
         self.assertIn("<td>0.5 ×; 5 of 50 (10 %) wrong</td>", self.page)
         self.assertIn("<td>1 ×; 0 of 50 (&lt; 7.1 %) wrong</td>", self.page)
+
+    def test_what_else_is_asked_has_tables(self):
+        for cells in (("FCL", "4", "2.5", "9", "4.50", "3", "0"), ("FCL RSS", "distance", "1.23e+03", "2.5", "7", "1 of 4", "0 of 1"),
+                      ("near", "cones", "0.07", "0.25", "8.0", "46", "0 of 50")):
+            self.assertIn("".join(f"<td>{cell}</td>" for cell in cells), self.page)
 
     def test_none_wrong_is_stated_with_its_bound(self):
         self.assertIn("0 of 350 (&lt; 1.1 %)", share(0, 350))

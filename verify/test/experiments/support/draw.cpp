@@ -19,7 +19,8 @@ BOOST_AUTO_TEST_CASE(a_script_that_is_missing_is_named)
   const auto says = [](const Input_error& error) {
     return std::string(error.what())
         .ends_with(
-            "/experiments/report/no_script.py: no such file; expected the sources that this program was built from");
+            "/experiments/report/no_script.py: no such file; expected it among the sources that this program was built "
+            "from, or installed with it");
   };
   BOOST_CHECK_EXCEPTION(draw("no_script.py", "out"), Input_error, says);
 }

@@ -27,7 +27,6 @@ using tetracone::Error;
 using tetracone::Kernel;
 using tetracone::Location;
 using tetracone::Method;
-using tetracone::Point_query;
 using tetracone::Polyhedron;
 using tetracone::Pose;
 using tetracone::Query;
@@ -293,31 +292,56 @@ BOOST_AUTO_TEST_CASE(work_is_counted_and_features_are_found)
 
 BOOST_AUTO_TEST_CASE(points_of_doubles_and_of_fractions_are_located_exactly)
 {
-  Point_query cube{Body(scenes::unit_cube())};
+  const Body cube(scenes::unit_cube()), open(open_box());
   const double above = std::nextafter(1.0, 2.0);
-  BOOST_TEST((cube.locate({0.5, 0.5, 0.5}) == Location::inside));
-  BOOST_TEST((cube.locate({0.5, 0.5, 1}) == Location::on_surface));
-  BOOST_TEST((cube.locate({0.5, 0.5, above}) == Location::outside));
+  const std::vector<std::array<double, 3>> points = {{0.5, 0.5, 0.5}, {0.5, 0.5, 1}, {0.5, 0.5, above}};
+  const std::vector<Location> expected = {Location::inside, Location::on_surface, Location::outside};
+  BOOST_TEST((cube.inside(points) == expected));
+  for (std::size_t k = 0; k < points.size(); ++k) BOOST_TEST((cube.inside(points[k]) == expected[k]));
+  BOOST_TEST(cube.inside_bytes() > 0u);
   const std::string large = "100000000000000000000000000000000000000000";
-  BOOST_TEST((cube.locate_text({"1/3", "0.5", large + "1/" + large + "0"}) == Location::outside));
-  BOOST_TEST((cube.locate_text({"1/3", "0.5", "1"}) == Location::on_surface));
-  BOOST_TEST((cube.locate_text({"1/3", "0.5", large + "0/" + large + "1"}) == Location::inside));
+  BOOST_TEST((cube.inside_text({"1/3", "0.5", large + "1/" + large + "0"}) == Location::outside));
+  BOOST_TEST((cube.inside_text({"1/3", "0.5", "1"}) == Location::on_surface));
+  BOOST_TEST((cube.inside_text({"1/3", "0.5", large + "0/" + large + "1"}) == Location::inside));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  BOOST_TEST(said([&] { cube.inside({0, nan, 0}); }) == "point: y is nan; expected a finite number");
   BOOST_TEST(said([&] {
-               cube.locate({0, std::numeric_limits<double>::quiet_NaN(), 0});
-             }) == "point: y is nan; expected a finite number");
+               cube.inside(std::vector<std::array<double, 3>>{{0, 0, 0}, {0, 0, nan}});
+             }) == "points[1]: z is nan; expected a finite number");
   BOOST_TEST(said([&] {
-               cube.locate_text({"0", "0", "1/0"});
+               cube.inside_text({"0", "0", "1/0"});
              }) == "point: z is '1/0'; expected a finite decimal number or a fraction n/d");
-  for (const double far : {1e300, -1e300}) BOOST_TEST((cube.locate({far, 0.5, 0.5}) == Location::outside));
-  BOOST_TEST((cube.locate({5e-324, 0.5, 0.5}) == Location::inside));
-  BOOST_TEST((cube.locate({-5e-324, 0.5, 0.5}) == Location::outside));
-  Point_query moved = std::move(cube);
-  BOOST_TEST((moved.locate({0.5, 0.5, 0.5}) == Location::inside));
-  BOOST_TEST(said([&] { cube.locate({0, 0, 0}); }) == "query: moved from; expected one that still has its body");
+  for (const double far : {1e300, -1e300}) BOOST_TEST((cube.inside({far, 0.5, 0.5}) == Location::outside));
+  BOOST_TEST((cube.inside({5e-324, 0.5, 0.5}) == Location::inside));
+  BOOST_TEST((cube.inside({-5e-324, 0.5, 0.5}) == Location::outside));
   BOOST_TEST(
-      said([] { Point_query{Body(open_box())}; }) ==
+      said([&] { open.inside(points); }) ==
       "body is open at 4 edges, first at the edge from vertex 4 to 5; expected a closed surface for points inside "
       "or outside");
+  BOOST_TEST(verify::not_refused<Error>([&] { cube.inside(points); }) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(rays_meet_an_open_or_closed_surface)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Body box(scenes::cube(1)), open(open_box());
+  const tetracone::Ray through{{-4, 0.25, 0}, {3, 0, 0}}, past{{-4, 2, 0}, {3, 0, 0}};
+  const auto first = box.first_hit(through);
+  BOOST_REQUIRE(first.has_value());
+  BOOST_TEST(first->t == 1);
+  BOOST_TEST(box.hits(through).size() == 2u);
+  BOOST_TEST((box.hits(through)[0] == *first));
+  BOOST_TEST(box.hits(through)[1].t == 5.0 / 3);
+  const auto both = box.first_hits(std::vector{past, through});
+  BOOST_TEST((!both[0] && both[1] == first));
+  BOOST_TEST(open.first_hit(through).has_value());
+  BOOST_TEST(said([&] {
+               box.first_hit({{0, 0, 0}, {0, -0.0, 0}});
+             }) == "ray: the direction is 0; expected one of any other length");
+  BOOST_TEST(said([&] {
+               box.hits({{0, 0, 0}, {0, nan, 0}});
+             }) == "ray: number 5 of 6 is nan; expected a finite number");
+  BOOST_TEST(verify::not_refused<Error>([&] { box.first_hit(through); }) == 0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -8,9 +8,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <set>
 #include <string>
 #include <tuple>
@@ -669,6 +671,43 @@ BOOST_AUTO_TEST_CASE(elements_of_many_cones_are_tested_once_where_the_share_of_p
       2.0 * double(Tetra_tree<Adaptive>(body).model().covering().edges().size()) * double(body.face_count());
   BOOST_TEST(double(tests(listing)) > 1.5 * all_pairs);
   BOOST_TEST(double(tests(bounded)) <= 1.1 * all_pairs);
+}
+
+BOOST_AUTO_TEST_CASE(a_descent_ends_when_comparing_nodes_and_crossing_planes_took_the_share_of_pairs)
+{
+  const auto counts_in = []<class K>(K, const Polyhedron& body, const Pose& apart, const Config& config) {
+    Tetra_tree<K> a(body, config), b(body, config);
+    Collision<K> collision(a, b);
+    BOOST_TEST(!collision(Pose(), apart, Question::surface));
+    return collision.counts();
+  };
+  const auto counts = std::bind_front(counts_in, Adaptive());
+  const auto all_pairs = [](const Polyhedron& body) {
+    return 2 * Tetra_tree<Adaptive>(body).model().covering().edges().size() * body.face_count();
+  };
+
+  // Bodies of a few faces: the listing compares many pairs of nodes, of which the share pays for none.
+  const Polyhedron cube = scenes::unit_cube();
+  const Pose near = Pose::translation(1.001, 0.01, 0.02);
+  BOOST_TEST(counts(cube, near, Config()).pairs_visited > 10u);
+  BOOST_TEST(counts(cube, near, Config::paper()).pairs_visited == 0u);
+  BOOST_TEST(counts(cube, near, Config::paper()).edge_face_tests == all_pairs(cube));
+  BOOST_TEST(counts_in(Double(), cube, near, Config::paper()).pairs_visited > 0u);
+
+  // Caps of many edges, whose planes the other's sides cross: what is looked at in leaves and of nodes is not all.
+  std::vector<std::array<double, 2>> corners;
+  for (int k = 0; k < 48; ++k)
+    corners.push_back({std::cos(k * std::numbers::pi / 24), std::sin(k * std::numbers::pi / 24)});
+  const Polyhedron drum = scenes::prism(corners, 2);
+  Config config;
+  config.leaf_size = 1;
+  config.spheres = config.tetrahedra = config.regular_hull = false;
+  config.all_pairs_after = 1;
+  const Query_statistics drums = counts(drum, Pose::translation(3, 0, 1), config);
+  BOOST_TEST(drums.edge_face_tests > all_pairs(drum));
+  const std::uint64_t in_leaves = drums.edge_face_tests - all_pairs(drum);
+  BOOST_TEST(double(in_leaves + Collision<Adaptive>::pairs_per_visit * drums.pairs_visited) <
+             0.9 * double(all_pairs(drum)));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

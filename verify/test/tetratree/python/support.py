@@ -16,9 +16,9 @@ def skip(why):
 
 try:
     import numpy  # noqa: F401
-    import tetracone
 except ModuleNotFoundError as missing:
     skip(f"no {missing.name}")
+import tetracone  # noqa: E402, F401: it ought to be there: that it is not is a failure
 
 PROGRAM = os.environ.get("TETRACONE_PROGRAM", "")
 

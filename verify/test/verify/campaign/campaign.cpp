@@ -314,6 +314,23 @@ BOOST_AUTO_TEST_CASE(a_subject_keeps_its_command)
   BOOST_TEST((results.rows() == once));
 }
 
+BOOST_AUTO_TEST_CASE(a_database_of_another_versions_tables_is_refused_with_these)
+{
+  Results results("older"), into("newer");
+  results.with(small());
+  results.database.run("DROP TABLE words; CREATE TABLE words (version TEXT, seed INTEGER, shard INTEGER)");
+  const std::string before = results.rows();
+  const auto says_what_differs = [](const Input_error& error) {
+    const std::string what = error.what();
+    return what.find("table words (version, seed, shard)") != std::string::npos &&
+           what.find("feature_cases") != std::string::npos;
+  };
+  BOOST_CHECK_EXCEPTION(open_campaign(results.file.path()), Input_error, says_what_differs);
+  BOOST_CHECK_EXCEPTION(merge(into.database, results.file.path()), Input_error, says_what_differs);
+  BOOST_CHECK_EXCEPTION(progress(results.database), Input_error, says_what_differs);
+  BOOST_TEST((results.rows() == before));
+}
+
 BOOST_AUTO_TEST_CASE(progress_is_of_the_last_words)
 {
   Results results("progress");

@@ -11,7 +11,7 @@ using namespace tetracone::verify::proofs;
 BOOST_AUTO_TEST_CASE(every_constant_of_relative_frames_and_of_their_offsets_is_proved)
 {
   if (skipped_without_gappa()) return;
-  check_proved(frame_proofs(), 5);
+  check_proved(frame_proofs());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -11,7 +11,7 @@ using namespace tetracone::verify::proofs;
 BOOST_AUTO_TEST_CASE(every_slack_of_boxes_is_proved)
 {
   if (skipped_without_gappa()) return;
-  check_proved(obb8_proofs(), 5);
+  check_proved(obb8_proofs());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

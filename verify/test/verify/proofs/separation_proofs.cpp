@@ -11,7 +11,7 @@ using namespace tetracone::verify::proofs;
 BOOST_AUTO_TEST_CASE(every_slack_of_separating_directions_and_of_containment_is_proved)
 {
   if (skipped_without_gappa()) return;
-  check_proved(separation_proofs(), 40);
+  check_proved(separation_proofs());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,6 +1,7 @@
 #include "verify/subjects/object_subject.h"
 
 #include "verify/families/families.h"
+#include "verify/truth/cgal_contacts.h"
 #include "verify/truth/integer_features.h"
 #include "verify/truth/integer_truth.h"
 
@@ -85,6 +86,24 @@ BOOST_AUTO_TEST_CASE(every_kernel_lists_features_and_exact_ones_list_them_right)
       }
   }
   BOOST_TEST(kernels.size() == 7u);
+}
+
+BOOST_AUTO_TEST_CASE(exact_kernels_list_contacts_right)
+{
+  std::size_t pieces = 0;
+  for (const Object_subject& subject : contact_subjects()) {
+    BOOST_TEST(subject.is_exact, subject.name);
+    const auto ask = subject.make();
+    for (const char* family : {"face-on-face", "vertex-on-edge", "edge-along-edge", "stacked", "swept-contact"})
+      for (std::uint64_t k = 0; k < 3; ++k) {
+        const Object_case c = find_family(family)->object_case(9, k);
+        const Listed_contacts listed = ask->contacts(c);
+        BOOST_TEST((listed.outcome == Outcome::yes));
+        BOOST_TEST((listed.forms == contacts(c)), subject.name << ", " << family << ' ' << k);
+        pieces += listed.forms.size();
+      }
+  }
+  BOOST_TEST(pieces > 100u);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

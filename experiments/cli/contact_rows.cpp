@@ -1,0 +1,153 @@
+#include "experiments/cli/contact_rows.h"
+
+#include "tetracone/kernel/number/error.h"
+#include "tetracone/kernel/number/number.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace tetracone::experiments {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double finite(double x)
+{
+  if (!std::isfinite(x))
+    throw Error("contacts: a coordinate is beyond the largest double; expected --exact, without --curves");
+  return x;
+}
+
+Json coordinate(double x) { return finite(x); }
+Json coordinate(const std::string& x) { return x; }
+std::string coordinate_text(double x) { return kernel::shortest(finite(x)); }
+std::string coordinate_text(const std::string& x) { return x; }
+
+/// A piece, with its loops in doubles or in fractions.
+template <class Loops>
+Json piece_json(const Contact_piece& piece, const Loops& loops)
+{
+  Json all = Json::array();
+  for (const auto& loop : loops) {
+    Json points = Json::array();
+    for (const auto& x : loop) points.push_back({coordinate(x[0]), coordinate(x[1]), coordinate(x[2])});
+    all.push_back(std::move(points));
+  }
+  return {{"face_a", piece.face_a},        {"face_b", piece.face_b},        {"kind", to_string(piece.kind)},
+          {"in_a", to_string(piece.in_a)}, {"in_b", to_string(piece.in_b)}, {"loops", std::move(all)}};
+}
+
+template <class Loops>
+std::string piece_line(std::size_t pose, const Contact_piece& piece, const Loops& loops, const std::string& separator)
+{
+  std::string line = std::to_string(pose) + separator + std::to_string(piece.face_a) + separator +
+                     std::to_string(piece.face_b) + separator + std::string(to_string(piece.kind));
+  const bool is_polygon = piece.kind == Piece::polygon;
+  for (const auto* x : {&loops[0].front(), &loops[0].back()})
+    for (const auto& number : *x)
+      if (!is_polygon)
+        line += separator + coordinate_text(number);
+      else if (separator == ",")
+        line += separator;
+  return line + "\n";
+}
+
+template <class What>
+auto with_loops(const Contacts& contacts, std::size_t k, bool exact, const What& what)
+{
+  return exact ? what(contacts.exact_loops(k)) : what(contacts.nearest_loops(k));
+}
+
+/// Whether a face of the file became several.
+bool is_split(const Model_file& model)
+{
+  const std::set<covering::Index> faces(model.source_face.begin(), model.source_face.end());
+  return faces.size() < model.source_face.size();
+}
+
+/// The pieces of one pose, by faces of the files. Of a face that became several, those that hold the same are one.
+std::vector<std::pair<std::size_t, Contact_piece>> pieces_of(const Contacts& contacts, const Model_file& a,
+                                                             const Model_file& b)
+{
+  const bool may_repeat = is_split(a) || is_split(b);
+  std::set<std::string> seen;
+  std::vector<std::pair<std::size_t, Contact_piece>> pieces;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    Contact_piece piece = contacts[k];
+    piece.face_a = a.source_face[piece.face_a];
+    piece.face_b = b.source_face[piece.face_b];
+    if (may_repeat) {
+      auto loops = contacts.exact_loops(k);
+      if (piece.kind != Piece::polygon)
+        for (auto& loop : loops) std::sort(loop.begin(), loop.end());
+      if (!seen.insert(piece_json(piece, loops).dump()).second) continue;
+    }
+    pieces.emplace_back(k, piece);
+  }
+  return pieces;
+}
+
+}  // namespace
+
+std::string contact_rows(const std::vector<Contacts>& contacts, const Model_file& a, const Model_file& b,
+                         const Contact_format& format)
+{
+  if (format.json) {
+    Json poses = Json::array();
+    for (std::size_t pose = 0; pose < contacts.size(); ++pose) {
+      Json pieces = Json::array();
+      for (const auto& [k, piece] : pieces_of(contacts[pose], a, b))
+        pieces.push_back(with_loops(contacts[pose], k, format.exact,
+                                    [&, &piece = piece](const auto& loops) { return piece_json(piece, loops); }));
+      poses.push_back({{"pose", pose}, {"contacts", std::move(pieces)}});
+    }
+    return poses.dump(1) + "\n";
+  }
+  std::string text = format.csv ? "pose,face_a,face_b,kind,x0,y0,z0,x1,y1,z1\n" : "";
+  const std::string separator = format.csv ? "," : " ";
+  for (std::size_t pose = 0; pose < contacts.size(); ++pose)
+    for (const auto& [k, piece] : pieces_of(contacts[pose], a, b))
+      text += with_loops(contacts[pose], k, format.exact,
+                         [&, &piece = piece](const auto& loops) { return piece_line(pose, piece, loops, separator); });
+  return text;
+}
+
+bool is_curve_file(const std::filesystem::path& file)
+{
+  return file.extension() == ".obj" || file.extension() == ".ply";
+}
+
+std::string curves_text(const std::vector<Contacts::Curve>& curves, const std::filesystem::path& file)
+{
+  const bool is_obj = file.extension() == ".obj";
+  std::string points, lines;
+  std::size_t point_count = 0, line_count = 0;
+  for (const Contacts::Curve& curve : curves) {
+    const std::size_t first = point_count;
+    for (const auto& x : curve.points)
+      points += (is_obj ? "v " : "") + coordinate_text(x[0]) + " " + coordinate_text(x[1]) + " " +
+                coordinate_text(x[2]) + "\n";
+    point_count += curve.points.size();
+    const std::size_t ends = curve.points.size() + (curve.closed ? 1 : 0);
+    const auto number = [&](std::size_t k) { return first + k % curve.points.size(); };
+    if (is_obj) {
+      lines += "l";
+      for (std::size_t k = 0; k < ends; ++k) lines += " " + std::to_string(1 + number(k));
+      lines += "\n";
+    } else {
+      for (std::size_t k = 0; k + 1 < ends; ++k)
+        lines += std::to_string(number(k)) + " " + std::to_string(number(k + 1)) + "\n";
+      line_count += ends - 1;
+    }
+  }
+  if (is_obj) return points + lines;
+  return "ply\nformat ascii 1.0\nelement vertex " + std::to_string(point_count) +
+         "\nproperty double x\nproperty double y\nproperty double z\nelement edge " + std::to_string(line_count) +
+         "\nproperty int vertex1\nproperty int vertex2\nend_header\n" + points + lines;
+}
+
+}  // namespace tetracone::experiments

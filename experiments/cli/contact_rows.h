@@ -1,0 +1,33 @@
+#ifndef TETRACONE_EXPERIMENTS_CLI_CONTACT_ROWS_H
+#define TETRACONE_EXPERIMENTS_CLI_CONTACT_ROWS_H
+
+#include "experiments/support/model_file.h"
+#include "tetracone/tetratree/door/contacts.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tetracone::experiments {
+
+/// How contacts are written.
+struct Contact_format {
+  bool json = false, csv = false;  ///< neither: blanks between words, no header
+  bool exact = false;              ///< fractions "n/d" instead of the nearest doubles
+};
+
+/// The contacts of all poses: a line a piece, `pose,face_a,face_b,kind,x0,y0,z0,x1,y1,z1`, of a point twice, of a
+/// polygon, which is "coplanar", without coordinates; in JSON with the loops of all pieces and what of either face
+/// holds them. Faces are named as the files have them.
+std::string contact_rows(const std::vector<Contacts>& contacts, const Model_file& a, const Model_file& b,
+                         const Contact_format& format);
+
+/// The curves of one pose as lines of OBJ or of PLY, by the file's suffix.
+std::string curves_text(const std::vector<Contacts::Curve>& curves, const std::filesystem::path& file);
+
+/// Whether `curves_text` can write such a file.
+bool is_curve_file(const std::filesystem::path& file);
+
+}  // namespace tetracone::experiments
+
+#endif

@@ -1,0 +1,161 @@
+#include "experiments/cli/distance_command.h"
+
+#include "experiments/cli/distance_certificate.h"
+#include "experiments/support/output_file.h"
+#include "experiments/support/progress.h"
+#include "experiments/support/scene_options.h"
+#include "experiments/support/stopwatch.h"
+#include "tetracone/kernel/number/number.h"
+#include "tetracone/tetratree/door/repair.h"
+#include "tetracone/tetratree/door/tetracone.h"
+
+#include <algorithm>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tetracone::experiments {
+namespace {
+
+struct Options {
+  Scene_names names;
+  std::string csv, within, certificate, question = "surface", kernel = "adaptive";
+  bool exact = false, time = false;
+  int repeat = 1;
+};
+
+std::string exact_line(const Nearest& nearest)
+{
+  std::string line = nearest.squared;
+  for (int body = 0; body < 2; ++body) {
+    line += " ";
+    for (int k = 0; k < 3; ++k) line += " " + nearest.point[body][k];
+    line += " " + nearest.holder[body].text();
+  }
+  return line + "\n";
+}
+
+/// A line a pose, or a row of the table.
+class Asking {
+ public:
+  Asking(const Options& options, Query& query, const Pose_pairs& poses)
+      : options_(options), query_(query), poses_(poses)
+  {}
+
+  std::string text()
+  {
+    std::string text;
+    if (!options_.csv.empty())
+      text = options_.time ? "pose,distance,ns,bounding_tests,primitive_tests,exact_fallbacks\n" : "pose,distance\n";
+    std::vector<double> fastest(poses_.count(), std::numeric_limits<double>::infinity());
+    const int passes = options_.time ? options_.repeat : 1;
+    Progress progress("poses", poses_.count() * passes);
+    for (int pass = 0; pass < passes; ++pass)
+      for (std::size_t k = 0; k < poses_.count(); ++k) {
+        query_.clear_statistics();
+        const Stopwatch watch;
+        const std::string answer = this->answer(k);
+        fastest[k] = std::min(fastest[k], watch.nanoseconds());
+        if (pass + 1 == passes) text += row(k, answer, fastest[k]);
+        progress.step();
+      }
+    return text;
+  }
+
+ private:
+  std::string answer(std::size_t k)
+  {
+    const kernel::Pose &a = poses_.of_a(k), &b = poses_.of_b(k);
+    if (options_.exact) return exact_line(query_.nearest(a, b));
+    if (!options_.within.empty()) return query_.within(a, b, options_.within) ? "1\n" : "0\n";
+    return kernel::shortest(query_.distance(a, b)) + "\n";
+  }
+
+  std::string row(std::size_t k, const std::string& answer, double ns) const
+  {
+    if (options_.csv.empty()) return answer;
+    std::string row = std::to_string(k) + "," + answer.substr(0, answer.size() - 1);
+    const Query_statistics done = query_.statistics();
+    if (options_.time)
+      row += "," + std::to_string(static_cast<long long>(ns)) + "," + std::to_string(done.bounding_tests()) + "," +
+             std::to_string(done.primitive_tests()) + "," + std::to_string(done.exact_fallbacks);
+    return row + "\n";
+  }
+
+  const Options& options_;
+  Query& query_;
+  const Pose_pairs& poses_;
+};
+
+void run(const Options& options)
+{
+  const auto question = kernel::parse_question(options.question);
+  if (!question) throw CLI::ValidationError("--question " + options.question, "expected solid or surface");
+  const auto how = parse_kernel(options.kernel);
+  if (!how || (how->kernel != Kernel::adaptive && how->kernel != Kernel::double_ && how->kernel != Kernel::rational))
+    throw CLI::ValidationError("--kernel " + options.kernel, "expected adaptive, double or rational");
+  if (options.exact && how->kernel == Kernel::double_)
+    throw CLI::ValidationError("--exact", "expected --kernel adaptive or rational");
+  if (options.exact && !options.within.empty()) throw CLI::ValidationError("--exact", "expected without --within");
+  if (options.exact && !options.csv.empty()) throw CLI::ValidationError("--exact", "expected without --csv");
+  if (!options.within.empty() && !kernel::parse_number(options.within))
+    throw CLI::ValidationError("--within " + options.within, "expected a decimal number or a fraction n/d");
+  if (options.time && options.csv.empty()) throw CLI::ValidationError("--time", "expected --csv to hold the times");
+  if (options.repeat < 1) throw CLI::ValidationError("--repeat", "expected a number from 1");
+  for (const std::string& output : {options.csv, options.certificate})
+    if (!output.empty()) options.names.refuse_as_output(output);
+  if (!options.csv.empty() && !options.certificate.empty() && is_same_file(options.csv, options.certificate))
+    throw CLI::ValidationError("--certificate", "expected another file than --csv");
+
+  const Pose_pairs poses = read_pose_pairs(options.names);
+  const bool solid = *question == Question::solid;
+  const Model_file a = load_model(options.names.a, options.names.models, solid),
+                   b = load_model(options.names.b, options.names.models, solid);
+  Query query(triangulated_body(a.polyhedron), triangulated_body(b.polyhedron), *question, *how);
+  const std::string text = Asking(options, query, poses).text();
+  if (!options.certificate.empty())
+    write_whole(options.certificate, distance_certificate(a.polyhedron, b.polyhedron, poses, *question));
+  if (options.csv.empty())
+    std::cout << text;
+  else
+    write_whole(options.csv, text);
+}
+
+}  // namespace
+
+void add_distance_command(CLI::App& app)
+{
+  CLI::App* command = app.add_subcommand("distance",
+                                         "How far apart two models are: the double nearest to the exact "
+                                         "distance, a line a pose");
+  const auto options = std::make_shared<Options>();
+  command->add_option("A", options->names.a, "Model: OFF, OBJ, PLY, STL or TetGen .poly")->required();
+  command->add_option("B", options->names.b, "Model")->required();
+  command
+      ->add_option("--question", options->question,
+                   "surface: of the surfaces; solid: of the solids, 0 where they collide")
+      ->capture_default_str();
+  command->add_flag("--exact", options->exact,
+                    "The squared distance, then of A and of B the nearest point and what holds it, as fractions");
+  command->add_option("--within", options->within,
+                      "1 or 0: is the distance at most this, a decimal number (its double) or a fraction n/d");
+  command->add_option("--kernel", options->kernel, "adaptive, double or rational")->capture_default_str();
+  command->add_option("--csv", options->csv, "Write a table to this file");
+  command->add_flag("--time", options->time, "With --csv: nanoseconds and work of each pose");
+  command->add_option("--repeat", options->repeat, "With --time: passes over all poses, of which the fastest counts")
+      ->capture_default_str();
+  command->add_option(
+      "--certificate", options->certificate,
+      "Write JSON to this file, from which experiments/support/check_certificate.py proves the answers");
+  options->names.add_options_to(*command);
+  command->footer(
+      "With --exact a line is `SQUARE  X Y Z HOLDER  X Y Z HOLDER`; a holder is `vertex V`, `edge V V`, `face F` or "
+      "`interior`, of faces as they are once --strict, --merge and --orient have been obeyed.\n"
+      "Example: tetracone distance cat.off house.poly --pose-b poses.txt --within 1/10");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace tetracone::experiments

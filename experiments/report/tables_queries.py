@@ -1,0 +1,74 @@
+"""The tables of what else is asked exactly: all contacts, distances, points and rays, each beside other libraries."""
+
+import html
+import os
+
+from report_data import read
+from report_page import Source
+
+
+def us(ns):
+    return f"{float(ns) / 1000:.3g}"
+
+
+def rows_and_source(page, name, question):
+    rows = read(os.path.join(page.out, f"{name}.csv"))
+    return rows, rows and Source.of(rows, question, f"{len(rows)} rows", f"build/tetracone experiment {name} --out out")
+
+
+def section(page, name, title, words, rows, source, columns, head, line):
+    """A section of one table: `line` makes its cells of a row, the first says whether the row is ours."""
+    data = page.table(name, columns, [[r[c] for c in columns] for r in rows], source)
+    return page.section(f"asked-{name}", title, f"<p>{words}</p>", page.html_table(head, [line(r) for r in rows], source, data))
+
+
+def contacts(page):
+    rows, source = rows_and_source(page, "contacts", "How fast are all contacts of bodies that collide, and how many of FCL's pairs are wrong?")
+    if rows:
+        yield section(
+            page, "contacts", "All contacts of bodies that collide",
+            "Poses of a trajectory in which surfaces meet; each lists all pairs of triangles that share a point. Ours say exactly what they share, "
+            "with enclosures where they share it. FCL has no limit of contacts. <b>Lost</b> and <b>invented</b>: pairs that it misses or makes up, "
+            "of those that exact signs find.", rows, source,
+            ["scenario", "object", "triangles", "method", "poses", "pairs", "ns", "ratio", "lost", "invented"],
+            ["trajectory", "bodies", "method", "poses", "pairs a pose", "\u00b5s a pose", "time / ours", "lost", "invented"],
+            lambda r: (r["method"] == "tetracone", [
+                html.escape(r["scenario"]), html.escape(r["object"]), html.escape(r["method"]), r["poses"],
+                f"{float(r['pairs']) / float(r['poses']):.1f}", us(r["ns"]), f"{float(r['ratio']):.2f}", r["lost"], r["invented"]]))
+
+
+def distances(page):
+    rows, source = rows_and_source(page, "distance", "What does an exact distance cost beside FCL's, and how far off is each?")
+    if rows:
+        yield section(
+            page, "distance", "Exact distances",
+            "The distance of two surfaces along trajectories, and whether it is within a tenth of the body's size. Errors are in units in the last place "
+            "of the double nearest to the exact distance, over poses in which the bodies are apart. <b>0, apart</b>: poses in which bodies that are apart "
+            "have distance 0; <b>&gt; 0, touching</b>: the other mistake. In <i>gaps</i>, cubes of known distance; elsewhere the exact distance is our own.",
+            rows, source,
+            ["trajectory", "triangles", "subject", "question", "poses", "mean_ns", "mean_ulps", "most_ulps", "apart", "zero_apart", "touching",
+             "positive_touching"],
+            ["trajectory", "triangles", "subject", "question", "\u00b5s", "mean ulps", "most ulps", "0, apart", "&gt; 0, touching"],
+            lambda r: (r["subject"] == "tetracone adaptive", [
+                html.escape(r["trajectory"]), r["triangles"], html.escape(r["subject"]), html.escape(r["question"]), us(r["mean_ns"]),
+                r["mean_ulps"], r["most_ulps"], f"{r['zero_apart']} of {r['apart']}", f"{r['positive_touching']} of {r['touching']}"]))
+
+
+def points(page):
+    rows, source = rows_and_source(page, "points", "What does a point in a solid cost, and the first hit of a ray?")
+    if rows:
+        yield section(
+            page, "points", "Points and rays",
+            "Random points in the box of the body, points within a thousandth of its surface, and the first faces that rays meet. <b>Signs</b>: decisions "
+            "by a sign of the adaptive kernel, a question. All answers are judged by the truth.", rows, source,
+            ["body", "triangles", "asked", "contestant", "ns", "signs", "setup_ms", "bytes_per_triangle", "judged", "wrong"],
+            ["body", "triangles", "asked", "method", "\u00b5s", "signs", "set-up, ms", "bytes a triangle", "wrong"],
+            lambda r: (r["contestant"] in ("cones", "boxes"), [
+                html.escape(r["body"]), r["triangles"], html.escape(r["asked"]), html.escape(r["contestant"]), us(r["ns"]), r["signs"],
+                f"{float(r['setup_ms']):.1f}", f"{float(r['bytes_per_triangle']):.0f}", f"{r['wrong']} of {r['judged']}"]))
+
+
+def sections(page, study, campaign):
+    """Of OUT/contacts.csv, OUT/distance.csv and OUT/points.csv those that are there."""
+    for table in (contacts, distances, points):
+        yield from table(page)

@@ -1,0 +1,289 @@
+#ifndef TETRACONE_KERNEL_BOUND_CONE_CELLS_H
+#define TETRACONE_KERNEL_BOUND_CONE_CELLS_H
+
+#include "tetracone/kernel/number/floating_point.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace tetracone::kernel {
+
+/// A point in local units: relative to the origin of a covering, of coordinates |x| <= 1 where it is a model's, off by
+/// at most `local_error` in each.
+using Local_point = std::array<double, 3>;
+using Local_triangle = std::array<Local_point, 3>;
+inline constexpr double local_error = 0x1p-51;
+
+/// |x| + |y| + |z|.
+inline double octahedral_norm(const Local_point& p) { return std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]); }
+
+/// Signs about the origin in local units, by a filter: 0 is undecided. Points are a model's, but `p`, whose norm is at
+/// most 4.
+///
+/// |det[a, b, p]| with |a_k|, |b_k| <= 1: the minors of a and b are at most 2, so the six products sum to at most 8 in
+/// absolute value, each rounded at most five times; errors of the coordinates add at most 8 e for a, 8 e for b and 6 e
+/// for p, e = `local_error`: below 2^-46 in all.
+inline constexpr double cone_side_bound = 0x1p-44;
+inline double cone_determinant(const Local_point& a, const Local_point& b, const Local_point& p)
+{
+  return (a[1] * b[2] - a[2] * b[1]) * p[0] + (a[2] * b[0] - a[0] * b[2]) * p[1] + (a[0] * b[1] - a[1] * b[0]) * p[2];
+}
+inline int cone_side(const Local_point& a, const Local_point& b, const Local_point& p)
+{
+  const double side = cone_determinant(a, b, p);
+  return side > cone_side_bound ? 1 : side < -cone_side_bound ? -1 : 0;
+}
+
+/// Whether the line from the origin through p meets the triangle w a b within, by the same filter: how its edges turn
+/// about p, 1 or -1; 0 where it misses, `cone_undecided` where that is not certain.
+inline constexpr int cone_undecided = 2;
+inline int cone_holds(const Local_point& w, const Local_point& a, const Local_point& b, const Local_point& p)
+{
+  const double wa = cone_determinant(w, a, p), ab = cone_determinant(a, b, p), bw = cone_determinant(b, w, p);
+  const double least = -maximum_of_defined(-wa, -ab, -bw), most = maximum_of_defined(wa, ab, bw);
+  if (least < -cone_side_bound && most > cone_side_bound) return 0;
+  return least > cone_side_bound ? 1 : most < -cone_side_bound ? -1 : cone_undecided;
+}
+
+/// The side of the plane a b c on which p lies, likewise. Differences are at most 2 among corners and those of p sum to
+/// at most 7: minors at most 8, products at most 56 in all, each rounded at most eight times with its differences;
+/// errors of the coordinates, 2 e in a difference, add at most 2 e (28 + 28 + 24): below 2^-43 in all.
+inline int plane_side(const Local_point& a, const Local_point& b, const Local_point& c, const Local_point& p)
+{
+  const double bx = b[0] - a[0], by = b[1] - a[1], bz = b[2] - a[2];
+  const double cx = c[0] - a[0], cy = c[1] - a[1], cz = c[2] - a[2];
+  const double side =
+      (by * cz - bz * cy) * (p[0] - a[0]) + (bz * cx - bx * cz) * (p[1] - a[1]) + (bx * cy - by * cx) * (p[2] - a[2]);
+  constexpr double bound = 0x1p-42;
+  return side > bound ? 1 : side < -bound ? -1 : 0;
+}
+
+/// Cells of directions about an origin: each octant of the octahedron |x| + |y| + |z| = 1 has an n x n lattice, of
+/// which the half below its diagonal is used. JS08 section 2.1 halves the edges of the same octahedron.
+///
+/// In an octant, with coordinates taken positive, r = x + y + z is linear and central projection (a, b, c) = n (x, y,
+/// z) / r maps triangles to triangles. Cell (i, j) is i <= a <= i + 1, j <= b <= j + 1 and c >= 0, and its *wide* cell
+/// reaches 2^-10 farther everywhere, across the sides of the octant too, r being the octant's. Every direction in local
+/// units of norm at least `core` is, with its error, within the wide cell that it is given: off by at most 2^-51 8 n /
+/// core <= 2^-18. What `for_cells` says of a cell holds for its wide cell. So a point may be moved by an infinitesimal,
+/// or have come out in the neighbour of its cell, and nothing of what is said becomes wrong.
+class Cone_cells {
+ public:
+  static constexpr int most = 1 << 10;     ///< n at most
+  static constexpr double core = 0x1p-20;  ///< nearer to the origin, nothing is said
+
+  /// Requires 1 <= n <= most.
+  explicit Cone_cells(int n) : n_(n) {}
+
+  int n() const { return n_; }
+  std::size_t count() const { return 8 * octant_size(); }
+
+  /// The cell of a point of this norm. Requires norm >= core.
+  std::size_t cell(const Local_point& p, double norm) const
+  {
+    const double scale = n_ / norm;
+    const int i = minimum(int(std::abs(p[0]) * scale), n_ - 1);
+    const int j = minimum(int(std::abs(p[1]) * scale), n_ - 1 - i);
+    const std::size_t octant = std::size_t(p[0] < 0) + 2 * std::size_t(p[1] < 0) + 4 * std::size_t(p[2] < 0);
+    return octant * octant_size() + row(i) + std::size_t(j);
+  }
+
+  /// Directions of norm 1, in the octant's coordinates, whose hull holds a wide cell.
+  struct Corners {
+    std::array<Local_point, 4> direction;
+    int count;
+  };
+
+  /// Calls what(cell, direction, corners) for every cell in order, with a direction of norm 1 well within it.
+  template <class What>
+  void for_directions(const What& what) const
+  {
+    std::size_t cell = 0;
+    for (int octant = 0; octant < 8; ++octant)
+      for (int i = 0; i < n_; ++i)
+        for (int j = 0; i + j < n_; ++j) {
+          const double a = (i + 1.0 / 3) / n_, b = (j + 1.0 / 3) / n_;
+          what(cell++, turned(octant, a, b), corners(octant, i, j));
+        }
+  }
+
+  /// Calls what(cell, low, high) for each cell whose wide cell the triangle may meet at a norm of `core` or more: where
+  /// it does, then at norms strictly between low and high, and farther from them than any norm is off. False when the
+  /// triangle may come nearer to the origin than `core`. Requires a model's points.
+  ///
+  /// The triangle is clipped to the octant, a little widened. What is clipped is off by some 2^-50, from r >= core / 4
+  /// on by n 2^-50 8 / core <= 2^-17 in a, b and c.
+  template <class What>
+  bool for_cells(const Local_triangle& triangle, const What& what) const
+  {
+    bool is_beyond_core = true;
+    unsigned reached[2] = {0, 0};  // axes on whose positive, negative side a corner is, or nearly
+    for (const Local_point& p : triangle)
+      for (int k = 0; k < 3; ++k) {
+        if (p[k] >= -0x1p-7 / n_) reached[0] |= 1u << k;
+        if (p[k] <= 0x1p-7 / n_) reached[1] |= 1u << k;
+      }
+    for (unsigned octant = 0; octant < 8; ++octant) {
+      if (((~octant & ~reached[0]) | (octant & ~reached[1])) & 7) continue;
+      Polygon part = in_octant(triangle, octant);
+      const double widening = 0x1p-9 / n_;
+      for (int k = 0; k < 3 && part.count > 0; ++k)
+        part.clip([&](const Local_point& p) { return p[k] + widening * (p[0] + p[1] + p[2]); });
+      for (int k = 0; k < part.count; ++k) is_beyond_core = is_beyond_core && norm(part.corner[k]) > 2 * core;
+      if (!is_beyond_core) part.clip([](const Local_point& p) { return norm(p) - core / 4; });
+      if (part.count > 0) place(octant, part, in_octant(triangle, octant), what);
+    }
+    return is_beyond_core;
+  }
+
+ private:
+  struct Polygon {
+    std::array<Local_point, 16> corner;  // 7, and what rounding may add
+    int count = 0;
+
+    /// What is left where the linear function is not negative.
+    template <class Function>
+    void clip(const Function& value)
+    {
+      std::array<double, 16> at;
+      bool all = true;
+      for (int k = 0; k < count; ++k) {
+        at[k] = value(corner[k]);
+        all = all && at[k] >= 0;
+      }
+      if (all) return;
+      Polygon left;
+      for (int k = 0; k < count; ++k) {
+        const int next = k + 1 == count ? 0 : k + 1;
+        if (at[k] >= 0) left.corner[left.count++] = corner[k];
+        if ((at[k] >= 0) == (at[next] >= 0)) continue;
+        const double share = at[k] / (at[k] - at[next]);
+        Local_point& cut = left.corner[left.count++];
+        for (int c = 0; c < 3; ++c) cut[c] = corner[k][c] + share * (corner[next][c] - corner[k][c]);
+      }
+      *this = left;
+    }
+  };
+
+  /// By so much intervals of a, b and c, and of norms, are made wider.
+  static constexpr double lattice_margin = 0x1p-8, norm_margin = 0x1p-40;
+
+  std::size_t octant_size() const { return std::size_t(n_) * std::size_t(n_ + 1) / 2; }
+  std::size_t row(int i) const { return std::size_t(i) * std::size_t(2 * n_ - i + 1) / 2; }
+
+  /// The direction (a, b, 1 - a - b) of an octant.
+  static Local_point turned(int octant, double a, double b)
+  {
+    return {octant & 1 ? -a : a, octant & 2 ? -b : b, octant & 4 ? a + b - 1 : 1 - a - b};
+  }
+
+  /// Of cell (i, j). The half of it below the diagonal where that crosses it.
+  Corners corners(int octant, int i, int j) const
+  {
+    const auto at = [&](double a, double b) { return turned(octant, a / n_, b / n_); };
+    constexpr double m = lattice_margin;
+    if (i + j == n_ - 1) return {{at(i - m, j - m), at(i + 1 + 3 * m, j - m), at(i - m, j + 1 + 3 * m)}, 3};
+    return {{at(i - m, j - m), at(i + 1 + m, j - m), at(i - m, j + 1 + m), at(i + 1 + m, j + 1 + m)}, 4};
+  }
+
+  static double norm(const Local_point& in_octant) { return in_octant[0] + in_octant[1] + in_octant[2]; }
+
+  static Polygon in_octant(const Local_triangle& triangle, unsigned octant)
+  {
+    Polygon turned;
+    turned.count = 3;
+    for (int k = 0; k < 3; ++k)
+      for (int c = 0; c < 3; ++c) turned.corner[k][c] = octant >> c & 1 ? -triangle[k][c] : triangle[k][c];
+    return turned;
+  }
+
+  static float rounded_down(double x)
+  {
+    return std::nextafter(float(x - norm_margin), -std::numeric_limits<float>::infinity());
+  }
+  static float rounded_up(double x)
+  {
+    return std::nextafter(float(x + norm_margin), std::numeric_limits<float>::infinity());
+  }
+
+  template <class What>
+  void place(unsigned octant, const Polygon& part, const Polygon& triangle, const What& what) const
+  {
+    double low[4], high[4];  // of a, b, c and r
+    for (int k = 0; k < part.count; ++k) {
+      const Local_point& p = part.corner[k];
+      const double r = norm(p), scale = n_ / r;
+      const double at[4] = {p[0] * scale, p[1] * scale, p[2] * scale, r};
+      for (int c = 0; c < 4; ++c) {
+        low[c] = k == 0 ? at[c] : minimum(low[c], at[c]);
+        high[c] = k == 0 ? at[c] : maximum(high[c], at[c]);
+      }
+    }
+    for (int c = 0; c < 3; ++c) {
+      low[c] -= lattice_margin;
+      high[c] += lattice_margin;
+    }
+    const auto whole = [this](double x) { return std::clamp(int(std::floor(x)), -1, n_); };
+    const int first_i = maximum(0, whole(low[0])), last_i = minimum(n_ - 1, whole(high[0]));
+    const Plane plane(triangle, n_);
+    for (int i = first_i; i <= last_i; ++i) {
+      const int first_j = maximum(0, whole(low[1]), int(std::ceil(n_ - i - 2 - high[2])));
+      const int last_j = minimum(n_ - 1 - i, whole(high[1]), int(std::floor(n_ - i - low[2])));
+      const bool several = last_i - first_i + last_j - first_j > 1;
+      for (int j = first_j; j <= last_j; ++j) {
+        double r_low = low[3], r_high = high[3];
+        if (several) plane.narrow(i, j, r_low, r_high);
+        if (r_low <= r_high)
+          what(octant * octant_size() + row(i) + std::size_t(j), rounded_down(r_low), rounded_up(r_high));
+      }
+    }
+  }
+
+  /// The plane of a triangle of an octant: along a direction (a, b, c) / n it is at the norm D / g, g linear in a and
+  /// b, so that over a cell the norm is between those at its corners where g keeps its sign.
+  class Plane {
+   public:
+    Plane(const Polygon& t, int n) : n_(n)
+    {
+      const Local_point &p = t.corner[0], &q = t.corner[1], &s = t.corner[2];
+      for (int k = 0; k < 3; ++k) {
+        const int u = (k + 1) % 3, v = (k + 2) % 3;
+        normal_[k] = (q[u] - p[u]) * (s[v] - p[v]) - (q[v] - p[v]) * (s[u] - p[u]);
+      }
+      offset_ = normal_[0] * p[0] + normal_[1] * p[1] + normal_[2] * p[2];
+    }
+
+    /// Errors: 2^-48 of a component of the normal, 2^-46 of D, 2^-46 of g; so with |g| >= 2^-16 and a norm of at most 4
+    /// that of D / g is below 2^-27.
+    void narrow(int i, int j, double& low, double& high) const
+    {
+      double least = 0, largest = 0;
+      for (int corner = 0; corner < 4; ++corner) {
+        const double a = i + (corner & 1 ? 1 + lattice_margin : -lattice_margin),
+                     b = j + (corner & 2 ? 1 + lattice_margin : -lattice_margin);
+        const double g = (normal_[0] * a + normal_[1] * b + normal_[2] * (n_ - a - b)) / n_;
+        least = corner == 0 ? g : minimum(least, g);
+        largest = corner == 0 ? g : maximum(largest, g);
+      }
+      const double side = least > 0 ? 1 : -1, near = side > 0 ? largest : -least, far = side > 0 ? least : -largest;
+      if (!(far >= 0x1p-16)) return;
+      low = maximum(low, side * offset_ / near - 0x1p-25);
+      high = minimum(high, side * offset_ / far + 0x1p-25);
+    }
+
+   private:
+    double n_;
+    Local_point normal_;
+    double offset_;
+  };
+
+  int n_;
+};
+
+}  // namespace tetracone::kernel
+
+#endif

@@ -1,0 +1,49 @@
+#ifndef TETRACONE_KERNEL_BOUND_OBB8_DISTANCE_H
+#define TETRACONE_KERNEL_BOUND_OBB8_DISTANCE_H
+
+#include "tetracone/kernel/bound/obb8.h"
+#include "tetracone/kernel/bound/obb8_overlap.h"
+#include "tetracone/kernel/simd/simd.h"
+
+#include <array>
+
+namespace tetracone::kernel {
+
+/// Lower bounds of the distances of eight boxes from one, in the local units of the eight, squared.
+///
+/// In the frame of a box's axes a_i the other box lies in an axis-parallel box: points of both differ along a_i by at
+/// least g_i = |a_i . t| - e_i - sum_j f_j |a_i . edge_j|, where that is positive, t from centre to centre. With axes
+/// of a defect d (`axis_defect`) |y|^2 >= (1 - 3 d) sum_i (a_i . y)^2. Of a similarity, the same in the frame of the
+/// single box, whose edges are orthonormal but for 2^-20: d, the map's tolerance 2^-24, and roundings.
+/// Both bounds hold, and the larger one is taken. Each is improved along the way n = sum_i +-g_i a_i that it found: the
+/// boxes differ along n by at least sum_i g_i (|t_i| - e_i) - sum_j f_j |sum_i +-g_i a_i . edge_j|, over |n| a bound too.
+inline constexpr float distance_shrink = 1 - 0x1p-18f;  // of the square: 3 * 2^-20, and its roundings
+
+/// What g_i may be off by, a share of M = |t|_1 + reach + sum of extents, beside the position's error: of t, 1 rounding
+/// of the double, 2 of the node's origin and centre; of each product with an axis 3, and 4 of an edge that was carried;
+/// of the three reaches 5 more, and 6 of sums along n, where each is times |g_i|. None is of more than sqrt(3) M: 64
+/// covers 32 of them, and the axes' defect, which is 8.
+inline constexpr double distance_rounding = 64 * 0x1p-24;
+
+/// Lower bounds of squared distances, a lane each; 0 where nothing is known.
+using Eight_squares = std::array<float, lanes>;
+
+}  // namespace tetracone::kernel
+
+#define TETRACONE_SIMD_FILE "tetracone/kernel/bound/obb8_distance_simd.inl"
+#include "tetracone/kernel/simd/simd_rounds.h"
+
+namespace tetracone::kernel {
+
+/// Of the lanes of `boxes` and box `lane` of `from`, which `map` carries into their frame; lanes that hold nothing may
+/// have any value.
+inline void squared_distances(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane, Eight_squares& squares)
+{
+  using Function = void(const Obb8&, const Box_map&, const Obb8&, int, Eight_squares&);
+  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(squared_distances_simd));
+  fastest(boxes, map, from, lane, squares);
+}
+
+}  // namespace tetracone::kernel
+
+#endif

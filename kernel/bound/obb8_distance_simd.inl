@@ -1,0 +1,115 @@
+#ifndef TETRACONE_KERNEL_BOUND_OBB8_DISTANCE_SIMD_INL
+#define TETRACONE_KERNEL_BOUND_OBB8_DISTANCE_SIMD_INL
+// Included by kernel/bound/obb8_distance.h, once for each target.
+#ifndef TETRACONE_SIMD_FILE
+#undef TETRACONE_KERNEL_BOUND_OBB8_DISTANCE_SIMD_INL  // that header includes this one, again and again
+#include "tetracone/kernel/bound/obb8_distance.h"
+#else
+
+HWY_BEFORE_NAMESPACE();
+namespace tetracone::kernel::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// The squared length of the way from a box to another along its axes i: with `t` the way between the centres, of the
+/// extents `e`, the other's edges j of extents `f` having components r[i][j].
+///
+/// First of the axis-parallel box about the other one: g_i = |t_i| - e_i - sum_j f_j |r_ij|, 0 where that is negative.
+/// Then along this way, where the other box itself does not reach as far: the gap over the length.
+template <class Floats>
+HWY_INLINE Floats squared_way(const Floats (&t)[3], const Floats (&e)[3], const Floats (&f)[3], const Floats (&r)[3][3],
+                              Floats slack)
+{
+  const Floats zero = Sub(slack, slack);
+  Floats room[3], g[3], way[3];
+  for (int i = 0; i < 3; ++i) {
+    room[i] = Sub(Sub(Abs(t[i]), e[i]), slack);
+    g[i] =
+        Max(NegMulAdd(f[2], Abs(r[i][2]), NegMulAdd(f[1], Abs(r[i][1]), NegMulAdd(f[0], Abs(r[i][0]), room[i]))), zero);
+    way[i] = hn::CopySign(g[i], t[i]);
+  }
+  const Floats square = MulAdd(g[2], g[2], MulAdd(g[1], g[1], Mul(g[0], g[0])));
+  Floats gap = MulAdd(g[2], room[2], MulAdd(g[1], room[1], Mul(g[0], room[0])));
+  for (int j = 0; j < 3; ++j)
+    gap = NegMulAdd(f[j], Abs(MulAdd(way[2], r[2][j], MulAdd(way[1], r[1][j], Mul(way[0], r[0][j])))), gap);
+  // Where neither is near underflow.
+  const Floats numerator = Mul(gap, Max(gap, zero));
+  const auto is_sound = hn::Ge(hn::Min(numerator, square), hn::Set(hn::DFromV<Floats>(), 0x1p-100f));
+  return Max(hn::IfThenElseZero(is_sound, hn::Div(numerator, square)), square);
+}
+
+/// Lower bounds of squared distances of the test's lanes, but for `distance_shrink`. Undefined where its numbers are.
+template <bool similarity, class Test>
+HWY_INLINE auto squared_gaps(const Test& test, const typename Test::Floats slack)
+{
+  using Floats = typename Test::Floats;
+  const auto& boxes = test.boxes;
+  const auto& box = test.box;
+  const auto load = [&](const auto& lane) HWY_ATTR { return test.load(lane); };
+  const auto all = [&](const auto& x) HWY_ATTR { return test.all(x); };
+
+  const Floats x = Sub(all(box.centre[0]), load(boxes.centre[0])), y = Sub(all(box.centre[1]), load(boxes.centre[1])),
+               z = Sub(all(box.centre[2]), load(boxes.centre[2]));
+  const Floats e0 = load(boxes.extent[0]), e1 = load(boxes.extent[1]), e2 = load(boxes.extent[2]);
+  const Floats f0 = all(box.extent[0]), f1 = all(box.extent[1]), f2 = all(box.extent[2]);
+  Floats t0, t1, t2, r00, r01, r02, r10, r11, r12, r20, r21, r22;
+  const auto along = [&](int i, Floats& t, Floats& r0, Floats& r1, Floats& r2) HWY_ATTR {
+    const Floats a0 = load(boxes.axis[i][0]), a1 = load(boxes.axis[i][1]), a2 = load(boxes.axis[i][2]);
+    const auto dot = [&](const auto& v)
+                         HWY_ATTR { return MulAdd(a2, all(v[2]), MulAdd(a1, all(v[1]), Mul(a0, all(v[0])))); };
+    t = MulAdd(a2, z, MulAdd(a1, y, Mul(a0, x)));
+    r0 = dot(box.edge[0]);
+    r1 = dot(box.edge[1]);
+    r2 = dot(box.edge[2]);
+  };
+  along(0, t0, r00, r01, r02);
+  along(1, t1, r10, r11, r12);
+  along(2, t2, r20, r21, r22);
+  const Floats t[3] = {t0, t1, t2}, e[3] = {e0, e1, e2}, f[3] = {f0, f1, f2};
+  const Floats r[3][3] = {{r00, r01, r02}, {r10, r11, r12}, {r20, r21, r22}};
+  const Floats own = squared_way(t, e, f, r, slack);
+  if constexpr (!similarity) return own;
+  const auto toward = [&](const auto& edge)
+                          HWY_ATTR { return MulAdd(z, all(edge[2]), MulAdd(y, all(edge[1]), Mul(x, all(edge[0])))); };
+  const Floats s[3] = {toward(box.edge[0]), toward(box.edge[1]), toward(box.edge[2])};
+  const Floats turned[3][3] = {{r00, r10, r20}, {r01, r11, r21}, {r02, r12, r22}};
+  return Max(own, squared_way(s, f, e, turned, slack));
+}
+
+template <bool similarity>
+HWY_INLINE void store_squares(const Obb8& boxes, const Single_box& box, float slack, Eight_squares& squares)
+{
+  const Float_tag tag;
+  for (std::size_t first = 0; first < lanes; first += hn::Lanes(tag)) {
+    const auto square = hn::Mul(squared_gaps<similarity>(One_test{boxes, box, first}, hn::Set(tag, slack)),
+                                hn::Set(tag, distance_shrink));
+    // What is infinite or undefined is no bound.
+    const auto is_known = hn::Lt(square, hn::Set(tag, 0x1p120f));
+    hn::StoreU(hn::IfThenElseZero(is_known, square), tag, squares.data() + first);
+  }
+}
+
+inline HWY_ATTR void squared_distances_simd(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane,
+                                            Eight_squares& squares)
+{
+  const bool similarity = map.is_similarity();
+  float size = (from.extent[0][lane] + from.extent[1][lane] + from.extent[2][lane]) * map.stretch();
+  const Single_box box = similarity ? carried(boxes, map, from, lane, size) : map(boxes, from, lane);
+  if (!similarity) size = box.extent[0] + box.extent[1] + box.extent[2];
+  const float way = std::abs(box.centre[0]) + std::abs(box.centre[1]) + std::abs(box.centre[2]);
+  // The slacks of both maps have the position's error.
+  const float slack = float(distance_rounding) * (way + boxes.reach + size) * (1 + 0x1p-20f) + box.slack;
+  if (similarity)
+    store_squares<true>(boxes, box, slack, squares);
+  else
+    store_squares<false>(boxes, box, slack, squares);
+}
+
+}  // namespace tetracone::kernel::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
+
+// Included again for the next target.
+#undef TETRACONE_KERNEL_BOUND_OBB8_DISTANCE_SIMD_INL
+#endif

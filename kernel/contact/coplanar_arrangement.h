@@ -1,0 +1,291 @@
+#ifndef TETRACONE_KERNEL_CONTACT_COPLANAR_ARRANGEMENT_H
+#define TETRACONE_KERNEL_CONTACT_COPLANAR_ARRANGEMENT_H
+
+#include "tetracone/kernel/contact/rational_face.h"
+#include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/predicate/face_contact.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace tetracone::kernel {
+
+/// A maximal piece of what faces p and q share.
+struct Rational_piece {
+  Piece kind;
+  Feature in_p, in_q;
+  std::vector<std::vector<Rational_point>> loops;  ///< of a polygon its border; else one: a point, or two ends
+};
+
+namespace detail {
+
+/// Two faces of one plane, cut into trapezoids. Coordinates are the plane's, sheared so that no edge is upright: its
+/// lines then cut the slabs between the x of corners and crossings from left to right, in an order that does not
+/// change within the slab, and winding numbers are summed from below.
+class Coplanar_arrangement {
+ public:
+  Coplanar_arrangement(const Rational_face& p, const Rational_face& q) : faces_{&p, &q}, axis_(p.axis())
+  {
+    choose_shear();
+    add_lines();
+    cut_into_slabs();
+    join_slabs();
+  }
+
+  /// Polygons are the connected parts of the shared inside; segments and points are in none of them.
+  std::vector<Rational_piece> pieces()
+  {
+    std::vector<Rational_piece> pieces;
+    add_polygons(pieces);
+    add_segments(pieces);
+    add_points(pieces);
+    return pieces;
+  }
+
+ private:
+  struct Line {  // an edge, from left to right
+    int face, direction;
+    Rational_point from, to;
+    Rational x0, y0, x1, y1;
+
+    Rational y(const Rational& x) const { return y0 + (x - x0) / (x1 - x0) * (y1 - y0); }
+    Rational_point point(const Rational& x) const { return between(from, to, (x - x0) / (x1 - x0)); }
+  };
+  struct Curve {  // lines that coincide within a slab, and whether what is below and above it is shared
+    Rational_point left, right;
+    Rational y_left, y_right;
+    std::array<bool, 2> on{};  // an edge of either face
+    bool shared = false, below = false, above = false;
+    std::size_t cell_below = 0, cell_above = 0;
+  };
+  using Slab = std::vector<Curve>;  // from below
+
+  std::pair<Rational, Rational> seen(const Rational_point& x) const
+  {
+    const Rational &u = x[(axis_ + 1) % 3], &v = x[(axis_ + 2) % 3];
+    return {Rational(u + shear_ * v), v};
+  }
+
+  void choose_shear()
+  {
+    const auto is_upright = [this](const Rational_face::Edge& edge) {
+      return edge.first != edge.second && seen(edge.first).first == seen(edge.second).first;
+    };
+    const auto has_upright = [&](const Rational_face* face) { return std::ranges::any_of(face->edges(), is_upright); };
+    for (int k = 1; std::ranges::any_of(faces_, has_upright); ++k) shear_ = Rational(1, k);
+  }
+
+  void add_lines()
+  {
+    for (int face = 0; face < 2; ++face)
+      for (const auto& [from, to] : faces_[face]->edges()) {
+        const auto [x0, y0] = add_node(from);
+        const auto [x1, y1] = add_node(to);
+        if (x0 < x1) lines_.push_back({face, 1, from, to, x0, y0, x1, y1});
+        if (x1 < x0) lines_.push_back({face, -1, to, from, x1, y1, x0, y0});
+      }
+    for (std::size_t k = 0; k < lines_.size(); ++k)
+      for (std::size_t l = 0; l < k; ++l) add_crossing(lines_[k], lines_[l]);
+  }
+
+  std::pair<Rational, Rational> add_node(const Rational_point& point)
+  {
+    auto at = seen(point);
+    nodes_.insert({at, point});
+    return at;
+  }
+
+  void add_crossing(const Line& a, const Line& b)
+  {
+    const Rational first = maximum(a.x0, b.x0), last = minimum(a.x1, b.x1);
+    if (!(first < last)) return;
+    const Rational below = a.y(first) - b.y(first), above = a.y(last) - b.y(last);
+    if (sgn(below) * sgn(above) < 0) add_node(a.point(first + below / (below - above) * (last - first)));
+  }
+
+  void cut_into_slabs()
+  {
+    for (const auto& [at, point] : nodes_)
+      if (stops_.empty() || stops_.back() != at.first) stops_.push_back(at.first);
+    for (std::size_t k = 0; k + 1 < stops_.size(); ++k) slabs_.push_back(slab(stops_[k], stops_[k + 1]));
+    parent_.resize(cell_count_);
+    std::iota(parent_.begin(), parent_.end(), std::size_t(0));
+  }
+
+  Slab slab(const Rational& left, const Rational& right)
+  {
+    struct Crossing {
+      Rational y_left, y_right;
+      const Line* line;
+    };
+    std::vector<Crossing> crossings;
+    for (const Line& line : lines_)
+      if (line.x0 <= left && line.x1 >= right) crossings.push_back({line.y(left), line.y(right), &line});
+    const auto twice_middle = [](const Crossing& c) { return Rational(c.y_left + c.y_right); };
+    std::ranges::sort(crossings, {}, twice_middle);
+    Slab curves;
+    std::array<int, 2> winding = {0, 0};
+    const auto is_in = [&](int face) { return winding[face] != 0; };
+    for (std::size_t k = 0; k < crossings.size();) {
+      const Crossing& first = crossings[k];
+      Curve curve{first.line->point(left), first.line->point(right), first.y_left, first.y_right};
+      curve.below = is_in(0) && is_in(1);
+      curve.cell_below = cell_count_;
+      const std::array<bool, 2> was_in = {is_in(0), is_in(1)};
+      for (; k < crossings.size() && crossings[k].y_left == curve.y_left && crossings[k].y_right == curve.y_right;
+           ++k) {
+        curve.on[crossings[k].line->face] = true;
+        winding[crossings[k].line->face] += crossings[k].line->direction;
+      }
+      curve.above = is_in(0) && is_in(1);
+      curve.shared = (curve.on[0] || was_in[0]) && (curve.on[1] || was_in[1]);
+      curve.cell_above = ++cell_count_;
+      curves.push_back(std::move(curve));
+    }
+    ++cell_count_;
+    return curves;
+  }
+
+  std::size_t root(std::size_t cell)
+  {
+    while (parent_[cell] != cell) cell = parent_[cell] = parent_[parent_[cell]];
+    return cell;
+  }
+  void join(std::size_t a, std::size_t b) { parent_[root(a)] = root(b); }
+
+  /// Shared cells that share more than a corner.
+  void join_slabs()
+  {
+    for (std::size_t s = 0; s < slabs_.size(); ++s) {
+      for (const Curve& curve : slabs_[s])
+        if (curve.below && curve.above) join(curve.cell_below, curve.cell_above);
+      if (s == 0) continue;
+      const Slab &before = slabs_[s - 1], &after = slabs_[s];
+      for (std::size_t k = 1; k < before.size(); ++k)
+        for (std::size_t l = 1; l < after.size(); ++l)
+          if (before[k].below && after[l].below &&
+              maximum(before[k - 1].y_right, after[l - 1].y_left) < minimum(before[k].y_right, after[l].y_left))
+            join(before[k].cell_below, after[l].cell_below);
+    }
+  }
+
+  static bool go_on(const Rational_point& a, const Rational_point& b, const Rational_point& c)
+  {
+    return is_zero(cross(difference(b, a), difference(c, b)));
+  }
+
+  using Directed = std::pair<Rational_point, Rational_point>;
+
+  void add_polygons(std::vector<Rational_piece>& pieces)
+  {
+    std::map<std::size_t, std::vector<Directed>> borders;  // by the part: its border, the part on the left
+    for (const Slab& slab : slabs_)
+      for (const Curve& curve : slab) {
+        if (curve.above && !curve.below) borders[root(curve.cell_above)].push_back({curve.left, curve.right});
+        if (curve.below && !curve.above) borders[root(curve.cell_below)].push_back({curve.right, curve.left});
+      }
+    for (const auto& [part, border] : borders)
+      pieces.push_back({Piece::polygon, Feature::interior, Feature::interior, loops(border)});
+  }
+
+  static std::vector<std::vector<Rational_point>> loops(const std::vector<Directed>& border)
+  {
+    std::multimap<Rational_point, Rational_point> next;
+    for (const auto& [from, to] : border) next.emplace(from, to);
+    std::vector<std::vector<Rational_point>> loops;
+    while (!next.empty()) {
+      std::vector<Rational_point> loop;
+      for (auto step = next.begin(); step != next.end(); step = next.find(loop.back())) {
+        if (loop.empty()) loop.push_back(step->first);
+        loop.push_back(step->second);
+        next.erase(step);
+        if (loop.back() == loop.front()) break;
+      }
+      loop.pop_back();
+      loops.push_back(corners(loop));
+    }
+    return loops;
+  }
+
+  /// Without the points where the border goes straight on.
+  static std::vector<Rational_point> corners(const std::vector<Rational_point>& loop)
+  {
+    std::vector<Rational_point> corners;
+    const std::size_t n = loop.size();
+    for (std::size_t k = 0; k < n; ++k)
+      if (!go_on(loop[(k + n - 1) % n], loop[k], loop[(k + 1) % n])) corners.push_back(loop[k]);
+    return corners;
+  }
+
+  void add_segments(std::vector<Rational_piece>& pieces) const
+  {
+    std::vector<Rational_piece> found;
+    std::vector<std::size_t> ending;  // at the border between this slab and the one before it
+    for (const Slab& slab : slabs_) {
+      std::vector<std::size_t> next_ending;
+      for (const Curve& curve : slab) {
+        if (!curve.shared || curve.below || curve.above) continue;
+        const auto in = [&](int face) { return curve.on[face] ? Feature::edge : Feature::interior; };
+        const auto goes_on = std::ranges::find_if(ending, [&](std::size_t k) {
+          const auto& ends = found[k].loops[0];
+          return ends[1] == curve.left && go_on(ends[0], ends[1], curve.right);
+        });
+        if (goes_on != ending.end()) {
+          Rational_piece& piece = found[*goes_on];
+          piece.loops[0][1] = curve.right;
+          piece.in_p = maximum(piece.in_p, in(0));
+          piece.in_q = maximum(piece.in_q, in(1));
+          next_ending.push_back(*goes_on);
+        } else {
+          next_ending.push_back(found.size());
+          found.push_back({Piece::segment, in(0), in(1), {{curve.left, curve.right}}});
+        }
+      }
+      ending = std::move(next_ending);
+    }
+    for (Rational_piece& piece : found) pieces.push_back(std::move(piece));
+  }
+
+  void add_points(std::vector<Rational_piece>& pieces) const
+  {
+    for (const auto& [at, point] : nodes_) {
+      const Feature in_p = faces_[0]->locate(point), in_q = faces_[1]->locate(point);
+      if (in_p != Feature::none && in_q != Feature::none && !is_held(at.first, at.second))
+        pieces.push_back({Piece::point, in_p, in_q, {{point}}});
+    }
+  }
+
+  /// Whether a polygon or segment holds the node.
+  bool is_held(const Rational& x, const Rational& y) const
+  {
+    const auto k = std::size_t(std::ranges::lower_bound(stops_, x) - stops_.begin());
+    const auto holds = [&](const Slab& slab, Rational Curve::*border) {
+      for (std::size_t c = 0; c < slab.size(); ++c) {
+        if (slab[c].shared && slab[c].*border == y) return true;
+        if (slab[c].below && slab[c - 1].*border < y && y < slab[c].*border) return true;
+      }
+      return false;
+    };
+    return (k > 0 && holds(slabs_[k - 1], &Curve::y_right)) || (k < slabs_.size() && holds(slabs_[k], &Curve::y_left));
+  }
+
+  std::array<const Rational_face*, 2> faces_;
+  int axis_;
+  Rational shear_ = 0;
+  std::vector<Line> lines_;
+  std::map<std::pair<Rational, Rational>, Rational_point> nodes_;  // corners and crossings, by where they are seen
+  std::vector<Rational> stops_;                                    // their x
+  std::vector<Slab> slabs_;
+  std::size_t cell_count_ = 0;
+  std::vector<std::size_t> parent_;
+};
+
+}  // namespace detail
+}  // namespace tetracone::kernel
+
+#endif

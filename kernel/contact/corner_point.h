@@ -1,0 +1,87 @@
+#ifndef TETRACONE_KERNEL_CONTACT_CORNER_POINT_H
+#define TETRACONE_KERNEL_CONTACT_CORNER_POINT_H
+
+#include "tetracone/kernel/number/vertex.h"
+#include "tetracone/kernel/predicate/triangle_contact.h"
+
+#include <array>
+#include <bit>
+
+namespace tetracone::kernel {
+
+/// Constructions over a number type N: exact in rationals, enclosed in intervals.
+template <class N>
+using Number_point = std::array<N, 3>;
+
+/// The image of a vertex under the twelve numbers of a pose.
+template <class N>
+Number_point<N> image(const Vertex& x, const std::array<N, 12>& m)
+{
+  Number_point<N> image;
+  for (int k = 0; k < 3; ++k)
+    image[k] = m[4 * k] * N(x[0]) + m[4 * k + 1] * N(x[1]) + m[4 * k + 2] * N(x[2]) + m[4 * k + 3];
+  return image;
+}
+
+namespace detail {
+
+template <class N>
+Number_point<N> step(const Number_point<N>& from, const Number_point<N>& to)
+{
+  return {N(to[0] - from[0]), N(to[1] - from[1]), N(to[2] - from[2])};
+}
+template <class N>
+Number_point<N> product(const Number_point<N>& a, const Number_point<N>& b)
+{
+  return {N(a[1] * b[2] - a[2] * b[1]), N(a[2] * b[0] - a[0] * b[2]), N(a[0] * b[1] - a[1] * b[0])};
+}
+template <class N>
+N inner(const Number_point<N>& a, const Number_point<N>& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+template <class N>
+Number_point<N> along(const Number_point<N>& from, const Number_point<N>& step, const N& share)
+{
+  return {N(from[0] + share * step[0]), N(from[1] + share * step[1]), N(from[2] + share * step[2])};
+}
+
+/// Where edge `edge` of p goes through the plane of q.
+template <class N>
+Number_point<N> edge_through_plane(const std::array<Number_point<N>, 3>& p, int edge,
+                                   const std::array<Number_point<N>, 3>& q)
+{
+  const Number_point<N>& from = p[edge];
+  const auto whole = step(from, p[(edge + 1) % 3]), normal = product(step(q[0], q[1]), step(q[0], q[2]));
+  return along(from, whole, N(inner(normal, step(from, q[0])) / inner(normal, whole)));
+}
+
+/// Where two edges cross that are in one plane.
+template <class N>
+Number_point<N> edge_through_edge(const std::array<Number_point<N>, 3>& p, int edge_p,
+                                  const std::array<Number_point<N>, 3>& q, int edge_q)
+{
+  const Number_point<N>&from = p[edge_p], &other = q[edge_q];
+  const auto whole = step(from, p[(edge_p + 1) % 3]), beside = step(other, q[(edge_q + 1) % 3]);
+  const auto normal = product(whole, beside);
+  return along(from, whole, N(inner(product(step(from, other), beside), normal) / inner(normal, normal)));
+}
+
+}  // namespace detail
+
+/// The corner of what triangles p and q share, from their corners.
+template <class N>
+Number_point<N> corner_point(const std::array<Number_point<N>, 3>& p, const std::array<Number_point<N>, 3>& q,
+                             const Triangle_contact::Corner& corner)
+{
+  if (std::popcount(corner.on_p) == 2) return p[corner_of(corner.on_p)];
+  if (std::popcount(corner.on_q) == 2) return q[corner_of(corner.on_q)];
+  const int edge_p = std::countr_zero(corner.on_p), edge_q = std::countr_zero(corner.on_q);
+  // Either edge may be in the other's plane, but they meet in one point.
+  if (corner.on_p != 0 && corner.on_q != 0) return detail::edge_through_edge(p, edge_p, q, edge_q);
+  return corner.on_p != 0 ? detail::edge_through_plane(p, edge_p, q) : detail::edge_through_plane(q, edge_q, p);
+}
+
+}  // namespace tetracone::kernel
+
+#endif

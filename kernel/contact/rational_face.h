@@ -1,0 +1,107 @@
+#ifndef TETRACONE_KERNEL_CONTACT_RATIONAL_FACE_H
+#define TETRACONE_KERNEL_CONTACT_RATIONAL_FACE_H
+
+#include "tetracone/kernel/number/number.h"
+#include "tetracone/kernel/predicate/face_contact.h"
+
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace tetracone::kernel {
+
+using Rational_point = std::array<Rational, 3>;  ///< also a vector
+
+inline Rational_point difference(const Rational_point& a, const Rational_point& b)
+{
+  return {Rational(a[0] - b[0]), Rational(a[1] - b[1]), Rational(a[2] - b[2])};
+}
+inline Rational dot(const Rational_point& a, const Rational_point& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+inline Rational_point cross(const Rational_point& a, const Rational_point& b)
+{
+  return {Rational(a[1] * b[2] - a[2] * b[1]), Rational(a[2] * b[0] - a[0] * b[2]),
+          Rational(a[0] * b[1] - a[1] * b[0])};
+}
+inline bool is_zero(const Rational_point& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
+/// a + share (b - a).
+inline Rational_point between(const Rational_point& a, const Rational_point& b, const Rational& share)
+{
+  Rational_point p;
+  for (int k = 0; k < 3; ++k) p[k] = a[k] + share * (b[k] - a[k]);
+  return p;
+}
+
+/// A planar face in rationals: its directed edges, and its plane where its corners are not on one line.
+class Rational_face {
+ public:
+  using Edge = std::pair<Rational_point, Rational_point>;
+
+  /// Requires corners in one plane, and one edge at least.
+  explicit Rational_face(std::vector<Edge> edges) : edges_(std::move(edges))
+  {
+    for (const Edge& edge : edges_) {
+      const Rational_point offset = difference(edge.first, origin());
+      if (is_zero(along_)) along_ = offset;
+      if (is_zero(normal_)) normal_ = cross(along_, offset);
+    }
+  }
+
+  const std::vector<Edge>& edges() const { return edges_; }
+  const Rational_point& origin() const { return edges_[0].first; }
+  bool has_plane() const { return !is_zero(normal_); }
+  /// 0 without a plane.
+  const Rational_point& normal() const { return normal_; }
+  /// A direction in the face; 0 for a point.
+  const Rational_point& along() const { return along_; }
+  /// How far beyond the plane, in units of the normal.
+  Rational beyond(const Rational_point& x) const { return dot(normal_, difference(x, origin())); }
+
+  /// What of the face holds a point; `none`: it is not in the face.
+  Feature locate(const Rational_point& x) const
+  {
+    Feature at = Feature::none;
+    for (const auto& [from, to] : edges_) {
+      if (x == from) return Feature::vertex;
+      const Rational_point a = difference(from, x), b = difference(to, x);
+      if (is_zero(cross(a, b)) && sgn(dot(a, b)) < 0) at = Feature::edge;
+    }
+    if (at != Feature::none || !has_plane() || beyond(x) != 0) return at;
+    return winding(x) != 0 ? Feature::interior : Feature::none;
+  }
+
+  /// The larger of the normal's coordinates: along it the face is seen as a face.
+  int axis() const
+  {
+    int axis = 0;
+    for (int k = 1; k < 3; ++k)
+      if (abs(normal_[k]) > abs(normal_[axis])) axis = k;
+    return axis;
+  }
+
+ private:
+  /// The winding number of the loops about a point of the plane that is on none of them: signed crossings of a ray.
+  int winding(const Rational_point& x) const
+  {
+    const int u = (axis() + 1) % 3, v = (axis() + 2) % 3;
+    int winding = 0;
+    for (const auto& [from, to] : edges_) {
+      const bool from_above = from[v] > x[v], to_above = to[v] > x[v];
+      if (from_above == to_above) continue;
+      const Rational turn = (from[u] - x[u]) * (to[v] - x[v]) - (from[v] - x[v]) * (to[u] - x[u]);
+      if (to_above && turn > 0) ++winding;
+      if (from_above && turn < 0) --winding;
+    }
+    return winding;
+  }
+
+  std::vector<Edge> edges_;
+  Rational_point along_, normal_;
+};
+
+}  // namespace tetracone::kernel
+
+#endif

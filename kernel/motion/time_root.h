@@ -1,0 +1,138 @@
+#ifndef TETRACONE_KERNEL_MOTION_TIME_ROOT_H
+#define TETRACONE_KERNEL_MOTION_TIME_ROOT_H
+
+#include "tetracone/kernel/motion/integer_form.h"
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace tetracone::kernel {
+
+/// A time in [0, 1], exact: a dyadic number, or the root of a form in an open dyadic cell that holds no other root of
+/// it.
+class Time_root {
+ public:
+  /// The time m / 2^k.
+  Time_root(Integer m, unsigned k) : exact_(true), m_(std::move(m)), k_(k) {}
+
+  /// The root of `form`, which has no multiple roots, in the cell from m/2^k to (m+1)/2^k. `there` is the form over the
+  /// cell. Requires one variation of it.
+  Time_root(const Integer_form& form, Integer_form there, Integer m, unsigned k)
+      : exact_(false), m_(std::move(m)), k_(k), form_(form), there_(std::move(there))
+  {}
+
+  bool is_dyadic() const { return exact_; }
+
+  /// The sign of g at this time. May refine the cell.
+  CGAL::Sign sign(const Integer_form& g)
+  {
+    if (exact_) return sign_at_dyadic(g);
+    if (g.is_zero()) return CGAL::ZERO;
+    Integer_form cell = g.over(m_, k_);
+    if (cell.variations() == 0) return cell.only_sign();
+    const Integer_form shared = common_divisor(form_, g.primitive());
+    // Roots of a divisor are roots of the form: at most one in the cell, and Descartes' count tells odd from even.
+    if (shared.size() > 1 && shared.over(m_, k_).variations() % 2 == 1) return CGAL::ZERO;
+    while (cell.variations() != 0) {
+      const Half half = refine();
+      if (half == Half::none) return sign_at_dyadic(g);
+      cell = half == Half::first ? cell.first_half() : cell.second_half();
+    }
+    return cell.only_sign();
+  }
+
+  /// Whether this time is before `other`. May refine both.
+  bool is_before(Time_root& other)
+  {
+    if (!other.exact_) {
+      // Where they differ, the cells come apart, unless this is a root of the other's form in the other's cell.
+      if (sign(other.form_) == CGAL::ZERO && in_cell_of(other)) return false;
+      for (;;) {
+        const CGAL::Sign from_start = sign(difference_from(other.m_, other.k_)),
+                         from_end = sign(difference_from(other.m_ + 1, other.k_));
+        if (from_start != CGAL::POSITIVE) return true;
+        if (from_end != CGAL::NEGATIVE) return false;
+        if (other.refine() == Half::none) break;
+      }
+    }
+    return sign(difference_from(other.m_, other.k_)) == CGAL::NEGATIVE;
+  }
+
+  /// The linear form that is t - m/2^k up to a positive factor.
+  static Integer_form difference_from(const Integer& m, unsigned k)
+  {
+    return Integer_form(std::array<Integer, 2>{Integer(-m), Integer((Integer(1) << k) - m)});
+  }
+
+ private:
+  enum class Half { none, first, second };
+
+  CGAL::Sign sign_at_dyadic(const Integer_form& g) const { return sign_of(g.at((Integer(1) << k_) - m_, m_)); }
+
+  bool in_cell_of(const Time_root& other)
+  {
+    return sign(difference_from(other.m_, other.k_)) == CGAL::POSITIVE &&
+           sign(difference_from(other.m_ + 1, other.k_)) == CGAL::NEGATIVE;
+  }
+
+  /// Halves the cell; none where the root is its middle, and so dyadic.
+  Half refine()
+  {
+    Integer_form first = there_.first_half(), second = there_.second_half();
+    m_ <<= 1;
+    ++k_;
+    if (sgn(second.at_start()) == 0) {
+      exact_ = true;
+      ++m_;
+      return Half::none;
+    }
+    if (first.variations() % 2 == 1) {
+      there_ = std::move(first);
+      return Half::first;
+    }
+    ++m_;
+    there_ = std::move(second);
+    return Half::second;
+  }
+
+  bool exact_;
+  Integer m_;
+  unsigned k_;
+  Integer_form form_, there_;
+};
+
+namespace detail {
+
+inline void isolate_within(const Integer_form& form, const Integer_form& cell, const Integer& m, unsigned k,
+                           std::vector<Time_root>& found)
+{
+  const int variations = cell.variations();
+  if (variations == 0) return;
+  if (variations == 1) {
+    found.emplace_back(form, cell, m, k);
+    return;
+  }
+  const Integer_form second = cell.second_half();
+  const Integer middle = 2 * m + 1;
+  isolate_within(form, cell.first_half(), 2 * m, k + 1, found);
+  if (sgn(second.at_start()) == 0) found.emplace_back(middle, k + 1);
+  isolate_within(form, second, middle, k + 1, found);
+}
+
+}  // namespace detail
+
+/// The roots in (0, 1) of a form that is not zero, each once, in order: by Descartes' rule of signs on halves of halves
+/// (Collins and Akritas 1976), which ends where no root is multiple.
+inline std::vector<Time_root> roots_within(const Integer_form& form)
+{
+  std::vector<Time_root> found;
+  if (form.variations() == 0) return found;
+  const Integer_form simple = without_squares(form);
+  detail::isolate_within(simple, simple, 0, 0, found);
+  return found;
+}
+
+}  // namespace tetracone::kernel
+
+#endif

@@ -1,0 +1,47 @@
+#ifndef TETRACONE_KERNEL_NUMBER_NEAREST_ROOT_H
+#define TETRACONE_KERNEL_NUMBER_NEAREST_ROOT_H
+
+#include "tetracone/kernel/number/number.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace tetracone::kernel {
+
+/// The double nearest to sqrt(top / bottom), ties to even; infinite beyond the largest double. Requires top >= 0 and
+/// bottom > 0; a common factor is no matter.
+///
+/// top / bottom is scaled by 4^k so that its integer root r has 62 or 63 bits. What the division and the root leave
+/// over tells whether r is the root itself or below it: one more bit, which rounding sees as it would see all others.
+inline double nearest_root(const mpz_class& top, const mpz_class& bottom)
+{
+  if (sgn(top) == 0) return 0;
+  const long bits = long(mpz_sizeinbase(top.get_mpz_t(), 2)) - long(mpz_sizeinbase(bottom.get_mpz_t(), 2));
+  const long k = (125 - bits) >= 0 ? (125 - bits) / 2 : -((bits - 125 + 1) / 2);
+  mpz_class scaled = k > 0 ? mpz_class(top << mp_bitcnt_t(2 * k)) : top;
+  const mpz_class divisor = k < 0 ? mpz_class(bottom << mp_bitcnt_t(-2 * k)) : bottom;
+  mpz_class left, root, left_of_root;
+  mpz_tdiv_qr(scaled.get_mpz_t(), left.get_mpz_t(), scaled.get_mpz_t(), divisor.get_mpz_t());
+  mpz_sqrtrem(root.get_mpz_t(), left_of_root.get_mpz_t(), scaled.get_mpz_t());
+  static_assert(sizeof(unsigned long) == 8);
+  const std::uint64_t rounded = 2 * std::uint64_t(root.get_ui()) + (sgn(left) != 0 || sgn(left_of_root) != 0);
+  // A normal double is rounded once, by the conversion.
+  if (k < 900) return std::ldexp(double(rounded), int(-k - 1));
+  mpz_class unit = 1;
+  unit <<= mp_bitcnt_t(k + 1);
+  Rational value(mpz_class(static_cast<unsigned long>(rounded)), unit);
+  value.canonicalize();
+  return nearest_double(value);
+}
+
+/// Of a quotient of rationals.
+inline double nearest_root(const Rational& top, const Rational& bottom)
+{
+  return nearest_root(mpz_class(top.get_num() * bottom.get_den()), mpz_class(bottom.get_num() * top.get_den()));
+}
+/// Of a rational that is not negative.
+inline double nearest_root(const Rational& square) { return nearest_root(square.get_num(), square.get_den()); }
+
+}  // namespace tetracone::kernel
+
+#endif

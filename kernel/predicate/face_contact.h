@@ -1,0 +1,44 @@
+#ifndef TETRACONE_KERNEL_PREDICATE_FACE_CONTACT_H
+#define TETRACONE_KERNEL_PREDICATE_FACE_CONTACT_H
+
+#include <cstdint>
+#include <string_view>
+
+namespace tetracone::kernel {
+
+/// A maximal piece of what two closed faces share.
+enum class Piece : std::uint8_t {
+  point,
+  segment,
+  polygon  ///< of coplanar faces
+};
+
+/// The name that tables have: a polygon is "coplanar".
+constexpr std::string_view to_string(Piece piece)
+{
+  switch (piece) {
+    case Piece::point: return "point";
+    case Piece::segment: return "segment";
+    case Piece::polygon: break;
+  }
+  return "coplanar";
+}
+
+/// What of a face holds all of a piece: one vertex, its edges, or no less than the face.
+enum class Feature : std::uint8_t { none, vertex, edge, interior };
+
+/// The enumerator's own name.
+constexpr std::string_view to_string(Feature feature)
+{
+  switch (feature) {
+    case Feature::none: break;
+    case Feature::vertex: return "vertex";
+    case Feature::edge: return "edge";
+    case Feature::interior: return "interior";
+  }
+  return "none";
+}
+
+}  // namespace tetracone::kernel
+
+#endif

@@ -1,0 +1,245 @@
+#ifndef TETRACONE_KERNEL_PREDICATE_FACE_DISTANCE_H
+#define TETRACONE_KERNEL_PREDICATE_FACE_DISTANCE_H
+
+#include "tetracone/kernel/number/number.h"
+#include "tetracone/kernel/number/products.h"
+
+#include <CGAL/Mpzf.h>
+
+#include <array>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+/// The distance of two faces, exactly: it is attained between a vertex and a face, a vertex and an edge, two vertices,
+/// or two edges, or faces cross and it is 0. Coordinates are binary fractions, those of both faces times one weight.
+namespace tetracone::kernel {
+
+using Exact_number = CGAL::Mpzf;
+using Exact_vector = std::array<Exact_number, 3>;
+
+/// The point at / weight, weight > 0.
+struct Exact_point {
+  Exact_vector at;
+  Exact_number weight = 1;
+};
+
+/// The nearest points of two sets, and the direction from A's to B's: with m the direction, m . a <= low on A's feature
+/// and m . b >= high on B's. Squared distance: (high - low)^2 / m^2. Where the sets meet, low = high.
+struct Exact_distance {
+  Exact_vector direction;
+  Exact_number low, high;
+  Exact_point on_a, on_b;
+
+  Exact_number top() const { return (high - low) * (high - low); }
+  Exact_number bottom() const
+  {
+    const Exact_number square = dot(direction, direction);
+    return square.sign() == CGAL::ZERO ? Exact_number(1) : square;
+  }
+  bool is_zero() const { return low == high; }
+
+  friend bool operator<(const Exact_distance& x, const Exact_distance& y)
+  {
+    return x.top() * y.bottom() < y.top() * x.bottom();
+  }
+
+  /// From B to A.
+  Exact_distance reversed() const { return {{-direction[0], -direction[1], -direction[2]}, -high, -low, on_b, on_a}; }
+};
+
+namespace detail {
+
+inline Exact_vector scaled(const Exact_vector& v, const Exact_number& by) { return {v[0] * by, v[1] * by, v[2] * by}; }
+inline Exact_vector sum(const Exact_vector& v, const Exact_vector& w)
+{
+  return {v[0] + w[0], v[1] + w[1], v[2] + w[2]};
+}
+
+/// Along a direction and from a point of A to one of B, with the direction turned so that B is beyond A.
+inline Exact_distance along(Exact_vector direction, const Exact_vector& a, const Exact_vector& b, Exact_point on_a,
+                            Exact_point on_b)
+{
+  Exact_number low = dot(direction, a), high = dot(direction, b);
+  if (high < low) {
+    direction = {-direction[0], -direction[1], -direction[2]};
+    low = -low;
+    high = -high;
+  }
+  return {std::move(direction), std::move(low), std::move(high), std::move(on_a), std::move(on_b)};
+}
+
+}  // namespace detail
+
+/// Of two points.
+inline Exact_distance distance_of_points(const Exact_vector& x, const Exact_vector& y)
+{
+  return detail::along(difference(y, x), x, y, {x}, {y});
+}
+
+/// Of a point and a segment, where the nearest point of its line is on it; nothing elsewhere, and for one that is a
+/// point.
+inline std::optional<Exact_distance> distance_to_edge(const Exact_vector& x, const Exact_vector& a,
+                                                      const Exact_vector& b)
+{
+  const Exact_vector e = difference(b, a), r = difference(x, a);
+  const Exact_number length = dot(e, e), at = dot(r, e), left = length - at;
+  if (length.sign() == CGAL::ZERO || at.sign() == CGAL::NEGATIVE || left.sign() == CGAL::NEGATIVE) return {};
+  const Exact_vector direction = difference(detail::scaled(e, at), detail::scaled(r, length));
+  return detail::along(direction, x, a, {x}, {detail::sum(detail::scaled(a, left), detail::scaled(b, at)), length});
+}
+
+/// Of two segments, where the nearest points of their lines are on them; nothing elsewhere, and for parallel ones.
+inline std::optional<Exact_distance> distance_of_edges(const Exact_vector& a, const Exact_vector& b,
+                                                       const Exact_vector& c, const Exact_vector& d)
+{
+  const Exact_vector e = difference(b, a), f = difference(d, c), r = difference(a, c);
+  const Exact_number ee = dot(e, e), ef = dot(e, f), ff = dot(f, f), er = dot(e, r), fr = dot(f, r);
+  const Exact_number weight = ee * ff - ef * ef;
+  if (weight.sign() == CGAL::ZERO) return {};
+  const Exact_number s = ef * fr - ff * er, t = ee * fr - ef * er, s_left = weight - s, t_left = weight - t;
+  for (const Exact_number* share : {&s, &t, &s_left, &t_left})
+    if (share->sign() == CGAL::NEGATIVE) return {};
+  return detail::along(cross(e, f), a, c, {detail::sum(detail::scaled(a, s_left), detail::scaled(b, s)), weight},
+                       {detail::sum(detail::scaled(c, t_left), detail::scaled(d, t)), weight});
+}
+
+/// Of a point and the plane through three: wherever the nearest point is. Nothing where the three are on a line.
+inline std::optional<Exact_distance> distance_to_plane(const Exact_vector& x, const std::array<Exact_vector, 3>& plane)
+{
+  const Exact_vector normal = cross(difference(plane[1], plane[0]), difference(plane[2], plane[0]));
+  const Exact_number weight = dot(normal, normal);
+  if (weight.sign() == CGAL::ZERO) return {};
+  const Exact_number height = dot(normal, difference(x, plane[0]));
+  return detail::along(normal, x, plane[0], {x},
+                       {difference(detail::scaled(x, weight), detail::scaled(normal, height)), weight});
+}
+
+/// Of a point and a triangle, where the nearest point of its plane is on it.
+inline std::optional<Exact_distance> distance_to_triangle(const Exact_vector& x, const std::array<Exact_vector, 3>& t)
+{
+  const Exact_vector normal = cross(difference(t[1], t[0]), difference(t[2], t[0]));
+  for (int k = 0; k < 3; ++k) {
+    const Exact_vector a = difference(t[k], x), b = difference(t[(k + 1) % 3], x);
+    if (dot(normal, cross(a, b)).sign() == CGAL::NEGATIVE) return {};
+  }
+  return distance_to_plane(x, t);
+}
+
+/// A face in exact coordinates: directed edges of all loops and, of one that is on no line, three corners that span its
+/// plane.
+struct Exact_face {
+  std::vector<std::array<Exact_vector, 2>> edges;
+  std::optional<std::array<Exact_vector, 3>> plane;
+};
+
+namespace detail {
+
+/// The winding number of the loops about the line through x along `axis`, which leaves the plane on the side of its
+/// normal; any where the line meets a loop.
+inline int winding_about_line(const Exact_face& face, const Exact_vector& x, const Exact_vector& axis)
+{
+  const Exact_vector start = difference(face.edges.front()[0], x);
+  int winding = 0;
+  for (const auto& [from, to] : face.edges) {
+    const Exact_vector a = difference(from, x), b = difference(to, x);
+    const bool from_left = dot(axis, cross(start, a)).sign() != CGAL::NEGATIVE,
+               to_left = dot(axis, cross(start, b)).sign() != CGAL::NEGATIVE;
+    if (from_left == to_left) continue;
+    const CGAL::Sign turn = dot(axis, cross(a, b)).sign();
+    if (from_left && turn == CGAL::POSITIVE) ++winding;
+    if (!from_left && turn == CGAL::NEGATIVE) --winding;
+  }
+  return winding;
+}
+
+inline Exact_vector normal_of(const std::array<Exact_vector, 3>& plane)
+{
+  return cross(difference(plane[1], plane[0]), difference(plane[2], plane[0]));
+}
+
+inline void keep_nearer(std::optional<Exact_distance>& best, std::optional<Exact_distance> found)
+{
+  if (found && (!best || *found < *best)) best = std::move(found);
+}
+
+/// What the corners and edges of `a` give with the inside of `b`; `sign` -1: to be told from B to A.
+inline void keep_nearer_inside(std::optional<Exact_distance>& best, const Exact_face& a, const Exact_face& b, bool turn)
+{
+  if (!b.plane) return;
+  const Exact_vector normal = normal_of(*b.plane);
+  const auto keep = [&](std::optional<Exact_distance> found) {
+    keep_nearer(best, found && turn ? std::optional(found->reversed()) : std::move(found));
+  };
+  for (const auto& [p, q] : a.edges) {
+    if (winding_about_line(b, p, normal) != 0) keep(distance_to_plane(p, *b.plane));
+    const Exact_number at_p = dot(normal, difference(p, (*b.plane)[0])),
+                       at_q = dot(normal, difference(q, (*b.plane)[0]));
+    if (at_p.sign() * at_q.sign() != CGAL::NEGATIVE) continue;
+    const bool up = at_p.sign() == CGAL::NEGATIVE;
+    const Exact_vector upwards = up ? difference(q, p) : difference(p, q);
+    if (winding_about_line(b, p, upwards) == 0) continue;
+    const Exact_number weight = up ? at_q - at_p : at_p - at_q;
+    const Exact_point both = {up ? sum(scaled(p, at_q), scaled(q, -at_p)) : sum(scaled(p, -at_q), scaled(q, at_p)),
+                              weight};
+    keep(Exact_distance{normal, 0, 0, both, both});
+  }
+}
+
+}  // namespace detail
+
+/// The distance of two faces.
+inline Exact_distance distance_of_faces(const Exact_face& a, const Exact_face& b)
+{
+  std::optional<Exact_distance> best;
+  for (const auto& [p, q] : a.edges)
+    for (const auto& [r, s] : b.edges) {
+      detail::keep_nearer(best, distance_of_points(p, r));
+      detail::keep_nearer(best, distance_to_edge(p, r, s));
+      if (auto found = distance_to_edge(r, p, q)) detail::keep_nearer(best, found->reversed());
+      detail::keep_nearer(best, distance_of_edges(p, q, r, s));
+    }
+  detail::keep_nearer_inside(best, a, b, false);
+  detail::keep_nearer_inside(best, b, a, true);
+  return *best;
+}
+
+/// Which corners of a triangle span the feature that holds its nearest point, as bits.
+using Corner_set = unsigned;
+
+/// The distance of the hulls of some corners of two triangles, where the nearest points of their affine hulls are on
+/// them, the corners of A are not beyond low and those of B not before high: then it is that of the triangles. Nothing
+/// elsewhere.
+inline std::optional<Exact_distance> distance_of_features(const std::array<Exact_vector, 3>& a, Corner_set of_a,
+                                                          const std::array<Exact_vector, 3>& b, Corner_set of_b)
+{
+  const auto corners = [](Corner_set set) {
+    std::array<int, 3> numbers{};
+    int count = 0;
+    for (int k = 0; k < 3; ++k)
+      if (set >> k & 1) numbers[count++] = k;
+    return std::pair(numbers, count);
+  };
+  const auto [i, n] = corners(of_a);
+  const auto [j, m] = corners(of_b);
+  const auto turned = [](std::optional<Exact_distance> found) {
+    if (found) found = found->reversed();
+    return found;
+  };
+  std::optional<Exact_distance> found;
+  if (n == 1 && m == 1) found = distance_of_points(a[i[0]], b[j[0]]);
+  if (n == 1 && m == 2) found = distance_to_edge(a[i[0]], b[j[0]], b[j[1]]);
+  if (n == 2 && m == 1) found = turned(distance_to_edge(b[j[0]], a[i[0]], a[i[1]]));
+  if (n == 2 && m == 2) found = distance_of_edges(a[i[0]], a[i[1]], b[j[0]], b[j[1]]);
+  if (n == 1 && m == 3) found = distance_to_triangle(a[i[0]], b);
+  if (n == 3 && m == 1) found = turned(distance_to_triangle(b[j[0]], a));
+  if (!found || found->is_zero()) return {};
+  for (int k = 0; k < 3; ++k)
+    if (dot(found->direction, a[k]) > found->low || dot(found->direction, b[k]) < found->high) return {};
+  return found;
+}
+
+}  // namespace tetracone::kernel
+
+#endif

@@ -1,0 +1,96 @@
+#ifndef TETRACONE_KERNEL_PREDICATE_RAY_FACE_H
+#define TETRACONE_KERNEL_PREDICATE_RAY_FACE_H
+
+#include "tetracone/kernel/number/number.h"
+#include "tetracone/kernel/number/vertex.h"
+#include "tetracone/kernel/predicate/kernels.h"
+#include "tetracone/kernel/predicate/segment_face.h"
+
+#include <array>
+#include <optional>
+
+namespace tetracone::kernel {
+
+using Rational_vector = std::array<Rational, 3>;
+
+/// A ray o + t d, t >= 0, in rationals.
+struct Rational_ray {
+  Rational_vector origin, direction;
+};
+
+namespace detail {
+
+inline Rational dot(const Rational_vector& a, const Rational_vector& b)
+{
+  return Rational(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+}
+inline Rational_vector cross(const Rational_vector& a, const Rational_vector& b)
+{
+  return {Rational(a[1] * b[2] - a[2] * b[1]), Rational(a[2] * b[0] - a[0] * b[2]),
+          Rational(a[0] * b[1] - a[1] * b[0])};
+}
+inline Rational_vector difference(const Rational_vector& a, const Rational_vector& b)
+{
+  return {Rational(a[0] - b[0]), Rational(a[1] - b[1]), Rational(a[2] - b[2])};
+}
+inline bool is_zero(const Rational_vector& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
+inline Rational_vector coordinates(const Point<Rational_kernel>& p) { return {p.x(), p.y(), p.z()}; }
+
+/// The least t >= 0 at which the ray meets the closed segment ab, which may be a point; nothing where it does not.
+inline std::optional<Rational> ray_segment(const Rational_ray& ray, const Rational_vector& a, const Rational_vector& b)
+{
+  const Rational_vector along = difference(b, a), to_a = difference(a, ray.origin), &d = ray.direction;
+  const Rational_vector normal = cross(d, along);
+  if (is_zero(normal)) {
+    if (!is_zero(cross(to_a, d))) return std::nullopt;
+    const Rational length = dot(d, d), at_a = dot(to_a, d) / length, at_b = at_a + dot(along, d) / length;
+    const Rational &first = at_a < at_b ? at_a : at_b, &last = at_a < at_b ? at_b : at_a;
+    if (last < 0) return std::nullopt;
+    return first < 0 ? Rational(0) : first;
+  }
+  if (dot(to_a, normal) != 0) return std::nullopt;
+  const int axis = normal[0] != 0 ? 0 : normal[1] != 0 ? 1 : 2;
+  const Rational t = cross(to_a, along)[axis] / normal[axis], s = cross(to_a, d)[axis] / normal[axis];
+  if (t < 0 || s < 0 || s > 1) return std::nullopt;
+  return t;
+}
+
+}  // namespace detail
+
+/// The least t >= 0 at which the ray meets the closed planar face; nothing where it does not. The face's points are
+/// those of `segment_face`; it may be a segment or a point, and the ray may lie in its plane. Requires d != 0.
+template <Covered_face<Rational_kernel> Face>
+std::optional<Rational> ray_face(const Rational_ray& ray, const Face& face)
+{
+  using detail::coordinates, detail::difference, detail::dot;
+  const auto is_on_face = [&](const Rational_vector& x) {
+    const Point<Rational_kernel> p(x[0], x[1], x[2]);
+    return segment_face<Rational_kernel>(p, p, face) != Contact::none;
+  };
+  if (!face.is_degenerate()) {
+    const Rational_vector a = coordinates(face.plane_basis(0));
+    const Rational_vector normal =
+        detail::cross(difference(coordinates(face.plane_basis(1)), a), difference(coordinates(face.plane_basis(2)), a));
+    const Rational ascent = dot(normal, ray.direction), height = dot(normal, difference(a, ray.origin));
+    if (ascent != 0) {
+      const Rational t = height / ascent;
+      if (t < 0) return std::nullopt;
+      Rational_vector at;
+      for (int k = 0; k < 3; ++k) at[k] = ray.origin[k] + t * ray.direction[k];
+      return is_on_face(at) ? std::optional(t) : std::nullopt;
+    }
+    if (height != 0) return std::nullopt;
+    if (is_on_face(ray.origin)) return Rational(0);
+  }
+  // The ray begins outside the face, in its plane: it comes in over an edge.
+  std::optional<Rational> least;
+  for (std::size_t k = 0; k < face.edge_count(); ++k) {
+    const auto t = detail::ray_segment(ray, coordinates(face.from(k)), coordinates(face.to(k)));
+    if (t && (!least || *t < *least)) least = t;
+  }
+  return least;
+}
+
+}  // namespace tetracone::kernel
+
+#endif

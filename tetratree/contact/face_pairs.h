@@ -1,0 +1,226 @@
+#ifndef TETRACONE_TETRATREE_CONTACT_FACE_PAIRS_H
+#define TETRACONE_TETRATREE_CONTACT_FACE_PAIRS_H
+
+#include "tetracone/covering/model.h"
+#include "tetracone/covering/polyhedron.h"
+#include "tetracone/kernel/contact/corner_point.h"
+#include "tetracone/kernel/contact/rational_contact.h"
+#include "tetracone/kernel/predicate/contact.h"
+#include "tetracone/kernel/predicate/face_contact.h"
+#include "tetracone/kernel/predicate/segment_face.h"
+#include "tetracone/kernel/predicate/triangle_contact.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace tetracone::tetratree {
+
+using covering::Index;
+
+/// A piece of what two faces share, as a query finds it.
+struct Found_piece {
+  Index face_a, face_b;
+  kernel::Piece kind;
+  kernel::Feature in_a, in_b;
+  kernel::Triangle_contact by_signs;  ///< of two triangles; count 0: the piece is kept in rationals
+  Index kept = 0;                     ///< its place there
+};
+
+/// All pieces, by their faces.
+struct Found_contacts {
+  using Loops = std::vector<std::vector<kernel::Rational_point>>;
+  std::vector<Found_piece> pieces;
+  std::vector<Loops> kept;
+};
+
+/// A body's faces, as pairs of them are decided.
+class Contact_faces {
+ public:
+  explicit Contact_faces(const covering::Polyhedron& polyhedron, const covering::Covering& covering)
+      : polyhedron_(&polyhedron), owned_begin_(1, 0)
+  {
+    std::vector<Index> owner(covering.edges().size(), covering::none);
+    for (Index f = 0; f < polyhedron.face_count(); ++f) {
+      const covering::Loop loop = polyhedron.loop(f, 0);
+      const bool is_triangle = polyhedron.is_triangle(f) && covering.plane_basis(f);
+      triangles_.push_back(is_triangle ? std::array{loop[0], loop[1], loop[2]}
+                                       : std::array{covering::none, covering::none, covering::none});
+      for (std::size_t k = 0; k < covering.from(f).size(); ++k) {
+        std::array<Index, 2> edge = {covering.from(f)[k], covering.to(f)[k]};
+        if (edge[1] < edge[0]) std::swap(edge[0], edge[1]);
+        Index& first = owner[std::size_t(std::ranges::lower_bound(covering.edges(), edge) - covering.edges().begin())];
+        if (first != covering::none) continue;
+        first = f;
+        owned_.push_back(edge);
+      }
+      owned_begin_.push_back(owned_.size());
+    }
+  }
+
+  const covering::Polyhedron& polyhedron() const { return *polyhedron_; }
+  /// Whether a face is a triangle with a plane.
+  bool is_triangle(Index f) const { return triangles_[f][0] != covering::none; }
+  /// Its corners.
+  const std::array<Index, 3>& triangle(Index f) const { return triangles_[f]; }
+
+  /// The edges of a face that no face before it has: vertices, the smaller number first. Every edge is some face's.
+  std::span<const std::array<Index, 2>> owned_edges(Index f) const
+  {
+    return std::span(owned_).subspan(owned_begin_[f], owned_begin_[f + 1] - owned_begin_[f]);
+  }
+
+ private:
+  const covering::Polyhedron* polyhedron_;
+  std::vector<std::array<Index, 3>> triangles_;  // of other faces none
+  std::vector<std::array<Index, 2>> owned_;
+  std::vector<std::size_t> owned_begin_;
+};
+
+/// Decides pairs of faces of two placed bodies over K. What it is given must outlive it.
+template <class K>
+class Face_pairs {
+ public:
+  using Body = covering::Placed_model<K>;
+
+  Face_pairs(const Contact_faces& a, const Contact_faces& b) : a_(a), b_(b) {}
+
+  /// Adds what the two faces share. Requires an exact kernel.
+  void add_contacts(Body& a, const kernel::Pose& pose_a, Index face_a, Body& b, const kernel::Pose& pose_b,
+                    Index face_b, Found_contacts& found) requires(kernel::Kernel_traits<K>::exact_motion)
+  {
+    if (a_.is_triangle(face_a) && b_.is_triangle(face_b)) {
+      const kernel::Triangle_contact contact =
+          kernel::triangle_contact<K>(corners(a_, a, face_a), corners(b_, b, face_b));
+      if (contact.count > 0) found.pieces.push_back(piece(face_a, face_b, contact));
+      return;
+    }
+    if (is_beside(a, face_a, b, face_b) || is_beside(b, face_b, a, face_a)) return;
+    const auto shared = kernel::face_contact(exact_face(a_, 0, pose_a, face_a), exact_face(b_, 1, pose_b, face_b));
+    for (const kernel::Rational_piece& each : shared) {
+      found.pieces.push_back({face_a, face_b, each.kind, each.in_p, each.in_q, {}, Index(found.kept.size())});
+      found.kept.push_back(each.loops);
+    }
+  }
+
+  /// Forgets what is kept of the poses.
+  void begin()
+  {
+    exact_faces_[0].clear();
+    exact_faces_[1].clear();
+  }
+
+  /// Adds the contacts of the edges that either face owns with the other.
+  void add_features(Body& a, Index face_a, Body& b, Index face_b, std::vector<kernel::Feature_pair>& found) const
+  {
+    if (a_.is_triangle(face_a) && b_.is_triangle(face_b)) {
+      const auto p = corners(a_, a, face_a), q = corners(b_, b, face_b);
+      const auto side_q = kernel::sides<K>(p, q);
+      if (kernel::detail::all_strictly_beside(side_q)) return;
+      const auto side_p = kernel::sides<K>(q, p);
+      if (kernel::detail::all_strictly_beside(side_p)) return;
+      add_edges(0, a_, a, face_a, side_p, q, face_b, found);
+      add_edges(1, b_, b, face_b, side_q, p, face_a, found);
+      return;
+    }
+    add_edges(0, a_, a, face_a, b, face_b, found);
+    add_edges(1, b_, b, face_b, a, face_a, found);
+  }
+
+ private:
+  using Feature = kernel::Feature;
+
+  static kernel::Corners<K> corners(const Contact_faces& faces, Body& body, Index f)
+  {
+    const std::array<Index, 3>& t = faces.triangle(f);
+    return {&body.point(t[0]), &body.point(t[1]), &body.point(t[2])};
+  }
+
+  static Found_piece piece(Index face_a, Index face_b, const kernel::Triangle_contact& contact)
+  {
+    const auto held = [&](auto edges_of) {
+      if (contact.count > 2) return Feature::interior;
+      kernel::Edge_set common = 7;
+      for (int k = 0; k < contact.count; ++k) common &= edges_of(contact.corners[k]);
+      if (contact.count == 1 && std::popcount(common) == 2) return Feature::vertex;
+      return common != 0 ? Feature::edge : Feature::interior;
+    };
+    const auto kind = contact.count == 1   ? kernel::Piece::point
+                      : contact.count == 2 ? kernel::Piece::segment
+                                           : kernel::Piece::polygon;
+    return {face_a,
+            face_b,
+            kind,
+            held([](const auto& corner) { return corner.on_p; }),
+            held([](const auto& corner) { return corner.on_q; }),
+            contact};
+  }
+
+  /// Whether a face is strictly on one side of another's plane.
+  static bool is_beside(Body& body, Index face, Body& other, Index plane)
+  {
+    const auto& basis = other.model().covering().plane_basis(plane);
+    if (!basis) return false;
+    const auto side = [&](Index v) {
+      return kernel::volume_sign<K>(other.point((*basis)[0]), other.point((*basis)[1]), other.point((*basis)[2]),
+                                    body.point(v));
+    };
+    const auto vertices = body.model().covering().from(face);
+    const kernel::Sign first = side(vertices[0]);
+    return first != kernel::ZERO && std::ranges::all_of(vertices, [&](Index v) { return side(v) == first; });
+  }
+
+  const kernel::Rational_face& exact_face(const Contact_faces& faces, int body, const kernel::Pose& pose, Index f)
+  {
+    const auto known = exact_faces_[body].find(f);
+    if (known != exact_faces_[body].end()) return known->second;
+    std::array<kernel::Rational, 12> m;
+    for (int k = 0; k < 12; ++k) m[k] = pose.exact(k);
+    std::vector<kernel::Rational_face::Edge> edges;
+    for (std::size_t l = 0; l < faces.polyhedron().loop_count(f); ++l) {
+      const covering::Loop loop = faces.polyhedron().loop(f, l);
+      std::vector<kernel::Rational_point> points;
+      for (const Index v : loop) points.push_back(kernel::image(faces.polyhedron().vertices[v], m));
+      for (std::size_t k = 0; k < points.size(); ++k)
+        edges.push_back({points[k], points[k + 1 == points.size() ? 0 : k + 1]});
+    }
+    return exact_faces_[body].emplace(f, kernel::Rational_face(std::move(edges))).first->second;
+  }
+
+  /// The edges that a triangle owns against a triangle.
+  static void add_edges(int number, const Contact_faces& faces, Body& body, Index owner,
+                        const std::array<kernel::Sign, 3>& side, const kernel::Corners<K>& t, Index face,
+                        std::vector<kernel::Feature_pair>& found)
+  {
+    const std::array<Index, 3>& corner = faces.triangle(owner);
+    const auto side_of = [&](Index v) { return side[v == corner[0] ? 0 : v == corner[1] ? 1 : 2]; };
+    for (const auto& [from, to] : faces.owned_edges(owner)) {
+      const auto kind = kernel::segment_triangle<K>(body.point(from), body.point(to), *t[0], *t[1], *t[2],
+                                                    side_of(from), side_of(to));
+      if (kind != kernel::Contact::none) found.push_back({number, from, to, face, kind});
+    }
+  }
+
+  /// The edges that any face owns against any.
+  static void add_edges(int number, const Contact_faces& faces, Body& body, Index owner, Body& other, Index face,
+                        std::vector<kernel::Feature_pair>& found)
+  {
+    for (const auto& [from, to] : faces.owned_edges(owner)) {
+      const auto kind = covering::segment_face<K>(body.point(from), body.point(to), other, face);
+      if (kind != kernel::Contact::none) found.push_back({number, from, to, face, kind});
+    }
+  }
+
+  const Contact_faces &a_, &b_;
+  std::array<std::map<Index, kernel::Rational_face>, 2> exact_faces_;
+};
+
+}  // namespace tetracone::tetratree
+
+#endif

@@ -1,0 +1,45 @@
+#ifndef TETRACONE_TETRATREE_DOOR_CONTACTS_DATA_H
+#define TETRACONE_TETRATREE_DOOR_CONTACTS_DATA_H
+
+#include "tetracone/kernel/number/pose.h"
+#include "tetracone/tetratree/contact/face_pairs.h"
+#include "tetracone/tetratree/door/solver.h"
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace tetracone::detail {
+
+/// What copies of `Contacts` share: pieces as they were found, and what they are computed from.
+struct Contacts_data {
+  tetratree::Found_contacts found;
+  Shared_body a, b;
+  kernel::Pose pose_a, pose_b;
+};
+
+/// Where piece k is, exactly; see `Contacts::loops`.
+std::vector<std::vector<std::array<kernel::Rational, 3>>> rational_loops(const Contacts_data& contacts, std::size_t k);
+
+/// What answers queries for features and contacts by the fast tree.
+class Contact_solver {
+ public:
+  virtual ~Contact_solver() = default;
+  virtual std::vector<Feature_pair> features(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
+  virtual tetratree::Found_contacts contacts(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
+  virtual Query_statistics statistics() const = 0;
+  virtual void clear_statistics() = 0;
+};
+
+/// Over K. All kernels are one unit, apart from the booleans'.
+template <class K>
+std::unique_ptr<Contact_solver> bvh8_contact_solver(const Shared_body& a, const Shared_body& b,
+                                                    const Query_options& options);
+
+/// Throws Error: what is asked of kernels that round.
+[[noreturn]] void refuse_contacts();
+
+}  // namespace tetracone::detail
+
+#endif

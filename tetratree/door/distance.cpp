@@ -1,0 +1,53 @@
+#include "tetracone/kernel/number/number.h"
+#include "tetracone/tetratree/door/distance_solver.h"
+#include "tetracone/tetratree/door/query_data.h"
+#include "tetracone/tetratree/door/tetracone.h"
+
+#include <cmath>
+#include <string>
+
+namespace tetracone {
+namespace {
+
+detail::Distance_solver& distance_of(detail::Query_data& data)
+{
+  if (!data.distance) data.distance = detail::distance_solver(data.a, data.b, data.options);
+  return *data.distance;
+}
+
+[[noreturn]] void refuse_limit(const std::string& limit)
+{
+  throw Error("query: limit '" + limit.substr(0, 40) + "'; expected a finite decimal number or a fraction n/d");
+}
+
+}  // namespace
+
+double Query::distance(const Pose& pose_a, const Pose& pose_b) { return distance(pose_a.exact(), pose_b.exact()); }
+double Query::distance(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
+{
+  return distance_of(data()).distance(pose_a, pose_b, data().question);
+}
+
+Nearest Query::nearest(const Pose& pose_a, const Pose& pose_b) { return nearest(pose_a.exact(), pose_b.exact()); }
+Nearest Query::nearest(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
+{
+  return distance_of(data()).nearest(pose_a, pose_b, data().question);
+}
+
+bool Query::within(const Pose& pose_a, const Pose& pose_b, double limit)
+{
+  if (!std::isfinite(limit)) refuse_limit(kernel::shortest(limit));
+  return distance_of(data()).within(pose_a.exact(), pose_b.exact(), data().question, limit);
+}
+bool Query::within(const Pose& pose_a, const Pose& pose_b, const std::string& limit)
+{
+  return within(pose_a.exact(), pose_b.exact(), limit);
+}
+bool Query::within(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const std::string& limit)
+{
+  const auto number = kernel::parse_number(limit);
+  if (!number) refuse_limit(limit);
+  return distance_of(data()).within(pose_a, pose_b, data().question, *number);
+}
+
+}  // namespace tetracone

@@ -1,0 +1,33 @@
+#ifndef TETRACONE_TETRATREE_DOOR_DISTANCE_SOLVER_H
+#define TETRACONE_TETRATREE_DOOR_DISTANCE_SOLVER_H
+
+#include "tetracone/kernel/number/number.h"
+#include "tetracone/kernel/number/pose.h"
+#include "tetracone/tetratree/door/body_data.h"
+#include "tetracone/tetratree/door/tetracone.h"
+
+#include <memory>
+
+namespace tetracone::detail {
+
+/// What answers how far apart bodies are: the fast tree over a kernel.
+class Distance_solver {
+ public:
+  virtual ~Distance_solver() = default;
+  virtual double distance(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question) = 0;
+  virtual Nearest nearest(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question) = 0;
+  virtual bool within(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question,
+                      const kernel::Rational& limit) = 0;
+  virtual Query_statistics statistics() const = 0;
+  virtual void clear_statistics() = 0;
+  virtual std::size_t bytes() const = 0;
+};
+
+/// Throws Error for a kernel that tells no distance.
+std::unique_ptr<Distance_solver> distance_solver(const std::shared_ptr<const Body_data>& a,
+                                                 const std::shared_ptr<const Body_data>& b,
+                                                 const Query_options& options);
+
+}  // namespace tetracone::detail
+
+#endif

@@ -1,0 +1,22 @@
+#ifndef TETRACONE_TETRATREE_DOOR_QUERY_DATA_H
+#define TETRACONE_TETRATREE_DOOR_QUERY_DATA_H
+
+#include "tetracone/tetratree/door/distance_solver.h"
+#include "tetracone/tetratree/door/solver.h"
+
+#include <memory>
+
+namespace tetracone::detail {
+
+/// What a `Query` keeps.
+struct Query_data {
+  Question question;
+  std::unique_ptr<Solver> solver;
+  Shared_body a, b;
+  Query_options options;
+  std::unique_ptr<Distance_solver> distance;  // made when a distance is asked for
+};
+
+}  // namespace tetracone::detail
+
+#endif

@@ -1,0 +1,96 @@
+#ifndef TETRACONE_TETRATREE_FAST_BVH8_CONTACTS_H
+#define TETRACONE_TETRATREE_FAST_BVH8_CONTACTS_H
+
+#include "tetracone/tetratree/contact/face_pairs.h"
+#include "tetracone/tetratree/fast/bvh8_collision.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace tetracone::tetratree {
+
+/// All contacts of two `Bvh8` over kernel K, and all pairs of features: the descent of `Bvh8_collision` to its end,
+/// each pair of faces decided once. Takes what that takes.
+template <class K = kernel::Adaptive>
+class Bvh8_contacts {
+ public:
+  Bvh8_contacts(const Bvh8& a, const covering::Model<K>& model_a, const covering::Polyhedron& polyhedron_a,
+                const Bvh8& b, const covering::Model<K>& model_b, const covering::Polyhedron& polyhedron_b)
+      : collision_(a, model_a, b, model_b),
+        faces_a_(polyhedron_a, model_a.covering()),
+        faces_b_(polyhedron_b, model_b.covering()),
+        pairs_(faces_a_, faces_b_),
+        one_element_a_(is_one_element(a, faces_a_)),
+        one_element_b_(is_one_element(b, faces_b_))
+  {}
+
+  /// What pairs of faces share, by faces. Requires det M != 0 of both poses, and an exact kernel.
+  Found_contacts contacts(const Pose& pose_a, const Pose& pose_b) requires(kernel::Kernel_traits<K>::exact_motion)
+  {
+    Found_contacts found;
+    found.pieces.reserve(last_count_ + last_count_ / 4 + 16);
+    pairs_.begin();
+    for_face_pairs(pose_a, pose_b, [&](Index face_a, Index face_b) {
+      pairs_.add_contacts(collision_.placed_a(), pose_a, face_a, collision_.placed_b(), pose_b, face_b, found);
+    });
+    // Pieces of one pair are kept in their order.
+    std::sort(found.pieces.begin(), found.pieces.end(), [](const Found_piece& one, const Found_piece& other) {
+      const auto pair = [](const Found_piece& piece) { return std::uint64_t(piece.face_a) << 32 | piece.face_b; };
+      return pair(one) != pair(other) ? pair(one) < pair(other) : one.kept < other.kept;
+    });
+    last_count_ = found.pieces.size();
+    return found;
+  }
+
+  /// All pairs of an edge of one and a face of the other that share a point, sorted. Requires det M != 0.
+  std::vector<kernel::Feature_pair> features(const Pose& pose_a, const Pose& pose_b)
+  {
+    std::vector<kernel::Feature_pair> found;
+    for_face_pairs(pose_a, pose_b, [&](Index face_a, Index face_b) {
+      pairs_.add_features(collision_.placed_a(), face_a, collision_.placed_b(), face_b, found);
+    });
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+  const Query_statistics& counts() const { return collision_.counts(); }
+  void clear_counts() { collision_.clear_counts(); }
+
+ private:
+  /// Whether every face is one element, which the descent meets once.
+  static bool is_one_element(const Bvh8& tree, const Contact_faces& faces)
+  {
+    return tree.element_count() == faces.polyhedron().face_count();
+  }
+
+  /// Calls what(face of A, face of B) once for each pair of which some elements were not discarded.
+  template <class What>
+  void for_face_pairs(const Pose& pose_a, const Pose& pose_b, const What& what)
+  {
+    const bool once = one_element_a_ && one_element_b_;
+    candidates_.clear();
+    collision_.any_element_pair(pose_a, pose_b, [&](const Element& a, const Element& b) {
+      if (once)
+        what(a.face, b.face);
+      else
+        candidates_.push_back(std::uint64_t(a.face) << 32 | b.face);
+      return false;
+    });
+    std::sort(candidates_.begin(), candidates_.end());
+    candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
+    for (const std::uint64_t pair : candidates_) what(Index(pair >> 32), Index(pair));
+  }
+
+  Bvh8_collision<K> collision_;
+  Contact_faces faces_a_, faces_b_;
+  Face_pairs<K> pairs_;
+  bool one_element_a_, one_element_b_;
+  std::vector<std::uint64_t> candidates_;
+  std::size_t last_count_ = 0;  // of the last pose's pieces: the next one's are about as many
+};
+
+}  // namespace tetracone::tetratree
+
+#endif

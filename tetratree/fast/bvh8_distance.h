@@ -1,0 +1,419 @@
+#ifndef TETRACONE_TETRATREE_FAST_BVH8_DISTANCE_H
+#define TETRACONE_TETRATREE_FAST_BVH8_DISTANCE_H
+
+#include "tetracone/covering/inclusion.h"
+#include "tetracone/kernel/bound/common_frame.h"
+#include "tetracone/kernel/bound/obb8_distance.h"
+#include "tetracone/kernel/bound/triangle_distance.h"
+#include "tetracone/kernel/number/nearest_root.h"
+#include "tetracone/kernel/predicate/face_distance.h"
+#include "tetracone/tetratree/fast/bvh8_collision.h"
+#include "tetracone/tetratree/fast/exact_vertices.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace tetracone::tetratree {
+
+/// The nearest points of two placed bodies, exactly.
+struct Nearest_pair {
+  kernel::Rational square;                               ///< of the distance
+  std::array<std::array<kernel::Rational, 3>, 2> point;  ///< one in each body
+  std::array<std::optional<Index>, 2> face;              ///< that holds it; nothing: inside the solid
+  std::array<kernel::Rational, 3> direction;             ///< from A's to B's, of any length
+};
+
+/// The distance of two placed `Bvh8` over kernel K. Build once, ask for many poses.
+///
+/// Bodies that collide, which `Bvh8_collision` tells, are 0 apart. Of others pairs of boxes are opened, the nearest
+/// first, while their lower bound is not above the least upper bound that a pair of triangles has given. Pairs
+/// of triangles are enclosed in double; those that may be the nearest are compared in exact arithmetic, of which one is
+/// left almost always. The pair that was nearest in the last pose gives the first upper bound.
+/// Over a kernel that rounds, the least distance in double is the answer.
+///
+/// Both trees, and their models, must outlive the query object. Making it and every query throw
+/// kernel::Unsound_floating_point when floating point is not as exact answers need it.
+template <class K = kernel::Adaptive>
+class Bvh8_distance {
+ public:
+  static constexpr bool is_exact = kernel::Kernel_traits<K>::exact_signs;
+  /// Without bounds in double for pairs of triangles.
+  static constexpr bool is_filtered = !std::is_same_v<K, kernel::Rational_kernel>;
+
+  /// `model_a`, `model_b`: of the trees' polyhedra.
+  Bvh8_distance(const Bvh8& a, const covering::Model<K>& model_a, const Bvh8& b, const covering::Model<K>& model_b)
+      : tree_{&a, &b},
+        model_{&model_a, &model_b},
+        collision_(a, model_a, b, model_b, Coherence::last_frame),
+        exact_{Exact_vertices(a.model().vertices()), Exact_vertices(b.model().vertices())}
+  {}
+
+  /// The double nearest to the distance. Requires det M != 0 of both poses, and closed polyhedra for `Question::solid`.
+  double operator()(const Pose& pose_a, const Pose& pose_b, Question question)
+  {
+    if (collision_.relation(pose_a, pose_b, question) != Relation::apart) return 0;
+    place(pose_a, pose_b);
+    start_with_last();
+    search();
+    if constexpr (!is_exact) return std::ldexp(nearest_, frame_->exponent());
+    const Candidate best = settle();
+    last_ = {best.a, best.b};
+    return kernel::nearest_root(kernel::Rational(best.exact->top()), of_space(best.exact->bottom()));
+  }
+
+  /// The same with all that is to be known. Of several pairs of nearest points which one is told is a matter of the
+  /// trees alone. Requires an exact K.
+  Nearest_pair nearest(const Pose& pose_a, const Pose& pose_b, Question question)
+  {
+    static_assert(is_exact);
+    const Relation relation = collision_.relation(pose_a, pose_b, question);
+    place(pose_a, pose_b);
+    if (relation == Relation::a_in_b || relation == Relation::b_in_a)
+      return inside(relation == Relation::a_in_b ? 0 : 1);
+    search();
+    return told(settle());
+  }
+
+  /// Whether the distance is at most `limit`. Requires the same.
+  bool within(const Pose& pose_a, const Pose& pose_b, Question question, const kernel::Rational& limit)
+  {
+    kernel::require_sound_floating_point();
+    if (sgn(limit) < 0 || tree_[0]->empty() || tree_[1]->empty()) return false;
+    place(pose_a, pose_b);
+    start_with_last();
+    const double below = std::ldexp(kernel::nearest_double(limit), -frame_->exponent());
+    low_limit_ = below * (1 - 4 * kernel::unit_roundoff<double>)-smallest;
+    if (is_within() || collision_.relation(pose_a, pose_b, question) != Relation::apart) return true;
+    high_ = kernel::minimum(high_, below * (1 + 4 * kernel::unit_roundoff<double>)+smallest);
+    search();
+    if (is_within()) return true;
+    if constexpr (!is_exact) return nearest_ <= below;
+    if (candidates_.empty()) return false;
+    const Candidate best = settle();
+    return kernel::Rational(best.exact->top()) <= of_space(best.exact->bottom()) * limit * limit;
+  }
+
+  Query_statistics counts() const
+  {
+    Query_statistics all = collision_.counts();
+    return all += counts_;
+  }
+  void clear_counts()
+  {
+    collision_.clear_counts();
+    counts_ = {};
+  }
+  std::size_t bytes() const { return collision_.bytes(); }
+
+ private:
+  using Box = Index;
+  static constexpr double smallest = 0x1p-900;  ///< for what underflows
+
+  /// Boxes, one of each body, with a lower bound of their distance; and their sizes, negative of leaves.
+  struct Box_pair {
+    double low;
+    std::array<Box, 2> box;
+    std::array<float, 2> size;
+  };
+
+  struct Leaf_element {
+    Box box;
+    Index k;
+  };
+  /// A pair of elements that may be the nearest.
+  struct Candidate {
+    Leaf_element a, b;
+    kernel::Triangle_gap gap;
+    std::optional<kernel::Exact_distance> exact;
+  };
+
+  void place(const Pose& pose_a, const Pose& pose_b)
+  {
+    const kernel::Local_scale &in_a = tree_[0]->scale(), &in_b = tree_[1]->scale();
+    pose_ = {&pose_a, &pose_b};
+    frame_.emplace(pose_a, in_a, pose_b, in_b);
+    into_other_[0].emplace(pose_b, in_b, pose_a, in_a);
+    into_other_[1].emplace(pose_a, in_a, pose_b, in_b);
+    exact_[0].place(pose_a, pose_b);
+    exact_[1].place(pose_b, pose_a);
+    for (int body = 0; body < 2; ++body) {
+      stretch_[body] = frame_->least_stretch(body) * (1 - 0x1p-50);
+      const float size = float(frame_->least_stretch(body));
+      size_[body] = size > 0 ? size : 1;
+    }
+    candidates_.clear();
+    along_ = {};
+    high_ = nearest_ = std::numeric_limits<double>::infinity();
+    low_limit_ = -1;
+  }
+
+  void start_with_last()
+  {
+    if (last_) compare(last_->first, last_->second);
+    candidates_.clear();
+  }
+
+  const Element& element(int body, const Leaf_element& leaf) const
+  {
+    return tree_[body]->element(leaf.box / 8, int(leaf.box % 8), leaf.k);
+  }
+
+  kernel::Double_triangle corners(int body, const Element& element) const
+  {
+    kernel::Double_triangle t;
+    for (int k = 0; k < 3; ++k) {
+      const kernel::Vector p = tree_[body]->local(element.corner[k]);
+      t[k] = (*frame_)(body, {p[0], p[1], p[2]});
+    }
+    return t;
+  }
+
+  /// Takes in a pair of elements.
+  void compare(const Leaf_element& a, const Leaf_element& b)
+  {
+    const Element &of_a = element(0, a), &of_b = element(1, b);
+    Candidate pair{a, b, {}, {}};
+    const bool is_bounded = frame_->position_error() < std::numeric_limits<double>::infinity();
+    if (is_filtered && is_bounded && !of_a.is_whole_face() && !of_b.is_whole_face()) {
+      ++counts_.triangle_tests;
+      const kernel::Double_triangle in_a = corners(0, of_a), in_b = corners(1, of_b);
+      if (kernel::least_gap(in_a, in_b, along_, frame_->position_error(), frame_->largest()) > high_) return;
+      pair.gap = kernel::triangle_gap(in_a, in_b, frame_->position_error(), frame_->largest());
+    } else {
+      pair.exact = distance_of_elements(of_a, of_b);
+      const double square = kernel::nearest_double(
+          kernel::Rational(kernel::Rational(pair.exact->top()) / of_space(pair.exact->bottom())));
+      const double distance = std::ldexp(std::sqrt(square), -frame_->exponent());
+      pair.gap.nearest = distance;
+      if (square > 0x1p-1000 && distance <= std::numeric_limits<double>::max())
+        pair.gap.low = distance * (1 - 8 * kernel::unit_roundoff<double>)-smallest;
+      pair.gap.high = distance * (1 + 8 * kernel::unit_roundoff<double>)+std::ldexp(0x1p-490, -frame_->exponent());
+    }
+    if (pair.gap.low > high_) return;
+    if (pair.gap.nearest < nearest_) {
+      nearest_ = pair.gap.nearest;
+      if constexpr (!is_exact) last_ = {a, b};
+    }
+    if (pair.gap.high < high_) {
+      high_ = pair.gap.high;
+      along_ = pair.gap.direction;
+    }
+    if constexpr (is_exact) candidates_.push_back(std::move(pair));
+  }
+
+  /// Takes in all pairs of elements but those that are farther apart than another pair: first the one that the nearest
+  /// part of each box leads to, then what its boxes say to be nearest.
+  void search()
+  {
+    queue_.clear();
+    // Where a limit is enough, every time.
+    bool has_dived = high_ < std::numeric_limits<double>::infinity() && low_limit_ < 0;
+    std::optional<Box_pair> next = Box_pair{0, {0, 0}, {size_of(0, 0, 0), size_of(1, 0, 0)}};
+    while (next && next->low <= high_ && !is_within()) {
+      if (next->size[0] < 0 && next->size[1] < 0) {
+        compare_leaves(next->box[0], next->box[1]);
+        has_dived = low_limit_ < 0;
+        next.reset();
+      } else {
+        next = open(*next, next->size[0] > next->size[1] ? 0 : 1, !has_dived);
+      }
+      if (!next && !queue_.empty()) {
+        std::pop_heap(queue_.begin(), queue_.end(), is_farther);
+        next = queue_.back();
+        queue_.pop_back();
+      }
+    }
+  }
+
+  /// Whether what is known decides that the limit holds: an unknown distance is within none.
+  bool is_within() const { return high_ <= low_limit_ && high_ < std::numeric_limits<double>::infinity(); }
+
+  static bool is_farther(const Box_pair& x, const Box_pair& y) { return x.low > y.low; }
+
+  void compare_leaves(Box a, Box b)
+  {
+    for (Index i = 0; i < tree_[0]->leaf_count(a / 8, int(a % 8)); ++i)
+      for (Index j = 0; j < tree_[1]->leaf_count(b / 8, int(b % 8)); ++j) compare({a, i}, {b, j});
+  }
+
+  float size_of(int body, Index n, int lane) const
+  {
+    const Bvh8_node& node = tree_[body]->node(n);
+    const float size =
+        size_[body] * (node.boxes.extent[0][lane] + node.boxes.extent[1][lane] + node.boxes.extent[2][lane]);
+    return node.is_leaf(lane) ? -kernel::maximum(size, std::numeric_limits<float>::min()) : size;
+  }
+
+  /// Queues the parts of a box against the other that may be nearer than what is known; where asked to, all but the
+  /// nearest, which is returned.
+  std::optional<Box_pair> open(const Box_pair& pair, int body, bool takes_nearest)
+  {
+    const int other = 1 - body;
+    const Box box = pair.box[body], kept = pair.box[other];
+    const Index child = tree_[body]->child(box / 8, int(box % 8));
+    const Bvh8_node& node = tree_[body]->node(child);
+    kernel::squared_distances(node.boxes, *into_other_[other], tree_[other]->node(kept / 8).boxes, int(kept % 8),
+                              squares_);
+    ++counts_.pairs_visited;
+    counts_.box_tests += std::uint64_t(node.boxes.lane_count);
+    std::optional<Box_pair> nearest;
+    const auto queue = [this](const Box_pair& part) {
+      queue_.push_back(part);
+      std::push_heap(queue_.begin(), queue_.end(), is_farther);
+    };
+    for (int lane = 0; lane < node.boxes.lane_count; ++lane) {
+      const double low = std::sqrt(double(squares_[lane])) * stretch_[body];
+      if (low > high_) continue;
+      Box_pair part = pair;
+      part.low = low;
+      part.box[body] = 8 * child + Box(lane);
+      part.size[body] = size_of(body, child, lane);
+      if (takes_nearest && !(nearest && nearest->low <= low)) {
+        if (nearest) queue(*nearest);
+        nearest = part;
+      } else {
+        queue(part);
+      }
+    }
+    return nearest;
+  }
+
+  kernel::Exact_face exact_face(int body, const Element& element)
+  {
+    kernel::Exact_face face;
+    Exact_vertices& at = exact_[body];
+    if (!element.is_whole_face()) {
+      const std::array t = {at(element.corner[0]), at(element.corner[1]), at(element.corner[2])};
+      for (int k = 0; k < 3; ++k) face.edges.push_back({t[k], t[(k + 1) % 3]});
+      face.plane = t;
+      return face;
+    }
+    const covering::Covering& covering = tree_[body]->model().covering();
+    const auto from = covering.from(element.face), to = covering.to(element.face);
+    for (std::size_t k = 0; k < from.size(); ++k) face.edges.push_back({at(from[k]), at(to[k])});
+    if (const auto& basis = covering.plane_basis(element.face))
+      face.plane = {at((*basis)[0]), at((*basis)[1]), at((*basis)[2])};
+    return face;
+  }
+
+  kernel::Exact_distance distance_of_elements(const Element& a, const Element& b)
+  {
+    ++counts_.exact_fallbacks;
+    return kernel::distance_of_faces(exact_face(0, a), exact_face(1, b));
+  }
+
+  std::array<kernel::Exact_vector, 3> exact_corners(int body, const Element& element)
+  {
+    return {exact_[body](element.corner[0]), exact_[body](element.corner[1]), exact_[body](element.corner[2])};
+  }
+
+  void find_exactly(Candidate& pair)
+  {
+    if (pair.exact) return;
+    const Element &a = element(0, pair.a), &b = element(1, pair.b);
+    pair.exact = kernel::distance_of_features(exact_corners(0, a), pair.gap.of_a, exact_corners(1, b), pair.gap.of_b);
+    if (!pair.exact) pair.exact = distance_of_elements(a, b);
+  }
+
+  /// No point of the pair is nearer to one of the other body than those of `best`: the gap along its direction tells.
+  bool is_behind(const kernel::Exact_distance& best, const Candidate& pair)
+  {
+    if (best.is_zero()) return true;
+    const auto all = [&](int body, const Leaf_element& leaf, auto&& is_right) {
+      bool right = true;
+      tree_[body]->for_vertices(element(body, leaf), [&](Index v) {
+        right = right && is_right(kernel::dot(best.direction, exact_[body](v)));
+      });
+      return right;
+    };
+    return all(0, pair.a, [&](const kernel::Exact_number& x) { return x <= best.low; }) &&
+           all(1, pair.b, [&](const kernel::Exact_number& x) { return x >= best.high; });
+  }
+
+  /// Of the pairs that are left the nearest one, with its distance. Requires one.
+  Candidate settle()
+  {
+    std::erase_if(candidates_, [this](const Candidate& c) { return c.gap.low > high_; });
+    const auto first =
+        std::min_element(candidates_.begin(), candidates_.end(),
+                         [](const Candidate& x, const Candidate& y) { return x.gap.nearest < y.gap.nearest; });
+    std::swap(*first, candidates_.front());
+    Candidate* best = &candidates_.front();
+    find_exactly(*best);
+    for (Candidate& pair : candidates_) {
+      if (&pair == best || is_behind(*best->exact, pair)) continue;
+      find_exactly(pair);
+      if (*pair.exact < *best->exact) best = &pair;
+    }
+    return *best;
+  }
+
+  /// A divisor of squares in exact coordinates times the square of their weight.
+  kernel::Rational of_space(const kernel::Exact_number& bottom) const
+  {
+    const kernel::Exact_number weight = exact_[0].weight();
+    return kernel::Rational(bottom * weight * weight);
+  }
+
+  Nearest_pair told(const Candidate& pair)
+  {
+    const kernel::Exact_distance& found = *pair.exact;
+    const kernel::Rational weight(exact_[0].weight());
+    Nearest_pair nearest;
+    nearest.square = kernel::Rational(found.top()) / of_space(found.bottom());
+    for (int body = 0; body < 2; ++body) {
+      const kernel::Exact_point& on = body == 0 ? found.on_a : found.on_b;
+      for (int k = 0; k < 3; ++k)
+        nearest.point[body][k] = kernel::Rational(on.at[k]) / (kernel::Rational(on.weight) * weight);
+      nearest.face[body] = element(body, body == 0 ? pair.a : pair.b).face;
+    }
+    for (int k = 0; k < 3; ++k) nearest.direction[k] = kernel::Rational(found.direction[k]);
+    return nearest;
+  }
+
+  /// Of a body with a shell in the other's solid, whose surfaces share no point: a vertex of that shell.
+  Nearest_pair inside(int held)
+  {
+    std::array<covering::Placed_model<K>, 2> placed = {covering::Placed_model<K>(*model_[0]),
+                                                       covering::Placed_model<K>(*model_[1])};
+    for (int body = 0; body < 2; ++body) placed[body].place(*pose_[body]);
+    const auto& covering = model_[held]->covering();
+    const auto found = std::ranges::find_if(covering.shell_vertices(), [&](Index v) {
+      return covering::winding_number<K>(placed[held].point(v), placed[1 - held]) != 0;
+    });
+    Nearest_pair nearest;
+    const kernel::Rational weight(exact_[0].weight());
+    for (int k = 0; k < 3; ++k)
+      nearest.point[0][k] = nearest.point[1][k] = kernel::Rational(exact_[held](*found)[k]) / weight;
+    for (Index f = 0; f < model_[held]->face_count() && !nearest.face[held]; ++f)
+      if (std::ranges::count(covering.from(f), *found) > 0) nearest.face[held] = f;
+    return nearest;
+  }
+
+  std::array<const Bvh8*, 2> tree_;
+  std::array<const covering::Model<K>*, 2> model_;
+  std::array<const Pose*, 2> pose_{};
+  Bvh8_collision<K> collision_;
+  std::array<Exact_vertices, 2> exact_;
+  std::optional<kernel::Common_frame> frame_;
+  std::array<std::optional<kernel::Box_map>, 2> into_other_;
+  std::array<double, 2> stretch_{};  // of lower bounds, from a body's local units
+  std::array<float, 2> size_{};      // of sizes, about the same
+  std::vector<Box_pair> queue_;      // a heap, the nearest first
+  kernel::Eight_squares squares_;
+  std::vector<Candidate> candidates_;
+  kernel::Double_vector along_{};                   // from A's to B's of the pair that has given the least upper bound
+  double high_ = 0, nearest_ = 0, low_limit_ = -1;  // of the distance; what is enough
+  std::optional<std::pair<Leaf_element, Leaf_element>> last_;  // the nearest in the last pose
+  Query_statistics counts_;
+};
+
+}  // namespace tetracone::tetratree
+
+#endif

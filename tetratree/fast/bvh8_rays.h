@@ -1,0 +1,239 @@
+#ifndef TETRACONE_TETRATREE_FAST_BVH8_RAYS_H
+#define TETRACONE_TETRATREE_FAST_BVH8_RAYS_H
+
+#include "tetracone/kernel/bound/obb8_ray.h"
+#include "tetracone/kernel/predicate/ray_face.h"
+#include "tetracone/kernel/predicate/ray_triangle.h"
+#include "tetracone/tetratree/fast/bvh8.h"
+#include "tetracone/tetratree/ray_hit.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace tetracone::tetratree {
+
+/// Which faces a ray meets, and where, exactly, through a `Bvh8`.
+///
+/// The way down takes the nearer boxes first. A triangle is decided by a filter that encloses t; what that leaves
+/// uncertain, and faces that are not triangles, is decided in rationals. Those are asked too where two enclosures
+/// overlap, and where t cannot be rounded otherwise. One for a thread.
+class Bvh8_rays {
+ public:
+  /// The tree must outlive this.
+  explicit Bvh8_rays(const Bvh8& tree) : tree_(&tree) { open_.reserve(256); }
+
+  /// The least t, and of the faces met there the first. Requires finite numbers and a direction that is not 0.
+  std::optional<Ray_hit> first(const Ray& ray)
+  {
+    collect(ray, true);
+    if (met_.empty()) return std::nullopt;
+    if (met_.size() > 1) std::erase_if(met_, [&](const Met& m) { return m.low > limit_; });
+    if (met_.size() > 1) {
+      for (Met& m : met_) make_exact(m);
+      std::swap(met_.front(), *std::min_element(met_.begin(), met_.end(), is_before));
+    }
+    return hit(met_.front());
+  }
+
+  /// Every face met, by t, and of equal t by their numbers. Requires as `first`.
+  std::vector<Ray_hit> all(const Ray& ray)
+  {
+    collect(ray, false);
+    std::sort(met_.begin(), met_.end(), [](const Met& x, const Met& y) { return x.low < y.low; });
+    for (std::size_t begin = 0, end; begin < met_.size(); begin = end) {
+      double high = met_[begin].high;
+      for (end = begin + 1; end < met_.size() && met_[end].low <= high; ++end)
+        high = kernel::maximum(high, met_[end].high);
+      if (end == begin + 1) continue;
+      for (std::size_t k = begin; k < end; ++k) make_exact(met_[k]);
+      std::sort(met_.begin() + std::ptrdiff_t(begin), met_.begin() + std::ptrdiff_t(end), is_before);
+    }
+    std::vector<Ray_hit> hits;
+    for (Met& m : met_) hits.push_back(hit(m));
+    return hits;
+  }
+
+ private:
+  using Rational = kernel::Rational;
+
+  /// A face that the ray meets; t is that of the scaled direction.
+  struct Met {
+    const Element* element;
+    double low, high;
+    std::optional<Rational> t;
+  };
+
+  struct Open {
+    float nearest;
+    Index node;
+  };
+
+  /// A face's corners in rationals, made when a face is decided so.
+  class Exact_face {
+   public:
+    using Point = kernel::Point<kernel::Rational_kernel>;
+
+    Exact_face(const covering::Model<kernel::Adaptive>& model, Index face)
+    {
+      const auto point = [&](Index v) { return kernel::point<kernel::Rational_kernel>(model.vertices()[v]); };
+      for (const Index v : model.covering().from(face)) from_.push_back(point(v));
+      for (const Index v : model.covering().to(face)) to_.push_back(point(v));
+      if (const auto& basis = model.covering().plane_basis(face))
+        for (const Index v : *basis) basis_.push_back(point(v));
+    }
+    std::size_t edge_count() const { return from_.size(); }
+    const Point& from(std::size_t k) const { return from_[k]; }
+    const Point& to(std::size_t k) const { return to_[k]; }
+    const Point& origin() const { return from_[0]; }
+    bool is_degenerate() const { return basis_.empty(); }
+    const Point& plane_basis(int k) const { return basis_[std::size_t(k)]; }
+
+   private:
+    std::vector<Point> from_, to_, basis_;
+  };
+
+  static bool is_before(const Met& x, const Met& y)
+  {
+    return *x.t != *y.t ? *x.t < *y.t : x.element->face < y.element->face;
+  }
+
+  const covering::Vertex& corner(const Element& element, int k) const
+  {
+    return tree_->model().vertices()[element.corner[std::size_t(k)]];
+  }
+
+  void collect(const Ray& ray, bool first_alone)
+  {
+    ray_ = ray;
+    filter_.emplace(ray.origin, ray.direction);
+    exact_ray_.reset();
+    met_.clear();
+    decided_.clear();
+    limit_ = std::numeric_limits<double>::infinity();
+    if (tree_->empty()) return;
+    std::optional<kernel::Local_ray> local;
+    const bool is_local = kernel::Local_ray::may_be_local(tree_->scale(), ray.origin);
+    if (is_local) {
+      local = kernel::Local_ray::of(tree_->scale(), ray.origin, filter_->direction());
+      if (!local) return;
+      const auto& d = filter_->direction();
+      per_t_ = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) / tree_->scale().unit;
+    }
+    open_.assign(1, {0, 0});
+    while (!open_.empty()) {
+      const Open top = open_.back();
+      open_.pop_back();
+      const double limit = first_alone && is_local
+                               ? kernel::minimum(limit_ * per_t_ - local->skipped, double(kernel::Local_ray::length))
+                               : double(kernel::Local_ray::length);
+      if (is_local && top.nearest > limit + 0x1p-14) continue;
+      open_node(top.node, local, limit);
+    }
+  }
+
+  /// Without a local ray, all lanes.
+  void open_node(Index n, const std::optional<kernel::Local_ray>& local, double limit)
+  {
+    const Bvh8_node& node = tree_->node(n);
+    unsigned met = (1u << node.boxes.lane_count) - 1;
+    if (local) met = kernel::ray_lanes(node.boxes, *local, limit, nearest_);
+    const std::size_t before = open_.size();
+    for (; met != 0; met &= met - 1) {
+      const int lane = std::countr_zero(met);
+      if (node.is_leaf(lane)) {
+        for (Index k = 0; k < tree_->leaf_count(n, lane); ++k) decide(tree_->element(n, lane, k));
+        continue;
+      }
+      open_.push_back({nearest_[std::size_t(lane)], tree_->child(n, lane)});
+      // The nearest last, to be opened first.
+      for (std::size_t k = open_.size() - 1; k > before && open_[k - 1].nearest < open_[k].nearest; --k)
+        std::swap(open_[k - 1], open_[k]);
+    }
+  }
+
+  void decide(const Element& element)
+  {
+    if (!element.is_whole_face() && tree_->scale().is_in_range()) {
+      const auto decision = (*filter_)(corner(element, 0), corner(element, 1), corner(element, 2));
+      if (decision.meets == kernel::Ray_triangle::Meets::no) return;
+      if (decision.meets == kernel::Ray_triangle::Meets::yes) {
+        for (const Met& m : met_)
+          if (m.element->face == element.face) return;
+        add({&element, decision.low, decision.high, std::nullopt});
+        return;
+      }
+    }
+    // The whole face, once.
+    if (std::find(decided_.begin(), decided_.end(), element.face) != decided_.end()) return;
+    decided_.push_back(element.face);
+    for (const Met& m : met_)
+      if (m.element->face == element.face) return;
+    if (auto t = exact_t(element.face)) {
+      const double nearest = kernel::nearest_double(*t);
+      add({&element, std::nextafter(nearest, -HUGE_VAL), std::nextafter(nearest, HUGE_VAL), std::move(t)});
+    }
+  }
+
+  void add(Met met)
+  {
+    limit_ = kernel::minimum(limit_, met.high);
+    met_.push_back(std::move(met));
+  }
+
+  std::optional<Rational> exact_t(Index face)
+  {
+    if (!exact_ray_) {
+      exact_ray_.emplace();
+      for (int k = 0; k < 3; ++k) {
+        exact_ray_->origin[k] = ray_.origin[k];
+        exact_ray_->direction[k] = times_power(Rational(ray_.direction[k]), -filter_->exponent());
+      }
+    }
+    return kernel::ray_face(*exact_ray_, Exact_face(tree_->model(), face));
+  }
+
+  static Rational times_power(const Rational& x, int exponent)
+  {
+    Rational result;
+    if (exponent < 0)
+      mpq_div_2exp(result.get_mpq_t(), x.get_mpq_t(), mp_bitcnt_t(-exponent));
+    else
+      mpq_mul_2exp(result.get_mpq_t(), x.get_mpq_t(), mp_bitcnt_t(exponent));
+    return result;
+  }
+
+  void make_exact(Met& met)
+  {
+    if (!met.t) met.t = exact_t(met.element->face);
+  }
+
+  Ray_hit hit(Met& met)
+  {
+    if (!met.t)
+      if (const auto t = filter_->rounded(corner(*met.element, 0), corner(*met.element, 1), corner(*met.element, 2)))
+        return {met.element->face, *t};
+    make_exact(met);
+    return {met.element->face, kernel::nearest_double(times_power(*met.t, -filter_->exponent()))};
+  }
+
+  const Bvh8* tree_;
+  Ray ray_{};
+  std::optional<kernel::Ray_triangle> filter_;
+  std::optional<kernel::Rational_ray> exact_ray_;
+  double per_t_ = 0;  // from t to length in local units
+  double limit_ = 0;  // the first face is met no later
+  std::vector<Met> met_;
+  std::vector<Index> decided_;  // faces decided in rationals
+  std::vector<Open> open_;
+  kernel::Lane_entries nearest_{};  // of the node that is open
+};
+
+}  // namespace tetracone::tetratree
+
+#endif

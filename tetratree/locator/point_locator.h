@@ -1,0 +1,329 @@
+#ifndef TETRACONE_TETRATREE_LOCATOR_POINT_LOCATOR_H
+#define TETRACONE_TETRATREE_LOCATOR_POINT_LOCATOR_H
+
+#include "tetracone/covering/inclusion.h"
+#include "tetracone/kernel/bound/cone_cells.h"
+#include "tetracone/kernel/bound/cone_slab.h"
+#include "tetracone/kernel/bound/relative_frame.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace tetracone::tetratree {
+
+/// Where points stand with regard to a solid, exactly, by the directions of tetra-cones in one look-up.
+///
+/// A table over cells of directions about the covering's origin has, for each cell, the intervals of norm of the
+/// covering's triangles that its rays meet, merged to groups that no other overlaps. Between groups there is no
+/// surface, so that the winding number is constant, and kept. About a group's triangles lies a slab, beyond and before
+/// which the same holds. A point within it is decided by the signed inclusions (JS08 Theorem 1) of that group's
+/// triangles, added to the winding number beyond it: its ray outwards crosses no others before. Cells, intervals and
+/// slabs are rounded outward, and a triangle is decided by a filter first: what is uncertain goes to exact signs.
+///
+/// It keeps of JS08 section 2.2 that only tetrahedra that meet the cone of a point can hold it; cones are all of one
+/// level of its subdivision, and found by a division instead of signs. Nothing changes after construction: any number
+/// of threads may ask.
+class Point_locator {
+ public:
+  using K = kernel::Adaptive;
+  using Model = covering::Model<K>;
+  using Location = covering::Location;
+  using Index = covering::Index;
+  using Cone_cells = kernel::Cone_cells;
+
+  /// The model must be closed, and outlive this.
+  explicit Point_locator(const Model& model)
+      : model_(&model),
+        scale_(kernel::local_scale(model.lattice().origin, model.vertices())),
+        per_half_unit_(2 / scale_.unit),
+        cells_(cells_for(model.covering().triangles().size()))
+  {
+    vertices_.reserve(model.vertices().size());
+    bool is_local = true;
+    for (const covering::Vertex& v : model.vertices()) {
+      vertices_.push_back(local(v));
+      for (const double x : vertices_.back()) is_local = is_local && std::abs(x) <= 1;
+    }
+    if (is_local) make_table();  // else coordinates are near the largest doubles
+  }
+  Point_locator(const Point_locator&) = delete;
+
+  Location locate(const covering::Vertex& point) const
+  {
+    return locate(local(point), [&] { return K::unmoved(point); });
+  }
+
+  Location locate(const std::array<kernel::Rational, 3>& point) const
+  {
+    const kernel::Pose translation(
+        std::array<kernel::Rational, 12>{1, 0, 0, point[0], 0, 1, 0, point[1], 0, 0, 1, point[2]});
+    kernel::Local_point at;
+    for (int k = 0; k < 3; ++k)
+      at[k] = kernel::nearest_double(
+          kernel::Rational((point[k] - kernel::Rational(scale_.origin[k])) / kernel::Rational(scale_.unit)));
+    return locate(at, [&] { return K::placed({0, 0, 0}, translation); });
+  }
+
+  /// Without the model.
+  std::size_t bytes() const
+  {
+    return cell_groups_.capacity() * sizeof(Index) + groups_.capacity() * sizeof(Group) +
+           entries_.capacity() * sizeof(Index) + vertices_.capacity() * sizeof(kernel::Local_point);
+  }
+
+ private:
+  /// Triangles of a cell, from entry `first` on, whose intervals overlap in a chain.
+  struct Group {
+    float low, high;                ///< the norms of what of them is in the cell
+    kernel::Cone_slab slab;         ///< about the same parts
+    Index first;                    ///< where the next group's begin, this one's end
+    std::int32_t within_and_sheet;  ///< twice the one and, if so, the other
+
+    /// The winding number nearer to the origin, as far as the group before.
+    int within() const { return within_and_sheet >> 1; }
+    bool is_sheet() const { return (within_and_sheet & 1) != 0; }
+  };
+
+  /// A triangle in a cell while the table is made.
+  struct Found {
+    Index cell, triangle;
+    float low, high;
+  };
+
+  /// What one triangle says of a point.
+  struct Seen {
+    int winding = 0;  ///< its part in the winding number
+    int facing = 0;   ///< where that is certain: how its edges turn about the ray through the point, or its reverse
+    bool on_face = false;  ///< the point is on its face
+  };
+
+  /// About two triangles a cell.
+  static int cells_for(std::size_t triangles)
+  {
+    return std::clamp(int(std::sqrt(double(triangles) / 8)), 2, Cone_cells::most);
+  }
+
+  kernel::Local_point local(const covering::Vertex& p) const
+  {
+    kernel::Local_point at;
+    for (int k = 0; k < 3; ++k) at[k] = (0.5 * p[k] - 0.5 * scale_.origin[k]) * per_half_unit_;
+    return at;
+  }
+
+  kernel::Local_triangle triangle(Index t) const
+  {
+    const auto& corner = model_->covering().triangles()[t].corner;
+    return {vertices_[corner[0]], vertices_[corner[1]], vertices_[corner[2]]};
+  }
+
+  static Location location(int winding) { return winding != 0 ? Location::inside : Location::outside; }
+
+  /// `exact()`: the point as K has it. `p` is infinite for points that are very far.
+  template <class Exact>
+  Location locate(const kernel::Local_point& p, const Exact& exact) const
+  {
+    if (!has_table_) return locate_among_all(p, exact);
+    const double norm = kernel::octahedral_norm(p);
+    if (norm > reach_) return Location::outside;
+    if (!(norm >= Cone_cells::core)) return core_ ? location(*core_) : locate_among_all(p, exact);
+    const std::size_t cell = cells_.cell(p, norm);
+    for (Index g = cell_groups_[cell]; g < cell_groups_[cell + 1]; ++g) {
+      if (norm > groups_[g].high) continue;
+      if (norm < groups_[g].low) return location(groups_[g].within());
+      const int side = groups_[g].slab.side(p);
+      if (side < 0) return location(groups_[g].within());
+      const int beyond = g + 1 < cell_groups_[cell + 1] ? groups_[g + 1].within() : 0;
+      if (side > 0) return location(beyond);
+      int winding = beyond;
+      for (Index e = groups_[g].first; e < groups_[g + 1].first; ++e) {
+        const Seen seen = see(model_->covering().triangles()[entries_[e]], p, exact);
+        if (seen.on_face) return Location::on_surface;
+        winding += seen.winding;
+        if (groups_[g].is_sheet() && seen.facing == groups_[g].within() - beyond) break;
+      }
+      return location(winding);
+    }
+    return Location::outside;
+  }
+
+  template <class Exact>
+  Location locate_among_all(const kernel::Local_point& p, const Exact& exact) const
+  {
+    int winding = 0;
+    for (const covering::Covering_triangle& t : model_->covering().triangles()) {
+      const Seen seen = see(t, p, exact);
+      if (seen.on_face) return Location::on_surface;
+      winding += seen.winding;
+    }
+    return location(winding);
+  }
+
+  /// By a filter first: a face lies within its covering's triangles, so that p is on none of it where that is certain.
+  template <class Exact>
+  Seen see(const covering::Covering_triangle& t, const kernel::Local_point& p, const Exact& exact) const
+  {
+    if (has_table_ && kernel::octahedral_norm(p) <= 4) {
+      const kernel::Local_point &w = vertices_[t.corner[0]], &a = vertices_[t.corner[1]], &b = vertices_[t.corner[2]];
+      const int facing = kernel::cone_holds(w, a, b, p);
+      if (facing == 0) return {};
+      if (facing != kernel::cone_undecided)
+        if (const int side = kernel::plane_side(w, a, b, p); side != 0)
+          return {.winding = side == -facing ? facing : 0, .facing = facing};
+    }
+    return see_exactly(t, exact());
+  }
+
+  /// `covering::signed_inclusion` of p in the triangle's tetrahedron, where p is not on the face.
+  [[gnu::noinline]] Seen see_exactly(const covering::Covering_triangle& t, const K::Point_3& p) const
+  {
+    const auto corner = [&](int k) -> const K::Point_3& { return model_->point(t.corner[k]); };
+    if (kernel::segment_face<K>(p, p, covering::Model_face<K>(*model_, t.face)) != kernel::Contact::none)
+      return {.on_face = true};
+    return {.winding = covering::signed_inclusion<K>(p, model_->origin(), corner(0), corner(1), corner(2))};
+  }
+
+  void make_table()
+  {
+    const auto& triangles = model_->covering().triangles();
+    std::vector<Found> found;
+    found.reserve(8 * triangles.size());
+    bool core_is_empty = true;
+    // Of bodies whose triangles span many cells, fewer cells; or none.
+    const std::size_t most = 64 * triangles.size() + 65536;
+    for (Index t = 0; t < triangles.size(); ++t) {
+      const auto add = [&](std::size_t cell, float low, float high) { found.push_back({Index(cell), t, low, high}); };
+      core_is_empty = cells_.for_cells(triangle(t), add) && core_is_empty;
+      if (found.size() <= most) continue;
+      if (cells_.n() == 2) return;
+      cells_ = Cone_cells(kernel::maximum(cells_.n() / 2, 2));
+      found.clear();
+      core_is_empty = true;
+      t = Index(-1);  // the first is next
+    }
+    const std::vector<Index> begin = sort_by_cells(found);
+    cell_groups_.reserve(begin.size());
+    entries_.reserve(found.size());
+    kernel::Local_point direction{};
+    cells_.for_directions([&](std::size_t cell, const kernel::Local_point& d, const Cone_cells::Corners& corners) {
+      cell_groups_.push_back(Index(groups_.size()));
+      group(found.data() + begin[cell], found.data() + begin[cell + 1]);
+      sum_inwards(cell_groups_.back(), d, corners);
+      direction = d;
+    });
+    if (core_is_empty) core_ = cell_groups_.back() < groups_.size() ? groups_[cell_groups_.back()].within() : 0;
+    for (const Group& g : groups_) reach_ = kernel::maximum(reach_, double(g.high));
+    cell_groups_.push_back(Index(groups_.size()));
+    groups_.push_back({0, 0, {}, Index(entries_.size()), 0});
+    groups_.shrink_to_fit();
+    has_table_ = true;
+  }
+
+  /// Where each cell's begin; the last, where all end.
+  std::vector<Index> sort_by_cells(std::vector<Found>& found) const
+  {
+    std::vector<Index> begin(cells_.count() + 1, 0);
+    for (const Found& f : found) ++begin[f.cell + 1];
+    for (std::size_t c = 0; c < cells_.count(); ++c) begin[c + 1] += begin[c];
+    std::vector<Index> next = begin;
+    std::vector<Found> sorted(found.size());
+    for (const Found& f : found) sorted[next[f.cell]++] = f;
+    found.swap(sorted);
+    return begin;
+  }
+
+  void group(Found* first, Found* last)
+  {
+    std::sort(first, last, [](const Found& x, const Found& y) { return x.low < y.low; });
+    const std::size_t before = groups_.size();
+    for (const Found* f = first; f != last; ++f) {
+      if (groups_.size() > before && f->low <= groups_.back().high)
+        groups_.back().high = kernel::maximum(groups_.back().high, f->high);
+      else
+        groups_.push_back({f->low, f->high, {}, Index(entries_.size()), 0});
+      entries_.push_back(f->triangle);
+    }
+  }
+
+  /// The winding numbers of the cell's groups, which are those from `first` on: crossings of its ray, the farthest
+  /// first.
+  void sum_inwards(Index first, const kernel::Local_point& direction, const Cone_cells::Corners& corners)
+  {
+    std::vector<kernel::Local_triangle> triangles;
+    int winding = 0;
+    std::size_t end = entries_.size();
+    for (std::size_t g = groups_.size(); g-- > first;) {
+      triangles.clear();
+      int facing[3] = {0, 0, 0};
+      const int beyond = winding;
+      for (std::size_t e = groups_[g].first; e < end; ++e) {
+        triangles.push_back(triangle(entries_[e]));
+        ++facing[1 + kernel::cone_side(triangles.back()[0], triangles.back()[1], triangles.back()[2])];
+        if (const int crossed = crossing(entries_[e], direction); crossed != 0) {
+          winding += crossed;
+          std::swap(entries_[e], entries_[groups_[g].first]);
+        }
+      }
+      const bool sheet = is_sheet(winding - beyond, kernel::maximum(facing[0], facing[2]), int(triangles.size()));
+      groups_[g].slab = kernel::Cone_slab(corners, triangles);
+      end = groups_[g].first;
+      groups_[g].within_and_sheet = 2 * winding + sheet;
+    }
+  }
+
+  /// A sheet is crossed by each ray of the cell once: crossings, which sum to one over the whole cell, are all of one
+  /// sign. So one triangle that a ray is certain to cross decides. None is seen edge-on: such a one might hold points
+  /// and count for nothing.
+  static bool is_sheet(int crossings, int most_of_one_sign, int count)
+  {
+    return std::abs(crossings) == 1 && most_of_one_sign == count;
+  }
+
+  /// The sign of the triangle where the ray from the origin crosses it, moved by the same infinitesimal for all.
+  int crossing(Index t, const kernel::Local_point& direction) const
+  {
+    const auto [w, a, b] = triangle(t);
+    const int facing = kernel::cone_holds(w, a, b, direction);
+    if (facing == 0) return 0;
+    // Where the triangle's own sign is another, it is the opposite ray that crosses it.
+    const int volume = kernel::cone_side(w, a, b);
+    if (facing != kernel::cone_undecided && volume != 0) return volume == facing ? facing : 0;
+    return exact_crossing(model_->covering().triangles()[t], direction);
+  }
+
+  /// The sides of the ray are those of its point at norm 1, moved with it.
+  int exact_crossing(const covering::Covering_triangle& t, const kernel::Local_point& direction) const
+  {
+    const kernel::Pose to_origin = kernel::Pose::translation(scale_.origin[0], scale_.origin[1], scale_.origin[2]);
+    const K::Point_3 p =
+        K::placed({direction[0] * scale_.unit, direction[1] * scale_.unit, direction[2] * scale_.unit}, to_origin);
+    const auto corner = [&](int k) -> const K::Point_3& { return model_->point(t.corner[k]); };
+    const K::Point_3& o = model_->origin();
+    const kernel::Sign volume = kernel::volume_sign<K>(o, corner(0), corner(1), corner(2));
+    if (volume == kernel::ZERO) return 0;
+    for (int k = 0; k < 3; ++k)
+      if (kernel::perturbed_side<K>(o, corner(k), corner((k + 1) % 3), p) != volume) return 0;
+    return volume;
+  }
+
+  const Model* model_;
+  kernel::Local_scale scale_;
+  double per_half_unit_;
+  kernel::Cone_cells cells_;
+  std::vector<kernel::Local_point> vertices_;  ///< of the model
+  bool has_table_ = false;
+  double reach_ = Cone_cells::core;  ///< no part of the surface has a larger norm
+  std::optional<int> core_;          ///< the winding number in the core, where no surface is
+  std::vector<Index> cell_groups_;   ///< where each cell's groups begin
+  std::vector<Group> groups_;        ///< by cells, then by norm; the last ends the one before
+  std::vector<Index> entries_;       ///< triangles of the covering, by groups
+};
+
+}  // namespace tetracone::tetratree
+
+#endif

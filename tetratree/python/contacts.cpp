@@ -1,0 +1,163 @@
+#include "tetracone/tetratree/python/contacts.h"
+
+#include "tetracone/tetratree/door/tetracone.h"
+
+#include <gmpxx.h>
+#include <pybind11/numpy.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace tetracone::python {
+
+namespace py = pybind11;
+
+namespace {
+
+/// `what(k, side)` for each piece: (n,) where `sides` is 1, else (n, 2).
+template <class What>
+py::array piece_words(const Contacts& contacts, std::size_t sides, const What& what)
+{
+  constexpr std::size_t length = 8;
+  std::vector<std::size_t> shape = {contacts.size()};
+  if (sides > 1) shape.push_back(sides);
+  py::array words(py::dtype("U8"), shape);
+  auto* const letters = static_cast<char32_t*>(words.mutable_data());
+  for (std::size_t k = 0; k < contacts.size() * sides; ++k) {
+    const std::string_view word = what(k / sides, k % sides);
+    for (std::size_t i = 0; i < length; ++i)
+      letters[k * length + i] = i < word.size() ? char32_t(static_cast<unsigned char>(word[i])) : U'\0';
+  }
+  return words;
+}
+
+py::array faces(const Contacts& contacts)
+{
+  py::array_t<std::uint32_t> faces({contacts.size(), std::size_t(2)});
+  auto rows = faces.mutable_unchecked<2>();
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    rows(py::ssize_t(k), 0) = contacts[k].face_a;
+    rows(py::ssize_t(k), 1) = contacts[k].face_b;
+  }
+  return faces;
+}
+
+py::array points(const std::vector<std::array<double, 3>>& of)
+{
+  py::array_t<double> points({of.size(), std::size_t(3)});
+  auto rows = points.mutable_unchecked<2>();
+  for (std::size_t k = 0; k < of.size(); ++k)
+    for (std::size_t i = 0; i < 3; ++i) rows(py::ssize_t(k), py::ssize_t(i)) = of[k][i];
+  return points;
+}
+
+/// Piece k, counted from the end where it is negative.
+std::size_t piece_number(const Contacts& contacts, std::ptrdiff_t k)
+{
+  const auto n = std::ptrdiff_t(contacts.size());
+  if (k < -n || k >= n) throw py::index_error("piece " + std::to_string(k) + " of " + std::to_string(n));
+  return std::size_t(k < 0 ? k + n : k);
+}
+
+py::list loops(const Contacts& contacts, std::ptrdiff_t k)
+{
+  py::list loops;
+  for (const auto& loop : contacts.nearest_loops(piece_number(contacts, k))) loops.append(points(loop));
+  return loops;
+}
+
+py::list enclosures(const Contacts& contacts, std::ptrdiff_t k)
+{
+  py::list enclosures;
+  for (const auto& loop : contacts.loops(piece_number(contacts, k))) {
+    py::array_t<double> bounds({loop.size(), std::size_t(2), std::size_t(3)});
+    auto rows = bounds.mutable_unchecked<3>();
+    for (std::size_t j = 0; j < loop.size(); ++j)
+      for (std::size_t i = 0; i < 3; ++i) {
+        rows(py::ssize_t(j), 0, py::ssize_t(i)) = loop[j].lower[i];
+        rows(py::ssize_t(j), 1, py::ssize_t(i)) = loop[j].upper[i];
+      }
+    enclosures.append(bounds);
+  }
+  return enclosures;
+}
+
+py::list exact_loops(const Contacts& contacts, std::ptrdiff_t k)
+{
+  const py::object make = py::module_::import("fractions").attr("Fraction");
+  // In base 16, of which Python reads any number of digits.
+  const auto integer = [](const mpz_class& x) {
+    return py::reinterpret_steal<py::object>(PyLong_FromString(x.get_str(16).c_str(), nullptr, 16));
+  };
+  const auto fraction = [&](const std::string& text) {
+    const mpq_class x(text);
+    return make(integer(x.get_num()), integer(x.get_den()));
+  };
+  py::list loops;
+  for (const auto& loop : contacts.exact_loops(piece_number(contacts, k))) {
+    py::list points;
+    for (const auto& x : loop) points.append(py::make_tuple(fraction(x[0]), fraction(x[1]), fraction(x[2])));
+    loops.append(points);
+  }
+  return loops;
+}
+
+py::list curves(const Contacts& contacts)
+{
+  py::list curves;
+  for (const Contacts::Curve& curve : contacts.curves())
+    curves.append(py::make_tuple(curve.closed, points(curve.points)));
+  return curves;
+}
+
+}  // namespace
+
+void add_contacts(py::module_& module)
+{
+  py::class_<Contacts>(module, "Contacts", R"(Contacts: all pairs of faces of two placed bodies that meet
+
+Made by `Query.contacts`. A pair of faces has a piece for each maximal point, segment and polygon that they share; len()
+is the number of pieces, which are in the order of their faces. Where a piece is gets computed when it is asked for.
+
+faces: (n, 2) uint32, the face of a and the face of b of each piece.
+kind: (n,) "point", "segment", or "coplanar": a polygon of two faces in one plane.
+held_by: (n, 2) "vertex", "edge" or "interior": what of the face of a, and of b, holds the piece.
+)")
+      .def("__len__", &Contacts::size)
+      .def_property_readonly("faces", &faces, "(n, 2) uint32: the face of a and the face of b of each piece.")
+      .def_property_readonly(
+          "kind",
+          [](const Contacts& contacts) {
+            return piece_words(contacts, 1, [&](std::size_t k, std::size_t) { return to_string(contacts[k].kind); });
+          },
+          "(n,) str: point, segment or coplanar.")
+      .def_property_readonly(
+          "held_by",
+          [](const Contacts& contacts) {
+            return piece_words(contacts, 2, [&](std::size_t k, std::size_t side) {
+              return to_string(side == 0 ? contacts[k].in_a : contacts[k].in_b);
+            });
+          },
+          "(n, 2) str: what of either face holds the piece: vertex, edge or interior.")
+      .def("loops", &loops, py::arg("k"), R"(loops(k)
+
+Where piece k is, as the doubles nearest to it: a list of one array (1, 3) of a point, (2, 3) of a segment's ends, or of
+arrays (m, 3) of a polygon's border: its outer loop and its holes, in no order.)")
+      .def("enclosures", &enclosures, py::arg("k"), R"(enclosures(k)
+
+As `loops`, each point as doubles below and above it: arrays (m, 2, 3).)")
+      .def("exact_loops", &exact_loops, py::arg("k"), R"(exact_loops(k)
+
+As `loops`, exactly: lists of tuples of three fractions.Fraction.)")
+      .def("curves", &curves, R"(curves()
+
+The segments, joined where exactly two end in one point, which is compared exactly: a list of (closed, array (m, 3)).)");
+}
+
+}  // namespace tetracone::python

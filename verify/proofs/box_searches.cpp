@@ -1,0 +1,180 @@
+#include "verify/proofs/searches.h"
+
+#include "tetracone/kernel/bound/obb8.h"
+#include "verify/proofs/box_test.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace tetracone::verify::proofs {
+namespace {
+namespace box_search {
+
+using detail::u_of_float;
+using Float = Tracked<float>;
+
+/// The inputs of a comparison: centres, extents, and of every frame of axes a quaternion.
+struct Boxes {
+  enum Place {
+    single_centre = 0,
+    centre = 3,
+    extent = 6,
+    single_extent = 9,
+    axes = 12,
+    edges = 16,
+    directions = 20,
+    end = 24
+  };
+
+  /// Column k of a quaternion's rotation, in float.
+  static std::array<float, 3> column(const Inputs& in, int q, int k)
+  {
+    const double w = in[q], x = in[q + 1], y = in[q + 2], z = in[q + 3], norm = w * w + x * x + y * y + z * z;
+    const double m[3][3] = {{w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)},
+                            {2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)},
+                            {2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z}};
+    if (!(norm > 0)) return {float(k == 0), float(k == 1), float(k == 2)};
+    return {float(m[0][k] / norm), float(m[1][k] / norm), float(m[2][k] / norm)};
+  }
+
+  /// An edge of any map: of length 1 too, but of a direction of its own.
+  static std::array<float, 3> slanted(const Inputs& in, int k)
+  {
+    const int first = edges + 2 * k;
+    const double length = std::hypot(in[first], in[first + 1], in[first + 2]);
+    if (!(length > 0)) return {float(k == 0), float(k == 1), float(k == 2)};
+    return {float(in[first] / length), float(in[first + 1] / length), float(in[first + 2] / length)};
+  }
+
+  std::vector<Float> inputs(const Inputs& in, Edges kind)
+  {
+    const auto add = [this](double x) { all.emplace_back(x); };
+    for (int k = 0; k < 3; ++k) add(in[single_centre + k]);
+    for (int k = 0; k < 3; ++k) add(in[centre + k]);
+    for (int k = 0; k < 6; ++k) add(std::abs(in[extent + k]));
+    for (int j = 0; j < 3; ++j)
+      for (const float x : column(in, axes, j)) add(x);
+    for (int j = 0; j < 3; ++j)
+      for (const float x : kind == Edges::general ? slanted(in, j) : column(in, edges, j)) add(x);
+    for (int k = 0; k < 3; ++k)
+      for (int j = 0; j < 3; ++j) add(column(in, directions, j)[k]);
+    return all;
+  }
+
+  double sum_of_extents() const
+  {
+    double sum = std::hypot(double(all[3].computed), double(all[4].computed), double(all[5].computed));
+    for (int k = extent; k < axes; ++k) sum += all[k].computed;
+    return sum;
+  }
+  double norm_1_of_single_centre() const
+  {
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) sum += std::abs(all[k].computed);
+    return sum;
+  }
+
+  std::vector<Float> all;
+};
+
+template <bool fused>
+double worst_of(const std::vector<Float>& in, Edges kind, bool triangle)
+{
+  const auto gaps = gaps_of(Box_test<Float, fused>(in, kind, triangle, Float(0)), kind);
+  constexpr std::size_t axes_of_boxes = 15;
+  double worst = 0;
+  for (std::size_t k = triangle ? axes_of_boxes : 0; k < (triangle ? gaps.size() : axes_of_boxes); ++k)
+    worst = std::max(worst, gaps[k].error());
+  return worst;
+}
+double worst_of(const std::vector<Float>& in, Edges kind, bool triangle)
+{
+  return std::max(worst_of<true>(in, kind, triangle), worst_of<false>(in, kind, triangle));
+}
+
+/// Rounding alone; the axes' defects come beside it.
+template <Edges kind>
+double any_boxes(const Inputs& in)
+{
+  Boxes boxes;
+  const double worst = worst_of(boxes.inputs(in, kind), kind, false);
+  return detail::ratio(worst, boxes.norm_1_of_single_centre() + boxes.sum_of_extents()) / u_of_float;
+}
+
+/// Centres that are no farther apart than the boxes reach.
+template <bool triangle>
+double carried_boxes(const Inputs& in)
+{
+  Boxes boxes;
+  Inputs near = in;
+  const double extents =
+      std::abs(in[6]) + std::abs(in[7]) + std::abs(in[8]) + std::abs(in[9]) + std::abs(in[10]) + std::abs(in[11]);
+  for (int k = 0; k < 3; ++k) near[k] = std::clamp(in[k], -1.0, 1.0) * extents / 2;
+  const double worst = worst_of(boxes.inputs(near, Edges::carried), Edges::carried, triangle);
+  const double sides = triangle ? std::abs(in[10]) + 2 * std::abs(in[11]) : 1;
+  return detail::ratio(worst, sides * boxes.sum_of_extents()) / u_of_float;
+}
+
+/// The end of a ray from the holder's origin through a point, and where its box ends, by its centre, direction and
+/// extent in float.
+double ray(const Inputs& in)
+{
+  const double length = std::hypot(in[0], in[1], in[2]), end = std::max(2.0, 1.5 * length);
+  if (!(length > 0x1p-20)) return 0;
+  double square = 0;
+  const double extent = float(0.5 * (end - length));
+  for (int k = 0; k < 3; ++k) {
+    const Rational exact = Rational(in[k]) * Rational(end) / Rational(length);
+    const Rational box = Rational(double(float(0.5 * (1 + end / length) * in[k]))) +
+                         Rational(extent) * Rational(double(float(in[k] / length)));
+    const double off = Rational(exact - box).get_d();
+    square += off * off;
+  }
+  return std::sqrt(square) / end / u_of_float;
+}
+
+/// Coordinates along nearly orthonormal axes, and scalar products with them.
+double coordinates(const Inputs& in)
+{
+  using Vector = std::array<double, 3>;
+  // Axes of a symmetric defect, and half the largest defect of their products.
+  std::array<Vector, 3> axis = {Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}};
+  constexpr double part = kernel::axis_defect / 8;
+  constexpr std::array<std::array<int, 2>, 6> places = {{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {2, 0}}};
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const auto [i, j] = places[k];
+    axis[i][j] += part * in[k];
+    if (i != j) axis[j][i] += part * in[k];
+  }
+  double defect = 0, along = 0;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) defect = std::max(defect, std::abs(kernel::dot(axis[i], axis[j]) - (i == j)));
+  Vector y{}, products{};
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) y[k] += in[6 + i] * axis[i][k];
+  for (int i = 0; i < 3; ++i) {
+    products[i] = std::abs(kernel::dot(axis[i], y));
+    along = std::max(along, products[i]);
+  }
+  double worst = 0;
+  for (int i = 0; i < 3; ++i) worst = std::max(worst, std::abs(in[6 + i]) - products[i]);
+  return detail::ratio(worst, defect * along);
+}
+
+}  // namespace box_search
+}  // namespace
+
+Searches box_searches()
+{
+  using namespace box_search;
+  return {{"box_rounding, boxes of any map", {Boxes::end, any_boxes<Edges::general>}},
+          {"box_rounding, rays of containment", {Boxes::end, any_boxes<Edges::given>}},
+          {"carried_box_rounding", {Boxes::end, carried_boxes<false>}},
+          {"twice carried_box_rounding, sides of a triangle", {Boxes::end, carried_boxes<true>}},
+          {"Bvh8_containment::ray_rounding", {3, ray}},
+          {"axis_defect_factor", {9, coordinates}}};
+}
+
+}  // namespace tetracone::verify::proofs

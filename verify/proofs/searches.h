@@ -1,0 +1,98 @@
+#ifndef TETRACONE_VERIFY_PROOFS_SEARCHES_H
+#define TETRACONE_VERIFY_PROOFS_SEARCHES_H
+
+#include "tetracone/kernel/number/floating_point.h"
+#include "verify/proofs/tracked.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Searches for the worst error that a constant must cover: each gives the error of inputs that hill climbing turns,
+/// in the constant's unit. Truth is rational.
+namespace tetracone::verify::proofs {
+
+using Inputs = std::vector<double>;
+
+struct Search {
+  std::size_t inputs;
+  double (*share)(const Inputs&);
+};
+
+/// By the names of the constants.
+using Searches = std::map<std::string, Search>;
+Searches adaptive_searches();
+Searches bound_searches();
+Searches frame_searches();
+Searches box_searches();
+
+namespace detail {
+
+constexpr double u = kernel::unit_roundoff<double>, u_of_float = kernel::unit_roundoff<float>;
+
+inline std::array<double, 3> at(const Inputs& in, int first) { return {in[first], in[first + 1], in[first + 2]}; }
+inline std::array<Rational, 3> exactly(const std::array<double, 3>& v)
+{
+  return {Rational(v[0]), Rational(v[1]), Rational(v[2])};
+}
+
+/// |computed - exact| as a share of `scale`.
+inline double share(double computed, const Rational& exact, double scale)
+{
+  return scale > 0 ? Rational(abs(Rational(Rational(computed) - exact))).get_d() / scale : 0;
+}
+
+/// The largest magnitudes of each axis, multiplied.
+template <std::size_t n>
+double box(const std::array<std::array<double, 3>, n>& v)
+{
+  double product = 1;
+  for (int k = 0; k < 3; ++k) {
+    double largest = 0;
+    for (const auto& p : v) largest = std::max(largest, std::abs(p[k]));
+    product *= largest;
+  }
+  return product;
+}
+
+/// The inputs from `first` on, tracked.
+template <class Float, std::size_t n = 3>
+std::array<Tracked<Float>, n> tracked(const Inputs& in, int first)
+{
+  return [&]<std::size_t... k>(std::index_sequence<k...>)
+  {
+    return std::array<Tracked<Float>, n>{Tracked<Float>(in[first + k])...};
+  }
+  (std::make_index_sequence<n>());
+}
+
+/// A number that was rounded once, its error `e` of the largest.
+template <class Float>
+Tracked<Float> rounded_once(double x, double e)
+{
+  const Float computed = Float(x);
+  const double most = 1 - kernel::unit_roundoff<Float>;
+  return {computed, Rational(Rational(computed) *
+                             (1 + Rational(std::clamp(e, -most, most)) * Rational(kernel::unit_roundoff<Float>)))};
+}
+
+template <class Float>
+double sum_of_terms(const std::array<Tracked<Float>, 3>& a, const std::array<Tracked<Float>, 3>& b)
+{
+  double sum = 0;
+  for (int k = 0; k < 3; ++k) sum += std::abs(double(a[k].computed) * double(b[k].computed));
+  return sum;
+}
+
+inline double ratio(double error, double scale) { return scale > 0 ? error / scale : 0; }
+
+}  // namespace detail
+
+}  // namespace tetracone::verify::proofs
+
+#endif

@@ -1,0 +1,58 @@
+#ifndef TETRACONE_VERIFY_PROOFS_TRACKED_H
+#define TETRACONE_VERIFY_PROOFS_TRACKED_H
+
+#include "tetracone/kernel/number/number.h"
+
+#include <cmath>
+#include <utility>
+
+namespace tetracone::verify::proofs {
+
+using kernel::Rational;
+
+/// A computed number, and what is meant by it, in exact rationals: an expression run with these tells its own error.
+template <class Float>
+struct Tracked {
+  Float computed;
+  Rational exact;
+
+  explicit Tracked(double x) : computed(Float(x)), exact(computed) {}
+  Tracked(Float c, Rational e) : computed(c), exact(std::move(e)) {}
+
+  double error() const { return Rational(abs(Rational(Rational(computed) - exact))).get_d(); }
+
+  friend Tracked operator+(const Tracked& a, const Tracked& b)
+  {
+    return {a.computed + b.computed, Rational(a.exact + b.exact)};
+  }
+  friend Tracked operator-(const Tracked& a, const Tracked& b)
+  {
+    return {a.computed - b.computed, Rational(a.exact - b.exact)};
+  }
+  friend Tracked operator*(const Tracked& a, const Tracked& b)
+  {
+    return {a.computed * b.computed, Rational(a.exact * b.exact)};
+  }
+  friend Tracked operator/(const Tracked& a, const Tracked& b)
+  {
+    return {a.computed / b.computed, Rational(a.exact / b.exact)};
+  }
+  friend Tracked operator-(const Tracked& a) { return {-a.computed, Rational(-a.exact)}; }
+  friend Tracked abs(const Tracked& a) { return {std::abs(a.computed), Rational(abs(a.exact))}; }
+
+  /// c + a b or c - a b, rounded once.
+  friend Tracked fused_sum(const Tracked& a, const Tracked& b, const Tracked& c, char sign)
+  {
+    const Float factor = sign == '-' ? -a.computed : a.computed;
+    Rational exact = a.exact * b.exact;
+    if (sign == '-') exact = -exact;
+    return {std::fma(factor, b.computed, c.computed), Rational(exact + c.exact)};
+  }
+
+  /// A pose's entry: the search that rounds it has done so before.
+  friend Tracked entry(const Tracked& a) { return a; }
+};
+
+}  // namespace tetracone::verify::proofs
+
+#endif

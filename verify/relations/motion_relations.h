@@ -1,0 +1,24 @@
+#ifndef TETRACONE_VERIFY_RELATIONS_MOTION_RELATIONS_H
+#define TETRACONE_VERIFY_RELATIONS_MOTION_RELATIONS_H
+
+#include "tetracone/kernel/motion/moving_pair.h"
+#include "verify/cases/random.h"
+#include "verify/relations/metamorphic_relations.h"
+
+#include <span>
+#include <string_view>
+
+namespace tetracone::verify {
+
+/// What must hold between the first contact times of a moving pair and of twins made of it without rounding.
+struct Motion_relation {
+  std::string_view name, what;
+  Verdict (*check)(const kernel::Moving_pair& pair, Random& random);
+};
+
+/// reversed-time, permuted, translated, split.
+std::span<const Motion_relation> motion_relations();
+
+}  // namespace tetracone::verify
+
+#endif

@@ -1,0 +1,131 @@
+#include "experiments/cli/distance_command.h"
+
+#include "verify/test/support/program.h"
+#include "verify/test/support/temporary_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <boost/test/unit_test.hpp>
+
+#include <fstream>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_distance_command)
+
+using namespace tetracone::verify;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+const std::string cube_off =
+    "OFF\n8 6 0\n0 0 0\n0 0 1\n0 1 0\n0 1 1\n1 0 0\n1 0 1\n1 1 0\n1 1 1\n4 0 1 3 2\n4 4 6 7 5\n4 0 4 5 1\n4 2 3 7 6\n"
+    "4 0 2 6 4\n4 1 5 7 3\n";
+const std::string poses =
+    "1 0 0 1.5 0 1 0 2.25 0 0 1 0.25\n3/5 -4/5 0 3 4/5 3/5 0 1/3 0 0 1 5\n1 0 0 1 0 1 0 0 0 0 1 0\n"
+    "0.25 0 0 0.5 0 0.25 0 0.5 0 0 0.25 0.5\n1 0.5 0 3 0 1 0.1 4 0 0 2 0\n";
+
+struct Files {
+  Temporary_file cube{"cube.off", cube_off}, poses_b{"poses", poses};
+  std::string words() const
+  {
+    return "distance " + in_quotes(cube.path()) + " " + in_quotes(cube.path()) + " --pose-b " +
+           in_quotes(poses_b.path());
+  }
+};
+
+/// What the checker says of a certificate: its status.
+int checked(const Json& certificate)
+{
+  const Temporary_file file("certificate.json", certificate.dump());
+  const std::string command = "/usr/bin/python3 -B '" TETRACONE_SOURCE_DIR
+                              "/experiments/support/check_certificate.py' " +
+                              in_quotes(file.path()) + " >/dev/null 2>&1";
+  return std::system(command.c_str());
+}
+
+Json certificate_of(const Files& files, const std::string& question)
+{
+  const Temporary_file file("certificate", "");
+  const Run r = run(files.words() + " --question " + question + " --certificate " + in_quotes(file.path()));
+  BOOST_TEST(r.status == 0, r.error);
+  std::ifstream in(file.path());
+  return Json::parse(in);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(distances_are_told_rounded_exactly_and_as_limits)
+{
+  const Files files;
+  BOOST_TEST(run(files.words()).out == "1.346291201783626\n4.17612260356422\n0\n0.25\n3.605551275463989\n");
+  BOOST_TEST(run(files.words() + " --question solid").out ==
+             "1.346291201783626\n4.17612260356422\n0\n0\n3.605551275463989\n");
+  BOOST_TEST(run(files.words() + " --within 1/4").out == "0\n0\n1\n1\n0\n");
+  BOOST_TEST(
+      run(files.words() + " --exact")
+          .out.starts_with(
+              "29/16  1 1 1/4 edge 6 7  3/2 9/4 1/4 vertex 0\n436/25  1 14/15 1 edge 7 5  11/5 14/15 5 vertex 2\n"));
+  for (const char* kernel : {"double", "rational"})
+    BOOST_TEST(run(files.words() + " --kernel " + kernel).out.starts_with("1.346291201783626\n4.17612260356422\n0\n"));
+}
+
+BOOST_AUTO_TEST_CASE(bad_use_is_refused)
+{
+  const Files files;
+  for (const char* words : {"--within nan", "--within x", "--kernel epick", "--question both", "--time", "--repeat 0",
+                            "--exact --within 1", "--exact --kernel double"})
+    check_refused(files.words() + " " + words, "expected");
+}
+
+BOOST_AUTO_TEST_CASE(a_certificate_is_proved_and_a_spoiled_one_refused)
+{
+  const Files files;
+  for (const std::string question : {"surface", "solid"}) {
+    const Json good = certificate_of(files, question);
+    BOOST_TEST(checked(good) == 0);
+    const std::vector<std::pair<std::string, std::function<void(Json&)>>> ways = {
+        {"square", [](Json& c) { c["answers"][0]["squared_distance"] = "29/15"; }},
+        {"greater square", [](Json& c) { c["answers"][4]["squared_distance"] = "14"; }},
+        {"point", [](Json& c) { c["answers"][0]["points"][0][2] = "1/3"; }},
+        {"both points", [](Json& c) { c["answers"][0]["points"][0][0] = c["answers"][0]["points"][1][0] = "2"; }},
+        {"holder", [](Json& c) { c["answers"][0]["holders"][0] = "edge 0 1"; }},
+        {"no edge", [](Json& c) { c["answers"][0]["holders"][0] = "edge 0 7"; }},
+        {"interior", [](Json& c) { c["answers"][0]["holders"][1] = "interior"; }},
+        {"pose", [](Json& c) { c["answers"][0]["pose_b"][3] = "2"; }},
+        {"pose of a", [](Json& c) { c["answers"][0]["pose_a"][3] = "-1"; }},
+        {"flat pose", [](Json& c) { c["answers"][0]["pose_b"][10] = "0"; }},
+        {"vertex", [](Json& c) { c["a"]["vertices"][7][0] = "5"; }},
+        {"face", [](Json& c) { c["b"]["faces"][0][0][0] = 7; }},
+        {"piece of a face", [](Json& c) { c["a"]["pieces"][0]["face"] = 1; }},
+        {"corner of a piece", [](Json& c) { c["a"]["pieces"][0]["corners"][0] = 7; }},
+        {"no pieces", [](Json& c) { c["b"]["pieces"] = Json::array(); }},
+        {"no cover", [](Json& c) { c["answers"][0]["cover"] = Json::array(); }},
+        {"a part less", [](Json& c) { c["answers"][1]["cover"].erase(0); }},
+        {"an axis",
+         [](Json& c) {
+           c["answers"][0]["cover"][0]["axis"] = {"0", "0", "1"};
+         }},
+        {"no axis",
+         [](Json& c) {
+           c["answers"][0]["cover"][0]["axis"] = {"0", "0", "0"};
+         }},
+        {"a side less", [](Json& c) { c["answers"][0]["cover"][0]["b"].erase(0); }},
+        {"the other side less", [](Json& c) { c["answers"][0]["cover"][0]["a"].erase(0); }},
+        {"question", [](Json& c) { c["question"] = "other"; }},
+        {"answers", [](Json& c) { c["answers"] = Json::array(); }}};
+    for (const auto& [what, spoil] : ways) {
+      Json bad = good;
+      spoil(bad);
+      BOOST_TEST(checked(bad) != 0, question << ": " << what);
+    }
+  }
+  // What holds of the surfaces need not hold of the solids: one cube is in the other.
+  Json inside = certificate_of(files, "surface");
+  inside["question"] = "solid";
+  BOOST_TEST(checked(inside) != 0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,123 @@
+#!/usr/bin/python3
+"""Commands that the documentation shows, against program and build: subcommands with their options, experiments, targets, and files of ours."""
+
+import os
+import re
+import shlex
+import subprocess
+import sys
+import unittest
+
+sys.dont_write_bytecode = True
+SOURCE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "..")
+PROGRAM = os.environ.get("TETRACONE_PROGRAM", "")
+if not PROGRAM:
+    print("skipped: no program")
+    sys.exit(77)
+BUILD = os.path.dirname(PROGRAM)
+PAGES = ("README.md", "CONTRIBUTING.md", "experiments/README.md", "experiments/subjects/README.md", "experiments/cluster/README.md",
+         "verify/corpus/README.md", "tetratree/door/mainpage.md")
+# What recipes of CONTRIBUTING.md make.
+NEW = {"halvings", "NAME", "experiments/accuracy/halvings.cpp", "experiments/accuracy/halvings.h", "verify/subjects/box_subject.h",
+       "verify/subjects/box_subject.cpp", "tetratree/door/solver_long_double.cpp", "experiments/peers/example_peer.cpp",
+       "verify/test/experiments/accuracy/halvings.cpp", "verify/test/verify/subjects/box_subject.cpp", "mirror-image"}
+
+
+def code_of(page):
+    """The lines of blocks, continued ones joined, and the spans of code, each with where it stands. Paragraphs of a list are indented too."""
+    with open(os.path.join(SOURCE, page), encoding="utf-8") as file:
+        lines = re.sub(r" *\\\n\s*", " ", file.read()).split("\n")
+    fenced = in_list = False
+    for number, line in enumerate(lines, 1):
+        at = f"{page}:{number}"
+        if re.match(r"\s*(```|~~~)", line):
+            fenced = not fenced
+            continue
+        in_list = bool(re.match(r"(\d+\.|-) ", line)) or (in_list and line[:1] in ("", " "))
+        if fenced or line.startswith("       " if in_list else "    "):
+            yield at, line.strip()
+        else:
+            for span in re.findall(r"`([^`]+)`", line):
+                yield at, span
+
+
+def commands():
+    """Where, and the words of each command, without comments; a line may have several."""
+    for page in PAGES:
+        for at, code in code_of(page):
+            for command in re.split(r"\s*(?:&&|\|\||[;|()])\s*", re.sub(r"\s#.*", "", code)):
+                try:
+                    words = shlex.split(re.sub(r"   +.*", "", command))  # columns of a table of commands
+                except ValueError:
+                    continue
+                while words and re.fullmatch(r"\w+=\S*|time|taskset|-c|\d|\$?\w+=\$", words[0]):
+                    words = words[1:]
+                if words:
+                    yield at, words, command
+
+
+def said(*words):
+    return subprocess.run([PROGRAM, *words], capture_output=True, text=True, check=True).stdout
+
+
+class Documentation(unittest.TestCase):
+    def test_each_command_of_the_program_is_one_and_takes_the_options_shown(self):
+        known, helps, seen = set(re.findall(r"^  (\w+) ", said("--help").split("Subcommands:")[1], re.M)), {}, set()
+        experiments = set(re.findall(r"^(\S+) ", said("experiment", "--list"), re.M)) | NEW
+        for at, words, command in commands():
+            if not re.fullmatch(r"((build|build-asserts)/)?tetracone", words[0]) or len(words) < 2 or not words[1].isalpha():
+                continue
+            with self.subTest(at=at, command=command):
+                self.assertIn(words[1], known)
+                seen.add(words[1])
+                help_ = helps.setdefault(words[1], said(words[1], "--help"))
+                for option in (word for word in words if word.startswith("--")):
+                    self.assertRegex(help_, rf"(?<![\w-]){option.rstrip(',')}(?![\w-])")
+                if words[1] == "experiment" and len(words) > 2 and not words[2].startswith("-"):
+                    self.assertIn(words[2], experiments)
+        self.assertEqual(seen, known)
+
+    def test_each_target_is_one(self):
+        with open(os.path.join(BUILD, "build.ninja")) as file:
+            targets = set(re.findall(r"^build (\S+):", file.read(), re.M))
+        seen = 0
+        for at, words, command in commands():
+            if words[:2] == ["cmake", "--build"] and "--target" in words:
+                for target in words[words.index("--target") + 1:]:
+                    if target not in NEW:
+                        with self.subTest(at=at, command=command):
+                            self.assertIn(target, targets)
+                            seen += 1
+        self.assertGreater(seen, 10)
+
+    def test_each_file_of_ours_is_there(self):
+        seen = 0
+        for page in PAGES:
+            folder = os.path.join(SOURCE, os.path.dirname(page))
+            for at, code in code_of(page):
+                for name in re.findall(r"(?<![\w/.-])(?:kernel|covering|tetratree|verify|experiments)/[\w./-]*\.(?:sh|py|h|cpp|cmake|sbatch|md|csv|txt)\b", code):
+                    if name in NEW or re.search(r"FOLDER|ROOM|NAME|/X\.", name):
+                        continue
+                    with self.subTest(at=at, file=name):
+                        self.assertTrue(any(os.path.exists(os.path.join(of, name)) for of in (SOURCE, folder)))
+                        seen += 1
+        self.assertGreater(seen, 40)
+
+    def test_the_packages_to_install_are_those_that_are_built_with(self):
+        with open(os.path.join(SOURCE, "experiments", "support", "setup.sh")) as file:
+            built_with = set(re.search(r"^build_packages=\((.*?)\)", file.read(), re.M | re.S)[1].split())
+        for page in ("README.md", "tetratree/door/mainpage.md"):
+            (shown,) = (words[2:] for at, words, command in commands() if at.startswith(page) and words[:2] == ["apt-get", "install"] and "g++" in words)
+            # Not the tests', and not the viewer's.
+            self.assertEqual(set(shown), built_with - {"libboost-test-dev", "librapidcheck-dev", "libjs-three"}, page)
+
+    def test_the_version_to_find_is_this_one(self):
+        with open(os.path.join(SOURCE, "CMakeLists.txt")) as file:
+            version = re.search(r"project\(tetracone VERSION (\d+\.\d+)", file.read())[1]
+        for page in ("README.md", "tetratree/door/mainpage.md"):
+            with open(os.path.join(SOURCE, page)) as file:
+                self.assertEqual(re.findall(r"find_package\(tetracone (\S+) REQUIRED\)", file.read()), [version], page)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,31 @@
+# A user's unit that includes the library's headers, or all of the templates', not as a system's, has no warning from them: by each compiler that is
+# there. clang's -Wconversion has -Wsign-conversion in it, which g++'s has not: the templates index by int, and are asked without it.
+
+file(MAKE_DIRECTORY ${WORK})
+set(warnings -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
+file(GLOB_RECURSE headers RELATIVE ${SOURCE} ${SOURCE}/kernel/*.h ${SOURCE}/covering/*.h ${SOURCE}/tetratree/*.h)
+list(FILTER headers EXCLUDE REGEX "/python/")
+set(templates)
+foreach(header IN LISTS headers)
+  string(APPEND templates "#include <tetracone/${header}>\n")
+endforeach()
+file(WRITE ${WORK}/templates.cpp "${templates}")
+file(WRITE ${WORK}/door.cpp "#include <tetracone/repair.h>\n#include <tetracone/tetracone.h>\n")
+
+# check(COMPILER UNIT FLAG...)
+function(check compiler unit)
+  execute_process(COMMAND ${compiler} -std=c++20 -fsyntax-only ${ARGN} -I${INCLUDE} ${WORK}/${unit}.cpp RESULT_VARIABLE status ERROR_VARIABLE errors)
+  if(NOT status EQUAL 0)
+    string(SUBSTRING "${errors}" 0 4000 errors)
+    message(SEND_ERROR "${compiler}, ${unit}: ${errors}")
+  endif()
+endfunction()
+
+find_program(clang NAMES clang++ clang++-19 clang++-16 clang++-14)
+check(g++ door ${warnings})
+if(clang)
+  check(${clang} door ${warnings})
+  check(${clang} templates ${warnings} -Wno-sign-conversion -DCGAL_USE_GMPXX=1 -frounding-math -ffp-contract=off -isystem ${EIGEN})
+else()
+  message(STATUS "clang++: not there")
+endif()

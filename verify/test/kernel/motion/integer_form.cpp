@@ -1,0 +1,71 @@
+#include "tetracone/kernel/motion/integer_form.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+
+BOOST_AUTO_TEST_SUITE(test_integer_form)
+
+using namespace tetracone::kernel;
+
+namespace {
+
+template <std::size_t N>
+Integer_form form(const std::array<int, N>& coefficients)
+{
+  Integer_form f;
+  for (const int c : coefficients) f.push_back(c);
+  return f;
+}
+
+bool same(const Integer_form& f, const Integer_form& g)
+{
+  bool equal = f.size() == g.size();
+  for (std::size_t k = 0; equal && k < f.size(); ++k) equal = f[k] == g[k];
+  return equal;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(halves_are_the_form_over_halves_of_the_time)
+{
+  const Integer_form f = form<4>({3, -7, 5, 2}), first = f.first_half(), second = f.second_half();
+  for (int k = 0; k <= 4; ++k) {
+    // At quarter k of a half: t = k/8 or (4+k)/8; the halves are 8 times the cubic, at s + t = 4 in place of 8.
+    BOOST_TEST(first.at(4 - k, k) == f.at(8 - k, k));
+    BOOST_TEST(second.at(4 - k, k) == f.at(4 - k, 4 + k));
+  }
+  BOOST_TEST(same(f.over(2, 2), f.second_half().first_half()));
+  BOOST_TEST(same(f.over(1, 2), f.first_half().second_half()));
+  BOOST_TEST(same(f.over(0, 0), f));
+}
+
+BOOST_AUTO_TEST_CASE(variations_are_changes_of_sign)
+{
+  BOOST_TEST(form<4>({1, 0, 0, 2}).variations() == 0);
+  BOOST_TEST(form<4>({1, 0, 0, -2}).variations() == 1);
+  BOOST_TEST(form<4>({1, -1, 0, 2}).variations() == 2);
+  BOOST_TEST(form<4>({-1, 1, -1, 2}).variations() == 3);
+  BOOST_TEST(form<3>({0, 0, 0}).variations() == 0);
+  BOOST_TEST(form<3>({0, 0, 0}).is_zero());
+  BOOST_TEST(form<3>({0, -1, 0}).only_sign() == CGAL::NEGATIVE);
+}
+
+BOOST_AUTO_TEST_CASE(common_divisors_have_the_common_roots)
+{
+  // In v: (v-1)^2 (v-2) and (v-1) (v+3).
+  const Integer_form f = form<4>({-2, 5, -4, 1}), g = form<3>({-3, 2, 1});
+  const Integer_form shared = common_divisor(f, g);
+  BOOST_REQUIRE(shared.size() == 2u);
+  BOOST_TEST(shared.at(1, 1) == 0);
+  BOOST_TEST(common_divisor(f, form<3>({3, 4, 1})).size() == 1u);
+  const Integer_form simple = without_squares(f);
+  BOOST_REQUIRE(simple.size() == 3u);
+  BOOST_TEST(simple.at(1, 1) == 0);
+  BOOST_TEST(simple.at(1, 2) == 0);
+  // (v-1)^3, and factors s and t.
+  BOOST_TEST(without_squares(form<4>({-1, 3, -3, 1})).size() == 2u);
+  BOOST_TEST(same(form<4>({0, 6, -4, 0}).primitive(), form<2>({3, -2})));
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,169 @@
+#include "tetracone/tetratree/door/contacts.h"
+
+#include "tetracone/tetratree/door/tetracone.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_contacts)
+
+using namespace tetracone;
+
+namespace {
+
+Polyhedron cube()
+{
+  Polyhedron cube;
+  for (int k = 0; k < 8; ++k) cube.vertices.push_back({double(k >> 2 & 1), double(k >> 1 & 1), double(k & 1)});
+  for (const auto& face :
+       {std::vector<Index>{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}})
+    cube.add_polygon(face);
+  return cube;
+}
+
+/// The cube with each face as two triangles.
+Polyhedron triangulated_cube()
+{
+  const Polyhedron whole = cube();
+  Polyhedron triangles;
+  triangles.vertices = whole.vertices;
+  for (Index f = 0; f < whole.face_count(); ++f) {
+    const auto loop = whole.loop(f, 0);
+    triangles.add_polygon({loop[0], loop[1], loop[2]});
+    triangles.add_polygon({loop[0], loop[2], loop[3]});
+  }
+  return triangles;
+}
+
+std::size_t count(const Contacts& contacts, Piece kind)
+{
+  std::size_t n = 0;
+  for (std::size_t k = 0; k < contacts.size(); ++k) n += contacts[k].kind == kind;
+  return n;
+}
+
+using Strings = std::vector<std::string>;
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(cubes_that_overlap_meet_in_one_closed_curve)
+{
+  for (const Polyhedron& body : {cube(), triangulated_cube()}) {
+    Query query{Body(body), Body(body), Question::surface};
+    const Contacts contacts = query.contacts(Pose(), Pose::translation(0.5, 0.25, 0.125));
+    BOOST_TEST(count(contacts, Piece::segment) == contacts.size());
+    const auto curves = contacts.curves();
+    BOOST_TEST_REQUIRE(curves.size() == 1u);
+    BOOST_TEST(curves[0].closed);
+    // Six of the edges of either box's corner in the other: a hexagon, whose sides diagonals of faces may cut.
+    BOOST_TEST(curves[0].points.size() >= 6u);
+    for (const auto& x : curves[0].points) {
+      BOOST_TEST((x[0] == 0.5 || x[1] == 0.25 || x[2] == 0.125));
+      BOOST_TEST((x[0] == 1 || x[1] == 1 || x[2] == 1));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(cubes_face_on_face_share_a_polygon_and_its_border)
+{
+  Query query{Body(cube()), Body(cube()), Question::surface};
+  const Contacts contacts = query.contacts(Pose(), Pose::translation(1, 0.5, 0));
+  const auto polygon = [&] {
+    for (std::size_t k = 0; k < contacts.size(); ++k)
+      if (contacts[k].kind == Piece::polygon && contacts[k].face_a == 1) return k;
+    return contacts.size();
+  }();
+  BOOST_TEST_REQUIRE(polygon < contacts.size());
+  BOOST_TEST(contacts[polygon].face_b == 0u);
+  BOOST_TEST((contacts[polygon].in_a == Feature::interior));
+  const auto loops = contacts.nearest_loops(polygon);
+  BOOST_TEST_REQUIRE(loops.size() == 1u);
+  const std::set<std::array<double, 3>> corners(loops[0].begin(), loops[0].end()),
+      expected = {{1, 0.5, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0.5, 1}};
+  BOOST_TEST((corners == expected));
+  // Those of the sides z = 0 and z = 1 meet in a segment: they touch along x = 1.
+  BOOST_TEST(count(contacts, Piece::polygon) == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(places_are_exact_enclosed_and_nearest)
+{
+  Query query{Body(triangulated_cube()), Body(triangulated_cube()), Question::surface};
+  const Pose moved = Pose::from_text({"1", "0", "0", "1/3", "0", "1", "1/7", "1/3", "0", "0", "1", "1/3"});
+  const Contacts contacts = query.contacts(Pose(), moved);
+  BOOST_TEST(!contacts.empty());
+  bool some_fraction = false;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const auto exact = contacts.exact_loops(k);
+    const auto enclosed = contacts.loops(k);
+    const auto nearest = contacts.nearest_loops(k);
+    BOOST_TEST_REQUIRE(exact[0].size() == enclosed[0].size());
+    for (std::size_t i = 0; i < exact[0].size(); ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        some_fraction = some_fraction || exact[0][i][axis].find('/') != std::string::npos;
+        BOOST_TEST(enclosed[0][i].lower[axis] <= nearest[0][i][axis]);
+        BOOST_TEST(enclosed[0][i].upper[axis] >= nearest[0][i][axis]);
+        BOOST_TEST(enclosed[0][i].upper[axis] - enclosed[0][i].lower[axis] < 1e-11);
+      }
+  }
+  BOOST_TEST(some_fraction);
+}
+
+BOOST_AUTO_TEST_CASE(every_exact_kernel_and_method_lists_the_same_and_others_refuse)
+{
+  const Body body(cube());
+  const Pose touching = Pose::translation(1, 1, 0.25);
+  const auto listed = [&](const char* kernel, Method method) {
+    Query_options options = *parse_kernel(kernel);
+    options.method = method;
+    const Contacts contacts = Query(body, body, Question::surface, options).contacts(Pose(), touching);
+    std::vector<Strings> pieces;
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+      pieces.push_back({std::to_string(contacts[k].face_a), std::to_string(contacts[k].face_b),
+                        std::string(to_string(contacts[k].kind)), std::string(to_string(contacts[k].in_a)),
+                        std::string(to_string(contacts[k].in_b))});
+      const auto loops = contacts.exact_loops(k);
+      for (const auto& x : loops[0]) pieces.back().insert(pieces.back().end(), x.begin(), x.end());
+    }
+    return pieces;
+  };
+  const auto first = listed("adaptive", Method::tree);
+  BOOST_TEST(!first.empty());
+  for (const char* kernel : {"adaptive", "epeck", "rational"})
+    for (const Method method : {Method::tree, Method::paper, Method::brute})
+      BOOST_TEST((listed(kernel, method) == first), kernel << ' ' << to_string(method));
+  BOOST_CHECK_THROW(listed("double", Method::tree), Error);
+  BOOST_CHECK_THROW(listed("epick", Method::paper), Error);
+}
+
+BOOST_AUTO_TEST_CASE(grids_in_one_plane_take_what_they_print)
+{
+  // 2 x 60 x 60 triangles on as many of another grid: each meets a few, not all.
+  constexpr int n = 60;
+  const auto grid = [](double step) {
+    Polyhedron grid;
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; j <= n; ++j) grid.vertices.push_back({i * step, j * step, 0});
+    for (Index i = 0; i < n; ++i)
+      for (Index j = 0; j < n; ++j) {
+        const Index v = i * (n + 1) + j;
+        grid.add_polygon({v, v + n + 1, v + 1});
+        grid.add_polygon({v + 1, v + n + 1, v + n + 2});
+      }
+    return grid;
+  };
+  Query query{Body(grid(1)), Body(grid(1.25)), Question::surface};
+  const Contacts contacts = query.contacts(Pose(), Pose());
+  const auto features = query.features(Pose(), Pose());
+  BOOST_TEST(contacts.size() > 2u * n * n);
+  BOOST_TEST(features.size() > contacts.size());
+  // Pairs of triangles that were decided: no more than a few for each that is printed.
+  const Query_statistics work = query.statistics();
+  BOOST_TEST(work.box_tests < 60 * (contacts.size() + features.size()));
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,129 @@
+#include "tetracone/tetratree/locator/point_locator.h"
+
+#include "verify/test/support/locator_scenes.h"
+#include "verify/truth/cgal_truth.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+#include <cmath>
+#include <thread>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_point_locator)
+
+namespace scenes = tetracone::verify::scenes;
+namespace verify = tetracone::verify;
+using namespace tetracone::tetratree;
+using tetracone::covering::Polyhedron;
+using tetracone::covering::Vertex;
+using tetracone::kernel::Pose;
+using tetracone::kernel::Rational;
+
+namespace {
+
+using Model = Point_locator::Model;
+
+/// The truth for many points of one body.
+class Truth {
+ public:
+  explicit Truth(const Polyhedron& polyhedron) : body_(polyhedron), solid_(body_, Pose()), dot_(origin()) {}
+
+  int operator()(const std::array<Rational, 3>& p) const
+  {
+    const verify::Placed_body moved(dot_, Pose({1, 0, 0, p[0], 0, 1, 0, p[1], 0, 0, 1, p[2]}));
+    if (verify::detail::surfaces_meet(solid_, moved)) return 0;
+    return verify::detail::winding(solid_, moved, 0) != 0 ? 1 : -1;
+  }
+
+ private:
+  static Polyhedron origin()
+  {
+    Polyhedron origin;
+    origin.vertices = {{0, 0, 0}};
+    origin.add_polygon({0});
+    return origin;
+  }
+
+  verify::Brute_body body_;
+  verify::Placed_body solid_;
+  verify::Brute_body dot_;
+};
+
+std::array<Rational, 3> exact(const Vertex& p) { return {Rational(p[0]), Rational(p[1]), Rational(p[2])}; }
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(every_point_is_where_the_truth_has_it)
+{
+  scenes::Random random(20261);
+  std::array<long, 3> answers{};
+  long wrong = 0;
+  const int rounds = scenes::rounds();
+  for (const auto& [name, body] : scenes::locator_bodies(random)) {
+    const Model model(body);
+    const Point_locator locator(model);
+    const Truth truth(body);
+    long wrong_here = 0;
+    for (int k = 0; k < 60 * rounds; ++k) {
+      const Vertex p = scenes::degenerate_point(random, body, model.lattice().origin);
+      const int expected = truth(exact(p)), found = int(locator.locate(p));
+      ++answers[expected + 1];
+      wrong_here += found != expected;
+      if (found != expected && wrong_here < 4)
+        BOOST_TEST_MESSAGE(name << ": " << found << " for " << expected << " at " << p[0] << " " << p[1] << " "
+                                << p[2]);
+    }
+    BOOST_TEST(wrong_here == 0, name << ": " << wrong_here << " wrong");
+    wrong += wrong_here;
+  }
+  const long all = answers[0] + answers[1] + answers[2];
+  BOOST_TEST_MESSAGE(all << " points, " << wrong << " wrong, " << answers[2] << " inside, " << answers[1]
+                         << " on the surface");
+  for (const long a : answers) BOOST_TEST(a > all / 10);
+}
+
+BOOST_AUTO_TEST_CASE(a_triangle_behind_the_origin_does_not_decide)
+{
+  const Model model(scenes::tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}));
+  const Point_locator locator(model);
+  for (int k = 0; k <= 64; ++k)
+    for (int axis = 0; axis < 3; ++axis) {
+      Vertex on_edge{};
+      on_edge[std::size_t(axis)] = k / 64.0;
+      BOOST_TEST((locator.locate(on_edge) == tetracone::covering::Location::on_surface));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(fractions_are_located_as_they_are)
+{
+  scenes::Random random(5);
+  const Polyhedron body = scenes::cube_with_tunnel();
+  const Model model(body);
+  const Point_locator locator(model);
+  const Truth truth(body);
+  std::array<long, 3> answers{};
+  for (int k = 0; k < 300; ++k) {
+    std::array<Rational, 3> p;
+    for (Rational& x : p) x = Rational(scenes::integer(random, -9, 9)) / 3;
+    if (k % 2 == 0) p[k / 2 % 3] += Rational(1) / Rational("1000000000000000000000000000000000000000007");
+    const int expected = truth(p);
+    ++answers[expected + 1];
+    BOOST_TEST(int(locator.locate(p)) == expected);
+  }
+  for (const long a : answers) BOOST_TEST(a > 20);
+}
+
+BOOST_AUTO_TEST_CASE(a_star_shaped_body_asks_signs_near_its_surface_alone)
+{
+  scenes::Random random(6);
+  const Polyhedron body = scenes::triangulated(scenes::torus(60, 30));
+  const Model model(body);
+  const Point_locator locator(model);
+  Point_locator::K::decided_by() = {};
+  for (int k = 0; k < 1000; ++k) locator.locate(scenes::real_vertex(random, 4));
+  BOOST_TEST(Point_locator::K::decided_by()[Point_locator::K::Stage::filter] < 20);
+  BOOST_TEST(locator.bytes() < 90 * body.face_count());
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,52 @@
+#ifndef TETRACONE_VERIFY_TRUTH_CONTACT_PIECES_H
+#define TETRACONE_VERIFY_TRUTH_CONTACT_PIECES_H
+
+#include "tetracone/kernel/number/number.h"
+#include "tetracone/kernel/predicate/face_contact.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+/// The form in which lists of contacts are compared: one form for one set of points, whoever made the list.
+namespace tetracone::verify {
+
+using Exact_point = std::array<kernel::Rational, 3>;
+using Exact_segment = std::pair<Exact_point, Exact_point>;  ///< its ends in order
+
+/// A piece of what two faces share. Its border is a point (twice), a segment, or a polygon's border as a set of points:
+/// its maximal segments, sorted.
+struct Contact_piece_form {
+  std::uint32_t face_a, face_b;
+  kernel::Piece kind;
+  kernel::Feature in_a, in_b;
+  std::vector<Exact_segment> border;
+
+  friend bool operator==(const Contact_piece_form&, const Contact_piece_form&) = default;
+  friend bool operator<(const Contact_piece_form& a, const Contact_piece_form& b)
+  {
+    const auto key = [](const Contact_piece_form& p) { return std::tie(p.face_a, p.face_b, p.kind, p.in_a, p.in_b); };
+    return key(a) != key(b) ? key(a) < key(b) : a.border < b.border;
+  }
+};
+using Contact_forms = std::vector<Contact_piece_form>;
+
+/// Segments as one set of points: the maximal ones, sorted.
+std::vector<Exact_segment> maximal_segments(std::vector<Exact_segment> segments);
+
+/// The form of a piece with these loops: of one or two points, or of a polygon's border.
+Contact_piece_form piece_form(std::uint32_t face_a, std::uint32_t face_b, kernel::Piece kind, kernel::Feature in_a,
+                              kernel::Feature in_b, const std::vector<std::vector<Exact_point>>& loops);
+
+/// The list with the polygons of each pair of faces as one.
+Contact_forms with_joined_polygons(const Contact_forms& forms);
+
+/// One line, for messages.
+std::string to_string(const Contact_piece_form& form);
+
+}  // namespace tetracone::verify
+
+#endif

@@ -1,0 +1,275 @@
+#include "verify/truth/motion_truth.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace tetracone::verify {
+namespace {
+
+using kernel::Moving_kind;
+using kernel::Moving_pair;
+using kernel::Rational;
+using Integer = mpz_class;
+
+/// Coefficients from the constant one up, the last one not zero; empty: zero.
+using Polynomial = std::vector<Integer>;
+
+void trim(Polynomial& p)
+{
+  while (!p.empty() && sgn(p.back()) == 0) p.pop_back();
+}
+
+Polynomial operator*(const Polynomial& p, const Polynomial& q)
+{
+  if (p.empty() || q.empty()) return {};
+  Polynomial product(p.size() + q.size() - 1);
+  for (std::size_t i = 0; i < p.size(); ++i)
+    for (std::size_t j = 0; j < q.size(); ++j) product[i + j] += p[i] * q[j];
+  return product;
+}
+
+/// p + factor q.
+Polynomial plus(const Polynomial& p, const Polynomial& q, int factor = 1)
+{
+  Polynomial sum(std::max(p.size(), q.size()));
+  for (std::size_t k = 0; k < p.size(); ++k) sum[k] += p[k];
+  for (std::size_t k = 0; k < q.size(); ++k) sum[k] += factor * q[k];
+  trim(sum);
+  return sum;
+}
+
+/// Divided by the common divisor of its coefficients.
+Polynomial primitive(Polynomial p)
+{
+  Integer divisor = 0;
+  for (const Integer& c : p) divisor = gcd(divisor, c);
+  if (divisor > 1)
+    for (Integer& c : p) mpz_divexact(c.get_mpz_t(), c.get_mpz_t(), divisor.get_mpz_t());
+  return p;
+}
+
+/// The rest of p over q, times a positive number. Requires that q is not zero.
+Polynomial rest(Polynomial p, const Polynomial& q)
+{
+  const Integer factor = abs(q.back());
+  while (p.size() >= q.size()) {
+    const Integer leading = sgn(q.back()) * p.back();
+    const std::size_t shift = p.size() - q.size();
+    for (Integer& c : p) c *= factor;
+    for (std::size_t j = 0; j < q.size(); ++j) p[shift + j] -= leading * q[j];
+    trim(p);
+  }
+  return primitive(std::move(p));
+}
+
+Polynomial common_divisor(Polynomial p, Polynomial q)
+{
+  while (!q.empty()) {
+    Polynomial next = rest(p, q);
+    p = std::exchange(q, std::move(next));
+  }
+  return p;
+}
+
+int sign_at(const Polynomial& p, int x)
+{
+  if (p.empty() || x == 0) return p.empty() ? 0 : sgn(p[0]);
+  Integer sum = 0;
+  for (const Integer& c : p) sum += c;
+  return sgn(sum);
+}
+
+Polynomial without_roots_at_ends(Polynomial f)
+{
+  while (f.size() > 1 && sign_at(f, 0) == 0) f.erase(f.begin());
+  while (f.size() > 1 && sign_at(f, 1) == 0) {
+    for (std::size_t k = f.size() - 1; k > 0; --k) f[k - 1] += f[k];
+    f.erase(f.begin());  // the rest over x - 1, zero
+  }
+  return f;
+}
+
+/// The sum of the signs of g over the roots of f in (0, 1), each taken once. Requires f(0) and f(1) not zero.
+int tarski_query(const Polynomial& f, const Polynomial& g)
+{
+  Polynomial derivative;
+  for (std::size_t k = 1; k < f.size(); ++k) derivative.push_back(f[k] * static_cast<unsigned long>(k));
+  Polynomial last = f, next = rest(derivative * g, f);
+  // f' g may be reduced by f: the sequence of f and f' g begins with f, f' g, -f where its degree is not below that of f,
+  // which is one change of sign at either end.
+  int changes = 0;
+  std::array<int, 2> signs = {sign_at(f, 0), sign_at(f, 1)};
+  while (!next.empty()) {
+    for (int x = 0; x < 2; ++x) {
+      const int sign = sign_at(next, x);
+      if (sign == 0) continue;
+      if (sign != signs[x]) changes += x == 0 ? 1 : -1;
+      signs[x] = sign;
+    }
+    Polynomial negative = rest(last, next);
+    for (Integer& c : negative) c = -c;
+    last = std::exchange(next, std::move(negative));
+  }
+  return changes;
+}
+
+/// zero = 0, positive > 0 (which is nowhere negative) and every one of `others` >= 0.
+struct Condition {
+  Polynomial zero, positive;
+  std::vector<Polynomial> others;
+};
+
+/// 2^n times the number of roots of f in (0, 1) where the n polynomials from the k-th on are >= 0, each root weighted by
+/// the sign of `weight`.
+int weighted_count(const Polynomial& f, const std::vector<Polynomial>& others, std::size_t k, const Polynomial& weight)
+{
+  if (k == others.size()) return tarski_query(f, weight);
+  // 1 where g >= 0, else 0: (2 + sign g - sign g^2) / 2.
+  const Polynomial &g = others[k], once = rest(weight * g, f), twice = rest(once * g, f);
+  return 2 * weighted_count(f, others, k + 1, weight) + weighted_count(f, others, k + 1, once) -
+         weighted_count(f, others, k + 1, twice);
+}
+
+/// Whether the condition holds at a root of `candidates` in (0, 1).
+bool holds_at_root(const Polynomial& candidates, const Condition& condition)
+{
+  const Polynomial f = without_roots_at_ends(primitive(common_divisor(candidates, condition.zero)));
+  if (f.size() < 2) return false;
+  const int roots = tarski_query(f, {1});
+  if (roots == 0) return false;
+  const Polynomial positive = rest(condition.positive, f);
+  const int not_flat = tarski_query(f, positive);
+  if (not_flat == 0) return false;
+  // What holds at every root is asked no more.
+  std::vector<Polynomial> in_question;
+  for (const Polynomial& other : condition.others) {
+    const Polynomial g = rest(other, f);
+    const int holds = weighted_count(f, {g}, 0, {1}) / 2;
+    if (holds == 0) return false;
+    if (holds < roots) in_question.push_back(g);
+  }
+  return weighted_count(f, in_question, 0, not_flat < roots ? positive : Polynomial{1}) != 0;
+}
+
+bool holds_at_end(const Condition& condition, int x)
+{
+  return sign_at(condition.zero, x) == 0 && sign_at(condition.positive, x) > 0 &&
+         std::ranges::all_of(condition.others, [x](const Polynomial& g) { return sign_at(g, x) >= 0; });
+}
+
+using Vector = std::array<Polynomial, 3>;
+
+Vector difference(const Vector& p, const Vector& q)
+{
+  return {plus(p[0], q[0], -1), plus(p[1], q[1], -1), plus(p[2], q[2], -1)};
+}
+
+Polynomial dot(const Vector& p, const Vector& q) { return plus(plus(p[0] * q[0], p[1] * q[1]), p[2] * q[2]); }
+
+Vector cross(const Vector& p, const Vector& q)
+{
+  const auto part = [&](int i, int j) { return plus(p[i] * q[j], p[j] * q[i], -1); };
+  return {part(1, 2), part(2, 0), part(0, 1)};
+}
+
+/// p is on the closed segment from a to b.
+Condition on_segment(const Vector& p, const Vector& a, const Vector& b)
+{
+  const Vector to_a = difference(a, p), to_b = difference(b, p), area = cross(to_a, to_b);
+  return {dot(area, area), {1}, {plus({}, dot(to_a, to_b), -1)}};
+}
+
+/// The primitives share a point where one of these holds.
+std::vector<Condition> contact(Moving_kind kind, const std::array<Vector, 4>& p)
+{
+  if (kind == Moving_kind::vertex_face) {
+    const Vector normal = cross(difference(p[2], p[1]), difference(p[3], p[1]));
+    const auto part = [&](int i, int j) { return dot(cross(difference(p[i], p[0]), difference(p[j], p[0])), normal); };
+    return {{dot(normal, difference(p[0], p[1])), dot(normal, normal), {part(1, 2), part(2, 3), part(3, 1)}},
+            on_segment(p[0], p[1], p[2]),
+            on_segment(p[0], p[2], p[3]),
+            on_segment(p[0], p[3], p[1])};
+  }
+  const Vector first = difference(p[1], p[0]), second = difference(p[3], p[2]), between = difference(p[2], p[0]);
+  const Vector normal = cross(first, second);
+  const Polynomial whole = dot(normal, normal), on_first = dot(cross(between, second), normal),
+                   on_second = dot(cross(between, first), normal);
+  return {{dot(normal, between), whole, {on_first, plus(whole, on_first, -1), on_second, plus(whole, on_second, -1)}},
+          on_segment(p[0], p[2], p[3]),
+          on_segment(p[1], p[2], p[3]),
+          on_segment(p[2], p[0], p[1]),
+          on_segment(p[3], p[0], p[1])};
+}
+
+/// The contact over a span of time that is written from 0 to 1. Contact does not change when an axis is scaled: each is,
+/// so that its coordinates are integers.
+std::vector<Condition> contact(const Moving_pair& pair, const Rational& from, const Rational& to)
+{
+  std::array<Vector, 4> points;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::array<std::array<Rational, 2>, 4> lines;
+    Integer denominators = 1, numerators = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Rational start = pair.points[k].start[axis], way = Rational(pair.points[k].end[axis]) - start;
+      lines[k] = {Rational(start + from * way), Rational((to - from) * way)};
+      for (const Rational& x : lines[k]) denominators = lcm(denominators, x.get_den());
+    }
+    for (auto& line : lines)
+      for (Rational& x : line) {
+        x *= denominators;
+        numerators = gcd(numerators, x.get_num());
+      }
+    for (std::size_t k = 0; k < 4; ++k) {
+      for (const Rational& x : lines[k])
+        points[k][axis].push_back(numerators == 0 ? 0 : Integer(x.get_num() / numerators));
+      trim(points[k][axis]);
+    }
+  }
+  return contact(pair.kind, points);
+}
+
+}  // namespace
+
+bool truly_meet_in_motion(const Moving_pair& pair, const Time_span& span)
+{
+  const std::vector<Condition> conditions = contact(pair, span.from, span.to);
+  const auto at_end = [&](int x) {
+    return std::ranges::any_of(conditions, [x](const Condition& c) { return holds_at_end(c, x); });
+  };
+  if (at_end(0) || (span.with_end && at_end(1))) return true;
+  const auto at_root_of = [&](const Polynomial& f) {
+    return !f.empty() && std::ranges::any_of(conditions, [&](const Condition& c) { return holds_at_root(f, c); });
+  };
+  // Contact is closed: its first time is an end, or a root of the volume, or, where that is zero, of something else.
+  if (!conditions[0].zero.empty()) return at_root_of(conditions[0].zero);
+  for (const Condition& condition : conditions) {
+    if (at_root_of(condition.zero) || at_root_of(condition.positive)) return true;
+    for (const Polynomial& other : condition.others)
+      if (at_root_of(other)) return true;
+  }
+  return false;
+}
+
+bool truly_meet_at(const Moving_pair& pair, const Rational& time)
+{
+  const std::vector<Condition> conditions = contact(pair, time, time);
+  return std::ranges::any_of(conditions, [](const Condition& c) { return holds_at_end(c, 0); });
+}
+
+bool truly_first(const Moving_pair& pair, const std::optional<kernel::Time_bounds>& bounds, bool meets)
+{
+  if (!bounds || !meets) return !bounds && !meets;
+  const auto [lo, hi] = *bounds;
+  if (!(0 <= lo && lo <= hi && hi <= 1)) return false;
+  if (lo == hi) return truly_meet_at(pair, lo) && (lo == 0 || !truly_meet_in_motion(pair, {0, lo, false}));
+  return hi == std::nextafter(lo, HUGE_VAL) &&
+         (lo == 0 ? !truly_meet_at(pair, 0) : !truly_meet_in_motion(pair, {0, lo})) &&
+         truly_meet_in_motion(pair, {lo, hi, false});
+}
+
+}  // namespace tetracone::verify
