@@ -14,6 +14,7 @@
 #include "experiments/speed/peers_experiment.h"
 #include "experiments/speed/points_experiment.h"
 #include "experiments/speed/scaling_experiment.h"
+#include "experiments/speed/scenes_experiment.h"
 #include "experiments/speed/study.h"
 #include "experiments/speed/threads_experiment.h"
 #include "experiments/support/draw.h"
@@ -75,6 +76,10 @@ void contacts(Options options)
 {
   run_contacts(options.study.out, models(options), options.race_frames, options.study.seed);
 }
+void scenes(Options options)
+{
+  run_scenes(options.study.out, std::size_t(std::max(2, options.race_frames / 20)), options.full, options.study.seed);
+}
 void points(Options options)
 {
   run_points(options.study.out, options.meshes, options.full ? 20 * options.points : options.points,
@@ -120,6 +125,8 @@ constexpr std::array experiments = {
                threads},
     Experiment{"contacts", "how fast are all contacts of bodies that collide, and FCL's, and how many of FCL's wrong?",
                "20 s", contacts},
+    Experiment{"scenes", "how fast is a frame of many bodies beside FCL, Bullet and ODE, and who misses what?", "2 min",
+               scenes},
     Experiment{"points", "what does a point in a solid cost, and the first hit of a ray, against CGAL?", "1 min",
                points},
     Experiment{"sign-maps",
@@ -172,10 +179,10 @@ void add_experiment_command(CLI::App& app)
       ->check(poses)
       ->capture_default_str();
   command
-      ->add_option(
-          "--race-frames", options->race_frames,
-          "peers, scaling, ablation, paper, distance, threads, contacts: poses of each trajectory (peers: of each of "
-          "eight circles)")
+      ->add_option("--race-frames", options->race_frames,
+                   "peers, scaling, ablation, paper, distance, threads, contacts, scenes: poses of each trajectory "
+                   "(peers: of each of "
+                   "eight circles)")
       ->check(poses)
       ->capture_default_str();
   command->add_option("--size", options->size, "sign-maps: doubles along each side of a map")

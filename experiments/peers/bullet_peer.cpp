@@ -1,8 +1,11 @@
 #include "experiments/peers/peer.h"
+#include "experiments/peers/scene_peer.h"
 
 #include <BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
 #include <BulletCollision/Gimpact/btGImpactShape.h>
 #include <btBulletCollisionCommon.h>
+
+#include <algorithm>
 
 namespace tetracone::experiments {
 namespace {
@@ -24,6 +27,8 @@ class Body {
     shape_->updateBound();
     object_.setCollisionShape(shape_.get());
   }
+
+  btCollisionObject& object() { return object_; }
 
   const btCollisionObject& placed(const kernel::Pose& pose)
   {
@@ -52,16 +57,13 @@ struct Any_contact : btManifoldResult {
   }
 };
 
-class Bullet_pair : public Prepared_pair {
+/// Asks two placed bodies.
+class Asking {
  public:
-  Bullet_pair(const Peer_mesh& a, const Peer_mesh& b) : a_(a), b_(b)
-  {
-    btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher_);
-  }
+  Asking() { btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher_); }
 
-  bool collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, kernel::Question) override
+  bool operator()(const btCollisionObject& a, const btCollisionObject& b)
   {
-    const btCollisionObject &a = a_.placed(pose_a), &b = b_.placed(pose_b);
     const btCollisionObjectWrapper wrapped_a(nullptr, a.getCollisionShape(), &a, a.getWorldTransform(), -1, -1);
     const btCollisionObjectWrapper wrapped_b(nullptr, b.getCollisionShape(), &b, b.getWorldTransform(), -1, -1);
     // Not btCollisionWorld::contactPairTest: it asks for closest points, for which GImpact does not register.
@@ -73,11 +75,74 @@ class Bullet_pair : public Prepared_pair {
     dispatcher_.freeCollisionAlgorithm(algorithm);
     return contact.found;
   }
+  btCollisionDispatcher& dispatcher() { return dispatcher_; }
 
  private:
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_{&configuration_};
+};
+
+class Bullet_pair : public Prepared_pair {
+ public:
+  Bullet_pair(const Peer_mesh& a, const Peer_mesh& b) : a_(a), b_(b) {}
+
+  bool collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, kernel::Question) override
+  {
+    return ask_(a_.placed(pose_a), b_.placed(pose_b));
+  }
+
+ private:
+  Asking ask_;
   Body a_, b_;
+};
+
+/// The broad phase of the library, and the question of `Bullet_pair` for what it lets through.
+class Bullet_scene : public Scene_peer {
+ public:
+  Bullet_scene(const std::vector<Peer_mesh>& meshes, const std::vector<std::size_t>& of)
+  {
+    for (std::size_t k = 0; k < of.size(); ++k) {
+      bodies_.push_back(std::make_unique<Body>(meshes[of[k]]));
+      bodies_.back()->object().setUserIndex(int(k));
+    }
+  }
+  Bullet_scene(const Bullet_scene&) = delete;
+  ~Bullet_scene() override
+  {
+    for (btBroadphaseProxy* proxy : proxies_) broad_.destroyProxy(proxy, &ask_.dispatcher());
+  }
+
+  std::vector<Pair> frame(const std::vector<kernel::Pose>& poses) override
+  {
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+      btCollisionObject& object = bodies_[k]->object();
+      bodies_[k]->placed(poses[k]);
+      btVector3 low, high;
+      object.getCollisionShape()->getAabb(object.getWorldTransform(), low, high);
+      if (proxies_.size() <= k)
+        proxies_.push_back(broad_.createProxy(low, high, object.getCollisionShape()->getShapeType(), &object, 1, 1,
+                                              &ask_.dispatcher()));
+      else
+        broad_.setAabb(proxies_[k], low, high, &ask_.dispatcher());
+    }
+    broad_.calculateOverlappingPairs(&ask_.dispatcher());
+    btBroadphasePairArray& pairs = broad_.getOverlappingPairCache()->getOverlappingPairArray();
+    candidates_ = std::size_t(pairs.size());
+    std::vector<Pair> found;
+    for (int k = 0; k < pairs.size(); ++k) {
+      const auto& a = *static_cast<btCollisionObject*>(pairs[k].m_pProxy0->m_clientObject);
+      const auto& b = *static_cast<btCollisionObject*>(pairs[k].m_pProxy1->m_clientObject);
+      const auto [first, second] = std::minmax(std::uint32_t(a.getUserIndex()), std::uint32_t(b.getUserIndex()));
+      if (ask_(a, b)) found.push_back({first, second});
+    }
+    return found;
+  }
+
+ private:
+  Asking ask_;
+  btDbvtBroadphase broad_;
+  std::vector<std::unique_ptr<Body>> bodies_;
+  std::vector<btBroadphaseProxy*> proxies_;
 };
 
 }  // namespace
@@ -85,6 +150,12 @@ class Bullet_pair : public Prepared_pair {
 std::unique_ptr<Prepared_pair> prepare_bullet(const Peer_mesh& a, const Peer_mesh& b)
 {
   return std::make_unique<Bullet_pair>(a, b);
+}
+
+std::unique_ptr<Scene_peer> prepare_bullet_scene(const std::vector<Peer_mesh>& meshes,
+                                                 const std::vector<std::size_t>& of)
+{
+  return std::make_unique<Bullet_scene>(meshes, of);
 }
 
 }  // namespace tetracone::experiments

@@ -1,6 +1,9 @@
 #include "experiments/peers/peer.h"
+#include "experiments/peers/scene_peer.h"
 
 #include <ode/ode.h>
+
+#include <algorithm>
 
 namespace tetracone::experiments {
 namespace {
@@ -8,14 +11,14 @@ namespace {
 /// A mesh with what ODE only points to.
 class Body {
  public:
-  explicit Body(const Peer_mesh& mesh) : vertices_(mesh.vertices)
+  explicit Body(const Peer_mesh& mesh, dSpaceID space = nullptr) : vertices_(mesh.vertices)
   {
     for (const auto& triangle : mesh.triangles)
       for (const covering::Index corner : triangle) corners_.push_back(static_cast<dTriIndex>(corner));
     data_ = dGeomTriMeshDataCreate();
     dGeomTriMeshDataBuildDouble(data_, vertices_.data(), sizeof(kernel::Vertex), static_cast<int>(vertices_.size()),
                                 corners_.data(), static_cast<int>(corners_.size()), 3 * sizeof(dTriIndex));
-    geometry_ = dCreateTriMesh(nullptr, data_, nullptr, nullptr, nullptr);
+    geometry_ = dCreateTriMesh(space, data_, nullptr, nullptr, nullptr);
   }
   Body(const Body&) = delete;
   Body& operator=(const Body&) = delete;
@@ -56,14 +59,68 @@ class Ode_pair : public Prepared_pair {
   Body a_, b_;
 };
 
+/// Its meshes are of each body: ODE has no trimesh for several.
+class Ode_scene : public Scene_peer {
+ public:
+  Ode_scene(const std::vector<Peer_mesh>& meshes, const std::vector<std::size_t>& of)
+      : space_(dHashSpaceCreate(nullptr))
+  {
+    dSpaceSetCleanup(space_, 0);
+    for (std::size_t k = 0; k < of.size(); ++k) {
+      bodies_.push_back(std::make_unique<Body>(meshes[of[k]], space_));
+      dGeomSetData(bodies_.back()->placed(kernel::Pose()), reinterpret_cast<void*>(k));
+    }
+  }
+  Ode_scene(const Ode_scene&) = delete;
+  ~Ode_scene() override
+  {
+    bodies_.clear();
+    dSpaceDestroy(space_);
+  }
+
+  std::vector<Pair> frame(const std::vector<kernel::Pose>& poses) override
+  {
+    for (std::size_t k = 0; k < poses.size(); ++k) bodies_[k]->placed(poses[k]);
+    candidates_ = 0;
+    found_.clear();
+    dSpaceCollide(space_, this, [](void* self, dGeomID a, dGeomID b) { static_cast<Ode_scene*>(self)->ask(a, b); });
+    return found_;
+  }
+
+ private:
+  void ask(dGeomID a, dGeomID b)
+  {
+    ++candidates_;
+    dContactGeom contact;
+    if (dCollide(a, b, 1, &contact, sizeof contact) == 0) return;
+    const auto number = [](dGeomID g) { return std::uint32_t(reinterpret_cast<std::size_t>(dGeomGetData(g))); };
+    found_.push_back({std::min(number(a), number(b)), std::max(number(a), number(b))});
+  }
+
+  dSpaceID space_;
+  std::vector<std::unique_ptr<Body>> bodies_;
+  std::vector<Pair> found_;
+};
+
+/// What ODE keeps for all, and a thread; again on the same thread it does nothing.
+bool is_ready()
+{
+  static const bool ready = dInitODE2(0) != 0;
+  return ready && dAllocateODEDataForThread(dAllocateMaskAll);
+}
+
 }  // namespace
 
 std::unique_ptr<Prepared_pair> prepare_ode(const Peer_mesh& a, const Peer_mesh& b)
 {
-  static const bool ready = dInitODE2(0) != 0;
-  // What ODE keeps a thread; again on the same thread it does nothing.
-  if (!ready || !dAllocateODEDataForThread(dAllocateMaskAll)) return nullptr;
+  if (!is_ready()) return nullptr;
   return std::make_unique<Ode_pair>(a, b);
+}
+
+std::unique_ptr<Scene_peer> prepare_ode_scene(const std::vector<Peer_mesh>& meshes, const std::vector<std::size_t>& of)
+{
+  if (!is_ready()) return nullptr;
+  return std::make_unique<Ode_scene>(meshes, of);
 }
 
 }  // namespace tetracone::experiments

@@ -74,6 +74,8 @@ std::shared_ptr<const detail::Body_data> checked(Polyhedron polyhedron, std::vec
 
 }  // namespace
 
+const detail::Body_data& detail::data_of(const Body& body) { return *body.data_; }
+
 void detail::require_solid(const Body_data& body, const std::string& who, const std::string& what)
 {
   if (body.is_closed()) return;

@@ -8,6 +8,7 @@
 #include "tetracone/tetratree/paper/config.h"
 #include "tetracone/tetratree/paper/tetra_tree.h"
 
+#include <atomic>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -18,7 +19,11 @@
 #include <utility>
 #include <vector>
 
-namespace tetracone::detail {
+namespace tetracone {
+
+class Body;
+
+namespace detail {
 
 /// What copies of a `Body` share. What is not yet here is made once, by the first thread that asks for it.
 struct Body_data {
@@ -37,9 +42,14 @@ struct Body_data {
 
   const tetratree::Bvh8& bvh8() const
   {
-    std::call_once(bvh8_once_, [this] { bvh8_.emplace(polyhedron, triangles); });
+    std::call_once(bvh8_once_, [this] {
+      bvh8_.emplace(polyhedron, triangles);
+      made_bvh8_.store(&*bvh8_, std::memory_order_release);
+    });
     return *bvh8_;
   }
+  /// The same, or nothing where no query has asked for it yet.
+  const tetratree::Bvh8* made_bvh8() const { return made_bvh8_.load(std::memory_order_acquire); }
 
   /// Requires a closed polyhedron.
   const tetratree::Point_locator& point_locator() const
@@ -76,15 +86,19 @@ struct Body_data {
   mutable std::once_flag closed_once_, bvh8_once_, point_locator_once_;
   mutable bool closed_ = false;
   mutable std::optional<tetratree::Bvh8> bvh8_;
+  mutable std::atomic<const tetratree::Bvh8*> made_bvh8_ = nullptr;
   mutable std::optional<tetratree::Point_locator> point_locator_;
   mutable std::mutex trees_lock_;
   mutable std::map<std::string, std::shared_ptr<void>> trees_;
   mutable std::map<std::type_index, std::shared_ptr<void>> models_;
 };
 
+const Body_data& data_of(const Body& body);
+
 /// Throws Error when the body is no solid: "WHO is open at ...; expected a closed surface for WHAT".
 void require_solid(const Body_data& body, const std::string& who, const std::string& what);
 
-}  // namespace tetracone::detail
+}  // namespace detail
+}  // namespace tetracone
 
 #endif

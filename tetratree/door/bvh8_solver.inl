@@ -33,6 +33,7 @@ class Bvh8_solver : public Solver {
   {
     return of_contacts().contacts(pose_a, pose_b);
   }
+  double certified_gap() const override { return collision_.certified_gap(); }
   Query_statistics statistics() const override
   {
     Query_statistics all = collision_.counts();

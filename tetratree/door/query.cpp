@@ -98,6 +98,8 @@ Contacts Query::contacts(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
       detail::Contacts_data{d.solver->contacts(pose_a, pose_b), d.a, d.b, pose_a, pose_b}));
 }
 
+double Query::certified_gap() const { return data().solver->certified_gap(); }
+
 Query_statistics Query::statistics() const
 {
   Query_statistics all = data().solver->statistics();

@@ -22,6 +22,8 @@ class Solver {
   virtual Relation relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question) = 0;
   virtual std::vector<Feature_pair> features(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
   virtual tetratree::Found_contacts contacts(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
+  /// Of the last relation, where it was `apart`.
+  virtual double certified_gap() const { return 0; }
   virtual Query_statistics statistics() const = 0;
   virtual void clear_statistics() = 0;
   virtual std::size_t bytes() const = 0;

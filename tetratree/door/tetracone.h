@@ -31,9 +31,11 @@ class Pose;
 /// Writes the name: apart, surfaces, a_in_b, b_in_a.
 inline std::ostream& operator<<(std::ostream& out, Relation relation) { return out << to_string(relation); }
 }  // namespace kernel
+class Body;
 namespace detail {
 struct Body_data;
 struct Query_data;
+const Body_data& data_of(const Body& body);
 }  // namespace detail
 
 using covering::Face_triangle;
@@ -137,6 +139,7 @@ class Body {
 
  private:
   friend class Query;
+  friend const detail::Body_data& detail::data_of(const Body& body);
   friend Body read_body(const std::filesystem::path& file);
   explicit Body(const std::filesystem::path& file);
 
@@ -216,6 +219,9 @@ class Query {
   bool within(const Pose& pose_a, const Pose& pose_b, const std::string& limit);
   /// By poses of the templates. Requires det M != 0.
   bool within(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const std::string& limit);
+
+  /// After an answer `apart`: how far from one another the bodies were at least; 0 where the query had no need to know.
+  double certified_gap() const;
 
   /// Work since the last `clear_statistics`.
   Query_statistics statistics() const;

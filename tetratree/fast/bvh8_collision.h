@@ -102,6 +102,10 @@ class Bvh8_collision {
     return b_.placed;
   }
 
+  /// After `apart`: how far from one another the placed bodies were at least, by the plane between them; 0 where none
+  /// was found.
+  double certified_gap() const { return separating_direction_.gap(); }
+
   const Query_statistics& counts() const { return counts_; }
   void clear_counts() { counts_ = {}; }
 

@@ -37,7 +37,20 @@ class Separating_direction {
     const Attempt first = attempt(placed, m);
     if (!first.separates()) return search(Placed(placed), Attempt(first), m, steps, last_one_first);
     last_ = m;
+    last_gap_ = {first.gap, first.slack};
     return were_apart_ = true;
+  }
+
+  /// How far from one another the bodies of the last call were at least, along the direction found; 0 where none was.
+  /// That is (gap - slack) / |m|_2 in the larger unit.
+  double gap() const
+  {
+    if (!were_apart_) return 0;
+    double square = 0;
+    for (int k = 0; k < 3; ++k) square += double(last_[k]) * double(last_[k]);
+    const double apart = double(last_gap_[0]) - double(last_gap_[1]);
+    const double gap = apart / std::sqrt(square) * larger_unit_ * (1 - 0x1p-40);
+    return gap > 0 && gap <= std::numeric_limits<double>::max() ? gap : 0;
   }
 
   std::size_t bytes() const { return a_.table.bytes() + b_.table.bytes(); }
@@ -89,7 +102,8 @@ class Separating_direction {
     Support_table table;
   };
 
-  Separating_direction(const Bvh8& a, const Bvh8& b, double larger_unit) : a_(a, larger_unit, 1), b_(b, larger_unit, -1)
+  Separating_direction(const Bvh8& a, const Bvh8& b, double larger_unit)
+      : a_(a, larger_unit, 1), b_(b, larger_unit, -1), larger_unit_(larger_unit)
   {
     double farthest = 0;  // from the model's origin, in local units
     bool is_in_range = true;
@@ -194,6 +208,7 @@ class Separating_direction {
       were_apart_ = separates();
     }
     last_ = m;
+    last_gap_ = {tried.gap, tried.slack};
     return were_apart_;
   }
 
@@ -217,6 +232,8 @@ class Separating_direction {
   Floats slack_ = Floats{} + std::numeric_limits<float>::quiet_NaN();  // of the rows, where units are in range
   Floats last_{};                                                      // direction tried
   bool were_apart_ = false;                                            // by it
+  std::array<float, 2> last_gap_{};                                    // along it, and its slack
+  double larger_unit_;
 };
 
 }  // namespace tetracone::tetratree

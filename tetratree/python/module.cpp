@@ -3,6 +3,7 @@
 #include "tetracone/tetratree/python/body.h"
 #include "tetracone/tetratree/python/contacts.h"
 #include "tetracone/tetratree/python/query.h"
+#include "tetracone/tetratree/python/scene.h"
 #include "tetracone/tetratree/python/texts.h"
 
 #include <exception>
@@ -25,4 +26,5 @@ PYBIND11_MODULE(_tetracone, module)
   tetracone::python::add_body(module);
   tetracone::python::add_contacts(module);
   tetracone::python::add_query(module);
+  tetracone::python::add_scene(module);
 }

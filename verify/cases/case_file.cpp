@@ -4,6 +4,7 @@
 #include "tetracone/covering/io/text_lines.h"
 #include "tetracone/covering/planarity.h"
 #include "verify/cases/json_field.h"
+#include "verify/cases/json_pose.h"
 
 #include <algorithm>
 #include <array>
@@ -43,27 +44,6 @@ Vertex read_vertex(const Json_field& field)
 {
   const auto items = field.exactly(3, "x, y and z");
   return {items[0].number(), items[1].number(), items[2].number()};
-}
-
-Pose read_pose(const Json_field& field)
-{
-  const auto rows = field.exactly(3, "the rows of a 3x4 matrix");
-  std::array<double, 12> nearest;
-  std::array<kernel::Rational, 12> entries;
-  bool all_doubles = true;
-  for (int row = 0; row < 3; ++row) {
-    const auto items = rows[row].exactly(4, "a row of a 3x4 matrix");
-    for (int column = 0; column < 4; ++column) {
-      const int k = 4 * row + column;
-      all_doubles = all_doubles && items[column].is_number();
-      entries[k] = items[column].rational();
-      nearest[k] = items[column].is_number() ? items[column].number() : kernel::nearest_double(entries[k]);
-    }
-  }
-  const Pose pose = all_doubles ? Pose(nearest) : Pose(entries);
-  if (pose.determinant_sign() == CGAL::ZERO)
-    field.fail("has a 3x3 part of determinant 0", "expected a matrix that flattens nothing");
-  return pose;
 }
 
 void read_face(const Json_field& field, Polyhedron& polyhedron)
@@ -131,8 +111,8 @@ void read_object(const Json_field& root, Case_file& file)
   file.truth = truth.member(std::string(to_string(file.question))).integer(0, 1);
   c.a = read_body(root.member("a"), c.solid.has_value());
   c.b = read_body(root.member("b"), c.solid.has_value());
-  c.pose_a = read_pose(root.member("pose_a"));
-  c.pose_b = read_pose(root.member("pose_b"));
+  c.pose_a = pose_of_rows(root.member("pose_a"));
+  c.pose_b = pose_of_rows(root.member("pose_b"));
   c.origin = read_origin(root.member("origin"));
 }
 
@@ -148,8 +128,8 @@ void read_predicate(const Json_field& root, Case_file& file)
   c.p = read_vertex(points.member("p"));
   c.q = read_vertex(points.member("q"));
   c.r = read_vertex(points.member("r"));
-  c.pose_a = read_pose(root.member("pose_a"));
-  c.pose_b = read_pose(root.member("pose_b"));
+  c.pose_a = pose_of_rows(root.member("pose_a"));
+  c.pose_b = pose_of_rows(root.member("pose_b"));
   c.origin = read_origin(root.member("origin"));
 }
 
@@ -281,7 +261,7 @@ bool is_case_name(const std::filesystem::path& path) { return path.native().ends
 
 Case_file parse_case(const std::string& text, const std::string& name)
 {
-  const Json_text json(text, name);
+  const Json_text json(text, name, "a case file");
   const Json_field root(json);
   if (root.member("format").unsigned_integer(std::numeric_limits<std::uint64_t>::max()) != std::uint64_t(format))
     root.member("format").fail("is unknown", "expected " + std::to_string(format));

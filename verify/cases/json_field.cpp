@@ -103,19 +103,19 @@ std::optional<std::size_t> repeated_name(std::string_view text)
 
 }  // namespace
 
-Json_text::Json_text(std::string text_given, std::string file_given)
+Json_text::Json_text(std::string text_given, std::string file_given, const std::string& what)
     : text(std::move(text_given)), file(std::move(file_given))
 {
   try {
     root = nlohmann::json::parse(text);
   } catch (const nlohmann::json::parse_error& error) {
     throw covering::Input_error(file, line_at(text, error.byte == 0 ? 0 : error.byte - 1), "is not JSON here",
-                                "expected a case file as JSON");
+                                "expected " + what + " as JSON");
   } catch (const nlohmann::json::exception& error) {
     // Any other error of parsing is a number beyond the doubles; the message has only its digits, in quotes.
-    const std::string_view what = error.what();
-    const std::size_t begin = what.find('\'') + 1;
-    const std::string_view digits = what.substr(begin, what.rfind('\'') - begin);
+    const std::string_view said = error.what();
+    const std::size_t begin = said.find('\'') + 1;
+    const std::string_view digits = said.substr(begin, said.rfind('\'') - begin);
     throw covering::Input_error(file, line_at(text, text.find(digits)),
                                 covering::in_quotes(digits) + " is beyond the largest double",
                                 "expected finite numbers");
@@ -177,6 +177,14 @@ std::vector<Json_field> Json_field::exactly(std::size_t count, std::string_view 
     fail("has " + std::to_string(fields.size()) + " elements",
          "expected " + std::to_string(count) + ": " + std::string(what));
   return fields;
+}
+
+std::vector<std::pair<std::string, Json_field>> Json_field::members(std::string_view what) const
+{
+  if (!value_->is_object() || value_->empty()) fail("is no object that has members", "expected " + std::string(what));
+  std::vector<std::pair<std::string, Json_field>> members;
+  for (const auto& [name, value] : value_->items()) members.emplace_back(name, Json_field(*this, name, value));
+  return members;
 }
 
 std::string Json_field::text() const

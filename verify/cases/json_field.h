@@ -6,9 +6,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,9 +18,9 @@
 
 namespace tetracone::verify {
 
-/// A JSON text of a file, parsed. Throws covering::Input_error with the line where it is no JSON.
+/// A JSON text of a file, parsed. Throws covering::Input_error with the line where it is no JSON; `what` it should be.
 struct Json_text {
-  Json_text(std::string text, std::string file);
+  Json_text(std::string text, std::string file, const std::string& what);
 
   std::string text, file;
   nlohmann::json root;
@@ -44,6 +46,9 @@ class Json_field {
   std::vector<Json_field> items(std::size_t least, std::string_view what) const;
   std::vector<Json_field> exactly(std::size_t count, std::string_view what) const;
 
+  /// The members of an object, by their names, in their order; at least one.
+  std::vector<std::pair<std::string, Json_field>> members(std::string_view what) const;
+
   /// A string of one line.
   std::string text() const;
   std::uint64_t unsigned_integer(std::uint64_t largest) const;
@@ -53,6 +58,19 @@ class Json_field {
   kernel::Rational rational() const;
   /// The same, where it has to be a double.
   double number() const;
+
+  /// The numbers, where this is an array of so many that are all no strings: what `number` would give of each, sooner.
+  template <std::size_t N>
+  std::optional<std::array<double, N>> plain_numbers() const
+  {
+    if (!value_->is_array() || value_->size() != N) return std::nullopt;
+    std::array<double, N> numbers;
+    for (std::size_t k = 0; k < N; ++k) {
+      if (!(*value_)[k].is_number()) return std::nullopt;
+      numbers[k] = (*value_)[k].get<double>();
+    }
+    return numbers;
+  }
 
   bool is_string() const { return value_->is_string(); }
   bool is_number() const { return value_->is_number(); }

@@ -10,15 +10,15 @@
 array([ True,  True, False])
 
 `Body` and `read` make bodies, `Body.inside` says where points are, `Body.first_hit` and `Body.hits` where rays meet it,
-`Query` asks about two bodies: `collide`, `relation`, `features`, `contacts`. `kernels` and `methods` are what a query can
+`Query` asks about two bodies: `collide`, `relation`, `features`, `contacts`; `Scene` which of many collide. `kernels` and `methods` are what a query can
 be told. A wrong value is an `Error`, an argument of another type than is asked for Python's TypeError.
 `tetracone.verify`: cases that are hard, their true answers, and how to judge with them whatever answers.
 """
 
-from ._tetracone import Body, Contacts, Error, Query, __version__, kernels, methods, read
+from ._tetracone import Body, Contacts, Error, Query, Scene, __version__, kernels, methods, read
 
-for _of_module in (Body, Contacts, Error, Query, read):
+for _of_module in (Body, Contacts, Error, Query, Scene, read):
     _of_module.__module__ = "tetracone"
 del _of_module
 
-__all__ = ["Body", "Contacts", "Error", "Query", "kernels", "methods", "read"]
+__all__ = ["Body", "Contacts", "Error", "Query", "Scene", "kernels", "methods", "read"]

@@ -1,0 +1,255 @@
+#include "tetracone/tetratree/python/scene.h"
+
+#include "tetracone/tetratree/door/scene.h"
+#include "tetracone/tetratree/python/arrays.h"
+#include "tetracone/tetratree/python/body.h"
+#include "tetracone/tetratree/python/texts.h"
+#include "tetracone/tetratree/python/unlocked.h"
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tetracone::python {
+
+namespace py = pybind11;
+
+namespace {
+
+using Bodies = std::vector<std::shared_ptr<Shared_body>>;
+
+/// A scene, its lock, and which bodies of Python are its models.
+class Locked_scene {
+ public:
+  explicit Locked_scene(const Scene_options& options) : scene_(options) {}
+
+  /// Calls what(scene) without the interpreter's lock.
+  template <class What>
+  auto alone(const What& what)
+  {
+    const py::gil_scoped_release unlocked;
+    const std::lock_guard lock(lock_);
+    return what(scene_);
+  }
+
+  std::size_t add(const std::shared_ptr<Shared_body>& body)
+  {
+    return alone([&](Scene& scene) {
+      ++count_;
+      return scene.add_body(model_of(scene, body));
+    });
+  }
+  void remove(std::size_t number)
+  {
+    alone([&](Scene& scene) {
+      scene.remove_body(number);
+      --count_;
+    });
+  }
+  void replace(std::size_t number, const std::shared_ptr<Shared_body>& body)
+  {
+    alone([&](Scene& scene) { scene.set_model(number, model_of(scene, body)); });
+  }
+
+  std::size_t count() const { return count_; }
+
+ private:
+  std::size_t model_of(Scene& scene, const std::shared_ptr<Shared_body>& body)
+  {
+    const auto [known, is_new] = models_.try_emplace(body, 0);
+    if (is_new) known->second = scene.add_model(body->body);
+    return known->second;
+  }
+
+  Scene scene_;
+  std::map<std::shared_ptr<Shared_body>, std::size_t> models_;
+  std::size_t count_ = 0;
+  std::mutex lock_;  // never waited for with the interpreter's lock
+};
+
+std::shared_ptr<Locked_scene> made(const Bodies& bodies, const py::str& of_question, const py::str& of_kernel,
+                                   std::size_t threads, double budget)
+{
+  const std::string question = text_of(of_question), kernel = text_of(of_kernel);
+  const auto asked = kernel::parse_question(question);
+  if (!asked) throw Error("scene: question '" + question + "'; expected solid or surface");
+  const auto query = parse_kernel(kernel);
+  if (!query)
+    throw Error("scene: kernel '" + kernel +
+                "'; expected adaptive, double, float, double-eps=E, epick, epeck or rational");
+  if (!(budget >= 0 && budget <= 1e9)) throw Error("scene: budget; expected seconds from 0 to 10^9, 0 for no limit");
+  if (threads > 1024) throw Error("scene: " + std::to_string(threads) + " threads; expected 1 to 1024, or 0 for all");
+  // A budget that is no whole nanosecond is one all the same.
+  const auto scene = std::make_shared<Locked_scene>(
+      Scene_options{.question = *asked,
+                    .query = *query,
+                    .threads = threads,
+                    .budget = std::chrono::nanoseconds(static_cast<std::int64_t>(std::ceil(budget * 1e9)))});
+  for (const auto& body : bodies) {
+    if (!body) throw Error("scene: None among the bodies; expected bodies");
+    scene->add(body);
+  }
+  return scene;
+}
+
+/// (m, 2) of numbers of bodies.
+template <class Pairs, class Pair_of>
+py::array pairs_of(const Pairs& pairs, const Pair_of& pair_of)
+{
+  py::array_t<std::uint32_t> rows({pairs.size(), std::size_t(2)});
+  std::uint32_t* row = rows.mutable_data();
+  for (const auto& each : pairs) {
+    const Scene_pair pair = pair_of(each);
+    *row++ = std::uint32_t(pair.a);
+    *row++ = std::uint32_t(pair.b);
+  }
+  return rows;
+}
+
+py::array pairs(Locked_scene& self)
+{
+  const std::vector<Scene_pair> found = self.alone([](Scene& scene) { return scene.pairs(); });
+  return pairs_of(found, [](const Scene_pair& pair) { return pair; });
+}
+
+py::array frame(Locked_scene& self, const py::object& of_poses)
+{
+  const Poses poses(of_poses, "poses");
+  std::size_t placed = 0;
+  const auto ask = [&](Scene& scene) {
+    std::vector<Pose> all;
+    all.reserve(poses.count());
+    for (; placed < poses.count(); ++placed) all.push_back(poses(placed));
+    return scene.frame(all);
+  };
+  try {
+    const std::vector<Scene_pair> found = self.alone(ask);
+    return pairs_of(found, [](const Scene_pair& pair) { return pair; });
+  } catch (const Error&) {
+    if (placed < poses.count()) poses.require(placed);
+    throw;
+  }
+}
+
+void place(Locked_scene& self, std::size_t body, const py::object& of_pose)
+{
+  const Poses poses(of_pose, "pose");
+  if (!poses.is_one()) throw Error("pose: several poses; expected one, (3, 4) or (4, 4)");
+  poses.require(0);
+  self.alone([&](Scene& scene) { scene.place(body, poses(0)); });
+}
+
+py::tuple undecided(Locked_scene& self)
+{
+  const std::vector<Undecided_pair> left = self.alone([](Scene& scene) { return scene.undecided(); });
+  py::array_t<double> farthest(static_cast<py::ssize_t>(left.size()));
+  for (std::size_t k = 0; k < left.size(); ++k) farthest.mutable_data()[k] = left[k].farthest;
+  return py::make_tuple(pairs_of(left, [](const Undecided_pair& each) { return each.pair; }), farthest);
+}
+
+py::dict statistics(Locked_scene& self)
+{
+  const Frame_statistics done = self.alone([](Scene& scene) { return scene.statistics(); });
+  py::dict counts;
+  for (const auto& [name, count] : {std::pair("moved", done.moved),
+                                    {"kept", done.kept},
+                                    {"candidates", done.candidates},
+                                    {"queries", done.queries},
+                                    {"nodes_made", done.nodes_made},
+                                    {"bytes", done.bytes}})
+    counts[name] = count;
+  return counts;
+}
+
+}  // namespace
+
+void add_scene(py::module_& module)
+{
+  const auto a = py::arg("a"), b = py::arg("b");
+  py::class_<Locked_scene, std::shared_ptr<Locked_scene>>(
+      module, "Scene",
+      R"(Scene(bodies=(), question="solid", kernel="adaptive", threads=1, budget=0)
+
+Many bodies, and exactly the pairs of them that collide, frame after frame. Bodies of one `Body` share all that is made
+of it. A pair that was apart is not asked again before the motion since can have used up the gap. The interpreter's lock
+is released while it answers.
+
+bodies: a sequence of `Body`; their numbers are 0, 1, ...
+question, kernel: as of `Query`.
+threads: that share the pairs of a frame; 0: as many as there are.
+budget: seconds for a frame; what is not decided then is `undecided`. 0: no limit.
+
+>>> import numpy as np, tetracone
+>>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+>>> scene = tetracone.Scene([a] * 4)
+>>> poses = np.tile(np.eye(3, 4), (4, 1, 1))
+>>> poses[:, 0, 3] = [0, 1, 2, 3.5]
+>>> scene.frame(poses).tolist()
+[[0, 1], [1, 2]]
+)")
+      .def(py::init(&made), py::arg("bodies") = py::tuple(), py::arg("question") = "solid",
+           py::arg("kernel") = "adaptive", py::arg("threads") = 1, py::arg("budget") = 0.0)
+      .def("__len__", &Locked_scene::count)
+      .def("add", &Locked_scene::add, py::arg("body"), "add(body)\n\nOne more body; returns its number.")
+      .def("remove", &Locked_scene::remove, py::arg("number"),
+           "remove(number)\n\nTakes a body out; its number is not used again.")
+      .def("replace", &Locked_scene::replace, py::arg("number"), py::arg("body"),
+           "replace(number, body)\n\nPuts another `Body` in its place.")
+      .def(
+          "ignore",
+          [](Locked_scene& self, std::size_t first, std::size_t second) {
+            self.alone([&](Scene& scene) { scene.ignore(first, second); });
+          },
+          a, b, "ignore(a, b)\n\nThese two are not asked for.")
+      .def("place", &place, py::arg("number"), py::arg("pose"),
+           "place(number, pose)\n\nPlaces a body from now on: (3, 4) or (4, 4), as `Query` says.")
+      .def("pairs", &pairs, "pairs()\n\nThe pairs of placed bodies that collide now: (m, 2) uint32, in order.")
+      .def("frame", &frame, py::arg("poses"),
+           R"(frame(poses)
+
+Places all bodies, (n, 3, 4) or (n, 4, 4) in the order of their numbers, and returns the pairs that collide: (m, 2)
+uint32, in order. Raises Error for another number of poses, and for a pose that is none.)")
+      .def_property_readonly(
+          "undecided", &undecided,
+          "What the budget has left undecided in the last frame: pairs (m, 2) uint32, and (m,) float, "
+          "at most how far from one another they are.")
+      .def(
+          "relation",
+          [](Locked_scene& self, std::size_t first, std::size_t second) {
+            return std::string(to_string(self.alone([&](Scene& scene) { return scene.relation(first, second); })));
+          },
+          a, b, "relation(a, b)\n\nHow two placed bodies stand, as `Query.relation`.")
+      .def(
+          "contacts",
+          [](Locked_scene& self, std::size_t first, std::size_t second) {
+            return self.alone([&](Scene& scene) { return scene.contacts(first, second); });
+          },
+          a, b, "contacts(a, b)\n\nThe `Contacts` of two placed bodies.")
+      .def(
+          "distance",
+          [](Locked_scene& self, std::size_t first, std::size_t second) {
+            return self.alone([&](Scene& scene) { return scene.distance(first, second); });
+          },
+          a, b, "distance(a, b)\n\nThe distance of two placed bodies, as `Query.distance`.")
+      .def(
+          "within",
+          [](Locked_scene& self, double limit, std::size_t first, std::size_t second) {
+            return self.alone([&](Scene& scene) { return scene.within(first, second, limit); });
+          },
+          py::arg("limit"), a, b, "within(limit, a, b)\n\nWhether that is at most `limit`.")
+      .def_property_readonly(
+          "statistics", &statistics,
+          "What the last frame has cost: a dict of moved, kept, candidates, queries, nodes_made, bytes.");
+}
+
+}  // namespace tetracone::python

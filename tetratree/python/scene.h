@@ -1,0 +1,13 @@
+#ifndef TETRACONE_TETRATREE_PYTHON_SCENE_H
+#define TETRACONE_TETRATREE_PYTHON_SCENE_H
+
+#include <pybind11/pybind11.h>
+
+namespace tetracone::python {
+
+/// Adds `Scene`.
+void add_scene(pybind11::module_& module);
+
+}  // namespace tetracone::python
+
+#endif

@@ -1,0 +1,95 @@
+#ifndef TETRACONE_TETRATREE_SCENE_PAIR_LIST_H
+#define TETRACONE_TETRATREE_SCENE_PAIR_LIST_H
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace tetracone::tetratree {
+
+/// Two bodies that are near one another, and what is known of them.
+struct Near_pair {
+  static constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
+
+  std::uint32_t body[2];        ///< the lesser number first
+  std::uint32_t place[2] = {};  ///< in the lists of either
+  std::uint64_t asked = never;  ///< the frame in which they were asked last
+  double limit = -1;            ///< they are apart until both bodies' ways, summed, reach this
+  bool collide = false;         ///< what they did when they were asked
+  bool is_open = false;         ///< to be asked
+  bool is_listed = false;       ///< among the colliding pairs of the last answer
+};
+
+/// The pairs of bodies that are near one another, each in the lists of both of its bodies. A pair keeps its number while
+/// it is there.
+class Pair_list {
+ public:
+  using Number = std::uint32_t;
+
+  std::size_t count() const { return pairs_.size() - free_.size(); }
+  Near_pair& operator[](Number pair) { return pairs_[pair]; }
+  const Near_pair& operator[](Number pair) const { return pairs_[pair]; }
+
+  /// The pairs of a body.
+  std::span<const Number> of(std::uint32_t body) const { return of_[body]; }
+  std::uint32_t other(Number pair, std::uint32_t body) const
+  {
+    return pairs_[pair].body[pairs_[pair].body[0] == body ? 1 : 0];
+  }
+
+  void set_body_count(std::size_t bodies) { of_.resize(bodies); }
+
+  /// Requires two bodies that are no pair yet.
+  Number add(std::uint32_t a, std::uint32_t b)
+  {
+    if (free_.empty()) {
+      free_.push_back(Number(pairs_.size()));
+      pairs_.emplace_back();
+    }
+    const Number number = free_.back();
+    free_.pop_back();
+    Near_pair& pair = pairs_[number] = Near_pair();
+    pair.body[0] = a < b ? a : b;
+    pair.body[1] = a < b ? b : a;
+    for (int k = 0; k < 2; ++k) {
+      std::vector<Number>& list = of_[pair.body[k]];
+      pair.place[k] = std::uint32_t(list.size());
+      in_lists_ -= list.capacity();
+      list.push_back(number);
+      in_lists_ += list.capacity();
+    }
+    return number;
+  }
+
+  void remove(Number number)
+  {
+    const Near_pair& pair = pairs_[number];
+    for (int k = 0; k < 2; ++k) {
+      std::vector<Number>& list = of_[pair.body[k]];
+      const Number last = list.back();
+      list[pair.place[k]] = last;
+      pairs_[last].place[pairs_[last].body[0] == pair.body[k] ? 0 : 1] = pair.place[k];
+      list.pop_back();
+    }
+    free_.push_back(number);
+  }
+
+  std::size_t bytes() const
+  {
+    return pairs_.capacity() * sizeof(Near_pair) + (free_.capacity() + in_lists_) * sizeof(Number) +
+           of_.capacity() * sizeof(of_[0]);
+  }
+
+ private:
+  std::vector<Near_pair> pairs_;
+  std::vector<Number> free_;
+  std::vector<std::vector<Number>> of_;
+  std::size_t in_lists_ = 0;  // room in them
+};
+
+}  // namespace tetracone::tetratree
+
+#endif

@@ -1,0 +1,85 @@
+#ifndef TETRACONE_TETRATREE_SCENE_WORLD_BOX_H
+#define TETRACONE_TETRATREE_SCENE_WORLD_BOX_H
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace tetracone::tetratree {
+
+/// The least float that is not below x; infinity of what is undefined.
+inline float rounded_above(double x)
+{
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  if (!(x < std::numeric_limits<float>::max())) return infinity;
+  const float nearest = float(x);
+  return double(nearest) >= x ? nearest : std::nextafter(nearest, infinity);
+}
+inline float rounded_below(double x) { return -rounded_above(-x); }
+
+/// A box with sides along the world's axes. What is bounded by one lies in it, so that bodies whose boxes share no point
+/// are apart.
+struct World_box {
+  static constexpr float infinity = std::numeric_limits<float>::infinity();
+
+  std::array<float, 3> low{-infinity, -infinity, -infinity}, high{infinity, infinity, infinity};
+
+  bool meets(const World_box& other) const
+  {
+    return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] && other.low[1] <= high[1] &&
+           low[2] <= other.high[2] && other.low[2] <= high[2];
+  }
+  bool holds(const World_box& other) const
+  {
+    return low[0] <= other.low[0] && other.high[0] <= high[0] && low[1] <= other.low[1] && other.high[1] <= high[1] &&
+           low[2] <= other.low[2] && other.high[2] <= high[2];
+  }
+
+  /// True when it is less than everything on every side.
+  bool is_bounded() const
+  {
+    for (int k = 0; k < 3; ++k)
+      if (low[k] == -infinity || high[k] == infinity) return false;
+    return true;
+  }
+
+  /// Larger by `margin` >= 0 on every side, at least.
+  World_box grown(double margin) const
+  {
+    World_box larger;
+    for (int k = 0; k < 3; ++k) {
+      larger.low[k] = rounded_below(double(low[k]) - margin);
+      larger.high[k] = rounded_above(double(high[k]) + margin);
+    }
+    return larger;
+  }
+
+  /// At most how far the boxes are from one another, along the axis on which that is most; not above 0 where they meet.
+  double gap(const World_box& other) const
+  {
+    double most = -std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 3; ++k) {
+      const double gaps[] = {double(low[k]) - double(other.high[k]), double(other.low[k]) - double(high[k])};
+      for (const double gap : gaps)
+        if (gap > most) most = gap;
+    }
+    return most * (most > 0 ? 1 - 0x1p-50 : 1);
+  }
+
+  /// At least the distance of any point of the one from any of the other.
+  double farthest(const World_box& other) const
+  {
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double up = double(high[k]) - double(other.low[k]), down = double(other.high[k]) - double(low[k]);
+      sum += std::abs(up) > std::abs(down) ? std::abs(up) : std::abs(down);
+    }
+    return sum * (1 + 0x1p-50);
+  }
+
+  friend bool operator==(const World_box&, const World_box&) = default;
+};
+
+}  // namespace tetracone::tetratree
+
+#endif

@@ -1,0 +1,61 @@
+#ifndef TETRACONE_VERIFY_CASES_SCENE_FILE_H
+#define TETRACONE_VERIFY_CASES_SCENE_FILE_H
+
+#include "tetracone/kernel/number/pose.h"
+#include "verify/cases/json_field.h"
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Scene files, `*.scene.json`: many bodies over frames.
+namespace tetracone::verify {
+
+/// Whether a file's name says that it is a scene file.
+bool is_scene_name(const std::filesystem::path& path);
+
+/// A scene file, open. What it says of models and bodies is read at once, a frame when it is asked for.
+class Scene_file {
+ public:
+  /// Throws covering::Input_error, with the line, for whatever is not of the form: names that are missing, unknown or of
+  /// another type, bodies of no model, numbers out of range, a file of frames that is no whole number of frames.
+  explicit Scene_file(const std::filesystem::path& path);
+
+  struct Model {
+    std::string name;
+    std::filesystem::path file;  ///< relative names are of the scene file's folder
+  };
+  const std::vector<Model>& models() const { return models_; }
+  /// Of each body, its model.
+  const std::vector<std::size_t>& bodies() const { return bodies_; }
+  /// Pairs of bodies that are not asked for.
+  const std::vector<std::array<std::size_t, 2>>& ignored() const { return ignored_; }
+
+  std::size_t frame_count() const { return frame_count_; }
+  /// The poses of a frame, one a body. Throws Input_error for numbers that are not finite and where det M = 0.
+  std::vector<kernel::Pose> frame(std::size_t k);
+
+  /// All files that it names, and itself.
+  std::vector<std::filesystem::path> files() const;
+
+ private:
+  std::vector<kernel::Pose> frame_of_file(std::size_t k);
+
+  std::filesystem::path path_, frames_path_;
+  std::unique_ptr<Json_text> text_;
+  std::vector<Model> models_;
+  std::vector<std::size_t> bodies_;
+  std::vector<std::array<std::size_t, 2>> ignored_;
+  std::size_t frame_count_ = 0;
+  std::vector<Json_field> frames_;  // where they are in the text
+  std::ifstream frames_file_;       // where they are not
+};
+
+}  // namespace tetracone::verify
+
+#endif

@@ -1,0 +1,120 @@
+#include "tetracone/tetratree/scene/body_extent.h"
+
+#include "verify/test/support/rationals.h"
+#include "verify/test/support/scenes.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+BOOST_AUTO_TEST_SUITE(test_body_extent)
+
+using namespace tetracone;
+using kernel::Pose;
+using kernel::Rational;
+using tetratree::Body_extent;
+using tetratree::World_box;
+namespace scenes = verify::scenes;
+namespace rationals = verify::rationals;
+
+namespace {
+
+bool holds(const World_box& box, const rationals::Vector& p)
+{
+  for (int k = 0; k < 3; ++k)
+    if ((std::isfinite(box.low[k]) && Rational(double(box.low[k])) > p[k]) ||
+        (std::isfinite(box.high[k]) && Rational(double(box.high[k])) < p[k]))
+      return false;
+  return true;
+}
+
+/// Rotations of doubles, true rotations of fractions, stretches and flat ones, near and far, tiny and huge.
+Pose random_pose(scenes::Random& random)
+{
+  const double size = std::ldexp(1.0, scenes::integer(random, -3, 3) * scenes::integer(random, 0, 60));
+  const double far = std::ldexp(size, scenes::integer(random, -2, 40));
+  std::array<double, 12> m;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) m[4 * i + j] = size * scenes::real(random, -1, 1);
+    m[4 * i + 3] = far * scenes::real(random, -1, 1);
+  }
+  if (scenes::integer(random, 0, 2) == 0)
+    return Pose::from_quaternion(scenes::integer(random, 1, 9), scenes::integer(random, -9, 9),
+                                 scenes::integer(random, -9, 9), scenes::integer(random, -9, 9),
+                                 {Rational(1) / 3, Rational(m[7]) / 7, Rational(m[11])});
+  if (scenes::integer(random, 0, 3) == 0)
+    for (int j = 0; j < 3; ++j) m[j] *= 0x1p-70;
+  return Pose(m);
+}
+
+/// The pose a little or very little later.
+Pose later(scenes::Random& random, const Pose& pose)
+{
+  std::array<Rational, 12> m;
+  const double step = std::ldexp(1.0, -scenes::integer(random, 1, 70));
+  for (int k = 0; k < 12; ++k)
+    m[k] = pose.exact(k) * (1 + Rational(scenes::integer(random, 0, 1) * step * scenes::real(random, -1, 1)));
+  if (pose.is_rational()) return Pose(m);
+  std::array<double, 12> nearest;
+  for (int k = 0; k < 12; ++k) nearest[k] = kernel::nearest_double(m[k]);
+  return Pose(nearest);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(boxes_hold_every_image_and_motions_bound_every_way)
+{
+  scenes::Random random(11);
+  std::size_t bounded = 0, tighter = 0, moved = 0;
+  for (int n = 0; n < 60; ++n) {
+    covering::Polyhedron body = scenes::triangulated(scenes::torus(6, 5));
+    const double at = std::ldexp(scenes::real(random, -1, 1), scenes::integer(random, -4, 30));
+    for (auto& v : body.vertices)
+      for (int k = 0; k < 3; ++k) v[k] = v[k] + at;
+    const Body_extent extent(body.vertices);
+    const tetratree::Bvh8 tree(body);
+    tetratree::Support_table table(tree);
+    for (int m = 0; m < 20; ++m) {
+      const Pose pose = random_pose(random), next = later(random, pose);
+      const World_box box = world_box(extent, pose), tight = world_box(table, tree.scale(), pose);
+      const double way = motion(extent, pose, next);
+      bounded += tight.is_bounded();
+      tighter += tight.is_bounded() && tight.high[0] - tight.low[0] < box.high[0] - box.low[0];
+      moved += way > 0;
+      BOOST_TEST((way == 0) == (pose == next));
+      for (const auto& v : body.vertices) {
+        const auto p = rationals::image(pose, rationals::exactly(v)), q = rationals::image(next, rationals::exactly(v));
+        BOOST_REQUIRE(holds(box, p));
+        BOOST_REQUIRE(holds(tight, p));
+        const auto moved_by = rationals::minus(q, p);
+        const Rational square = rationals::inner(moved_by, moved_by);
+        BOOST_REQUIRE(std::isfinite(way));
+        BOOST_REQUIRE(square <= Rational(way) * Rational(way));
+      }
+    }
+  }
+  BOOST_TEST(bounded > 900u);
+  BOOST_TEST(tighter > 500u);
+  BOOST_TEST(moved > 900u);
+}
+
+BOOST_AUTO_TEST_CASE(a_translation_moves_as_far_as_it_says)
+{
+  const Body_extent extent(scenes::cube(1e9).vertices);
+  const double way = motion(extent, Pose(), Pose::translation(3, 4, 0));
+  BOOST_TEST((way >= 5 && way < 5 * (1 + 1e-12)));
+  BOOST_TEST(!(motion(extent, Pose(), Pose::translation(1e300, 0, 0)) < 1e300));
+}
+
+BOOST_AUTO_TEST_CASE(what_is_beyond_all_numbers_has_no_bounds)
+{
+  const double most = std::numeric_limits<double>::max();
+  const Body_extent extent(scenes::cube(most).vertices);
+  const World_box box = world_box(extent, Pose(std::array<double, 12>{2, 1, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}));
+  BOOST_TEST(!box.is_bounded());
+  BOOST_TEST(!(motion(extent, Pose(), Pose(std::array<double, 12>{2, 1, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0})) <= most));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
