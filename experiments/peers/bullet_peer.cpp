@@ -132,7 +132,7 @@ class Bullet_scene : public Scene_peer {
     for (int k = 0; k < pairs.size(); ++k) {
       const auto& a = *static_cast<btCollisionObject*>(pairs[k].m_pProxy0->m_clientObject);
       const auto& b = *static_cast<btCollisionObject*>(pairs[k].m_pProxy1->m_clientObject);
-      const auto [first, second] = std::minmax(std::uint32_t(a.getUserIndex()), std::uint32_t(b.getUserIndex()));
+      const auto [first, second] = std::minmax({std::uint32_t(a.getUserIndex()), std::uint32_t(b.getUserIndex())});
       if (ask_(a, b)) found.push_back({first, second});
     }
     return found;

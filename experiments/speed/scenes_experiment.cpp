@@ -61,7 +61,7 @@ class Boxes_of_cgal {
  public:
   Boxes_of_cgal(const Scene_workload& work, const std::vector<Body>& bodies) : work_(work), bodies_(bodies)
   {
-    for (const Body& body : bodies) boxes_.push_back(tetratree_extent(body.polyhedron()));
+    for (const Body& body : bodies) boxes_.push_back(extent_of(body.polyhedron()));
   }
 
   Pairs frame(const std::vector<Pose>& poses)
@@ -86,7 +86,7 @@ class Boxes_of_cgal {
     Pairs found;
     CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& x, const Box& y) {
       ++candidates_;
-      const auto [a, b] = std::minmax(x.info(), y.info());
+      const auto [a, b] = std::minmax({x.info(), y.info()});
       const std::size_t of_a = work_.model_of[a], of_b = work_.model_of[b];
       auto& query = queries_[{of_a, of_b}];
       if (!query) query.emplace(bodies_[of_a], bodies_[of_b], Question::surface);
@@ -101,7 +101,7 @@ class Boxes_of_cgal {
   struct Extent {
     std::array<double, 3> centre, half;
   };
-  static Extent tetratree_extent(const Polyhedron& polyhedron)
+  static Extent extent_of(const Polyhedron& polyhedron)
   {
     Extent extent;
     for (int k = 0; k < 3; ++k) {
@@ -131,7 +131,7 @@ Pairs truth(const std::vector<verify::Brute_body>& models, const Scene_workload&
   }
   Pairs near;
   CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const auto& x, const auto& y) {
-    const auto [a, b] = std::minmax(x.info(), y.info());
+    const auto [a, b] = std::minmax({x.info(), y.info()});
     near.push_back({std::uint32_t(a), std::uint32_t(b)});
   });
   std::vector<char> meet(near.size());

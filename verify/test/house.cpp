@@ -47,6 +47,8 @@ const std::set<std::pair<std::string, std::string>> ways_within = {{"kernel/pred
                                                                    {"tetratree/door", "tetratree/paper"},
                                                                    {"tetratree/door", "tetratree/fast"},
                                                                    {"tetratree/door", "tetratree/locator"},
+                                                                   {"tetratree/door", "tetratree/scene"},
+                                                                   {"tetratree/scene", "tetratree/fast"},
                                                                    {"tetratree/python", "tetratree/door"},
                                                                    {"verify/families", "verify/cases"},
                                                                    {"verify/truth", "verify/cases"},

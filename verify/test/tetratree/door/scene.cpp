@@ -147,7 +147,12 @@ BOOST_AUTO_TEST_CASE(a_model_is_made_when_a_body_of_it_is_placed_and_treed_when_
 {
   int made = 0;
   Scene scene;
-  scene.add_model([&] { return ++made, Body(scenes::unit_cube()); }, "cube");
+  scene.add_model(
+      [&] {
+        ++made;
+        return Body(scenes::unit_cube());
+      },
+      "cube");
   scene.add_model([]() -> Body { throw Error("never needed"); }, "none");
   scene.add_body(0);
   scene.add_body(0);

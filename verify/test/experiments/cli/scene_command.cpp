@@ -1,0 +1,120 @@
+#include "experiments/cli/scene_command.h"
+
+#include "verify/test/support/program.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+BOOST_AUTO_TEST_SUITE(test_scene_command)
+
+using tetracone::verify::check_refused;
+using tetracone::verify::in_quotes;
+using tetracone::verify::Run;
+using tetracone::verify::run;
+using tetracone::verify::Temporary_file;
+
+namespace {
+
+const std::string cube = TETRACONE_SOURCE_DIR "/verify/test/models/cube.off";
+
+std::string at(const std::string& x) { return "[1, 0, 0, " + x + ", 0, 1, 0, 0, 0, 0, 1, 0]"; }
+
+/// Three cubes: the first two touch in frame 0, in frame 1 they are 10^-20 apart and the last two meet.
+std::string scene(const std::string& frames, const std::string& more = "")
+{
+  return "{\"models\": {\"cube\": \"" + cube +
+         "\", \"unused\": \"nothing.off\"},\n \"bodies\": [{\"model\": \"cube\"}, "
+         "{\"model\": \"cube\"}, {\"model\": \"cube\"}],\n \"frames\": [\n" +
+         frames + "]" + more + "}\n";
+}
+std::string frame(const std::string& x, const std::string& y, const std::string& z)
+{
+  return "  [" + at(x) + ", " + at(y) + ", " + at(z) + "]";
+}
+const std::string two_frames =
+    frame("0", "1", "5") + ",\n" + frame("0", "\"100000000000000000001/100000000000000000000\"", "1.5");
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_pair_has_a_line_and_a_frame_has_a_row)
+{
+  const Temporary_file file("touch.scene.json", scene(two_frames)),
+      without("without.scene.json", scene(two_frames, ", \"ignore\": [[1, 0]]"));
+  const std::string ask = "scene " + in_quotes(file.path());
+  BOOST_TEST(run(ask).out == "0 0 1\n1 1 2\n");
+  BOOST_TEST(run(ask + " --kernel rational --question surface --threads 2").out == "0 0 1\n1 1 2\n");
+  BOOST_TEST(run("scene " + in_quotes(without.path())).out == "1 1 2\n");
+  BOOST_TEST(run(ask + " --csv /dev/stdout").out == "frame,a,b\n0,0,1\n1,1,2\n");
+  const std::string times = run(ask + " --csv /dev/stdout --time").out;
+  BOOST_TEST(times.starts_with("frame,pairs,ns,candidates,queries,nodes_made,bytes\n0,1,"), times);
+  BOOST_TEST(run(ask + " --json").out.starts_with("[\n  {\"frame\": 0, \"pairs\": [[0, 1]]},\n"));
+  BOOST_TEST(run(ask + " --budget 1 --csv /dev/stdout").out.find(",undecided,") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(frames_may_be_doubles_of_a_file)
+{
+  const Temporary_file frames("frames.bin", "");
+  {
+    std::ofstream out(frames.path(), std::ios::binary);
+    for (const double x : {0.0, 0.5, 9.0}) {
+      const double pose[12] = {1, 0, 0, x, 0, 1, 0, 0, 0, 0, 1, 0};
+      out.write(reinterpret_cast<const char*>(pose), sizeof pose);
+    }
+  }
+  std::string text = scene("");
+  text.replace(text.find("\"frames\""), std::string::npos, "\"frames_file\": \"" + frames.path().string() + "\"}\n");
+  const Temporary_file file("binary.scene.json", text);
+  BOOST_TEST(run("scene " + in_quotes(file.path())).out == "0 0 1\n");
+  std::filesystem::resize_file(frames.path(), 300);
+  check_refused("scene " + in_quotes(file.path()), "expected a multiple of 288, 12 doubles a body and frame");
+}
+
+BOOST_AUTO_TEST_CASE(what_was_computed_before_a_fault_is_kept)
+{
+  const Temporary_file flat("flat.scene.json", scene(two_frames + ",\n  [[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0], " +
+                                                     at("0") + ", " + at("9") + "]")),
+      csv("kept.csv", "");
+  const Run r = run("scene " + in_quotes(flat.path()));
+  BOOST_TEST(r.status == 2);
+  BOOST_TEST(r.out == "0 0 1\n1 1 2\n");
+  BOOST_TEST(r.error.ends_with(".scene.json:6: /frames/2/0 has a 3x3 part of determinant 0; expected a matrix that "
+                               "flattens nothing\n"),
+             r.error);
+  BOOST_TEST(run("scene " + in_quotes(flat.path()) + " --csv " + in_quotes(csv.path())).status == 2);
+  std::ifstream in(csv.path());
+  BOOST_TEST(std::string(std::istreambuf_iterator<char>(in), {}) == "frame,a,b\n0,0,1\n1,1,2\n");
+}
+
+BOOST_AUTO_TEST_CASE(a_scene_that_is_none_is_refused_with_its_line)
+{
+  const auto refused = [](const std::string& text, const std::string& says) {
+    const Temporary_file file("bad.scene.json", text);
+    check_refused("scene " + in_quotes(file.path()), says);
+  };
+  const std::string good = scene(two_frames);
+  const auto with = [&good](const std::string& what, const std::string& instead) {
+    std::string text = good;
+    return text.replace(text.find(what), what.size(), instead);
+  };
+  refused("{", "expected a scene file as JSON");
+  refused(with("\"bodies\"", "\"bodys\""), "is unknown here");
+  refused(with("[{\"model\": \"cube\"}, ", "[{\"model\": \"cub\"}, "), ":2: /bodies/0/model 'cub' is no model");
+  refused(scene(two_frames, ", \"ignore\": [[0, 3]]"), "/ignore/0/1 is no such integer; expected one from 0 to 2");
+  refused(scene(two_frames, ", \"ignore\": [[1, 1]]"), "is one body twice");
+  refused(scene(two_frames, ", \"frames_file\": \"x\""), "expected either 'frames' or 'frames_file'");
+  refused(scene("  [" + at("0") + "]"), ":4: /frames/0 has 1 elements; expected 3: a pose a body");
+  refused(scene("  [[1], " + at("0") + ", " + at("1") + "]"), "expected 12: the rows of a 3x4 matrix");
+  refused(with("cube.off", "none.off"), "none.off: no such file");
+  const Temporary_file file("touch.scene.json", good);
+  const std::string ask = "scene " + in_quotes(file.path());
+  check_refused(ask + " --time", "--time: expected --csv or --json");
+  check_refused(ask + " --budget -1", "expected nanoseconds");
+  check_refused(ask + " --kernel exact", "--kernel exact");
+  check_refused(ask + " --csv " + in_quotes(file.path()), "is an input too");
+}
+
+BOOST_AUTO_TEST_SUITE_END()
