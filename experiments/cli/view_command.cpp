@@ -1,9 +1,11 @@
 #include "experiments/cli/view_command.h"
 
 #include "experiments/support/output_file.h"
+#include "experiments/viewer/scene_data.h"
 #include "experiments/viewer/view_data.h"
 #include "experiments/viewer/view_scene.h"
 #include "experiments/viewer/viewer_files.h"
+#include "verify/cases/scene_file.h"
 
 #include <memory>
 #include <optional>
@@ -60,10 +62,26 @@ void run(const Options& options)
         "view was built without three.js; expected Debian's libjs-three where this program was configured");
 
   options.names.refuse_as_output(options.out);
+  if (verify::is_scene_name(options.names.a)) {
+    if (!options.names.b.empty() || !options.names.poses_a.empty() || !options.names.poses_b.empty())
+      throw CLI::ValidationError(options.names.a, "expected alone: a scene file names its models and poses");
+    const std::string data =
+        safe_in_script(scene_data(options.names.a, question.value_or(kernel::Question::solid), options.names.models));
+    write_whole(options.out, filled(viewer::scene_html, {{"style", viewer::style_css},
+                                                         {"three", viewer::three_js},
+                                                         {"notice", viewer::notice_html},
+                                                         {"errors", viewer::errors_js},
+                                                         {"data", data},
+                                                         {"camera", viewer::camera_js},
+                                                         {"scene", viewer::scene_js}}));
+    return;
+  }
   const View_scene scene = read_view_scene(options.names, question);
   const std::string data = safe_in_script(view_data(scene, options.kernel, *method));
   write_whole(options.out, filled(viewer::page_html, {{"style", viewer::style_css},
                                                       {"three", viewer::three_js},
+                                                      {"notice", viewer::notice_html},
+                                                      {"errors", viewer::errors_js},
                                                       {"data", data},
                                                       {"bodies", viewer::bodies_js},
                                                       {"bounds", viewer::bounds_js},
@@ -80,7 +98,9 @@ void add_view_command(CLI::App& app)
   Scene_names& names = options->names;
   command
       ->add_option("A", names.a,
-                   "Model: OFF, OBJ, PLY, STL or TetGen .poly; or a case file, *.case.json, that holds all")
+                   "Model: OFF, OBJ, PLY, STL or TetGen .poly; or a case file, *.case.json, or a scene file, "
+                   "*.scene.json, that holds "
+                   "all")
       ->required();
   command->add_option("B", names.b, "Model; without it A is shown alone");
   command->add_option("--out", options->out, "The page, FILE.html")->required();

@@ -85,6 +85,13 @@ class Browser:
             result["picture"] = numpy.asarray(Image.open(io.BytesIO(png)).convert("RGB")).astype(int)
         return results
 
+    def play(self, page, seconds):
+        self.open(page, "frame=0")
+        return self.driver.execute_async_script("""
+          const done = arguments[0];
+          element('play').click();
+          setTimeout(() => done(JSON.parse(element('state').textContent)), %d);""" % (1000 * seconds))
+
     def picture(self, page, fragment="", size=(900, 600)):
         self.open(page, fragment, size)
         return numpy.asarray(Image.open(io.BytesIO(self.driver.get_screenshot_as_png())).convert("RGB")).astype(int)
@@ -129,6 +136,13 @@ with tempfile.TemporaryDirectory(prefix="tetracone_view_") as name, Browser() as
     alone = view(folder / "alone.html", models / "frame.poly")
     # Its bounds, rounded outward, are far beyond single precision.
     denormal = view(folder / "denormal.html", source / "verify" / "corpus" / "double-paper-false-negative-regular-hull-vertex-vertex.case.json")
+
+    # 200 cubes on a line, every second frame each of them against the next.
+    cubes = folder / "cubes.scene.json"
+    row = lambda step: [[1, 0, 0, step * k, 0, 1, 0, 0, 0, 0, 1, k % 14] for k in range(200)]
+    cubes.write_text(json.dumps({"models": {"cube": str(models / "cube.off")}, "bodies": [{"model": "cube"}] * 200,
+                                 "frames": [row(1.5 if k % 2 else 0.05) for k in range(60)]}))
+    scene = view(folder / "scene.html", cubes)
 
     # Every page loads without an error and draws something.
     for page in (case, predicate, alone, denormal):
@@ -198,6 +212,13 @@ with tempfile.TemporaryDirectory(prefix="tetracone_view_") as name, Browser() as
     check(marks(browser.picture(clean, "pose=0")) == 0, "no mark where nothing is wrong")
     dark = browser.picture(pair, "pose=3&show=a,b&opacity=1&theme=dark")
     check(near(dark, (21, 24, 27)) > 50000 and hue(dark, "a") > 5000, "a dark background")
+    # A scene of many bodies: which are marked, and how smoothly it plays. Software draws here.
+    apart, together = (browser.picture(scene, f"frame={k}") for k in (1, 0))
+    check(hue(apart, "a") > 500 and hue(apart, "orange") == 0, "bodies that are apart are blue")
+    check(hue(together, "orange") > 500 and hue(together, "a") == 0, "bodies that collide are orange")
+    shown = browser.play(scene, 2)
+    check(shown["errors"] == [] and shown["bodies"] == 200, f"the scene's page: {shown}")
+    check(shown["drawn"] > 20, f"{shown['drawn']} pictures in two seconds of a scene of 200 bodies")
     phone = browser.picture(pair, "pose=3&show=a,b", size=(360, 640))
     check(phone.shape[:2] == (640, 360) and differ(phone, numpy.full_like(phone, 255)) > 3000, "a phone's picture")
 

@@ -1,0 +1,188 @@
+'use strict';
+// Many bodies over frames. Of each model there are two sets of copies: bodies that collide in the frame, and the others.
+
+const element = id => document.getElementById(id);
+const data = JSON.parse(element('data').textContent);
+const canvas = element('picture'), frameCount = data.frames.length;
+const state = {frame: 0, theme: '', drawn: 0};
+
+const renderer = (() => {
+  try {
+    return new THREE.WebGLRenderer({canvas, antialias: true});
+  } catch (error) {
+    throw new Error('this browser shows no WebGL here: ' + error.message);
+  }
+})();
+const scene = new THREE.Scene(), lamp = new THREE.DirectionalLight('#ffffff', 0.65);
+let fitted = true;  // nobody has moved the camera since it was fitted
+const camera = makeCamera(canvas, () => { fitted = false; changed(); });
+camera.lens.add(lamp);
+lamp.position.set(-0.4, 0.6, 1);
+scene.add(new THREE.AmbientLight('#ffffff', 0.5), camera.lens);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Models about the middle of their boxes, so that the card's floats hold what doubles were; the scene about 0 and of extent 1.
+
+function boxOf(points)
+{
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  for (const p of points)
+    for (let k = 0; k < 3; ++k) {
+      low[k] = Math.min(low[k], p[k]);
+      high[k] = Math.max(high[k], p[k]);
+    }
+  return {low, high, centre: low.map((x, k) => x / 2 + high[k] / 2)};
+}
+const image = (pose, p) => [0, 4, 8].map(r => pose[r] * p[0] + pose[r + 1] * p[1] + pose[r + 2] * p[2] + pose[r + 3]);
+
+const materials = ['--a', '--wrong'].map(() => new THREE.MeshPhongMaterial({flatShading: true, shininess: 8, side: THREE.DoubleSide}));
+const models = data.models.map((model, m) => {
+  const points = [];
+  for (let v = 0; v < model.vertices.length; v += 3) points.push(model.vertices.slice(v, v + 3));
+  const box = boxOf(points), positions = new Float32Array(3 * model.triangles.length);
+  model.triangles.forEach((v, i) => points[v].forEach((x, k) => { positions[3 * i + k] = x - box.centre[k]; }));
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
+  geometry.computeVertexNormals();
+  const count = data.bodies.filter(of => of === m).length;
+  // A geometry of its own each: three.js r111 takes copies of one for the same ones.
+  const copies = materials.map(material => new THREE.InstancedMesh(geometry.clone(), material, count));
+  for (const mesh of copies) mesh.frustumCulled = false;
+  if (count) scene.add(...copies);
+  return {box, copies};
+});
+
+function corners(k)
+{
+  return data.frames[k].flatMap((pose, body) => {
+    const {low, high} = models[data.bodies[body]].box;
+    return [0, 1, 2, 3, 4, 5, 6, 7].map(c => image(pose, [0, 1, 2].map(i => (c >> i & 1 ? high : low)[i])));
+  });
+}
+const world = boxOf(data.frames.map((_, k) => { const {low, high} = boxOf(corners(k)); return [low, high]; }).flat());
+const extent = Math.max(...world.high.map((x, k) => x - world.low[k])) || 1;
+const inScene = p => p.map((x, k) => (x - world.centre[k]) / extent);
+
+function place()
+{
+  const colliding = new Set(data.pairs[state.frame].flat()), matrix = new THREE.Matrix4();
+  for (const {copies} of models) for (const mesh of copies) mesh.count = 0;
+  data.frames[state.frame].forEach((pose, body) => {
+    const model = models[data.bodies[body]], mesh = model.copies[colliding.has(body) ? 1 : 0];
+    const at = inScene(image(pose, model.box.centre)), m = pose.map(x => x / extent);
+    mesh.setMatrixAt(mesh.count++, matrix.set(m[0], m[1], m[2], at[0], m[4], m[5], m[6], at[1], m[8], m[9], m[10], at[2], 0, 0, 0, 1));
+  });
+  for (const {copies} of models) for (const mesh of copies) mesh.instanceMatrix.needsUpdate = true;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+const colourOf = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+function recolour()
+{
+  const dark = state.theme ? state.theme === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches;
+  document.documentElement.classList.toggle('dark', dark);
+  materials[0].color.set(colourOf('--a'));
+  materials[1].color.set(colourOf('--wrong'));
+  renderer.setClearColor(colourOf('--paper'));
+  drawLine();
+}
+
+// The time line: how many pairs collide in each frame, as a share of the most.
+function drawLine()
+{
+  const line = element('line'), width = line.clientWidth, height = line.clientHeight;
+  if (!width) return;
+  line.width = width;
+  line.height = height;
+  const paint = line.getContext('2d'), most = Math.max(1, ...data.pairs.map(pairs => pairs.length)), step = width / frameCount;
+  paint.fillStyle = colourOf('--collide');
+  data.pairs.forEach((pairs, k) => {
+    const tall = height * pairs.length / most;
+    paint.fillRect(k * step, height - tall, Math.max(1, step - 1), tall);
+  });
+}
+
+function tell()
+{
+  const pairs = data.pairs[state.frame], bodies = new Set(pairs.flat()).size;
+  element('verdict').textContent = 'frame ' + (state.frame + 1) + ' of ' + frameCount + ': ' + pairs.length + (pairs.length === 1 ? ' pair collides' : ' pairs collide');
+  element('contacts').textContent = bodies + ' of ' + data.bodies.length + ' bodies';
+  element('pose').value = state.frame;
+  element('state').textContent = JSON.stringify({ready: true, errors, frame: state.frame, frames: frameCount, bodies: data.bodies.length,
+                                                 pairs: pairs.length, marked: bodies, drawn: state.drawn});
+}
+
+function draw()
+{
+  place();
+  camera.aim();
+  renderer.render(scene, camera.lens);
+  ++state.drawn;
+  tell();
+}
+let waiting = false;
+function changed()
+{
+  if (waiting) return;
+  waiting = true;
+  requestAnimationFrame(() => {
+    waiting = false;
+    draw();
+  });
+}
+function setFrame(k)
+{
+  state.frame = ((k % frameCount) + frameCount) % frameCount;
+  changed();
+}
+function fit()
+{
+  camera.fit(boxOf(corners(state.frame).map(inScene)));
+  fitted = true;
+}
+function resize()
+{
+  renderer.setPixelRatio(Math.min(2, devicePixelRatio || 1));
+  renderer.setSize(canvas.clientWidth, canvas.clientHeight, false);
+  camera.lens.aspect = canvas.clientWidth / Math.max(1, canvas.clientHeight);
+  camera.free = [1, 0.82];
+  drawLine();
+  if (fitted) fit();
+  changed();
+}
+
+let playing = false;
+function play(on)
+{
+  playing = on;
+  element('play').textContent = on ? 'Pause' : 'Play';
+  const step = () => {
+    if (!playing) return;
+    state.frame = (state.frame + 1) % frameCount;
+    draw();
+    requestAnimationFrame(step);
+  };
+  if (on) requestAnimationFrame(step);
+}
+
+element('before').addEventListener('click', () => setFrame(state.frame - 1));
+element('after').addEventListener('click', () => setFrame(state.frame + 1));
+element('play').addEventListener('click', () => play(!playing));
+element('pose').addEventListener('input', event => setFrame(Number(event.target.value)));
+element('fit').addEventListener('click', () => { fit(); changed(); });
+element('theme').addEventListener('click', () => {
+  state.theme = document.documentElement.classList.contains('dark') ? 'light' : 'dark';
+  recolour();
+  changed();
+});
+matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => { recolour(); changed(); });
+window.addEventListener('resize', resize);
+
+document.title = data.name + ' - tetracone';
+element('name').textContent = data.name;
+element('pose').max = frameCount - 1;
+const first = new URLSearchParams(location.hash.slice(1)).get('frame');
+if (first !== null && Number.isInteger(Number(first))) state.frame = Math.min(Math.max(0, Number(first)), frameCount - 1);
+recolour();
+resize();
