@@ -1,6 +1,7 @@
 // Many threads on fresh bodies, whose trees are made while all of them ask; built with ThreadSanitizer, which ends the
 // program at a data race.
 
+#include "tetracone/tetratree/door/scene.h"
 #include "tetracone/tetratree/door/tetracone.h"
 
 #include "verify/cases/random.h"
@@ -44,6 +45,25 @@ Polyhedron waves(int n, double height)
   return body;
 }
 
+/// How many frames of a scene four threads answer in another way than one.
+long differing_frames(const Body& body)
+{
+  Scene by_one, by_four({.threads = 4});
+  for (Scene* scene : {&by_one, &by_four}) {
+    scene->add_model(body);
+    for (int k = 0; k < 60; ++k) scene->add_body(0);
+  }
+  verify::Random random(3);
+  std::vector<Pose> poses(60);
+  long differing = 0;
+  for (int frame = 0; frame < 8; ++frame) {
+    for (Pose& pose : poses)
+      pose = Pose::translation(6 * random.symmetric(), 6 * random.symmetric(), 6 * random.symmetric());
+    differing += by_one.frame(poses) != by_four.frame(poses);
+  }
+  return differing;
+}
+
 }  // namespace
 
 int main()
@@ -75,6 +95,7 @@ int main()
     for (const Answer& answer : answers[0]) hits += bool(answer);
   }
   wrong += strays;
+  wrong += differing_frames(Body(waves(12, 0.3)));
   std::printf("%ld answers differ, %ld hits\n", wrong, hits);
   return wrong == 0 && hits > 10 && hits < 230 ? 0 : 1;
 }

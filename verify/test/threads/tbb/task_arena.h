@@ -1,0 +1,26 @@
+#ifndef TETRACONE_VERIFY_TEST_THREADS_TBB_TASK_ARENA_H
+#define TETRACONE_VERIFY_TEST_THREADS_TBB_TASK_ARENA_H
+
+/// What a scene calls of oneTBB, by threads of the standard library: ThreadSanitizer sees no order that a library keeps
+/// which is not built with it.
+namespace tbb {
+
+namespace this_task_arena {
+inline thread_local int thread_index = 0;
+inline int current_thread_index() { return thread_index; }
+inline int max_concurrency() { return 4; }
+}  // namespace this_task_arena
+
+class task_arena {
+ public:
+  explicit task_arena(int) {}
+  template <class What>
+  void execute(const What& what)
+  {
+    what();
+  }
+};
+
+}  // namespace tbb
+
+#endif
