@@ -338,7 +338,8 @@ void Scene_data::ask_models(std::vector<Number>::iterator first, std::vector<Num
     Near_pair& pair = near_[*at];
     Placed_body &a = bodies_[pair.body[0]], &b = bodies_[pair.body[1]];
     double gap = a.box.gap(b.box);
-    if (!(gap > 0) && !(a.is_tight && b.is_tight)) {
+    pair.by_brute_force = !(gap > 0) && models.is_worth_no_tree(a.model, b.model);
+    if (!(gap > 0) && !pair.by_brute_force && !(a.is_tight && b.is_tight)) {
       tighten(a);
       tighten(b);
       gap = a.box.gap(b.box);
@@ -362,7 +363,7 @@ void Scene_data::ask_pair(Number number, Scene_worker& worker)
   Near_pair& pair = near_[number];
   const auto [model_a, model_b] = models_of(pair);
   const int first = bodies_[pair.body[0]].model == model_a ? 0 : 1;
-  Query& query = worker.query(models, model_a, model_b);
+  Query& query = worker.query(models, model_a, model_b, pair.by_brute_force ? Method::brute : Method::tree);
   if (!query.collide(bodies_[pair.body[first]].pose, bodies_[pair.body[1 - first]].pose)) {
     answer_apart(pair, query.certified_gap());
     return;

@@ -11,14 +11,25 @@ namespace {
 
 constexpr std::size_t bytes_of_point = sizeof(kernel::Point<kernel::Adaptive>);
 
+/// So many pairs of faces are asked in the time that it takes to make the trees of two bodies, for each face of them.
+constexpr double pairs_a_face_of_trees = 65;
+
+struct Corners {
+  std::size_t corners = 0, loops = 0;
+};
+Corners corners_of(const Polyhedron& polyhedron)
+{
+  Corners all;
+  for (covering::Index f = 0; f < polyhedron.face_count(); ++f)
+    for (std::size_t k = 0; k < polyhedron.loop_count(f); ++k, ++all.loops) all.corners += polyhedron.loop(f, k).size();
+  return all;
+}
+
 /// Of the polyhedron alone, and with the covering that the tree has, by their counts.
 std::array<std::size_t, 2> bytes_beside_tree(const Body_data& body)
 {
   const std::size_t faces = body.polyhedron.face_count(), vertices = body.polyhedron.vertices.size();
-  std::size_t corners = 0, loops = 0;
-  for (covering::Index f = 0; f < faces; ++f)
-    for (std::size_t k = 0; k < body.polyhedron.loop_count(f); ++k, ++loops)
-      corners += body.polyhedron.loop(f, k).size();
+  const auto [corners, loops] = corners_of(body.polyhedron);
   const std::size_t given = vertices * sizeof(kernel::Vertex) + corners * sizeof(covering::Index) +
                             (loops + faces) * sizeof(std::size_t) + body.triangles.size() * sizeof(Face_triangle);
   // An edge has two corners; a triangle of the covering has three.
@@ -50,6 +61,8 @@ const Body& Scene_models::body(Number number)
     Body made = model.make();
     if (question_ == Question::solid) require_solid(data_of(made), model.name, "Question::solid");
     model.bytes_beside_tree = bytes_beside_tree(data_of(made));
+    model.faces = double(corners_of(made.polyhedron()).corners) / 3;
+    model.pairs_left = pairs_a_face_of_trees * model.faces;
     model.body.emplace(std::move(made));
   }
   return *model.body;
@@ -66,6 +79,16 @@ const tetratree::Bvh8* Scene_models::tree(Number number) const
 {
   const Model& model = models_[number];
   return model.body ? data_of(*model.body).made_bvh8() : nullptr;
+}
+
+bool Scene_models::is_worth_no_tree(Number a, Number b)
+{
+  Model &of_a = models_[a], &of_b = models_[b];
+  const double pairs = of_a.faces * of_b.faces, half = pairs / 2;
+  if (tree(a) || tree(b) || of_a.pairs_left < half || of_b.pairs_left < half) return false;
+  of_a.pairs_left -= half;
+  of_b.pairs_left -= half;
+  return true;
 }
 
 std::optional<Scene_models::Number> Scene_models::least_recently_used(Number not_this, Number nor_this) const
@@ -107,9 +130,11 @@ std::size_t Scene_models::nodes_made() const
   return all;
 }
 
-Query& Scene_worker::query(Scene_models& models, Number a, Number b)
+Query& Scene_worker::query(Scene_models& models, Number a, Number b, Method method)
 {
-  auto found = queries_.find({a, b});
+  Query_options options = options_->query;
+  if (options.method == Method::tree) options.method = method;
+  auto found = queries_.find({a, b, options.method});
   if (found == queries_.end()) {
     const Body &body_a = models.body(a), &body_b = models.body(b);
     const std::size_t bytes = query_bytes(body_a) + query_bytes(body_b);
@@ -119,8 +144,8 @@ Query& Scene_worker::query(Scene_models& models, Number a, Number b)
       queries_.erase(oldest);
     }
     found = queries_
-                .emplace(std::pair(a, b),
-                         Asked{std::make_unique<Query>(body_a, body_b, options_->question, options_->query), bytes, 0})
+                .emplace(std::tuple(a, b, options.method),
+                         Asked{std::make_unique<Query>(body_a, body_b, options_->question, options), bytes, 0})
                 .first;
     query_bytes_ += bytes;
   }
@@ -141,7 +166,7 @@ void Scene_worker::forget(Number model)
 {
   tables_.erase(model);
   for (auto asked = queries_.begin(); asked != queries_.end();) {
-    const bool has_it = asked->first.first == model || asked->first.second == model;
+    const bool has_it = std::get<0>(asked->first) == model || std::get<1>(asked->first) == model;
     if (has_it) query_bytes_ -= asked->second.bytes;
     asked = has_it ? queries_.erase(asked) : std::next(asked);
   }

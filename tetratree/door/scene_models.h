@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -33,6 +34,10 @@ class Scene_models {
   const tetratree::Body_extent& extent(Number model);
   /// Its tree, or nothing where none has been made.
   const tetratree::Bvh8* tree(Number model) const;
+
+  /// Whether a question about bodies of these models is to be asked of all pairs of their faces, since that costs less
+  /// than their trees, which are not there yet, and what such questions have cost so far does too. Counts the question.
+  bool is_worth_no_tree(Number a, Number b);
 
   /// Marks a model as needed now.
   void use(Number model) { models_[model].used = ++now_; }
@@ -55,6 +60,8 @@ class Scene_models {
     std::optional<Body> body;
     std::optional<tetratree::Body_extent> extent;
     std::array<std::size_t, 2> bytes_beside_tree{};  // before there is one, and after
+    double faces = 0;                                // as triangles
+    double pairs_left = 0;                           // that may be asked before a tree is made
     std::uint64_t used = 0;
   };
 
@@ -71,8 +78,8 @@ class Scene_worker {
 
   Scene_worker(const Scene_models& models, const Scene_options& options) : models_(&models), options_(&options) {}
 
-  /// Requires bodies that are made.
-  Query& query(Scene_models& models, Number a, Number b);
+  /// Requires bodies that are made. `method`: tree or brute; where the scene's options name another, it is that.
+  Query& query(Scene_models& models, Number a, Number b, Method method = Method::tree);
 
   /// The tightest that is known: by the tree where there is one.
   tetratree::World_box box(Number model, const tetratree::Body_extent& extent, const kernel::Pose& pose);
@@ -96,7 +103,7 @@ class Scene_worker {
 
   const Scene_models* models_;
   const Scene_options* options_;
-  std::map<std::pair<Number, Number>, Asked> queries_;
+  std::map<std::tuple<Number, Number, Method>, Asked> queries_;
   std::map<Number, tetratree::Support_table> tables_;
   std::size_t query_bytes_ = 0;
   std::uint64_t now_ = 0;

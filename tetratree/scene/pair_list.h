@@ -20,6 +20,7 @@ struct Near_pair {
   double limit = -1;            ///< they are apart until both bodies' ways, summed, reach this
   bool collide = false;         ///< what they did when they were asked
   bool is_open = false;         ///< to be asked
+  bool by_brute_force = false;  ///< how they are to be asked
   bool is_listed = false;       ///< among the colliding pairs of the last answer
 };
 
