@@ -205,39 +205,22 @@ inline Exact_distance distance_of_faces(const Exact_face& a, const Exact_face& b
   return *best;
 }
 
-/// Which corners of a triangle span the feature that holds its nearest point, as bits.
-using Corner_set = unsigned;
-
-/// The distance of the hulls of some corners of two triangles, where the nearest points of their affine hulls are on
-/// them, the corners of A are not beyond low and those of B not before high: then it is that of the triangles. Nothing
+/// The distance of two hulls of one to three corners, where the nearest points of their affine hulls are on them and one
+/// is a corner, or both are edges: those that may be a triangle's features that hold its nearest points. Nothing
 /// elsewhere.
-inline std::optional<Exact_distance> distance_of_features(const std::array<Exact_vector, 3>& a, Corner_set of_a,
-                                                          const std::array<Exact_vector, 3>& b, Corner_set of_b)
+inline std::optional<Exact_distance> distance_of_hulls(const std::vector<Exact_vector>& a,
+                                                       const std::vector<Exact_vector>& b)
 {
-  const auto corners = [](Corner_set set) {
-    std::array<int, 3> numbers{};
-    int count = 0;
-    for (int k = 0; k < 3; ++k)
-      if (set >> k & 1) numbers[count++] = k;
-    return std::pair(numbers, count);
-  };
-  const auto [i, n] = corners(of_a);
-  const auto [j, m] = corners(of_b);
-  const auto turned = [](std::optional<Exact_distance> found) {
+  if (a.size() > b.size()) {
+    auto found = distance_of_hulls(b, a);
     if (found) found = found->reversed();
     return found;
-  };
-  std::optional<Exact_distance> found;
-  if (n == 1 && m == 1) found = distance_of_points(a[i[0]], b[j[0]]);
-  if (n == 1 && m == 2) found = distance_to_edge(a[i[0]], b[j[0]], b[j[1]]);
-  if (n == 2 && m == 1) found = turned(distance_to_edge(b[j[0]], a[i[0]], a[i[1]]));
-  if (n == 2 && m == 2) found = distance_of_edges(a[i[0]], a[i[1]], b[j[0]], b[j[1]]);
-  if (n == 1 && m == 3) found = distance_to_triangle(a[i[0]], b);
-  if (n == 3 && m == 1) found = turned(distance_to_triangle(b[j[0]], a));
-  if (!found || found->is_zero()) return {};
-  for (int k = 0; k < 3; ++k)
-    if (dot(found->direction, a[k]) > found->low || dot(found->direction, b[k]) < found->high) return {};
-  return found;
+  }
+  if (a.size() == 1 && b.size() == 1) return distance_of_points(a[0], b[0]);
+  if (a.size() == 1 && b.size() == 2) return distance_to_edge(a[0], b[0], b[1]);
+  if (a.size() == 2 && b.size() == 2) return distance_of_edges(a[0], a[1], b[0], b[1]);
+  if (a.size() == 1 && b.size() == 3) return distance_to_triangle(a[0], {b[0], b[1], b[2]});
+  return {};
 }
 
 }  // namespace tetracone::kernel
