@@ -20,6 +20,22 @@ namespace tetracone::kernel {
 using Double_vector = std::array<double, 3>;
 using Double_triangle = std::array<Double_vector, 3>;
 
+/// A triangle, and its edges, a lane each, the fourth the first again: where they begin, and what leads to their ends.
+struct alignas(32) Edged_triangle {
+  double at[3][4] = {}, way[3][4] = {};
+  Double_triangle corner{};
+
+  Edged_triangle() = default;
+  Edged_triangle(const Double_triangle& t) : corner(t)
+  {
+    for (int k = 0; k < 3; ++k)
+      for (int i = 0; i < 4; ++i) {
+        at[k][i] = t[i % 3][k];
+        way[k][i] = t[(i + 1) % 3][k] - t[i % 3][k];
+      }
+  }
+};
+
 /// What is known of the distance of two triangles.
 struct Triangle_gap {
   double low = 0;      ///< at most the distance
@@ -73,20 +89,6 @@ struct Nearest {
   unsigned of_a = 0, of_b = 0;
 };
 
-/// The edges of a triangle, a lane each, the fourth the first again: where they begin, and what leads to their ends.
-struct alignas(32) Edges {
-  double at[3][4], way[3][4];
-
-  explicit Edges(const Double_triangle& t)
-  {
-    for (int k = 0; k < 3; ++k)
-      for (int i = 0; i < 4; ++i) {
-        at[k][i] = t[i % 3][k];
-        way[k][i] = t[(i + 1) % 3][k] - t[i % 3][k];
-      }
-  }
-};
-
 /// For each edge of A the nearest of B, where on both the nearest points are, and their squared distance.
 struct alignas(32) Near_edges {
   double square[4], s[4], t[4], of_b[4];
@@ -102,12 +104,12 @@ namespace tetracone::kernel {
 namespace triangle_distance {
 
 /// The nearest points of two edges.
-inline Nearest nearest_on_edges(const Double_triangle& a, const Double_triangle& b)
+inline Nearest nearest_on_edges(const Edged_triangle& a, const Edged_triangle& b)
 {
-  using Function = void(const Edges&, const Edges&, Near_edges&);
+  using Function = void(const Edged_triangle&, const Edged_triangle&, Near_edges&);
   static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(nearest_on_edges_simd));
   Near_edges near;
-  fastest(Edges(a), Edges(b), near);
+  fastest(a, b, near);
   int i = 0;
   for (int k = 1; k < 3; ++k)
     if (near.square[k] < near.square[i]) i = k;
@@ -115,8 +117,8 @@ inline Nearest nearest_on_edges(const Double_triangle& a, const Double_triangle&
   const double s = near.s[i], t = near.t[i];
   Nearest n;
   for (int k = 0; k < 3; ++k) {
-    n.p[k] = a[i][k] + s * (a[i1][k] - a[i][k]);
-    n.q[k] = b[j][k] + t * (b[j1][k] - b[j][k]);
+    n.p[k] = a.at[k][i] + s * a.way[k][i];
+    n.q[k] = b.at[k][j] + t * b.way[k][j];
   }
   n.of_a = (s < 1 ? 1u << i : 0) | (s > 0 ? 1u << i1 : 0);
   n.of_b = (t < 1 ? 1u << j : 0) | (t > 0 ? 1u << j1 : 0);
@@ -199,11 +201,13 @@ inline Triangle_gap gap_of(const Nearest& points, const Double_triangle& a, cons
 /// `limit`, bounds need not be near.
 ///
 /// The nearest points are on two edges, which both bounds then tell, or in a corner and inside the other triangle.
-inline Triangle_gap triangle_gap(const Double_triangle& a, const Double_triangle& b, double position_error,
-                                 double largest, double limit = HUGE_VAL)
+inline Triangle_gap triangle_gap(const Edged_triangle& with_edges_a, const Edged_triangle& with_edges_b,
+                                 double position_error, double largest, double limit = HUGE_VAL)
 {
   namespace td = triangle_distance;
-  Triangle_gap found = td::gap_of(td::nearest_on_edges(a, b), a, b, position_error, largest);
+  const Double_triangle &a = with_edges_a.corner, &b = with_edges_b.corner;
+  const Triangle_gap found =
+      td::gap_of(td::nearest_on_edges(with_edges_a, with_edges_b), a, b, position_error, largest);
   if (found.low > limit || found.low >= found.nearest * (1 - 0x1p-40)) return found;
   td::Nearest inside;
   int which = 0;

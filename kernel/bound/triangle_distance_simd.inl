@@ -10,7 +10,7 @@ HWY_BEFORE_NAMESPACE();
 namespace tetracone::kernel::HWY_NAMESPACE {
 
 /// The nearest points of an edge of A, a lane each, and of one of B. Without MulAdd: the same bits in all versions.
-inline HWY_ATTR void nearest_on_edges_simd(const triangle_distance::Edges& a, const triangle_distance::Edges& b,
+inline HWY_ATTR void nearest_on_edges_simd(const Edged_triangle& a, const Edged_triangle& b,
                                            triangle_distance::Near_edges& near)
 {
   namespace hn = hwy::HWY_NAMESPACE;

@@ -66,7 +66,7 @@ class Bvh8_distance {
     start_with_last();
     search();
     if constexpr (!is_exact) return std::ldexp(nearest_, frame_->exponent());
-    const Candidate best = settle();
+    const Candidate best = settle(kernel::Nearest_points::are_not_asked_for);
     last_ = {best.a, best.b};
     return kernel::nearest_root(kernel::Rational(best.exact->top()), of_space(best.exact->bottom()));
   }
@@ -81,7 +81,7 @@ class Bvh8_distance {
     if (relation == Relation::a_in_b || relation == Relation::b_in_a)
       return inside(relation == Relation::a_in_b ? 0 : 1);
     search();
-    return told(settle());
+    return told(settle(kernel::Nearest_points::are_asked_for));
   }
 
   /// Whether the distance is at most `limit`. Requires the same.
@@ -99,7 +99,7 @@ class Bvh8_distance {
     if (is_within()) return true;
     if constexpr (!is_exact) return nearest_ <= below;
     if (candidates_.empty()) return false;
-    const Candidate best = settle();
+    const Candidate best = settle(kernel::Nearest_points::are_not_asked_for);
     return kernel::Rational(best.exact->top()) <= of_space(best.exact->bottom()) * limit * limit;
   }
 
@@ -128,6 +128,13 @@ class Bvh8_distance {
     Leaf_element a, b;
     kernel::Triangle_gap gap;
     std::unique_ptr<kernel::Exact_distance> exact;  // where it was asked for
+  };
+
+  /// A triangle where it is placed, of an element that a slot was last used for.
+  struct Placed_triangle {
+    std::uint64_t place = 0;  // number of that
+    Leaf_element leaf{};
+    kernel::Edged_triangle at;
   };
 
   /// A pair of boxes of which one is replaced by its parts, those of a node; and what is known of these.
@@ -163,6 +170,7 @@ class Bvh8_distance {
       stretch_[body] = stretch > 0x1p-60 ? float(stretch) * kernel::distance_shrink : 0;
       size_[body] = float(stretch) > 0 ? float(stretch) : 1;
     }
+    ++place_;
     candidates_.clear();
     along_ = {};
     high_ = nearest_ = std::numeric_limits<double>::infinity();
@@ -180,9 +188,14 @@ class Bvh8_distance {
     return tree_[body]->element(leaf.box / 8, int(leaf.box % 8), leaf.k);
   }
 
-  kernel::Double_triangle corners(int body, const Element& element) const
+  const kernel::Edged_triangle& triangle(int body, const Leaf_element& leaf, const Element& element)
   {
-    return {image(body, element.corner[0]), image(body, element.corner[1]), image(body, element.corner[2])};
+    Placed_triangle& slot = triangles_[std::size_t(body)][(leaf.box + leaf.k) % slots];
+    if (slot.place != place_ || slot.leaf.box != leaf.box || slot.leaf.k != leaf.k)
+      slot = {place_, leaf,
+              kernel::Double_triangle{image(body, element.corner[0]), image(body, element.corner[1]),
+                                      image(body, element.corner[2])}};
+    return slot.at;
   }
   kernel::Double_vector image(int body, Index v) const
   {
@@ -198,8 +211,9 @@ class Bvh8_distance {
     const bool is_bounded = frame_->position_error() < std::numeric_limits<double>::infinity();
     if (is_filtered && is_bounded && !of_a.is_whole_face() && !of_b.is_whole_face()) {
       ++counts_.triangle_tests;
-      const kernel::Double_triangle in_a = corners(0, of_a), in_b = corners(1, of_b);
-      if (kernel::least_gap(in_a, in_b, along_, frame_->position_error(), frame_->largest()) > high_) return;
+      const kernel::Edged_triangle &in_a = triangle(0, a, of_a), &in_b = triangle(1, b, of_b);
+      if (kernel::least_gap(in_a.corner, in_b.corner, along_, frame_->position_error(), frame_->largest()) > high_)
+        return;
       pair.gap = kernel::triangle_gap(in_a, in_b, frame_->position_error(), frame_->largest(), high_);
     } else {
       pair.exact = std::make_unique<kernel::Exact_distance>(distance_of_elements(of_a, of_b));
@@ -364,11 +378,12 @@ class Bvh8_distance {
   }
 
   /// By the features that the enclosure has found, where these are right.
-  void find_exactly(Candidate& pair)
+  void find_exactly(Candidate& pair, kernel::Nearest_points points)
   {
     if (pair.exact) return;
     const Element &a = element(0, pair.a), &b = element(1, pair.b);
-    auto found = kernel::distance_of_hulls(exact_corners(0, a, pair.gap.of_a), exact_corners(1, b, pair.gap.of_b));
+    auto found =
+        kernel::distance_of_hulls(exact_corners(0, a, pair.gap.of_a), exact_corners(1, b, pair.gap.of_b), points);
     if (found && !found->is_zero()) {
       pair.exact = std::make_unique<kernel::Exact_distance>(std::move(*found));
       if (is_behind(pair, pair)) return;
@@ -418,7 +433,7 @@ class Bvh8_distance {
   }
 
   /// Of the pairs that are left the nearest one, with its distance. Requires one.
-  Candidate settle()
+  Candidate settle(kernel::Nearest_points points)
   {
     std::erase_if(candidates_, [this](const Candidate& c) { return c.gap.low > high_; });
     const auto first =
@@ -426,10 +441,10 @@ class Bvh8_distance {
                          [](const Candidate& x, const Candidate& y) { return x.gap.nearest < y.gap.nearest; });
     std::swap(*first, candidates_.front());
     Candidate* best = &candidates_.front();
-    find_exactly(*best);
+    find_exactly(*best, points);
     for (Candidate& pair : candidates_) {
       if (&pair == best || is_behind(*best, pair)) continue;
-      find_exactly(pair);
+      find_exactly(pair, points);
       if (*pair.exact < *best->exact) best = &pair;
     }
     return std::move(*best);
@@ -488,6 +503,9 @@ class Bvh8_distance {
   std::array<float, 2> size_{};     // of sizes, about the same
   Pair_queue queue_;
   std::array<Opening, 4> open_;
+  static constexpr std::size_t slots = 16;
+  std::uint64_t place_ = 0;  // number of what was placed
+  std::array<std::array<Placed_triangle, slots>, 2> triangles_;
   std::vector<Candidate> candidates_;
   kernel::Double_vector along_{};                   // from A's to B's of the pair that has given the least upper bound
   double high_ = 0, nearest_ = 0, low_limit_ = -1;  // of the distance; what is enough
