@@ -6,6 +6,7 @@
 #include "tetracone/kernel/simd/simd.h"
 
 #include <array>
+#include <limits>
 
 namespace tetracone::kernel {
 
@@ -17,7 +18,8 @@ namespace tetracone::kernel {
 /// single box, whose edges are orthonormal but for 2^-20: d, the map's tolerance 2^-24, and roundings.
 /// Both bounds hold, and the larger one is taken. Each is improved along the way n = sum_i +-g_i a_i that it found: the
 /// boxes differ along n by at least sum_i g_i (|t_i| - e_i) - sum_j f_j |sum_i +-g_i a_i . edge_j|, over |n| a bound too.
-inline constexpr float distance_shrink = 1 - 0x1p-18f;  // of the square: 3 * 2^-20, and its roundings
+/// `distance_shrink` is for the root: 1.5 * 2^-20, and a few roundings.
+inline constexpr float distance_shrink = 1 - 0x1p-18f;
 
 /// What g_i may be off by, a share of M = |t|_1 + reach + sum of extents, beside the position's error: of t, 1 rounding
 /// of the double, 2 of the node's origin and centre; of each product with an axis 3, and 4 of an edge that was carried;
@@ -25,8 +27,27 @@ inline constexpr float distance_shrink = 1 - 0x1p-18f;  // of the square: 3 * 2^
 /// covers 32 of them, and the axes' defect, which is 8.
 inline constexpr double distance_rounding = 64 * 0x1p-24;
 
-/// Lower bounds of squared distances, a lane each; 0 where nothing is known.
-using Eight_squares = std::array<float, lanes>;
+/// What lower bounds are made of and held against.
+struct Gap_question {
+  float stretch;  ///< at most the length of what is of length 1 in the units of the eight, times `distance_shrink`
+  float limit;    ///< boxes that are farther apart are not asked for
+  float known;    ///< none is nearer
+  float size;     ///< of a box: this times the sum of its extents
+};
+
+/// What is known of the eight, a lane each.
+struct Eight_gaps {
+  alignas(32) std::array<float, lanes> low;  ///< lower bounds of distances
+  std::array<float, lanes> size;             ///< at least the least normal number
+  std::array<float, lanes> between;          ///< of the centres, about, squared, in the units of the eight
+};
+
+/// The size of a box by the sum of its extents, which a sign may be given.
+inline float box_size(float sum, float factor)
+{
+  const float size = sum * factor;
+  return size > std::numeric_limits<float>::min() ? size : std::numeric_limits<float>::min();
+}
 
 }  // namespace tetracone::kernel
 
@@ -35,13 +56,14 @@ using Eight_squares = std::array<float, lanes>;
 
 namespace tetracone::kernel {
 
-/// Of the lanes of `boxes` and box `lane` of `from`, which `map` carries into their frame; lanes that hold nothing may
-/// have any value.
-inline void squared_distances(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane, Eight_squares& squares)
+/// The lanes of `boxes`, as bits, that are not found farther than the limit from box `lane` of `from`, which `map`
+/// carries into their frame; `gaps` of lanes that hold nothing may have any value.
+inline unsigned nearer_lanes(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane,
+                             const Gap_question& question, Eight_gaps& gaps)
 {
-  using Function = void(const Obb8&, const Box_map&, const Obb8&, int, Eight_squares&);
-  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(squared_distances_simd));
-  fastest(boxes, map, from, lane, squares);
+  using Function = unsigned(const Obb8&, const Box_map&, const Obb8&, int, const Gap_question&, Eight_gaps&);
+  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(nearer_lanes_simd));
+  return fastest(boxes, map, from, lane, question, gaps);
 }
 
 }  // namespace tetracone::kernel

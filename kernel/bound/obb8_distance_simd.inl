@@ -38,7 +38,7 @@ HWY_INLINE Floats squared_way(const Floats (&t)[3], const Floats (&e)[3], const 
   return Max(hn::IfThenElseZero(is_sound, hn::Div(numerator, square)), square);
 }
 
-/// Lower bounds of squared distances of the test's lanes, but for `distance_shrink`. Undefined where its numbers are.
+/// Lower bounds of squared distances of the test's lanes, but for the axes' defect. Undefined where its numbers are.
 template <bool similarity, class Test>
 HWY_INLINE auto squared_gaps(const Test& test, const typename Test::Floats slack)
 {
@@ -76,21 +76,36 @@ HWY_INLINE auto squared_gaps(const Test& test, const typename Test::Floats slack
   return Max(own, squared_way(s, f, e, turned, slack));
 }
 
+/// Returns the lanes that are near enough, as bits.
 template <bool similarity>
-HWY_INLINE void store_squares(const Obb8& boxes, const Single_box& box, float slack, Eight_squares& squares)
+HWY_INLINE unsigned store_gaps(const Obb8& boxes, const Single_box& box, float slack, const Gap_question& question,
+                               Eight_gaps& gaps)
 {
   const Float_tag tag;
+  const auto all = [&](float value) HWY_ATTR { return hn::Set(tag, value); };
+  unsigned nearer = 0;
   for (std::size_t first = 0; first < lanes; first += hn::Lanes(tag)) {
-    const auto square = hn::Mul(squared_gaps<similarity>(One_test{boxes, box, first}, hn::Set(tag, slack)),
-                                hn::Set(tag, distance_shrink));
+    const auto load = [&](const float* lane) HWY_ATTR { return hn::Load(tag, lane + first); };
+    const auto square = squared_gaps<similarity>(One_test{boxes, box, first}, all(slack));
     // What is infinite or undefined is no bound.
-    const auto is_known = hn::Lt(square, hn::Set(tag, 0x1p120f));
-    hn::StoreU(hn::IfThenElseZero(is_known, square), tag, squares.data() + first);
+    const auto is_known = hn::Lt(square, all(0x1p120f));
+    const auto low =
+        Max(Mul(hn::Sqrt(hn::IfThenElseZero(is_known, square)), all(question.stretch)), all(question.known));
+    const auto sum = hn::Add(load(boxes.extent[0]), hn::Add(load(boxes.extent[1]), load(boxes.extent[2])));
+    const auto x = Sub(all(box.centre[0]), load(boxes.centre[0])), y = Sub(all(box.centre[1]), load(boxes.centre[1])),
+               z = Sub(all(box.centre[2]), load(boxes.centre[2]));
+    hn::Store(low, tag, gaps.low.data() + first);
+    hn::Store(Max(Mul(sum, all(question.size)), all(std::numeric_limits<float>::min())), tag, gaps.size.data() + first);
+    hn::Store(MulAdd(z, z, MulAdd(y, y, Mul(x, x))), tag, gaps.between.data() + first);
+    std::uint8_t bits[8];
+    hn::StoreMaskBits(tag, hn::Le(low, all(question.limit)), bits);
+    nearer |= unsigned(bits[0]) << first;
   }
+  return nearer & ((1u << boxes.lane_count) - 1);
 }
 
-inline HWY_ATTR void squared_distances_simd(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane,
-                                            Eight_squares& squares)
+inline HWY_ATTR unsigned nearer_lanes_simd(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane,
+                                           const Gap_question& question, Eight_gaps& gaps)
 {
   const bool similarity = map.is_similarity();
   float size = (from.extent[0][lane] + from.extent[1][lane] + from.extent[2][lane]) * map.stretch();
@@ -99,10 +114,8 @@ inline HWY_ATTR void squared_distances_simd(const Obb8& boxes, const Box_map& ma
   const float way = std::abs(box.centre[0]) + std::abs(box.centre[1]) + std::abs(box.centre[2]);
   // The slacks of both maps have the position's error.
   const float slack = float(distance_rounding) * (way + boxes.reach + size) * (1 + 0x1p-20f) + box.slack;
-  if (similarity)
-    store_squares<true>(boxes, box, slack, squares);
-  else
-    store_squares<false>(boxes, box, slack, squares);
+  return similarity ? store_gaps<true>(boxes, box, slack, question, gaps)
+                    : store_gaps<false>(boxes, box, slack, question, gaps);
 }
 
 }  // namespace tetracone::kernel::HWY_NAMESPACE

@@ -3,9 +3,11 @@
 
 #include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/number/products.h"
+#include "tetracone/kernel/simd/simd.h"
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 /// The distance of two triangles in double, enclosed.
 ///
@@ -17,6 +19,22 @@ namespace tetracone::kernel {
 
 using Double_vector = std::array<double, 3>;
 using Double_triangle = std::array<Double_vector, 3>;
+
+/// A triangle, and its edges, a lane each, the fourth the first again: where they begin, and what leads to their ends.
+struct alignas(32) Edged_triangle {
+  double at[3][4] = {}, way[3][4] = {};
+  Double_triangle corner{};
+
+  Edged_triangle() = default;
+  Edged_triangle(const Double_triangle& t) : corner(t)
+  {
+    for (int k = 0; k < 3; ++k)
+      for (int i = 0; i < 4; ++i) {
+        at[k][i] = t[i % 3][k];
+        way[k][i] = t[(i + 1) % 3][k] - t[i % 3][k];
+      }
+  }
+};
 
 /// What is known of the distance of two triangles.
 struct Triangle_gap {
@@ -69,30 +87,41 @@ inline double above(double distance, double slack) { return distance * (1 + leng
 struct Nearest {
   Double_vector p{}, q{};
   unsigned of_a = 0, of_b = 0;
-  double square = 0;
 };
 
-inline double clamped(double x) { return x > 0 ? (x < 1 ? x : 1) : 0; }
+/// For each edge of A the nearest of B, where on both the nearest points are, and their squared distance.
+struct alignas(32) Near_edges {
+  double square[4], s[4], t[4], of_b[4];
+};
 
-/// The nearest points of edges i of A and j of B.
-inline Nearest of_edges(const Double_triangle& a, int i, const Double_triangle& b, int j)
+}  // namespace triangle_distance
+}  // namespace tetracone::kernel
+
+#define TETRACONE_SIMD_FILE "tetracone/kernel/bound/triangle_distance_simd.inl"
+#include "tetracone/kernel/simd/simd_rounds.h"
+
+namespace tetracone::kernel {
+namespace triangle_distance {
+
+/// The nearest points of two edges.
+inline Nearest nearest_on_edges(const Edged_triangle& a, const Edged_triangle& b)
 {
-  const int i1 = i == 2 ? 0 : i + 1, j1 = j == 2 ? 0 : j + 1;
-  const Double_vector e = difference(a[i1], a[i]), f = difference(b[j1], b[j]), r = difference(a[i], b[j]);
-  const double ee = dot(e, e), ff = dot(f, f), ef = dot(e, f), er = dot(e, r), fr = dot(f, r);
-  const double weight = ee * ff - ef * ef;
-  double s = weight > 0 ? clamped((ef * fr - ff * er) / weight) : 0;
-  double t = ff > 0 ? clamped((ef * s + fr) / ff) : 0;
-  s = ee > 0 ? clamped((ef * t - er) / ee) : 0;
+  using Function = void(const Edged_triangle&, const Edged_triangle&, Near_edges&);
+  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(nearest_on_edges_simd));
+  Near_edges near;
+  fastest(a, b, near);
+  int i = 0;
+  for (int k = 1; k < 3; ++k)
+    if (near.square[k] < near.square[i]) i = k;
+  const int j = int(near.of_b[i]), i1 = i == 2 ? 0 : i + 1, j1 = j == 2 ? 0 : j + 1;
+  const double s = near.s[i], t = near.t[i];
   Nearest n;
   for (int k = 0; k < 3; ++k) {
-    n.p[k] = a[i][k] + s * e[k];
-    n.q[k] = b[j][k] + t * f[k];
+    n.p[k] = a.at[k][i] + s * a.way[k][i];
+    n.q[k] = b.at[k][j] + t * b.way[k][j];
   }
   n.of_a = (s < 1 ? 1u << i : 0) | (s > 0 ? 1u << i1 : 0);
   n.of_b = (t < 1 ? 1u << j : 0) | (t > 0 ? 1u << j1 : 0);
-  const Double_vector d = difference(n.q, n.p);
-  n.square = dot(d, d);
   return n;
 }
 
@@ -138,34 +167,60 @@ inline double least_gap(const Double_triangle& a, const Double_triangle& b, cons
   return td::below(gap, length, td::slack(position_error, largest));
 }
 
+/// Whether x is before p along a direction that n is, but for 2^-51 of each coordinate. x and p are at most `largest` and
+/// off by at most `position_error` in a coordinate: n . (x - p) is off by |n|_1 times 2 `position_error` and, of 2
+/// `largest`, 2^-51 for n and 5 u for roundings. Numbers near the ends of the doubles' range tell nothing.
+inline bool is_surely_before(const Double_vector& x, const Double_vector& p, const Double_vector& n,
+                             double position_error, double largest)
+{
+  const double length = std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]);
+  return length > 0x1p-400 && length < 0x1p400 &&
+         dot(n, difference(x, p)) < -length * triangle_distance::slack(position_error, largest);
+}
+
+namespace triangle_distance {
+
+/// What two points, one in each triangle, tell.
+inline Triangle_gap gap_of(const Nearest& points, const Double_triangle& a, const Double_triangle& b,
+                           double position_error, double largest)
+{
+  Triangle_gap found;
+  found.direction = difference(points.q, points.p);
+  found.nearest = std::sqrt(dot(found.direction, found.direction));
+  found.high = above(found.nearest, slack(position_error, largest));
+  found.low = least_gap(a, b, found.direction, position_error, largest);
+  found.of_a = points.of_a;
+  found.of_b = points.of_b;
+  return found;
+}
+
+}  // namespace triangle_distance
+
 /// The distance of triangles whose coordinates are at most `largest` and off by at most `position_error`. Infinite or
-/// undefined errors give low = 0 and a high that is no bound to anything: infinite or undefined.
-inline Triangle_gap triangle_gap(const Double_triangle& a, const Double_triangle& b, double position_error,
-                                 double largest)
+/// undefined errors give low = 0 and a high that is no bound to anything: infinite or undefined. Where it is above
+/// `limit`, bounds need not be near.
+///
+/// The nearest points are on two edges, which both bounds then tell, or in a corner and inside the other triangle.
+inline Triangle_gap triangle_gap(const Edged_triangle& with_edges_a, const Edged_triangle& with_edges_b,
+                                 double position_error, double largest, double limit = HUGE_VAL)
 {
   namespace td = triangle_distance;
-  td::Nearest best;
+  const Double_triangle &a = with_edges_a.corner, &b = with_edges_b.corner;
+  const Triangle_gap found =
+      td::gap_of(td::nearest_on_edges(with_edges_a, with_edges_b), a, b, position_error, largest);
+  if (found.low > limit || found.low >= found.nearest * (1 - 0x1p-40)) return found;
+  td::Nearest inside;
   int which = 0;
-  if (td::over_triangle(a, b, best.p, best.q, which)) {
-    best.of_a = 1u << which;
-    best.of_b = 7;
-  } else if (td::over_triangle(b, a, best.q, best.p, which)) {
-    best.of_a = 7;
-    best.of_b = 1u << which;
+  if (td::over_triangle(a, b, inside.p, inside.q, which)) {
+    inside.of_a = 1u << which;
+    inside.of_b = 7;
+  } else if (td::over_triangle(b, a, inside.q, inside.p, which)) {
+    inside.of_a = 7;
+    inside.of_b = 1u << which;
   } else {
-    best.square = HUGE_VAL;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        if (const td::Nearest n = td::of_edges(a, i, b, j); n.square < best.square) best = n;
+    return found;
   }
-  Triangle_gap found;
-  found.direction = difference(best.q, best.p);
-  found.nearest = std::sqrt(dot(found.direction, found.direction));
-  found.high = td::above(found.nearest, td::slack(position_error, largest));
-  found.low = least_gap(a, b, found.direction, position_error, largest);
-  found.of_a = best.of_a;
-  found.of_b = best.of_b;
-  return found;
+  return td::gap_of(inside, a, b, position_error, largest);
 }
 
 }  // namespace tetracone::kernel

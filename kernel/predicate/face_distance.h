@@ -78,21 +78,27 @@ inline Exact_distance distance_of_points(const Exact_vector& x, const Exact_vect
   return detail::along(difference(y, x), x, y, {x}, {y});
 }
 
+/// Whether the nearest points are asked for, or only the direction and how far the features reach along it.
+enum class Nearest_points { are_not_asked_for, are_asked_for };
+
 /// Of a point and a segment, where the nearest point of its line is on it; nothing elsewhere, and for one that is a
 /// point.
 inline std::optional<Exact_distance> distance_to_edge(const Exact_vector& x, const Exact_vector& a,
-                                                      const Exact_vector& b)
+                                                      const Exact_vector& b,
+                                                      Nearest_points points = Nearest_points::are_asked_for)
 {
   const Exact_vector e = difference(b, a), r = difference(x, a);
   const Exact_number length = dot(e, e), at = dot(r, e), left = length - at;
   if (length.sign() == CGAL::ZERO || at.sign() == CGAL::NEGATIVE || left.sign() == CGAL::NEGATIVE) return {};
   const Exact_vector direction = difference(detail::scaled(e, at), detail::scaled(r, length));
+  if (points == Nearest_points::are_not_asked_for) return detail::along(direction, x, a, {}, {});
   return detail::along(direction, x, a, {x}, {detail::sum(detail::scaled(a, left), detail::scaled(b, at)), length});
 }
 
 /// Of two segments, where the nearest points of their lines are on them; nothing elsewhere, and for parallel ones.
 inline std::optional<Exact_distance> distance_of_edges(const Exact_vector& a, const Exact_vector& b,
-                                                       const Exact_vector& c, const Exact_vector& d)
+                                                       const Exact_vector& c, const Exact_vector& d,
+                                                       Nearest_points points = Nearest_points::are_asked_for)
 {
   const Exact_vector e = difference(b, a), f = difference(d, c), r = difference(a, c);
   const Exact_number ee = dot(e, e), ef = dot(e, f), ff = dot(f, f), er = dot(e, r), fr = dot(f, r);
@@ -101,30 +107,34 @@ inline std::optional<Exact_distance> distance_of_edges(const Exact_vector& a, co
   const Exact_number s = ef * fr - ff * er, t = ee * fr - ef * er, s_left = weight - s, t_left = weight - t;
   for (const Exact_number* share : {&s, &t, &s_left, &t_left})
     if (share->sign() == CGAL::NEGATIVE) return {};
+  if (points == Nearest_points::are_not_asked_for) return detail::along(cross(e, f), a, c, {}, {});
   return detail::along(cross(e, f), a, c, {detail::sum(detail::scaled(a, s_left), detail::scaled(b, s)), weight},
                        {detail::sum(detail::scaled(c, t_left), detail::scaled(d, t)), weight});
 }
 
 /// Of a point and the plane through three: wherever the nearest point is. Nothing where the three are on a line.
-inline std::optional<Exact_distance> distance_to_plane(const Exact_vector& x, const std::array<Exact_vector, 3>& plane)
+inline std::optional<Exact_distance> distance_to_plane(const Exact_vector& x, const std::array<Exact_vector, 3>& plane,
+                                                       Nearest_points points = Nearest_points::are_asked_for)
 {
   const Exact_vector normal = cross(difference(plane[1], plane[0]), difference(plane[2], plane[0]));
   const Exact_number weight = dot(normal, normal);
   if (weight.sign() == CGAL::ZERO) return {};
+  if (points == Nearest_points::are_not_asked_for) return detail::along(normal, x, plane[0], {}, {});
   const Exact_number height = dot(normal, difference(x, plane[0]));
   return detail::along(normal, x, plane[0], {x},
                        {difference(detail::scaled(x, weight), detail::scaled(normal, height)), weight});
 }
 
 /// Of a point and a triangle, where the nearest point of its plane is on it.
-inline std::optional<Exact_distance> distance_to_triangle(const Exact_vector& x, const std::array<Exact_vector, 3>& t)
+inline std::optional<Exact_distance> distance_to_triangle(const Exact_vector& x, const std::array<Exact_vector, 3>& t,
+                                                          Nearest_points points = Nearest_points::are_asked_for)
 {
   const Exact_vector normal = cross(difference(t[1], t[0]), difference(t[2], t[0]));
   for (int k = 0; k < 3; ++k) {
     const Exact_vector a = difference(t[k], x), b = difference(t[(k + 1) % 3], x);
     if (dot(normal, cross(a, b)).sign() == CGAL::NEGATIVE) return {};
   }
-  return distance_to_plane(x, t);
+  return distance_to_plane(x, t, points);
 }
 
 /// A face in exact coordinates: directed edges of all loops and, of one that is on no line, three corners that span its
@@ -205,39 +215,22 @@ inline Exact_distance distance_of_faces(const Exact_face& a, const Exact_face& b
   return *best;
 }
 
-/// Which corners of a triangle span the feature that holds its nearest point, as bits.
-using Corner_set = unsigned;
-
-/// The distance of the hulls of some corners of two triangles, where the nearest points of their affine hulls are on
-/// them, the corners of A are not beyond low and those of B not before high: then it is that of the triangles. Nothing
+/// The distance of two hulls of one to three corners, where the nearest points of their affine hulls are on them and one
+/// is a corner, or both are edges: those that may be a triangle's features that hold its nearest points. Nothing
 /// elsewhere.
-inline std::optional<Exact_distance> distance_of_features(const std::array<Exact_vector, 3>& a, Corner_set of_a,
-                                                          const std::array<Exact_vector, 3>& b, Corner_set of_b)
+inline std::optional<Exact_distance> distance_of_hulls(const std::vector<Exact_vector>& a,
+                                                       const std::vector<Exact_vector>& b, Nearest_points points)
 {
-  const auto corners = [](Corner_set set) {
-    std::array<int, 3> numbers{};
-    int count = 0;
-    for (int k = 0; k < 3; ++k)
-      if (set >> k & 1) numbers[count++] = k;
-    return std::pair(numbers, count);
-  };
-  const auto [i, n] = corners(of_a);
-  const auto [j, m] = corners(of_b);
-  const auto turned = [](std::optional<Exact_distance> found) {
+  if (a.size() > b.size()) {
+    auto found = distance_of_hulls(b, a, points);
     if (found) found = found->reversed();
     return found;
-  };
-  std::optional<Exact_distance> found;
-  if (n == 1 && m == 1) found = distance_of_points(a[i[0]], b[j[0]]);
-  if (n == 1 && m == 2) found = distance_to_edge(a[i[0]], b[j[0]], b[j[1]]);
-  if (n == 2 && m == 1) found = turned(distance_to_edge(b[j[0]], a[i[0]], a[i[1]]));
-  if (n == 2 && m == 2) found = distance_of_edges(a[i[0]], a[i[1]], b[j[0]], b[j[1]]);
-  if (n == 1 && m == 3) found = distance_to_triangle(a[i[0]], b);
-  if (n == 3 && m == 1) found = turned(distance_to_triangle(b[j[0]], a));
-  if (!found || found->is_zero()) return {};
-  for (int k = 0; k < 3; ++k)
-    if (dot(found->direction, a[k]) > found->low || dot(found->direction, b[k]) < found->high) return {};
-  return found;
+  }
+  if (a.size() == 1 && b.size() == 1) return distance_of_points(a[0], b[0]);
+  if (a.size() == 1 && b.size() == 2) return distance_to_edge(a[0], b[0], b[1], points);
+  if (a.size() == 2 && b.size() == 2) return distance_of_edges(a[0], a[1], b[0], b[1], points);
+  if (a.size() == 1 && b.size() == 3) return distance_to_triangle(a[0], {b[0], b[1], b[2]}, points);
+  return {};
 }
 
 }  // namespace tetracone::kernel

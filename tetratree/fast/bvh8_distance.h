@@ -9,12 +9,15 @@
 #include "tetracone/kernel/predicate/face_distance.h"
 #include "tetracone/tetratree/fast/bvh8_collision.h"
 #include "tetracone/tetratree/fast/exact_vertices.h"
+#include "tetracone/tetratree/fast/pair_queue.h"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -31,10 +34,11 @@ struct Nearest_pair {
 
 /// The distance of two placed `Bvh8` over kernel K. Build once, ask for many poses.
 ///
-/// Bodies that collide, which `Bvh8_collision` tells, are 0 apart. Of others pairs of boxes are opened, the nearest
+/// Bodies that collide, which `Bvh8_collision` tells, are 0 apart. Of others pairs of boxes are opened, about the nearest
 /// first, while their lower bound is not above the least upper bound that a pair of triangles has given. Pairs
 /// of triangles are enclosed in double; those that may be the nearest are compared in exact arithmetic, of which one is
-/// left almost always. The pair that was nearest in the last pose gives the first upper bound.
+/// left almost always. The first upper bounds are those of the pair that was nearest in the last pose, and of the pair
+/// that the nearest part of each box leads to.
 /// Over a kernel that rounds, the least distance in double is the answer.
 ///
 /// Both trees, and their models, must outlive the query object. Making it and every query throw
@@ -62,7 +66,7 @@ class Bvh8_distance {
     start_with_last();
     search();
     if constexpr (!is_exact) return std::ldexp(nearest_, frame_->exponent());
-    const Candidate best = settle();
+    const Candidate best = settle(kernel::Nearest_points::are_not_asked_for);
     last_ = {best.a, best.b};
     return kernel::nearest_root(kernel::Rational(best.exact->top()), of_space(best.exact->bottom()));
   }
@@ -77,7 +81,7 @@ class Bvh8_distance {
     if (relation == Relation::a_in_b || relation == Relation::b_in_a)
       return inside(relation == Relation::a_in_b ? 0 : 1);
     search();
-    return told(settle());
+    return told(settle(kernel::Nearest_points::are_asked_for));
   }
 
   /// Whether the distance is at most `limit`. Requires the same.
@@ -95,7 +99,7 @@ class Bvh8_distance {
     if (is_within()) return true;
     if constexpr (!is_exact) return nearest_ <= below;
     if (candidates_.empty()) return false;
-    const Candidate best = settle();
+    const Candidate best = settle(kernel::Nearest_points::are_not_asked_for);
     return kernel::Rational(best.exact->top()) <= of_space(best.exact->bottom()) * limit * limit;
   }
 
@@ -115,13 +119,6 @@ class Bvh8_distance {
   using Box = Index;
   static constexpr double smallest = 0x1p-900;  ///< for what underflows
 
-  /// Boxes, one of each body, with a lower bound of their distance; and their sizes, negative of leaves.
-  struct Box_pair {
-    double low;
-    std::array<Box, 2> box;
-    std::array<float, 2> size;
-  };
-
   struct Leaf_element {
     Box box;
     Index k;
@@ -130,7 +127,32 @@ class Bvh8_distance {
   struct Candidate {
     Leaf_element a, b;
     kernel::Triangle_gap gap;
-    std::optional<kernel::Exact_distance> exact;
+    std::unique_ptr<kernel::Exact_distance> exact;  // where it was asked for
+  };
+
+  /// A triangle where it is placed, of an element that a slot was last used for.
+  struct Placed_triangle {
+    std::uint64_t place = 0;  // number of that
+    Leaf_element leaf{};
+    kernel::Edged_triangle at;
+  };
+
+  /// A pair of boxes of which one is replaced by its parts, those of a node; and what is known of these.
+  struct Opening {
+    Box_pair pair;
+    int body;
+    Index node;
+    unsigned nearer;  // parts, as bits, that are near enough
+    kernel::Eight_gaps gaps;
+
+    Box_pair part(int lane, bool is_leaf) const
+    {
+      Box_pair of = pair;
+      of.low = gaps.low[std::size_t(lane)];
+      of.box[std::size_t(body)] = 8 * node + Box(lane);
+      of.size[std::size_t(body)] = is_leaf ? -gaps.size[std::size_t(lane)] : gaps.size[std::size_t(lane)];
+      return of;
+    }
   };
 
   void place(const Pose& pose_a, const Pose& pose_b)
@@ -143,10 +165,12 @@ class Bvh8_distance {
     exact_[0].place(pose_a, pose_b);
     exact_[1].place(pose_b, pose_a);
     for (int body = 0; body < 2; ++body) {
-      stretch_[body] = frame_->least_stretch(body) * (1 - 0x1p-50);
-      const float size = float(frame_->least_stretch(body));
-      size_[body] = size > 0 ? size : 1;
+      const double stretch = frame_->least_stretch(body);
+      // Of what is far smaller than the other body nothing is known: in float it might round upward.
+      stretch_[body] = stretch > 0x1p-60 ? float(stretch) * kernel::distance_shrink : 0;
+      size_[body] = float(stretch) > 0 ? float(stretch) : 1;
     }
+    ++place_;
     candidates_.clear();
     along_ = {};
     high_ = nearest_ = std::numeric_limits<double>::infinity();
@@ -164,29 +188,35 @@ class Bvh8_distance {
     return tree_[body]->element(leaf.box / 8, int(leaf.box % 8), leaf.k);
   }
 
-  kernel::Double_triangle corners(int body, const Element& element) const
+  const kernel::Edged_triangle& triangle(int body, const Leaf_element& leaf, const Element& element)
   {
-    kernel::Double_triangle t;
-    for (int k = 0; k < 3; ++k) {
-      const kernel::Vector p = tree_[body]->local(element.corner[k]);
-      t[k] = (*frame_)(body, {p[0], p[1], p[2]});
-    }
-    return t;
+    Placed_triangle& slot = triangles_[std::size_t(body)][(leaf.box + leaf.k) % slots];
+    if (slot.place != place_ || slot.leaf.box != leaf.box || slot.leaf.k != leaf.k)
+      slot = {place_, leaf,
+              kernel::Double_triangle{image(body, element.corner[0]), image(body, element.corner[1]),
+                                      image(body, element.corner[2])}};
+    return slot.at;
+  }
+  kernel::Double_vector image(int body, Index v) const
+  {
+    const kernel::Vector p = tree_[body]->local(v);
+    return (*frame_)(body, {p[0], p[1], p[2]});
   }
 
   /// Takes in a pair of elements.
   void compare(const Leaf_element& a, const Leaf_element& b)
   {
     const Element &of_a = element(0, a), &of_b = element(1, b);
-    Candidate pair{a, b, {}, {}};
+    Candidate pair{a, b, {}, nullptr};
     const bool is_bounded = frame_->position_error() < std::numeric_limits<double>::infinity();
     if (is_filtered && is_bounded && !of_a.is_whole_face() && !of_b.is_whole_face()) {
       ++counts_.triangle_tests;
-      const kernel::Double_triangle in_a = corners(0, of_a), in_b = corners(1, of_b);
-      if (kernel::least_gap(in_a, in_b, along_, frame_->position_error(), frame_->largest()) > high_) return;
-      pair.gap = kernel::triangle_gap(in_a, in_b, frame_->position_error(), frame_->largest());
+      const kernel::Edged_triangle &in_a = triangle(0, a, of_a), &in_b = triangle(1, b, of_b);
+      if (kernel::least_gap(in_a.corner, in_b.corner, along_, frame_->position_error(), frame_->largest()) > high_)
+        return;
+      pair.gap = kernel::triangle_gap(in_a, in_b, frame_->position_error(), frame_->largest(), high_);
     } else {
-      pair.exact = distance_of_elements(of_a, of_b);
+      pair.exact = std::make_unique<kernel::Exact_distance>(distance_of_elements(of_a, of_b));
       const double square = kernel::nearest_double(
           kernel::Rational(kernel::Rational(pair.exact->top()) / of_space(pair.exact->bottom())));
       const double distance = std::ldexp(std::sqrt(square), -frame_->exponent());
@@ -207,34 +237,58 @@ class Bvh8_distance {
     if constexpr (is_exact) candidates_.push_back(std::move(pair));
   }
 
-  /// Takes in all pairs of elements but those that are farther apart than another pair: first the one that the nearest
-  /// part of each box leads to, then what its boxes say to be nearest.
+  /// Takes in all pairs of elements but those that are farther apart than another pair. Four pairs a round are opened
+  /// where so many are there, so that none need wait for what the one before it brings.
   void search()
   {
-    queue_.clear();
-    // Where a limit is enough, every time.
-    bool has_dived = high_ < std::numeric_limits<double>::infinity() && low_limit_ < 0;
-    std::optional<Box_pair> next = Box_pair{0, {0, 0}, {size_of(0, 0, 0), size_of(1, 0, 0)}};
-    while (next && next->low <= high_ && !is_within()) {
-      if (next->size[0] < 0 && next->size[1] < 0) {
-        compare_leaves(next->box[0], next->box[1]);
-        has_dived = low_limit_ < 0;
-        next.reset();
-      } else {
-        next = open(*next, next->size[0] > next->size[1] ? 0 : 1, !has_dived);
+    Box_pair root{0, {size_of_root(0), size_of_root(1)}, {0, 0}};
+    kernel::Eight_gaps gaps;
+    kernel::nearer_lanes(tree_[0]->node(0).boxes, *into_other_[1], tree_[1]->node(0).boxes, 0,
+                         {stretch_[0], limit(), 0, size_[0]}, gaps);
+    root.low = gaps.low[0];
+    dive(root);
+    queue_.clear(root.low, high_);
+    queue_.push(root);
+    while (!queue_.empty() && !is_within()) {
+      std::size_t count = 0;
+      while (count < open_.size() && !queue_.empty()) {
+        const Box_pair next = queue_.pop();
+        if (!(next.low <= high_)) continue;
+        if (next.is_of_leaves())
+          compare_leaves(next.box[0], next.box[1]);
+        else
+          choose(open_[count++], next);
       }
-      if (!next && !queue_.empty()) {
-        std::pop_heap(queue_.begin(), queue_.end(), is_farther);
-        next = queue_.back();
-        queue_.pop_back();
-      }
+      for (std::size_t k = 0; k < count; ++k) compare_parts(open_[k]);
+      for (std::size_t k = 0; k < count; ++k)
+        for_nearer_parts(open_[k], [this](int, const Box_pair& part) { queue_.push(part); });
     }
+  }
+
+  /// Takes in the pair that the nearest part of each box leads to; where several overlap the other box, that whose
+  /// centre is nearest to the other's.
+  void dive(Box_pair pair)
+  {
+    Opening& opening = open_[0];
+    while (!pair.is_of_leaves()) {
+      choose(opening, pair);
+      compare_parts(opening);
+      if (opening.nearer == 0) return;
+      float least = std::numeric_limits<float>::infinity(), between = least;
+      for_nearer_parts(opening, [&](int lane, const Box_pair& part) {
+        const float centres = opening.gaps.between[std::size_t(lane)];
+        if (part.low > least || (part.low == least && !(centres < between))) return;
+        least = part.low;
+        between = centres;
+        pair = part;
+      });
+    }
+    compare_leaves(pair.box[0], pair.box[1]);
+    candidates_.clear();
   }
 
   /// Whether what is known decides that the limit holds: an unknown distance is within none.
   bool is_within() const { return high_ <= low_limit_ && high_ < std::numeric_limits<double>::infinity(); }
-
-  static bool is_farther(const Box_pair& x, const Box_pair& y) { return x.low > y.low; }
 
   void compare_leaves(Box a, Box b)
   {
@@ -242,46 +296,52 @@ class Bvh8_distance {
       for (Index j = 0; j < tree_[1]->leaf_count(b / 8, int(b % 8)); ++j) compare({a, i}, {b, j});
   }
 
-  float size_of(int body, Index n, int lane) const
+  float size_of_root(int body) const
   {
-    const Bvh8_node& node = tree_[body]->node(n);
-    const float size =
-        size_[body] * (node.boxes.extent[0][lane] + node.boxes.extent[1][lane] + node.boxes.extent[2][lane]);
-    return node.is_leaf(lane) ? -kernel::maximum(size, std::numeric_limits<float>::min()) : size;
+    const Bvh8_node& node = tree_[body]->node(0);
+    const float sum = node.boxes.extent[0][0] + node.boxes.extent[1][0] + node.boxes.extent[2][0];
+    const float size = kernel::box_size(sum, size_[body]);
+    return node.is_leaf(0) ? -size : size;
   }
 
-  /// Queues the parts of a box against the other that may be nearer than what is known; where asked to, all but the
-  /// nearest, which is returned.
-  std::optional<Box_pair> open(const Box_pair& pair, int body, bool takes_nearest)
+  /// Not below the least upper bound.
+  float limit() const
   {
-    const int other = 1 - body;
-    const Box box = pair.box[body], kept = pair.box[other];
-    const Index child = tree_[body]->child(box / 8, int(box % 8));
-    const Bvh8_node& node = tree_[body]->node(child);
-    kernel::squared_distances(node.boxes, *into_other_[other], tree_[other]->node(kept / 8).boxes, int(kept % 8),
-                              squares_);
+    return high_ < 0x1p100 ? float(high_) * kernel::rounded_up + 0x1p-100f : std::numeric_limits<float>::infinity();
+  }
+
+  /// The larger box is opened.
+  void choose(Opening& opening, const Box_pair& pair) const
+  {
+    opening.pair = pair;
+    opening.body = pair.size[0] > pair.size[1] ? 0 : 1;
+    const Bvh8& tree = *tree_[opening.body];
+    const Box box = pair.box[std::size_t(opening.body)];
+    opening.node = tree.child(box / 8, int(box % 8));
+    const auto* at = reinterpret_cast<const char*>(&tree.node(opening.node));
+    for (std::size_t k = 0; k < sizeof(Bvh8_node); k += 64) __builtin_prefetch(at + k);
+  }
+
+  void compare_parts(Opening& opening)
+  {
+    const int body = opening.body, other = 1 - body;
+    const Box kept = opening.pair.box[std::size_t(other)];
+    const kernel::Obb8& boxes = tree_[body]->node(opening.node).boxes;
+    opening.nearer = kernel::nearer_lanes(boxes, *into_other_[other], tree_[other]->node(kept / 8).boxes, int(kept % 8),
+                                          {stretch_[body], limit(), opening.pair.low, size_[body]}, opening.gaps);
     ++counts_.pairs_visited;
-    counts_.box_tests += std::uint64_t(node.boxes.lane_count);
-    std::optional<Box_pair> nearest;
-    const auto queue = [this](const Box_pair& part) {
-      queue_.push_back(part);
-      std::push_heap(queue_.begin(), queue_.end(), is_farther);
-    };
-    for (int lane = 0; lane < node.boxes.lane_count; ++lane) {
-      const double low = std::sqrt(double(squares_[lane])) * stretch_[body];
-      if (low > high_) continue;
-      Box_pair part = pair;
-      part.low = low;
-      part.box[body] = 8 * child + Box(lane);
-      part.size[body] = size_of(body, child, lane);
-      if (takes_nearest && !(nearest && nearest->low <= low)) {
-        if (nearest) queue(*nearest);
-        nearest = part;
-      } else {
-        queue(part);
-      }
+    counts_.box_tests += std::uint64_t(boxes.lane_count);
+  }
+
+  /// Calls what(lane, pair of the part and the other box) for the parts that are near enough.
+  template <class What>
+  void for_nearer_parts(const Opening& opening, const What& what) const
+  {
+    const std::uint32_t leaves = tree_[opening.body]->node(opening.node).boxes.marked;
+    for (unsigned nearer = opening.nearer; nearer != 0; nearer &= nearer - 1) {
+      const int lane = std::countr_zero(nearer);
+      what(lane, opening.part(lane, leaves >> lane & 1));
     }
-    return nearest;
   }
 
   kernel::Exact_face exact_face(int body, const Element& element)
@@ -308,36 +368,72 @@ class Bvh8_distance {
     return kernel::distance_of_faces(exact_face(0, a), exact_face(1, b));
   }
 
-  std::array<kernel::Exact_vector, 3> exact_corners(int body, const Element& element)
+  /// The exact images of the corners that span a feature of a triangle.
+  std::vector<kernel::Exact_vector> exact_corners(int body, const Element& element, unsigned feature)
   {
-    return {exact_[body](element.corner[0]), exact_[body](element.corner[1]), exact_[body](element.corner[2])};
+    std::vector<kernel::Exact_vector> corners;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (feature >> k & 1) corners.push_back(exact_[body](element.corner[k]));
+    return corners;
   }
 
-  void find_exactly(Candidate& pair)
+  /// By the features that the enclosure has found, where these are right.
+  void find_exactly(Candidate& pair, kernel::Nearest_points points)
   {
     if (pair.exact) return;
     const Element &a = element(0, pair.a), &b = element(1, pair.b);
-    pair.exact = kernel::distance_of_features(exact_corners(0, a), pair.gap.of_a, exact_corners(1, b), pair.gap.of_b);
-    if (!pair.exact) pair.exact = distance_of_elements(a, b);
+    auto found =
+        kernel::distance_of_hulls(exact_corners(0, a, pair.gap.of_a), exact_corners(1, b, pair.gap.of_b), points);
+    if (found && !found->is_zero()) {
+      pair.exact = std::make_unique<kernel::Exact_distance>(std::move(*found));
+      if (is_behind(pair, pair)) return;
+    }
+    pair.exact = std::make_unique<kernel::Exact_distance>(distance_of_elements(a, b));
+    pair.gap.of_a = pair.gap.of_b = 0;
   }
 
   /// No point of the pair is nearer to one of the other body than those of `best`: the gap along its direction tells.
-  bool is_behind(const kernel::Exact_distance& best, const Candidate& pair)
+  bool is_behind(const Candidate& best, const Candidate& pair)
   {
-    if (best.is_zero()) return true;
-    const auto all = [&](int body, const Leaf_element& leaf, auto&& is_right) {
-      bool right = true;
-      tree_[body]->for_vertices(element(body, leaf), [&](Index v) {
-        right = right && is_right(kernel::dot(best.direction, exact_[body](v)));
-      });
-      return right;
+    if (best.exact->is_zero()) return true;
+    kernel::Double_vector n;
+    for (std::size_t k = 0; k < 3; ++k) n[k] = best.exact->direction[k].to_double();
+    return is_behind(0, best.a, best.gap.of_a, pair.a, n,
+                     [&](const kernel::Exact_vector& x) {
+                       return kernel::dot(best.exact->direction, x) <= best.exact->low;
+                     }) &&
+           is_behind(1, best.b, best.gap.of_b, pair.b, {-n[0], -n[1], -n[2]}, [&](const kernel::Exact_vector& x) {
+             return kernel::dot(best.exact->direction, x) >= best.exact->high;
+           });
+  }
+
+  /// Whether no corner of an element is beyond a feature of the nearest one along n, which is rounded; where doubles do
+  /// not tell, `is_exactly(image)` does. Corners of the feature are as far as it is.
+  template <class Is_exactly>
+  bool is_behind(int body, const Leaf_element& nearest, unsigned feature, const Leaf_element& leaf,
+                 const kernel::Double_vector& n, const Is_exactly& is_exactly)
+  {
+    const Element &with_feature = element(body, nearest), &asked = element(body, leaf);
+    if (feature == 0 || asked.is_whole_face()) {
+      bool is = true;
+      tree_[body]->for_vertices(asked, [&](Index v) { is = is && is_exactly(exact_[body](v)); });
+      return is;
+    }
+    const auto is_of_feature = [&](Index v) {
+      for (std::size_t k = 0; k < 3; ++k)
+        if ((feature >> k & 1) && with_feature.corner[k] == v) return true;
+      return false;
     };
-    return all(0, pair.a, [&](const kernel::Exact_number& x) { return x <= best.low; }) &&
-           all(1, pair.b, [&](const kernel::Exact_number& x) { return x >= best.high; });
+    const kernel::Double_vector on = image(body, with_feature.corner[std::size_t(std::countr_zero(feature))]);
+    return std::ranges::all_of(asked.corner, [&](Index v) {
+      return is_of_feature(v) ||
+             kernel::is_surely_before(image(body, v), on, n, frame_->position_error(), frame_->largest()) ||
+             is_exactly(exact_[body](v));
+    });
   }
 
   /// Of the pairs that are left the nearest one, with its distance. Requires one.
-  Candidate settle()
+  Candidate settle(kernel::Nearest_points points)
   {
     std::erase_if(candidates_, [this](const Candidate& c) { return c.gap.low > high_; });
     const auto first =
@@ -345,13 +441,13 @@ class Bvh8_distance {
                          [](const Candidate& x, const Candidate& y) { return x.gap.nearest < y.gap.nearest; });
     std::swap(*first, candidates_.front());
     Candidate* best = &candidates_.front();
-    find_exactly(*best);
+    find_exactly(*best, points);
     for (Candidate& pair : candidates_) {
-      if (&pair == best || is_behind(*best->exact, pair)) continue;
-      find_exactly(pair);
+      if (&pair == best || is_behind(*best, pair)) continue;
+      find_exactly(pair, points);
       if (*pair.exact < *best->exact) best = &pair;
     }
-    return *best;
+    return std::move(*best);
   }
 
   /// A divisor of squares in exact coordinates times the square of their weight.
@@ -403,10 +499,13 @@ class Bvh8_distance {
   std::array<Exact_vertices, 2> exact_;
   std::optional<kernel::Common_frame> frame_;
   std::array<std::optional<kernel::Box_map>, 2> into_other_;
-  std::array<double, 2> stretch_{};  // of lower bounds, from a body's local units
-  std::array<float, 2> size_{};      // of sizes, about the same
-  std::vector<Box_pair> queue_;      // a heap, the nearest first
-  kernel::Eight_squares squares_;
+  std::array<float, 2> stretch_{};  // of lower bounds, from a body's local units
+  std::array<float, 2> size_{};     // of sizes, about the same
+  Pair_queue queue_;
+  std::array<Opening, 4> open_;
+  static constexpr std::size_t slots = 16;
+  std::uint64_t place_ = 0;  // number of what was placed
+  std::array<std::array<Placed_triangle, slots>, 2> triangles_;
   std::vector<Candidate> candidates_;
   kernel::Double_vector along_{};                   // from A's to B's of the pair that has given the least upper bound
   double high_ = 0, nearest_ = 0, low_limit_ = -1;  // of the distance; what is enough

@@ -94,6 +94,63 @@ BOOST_AUTO_TEST_CASE(what_is_infinite_or_undefined_bounds_nothing)
   }
 }
 
+BOOST_AUTO_TEST_CASE(triangles_beyond_a_limit_are_told_so_and_others_are_enclosed_as_without_one)
+{
+  Random random(13);
+  int beyond = 0;
+  for (int step = 0; step < 2000; ++step) {
+    const Triangle a = any_triangle(random, step), b = any_triangle(random, step + 1);
+    const kernel::Triangle_gap free = kernel::triangle_gap(a, b, 0, 8);
+    const double limit = free.nearest * (0.5 + random.unit());
+    const kernel::Triangle_gap gap = kernel::triangle_gap(a, b, 0, 8, limit);
+    if (gap.low > limit) {
+      BOOST_TEST(free.high >= gap.low);
+      ++beyond;
+    } else {
+      BOOST_TEST(gap.nearest == free.nearest);
+      BOOST_TEST(gap.low == free.low);
+    }
+  }
+  BOOST_TEST(beyond > 100);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_surely_before_a_point_is_so_exactly_though_all_is_rounded)
+{
+  Random random(17);
+  const auto vector = [&] {
+    return kernel::Double_vector{random.unit() - 0.5, random.unit() - 0.5, random.unit() - 0.5};
+  };
+  constexpr double error = 0x1p-50;
+  int sure = 0, wrong = 0;
+  for (int step = 0; step < 4000; ++step) {
+    const kernel::Double_vector direction = vector(), p = vector(), off = vector();
+    // From p across the direction, and a little way along it.
+    const kernel::Double_vector across = kernel::cross(direction, off);
+    const double along = std::ldexp(random.unit() - 0.5, -int(random.unit() * 60));
+    kernel::Double_vector n, x;
+    Rational height = 0;
+    for (int k = 0; k < 3; ++k) {
+      x[k] = p[k] + across[k] + along * direction[k];
+      n[k] = direction[k] * (1 + (random.unit() < 0.5 ? -1 : 1) * 0x1p-51);
+      // Each as far off as it may be.
+      const double shift = error * (direction[k] < 0 ? -1 : 1);
+      height += Rational(direction[k]) * (Rational(x[k]) + Rational(shift) - Rational(p[k]) + Rational(shift));
+    }
+    const bool is_sure = kernel::is_surely_before(x, p, n, error, 2);
+    sure += is_sure;
+    wrong += is_sure && sgn(height) >= 0;
+  }
+  BOOST_TEST(wrong == 0);
+  BOOST_TEST(sure > 1000);
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {nan, infinity}) {
+    BOOST_TEST(!kernel::is_surely_before({0, 0, 0}, {1, 0, 0}, {1, 0, 0}, bad, 1));
+    BOOST_TEST(!kernel::is_surely_before({0, 0, 0}, {1, 0, 0}, {1, bad, 0}, 0, 1));
+    BOOST_TEST(!kernel::is_surely_before({0, 0, 0}, {1, 0, 0}, {1, 0, 0}, 0, bad));
+  }
+  BOOST_TEST(kernel::is_surely_before({0, 0, 0}, {1, 0, 0}, {1, 0, 0}, 0, 1));
+}
+
 BOOST_AUTO_TEST_CASE(a_map_shortens_nothing_below_its_least_stretch)
 {
   Random random(5);

@@ -1,0 +1,163 @@
+#include "tetracone/kernel/bound/obb8_distance.h"
+
+#include "tetracone/kernel/bound/oriented_box.h"
+#include "verify/test/support/scenes.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+#include <cstddef>
+#include <initializer_list>
+#include <limits>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_obb8_distance)
+
+using namespace tetracone::kernel;
+namespace scenes = tetracone::verify::scenes;
+using scenes::Random;
+using scenes::real;
+
+namespace {
+
+using Nearer = unsigned(const Obb8&, const Box_map&, const Obb8&, int, const Gap_question&, Eight_gaps&);
+
+/// Every version that this processor has.
+std::vector<Nearer*> nearer_versions()
+{
+  std::vector<Nearer*> found;
+  for (const Simd_version<Nearer>& version :
+       std::initializer_list<Simd_version<Nearer>> TETRACONE_SIMD_VERSIONS(nearer_lanes_simd))
+    if (version.target & (hwy::SupportedTargets() | HWY_STATIC_TARGET)) found.push_back(version.function);
+  return found;
+}
+
+Vector vector(Random& random, double size)
+{
+  return size * Vector(real(random, -1, 1), real(random, -1, 1), real(random, -1, 1));
+}
+
+/// A box, its edges the columns.
+struct Solid {
+  Vector centre;
+  Matrix edges;
+  Vector extent;
+
+  static Solid any(Random& random)
+  {
+    Solid s{vector(random, 1), detail::axes_from(vector(random, 1), vector(random, 1)),
+            Vector(real(random, 0, 1), real(random, 0, 1), real(random, 0, 1))};
+    if (random() % 3 == 0) s.extent[int(random() % 3)] = 0;
+    s.round();
+    return s;
+  }
+  /// To what floats hold.
+  void round()
+  {
+    centre = centre.cast<float>().cast<double>();
+    edges = edges.cast<float>().cast<double>();
+    extent = extent.cast<float>().cast<double>();
+  }
+  Solid carried(const Matrix& map, const Vector& offset) const { return {map * centre + offset, map * edges, extent}; }
+  /// The corner that reaches farthest along the direction.
+  Vector corner(const Vector& direction) const
+  {
+    Vector at = centre;
+    for (int i = 0; i < 3; ++i) at += (direction.dot(edges.col(i)) < 0 ? -extent[i] : extent[i]) * edges.col(i);
+    return at;
+  }
+  void store(Obb8& boxes, int lane) const
+  {
+    for (int i = 0; i < 3; ++i) {
+      boxes.centre[i][lane] = float(centre[i]);
+      boxes.extent[i][lane] = float(extent[i]);
+      for (int k = 0; k < 3; ++k) boxes.axis[i][k][lane] = float(edges(k, i));
+    }
+    boxes.reach = maximum(boxes.reach, float(extent.sum() + centre.norm()) * 1.000001f);
+  }
+};
+
+constexpr float infinite = std::numeric_limits<float>::infinity();
+
+/// Eight boxes, each beyond a face of its own or of the single one, and how far a corner of it is from one of that.
+struct Scene {
+  Obb8 boxes{}, from{};
+  Pose pose;
+  std::array<double, lanes> corners_apart{};
+
+  Scene(Random& random, bool similarity, double gap)
+  {
+    Matrix map = detail::axes_from(vector(random, 1), vector(random, 1)) * real(random, 0.3, 2);
+    if (!similarity) map.col(0) += 0.4 * map.col(1);
+    const Vector offset = vector(random, 1);
+    std::array<double, 12> entries;
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) entries[std::size_t(4 * i + j)] = map(i, j);
+      entries[std::size_t(4 * i + 3)] = offset[i];
+    }
+    pose = Pose(entries);
+    const Solid in_b = Solid::any(random), single = in_b.carried(map, offset);
+    from.lane_count = 1;
+    in_b.store(from, 0);
+    boxes.lane_count = int(lanes);
+    for (int lane = 0; lane < int(lanes); ++lane) {
+      Solid p = Solid::any(random);
+      const int k = int(random() % 6);
+      const Vector normal =
+          k < 3 ? Vector(p.edges.col(k)) : Vector(single.edges.col((k + 1) % 3).cross(single.edges.col((k + 2) % 3)));
+      const Vector n = normal.normalized();
+      p.centre += single.corner(n) + gap * n - p.corner(-n);
+      p.round();
+      p.store(boxes, lane);
+      corners_apart[std::size_t(lane)] = (p.corner(-n) - single.corner(n)).norm();
+    }
+  }
+  Box_map map() const { return Box_map(Pose(), Local_scale(), pose, Local_scale()); }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(no_box_is_told_farther_than_two_corners_are_and_most_nearly_as_far)
+{
+  for (Nearer* const nearer : nearer_versions()) {
+    Random random(1);
+    int too_far = 0, beyond_limit = 0, near = 0;
+    for (int k = 0; k < 1500; ++k) {
+      const double gap = k % 3 == 0 ? 1e-3 : k % 3 == 1 ? 0.1 : 1;
+      const Scene scene(random, k % 2 == 0, gap);
+      Eight_gaps gaps;
+      BOOST_TEST(nearer(scene.boxes, scene.map(), scene.from, 0, {distance_shrink, infinite, 0, 1}, gaps) == 255u);
+      const Eight_gaps all = gaps;
+      const unsigned left =
+          nearer(scene.boxes, scene.map(), scene.from, 0, {distance_shrink, float(gap / 2), 0, 1}, gaps);
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        too_far += double(all.low[lane]) > scene.corners_apart[lane];
+        near += double(all.low[lane]) > 0.99 * gap - 1e-4;
+        beyond_limit += (left >> lane & 1) != (all.low[lane] <= float(gap / 2));
+      }
+    }
+    BOOST_TEST(too_far == 0);
+    BOOST_TEST(beyond_limit == 0);
+    BOOST_TEST(near > 8000);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_is_infinite_or_undefined_is_no_bound)
+{
+  Random random(2);
+  const Scene scene(random, true, 1);
+  for (Nearer* const nearer : nearer_versions()) {
+    Eight_gaps gaps;
+    // Nothing is known of lengths; nor of coordinates that overflow.
+    BOOST_TEST(nearer(scene.boxes, scene.map(), scene.from, 0, {0, 0.5f, 0.25f, 1}, gaps) == 255u);
+    for (const float low : gaps.low) BOOST_TEST(low == 0.25f);
+    for (const float bad : {infinite, std::numeric_limits<float>::quiet_NaN(), 1e30f}) {
+      Scene far = scene;
+      far.from.centre[0][0] = bad;
+      nearer(far.boxes, far.map(), far.from, 0, {distance_shrink, infinite, 0.25f, 1}, gaps);
+      for (const float low : gaps.low) BOOST_TEST(low == 0.25f);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
