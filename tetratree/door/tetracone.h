@@ -7,6 +7,7 @@
 #include "tetracone/kernel/predicate/contact.h"
 #include "tetracone/kernel/predicate/question.h"
 #include "tetracone/tetratree/door/contacts.h"
+#include "tetracone/tetratree/door/motion.h"
 #include "tetracone/tetratree/door/nearest.h"
 #include "tetracone/tetratree/door/query_options.h"
 #include "tetracone/tetratree/query_statistics.h"
@@ -216,6 +217,12 @@ class Query {
   bool within(const Pose& pose_a, const Pose& pose_b, const std::string& limit);
   /// By poses of the templates. Requires det M != 0.
   bool within(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const std::string& limit);
+
+  /// When the bodies first share a point while they move, exactly: nothing where they never do. `Question::solid` differs
+  /// from surface at t = 0 alone: solids that do not collide there first meet where their surfaces do. By the fast tree.
+  /// Requires that neither motion begins with a singular M. Throws Error for a kernel that is not adaptive, for a body
+  /// with a face that has no triangles, and as `collide`.
+  std::optional<First_contact> first_contact(const Motion& a, const Motion& b);
 
   /// Work since the last `clear_statistics`.
   Query_statistics statistics() const;
