@@ -170,6 +170,9 @@ class Motion_span {
   double turn(int body) const { return turn_[body]; }
   double scale(int body) const { return scale_[body]; }
 
+  /// About how far apart hulls must be to be told so, in the same units.
+  double resolution() const { return error_ / landmark_[1].weight; }
+
   /// l = axis . L.
   static Vertex across(const Vertex& axis, const std::array<Vertex, 3>& row)
   {

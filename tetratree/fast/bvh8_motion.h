@@ -155,7 +155,9 @@ class Bvh8_motion {
                  way = span.way(a.hull.centre, b.hull.centre) + a.size * span.turn(0) + b.size * span.turn(1);
     ++counts_.pairs_visited;
     const bool ends = a.is_leaf && b.is_leaf;
-    if (span.k() < most_halvings && !(way <= (ends ? 0.125 * size : size))) {
+    // What is less than doubles tell apart is not worth another halving.
+    const double short_way = kernel::maximum(ends ? 0.125 * size : size, 8 * span.resolution());
+    if (span.k() < most_halvings && !(way <= short_way)) {
       for (int half = 0; half < 2; ++half) {
         const Index next = half_of(pair.span, half);
         if (spans_[next].maps.start() < best_before_) follow({spans_[next].maps.start(), next, pair.box});

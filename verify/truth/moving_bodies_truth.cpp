@@ -253,8 +253,8 @@ Bracket truly_first_by_distances(const Moving_bodies& bodies, kernel::Question q
   const Rational until = first ? Rational(first->lo) - Rational(end) : Rational(1);
   for (Rational time = 0; time < until; --most) {
     if (most == 0) return Bracket::undecided;
-    const Rational gap = moving_truth::root_below(square_at(time));
-    if (gap == 0) return Bracket::violated;
+    const Rational square = square_at(time), gap = moving_truth::root_below(square);
+    if (square == 0) return Bracket::violated;
     if (fastest == 0) break;
     // Rounded down to a dyadic number: else its digits would grow.
     const mpz_class units(Rational(gap / fastest * 0x1p60).get_num() / Rational(gap / fastest * 0x1p60).get_den());
