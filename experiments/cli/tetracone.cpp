@@ -10,6 +10,7 @@
 #include "experiments/cli/experiment_command.h"
 #include "experiments/cli/fuzz_command.h"
 #include "experiments/cli/inside_command.h"
+#include "experiments/cli/motion_command.h"
 #include "experiments/cli/ray_command.h"
 #include "experiments/cli/report_command.h"
 #include "experiments/cli/scene_command.h"
@@ -78,6 +79,7 @@ int main(int argc, char** argv)
   tetracone::experiments::add_inside_command(app);
   tetracone::experiments::add_ray_command(app);
   tetracone::experiments::add_scene_command(app);
+  tetracone::experiments::add_motion_command(app);
   tetracone::experiments::add_ccd_command(app);
   tetracone::experiments::add_verify_command(app);
   tetracone::experiments::add_merge_command(app);

@@ -4,13 +4,39 @@
 #include "tetracone/kernel/motion/motion_exact.h"
 #include "tetracone/kernel/motion/motion_filter.h"
 #include "tetracone/kernel/motion/moving_pair.h"
+#include "tetracone/kernel/motion/odd_double.h"
 #include "tetracone/kernel/motion/time_bounds.h"
+#include "tetracone/kernel/motion/time_root.h"
 
 #include <bit>
 #include <cstdint>
 #include <optional>
 
 namespace tetracone::kernel {
+
+/// The doubles about a time in [0, 1].
+inline Time_bounds bounds_about(const Time_root& time)
+{
+  // Doubles from 0 up are ordered as their bits.
+  auto lo = std::bit_cast<std::int64_t>(0.0), hi = std::bit_cast<std::int64_t>(1.0);
+  const auto side = [&](std::int64_t bits) {
+    const Odd_double x(std::bit_cast<double>(bits));
+    // Doubles up to 1 are odd / 2^k with k >= 0.
+    return x.odd == 0 ? time.compare(0, 0)
+                      : time.compare(Integer(static_cast<long>(x.odd)), static_cast<unsigned>(-x.exponent));
+  };
+  if (side(lo) == CGAL::ZERO) return Time_bounds{0, 0};
+  if (side(hi) == CGAL::ZERO) return Time_bounds{1, 1};
+  while (hi - lo > 1) {
+    const std::int64_t middle = lo + (hi - lo) / 2;
+    const CGAL::Sign after = side(middle);
+    if (after == CGAL::ZERO)
+      lo = hi = middle;
+    else
+      (after == CGAL::POSITIVE ? lo : hi) = middle;
+  }
+  return Time_bounds{std::bit_cast<double>(lo), std::bit_cast<double>(hi)};
+}
 
 /// Whether the closed primitives share a point at some time in [0, 1]. Exact: doubles decide where they can, integers
 /// else. Requires finite coordinates, and sound floating point (`require_sound_floating_point`).
@@ -29,28 +55,9 @@ inline bool meet_in_motion(const Moving_pair& pair)
 inline std::optional<Time_bounds> first_contact_time(const Moving_pair& pair)
 {
   if (filtered_contact(pair) == Moving_contact::apart) return std::nullopt;
-  std::optional<Time_root> first = Exact_motion(pair).first_contact();
+  const std::optional<Time_root> first = Exact_motion(pair).first_contact();
   if (!first) return std::nullopt;
-  // Doubles from 0 up are ordered as their bits.
-  auto lo = std::bit_cast<std::int64_t>(0.0), hi = std::bit_cast<std::int64_t>(1.0);
-  const auto side = [&](std::int64_t bits) {
-    const Odd_double x(std::bit_cast<double>(bits));
-    // Doubles up to 1 are odd / 2^k with k >= 0.
-    return x.odd == 0 ? first->sign(Time_root::difference_from(0, 0))
-                      : first->sign(Time_root::difference_from(Integer(static_cast<long>(x.odd)),
-                                                               static_cast<unsigned>(-x.exponent)));
-  };
-  if (side(lo) == CGAL::ZERO) return Time_bounds{0, 0};
-  if (side(hi) == CGAL::ZERO) return Time_bounds{1, 1};
-  while (hi - lo > 1) {
-    const std::int64_t middle = lo + (hi - lo) / 2;
-    const CGAL::Sign after = side(middle);
-    if (after == CGAL::ZERO)
-      lo = hi = middle;
-    else
-      (after == CGAL::POSITIVE ? lo : hi) = middle;
-  }
-  return Time_bounds{std::bit_cast<double>(lo), std::bit_cast<double>(hi)};
+  return bounds_about(*first);
 }
 
 }  // namespace tetracone::kernel

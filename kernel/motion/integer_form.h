@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstddef>
-#include <initializer_list>
+#include <iterator>
 #include <utility>
+#include <vector>
 
 namespace tetracone::kernel {
 
@@ -16,34 +18,72 @@ using Integer = mpz_class;
 
 inline CGAL::Sign sign_of(const Integer& x) { return static_cast<CGAL::Sign>(sgn(x)); }
 
-/// A form in s = 1-t and t of degree at most 3 with integer coefficients: coefficient k is that of s^(n-k) t^k. Also
-/// the polynomial of these coefficients in v = t/s, which is positive for t in (0, 1).
+/// A form in s = 1-t and t with integer coefficients: coefficient k is that of s^(n-k) t^k. Also the polynomial of these
+/// coefficients in v = t/s, which is positive for t in (0, 1).
 class Integer_form {
  public:
   Integer_form() = default;
+  explicit Integer_form(std::vector<Integer> coefficients) : coefficients_(std::move(coefficients)) {}
 
   template <std::size_t N>
-  explicit Integer_form(std::array<Integer, N> coefficients) : size_(N)
-  {
-    static_assert(N <= 4);
-    std::ranges::move(coefficients, coefficients_.begin());
-  }
+  explicit Integer_form(std::array<Integer, N> coefficients)
+      : coefficients_(std::make_move_iterator(coefficients.begin()), std::make_move_iterator(coefficients.end()))
+  {}
 
-  /// Requires fewer than four coefficients so far.
-  void push_back(Integer coefficient) { coefficients_[size_++] = std::move(coefficient); }
+  void push_back(Integer coefficient) { coefficients_.push_back(std::move(coefficient)); }
 
   /// The number of coefficients, one more than the degree; 0 for an empty form, which is zero.
-  std::size_t size() const { return size_; }
+  std::size_t size() const { return coefficients_.size(); }
   const Integer& operator[](std::size_t k) const { return coefficients_[k]; }
 
-  const Integer& at_start() const { return coefficients_[0]; }
-  const Integer& at_end() const { return coefficients_[size_ == 0 ? 0 : size_ - 1]; }
+  /// Requires a form that is not empty.
+  const Integer& at_start() const { return coefficients_.front(); }
+  const Integer& at_end() const { return coefficients_.back(); }
 
   bool is_zero() const
   {
-    for (std::size_t k = 0; k < size_; ++k)
-      if (sgn(coefficients_[k]) != 0) return false;
-    return true;
+    return std::ranges::all_of(coefficients_, [](const Integer& c) { return sgn(c) == 0; });
+  }
+
+  /// Requires forms of one degree.
+  Integer_form& operator+=(const Integer_form& other)
+  {
+    assert(size() == other.size());
+    for (std::size_t k = 0; k < size(); ++k) coefficients_[k] += other[k];
+    return *this;
+  }
+  Integer_form& operator-=(const Integer_form& other)
+  {
+    assert(size() == other.size());
+    for (std::size_t k = 0; k < size(); ++k) coefficients_[k] -= other[k];
+    return *this;
+  }
+  friend Integer_form operator+(Integer_form f, const Integer_form& g) { return f += g; }
+  friend Integer_form operator-(Integer_form f, const Integer_form& g) { return f -= g; }
+
+  Integer_form& operator*=(const Integer& factor)
+  {
+    for (Integer& c : coefficients_) c *= factor;
+    return *this;
+  }
+  friend Integer_form operator*(Integer_form f, const Integer& factor) { return f *= factor; }
+
+  /// Requires forms that are not empty.
+  friend Integer_form operator*(const Integer_form& f, const Integer_form& g)
+  {
+    std::vector<Integer> product(f.size() + g.size() - 1);
+    for (std::size_t i = 0; i < f.size(); ++i)
+      for (std::size_t j = 0; j < g.size(); ++j)
+        mpz_addmul(product[i + j].get_mpz_t(), f[i].get_mpz_t(), g[j].get_mpz_t());
+    return Integer_form(std::move(product));
+  }
+
+  /// The same function of t, s + t = 1, as a form of `size` coefficients. Requires at least as many as there are.
+  Integer_form raised_to(std::size_t size) const
+  {
+    Integer_form result = *this;
+    while (result.size() < size) result.multiply(1, 1);
+    return result;
   }
 
   /// Changes of sign along the coefficients, zeros skipped: the roots in (0, 1), each as often as it is one, or an even
@@ -51,19 +91,19 @@ class Integer_form {
   int variations() const
   {
     int count = 0, last = 0;
-    for (std::size_t k = 0; k < size_; ++k) {
-      const int sign = sgn(coefficients_[k]);
+    for (const Integer& c : coefficients_) {
+      const int sign = sgn(c);
       if (sign != 0 && last != 0 && sign != last) ++count;
       if (sign != 0) last = sign;
     }
     return count;
   }
 
-  /// The sign in (0, 1) of a form that is not zero and has no variations.
+  /// The sign just after t = 0 of a form that is not zero; in all of (0, 1) where it has no variations.
   CGAL::Sign only_sign() const
   {
-    for (std::size_t k = 0; k < size_; ++k)
-      if (sgn(coefficients_[k]) != 0) return sign_of(coefficients_[k]);
+    for (const Integer& c : coefficients_)
+      if (sgn(c) != 0) return sign_of(c);
     return CGAL::ZERO;
   }
 
@@ -71,7 +111,7 @@ class Integer_form {
   Integer at(const Integer& s, const Integer& t) const
   {
     Integer sum = 0, power = 1;
-    for (std::size_t k = size_; k-- > 0;) {
+    for (std::size_t k = size(); k-- > 0;) {
       sum = sum * t + coefficients_[k] * power;
       power *= s;
     }
@@ -82,7 +122,7 @@ class Integer_form {
   Integer_form primitive() const
   {
     Integer_form result;
-    std::size_t begin = 0, end = size_;
+    std::size_t begin = 0, end = size();
     while (begin < end && sgn(coefficients_[begin]) == 0) ++begin;
     while (begin < end && sgn(coefficients_[end - 1]) == 0) --end;
     Integer divisor = 0;
@@ -96,7 +136,7 @@ class Integer_form {
   {
     Integer_form half = *this;
     half.shift();
-    for (std::size_t k = 0; k < size_; ++k) half.coefficients_[k] <<= size_ - 1 - k;
+    for (std::size_t k = 0; k < size(); ++k) half.coefficients_[k] <<= size() - 1 - k;
     return half;
   }
 
@@ -107,7 +147,7 @@ class Integer_form {
   Integer_form reversed() const
   {
     Integer_form result = *this;
-    std::reverse(result.coefficients_.begin(), result.coefficients_.begin() + static_cast<std::ptrdiff_t>(size_));
+    std::ranges::reverse(result.coefficients_);
     return result;
   }
 
@@ -117,12 +157,11 @@ class Integer_form {
     // s -> (N-m) s + (N-m-1) t and t -> m s + (m+1) t, by Horner's scheme in forms.
     const Integer whole = Integer(1) << k, s0 = whole - m, s1 = s0 - 1, t1 = m + 1;
     Integer_form sum, power;
-    power.size_ = 1;
-    power.coefficients_[0] = 1;
-    for (std::size_t c = size_; c-- > 0;) {
-      if (sum.size_ > 0) sum.multiply(m, t1);
-      sum.size_ = power.size_;
-      for (std::size_t j = 0; j < power.size_; ++j) sum.coefficients_[j] += coefficients_[c] * power.coefficients_[j];
+    power.push_back(1);
+    for (std::size_t c = size(); c-- > 0;) {
+      if (sum.size() > 0) sum.multiply(m, t1);
+      sum.coefficients_.resize(power.size());
+      for (std::size_t j = 0; j < power.size(); ++j) sum.coefficients_[j] += coefficients_[c] * power[j];
       if (c > 0) power.multiply(s0, s1);
     }
     return sum;
@@ -132,21 +171,19 @@ class Integer_form {
   /// s -> s + t.
   void shift()
   {
-    for (std::size_t last = size_ - 1; last > 0; --last)
+    for (std::size_t last = size() - 1; last > 0; --last)
       for (std::size_t k = 1; k <= last; ++k) coefficients_[k] += coefficients_[k - 1];
   }
 
   /// Times x s + y t.
   void multiply(const Integer& x, const Integer& y)
   {
-    coefficients_[size_] = y * coefficients_[size_ - 1];
-    for (std::size_t k = size_ - 1; k > 0; --k) coefficients_[k] = x * coefficients_[k] + y * coefficients_[k - 1];
+    coefficients_.push_back(y * coefficients_.back());
+    for (std::size_t k = size() - 2; k > 0; --k) coefficients_[k] = x * coefficients_[k] + y * coefficients_[k - 1];
     coefficients_[0] *= x;
-    ++size_;
   }
 
-  std::size_t size_ = 0;
-  std::array<Integer, 4> coefficients_;
+  std::vector<Integer> coefficients_;
 };
 
 /// The primitive common divisor of the highest degree in v of primitive forms; of size 1 where they share no root.
@@ -156,7 +193,7 @@ inline Integer_form common_divisor(Integer_form f, Integer_form g)
   // Euclid's algorithm with primitive pseudo-remainders.
   if (f.size() < g.size()) std::swap(f, g);
   while (g.size() > 1) {
-    std::array<Integer, 4> rest;
+    std::vector<Integer> rest(f.size());
     for (std::size_t k = 0; k < f.size(); ++k) rest[k] = f[k];
     for (std::size_t top = f.size(); top >= g.size(); --top) {
       const Integer leading = rest[top - 1];
@@ -172,19 +209,17 @@ inline Integer_form common_divisor(Integer_form f, Integer_form g)
   return g;
 }
 
-/// f / g in v. Requires primitive forms, and that g divides f.
+/// f / g in v. Requires that g is primitive, does not end in zero, and divides f.
 inline Integer_form quotient(const Integer_form& f, const Integer_form& g)
 {
-  std::array<Integer, 4> rest, found;
-  for (std::size_t k = 0; k < f.size(); ++k) rest[k] = f[k];
   const std::size_t size = f.size() + 1 - g.size();
+  std::vector<Integer> rest(f.size()), found(size);
+  for (std::size_t k = 0; k < f.size(); ++k) rest[k] = f[k];
   for (std::size_t k = size; k-- > 0;) {
     found[k] = rest[k + g.size() - 1] / g.at_end();
     for (std::size_t j = 0; j < g.size(); ++j) rest[k + j] -= found[k] * g[j];
   }
-  Integer_form result;
-  for (std::size_t k = 0; k < size; ++k) result.push_back(found[k]);
-  return result;
+  return Integer_form(std::move(found));
 }
 
 /// The primitive form with the roots of f in (0, 1), each once. Requires that f is not zero.

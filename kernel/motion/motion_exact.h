@@ -3,37 +3,28 @@
 
 #include "tetracone/kernel/motion/integer_form.h"
 #include "tetracone/kernel/motion/motion_filter.h"
-#include "tetracone/kernel/motion/motion_forms.h"
 #include "tetracone/kernel/motion/moving_pair.h"
+#include "tetracone/kernel/motion/odd_double.h"
 #include "tetracone/kernel/motion/time_root.h"
 
 #include <array>
-#include <bit>
 #include <climits>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace tetracone::kernel {
 
-/// A double as an odd integer times a power of two; 0 as 0 times 2^INT_MAX.
-struct Odd_double {
-  explicit Odd_double(double x)
-  {
-    if (x == 0) return;
-    const double fraction = std::frexp(x, &exponent);
-    odd = static_cast<std::int64_t>(std::ldexp(fraction, 53));
-    const int zeros = std::countr_zero(static_cast<std::uint64_t>(odd));
-    odd /= std::int64_t(1) << zeros;
-    exponent += zeros - 53;
-  }
+/// A moving point or vector: its three coordinates.
+using Form_vector = std::array<Integer_form, 3>;
 
-  std::int64_t odd = 0;
-  int exponent = INT_MAX;
-};
+/// The component along `axis` of a x b.
+inline Integer_form cross_form(const Form_vector& a, const Form_vector& b, std::size_t axis)
+{
+  const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
+  return a[i] * b[j] - a[j] * b[i];
+}
 
 /// The motion of a pair in integers, decided without rounding.
 ///
@@ -43,23 +34,25 @@ struct Odd_double {
 /// are of opposite sign, and in the triangle's box; closed segments meet where neither has both ends of the other
 /// strictly on one side, and their boxes overlap. The boxes decide where all turns vanish.
 ///
-/// The times of contact are a closed set, so its least one is 0 or a root: of the volume, where that is not zero all the
-/// time, else of one of the other forms.
+/// The times of contact are a closed set, so its least one is the first that is asked about or a root: of the volume,
+/// where that is not zero all the time, else of one of the other forms.
 class Exact_motion {
  public:
-  explicit Exact_motion(const Moving_pair& pair) : kind_(pair.kind)
+  explicit Exact_motion(const Moving_pair& pair) : Exact_motion(pair.kind, points_of(pair), Integer_form()) {}
+
+  /// Of points whose coordinates are forms of one degree, at least 1, over a common divisor that is a form without roots
+  /// in [0, 1]. `square`: a primitive one without such roots that divides the volume's numerator, or an empty one.
+  Exact_motion(Moving_kind kind, std::array<Form_vector, 4> points, const Integer_form& square)
+      : kind_(kind), points_(std::move(points))
   {
-    // Contact does not change when an axis is scaled: each has a power of two of its own.
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      std::array<Odd_double, 8> numbers = all_along(pair, axis);
-      int least = INT_MAX;
-      for (const Odd_double& x : numbers) least = minimum(least, x.exponent);
-      for (std::size_t k = 0; k < 4; ++k)
-        points_[k][axis] = {shifted(numbers[2 * k], least), shifted(numbers[2 * k + 1], least)};
-    }
-    for (std::size_t k = 0; k < 3; ++k) sides_[k] = difference({0, k + 1});
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t axis = 0; axis < 3; ++axis) sides_[k][axis] = points_[k + 1][axis] - points_[0][axis];
     for (std::size_t axis = 0; axis < 3; ++axis) n1_[axis] = cross_form(sides_[0], sides_[1], axis);
-    volume_ = Integer_form(dot_form(n1_, sides_[2]));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Integer_form product = n1_[axis] * sides_[2][axis];
+      volume_ = axis == 0 ? product : volume_ + product;
+    }
+    if (square.size() > 0 && !volume_.is_zero()) volume_ = quotient(volume_, square);
   }
 
   /// True where the four points are coplanar all the time.
@@ -77,29 +70,38 @@ class Exact_motion {
     return motion_filter::decide(kind_, known, span, errors, motion_filter::halvings);
   }
 
-  /// The first time of contact; nothing where there is none.
-  std::optional<Time_root> first_contact()
+  /// The first time of contact in the closed cell; nothing where there is none.
+  std::optional<Time_root> first_contact(const Time_cell& cell = {})
   {
-    if (meets([](const Integer_form& f) { return sign_of(f.at_start()); })) return Time_root(0, 0);
-    if (std::optional<Time_root> within = is_coplanar() ? first_of_all_roots() : first_of_volume()) return within;
-    if (meets([](const Integer_form& f) { return sign_of(f.at_end()); })) return Time_root(1, 0);
+    const auto meets_at = [&](Time_root time) { return meets([&](const Integer_form& f) { return time.sign(f); }); };
+    const Time_root start(cell.m, cell.k), end(cell.m + 1, cell.k);
+    if (meets_at(start)) return start;
+    if (std::optional<Time_root> within = is_coplanar() ? first_of_all_roots(cell) : first_of_volume(cell))
+      return within;
+    if (meets_at(end)) return end;
     return std::nullopt;
   }
 
  private:
+  /// Contact does not change when an axis is scaled: each has a power of two of its own.
+  static std::array<Form_vector, 4> points_of(const Moving_pair& pair)
+  {
+    std::array<Form_vector, 4> points;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::array<Odd_double, 8> numbers = all_along(pair, axis);
+      int least = INT_MAX;
+      for (const Odd_double& x : numbers) least = minimum(least, x.exponent);
+      for (std::size_t k = 0; k < 4; ++k)
+        points[k][axis] = Integer_form(std::array{numbers[2 * k].over(least), numbers[2 * k + 1].over(least)});
+    }
+    return points;
+  }
+
   static std::array<Odd_double, 8> all_along(const Moving_pair& pair, std::size_t axis)
   {
     const auto start = [&](std::size_t k) { return Odd_double(pair.points[k].start[axis]); };
     const auto end = [&](std::size_t k) { return Odd_double(pair.points[k].end[axis]); };
     return {start(0), end(0), start(1), end(1), start(2), end(2), start(3), end(3)};
-  }
-
-  static Integer shifted(const Odd_double& x, int least)
-  {
-    static_assert(sizeof(long) == sizeof(std::int64_t));
-    Integer result(static_cast<long>(x.odd));
-    if (x.odd != 0) result <<= static_cast<unsigned>(x.exponent - least);
-    return result;
   }
 
   /// The form in doubles, times the power of two that takes its largest coefficient into [1/2, 1).
@@ -120,23 +122,13 @@ class Exact_motion {
     return motion_filter::scaled(coefficients);
   }
 
-  Linear_vector<Integer> difference(const Between& between) const
-  {
-    Linear_vector<Integer> d;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      for (std::size_t k = 0; k < 2; ++k) d[axis][k] = points_[between.to][axis][k] - points_[between.from][axis][k];
-    return d;
-  }
-
   /// The turns n1, n2, n3 and, of two edges, their sum, along an axis; made when first asked for.
   const std::array<Integer_form, 4>& turns(std::size_t axis)
   {
     if (!turns_[axis]) {
       const auto& [a, b, c] = sides_;
       const auto n2 = cross_form(b, c, axis), n3 = cross_form(c, a, axis);
-      Quadratic_form<Integer> sum;
-      for (std::size_t k = 0; k < 3; ++k) sum[k] = n1_[axis][k] + n2[k] + n3[k];
-      turns_[axis] = {Integer_form(n1_[axis]), Integer_form(n2), Integer_form(n3), Integer_form(sum)};
+      turns_[axis] = {n1_[axis], n2, n3, n1_[axis] + n2 + n3};
     }
     return *turns_[axis];
   }
@@ -172,25 +164,21 @@ class Exact_motion {
     return true;
   }
 
-  Integer_form along(const Between& d, std::size_t axis) const
-  {
-    const auto &from = points_[d.from][axis], &to = points_[d.to][axis];
-    return Integer_form(Linear_form<Integer>{Integer(to[0] - from[0]), Integer(to[1] - from[1])});
-  }
+  Integer_form along(const Between& d, std::size_t axis) const { return points_[d.to][axis] - points_[d.from][axis]; }
 
-  std::optional<Time_root> first_of_volume()
+  std::optional<Time_root> first_of_volume(const Time_cell& cell)
   {
-    for (Time_root& root : roots_within(volume_))
+    for (Time_root& root : roots_within(volume_, cell))
       if (meets_if_coplanar([&](const Integer_form& f) { return root.sign(f); })) return root;
     return std::nullopt;
   }
 
-  std::optional<Time_root> first_of_all_roots()
+  std::optional<Time_root> first_of_all_roots(const Time_cell& cell)
   {
     std::optional<Time_root> first;
     const auto try_roots_of = [&](const Integer_form& form) {
       if (form.is_zero()) return;
-      for (Time_root& root : roots_within(form)) {
+      for (Time_root& root : roots_within(form, cell)) {
         if (first && !root.is_before(*first)) return;
         if (!meets_if_coplanar([&](const Integer_form& f) { return root.sign(f); })) continue;
         first = root;
@@ -208,9 +196,9 @@ class Exact_motion {
   }
 
   Moving_kind kind_;
-  std::array<Linear_vector<Integer>, 4> points_;
-  std::array<Linear_vector<Integer>, 3> sides_;
-  std::array<Quadratic_form<Integer>, 3> n1_;
+  std::array<Form_vector, 4> points_;
+  std::array<Form_vector, 3> sides_;
+  Form_vector n1_;
   Integer_form volume_;
   std::array<std::optional<std::array<Integer_form, 4>>, 3> turns_;
 };

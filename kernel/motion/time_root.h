@@ -9,6 +9,12 @@
 
 namespace tetracone::kernel {
 
+/// The times from m / 2^k to (m+1) / 2^k. Requires 0 <= m < 2^k.
+struct Time_cell {
+  Integer m = 0;
+  unsigned k = 0;
+};
+
 /// A time in [0, 1], exact: a dyadic number, or the root of a form in an open dyadic cell that holds no other root of
 /// it.
 class Time_root {
@@ -23,6 +29,23 @@ class Time_root {
   {}
 
   bool is_dyadic() const { return exact_; }
+
+  /// The sign of this time less m / 2^k. Changes nothing.
+  CGAL::Sign compare(const Integer& m, unsigned k) const
+  {
+    const auto at = [&](const Integer& own) {
+      return sign_of(k < k_ ? Integer(own - (m << (k_ - k))) : Integer((own << (k - k_)) - m));
+    };
+    if (exact_) return at(m_);
+    if (at(m_) != CGAL::NEGATIVE) return CGAL::POSITIVE;
+    if (at(m_ + 1) != CGAL::POSITIVE) return CGAL::NEGATIVE;
+    // The form has one root in the cell, and has its cell's first sign before it.
+    const CGAL::Sign there = sign_of(form_.at((Integer(1) << k) - m, m));
+    return there == CGAL::ZERO ? CGAL::ZERO : there == there_.only_sign() ? CGAL::POSITIVE : CGAL::NEGATIVE;
+  }
+
+  /// The cell that holds this time, or begins with it where it is dyadic.
+  Time_cell cell() const { return {m_, k_}; }
 
   /// The sign of g at this time. May refine the cell.
   CGAL::Sign sign(const Integer_form& g)
@@ -122,14 +145,14 @@ inline void isolate_within(const Integer_form& form, const Integer_form& cell, c
 
 }  // namespace detail
 
-/// The roots in (0, 1) of a form that is not zero, each once, in order: by Descartes' rule of signs on halves of halves
-/// (Collins and Akritas 1976), which ends where no root is multiple.
-inline std::vector<Time_root> roots_within(const Integer_form& form)
+/// The roots within a cell, without its ends, of a form that is not zero, each once, in order: by Descartes' rule of
+/// signs on halves of halves (Collins and Akritas 1976), which ends where no root is multiple.
+inline std::vector<Time_root> roots_within(const Integer_form& form, const Time_cell& cell = {})
 {
   std::vector<Time_root> found;
-  if (form.variations() == 0) return found;
+  if (form.over(cell.m, cell.k).variations() == 0) return found;
   const Integer_form simple = without_squares(form);
-  detail::isolate_within(simple, simple, 0, 0, found);
+  detail::isolate_within(simple, simple.over(cell.m, cell.k), cell.m, cell.k, found);
   return found;
 }
 

@@ -43,8 +43,8 @@ Query::Query(const Body& a, const Body& b, Question question, const Query_option
     detail::require_solid(*a.data_, "query: body a", "Question::solid");
     detail::require_solid(*b.data_, "query: body b", "Question::solid");
   }
-  data_ = std::make_unique<detail::Query_data>(
-      detail::Query_data{question, detail::solver(a.data_, b.data_, options), a.data_, b.data_, options, nullptr});
+  data_ = std::make_unique<detail::Query_data>(detail::Query_data{question, detail::solver(a.data_, b.data_, options),
+                                                                  a.data_, b.data_, options, nullptr, nullptr});
 }
 
 Query::~Query() = default;
@@ -104,12 +104,14 @@ Query_statistics Query::statistics() const
 {
   Query_statistics all = data().solver->statistics();
   if (data().distance) all += data().distance->statistics();
+  if (data().motion) all += data().motion->motion.counts();
   return all;
 }
 void Query::clear_statistics()
 {
   data().solver->clear_statistics();
   if (data().distance) data().distance->clear_statistics();
+  if (data().motion) data().motion->motion.clear_counts();
 }
 std::size_t Query::bytes() const { return data().solver->bytes(); }
 std::size_t Query::node_count() const { return data().solver->node_count(); }

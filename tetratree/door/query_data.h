@@ -2,6 +2,7 @@
 #define TETRACONE_TETRATREE_DOOR_QUERY_DATA_H
 
 #include "tetracone/tetratree/door/distance_solver.h"
+#include "tetracone/tetratree/door/motion_solver.h"
 #include "tetracone/tetratree/door/solver.h"
 
 #include <memory>
@@ -15,6 +16,7 @@ struct Query_data {
   Shared_body a, b;
   Query_options options;
   std::unique_ptr<Distance_solver> distance;  // made when a distance is asked for
+  std::unique_ptr<Motion_solver> motion;      // made when a motion is
 };
 
 }  // namespace tetracone::detail

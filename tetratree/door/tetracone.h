@@ -7,6 +7,7 @@
 #include "tetracone/kernel/predicate/contact.h"
 #include "tetracone/kernel/predicate/question.h"
 #include "tetracone/tetratree/door/contacts.h"
+#include "tetracone/tetratree/door/motion.h"
 #include "tetracone/tetratree/door/nearest.h"
 #include "tetracone/tetratree/door/query_options.h"
 #include "tetracone/tetratree/query_statistics.h"
@@ -222,6 +223,12 @@ class Query {
 
   /// After an answer `apart`: how far from one another the bodies were at least; 0 where the query had no need to know.
   double certified_gap() const;
+
+  /// When the bodies first share a point while they move, exactly: nothing where they never do. `Question::solid` differs
+  /// from surface at t = 0 alone: solids that do not collide there first meet where their surfaces do. By the fast tree.
+  /// Requires that neither motion begins with a singular M. Throws Error for a kernel that is not adaptive, for a body
+  /// with a face that has no triangles, and as `collide`.
+  std::optional<First_contact> first_contact(const Motion& a, const Motion& b);
 
   /// Work since the last `clear_statistics`.
   Query_statistics statistics() const;

@@ -2,6 +2,7 @@
 
 #include "tetracone/tetratree/python/arrays.h"
 #include "tetracone/tetratree/python/body.h"
+#include "tetracone/tetratree/python/motions.h"
 #include "tetracone/tetratree/python/texts.h"
 #include "tetracone/tetratree/python/unlocked.h"
 
@@ -12,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -143,6 +145,29 @@ py::object collide(Locked_query& self, const py::object& poses_b, const py::obje
   ask_all(self, poses,
           [&](std::size_t k, Query& query, const Pose& a, const Pose& b) { answer[k] = bool(query.collide(a, b)); });
   return answers;
+}
+
+py::object motion(Locked_query& self, const py::object& poses_b0, const py::object& poses_b1,
+                  const py::object& poses_a0, const py::object& poses_a1, const std::string& kind)
+{
+  const Motions of_a(poses_a0, poses_a1, kind, "a"), of_b(poses_b0, poses_b1, kind, "b");
+  if (of_a.count() != of_b.count() && of_a.count() != 1 && of_b.count() != 1)
+    throw Error("query: " + std::to_string(of_a.count()) + " motions of a and " + std::to_string(of_b.count()) +
+                " of b; expected as many, or one of either");
+  const std::size_t count = of_a.count() == 1 ? of_b.count() : of_a.count();
+  std::vector<std::optional<First_contact>> first(count);
+  for_each_unlocked(count, self.lock, [&](std::size_t k) { first[k] = self.query.first_contact(of_a(k), of_b(k)); });
+  if (of_a.is_one() && of_b.is_one()) {
+    if (!first[0]) return py::none();
+    return py::make_tuple(first[0]->lo, first[0]->hi);
+  }
+  py::array_t<double> bounds({static_cast<py::ssize_t>(count), py::ssize_t(2)});
+  double* bound = bounds.mutable_data();
+  for (const auto& f : first) {
+    *bound++ = f ? f->lo : std::numeric_limits<double>::quiet_NaN();
+    *bound++ = f ? f->hi : std::numeric_limits<double>::quiet_NaN();
+  }
+  return bounds;
 }
 
 py::object relation(Locked_query& self, const py::object& poses_b, const py::object& poses_a)
@@ -373,6 +398,28 @@ bool; of one pose of each, a bool. Other arguments as of `collide`.
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 >>> tetracone.Query(a, a).within("1/3", [[1, 0, 0, "4/3"], [0, 1, 0, 0], [0, 0, 1, 0]])
 True
+)")
+      .def("motion", &motion, py::arg("poses_b0"), py::arg("poses_b1"), py::arg("poses_a0") = py::none(),
+           py::arg("poses_a1") = py::none(), py::arg("kind") = "linear",
+           R"(motion(poses_b0, poses_b1, poses_a0=None, poses_a1=None, kind="linear")
+
+When the moving bodies first share a point, exactly: array (n, 2) of doubles lo <= t <= hi, equal where the time is that
+double, else neighbours; NaN where they never meet. Of one pose at each end, a tuple (lo, hi), or None.
+
+poses_b0, poses_b1, poses_a0, poses_a1: poses of either body at t = 0 and at t = 1; None is the identity.
+kind: "linear", of poses as `Query` says: every point moves on a line, M(t) = (1-t) M0 + t M1; or "rigid", of arrays
+(n, 7), a quaternion w x y z of any length and a translation: a rotation at every t, by the quaternion (1-t) q0 + t q1.
+
+Raises Error for quaternions between which one is 0, for a kernel that is not adaptive, and for a face without triangles
+that is not star-shaped.
+
+>>> import tetracone
+>>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+>>> query = tetracone.Query(a, a)
+>>> query.motion([[1, 0, 0, 3], [0, 1, 0, 0.25], [0, 0, 1, 0.25]], [[1, 0, 0, -3], [0, 1, 0, 0.25], [0, 0, 1, 0.25]])
+(0.41666666666666663, 0.4166666666666667)
+>>> query.motion([[1, 0, 0, 0, 2, 0, 0]], [1, 0, 0, 1, 2, 2, 0], kind="rigid")
+array([[nan, nan]])
 )")
       .def("features", &features, poses_b, poses_a, R"(features(poses_b, poses_a=None)
 

@@ -162,41 +162,44 @@ bool holds_at_end(const Condition& condition, int x)
          std::ranges::all_of(condition.others, [x](const Polynomial& g) { return sign_at(g, x) >= 0; });
 }
 
-using Vector = std::array<Polynomial, 3>;
+using Moving_vector = std::array<Polynomial, 3>;
 
-Vector difference(const Vector& p, const Vector& q)
+Moving_vector difference(const Moving_vector& p, const Moving_vector& q)
 {
   return {plus(p[0], q[0], -1), plus(p[1], q[1], -1), plus(p[2], q[2], -1)};
 }
 
-Polynomial dot(const Vector& p, const Vector& q) { return plus(plus(p[0] * q[0], p[1] * q[1]), p[2] * q[2]); }
+Polynomial dot(const Moving_vector& p, const Moving_vector& q)
+{
+  return plus(plus(p[0] * q[0], p[1] * q[1]), p[2] * q[2]);
+}
 
-Vector cross(const Vector& p, const Vector& q)
+Moving_vector cross(const Moving_vector& p, const Moving_vector& q)
 {
   const auto part = [&](int i, int j) { return plus(p[i] * q[j], p[j] * q[i], -1); };
   return {part(1, 2), part(2, 0), part(0, 1)};
 }
 
 /// p is on the closed segment from a to b.
-Condition on_segment(const Vector& p, const Vector& a, const Vector& b)
+Condition on_segment(const Moving_vector& p, const Moving_vector& a, const Moving_vector& b)
 {
-  const Vector to_a = difference(a, p), to_b = difference(b, p), area = cross(to_a, to_b);
+  const Moving_vector to_a = difference(a, p), to_b = difference(b, p), area = cross(to_a, to_b);
   return {dot(area, area), {1}, {plus({}, dot(to_a, to_b), -1)}};
 }
 
 /// The primitives share a point where one of these holds.
-std::vector<Condition> contact(Moving_kind kind, const std::array<Vector, 4>& p)
+std::vector<Condition> contact(Moving_kind kind, const std::array<Moving_vector, 4>& p)
 {
   if (kind == Moving_kind::vertex_face) {
-    const Vector normal = cross(difference(p[2], p[1]), difference(p[3], p[1]));
+    const Moving_vector normal = cross(difference(p[2], p[1]), difference(p[3], p[1]));
     const auto part = [&](int i, int j) { return dot(cross(difference(p[i], p[0]), difference(p[j], p[0])), normal); };
     return {{dot(normal, difference(p[0], p[1])), dot(normal, normal), {part(1, 2), part(2, 3), part(3, 1)}},
             on_segment(p[0], p[1], p[2]),
             on_segment(p[0], p[2], p[3]),
             on_segment(p[0], p[3], p[1])};
   }
-  const Vector first = difference(p[1], p[0]), second = difference(p[3], p[2]), between = difference(p[2], p[0]);
-  const Vector normal = cross(first, second);
+  const Moving_vector first = difference(p[1], p[0]), second = difference(p[3], p[2]), between = difference(p[2], p[0]);
+  const Moving_vector normal = cross(first, second);
   const Polynomial whole = dot(normal, normal), on_first = dot(cross(between, second), normal),
                    on_second = dot(cross(between, first), normal);
   return {{dot(normal, between), whole, {on_first, plus(whole, on_first, -1), on_second, plus(whole, on_second, -1)}},
@@ -206,38 +209,85 @@ std::vector<Condition> contact(Moving_kind kind, const std::array<Vector, 4>& p)
           on_segment(p[3], p[0], p[1])};
 }
 
-/// The contact over a span of time that is written from 0 to 1. Contact does not change when an axis is scaled: each is,
-/// so that its coordinates are integers.
-std::vector<Condition> contact(const Moving_pair& pair, const Rational& from, const Rational& to)
+/// The points over a span of time that is written from 0 to 1, with integer coefficients. Contact does not change when an
+/// axis is scaled: each is.
+std::array<Moving_vector, 4> over_span(const std::array<Moving_coordinates, 4>& points, const Rational& from,
+                                       const Rational& to)
 {
-  std::array<Vector, 4> points;
+  std::array<Moving_vector, 4> whole;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    std::array<std::array<Rational, 2>, 4> lines;
+    std::array<Time_polynomial, 4> parts;
     Integer denominators = 1, numerators = 0;
     for (std::size_t k = 0; k < 4; ++k) {
-      const Rational start = pair.points[k].start[axis], way = Rational(pair.points[k].end[axis]) - start;
-      lines[k] = {Rational(start + from * way), Rational((to - from) * way)};
-      for (const Rational& x : lines[k]) denominators = lcm(denominators, x.get_den());
+      // By Horner's scheme at from + (to - from) t.
+      const Time_polynomial& p = points[k][axis];
+      for (std::size_t c = p.size(); c-- > 0;) {
+        parts[k].push_back(0);
+        for (std::size_t i = parts[k].size() - 1; i > 0; --i)
+          parts[k][i] = parts[k][i] * from + parts[k][i - 1] * (to - from);
+        parts[k][0] = parts[k][0] * from + p[c];
+      }
+      for (const Rational& x : parts[k]) denominators = lcm(denominators, x.get_den());
     }
-    for (auto& line : lines)
-      for (Rational& x : line) {
+    for (Time_polynomial& part : parts)
+      for (Rational& x : part) {
         x *= denominators;
         numerators = gcd(numerators, x.get_num());
       }
     for (std::size_t k = 0; k < 4; ++k) {
-      for (const Rational& x : lines[k])
-        points[k][axis].push_back(numerators == 0 ? 0 : Integer(x.get_num() / numerators));
-      trim(points[k][axis]);
+      for (const Rational& x : parts[k])
+        whole[k][axis].push_back(numerators == 0 ? 0 : Integer(x.get_num() / numerators));
+      trim(whole[k][axis]);
     }
   }
-  return contact(pair.kind, points);
+  return whole;
+}
+
+std::array<Moving_coordinates, 4> coordinates_of(const Moving_pair& pair)
+{
+  std::array<Moving_coordinates, 4> points;
+  for (std::size_t k = 0; k < 4; ++k)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Rational start = pair.points[k].start[axis];
+      points[k][axis] = {start, Rational(pair.points[k].end[axis]) - start};
+    }
+  return points;
+}
+
+/// Whether all coefficients of p in Bernstein's basis over [0, 1] are of one sign, and so p has no root there.
+bool keeps_one_sign(const Polynomial& p)
+{
+  const std::size_t degree = p.size() - 1;
+  int first = 0;
+  for (std::size_t k = 0; k <= degree; ++k) {
+    Rational sum = 0;
+    for (std::size_t j = 0; j <= k; ++j) {
+      Integer of_k, of_degree;
+      mpz_bin_uiui(of_k.get_mpz_t(), k, j);
+      mpz_bin_uiui(of_degree.get_mpz_t(), degree, j);
+      sum += Rational(p[j] * of_k) / of_degree;
+    }
+    if (k == 0) first = sgn(sum);
+    if (sgn(sum) != first || first == 0) return false;
+  }
+  return true;
+}
+
+/// That of points in one plane.
+Polynomial volume(const std::array<Moving_vector, 4>& p)
+{
+  return dot(cross(difference(p[1], p[0]), difference(p[2], p[0])), difference(p[3], p[0]));
 }
 
 }  // namespace
 
-bool truly_meet_in_motion(const Moving_pair& pair, const Time_span& span)
+bool truly_meet_in_motion(kernel::Moving_kind kind, const std::array<Moving_coordinates, 4>& coordinates,
+                          const Time_span& span)
 {
-  const std::vector<Condition> conditions = contact(pair, span.from, span.to);
+  const std::array<Moving_vector, 4> points = over_span(coordinates, span.from, span.to);
+  const Polynomial coplanar = volume(points);
+  if (!coplanar.empty() && keeps_one_sign(coplanar)) return false;
+  const std::vector<Condition> conditions = contact(kind, points);
   const auto at_end = [&](int x) {
     return std::ranges::any_of(conditions, [x](const Condition& c) { return holds_at_end(c, x); });
   };
@@ -246,7 +296,7 @@ bool truly_meet_in_motion(const Moving_pair& pair, const Time_span& span)
     return !f.empty() && std::ranges::any_of(conditions, [&](const Condition& c) { return holds_at_root(f, c); });
   };
   // Contact is closed: its first time is an end, or a root of the volume, or, where that is zero, of something else.
-  if (!conditions[0].zero.empty()) return at_root_of(conditions[0].zero);
+  if (!coplanar.empty()) return at_root_of(coplanar);
   for (const Condition& condition : conditions) {
     if (at_root_of(condition.zero) || at_root_of(condition.positive)) return true;
     for (const Polynomial& other : condition.others)
@@ -255,9 +305,14 @@ bool truly_meet_in_motion(const Moving_pair& pair, const Time_span& span)
   return false;
 }
 
+bool truly_meet_in_motion(const Moving_pair& pair, const Time_span& span)
+{
+  return truly_meet_in_motion(pair.kind, coordinates_of(pair), span);
+}
+
 bool truly_meet_at(const Moving_pair& pair, const Rational& time)
 {
-  const std::vector<Condition> conditions = contact(pair, time, time);
+  const std::vector<Condition> conditions = contact(pair.kind, over_span(coordinates_of(pair), time, time));
   return std::ranges::any_of(conditions, [](const Condition& c) { return holds_at_end(c, 0); });
 }
 

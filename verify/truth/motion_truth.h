@@ -5,7 +5,9 @@
 #include "tetracone/kernel/motion/time_bounds.h"
 #include "tetracone/kernel/number/number.h"
 
+#include <array>
 #include <optional>
+#include <vector>
 
 namespace tetracone::verify {
 
@@ -20,6 +22,14 @@ struct Time_span {
 /// coordinates, by dot products in space; how many roots of a polynomial have which signs of others is counted by
 /// sequences of Sturm and Tarski in integers (Basu, Pollack, Roy, Algorithms in Real Algebraic Geometry, section 2.2).
 bool truly_meet_in_motion(const kernel::Moving_pair& pair, const Time_span& span = {});
+
+/// A polynomial in time, from the constant coefficient up; empty: 0.
+using Time_polynomial = std::vector<kernel::Rational>;
+using Moving_coordinates = std::array<Time_polynomial, 3>;
+
+/// The same of four points whose coordinates are such polynomials, all over one that has no root in [0, 1].
+bool truly_meet_in_motion(kernel::Moving_kind kind, const std::array<Moving_coordinates, 4>& points,
+                          const Time_span& span = {});
 
 /// Whether the closed primitives, standing still as they are at `time`, share a point.
 bool truly_meet_at(const kernel::Moving_pair& pair, const kernel::Rational& time);

@@ -1,0 +1,118 @@
+#include "experiments/cli/motion_command.h"
+
+#include "experiments/support/model_file.h"
+#include "experiments/support/motion_options.h"
+#include "experiments/support/output_file.h"
+#include "experiments/support/progress.h"
+#include "experiments/support/stopwatch.h"
+#include "tetracone/kernel/number/number.h"
+#include "tetracone/tetratree/door/repair.h"
+#include "tetracone/tetratree/door/tetracone.h"
+
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace tetracone::experiments {
+namespace {
+
+struct Options {
+  Motion_names names;
+  std::string csv, question = "solid";
+  bool time = false, features = false;
+};
+
+std::string line_of(const std::optional<First_contact>& first, bool features)
+{
+  if (!first) return "0\n";
+  std::string line = "1 " + kernel::shortest(first->lo) + " " + kernel::shortest(first->hi);
+  if (features && first->holder)
+    for (const Holder& holder : *first->holder) line += "  " + holder.text();
+  return line + "\n";
+}
+
+std::string row_of(std::size_t k, const std::optional<First_contact>& first, bool features)
+{
+  std::string row = std::to_string(k) + (first ? ",1," : ",0,");
+  row += first ? kernel::shortest(first->lo) + "," + kernel::shortest(first->hi) : ",";
+  if (features)
+    for (std::size_t body = 0; body < 2; ++body)
+      row += "," + (first && first->holder ? (*first->holder)[body].text() : "");
+  return row;
+}
+
+std::string answers(const Options& options, Query& query, const Motion_pairs& motions)
+{
+  std::string text;
+  if (!options.csv.empty()) {
+    text = "motion,answer,lo,hi";
+    if (options.features) text += ",feature_a,feature_b";
+    if (options.time) text += ",ns,bounding_tests,primitive_tests,exact_fallbacks";
+    text += "\n";
+  }
+  Progress progress("motions", motions.a.size());
+  for (std::size_t k = 0; k < motions.a.size(); ++k) {
+    query.clear_statistics();
+    const Stopwatch watch;
+    const auto first = query.first_contact(motions.a[k], motions.b[k]);
+    const double ns = watch.nanoseconds();
+    progress.step();
+    if (options.csv.empty()) {
+      text += line_of(first, options.features);
+      continue;
+    }
+    text += row_of(k, first, options.features);
+    const Query_statistics done = query.statistics();
+    if (options.time)
+      text += "," + std::to_string(static_cast<long long>(ns)) + "," + std::to_string(done.bounding_tests()) + "," +
+              std::to_string(done.primitive_tests()) + "," + std::to_string(done.exact_fallbacks);
+    text += "\n";
+  }
+  return text;
+}
+
+void run(const Options& options)
+{
+  const auto question = kernel::parse_question(options.question);
+  if (!question) throw CLI::ValidationError("--question " + options.question, "expected solid or surface");
+  if (options.time && options.csv.empty()) throw CLI::ValidationError("--time", "expected --csv to hold the times");
+  if (!options.csv.empty()) options.names.refuse_as_output(options.csv);
+  const Motion_pairs motions = read_motion_pairs(options.names);
+  const bool solid = *question == Question::solid;
+  const Model_file a = load_model(options.names.a, options.names.models, solid),
+                   b = load_model(options.names.b, options.names.models, solid);
+  Query query(triangulated_body(a.polyhedron), triangulated_body(b.polyhedron), *question);
+  const std::string text = answers(options, query, motions);
+  if (options.csv.empty())
+    std::cout << text;
+  else
+    write_whole(options.csv, text);
+}
+
+}  // namespace
+
+void add_motion_command(CLI::App& app)
+{
+  CLI::App* command = app.add_subcommand(
+      "motion",
+      "When two moving models first meet, exactly: `0`, or `1` and the doubles about the time, a line a motion");
+  const auto options = std::make_shared<Options>();
+  command->add_option("A", options->names.a, "Model: OFF, OBJ, PLY, STL or TetGen .poly")->required();
+  command->add_option("B", options->names.b, "Model")->required();
+  options->names.add_options_to(*command);
+  command
+      ->add_option("--question", options->question,
+                   "solid: of the solids, which may collide at t = 0 one within the other; surface: of the surfaces")
+      ->capture_default_str();
+  command->add_flag("--features", options->features,
+                    "What meets first, of A and of B: `vertex V`, `edge V V` or `face F`; nothing at t = 0");
+  command->add_option("--csv", options->csv, "Write a table to this file: motion,answer,lo,hi");
+  command->add_flag("--time", options->time, "With --csv: nanoseconds and work of each motion");
+  command->footer(
+      "lo <= t <= hi are equal where t is a double, else neighbours. `1 0 0`: they collide as they start.\n"
+      "Example: tetracone motion cat.off house.poly --pose-b0 start.txt --pose-b1 end.txt");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace tetracone::experiments

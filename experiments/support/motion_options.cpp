@@ -1,0 +1,102 @@
+#include "experiments/support/motion_options.h"
+
+#include "experiments/support/output_file.h"
+#include "tetracone/covering/io/input_error.h"
+#include "tetracone/covering/io/read_poses.h"
+#include "tetracone/covering/io/read_rigid_poses.h"
+#include "tetracone/kernel/motion/body_motion.h"
+
+#include <utility>
+
+namespace tetracone::experiments {
+namespace {
+
+using covering::Input_error;
+using covering::Rigid_pose_line;
+using kernel::Body_motion;
+
+/// The poses of a file; of none the identity.
+template <class Pose, class Read>
+std::array<std::vector<Pose>, 4> read_all(const std::array<std::string, 4>& files, const Read& read)
+{
+  std::array<std::vector<Pose>, 4> poses;
+  std::size_t longest = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (files[k].empty())
+      poses[k] = {Pose()};
+    else
+      poses[k] = read(files[k]);
+    if (poses[k].size() > poses[longest].size()) longest = k;
+  }
+  for (std::size_t k = 0; k < 4; ++k)
+    if (poses[k].size() != 1 && poses[k].size() != poses[longest].size())
+      throw Input_error(
+          files[k], 0, std::to_string(poses[k].size()) + " poses",
+          "expected " + std::to_string(poses[longest].size()) + " as in " + files[longest] + ", or one pose");
+  return poses;
+}
+
+template <class Pose, class Make>
+Motion_pairs pairs_of(const std::array<std::vector<Pose>, 4>& poses, const Make& make)
+{
+  std::size_t count = 1;
+  for (const auto& of_file : poses) count = std::max(count, of_file.size());
+  const auto at = [&](std::size_t file, std::size_t k) -> const Pose& {
+    return poses[file][poses[file].size() == 1 ? 0 : k];
+  };
+  Motion_pairs pairs;
+  for (std::size_t k = 0; k < count; ++k) {
+    pairs.a.push_back(Motion(make(at(0, k), at(1, k), 1)));
+    pairs.b.push_back(Motion(make(at(2, k), at(3, k), 3)));
+  }
+  return pairs;
+}
+
+}  // namespace
+
+void Motion_names::add_options_to(CLI::App& command)
+{
+  command.add_option(
+      "--pose-a0", poses[0],
+      "Poses of A at t = 0: one a line, decimals or fractions n/d, 12 numbers, row-major 3x4; with --motion "
+      "rigid 7, a quaternion w x y z and a translation; default: the identity");
+  command.add_option("--pose-a1", poses[1], "Poses of A at t = 1; one pose in a file serves all of the others");
+  command.add_option("--pose-b0", poses[2], "Poses of B at t = 0");
+  command.add_option("--pose-b1", poses[3], "Poses of B at t = 1");
+  command
+      .add_option("--motion", kind,
+                  "linear: every point on a line, M(t) = (1-t) M0 + t M1; rigid: a rotation at every t, by the "
+                  "quaternion (1-t) q0 + t q1, not normalised")
+      ->capture_default_str();
+  models.add_to(command);
+}
+
+void Motion_names::refuse_as_output(const std::filesystem::path& output) const
+{
+  Scene_names names{a, b, poses[0], poses[1], models};
+  names.refuse_as_output(output);
+  names.poses_a = poses[2];
+  names.poses_b = poses[3];
+  names.refuse_as_output(output);
+}
+
+Motion_pairs read_motion_pairs(const Motion_names& names)
+{
+  if (names.kind == "linear")
+    return pairs_of(
+        read_all<kernel::Pose>(names.poses, [](const std::string& f) { return covering::read_poses(f); }),
+        [](const kernel::Pose& from, const kernel::Pose& to, std::size_t) { return Body_motion::linear(from, to); });
+  if (names.kind != "rigid") throw CLI::ValidationError("--motion " + names.kind, "expected linear or rigid");
+  return pairs_of(
+      read_all<Rigid_pose_line>(names.poses, [](const std::string& f) { return covering::read_rigid_poses(f); }),
+      [&](const Rigid_pose_line& from, const Rigid_pose_line& to, std::size_t file) {
+        auto motion = Body_motion::rigid(from.pose, to.pose);
+        if (motion) return std::move(*motion);
+        const bool in_first = names.poses[file].empty();
+        throw Input_error(names.poses[in_first ? file - 1 : file], in_first ? from.line : to.line,
+                          "the quaternion is against that at the other end: one between them is 0",
+                          "expected q0 and q1 of which no (1-t) q0 + t q1 is 0");
+      });
+}
+
+}  // namespace tetracone::experiments

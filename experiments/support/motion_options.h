@@ -1,0 +1,40 @@
+#ifndef TETRACONE_EXPERIMENTS_SUPPORT_MOTION_OPTIONS_H
+#define TETRACONE_EXPERIMENTS_SUPPORT_MOTION_OPTIONS_H
+
+#include "experiments/support/scene_options.h"
+#include "tetracone/tetratree/door/motion.h"
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tetracone::experiments {
+
+/// How a user names motions of two models: the poses of each at t = 0 and at t = 1.
+struct Motion_names {
+  std::string a, b, kind = "linear";
+  std::array<std::string, 4> poses;  ///< --pose-a0, --pose-a1, --pose-b0, --pose-b1; empty: the identity
+  Model_options models;
+
+  /// The options of poses, of their kind and of models.
+  void add_options_to(CLI::App& command);
+
+  /// Throws covering::Input_error when the output is a file that is read.
+  void refuse_as_output(const std::filesystem::path& output) const;
+};
+
+/// The motions of two bodies, in pairs.
+struct Motion_pairs {
+  std::vector<Motion> a, b;
+};
+
+/// The motions of the files; one pose in a file serves all of the others. Throws covering::Input_error for bad files, for
+/// numbers of poses that do not go together, and for quaternions between which one is 0; CLI::ValidationError for a kind
+/// that is none.
+Motion_pairs read_motion_pairs(const Motion_names& names);
+
+}  // namespace tetracone::experiments
+
+#endif

@@ -1,0 +1,188 @@
+#ifndef TETRACONE_KERNEL_MOTION_BODY_MOTION_H
+#define TETRACONE_KERNEL_MOTION_BODY_MOTION_H
+
+#include "tetracone/kernel/motion/integer_form.h"
+#include "tetracone/kernel/motion/motion_exact.h"
+#include "tetracone/kernel/motion/odd_double.h"
+#include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/number/number.h"
+#include "tetracone/kernel/number/pose.h"
+#include "tetracone/kernel/number/vertex.h"
+
+#include <array>
+#include <cassert>
+#include <climits>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace tetracone::kernel {
+
+/// A rigid pose: x -> q x q* / |q|^2 + t, exactly, of a quaternion (w, x, y, z) of any length above 0.
+struct Rigid_pose {
+  std::array<Rational, 4> quaternion = {1, 0, 0, 0};
+  std::array<Rational, 3> translation = {0, 0, 0};
+};
+
+/// The motion of a body over t in [0, 1]: x -> (M(t) x + v(t)) / w(t), exactly. The entries of M, those of v, and w are
+/// forms with integer coefficients, each of a degree of its own; w has no root in [0, 1].
+class Body_motion {
+ public:
+  /// M(t) = (1-t) M0 + t M1, and so the translation: every point on a line, at constant speed. Between the ends M(t) may
+  /// be singular: its image is taken as it is.
+  static Body_motion linear(const Pose& from, const Pose& to)
+  {
+    Integer common = 1;
+    for (int k = 0; k < 12; ++k) common = lcm(common, lcm(from.exact(k).get_den(), to.exact(k).get_den()));
+    Body_motion motion;
+    for (int k = 0; k < 12; ++k)
+      motion.entry_[k] = Integer_form(std::array{whole(from.exact(k), common), whole(to.exact(k), common)});
+    motion.weight_ = Integer_form(std::array{common});
+    return motion;
+  }
+
+  /// q(t) = (1-t) q0 + t q1, not normalised, and so the translation: a rotation at every t. Nothing where q(t) = 0 for
+  /// some t in [0, 1].
+  static std::optional<Body_motion> rigid(const Rigid_pose& from, const Rigid_pose& to)
+  {
+    Integer of_turn = 1, of_shift = 1;
+    for (int k = 0; k < 4; ++k) of_turn = lcm(of_turn, lcm(from.quaternion[k].get_den(), to.quaternion[k].get_den()));
+    for (int k = 0; k < 3; ++k)
+      of_shift = lcm(of_shift, lcm(from.translation[k].get_den(), to.translation[k].get_den()));
+
+    std::array<Integer, 4> q0, q1;
+    Integer along = 0;
+    for (int k = 0; k < 4; ++k) {
+      q0[k] = whole(from.quaternion[k], of_turn);
+      q1[k] = whole(to.quaternion[k], of_turn);
+      along += q0[k] * q1[k];
+    }
+    bool turns = false, shifts = false;
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < i; ++j) turns = turns || q0[i] * q1[j] != q0[j] * q1[i];
+    if (!turns && sgn(along) <= 0) return std::nullopt;
+
+    // A rotation that stays is written by its first quaternion alone, a translation that stays likewise.
+    std::array<Integer_form, 4> q;
+    for (int k = 0; k < 4; ++k) q[k] = turns ? Integer_form(std::array{q0[k], q1[k]}) : Integer_form(std::array{q0[k]});
+    for (int k = 0; k < 3; ++k) shifts = shifts || from.translation[k] != to.translation[k];
+
+    Body_motion motion;
+    motion.is_rigid_ = true;
+    const Integer_form ww = q[0] * q[0], xx = q[1] * q[1], yy = q[2] * q[2], zz = q[3] * q[3];
+    const auto twice = [&](int i, int j) { return q[i] * q[j] * Integer(2); };
+    const Integer_form xy = twice(1, 2), xz = twice(1, 3), yz = twice(2, 3), wx = twice(0, 1), wy = twice(0, 2),
+                       wz = twice(0, 3), norm = ww + xx + yy + zz;
+    motion.entry_ = {ww + xx - yy - zz, xy - wz, xz + wy, {},      xy + wz,           ww - xx + yy - zz,
+                     yz - wx,           {},      xz - wy, yz + wx, ww - xx - yy + zz, {}};
+    motion.weight_ = norm * of_shift;
+    for (int k = 0; k < 12; ++k)
+      if (k % 4 != 3) motion.entry_[k] *= of_shift;
+    for (int k = 0; k < 3; ++k) {
+      Integer_form shift;
+      shift.push_back(whole(from.translation[k], of_shift));
+      if (shifts) shift.push_back(whole(to.translation[k], of_shift));
+      motion.entry_[4 * k + 3] = norm * shift;
+    }
+    return motion;
+  }
+
+  /// Where the body is at a time in [0, 1], exactly. Requires det M(t) != 0 to be used as a pose.
+  Pose at(const Rational& time) const
+  {
+    const auto value = [&](const Integer_form& form) {
+      Integer scale;
+      mpz_pow_ui(scale.get_mpz_t(), time.get_den_mpz_t(), form.size() - 1);
+      Rational value(form.at(time.get_den() - time.get_num(), time.get_num()), scale);
+      value.canonicalize();
+      return value;
+    };
+    const Rational divisor = value(weight_);
+    std::array<Rational, 12> entries;
+    for (int k = 0; k < 12; ++k) entries[k] = value(entry_[k]) / divisor;
+    return Pose(entries);
+  }
+
+  /// Entry k of the row-major 3x4 matrix (M, v).
+  const Integer_form& entry(int k) const { return entry_[k]; }
+  const Integer_form& weight() const { return weight_; }
+
+  /// Whether M(t) / w(t) is a rotation all the time.
+  bool is_rigid() const { return is_rigid_; }
+
+ private:
+  Body_motion() = default;
+
+  static Integer whole(const Rational& x, const Integer& common)
+  {
+    return Integer(x.get_num() * (common / x.get_den()));
+  }
+
+  std::array<Integer_form, 12> entry_;
+  Integer_form weight_;
+  bool is_rigid_ = false;
+};
+
+/// Two moving bodies in coordinates that are common to both: points are forms of one degree over one divisor, the
+/// product of both weights.
+///
+/// Of two rigid motions the degree is at most 5, and the volume of four points, of degree 15, has the square of the
+/// divisor as a factor: in the frame of one body, a plane of it stands still, and the other's points are of degree 5 over
+/// the divisor; and of two edges the volume is d . R m' + m . R d' + (d, v, R d') with directions d and moments m in
+/// either body's own frame, which is of degree 5 over the divisor too.
+class Pair_motion {
+ public:
+  Pair_motion(const Body_motion& a, const Body_motion& b) : divisor_(a.weight() * b.weight())
+  {
+    for (int k = 0; k < 12; ++k) {
+      entry_[0][k] = a.entry(k) * b.weight();
+      entry_[1][k] = b.entry(k) * a.weight();
+    }
+    size_ = divisor_.size();
+    for (const auto& entries : entry_)
+      for (const Integer_form& entry : entries) size_ = maximum(size_, entry.size());
+    for (auto& entries : entry_)
+      for (Integer_form& entry : entries) entry = entry.raised_to(size_);
+    divisor_ = divisor_.raised_to(size_);
+    if (a.is_rigid() && b.is_rigid()) square_ = (divisor_ * divisor_).primitive();
+  }
+
+  /// The number of coefficients of each form.
+  std::size_t size() const { return size_; }
+
+  /// Entry k of the row-major 3x4 matrix that places body 0 or 1, times the divisor.
+  const Integer_form& entry(int body, int k) const { return entry_[body][k]; }
+  const Integer_form& divisor() const { return divisor_; }
+
+  /// Of the volume of four points: see `Exact_motion`.
+  const Integer_form& square() const { return square_; }
+
+  /// At most the exponents of the coordinates, each an odd number times a power of two, and 0.
+  static int exponent_of(const Vertex& v, int least = 0)
+  {
+    for (const double x : v) least = minimum(least, Odd_double(x).exponent);
+    return least;
+  }
+
+  /// A point of a body, times the divisor and 2^-least. Requires least <= exponent_of(v).
+  Form_vector image(int body, const Vertex& v, int least) const
+  {
+    const std::array<Integer, 4> by = {Odd_double(v[0]).over(least), Odd_double(v[1]).over(least),
+                                       Odd_double(v[2]).over(least), Odd_double(1).over(least)};
+    Form_vector image;
+    for (int i = 0; i < 3; ++i) {
+      image[i] = entry_[body][4 * i] * by[0];
+      for (int j = 1; j < 4; ++j) image[i] += entry_[body][4 * i + j] * by[j];
+    }
+    return image;
+  }
+
+ private:
+  std::size_t size_ = 0;
+  std::array<std::array<Integer_form, 12>, 2> entry_;
+  Integer_form divisor_, square_;
+};
+
+}  // namespace tetracone::kernel
+
+#endif

@@ -1,0 +1,274 @@
+#ifndef TETRACONE_KERNEL_MOTION_MOTION_SPAN_H
+#define TETRACONE_KERNEL_MOTION_MOTION_SPAN_H
+
+#include "tetracone/kernel/motion/body_motion.h"
+#include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/number/products.h"
+#include "tetracone/kernel/number/vertex.h"
+
+#include <array>
+#include <cassert>
+#include <climits>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace tetracone::kernel {
+
+/// What of a body's local units the bounds need: a local point p is o + unit p in its own, unit a power of two.
+struct Motion_units {
+  Vertex origin;
+  double unit;
+};
+
+/// A box in local units: centre + sum_k s_k half_edge[k], |s_k| <= 1.
+struct Moving_box {
+  Vertex centre;
+  std::array<Vertex, 3> half_edge;
+
+  /// The least and the largest l . p of its points.
+  std::array<double, 2> range(const Vertex& l) const
+  {
+    const double at = dot(l, centre), reach = std::abs(dot(l, half_edge[0])) + std::abs(dot(l, half_edge[1])) +
+                                              std::abs(dot(l, half_edge[2]));
+    return {at - reach, at + reach};
+  }
+};
+
+/// The hull of a few points in local units.
+struct Moving_hull {
+  std::span<const Vertex> points;
+
+  std::array<double, 2> range(const Vertex& l) const
+  {
+    double low = dot(l, points[0]), high = low;
+    for (const Vertex& p : points.subspan(1)) {
+      const double at = dot(l, p);
+      low = minimum(low, at);
+      high = maximum(high, at);
+    }
+    return {low, high};
+  }
+};
+
+/// A span of time from m / 2^k to (m+1) / 2^k, and where two bodies are in it, in double.
+///
+/// Points of both, in coordinates that are common to them and times their common divisor, are forms in time; by their
+/// coefficients in Bernstein's basis over the span they are sums with weights that are not negative. So what separates
+/// the coefficients of two hulls, each of them, along an axis, separates the hulls all the time.
+class Motion_span {
+ public:
+  static constexpr std::size_t most_coefficients = 8;
+
+  /// The maps of both bodies' local points, B's with the offset from A's origin to its own.
+  struct Maps {
+    std::array<std::array<Vertex, 3>, 2> row;
+    Vertex offset;
+    double weight;
+  };
+
+  /// All of the time.
+  Motion_span(const Pair_motion& motion, const Motion_units& a, const Motion_units& b) : size_(motion.size())
+  {
+    assert(size_ <= most_coefficients);
+    const int least = Pair_motion::exponent_of(b.origin, Pair_motion::exponent_of(a.origin));
+    const Form_vector from = motion.image(0, a.origin, least), to = motion.image(1, b.origin, least);
+    std::array<Integer_form, 3> offset;
+    for (int i = 0; i < 3; ++i) offset[i] = to[i] - from[i];
+    const std::array<long, 2> unit = {std::ilogb(a.unit), std::ilogb(b.unit)};
+
+    // Times one power of two that makes the largest of all at most 1: neither moves what is apart.
+    long largest = LONG_MIN;
+    const auto see = [&](const Integer_form& form, long exponent) {
+      for (std::size_t i = 0; i < form.size(); ++i)
+        if (sgn(form[i]) != 0) largest = maximum(largest, long(mpz_sizeinbase(form[i].get_mpz_t(), 2)) + exponent);
+    };
+    for (int i = 0; i < 3; ++i) {
+      see(offset[i], least);
+      for (int j = 0; j < 3; ++j)
+        for (int body = 0; body < 2; ++body) see(motion.entry(body, 4 * i + j), unit[body]);
+    }
+    const auto rounded = [&](const Integer_form& form, std::size_t i, long exponent) {
+      long own;
+      const double x = mpz_get_d_2exp(&own, form[i].get_mpz_t());
+      const long place = own + exponent - largest;
+      return place < -1000 ? 0.0 : std::ldexp(x, int(place)) / binomial(i);
+    };
+    const long of_weight = long(mpz_sizeinbase(motion.divisor()[0].get_mpz_t(), 2));
+    for (std::size_t i = 0; i < size_; ++i) {
+      Maps& maps = coefficient_[i];
+      for (int j = 0; j < 3; ++j) {
+        maps.offset[j] = rounded(offset[j], i, least);
+        for (int k = 0; k < 3; ++k)
+          for (int body = 0; body < 2; ++body)
+            maps.row[body][j][k] = rounded(motion.entry(body, 4 * j + k), i, unit[body]);
+      }
+      maps.weight = rounded(motion.divisor(), i, largest - of_weight);
+    }
+    find_error();
+    find_landmarks();
+  }
+
+  /// The first or the second half.
+  Motion_span half(bool second) const
+  {
+    Motion_span half = *this;
+    half.m_ = 2 * m_ + second;
+    half.k_ = k_ + 1;
+    // De Casteljau's algorithm.
+    for (std::size_t round = 1; round < size_; ++round)
+      for (std::size_t i = 0; i + round < size_; ++i) {
+        const std::size_t to = second ? i : size_ - 1 - i;
+        half.coefficient_[to] = average(half.coefficient_[to], half.coefficient_[second ? to + 1 : to - 1]);
+      }
+    half.find_landmarks();
+    return half;
+  }
+
+  std::uint64_t m() const { return m_; }
+  unsigned k() const { return k_; }
+  double start() const { return std::ldexp(double(m_), -int(k_)); }
+  double middle() const { return std::ldexp(double(2 * m_ + 1), -int(k_) - 1); }
+
+  /// Whether the hulls, one of A and one of B, are certainly apart along the axis at every time of the span. False along
+  /// an axis so short or so long that products may be lost.
+  template <class Hull_a, class Hull_b>
+  bool apart_along(const Vertex& axis, const Hull_a& a, const Hull_b& b) const
+  {
+    const double length = std::abs(axis[0]) + std::abs(axis[1]) + std::abs(axis[2]), error = length * error_;
+    if (!(length >= 0x1p-100 && length <= 0x1p100)) return false;
+    bool before = true, behind = true;
+    for (std::size_t i = 0; i < size_ && (before || behind); ++i) {
+      const Maps& maps = coefficient_[i];
+      const auto of_a = a.range(across(axis, maps.row[0])), of_b = b.range(across(axis, maps.row[1]));
+      const double offset = dot(axis, maps.offset);
+      before = before && offset + of_b[0] - of_a[1] > error;
+      behind = behind && of_a[0] - of_b[1] - offset > error;
+    }
+    return before || behind;
+  }
+
+  /// Where the bodies are in the middle of the span, over the divisor, and how far at the start and the end: not exact.
+  const Maps& at_middle() const { return landmark_[1]; }
+
+  /// About how far a point of B near `b` moves against one of A near `a` in the span, local points.
+  double way(const Vertex& a, const Vertex& b) const
+  {
+    double longest = 0;
+    Vertex last = between(landmark_[0], a, b);
+    for (int k = 1; k < 3; ++k) {
+      const Vertex next = between(landmark_[k], a, b);
+      for (int i = 0; i < 3; ++i) longest = maximum(longest, 2 * std::abs(next[i] - last[i]));
+      last = next;
+    }
+    return longest;
+  }
+
+  /// About how far parts of a body that are 1 apart in its local units move against each other in the span, and how long
+  /// that is in common units.
+  double turn(int body) const { return turn_[body]; }
+  double scale(int body) const { return scale_[body]; }
+
+  /// About how far apart hulls must be to be told so, in the same units.
+  double resolution() const { return error_ / landmark_[1].weight; }
+
+  /// l = axis . L.
+  static Vertex across(const Vertex& axis, const std::array<Vertex, 3>& row)
+  {
+    Vertex l;
+    for (int k = 0; k < 3; ++k) l[k] = axis[0] * row[0][k] + axis[1] * row[1][k] + axis[2] * row[2][k];
+    return l;
+  }
+
+  static Vertex direction(const Maps& maps, int body, const Vertex& v)
+  {
+    return {dot(maps.row[body][0], v), dot(maps.row[body][1], v), dot(maps.row[body][2], v)};
+  }
+
+  /// From a local point of A to one of B.
+  static Vertex between(const Maps& maps, const Vertex& a, const Vertex& b)
+  {
+    const Vertex from = direction(maps, 0, a), to = direction(maps, 1, b);
+    return {maps.offset[0] + (to[0] - from[0]), maps.offset[1] + (to[1] - from[1]), maps.offset[2] + (to[2] - from[2])};
+  }
+
+ private:
+  double binomial(std::size_t k) const
+  {
+    double value = 1;
+    for (std::size_t j = 0; j < k; ++j) value = value * double(size_ - 1 - j) / double(j + 1);
+    return value;
+  }
+
+  static Maps average(const Maps& x, const Maps& y)
+  {
+    Maps z;
+    for (int i = 0; i < 3; ++i) {
+      z.offset[i] = 0.5 * (x.offset[i] + y.offset[i]);
+      for (int body = 0; body < 2; ++body)
+        for (int k = 0; k < 3; ++k) z.row[body][i][k] = 0.5 * (x.row[body][i][k] + y.row[body][i][k]);
+    }
+    z.weight = 0.5 * (x.weight + y.weight);
+    return z;
+  }
+
+  /// The error of a difference of ranges, a share of |axis|_1. With u the unit roundoff and the largest terms of the whole
+  /// motion, which no half exceeds: a coefficient is off by 4 u of itself as it is rounded and divided, and by as many u
+  /// as averages were taken, 7 for each of 60 halvings at most; what underflows is below the slack. A local point has
+  /// coordinates of at most 1 and is off by 2 u in each; a box about such points has a centre and half-edges, a row's sum
+  /// of which is below 8. Products and sums with an axis, a centre and half-edges lose less than 40 u of their terms. So
+  /// less than 500 u of `terms`, and `few_roundings` is 8192 u.
+  void find_error()
+  {
+    double offset = 0, linear = 0;
+    for (std::size_t i = 0; i < size_; ++i)
+      for (int j = 0; j < 3; ++j) {
+        offset = maximum(offset, std::abs(coefficient_[i].offset[j]));
+        for (const auto& row : coefficient_[i].row)
+          linear = maximum(linear, std::abs(row[j][0]), std::abs(row[j][1]), std::abs(row[j][2]));
+      }
+    const double terms = offset + 2 * 8 * linear;
+    error_ = few_roundings * terms + underflow_slack;
+  }
+
+  void find_landmarks()
+  {
+    // The middle as the last of De Casteljau's averages.
+    std::array<Maps, most_coefficients> averages = coefficient_;
+    for (std::size_t last = size_ - 1; last > 0; --last)
+      for (std::size_t i = 0; i < last; ++i) averages[i] = average(averages[i], averages[i + 1]);
+    landmark_ = {over_weight(coefficient_[0]), over_weight(averages[0]), over_weight(coefficient_[size_ - 1])};
+    for (int body = 0; body < 2; ++body) {
+      turn_[body] = scale_[body] = 0;
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+          const auto at = [&](int k) { return landmark_[k].row[body][i][j]; };
+          turn_[body] = maximum(turn_[body], 2 * std::abs(at(1) - at(0)), 2 * std::abs(at(2) - at(1)));
+          scale_[body] = maximum(scale_[body], std::abs(at(1)));
+        }
+    }
+  }
+
+  static Maps over_weight(Maps maps)
+  {
+    for (int i = 0; i < 3; ++i) {
+      maps.offset[i] /= maps.weight;
+      for (auto& row : maps.row)
+        for (double& x : row[i]) x /= maps.weight;
+    }
+    return maps;
+  }
+
+  std::size_t size_;
+  std::uint64_t m_ = 0;
+  unsigned k_ = 0;
+  std::array<Maps, most_coefficients> coefficient_;
+  std::array<Maps, 3> landmark_;
+  std::array<double, 2> turn_, scale_;
+  double error_ = 0;
+};
+
+}  // namespace tetracone::kernel
+
+#endif

@@ -1,0 +1,121 @@
+#include "tetracone/tetratree/door/motion.h"
+
+#include "tetracone/kernel/number/number.h"
+#include "tetracone/tetratree/door/motion_solver.h"
+#include "tetracone/tetratree/door/query_data.h"
+#include "tetracone/tetratree/door/tetracone.h"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace tetracone {
+namespace {
+
+using kernel::Rational;
+
+kernel::Rigid_pose rigid_pose(const std::array<Rational, 7>& numbers)
+{
+  return {{numbers[0], numbers[1], numbers[2], numbers[3]}, {numbers[4], numbers[5], numbers[6]}};
+}
+
+[[noreturn]] void refuse(const std::string& number)
+{
+  throw Error("motion: '" + number.substr(0, 40) + "'; expected a finite decimal number or a fraction n/d");
+}
+
+Motion rigid_motion(const std::array<Rational, 7>& from, const std::array<Rational, 7>& to)
+{
+  auto motion = kernel::Body_motion::rigid(rigid_pose(from), rigid_pose(to));
+  if (!motion)
+    throw Error(
+        "motion: the quaternion (1-t) q0 + t q1 is 0 at some t; expected q0, q1 and all between them to be none");
+  return Motion(std::move(*motion));
+}
+
+/// Throws where a face is taken as a whole, which motions know no test for.
+const tetratree::Bvh8& triangulated_tree(const detail::Body_data& body, const std::string& who)
+{
+  std::vector<bool> has_triangles(body.polyhedron.face_count(), false);
+  for (const Face_triangle& t : body.triangles) has_triangles[t.face] = true;
+  const tetratree::Bvh8& tree = body.bvh8();
+  for (covering::Index f = 0; f < body.polyhedron.face_count(); ++f)
+    if (!has_triangles[f] && !body.polyhedron.is_triangle(f) && tree.model().covering().plane_basis(f))
+      throw Error("motion: " + who + " has a face " + std::to_string(f) +
+                  " without triangles; expected a body of triangles (tetracone/repair.h makes them)");
+  return tree;
+}
+
+Holder vertex(covering::Index v) { return {Holder::Kind::vertex, {v}}; }
+Holder edge(covering::Index from, covering::Index to)
+{
+  return from == to ? vertex(from) : Holder{Holder::Kind::edge, {from, to}};
+}
+
+std::array<Holder, 2> holders(const tetratree::Moving_features& found)
+{
+  const auto& v = found.corner;
+  if (found.kind == kernel::Moving_kind::edge_edge) return {edge(v[0], v[1]), edge(v[2], v[3])};
+  std::array<Holder, 2> both;
+  both[found.body] = vertex(v[0]);
+  both[1 - found.body] = {Holder::Kind::face, {found.face[1 - found.body]}};
+  return both;
+}
+
+}  // namespace
+
+detail::Motion_solver::Motion_solver(const std::shared_ptr<const Body_data>& of_a,
+                                     const std::shared_ptr<const Body_data>& of_b)
+    : a(of_a), b(of_b), motion(triangulated_tree(*a, "body a"), triangulated_tree(*b, "body b"))
+{}
+
+Motion::Motion(kernel::Body_motion motion) : exact_(std::make_shared<const kernel::Body_motion>(std::move(motion))) {}
+
+Motion Motion::linear(const Pose& from, const Pose& to)
+{
+  return Motion(kernel::Body_motion::linear(from.exact(), to.exact()));
+}
+
+Motion Motion::rigid(const std::array<double, 7>& from, const std::array<double, 7>& to)
+{
+  std::array<std::array<Rational, 7>, 2> exact;
+  for (std::size_t k = 0; k < 7; ++k) {
+    for (const double x : {from[k], to[k]})
+      if (!std::isfinite(x)) refuse(kernel::shortest(x));
+    exact[0][k] = from[k];
+    exact[1][k] = to[k];
+  }
+  return rigid_motion(exact[0], exact[1]);
+}
+
+Motion Motion::rigid_from_text(const std::array<std::string, 7>& from, const std::array<std::string, 7>& to)
+{
+  const auto number = [](const std::string& text) {
+    const auto number = kernel::parse_number(text);
+    if (!number) refuse(text);
+    return *number;
+  };
+  std::array<std::array<Rational, 7>, 2> exact;
+  for (std::size_t k = 0; k < 7; ++k) {
+    exact[0][k] = number(from[k]);
+    exact[1][k] = number(to[k]);
+  }
+  return rigid_motion(exact[0], exact[1]);
+}
+
+std::optional<First_contact> Query::first_contact(const Motion& a, const Motion& b)
+{
+  detail::Query_data& d = data();
+  if (d.options.kernel != Kernel::adaptive)
+    throw Error("query: kernel " + kernel_name(d.options.kernel, d.options.tolerance) +
+                " follows no motion; expected adaptive");
+  if (!d.motion) d.motion = std::make_unique<detail::Motion_solver>(d.a, d.b);
+  const kernel::Pose start_a = a.exact().at(0), start_b = b.exact().at(0);
+  if (d.solver->relation(start_a, start_b, d.question) != Relation::apart) return First_contact{0, 0, std::nullopt};
+  const auto found = d.motion->motion(a.exact(), b.exact());
+  if (!found) return std::nullopt;
+  const auto [lo, hi] = kernel::bounds_about(found->time);
+  return First_contact{lo, hi, holders(found->features)};
+}
+
+}  // namespace tetracone

@@ -1,0 +1,272 @@
+#include "verify/families/moving_body_families.h"
+
+#include "verify/cases/random.h"
+#include "verify/cases/shape_generators.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace tetracone::verify {
+namespace moving_body_family {
+namespace {
+
+using covering::Polyhedron;
+using kernel::Rational;
+using Numbers = std::vector<Rational>;
+
+int below(Random& random, int n) { return static_cast<int>(random.bits() % static_cast<std::uint64_t>(n)); }
+
+/// A multiple of 1/16 of magnitude at most `reach`.
+double sixteenth(Random& random, int reach = 1) { return (below(random, 32 * reach + 1) - 16 * reach) * 0.0625; }
+
+Vector sixteenths(Random& random, int reach = 1)
+{
+  const double x = sixteenth(random, reach), y = sixteenth(random, reach), z = sixteenth(random, reach);
+  return {x, y, z};
+}
+
+Polyhedron tetrahedron(Random& random)
+{
+  Polyhedron body;
+  body.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (auto& v : body.vertices)
+    for (double& x : v) x += sixteenth(random) * 0.25;
+  for (const auto& [p, q, r] : {std::array{0u, 2u, 1u}, {0u, 1u, 3u}, {1u, 2u, 3u}, {0u, 3u, 2u}})
+    body.add_polygon({p, q, r});
+  return body;
+}
+
+Polyhedron small_body(Random& random) { return below(random, 3) == 0 ? unit_cube() : tetrahedron(random); }
+
+/// Four walls about the square tunnel |x|, |y| < inner.
+Polyhedron socket(double inner, double outer)
+{
+  Polyhedron all;
+  for (const auto& [low, high] : {std::pair(kernel::Vertex{-outer, -outer, -1}, kernel::Vertex{-inner, outer, 1}),
+                                  {{inner, -outer, -1}, {outer, outer, 1}},
+                                  {{-inner, -outer, -1}, {inner, -inner, 1}},
+                                  {{-inner, inner, -1}, {inner, outer, 1}}}) {
+    const Polyhedron wall = box(low, high);
+    const auto first = static_cast<covering::Index>(all.vertices.size());
+    all.vertices.insert(all.vertices.end(), wall.vertices.begin(), wall.vertices.end());
+    for (covering::Index f = 0; f < wall.face_count(); ++f) {
+      std::vector<covering::Index> loop;
+      for (const covering::Index v : wall.loop(f, 0)) loop.push_back(first + v);
+      all.add_polygon(loop);
+    }
+  }
+  return all;
+}
+
+Numbers shifted(const Vector& t) { return {1, 0, 0, t[0], 0, 1, 0, t[1], 0, 0, 1, t[2]}; }
+
+/// A matrix that is nearly a rotation.
+Numbers turned(const Rotation& r, const Vector& t)
+{
+  Numbers rows;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) rows.push_back(r[i][j]);
+    rows.push_back(t[i]);
+  }
+  return rows;
+}
+
+Numbers rigid(double w, double x, double y, double z, const Vector& t) { return {w, x, y, z, t[0], t[1], t[2]}; }
+
+/// By one of three neighbours.
+double nudged(Random& random, double x)
+{
+  const int way = below(random, 3);
+  return way == 0 ? x : std::nextafter(x, way == 1 ? HUGE_VAL : -HUGE_VAL);
+}
+
+/// To and from about `distance` apart, past each other or through.
+Vector far(Random& random, double sign)
+{
+  Vector t = sixteenths(random);
+  t[0] += 3 * sign;
+  return t;
+}
+
+Moving_bodies anywhere(Random& random)
+{
+  const auto pose = [&](double sign) {
+    const double w = random.unit() + 0.5, x = random.symmetric(), y = random.symmetric(), z = random.symmetric();
+    return turned(rotation(w, x, y, z), far(random, sign));
+  };
+  Moving_bodies c{small_body(random), small_body(random), {}, {}};
+  c.motion_a = {pose(0), pose(0)};
+  c.motion_b = {pose(1), pose(below(random, 2) == 0 ? -1 : 0.5)};
+  return c;
+}
+
+Moving_bodies one_turns(Random& random)
+{
+  Moving_bodies c{small_body(random), small_body(random), {}, {}};
+  const Numbers rest = rigid(1, 0, 0, 0, {0, 0, 0});
+  c.motion_a = {rest, rest};
+  c.motion_b = {rigid(1, 0, 0, 0, far(random, 1)),
+                rigid(sixteenth(random), sixteenth(random), 1, sixteenth(random), far(random, -1))};
+  return c;
+}
+
+Moving_bodies both_turn(Random& random)
+{
+  const auto pose = [&](double sign) {
+    const double w = 1 + sixteenth(random) * 0.5, x = sixteenth(random), y = sixteenth(random), z = sixteenth(random);
+    return rigid(w, x, y, z, far(random, sign));
+  };
+  Moving_bodies c{tetrahedron(random), tetrahedron(random), {}, {}};
+  c.motion_a = {pose(0), pose(0)};
+  c.motion_b = {pose(1), pose(-0.5)};
+  return c;
+}
+
+/// Faces, edges or corners that slide on each other's planes, exactly or by an ulp off.
+Moving_bodies grazing(Random& random)
+{
+  Moving_bodies c{unit_cube(), unit_cube(), {}, {}};
+  Vector from = {3, sixteenth(random), sixteenth(random)}, to = {-3, sixteenth(random), from[2]};
+  for (std::size_t k = 1; k < 3; ++k)
+    if (below(random, 2) == 0) from[k] = to[k] = nudged(random, below(random, 2) == 0 ? 1 : -1);
+  c.motion_a = {shifted({0, 0, 0}), shifted({0, 0, 0})};
+  c.motion_b = {shifted(from), shifted(to)};
+  return c;
+}
+
+/// Two walls at once.
+Moving_bodies double_contact(Random& random)
+{
+  Moving_bodies c{socket(1, 2), box({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}), {}, {}};
+  const double way = 1 + below(random, 3) * 0.5;
+  c.motion_a = {shifted({0, 0, 0}), shifted({0, 0, 0})};
+  c.motion_b = {shifted({0, 0, 0}), shifted({way, nudged(random, way), sixteenth(random)})};
+  return c;
+}
+
+/// A small fast body against a thin plate, or past its edge.
+Moving_bodies tunnelling(Random& random)
+{
+  const double thickness = std::ldexp(1, -4 - below(random, 12)), speed = std::ldexp(1, 4 + below(random, 12));
+  Moving_bodies c{box({-1, -1, 0}, {1, 1, thickness}), tetrahedron(random), {}, {}};
+  Vector t = sixteenths(random, 2);
+  t[2] = speed;
+  Vector end = t;
+  end[2] = -speed * 0.75;
+  c.motion_a = {shifted({0, 0, 0}), shifted({0, 0, 0})};
+  c.motion_b = {shifted(t), shifted(end)};
+  return c;
+}
+
+/// A bar that turns in a square tunnel, and meets its walls or just does not.
+Moving_bodies spin_in_socket(Random& random)
+{
+  const double half = 0.5 + below(random, 4) * 0.0625;
+  Moving_bodies c{socket(0.75 + below(random, 3) * 0.0625, 2), box({-half, -half, -3}, {half, half, 3}), {}, {}};
+  const Numbers rest = rigid(1, 0, 0, 0, {0, 0, 0});
+  c.motion_a = {rest, rest};
+  c.motion_b = {rest, rigid(1, 0, 0, sixteenth(random), {0, 0, sixteenth(random)})};
+  return c;
+}
+
+/// A cube that turns about an edge just above a plate, until it lies on its next face: or a little lower or higher.
+Moving_bodies rolling(Random& random)
+{
+  Moving_bodies c{box({-4, -4, -1}, {4, 4, 0}), unit_cube(), {}, {}};
+  const double gap = std::ldexp(1, -1 - below(random, 30));
+  const Numbers rest = rigid(1, 0, 0, 0, {0, 0, 0});
+  c.motion_a = {rest, rest};
+  c.motion_b = {rigid(1, 0, 0, 0, {0, 0, gap}),
+                rigid(1, below(random, 2) == 0 ? -1 : -0.5, 0, 0, {0, 0, below(random, 2) == 0 ? gap : gap / 2})};
+  return c;
+}
+
+/// On a plate, by an ulp above it or below, and away.
+Moving_bodies resting(Random& random)
+{
+  Moving_bodies c{box({-2, -2, -1}, {2, 2, 0}), unit_cube(), {}, {}};
+  const double height = below(random, 2) == 0 ? std::ldexp(1, -1074) : nudged(random, 0);
+  c.motion_a = {shifted({0, 0, 0}), shifted({0, 0, 0})};
+  c.motion_b = {shifted({0, 0, height}), shifted({1, 0, height + below(random, 3) * 0.5})};
+  return c;
+}
+
+/// One within the other: to the end, or through the wall.
+Moving_bodies nested(Random& random)
+{
+  Moving_bodies c{box({-2, -2, -2}, {2, 2, 2}), small_body(random), {}, {}};
+  c.motion_a = {shifted({0, 0, 0}), shifted({0, 0, 0})};
+  c.motion_b = {shifted({0, 0, 0}), shifted({below(random, 2) * 2.5, sixteenth(random), 0})};
+  return c;
+}
+
+/// Contact at the end alone, or by an ulp not.
+Moving_bodies at_end(Random& random)
+{
+  Moving_bodies c{unit_cube(), unit_cube(), {}, {}};
+  c.motion_a = {shifted({0, 0, 0}), shifted({0, 0, 0})};
+  c.motion_b = {shifted({3, sixteenth(random), sixteenth(random)}),
+                shifted({nudged(random, 1), sixteenth(random), sixteenth(random, 2)})};
+  return c;
+}
+
+/// Those before with all lengths times a power of two, or with motions of a few ulps.
+Moving_bodies tiny_and_huge(Random& random)
+{
+  constexpr std::array makes = {anywhere, grazing, tunnelling, nested};
+  Moving_bodies c = makes[static_cast<std::size_t>(below(random, makes.size()))](random);
+  const int exponent = (below(random, 2) == 0 ? 1 : -1) * (40 + below(random, 200));
+  for (Polyhedron* body : {&c.a, &c.b})
+    for (auto& v : body->vertices)
+      for (double& x : v) x = std::ldexp(x, exponent);
+  for (Motion_ends* motion : {&c.motion_a, &c.motion_b})
+    for (Numbers& pose : *motion)
+      for (std::size_t k = 3; k < 12; k += 4) pose[k] *= Rational(std::ldexp(1, exponent));
+  if (below(random, 3) == 0)
+    for (std::size_t k = 0; k < 12; ++k) c.motion_b[1][k] = std::nextafter(c.motion_b[0][k].get_d(), -HUGE_VAL);
+  return c;
+}
+
+/// A(t) turns inside out: in between its image is flat.
+Moving_bodies flattened(Random& random)
+{
+  Moving_bodies c{unit_cube(), small_body(random), {}, {}};
+  Numbers mirrored = shifted({1, 0, 0});
+  mirrored[0] = -1;
+  c.motion_a = {shifted({0, 0, 0}), mirrored};
+  c.motion_b = {shifted(far(random, 1)), shifted(far(random, -0.25))};
+  return c;
+}
+
+constexpr std::array of_bodies = {
+    Moving_body_family{"anywhere", "linear between nearly rigid poses", anywhere},
+    Moving_body_family{"one-turns", "rigid, the other body rests", one_turns},
+    Moving_body_family{"both-turn", "rigid, both bodies turn", both_turn},
+    Moving_body_family{"grazing", "faces, edges and corners slide along, an ulp off now and then", grazing},
+    Moving_body_family{"double-contact", "two walls at once, or by an ulp one first", double_contact},
+    Moving_body_family{"tunnelling", "fast through a thin plate, or past it", tunnelling},
+    Moving_body_family{"spin-in-socket", "a bar turns in a square tunnel", spin_in_socket},
+    Moving_body_family{"rolling", "a cube turns about an edge above a plate", rolling},
+    Moving_body_family{"resting", "on a plate or by an ulp not, and away", resting},
+    Moving_body_family{"nested", "one within the other, to the end or through the wall", nested},
+    Moving_body_family{"at-end", "contact at the end alone, or by an ulp not", at_end},
+    Moving_body_family{"tiny-and-huge", "lengths times a power of two, motions of an ulp", tiny_and_huge},
+    Moving_body_family{"flattened", "a linear motion that turns a body inside out", flattened},
+};
+
+}  // namespace
+}  // namespace moving_body_family
+
+std::span<const Moving_body_family> moving_body_families() { return moving_body_family::of_bodies; }
+
+Moving_bodies moving_bodies_case(const Moving_body_family& family, std::uint64_t seed, std::uint64_t index)
+{
+  // Rounds of the generator's own seeding keep (seed, family, index) apart.
+  std::uint64_t state = Random(seed).bits();
+  for (const char c : family.name) state = Random(state ^ static_cast<unsigned char>(c)).bits();
+  Random random(state ^ index);
+  return family.make(random);
+}
+
+}  // namespace tetracone::verify

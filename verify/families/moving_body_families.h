@@ -1,0 +1,27 @@
+#ifndef TETRACONE_VERIFY_FAMILIES_MOVING_BODY_FAMILIES_H
+#define TETRACONE_VERIFY_FAMILIES_MOVING_BODY_FAMILIES_H
+
+#include "verify/cases/moving_bodies.h"
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace tetracone::verify {
+
+class Random;
+
+/// Two small bodies in motions of one kind of difficulty.
+struct Moving_body_family {
+  std::string_view name, what;
+  Moving_bodies (*make)(Random& random);
+};
+
+std::span<const Moving_body_family> moving_body_families();
+
+/// Case `index` of a family. The same on every machine.
+Moving_bodies moving_bodies_case(const Moving_body_family& family, std::uint64_t seed, std::uint64_t index);
+
+}  // namespace tetracone::verify
+
+#endif

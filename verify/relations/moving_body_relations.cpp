@@ -1,0 +1,135 @@
+#include "verify/relations/moving_body_relations.h"
+
+#include "verify/subjects/moving_bodies_subject.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace tetracone::verify {
+namespace moving_body_relation {
+namespace {
+
+using kernel::Question;
+using kernel::Rational;
+using kernel::Time_bounds;
+using First = std::optional<Time_bounds>;
+using Numbers = std::vector<Rational>;
+
+First first_of(const Moving_bodies& bodies) { return first_contact(bodies, Question::surface); }
+
+bool equal(const First& a, const First& b)
+{
+  return a.has_value() == b.has_value() && (!a || (a->lo == b->lo && a->hi == b->hi));
+}
+
+Verdict verdict(bool holds) { return holds ? Verdict::holds : Verdict::violated; }
+
+Verdict swapped(const Moving_bodies& bodies, Random&)
+{
+  return verdict(equal(first_of(bodies), first_of({bodies.b, bodies.a, bodies.motion_b, bodies.motion_a})));
+}
+
+/// The first contact of the reversed motion is the last of the motion, so not before its first.
+Verdict reversed_time(const Moving_bodies& bodies, Random&)
+{
+  Moving_bodies reversed = bodies;
+  for (Motion_ends* motion : {&reversed.motion_a, &reversed.motion_b}) std::swap((*motion)[0], (*motion)[1]);
+  const First first = first_of(bodies), last = first_of(reversed);
+  if (first.has_value() != last.has_value()) return Verdict::violated;
+  return verdict(!first || Rational(first->lo) + Rational(last->lo) <= 1);
+}
+
+Numbers between(const Motion_ends& ends, const Rational& time)
+{
+  Numbers numbers;
+  for (std::size_t k = 0; k < ends[0].size(); ++k)
+    numbers.push_back(Rational(ends[0][k] + time * (ends[1][k] - ends[0][k])));
+  return numbers;
+}
+
+/// The first contact of a motion is that of its part before a time, else that of the part after it.
+Verdict split(const Moving_bodies& bodies, Random& random)
+{
+  const Rational time = Rational(1 + random.bits() % 7) / 8;
+  Moving_bodies before = bodies, after = bodies;
+  for (const auto member : {&Moving_bodies::motion_a, &Moving_bodies::motion_b})
+    (before.*member)[1] = (after.*member)[0] = between(bodies.*member, time);
+  const First whole = first_of(bodies), first = first_of(before), second = first ? First() : first_of(after);
+  if (whole.has_value() != (first || second)) return Verdict::violated;
+  if (!whole) return Verdict::holds;
+  const auto in_whole = [&](double t) { return first ? Rational(time * t) : Rational(time + (1 - time) * t); };
+  const Time_bounds& part = first ? *first : *second;
+  return verdict(in_whole(part.lo) <= Rational(whole->hi) && Rational(whole->lo) <= in_whole(part.hi));
+}
+
+/// Both bodies carried along by one more motion: a fixed turn, and a translation in time.
+Verdict common_motion(const Moving_bodies& bodies, Random& random)
+{
+  const auto small = [&] { return Rational(long(random.bits() % 9) - 4); };
+  const std::array<Rational, 4> g = {small(), small(), small(), Rational(3)};
+  std::array<std::array<Rational, 3>, 2> shift;
+  for (auto& v : shift)
+    for (Rational& x : v) x = small() / 4;
+  const kernel::Pose turn = kernel::Body_motion::rigid({g, {0, 0, 0}}, {g, {0, 0, 0}}).value().at(0);
+  const auto turned = [&](const std::array<Rational, 3>& v) {
+    std::array<Rational, 3> image;
+    for (int i = 0; i < 3; ++i)
+      image[i] = turn.exact(4 * i) * v[0] + turn.exact(4 * i + 1) * v[1] + turn.exact(4 * i + 2) * v[2];
+    return image;
+  };
+  Moving_bodies twin = bodies;
+  for (Motion_ends* motion : {&twin.motion_a, &twin.motion_b})
+    for (std::size_t end = 0; end < 2; ++end) {
+      Numbers& n = (*motion)[end];
+      if (n.size() == 7) {
+        const std::array<Rational, 4> q = {n[0], n[1], n[2], n[3]};
+        n[0] = g[0] * q[0] - g[1] * q[1] - g[2] * q[2] - g[3] * q[3];
+        n[1] = g[0] * q[1] + g[1] * q[0] + g[2] * q[3] - g[3] * q[2];
+        n[2] = g[0] * q[2] - g[1] * q[3] + g[2] * q[0] + g[3] * q[1];
+        n[3] = g[0] * q[3] + g[1] * q[2] - g[2] * q[1] + g[3] * q[0];
+        const auto t = turned({n[4], n[5], n[6]});
+        for (std::size_t k = 0; k < 3; ++k) n[4 + k] = t[k] + shift[end][k];
+      } else {
+        for (std::size_t j = 0; j < 4; ++j) {
+          const auto column = turned({n[j], n[4 + j], n[8 + j]});
+          for (std::size_t i = 0; i < 3; ++i) n[4 * i + j] = column[i];
+        }
+        for (std::size_t i = 0; i < 3; ++i) n[4 * i + 3] += shift[end][i];
+      }
+    }
+  return verdict(equal(first_of(bodies), first_of(twin)));
+}
+
+/// No static answer at an eighth of the time before the first contact is a collision; without one, none is.
+Verdict finer_steps(const Moving_bodies& bodies, Random&)
+{
+  const First first = first_of(bodies);
+  Query query(Body(bodies.a), Body(bodies.b), Question::surface);
+  const kernel::Body_motion a = motion_of(bodies.motion_a), b = motion_of(bodies.motion_b);
+  for (int k = 0; k <= 8; ++k) {
+    const double time = k / 8.0;
+    if (first && (first->lo == first->hi ? time >= first->lo : time > first->lo)) break;
+    const kernel::Pose pose_a = a.at(time), pose_b = b.at(time);
+    if (pose_a.determinant_sign() == CGAL::ZERO || pose_b.determinant_sign() == CGAL::ZERO) continue;
+    if (query.collide(pose_a, pose_b)) return Verdict::violated;
+  }
+  return Verdict::holds;
+}
+
+constexpr std::array of_motion = {
+    Moving_body_relation{"swapped", "the same time with the bodies swapped", swapped},
+    Moving_body_relation{"reversed-time", "existence, and the first time before the last", reversed_time},
+    Moving_body_relation{"split", "the first contact of the first part that has one", split},
+    Moving_body_relation{"common-motion", "the same time where both bodies are carried along by one motion",
+                         common_motion},
+    Moving_body_relation{"finer-steps", "no collision at a step before the first contact", finer_steps},
+};
+
+}  // namespace
+}  // namespace moving_body_relation
+
+std::span<const Moving_body_relation> moving_body_relations() { return moving_body_relation::of_motion; }
+
+}  // namespace tetracone::verify

@@ -1,0 +1,178 @@
+#include "tetracone/kernel/motion/motion_span.h"
+
+#include "verify/cases/random.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_motion_span)
+
+using namespace tetracone::kernel;
+using tetracone::verify::Random;
+
+namespace {
+
+Vertex any_vertex(Random& random) { return {random.symmetric(), random.symmetric(), random.symmetric()}; }
+
+Body_motion any_motion(Random& random, bool is_rigid)
+{
+  if (!is_rigid) {
+    const auto pose = [&] {
+      std::array<double, 12> entries;
+      for (double& x : entries) x = random.symmetric();
+      return Pose(entries);
+    };
+    const Pose from = pose();
+    return Body_motion::linear(from, pose());
+  }
+  const auto pose = [&] {
+    return Rigid_pose{{1.5, random.symmetric(), random.symmetric(), random.symmetric()},
+                      {random.symmetric(), random.symmetric(), random.symmetric()}};
+  };
+  const Rigid_pose from = pose();
+  return Body_motion::rigid(from, pose()).value();
+}
+
+/// axis . (M x + t), exactly.
+Rational along(const Vertex& axis, const Pose& pose, const std::array<Rational, 3>& x)
+{
+  Rational sum = 0;
+  for (int i = 0; i < 3; ++i) {
+    Rational at = pose.exact(4 * i + 3);
+    for (int j = 0; j < 3; ++j) at += pose.exact(4 * i + j) * x[j];
+    sum += Rational(axis[i]) * at;
+  }
+  return sum;
+}
+
+std::array<Rational, 3> from_local(const Motion_units& units, const Vertex& local)
+{
+  std::array<Rational, 3> x;
+  for (int k = 0; k < 3; ++k) x[k] = Rational(units.origin[k]) + Rational(units.unit) * Rational(local[k]);
+  return x;
+}
+
+std::vector<Vertex> corners(const Moving_box& box)
+{
+  std::vector<Vertex> all;
+  for (int bits = 0; bits < 8; ++bits) {
+    Vertex v = box.centre;
+    for (int k = 0; k < 3; ++k)
+      for (int i = 0; i < 3; ++i) v[i] += (bits >> k & 1 ? 1 : -1) * box.half_edge[k][i];
+    all.push_back(v);
+  }
+  return all;
+}
+
+Moving_box any_box(Random& random, double size)
+{
+  Moving_box box{any_vertex(random), {}};
+  for (Vertex& edge : box.half_edge)
+    for (double& x : edge) x = size * random.symmetric();
+  return box;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(what_is_apart_in_a_span_is_apart_at_its_times)
+{
+  Random random(1);
+  int found = 0, of_halves = 0;
+  for (int k = 0; k < 300; ++k) {
+    const Body_motion a = any_motion(random, k % 3 != 0), b = any_motion(random, k % 2 != 0);
+    const Motion_units in_a{any_vertex(random), 0.5}, in_b{any_vertex(random), 2};
+    Motion_span span(Pair_motion(a, b), in_a, in_b);
+    for (int halves = k % 6; halves > 0; --halves) span = span.half(random.bits() % 2 == 1);
+    const Moving_box box_a = any_box(random, 0.25), box_b = any_box(random, 0.25);
+    const Vertex axis = any_vertex(random);
+    if (!span.apart_along(axis, box_a, box_b)) continue;
+    ++found;
+    of_halves += span.k() > 0;
+    const std::vector<Vertex> of_a = corners(box_a), of_b = corners(box_b);
+    BOOST_TEST(span.apart_along(axis, Moving_hull{of_a}, Moving_hull{of_b}));
+    for (int step = 0; step <= 4; ++step) {
+      const Rational time =
+          (Rational(4 * long(span.m()) + step)) / (Rational(4) * Rational(std::ldexp(1, int(span.k()))));
+      const Pose pose_a = a.at(time), pose_b = b.at(time);
+      bool before = true, behind = true;
+      for (const Vertex& p : of_a)
+        for (const Vertex& q : of_b) {
+          const Rational gap = along(axis, pose_b, from_local(in_b, q)) - along(axis, pose_a, from_local(in_a, p));
+          before = before && gap > 0;
+          behind = behind && gap < 0;
+        }
+      BOOST_TEST((before || behind));
+    }
+  }
+  BOOST_TEST(found > 60);
+  BOOST_TEST(of_halves > 40);
+}
+
+BOOST_AUTO_TEST_CASE(what_coincides_is_never_apart)
+{
+  // One point in the local units of two bodies that move alike: all that is computed between them is rounding.
+  Random random(2);
+  for (int k = 0; k < 400; ++k) {
+    const Body_motion motion = any_motion(random, k % 2 == 0);
+    const Motion_units in_a{{0, 0, 0}, 1}, in_b{{random.bits() % 64 * 0x1p-6, 0.25, -0.5}, 2};
+    Vertex p, q;
+    for (int i = 0; i < 3; ++i) {
+      p[i] = std::round(random.symmetric() * 0x1p30) * 0x1p-30;
+      q[i] = (p[i] - in_b.origin[i]) / 2;
+    }
+    Motion_span span(Pair_motion(motion, motion), in_a, in_b);
+    for (int halves = k % 4; halves > 0; --halves) span = span.half(random.bits() % 2 == 1);
+    const std::array<Vertex, 1> of_a = {p}, of_b = {q};
+    BOOST_TEST(!span.apart_along(any_vertex(random), Moving_hull{of_a}, Moving_hull{of_b}));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(an_axis_that_is_no_number_or_none_parts_nothing)
+{
+  const Body_motion rests = Body_motion::linear(Pose(), Pose()),
+                    away = Body_motion::linear(Pose::translation(9, 0, 0), Pose::translation(9, 1, 0));
+  const Motion_span span(Pair_motion(rests, away), {{0, 0, 0}, 1}, {{0, 0, 0}, 1});
+  const std::array<Vertex, 1> point = {{{0, 0, 0}}};
+  const auto apart = [&](const Vertex& axis) { return span.apart_along(axis, Moving_hull{point}, Moving_hull{point}); };
+  BOOST_TEST(apart({1, 0, 0}));
+  BOOST_TEST(apart({-1, 0, 0}));
+  BOOST_TEST(!apart({0, 0, 1}));
+  BOOST_TEST(!apart({0, 0, 0}));
+  BOOST_TEST(!apart({std::numeric_limits<double>::quiet_NaN(), 0, 0}));
+  BOOST_TEST(!apart({1, std::numeric_limits<double>::infinity(), 0}));
+}
+
+BOOST_AUTO_TEST_CASE(halves_are_where_the_bodies_are)
+{
+  Random random(3);
+  for (const bool is_rigid : {false, true}) {
+    const Body_motion a = any_motion(random, is_rigid), b = any_motion(random, is_rigid);
+    const Motion_units units{{0, 0, 0}, 1};
+    Motion_span span(Pair_motion(a, b), units, units);
+    for (int k = 0; k < 5; ++k) {
+      BOOST_TEST(span.middle() == (double(span.m()) + 0.5) / double(1u << span.k()));
+      BOOST_TEST(span.start() == double(span.m()) / double(1u << span.k()));
+      const Vertex p = any_vertex(random), q = any_vertex(random);
+      const Vertex found = Motion_span::between(span.at_middle(), p, q);
+      const Pose pose_a = a.at(span.middle()), pose_b = b.at(span.middle());
+      // Up to a factor of the whole: directions are compared.
+      Vertex exact;
+      for (int i = 0; i < 3; ++i) {
+        Vertex unit = {0, 0, 0};
+        unit[i] = 1;
+        exact[i] = nearest_double(
+            Rational(along(unit, pose_b, from_local(units, q)) - along(unit, pose_a, from_local(units, p))));
+      }
+      const double factor = dot(found, exact) / dot(exact, exact);
+      BOOST_TEST(factor > 0);
+      for (int i = 0; i < 3; ++i) BOOST_TEST(std::abs(found[i] - factor * exact[i]) < 1e-12);
+      span = span.half(k % 2 == 0);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,161 @@
+#include "tetracone/tetratree/fast/bvh8_motion.h"
+
+#include "verify/test/support/scenes.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+BOOST_AUTO_TEST_SUITE(test_bvh8_motion)
+
+namespace scenes = tetracone::verify::scenes;
+using namespace tetracone::tetratree;
+using tetracone::covering::Polyhedron;
+using tetracone::kernel::Body_motion;
+using tetracone::kernel::bounds_about;
+using tetracone::kernel::Moving_kind;
+using tetracone::kernel::Moving_point;
+using tetracone::kernel::Pose;
+using tetracone::kernel::Rational;
+using tetracone::kernel::Time_bounds;
+using tetracone::kernel::Vertex;
+
+namespace {
+
+/// With coordinates of 12 bits: what is moved by few bits is a double.
+Polyhedron coarse(Polyhedron body)
+{
+  for (Vertex& v : body.vertices)
+    for (double& x : v) x = std::round(x * 0x1p8) * 0x1p-8;
+  return body;
+}
+
+/// All vertices, faces and edges of two bodies of triangles of which B moves by a translation.
+std::optional<Time_bounds> of_all_pairs(const Polyhedron& a, const Polyhedron& b, const Vertex& from, const Vertex& to)
+{
+  std::optional<Time_bounds> first;
+  const auto rests = [&](Index v) { return Moving_point{a.vertices[v], a.vertices[v]}; };
+  const auto moves = [&](Index v) {
+    Moving_point p{b.vertices[v], b.vertices[v]};
+    for (int k = 0; k < 3; ++k) {
+      p.start[k] += from[k];
+      p.end[k] += to[k];
+    }
+    return p;
+  };
+  const auto take = [&](Moving_kind kind, const std::array<Moving_point, 4>& points) {
+    const auto time = tetracone::kernel::first_contact_time({kind, points});
+    if (time && (!first || time->hi < first->hi || (time->hi == first->hi && time->lo < first->lo))) first = time;
+  };
+  for (Index f = 0; f < a.face_count(); ++f)
+    for (Index g = 0; g < b.face_count(); ++g) {
+      const auto p = a.loop(f, 0), q = b.loop(g, 0);
+      for (int i = 0; i < 3; ++i) {
+        take(Moving_kind::vertex_face, {rests(p[i]), moves(q[0]), moves(q[1]), moves(q[2])});
+        take(Moving_kind::vertex_face, {moves(q[i]), rests(p[0]), rests(p[1]), rests(p[2])});
+        for (int j = 0; j < 3; ++j)
+          take(Moving_kind::edge_edge, {rests(p[i]), rests(p[(i + 1) % 3]), moves(q[j]), moves(q[(j + 1) % 3])});
+      }
+    }
+  return first;
+}
+
+Body_motion shift(const Vertex& from, const Vertex& to)
+{
+  return Body_motion::linear(Pose::translation(from[0], from[1], from[2]), Pose::translation(to[0], to[1], to[2]));
+}
+
+const Body_motion rests = shift({0, 0, 0}, {0, 0, 0});
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(the_tree_finds_the_first_contact_of_all_pairs)
+{
+  const Polyhedron ring = coarse(scenes::triangulated(scenes::torus(8, 5))),
+                   small = scenes::tetrahedron({0, 0, -1}, {1, 0.25, 0}, {-0.5, 1, 0.25}, {-0.5, -1, 0.5});
+  const Bvh8 a(ring), b(small);
+  Bvh8_motion motion(a, b);
+  scenes::Random random(1);
+  int contacts = 0;
+  for (int k = 0; k < 12; ++k) {
+    Vertex from, to;
+    for (int i = 0; i < 3; ++i) {
+      from[i] = scenes::integer(random, -256, 256) / 64.0;
+      to[i] = scenes::integer(random, -64, 64) / 64.0;
+    }
+    from[2] = 6;
+    to[2] = -6;
+    const auto found = motion(rests, shift(from, to));
+    const auto expected = of_all_pairs(ring, small, from, to);
+    BOOST_REQUIRE(found.has_value() == expected.has_value());
+    if (!found) continue;
+    ++contacts;
+    const Time_bounds bounds = bounds_about(found->time);
+    BOOST_TEST(bounds.lo == expected->lo);
+    BOOST_TEST(bounds.hi == expected->hi);
+  }
+  BOOST_TEST(contacts > 2);
+  BOOST_TEST(contacts < 12);
+}
+
+BOOST_AUTO_TEST_CASE(doubles_alone_decide_motions_that_stay_apart)
+{
+  const Bvh8 tree(scenes::triangulated(scenes::torus(24, 24)));
+  Bvh8_motion motion(tree, tree);
+  BOOST_TEST(!motion(rests, shift({6, 1, 2.5}, {-6, 0, 2.25})));
+  BOOST_TEST(motion.counts().box_tests > 0u);
+  BOOST_TEST(motion.counts().exact_fallbacks == 0u);
+  // A ring that turns about its axis far off.
+  const auto turning = Body_motion::rigid({{1, 0, 0, 0}, {9, 0, 0}}, {{0, 0, 0, 1}, {9, 0, 1}}).value();
+  motion.clear_counts();
+  BOOST_TEST(!motion(rests, turning));
+  BOOST_TEST(motion.counts().exact_fallbacks == 0u);
+  BOOST_TEST(motion.counts().box_tests < 200u);
+}
+
+BOOST_AUTO_TEST_CASE(what_meets_is_named)
+{
+  const Polyhedron cube = scenes::triangulated(scenes::unit_cube()),
+                   spike = scenes::tetrahedron({0, 0, 0}, {1, 0.25, 2}, {-1, 0.25, 2}, {0, -1, 2});
+  const Bvh8 of_cube(cube), of_spike(spike);
+  Bvh8_motion motion(of_cube, of_spike);
+  auto found = motion(rests, shift({0.25, 0.5, 3}, {0.25, 0.5, -1}));
+  BOOST_REQUIRE(found.has_value());
+  BOOST_TEST(bounds_about(found->time).lo == 0.5);
+  BOOST_TEST((found->features.kind == Moving_kind::vertex_face));
+  BOOST_TEST(found->features.body == 1);
+  BOOST_TEST(found->features.corner[0] == 0u);
+  for (int k = 1; k < 4; ++k) BOOST_TEST(cube.vertices[found->features.corner[k]][2] == 1);
+  // An edge across an edge: the cube's turned by an eighth stands on an edge.
+  const Body_motion falls = Body_motion::rigid({{1, 0, 0, 0}, {0, 0, 0}}, {{1, 0, 0, 0}, {0, 0, 0}}).value();
+  const Bvh8 wedge(scenes::tetrahedron({0.5, -1, 0}, {0.5, 2, 0}, {0, 0.5, 1}, {1, 0.5, 1}));
+  Bvh8_motion onto_edge(of_cube, wedge);
+  found = onto_edge(falls, shift({-0.5, 0.0, 2}, {0.5, 0.0, 0.5}));
+  BOOST_REQUIRE(found.has_value());
+  const Time_bounds bounds = bounds_about(found->time);
+  BOOST_TEST(std::abs(bounds.lo - 2.0 / 3) < 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(faces_of_no_area_and_bodies_of_any_size_meet_too)
+{
+  Polyhedron needle;
+  needle.vertices = {{0, 0, 0}, {0, 0, 1}, {0, 0, 0.5}};
+  needle.add_polygon({0, 1, 2});
+  const Bvh8 of_needle(needle), of_cube(scenes::triangulated(scenes::unit_cube()));
+  Bvh8_motion motion(of_cube, of_needle);
+  const auto found = motion(rests, shift({0.25, 0.25, 2}, {0.25, 0.25, -2}));
+  BOOST_REQUIRE(found.has_value());
+  BOOST_TEST(bounds_about(found->time).lo == 0.25);
+  BOOST_TEST(!motion(rests, shift({1.25, 0.25, 2}, {1.25, 0.25, -2})));
+
+  const double speck = 0x1p-200;
+  const Bvh8 of_speck(scenes::moved(scenes::triangulated(scenes::unit_cube()), speck));
+  Bvh8_motion onto(of_cube, of_speck);
+  const auto time = onto(rests, shift({0.25, 0.25, 2}, {0.25, 0.25, 0}));
+  BOOST_REQUIRE(time.has_value());
+  BOOST_TEST(bounds_about(time->time).lo == 0.5);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,84 @@
+#include "verify/truth/moving_bodies_truth.h"
+
+#include "verify/families/moving_body_families.h"
+#include "verify/subjects/moving_bodies_subject.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+#include <string>
+
+BOOST_AUTO_TEST_SUITE(test_moving_bodies_truth)
+
+using namespace tetracone::verify;
+using tetracone::kernel::Question;
+using tetracone::kernel::Time_bounds;
+
+namespace {
+
+const Moving_body_family& family(std::string_view name)
+{
+  for (const Moving_body_family& f : moving_body_families())
+    if (f.name == name) return f;
+  throw std::logic_error("no such family");
+}
+
+/// TETRACONE_ROUNDS times as many cases.
+std::uint64_t rounds()
+{
+  const char* text = std::getenv("TETRACONE_ROUNDS");
+  return text == nullptr ? 1 : std::strtoull(text, nullptr, 10);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(wrong_first_contacts_are_noticed)
+{
+  // A tunnelling case with a contact, and what is about it.
+  for (std::uint64_t k = 0;; ++k) {
+    const Moving_bodies c = moving_bodies_case(family("tunnelling"), 3, k);
+    const auto first = first_contact(c, Question::solid);
+    if (!first || first->lo == first->hi) continue;
+    const auto [lo, hi] = *first;
+    for (const std::optional<Time_bounds>& wrong :
+         {std::optional<Time_bounds>(), std::optional(Time_bounds{0, 0}), std::optional(Time_bounds{lo, lo}),
+          std::optional(Time_bounds{hi, std::nextafter(hi, 2)}), std::optional(Time_bounds{std::nextafter(lo, 0), lo}),
+          std::optional(Time_bounds{std::nextafter(lo, 0), hi})})
+      BOOST_TEST(!truly_first_by_features(c, Question::solid, wrong));
+    BOOST_TEST(truly_first_by_features(c, Question::solid, first));
+    for (const std::optional<Time_bounds>& wrong :
+         {std::optional<Time_bounds>(), std::optional(Time_bounds{0, 0}), std::optional(Time_bounds{0.75, 0.75})})
+      BOOST_TEST((truly_first_by_distances(c, Question::solid, wrong) != Bracket::holds));
+    BOOST_TEST((truly_first_by_distances(c, Question::solid, first) == Bracket::holds));
+    return;
+  }
+}
+
+BOOST_AUTO_TEST_CASE(first_contacts_of_every_family_are_the_truth)
+{
+  const std::uint64_t count = 4 * rounds();
+  int decided = 0;
+  for (const Moving_body_family& f : moving_body_families()) {
+    std::uint64_t contacts = 0;
+    for (std::uint64_t k = 0; k < count; ++k) {
+      const Moving_bodies c = moving_bodies_case(f, 11, k);
+      const Question question = k % 2 == 0 ? Question::solid : Question::surface;
+      const auto first = first_contact(c, question);
+      contacts += first.has_value();
+      const std::string name = std::string(f.name) + " " + std::to_string(k);
+      BOOST_TEST(truly_first_by_features(c, question, first), name);
+      // In between the image is flat, which no pose is.
+      if (k % 4 > 1 || f.name == "flattened") continue;
+      const Bracket bracket = truly_first_by_distances(c, question, first, 60);
+      BOOST_TEST((bracket != Bracket::violated), name);
+      decided += bracket == Bracket::holds;
+    }
+    BOOST_TEST_MESSAGE(f.name << ": " << contacts << " contacts in " << count);
+  }
+  BOOST_TEST(decided > 8);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,269 @@
+#include "verify/truth/moving_bodies_truth.h"
+
+#include "tetracone/kernel/number/pose.h"
+#include "verify/truth/cgal_truth.h"
+#include "verify/truth/distance_truth.h"
+#include "verify/truth/motion_truth.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace tetracone::verify {
+namespace moving_truth {
+namespace {
+
+using covering::Index;
+using covering::Polyhedron;
+using kernel::Question;
+
+/// 1, i, j, k.
+using Quaternion = std::array<Time_polynomial, 4>;
+
+Time_polynomial sum(const Time_polynomial& p, const Time_polynomial& q, int sign = 1)
+{
+  Time_polynomial result(std::max(p.size(), q.size()));
+  for (std::size_t k = 0; k < p.size(); ++k) result[k] += p[k];
+  for (std::size_t k = 0; k < q.size(); ++k) result[k] += sign * q[k];
+  return result;
+}
+
+Time_polynomial product(const Time_polynomial& p, const Time_polynomial& q)
+{
+  if (p.empty() || q.empty()) return {};
+  Time_polynomial result(p.size() + q.size() - 1);
+  for (std::size_t i = 0; i < p.size(); ++i)
+    for (std::size_t j = 0; j < q.size(); ++j) result[i + j] += p[i] * q[j];
+  return result;
+}
+
+Quaternion product(const Quaternion& p, const Quaternion& q)
+{
+  Quaternion result;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j) {
+      // i j = k and so on; a unit's square is -1.
+      const bool negative = i != 0 && j != 0 && (i == j || (i % 3 + 1) != j);
+      result[i ^ j] = sum(result[i ^ j], product(p[i], q[j]), negative ? -1 : 1);
+    }
+  return result;
+}
+
+Time_polynomial between(const Rational& from, const Rational& to) { return {from, Rational(to - from)}; }
+
+Time_polynomial at(const Time_polynomial& p, const Rational& t)
+{
+  Rational value = 0;
+  for (std::size_t k = p.size(); k-- > 0;) value = value * t + p[k];
+  return {value};
+}
+
+/// The quaternion as a function of time.
+Quaternion turn_of(const Motion_ends& ends)
+{
+  Quaternion q;
+  for (std::size_t k = 0; k < 4; ++k) q[k] = between(ends[0][k], ends[1][k]);
+  return q;
+}
+
+Time_polynomial norm(const Quaternion& q)
+{
+  Time_polynomial square;
+  for (const Time_polynomial& x : q) square = sum(square, product(x, x));
+  return square;
+}
+
+/// The coordinates of a vertex, times `weight_of(ends)`.
+Moving_coordinates image(const Motion_ends& ends, const kernel::Vertex& v)
+{
+  Moving_coordinates image;
+  if (ends[0].size() == 12) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      image[i] = between(ends[0][4 * i + 3], ends[1][4 * i + 3]);
+      for (std::size_t j = 0; j < 3; ++j)
+        image[i] = sum(image[i], product(between(ends[0][4 * i + j], ends[1][4 * i + j]), {Rational(v[j])}));
+    }
+    return image;
+  }
+  const Quaternion q = turn_of(ends), point = {Time_polynomial(), {Rational(v[0])}, {Rational(v[1])}, {Rational(v[2])}};
+  Quaternion conjugate = q;
+  for (std::size_t k = 1; k < 4; ++k) conjugate[k] = product(q[k], {-1});
+  const Quaternion turned = product(product(q, point), conjugate);
+  const Time_polynomial square = norm(q);
+  for (std::size_t i = 0; i < 3; ++i)
+    image[i] = sum(turned[1 + i], product(square, between(ends[0][4 + i], ends[1][4 + i])));
+  return image;
+}
+
+Time_polynomial weight_of(const Motion_ends& ends)
+{
+  return ends[0].size() == 12 ? Time_polynomial{1} : norm(turn_of(ends));
+}
+
+kernel::Pose pose_at(const Motion_ends& ends, const Rational& time)
+{
+  std::array<Rational, 12> entries;
+  const Rational weight = at(weight_of(ends), time)[0];
+  const auto image_at = [&](const kernel::Vertex& v, std::size_t i) {
+    return Rational(at(image(ends, v)[i], time)[0] / weight);
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    entries[4 * i + 3] = image_at({0, 0, 0}, i);
+    for (std::size_t j = 0; j < 3; ++j) {
+      kernel::Vertex unit = {0, 0, 0};
+      unit[j] = 1;
+      entries[4 * i + j] = image_at(unit, i) - entries[4 * i + 3];
+    }
+  }
+  return kernel::Pose(entries);
+}
+
+bool collide_at_start(const Moving_bodies& bodies, Question question)
+{
+  const Brute_body a(bodies.a), b(bodies.b);
+  return collide(a, pose_at(bodies.motion_a, 0), b, pose_at(bodies.motion_b, 0), question);
+}
+
+/// A body's triangles, by fans, its edges, and the coordinates of its vertices, times the weights of both bodies.
+struct Features {
+  Features(const Polyhedron& body, const Motion_ends& motion, const Time_polynomial& others_weight)
+  {
+    for (const kernel::Vertex& v : body.vertices) {
+      Moving_coordinates p = image(motion, v);
+      for (Time_polynomial& x : p) x = product(x, others_weight);
+      points.push_back(std::move(p));
+    }
+    std::set<std::pair<Index, Index>> seen;
+    for (Index f = 0; f < body.face_count(); ++f) {
+      const auto loop = body.loop(f, 0);
+      for (std::size_t k = 0; k < loop.size(); ++k) {
+        const Index from = loop[k], to = loop[(k + 1) % loop.size()];
+        if (seen.insert(std::minmax(from, to)).second) edges.push_back({from, to});
+        if (k >= 2) triangles.push_back({loop[0], loop[k - 1], loop[k]});
+      }
+    }
+  }
+
+  std::vector<Moving_coordinates> points;
+  std::vector<std::array<Index, 3>> triangles;
+  std::vector<std::array<Index, 2>> edges;
+};
+
+bool surfaces_meet(const Features& a, const Features& b, const Time_span& span)
+{
+  for (const auto& [one, other] : {std::pair(&a, &b), std::pair(&b, &a)})
+    for (const Moving_coordinates& p : one->points)
+      for (const auto& [q, r, s] : other->triangles)
+        if (truly_meet_in_motion(kernel::Moving_kind::vertex_face,
+                                 {p, other->points[q], other->points[r], other->points[s]}, span))
+          return true;
+  for (const auto& [p, q] : a.edges)
+    for (const auto& [r, s] : b.edges)
+      if (truly_meet_in_motion(kernel::Moving_kind::edge_edge, {a.points[p], a.points[q], b.points[r], b.points[s]},
+                               span))
+        return true;
+  return false;
+}
+
+bool are_bounds(double lo, double hi) { return 0 <= lo && hi <= 1 && (lo == hi || hi == std::nextafter(lo, HUGE_VAL)); }
+
+/// At least the root.
+Rational root_above(const Rational& square)
+{
+  const double nearest = std::sqrt(kernel::nearest_double(square));
+  Rational root = nearest * (1 + 0x1p-50) + 0x1p-500;
+  while (root * root < square) root *= 2;
+  return root;
+}
+/// At most the root.
+Rational root_below(const Rational& square)
+{
+  Rational root = std::sqrt(kernel::nearest_double(square)) * (1 - 0x1p-50);
+  while (root * root > square) root /= 2;
+  return root;
+}
+
+/// At least the speed of every point of the body at every time. A rotation by q turns by 2 |q x q'| / |q|^2, which is
+/// 2 |q0 x q1| / |q|^2: a point r off the axis is r times as fast.
+Rational speed(const Polyhedron& body, const Motion_ends& ends)
+{
+  const bool is_rigid = ends[0].size() == 7;
+  Rational fastest = 0, farthest = 0;
+  for (const kernel::Vertex& v : body.vertices) {
+    Rational way = 0, square = 0;
+    const Moving_coordinates p = image(ends, v);
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!is_rigid && p[i].size() > 1) way += p[i][1] * p[i][1];
+      square += Rational(v[i]) * Rational(v[i]);
+    }
+    fastest = std::max(fastest, way);
+    farthest = std::max(farthest, square);
+  }
+  if (!is_rigid) return root_above(fastest);
+  Rational along = 0, first = 0, second = 0, shift = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    along += ends[0][k] * ends[1][k];
+    first += ends[0][k] * ends[0][k];
+    second += ends[1][k] * ends[1][k];
+  }
+  for (std::size_t k = 4; k < 7; ++k) shift += (ends[1][k] - ends[0][k]) * (ends[1][k] - ends[0][k]);
+  const Rational area = first * second - along * along;
+  // The least |q(t)|^2, at an end or at the foot of the perpendicular.
+  Rational least = std::min(first, second);
+  const Rational way = first + second - 2 * along;
+  if (way > 0 && first - along > 0 && second - along > 0) least = std::min(least, Rational(area / way));
+  return root_above(shift) + 2 * root_above(area) / least * root_above(farthest);
+}
+
+}  // namespace
+}  // namespace moving_truth
+
+bool truly_first_by_features(const Moving_bodies& bodies, kernel::Question question,
+                             const std::optional<kernel::Time_bounds>& first)
+{
+  if (moving_truth::collide_at_start(bodies, question)) return first && first->lo == 0 && first->hi == 0;
+  const moving_truth::Features a(bodies.a, bodies.motion_a, moving_truth::weight_of(bodies.motion_b)),
+      b(bodies.b, bodies.motion_b, moving_truth::weight_of(bodies.motion_a));
+  if (!first) return !moving_truth::surfaces_meet(a, b, {});
+  const auto [lo, hi] = *first;
+  if (!moving_truth::are_bounds(lo, hi) || hi == 0) return false;
+  if (lo > 0 && moving_truth::surfaces_meet(a, b, {0, lo, lo != hi})) return false;
+  if (lo != hi) return moving_truth::surfaces_meet(a, b, {lo, hi, false});
+  // At one time alone: a span that ends there, where nothing is met before.
+  return moving_truth::surfaces_meet(a, b, {0, lo, true});
+}
+
+Bracket truly_first_by_distances(const Moving_bodies& bodies, kernel::Question question,
+                                 const std::optional<kernel::Time_bounds>& first, int most, double end)
+{
+  const auto judged = [](bool holds) { return holds ? Bracket::holds : Bracket::violated; };
+  if (moving_truth::collide_at_start(bodies, question)) return judged(first && first->lo == 0 && first->hi == 0);
+  if (first && (!moving_truth::are_bounds(first->lo, first->hi) || first->hi == 0)) return Bracket::violated;
+  const Brute_body a(bodies.a), b(bodies.b);
+  const auto square_at = [&](const Rational& time) {
+    return squared_distance(Placed_body(a, moving_truth::pose_at(bodies.motion_a, time)),
+                            Placed_body(b, moving_truth::pose_at(bodies.motion_b, time)));
+  };
+  const Rational fastest =
+      moving_truth::speed(bodies.a, bodies.motion_a) + moving_truth::speed(bodies.b, bodies.motion_b);
+  const Rational until = first ? Rational(first->lo) - Rational(end) : Rational(1);
+  for (Rational time = 0; time < until; --most) {
+    if (most == 0) return Bracket::undecided;
+    const Rational square = square_at(time), gap = moving_truth::root_below(square);
+    if (square == 0) return Bracket::violated;
+    if (fastest == 0) break;
+    // Rounded down to a dyadic number: else its digits would grow.
+    const mpz_class units(Rational(gap / fastest * 0x1p60).get_num() / Rational(gap / fastest * 0x1p60).get_den());
+    if (units == 0) return Bracket::undecided;
+    time += Rational(units) / 0x1p60;
+  }
+  if (!first) return Bracket::holds;
+  const Rational lo(first->lo), hi(first->hi), reach = fastest * (hi - lo);
+  return judged(square_at(lo) <= reach * reach);
+}
+
+}  // namespace tetracone::verify
