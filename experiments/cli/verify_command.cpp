@@ -9,6 +9,7 @@
 #include "experiments/support/progress.h"
 #include "verify/campaign/campaign.h"
 #include "verify/cases/case_file.h"
+#include "verify/families/distance_families.h"
 #include "verify/subjects/object_subject.h"
 #include "verify/subjects/predicate_subject.h"
 
@@ -82,47 +83,78 @@ void choose_subjects(const Options& options, Campaign& campaign)
   campaign.predicate_subjects = chosen(verify::predicate_subjects(), options.subjects, known);
   campaign.object_subjects = chosen(objects, options.subjects, known);
   campaign.feature_subjects = chosen(verify::feature_subjects(), options.subjects, known);
-  if (options.level.empty() || options.level == "contacts")
-    campaign.contact_subjects = chosen(verify::contact_subjects(), options.subjects, known);
+  const auto choose = [&](const char* level, auto& subjects, const auto& all) {
+    if (options.level.empty() || options.level == level) subjects = chosen(all, options.subjects, known);
+  };
+  choose("contacts", campaign.contact_subjects, verify::contact_subjects());
+  choose("distances", campaign.distance_subjects, verify::distance_subjects());
+  choose("points", campaign.point_subjects, verify::point_subjects());
+  choose("rays", campaign.ray_subjects, verify::ray_subjects());
   campaign.object_subjects.insert(campaign.object_subjects.end(), commands.begin(), commands.end());
   for (const std::string& name : options.subjects)
     if (!known.contains(name)) {
       std::string list;
       for (const auto& subject : objects) list += (list.empty() ? "" : ", ") + subject.name;
-      throw CLI::ValidationError("--subject " + name, "expected one of " + list + " or of the predicate subjects");
+      throw CLI::ValidationError("--subject " + name,
+                                 "expected one of " + list + " or of the subjects of predicates, points and rays");
     }
+}
+
+/// Adds the family to those of its kind; false when there is none.
+bool add_family(const std::string& name, Campaign& campaign)
+{
+  if (const auto* family = verify::find_family(name)) {
+    campaign.families.push_back(family);
+  } else if (const auto* of_distances = verify::find_distance_family(name)) {
+    campaign.distance_families.push_back(of_distances);
+  } else if (const auto* of_probes = verify::find_probe_family(name)) {
+    (name.starts_with("ray") ? campaign.ray_families : campaign.point_families).push_back(of_probes);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+std::vector<std::string> all_families()
+{
+  std::vector<std::string> names;
+  const auto add = [&](const auto& families) {
+    for (const auto& family : families) names.emplace_back(family.name);
+  };
+  add(verify::families());
+  add(verify::distance_families());
+  add(verify::point_families());
+  add(verify::ray_families());
+  return names;
 }
 
 void choose_families(const Options& options, Campaign& campaign)
 {
-  for (const std::string& name : options.families) {
-    const verify::Family* family = verify::find_family(name);
-    if (!family) {
-      std::string list;
-      for (const auto& known : verify::families()) list += (list.empty() ? "" : ", ") + std::string(known.name);
-      throw CLI::ValidationError("--family " + name, "expected one of " + list);
-    }
-    campaign.families.push_back(family);
+  for (const std::string& name : options.families.empty() ? all_families() : options.families) {
+    if (add_family(name, campaign)) continue;
+    std::string list;
+    for (const std::string& known : all_families()) list += (list.empty() ? "" : ", ") + known;
+    throw CLI::ValidationError("--family " + name, "expected one of " + list);
   }
-  if (!options.families.empty()) {
-    campaign.sequence_frames = 0;
-    return;
-  }
-  for (const auto& family : verify::families()) campaign.families.push_back(&family);
+  if (!options.families.empty()) campaign.sequence_frames = 0;
 }
 
 void choose_sizes(const Options& options, Campaign& campaign)
 {
-  if (options.cases != 0) campaign.predicate_cases = campaign.object_cases = campaign.feature_cases = options.cases;
+  if (options.cases != 0)
+    campaign.predicate_cases = campaign.object_cases = campaign.feature_cases = campaign.probe_cases = options.cases;
   if (options.level.empty()) return;
-  if (options.level != "predicate" && options.level != "object" && options.level != "features" &&
-      options.level != "contacts")
-    throw CLI::ValidationError("--level " + options.level, "expected predicate, object, features or contacts");
-  if (options.level != "predicate") campaign.predicate_cases = 0;
-  campaign.lists_features = options.level == "features";
-  if (options.level != "features" && options.level != "contacts") campaign.feature_cases = 0;
-  if (options.level != "object") campaign.object_cases = 0;
-  if (options.level != "object") campaign.sequence_frames = 0;
+  const auto is = [&](const char* level) { return options.level == level; };
+  const bool of_features = is("features") || is("contacts") || is("distances"), of_probes = is("points") || is("rays");
+  if (!is("predicate") && !is("object") && !of_features && !of_probes)
+    throw CLI::ValidationError("--level " + options.level,
+                               "expected predicate, object, features, contacts, distances, points or rays");
+  if (!is("predicate")) campaign.predicate_cases = 0;
+  campaign.lists_features = is("features");
+  if (!of_features) campaign.feature_cases = 0;
+  if (!of_probes) campaign.probe_cases = 0;
+  if (!is("object")) campaign.object_cases = 0;
+  if (!is("object")) campaign.sequence_frames = 0;
 }
 
 /// Keeps the case on which the truths disagree beside the database.
@@ -150,14 +182,17 @@ void choose_sizes(const Options& options, Campaign& campaign)
 bool print_summary(Database& database, const Campaign& campaign)
 {
   std::set<std::string> exact;
-  for (const auto& subject : campaign.predicate_subjects)
-    if (subject.is_exact) exact.insert("predicate " + subject.name);
-  for (const auto& subject : campaign.object_subjects)
-    if (subject.is_exact) exact.insert("object " + subject.name);
-  for (const auto& subject : campaign.feature_subjects)
-    if (subject.is_exact) exact.insert("features " + subject.name);
-  for (const auto& subject : campaign.contact_subjects)
-    if (subject.is_exact) exact.insert("contacts " + subject.name);
+  const auto add = [&](const char* level, const auto& subjects) {
+    for (const auto& subject : subjects)
+      if (subject.is_exact) exact.insert(level + (" " + subject.name));
+  };
+  add("predicate", campaign.predicate_subjects);
+  add("object", campaign.object_subjects);
+  add("features", campaign.feature_subjects);
+  add("contacts", campaign.contact_subjects);
+  add("distances", campaign.distance_subjects);
+  add("points", campaign.point_subjects);
+  add("rays", campaign.ray_subjects);
   Database::Statement rows(
       database,
       "SELECT level, subject, sum(n), sum(false_positives), sum(false_negatives), sum(failures), sum(not_asked) FROM "
@@ -218,7 +253,7 @@ void add_verify_command(CLI::App& app)
   command
       ->add_option("--cases", options->cases,
                    "Cases per family and level; default: 400 of predicates, 24 of objects, 6 of "
-                   "features and of contacts")
+                   "features, of contacts and of distances, 64 of points and of rays")
       ->check(CLI::Range(1ul, 1'000'000'000ul));
   command->add_option("--seed", options->campaign.seed, "Seed of all cases")
       ->capture_default_str()
@@ -235,7 +270,8 @@ void add_verify_command(CLI::App& app)
   add_subject_options(*command, options->others);
   command->add_option("--check-subject", options->check_subject,
                       "No campaign: whether the program COMMAND follows the protocol, in at most a minute");
-  command->add_option("--level", options->level, "Only this level: predicate, object, features or contacts");
+  command->add_option("--level", options->level,
+                      "Only this level: predicate, object, features, contacts, distances, points or rays");
   command->add_option("--frames", options->campaign.sequence_frames, "Frames of each sequence of exact contact")
       ->capture_default_str()
       ->check(CLI::Range(0, 100'000));

@@ -5,6 +5,7 @@
 #include "experiments/viewer/view_data.h"
 #include "experiments/viewer/view_scene.h"
 #include "experiments/viewer/viewer_files.h"
+#include "tetracone/covering/io/read_rays.h"
 #include "verify/cases/scene_file.h"
 
 #include <memory>
@@ -19,7 +20,7 @@ namespace {
 
 struct Options {
   Scene_names names;
-  std::string question, kernel = "double", method = "tree", out;
+  std::string question, kernel = "double", method = "tree", rays, out;
 };
 
 /// The text with every character that could end a script, or a piece of HTML, as an escape of JSON.
@@ -63,7 +64,7 @@ void run(const Options& options)
 
   options.names.refuse_as_output(options.out);
   if (verify::is_scene_name(options.names.a)) {
-    if (!options.names.b.empty() || !options.names.poses_a.empty() || !options.names.poses_b.empty())
+    if (!options.names.b.empty() || !options.names.poses_a.empty() || !options.names.poses_b.empty() || !options.rays.empty())
       throw CLI::ValidationError(options.names.a, "expected alone: a scene file names its models and poses");
     const std::string data =
         safe_in_script(scene_data(options.names.a, question.value_or(kernel::Question::solid), options.names.models));
@@ -76,7 +77,11 @@ void run(const Options& options)
                                                          {"scene", viewer::scene_js}}));
     return;
   }
-  const View_scene scene = read_view_scene(options.names, question);
+  if (!options.rays.empty()) refuse_input(options.out, {options.rays});
+  View_scene scene = read_view_scene(options.names, question);
+  if (!options.rays.empty() && scene.bodies.size() != 1)
+    throw CLI::ValidationError("--rays " + options.rays, "expected with one model");
+  if (!options.rays.empty()) scene.rays = covering::read_rays(options.rays);
   const std::string data = safe_in_script(view_data(scene, options.kernel, *method));
   write_whole(options.out, filled(viewer::page_html, {{"style", viewer::style_css},
                                                       {"three", viewer::three_js},
@@ -114,6 +119,8 @@ void add_view_command(CLI::App& app)
       ->add_option("--method", options->method,
                    "tree: the kernel's fastest; paper: Jimenez & Segura's; brute: all pairs")
       ->capture_default_str();
+  command->add_option("--rays", options->rays,
+                      "Rays of one model, in its own coordinates: one a line, six decimals, origin and direction");
   names.add_options_to(*command);
   command->footer(
       "Of more than 50,000 triangles in all the page shows bodies and answers alone; more than 1,000,000 are refused.\n"

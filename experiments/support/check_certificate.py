@@ -1,12 +1,16 @@
 #!/usr/bin/env python3
 """Proves the distances of a certificate that `tetracone distance --certificate FILE` has written, in fractions.
 
-  check_certificate.py FILE      prints the squared distance of each answer; status 1 where something is not proved
+  check_certificate.py FILE [A B] [--pose-a FILE] [--pose-b FILE]
+      prints the squared distance of each answer; status 1 where something is not proved. A certificate has its bodies
+      and poses in itself: with A and B, OFF or OBJ files of planar faces, and poses it must be about these.
 
 Above: the two points are in the bodies, and so far apart. Below: each face is covered by its pieces, and every pair of
 a piece of A and one of B is in a part of the cover whose axis separates it by the distance. Of solids also: where they
 are apart, no vertex of one is inside the other."""
+import argparse
 import json
+import re
 import sys
 from fractions import Fraction as F
 
@@ -14,6 +18,21 @@ from fractions import Fraction as F
 def need(holds, what):
     if not holds:
         raise ValueError(what)
+
+
+def number(text):
+    """Integers and fractions alone: no NaN, no infinity, no decimal that was rounded, no exponent without end."""
+    need(isinstance(text, str) and re.fullmatch("-?[0-9]+(/[0-9]+)?", text), "a number is no fraction")
+    return F(text)
+
+
+def vector(texts):
+    need(isinstance(texts, list) and len(texts) == 3, "a point or an axis has not three numbers")
+    return [number(x) for x in texts]
+
+
+def need_indices(numbers, count, what):
+    need(isinstance(numbers, list) and all(type(n) is int and 0 <= n < count for n in numbers), what)
 
 
 def dot(p, q):
@@ -43,10 +62,11 @@ def normal_of(body, loops):
 
 def check_pieces(body):
     """The pieces of a face are in its plane and have its loops as their boundary, so that they are where its winding number is not 0, and its edges."""
-    n = len(body["vertices"])
-    need(all(0 <= p["face"] < len(body["faces"]) for p in body["pieces"]), "a piece is of no face")
+    need_indices([p["face"] for p in body["pieces"]], len(body["faces"]), "a piece is of no face")
     for f, loops in enumerate(body["faces"]):
-        need(loops and all(0 <= v < n for loop in loops for v in loop), "a face has no such vertex")
+        need(loops and all(loops), "a face has no vertex")
+        for loop in loops:
+            need_indices(loop, len(body["vertices"]), "a face has no such vertex")
         pieces = [p["corners"] for p in body["pieces"] if p["face"] == f]
         need(all(any(v in loop for loop in loops) for p in pieces for v in p), "a piece has a corner that its face has not")
         normal_of(body, loops)
@@ -130,8 +150,10 @@ def check_cover(bodies, answer, square):
     ends = [[p["corners"] for p in body["pieces"]] for body in bodies]
     seen, every = [0] * len(ends[0]), (1 << len(ends[1])) - 1
     for part in answer["cover"]:
-        axis = [F(x) for x in part["axis"]]
-        need(part["a"] and part["b"] and min(part["a"] + part["b"]) >= 0, "a part of the cover is empty")
+        axis = vector(part["axis"])
+        for k in range(2):
+            need(part["ab"[k]], "a part of the cover is empty")
+            need_indices(part["ab"[k]], len(ends[k]), "a part of the cover has no such piece")
         along = [{dot(axis, bodies[k]["at"][v]) for n in part["ab"[k]] for v in ends[k][n]} for k in range(2)]
         gap = min(along[1]) - max(along[0])
         need(gap > 0 and gap * gap >= square * dot(axis, axis), "a part of the cover is not as far apart")
@@ -145,12 +167,13 @@ def check(certificate, answer):
     bodies = [certificate["a"], certificate["b"]]
     solid = {"solid": True, "surface": False}[certificate["question"]]
     for body, pose in zip(bodies, (answer["pose_a"], answer["pose_b"])):
-        m = [F(x) for x in pose]
+        m = [number(x) for x in pose]
         need(len(m) == 12 and dot(cross(m[0:3], m[4:7]), m[8:11]) != 0, "a pose is flat")
-        body["at"] = [[dot(m[4 * i:4 * i + 3], v) + m[4 * i + 3] for i in range(3)] for v in ([F(x) for x in v] for v in body["vertices"])]
+        body["at"] = [[dot(m[4 * i:4 * i + 3], v) + m[4 * i + 3] for i in range(3)] for v in map(vector, body["vertices"])]
         check_pieces(body)
         need(not solid or is_closed(body), "a body is not closed")
-    square, points = F(answer["squared_distance"]), [[F(x) for x in p] for p in answer["points"]]
+    square, points = number(answer["squared_distance"]), [vector(p) for p in answer["points"]]
+    need(len(points) == 2 and len(answer["holders"]) == 2, "there are not two points")
     need(dot(minus(*points), minus(*points)) == square, "the points are not that far apart")
     for body, holder, x in zip(bodies, answer["holders"], points):
         need(solid or holder != "interior", "a surface has no interior")
@@ -175,14 +198,72 @@ def check(certificate, answer):
     return square
 
 
+def model(path):
+    """The vertices and faces of an OFF or OBJ file, as a certificate has them."""
+    with open(path, encoding="utf-8") as file:
+        lines = [line.split("#")[0].split() for line in file]
+    exact = lambda words: [str(F(float(x))) for x in words]
+    if path.lower().endswith(".obj"):
+        vertices = [exact(words[1:4]) for words in lines if words[:1] == ["v"]]
+        index = lambda word: int(word.split("/")[0]) - 1 if not word.startswith("-") else len(vertices) + int(word.split("/")[0])
+        return vertices, [[[index(w) for w in words[1:]]] for words in lines if words[:1] == ["f"]]
+    words = [word for line in lines for word in line]
+    need(words and words.pop(0) == "OFF", f"{path} is no OFF or OBJ file")
+    count, faces, at = int(words[0]), [], 3 + 3 * int(words[0])
+    for _ in range(int(words[1])):
+        n = int(words[at])
+        faces.append([[int(w) for w in words[at + 1:at + 1 + n]]])
+        at += 1 + n
+    return [exact(words[3 + 3 * k:6 + 3 * k]) for k in range(count)], faces
+
+
+def poses(path):
+    if not path:
+        return [[F(k % 5 == 0) for k in range(12)]]
+    with open(path, encoding="utf-8") as file:
+        lines = [line.split("#")[0].split() for line in file]
+    return [[F(x) if "/" in x else F(float(x)) for x in words] for words in lines if words]
+
+
+def need_asked(certificate, asked):
+    """The certificate is about these files."""
+    answers = certificate["answers"]
+    for k in range(len(asked.models)):
+        body = certificate["ab"[k]]
+        need((body["vertices"], body["faces"]) == model(asked.models[k]), f"it is not about {asked.models[k]}")
+    for name, path in (("pose_a", asked.pose_a), ("pose_b", asked.pose_b)):
+        if not (asked.models or path):
+            continue
+        expected = poses(path)
+        need(len(expected) in (1, len(answers)), "there are not as many answers as poses")
+        for k, answer in enumerate(answers):
+            need([number(x) for x in answer[name]] == expected[k % len(expected)], f"answer {k} is not of the {name} asked")
+
+
+def of_one_meaning(pairs):
+    need(len(dict(pairs)) == len(pairs), "a key is there twice")
+    return dict(pairs)
+
+
 def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("file")
+    parser.add_argument("models", nargs="*")
+    parser.add_argument("--pose-a")
+    parser.add_argument("--pose-b")
+    asked = parser.parse_args()
+    if len(asked.models) not in (0, 2):
+        parser.error("expected no model or two")
+    if hasattr(sys, "set_int_max_str_digits"):
+        sys.set_int_max_str_digits(0)  # coordinates of any length are exact
     try:
-        with open(sys.argv[1], encoding="utf-8") as file:
-            certificate = json.load(file)
-        need(certificate["answers"], "no answer")
+        with open(asked.file, encoding="utf-8") as file:
+            certificate = json.load(file, object_pairs_hook=of_one_meaning)
+        need(isinstance(certificate["answers"], list) and certificate["answers"], "no answer")
+        need_asked(certificate, asked)
         for answer in certificate["answers"]:
             print(check(certificate, answer))
-    except (ValueError, KeyError, IndexError, TypeError, AttributeError, ZeroDivisionError, OSError) as error:
+    except (ValueError, KeyError, IndexError, TypeError, AttributeError, ArithmeticError, RecursionError, OSError) as error:
         sys.exit(f"check_certificate.py: not proved: {error}")
 
 

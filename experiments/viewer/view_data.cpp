@@ -3,7 +3,9 @@
 #include "experiments/support/progress.h"
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/repair/repair.h"
+#include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/predicate/signs.h"
+#include "tetracone/tetratree/door/tetracone.h"
 #include "tetracone/tetratree/paper/collision.h"
 #include "verify/subjects/predicate_subject.h"
 #include "verify/truth/predicate_truth.h"
@@ -205,6 +207,32 @@ Json contacts_data(const Contacts& contacts)
   return segments;
 }
 
+/// The distance, the two nearest points and what holds them.
+Json nearest_data(const Nearest& nearest)
+{
+  Json row = Json::array({nearest.distance});
+  for (const auto& point : nearest.point)
+    for (const std::string& x : point) row.push_back(kernel::nearest_double(kernel::Rational(x)));
+  for (const Holder& holder : nearest.holder) row.push_back(holder.text());
+  return row;
+}
+
+/// Of each ray its six numbers, and face and t of all that it meets.
+Json rays_data(const Polyhedron& polyhedron, const std::vector<std::array<double, 6>>& rays)
+{
+  const Body body(polyhedron);
+  Json rows = Json::array();
+  for (const auto& r : rays) {
+    Json hits = Json::array();
+    for (const Ray_hit& hit : body.hits({{r[0], r[1], r[2]}, {r[3], r[4], r[5]}})) {
+      hits.push_back(hit.face);
+      hits.push_back(hit.t);
+    }
+    rows.push_back({r, hits});
+  }
+  return rows;
+}
+
 /// The leaves of A and of B in the pairs that the query does not discard; nothing where there are too many pairs.
 std::optional<std::array<std::set<std::size_t>, 2>> leaves_left(tetratree::Collision<K>& query, const Tree& a,
                                                                 const Tree& b, const Pose& pose_a, const Pose& pose_b)
@@ -228,7 +256,7 @@ void add_answers(Json& data, const View_scene& scene, const Subject& subject, st
   std::optional<tetratree::Collision<K>> query;
   if (!trees.empty()) query.emplace(trees[0], trees[1]);
   Json answers = Json::array(), truths = Json::array(), features = Json::array(), counts = Json::array(),
-       left = Json::array(), contacts = Json::array();
+       left = Json::array(), contacts = Json::array(), nearest = Json::array();
   Progress progress("poses", scene.poses.count());
   for (std::size_t k = 0; k < scene.poses.count(); ++k) {
     const Pose &pose_a = scene.poses.of_a(k), &pose_b = scene.poses.of_b(k);
@@ -236,6 +264,7 @@ void add_answers(Json& data, const View_scene& scene, const Subject& subject, st
     answers.push_back(int(judged->collide(pose_a, pose_b, scene.question)));
     progress.step();
     if (!query) continue;
+    nearest.push_back(nearest_data(exact->query(scene.question)->nearest(pose_a, pose_b)));
     if (const auto leaves = leaves_left(*query, trees[0], trees[1], pose_a, pose_b)) {
       const auto pairs = exact->features(pose_a, pose_b);
       counts.push_back(pairs.size());
@@ -257,6 +286,7 @@ void add_answers(Json& data, const View_scene& scene, const Subject& subject, st
   data["feature_counts"] = counts;
   data["left"] = left;
   data["contacts"] = contacts;
+  data["nearest"] = nearest;
 }
 
 void add_answer_of_predicate(Json& data, const verify::Case_file& c, const std::string& kernel)
@@ -319,6 +349,7 @@ std::string view_data(const View_scene& scene, const std::string& kernel, verify
     add_answer_of_predicate(data, *scene.from, kernel);
   else if (pair)
     add_answers(data, scene, *subject, trees);
+  if (!scene.rays.empty()) data["rays"] = rays_data(scene.bodies[0].polyhedron, scene.rays);
   if (scene.from) data["case"] = case_data(*scene.from);
   return data.dump();
 }

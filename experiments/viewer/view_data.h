@@ -27,7 +27,9 @@ constexpr std::size_t most_leaf_pairs = 100'000;
 ///    the subject finds it too, 1: it does not, 2: only it does; `left`: the pairs of leaves of the two trees that the
 ///    paper's query does not discard, as the leaves of A and those of B. A pose of more than `most_leaf_pairs` has
 ///    none, and null as its count of features. Of a predicate's case, answers alone.
+///    `nearest`: the distance, the two nearest points and what holds them.
 ///    `contacts`: where faces meet, as segments of six numbers, a polygon by its border.
+///  - of one body `rays`: origin and direction, and the faces that each meets, with t.
 /// More than `most_detailed` triangles get a line on stderr. Throws covering::Input_error for more than
 /// `most_triangles`, and CLI::ValidationError for a kernel that the case's predicate has none of.
 std::string view_data(const View_scene& scene, const std::string& kernel, verify::Method method);

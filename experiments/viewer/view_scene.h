@@ -5,6 +5,7 @@
 #include "tetracone/kernel/predicate/question.h"
 #include "verify/cases/case_file.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,7 +18,8 @@ struct View_scene {
   std::vector<Model_file> bodies;  ///< one or two
   Pose_pairs poses;
   kernel::Question question = kernel::Question::solid;
-  std::optional<verify::Case_file> from;  ///< the case file, if it is one's
+  std::optional<verify::Case_file> from;    ///< the case file, if it is one's
+  std::vector<std::array<double, 6>> rays;  ///< of one body, in its own coordinates: origin and direction
 };
 
 /// Reads a scene. The bodies of a predicate's case are the points, segments, triangles and tetrahedra that it is asked

@@ -12,8 +12,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -85,34 +83,6 @@ Loops exactly(const Contacts_data& data, std::size_t k)
   return {corners<Rational>(data, piece, [](const kernel::Pose& pose, int i) { return pose.exact(i); })};
 }
 
-/// Points and which of them a segment joins, each pair once.
-struct Graph {
-  std::vector<Rational_point> points;
-  std::vector<std::set<std::size_t>> joined;  // with the point of that number
-
-  explicit Graph(const Contacts_data& data)
-  {
-    std::map<Rational_point, std::size_t> numbers;
-    const auto number = [&](const Rational_point& x) {
-      const auto [at, is_new] = numbers.emplace(x, points.size());
-      if (is_new) {
-        points.push_back(x);
-        joined.emplace_back();
-      }
-      return at->second;
-    };
-    for (std::size_t k = 0; k < data.found.pieces.size(); ++k) {
-      if (data.found.pieces[k].kind != Piece::segment) continue;
-      const auto ends = exactly(data, k)[0];
-      const std::size_t from = number(ends[0]), to = number(ends[1]);
-      joined[from].insert(to);
-      joined[to].insert(from);
-    }
-  }
-
-  bool take(std::size_t from, std::size_t to) { return joined[to].erase(from) + joined[from].erase(to) > 0; }
-};
-
 std::array<double, 3> nearest(const Rational_point& x)
 {
   return {kernel::nearest_double(x[0]), kernel::nearest_double(x[1]), kernel::nearest_double(x[2])};
@@ -177,32 +147,6 @@ std::vector<std::vector<std::array<double, 3>>> Contacts::nearest_loops(std::siz
     for (const Rational_point& x : loop) loops.back().push_back(nearest(x));
   }
   return loops;
-}
-
-std::vector<Contacts::Curve> Contacts::curves() const
-{
-  Graph graph(*data_);
-  std::vector<bool> is_through(graph.points.size());  // exactly two segments end there
-  for (std::size_t k = 0; k < is_through.size(); ++k) is_through[k] = graph.joined[k].size() == 2;
-  std::vector<Curve> curves;
-  const auto follow = [&](std::size_t start) {
-    while (!graph.joined[start].empty()) {
-      Curve curve{false, {nearest(graph.points[start])}};
-      for (std::size_t at = start; at == start ? curve.points.size() == 1 : is_through[at];) {
-        const std::size_t next = *graph.joined[at].begin();
-        graph.take(at, next);
-        at = next;
-        curve.closed = at == start;
-        if (curve.closed) break;
-        curve.points.push_back(nearest(graph.points[at]));
-      }
-      curves.push_back(std::move(curve));
-    }
-  };
-  for (std::size_t k = 0; k < graph.points.size(); ++k)
-    if (!is_through[k]) follow(k);
-  for (std::size_t k = 0; k < graph.points.size(); ++k) follow(k);
-  return curves;
 }
 
 }  // namespace tetracone

@@ -66,8 +66,8 @@ class Contacts {
     std::vector<std::array<double, 3>> points;  ///< the doubles nearest to them
   };
 
-  /// The segments, each once where pairs of faces share the same one, joined where exactly two end in one point, which
-  /// is compared exactly.
+  /// The segments, those of one line that overlap or follow each other as one, unless a segment of another line ends
+  /// between; joined where exactly two end in one point. All is compared exactly.
   std::vector<Curve> curves() const;
 
   /// Of the library's own.

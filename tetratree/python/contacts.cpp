@@ -157,7 +157,8 @@ As `loops`, each point as doubles below and above it: arrays (m, 2, 3).)")
 As `loops`, exactly: lists of tuples of three fractions.Fraction.)")
       .def("curves", &curves, R"(curves()
 
-The segments, joined where exactly two end in one point, which is compared exactly: a list of (closed, array (m, 3)).)");
+The segments, each once and those of one line that hang together as one, joined where exactly two end in one point, which
+is compared exactly: a list of (closed, array (m, 3)).)");
 }
 
 }  // namespace tetracone::python

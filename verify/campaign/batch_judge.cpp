@@ -1,5 +1,6 @@
 #include "verify/campaign/batch_judge.h"
 
+#include "verify/campaign/batch_parts.h"
 #include "verify/campaign/campaign_schema.h"
 #include "verify/relations/contact_relations.h"
 #include "verify/relations/metamorphic_relations.h"
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <iterator>
 #include <utility>
 
@@ -22,62 +22,12 @@ namespace {
 
 using kernel::Question;
 
-constexpr std::uint64_t relation_stride = 4;  // each such case is tried with one relation, all of them in turn
 constexpr std::array questions = {Question::surface, Question::solid};
-
-std::string name_of(Question question) { return std::string(kernel::to_string(question)); }
 
 /// Number of the relation that case k is tried with, modulo their count: each family begins with another one.
 std::size_t relation_turn(const Batch& batch, std::uint64_t k)
 {
   return k / relation_stride + std::size_t(batch.family->number);
-}
-
-/// Subjects that have not been asked all cases of a batch before; the truth is one of them.
-class Wanted {
- public:
-  template <class Subject>
-  Wanted(const Batch& batch, const std::vector<Subject>& subjects, const Done& done) : last_(batch.last)
-  {
-    for (const Subject& subject : subjects) names_.push_back(subject.name);
-    names_.push_back(truth_name);
-    for (const std::string& name : names_) next_.push_back(done.next(batch, name));
-  }
-
-  bool subject(std::size_t s, std::uint64_t k) const { return next_[s] <= k; }
-  bool truth(std::uint64_t k) const { return next_.back() <= k; }
-  bool anyone(std::uint64_t k) const
-  {
-    return std::ranges::any_of(next_, [k](std::uint64_t next) { return next <= k; });
-  }
-
-  /// Records for each the cases asked now. Call when the batch is done.
-  void add_done(Findings& found) const
-  {
-    for (std::size_t s = 0; s < names_.size(); ++s)
-      if (next_[s] < last_) found.add_done(names_[s], last_ - next_[s]);
-  }
-
- private:
-  std::vector<std::string> names_;   // the truth's is the last
-  std::vector<std::uint64_t> next_;  // the first case that each has not been asked
-  std::uint64_t last_;
-};
-
-/// Calls what() and returns its result and the nanoseconds that it took.
-template <class What>
-auto timed(const What& what)
-{
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
-  auto result = what();
-  return std::pair(std::move(result),
-                   std::uint64_t(std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - start).count()));
-}
-
-Random random_of(const Origin& origin, std::size_t relation)
-{
-  return Random(origin.seed * 1'000'003 + origin.index * 101 + relation);
 }
 
 // --- predicates -----------------------------------------------------------------------------------------------------
@@ -419,10 +369,11 @@ class Contact_batch {
   Findings found_;
 };
 
-Running_subjects make_running(const std::vector<Object_subject>& subjects)
+template <class Subject>
+auto make_running(const std::vector<Subject>& subjects)
 {
-  Running_subjects running;
-  for (const Object_subject& subject : subjects) running.push_back(subject.make());
+  std::vector<decltype(subjects[0].make())> running;
+  for (const Subject& subject : subjects) running.push_back(subject.make());
   return running;
 }
 
@@ -433,7 +384,10 @@ Batch_judge::Batch_judge(const Campaign& campaign, const Done& done)
       done_(done),
       colliding_([&campaign] { return make_running(campaign.object_subjects); }),
       listing_([&campaign] { return make_running(campaign.feature_subjects); }),
-      locating_([&campaign] { return make_running(campaign.contact_subjects); })
+      locating_([&campaign] { return make_running(campaign.contact_subjects); }),
+      measuring_([&campaign] { return make_running(campaign.distance_subjects); }),
+      placing_([&campaign] { return make_running(campaign.point_subjects); }),
+      casting_([&campaign] { return make_running(campaign.ray_subjects); })
 {}
 
 Findings Batch_judge::operator()(const Batch& batch)
@@ -442,9 +396,12 @@ Findings Batch_judge::operator()(const Batch& batch)
     case Asked_for::predicates: return Predicate_batch(campaign_, batch, done_).judge();
     case Asked_for::collision: return Object_batch(campaign_, batch, done_, colliding_.local()).judge();
     case Asked_for::features: return Feature_batch(campaign_, batch, done_, listing_.local()).judge();
-    case Asked_for::contacts: break;
+    case Asked_for::contacts: return Contact_batch(campaign_, batch, done_, locating_.local()).judge();
+    case Asked_for::distances: return judge_distances(campaign_, batch, done_, measuring_.local());
+    case Asked_for::points: return judge_points(campaign_, batch, done_, placing_.local());
+    case Asked_for::rays: break;
   }
-  return Contact_batch(campaign_, batch, done_, locating_.local()).judge();
+  return judge_rays(campaign_, batch, done_, casting_.local());
 }
 
 }  // namespace tetracone::verify

@@ -2,17 +2,13 @@
 #define TETRACONE_VERIFY_CAMPAIGN_BATCH_JUDGE_H
 
 #include "verify/campaign/batches.h"
+#include "verify/campaign/distance_batch.h"
 #include "verify/campaign/findings.h"
+#include "verify/campaign/probe_batch.h"
 
 #include <tbb/enumerable_thread_specific.h>
 
-#include <memory>
-#include <vector>
-
 namespace tetracone::verify {
-
-/// Subjects at work in one thread.
-using Running_subjects = std::vector<std::unique_ptr<Running_subject>>;
 
 /// Asks a campaign's subjects, and judges their answers by the truths.
 class Batch_judge {
@@ -26,8 +22,10 @@ class Batch_judge {
  private:
   const Campaign& campaign_;
   const Done& done_;
-  tbb::enumerable_thread_specific<Running_subjects> colliding_, listing_, locating_;  // of the levels object,
-                                                                                      // features and contacts
+  tbb::enumerable_thread_specific<Running_subjects> colliding_, listing_, locating_, measuring_;  // of the
+      // levels object, features,
+      // contacts and distances
+  tbb::enumerable_thread_specific<Running_probes> placing_, casting_;  // of points and rays
 };
 
 }  // namespace tetracone::verify

@@ -5,7 +5,8 @@
 namespace tetracone::verify {
 namespace {
 
-constexpr std::uint64_t predicate_batch = 200, object_batch = 10, feature_batch = 3;
+constexpr std::uint64_t predicate_batch = 200, object_batch = 10, feature_batch = 3,
+                        probe_batch = 4 * Probe_family::cases_a_body;
 
 std::size_t subject_count(const Campaign& campaign, Asked_for what)
 {
@@ -13,9 +14,12 @@ std::size_t subject_count(const Campaign& campaign, Asked_for what)
     case Asked_for::predicates: return campaign.predicate_subjects.size();
     case Asked_for::collision: return campaign.object_subjects.size();
     case Asked_for::features: return campaign.feature_subjects.size();
-    case Asked_for::contacts: break;
+    case Asked_for::contacts: return campaign.contact_subjects.size();
+    case Asked_for::distances: return campaign.distance_subjects.size();
+    case Asked_for::points: return campaign.point_subjects.size();
+    case Asked_for::rays: break;
   }
-  return campaign.contact_subjects.size();
+  return campaign.ray_subjects.size();
 }
 
 }  // namespace
@@ -23,10 +27,20 @@ std::size_t subject_count(const Campaign& campaign, Asked_for what)
 std::vector<Batch> batches(const Campaign& campaign, const std::vector<Sequence>& sequences)
 {
   std::vector<Batch> all;
+  const auto add_any = [&](Batch batch, int of_family, std::uint64_t cases, std::uint64_t size) {
+    for (; batch.number * size < cases; ++batch.number) {
+      if (int((std::uint64_t(of_family) + batch.number) % std::uint64_t(campaign.shards)) != campaign.shard) continue;
+      batch.first = batch.number * size;
+      batch.last = std::min(cases, (batch.number + 1) * size);
+      all.push_back(batch);
+    }
+  };
   const auto add = [&](Asked_for what, const Family* family, std::uint64_t cases, std::uint64_t size) {
-    for (std::uint64_t number = 0; number * size < cases; ++number)
-      if (int((family->number + number) % std::uint64_t(campaign.shards)) == campaign.shard)
-        all.push_back({what, family, nullptr, number, number * size, std::min(cases, (number + 1) * size)});
+    add_any({what, family, nullptr, 0, 0, 0}, family->number, cases, size);
+  };
+  const auto add_probes = [&](Asked_for what, const std::vector<const Probe_family*>& families) {
+    for (const Probe_family* family : families)
+      add_any({what, nullptr, nullptr, 0, 0, 0, family}, family->number, campaign.probe_cases, probe_batch);
   };
   for (const Family* family : campaign.families)
     add(Asked_for::predicates, family, campaign.predicate_cases, predicate_batch);
@@ -35,6 +49,11 @@ std::vector<Batch> batches(const Campaign& campaign, const std::vector<Sequence>
     if (campaign.lists_features) add(Asked_for::features, family, campaign.feature_cases, feature_batch);
   for (const Family* family : campaign.families)
     if (!campaign.contact_subjects.empty()) add(Asked_for::contacts, family, campaign.feature_cases, feature_batch);
+  for (const auto* families : {&campaign.families, &campaign.distance_families})
+    for (const Family* family : *families)
+      if (!campaign.distance_subjects.empty()) add(Asked_for::distances, family, campaign.feature_cases, feature_batch);
+  if (!campaign.point_subjects.empty()) add_probes(Asked_for::points, campaign.point_families);
+  if (!campaign.ray_subjects.empty()) add_probes(Asked_for::rays, campaign.ray_families);
   for (std::size_t k = 0; k < sequences.size(); ++k)
     if (int(k % std::size_t(campaign.shards)) == campaign.shard)
       all.push_back({Asked_for::collision, nullptr, &sequences[k], 0, 0, sequences[k].frames.size()});

@@ -16,9 +16,9 @@ namespace tetracone::verify {
 /// The truth's name among the subjects.
 inline constexpr const char* truth_name = "truth";
 
-/// What is asked of a case: its predicates, whether its bodies collide, which of their features meet, and
-/// where their faces do.
-enum class Asked_for { predicates, collision, features, contacts };
+/// What is asked of a case: its predicates, whether its bodies collide, which of their features meet, where their faces
+/// do, and how far apart they are; where its point is, and what its ray meets.
+enum class Asked_for { predicates, collision, features, contacts, distances, points, rays };
 
 /// The name of that in the database.
 constexpr const char* level_name(Asked_for what)
@@ -27,9 +27,12 @@ constexpr const char* level_name(Asked_for what)
     case Asked_for::predicates: return "predicate";
     case Asked_for::collision: return "object";
     case Asked_for::features: return "features";
-    case Asked_for::contacts: break;
+    case Asked_for::contacts: return "contacts";
+    case Asked_for::distances: return "distances";
+    case Asked_for::points: return "points";
+    case Asked_for::rays: break;
   }
-  return "contacts";
+  return "rays";
 }
 
 /// Unit of work: the cases first to last - 1 of a family, or one sequence.
@@ -38,8 +41,12 @@ struct Batch {
   const Family* family;
   const Sequence* sequence;  // instead of a family
   std::uint64_t number, first, last;
+  const Probe_family* probes = nullptr;  // instead of a family
 
-  std::string family_name() const { return sequence ? "sequence " + sequence->name : std::string(family->name); }
+  std::string family_name() const
+  {
+    return sequence ? "sequence " + sequence->name : std::string(probes ? probes->name : family->name);
+  }
 };
 
 /// The batches of this campaign's shard, in the order in which they are asked.

@@ -3,9 +3,12 @@
 
 #include "verify/campaign/database.h"
 #include "verify/cases/case.h"
+#include "verify/cases/probe_case.h"
 #include "verify/families/families.h"
+#include "verify/families/probe_families.h"
 #include "verify/subjects/object_subject.h"
 #include "verify/subjects/predicate_subject.h"
+#include "verify/subjects/probe_subject.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -26,12 +29,16 @@ struct Provenance {
 struct Campaign {
   std::uint64_t seed = 1;
   std::uint64_t predicate_cases = 400, object_cases = 24, feature_cases = 6;  ///< per family; 0: not that level
-  bool lists_features = true;  ///< of feature_cases: else only contacts are asked
+  std::uint64_t probe_cases = 64;                                             ///< per family of points and of rays
+  bool lists_features = true;  ///< of feature_cases: else only contacts and distances are asked
   int sequence_frames = 16;    ///< of each exact sequence; 0: none
   int shard = 0, shards = 1;   ///< this process does each `shards`-th batch, from `shard`
   std::vector<const Family*> families;
+  std::vector<const Family*> distance_families;  ///< of distances alone
+  std::vector<const Probe_family*> point_families, ray_families;
   std::vector<Predicate_subject> predicate_subjects;
-  std::vector<Object_subject> object_subjects, feature_subjects, contact_subjects;
+  std::vector<Object_subject> object_subjects, feature_subjects, contact_subjects, distance_subjects;
+  std::vector<Probe_subject> point_subjects, ray_subjects;
   Provenance made_by;
 };
 
@@ -41,6 +48,9 @@ class Truths_disagree : public std::runtime_error {
  public:
   Truths_disagree(const std::string& what, Object_case c, kernel::Question question)
       : std::runtime_error(what), object(std::move(c)), question(question)
+  {}
+  Truths_disagree(const std::string& what, const Probe_case& c)
+      : Truths_disagree(what, as_objects(c), kernel::Question::surface)
   {}
   Truths_disagree(const std::string& what, Predicate_case c, Predicate predicate)
       : std::runtime_error(what), points(std::move(c)), predicate(predicate)

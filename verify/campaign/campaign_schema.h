@@ -16,9 +16,9 @@ namespace tetracone::verify {
 ///    exactly_degenerate where the distance is 0, not_near where no determinant was near. False positive: higher than
 ///    the truth; false negative: lower. not_asked: the subject does not take such input; failures: crash, hang or
 ///    exception.
-///  At the levels 'features' and 'contacts' an answer is a list. Its truth is how many pairs it has; an answer that lacks some is how
-/// many
-///  of them it has right, lower, and one with more pairs is how many it has in all, higher.
+///  At the levels 'features', 'contacts' and 'rays' an answer is a list. Its truth is how many elements it has; an
+///  answer that lacks some is how many of them it has right, lower, and one with more is how many it has in all, higher.
+///  At the level 'distances' an answer is how many of its statements are right, and the truth how many there are.
 ///  - truth: cases by question, how many of them have a positive answer, and how many were also known by construction.
 ///  Each is
 ///    the answer of both truths.
@@ -53,9 +53,9 @@ CREATE TABLE IF NOT EXISTS relation (run INTEGER, level TEXT, family TEXT, relat
   PRIMARY KEY (run, level, family, relation, subject, question)) WITHOUT ROWID;
 CREATE TABLE IF NOT EXISTS flips (run INTEGER, sequence TEXT, subject TEXT, question TEXT, frames INTEGER, wrong INTEGER,
   changes INTEGER, true_changes INTEGER, PRIMARY KEY (run, sequence, subject, question)) WITHOUT ROWID;
-CREATE TABLE IF NOT EXISTS words (version TEXT, seed INTEGER, predicate_cases INTEGER, object_cases INTEGER, feature_cases INTEGER, frames INTEGER, families TEXT,
+CREATE TABLE IF NOT EXISTS words (version TEXT, seed INTEGER, predicate_cases INTEGER, object_cases INTEGER, feature_cases INTEGER, probe_cases INTEGER, frames INTEGER, families TEXT,
   subjects TEXT, real_meshes INTEGER, shards INTEGER, shard INTEGER, answers INTEGER,
-  UNIQUE (version, seed, predicate_cases, object_cases, feature_cases, frames, families, subjects, real_meshes, shards, shard));
+  UNIQUE (version, seed, predicate_cases, object_cases, feature_cases, probe_cases, frames, families, subjects, real_meshes, shards, shard));
 CREATE TABLE IF NOT EXISTS command (subject TEXT PRIMARY KEY, command TEXT) WITHOUT ROWID;
 CREATE TABLE IF NOT EXISTS time (run INTEGER, level TEXT, family TEXT, subject TEXT, question TEXT, n INTEGER, nanoseconds INTEGER,
   PRIMARY KEY (run, level, family, subject, question)) WITHOUT ROWID;

@@ -21,7 +21,10 @@ std::string array_of(const std::set<std::string>& names) { return nlohmann::json
 std::string families_of(const Campaign& campaign)
 {
   std::set<std::string> names;
-  for (const Family* family : campaign.families) names.emplace(family->name);
+  for (const auto* families : {&campaign.families, &campaign.distance_families})
+    for (const Family* family : *families) names.emplace(family->name);
+  for (const auto* families : {&campaign.point_families, &campaign.ray_families})
+    for (const Probe_family* family : *families) names.emplace(family->name);
   return array_of(names);
 }
 
@@ -33,14 +36,19 @@ std::string subjects_of(const Campaign& campaign)
   for (const auto& subject : campaign.object_subjects) names.insert(to_string(Level::object) + (" " + subject.name));
   for (const auto& subject : campaign.feature_subjects) names.insert("features " + subject.name);
   for (const auto& subject : campaign.contact_subjects) names.insert("contacts " + subject.name);
+  for (const auto& subject : campaign.distance_subjects) names.insert("distances " + subject.name);
+  for (const auto& subject : campaign.point_subjects) names.insert("points " + subject.name);
+  for (const auto& subject : campaign.ray_subjects) names.insert("rays " + subject.name);
   return array_of(names);
 }
 
 /// What shards have in common.
 const std::string common =
-    "version, seed, predicate_cases, object_cases, feature_cases, frames, families, subjects, real_meshes, shards";
-constexpr std::array common_words = {"version", "seed",     "predicate cases", "object cases", "feature cases",
-                                     "frames",  "families", "subjects",        "real meshes",  "shards"};
+    "version, seed, predicate_cases, object_cases, feature_cases, probe_cases, frames, families, subjects, "
+    "real_meshes, shards";
+constexpr std::array common_words = {"version",       "seed",        "predicate cases", "object cases",
+                                     "feature cases", "probe cases", "frames",          "families",
+                                     "subjects",      "real meshes", "shards"};
 
 /// The first word in which a row of one differs from one of the other, shortened where it is a list.
 std::string difference(const Database::Statement& one, const Database::Statement& other)
@@ -74,10 +82,10 @@ void record_words(Database& database, const Campaign& campaign, std::uint64_t an
   // Replaced rows are the last again.
   Database::Statement(database, "INSERT OR REPLACE INTO words (" + common +
                                     ", shard, answers) "
-                                    "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12)")
+                                    "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13)")
       .run(campaign.made_by.version, campaign.seed, campaign.predicate_cases, campaign.object_cases,
-           campaign.feature_cases, campaign.sequence_frames, families_of(campaign), subjects_of(campaign),
-           real_meshes_available(), campaign.shards, campaign.shard, answers);
+           campaign.feature_cases, campaign.probe_cases, campaign.sequence_frames, families_of(campaign),
+           subjects_of(campaign), real_meshes_available(), campaign.shards, campaign.shard, answers);
   transaction.commit();
 }
 
@@ -119,9 +127,9 @@ Campaign_progress progress(Database& database)
   for (rows.with(); rows.next();) {
     progress.begun.push_back(int(rows.integer(0)));
     progress.of_begun += std::uint64_t(rows.integer(1));
-    progress.shards = int(rows.integer(11));
+    progress.shards = int(rows.integer(12));
     if (progress.begun.size() > 1) continue;
-    done.with(rows.integer(3), rows.text(8), rows.text(9), rows.integer(7)).next();
+    done.with(rows.integer(3), rows.text(9), rows.text(10), rows.integer(8)).next();
     progress.done = std::uint64_t(done.integer(0));
   }
   if (progress.begun.empty())

@@ -25,7 +25,7 @@ class Findings {
     bool not_asked = false;
   };
 
-  /// The level is "predicate", "object", "features" or "contacts".
+  /// The level is a `level_name`.
   Findings(std::string level, std::string family) : level_(std::move(level)), family_(std::move(family)) {}
 
   void add_truth(const std::string& question, bool positive, bool by_construction);

@@ -2,7 +2,9 @@
 
 #include "tetracone/kernel/number/number.h"
 #include "verify/campaign/campaign_schema.h"
+#include "verify/families/distance_families.h"
 #include "verify/families/families.h"
+#include "verify/families/probe_families.h"
 
 #include <algorithm>
 #include <cassert>
@@ -98,9 +100,15 @@ void add_sweep(Database& database)
       "CREATE TEMP TABLE IF NOT EXISTS sweep (family TEXT, number INTEGER, parameter REAL, PRIMARY KEY (family, "
       "number)) WITHOUT ROWID");
   Database::Statement insert(database, "INSERT OR REPLACE INTO temp.sweep VALUES (?1, ?2, ?3)");
-  for (const Family& family : families())
-    for (std::uint64_t k = 0; k < kept_one_by_one; ++k)
-      insert.run(family.name, k, family.sweep[k % family.sweep.size()]);
+  const auto add = [&](const auto& families) {
+    for (const auto& family : families)
+      for (std::uint64_t k = 0; k < kept_one_by_one; ++k)
+        insert.run(family.name, k, family.sweep[k % family.sweep.size()]);
+  };
+  add(families());
+  add(distance_families());
+  add(point_families());
+  add(ray_families());
 }
 
 /// A field of a CSV: quoted where it holds a comma or a quote.

@@ -5,9 +5,9 @@
 #include "tetracone/tetratree/fast/bvh8_collision.h"
 #include "tetracone/tetratree/paper/collision.h"
 #include "verify/fuzz/doubles.h"
+#include "verify/fuzz/fuzz_body.h"
 #include "verify/truth/cgal_truth.h"
 
-#include <array>
 #include <cstdint>
 #include <cstdlib>
 
@@ -16,37 +16,6 @@ using kernel::Pose;
 using kernel::Question;
 
 namespace {
-
-/// A closed surface of triangles on four to six vertices, flat or not, or one triangle and its back.
-covering::Polyhedron body(verify::Doubles& doubles)
-{
-  constexpr int apexes_about[] = {0, 3, 3, 4};
-  const int kind = doubles.byte() % 4, corners = apexes_about[kind];
-  covering::Polyhedron body;
-  body.vertices.resize(kind == 0 ? 3 : kind == 1 ? 4 : std::size_t(corners) + 2);
-  for (kernel::Vertex& v : body.vertices)
-    for (double& x : v) x = doubles.next();
-  if (kind == 0) {
-    body.add_polygon({0, 1, 2});
-    body.add_polygon({0, 2, 1});
-    return body;
-  }
-  // A ring of corners about an axis, closed by one apex and a triangle or by two apexes.
-  for (covering::Index k = 0; k < covering::Index(corners); ++k) {
-    const covering::Index next = (k + 1) % covering::Index(corners), top = covering::Index(corners);
-    body.add_polygon({k, next, top});
-    if (kind != 1) body.add_polygon({next, k, top + 1});
-  }
-  if (kind == 1) body.add_polygon({0, 2, 1});
-  return body;
-}
-
-Pose pose(verify::Doubles& doubles)
-{
-  std::array<double, 12> entries;
-  for (double& x : entries) x = doubles.next();
-  return Pose(entries);
-}
 
 void same(bool condition)
 {
@@ -59,7 +28,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
   // An image is three products and a sum: below the largest double.
   verify::Doubles doubles(data, size, 0x1p510);
-  const covering::Polyhedron a = body(doubles), b = body(doubles);
+  const covering::Polyhedron a = verify::fuzz_body(doubles), b = verify::fuzz_body(doubles);
   const verify::Brute_body truth_a(a), truth_b(b);
   tetratree::Bvh8 fast_a(a), fast_b(b);
   tetratree::Bvh8_collision fast(fast_a, fast_b), remembering(fast_a, fast_b, tetratree::Coherence::last_frame),
@@ -68,7 +37,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Tree paper_a(a), paper_b(b);
   tetratree::Collision<kernel::Adaptive> paper(paper_a, paper_b);
   for (int k = 0; k < 8 && (k == 0 || !doubles.empty()); ++k) {
-    const Pose pose_a = pose(doubles), pose_b = pose(doubles);
+    const Pose pose_a = verify::fuzz_pose(doubles), pose_b = verify::fuzz_pose(doubles);
     if (pose_a.determinant_sign() == CGAL::ZERO || pose_b.determinant_sign() == CGAL::ZERO) continue;
     for (const Question question : {Question::surface, Question::solid}) {
       const bool truth = verify::collide(truth_a, pose_a, truth_b, pose_b, question);

@@ -2,13 +2,13 @@
 #include "tetracone/kernel/predicate/adaptive.h"
 #include "verify/cases/exact_motion.h"
 #include "verify/cases/tetrahedron.h"
+#include "verify/relations/changed_bodies.h"
 #include "verify/relations/metamorphic_relations.h"
 #include "verify/relations/moved_twins.h"
 
 #include <algorithm>
 #include <array>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -50,16 +50,6 @@ struct Body {
 };
 Body body(Object_case& c, std::size_t which) { return which == 0 ? Body{c.a, c.pose_a} : Body{c.b, c.pose_b}; }
 
-Loops loops_of(const Polyhedron& polyhedron, Index f)
-{
-  Loops loops;
-  for (std::size_t l = 0; l < polyhedron.loop_count(f); ++l) {
-    const auto loop = polyhedron.loop(f, l);
-    loops.emplace_back(loop.begin(), loop.end());
-  }
-  return loops;
-}
-
 /// The polyhedron with the vertices of `what` and the faces that change(loops of face, add) adds for each of its faces.
 template <class Change>
 Polyhedron with_faces(std::vector<Vertex> vertices, const Polyhedron& what, const Change& change)
@@ -67,18 +57,6 @@ Polyhedron with_faces(std::vector<Vertex> vertices, const Polyhedron& what, cons
   Polyhedron result;
   result.vertices = std::move(vertices);
   for (Index f = 0; f < what.face_count(); ++f) change(f, loops_of(what, f), result);
-  return result;
-}
-
-template <class Change>
-std::optional<Polyhedron> with_vertices(const Polyhedron& what, const Change& change)
-{
-  Polyhedron result = what;
-  for (Vertex& v : result.vertices) {
-    const std::optional<Vertex> moved = change(v);
-    if (!moved) return std::nullopt;
-    v = *moved;
-  }
   return result;
 }
 
@@ -253,40 +231,9 @@ Verdict unchanged_by(const Object_case& c, Question question, Running_subject& s
   return same(c, twin, question, subject);
 }
 
-template <class Sequence>
-void shuffle(Sequence& sequence, Random& random)
-{
-  for (std::size_t k = sequence.size(); k > 1; --k) std::swap(sequence[k - 1], sequence[one_of(random, k)]);
-}
+std::optional<Polyhedron> in_any_order(const Polyhedron& what, Random& random) { return reordered(what, random).body; }
 
-std::optional<Polyhedron> reordered(const Polyhedron& what, Random& random)
-{
-  std::vector<Index> place(what.vertices.size()), order(what.face_count());
-  std::iota(place.begin(), place.end(), Index(0));
-  std::iota(order.begin(), order.end(), Index(0));
-  shuffle(place, random);
-  shuffle(order, random);
-  Polyhedron result;
-  result.vertices.resize(place.size());
-  for (std::size_t v = 0; v < place.size(); ++v) result.vertices[place[v]] = what.vertices[v];
-  for (const Index f : order) {
-    Loops loops = loops_of(what, f);
-    for (auto& loop : loops) {
-      for (Index& v : loop) v = place[v];
-      std::rotate(loop.begin(), loop.begin() + one_of(random, loop.size()), loop.end());
-    }
-    result.add_face(loops);
-  }
-  return result;
-}
-
-std::optional<Polyhedron> wound_backwards(const Polyhedron& what, Random&)
-{
-  return with_faces(what.vertices, what, [](Index, Loops loops, Polyhedron& result) {
-    for (auto& loop : loops) std::reverse(loop.begin(), loop.end());
-    result.add_face(loops);
-  });
-}
+std::optional<Polyhedron> backwards(const Polyhedron& what, Random&) { return wound_backwards(what).body; }
 
 // --- more and less of a body -----------------------------------------------------------------------------------------
 
@@ -456,8 +403,8 @@ std::vector<Relation> object_relations()
        unchanged_by<with_split_edge>},
       {"R7 face", "a face split at an inner point or along a diagonal gives the same answer",
        unchanged_by<with_split_face>},
-      {"R8 order", "vertices, faces and the first corners of loops may stand in any order", unchanged_by<reordered>},
-      {"R8 winding", "all loops may run the other way round", unchanged_by<wound_backwards>},
+      {"R8 order", "vertices, faces and the first corners of loops may stand in any order", unchanged_by<in_any_order>},
+      {"R8 winding", "all loops may run the other way round", unchanged_by<backwards>},
       {"R9 adding", "a shell more keeps a collision", adding},
       {"R9 removing", "a face less keeps surfaces apart", removing},
       {"R10 unused", "vertices of no face, which move the covering's origin, give the same answer",

@@ -2,6 +2,7 @@
 
 #include "tetracone/kernel/number/pose.h"
 #include "tetracone/tetratree/door/contacts_data.h"
+#include "tetracone/tetratree/door/tetracone.h"
 
 #include <algorithm>
 #include <array>
@@ -88,6 +89,33 @@ class Own : public Running_subject {
     }
   }
 
+  Told_distance distance(const Object_case& c, kernel::Question question) override
+  {
+    if (has_more(c, subject_.kernel == Kernel_name::rational ? most_faces_in_rationals : most_faces)) return {};
+    try {
+      prepare_for(c);
+      Query& query = *pair_->query(question);
+      if (subject_.remembers)
+        for (const kernel::Pose& before : poses_before(c)) query.distance(c.pose_a, before);
+      Nearest nearest = query.nearest(c.pose_a, c.pose_b);
+      return {Outcome::yes, std::move(nearest), query.distance(c.pose_a, c.pose_b)};
+    } catch (const std::exception&) {
+      pair_.reset();
+      return {Outcome::failed, {}, 0};
+    }
+  }
+
+  Outcome within(const Object_case& c, kernel::Question question, const std::string& limit) override
+  {
+    try {
+      prepare_for(c);
+      return pair_->query(question)->within(c.pose_a, c.pose_b, limit) ? Outcome::yes : Outcome::no;
+    } catch (const std::exception&) {
+      pair_.reset();
+      return Outcome::failed;
+    }
+  }
+
  private:
   static bool has_more(const Object_case& c, std::size_t faces)
   {
@@ -157,6 +185,16 @@ std::vector<Object_subject> contact_subjects()
     const Subject& own = *subject.own;
     if (!own.is_exact() || own.remembers || own.method == Method::tuned) return true;
     return own.method != Method::tree && own.kernel != Kernel_name::adaptive;
+  });
+  return subjects;
+}
+
+std::vector<Object_subject> distance_subjects()
+{
+  std::vector<Object_subject> subjects = object_subjects();
+  std::erase_if(subjects, [](const Object_subject& subject) {
+    const Subject& own = *subject.own;
+    return own.method != Method::tree || (own.kernel != Kernel_name::adaptive && own.kernel != Kernel_name::rational);
   });
   return subjects;
 }

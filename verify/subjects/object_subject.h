@@ -2,6 +2,7 @@
 #define TETRACONE_VERIFY_SUBJECTS_OBJECT_SUBJECT_H
 
 #include "tetracone/kernel/predicate/contact.h"
+#include "tetracone/tetratree/door/nearest.h"
 #include "verify/cases/case.h"
 #include "verify/subjects/subject.h"
 #include "verify/truth/contact_pieces.h"
@@ -37,6 +38,14 @@ struct Listed_contacts {
   Outcome outcome = Outcome::not_asked;  ///< yes: it has listed
   Contact_forms forms;                   ///< sorted
 };
+
+/// What a subject says of the distance of two placed bodies.
+struct Told_distance {
+  Outcome outcome = Outcome::not_asked;  ///< yes: it has told
+  Nearest nearest;
+  double alone = 0;  ///< the distance, asked for without the rest
+};
+
 /// Of lists that are sorted, one as an answer: the number of elements of the truth that it has, and where it has all of
 /// them, of its own.
 template <class List>
@@ -59,6 +68,12 @@ class Running_subject {
 
   /// All maximal pieces of what pairs of faces share.
   virtual Listed_contacts contacts(const Object_case&) { return {}; }
+
+  /// How far apart the bodies are.
+  virtual Told_distance distance(const Object_case&, kernel::Question) { return {}; }
+
+  /// Whether they are at most as far as a decimal or fraction says.
+  virtual Outcome within(const Object_case&, kernel::Question, const std::string&) { return Outcome::not_asked; }
 };
 
 /// Something that answers whether two placed polyhedra collide: a kernel with a method, or another library.
@@ -86,6 +101,11 @@ std::vector<Object_subject> feature_subjects();
 /// Those of them that campaigns ask for contacts: the exact kernels' fast tree, and of the adaptive kernel the paper's
 /// tree, all pairs, and the fast tree whose leaves are whole faces.
 std::vector<Object_subject> contact_subjects();
+
+/// Those of them that campaigns ask for distances: the fast tree of the adaptive kernel, also where it remembers and
+/// where its leaves are whole faces, and of the rational one, of bodies of at most `most_faces_in_rationals` faces.
+std::vector<Object_subject> distance_subjects();
+inline constexpr std::size_t most_faces_in_rationals = 24;
 
 /// A list of contacts in the form in which lists are compared.
 Contact_forms contact_forms(const Contacts& contacts);

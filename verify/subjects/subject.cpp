@@ -17,25 +17,26 @@ class Query_pair : public Prepared_pair {
         a_(subject.whole_faces ? Body(a) : triangulated_body(a)),
         b_(subject.whole_faces ? Body(b) : triangulated_body(b))
   {
-    query(kernel::Question::surface);
+    asked(kernel::Question::surface);
   }
 
   bool collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, kernel::Question question) override
   {
-    return bool(query(question).collide(pose_a, pose_b));
+    return bool(asked(question).collide(pose_a, pose_b));
   }
   kernel::Relation relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, kernel::Question question) override
   {
-    return query(question).collide(pose_a, pose_b).relation();
+    return asked(question).collide(pose_a, pose_b).relation();
   }
   std::vector<kernel::Feature_pair> features(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
   {
-    return query(kernel::Question::surface).features(pose_a, pose_b);
+    return asked(kernel::Question::surface).features(pose_a, pose_b);
   }
   Contacts contacts(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
   {
-    return query(kernel::Question::surface).contacts(pose_a, pose_b);
+    return asked(kernel::Question::surface).contacts(pose_a, pose_b);
   }
+  Query* query(kernel::Question question) override { return &asked(question); }
   tetratree::Query_statistics take_counts() override
   {
     tetratree::Query_statistics counts;
@@ -50,7 +51,7 @@ class Query_pair : public Prepared_pair {
   std::size_t node_count() const override { return queries_[0]->node_count(); }
 
  private:
-  Query& query(kernel::Question question)
+  Query& asked(kernel::Question question)
   {
     auto& query = queries_[question == kernel::Question::solid ? 1 : 0];
     if (!query) query.emplace(a_, b_, question, options_);

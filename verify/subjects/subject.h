@@ -18,6 +18,10 @@
 #include <string_view>
 #include <vector>
 
+namespace tetracone {
+class Query;
+}
+
 namespace tetracone::verify {
 
 using Kernel_name = tetracone::Kernel;
@@ -64,6 +68,9 @@ class Prepared_pair {
 
   /// By an exact kernel; throws Error for others, and for the truth, which has no such list.
   virtual Contacts contacts(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
+
+  /// The library's own query, which tells distances too; null for the truth.
+  virtual Query* query(kernel::Question) { return nullptr; }
 
   /// Work since the last call; zero for a method that counts nothing.
   virtual tetratree::Query_statistics take_counts() = 0;

@@ -203,6 +203,34 @@ function contactObject(k, radius)
   return group;
 }
 
+// The two nearest points of bodies apart, and the way between them.
+const nearestMaterial = withColour(new THREE.MeshBasicMaterial({depthTest: false, transparent: true}), '--ink');
+function nearestObject(k, radius)
+{
+  const group = new THREE.Group(), [distance, ...points] = data.nearest[k];
+  if (distance !== 0) group.add(rods([[points.slice(0, 3), points.slice(3, 6)].map(inScene)], radius, nearestMaterial));
+  return group;
+}
+
+// Rays as far as a little beyond what they meet last; where they meet a face, a ball.
+const rayMaterial = withColour(new THREE.MeshBasicMaterial({}), '--ray');
+const hitMaterial = withColour(new THREE.MeshBasicMaterial({depthTest: false, transparent: true}), '--feature');
+const hitCount = ray => ray[1].length / 2;
+function rayObject(k, radius)
+{
+  const group = new THREE.Group(), body = bodies[0], ways = [], balls = [];
+  for (const [numbers, hits] of data.rays) {
+    const [from, along] = triples(numbers), at = t => placed(body, k, from.map((x, i) => x + t * along[i]));
+    const times = hits.filter((x, i) => i % 2 === 1 && x !== null), beyond = body.box.extent / Math.hypot(...along);
+    const way = [at(0), at(times.length ? times[times.length - 1] + beyond / 2 : 3 * beyond)];
+    if (way.flat().every(Number.isFinite)) ways.push(way);
+    balls.push(...times.map(at).filter(p => p.every(Number.isFinite)).map(p => [p, p]));
+  }
+  if (ways.length) group.add(rods(ways, radius, rayMaterial));
+  if (balls.length) group.add(rods(balls, 1.5 * radius, hitMaterial));
+  return group;
+}
+
 // Where the contacts are, about: the middle of the boxes' intersections of each pair.
 function contactBox(k)
 {
@@ -218,7 +246,7 @@ function contactBox(k)
 // What the paper's query leaves for the leaf tests: the faces in the leaves of pairs that are not discarded.
 const leftMaterial = withColour(new THREE.MeshBasicMaterial({side: THREE.DoubleSide, transparent: true, opacity: 0.75, depthWrite: false,
                                                             polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1}), '--left');
-const kept = new Set([leftMaterial, contactMaterial, ...markMaterials.flatMap(m => [m.rod, m.sheet])]);  // their objects come and go with the pose
+const kept = new Set([leftMaterial, contactMaterial, nearestMaterial, rayMaterial, hitMaterial, ...markMaterials.flatMap(m => [m.rod, m.sheet])]);  // their objects come and go with the pose
 function leftObject(k)
 {
   const group = new THREE.Group();

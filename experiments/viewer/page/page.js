@@ -4,10 +4,10 @@
 const element = id => document.getElementById(id);
 const canvas = element('picture'), pair = bodies.length === 2, hasFeatures = Boolean(data.features);
 const hasMethod = bodies.every(body => body.nodes);  // a large body has no more than its surface
-const layers = ['a', 'b', 'edges', 'features', 'contacts', 'left', 'covering', 'tetrahedra', 'spheres', 'hull'];
+const layers = ['a', 'b', 'edges', 'features', 'contacts', 'nearest', 'rays', 'left', 'covering', 'tetrahedra', 'spheres', 'hull'];
 const most = Math.max(...bodies.map(deepest));
 const fewFaces = bodies.every(body => body.faces.length < 500);  // through which one sees the contacts
-const start = {pose: 0, show: ['a', 'b', 'edges', 'features'], level: Math.min(3, most), opacity: hasFeatures && fewFaces ? 0.8 : 1, shrink: 0.8, theme: ''};
+const start = {pose: 0, show: ['a', 'b', 'edges', 'features', 'nearest', 'rays'], level: Math.min(3, most), opacity: hasFeatures && fewFaces ? 0.8 : 1, shrink: 0.8, theme: ''};
 const state = {...start, show: new Set(start.show)};
 const isWrong = k => data.exact !== undefined && data.exact[k] !== data.answer[k];
 const wrongPoses = Array.from({length: poseCount}, (_, k) => k).filter(isWrong);
@@ -116,8 +116,10 @@ function update()
   if (hasFeatures) {
     layer('features', state.pose + ' ' + radius, () => onMarks(featureObject(state.pose, radius)));
     layer('contacts', state.pose + ' ' + radius, () => onMarks(contactObject(state.pose, radius)));
+    layer('nearest', state.pose + ' ' + radius, () => onMarks(nearestObject(state.pose, radius)));
     layer('left', state.pose, () => onMarks(leftObject(state.pose)));
   }
+  if (data.rays) layer('rays', state.pose + ' ' + radius, () => onMarks(rayObject(state.pose, radius)));
 }
 
 function resize()
@@ -159,13 +161,26 @@ function answerText(answer)
   return String(answer);
 }
 
+function raysText()
+{
+  const met = data.rays.filter(hitCount).length, faces = data.rays.map(hitCount).reduce((x, y) => x + y, 0);
+  return data.rays.length + (data.rays.length === 1 ? ' ray, ' : ' rays, ') + met + ' of them meeting ' + faces + (faces === 1 ? ' face.' : ' faces.');
+}
+
+function nearestText(k)
+{
+  const [distance, a, b] = [0, 7, 8].map(i => data.nearest[k][i]);
+  return distance === 0 ? '' : 'Distance ' + (distance ?? 'beyond the doubles') + ', ' + a + ' of A to ' + b + ' of B.';
+}
+
 function contactsText(k)
 {
+  if (data.rays) return raysText();
   if (!hasFeatures) return '';
   const shown = featuresOf(k), count = data.feature_counts[k];
   if (count === null) return 'Too many leaves are left to look for edges that meet faces.';
   const lost = shown.filter(f => f[5] === 1).length, invented = shown.filter(f => f[5] === 2).length;
-  if (!count && !invented) return data.exact[k] ? 'No edge meets a face: one body is inside the other.' : '';
+  if (!count && !invented) return data.exact[k] ? 'No edge meets a face: one body is inside the other.' : nearestText(k);
   const byKind = kinds.map((kind, i) => [shown.filter(f => f[4] === i && f[5] < 2).length, kind]).filter(([n]) => n)
                      .map(([n, kind]) => n + ' ' + kind);
   const more = count > shown.length - invented ? ' among the first ' + (shown.length - invented) : '';
@@ -269,6 +284,7 @@ element('name').textContent = data.name;
 bodies.forEach((body, i) => { element('name-' + 'ab'[i]).textContent = 'AB'[i] + (data.case ? '' : ': ' + body.name); });
 for (const part of document.querySelectorAll('[data-pair]')) part.hidden = !pair;
 for (const part of document.querySelectorAll('[data-features]')) part.hidden = !hasFeatures;
+for (const part of document.querySelectorAll('[data-rays]')) part.hidden = !data.rays;
 element('poses').hidden = poseCount < 2;
 element('line').hidden = !data.exact;
 element('next-wrong').hidden = wrongPoses.length === 0;

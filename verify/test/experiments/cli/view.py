@@ -154,6 +154,24 @@ with tempfile.TemporaryDirectory(prefix="tetracone_view_") as name, Browser() as
     check("2 lost" in state["contacts"], f"contacts: {state['contacts']}")
     check("wrong" in browser.state(predicate)["verdict"], "the predicate's case is not said to be wrong")
 
+    # Bodies apart show how far, and a ray what it meets: along an edge, through two faces, past everything, from within.
+    apart = browser.state(pair, "pose=3")
+    check(apart["contacts"].startswith("Distance 0.75, ") and "nearest" in apart["show"], f"apart: {apart['contacts']}")
+    check(browser.state(pair, "pose=0")["contacts"].find("Distance") < 0, "a distance of bodies that collide")
+    rays = folder / "rays.txt"
+    rays.write_text("-1 0 0 2 0 0\n-1 0.5 0.25 1 0 0\n-1 2 2 1 0 0\n0.5 0.5 0.5 0 0 3\n")
+    cast = view(folder / "rays.html", models / "cube.off", "--rays", rays)
+    check(browser.state(cast)["contacts"] == "4 rays, 3 of them meeting 7 faces.", f"rays: {browser.state(cast)['contacts']}")
+    drawn = browser.work(cast, {name: f"location.hash = 'show={name}&opacity=0.3'" for name in ("a", "a,rays")})
+    check(drawn["a,rays"]["triangles"] > drawn["a"]["triangles"], "rays add nothing")
+    check(differ(drawn["a,rays"]["picture"], drawn["a"]["picture"]) > 1000, "rays do not change the picture")
+    check(hue(browser.picture(cast, "show=rays"), "orange") > 100, "where rays meet faces is orange")
+    check(near(browser.picture(cast, "show=rays"), (0, 114, 178)) > 500, "rays are blue")
+    check(near(browser.picture(pair, "pose=3&show=nearest"), (26, 27, 28)) > 100, "the way between the nearest points is drawn")
+    for words in (["--rays", folder / "none.txt"], [models / "cube.off", "--rays", rays]):
+        refused = subprocess.run([program, "view", models / "cube.off", *words, "--out", folder / "no.html"], capture_output=True, text=True)
+        check(refused.returncode == 2 and refused.stderr.count("\n") == 1 and not (folder / "no.html").exists(), f"{words}: {refused}")
+
     # What each control is for: by the address, then by hand.
     layers = ("edges", "features", "contacts", "left", "covering", "tetrahedra", "spheres", "hull")
     address = {"plain": "pose=1&show=a,b", "a": "pose=1&show=a", "pose 2": "pose=2", "pose 3": "pose=3", "pose 0": "pose=0",

@@ -1,7 +1,7 @@
 #include "tetracone/tetratree/locator/point_locator.h"
 
 #include "verify/test/support/locator_scenes.h"
-#include "verify/truth/cgal_truth.h"
+#include "verify/truth/point_truth.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -17,40 +17,11 @@ namespace verify = tetracone::verify;
 using namespace tetracone::tetratree;
 using tetracone::covering::Polyhedron;
 using tetracone::covering::Vertex;
-using tetracone::kernel::Pose;
 using tetracone::kernel::Rational;
 
 namespace {
 
 using Model = Point_locator::Model;
-
-/// The truth for many points of one body.
-class Truth {
- public:
-  explicit Truth(const Polyhedron& polyhedron) : body_(polyhedron), solid_(body_, Pose()), dot_(origin()) {}
-
-  int operator()(const std::array<Rational, 3>& p) const
-  {
-    const verify::Placed_body moved(dot_, Pose({1, 0, 0, p[0], 0, 1, 0, p[1], 0, 0, 1, p[2]}));
-    if (verify::detail::surfaces_meet(solid_, moved)) return 0;
-    return verify::detail::winding(solid_, moved, 0) != 0 ? 1 : -1;
-  }
-
- private:
-  static Polyhedron origin()
-  {
-    Polyhedron origin;
-    origin.vertices = {{0, 0, 0}};
-    origin.add_polygon({0});
-    return origin;
-  }
-
-  verify::Brute_body body_;
-  verify::Placed_body solid_;
-  verify::Brute_body dot_;
-};
-
-std::array<Rational, 3> exact(const Vertex& p) { return {Rational(p[0]), Rational(p[1]), Rational(p[2])}; }
 
 }  // namespace
 
@@ -63,11 +34,11 @@ BOOST_AUTO_TEST_CASE(every_point_is_where_the_truth_has_it)
   for (const auto& [name, body] : scenes::locator_bodies(random)) {
     const Model model(body);
     const Point_locator locator(model);
-    const Truth truth(body);
+    const verify::Point_truth truth(body);
     long wrong_here = 0;
     for (int k = 0; k < 60 * rounds; ++k) {
       const Vertex p = scenes::degenerate_point(random, body, model.lattice().origin);
-      const int expected = truth(exact(p)), found = int(locator.locate(p));
+      const int expected = truth(p), found = int(locator.locate(p));
       ++answers[expected + 1];
       wrong_here += found != expected;
       if (found != expected && wrong_here < 4)
@@ -101,7 +72,7 @@ BOOST_AUTO_TEST_CASE(fractions_are_located_as_they_are)
   const Polyhedron body = scenes::cube_with_tunnel();
   const Model model(body);
   const Point_locator locator(model);
-  const Truth truth(body);
+  const verify::Point_truth truth(body);
   std::array<long, 3> answers{};
   for (int k = 0; k < 300; ++k) {
     std::array<Rational, 3> p;

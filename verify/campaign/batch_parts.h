@@ -1,0 +1,73 @@
+#ifndef TETRACONE_VERIFY_CAMPAIGN_BATCH_PARTS_H
+#define TETRACONE_VERIFY_CAMPAIGN_BATCH_PARTS_H
+
+#include "verify/campaign/batches.h"
+#include "verify/campaign/findings.h"
+#include "verify/cases/random.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// What judges of all levels have in common.
+namespace tetracone::verify {
+
+/// Each such case is tried with one relation, all of them in turn; lists, at once with all.
+inline constexpr std::uint64_t relation_stride = 4;
+
+/// Subjects that have not been asked all cases of a batch before; the truth is one of them.
+class Wanted {
+ public:
+  template <class Subject>
+  Wanted(const Batch& batch, const std::vector<Subject>& subjects, const Done& done) : last_(batch.last)
+  {
+    for (const Subject& subject : subjects) names_.push_back(subject.name);
+    names_.push_back(truth_name);
+    for (const std::string& name : names_) next_.push_back(done.next(batch, name));
+  }
+
+  bool subject(std::size_t s, std::uint64_t k) const { return next_[s] <= k; }
+  bool truth(std::uint64_t k) const { return next_.back() <= k; }
+  bool anyone(std::uint64_t k) const
+  {
+    return std::ranges::any_of(next_, [k](std::uint64_t next) { return next <= k; });
+  }
+
+  /// Records for each the cases asked now. Call when the batch is done.
+  void add_done(Findings& found) const
+  {
+    for (std::size_t s = 0; s < names_.size(); ++s)
+      if (next_[s] < last_) found.add_done(names_[s], last_ - next_[s]);
+  }
+
+ private:
+  std::vector<std::string> names_;   // the truth's is the last
+  std::vector<std::uint64_t> next_;  // the first case that each has not been asked
+  std::uint64_t last_;
+};
+
+/// Calls what() and returns its result and the nanoseconds that it took.
+template <class What>
+auto timed(const What& what)
+{
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  auto result = what();
+  return std::pair(std::move(result),
+                   std::uint64_t(std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - start).count()));
+}
+
+inline std::string name_of(kernel::Question question) { return std::string(kernel::to_string(question)); }
+
+inline Random random_of(const Origin& origin, std::size_t relation)
+{
+  return Random(origin.seed * 1'000'003 + origin.index * 101 + relation);
+}
+
+}  // namespace tetracone::verify
+
+#endif

@@ -1,0 +1,26 @@
+#ifndef TETRACONE_VERIFY_CAMPAIGN_DISTANCE_BATCH_H
+#define TETRACONE_VERIFY_CAMPAIGN_DISTANCE_BATCH_H
+
+#include "verify/campaign/batches.h"
+#include "verify/campaign/findings.h"
+#include "verify/subjects/object_subject.h"
+
+#include <memory>
+#include <vector>
+
+namespace tetracone::verify {
+
+/// Subjects at work in one thread.
+using Running_subjects = std::vector<std::unique_ptr<Running_subject>>;
+
+/// Judges a batch of distances, of surfaces and of solids. What a subject tells are `distance_statements` statements:
+/// the exact square; that the nearest points are as far apart, and lie where is said; the rounded root, asked for with
+/// them and alone; limits at the distance, beside it and far from it. An answer is how many of them are right. Of
+/// bodies of more than `most_faces` faces nobody is asked. Throws Truths_disagree.
+Findings judge_distances(const Campaign& campaign, const Batch& batch, const Done& done, Running_subjects& running);
+
+inline constexpr int distance_statements = 12;
+
+}  // namespace tetracone::verify
+
+#endif

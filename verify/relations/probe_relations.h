@@ -1,0 +1,26 @@
+#ifndef TETRACONE_VERIFY_RELATIONS_PROBE_RELATIONS_H
+#define TETRACONE_VERIFY_RELATIONS_PROBE_RELATIONS_H
+
+#include "verify/relations/metamorphic_relations.h"
+#include "verify/subjects/probe_subject.h"
+
+#include <span>
+#include <string_view>
+
+namespace tetracone::verify {
+
+/// What must hold between a subject's answers to a point or a ray and to twins of it that were made without rounding.
+struct Probe_relation {
+  std::string_view name, what;
+  Verdict (*check)(const Probe_case& c, Running_probe& subject, Random& random);
+};
+
+/// Those of points.
+std::span<const Probe_relation> point_relations();
+
+/// Those of rays.
+std::span<const Probe_relation> ray_relations();
+
+}  // namespace tetracone::verify
+
+#endif

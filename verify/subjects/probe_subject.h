@@ -1,0 +1,53 @@
+#ifndef TETRACONE_VERIFY_SUBJECTS_PROBE_SUBJECT_H
+#define TETRACONE_VERIFY_SUBJECTS_PROBE_SUBJECT_H
+
+#include "tetracone/tetratree/ray_hit.h"
+#include "verify/cases/probe_case.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tetracone::verify {
+
+using tetratree::Ray_hit;
+
+/// What a subject says of a ray.
+struct Told_hits {
+  std::optional<Ray_hit> first;
+  std::vector<Ray_hit> all;
+};
+
+/// A subject that is asked about points or rays, in one thread. Keeps what it has prepared for the body of the last
+/// case. Nothing for an answer: it failed.
+class Running_probe {
+ public:
+  virtual ~Running_probe() = default;
+
+  /// 1 inside, 0 on the surface, -1 outside. Requires a closed body.
+  virtual std::optional<int> where(const Probe_case&) { return std::nullopt; }
+
+  /// Requires a direction that is not 0.
+  virtual std::optional<Told_hits> hits(const Probe_case&) { return std::nullopt; }
+};
+
+/// Something that says where points are, or what rays meet.
+struct Probe_subject {
+  std::string name;  ///< "adaptive locator", "double covering"
+  bool is_exact = false;
+  std::function<std::unique_ptr<Running_probe>()> make;
+};
+
+/// Of points: the library's `Body::inside` of bodies triangulated, whole and by fractions; and JS08's signed sums over
+/// the whole covering by some kernels.
+std::vector<Probe_subject> point_subjects();
+
+/// Of rays: the library's `Body::hits` and `first_hit` of bodies triangulated and whole; and in double what the field
+/// does, Moeller and Trumbore's test of each triangle.
+std::vector<Probe_subject> ray_subjects();
+
+}  // namespace tetracone::verify
+
+#endif

@@ -1,0 +1,49 @@
+#ifndef TETRACONE_VERIFY_TRUTH_POINT_TRUTH_H
+#define TETRACONE_VERIFY_TRUTH_POINT_TRUTH_H
+
+#include "verify/truth/cgal_truth.h"
+
+#include <array>
+
+namespace tetracone::verify {
+
+/// Where points stand to one body, by all of its elements in rationals: on one of them, else by signed crossings of a
+/// ray. Not for two threads at a time.
+class Point_truth {
+ public:
+  /// Requires a closed polyhedron. Throws as `Brute_body`.
+  explicit Point_truth(const covering::Polyhedron& polyhedron)
+      : body_(polyhedron), solid_(body_, Pose()), dot_(origin())
+  {}
+  Point_truth(const Point_truth&) = delete;
+
+  /// 1 inside, 0 on the surface, -1 outside.
+  int operator()(const std::array<kernel::Rational, 3>& p) const
+  {
+    const Placed_body moved(dot_, Pose({1, 0, 0, p[0], 0, 1, 0, p[1], 0, 0, 1, p[2]}));
+    if (detail::surfaces_meet(solid_, moved)) return 0;
+    return detail::winding(solid_, moved, 0) != 0 ? 1 : -1;
+  }
+  int operator()(const kernel::Vertex& p) const
+  {
+    return (*this)(
+        std::array<kernel::Rational, 3>{kernel::Rational(p[0]), kernel::Rational(p[1]), kernel::Rational(p[2])});
+  }
+
+ private:
+  static covering::Polyhedron origin()
+  {
+    covering::Polyhedron origin;
+    origin.vertices = {{0, 0, 0}};
+    origin.add_polygon({0});
+    return origin;
+  }
+
+  Brute_body body_;
+  Placed_body solid_;
+  Brute_body dot_;
+};
+
+}  // namespace tetracone::verify
+
+#endif
