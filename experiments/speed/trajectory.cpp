@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 namespace tetracone::experiments {
 
@@ -226,6 +227,84 @@ std::vector<Pose> contour_trajectory(const covering::Polyhedron& a, const coveri
   if (found_far >= range.low && found_far <= range.high) return all.poses(far);
   if (found_near >= range.low && found_near <= range.high) return all.poses(near);
   return all.poses(all.between(near, far));
+}
+
+std::vector<Pose> smooth_walk(const covering::Polyhedron& a, const covering::Polyhedron& b, double ratio, int frames,
+                              double clearance, std::uint64_t seed, const Collides& collides)
+{
+  assert(ratio > 0 && frames >= 1);
+  constexpr int directions = 512;
+  Random random(seed);
+  const Turning_body body(b, ratio, random, Turning::yes);
+  const Vector centre = centroid(a);
+  const double size = radius(a), size_b = radius(b) / ratio;
+  const auto [w, x, y, z] = random.quaternion();
+  const Rotation pole = rotation(w, x, y, z);
+  const auto at = [&](double time, double distance) {
+    const auto [c, s] = turn(time);
+    const double height = 0.7 * (2 * s * c), across = std::sqrt(1 - height * height);
+    const Vector direction = sum(sum(sum({0, 0, 0}, across * c, pole[0]), across * s, pole[1]), height, pole[2]);
+    return body.pose(sum(centre, distance, direction), time);
+  };
+
+  std::vector<double> touching;
+  const double outside = 1.01 * (size + size_b);
+  for (int k = 0; k < directions; ++k) {
+    const auto collides_at = [&](double distance) { return collides(at(double(k) / directions, distance)); };
+    const auto found = first_contact(outside, size_b / 16, size / 2048, collides_at);
+    touching.push_back(found ? *found : 0);
+  }
+  const double step = 2 * std::numbers::pi / directions * size;
+  std::vector<double> distance = touching;
+  for (int k = 0; k < directions; ++k)
+    for (int other = 0; other < directions; ++other) {
+      const int between = std::abs(k - other);
+      distance[k] = std::max(distance[k], touching[other] - step * std::min(between, directions - between));
+    }
+
+  std::vector<Pose> poses;
+  for (int k = 0; k < frames; ++k) {
+    const double time = double(k) / frames, place = time * directions;
+    const int first = static_cast<int>(place);
+    const double share = place - first;
+    poses.push_back(
+        at(time, (1 - share) * distance[first] + share * distance[(first + 1) % directions] + clearance * size));
+  }
+  return poses;
+}
+
+double mean_motion(const covering::Polyhedron& a, const covering::Polyhedron& b, const std::vector<Pose>& poses)
+{
+  assert(poses.size() > 1);
+  Vector low = b.vertices.at(0), high = low;
+  double extent = 0;
+  for (int i = 0; i < 3; ++i) {
+    const auto [least, most] =
+        std::ranges::minmax_element(a.vertices, {}, [i](const kernel::Vertex& v) { return v[i]; });
+    extent = std::max(extent, (*most)[i] - (*least)[i]);
+    for (const kernel::Vertex& v : b.vertices) {
+      low[i] = std::min(low[i], v[i]);
+      high[i] = std::max(high[i], v[i]);
+    }
+  }
+  double total = 0;
+  for (std::size_t k = 1; k < poses.size(); ++k) {
+    double farthest = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vector at = {corner & 1 ? high[0] : low[0], corner & 2 ? high[1] : low[1], corner & 4 ? high[2] : low[2]};
+      double square = 0;
+      for (int row = 0; row < 3; ++row) {
+        const auto image = [&](const Pose& m) {
+          return m[4 * row] * at[0] + m[4 * row + 1] * at[1] + m[4 * row + 2] * at[2] + m[4 * row + 3];
+        };
+        const double moved = image(poses[k]) - image(poses[k - 1]);
+        square += moved * moved;
+      }
+      farthest = std::max(farthest, std::sqrt(square));
+    }
+    total += farthest;
+  }
+  return total / double(poses.size() - 1) / extent;
 }
 
 }  // namespace tetracone::experiments

@@ -41,6 +41,18 @@ std::vector<kernel::Pose> contour_trajectory(const covering::Polyhedron& a, cons
                                              int frames, std::uint64_t seed, const Collides& collides,
                                              Turning turning = Turning::yes);
 
+/// A smooth walk: once round A on a wave over the sphere of directions, with no jitter, as bodies move in time. B keeps
+/// at least `clearance` of A's radius from touching in each of some hundred directions, and where the contour is steep it
+/// keeps farther: the way out and in is no steeper than the way round. Poses of more frames are on the same way. Asks
+/// some 10 to 30 times a direction.
+std::vector<kernel::Pose> smooth_walk(const covering::Polyhedron& a, const covering::Polyhedron& b, double ratio,
+                                      int frames, double clearance, std::uint64_t seed, const Collides& collides);
+
+/// The mean of how far B moves from one frame to the next, the farthest moved corner of its bounding box, as a share of
+/// A's largest extent. Requires two poses.
+double mean_motion(const covering::Polyhedron& a, const covering::Polyhedron& b,
+                   const std::vector<kernel::Pose>& poses);
+
 }  // namespace tetracone::experiments
 
 #endif

@@ -42,45 +42,74 @@ struct Relative_edges {
   Floats r02, r12, r22;  ///< edge 2
 };
 
-/// The lanes whose box, of the extents e0, e1 and e2, lies beyond one of the triangle's two other edges.
-///
-/// The normals of these edges are (-base, left) and (base, right) along the single box's edges 1 and 2, no unit
-/// vectors: so the slack is times base + left, or base + right. It is twice that of the other axes, for two more
-/// roundings a term, and the tolerance of the apex, twice, for the roundings of the extents.
+/// How far lanes lie beyond the triangle's two other edges, along their normals, and the sums of these' coordinates along
+/// the single box's edges, at least their lengths.
+template <class Floats, class Number>
+struct Beyond_triangle {
+  Floats left, right;
+  Number left_length, right_length;
+  Floats left_normal[3], right_normal[3];  ///< along the eight's axes
+};
+
+/// Of the lanes' boxes, of the extents e0, e1 and e2. The normals are (-base, left) and (base, right) along the single
+/// box's edges 1 and 2, no unit vectors.
 template <class Test, class Floats>
-HWY_INLINE auto beside_triangle(const Test& test, const Relative_edges<Floats>& of, Floats e0, Floats e1, Floats e2)
+HWY_INLINE auto beyond_triangle(const Test& test, const Relative_edges<Floats>& of, Floats e0, Floats e1, Floats e2)
 {
   const auto& box = test.box;
   using Number = std::decay_t<decltype(box.slack)>;
   const Number length = box.extent[1], width = box.extent[2], base = Number(2) * width,
                left = length * (Number(1) + box.apex), right = length * (Number(1) - box.apex);
-  const Number slack = Number(2) * box.slack + Number(2 * apex_tolerance) * (length + width);
   const auto number = [&](const Number& value) HWY_ATTR { return test.all(value); };
   const Floats d1 = Mul(number(base), MulAdd(of.t2, of.r21, MulAdd(of.t1, of.r11, Mul(of.t0, of.r01)))),
                d2 = MulAdd(of.t2, of.r22, MulAdd(of.t1, of.r12, Mul(of.t0, of.r02)));
   const Floats b0 = Mul(number(base), of.r01), b1 = Mul(number(base), of.r11), b2 = Mul(number(base), of.r21);
-  const auto beside = [&](Floats distance, const Number& reach, Floats n0, Floats n1, Floats n2,
-                          const Number& sum) HWY_ATTR {
-    const Floats beyond =
-        NegMulAdd(e2, Abs(n2), NegMulAdd(e1, Abs(n1), NegMulAdd(e0, Abs(n0), Sub(distance, number(reach)))));
-    return Gt(beyond, number(slack * sum));
+  const auto beyond = [&](Floats distance, const Number& reach, const Floats(&n)[3]) HWY_ATTR {
+    return NegMulAdd(e2, Abs(n[2]), NegMulAdd(e1, Abs(n[1]), NegMulAdd(e0, Abs(n[0]), Sub(distance, number(reach)))));
   };
   // t leads from the eight to the single one: their centres are at (-d1, -d2) / (base, 1).
   const Floats l = number(left), r = number(right);
-  const auto beside_left = beside(NegMulAdd(l, d2, d1), width * right, NegMulAdd(l, of.r02, b0),
-                                  NegMulAdd(l, of.r12, b1), NegMulAdd(l, of.r22, b2), base + left);
-  const auto beside_right = beside(NegMulAdd(r, d2, Neg(d1)), width * left, MulAdd(r, of.r02, b0),
-                                   MulAdd(r, of.r12, b1), MulAdd(r, of.r22, b2), base + right);
-  return Or(beside_left, beside_right);
+  const Floats of_left[3] = {NegMulAdd(l, of.r02, b0), NegMulAdd(l, of.r12, b1), NegMulAdd(l, of.r22, b2)},
+               of_right[3] = {MulAdd(r, of.r02, b0), MulAdd(r, of.r12, b1), MulAdd(r, of.r22, b2)};
+  return Beyond_triangle<Floats, Number>{beyond(NegMulAdd(l, d2, d1), width * right, of_left),
+                                         beyond(NegMulAdd(r, d2, Neg(d1)), width * left, of_right),
+                                         base + left,
+                                         base + right,
+                                         {of_left[0], of_left[1], of_left[2]},
+                                         {Neg(of_right[0]), Neg(of_right[1]), Neg(of_right[2])}};
 }
 
-/// The lanes whose box is not found apart from the single box: separating axes are the normals of both and the 9 cross
-/// products of edges. A gap is |distance| minus both reaches; with an infinite slack none is found, whatever
-/// overflowed. Of a similarity, a single box that holds a triangle is cut down to it.
-template <bool similarity, class Test>
-HWY_INLINE auto together(const Test& test)
+/// The slack along a triangle's sides, over their normals' lengths: twice that of the other axes, for two more roundings
+/// a term, and the tolerance of the apex, twice, for the roundings of the extents.
+template <class Box, class Number>
+HWY_INLINE Number side_slack(const Box& box, const Number& slack)
 {
-  using Floats = typename Test::Floats;
+  return Number(2) * slack + Number(2 * apex_tolerance) * (box.extent[1] + box.extent[2]);
+}
+
+/// The lanes whose box, of the extents e0, e1 and e2, lies beyond one of the triangle's two other edges.
+template <class Test, class Floats>
+HWY_INLINE auto beside_triangle(const Test& test, const Relative_edges<Floats>& of, Floats e0, Floats e1, Floats e2)
+{
+  const auto sides = beyond_triangle(test, of, e0, e1, e2);
+  const auto slack = side_slack(test.box, test.box.slack);
+  return Or(Gt(sides.left, test.all(slack * sides.left_length)), Gt(sides.right, test.all(slack * sides.right_length)));
+}
+
+/// What is kept of an axis, of the components n along the eight's axes: the gap.
+struct Gap_alone {
+  template <class Floats>
+  HWY_INLINE Floats operator()(Floats gap, Floats, Floats, Floats) const
+  {
+    return gap;
+  }
+};
+
+/// What is kept of the axis of the largest gap of the single box and each lane: separating axes are the normals of both
+/// and the 9 cross products of edges. A gap is |distance| minus both reaches. `edges` are what a triangle is compared by.
+template <bool similarity, class Test, class Floats, class Kept>
+HWY_INLINE auto largest_gap(const Test& test, Relative_edges<Floats>& edges, const Kept& kept)
+{
   const auto& boxes = test.boxes;
   const auto& box = test.box;
   using Number = std::decay_t<decltype(box.slack)>;
@@ -110,13 +139,16 @@ HWY_INLINE auto together(const Test& test)
   // The normals of the eight.
   const auto own = [&](Floats t, Floats e, Floats s0, Floats s1, Floats s2)
                        HWY_ATTR { return NegMulAdd(f2, s2, NegMulAdd(f1, s1, NegMulAdd(f0, s0, Sub(Abs(t), e)))); };
-  Floats gap = Max(own(t0, e0, s00, s01, s02), Max(own(t1, e1, s10, s11, s12), own(t2, e2, s20, s21, s22)));
+  const Floats one = all(Number(1)), zero = all(Number(0));
+  auto gap =
+      Max(kept(own(t0, e0, s00, s01, s02), one, zero, zero),
+          Max(kept(own(t1, e1, s10, s11, s12), zero, one, zero), kept(own(t2, e2, s20, s21, s22), zero, zero, one)));
 
   // n_ij = a_i . normal_j, and its magnitude: of a similarity the edges themselves.
   Floats n00 = s00, n01 = s01, n02 = s02, n10 = s10, n11 = s11, n12 = s12, n20 = s20, n21 = s21, n22 = s22;
   const auto other = [&](Floats m0, Floats m1, Floats m2, Floats reach, Floats s0, Floats s1, Floats s2) HWY_ATTR {
     const Floats distance = Abs(MulAdd(t2, m2, MulAdd(t1, m1, Mul(t0, m0))));
-    return NegMulAdd(e2, s2, NegMulAdd(e1, s1, NegMulAdd(e0, s0, Sub(distance, reach))));
+    return kept(NegMulAdd(e2, s2, NegMulAdd(e1, s1, NegMulAdd(e0, s0, Sub(distance, reach)))), m0, m1, m2);
   };
   if constexpr (similarity) {
     gap = Max(gap, Max(other(r00, r10, r20, f0, s00, s10, s20),
@@ -149,22 +181,34 @@ HWY_INLINE auto together(const Test& test)
     const Floats distance = Abs(NegMulAdd(tl, rm, Mul(tm, rl)));
     return NegMulAdd(fo, nk, NegMulAdd(fk, no, NegMulAdd(em, sl, NegMulAdd(el, sm, distance))));
   };
-  const Floats across0 = Max(crossed(t2, r10, t1, r20, e1, s20, e2, s10, f1, n02, f2, n01),
-                             Max(crossed(t2, r11, t1, r21, e1, s21, e2, s11, f2, n00, f0, n02),
-                                 crossed(t2, r12, t1, r22, e1, s22, e2, s12, f0, n01, f1, n00)));
-  const Floats across1 = Max(crossed(t0, r20, t2, r00, e2, s00, e0, s20, f1, n12, f2, n11),
-                             Max(crossed(t0, r21, t2, r01, e2, s01, e0, s21, f2, n10, f0, n12),
-                                 crossed(t0, r22, t2, r02, e2, s02, e0, s22, f0, n11, f1, n10)));
-  const Floats across2 = Max(crossed(t1, r00, t0, r10, e0, s10, e1, s00, f1, n22, f2, n21),
-                             Max(crossed(t1, r01, t0, r11, e0, s11, e1, s01, f2, n20, f0, n22),
-                                 crossed(t1, r02, t0, r12, e0, s12, e1, s02, f0, n21, f1, n20)));
-  gap = Max(Max(gap, across0), Max(across1, across2));
+  const auto across0 =
+      Max(kept(crossed(t2, r10, t1, r20, e1, s20, e2, s10, f1, n02, f2, n01), zero, Neg(r20), r10),
+          Max(kept(crossed(t2, r11, t1, r21, e1, s21, e2, s11, f2, n00, f0, n02), zero, Neg(r21), r11),
+              kept(crossed(t2, r12, t1, r22, e1, s22, e2, s12, f0, n01, f1, n00), zero, Neg(r22), r12)));
+  const auto across1 =
+      Max(kept(crossed(t0, r20, t2, r00, e2, s00, e0, s20, f1, n12, f2, n11), r20, zero, Neg(r00)),
+          Max(kept(crossed(t0, r21, t2, r01, e2, s01, e0, s21, f2, n10, f0, n12), r21, zero, Neg(r01)),
+              kept(crossed(t0, r22, t2, r02, e2, s02, e0, s22, f0, n11, f1, n10), r22, zero, Neg(r02))));
+  const auto across2 =
+      Max(kept(crossed(t1, r00, t0, r10, e0, s10, e1, s00, f1, n22, f2, n21), Neg(r10), r00, zero),
+          Max(kept(crossed(t1, r01, t0, r11, e0, s11, e1, s01, f2, n20, f0, n22), Neg(r11), r01, zero),
+              kept(crossed(t1, r02, t0, r12, e0, s12, e1, s02, f0, n21, f1, n20), Neg(r12), r02, zero)));
+  edges = {t0, t1, t2, r01, r11, r21, r02, r12, r22};
+  return Max(Max(gap, across0), Max(across1, across2));
+}
 
-  const auto apart = Gt(gap, all(box.slack));
+/// The lanes whose box is not found apart from the single box; with an infinite slack none is, whatever overflowed. Of a
+/// similarity, a single box that holds a triangle is cut down to it.
+template <bool similarity, class Test>
+HWY_INLINE auto together(const Test& test)
+{
+  using Floats = typename Test::Floats;
+  Relative_edges<Floats> edges;
+  const auto apart = Gt(largest_gap<similarity>(test, edges, Gap_alone()), test.all(test.box.slack));
   if constexpr (similarity) {
     if (test.holds_triangle())
-      return Not(Or(
-          apart, beside_triangle(test, Relative_edges<Floats>{t0, t1, t2, r01, r11, r21, r02, r12, r22}, e0, e1, e2)));
+      return Not(Or(apart, beside_triangle(test, edges, test.load(test.boxes.extent[0]),
+                                           test.load(test.boxes.extent[1]), test.load(test.boxes.extent[2]))));
   }
   return Not(apart);
 }

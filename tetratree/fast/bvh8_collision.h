@@ -7,16 +7,19 @@
 #include "tetracone/tetratree/fast/bvh8.h"
 #include "tetracone/tetratree/fast/bvh8_containment.h"
 #include "tetracone/tetratree/fast/bvh8_descent.h"
+#include "tetracone/tetratree/fast/bvh8_front.h"
+#include "tetracone/tetratree/fast/element_gap.h"
 #include "tetracone/tetratree/fast/placed_bvh8.h"
 #include "tetracone/tetratree/fast/separating_direction.h"
 #include "tetracone/tetratree/query_statistics.h"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <type_traits>
-#include <utility>
 
 namespace tetracone::tetratree {
 
@@ -27,8 +30,8 @@ using kernel::Relation;
 /// What a query object keeps from one pose to the next.
 enum class Coherence {
   none,
-  last_frame  ///< the direction that separated the bodies, and the pair of elements that met: tried first in the next
-              ///< pose
+  last_frame  ///< a `Bvh8_front`: the direction that separated the bodies and the pair of elements that met, tried first
+              ///< in the next pose; and, in exact kernels, the front of the descent
 };
 
 /// Collision detection between two `Bvh8` over kernel K. Build once, ask for many poses.
@@ -52,9 +55,10 @@ class Bvh8_collision {
   /// `model_a`, `model_b`: of the trees' polyhedra.
   Bvh8_collision(const Bvh8& a, const covering::Model<K>& model_a, const Bvh8& b, const covering::Model<K>& model_b,
                  Coherence coherence = Coherence::none)
-      : a_(a, model_a), b_(b, model_b), separating_direction_(a, b), coherence_(coherence)
+      : a_(a, model_a), b_(b, model_b), separating_direction_(a, b)
   {
     kernel::require_exact_arithmetic();
+    if (coherence == Coherence::last_frame) own_front_.emplace();
   }
 
   /// Whether the two placed polyhedra collide. Requires det M != 0 of both poses, and closed polyhedra for
@@ -67,12 +71,23 @@ class Bvh8_collision {
   /// How they stand to one another. Requires the same.
   Relation relation(const Pose& pose_a, const Pose& pose_b, Question question = Question::solid)
   {
+    if (own_front_) return relation(pose_a, pose_b, question, *own_front_);
     kernel::require_sound_floating_point();
     ++counts_.queries;
-    if (a_.tree->empty() || b_.tree->empty() ||
-        separating_direction_(pose_a, pose_b, 6, coherence_ == Coherence::last_frame))
+    if (a_.tree->empty() || b_.tree->empty() || separating_direction_(pose_a, pose_b, most_directions, false))
       return Relation::apart;
-    return ask_trees(pose_a, pose_b, question);
+    return ask_trees(pose_a, pose_b, question, nullptr);
+  }
+
+  /// The same, with what `front` keeps of this pair of placed bodies.
+  Relation relation(const Pose& pose_a, const Pose& pose_b, Question question, Bvh8_front& front)
+  {
+    kernel::require_sound_floating_point();
+    ++counts_.queries;
+    if (a_.tree->empty() || b_.tree->empty()) return Relation::apart;
+    is_plane_tried_ = front.is_plane_first();
+    if (is_plane_tried_ && is_apart_by_plane(pose_a, pose_b, front)) return Relation::apart;
+    return ask_trees(pose_a, pose_b, question, &front);
   }
 
   /// Calls leaf_test(element of A, element of B) for the pairs that the query does not discard, until one returns true:
@@ -82,7 +97,8 @@ class Bvh8_collision {
   {
     kernel::require_sound_floating_point();
     ++counts_.queries;
-    if (a_.tree->empty() || b_.tree->empty() || separating_direction_(pose_a, pose_b, 6, false)) return false;
+    if (a_.tree->empty() || b_.tree->empty() || separating_direction_(pose_a, pose_b, most_directions, false))
+      return false;
     pose_a_ = &pose_a;
     pose_b_ = &pose_b;
     is_placed_ = false;
@@ -109,8 +125,11 @@ class Bvh8_collision {
   const Query_statistics& counts() const { return counts_; }
   void clear_counts() { counts_ = {}; }
 
-  /// Of the tables of reach; the trees have their own.
-  std::size_t bytes() const { return separating_direction_.bytes(); }
+  /// Of the tables of reach and the front; the trees have their own.
+  std::size_t bytes() const { return separating_direction_.bytes() + (own_front_ ? own_front_->bytes() : 0); }
+
+  /// Whether fronts are kept: where leaves are decided by rounding, a certificate could change an answer.
+  static constexpr bool keeps_fronts = kernel::Kernel_traits<K>::exact_signs && kernel::Kernel_traits<K>::exact_motion;
 
  private:
   using Point = kernel::Point<K>;
@@ -118,14 +137,24 @@ class Bvh8_collision {
   using Placed = Placed_bvh8<K>;
   using Box = typename Placed::Box;
 
-  /// What no plane has decided.
-  [[gnu::noinline]] Relation ask_trees(const Pose& pose_a, const Pose& pose_b, Question question)
+  /// Tried before the search is given up.
+  static constexpr int most_directions = 6;
+
+  bool is_apart_by_plane(const Pose& pose_a, const Pose& pose_b, Bvh8_front& front)
+  {
+    const bool is_apart = separating_direction_(pose_a, pose_b, most_directions, true);
+    front.set_plane_first(is_apart);
+    return is_apart;
+  }
+
+  /// What no plane has decided. `front`: null where nothing is kept.
+  [[gnu::noinline]] Relation ask_trees(const Pose& pose_a, const Pose& pose_b, Question question, Bvh8_front* front)
   {
     const std::uint64_t fallbacks = exact_fallbacks();
     pose_a_ = &pose_a;
     pose_b_ = &pose_b;
     is_placed_ = false;
-    const Relation answer = relation_of_trees(question);
+    const Relation answer = relation_of_trees(question, front);
     counts_.exact_fallbacks += exact_fallbacks() - fallbacks;
     return answer;
   }
@@ -137,22 +166,54 @@ class Bvh8_collision {
     return 0;
   }
 
-  Relation relation_of_trees(Question question)
+  Relation relation_of_trees(Question question, Bvh8_front* front)
   {
-    if (witness_ && leaves_meet(witness_->first, witness_->second)) return Relation::surfaces;
+    if (front && front->witness && leaves_meet(front->witness->first, front->witness->second))
+      return Relation::surfaces;
     relate_frames();
-    witness_.reset();
-    const bool surfaces_meet = descend_trees([this](Box box_a, Box box_b) {
+    const std::optional<bool> meet = front ? meet_by_front(*front) : meet_by_trees(nullptr);
+    if (meet && *meet) return Relation::surfaces;
+    if (!meet || question == Question::surface) return Relation::apart;
+    if (front && front->relation) return *front->relation;
+    place();
+    const Relation apart = containment_(a_, b_, counts_)   ? Relation::b_in_a
+                           : containment_(b_, a_, counts_) ? Relation::a_in_b
+                                                           : Relation::apart;
+    if (front && front->holds()) front->relation = apart;
+    return apart;
+  }
+
+  /// Whether surfaces meet; nothing where a plane separates the bodies.
+  std::optional<bool> meet_by_front(Bvh8_front& front)
+  {
+    front.witness.reset();
+    if constexpr (keeps_fronts) {
+      const auto leaves = [this](Box box_a, Box box_b) { return leaf_gap(box_a, box_b); };
+      if (front.holds()) {
+        Both_trees trees = both_trees();
+        const std::optional<bool> meet = front.follow(stack_, trees, *a_.tree, *b_.tree, leaves);
+        count(trees);
+        if (meet) return meet;
+        if (!is_plane_tried_ && is_apart_by_plane(*pose_a_, *pose_b_, front)) return std::nullopt;
+      }
+      Both_trees trees = both_trees();
+      if (Bvh8_front::is_certifiable(trees) && front.is_to_be_made()) {
+        const bool meet = front.make(stack_, trees, *a_.tree, *b_.tree, leaves);
+        count(trees);
+        return meet;
+      }
+    }
+    return meet_by_trees(&front);
+  }
+
+  /// By a descent that certifies nothing.
+  bool meet_by_trees(Bvh8_front* front)
+  {
+    return descend_trees([&](Box box_a, Box box_b) {
       const bool meet = leaves_meet(box_a, box_b);
-      if (meet && coherence_ == Coherence::last_frame) witness_ = {box_a, box_b};
+      if (meet && front) front->witness = {box_a, box_b};
       return meet;
     });
-    if (surfaces_meet) return Relation::surfaces;
-    if (question == Question::surface) return Relation::apart;
-    place();
-    return containment_(a_, b_, counts_)   ? Relation::b_in_a
-           : containment_(b_, a_, counts_) ? Relation::a_in_b
-                                           : Relation::apart;
   }
 
   void relate_frames()
@@ -187,17 +248,32 @@ class Bvh8_collision {
     return any_pair(box_a, box_b, [this](const Element& a, const Element& b) { return elements_meet(a, b); });
   }
 
+  /// Of two leaves: whether elements meet, else how far all are apart at least. What is certified of triangles proves
+  /// that they do not; the signs of K decide about others.
+  Bvh8_front::Leaf_gap leaf_gap(Box box_a, Box box_b)
+  {
+    Bvh8_front::Leaf_gap all{false, std::numeric_limits<double>::infinity(), {}};
+    all.meet = any_pair(box_a, box_b, [&](const Element& a, const Element& b) {
+      const Element_gap found = element_gap(*a_.tree, a, *b_.tree, b, b_.into_other.frame());
+      if (found.low > 0)
+        count_triangles();
+      else if (elements_meet(a, b))
+        return true;
+      all.gap = kernel::minimum(all.gap, found.low);
+      all.axis = found.axis;
+      return false;
+    });
+    if (a_.leaf_count(box_a) * b_.leaf_count(box_b) != 1) all.axis = {};
+    return all;
+  }
+
   /// Whether leaf_pair(box of A, box of B) holds for some pair of leaves that is not discarded.
   template <class Leaf_pair>
   bool descend_trees(const Leaf_pair& leaf_pair)
   {
-    // Of a similarity it is between these. Else sizes tell no more than which box to open; but none may become 0 or
-    // undefined.
-    const double factor = a_.into_other.frame().scale();
-    const float scale = factor >= 0x1p-60 && factor <= 0x1p60 ? float(factor) : 1;
+    Both_trees trees = both_trees();
     stack_.clear();
-    stack_.push(0, 0, a_.size() * scale, b_.size());
-    Both_trees trees{{a_.tree->nodes(), b_.tree->nodes()}, {&a_.into_other, &b_.into_other}, scale};
+    stack_.push(0, 0, a_.size() * trees.scale, b_.size());
     bool meet = false;
     for (Stop stop; !meet && (stop = descend(stack_, trees)) != Stop::nothing_left;) {
       const Box box_a = stack_.box(0), box_b = stack_.box(1);
@@ -211,17 +287,39 @@ class Bvh8_collision {
         tree.child(box / 8, int(box % 8));
       }
     }
+    count(trees);
+    return meet;
+  }
+
+  Both_trees both_trees() const
+  {
+    // Of a similarity it is between these. Else sizes tell no more than which box to open; but none may become 0 or
+    // undefined.
+    const double factor = a_.into_other.frame().scale();
+    const float scale = factor >= 0x1p-60 && factor <= 0x1p60 ? float(factor) : 1;
+    return {{a_.tree->nodes(), b_.tree->nodes()}, {&a_.into_other, &b_.into_other}, scale};
+  }
+
+  void count(const Both_trees& trees)
+  {
     counts_.pairs_visited += trees.opened;
     counts_.box_tests += trees.compared;
-    return meet;
+  }
+
+  void count_triangles()
+  {
+    ++counts_.leaf_pairs;
+    ++counts_.triangle_tests;
   }
 
   bool elements_meet(const Element& a, const Element& b)
   {
     place();
-    ++counts_.leaf_pairs;
-    if (a.is_whole_face() || b.is_whole_face()) return edges_meet(a_, a, b_, b) || edges_meet(b_, b, a_, a);
-    ++counts_.triangle_tests;
+    if (a.is_whole_face() || b.is_whole_face()) {
+      ++counts_.leaf_pairs;
+      return edges_meet(a_, a, b_, b) || edges_meet(b_, b, a_, a);
+    }
+    count_triangles();
     return kernel::triangles_meet<K>(a_.corners(a), b_.corners(b));
   }
 
@@ -250,12 +348,12 @@ class Bvh8_collision {
   Bvh8_containment<K> containment_;
   Pair_stack stack_;
   Query_statistics counts_;
-  Coherence coherence_;
+  std::optional<Bvh8_front> own_front_;  // where the object keeps one
 
   const Pose* pose_a_ = nullptr;
   const Pose* pose_b_ = nullptr;
-  bool is_placed_ = false;                      // at these
-  std::optional<std::pair<Box, Box>> witness_;  // elements that met in the last pose
+  bool is_placed_ = false;       // at these
+  bool is_plane_tried_ = false;  // between the bodies at these
 };
 
 }  // namespace tetracone::tetratree

@@ -38,6 +38,20 @@ struct Opening {
       node = trees.nodes[body] + child;
   }
 
+  /// Of a node, and a box of the other body.
+  HWY_INLINE Opening(int of_body, std::uint32_t number, std::uint32_t other_box, const Both_trees& trees)
+      : body(of_body), node(trees.nodes[of_body] + number)
+  {
+    const int other = 1 - body, lane = int(other_box % 8);
+    const Bvh8_node& from = trees.nodes[other][other_box / 8];
+    const auto& extent = from.boxes.extent;
+    const float sum = extent[0][lane] + (extent[1][lane] + extent[2][lane]);
+    box[body] = 0;
+    size[body] = 0;
+    box[other] = other_box;
+    size[other] = (from.is_leaf(lane) ? -sum : sum) * (other == 0 ? trees.scale : 1.0f);
+  }
+
   HWY_INLINE bool is_ready() const { return stop == Stop::nothing_left; }
 
   /// The other box, in the frame of the parts.
@@ -55,21 +69,19 @@ struct Opening {
   }
 };
 
-/// Writes the pairs of the parts that may meet the other box to the stack, from position `count` on; returns the
-/// position after them.
-template <bool similarity>
-HWY_INLINE std::size_t store(Pair_stack& stack, std::size_t count, const Opening& o, const kernel::Single_box& box,
-                             Both_trees& trees)
+/// Writes the pairs of the parts in mask_at(first), lanes from `first` on, and the other box to the stack, from position
+/// `count` on; returns the position after them.
+template <class Mask_at>
+HWY_INLINE std::size_t push_parts(Pair_stack& stack, std::size_t count, const Opening& o, Both_trees& trees,
+                                  Mask_at&& mask_at)
 {
   constexpr simd::Float_tag tag;
   constexpr hn::RebindToUnsigned<simd::Float_tag> ids;
   const int other = 1 - o.body;
   const kernel::Obb8& boxes = o.node->boxes;
   const std::uint32_t first_id = std::uint32_t(o.node - trees.nodes[o.body]) * 8;
-  const std::size_t held = std::size_t(o.node->boxes.lane_count);
   for (std::size_t first = 0; first < kernel::lanes; first += hn::Lanes(tag)) {
-    const auto mask = hn::And(simd::together<similarity>(simd::One_test{boxes, box, first}),
-                              hn::FirstN(tag, held > first ? held - first : 0));
+    const auto mask = mask_at(first);
     const auto extent = [&](int i) HWY_ATTR { return hn::Load(tag, boxes.extent[i] + first); };
     const auto size =
         hn::Mul(hn::Set(tag, o.body == 0 ? trees.scale : 1.0f), hn::Add(extent(0), hn::Add(extent(1), extent(2))));
@@ -95,15 +107,39 @@ HWY_INLINE std::size_t store(Pair_stack& stack, std::size_t count, const Opening
     count += hn::CountTrue(tag, mask);
   }
   ++trees.opened;
-  trees.compared += held;
+  trees.compared += std::size_t(boxes.lane_count);
   return count;
 }
 
+/// The parts that may meet the other box. No lambda: those are not inlined.
+template <bool similarity>
+struct Parts_together {
+  const kernel::Obb8& boxes;
+  const kernel::Single_box& box;
+
+  HWY_INLINE auto operator()(std::size_t first) const
+  {
+    const auto held = std::size_t(boxes.lane_count);
+    return hn::And(simd::together<similarity>(simd::One_test{boxes, box, first}),
+                   hn::FirstN(simd::Float_tag(), held > first ? held - first : 0));
+  }
+};
+
+/// Keeps these.
+template <bool similarity>
+struct Keep_together {
+  HWY_INLINE std::size_t operator()(Pair_stack& stack, std::size_t count, const Opening& o,
+                                    const kernel::Single_box& box, Both_trees& trees) const
+  {
+    return push_parts(stack, count, o, trees, Parts_together<similarity>{o.node->boxes, box});
+  }
+};
+
 /// Four pairs a round where so many are ready, so that none need wait for what the one before it brings; else two, or
 /// one. At first two: bodies that meet are often known to after few openings, and what is opened beside these is in
-/// vain.
-template <bool similarity>
-HWY_ATTR Stop descend(Pair_stack& stack, Both_trees& trees)
+/// vain. `keep` writes the pairs that are left of one that was opened.
+template <bool similarity, class Keep>
+HWY_INLINE Stop descend_keeping(Pair_stack& stack, Both_trees& trees, Keep& keep)
 {
   while (!stack.empty()) {
     stack.reserve();
@@ -112,7 +148,7 @@ HWY_ATTR Stop descend(Pair_stack& stack, Both_trees& trees)
                              HWY_ATTR { return Opening(stack, top >= below ? top - below : 0, trees); };
     const auto single = [&](const Opening& o) HWY_ATTR { return o.template single<similarity>(trees); };
     const auto put = [&](std::size_t count, const Opening& o, const kernel::Single_box& box)
-                         HWY_ATTR { return store<similarity>(stack, count, o, box, trees); };
+                         HWY_ATTR { return keep(stack, count, o, box, trees); };
 
     const Opening first = opening(0), second = opening(1);
     if (!first.is_ready()) return first.stop;
@@ -135,6 +171,13 @@ HWY_ATTR Stop descend(Pair_stack& stack, Both_trees& trees)
     }
   }
   return Stop::nothing_left;
+}
+
+template <bool similarity>
+HWY_ATTR Stop descend(Pair_stack& stack, Both_trees& trees)
+{
+  const Keep_together<similarity> keep;
+  return descend_keeping<similarity>(stack, trees, keep);
 }
 
 inline HWY_ATTR Stop descend_simd(Pair_stack& stack, Both_trees& trees)

@@ -1,0 +1,131 @@
+#ifndef TETRACONE_KERNEL_BOUND_OBB8_GAP_SIMD_INL
+#define TETRACONE_KERNEL_BOUND_OBB8_GAP_SIMD_INL
+// Included by kernel/bound/obb8_gap.h, once for each target.
+#ifndef TETRACONE_SIMD_FILE
+#undef TETRACONE_KERNEL_BOUND_OBB8_GAP_SIMD_INL  // that header includes this one, again and again
+#include "tetracone/kernel/bound/obb8_gap.h"
+#else
+
+HWY_BEFORE_NAMESPACE();
+namespace tetracone::kernel::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// A gap along an axis of the components n along the eight's axes.
+template <class Floats>
+struct Gap_along {
+  Floats gap, n0, n1, n2;
+
+  friend HWY_INLINE Gap_along Max(const Gap_along& a, const Gap_along& b)
+  {
+    const auto is_first = hn::Gt(a.gap, b.gap);
+    return {hn::IfThenElse(is_first, a.gap, b.gap), hn::IfThenElse(is_first, a.n0, b.n0),
+            hn::IfThenElse(is_first, a.n1, b.n1), hn::IfThenElse(is_first, a.n2, b.n2)};
+  }
+};
+
+struct Gap_and_axis {
+  template <class Floats>
+  HWY_INLINE Gap_along<Floats> operator()(Floats gap, Floats n0, Floats n1, Floats n2) const
+  {
+    return {gap, n0, n1, n2};
+  }
+};
+
+/// Writes certified gaps of the test's lanes, and their axes; returns the gaps. Requires a similarity, and a slack that
+/// is at most `most_gap_slack`.
+HWY_INLINE auto certify_gaps(const One_test& test, float slack, Eight_gaps& gaps)
+{
+  using Floats = One_test::Floats;
+  const auto all = [&](float x) HWY_ATTR { return test.all(x); };
+  Relative_edges<Floats> edges;
+  Gap_along<Floats> best = largest_gap<true>(test, edges, Gap_and_axis());
+  best.gap = Sub(best.gap, all(slack));
+  if (test.holds_triangle()) {
+    const auto sides = beyond_triangle(test, edges, test.load(test.boxes.extent[0]), test.load(test.boxes.extent[1]),
+                                       test.load(test.boxes.extent[2]));
+    const float slack_of_sides = side_slack(test.box, slack);
+    const auto side = [&](Floats beyond, float length, const Floats(&n)[3]) HWY_ATTR {
+      const Floats shorter = all(1 / length);
+      return Gap_along<Floats>{Sub(Mul(beyond, shorter), all(slack_of_sides)), Mul(n[0], shorter), Mul(n[1], shorter),
+                               Mul(n[2], shorter)};
+    };
+    best = Max(best, Max(side(sides.left, sides.left_length, sides.left_normal),
+                         side(sides.right, sides.right_length, sides.right_normal)));
+  }
+  // Away from the lane, the way the single box's centre lies.
+  const Floats along = MulAdd(edges.t2, best.n2, MulAdd(edges.t1, best.n1, Mul(edges.t0, best.n0)));
+  const Floats outward = hn::CopySign(all(1), along), n0 = Mul(best.n0, outward), n1 = Mul(best.n1, outward),
+               n2 = Mul(best.n2, outward);
+  for (int k = 0; k < 3; ++k)
+    hn::Store(MulAdd(n2, test.load(test.boxes.axis[2][k]),
+                     MulAdd(n1, test.load(test.boxes.axis[1][k]), Mul(n0, test.load(test.boxes.axis[0][k])))),
+              One_test::tag, gaps.axis[k] + test.first);
+  const Floats gap = Mul(best.gap, all(gap_shrink));
+  hn::Store(gap, One_test::tag, gaps.gap + test.first);
+  return gap;
+}
+
+inline HWY_ATTR void certified_gaps_simd(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane, float apex,
+                                         Eight_gaps& gaps)
+{
+  constexpr Float_tag tag;
+  const float size = (from.extent[0][lane] + from.extent[1][lane] + from.extent[2][lane]) * map.stretch() * rounded_up;
+  Single_box box = carried(boxes, map, from, lane, size);
+  box.apex = apex;
+  const float slack = gap_slack(box, boxes.reach, size);
+  const bool is_bounded = map.is_similarity() && slack <= most_gap_slack;
+  for (std::size_t first = 0; first < lanes; first += hn::Lanes(tag)) {
+    if (is_bounded)
+      certify_gaps(One_test{boxes, box, first}, slack, gaps);
+    else
+      hn::Store(hn::Zero(tag), tag, gaps.gap + first);
+  }
+}
+
+/// `error` is `Carried_box::error_of` the map.
+HWY_INLINE double least_gap_after(const Eight_gaps& gaps, unsigned of_lanes, const Carried_box& box, const Box_map& map,
+                                  double turned, double error)
+{
+  constexpr Float_tag tag;
+  constexpr hn::CappedTag<double, 4> doubles;
+  constexpr hn::Rebind<float, decltype(doubles)> narrow;
+  alignas(16) float way[4];
+  alignas(32) double far[4];
+  for (std::size_t k = 0; k < 4; k += hn::Lanes(doubles)) {
+    const auto column = [&](int j) HWY_ATTR { return hn::Load(doubles, map.column(j) + k); };
+    const auto term = [&](int j) HWY_ATTR { return Mul(column(j), hn::Set(doubles, double(box.centre[j]))); };
+    const auto now = hn::Add(hn::Add(hn::Add(column(3), term(0)), term(1)), term(2));
+    const auto moved = Sub(now, hn::Load(doubles, box.image + k));
+    hn::Store(Abs(moved), doubles, far + k);
+    hn::StoreU(hn::DemoteTo(narrow, moved), narrow, way + k);
+  }
+  auto least = hn::Set(tag, most_gap_slack);
+  for (std::size_t first = 0; first < lanes; first += hn::Lanes(tag)) {
+    const auto along = [&](int k) HWY_ATTR { return hn::Load(tag, gaps.axis[k] + first); };
+    const auto part = [&](int k) HWY_ATTR { return hn::Set(tag, way[k]); };
+    const auto gap = hn::Add(hn::Load(tag, gaps.gap + first),
+                             MulAdd(part(2), along(2), MulAdd(part(1), along(1), Mul(part(0), along(0)))));
+    const std::uint8_t some[8] = {std::uint8_t(of_lanes >> first)};
+    least = hn::Min(least, hn::IfThenElse(hn::LoadMaskBits(tag, some), gap, hn::Set(tag, most_gap_slack)));
+  }
+  const double found = double(hn::GetLane(hn::MinOfLanes(tag, least)));
+  const double loss = double(box.radius) * ((turned - double(box.turned)) * (1 + few_roundings)) +
+                      Carried_box::way_rounding * (far[0] + far[1] + far[2]) + (double(box.error) + error);
+  return (found > 0 ? found * double(gap_shrink) : found) - loss;
+}
+
+inline HWY_ATTR double least_gap_after_simd(const Eight_gaps& gaps, unsigned of_lanes, const Carried_box& box,
+                                            const Box_map& map, double turned)
+{
+  return least_gap_after(gaps, of_lanes, box, map, turned, Carried_box::error_of(map));
+}
+
+}  // namespace tetracone::kernel::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
+
+// Included again for the next target.
+#undef TETRACONE_KERNEL_BOUND_OBB8_GAP_SIMD_INL
+#endif

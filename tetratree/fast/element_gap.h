@@ -1,0 +1,45 @@
+#ifndef TETRACONE_TETRATREE_FAST_ELEMENT_GAP_H
+#define TETRACONE_TETRATREE_FAST_ELEMENT_GAP_H
+
+#include "tetracone/kernel/bound/relative_frame.h"
+#include "tetracone/kernel/bound/triangle_distance.h"
+#include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/tetratree/fast/bvh8.h"
+
+#include <array>
+#include <cmath>
+
+namespace tetracone::tetratree {
+
+/// A lower bound of the distance of two triangles, in A's local units, and an axis of length 1 along which they are as
+/// far apart, from A to B; 0 where nothing is known.
+struct Element_gap {
+  double low = 0;
+  kernel::Double_vector axis{};
+};
+
+/// Of elements of A and B, `frame` from B's local units to A's, a similarity. Of whole faces nothing is known.
+inline Element_gap element_gap(const Bvh8& tree_a, const Element& a, const Bvh8& tree_b, const Element& b,
+                               const kernel::Relative_frame& frame)
+{
+  if (a.is_whole_face() || b.is_whole_face()) return {};
+  kernel::Double_triangle in_a, in_b;
+  for (int k = 0; k < 3; ++k) {
+    const kernel::Vector p = tree_a.local(a.corner[k]), q = tree_b.local(b.corner[k]);
+    in_a[k] = {p[0], p[1], p[2]};
+    in_b[k] = frame(std::array{q[0], q[1], q[2]});
+  }
+  // Of a similarity, rows are as long as columns: their sums are below twice that.
+  const auto& offset = frame.offset();
+  const double largest =
+      1 + 2 * frame.scale() + kernel::maximum(std::abs(offset[0]), std::abs(offset[1]), std::abs(offset[2]));
+  const double error = Bvh8_elements::local_error + frame.error(Bvh8_elements::local_error);
+  const kernel::Triangle_gap found = kernel::triangle_gap(in_a, in_b, error, largest);
+  Element_gap gap{found.low, found.direction};
+  for (double& x : gap.axis) x /= found.nearest;
+  return gap;
+}
+
+}  // namespace tetracone::tetratree
+
+#endif

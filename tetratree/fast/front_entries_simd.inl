@@ -1,0 +1,160 @@
+#ifndef TETRACONE_TETRATREE_FAST_FRONT_ENTRIES_SIMD_INL
+#define TETRACONE_TETRATREE_FAST_FRONT_ENTRIES_SIMD_INL
+// Included by tetratree/fast/front_entries.h, once for each target.
+#ifndef TETRACONE_SIMD_FILE
+#undef TETRACONE_TETRATREE_FAST_FRONT_ENTRIES_SIMD_INL  // that header includes this one, again and again
+#include "tetracone/tetratree/fast/front_entries.h"
+#else
+
+HWY_BEFORE_NAMESPACE();
+namespace tetracone::tetratree::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+namespace simd = kernel::HWY_NAMESPACE;
+
+inline HWY_ATTR std::size_t expired_simd(const float* until, std::size_t count, float moved, std::uint32_t* found)
+{
+  constexpr simd::Float_tag tag;
+  const auto limit = hn::Set(tag, moved);
+  std::size_t number = 0, first = 0;
+  for (; first + hn::Lanes(tag) <= count; first += hn::Lanes(tag)) {
+    std::uint8_t bits[8];
+    hn::StoreMaskBits(tag, hn::Not(hn::Gt(hn::LoadU(tag, until + first), limit)), bits);
+    // Of all lanes in the set, and then it counts how many these are.
+    const std::uint8_t* lanes = lanes_in[bits[0]].data();
+    for (std::size_t k = 0; k < hn::Lanes(tag); ++k) found[number + k] = std::uint32_t(first) + lanes[k];
+    number += std::size_t(std::popcount(bits[0]));
+  }
+  for (; first < count; ++first)
+    if (!(until[first] > moved)) found[number++] = std::uint32_t(first);
+  return number;
+}
+
+inline HWY_ATTR std::size_t keep_by_axes_simd(const Both_trees& trees, const Certifying& certifying,
+                                              std::uint32_t* asked, std::size_t count, double& least)
+{
+  Front_entries& entries = *certifying.entries;
+  const double error[2] = {kernel::Carried_box::error_of(*trees.into[0]),
+                           kernel::Carried_box::error_of(*trees.into[1])};
+  std::size_t left = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::uint32_t number = asked[k];
+    const Front_entry& entry = entries[number];
+    const Certificate& certificate = entries.certificate(number);
+    const int body = entry.carried_body();
+    const double gap =
+        certifying.to_a[1 - body] * simd::least_gap_after(certificate.gaps, entry.lanes, certificate.carried,
+                                                          *trees.into[body], certifying.turned[body], error[body]);
+    if (entry.lanes != 0 && gap > 0) {
+      entries.set_until(number, Front_entries::until(certifying.moved, gap));
+      least = least < gap ? least : gap;
+    } else {
+      asked[left++] = number;
+    }
+  }
+  return left;
+}
+
+/// Lanes that were found apart, and the least of their gaps, in A's local units.
+struct Certified_lanes {
+  unsigned apart = 0;
+  double gap = 0;
+};
+
+/// The lanes that are asked for and not found apart. Certifies the others.
+struct Parts_uncertified {
+  const kernel::Obb8& boxes;
+  const kernel::Single_box& box;
+  unsigned asked;
+  float slack;
+  Certificate& certificate;
+  unsigned apart = 0;
+  hn::Vec<simd::Float_tag> least = hn::Set(simd::Float_tag(), kernel::most_gap_slack);
+
+  HWY_INLINE auto operator()(std::size_t first)
+  {
+    constexpr simd::Float_tag tag;
+    constexpr float far = kernel::most_gap_slack;
+    const std::uint8_t bits_asked[8] = {std::uint8_t(asked >> first)};
+    const auto is_asked = hn::LoadMaskBits(tag, bits_asked);
+    const auto gaps = simd::certify_gaps(simd::One_test{boxes, box, first}, slack, certificate.gaps);
+    const auto is_apart = hn::And(is_asked, hn::Gt(gaps, hn::Set(tag, slack <= far ? 0.0f : far)));
+    least = hn::Min(least, hn::IfThenElse(is_apart, gaps, hn::Set(tag, far)));
+    std::uint8_t bits[8];
+    hn::StoreMaskBits(tag, is_apart, bits);
+    apart |= unsigned(bits[0]) << first;
+    return hn::AndNot(is_apart, is_asked);
+  }
+};
+
+/// Certifies the lanes of `asked` that are apart from the other box, and pushes the others.
+HWY_INLINE std::size_t push_uncertified(Pair_stack& stack, std::size_t count, const Opening& o,
+                                        const kernel::Single_box& box, unsigned asked, Both_trees& trees,
+                                        const Certifying& certifying, Certificate& certificate,
+                                        Certified_lanes& certified)
+{
+  constexpr simd::Float_tag tag;
+  const float size = box.extent[0] + (box.extent[1] + box.extent[2]),
+              slack = kernel::gap_slack(box, o.node->boxes.reach, size);
+  Parts_uncertified parts{o.node->boxes, box, asked, slack, certificate};
+  count = push_parts(stack, count, o, trees, parts);
+  const int other = 1 - o.body;
+  certificate.carried = kernel::Carried_box(*trees.into[other], trees.nodes[other][o.box[other] / 8].boxes,
+                                            int(o.box[other] % 8), certifying.turned[other]);
+  certified.apart = slack <= kernel::most_gap_slack ? parts.apart : 0;
+  certified.gap = double(hn::GetLane(hn::MinOfLanes(tag, parts.least))) * certifying.to_a[o.body];
+  return count;
+}
+
+/// Keeps these, and writes what is certified to the front.
+struct Keep_uncertified {
+  const Certifying& certifying;
+
+  HWY_INLINE std::size_t operator()(Pair_stack& stack, std::size_t count, const Opening& o,
+                                    const kernel::Single_box& box, Both_trees& trees) const
+  {
+    Certified_lanes certified;
+    const unsigned held = (1u << o.node->boxes.lane_count) - 1;
+    count = push_uncertified(stack, count, o, box, held, trees, certifying, certifying.entries->next(), certified);
+    if (certified.apart != 0)
+      certifying.entries->add(
+          {std::uint32_t(o.node - trees.nodes[o.body]), o.box[1 - o.body],
+           o.body == 0 ? Front_entry::Kind::node_of_a : Front_entry::Kind::node_of_b, std::uint8_t(certified.apart)},
+          Front_entries::until(certifying.moved, certified.gap));
+    return count;
+  }
+};
+
+inline HWY_ATTR Stop descend_certified_simd(Pair_stack& stack, Both_trees& trees, const Certifying& certifying)
+{
+  const Keep_uncertified keep{certifying};
+  return descend_keeping<true>(stack, trees, keep);
+}
+
+inline HWY_ATTR void open_again_simd(Pair_stack& stack, Both_trees& trees, const Certifying& certifying,
+                                     const std::uint32_t* asked, std::size_t count, double& least)
+{
+  Front_entries& entries = *certifying.entries;
+  for (std::size_t k = 0; k < count; ++k) {
+    Front_entry& entry = entries[asked[k]];
+    if (entry.kind == Front_entry::Kind::pair) continue;
+    stack.reserve();
+    const Opening o(1 - entry.carried_body(), entry.first, entry.second, trees);
+    Certified_lanes certified;
+    stack.set_count(push_uncertified(stack, stack.count(), o, o.single<true>(trees), entry.lanes, trees, certifying,
+                                     entries.certificate(asked[k]), certified));
+    entry.lanes = std::uint8_t(certified.apart);
+    if (certified.apart == 0) continue;
+    entries.set_until(asked[k], Front_entries::until(certifying.moved, certified.gap));
+    least = least < certified.gap ? least : certified.gap;
+  }
+}
+
+}  // namespace tetracone::tetratree::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
+
+// Included again for the next target.
+#undef TETRACONE_TETRATREE_FAST_FRONT_ENTRIES_SIMD_INL
+#endif
