@@ -64,7 +64,8 @@ void run(const Options& options)
 
   options.names.refuse_as_output(options.out);
   if (verify::is_scene_name(options.names.a)) {
-    if (!options.names.b.empty() || !options.names.poses_a.empty() || !options.names.poses_b.empty() || !options.rays.empty())
+    if (!options.names.b.empty() || !options.names.poses_a.empty() || !options.names.poses_b.empty() ||
+        !options.rays.empty())
       throw CLI::ValidationError(options.names.a, "expected alone: a scene file names its models and poses");
     const std::string data =
         safe_in_script(scene_data(options.names.a, question.value_or(kernel::Question::solid), options.names.models));
