@@ -74,8 +74,8 @@ class Bvh8_collision {
     if (own_front_) return relation(pose_a, pose_b, question, *own_front_);
     kernel::require_sound_floating_point();
     ++counts_.queries;
-    if (a_.tree->empty() || b_.tree->empty() || separating_direction_(pose_a, pose_b, most_directions, false))
-      return Relation::apart;
+    is_plane_tried_ = !a_.tree->empty() && !b_.tree->empty();
+    if (!is_plane_tried_ || separating_direction_(pose_a, pose_b, most_directions, false)) return Relation::apart;
     return ask_trees(pose_a, pose_b, question, nullptr);
   }
 
@@ -84,8 +84,8 @@ class Bvh8_collision {
   {
     kernel::require_sound_floating_point();
     ++counts_.queries;
+    is_plane_tried_ = !a_.tree->empty() && !b_.tree->empty() && front.is_plane_first();
     if (a_.tree->empty() || b_.tree->empty()) return Relation::apart;
-    is_plane_tried_ = front.is_plane_first();
     if (is_plane_tried_ && is_apart_by_plane(pose_a, pose_b, front)) return Relation::apart;
     return ask_trees(pose_a, pose_b, question, &front);
   }
@@ -120,7 +120,7 @@ class Bvh8_collision {
 
   /// After `apart`: how far from one another the placed bodies were at least, by the plane between them; 0 where none
   /// was found.
-  double certified_gap() const { return separating_direction_.gap(); }
+  double certified_gap() const { return is_plane_tried_ ? separating_direction_.gap() : 0; }
 
   const Query_statistics& counts() const { return counts_; }
   void clear_counts() { counts_ = {}; }

@@ -30,8 +30,14 @@ bool holds(const World_box& box, const rationals::Vector& p)
   return true;
 }
 
+/// The translation after which the rows' map leaves the point near 0: what cancels is rounded.
+void cancel(std::array<double, 12>& m, const std::array<double, 3>& point)
+{
+  for (int i = 0; i < 3; ++i) m[4 * i + 3] = -(m[4 * i] * point[0] + m[4 * i + 1] * point[1] + m[4 * i + 2] * point[2]);
+}
+
 /// Rotations of doubles, true rotations of fractions, stretches and flat ones, near and far, tiny and huge.
-Pose random_pose(scenes::Random& random)
+Pose random_pose(scenes::Random& random, const std::array<double, 3>& centre)
 {
   const double size = std::ldexp(1.0, scenes::integer(random, -3, 3) * scenes::integer(random, 0, 60));
   const double far = std::ldexp(size, scenes::integer(random, -2, 40));
@@ -46,11 +52,12 @@ Pose random_pose(scenes::Random& random)
                                  {Rational(1) / 3, Rational(m[7]) / 7, Rational(m[11])});
   if (scenes::integer(random, 0, 3) == 0)
     for (int j = 0; j < 3; ++j) m[j] *= 0x1p-70;
+  if (scenes::integer(random, 0, 1) == 0) cancel(m, centre);
   return Pose(m);
 }
 
 /// The pose a little or very little later.
-Pose later(scenes::Random& random, const Pose& pose)
+Pose later(scenes::Random& random, const Pose& pose, const std::array<double, 3>& centre)
 {
   std::array<Rational, 12> m;
   const double step = std::ldexp(1.0, -scenes::integer(random, 1, 70));
@@ -59,6 +66,7 @@ Pose later(scenes::Random& random, const Pose& pose)
   if (pose.is_rational()) return Pose(m);
   std::array<double, 12> nearest;
   for (int k = 0; k < 12; ++k) nearest[k] = kernel::nearest_double(m[k]);
+  if (scenes::integer(random, 0, 1) == 0) cancel(nearest, centre);
   return Pose(nearest);
 }
 
@@ -69,15 +77,16 @@ BOOST_AUTO_TEST_CASE(boxes_hold_every_image_and_motions_bound_every_way)
   scenes::Random random(11);
   std::size_t bounded = 0, tighter = 0, moved = 0;
   for (int n = 0; n < 60; ++n) {
-    covering::Polyhedron body = scenes::triangulated(scenes::torus(6, 5));
-    const double at = std::ldexp(scenes::real(random, -1, 1), scenes::integer(random, -4, 30));
+    // The corners of a cube are those of its box, where bounds are at their tightest.
+    covering::Polyhedron body = scenes::triangulated(n % 2 == 0 ? scenes::torus(6, 5) : scenes::cube(1));
+    const double at = std::ldexp(scenes::real(random, -1, 1), scenes::integer(random, -4, 46));
     for (auto& v : body.vertices)
       for (int k = 0; k < 3; ++k) v[k] = v[k] + at;
     const Body_extent extent(body.vertices);
     const tetratree::Bvh8 tree(body);
     tetratree::Support_table table(tree);
     for (int m = 0; m < 20; ++m) {
-      const Pose pose = random_pose(random), next = later(random, pose);
+      const Pose pose = random_pose(random, extent.centre), next = later(random, pose, extent.centre);
       const World_box box = world_box(extent, pose), tight = world_box(table, tree.scale(), pose);
       const double way = motion(extent, pose, next);
       bounded += tight.is_bounded();
@@ -96,7 +105,7 @@ BOOST_AUTO_TEST_CASE(boxes_hold_every_image_and_motions_bound_every_way)
     }
   }
   BOOST_TEST(bounded > 900u);
-  BOOST_TEST(tighter > 500u);
+  BOOST_TEST(tighter > 200u);
   BOOST_TEST(moved > 900u);
 }
 
