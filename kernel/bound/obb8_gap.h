@@ -34,7 +34,7 @@ inline float gap_slack(const Single_box& box, float reach, float size)
 inline constexpr float most_gap_slack = 0x1p20f;
 
 /// Gaps of lanes, and their axes, which lead away from the lanes. Where a gap is not positive, nothing is known.
-struct alignas(32) Eight_gaps {
+struct alignas(32) Certified_gaps {
   float gap[lanes], axis[3][lanes];
 };
 
@@ -97,19 +97,19 @@ namespace tetracone::kernel {
 /// Of the lanes of `boxes` and box `lane` of `from`, which `map`, a similarity, carries into their frame, in the local
 /// units of the eight; `apex` says where a triangle lies in that box. Lanes that hold nothing may have any value.
 inline void certified_gaps(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane, float apex,
-                           Eight_gaps& gaps)
+                           Certified_gaps& gaps)
 {
-  using Function = void(const Obb8&, const Box_map&, const Obb8&, int, float, Eight_gaps&);
+  using Function = void(const Obb8&, const Box_map&, const Obb8&, int, float, Certified_gaps&);
   static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(certified_gaps_simd));
   fastest(boxes, map, from, lane, apex, gaps);
 }
 
 /// At most the least of these gaps of lanes, as bits, when the box is carried by `map`, whose linear part has changed by
 /// steps that sum up to `turned`.
-inline double least_gap_after(const Eight_gaps& gaps, unsigned of_lanes, const Carried_box& box, const Box_map& map,
+inline double least_gap_after(const Certified_gaps& gaps, unsigned of_lanes, const Carried_box& box, const Box_map& map,
                               double turned)
 {
-  using Function = double(const Eight_gaps&, unsigned, const Carried_box&, const Box_map&, double);
+  using Function = double(const Certified_gaps&, unsigned, const Carried_box&, const Box_map&, double);
   static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(least_gap_after_simd));
   return fastest(gaps, of_lanes, box, map, turned);
 }

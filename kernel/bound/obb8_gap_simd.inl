@@ -34,7 +34,7 @@ struct Gap_and_axis {
 
 /// Writes certified gaps of the test's lanes, and their axes; returns the gaps. Requires a similarity, and a slack that
 /// is at most `most_gap_slack`.
-HWY_INLINE auto certify_gaps(const One_test& test, float slack, Eight_gaps& gaps)
+HWY_INLINE auto certify_gaps(const One_test& test, float slack, Certified_gaps& gaps)
 {
   using Floats = One_test::Floats;
   const auto all = [&](float x) HWY_ATTR { return test.all(x); };
@@ -67,7 +67,7 @@ HWY_INLINE auto certify_gaps(const One_test& test, float slack, Eight_gaps& gaps
 }
 
 inline HWY_ATTR void certified_gaps_simd(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane, float apex,
-                                         Eight_gaps& gaps)
+                                         Certified_gaps& gaps)
 {
   constexpr Float_tag tag;
   const float size = (from.extent[0][lane] + from.extent[1][lane] + from.extent[2][lane]) * map.stretch() * rounded_up;
@@ -84,8 +84,8 @@ inline HWY_ATTR void certified_gaps_simd(const Obb8& boxes, const Box_map& map, 
 }
 
 /// `error` is `Carried_box::error_of` the map.
-HWY_INLINE double least_gap_after(const Eight_gaps& gaps, unsigned of_lanes, const Carried_box& box, const Box_map& map,
-                                  double turned, double error)
+HWY_INLINE double least_gap_after(const Certified_gaps& gaps, unsigned of_lanes, const Carried_box& box,
+                                  const Box_map& map, double turned, double error)
 {
   constexpr Float_tag tag;
   constexpr hn::CappedTag<double, 4> doubles;
@@ -115,7 +115,7 @@ HWY_INLINE double least_gap_after(const Eight_gaps& gaps, unsigned of_lanes, con
   return (found > 0 ? found * double(gap_shrink) : found) - loss;
 }
 
-inline HWY_ATTR double least_gap_after_simd(const Eight_gaps& gaps, unsigned of_lanes, const Carried_box& box,
+inline HWY_ATTR double least_gap_after_simd(const Certified_gaps& gaps, unsigned of_lanes, const Carried_box& box,
                                             const Box_map& map, double turned)
 {
   return least_gap_after(gaps, of_lanes, box, map, turned, Carried_box::error_of(map));

@@ -29,7 +29,7 @@ struct Front_entry {
 /// By how much, and along which axes, the lanes of an entry are apart from the box that is carried to them, in the local
 /// units of the body that it is carried to.
 struct Certificate {
-  kernel::Eight_gaps gaps;
+  kernel::Certified_gaps gaps;
   kernel::Carried_box carried;
 };
 

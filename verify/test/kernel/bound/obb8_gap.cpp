@@ -14,8 +14,8 @@
 
 namespace tetracone::kernel {
 
-using Certify = void(const Obb8&, const Box_map&, const Obb8&, int, float, Eight_gaps&);
-using Least_after = double(const Eight_gaps&, unsigned, const Carried_box&, const Box_map&, double);
+using Certify = void(const Obb8&, const Box_map&, const Obb8&, int, float, Certified_gaps&);
+using Least_after = double(const Certified_gaps&, unsigned, const Carried_box&, const Box_map&, double);
 
 /// Every version that this processor has.
 template <class Function>
@@ -203,7 +203,7 @@ BOOST_AUTO_TEST_CASE(boxes_are_as_far_apart_along_its_axis_as_a_gap_says_and_aft
     const Scene s = scene(random, k);
     const Box_map map = s.before.map(), moved = s.after.map();
     BOOST_TEST_REQUIRE(map.is_similarity());
-    Eight_gaps found;
+    Certified_gaps found;
     certifying()[std::size_t(k) % certifying().size()](s.boxes, map, s.from, s.lane, s.apex, found);
     const Carried_box carried(map, s.from, s.lane, 0);
     const double turned = linear_step(map.frame(), moved.frame());
@@ -246,12 +246,12 @@ BOOST_AUTO_TEST_CASE(what_is_infinite_undefined_or_no_similarity_has_no_gap)
   no_similarity.b = Pose(sheared);
   for (const auto certify : certifying())
     for (const Box_map& map : {no_similarity.map(), Box_map()}) {
-      Eight_gaps found;
+      Certified_gaps found;
       certify(s.boxes, map, s.from, s.lane, no_apex, found);
       for (const float gap : found.gap) BOOST_TEST(!(gap > 0));
     }
   // A far box is apart whatever the slack, and its gap is told with the slack of its distance.
-  Eight_gaps found;
+  Certified_gaps found;
   certified_gaps(s.boxes, s.before.map(), s.from, s.lane, no_apex, found);
   const Carried_box carried(s.before.map(), s.from, s.lane, 0);
   for (const auto after : least_after()) {
