@@ -10,6 +10,7 @@
 #include "experiments/speed/ablation_experiment.h"
 #include "experiments/speed/contacts_experiment.h"
 #include "experiments/speed/distance_experiment.h"
+#include "experiments/speed/moving_bodies_experiment.h"
 #include "experiments/speed/paper_experiment.h"
 #include "experiments/speed/peers_experiment.h"
 #include "experiments/speed/points_experiment.h"
@@ -70,6 +71,7 @@ void distance(Options options)
 {
   run_distance(options.study.out, options.race_frames, options.full, options.study.seed);
 }
+void moving_bodies(Options options) { run_moving_bodies(options.study.out, options.race_frames, options.study.seed); }
 void threads(Options options) { run_threads(options.study.out, options.race_frames, options.study.seed); }
 
 void contacts(Options options)
@@ -136,6 +138,8 @@ constexpr std::array experiments = {
                stability},
     Experiment{"motion", "how fast and how often wrong are ways to decide whether moving primitives meet?", "20 s",
                motion},
+    Experiment{"moving-bodies", "what does an exact first contact cost, and which do steps and FCL miss?", "1 min",
+               moving_bodies},
     Experiment{"bounds", "how much of each error bound is proved to be needed, and how much does a search find?",
                "1 min", bounds},
     Experiment{"method", "what do covering, cones, bounding volumes and hull of the paper look like?", "10 s", method},

@@ -1,0 +1,28 @@
+#ifndef TETRACONE_EXPERIMENTS_PEERS_FCL_MOTION_H
+#define TETRACONE_EXPERIMENTS_PEERS_FCL_MOTION_H
+
+#include "experiments/peers/peer.h"
+
+#include <memory>
+#include <optional>
+
+namespace tetracone::experiments {
+
+/// Another library's first contact of two moving meshes, made ready once.
+class Motion_peer {
+ public:
+  virtual ~Motion_peer() = default;
+  /// The time in [0, 1] that it tells of B's motion from one pose to another, A at rest; nothing where it finds none.
+  virtual std::optional<double> first_contact(const kernel::Pose& from, const kernel::Pose& to) = 0;
+};
+
+/// FCL's continuousCollide by conservative advancement, on trees of its oriented boxes with swept spheres; its own
+/// defaults: steps until bodies are within 1e-4 of the time. Null where the build has no FCL.
+std::unique_ptr<Motion_peer> fcl_advancement(const Peer_mesh& a, const Peer_mesh& b);
+
+/// FCL's continuousCollide by its default, static questions at ten steps.
+std::unique_ptr<Motion_peer> fcl_steps(const Peer_mesh& a, const Peer_mesh& b);
+
+}  // namespace tetracone::experiments
+
+#endif
