@@ -28,7 +28,8 @@ inline double octahedral_norm(const Local_point& p) { return std::abs(p[0]) + st
 /// absolute value, each rounded at most five times; errors of the coordinates add at most 8 e for a, 8 e for b and 6 e
 /// for p, e = `local_error`: below 2^-46 in all.
 inline constexpr double cone_side_bound = 0x1p-44;
-inline double cone_determinant(const Local_point& a, const Local_point& b, const Local_point& p)
+template <class Number>
+Number cone_determinant(const std::array<Number, 3>& a, const std::array<Number, 3>& b, const std::array<Number, 3>& p)
 {
   return (a[1] * b[2] - a[2] * b[1]) * p[0] + (a[2] * b[0] - a[0] * b[2]) * p[1] + (a[0] * b[1] - a[1] * b[0]) * p[2];
 }
@@ -52,14 +53,20 @@ inline int cone_holds(const Local_point& w, const Local_point& a, const Local_po
 /// The side of the plane a b c on which p lies, likewise. Differences are at most 2 among corners and those of p sum to
 /// at most 7: minors at most 8, products at most 56 in all, each rounded at most eight times with its differences;
 /// errors of the coordinates, 2 e in a difference, add at most 2 e (28 + 28 + 24): below 2^-43 in all.
+inline constexpr double plane_side_bound = 0x1p-42;
+template <class Number>
+Number plane_determinant(const std::array<Number, 3>& a, const std::array<Number, 3>& b, const std::array<Number, 3>& c,
+                         const std::array<Number, 3>& p)
+{
+  const Number bx = b[0] - a[0], by = b[1] - a[1], bz = b[2] - a[2];
+  const Number cx = c[0] - a[0], cy = c[1] - a[1], cz = c[2] - a[2];
+  return (by * cz - bz * cy) * (p[0] - a[0]) + (bz * cx - bx * cz) * (p[1] - a[1]) +
+         (bx * cy - by * cx) * (p[2] - a[2]);
+}
 inline int plane_side(const Local_point& a, const Local_point& b, const Local_point& c, const Local_point& p)
 {
-  const double bx = b[0] - a[0], by = b[1] - a[1], bz = b[2] - a[2];
-  const double cx = c[0] - a[0], cy = c[1] - a[1], cz = c[2] - a[2];
-  const double side =
-      (by * cz - bz * cy) * (p[0] - a[0]) + (bz * cx - bx * cz) * (p[1] - a[1]) + (bx * cy - by * cx) * (p[2] - a[2]);
-  constexpr double bound = 0x1p-42;
-  return side > bound ? 1 : side < -bound ? -1 : 0;
+  const double side = plane_determinant(a, b, c, p);
+  return side > plane_side_bound ? 1 : side < -plane_side_bound ? -1 : 0;
 }
 
 /// Cells of directions about an origin: each octant of the octahedron |x| + |y| + |z| = 1 has an n x n lattice, of

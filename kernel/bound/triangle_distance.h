@@ -70,9 +70,8 @@ Number slack(const Number& position_error, const Number& largest)
 template <class Number>
 std::array<Number, 3> point_in_triangle(const std::array<std::array<Number, 3>, 3>& t, const Number& s, const Number& r)
 {
-  std::array<Number, 3> p;
-  for (int k = 0; k < 3; ++k) p[k] = t[0][k] + (s * (t[1][k] - t[0][k]) + r * (t[2][k] - t[0][k]));
-  return p;
+  const auto at = [&](std::size_t k) { return t[0][k] + (s * (t[1][k] - t[0][k]) + r * (t[2][k] - t[0][k])); };
+  return {at(0), at(1), at(2)};
 }
 
 /// A lower bound of the distance from a gap along n, and the root of n . n as computed.

@@ -62,7 +62,8 @@ struct Graph {
       const Rational_point &p = loops[0][0], &q = loops[0][1];
       if (p == q) continue;
       const Line line(p, q);
-      lines[line].push_back(std::minmax(p[line.axis], q[line.axis]));
+      const Rational &s = p[line.axis], &t = q[line.axis];
+      lines[line].push_back(s < t ? std::pair(s, t) : std::pair(t, s));
     }
     std::map<Rational_point, int> lines_at;  // on which a segment ends there
     for (auto& [line, spans] : lines) {
@@ -92,7 +93,8 @@ struct Graph {
     for (std::size_t k = 0; k < spans.size();) {
       const Rational from = spans[k].first;
       Rational to = spans[k].second;
-      for (++k; k < spans.size() && spans[k].first <= to; ++k) to = std::max(to, spans[k].second);
+      for (++k; k < spans.size() && spans[k].first <= to; ++k)
+        if (to < spans[k].second) to = spans[k].second;
       Rational_point last = line.at(from);
       for (auto s = ends.upper_bound(from); s != ends.end() && *s <= to; ++s) {
         Rational_point next = line.at(*s);

@@ -2,6 +2,7 @@
 
 #include "verify/proofs/adaptive_proofs.h"
 #include "verify/proofs/bound_proofs.h"
+#include "verify/proofs/distance_proofs.h"
 #include "verify/proofs/frame_proofs.h"
 #include "verify/proofs/margin_proofs.h"
 #include "verify/proofs/obb8_proofs.h"
@@ -20,7 +21,7 @@ Proved_bounds all_proofs()
 {
   Proved_bounds all;
   for (const auto& proofs :
-       {adaptive_proofs, bound_proofs, frame_proofs, obb8_proofs, separation_proofs, margin_proofs})
+       {adaptive_proofs, bound_proofs, frame_proofs, obb8_proofs, separation_proofs, margin_proofs, distance_proofs})
     for (const Proved_bound& bound : proofs()) all.push_back(bound);
   return all;
 }
@@ -31,7 +32,8 @@ const Searches& searches()
 {
   static const Searches all = [] {
     Searches found;
-    for (const auto& part : {adaptive_searches, bound_searches, frame_searches, box_searches}) found.merge(part());
+    for (const auto& part : {adaptive_searches, bound_searches, frame_searches, box_searches, distance_searches})
+      found.merge(part());
     return found;
   }();
   return all;

@@ -30,6 +30,7 @@ Searches adaptive_searches();
 Searches bound_searches();
 Searches frame_searches();
 Searches box_searches();
+Searches distance_searches();
 
 namespace detail {
 

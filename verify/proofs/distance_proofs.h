@@ -1,0 +1,124 @@
+#ifndef TETRACONE_VERIFY_PROOFS_DISTANCE_PROOFS_H
+#define TETRACONE_VERIFY_PROOFS_DISTANCE_PROOFS_H
+
+#include "tetracone/kernel/bound/cone_cells.h"
+#include "tetracone/kernel/bound/triangle_distance.h"
+#include "tetracone/kernel/number/products.h"
+#include "verify/proofs/adaptive_proofs.h"
+#include "verify/proofs/proved_bound.h"
+#include "verify/proofs/rounding_count.h"
+#include "verify/proofs/slices.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+/// The constants of kernel/bound/triangle_distance.h and of the signs by which the point locator's cones decide.
+namespace tetracone::verify::proofs {
+
+namespace detail {
+
+/// A coordinate of a point of a triangle; an edge's, where the last is 0. Inputs: three coordinates, and two weights.
+template <class Number>
+Number coordinate_in_triangle(const std::vector<Number>& in)
+{
+  const std::array<Number, 3> a = {in[0], in[0], in[0]}, b = {in[1], in[1], in[1]}, c = {in[2], in[2], in[2]};
+  return kernel::triangle_distance::point_in_triangle(std::array{a, b, c}, in[3], in[4])[0];
+}
+
+/// The gap of two corners along n: inputs n, one of B, one of A.
+template <class Number>
+Number gap_along(const std::vector<Number>& in)
+{
+  const auto n = triple(in, 0);
+  return kernel::dot(n, triple(in, 3)) + kernel::dot(std::array{-n[0], -n[1], -n[2]}, triple(in, 6));
+}
+
+/// Inputs a, b, p.
+template <class Number>
+Number cone_side(const std::vector<Number>& in)
+{
+  return kernel::cone_determinant(triple(in, 0), triple(in, 3), triple(in, 6));
+}
+
+/// Inputs a, b, c, p.
+template <class Number>
+Number plane_side(const std::vector<Number>& in)
+{
+  return kernel::plane_determinant(triple(in, 0), triple(in, 3), triple(in, 6), triple(in, 9));
+}
+
+}  // namespace detail
+
+inline Proved_bounds distance_proofs()
+{
+  namespace td = kernel::triangle_distance;
+  using Count = Rounding_count;
+  const double u = kernel::unit_roundoff<double>;
+  const Rational up = 1 + Rational(u), down = 1 - Rational(u);
+  const auto power = [](const Rational& x, int n) {
+    Rational result = 1;
+    for (int k = 0; k < n; ++k) result *= x;
+    return result;
+  };
+  Proved_bounds bounds;
+  const std::string of_triangles = "kernel/bound/triangle_distance.h", of_cones = "kernel/bound/cone_cells.h";
+
+  // Lengths: roots of sums of squares, half of whose roundings count, and the root's own. `below` divides by one,
+  // multiplies and subtracts; `above` multiplies and adds, and its squares are of differences.
+  const std::array<Count, 3> point, way = kernel::difference(point, point);
+  const int of_square = kernel::dot(point, point).count(), of_difference = kernel::dot(way, way).count();
+  const Rational below = 1 - power(down, (of_square + 1) / 2 + 1) / power(up, 3),
+                 above = 1 / power(down, (of_difference + 1) / 2 + 1 + 2) - 1;
+  bounds.push_back({"triangle_distance::length_rounding", of_triangles, Rational(td::length_rounding),
+                    std::max(below, above), u, 1.34, "rationals"});
+
+  // Points of triangles whose largest coordinate R is in [1, 2): what holds there holds for every R but for underflow,
+  // which `Common_frame` has no part of. Weights are each at most 1; where their sum is, the exact one may be u more,
+  // which moves the point by as much of an edge. Two points are off in three coordinates each, the root of 3 twice; a
+  // gap by so much of |n|_1 2 R, the root of 3 times |n|_2 at most. `slack` is 4 times its sum, and is rounded.
+  Rational in_triangle = 0;
+  constexpr int parts = 16;
+  for (int k = 0; k < parts; ++k) {
+    const double low = 1 + double(k) / parts, high = 1 + double(k + 1) / parts;
+    const Range coordinate{-high, high}, weight{0, 1};
+    const auto expression = [](const auto& in) { return detail::coordinate_in_triangle(in); };
+    in_triangle = std::max(
+        in_triangle, Rational(error_within<Ieee_64>(expression, {coordinate, coordinate, coordinate, weight, weight}) /
+                              Rational(low)));
+  }
+  std::vector<Slice> terms_of_gap;
+  for (int k = 0; k < 3; ++k)
+    for (const int p : {3, 6}) {
+      Slice slice(9, 0);
+      slice[std::size_t(k)] = slice[std::size_t(p + k)] = 1;
+      terms_of_gap.push_back(slice);
+    }
+  const Rational of_gap =
+      largest(slice_errors<Relative_64>([](const auto& in) { return detail::gap_along(in); }, terms_of_gap));
+  const Rational half_root_of_3 = Rational(8661) / 10000;
+  const Rational point_rounding =
+      half_root_of_3 * std::max(Rational(in_triangle + 2 * Rational(u)), of_gap) / power(down, 4);
+  bounds.push_back({"triangle_distance::point_rounding", of_triangles, Rational(td::point_rounding), point_rounding, u,
+                    1.03, "gappa"});
+
+  // Signs about the origin: of a model's coordinates, at most 1, and of a point whose norm is at most 4. What its
+  // coordinates are off by moves the determinants by their minors.
+  const Range model{-1, 1}, far{-4, 4};
+  const Rational off(kernel::local_error);
+  const Rational of_cone = error_within<Ieee_64>([](const auto& in) { return detail::cone_side(in); },
+                                                 {model, model, model, model, model, model, far, far, far}) +
+                           (8 + 8 + 6) * off;
+  bounds.push_back({"cone_side_bound", of_cones, Rational(kernel::cone_side_bound), of_cone, u, 3.5, "gappa"});
+  const Rational of_plane =
+      error_within<Ieee_64>([](const auto& in) { return detail::plane_side(in); },
+                            {model, model, model, model, model, model, model, model, model, far, far, far}) +
+      2 * (28 + 28 + 24) * off;
+  bounds.push_back({"plane_side_bound", of_cones, Rational(kernel::plane_side_bound), of_plane, u, 1.71, "gappa"});
+  return bounds;
+}
+
+}  // namespace tetracone::verify::proofs
+
+#endif
