@@ -68,7 +68,7 @@ class Point_locator {
     std::array<Pending, at_a_time> pending;
     const auto& triangles = model_->covering().triangles();
     for (std::size_t first = 0; first < points.size(); first += at_a_time) {
-      const std::size_t count = std::min(at_a_time, points.size() - first);
+      const std::size_t count = kernel::minimum(at_a_time, points.size() - first);
       for (std::size_t k = 0; k < count; ++k) {
         asked[k] = ask(local(points[first + k]));
         if (asked[k].cell != none) __builtin_prefetch(&cell_groups_[asked[k].cell]);
@@ -88,7 +88,7 @@ class Point_locator {
         for (std::size_t k = 0; k < left; ++k) {
           if (pending[k].group == none) continue;
           const Group* const group = &groups_[pending[k].group];
-          for (Index e = group->first; e < std::min(group[1].first, group->first + 4); ++e) what(e);
+          for (Index e = group->first; e < kernel::minimum(group[1].first, group->first + 4); ++e) what(e);
         }
       };
       for_first_triangles([&](Index e) { __builtin_prefetch(&entries_[e]); });
