@@ -9,8 +9,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -41,12 +43,15 @@ class Covering {
   {
     collect_edges(polyhedron);
     face_corner_begin_.push_back(0);
+    std::vector<std::pair<Index, bool>> neighbours;
     for (Index f = 0; f < polyhedron.face_count(); ++f) {
-      cover_face(polyhedron, f);
+      cover_face(polyhedron, f, neighbours);
       face_corner_begin_.push_back(from_.size());
       span_face(polyhedron, f);
     }
     collect_shells(polyhedron);
+    edge_begin_.clear();
+    edge_begin_.shrink_to_fit();
   }
 
   const std::vector<Covering_triangle>& triangles() const { return triangles_; }
@@ -73,28 +78,46 @@ class Covering {
 
   static std::array<Index, 2> undirected(Index a, Index b) { return {std::min(a, b), std::max(a, b)}; }
 
+  /// By their first vertices in two passes: faster than sorting them all.
   void collect_edges(const Polyhedron& polyhedron)
   {
-    for (Index f = 0; f < polyhedron.face_count(); ++f)
-      for (std::size_t l = 0; l < polyhedron.loop_count(f); ++l) {
-        const Loop loop = polyhedron.loop(f, l);
-        for (std::size_t k = 0; k < loop.size(); ++k)
-          edges_.push_back(undirected(loop[k], loop[k + 1 == loop.size() ? 0 : k + 1]));
-      }
-    std::sort(edges_.begin(), edges_.end());
-    edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+    const auto for_edges = [&](const auto& what) {
+      for (Index f = 0; f < polyhedron.face_count(); ++f)
+        for (std::size_t l = 0; l < polyhedron.loop_count(f); ++l) {
+          const Loop loop = polyhedron.loop(f, l);
+          for (std::size_t k = 0; k < loop.size(); ++k)
+            what(undirected(loop[k], loop[k + 1 == loop.size() ? 0 : k + 1]));
+        }
+    };
+    std::vector<std::size_t> end(polyhedron.vertices.size() + 1, 0);
+    for_edges([&](const std::array<Index, 2>& edge) { ++end[edge[0] + 1]; });
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    std::vector<Index> others(end.back());
+    for_edges([&](const std::array<Index, 2>& edge) { others[end[edge[0]]++] = edge[1]; });
+    edges_.reserve(others.size() / 2 + 1);
+    for (Index v = 0; v < polyhedron.vertices.size(); ++v) {
+      edge_begin_.push_back(Index(edges_.size()));
+      const auto first = others.begin() + std::ptrdiff_t(v == 0 ? 0 : end[v - 1]),
+                 last = others.begin() + std::ptrdiff_t(end[v]);
+      std::sort(first, last);
+      for (auto other = first; other != last; ++other)
+        if (other == first || *other != *(other - 1)) edges_.push_back({v, *other});
+    }
+    edge_begin_.push_back(Index(edges_.size()));
   }
 
   Index edge_number(Index a, Index b) const
   {
-    return static_cast<Index>(std::lower_bound(edges_.begin(), edges_.end(), undirected(a, b)) - edges_.begin());
+    const auto edge = undirected(a, b);
+    const auto first = edges_.begin();
+    return Index(std::lower_bound(first + edge_begin_[edge[0]], first + edge_begin_[edge[0] + 1], edge) - first);
   }
 
-  void cover_face(const Polyhedron& polyhedron, Index f)
+  /// `neighbours` is for its use: of W along the face's edges, and whether a triangle has that side.
+  void cover_face(const Polyhedron& polyhedron, Index f, std::vector<std::pair<Index, bool>>& neighbours)
   {
     const Index w = polyhedron.loop(f, 0)[0];
-    std::vector<std::pair<Index, bool>> neighbours;  // of W along the face's edges, and whether a triangle has that
-                                                     // side
+    neighbours.clear();
     const std::size_t first = from_.size();
     for (std::size_t l = 0; l < polyhedron.loop_count(f); ++l) {
       const Loop loop = polyhedron.loop(f, l);
@@ -153,6 +176,7 @@ class Covering {
 
   std::vector<Covering_triangle> triangles_;
   std::vector<std::array<Index, 2>> edges_;
+  std::vector<Index> edge_begin_;  // while faces are covered: where each vertex's begin
   std::vector<Index> from_, to_;
   std::vector<std::size_t> face_corner_begin_;
   std::vector<std::optional<std::array<Index, 3>>> plane_bases_;

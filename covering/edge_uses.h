@@ -28,6 +28,29 @@ void for_each_directed_edge(const Polyhedron& polyhedron, Index f, Visit visit)
   }
 }
 
+/// Sorts by (low, high, face): where vertices are not far more than uses, by the lower vertices in two passes, and then
+/// those of each, which is faster than sorting all.
+inline void sort_uses(std::vector<Edge_use>& uses, std::size_t vertices)
+{
+  const auto is_before = [](const Edge_use& x, const Edge_use& y) {
+    return std::tie(x.low, x.high, x.face, x.forward) < std::tie(y.low, y.high, y.face, y.forward);
+  };
+  const bool are_legal = std::ranges::all_of(uses, [&](const Edge_use& use) { return use.low < vertices; });
+  if (vertices > uses.size() || !are_legal) {
+    std::ranges::sort(uses, is_before);
+    return;
+  }
+  std::vector<std::size_t> end(vertices + 1, 0);
+  for (const Edge_use& use : uses) ++end[use.low + 1];
+  for (std::size_t v = 0; v < vertices; ++v) end[v + 1] += end[v];
+  std::vector<Edge_use> sorted(uses.size());
+  for (const Edge_use& use : uses) sorted[end[use.low]++] = use;
+  for (std::size_t v = 0; v < vertices; ++v)
+    std::sort(sorted.begin() + std::ptrdiff_t(v == 0 ? 0 : end[v - 1]), sorted.begin() + std::ptrdiff_t(end[v]),
+              is_before);
+  uses.swap(sorted);
+}
+
 /// All uses of all edges, sorted by (low, high, face). Edges (a, a) are left out: each is its own reverse.
 inline std::vector<Edge_use> edge_uses(const Polyhedron& polyhedron)
 {
@@ -36,7 +59,7 @@ inline std::vector<Edge_use> edge_uses(const Polyhedron& polyhedron)
     for_each_directed_edge(polyhedron, f, [&](Index a, Index b) {
       if (a != b) uses.push_back({std::min(a, b), std::max(a, b), f, a < b});
     });
-  std::ranges::sort(uses, {}, [](const Edge_use& use) { return std::tuple(use.low, use.high, use.face, use.forward); });
+  sort_uses(uses, polyhedron.vertices.size());
   return uses;
 }
 

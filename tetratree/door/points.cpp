@@ -45,10 +45,9 @@ std::vector<Location> Body::inside(std::span<const std::array<double, 3>> points
 {
   const tetratree::Point_locator& locator = locator_of(*data_);
   std::vector<Location> answers(points.size());
-  for (std::size_t k = 0; k < points.size(); ++k) {
+  for (std::size_t k = 0; k < points.size(); ++k)
     require_finite(points[k], [k] { return "points[" + std::to_string(k) + "]"; });
-    answers[k] = locator.locate(points[k]);
-  }
+  locator.locate(points, answers);
   return answers;
 }
 

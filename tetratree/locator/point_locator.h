@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace tetracone::tetratree {
@@ -59,6 +60,50 @@ class Point_locator {
     return locate(local(point), [&] { return K::unmoved(point); });
   }
 
+  /// The same of many points, some at a time, so that none waits for what another one reads from memory. Requires as
+  /// many answers.
+  void locate(std::span<const covering::Vertex> points, std::span<Location> answers) const
+  {
+    std::array<Asked, at_a_time> asked;
+    std::array<Pending, at_a_time> pending;
+    const auto& triangles = model_->covering().triangles();
+    for (std::size_t first = 0; first < points.size(); first += at_a_time) {
+      const std::size_t count = kernel::minimum(at_a_time, points.size() - first);
+      for (std::size_t k = 0; k < count; ++k) {
+        asked[k] = ask(local(points[first + k]));
+        if (asked[k].cell != none) __builtin_prefetch(&cell_groups_[asked[k].cell]);
+      }
+      for (std::size_t k = 0; k < count; ++k)
+        if (asked[k].cell != none) __builtin_prefetch(groups_.data() + cell_groups_[asked[k].cell]);
+      std::size_t left = 0;
+      for (std::size_t k = 0; k < count; ++k) {
+        Index group;
+        if (const auto decided = decide(asked[k], group))
+          answers[first + k] = *decided;
+        else
+          pending[left++] = {k, group};
+      }
+      // What the triangles of a group, or the first of them, are made of.
+      const auto for_first_triangles = [&](const auto& what) {
+        for (std::size_t k = 0; k < left; ++k) {
+          if (pending[k].group == none) continue;
+          const Group* const group = &groups_[pending[k].group];
+          for (Index e = group->first; e < kernel::minimum(group[1].first, group->first + 4); ++e) what(e);
+        }
+      };
+      for_first_triangles([&](Index e) { __builtin_prefetch(&entries_[e]); });
+      for_first_triangles([&](Index e) { __builtin_prefetch(&triangles[entries_[e]]); });
+      for_first_triangles([&](Index e) {
+        for (const Index v : triangles[entries_[e]].corner) __builtin_prefetch(&vertices_[v]);
+      });
+      for (std::size_t k = 0; k < left; ++k) {
+        const covering::Vertex& point = points[first + pending[k].number];
+        answers[first + pending[k].number] =
+            by_triangles(asked[pending[k].number], pending[k].group, [&] { return K::unmoved(point); });
+      }
+    }
+  }
+
   Location locate(const std::array<kernel::Rational, 3>& point) const
   {
     const kernel::Pose translation(
@@ -96,6 +141,21 @@ class Point_locator {
     float low, high;
   };
 
+  static constexpr Index none = covering::none;
+  static constexpr std::size_t at_a_time = 32;
+
+  /// A point that is asked about, and the cell that holds it; none beyond the surface, in the core and without a table.
+  struct Asked {
+    kernel::Local_point at;
+    double norm;
+    Index cell;
+  };
+  /// A point of several, by its number, that triangles decide: those of a group, or all.
+  struct Pending {
+    std::size_t number;
+    Index group;
+  };
+
   /// What one triangle says of a point.
   struct Seen {
     int winding = 0;  ///< its part in the winding number
@@ -128,28 +188,58 @@ class Point_locator {
   template <class Exact>
   Location locate(const kernel::Local_point& p, const Exact& exact) const
   {
-    if (!has_table_) return locate_among_all(p, exact);
-    const double norm = kernel::octahedral_norm(p);
-    if (norm > reach_) return Location::outside;
-    if (!(norm >= Cone_cells::core)) return core_ ? location(*core_) : locate_among_all(p, exact);
-    const std::size_t cell = cells_.cell(p, norm);
-    for (Index g = cell_groups_[cell]; g < cell_groups_[cell + 1]; ++g) {
-      if (norm > groups_[g].high) continue;
-      if (norm < groups_[g].low) return location(groups_[g].within());
-      const int side = groups_[g].slab.side(p);
+    const Asked asked = ask(p);
+    Index group;
+    if (const auto decided = decide(asked, group)) return *decided;
+    return by_triangles(asked, group, exact);
+  }
+
+  Asked ask(const kernel::Local_point& p) const
+  {
+    Asked asked{p, kernel::octahedral_norm(p), none};
+    if (has_table_ && asked.norm >= Cone_cells::core && asked.norm <= reach_)
+      asked.cell = Index(cells_.cell(p, asked.norm));
+    return asked;
+  }
+
+  /// What is known without triangles; else `group` is that whose triangles decide, or none for all.
+  std::optional<Location> decide(const Asked& asked, Index& group) const
+  {
+    group = none;
+    if (asked.cell == none) {
+      if (has_table_ && asked.norm > reach_) return Location::outside;
+      if (has_table_ && core_) return location(*core_);
+      return std::nullopt;
+    }
+    for (Index g = cell_groups_[asked.cell]; g < cell_groups_[asked.cell + 1]; ++g) {
+      if (asked.norm > groups_[g].high) continue;
+      if (asked.norm < groups_[g].low) return location(groups_[g].within());
+      const int side = groups_[g].slab.side(asked.at);
       if (side < 0) return location(groups_[g].within());
-      const int beyond = g + 1 < cell_groups_[cell + 1] ? groups_[g + 1].within() : 0;
-      if (side > 0) return location(beyond);
-      int winding = beyond;
-      for (Index e = groups_[g].first; e < groups_[g + 1].first; ++e) {
-        const Seen seen = see(model_->covering().triangles()[entries_[e]], p, exact);
-        if (seen.on_face) return Location::on_surface;
-        winding += seen.winding;
-        if (groups_[g].is_sheet() && seen.facing == groups_[g].within() - beyond) break;
-      }
-      return location(winding);
+      if (side > 0) return location(beyond(asked.cell, g));
+      group = g;
+      return std::nullopt;
     }
     return Location::outside;
+  }
+
+  /// The winding number beyond a group of the cell.
+  int beyond(Index cell, Index g) const { return g + 1 < cell_groups_[cell + 1] ? groups_[g + 1].within() : 0; }
+
+  template <class Exact>
+  Location by_triangles(const Asked& asked, Index group, const Exact& exact) const
+  {
+    if (group == none) return locate_among_all(asked.at, exact);
+    const Group& of = groups_[group];
+    const int outer = beyond(asked.cell, group);
+    int winding = outer;
+    for (Index e = of.first; e < groups_[group + 1].first; ++e) {
+      const Seen seen = see(model_->covering().triangles()[entries_[e]], asked.at, exact);
+      if (seen.on_face) return Location::on_surface;
+      winding += seen.winding;
+      if (of.is_sheet() && seen.facing == of.within() - outer) break;
+    }
+    return location(winding);
   }
 
   template <class Exact>

@@ -36,9 +36,15 @@ BOOST_AUTO_TEST_CASE(every_point_is_where_the_truth_has_it)
     const Point_locator locator(model);
     const verify::Point_truth truth(body);
     long wrong_here = 0;
-    for (int k = 0; k < 60 * rounds; ++k) {
-      const Vertex p = scenes::degenerate_point(random, body, model.lattice().origin);
+    std::vector<Vertex> points;
+    for (int k = 0; k < 60 * rounds; ++k)
+      points.push_back(scenes::degenerate_point(random, body, model.lattice().origin));
+    std::vector<tetracone::covering::Location> together(points.size());
+    locator.locate(points, together);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const Vertex& p = points[k];
       const int expected = truth(p), found = int(locator.locate(p));
+      BOOST_TEST(int(together[k]) == found);
       ++answers[expected + 1];
       wrong_here += found != expected;
       if (found != expected && wrong_here < 4)
