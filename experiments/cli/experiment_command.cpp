@@ -8,6 +8,7 @@
 #include "experiments/accuracy/stability.h"
 #include "experiments/report/method_figures.h"
 #include "experiments/speed/ablation_experiment.h"
+#include "experiments/speed/coherence_experiment.h"
 #include "experiments/speed/contacts_experiment.h"
 #include "experiments/speed/distance_experiment.h"
 #include "experiments/speed/paper_experiment.h"
@@ -69,6 +70,7 @@ void distance(Options options)
 {
   run_distance(options.study.out, options.race_frames, options.full, options.study.seed);
 }
+void coherence(Options options) { run_coherence(options.study.out, options.race_frames, options.study.seed); }
 void threads(Options options) { run_threads(options.study.out, options.race_frames, options.study.seed); }
 
 void contacts(Options options)
@@ -118,6 +120,8 @@ constexpr std::array experiments = {
     Experiment{"distance", "what does an exact distance cost beside FCL's, and how far off is each?", "20 s", distance},
     Experiment{"threads", "how do queries on shared bodies scale with threads, while nodes are made and after?", "10 s",
                threads},
+    Experiment{"coherence", "what does remembering the last pose save, by how far a body moves from one to the next?",
+               "20 s", coherence},
     Experiment{"contacts", "how fast are all contacts of bodies that collide, and FCL's, and how many of FCL's wrong?",
                "20 s", contacts},
     Experiment{"points", "what does a point in a solid cost, and the first hit of a ray, against CGAL?", "1 min",
@@ -172,10 +176,10 @@ void add_experiment_command(CLI::App& app)
       ->check(poses)
       ->capture_default_str();
   command
-      ->add_option(
-          "--race-frames", options->race_frames,
-          "peers, scaling, ablation, paper, distance, threads, contacts: poses of each trajectory (peers: of each of "
-          "eight circles)")
+      ->add_option("--race-frames", options->race_frames,
+                   "peers, scaling, ablation, paper, distance, threads, coherence, contacts: poses of each trajectory "
+                   "(peers: of "
+                   "each of eight circles; coherence: of the coarsest walk)")
       ->check(poses)
       ->capture_default_str();
   command->add_option("--size", options->size, "sign-maps: doubles along each side of a map")
