@@ -8,6 +8,7 @@
 #include "experiments/accuracy/stability.h"
 #include "experiments/report/method_figures.h"
 #include "experiments/speed/ablation_experiment.h"
+#include "experiments/speed/coherence_experiment.h"
 #include "experiments/speed/contacts_experiment.h"
 #include "experiments/speed/distance_experiment.h"
 #include "experiments/speed/moving_bodies_experiment.h"
@@ -72,6 +73,7 @@ void distance(Options options)
   run_distance(options.study.out, options.race_frames, options.full, options.study.seed);
 }
 void moving_bodies(Options options) { run_moving_bodies(options.study.out, options.race_frames, options.study.seed); }
+void coherence(Options options) { run_coherence(options.study.out, options.race_frames, options.study.seed); }
 void threads(Options options) { run_threads(options.study.out, options.race_frames, options.study.seed); }
 
 void contacts(Options options)
@@ -125,6 +127,8 @@ constexpr std::array experiments = {
     Experiment{"distance", "what does an exact distance cost beside FCL's, and how far off is each?", "20 s", distance},
     Experiment{"threads", "how do queries on shared bodies scale with threads, while nodes are made and after?", "10 s",
                threads},
+    Experiment{"coherence", "what does remembering the last pose save, by how far a body moves from one to the next?",
+               "20 s", coherence},
     Experiment{"contacts", "how fast are all contacts of bodies that collide, and FCL's, and how many of FCL's wrong?",
                "20 s", contacts},
     Experiment{"scenes", "how fast is a frame of many bodies beside FCL, Bullet and ODE, and who misses what?", "2 min",
@@ -184,9 +188,8 @@ void add_experiment_command(CLI::App& app)
       ->capture_default_str();
   command
       ->add_option("--race-frames", options->race_frames,
-                   "peers, scaling, ablation, paper, distance, threads, contacts, scenes: poses of each trajectory "
-                   "(peers: of each of "
-                   "eight circles)")
+                   "peers, scaling, ablation, paper, distance, threads, coherence, contacts, scenes: poses of each "
+                   "trajectory (peers: of each of eight circles; coherence: of the coarsest walk; scenes: a twentieth)")
       ->check(poses)
       ->capture_default_str();
   command->add_option("--size", options->size, "sign-maps: doubles along each side of a map")

@@ -1,4 +1,4 @@
-"""The tables of what else is asked exactly: all contacts, distances, points and rays, each beside other libraries."""
+"""The tables of what else is asked exactly: all contacts, distances, points and rays, beside other libraries; and poses in small steps."""
 
 import html
 import os
@@ -54,6 +54,23 @@ def distances(page):
                 r["mean_ulps"], r["most_ulps"], f"{r['zero_apart']} of {r['apart']}", f"{r['positive_touching']} of {r['touching']}"]))
 
 
+def coherence(page):
+    rows, source = rows_and_source(page, "coherence", "What does remembering the last pose save, by how far a body moves from one to the next?")
+    if rows:
+        yield section(
+            page, "coherence", "Poses in small steps",
+            "Smooth walks of a star-shaped body round itself, asked with what the last pose told remembered and without, in turn. The size is the larger body's. "
+            "<b>Differ</b>: poses in which the two do not answer alike.", rows, source,
+            ["ratio", "clearance", "motion", "question", "poses", "collisions", "differ", "ns_without", "ns_with", "times_faster", "box_tests_without",
+             "box_tests_with"],
+            ["relative size", "clearance", "motion a pose, % of the size", "question", "\u00b5s without", "\u00b5s with", "times faster", "box tests", "with",
+             "differ"],
+            lambda r: (float(r["times_faster"]) >= 1, [
+                f"1:{float(r['ratio']):g}", f"{100 * float(r['clearance']):g} %", f"{100 * float(r['motion']):.3g}", html.escape(r["question"]),
+                us(r["ns_without"]), us(r["ns_with"]), f"{float(r['times_faster']):.2f}", f"{float(r['box_tests_without']):.0f}",
+                f"{float(r['box_tests_with']):.0f}", f"{r['differ']} of {r['poses']}"]))
+
+
 def points(page):
     rows, source = rows_and_source(page, "points", "What does a point in a solid cost, and the first hit of a ray?")
     if rows:
@@ -85,6 +102,6 @@ def scenes(page):
 
 
 def sections(page, study, campaign):
-    """Of OUT/contacts.csv, OUT/distance.csv and OUT/points.csv those that are there."""
-    for table in (contacts, distances, points, scenes):
+    """Of OUT/contacts.csv, OUT/distance.csv, OUT/coherence.csv, OUT/points.csv and OUT/scenes.csv those that are there."""
+    for table in (contacts, distances, coherence, points, scenes):
         yield from table(page)

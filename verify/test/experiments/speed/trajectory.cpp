@@ -138,6 +138,24 @@ BOOST_AUTO_TEST_CASE(contour_frames_are_close_to_the_border)
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_smooth_walk_of_more_frames_is_the_same_way_in_smaller_steps)
+{
+  const Scene& scene = scenes()[0];
+  const auto walk = [&](int frames) { return smooth_walk(scene.a, scene.b, 1, frames, 0.01, 3, scene.collides); };
+  const std::vector<Pose> coarse = walk(64), fine = walk(512);
+  int hits = 0;
+  for (std::size_t k = 0; k < fine.size(); ++k) {
+    hits += scene.collides(fine[k]);  // in the directions that were asked: it keeps clear
+    for (int entry = 0; entry < 12 && k % 8 == 0; ++entry)
+      BOOST_TEST(std::abs(fine[k][entry] - coarse[k / 8][entry]) < 1e-12);
+  }
+  BOOST_TEST(hits == 0);
+  const double step = mean_motion(scene.a, scene.b, fine), larger = mean_motion(scene.a, scene.b, coarse);
+  BOOST_TEST(larger > 6 * step);
+  BOOST_TEST(larger < 9 * step);
+  BOOST_TEST(larger < 1);
+}
+
 BOOST_AUTO_TEST_CASE(one_that_never_collides_ends_all_the_same)
 {
   const Scene& scene = scenes()[0];

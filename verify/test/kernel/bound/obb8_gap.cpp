@@ -4,6 +4,7 @@
 #include "tetracone/kernel/bound/relative_motion.h"
 #include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
+#include "verify/test/support/simd_versions.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -17,17 +18,14 @@ namespace tetracone::kernel {
 using Certify = void(const Obb8&, const Box_map&, const Obb8&, int, float, Certified_gaps&);
 using Least_after = double(const Certified_gaps&, unsigned, const Carried_box&, const Box_map&, double);
 
-/// Every version that this processor has.
-template <class Function>
-std::vector<Function*> here(std::vector<Simd_version<Function>> versions)
+std::vector<Certify*> certifying()
 {
-  std::vector<Function*> found;
-  for (const auto& version : versions)
-    if (version.target & (hwy::SupportedTargets() | HWY_STATIC_TARGET)) found.push_back(version.function);
-  return found;
+  return verify::versions_here<Certify>(TETRACONE_SIMD_VERSIONS(certified_gaps_simd));
 }
-std::vector<Certify*> certifying() { return here<Certify>(TETRACONE_SIMD_VERSIONS(certified_gaps_simd)); }
-std::vector<Least_after*> least_after() { return here<Least_after>(TETRACONE_SIMD_VERSIONS(least_gap_after_simd)); }
+std::vector<Least_after*> least_after()
+{
+  return verify::versions_here<Least_after>(TETRACONE_SIMD_VERSIONS(least_gap_after_simd));
+}
 
 }  // namespace tetracone::kernel
 

@@ -3,6 +3,7 @@
 #include "tetracone/kernel/bound/oriented_box.h"
 #include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
+#include "verify/test/support/simd_versions.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -18,19 +19,13 @@ namespace tetracone::kernel {
 using Overlapping = unsigned(const Obb8&, const Single_box&, bool);
 using Overlapping_mapped = unsigned(const Obb8&, const Box_map&, const Obb8&, int);
 
-/// Every version of the kernels that this processor has.
-template <class Function>
-std::vector<Function*> here(std::vector<Simd_version<Function>> versions)
+std::vector<Overlapping*> versions()
 {
-  std::vector<Function*> found;
-  for (const auto& version : versions)
-    if (version.target & (hwy::SupportedTargets() | HWY_STATIC_TARGET)) found.push_back(version.function);
-  return found;
+  return verify::versions_here<Overlapping>(TETRACONE_SIMD_VERSIONS(overlapping_simd));
 }
-std::vector<Overlapping*> versions() { return here<Overlapping>(TETRACONE_SIMD_VERSIONS(overlapping_simd)); }
 std::vector<Overlapping_mapped*> mapped_versions()
 {
-  return here<Overlapping_mapped>(TETRACONE_SIMD_VERSIONS(overlapping_mapped_simd));
+  return verify::versions_here<Overlapping_mapped>(TETRACONE_SIMD_VERSIONS(overlapping_mapped_simd));
 }
 
 }  // namespace tetracone::kernel
