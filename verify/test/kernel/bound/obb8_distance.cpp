@@ -2,6 +2,7 @@
 
 #include "tetracone/kernel/bound/oriented_box.h"
 #include "verify/test/support/scenes.h"
+#include "verify/test/support/simd_versions.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -22,14 +23,9 @@ namespace {
 
 using Nearer = unsigned(const Obb8&, const Box_map&, const Obb8&, int, const Gap_question&, Eight_gaps&);
 
-/// Every version that this processor has.
 std::vector<Nearer*> nearer_versions()
 {
-  std::vector<Nearer*> found;
-  for (const Simd_version<Nearer>& version :
-       std::initializer_list<Simd_version<Nearer>> TETRACONE_SIMD_VERSIONS(nearer_lanes_simd))
-    if (version.target & (hwy::SupportedTargets() | HWY_STATIC_TARGET)) found.push_back(version.function);
-  return found;
+  return verify::versions_here<Nearer>(TETRACONE_SIMD_VERSIONS(nearer_lanes_simd));
 }
 
 Vector vector(Random& random, double size)

@@ -3,6 +3,7 @@
 #include "tetracone/covering/repair/repair.h"
 #include "tetracone/tetratree/fast/placed_bvh8.h"
 #include "verify/test/support/scenes.h"
+#include "verify/test/support/simd_versions.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -16,14 +17,9 @@ namespace tetracone::tetratree {
 
 using Descend = Stop(Pair_stack&, Both_trees&);
 
-/// Every version that this processor has.
-std::vector<Descend*> versions()
+std::vector<Descend*> descend_versions()
 {
-  std::vector<Descend*> found;
-  for (const kernel::Simd_version<Descend>& version :
-       std::initializer_list<kernel::Simd_version<Descend>> TETRACONE_SIMD_VERSIONS(descend_simd))
-    if (version.target & (hwy::SupportedTargets() | HWY_STATIC_TARGET)) found.push_back(version.function);
-  return found;
+  return verify::versions_here<Descend>(TETRACONE_SIMD_VERSIONS(descend_simd));
 }
 
 }  // namespace tetracone::tetratree
@@ -133,7 +129,7 @@ BOOST_AUTO_TEST_CASE(every_pair_of_leaves_that_meet_is_offered_once)
     b.into_other = kernel::Box_map(scene.pose_a, tree_a.scale(), scene.pose_b, tree_b.scale());
     similar += a.into_other.is_similarity();
     const Pairs truth = meeting(scene.a, scene.pose_a, a, scene.b, scene.pose_b, b);
-    for (Descend* descend : versions()) {
+    for (Descend* descend : descend_versions()) {
       const Descended all = descended(descend, a, b);
       for (const auto& pair : truth) missed += !all.offered.contains(pair);
       met += int(truth.size());
@@ -192,7 +188,7 @@ BOOST_AUTO_TEST_CASE(triangles_that_touch_in_one_point_of_a_side_are_offered)
     BOOST_TEST(a.into_other.is_similarity());
     const Pairs truth = meeting(large, pose, a, small, pose, b);
     touching += int(truth.size());
-    for (Descend* descend : versions()) {
+    for (Descend* descend : descend_versions()) {
       const Descended all = descended(descend, a, b);
       for (const auto& pair : truth) missed += !all.offered.contains(pair);
     }

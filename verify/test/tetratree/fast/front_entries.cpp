@@ -1,6 +1,7 @@
 #include "tetracone/tetratree/fast/front_entries.h"
 
 #include "tetracone/kernel/number/number.h"
+#include "verify/test/support/simd_versions.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -14,14 +15,9 @@ namespace tetracone::tetratree {
 
 using Expired = std::size_t(const float*, std::size_t, float, std::uint32_t*);
 
-/// Every version that this processor has.
-std::vector<Expired*> versions()
+std::vector<Expired*> expired_versions()
 {
-  std::vector<Expired*> found;
-  for (const kernel::Simd_version<Expired>& version :
-       std::initializer_list<kernel::Simd_version<Expired>> TETRACONE_SIMD_VERSIONS(expired_simd))
-    if (version.target & (hwy::SupportedTargets() | HWY_STATIC_TARGET)) found.push_back(version.function);
-  return found;
+  return verify::versions_here<Expired>(TETRACONE_SIMD_VERSIONS(expired_simd));
 }
 
 }  // namespace tetracone::tetratree
@@ -56,7 +52,7 @@ BOOST_AUTO_TEST_CASE(all_entries_that_have_expired_are_found_in_order)
 {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   Random random(2);
-  for (Expired* expired : versions())
+  for (Expired* expired : expired_versions())
     for (std::size_t count = 0; count < 70; ++count) {
       std::vector<float> until;
       std::vector<std::uint32_t> right;
