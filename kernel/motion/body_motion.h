@@ -93,9 +93,9 @@ class Body_motion {
     const auto value = [&](const Integer_form& form) {
       Integer scale;
       mpz_pow_ui(scale.get_mpz_t(), time.get_den_mpz_t(), form.size() - 1);
-      Rational value(form.at(time.get_den() - time.get_num(), time.get_num()), scale);
-      value.canonicalize();
-      return value;
+      Rational quotient(form.at(time.get_den() - time.get_num(), time.get_num()), scale);
+      quotient.canonicalize();
+      return quotient;
     };
     const Rational divisor = value(weight_);
     std::array<Rational, 12> entries;
