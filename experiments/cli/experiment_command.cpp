@@ -179,7 +179,7 @@ void add_experiment_command(CLI::App& app)
       ->add_option(
           "--race-frames", options->race_frames,
           "peers, scaling, ablation, paper, distance, threads, contacts: poses of each trajectory (peers: of each of "
-          "eight circles)")
+          "eight circles); moving-bodies: motions of each course")
       ->check(poses)
       ->capture_default_str();
   command->add_option("--size", options->size, "sign-maps: doubles along each side of a map")
