@@ -187,9 +187,11 @@ void add_experiment_command(CLI::App& app)
       ->check(poses)
       ->capture_default_str();
   command
-      ->add_option("--race-frames", options->race_frames,
-                   "peers, scaling, ablation, paper, distance, threads, coherence, contacts, scenes: poses of each "
-                   "trajectory (peers: of each of eight circles; coherence: of the coarsest walk; scenes: a twentieth)")
+      ->add_option(
+          "--race-frames", options->race_frames,
+          "peers, scaling, ablation, paper, distance, threads, coherence, contacts, scenes: poses of each "
+          "trajectory (peers: of each of eight circles; coherence: of the coarsest walk; scenes: a twentieth); "
+          "moving-bodies: motions of each course")
       ->check(poses)
       ->capture_default_str();
   command->add_option("--size", options->size, "sign-maps: doubles along each side of a map")
