@@ -25,7 +25,7 @@ using Nearer = unsigned(const Obb8&, const Box_map&, const Obb8&, int, const Gap
 
 std::vector<Nearer*> nearer_versions()
 {
-  return verify::versions_here<Nearer>(TETRACONE_SIMD_VERSIONS(nearer_lanes_simd));
+  return tetracone::verify::versions_here<Nearer>(TETRACONE_SIMD_VERSIONS(nearer_lanes_simd));
 }
 
 Vector vector(Random& random, double size)
