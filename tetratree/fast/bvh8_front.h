@@ -102,7 +102,7 @@ class Bvh8_front {
     push(stack, trees, {0, 0});
     const std::uint64_t before = trees.opened;
     const bool meet = descend(stack, trees, a, b, leaf_pair);
-    policy_.made(cost(trees.opened - before));
+    policy_.made(cost(double(trees.opened - before)));
     return meet;
   }
 
@@ -142,7 +142,8 @@ class Bvh8_front {
       keep_rest(stack);
     else
       meet = descend(stack, trees, a, b, leaf_pair);
-    policy_.followed(cost(trees.opened - opened) + Front_policy::of_check * double(checked));
+    policy_.followed(cost(Front_policy::of_certified * double(trees.opened - opened)) +
+                     Front_policy::of_check * double(checked));
     // On the way, straight, from the last pose to this one, t of it from 0 to 1, those asked again were apart before the
     // step reached what was left, t step < left, and again where (1 - t) step < the new gap. Where these hold in turn
     // for all t, no surface has passed the other: a shell that was inside is inside, and one outside outside.
@@ -169,8 +170,8 @@ class Bvh8_front {
     return std::nullopt;
   }
 
-  /// Of a descent that has opened so many boxes.
-  double cost(std::uint64_t opened) const { return double(opened) + Front_policy::of_elements * double(leaf_pairs_); }
+  /// Of openings that cost so much, and the pairs of leaves.
+  double cost(double opened) const { return opened + Front_policy::of_elements * double(leaf_pairs_); }
 
   /// At most the distances in A's local units over those in the units of either body: the exact map's columns differ
   /// from the computed ones by 2 sqrt(3) of its error at most, and are as long as the first but for 2^-22.

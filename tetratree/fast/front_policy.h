@@ -8,7 +8,8 @@
 
 namespace tetracone::tetratree {
 
-/// When a front is worth what it costs. A cost is in openings of a box; nothing here changes an answer.
+/// When a front is worth what it costs. A cost is in openings of a box by a descent that keeps nothing; nothing here
+/// changes an answer.
 ///
 /// A front is made by a descent from the root and then followed, pose by pose. Coarse motion wears it: parts that were
 /// opened once stay open. As of a machine that wears, its least cost a pose is had by renewing it when the present cost
@@ -16,12 +17,12 @@ namespace tetracone::tetratree {
 /// that keep nothing, memory does not pay: descents keep nothing for a while, twice as long each time.
 class Front_policy {
  public:
-  /// Of one pair of elements, of an entry's axes, and of what every pose costs.
-  static constexpr double of_elements = 6, of_check = 0.25, of_pose = 4;
+  /// Of one pair of elements, of an entry's axes, of an opening that certifies, and of what every pose costs.
+  static constexpr double of_elements = 6, of_check = 0.3, of_certified = 2, of_pose = 4;
 
   /// How much dearer a descent is that makes a front; the share of a plain descent that one that follows may cost for
   /// certain before it is given up; below which mean memory pays; how many poses at most are asked without.
-  static constexpr double making = 1.6, too_many = 0.6, pays_below = 0.85;
+  static constexpr double making = 1.8, too_many = 0.6, pays_below = 0.85;
   static constexpr std::size_t longest_pause = 64;
 
   /// Before a front is taken for worn by the mean.
