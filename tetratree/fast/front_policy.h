@@ -3,7 +3,6 @@
 
 #include "tetracone/kernel/number/floating_point.h"
 
-#include <algorithm>
 #include <cstddef>
 
 namespace tetracone::tetratree {
@@ -63,7 +62,7 @@ class Front_policy {
       pause_ = 0;
       return;
     }
-    pause_ = std::min(std::max(2 * pause_, std::size_t(1)), longest_pause);
+    pause_ = kernel::minimum(kernel::maximum(2 * pause_, std::size_t(1)), longest_pause);
     pause_left_ = pause_;
   }
 
