@@ -17,7 +17,10 @@
 namespace tetracone::kernel {
 
 /// What a gap may be off by, a share of M = |t|_1 + reach + sum of extents, t the single box's centre relative to the
-/// node's origin, beside the position's error.
+/// node's origin, beside the position's error. In roundings of float: components of t along axes are off by 5 of M, of
+/// edges by 4 and with an axis by 10; along a normal that is sqrt(3) of these, across two axes twice 15, and the sums'
+/// own 6 each; what the axes lack to be orthonormal, 8 of each, counts three times at most, of t and of both boxes. All
+/// are below 120 of M; the sides of a triangle are given twice that.
 inline constexpr double gap_rounding = carried_box_rounding;
 
 /// What takes the length of an axis above 1, at most 1 + 6 `axis_defect`, and the roundings of a gap.
