@@ -19,11 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace tetracone {
-
-class Body;
-
-namespace detail {
+namespace tetracone::detail {
 
 /// What copies of a `Body` share. What is not yet here is made once, by the first thread that asks for it.
 struct Body_data {
@@ -93,12 +89,9 @@ struct Body_data {
   mutable std::map<std::type_index, std::shared_ptr<void>> models_;
 };
 
-const Body_data& data_of(const Body& body);
-
 /// Throws Error when the body is no solid: "WHO is open at ...; expected a closed surface for WHAT".
 void require_solid(const Body_data& body, const std::string& who, const std::string& what);
 
-}  // namespace detail
-}  // namespace tetracone
+}  // namespace tetracone::detail
 
 #endif

@@ -81,7 +81,7 @@ class Pair_list {
   std::size_t bytes() const
   {
     return pairs_.capacity() * sizeof(Near_pair) + (free_.capacity() + in_lists_) * sizeof(Number) +
-           of_.capacity() * sizeof(of_[0]);
+           of_.capacity() * sizeof(std::vector<Number>);
   }
 
  private:
