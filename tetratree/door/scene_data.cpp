@@ -53,11 +53,16 @@ Scene_data::Placed_body& Scene_data::placed(std::size_t body)
   return known;
 }
 
-std::size_t Scene_data::add_body(std::size_t model)
+void Scene_data::require_model(std::size_t model) const
 {
   if (model >= models.count())
     throw Error("scene: model " + std::to_string(model) + " of " + std::to_string(models.count()) +
                 "; expected a model's number");
+}
+
+std::size_t Scene_data::add_body(std::size_t model)
+{
+  require_model(model);
   if (bodies_.size() >= std::numeric_limits<std::int32_t>::max())
     throw Error("scene: too many bodies; expected less than 2^31");
   bodies_.emplace_back().model = Number(model);
@@ -67,16 +72,19 @@ std::size_t Scene_data::add_body(std::size_t model)
   return bodies_.size() - 1;
 }
 
+/// The two are near one another no more.
+void Scene_data::part(Number pair)
+{
+  const Near_pair& gone = near_[pair];
+  if (gone.is_listed) left_.push_back({gone.body[0], gone.body[1]});
+  near_.remove(pair);
+}
+
 /// Takes the body out of all that is known of near ones.
 void Scene_data::leave(Number number)
 {
   Placed_body& body = bodies_[number];
-  while (!near_.of(number).empty()) {
-    const Number pair = near_.of(number).back();
-    const Near_pair& gone = near_[pair];
-    if (gone.is_listed) left_.push_back({gone.body[0], gone.body[1]});
-    near_.remove(pair);
-  }
+  while (!near_.of(number).empty()) part(near_.of(number).back());
   if (body.is_in_tree) tree_.remove(number);
   body.is_in_tree = false;
 }
@@ -91,9 +99,7 @@ void Scene_data::remove_body(std::size_t body)
 void Scene_data::set_model(std::size_t body, std::size_t model)
 {
   Placed_body& changed = there(body);
-  if (model >= models.count())
-    throw Error("scene: model " + std::to_string(model) + " of " + std::to_string(models.count()) +
-                "; expected a model's number");
+  require_model(model);
   if (changed.model == model) return;
   leave(Number(body));
   changed.model = Number(model);
@@ -111,8 +117,7 @@ void Scene_data::ignore(std::size_t a, std::size_t b)
   ignored_.insert(key_of(a, b));
   for (const Number pair : near_.of(Number(a)))
     if (near_.other(pair, Number(a)) == b) {
-      if (near_[pair].is_listed) left_.push_back({kernel::minimum(a, b), kernel::maximum(a, b)});
-      near_.remove(pair);
+      part(pair);
       break;
     }
 }
@@ -244,8 +249,7 @@ void Scene_data::find_near(const std::vector<Number>& bodies)
         seen_[other] = 0;  // known
         continue;
       }
-      if (near_[pair].is_listed) left_.push_back({near_[pair].body[0], near_[pair].body[1]});
-      near_.remove(pair);
+      part(pair);
     }
     for (const Number other : found[i])
       if (seen_[other] == search && (ignored_.empty() || !ignored_.contains(key_of(body, other))))
@@ -259,8 +263,7 @@ void Scene_data::open_pairs()
   std::erase_if(open_, [this](Number pair) { return !near_[pair].is_open; });
   for (const Number number : moved_) {
     Placed_body& body = bodies_[number];
-    const bool is_known = body.step <= std::numeric_limits<double>::max();
-    if (is_known)
+    if (body.step <= std::numeric_limits<double>::max())
       body.way = sum_above(body.way, body.step);
     else
       for (const Number pair : near_.of(number)) near_[pair].limit = -1;

@@ -67,6 +67,8 @@ class Scene_data {
 
   Placed_body& there(std::size_t body);
   Placed_body& placed(std::size_t body);
+  void require_model(std::size_t model) const;
+  void part(Number pair);
   void leave(Number body);
 
   /// Calls what(i, worker) for i < n, by all threads.

@@ -67,7 +67,8 @@ class Pair_list {
 
   void remove(Number number)
   {
-    const Near_pair& pair = pairs_[number];
+    Near_pair& pair = pairs_[number];
+    pair.is_open = false;
     for (int k = 0; k < 2; ++k) {
       std::vector<Number>& list = of_[pair.body[k]];
       const Number last = list.back();

@@ -204,6 +204,12 @@ BOOST_AUTO_TEST_CASE(a_budget_leaves_pairs_undecided_and_later_frames_decide_the
   BOOST_TEST(!hurried.undecided().empty());
   for (const Undecided_pair& left : hurried.undecided())
     BOOST_TEST(scene.distance(left.pair.a, left.pair.b) <= left.farthest);
+
+  const Scene_pair first = hurried.undecided().front().pair;
+  hurried.remove_body(first.a);
+  hurried.pairs();
+  BOOST_TEST(!hurried.undecided().empty());
+  for (const Undecided_pair& left : hurried.undecided()) BOOST_TEST((left.pair.a != first.a && left.pair.b != first.a));
 }
 
 BOOST_AUTO_TEST_CASE(misuse_is_refused_with_a_line)
