@@ -40,26 +40,20 @@ std::optional<int> truth_of(const Predicate_case& c, Predicate predicate)
 }
 
 /// A batch of predicate cases at work.
-class Predicate_batch {
+class Predicate_batch : Working_batch<Predicate_subject> {
  public:
   Predicate_batch(const Campaign& campaign, const Batch& batch, const Done& done)
-      : seed_(campaign.seed),
-        subjects_(campaign.predicate_subjects),
-        batch_(batch),
-        wanted_(batch, subjects_, done),
-        found_(level_name(batch.what), batch.family_name())
+      : Working_batch(campaign, batch, done, campaign.predicate_subjects)
   {}
 
   Findings judge()
   {
-    for (std::uint64_t k = batch_.first; k < batch_.last; ++k) {
-      if (!wanted_.anyone(k)) continue;
+    for_wanted([this](std::uint64_t k) {
       const Predicate_case c = batch_.family->predicate_case(seed_, k);
       for (const Predicate predicate : all_predicates) judge_answers(c, k, predicate);
       if (k % relation_stride == 0) try_relation(c, k);
-    }
-    wanted_.add_done(found_);
-    return std::move(found_);
+    });
+    return finish();
   }
 
  private:
@@ -97,12 +91,6 @@ class Predicate_batch {
       }
     }
   }
-
-  std::uint64_t seed_;
-  const std::vector<Predicate_subject>& subjects_;
-  const Batch& batch_;
-  Wanted wanted_;
-  Findings found_;
 };
 
 // --- objects --------------------------------------------------------------------------------------------------------
@@ -138,25 +126,19 @@ int differences(const std::vector<int>& answers, const std::vector<int>& truths)
 }
 
 /// A batch of object cases, or a sequence, at work.
-class Object_batch {
+class Object_batch : Working_batch<Object_subject> {
  public:
   Object_batch(const Campaign& campaign, const Batch& batch, const Done& done, Running_subjects& running)
-      : seed_(campaign.seed),
-        subjects_(campaign.object_subjects),
-        running_(running),
-        batch_(batch),
-        wanted_(batch, subjects_, done),
-        found_(level_name(batch.what), batch.family_name())
+      : Working_batch(campaign, batch, done, campaign.object_subjects), running_(running)
   {}
 
   Findings judge()
   {
-    for (std::uint64_t k = batch_.first; k < batch_.last; ++k)
-      if (wanted_.anyone(k))
-        judge(batch_.sequence ? batch_.sequence->frames[k] : batch_.family->object_case(seed_, k), k);
+    for_wanted([this](std::uint64_t k) {
+      judge(batch_.sequence ? batch_.sequence->frames[k] : batch_.family->object_case(seed_, k), k);
+    });
     if (batch_.sequence) count_flips();
-    wanted_.add_done(found_);
-    return std::move(found_);
+    return finish();
   }
 
  private:
@@ -224,12 +206,7 @@ class Object_batch {
     }
   }
 
-  std::uint64_t seed_;
-  const std::vector<Object_subject>& subjects_;
   Running_subjects& running_;
-  const Batch& batch_;
-  Wanted wanted_;
-  Findings found_;
   std::map<std::pair<std::size_t, Question>, std::vector<int>> answers_;  // case after case, by subject and question
   std::map<Question, std::vector<int>> truths_;
 };
@@ -247,23 +224,16 @@ Pairs true_features(const Object_case& c)
 }
 
 /// A batch of cases whose features are asked for, at work.
-class Feature_batch {
+class Feature_batch : Working_batch<Object_subject> {
  public:
   Feature_batch(const Campaign& campaign, const Batch& batch, const Done& done, Running_subjects& running)
-      : seed_(campaign.seed),
-        subjects_(campaign.feature_subjects),
-        running_(running),
-        batch_(batch),
-        wanted_(batch, subjects_, done),
-        found_(level_name(batch.what), batch.family_name())
+      : Working_batch(campaign, batch, done, campaign.feature_subjects), running_(running)
   {}
 
   Findings judge()
   {
-    for (std::uint64_t k = batch_.first; k < batch_.last; ++k)
-      if (wanted_.anyone(k)) judge(batch_.family->object_case(seed_, k), k);
-    wanted_.add_done(found_);
-    return std::move(found_);
+    for_wanted([this](std::uint64_t k) { judge(batch_.family->object_case(seed_, k), k); });
+    return finish();
   }
 
  private:
@@ -292,12 +262,7 @@ class Feature_batch {
   }
 
   static constexpr const char* question = "features";
-  std::uint64_t seed_;
-  const std::vector<Object_subject>& subjects_;
   Running_subjects& running_;
-  const Batch& batch_;
-  Wanted wanted_;
-  Findings found_;
 };
 
 // --- contacts --------------------------------------------------------------------------------------------------------
@@ -311,26 +276,19 @@ Contact_forms true_contacts(const Object_case& c)
 }
 
 /// A batch of cases whose contacts are asked for, at work. Of bodies of more than `most_faces` faces nobody is asked.
-class Contact_batch {
+class Contact_batch : Working_batch<Object_subject> {
  public:
   Contact_batch(const Campaign& campaign, const Batch& batch, const Done& done, Running_subjects& running)
-      : seed_(campaign.seed),
-        subjects_(campaign.contact_subjects),
-        running_(running),
-        batch_(batch),
-        wanted_(batch, subjects_, done),
-        found_(level_name(batch.what), batch.family_name())
+      : Working_batch(campaign, batch, done, campaign.contact_subjects), running_(running)
   {}
 
   Findings judge()
   {
-    for (std::uint64_t k = batch_.first; k < batch_.last; ++k) {
-      if (!wanted_.anyone(k)) continue;
+    for_wanted([this](std::uint64_t k) {
       const Object_case c = batch_.family->object_case(seed_, k);
       if (c.a->face_count() <= most_faces && c.b->face_count() <= most_faces) judge(c, k);
-    }
-    wanted_.add_done(found_);
-    return std::move(found_);
+    });
+    return finish();
   }
 
  private:
@@ -361,12 +319,7 @@ class Contact_batch {
   }
 
   static constexpr const char* question = "contacts";
-  std::uint64_t seed_;
-  const std::vector<Object_subject>& subjects_;
   Running_subjects& running_;
-  const Batch& batch_;
-  Wanted wanted_;
-  Findings found_;
 };
 
 template <class Subject>

@@ -50,6 +50,40 @@ class Wanted {
   std::uint64_t last_;
 };
 
+/// A batch of a campaign at work: whom it asks, what is wanted of each, and what has been found.
+template <class Subject>
+class Working_batch {
+ protected:
+  Working_batch(const Campaign& campaign, const Batch& batch, const Done& done, const std::vector<Subject>& subjects)
+      : seed_(campaign.seed),
+        subjects_(subjects),
+        batch_(batch),
+        wanted_(batch, subjects, done),
+        found_(level_name(batch.what), batch.family_name())
+  {}
+
+  /// Calls judge(k) for each case k of the batch that somebody has not been asked.
+  template <class Judge>
+  void for_wanted(const Judge& judge)
+  {
+    for (std::uint64_t k = batch_.first; k < batch_.last; ++k)
+      if (wanted_.anyone(k)) judge(k);
+  }
+
+  /// All that was found, and who has been asked. Call once, last.
+  Findings finish()
+  {
+    wanted_.add_done(found_);
+    return std::move(found_);
+  }
+
+  std::uint64_t seed_;
+  const std::vector<Subject>& subjects_;
+  const Batch& batch_;
+  Wanted wanted_;
+  Findings found_;
+};
+
 /// Calls what() and returns its result and the nanoseconds that it took.
 template <class What>
 auto timed(const What& what)

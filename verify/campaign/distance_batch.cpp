@@ -60,26 +60,19 @@ bool holds(const Placed_body& placed, const Holder& holder, const Coordinates& x
 }
 
 /// A batch of cases whose distances are asked for, at work.
-class Distance_batch {
+class Distance_batch : Working_batch<Object_subject> {
  public:
   Distance_batch(const Campaign& campaign, const Batch& batch, const Done& done, Running_subjects& running)
-      : seed_(campaign.seed),
-        subjects_(campaign.distance_subjects),
-        running_(running),
-        batch_(batch),
-        wanted_(batch, subjects_, done),
-        found_(level_name(batch.what), batch.family_name())
+      : Working_batch(campaign, batch, done, campaign.distance_subjects), running_(running)
   {}
 
   Findings judge()
   {
-    for (std::uint64_t k = batch_.first; k < batch_.last; ++k) {
-      if (!wanted_.anyone(k)) continue;
+    for_wanted([this](std::uint64_t k) {
       const Object_case c = batch_.family->object_case(seed_, k);
       if (c.a->face_count() <= most_faces && c.b->face_count() <= most_faces) judge(c, k);
-    }
-    wanted_.add_done(found_);
-    return std::move(found_);
+    });
+    return finish();
   }
 
  private:
@@ -150,12 +143,7 @@ class Distance_batch {
                         verdict != Verdict::not_applicable, verdict == Verdict::violated);
   }
 
-  std::uint64_t seed_;
-  const std::vector<Object_subject>& subjects_;
   Running_subjects& running_;
-  const Batch& batch_;
-  Wanted wanted_;
-  Findings found_;
 };
 
 }  // namespace

@@ -52,30 +52,23 @@ class Truths {
 };
 
 /// What the batches of points and of rays share: asking(case, k) for each case, and relations.
-class Probe_batch {
+class Probe_batch : protected Working_batch<Probe_subject> {
  public:
   Probe_batch(const Campaign& campaign, const Batch& batch, const Done& done,
               const std::vector<Probe_subject>& subjects, Running_probes& running)
-      : seed_(campaign.seed),
-        subjects_(subjects),
-        running_(running),
-        batch_(batch),
-        wanted_(batch, subjects, done),
-        found_(level_name(batch.what), batch.family_name())
+      : Working_batch(campaign, batch, done, subjects), running_(running)
   {}
 
  protected:
   template <class Judge>
   Findings judge_all(const Judge& judge, std::span<const Probe_relation> relations)
   {
-    for (std::uint64_t k = batch_.first; k < batch_.last; ++k) {
-      if (!wanted_.anyone(k)) continue;
+    for_wanted([&](std::uint64_t k) {
       const Probe_case c = batch_.probes->probe_case(seed_, k);
       judge(c, k);
       if (k % relation_stride == 0) try_relation(c, k, relations);
-    }
-    wanted_.add_done(found_);
-    return std::move(found_);
+    });
+    return finish();
   }
 
   /// Adds what subject `s` has answered to a question; nothing for a failure.
@@ -88,12 +81,7 @@ class Probe_batch {
       found_.add_wrong(c.origin, subjects_[s].name, question, away, truth, answer, {});
   }
 
-  std::uint64_t seed_;
-  const std::vector<Probe_subject>& subjects_;
   Running_probes& running_;
-  const Batch& batch_;
-  Wanted wanted_;
-  Findings found_;
 
  private:
   void try_relation(const Probe_case& c, std::uint64_t k, std::span<const Probe_relation> relations)
