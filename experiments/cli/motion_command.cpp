@@ -101,6 +101,7 @@ void add_motion_command(CLI::App& app)
   command->add_option("A", options->names.a, "Model: OFF, OBJ, PLY, STL or TetGen .poly")->required();
   command->add_option("B", options->names.b, "Model")->required();
   options->names.add_options_to(*command);
+  options->names.models.add_to(*command);
   command
       ->add_option("--question", options->question,
                    "solid: of the solids, which may collide at t = 0 one within the other; surface: of the surfaces")

@@ -1,5 +1,6 @@
 #include "experiments/cli/view_command.h"
 
+#include "experiments/support/motion_options.h"
 #include "experiments/support/output_file.h"
 #include "experiments/viewer/scene_data.h"
 #include "experiments/viewer/view_data.h"
@@ -20,6 +21,7 @@ namespace {
 
 struct Options {
   Scene_names names;
+  Motion_names motion;  // the poses alone
   std::string question, kernel = "double", method = "tree", rays, out;
 };
 
@@ -51,6 +53,41 @@ std::string filled(std::string_view page, std::initializer_list<std::pair<std::s
   return text;
 }
 
+/// The page of the controls and scripts, in order, about the data.
+void write_page(const std::string& out, std::string_view controls, const std::string& data,
+                std::initializer_list<std::string_view> scripts)
+{
+  std::string all;
+  for (const std::string_view script : scripts) all.append("<script>\n").append(script).append("</script>\n");
+  write_whole(out, filled(viewer::page_html, {{"style", viewer::style_css},
+                                              {"controls", controls},
+                                              {"data", safe_in_script(data)},
+                                              {"three", viewer::three_js},
+                                              {"scripts", all}}));
+}
+
+/// The scene that the options name, which is no scene file.
+View_scene scene_of(const Options& options, std::optional<kernel::Question> question)
+{
+  const Scene_names& names = options.names;
+  if (!options.motion.is_given()) {
+    View_scene scene = read_view_scene(names, question);
+    if (options.rays.empty()) return scene;
+    refuse_input(options.out, {options.rays});
+    if (scene.bodies.size() != 1) throw CLI::ValidationError("--rays " + options.rays, "expected with one model");
+    scene.rays = covering::read_rays(options.rays);
+    return scene;
+  }
+  if (names.b.empty() || !names.poses_a.empty() || !names.poses_b.empty() || !options.rays.empty())
+    throw CLI::ValidationError("a motion", "expected of two models, without --pose-a, --pose-b and --rays");
+  Motion_names motion = options.motion;
+  motion.a = names.a;
+  motion.b = names.b;
+  motion.models = names.models;
+  motion.refuse_as_output(options.out);
+  return read_view_motion(motion, question.value_or(kernel::Question::solid));
+}
+
 void run(const Options& options)
 {
   std::optional<kernel::Question> question;
@@ -63,36 +100,17 @@ void run(const Options& options)
         "view was built without three.js; expected Debian's libjs-three where this program was configured");
 
   options.names.refuse_as_output(options.out);
-  if (verify::is_scene_name(options.names.a)) {
-    if (!options.names.b.empty() || !options.names.poses_a.empty() || !options.names.poses_b.empty() ||
-        !options.rays.empty())
-      throw CLI::ValidationError(options.names.a, "expected alone: a scene file names its models and poses");
-    const std::string data =
-        safe_in_script(scene_data(options.names.a, question.value_or(kernel::Question::solid), options.names.models));
-    write_whole(options.out, filled(viewer::scene_html, {{"style", viewer::style_css},
-                                                         {"three", viewer::three_js},
-                                                         {"notice", viewer::notice_html},
-                                                         {"errors", viewer::errors_js},
-                                                         {"data", data},
-                                                         {"camera", viewer::camera_js},
-                                                         {"scene", viewer::scene_js}}));
+  if (!verify::is_scene_name(options.names.a)) {
+    write_page(options.out, viewer::pair_html, view_data(scene_of(options, question), options.kernel, *method),
+               {viewer::bodies_js, viewer::bounds_js, viewer::camera_js, viewer::pair_js});
     return;
   }
-  if (!options.rays.empty()) refuse_input(options.out, {options.rays});
-  View_scene scene = read_view_scene(options.names, question);
-  if (!options.rays.empty() && scene.bodies.size() != 1)
-    throw CLI::ValidationError("--rays " + options.rays, "expected with one model");
-  if (!options.rays.empty()) scene.rays = covering::read_rays(options.rays);
-  const std::string data = safe_in_script(view_data(scene, options.kernel, *method));
-  write_whole(options.out, filled(viewer::page_html, {{"style", viewer::style_css},
-                                                      {"three", viewer::three_js},
-                                                      {"notice", viewer::notice_html},
-                                                      {"errors", viewer::errors_js},
-                                                      {"data", data},
-                                                      {"bodies", viewer::bodies_js},
-                                                      {"bounds", viewer::bounds_js},
-                                                      {"camera", viewer::camera_js},
-                                                      {"page", viewer::page_js}}));
+  if (!options.names.b.empty() || !options.names.poses_a.empty() || !options.names.poses_b.empty() ||
+      !options.rays.empty())
+    throw CLI::ValidationError(options.names.a, "expected alone: a scene file names its models and poses");
+  write_page(options.out, viewer::scene_html,
+             scene_data(options.names.a, question.value_or(kernel::Question::solid), options.names.models),
+             {viewer::camera_js, viewer::scene_js});
 }
 
 }  // namespace
@@ -123,10 +141,11 @@ void add_view_command(CLI::App& app)
   command->add_option("--rays", options->rays,
                       "Rays of one model, in its own coordinates: one a line, six decimals, origin and direction");
   names.add_options_to(*command);
+  options->motion.add_options_to(*command);
   command->footer(
       "Of more than 50,000 triangles in all the page shows bodies and answers alone; more than 1,000,000 are refused.\n"
       "Wrong answers of the kernel are marked on the time line, and the pairs of features that it loses or invents in "
-      "the picture.\n"
+      "the picture. With --pose-a0 to --pose-b1 the page plays one motion to the first contact.\n"
       "Example: tetracone view cat.off house.poly --pose-b poses.txt --kernel float --out scene.html");
   command->callback([options] { run(*options); });
 }

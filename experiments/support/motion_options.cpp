@@ -68,7 +68,6 @@ void Motion_names::add_options_to(CLI::App& command)
                   "linear: every point on a line, M(t) = (1-t) M0 + t M1; rigid: a rotation at every t, by the "
                   "quaternion (1-t) q0 + t q1, not normalised")
       ->capture_default_str();
-  models.add_to(command);
 }
 
 void Motion_names::refuse_as_output(const std::filesystem::path& output) const

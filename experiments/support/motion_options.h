@@ -4,6 +4,7 @@
 #include "experiments/support/scene_options.h"
 #include "tetracone/tetratree/door/motion.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <filesystem>
@@ -18,8 +19,14 @@ struct Motion_names {
   std::array<std::string, 4> poses;  ///< --pose-a0, --pose-a1, --pose-b0, --pose-b1; empty: the identity
   Model_options models;
 
-  /// The options of poses, of their kind and of models.
+  /// The options of poses and of their kind.
   void add_options_to(CLI::App& command);
+
+  /// Whether a pose is named.
+  bool is_given() const
+  {
+    return std::ranges::any_of(poses, [](const std::string& file) { return !file.empty(); });
+  }
 
   /// Throws covering::Input_error when the output is a file that is read.
   void refuse_as_output(const std::filesystem::path& output) const;

@@ -233,6 +233,18 @@ Json rays_data(const Polyhedron& polyhedron, const std::vector<std::array<double
   return rows;
 }
 
+/// The time of each pose, when the bodies first meet, and what meets: of each body the kind of part and its numbers.
+Json motion_data(const View_motion& motion)
+{
+  Json row = {{"times", motion.times}};
+  if (!motion.first) return row;
+  row["first"] = {motion.first->lo, motion.first->hi};
+  if (!motion.first->holder) return row;
+  row["holders"] = Json::array();
+  for (const Holder& holder : *motion.first->holder) row["holders"].push_back({holder.text(), holder.number});
+  return row;
+}
+
 /// The leaves of A and of B in the pairs that the query does not discard; nothing where there are too many pairs.
 std::optional<std::array<std::set<std::size_t>, 2>> leaves_left(tetratree::Collision<K>& query, const Tree& a,
                                                                 const Tree& b, const Pose& pose_a, const Pose& pose_b)
@@ -350,6 +362,7 @@ std::string view_data(const View_scene& scene, const std::string& kernel, verify
   else if (pair)
     add_answers(data, scene, *subject, trees);
   if (!scene.rays.empty()) data["rays"] = rays_data(scene.bodies[0].polyhedron, scene.rays);
+  if (scene.motion) data["motion"] = motion_data(*scene.motion);
   if (scene.from) data["case"] = case_data(*scene.from);
   return data.dump();
 }

@@ -29,6 +29,8 @@ constexpr std::size_t most_leaf_pairs = 100'000;
 ///    none, and null as its count of features. Of a predicate's case, answers alone.
 ///    `nearest`: the distance, the two nearest points and what holds them.
 ///    `contacts`: where faces meet, as segments of six numbers, a polygon by its border.
+///  - of two in motion `motion`: the times of the poses; `first`: doubles about the first contact; `holders`: what of A
+///  and of B meets then, in words and by its numbers.
 ///  - of one body `rays`: origin and direction, and the faces that each meets, with t.
 /// More than `most_detailed` triangles get a line on stderr. Throws covering::Input_error for more than
 /// `most_triangles`, and CLI::ValidationError for a kernel that the case's predicate has none of.

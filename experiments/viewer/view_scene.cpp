@@ -2,6 +2,9 @@
 
 #include "tetracone/covering/edge_uses.h"
 #include "tetracone/covering/io/input_error.h"
+#include "tetracone/kernel/motion/body_motion.h"
+#include "tetracone/tetratree/door/repair.h"
+#include "tetracone/tetratree/door/tetracone.h"
 
 #include <filesystem>
 #include <initializer_list>
@@ -16,6 +19,8 @@ using covering::Polyhedron;
 using kernel::Pose;
 using kernel::Question;
 using verify::Predicate;
+
+constexpr int motion_steps = 60;  // of the time to the first contact
 
 std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
@@ -71,6 +76,13 @@ View_scene scene_of_case(const std::string& file, std::optional<Question> questi
   return scene;
 }
 
+void refuse_empty(const View_scene& scene)
+{
+  for (const Model_file& body : scene.bodies)
+    if (body.polyhedron.face_count() == 0)
+      throw covering::Input_error(body.file, 0, "no faces", "expected something to show");
+}
+
 }  // namespace
 
 View_scene read_view_scene(const Scene_names& names, std::optional<Question> question)
@@ -88,9 +100,36 @@ View_scene read_view_scene(const Scene_names& names, std::optional<Question> que
   scene.name = file_name(names.a) + (pair ? " and " + file_name(names.b) : "");
   scene.bodies.push_back(load_model(names.a, names.models, solid));
   if (pair) scene.bodies.push_back(load_model(names.b, names.models, solid));
-  for (const Model_file& body : scene.bodies)
-    if (body.polyhedron.face_count() == 0)
-      throw covering::Input_error(body.file, 0, "no faces", "expected something to show");
+  refuse_empty(scene);
+  return scene;
+}
+
+View_scene read_view_motion(const Motion_names& names, Question question)
+{
+  const Motion_pairs motions = read_motion_pairs(names);
+  if (motions.a.size() != 1)
+    throw CLI::ValidationError(std::to_string(motions.a.size()) + " motions", "expected one to show");
+
+  View_scene scene;
+  scene.question = question;
+  scene.name = file_name(names.a) + " and " + file_name(names.b);
+  for (const std::string& file : {names.a, names.b})
+    scene.bodies.push_back(load_model(file, names.models, question == Question::solid));
+  refuse_empty(scene);
+
+  Query query(triangulated_body(scene.bodies[0].polyhedron), triangulated_body(scene.bodies[1].polyhedron), question);
+  View_motion motion{{}, query.first_contact(motions.a[0], motions.b[0])};
+  const double end = motion.first ? motion.first->lo : 1;
+  for (int k = 0; k <= motion_steps; ++k) {
+    const double time = k == motion_steps ? end : end * k / motion_steps;
+    if (!motion.times.empty() && time <= motion.times.back()) continue;
+    const Pose a = motions.a[0].exact().at(time), b = motions.b[0].exact().at(time);
+    if (a.determinant_sign() == CGAL::ZERO || b.determinant_sign() == CGAL::ZERO) continue;
+    motion.times.push_back(time);
+    scene.poses.a.push_back(a);
+    scene.poses.b.push_back(b);
+  }
+  scene.motion = std::move(motion);
   return scene;
 }
 

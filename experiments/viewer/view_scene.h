@@ -1,6 +1,7 @@
 #ifndef TETRACONE_EXPERIMENTS_VIEWER_VIEW_SCENE_H
 #define TETRACONE_EXPERIMENTS_VIEWER_VIEW_SCENE_H
 
+#include "experiments/support/motion_options.h"
 #include "experiments/support/scene_options.h"
 #include "tetracone/kernel/predicate/question.h"
 #include "verify/cases/case_file.h"
@@ -12,6 +13,12 @@
 
 namespace tetracone::experiments {
 
+/// Two bodies in motion until they first meet, or to the end: the poses of the scene are theirs at these times.
+struct View_motion {
+  std::vector<double> times;
+  std::optional<First_contact> first;
+};
+
 /// One or two bodies under poses.
 struct View_scene {
   std::string name;                ///< the names of the files without their folders
@@ -20,12 +27,17 @@ struct View_scene {
   kernel::Question question = kernel::Question::solid;
   std::optional<verify::Case_file> from;    ///< the case file, if it is one's
   std::vector<std::array<double, 6>> rays;  ///< of one body, in its own coordinates: origin and direction
+  std::optional<View_motion> motion;
 };
 
 /// Reads a scene. The bodies of a predicate's case are the points, segments, triangles and tetrahedra that it is asked
 /// of. `question`: that of two bodies; nothing: solid, or the case file's own. Throws covering::Input_error for bad
 /// input and CLI::ValidationError for names that do not go together.
 View_scene read_view_scene(const Scene_names& names, std::optional<kernel::Question> question);
+
+/// Reads a scene of one motion of two models, and follows it to the first contact. Times at which a linear motion is flat
+/// are left out. Throws as `read_view_scene`, and CLI::ValidationError for more than one motion.
+View_scene read_view_motion(const Motion_names& names, kernel::Question question);
 
 }  // namespace tetracone::experiments
 

@@ -24,20 +24,22 @@ struct Rigid_pose {
   std::array<Rational, 3> translation = {0, 0, 0};
 };
 
-/// The motion of a body over t in [0, 1]: x -> (M(t) x + v(t)) / w(t), exactly. The entries of M, those of v, and w are
-/// forms with integer coefficients, each of a degree of its own; w has no root in [0, 1].
+/// The motion of a body over t in [0, 1]: x -> (M(t) x + v(t)) / w(t), exactly.
 class Body_motion {
  public:
+  /// Entry k of the row-major 3x4 matrix (M, v), and w: forms with integer coefficients, each of a degree of its own; w
+  /// has no root in [0, 1].
+  struct Forms {
+    std::array<Integer_form, 12> entry;
+    Integer_form weight;
+  };
+
   /// M(t) = (1-t) M0 + t M1, and so the translation: every point on a line, at constant speed. Between the ends M(t) may
   /// be singular: its image is taken as it is.
   static Body_motion linear(const Pose& from, const Pose& to)
   {
-    Integer common = 1;
-    for (int k = 0; k < 12; ++k) common = lcm(common, lcm(from.exact(k).get_den(), to.exact(k).get_den()));
     Body_motion motion;
-    for (int k = 0; k < 12; ++k)
-      motion.entry_[k] = Integer_form(std::array{whole(from.exact(k), common), whole(to.exact(k), common)});
-    motion.weight_ = Integer_form(std::array{common});
+    motion.ends_ = {from, to};
     return motion;
   }
 
@@ -67,29 +69,32 @@ class Body_motion {
     for (int k = 0; k < 4; ++k) q[k] = turns ? Integer_form(std::array{q0[k], q1[k]}) : Integer_form(std::array{q0[k]});
     for (int k = 0; k < 3; ++k) shifts = shifts || from.translation[k] != to.translation[k];
 
-    Body_motion motion;
-    motion.is_rigid_ = true;
+    Forms forms;
     const Integer_form ww = q[0] * q[0], xx = q[1] * q[1], yy = q[2] * q[2], zz = q[3] * q[3];
     const auto twice = [&](int i, int j) { return q[i] * q[j] * Integer(2); };
     const Integer_form xy = twice(1, 2), xz = twice(1, 3), yz = twice(2, 3), wx = twice(0, 1), wy = twice(0, 2),
                        wz = twice(0, 3), norm = ww + xx + yy + zz;
-    motion.entry_ = {ww + xx - yy - zz, xy - wz, xz + wy, {},      xy + wz,           ww - xx + yy - zz,
-                     yz - wx,           {},      xz - wy, yz + wx, ww - xx - yy + zz, {}};
-    motion.weight_ = norm * of_shift;
+    forms.entry = {ww + xx - yy - zz, xy - wz, xz + wy, {},      xy + wz,           ww - xx + yy - zz,
+                   yz - wx,           {},      xz - wy, yz + wx, ww - xx - yy + zz, {}};
+    forms.weight = norm * of_shift;
     for (int k = 0; k < 12; ++k)
-      if (k % 4 != 3) motion.entry_[k] *= of_shift;
+      if (k % 4 != 3) forms.entry[k] *= of_shift;
     for (int k = 0; k < 3; ++k) {
       Integer_form shift;
       shift.push_back(whole(from.translation[k], of_shift));
       if (shifts) shift.push_back(whole(to.translation[k], of_shift));
-      motion.entry_[4 * k + 3] = norm * shift;
+      forms.entry[4 * k + 3] = norm * shift;
     }
+    Body_motion motion;
+    motion.rigid_ = std::move(forms);
     return motion;
   }
 
   /// Where the body is at a time in [0, 1], exactly. Requires det M(t) != 0 to be used as a pose.
   Pose at(const Rational& time) const
   {
+    if (ends_ && (sgn(time) == 0 || time == 1)) return (*ends_)[std::size_t(sgn(time))];
+    const Forms f = forms();
     const auto value = [&](const Integer_form& form) {
       Integer scale;
       mpz_pow_ui(scale.get_mpz_t(), time.get_den_mpz_t(), form.size() - 1);
@@ -97,30 +102,43 @@ class Body_motion {
       quotient.canonicalize();
       return quotient;
     };
-    const Rational divisor = value(weight_);
+    const Rational divisor = value(f.weight);
     std::array<Rational, 12> entries;
-    for (int k = 0; k < 12; ++k) entries[k] = value(entry_[k]) / divisor;
+    for (int k = 0; k < 12; ++k) entries[k] = value(f.entry[k]) / divisor;
     return Pose(entries);
   }
 
-  /// Entry k of the row-major 3x4 matrix (M, v).
-  const Integer_form& entry(int k) const { return entry_[k]; }
-  const Integer_form& weight() const { return weight_; }
+  /// Made anew at each call where the motion is linear.
+  Forms forms() const { return rigid_ ? *rigid_ : forms_between(*ends_); }
+
+  /// The poses at both ends of a linear motion.
+  const std::optional<std::array<Pose, 2>>& ends() const { return ends_; }
 
   /// Whether M(t) / w(t) is a rotation all the time.
-  bool is_rigid() const { return is_rigid_; }
+  bool is_rigid() const { return rigid_.has_value(); }
 
  private:
   Body_motion() = default;
+
+  static Forms forms_between(const std::array<Pose, 2>& ends)
+  {
+    const auto& [from, to] = ends;
+    Integer common = 1;
+    for (int k = 0; k < 12; ++k) common = lcm(common, lcm(from.exact(k).get_den(), to.exact(k).get_den()));
+    Forms forms;
+    for (int k = 0; k < 12; ++k)
+      forms.entry[k] = Integer_form(std::array{whole(from.exact(k), common), whole(to.exact(k), common)});
+    forms.weight = Integer_form(std::array{common});
+    return forms;
+  }
 
   static Integer whole(const Rational& x, const Integer& common)
   {
     return Integer(x.get_num() * (common / x.get_den()));
   }
 
-  std::array<Integer_form, 12> entry_;
-  Integer_form weight_;
-  bool is_rigid_ = false;
+  std::optional<std::array<Pose, 2>> ends_;  // either this or
+  std::optional<Forms> rigid_;
 };
 
 /// Two moving bodies in coordinates that are common to both: points are forms of one degree over one divisor, the
@@ -132,11 +150,13 @@ class Body_motion {
 /// either body's own frame, which is of degree 5 over the divisor too.
 class Pair_motion {
  public:
-  Pair_motion(const Body_motion& a, const Body_motion& b) : divisor_(a.weight() * b.weight())
+  Pair_motion(const Body_motion& a, const Body_motion& b)
   {
+    const Body_motion::Forms of_a = a.forms(), of_b = b.forms();
+    divisor_ = of_a.weight * of_b.weight;
     for (int k = 0; k < 12; ++k) {
-      entry_[0][k] = a.entry(k) * b.weight();
-      entry_[1][k] = b.entry(k) * a.weight();
+      entry_[0][k] = of_a.entry[k] * of_b.weight;
+      entry_[1][k] = of_b.entry[k] * of_a.weight;
     }
     size_ = divisor_.size();
     for (const auto& entries : entry_)

@@ -2,7 +2,9 @@
 #define TETRACONE_KERNEL_MOTION_MOTION_SPAN_H
 
 #include "tetracone/kernel/motion/body_motion.h"
+#include "tetracone/kernel/number/double_double.h"
 #include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/number/pose.h"
 #include "tetracone/kernel/number/products.h"
 #include "tetracone/kernel/number/vertex.h"
 
@@ -12,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 namespace tetracone::kernel {
@@ -110,6 +113,46 @@ class Motion_span {
     find_landmarks();
   }
 
+  /// All of the time, where every point of both moves on a line between poses of doubles; nothing where these are
+  /// fractions, or near the ends of the doubles' range.
+  static std::optional<Motion_span> of_lines(const std::array<Pose, 2>& a, const Motion_units& in_a,
+                                             const std::array<Pose, 2>& b, const Motion_units& in_b)
+  {
+    Motion_span span;
+    span.size_ = 2;
+    double terms = 0, largest = 0;
+    for (int end = 0; end < 2; ++end) {
+      const Pose &of_a = a[end], &of_b = b[end];
+      if (of_a.is_rational() || of_b.is_rational()) return std::nullopt;
+      Maps& maps = span.coefficient_[end];
+      maps.weight = 1;
+      for (int j = 0; j < 3; ++j) {
+        // Off by 24 u^2 of the terms, and by the rounding of the sum.
+        Double_double offset = Double_double::sum(of_b[4 * j + 3], -of_a[4 * j + 3]);
+        double magnitude = std::abs(of_b[4 * j + 3]) + std::abs(of_a[4 * j + 3]);
+        for (int k = 0; k < 3; ++k) {
+          const auto of_b_origin = Double_double::product(of_b[4 * j + k], in_b.origin[k]),
+                     of_a_origin = Double_double::product(-of_a[4 * j + k], in_a.origin[k]);
+          offset = offset + of_b_origin + of_a_origin;
+          magnitude += std::abs(of_b_origin.high) + std::abs(of_a_origin.high);
+          maps.row[0][j][k] = of_a[4 * j + k] * in_a.unit;
+          maps.row[1][j][k] = of_b[4 * j + k] * in_b.unit;
+          largest = maximum(largest, std::abs(maps.row[0][j][k]), std::abs(maps.row[1][j][k]));
+        }
+        maps.offset[j] = offset.high;
+        terms = maximum(terms, magnitude);
+        largest = maximum(largest, std::abs(offset.high));
+      }
+    }
+    if (!(largest >= 0x1p-300 && maximum(terms, largest) <= 0x1p300)) return std::nullopt;
+    const double to_one = std::ldexp(1.0, -std::ilogb(largest));
+    for (int end = 0; end < 2; ++end) span.coefficient_[end] = times(span.coefficient_[end], to_one);
+    span.find_error();
+    span.error_ += 0x1p-90 * terms * to_one;
+    span.find_landmarks();
+    return span;
+  }
+
   /// The first or the second half.
   Motion_span half(bool second) const
   {
@@ -148,6 +191,13 @@ class Motion_span {
     }
     return before || behind;
   }
+
+  /// The maps of the span's i-th coefficient in Bernstein's basis, not over their weight, and how many there are.
+  const Maps& coefficient(std::size_t i) const { return coefficient_[i]; }
+  std::size_t size() const { return size_; }
+
+  /// At least the error of a difference of images in these, along an axis, a share of |axis|_1.
+  double error() const { return error_; }
 
   /// Where the bodies are in the middle of the span, over the divisor, and how far at the start and the end: not exact.
   const Maps& at_middle() const { return landmark_[1]; }
@@ -194,6 +244,8 @@ class Motion_span {
   }
 
  private:
+  Motion_span() = default;
+
   double binomial(std::size_t k) const
   {
     double value = 1;
@@ -260,7 +312,18 @@ class Motion_span {
     return maps;
   }
 
-  std::size_t size_;
+  /// Of a power of two, but for the weight.
+  static Maps times(Maps maps, double factor)
+  {
+    for (int i = 0; i < 3; ++i) {
+      maps.offset[i] *= factor;
+      for (auto& row : maps.row)
+        for (double& x : row[i]) x *= factor;
+    }
+    return maps;
+  }
+
+  std::size_t size_ = 0;
   std::uint64_t m_ = 0;
   unsigned k_ = 0;
   std::array<Maps, most_coefficients> coefficient_;

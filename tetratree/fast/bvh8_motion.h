@@ -8,16 +8,20 @@
 #include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/number/products.h"
 #include "tetracone/tetratree/fast/bvh8.h"
+#include "tetracone/tetratree/fast/element_gap.h"
+#include "tetracone/tetratree/fast/span_reference.h"
 #include "tetracone/tetratree/query_statistics.h"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <limits>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -40,10 +44,11 @@ struct First_meeting {
 /// The first contact of the surfaces of two moving `Bvh8`, exactly. Build once, ask for many motions.
 ///
 /// Surfaces that share no point at t = 0 first meet where a vertex of one meets a triangle of the other, or an edge an
-/// edge. Pairs of boxes are followed over spans of time, the earliest first: those that stay apart in a span
-/// (`Motion_span`) are gone; of others a box is opened or the span is halved, whichever is more than the other. Pairs of
-/// triangles that stay near are decided in integers, over the span alone. The search ends where the first contact found
-/// is not after the start of any span left.
+/// edge. Parts of a node are followed against a box of the other body over spans of time, the earliest first: those that
+/// stay apart in a span are gone, by a certified gap in a pose near all of it (`Span_reference`) or, where there is none,
+/// by the span's own coefficients (`Motion_span`); of others a box is opened or the span is halved, whichever is more than
+/// the other. Pairs of triangles that stay near are decided in integers, over the span alone. The search ends where the
+/// first contact found is not after the start of any span left.
 ///
 /// Both trees must outlive the query object. Making it and every query throw kernel::Unsound_floating_point when floating
 /// point is not as exact answers need it.
@@ -57,12 +62,14 @@ class Bvh8_motion {
   {
     kernel::require_sound_floating_point();
     if (tree_[0]->empty() || tree_[1]->empty()) return std::nullopt;
-    motion_.emplace(a, b);
+    moving_ = {&a, &b};
+    motion_.reset();
     spans_.clear();
     queue_.clear();
+    decided_.clear();
     best_.reset();
     best_before_ = std::numeric_limits<double>::infinity();
-    spans_.push_back({kernel::Motion_span(*motion_, units(0), units(1)), {}});
+    spans_.emplace_back(whole_span());
     search();
     return std::exchange(best_, std::nullopt);
   }
@@ -71,25 +78,39 @@ class Bvh8_motion {
   void clear_counts() { counts_ = {}; }
 
  private:
-  using Box = Index;
+  using Box = Index;  // lane k of node n: 8 n + k
   using Vertex = kernel::Vertex;
 
   /// A box, with its axes.
   struct Part {
-    Box box;
     kernel::Moving_box hull;
     std::array<Vertex, 3> axis;
-    double size;
-    bool is_leaf;
   };
-  struct Pair {
+  /// Parts of a node of body `body`, as bits, near a box of the other.
+  struct Near {
     double start;
     Index span;
-    std::array<Box, 2> box;
+    Index node;
+    Box other;
+    std::uint8_t body, lanes;
+    double way = 0;  ///< about how far they move against each other in the span, in its units
   };
   struct Span {
+    explicit Span(const kernel::Motion_span& all) : reference(all), maps(all) {}
+
+    Span_reference reference;
     kernel::Motion_span maps;
-    std::array<Index, 2> half;  // 0: not made
+    std::array<Index, 2> half{};  // 0: not made
+  };
+  /// A pair of features that has been decided over a span: triangles share corners and edges.
+  struct Decided {
+    kernel::Moving_kind kind;
+    int body;
+    std::array<Index, 4> corner;
+    std::uint64_t m;
+    unsigned k;
+
+    auto operator<=>(const Decided&) const = default;
   };
   struct Triangle {
     std::array<Index, 3> corner;
@@ -98,20 +119,45 @@ class Bvh8_motion {
   };
 
   static constexpr unsigned most_halvings = 50;
+  static constexpr double share_of_boxes = 0.5, share_of_leaves = 0.005;  // so far they may move in a span
 
   kernel::Motion_units units(int body) const { return {tree_[body]->scale().origin, tree_[body]->scale().unit}; }
 
+  const kernel::Pair_motion& motion()
+  {
+    if (!motion_) motion_.emplace(*moving_[0], *moving_[1]);
+    return *motion_;
+  }
+
+  kernel::Motion_span whole_span()
+  {
+    const auto &of_a = moving_[0]->ends(), &of_b = moving_[1]->ends();
+    if (of_a && of_b)
+      if (const auto span = kernel::Motion_span::of_lines(*of_a, units(0), *of_b, units(1))) return *span;
+    return kernel::Motion_span(motion(), units(0), units(1));
+  }
+
+  const Bvh8_node& node_of(int body, Box box) const { return tree_[body]->node(box / 8); }
+  bool is_leaf(int body, Box box) const { return node_of(body, box).is_leaf(int(box % 8)); }
+
+  /// The sum of the extents, in common units.
+  double size_of(const kernel::Motion_span& span, int body, Box box) const
+  {
+    const auto& extent = node_of(body, box).boxes.extent;
+    const auto lane = int(box % 8);
+    return span.scale(body) * (double(extent[0][lane]) + double(extent[1][lane]) + double(extent[2][lane]));
+  }
+
   Part part(int body, Box box) const
   {
-    const Bvh8_node& node = tree_[body]->node(box / 8);
+    const kernel::Obb8& boxes = node_of(body, box).boxes;
     const int lane = int(box % 8);
-    Part part{box, {}, {}, 0, node.is_leaf(lane)};
+    Part part;
     for (int i = 0; i < 3; ++i) {
-      part.hull.centre[i] = double(node.boxes.origin[i]) + double(node.boxes.centre[i][lane]);
-      part.size += node.boxes.extent[i][lane];
+      part.hull.centre[i] = double(boxes.origin[i]) + double(boxes.centre[i][lane]);
       for (int k = 0; k < 3; ++k) {
-        part.axis[i][k] = node.boxes.axis[i][k][lane];
-        part.hull.half_edge[i][k] = part.axis[i][k] * double(node.boxes.extent[i][lane]);
+        part.axis[i][k] = boxes.axis[i][k][lane];
+        part.hull.half_edge[i][k] = part.axis[i][k] * double(boxes.extent[i][lane]);
       }
     }
     return part;
@@ -119,60 +165,177 @@ class Bvh8_motion {
 
   void search()
   {
-    follow({0, 0, {0, 0}});
+    follow({0, 0, 0, 0, 0, 1});
     while (!queue_.empty() && queue_.front().start < best_before_) {
       std::pop_heap(queue_.begin(), queue_.end(), is_later);
-      const Pair pair = queue_.back();
+      const Near near = queue_.back();
       queue_.pop_back();
-      split(pair);
+      split(near);
     }
   }
 
-  static bool is_later(const Pair& x, const Pair& y)
+  static bool is_later(const Near& x, const Near& y)
   {
     return x.start != y.start ? x.start > y.start : x.span < y.span;
   }
 
-  /// Queues the pair unless it stays apart.
-  void follow(const Pair& pair)
+  /// Queues the parts that are not found to stay apart.
+  void follow(Near near)
   {
-    const Part a = part(0, pair.box[0]), b = part(1, pair.box[1]);
-    ++counts_.box_tests;
-    if (stay_apart(spans_[pair.span].maps, a, b)) return;
-    queue_.push_back(pair);
+    const Span& span = spans_[near.span];
+    counts_.box_tests += std::uint64_t(std::popcount(near.lanes));
+    if (span.reference.is_certifiable())
+      leave_parts(span.reference, near);
+    else
+      leave_parts(span.maps, near);
+    if (near.lanes == 0) return;
+    queue_.push_back(near);
     std::push_heap(queue_.begin(), queue_.end(), is_later);
   }
 
-  /// Takes the pair to smaller ones.
-  void split(const Pair& pair)
+  /// Takes those away that stay apart.
+  void leave_parts(const Span_reference& reference, Near& near)
   {
-    const Part a = part(0, pair.box[0]), b = part(1, pair.box[1]);
-    const kernel::Motion_span& span = spans_[pair.span].maps;
-    const double of_a = a.size * span.scale(0), of_b = b.size * span.scale(1),
-                 size = a.is_leaf && !b.is_leaf   ? of_b
-                        : b.is_leaf && !a.is_leaf ? of_a
-                                                  : kernel::maximum(of_a, of_b),
-                 way = span.way(a.hull.centre, b.hull.centre) + a.size * span.turn(0) + b.size * span.turn(1);
+    const Bvh8_node &node = tree_[near.body]->node(near.node), &from = node_of(1 - near.body, near.other);
+    const int lane = int(near.other % 8);
+    const float apex =
+        from.is_leaf(lane) ? kernel::apex_of(Bvh8_node::apex(from.child[std::size_t(lane)])) : kernel::no_apex;
+    const auto found = reference.parts(near.body, node.boxes, near.lanes, from.boxes, lane, apex);
+    near.way = found.way;
+    near.lanes = std::uint8_t(near.lanes & ~found.apart);
+    near.lanes = std::uint8_t(near.lanes & ~leaves_apart(reference, near));
+  }
+
+  /// Where both are leaves: the parts whose triangles are apart.
+  unsigned leaves_apart(const Span_reference& reference, const Near& near)
+  {
+    unsigned apart = 0;
+    for (unsigned left = leaves_of(near); left != 0; left &= left - 1) {
+      const int lane = std::countr_zero(left);
+      const auto are_apart = [&](const Element& a, const Element& b) { return elements_apart(reference, a, b); };
+      if (all_elements(near, lane, are_apart)) apart |= 1u << lane;
+    }
+    return apart;
+  }
+
+  bool elements_apart(const Span_reference& reference, const Element& a, const Element& b)
+  {
+    ++counts_.leaf_pairs;
+    const Element_gap gap = element_gap(*tree_[0], a, *tree_[1], b, reference.frame());
+    return gap.low > 0 &&
+           reference.are_apart(gap.low, gap.axis, local_corners(0, a.corner), local_corners(1, b.corner));
+  }
+
+  std::array<Vertex, 3> local_corners(int body, const std::array<Index, 3>& corner) const
+  {
+    std::array<Vertex, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const kernel::Vector at = tree_[body]->local(corner[k]);
+      corners[k] = {at[0], at[1], at[2]};
+    }
+    return corners;
+  }
+
+  /// The parts that are leaves, where the box of the other body is one.
+  unsigned leaves_of(const Near& near) const
+  {
+    return is_leaf(1 - near.body, near.other) ? near.lanes & tree_[near.body]->node(near.node).boxes.marked : 0;
+  }
+
+  /// Whether holds(element of A, element of B) for all pairs of elements of two leaves, in turn, until one does not.
+  template <class Holds>
+  bool all_elements(const Near& near, int lane, const Holds& holds) const
+  {
+    const Box own = 8 * near.node + Box(lane), box_a = near.body == 0 ? own : near.other,
+              box_b = near.body == 0 ? near.other : own;
+    const int lane_a = int(box_a % 8), lane_b = int(box_b % 8);
+    for (Index i = 0; i < tree_[0]->leaf_count(box_a / 8, lane_a); ++i)
+      for (Index j = 0; j < tree_[1]->leaf_count(box_b / 8, lane_b); ++j)
+        if (!holds(tree_[0]->element(box_a / 8, lane_a, i), tree_[1]->element(box_b / 8, lane_b, j))) return false;
+    return true;
+  }
+
+  void leave_parts(const kernel::Motion_span& span, Near& near)
+  {
+    const Part other = part(1 - near.body, near.other);
+    near.way = 0;
+    unsigned apart = 0;
+    for (unsigned left = near.lanes; left != 0; left &= left - 1) {
+      const int lane = std::countr_zero(left);
+      const Part own = part(near.body, 8 * near.node + Box(lane));
+      const Part &a = near.body == 0 ? own : other, &b = near.body == 0 ? other : own;
+      near.way = kernel::maximum(near.way, span.way(a.hull.centre, b.hull.centre));
+      if (stay_apart(span, a, b)) apart |= 1u << lane;
+    }
+    near.lanes = std::uint8_t(near.lanes & ~apart);
+  }
+
+  /// Takes the parts to smaller ones, or the span to its halves.
+  void split(const Near& near)
+  {
     ++counts_.pairs_visited;
-    const bool ends = a.is_leaf && b.is_leaf;
+    const unsigned leaves = leaves_of(near);
+    for (const unsigned lanes : {leaves, near.lanes & ~leaves}) {
+      Near some = near;
+      some.lanes = std::uint8_t(lanes);
+      if (lanes == 0)
+        continue;
+      else if (is_long(some, lanes == leaves))
+        halve(some);
+      else if (lanes == leaves)
+        meet_leaves(some);
+      else
+        open(some);
+    }
+  }
+
+  /// Whether the parts move too far in the span for their size.
+  bool is_long(const Near& near, bool are_leaves) const
+  {
+    const kernel::Motion_span& span = spans_[near.span].maps;
+    if (span.k() >= most_halvings) return false;
+    const double of_other = size_of(span, 1 - near.body, near.other);
+    double size = 0;
+    for (unsigned left = near.lanes; left != 0; left &= left - 1) {
+      const Box box = 8 * near.node + Box(std::countr_zero(left));
+      const double of_box = size_of(span, near.body, box);
+      size = kernel::maximum(size, opens_own(near, box, of_box, of_other) ? of_box : of_other);
+    }
+    const double way = near.way + size * (span.turn(0) / span.scale(0) + span.turn(1) / span.scale(1));
     // What is less than doubles tell apart is not worth another halving.
-    const double short_way = kernel::maximum(ends ? 0.125 * size : size, 8 * span.resolution());
-    if (span.k() < most_halvings && !(way <= short_way)) {
-      for (int half = 0; half < 2; ++half) {
-        const Index next = half_of(pair.span, half);
-        if (spans_[next].maps.start() < best_before_) follow({spans_[next].maps.start(), next, pair.box});
-      }
-      return;
+    return !(way <= kernel::maximum((are_leaves ? share_of_leaves : share_of_boxes) * size, 8 * span.resolution()));
+  }
+
+  /// Whether the part is to be opened, and not the box of the other body.
+  bool opens_own(const Near& near, Box box, double size, double of_other) const
+  {
+    return !is_leaf(near.body, box) && (is_leaf(1 - near.body, near.other) || size > of_other);
+  }
+
+  void halve(Near near)
+  {
+    const Index span = near.span;
+    for (int half = 0; half < 2; ++half) {
+      near.span = half_of(span, half);
+      near.start = spans_[near.span].maps.start();
+      if (near.start < best_before_) follow(near);
     }
-    if (ends) {
-      meet_leaves(spans_[pair.span].maps, pair.box);
-      return;
-    }
-    const int body = b.is_leaf || (!a.is_leaf && of_a > of_b) ? 0 : 1;
-    const Index child = tree_[body]->child(pair.box[body] / 8, int(pair.box[body] % 8));
-    for (int lane = 0; lane < tree_[body]->node(child).boxes.lane_count; ++lane) {
-      Pair next = pair;
-      next.box[body] = 8 * child + Box(lane);
+  }
+
+  void open(const Near& near)
+  {
+    const kernel::Motion_span& span = spans_[near.span].maps;
+    const double of_other = size_of(span, 1 - near.body, near.other);
+    for (unsigned left = near.lanes; left != 0; left &= left - 1) {
+      const Box box = 8 * near.node + Box(std::countr_zero(left));
+      const bool own = opens_own(near, box, size_of(span, near.body, box), of_other);
+      const int body = own ? near.body : 1 - near.body;
+      const Box opened = own ? box : near.other;
+      Near next = near;
+      next.body = std::uint8_t(body);
+      next.node = tree_[body]->child(opened / 8, int(opened % 8));
+      next.other = own ? near.other : box;
+      next.lanes = std::uint8_t((1u << tree_[body]->node(next.node).boxes.lane_count) - 1);
       follow(next);
     }
   }
@@ -180,7 +343,7 @@ class Bvh8_motion {
   Index half_of(Index span, int half)
   {
     if (spans_[span].half[half] == 0) {
-      spans_.push_back({spans_[span].maps.half(half == 1), {}});
+      spans_.emplace_back(spans_[span].maps.half(half == 1));
       spans_[span].half[half] = Index(spans_.size() - 1);
     }
     return spans_[span].half[half];
@@ -213,14 +376,15 @@ class Bvh8_motion {
     return false;
   }
 
-  void meet_leaves(const kernel::Motion_span& span, const std::array<Box, 2>& box)
+  void meet_leaves(const Near& near)
   {
-    for (Index i = 0; i < tree_[0]->leaf_count(box[0] / 8, int(box[0] % 8)); ++i)
-      for (Index j = 0; j < tree_[1]->leaf_count(box[1] / 8, int(box[1] % 8)); ++j)
-        for_triangles(0, tree_[0]->element(box[0] / 8, int(box[0] % 8), i), [&](const Triangle& a) {
-          for_triangles(1, tree_[1]->element(box[1] / 8, int(box[1] % 8), j),
-                        [&](const Triangle& b) { meet(span, a, b); });
-        });
+    const kernel::Motion_span& span = spans_[near.span].maps;
+    for (unsigned left = near.lanes; left != 0; left &= left - 1)
+      all_elements(near, std::countr_zero(left), [&](const Element& of_a, const Element& of_b) {
+        for_triangles(0, of_a,
+                      [&](const Triangle& a) { for_triangles(1, of_b, [&](const Triangle& b) { meet(span, a, b); }); });
+        return true;
+      });
   }
 
   /// An element as triangles: one, or, of corners on one line, its edges.
@@ -228,12 +392,7 @@ class Bvh8_motion {
   void for_triangles(int body, const Element& element, const What& what) const
   {
     const auto call = [&](Index p, Index q, Index r) {
-      Triangle t{{p, q, r}, {}, element.face};
-      for (int k = 0; k < 3; ++k) {
-        const kernel::Vector at = tree_[body]->local(t.corner[k]);
-        t.local[k] = {at[0], at[1], at[2]};
-      }
-      what(t);
+      what(Triangle{{p, q, r}, local_corners(body, {p, q, r}), element.face});
     };
     if (!element.is_whole_face()) return call(element.corner[0], element.corner[1], element.corner[2]);
     const auto from = tree_[body]->model().covering().from(element.face),
@@ -296,6 +455,11 @@ class Bvh8_motion {
   /// Finds the first contact of two features in the span, exactly.
   void decide(const kernel::Motion_span& span, const Moving_features& features)
   {
+    Decided now{features.kind, features.body, features.corner, span.m(), span.k()};
+    if (features.kind == kernel::Moving_kind::edge_edge)
+      for (const int k : {0, 2})
+        if (now.corner[k] > now.corner[k + 1]) std::swap(now.corner[k], now.corner[k + 1]);
+    if (!decided_.insert(now).second) return;
     ++counts_.exact_fallbacks;
     const bool is_vertex = features.kind == kernel::Moving_kind::vertex_face;
     const auto body = [&](int k) {
@@ -306,9 +470,9 @@ class Bvh8_motion {
     int least = 0;
     for (int k = 0; k < 4; ++k) least = kernel::Pair_motion::exponent_of(vertex(k), least);
     std::array<kernel::Form_vector, 4> points;
-    for (int k = 0; k < 4; ++k) points[k] = motion_->image(body(k), vertex(k), least);
+    for (int k = 0; k < 4; ++k) points[k] = motion().image(body(k), vertex(k), least);
     std::optional<kernel::Time_root> time =
-        kernel::Exact_motion(features.kind, std::move(points), motion_->square())
+        kernel::Exact_motion(features.kind, std::move(points), motion().square())
             .first_contact({kernel::Integer(static_cast<unsigned long>(span.m())), span.k()});
     if (!time || (best_ && !time->is_before(best_->time))) return;
     best_before_ = kernel::bounds_about(*time).hi;
@@ -318,9 +482,11 @@ class Bvh8_motion {
   std::array<const Bvh8*, 2> tree_;
   Query_statistics counts_;
 
-  std::optional<kernel::Pair_motion> motion_;
-  std::deque<Span> spans_;
-  std::vector<Pair> queue_;
+  std::array<const kernel::Body_motion*, 2> moving_{};
+  std::optional<kernel::Pair_motion> motion_;  // made when needed
+  std::vector<Span> spans_;
+  std::vector<Near> queue_;
+  std::set<Decided> decided_;
   std::optional<First_meeting> best_;
   double best_before_ = 0;  // not before the best
 };

@@ -231,6 +231,23 @@ function rayObject(k, radius)
   return group;
 }
 
+// What meets first of bodies in motion, wherever it is in pose k: a vertex, an edge or a face of each.
+function firstObject(k, radius)
+{
+  const group = new THREE.Group();
+  (data.motion.holders || []).forEach(([words, numbers], b) => {
+    const at = v => placed(bodies[b], k, bodies[b].points[v]), {rod, sheet} = markMaterials[0];
+    if (words.startsWith('face')) {
+      const mesh = new THREE.Mesh(geometryOf(trianglesOf(bodies[b], numbers).map(p => placed(bodies[b], k, p))), sheet);
+      mesh.renderOrder = 4;
+      group.add(mesh);
+    } else {
+      group.add(rods([[at(numbers[0]), at(numbers[numbers.length - 1])]], 1.5 * radius, rod));
+    }
+  });
+  return group;
+}
+
 // Where the contacts are, about: the middle of the boxes' intersections of each pair.
 function contactBox(k)
 {

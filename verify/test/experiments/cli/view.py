@@ -237,6 +237,20 @@ with tempfile.TemporaryDirectory(prefix="tetracone_view_") as name, Browser() as
     shown = browser.play(scene, 2)
     check(shown["errors"] == [] and shown["bodies"] == 200, f"the scene's page: {shown}")
     check(shown["drawn"] > 20, f"{shown['drawn']} pictures in two seconds of a scene of 200 bodies")
+    # A motion is played to its first contact and no further, with what meets there marked.
+    (folder / "start.txt").write_text("1 0 0 0.25 0 1 0 0.25 0 0 1 3\n")
+    (folder / "end.txt").write_text("1 0 0 0.25 0 1 0 0.25 0 0 1 -3\n")
+    falls = view(folder / "falls.html", models / "cube.off", models / "tetrahedron.poly", "--pose-b0", folder / "start.txt", "--pose-b1", folder / "end.txt")
+    done = browser.work(falls, {"start": "location.hash = 'pose=0'", "start, bare": "location.hash = 'pose=0&show=a,b,edges'",
+                                "end": "location.hash = 'pose=59'; return wait(20).then(async () => { element('play').click(); await wait(300); })"})
+    check(done["end"]["pose"] == done["end"]["poses"] - 1, f"the motion stands at pose {done['end']['pose']} of {done['end']['poses']}")
+    check(differ(done["start"]["picture"], done["start, bare"]["picture"]) > 100, "what meets first is marked")
+    end = browser.state(falls, "pose=999")
+    check("first contact " in end["verdict"] and " of A, " in end["verdict"], f"verdict: {end['verdict']}")
+    for words in (["--pose-a", poses], ["--pose-b1", poses]):
+        refused = subprocess.run([program, "view", models / "cube.off", models / "cube.off", "--pose-b0", folder / "start.txt", *words, "--out", folder / "no.html"],
+                                 capture_output=True, text=True)
+        check(refused.returncode == 2 and refused.stderr.count("\n") == 1 and not (folder / "no.html").exists(), f"{words}: {refused}")
     phone = browser.picture(pair, "pose=3&show=a,b", size=(360, 640))
     check(phone.shape[:2] == (640, 360) and differ(phone, numpy.full_like(phone, 255)) > 3000, "a phone's picture")
 

@@ -112,7 +112,7 @@ BOOST_AUTO_TEST_CASE(doubles_alone_decide_motions_that_stay_apart)
   motion.clear_counts();
   BOOST_TEST(!motion(rests, turning));
   BOOST_TEST(motion.counts().exact_fallbacks == 0u);
-  BOOST_TEST(motion.counts().box_tests < 200u);
+  BOOST_TEST(motion.counts().box_tests < 600u);
 }
 
 BOOST_AUTO_TEST_CASE(what_meets_is_named)

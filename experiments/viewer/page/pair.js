@@ -4,10 +4,10 @@
 const element = id => document.getElementById(id);
 const canvas = element('picture'), pair = bodies.length === 2, hasFeatures = Boolean(data.features);
 const hasMethod = bodies.every(body => body.nodes);  // a large body has no more than its surface
-const layers = ['a', 'b', 'edges', 'features', 'contacts', 'nearest', 'rays', 'left', 'covering', 'tetrahedra', 'spheres', 'hull'];
+const layers = ['a', 'b', 'edges', 'features', 'contacts', 'nearest', 'first', 'rays', 'left', 'covering', 'tetrahedra', 'spheres', 'hull'];
 const most = Math.max(...bodies.map(deepest));
 const fewFaces = bodies.every(body => body.faces.length < 500);  // through which one sees the contacts
-const start = {pose: 0, show: ['a', 'b', 'edges', 'features', 'nearest', 'rays'], level: Math.min(3, most), opacity: hasFeatures && fewFaces ? 0.8 : 1, shrink: 0.8, theme: ''};
+const start = {pose: 0, show: ['a', 'b', 'edges', 'features', 'nearest', 'first', 'rays'], level: Math.min(3, most), opacity: hasFeatures && fewFaces ? 0.8 : 1, shrink: 0.8, theme: ''};
 const state = {...start, show: new Set(start.show)};
 const isWrong = k => data.exact !== undefined && data.exact[k] !== data.answer[k];
 const wrongPoses = Array.from({length: poseCount}, (_, k) => k).filter(isWrong);
@@ -119,6 +119,7 @@ function update()
     layer('nearest', state.pose + ' ' + radius, () => onMarks(nearestObject(state.pose, radius)));
     layer('left', state.pose, () => onMarks(leftObject(state.pose)));
   }
+  if (data.motion) layer('first', state.pose + ' ' + radius, () => onMarks(firstObject(state.pose, radius)));
   if (data.rays) layer('rays', state.pose + ' ' + radius, () => onMarks(rayObject(state.pose, radius)));
 }
 
@@ -173,6 +174,14 @@ function nearestText(k)
   return distance === 0 ? '' : 'Distance ' + (distance ?? 'beyond the doubles') + ', ' + a + ' of A to ' + b + ' of B.';
 }
 
+function motionText(k)
+{
+  const {times, first, holders} = data.motion, at = 't = ' + times[k];
+  if (!first) return at + ', they never meet';
+  const when = first[0] === first[1] ? 'at t = ' + first[0] : 'between t = ' + first[0] + ' and ' + first[1];
+  return at + ', first contact ' + when + (holders ? ': ' + holders[0][0] + ' of A, ' + holders[1][0] + ' of B' : '');
+}
+
 function contactsText(k)
 {
   if (data.rays) return raysText();
@@ -192,7 +201,7 @@ function contactsText(k)
 function tell()
 {
   const k = state.pose, wrong = isWrong(k);
-  const parts = poseCount > 1 ? ['pose ' + (k + 1) + ' of ' + poseCount] : [];
+  const parts = data.motion ? [motionText(k)] : poseCount > 1 ? ['pose ' + (k + 1) + ' of ' + poseCount] : [];
   if (data.exact) parts.push(data.question + ', exact: ' + answerText(data.exact[k]), data.subject + ': ' + answerText(data.answer[k]) + (wrong ? ' \u2717 wrong' : ' \u2713'));
   element('verdict').textContent = parts.join(' \u00b7 ');
   element('verdict').classList.toggle('wrong', wrong);
@@ -241,7 +250,11 @@ let playing = 0;
 function play(on)
 {
   clearInterval(playing);
-  playing = on ? setInterval(() => setPose(state.pose + 1), poseCount > 100 ? 50 : 200) : 0;
+  const next = () => {
+    setPose(state.pose + 1);
+    if (data.motion && state.pose === poseCount - 1) play(false);  // a motion stands still where it ends
+  };
+  playing = on ? setInterval(next, data.motion || poseCount > 100 ? 50 : 200) : 0;
   element('play').textContent = on ? 'Pause' : 'Play';
 }
 
@@ -285,6 +298,7 @@ bodies.forEach((body, i) => { element('name-' + 'ab'[i]).textContent = 'AB'[i] +
 for (const part of document.querySelectorAll('[data-pair]')) part.hidden = !pair;
 for (const part of document.querySelectorAll('[data-features]')) part.hidden = !hasFeatures;
 for (const part of document.querySelectorAll('[data-rays]')) part.hidden = !data.rays;
+for (const part of document.querySelectorAll('[data-motion]')) part.hidden = !data.motion || !data.motion.holders;
 element('poses').hidden = poseCount < 2;
 element('line').hidden = !data.exact;
 element('next-wrong').hidden = wrongPoses.length === 0;

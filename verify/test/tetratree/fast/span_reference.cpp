@@ -1,0 +1,208 @@
+#include "tetracone/tetratree/fast/span_reference.h"
+
+#include "tetracone/kernel/motion/body_motion.h"
+#include "tetracone/tetratree/fast/bvh8.h"
+#include "verify/test/support/rationals.h"
+#include "verify/test/support/scenes.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+BOOST_AUTO_TEST_SUITE(test_span_reference)
+
+namespace rationals = tetracone::verify::rationals;
+namespace scenes = tetracone::verify::scenes;
+using namespace tetracone::tetratree;
+using scenes::Random;
+using scenes::real;
+using tetracone::kernel::Body_motion;
+using tetracone::kernel::Local_scale;
+using tetracone::kernel::Motion_span;
+using tetracone::kernel::Pair_motion;
+using tetracone::kernel::Pose;
+using tetracone::kernel::Rational;
+using tetracone::kernel::Rigid_pose;
+using tetracone::kernel::Vertex;
+
+namespace {
+
+/// The corner of a lane's box that is farthest along a direction of local units, a little within.
+Vertex corner(const tetracone::kernel::Obb8& boxes, int lane, const Vertex& along)
+{
+  Vertex corner{};
+  for (int i = 0; i < 3; ++i) {
+    const Vertex axis = {boxes.axis[i][0][lane], boxes.axis[i][1][lane], boxes.axis[i][2][lane]};
+    const double sense = tetracone::kernel::dot(axis, along) > 0 ? 1 : -1;
+    for (int k = 0; k < 3; ++k) corner[k] += sense * (1 - 0x1p-22) * double(boxes.extent[i][lane]) * axis[k];
+  }
+  for (int k = 0; k < 3; ++k) corner[k] += double(boxes.origin[k]) + double(boxes.centre[k][lane]);
+  return corner;
+}
+
+rationals::Vector from_local(const Local_scale& units, const Vertex& local)
+{
+  rationals::Vector x;
+  for (int k = 0; k < 3; ++k) x[k] = Rational(units.origin[k]) + Rational(units.unit) * Rational(local[k]);
+  return x;
+}
+
+/// The local direction of which `n` is the normal after the map.
+Vertex pulled_back(const Pose& pose, const Vertex& n)
+{
+  Vertex l{};
+  for (int k = 0; k < 3; ++k)
+    for (int i = 0; i < 3; ++i) l[k] += pose[4 * i + k] * n[i];
+  return l;
+}
+
+/// Two nearly rigid poses, not far from one another; or near to a half-turn.
+struct Ends {
+  Rigid_pose from, to;
+};
+Ends any_ends(Random& random)
+{
+  Ends ends;
+  const double turn = std::exp2(real(random, -12, 1));
+  for (int k = 0; k < 4; ++k) {
+    const double q = real(random, -1, 1);
+    ends.from.quaternion[k] = Rational(q);
+    ends.to.quaternion[k] = Rational(q + turn * real(random, -1, 1));
+  }
+  for (int k = 0; k < 3; ++k) {
+    ends.from.translation[k] = Rational(real(random, -1, 1));
+    ends.to.translation[k] = ends.from.translation[k] + Rational(turn * real(random, -1, 1));
+  }
+  return ends;
+}
+
+Pose pose_of(const Rigid_pose& at) { return Body_motion::rigid(at, at).value().at(0); }
+
+/// The motion with all of it shifted.
+struct Motion_of {
+  bool is_rigid, is_double;
+  Ends ends;
+
+  std::optional<Body_motion> operator()(const rationals::Vector& shift) const
+  {
+    Ends moved = ends;
+    for (Rigid_pose* const at : {&moved.from, &moved.to})
+      for (int k = 0; k < 3; ++k) at->translation[k] += shift[k];
+    if (is_rigid) return Body_motion::rigid(moved.from, moved.to);
+    const Pose from = pose_of(moved.from), to = pose_of(moved.to);
+    return is_double ? Body_motion::linear(scenes::rounded(from), scenes::rounded(to)) : Body_motion::linear(from, to);
+  }
+};
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(boxes_that_touch_at_some_time_are_not_found_apart)
+{
+  Random random(1);
+  const Bvh8 tree(scenes::triangulated(scenes::blob(random, 6, 0.5, 1.5)));
+  tree.make_all();
+  const Local_scale& units = tree.scale();
+  const tetracone::kernel::Motion_units in = {units.origin, units.unit};
+  int found = 0, asked = 0;
+  for (int round = 0; round < 700; ++round) {
+    const Motion_of moves_a{round % 2 == 1, round % 3 != 0, any_ends(random)},
+        moves_b{round % 4 >= 2, round % 3 != 0, any_ends(random)};
+    const auto a = moves_a({0, 0, 0}), b = moves_b({0, 0, 0});
+    if (!a || !b) continue;
+    const auto& node = tree.node(Index(scenes::integer(random, 0, int(tree.node_count()) - 1))).boxes;
+    const auto& other = tree.node(Index(scenes::integer(random, 0, int(tree.node_count()) - 1))).boxes;
+    const int lane = scenes::integer(random, 0, node.lane_count - 1),
+              others = scenes::integer(random, 0, other.lane_count - 1);
+    const std::size_t of_node = round / 8 % 2;
+
+    // A part of the time, and a time in it at which the boxes touch, along n.
+    const unsigned halvings = unsigned(round % 7);
+    const long part = scenes::integer(random, 0, (1 << halvings) - 1);
+    const Rational time = (Rational(4 * part) + scenes::integer(random, 0, 4)) / Rational(4L << halvings);
+    const Vertex n = scenes::real_vertex(random, 1), back = {-n[0], -n[1], -n[2]};
+    const Pose pose_a = a->at(time), pose_b = b->at(time);
+    const auto &boxes_a = of_node == 0 ? node : other, &boxes_b = of_node == 0 ? other : node;
+    const Vertex p = corner(boxes_a, of_node == 0 ? lane : others, pulled_back(pose_a, n)),
+                 q = corner(boxes_b, of_node == 0 ? others : lane, pulled_back(pose_b, back));
+    const rationals::Vector shift = rationals::minus(rationals::image(pose_a, from_local(units, p)),
+                                                     rationals::image(pose_b, from_local(units, q)));
+
+    // And a little away from one another.
+    for (const double away : {0.0, 0.01, 0.3}) {
+      const auto shifted = moves_b(rationals::plus(shift, rationals::times(Rational(away), rationals::exactly(n))));
+      std::optional<Motion_span> span;
+      if (a->ends() && shifted->ends()) span = Motion_span::of_lines(*a->ends(), in, *shifted->ends(), in);
+      if (!span) span.emplace(Pair_motion(*a, *shifted), in, in);
+      for (unsigned k = halvings; k-- > 0;) span = span->half(part >> k & 1);
+      BOOST_TEST(span->m() == std::uint64_t(part));
+      const Span_reference reference(*span);
+      if (!reference.is_certifiable()) continue;
+      const unsigned apart =
+          reference.parts(of_node, node, 1u << lane, other, others, tetracone::kernel::no_apex).apart;
+      if (away == 0)
+        BOOST_TEST(apart == 0u, "round " << round);
+      else
+        found += apart != 0;
+      asked += away != 0;
+    }
+  }
+  BOOST_TEST(found > 0.2 * asked);
+  BOOST_TEST(asked > 700);
+}
+
+BOOST_AUTO_TEST_CASE(triangles_that_touch_at_some_time_are_not_found_apart)
+{
+  // Of A's units, which are B's too; the span is all of the time.
+  Random random(2);
+  int found = 0;
+  for (int round = 0; round < 500; ++round) {
+    const Motion_of moves_a{round % 2 == 1, true, any_ends(random)}, moves_b{round % 4 >= 2, true, any_ends(random)};
+    const auto a = moves_a({0, 0, 0}), b = moves_b({0, 0, 0});
+    if (!a || !b) continue;
+    const Rational time = Rational(scenes::integer(random, 0, 8)) / 8;
+    const Pose pose_a = a->at(time), pose_b = b->at(time);
+    const double size = round % 5 == 0 ? 0.5 : 0.01;
+    std::array<Vertex, 3> of_a, of_b;
+    for (auto* triangle : {&of_a, &of_b})
+      for (Vertex& v : *triangle) v = scenes::real_vertex(random, size);
+    const Vertex n = scenes::real_vertex(random, 1);
+    const auto place = [&](const Pose& pose, const Vertex& v) { return rationals::image(pose, rationals::exactly(v)); };
+    const auto farthest = [&](const Pose& pose, const std::array<Vertex, 3>& triangle, int sense) {
+      rationals::Vector most = place(pose, triangle[0]);
+      for (const Vertex& v : triangle) {
+        const rationals::Vector at = place(pose, v);
+        if (sense * rationals::inner(rationals::minus(at, most), rationals::exactly(n)) > 0) most = at;
+      }
+      return most;
+    };
+    const rationals::Vector shift = rationals::minus(farthest(pose_a, of_a, 1), farthest(pose_b, of_b, -1));
+    for (const double away : {0.0, size}) {
+      const auto shifted = moves_b(rationals::plus(shift, rationals::times(Rational(away), rationals::exactly(n))));
+      const Motion_span span(Pair_motion(*a, *shifted), {{0, 0, 0}, 1}, {{0, 0, 0}, 1});
+      const Span_reference reference(span);
+      if (!reference.is_certifiable()) continue;
+      // The gap in the reference along the axis of n, as it is in doubles.
+      const auto& frame = reference.frame();
+      Vertex axis = pulled_back(pose_a, n);
+      const double length = std::sqrt(tetracone::kernel::dot(axis, axis));
+      for (double& x : axis) x /= length;
+      double highest = -1e9, lowest = 1e9;
+      for (int k = 0; k < 3; ++k) {
+        highest = std::max(highest, tetracone::kernel::dot(axis, of_a[k]));
+        lowest = std::min(lowest, tetracone::kernel::dot(axis, frame(of_b[k])));
+      }
+      const double gap = (lowest - highest) - 1e-12;
+      if (!(gap > 0)) continue;
+      const bool apart = reference.are_apart(gap, axis, of_a, of_b);
+      if (away == 0)
+        BOOST_TEST(!apart, "round " << round);
+      else
+        found += apart;
+    }
+  }
+  BOOST_TEST(found > 25);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
