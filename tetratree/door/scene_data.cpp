@@ -7,9 +7,11 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace tetracone::detail {
@@ -67,6 +69,8 @@ std::size_t Scene_data::add_body(std::size_t model)
     throw Error("scene: too many bodies; expected less than 2^31");
   bodies_.emplace_back().model = Number(model);
   wide_.emplace_back();
+  turned_.emplace_back();
+  way_.push_back(0);
   seen_.push_back(0);
   near_.set_body_count(bodies_.size());
   return bodies_.size() - 1;
@@ -84,7 +88,7 @@ void Scene_data::part(Number pair)
 void Scene_data::leave(Number number)
 {
   Placed_body& body = bodies_[number];
-  while (!near_.of(number).empty()) part(near_.of(number).back());
+  while (!near_.of(number).empty()) part(near_.of(number).back().pair);
   if (body.is_in_tree) tree_.remove(number);
   body.is_in_tree = false;
 }
@@ -115,8 +119,8 @@ void Scene_data::ignore(std::size_t a, std::size_t b)
   there(b);
   if (a == b) throw Error("scene: body " + std::to_string(a) + " with itself; expected two bodies to ignore");
   ignored_.insert(key_of(a, b));
-  for (const Number pair : near_.of(Number(a)))
-    if (near_.other(pair, Number(a)) == b) {
+  for (const auto& [pair, other] : near_.of(Number(a)))
+    if (other == b) {
       part(pair);
       break;
     }
@@ -179,7 +183,7 @@ void Scene_data::move_bodies()
   std::erase_if(moved_, [this](Number body) { return !bodies_[body].is_there; });
   // All that can fail comes before anything is changed.
   for (const Number body : moved_) models.extent(bodies_[body].model);
-  for_each(moved_.size(), 64, [this](std::size_t i, Scene_worker& worker) { move(bodies_[moved_[i]], worker); });
+  for_each(moved_.size(), 64, [this](std::size_t i, Scene_worker& worker) { move(moved_[i], worker); });
   statistics_.moved = moved_.size();
   std::vector<Number> out_of_their_boxes;
   for (const Number body : moved_)
@@ -187,14 +191,16 @@ void Scene_data::move_bodies()
   widen(std::move(out_of_their_boxes));
 }
 
-void Scene_data::move(Placed_body& body, Scene_worker& worker)
+void Scene_data::move(Number number, Scene_worker& worker)
 {
+  Placed_body& body = bodies_[number];
   const tetratree::Body_extent& extent = models.extent(body.model);
   body.step =
       body.is_in_tree ? tetratree::motion(extent, body.last_pose, body.pose) : std::numeric_limits<double>::infinity();
   body.last_pose = body.pose;
   body.is_tight = models.tree(body.model) != nullptr;
   body.box = worker.box(body.model, extent, body.pose);
+  turned_[number] = extent.is_long() ? tetratree::turned_box(extent, body.pose) : tetratree::Turned_box();
 }
 
 /// Gives these bodies new wide boxes, and finds what is near them.
@@ -244,7 +250,7 @@ void Scene_data::find_near(const std::vector<Number>& bodies)
     for (const Number other : found[i]) seen_[other] = search;
     const auto known = near_.of(body);
     for (std::size_t k = known.size(); k-- > 0;) {
-      const Number pair = known[k], other = near_.other(pair, body);
+      const auto [pair, other] = known[k];
       if (seen_[other] == search) {
         seen_[other] = 0;  // known
         continue;
@@ -262,24 +268,24 @@ void Scene_data::open_pairs()
 {
   std::erase_if(open_, [this](Number pair) { return !near_[pair].is_open; });
   for (const Number number : moved_) {
-    Placed_body& body = bodies_[number];
+    const Placed_body& body = bodies_[number];
     if (body.step <= std::numeric_limits<double>::max())
-      body.way = sum_above(body.way, body.step);
+      way_[number] = sum_above(way_[number], body.step);
     else
-      for (const Number pair : near_.of(number)) near_[pair].limit = -1;
+      for (const auto& [pair, other] : near_.of(number)) near_[pair].limit = -1;
   }
-  for (const Number number : moved_) {
-    for (const Number number_of_pair : near_.of(number)) {
-      Near_pair& pair = near_[number_of_pair];
+  for (const Number body : moved_) {
+    bodies_[body].has_moved = false;
+    for (const auto& [number, other] : near_.of(body)) {
+      if (bodies_[other].has_moved) continue;  // its turn comes
+      const Near_pair& pair = near_[number];
       if (pair.is_open) continue;
-      const double way = sum_above(bodies_[pair.body[0]].way, bodies_[pair.body[1]].way);
-      if (pair.asked != Near_pair::never && way < pair.limit)
+      if (pair.asked != Near_pair::never && sum_above(way_[body], way_[other]) < pair.limit)
         ++statistics_.kept;
       else
-        open_pair(number_of_pair);
+        open_pair(number);
     }
   }
-  for (const Number body : moved_) bodies_[body].has_moved = false;
   moved_.clear();
 }
 
@@ -293,7 +299,7 @@ void Scene_data::answer_apart(Near_pair& pair, double gap)
 {
   pair.collide = pair.is_open = false;
   pair.asked = frame_;
-  pair.limit = gap > 0 ? sum_below(sum_below(bodies_[pair.body[0]].way, bodies_[pair.body[1]].way), gap) : -1;
+  pair.limit = gap > 0 ? sum_below(sum_below(way_[pair.body[0]], way_[pair.body[1]]), gap) : -1;
 }
 
 /// By the tree, which is made now if it has to be.
@@ -313,15 +319,15 @@ std::pair<Scene_data::Number, Scene_data::Number> Scene_data::models_of(const Ne
 
 void Scene_data::ask_pairs()
 {
+  if (options_.memory == 0) {
+    ask_models(open_.begin(), open_.end());
+    return;
+  }
   std::sort(open_.begin(), open_.end(), [this](Number p, Number q) {
     const auto of_p = models_of(near_[p]), of_q = models_of(near_[q]);
     return of_p != of_q ? of_p < of_q
                         : std::pair(near_[p].body[0], near_[p].body[1]) < std::pair(near_[q].body[0], near_[q].body[1]);
   });
-  if (options_.memory == 0) {
-    ask_models(open_.begin(), open_.end());
-    return;
-  }
   for (auto first = open_.begin(); first != open_.end();) {
     const auto of_first = models_of(near_[*first]);
     const auto last = std::find_if(first, open_.end(), [&](Number pair) { return models_of(near_[pair]) != of_first; });
@@ -336,28 +342,77 @@ void Scene_data::ask_pairs()
 /// Asks open pairs: their boxes, then their models.
 void Scene_data::ask_models(std::vector<Number>::iterator first, std::vector<Number>::iterator last)
 {
-  std::vector<Number> candidates;
+  std::vector<Number> meeting, candidates;
   for (auto at = first; at != last; ++at) {
     Near_pair& pair = near_[*at];
+    const double gap = bodies_[pair.body[0]].box.gap(bodies_[pair.body[1]].box);
+    if (gap > 0)
+      answer_apart(pair, gap);
+    else
+      meeting.push_back(*at);
+  }
+  ask_turned_boxes(meeting);
+  for (const Number number : meeting) {
+    Near_pair& pair = near_[number];
     Placed_body &a = bodies_[pair.body[0]], &b = bodies_[pair.body[1]];
-    double gap = a.box.gap(b.box);
-    pair.by_brute_force = !(gap > 0) && models.is_worth_no_tree(a.model, b.model);
-    if (!(gap > 0) && !pair.by_brute_force && !(a.is_tight && b.is_tight)) {
+    pair.by_brute_force = models.is_worth_no_tree(a.model, b.model);
+    if (!pair.by_brute_force && !(a.is_tight && b.is_tight)) {
       tighten(a);
       tighten(b);
-      gap = a.box.gap(b.box);
-    }
-    if (gap > 0) {
-      answer_apart(pair, gap);
-      continue;
+      const double gap = a.box.gap(b.box);
+      if (gap > 0) {
+        answer_apart(pair, gap);
+        continue;
+      }
     }
     models.body(a.model);
     models.body(b.model);
-    candidates.push_back(*at);
+    candidates.push_back(number);
   }
   statistics_.candidates += candidates.size();
   for_each(candidates.size(), 4, [&](std::size_t i, Scene_worker& worker) { ask_pair(candidates[i], worker); });
   for (const Number pair : candidates) statistics_.queries += !near_[pair].is_open;
+}
+
+tetratree::Turned_box Scene_data::turned_box(Number body)
+{
+  return turned_[body].is_known ? turned_[body]
+                                : tetratree::turned_box(models.extent(bodies_[body].model), bodies_[body].pose);
+}
+
+/// Leaves the pairs, of a long body at least, whose turned boxes are not found apart: up to eight pairs in a row of one
+/// body at a time.
+void Scene_data::ask_turned_boxes(std::vector<Number>& all)
+{
+  struct Row {
+    std::size_t first, count;
+    Number body;
+  };
+  std::vector<Row> rows;
+  std::vector<Number> pairs;
+  for (const Number pair : all)
+    if (turned_[near_[pair].body[0]].is_known || turned_[near_[pair].body[1]].is_known) pairs.push_back(pair);
+  for (std::size_t k = 0; k < pairs.size();) {
+    const auto has = [&](std::size_t at, Number body) {
+      const auto& bodies = near_[pairs[at]].body;
+      return bodies[0] == body || bodies[1] == body;
+    };
+    Number body = near_[pairs[k]].body[0];
+    if (k + 1 < pairs.size() && !has(k + 1, body)) body = near_[pairs[k]].body[1];
+    Row row{k, 1, body};
+    while (row.count < kernel::lanes && k + row.count < pairs.size() && has(k + row.count, body)) ++row.count;
+    rows.push_back(row);
+    k += row.count;
+  }
+  for_each(rows.size(), 64, [&](std::size_t i, Scene_worker&) {
+    const Row& row = rows[i];
+    std::array<tetratree::Turned_box, kernel::lanes> others;
+    for (std::size_t k = 0; k < row.count; ++k) others[k] = turned_box(near_.other(pairs[row.first + k], row.body));
+    const auto gaps = tetratree::turned_gaps(turned_box(row.body), std::span(others).first(row.count));
+    for (std::size_t k = 0; k < row.count; ++k)
+      if (gaps[k] > 0) answer_apart(near_[pairs[row.first + k]], gaps[k]);
+  });
+  std::erase_if(all, [this](Number pair) { return !near_[pair].is_open; });
 }
 
 void Scene_data::ask_pair(Number number, Scene_worker& worker)
@@ -419,7 +474,8 @@ void Scene_data::list_pairs()
 std::size_t Scene_data::bytes() const
 {
   std::size_t all = models.bytes() + tree_.bytes() + near_.bytes() +
-                    bodies_.capacity() * (sizeof(Placed_body) + sizeof(World_box) + sizeof(Number)) +
+                    bodies_.capacity() * (sizeof(Placed_body) + sizeof(World_box) + sizeof(tetratree::Turned_box) +
+                                          sizeof(double) + sizeof(Number)) +
                     colliding_.capacity() * sizeof(Scene_pair);
   for (const Scene_worker& worker : workers_) all += worker.bytes();
   return all;

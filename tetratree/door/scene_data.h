@@ -6,6 +6,7 @@
 #include "tetracone/tetratree/door/scene_models.h"
 #include "tetracone/tetratree/scene/box_tree.h"
 #include "tetracone/tetratree/scene/pair_list.h"
+#include "tetracone/tetratree/scene/turned_box.h"
 #include "tetracone/tetratree/scene/world_box.h"
 
 #include <tbb/task_arena.h>
@@ -23,8 +24,8 @@ namespace tetracone::detail {
 /// What a `Scene` keeps.
 ///
 /// A body has a box about it, and in the tree of boxes a wider one, in which it may move for some frames. Two bodies
-/// whose wide boxes meet are a near pair. Of these a frame asks those that no certificate keeps: first the boxes, made
-/// tight, then the query of their models. A body's way is the sum of bounds on its motions, rounded up: while the ways
+/// whose wide boxes meet are a near pair. Of these a frame asks those that no certificate keeps: first the boxes, then
+/// boxes that are turned with the bodies, then boxes made tight, then the query of their models. A body's way is the sum of bounds on its motions, rounded up: while the ways
 /// of both have grown by less than the gap that was between them, they are apart.
 class Scene_data {
  public:
@@ -62,7 +63,7 @@ class Scene_data {
     bool is_there = true, is_placed = false, is_in_tree = false, has_moved = false, is_tight = false;
     kernel::Pose pose, last_pose;  // that of the last frame, once there was one
     World_box box;
-    double way = 0, step = 0;  // bounds on its motions: of all frames, of the last one
+    double step = 0;  // a bound on its motion of the last frame
   };
 
   Placed_body& there(std::size_t body);
@@ -76,7 +77,7 @@ class Scene_data {
   void for_each(std::size_t n, std::size_t at_least, const What& what);
 
   void move_bodies();
-  void move(Placed_body& body, Scene_worker& worker);
+  void move(Number body, Scene_worker& worker);
   void widen(std::vector<Number> out_of_their_boxes);
   void build_boxes();
   void find_near(const std::vector<Number>& bodies);
@@ -86,6 +87,8 @@ class Scene_data {
   void ask_pairs();
   void ask_pair(Number pair, Scene_worker& worker);
   void ask_models(std::vector<Number>::iterator first, std::vector<Number>::iterator last);
+  void ask_turned_boxes(std::vector<Number>& pairs);
+  tetratree::Turned_box turned_box(Number body);
   void keep_to_memory(Number model_a, Number model_b);
   void answer_apart(Near_pair& pair, double gap);
   void list_pairs();
@@ -97,12 +100,14 @@ class Scene_data {
   std::optional<tbb::task_arena> arena_;  // of more than one thread
 
   std::vector<Placed_body> bodies_;
-  std::vector<World_box> wide_;  // of each body, in the tree
+  std::vector<World_box> wide_;                // of each body, in the tree
+  std::vector<tetratree::Turned_box> turned_;  // of each body, known of long ones alone
   tetratree::Box_tree tree_;
   bool tree_is_old_ = false;  // there are bodies that it does not know
   std::unordered_set<std::uint64_t> ignored_;
   tetratree::Pair_list near_;
   std::vector<Number> moved_, open_;
+  std::vector<double> way_;          // of each body, a bound on its motions of all frames
   std::vector<std::uint64_t> seen_;  // of each body, the search that has seen it last
   std::uint64_t search_ = 0;
 

@@ -32,6 +32,12 @@ struct Body_extent {
       half[k] = kernel::maximum(high - centre[k], centre[k] - low) * (1 + 0x1p-50);
     }
   }
+
+  /// Whether a box turned with the body bounds it much better than one along the world's axes.
+  bool is_long() const
+  {
+    return kernel::maximum(half[0], half[1], half[2]) >= 2 * kernel::minimum(half[0], half[1], half[2]);
+  }
 };
 
 /// What the bounds below may lose by rounding, a share of the magnitudes of their terms: four roundings of a sum of

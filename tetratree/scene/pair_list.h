@@ -30,12 +30,18 @@ class Pair_list {
  public:
   using Number = std::uint32_t;
 
+  /// A pair of a body, and its other body.
+  struct Of_body {
+    Number pair;
+    std::uint32_t other;
+  };
+
   std::size_t count() const { return pairs_.size() - free_.size(); }
   Near_pair& operator[](Number pair) { return pairs_[pair]; }
   const Near_pair& operator[](Number pair) const { return pairs_[pair]; }
 
   /// The pairs of a body.
-  std::span<const Number> of(std::uint32_t body) const { return of_[body]; }
+  std::span<const Of_body> of(std::uint32_t body) const { return of_[body]; }
   std::uint32_t other(Number pair, std::uint32_t body) const
   {
     return pairs_[pair].body[pairs_[pair].body[0] == body ? 1 : 0];
@@ -56,10 +62,10 @@ class Pair_list {
     pair.body[0] = a < b ? a : b;
     pair.body[1] = a < b ? b : a;
     for (int k = 0; k < 2; ++k) {
-      std::vector<Number>& list = of_[pair.body[k]];
+      std::vector<Of_body>& list = of_[pair.body[k]];
       pair.place[k] = std::uint32_t(list.size());
       in_lists_ -= list.capacity();
-      list.push_back(number);
+      list.push_back({number, pair.body[1 - k]});
       in_lists_ += list.capacity();
     }
     return number;
@@ -70,10 +76,10 @@ class Pair_list {
     Near_pair& pair = pairs_[number];
     pair.is_open = false;
     for (int k = 0; k < 2; ++k) {
-      std::vector<Number>& list = of_[pair.body[k]];
-      const Number last = list.back();
+      std::vector<Of_body>& list = of_[pair.body[k]];
+      const Of_body last = list.back();
       list[pair.place[k]] = last;
-      pairs_[last].place[pairs_[last].body[0] == pair.body[k] ? 0 : 1] = pair.place[k];
+      pairs_[last.pair].place[pair.body[k] < last.other ? 0 : 1] = pair.place[k];
       list.pop_back();
     }
     free_.push_back(number);
@@ -81,14 +87,14 @@ class Pair_list {
 
   std::size_t bytes() const
   {
-    return pairs_.capacity() * sizeof(Near_pair) + (free_.capacity() + in_lists_) * sizeof(Number) +
-           of_.capacity() * sizeof(std::vector<Number>);
+    return pairs_.capacity() * sizeof(Near_pair) + free_.capacity() * sizeof(Number) + in_lists_ * sizeof(Of_body) +
+           of_.capacity() * sizeof(std::vector<Of_body>);
   }
 
  private:
   std::vector<Near_pair> pairs_;
   std::vector<Number> free_;
-  std::vector<std::vector<Number>> of_;
+  std::vector<std::vector<Of_body>> of_;
   std::size_t in_lists_ = 0;  // room in them
 };
 

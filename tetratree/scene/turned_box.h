@@ -1,0 +1,112 @@
+#ifndef TETRACONE_TETRATREE_SCENE_TURNED_BOX_H
+#define TETRACONE_TETRATREE_SCENE_TURNED_BOX_H
+
+#include "tetracone/kernel/bound/obb8.h"
+#include "tetracone/kernel/bound/obb8_gap.h"
+#include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/number/pose.h"
+#include "tetracone/kernel/number/vertex.h"
+#include "tetracone/tetratree/scene/body_extent.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+namespace tetracone::tetratree {
+
+/// The box of a model, turned with a body: what bounds a long thin body better than a box along the world's axes.
+///
+/// The placed body lies in {c + sum_j s_j a_j, |s_j| <= e_j}, of axes of length 1 whose pairs are at right angles but for
+/// 2^-23. Of a pose that is no similarity, or near the ends of the doubles' range, nothing is known.
+struct Turned_box {
+  kernel::Vertex centre{};
+  std::array<kernel::Vertex, 3> axis{};
+  kernel::Vertex extent{};
+  bool is_known = false;
+
+  /// At least the distance of any point of the box from its centre.
+  double radius() const { return (extent[0] + extent[1] + extent[2]) * (1 + 0x1p-20); }
+};
+
+/// What axes that are not quite at right angles, and are rounded to float, take away from a box, a share of the sum of its
+/// extents; and how far columns of a pose may be from right angles.
+inline constexpr double turned_rounding = 0x1p-20, most_skewed = 0x1p-24;
+
+/// The image of c + sum_j s_j half_j e_j is M c + t + sum_j s_j half_j m_j, m_j the columns of M, as long as extents over
+/// half. The centre is off by `placed_rounding` of its terms in each coordinate, along axes by less than twice that; a
+/// fraction's entries are rounded in that too.
+inline Turned_box turned_box(const Body_extent& extent, const kernel::Pose& pose)
+{
+  Turned_box box;
+  double most = 0, sum = 0;
+  for (int i = 0; i < 3; ++i) {
+    double at = pose[4 * i + 3], terms = std::abs(at);
+    for (int j = 0; j < 3; ++j) {
+      at += pose[4 * i + j] * extent.centre[j];
+      terms += std::abs(pose[4 * i + j]) * (std::abs(extent.centre[j]) + extent.half[j]);
+    }
+    box.centre[i] = at;
+    most = kernel::maximum(most, terms);
+  }
+  for (int j = 0; j < 3; ++j) {
+    const kernel::Vertex column = {pose[j], pose[4 + j], pose[8 + j]};
+    const double square = kernel::dot(column, column), length = std::sqrt(square);
+    if (!(square >= 0x1p-200 && square <= 0x1p200)) return {};
+    for (int i = 0; i < 3; ++i) box.axis[j][i] = column[i] / length;
+    box.extent[j] = extent.half[j] * length;
+    sum += box.extent[j];
+  }
+  for (int j = 0; j < 3; ++j) {
+    const double skewed = kernel::dot(box.axis[j], box.axis[(j + 1) % 3]);
+    if (!(std::abs(skewed) <= most_skewed)) return {};
+    box.extent[j] += turned_rounding * sum + 4 * placed_rounding * most + placed_underflow;
+  }
+  box.is_known = most <= 0x1p200;
+  return box;
+}
+
+/// At most how far a turned box is from each of up to eight others, in world units; not above 0 where nothing is known.
+///
+/// All are compared in float about the one's centre, in units in which none of them is farther than 1 where the boxes that
+/// hold them along the world's axes meet: those that are farther are told nothing of. A centre is rounded by 2^-24 of
+/// itself in each coordinate, along an axis by less than twice that.
+inline std::array<double, kernel::lanes> turned_gaps(const Turned_box& one, std::span<const Turned_box> others)
+{
+  double radius = 0;
+  for (const Turned_box& other : others) radius = kernel::maximum(radius, other.radius());
+  std::array<double, kernel::lanes> apart{};
+  const double reach = 4 * (one.radius() + radius);
+  if (!(reach >= 0x1p-300 && reach <= 0x1p300)) return apart;
+  const double unit = std::ldexp(1.0, std::ilogb(reach) + 1), per_unit = 1 / unit;
+
+  const auto set = [&](kernel::Obb8& boxes, int lane, const Turned_box& box) {
+    double off = 0, square = 0, sum = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double c = (box.centre[k] - one.centre[k]) * per_unit;
+      boxes.centre[k][lane] = float(c);
+      off += std::abs(c);
+      square += c * c;
+    }
+    for (int j = 0; j < 3; ++j) {
+      for (int k = 0; k < 3; ++k) boxes.axis[j][k][lane] = float(box.axis[j][k]);
+      boxes.extent[j][lane] = float((box.extent[j] * per_unit + 0x1p-22 * off) * (1 + 0x1p-22));
+      sum += boxes.extent[j][lane];
+    }
+    boxes.reach = kernel::maximum(boxes.reach, float((std::sqrt(square) + sum) * (1 + 0x1p-20)));
+  };
+  kernel::Obb8 boxes{}, alone{};
+  set(alone, 0, one);
+  for (std::size_t k = 0; k < others.size(); ++k) set(boxes, int(k), others[k]);
+  boxes.lane_count = int(others.size());
+  static const kernel::Box_map in_place{kernel::Pose{}, kernel::Local_scale{}, kernel::Pose{}, kernel::Local_scale{}};
+  kernel::Certified_gaps gaps;
+  kernel::certified_gaps(boxes, in_place, alone, 0, kernel::no_apex, gaps);
+  for (std::size_t k = 0; k < others.size(); ++k)
+    if (one.is_known && others[k].is_known && boxes.reach <= 2) apart[k] = double(gaps.gap[k]) * unit * (1 - 0x1p-20);
+  return apart;
+}
+
+}  // namespace tetracone::tetratree
+
+#endif
