@@ -150,7 +150,8 @@ class Bvh8_builder {
   /// chance, for there may be an order in them.
   class Some {
    public:
-    Some(Index first, Index last, Index most) : first_(first), of_(last - first), count_(std::min(last - first, most))
+    Some(Index first, Index last, Index most)
+        : first_(first), of_(last - first), count_(kernel::minimum(last - first, most))
     {}
 
     Index count() const { return count_; }

@@ -138,7 +138,8 @@ class Bvh8_treelet {
     } else {
       ++cuts_;
       float least = std::numeric_limits<float>::infinity();
-      const int fewest = std::max(1, count / 8);  // else elements that all reach everywhere would be cut off one by one
+      const int fewest =
+          kernel::maximum(1, count / 8);  // else elements that all reach everywhere would be cut off one by one
       for (int axis = 0; axis < 3; ++axis) {
         const auto& order = order_[axis];
         std::array<float, most> after;
