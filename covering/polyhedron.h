@@ -65,6 +65,13 @@ class Polyhedron {
     face_end_.reserve(faces);
   }
 
+  /// Gives each corner the number new_number(v) in place of v.
+  template <class New_number>
+  void renumber(const New_number& new_number)
+  {
+    for (Index& v : corners_) v = new_number(v);
+  }
+
   /// The number of faces.
   std::size_t face_count() const { return face_end_.size(); }
 

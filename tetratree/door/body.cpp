@@ -120,9 +120,8 @@ void Body::make_all(std::size_t threads) const
   // Of its own: a thread that waits in it takes up no other work, which might ask this tree.
   tbb::task_arena arena{int(threads)};
   data_->bvh8().make_all([&](const auto& work) {
-    arena.execute([&] {
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, threads, 1), [&](const auto&) { work(); });
-    });
+    arena.execute(
+        [&] { tbb::parallel_for(tbb::blocked_range<std::size_t>(0, threads, 1), [&](const auto&) { work(); }); });
   });
 }
 
