@@ -14,6 +14,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -42,11 +43,17 @@ class Covering {
   explicit Covering(const Polyhedron& polyhedron)
   {
     collect_edges(polyhedron);
+    const std::size_t faces = polyhedron.face_count();
+    from_.reserve(polyhedron.corner_count());
+    to_.reserve(polyhedron.corner_count());
+    face_corner_begin_.reserve(faces + 1);
+    spanned_.reserve(faces);
+    if (polyhedron.corner_count() >= 2 * faces) triangles_.reserve(polyhedron.corner_count() - 2 * faces);
     face_corner_begin_.push_back(0);
     std::vector<std::pair<Index, bool>> neighbours;
-    for (Index f = 0; f < polyhedron.face_count(); ++f) {
+    for (Index f = 0; f < faces; ++f) {
       cover_face(polyhedron, f, neighbours);
-      face_corner_begin_.push_back(from_.size());
+      face_corner_begin_.push_back(Index(from_.size()));
       span_face(polyhedron, f);
     }
     collect_shells(polyhedron);
@@ -64,13 +71,24 @@ class Covering {
   std::span<const Index> to(Index f) const { return part(to_, f); }
 
   /// Three vertices of the face that span its plane; nothing when all its corners are on one line.
-  const std::optional<std::array<Index, 3>>& plane_basis(Index f) const { return plane_bases_[f]; }
+  std::optional<std::array<Index, 3>> plane_basis(Index f) const
+  {
+    const Spanned how = spanned_[f];
+    if (how == Spanned::not_at_all) return std::nullopt;
+    if (how == Spanned::by_others) return plane_bases_.find(f)->second;
+    const auto corners = from(f);
+    const bool turned = how == Spanned::by_corners_0_2_1;
+    return std::array{corners[0], corners[turned ? 2 : 1], corners[turned ? 1 : 2]};
+  }
 
   /// A vertex of each connected part of the surface, at least: of each maximal set of loops connected through shared
   /// vertices. Loops, not faces: a face of several loops need not be connected.
   const std::vector<Index>& shell_vertices() const { return shell_vertices_; }
 
  private:
+  /// What spans the plane of a face.
+  enum class Spanned : std::uint8_t { not_at_all, by_corners_0_1_2, by_corners_0_2_1, by_others };
+
   std::span<const Index> part(const std::vector<Index>& of, Index f) const
   {
     return std::span(of).subspan(face_corner_begin_[f], face_corner_begin_[f + 1] - face_corner_begin_[f]);
@@ -95,6 +113,7 @@ class Covering {
     std::vector<Index> others(end.back());
     for_edges([&](const std::array<Index, 2>& edge) { others[end[edge[0]]++] = edge[1]; });
     edges_.reserve(others.size() / 2 + 1);
+    edge_begin_.reserve(polyhedron.vertices.size() + 1);
     for (Index v = 0; v < polyhedron.vertices.size(); ++v) {
       edge_begin_.push_back(Index(edges_.size()));
       const auto first = others.begin() + std::ptrdiff_t(v == 0 ? 0 : end[v - 1]),
@@ -156,10 +175,16 @@ class Covering {
     const auto corners = from(f);
     const auto triple = kernel::plane_basis(
         corners.size(), [&](std::size_t k) -> const Vertex& { return polyhedron.vertices[corners[k]]; });
-    if (triple)
-      plane_bases_.push_back(std::array<Index, 3>{corners[(*triple)[0]], corners[(*triple)[1]], corners[(*triple)[2]]});
-    else
-      plane_bases_.push_back(std::nullopt);
+    if (!triple)
+      spanned_.push_back(Spanned::not_at_all);
+    else if (*triple == std::array<std::size_t, 3>{0, 1, 2})
+      spanned_.push_back(Spanned::by_corners_0_1_2);
+    else if (*triple == std::array<std::size_t, 3>{0, 2, 1})
+      spanned_.push_back(Spanned::by_corners_0_2_1);
+    else {
+      spanned_.push_back(Spanned::by_others);
+      plane_bases_[f] = {corners[(*triple)[0]], corners[(*triple)[1]], corners[(*triple)[2]]};
+    }
   }
 
   void collect_shells(const Polyhedron& polyhedron)
@@ -178,8 +203,9 @@ class Covering {
   std::vector<std::array<Index, 2>> edges_;
   std::vector<Index> edge_begin_;  // while faces are covered: where each vertex's begin
   std::vector<Index> from_, to_;
-  std::vector<std::size_t> face_corner_begin_;
-  std::vector<std::optional<std::array<Index, 3>>> plane_bases_;
+  std::vector<Index> face_corner_begin_;
+  std::vector<Spanned> spanned_;  // a byte a face: of triangles, which are most, no more is kept
+  std::unordered_map<Index, std::array<Index, 3>> plane_bases_;  // of faces by others of their corners
   std::vector<Index> shell_vertices_;
 };
 

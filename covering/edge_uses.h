@@ -4,7 +4,9 @@
 #include "tetracone/covering/polyhedron.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <numeric>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -83,10 +85,40 @@ inline std::ptrdiff_t surplus(std::span<const Edge_use> uses)
 /// True when over all loops every directed edge (a, b) occurs exactly as often as (b, a).
 inline bool is_closed(const Polyhedron& polyhedron)
 {
-  bool closed = true;
-  const auto uses = edge_uses(polyhedron);
-  for_each_edge(uses, [&closed](std::span<const Edge_use> edge) { closed = closed && surplus(edge) == 0; });
-  return closed;
+  // Of each edge: how often its ends come in the order of their numbers, and how often not.
+  const std::size_t vertices = polyhedron.vertices.size();
+  bool is_legal = true;
+  const auto for_edges = [&](const auto& what) {
+    for (Index f = 0; f < polyhedron.face_count(); ++f)
+      for_each_directed_edge(polyhedron, f, [&](Index a, Index b) {
+        if (a >= vertices || b >= vertices)
+          is_legal = false;
+        else if (a != b)
+          what(a < b, std::min(a, b), std::max(a, b));
+      });
+  };
+  std::array<std::vector<Index>, 2> ends{std::vector<Index>(vertices + 1, 0), std::vector<Index>(vertices + 1, 0)};
+  for_edges([&](bool forward, Index low, Index) { ++ends[forward][low + 1]; });
+  if (!is_legal) {
+    bool closed = true;
+    const auto uses = edge_uses(polyhedron);
+    for_each_edge(uses, [&closed](std::span<const Edge_use> edge) { closed = closed && surplus(edge) == 0; });
+    return closed;
+  }
+  if (ends[0] != ends[1]) return false;
+  for (std::vector<Index>& end : ends) std::partial_sum(end.begin(), end.end(), end.begin());
+  std::array<std::vector<Index>, 2> higher{std::vector<Index>(ends[0].back()), std::vector<Index>(ends[1].back())};
+  for_edges([&](bool forward, Index low, Index high) { higher[forward][ends[forward][low]++] = high; });
+  for (std::size_t v = 0; v < vertices; ++v) {
+    const auto sorted = [&](int way) {
+      const auto first = higher[way].begin() + (v == 0 ? 0 : ends[way][v - 1]),
+                 last = higher[way].begin() + ends[way][v];
+      std::sort(first, last);
+      return std::span(first, last);
+    };
+    if (!std::ranges::equal(sorted(0), sorted(1))) return false;
+  }
+  return true;
 }
 
 }  // namespace tetracone::covering

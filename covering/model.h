@@ -21,7 +21,13 @@ namespace tetracone::covering {
 /// kernel::Unsound_floating_point when K decides exactly and floating point is not as that needs it.
 template <class K>
 class Model {
+  /// The adaptive kernel's points are thrice a vertex, and made of it by copying.
+  static constexpr bool keeps_points = !std::is_same_v<K, kernel::Adaptive>;
+
  public:
+  /// A vertex as K sees it; a reference where it is kept so.
+  using Point = std::conditional_t<keeps_points, const kernel::Point<K>&, kernel::Point<K>>;
+
   explicit Model(const Polyhedron& polyhedron)
       : vertices_(polyhedron.vertices),
         covering_(polyhedron),
@@ -30,8 +36,10 @@ class Model {
         origin_(kernel::point<K>(lattice_.origin))
   {
     if constexpr (kernel::Kernel_traits<K>::exact_signs) kernel::require_exact_arithmetic();
-    points_.reserve(vertices_.size());
-    for (const Vertex& v : vertices_) points_.push_back(kernel::point<K>(v));
+    if constexpr (keeps_points) {
+      points_.reserve(vertices_.size());
+      for (const Vertex& v : vertices_) points_.push_back(kernel::point<K>(v));
+    }
   }
 
   const std::vector<Vertex>& vertices() const { return vertices_; }
@@ -42,7 +50,13 @@ class Model {
   const kernel::Cone_lattice& lattice() const { return lattice_; }
   const kernel::Point<K>& origin() const { return origin_; }
 
-  const kernel::Point<K>& point(Index v) const { return points_[v]; }
+  Point point(Index v) const
+  {
+    if constexpr (keeps_points)
+      return points_[v];
+    else
+      return kernel::point<K>(vertices_[v]);
+  }
 
  private:
   std::vector<Vertex> vertices_;
@@ -69,9 +83,10 @@ class Placed_model {
   void place(const kernel::Pose& pose)
   {
     if constexpr (kernel::Kernel_traits<K>::exact_signs) kernel::require_sound_floating_point();
+    const bool was_identity = frame_.is_identity();
     frame_ = kernel::Frame<K>(pose);
     determinant_sign_ = pose.determinant_sign();
-    ++now_;
+    if (!(was_identity && frame_.is_identity())) ++now_;
   }
 
   const Model<K>& model() const { return *model_; }
@@ -82,9 +97,8 @@ class Placed_model {
 
   const Point& point(Index v)
   {
-    if (frame_.is_identity()) return model_->point(v);
     if (placed_at_[v] != now_) {
-      points_[v] = frame_(model_->point(v));
+      points_[v] = frame_.is_identity() ? kernel::Point<K>(model_->point(v)) : frame_(model_->point(v));
       if constexpr (std::is_same_v<K, kernel::Adaptive>) {
         exact_images_[v].reset();
         points_[v].slot = &exact_images_[v];
@@ -100,7 +114,7 @@ class Placed_model {
   kernel::Sign determinant_sign_ = kernel::POSITIVE;
   std::vector<Point> points_;
   std::vector<std::uint64_t> placed_at_;
-  std::uint64_t now_ = 0;
+  std::uint64_t now_ = 1;                                                     // of what was never placed: 0
   std::vector<std::unique_ptr<kernel::Adaptive::Exact_image>> exact_images_;  // of the adaptive kernel: made when a
                                                                               // sign asks for one
 };
@@ -131,16 +145,16 @@ class Placed_face {
 template <class K>
 class Model_face {
  public:
-  using Point = kernel::Point<K>;
+  using Point = typename Model<K>::Point;
 
   Model_face(const Model<K>& model, Index face) : model_(model), face_(face) {}
 
   std::size_t edge_count() const { return model_.covering().from(face_).size(); }
-  const Point& from(std::size_t k) const { return model_.point(model_.covering().from(face_)[k]); }
-  const Point& to(std::size_t k) const { return model_.point(model_.covering().to(face_)[k]); }
-  const Point& origin() const { return from(0); }
+  Point from(std::size_t k) const { return model_.point(model_.covering().from(face_)[k]); }
+  Point to(std::size_t k) const { return model_.point(model_.covering().to(face_)[k]); }
+  Point origin() const { return from(0); }
   bool is_degenerate() const { return !model_.covering().plane_basis(face_); }
-  const Point& plane_basis(int k) const { return model_.point((*model_.covering().plane_basis(face_))[k]); }
+  Point plane_basis(int k) const { return model_.point((*model_.covering().plane_basis(face_))[k]); }
 
  private:
   const Model<K>& model_;

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -38,10 +39,11 @@ class Polyhedron {
     for (const auto& loop : loops) {
       assert(loop.size() > 0);
       corners_.insert(corners_.end(), loop.begin(), loop.end());
-      loop_end_.push_back(corners_.size());
+      loop_end_.push_back(Index(corners_.size()));
     }
     assert(face_end_.empty() ? !loop_end_.empty() : loop_end_.size() > face_end_.back());
-    face_end_.push_back(loop_end_.size());
+    face_end_.push_back(Index(loop_end_.size()));
+    assert(corners_.size() <= std::numeric_limits<Index>::max());
   }
   /// Appends a face of loops in braces: `add_face({{0, 1, 2, 3}, {4, 5, 6}})`.
   void add_face(std::initializer_list<std::initializer_list<Index>> loops) { add_face<decltype(loops)>(loops); }
@@ -55,8 +57,26 @@ class Polyhedron {
   /// Appends a face of one loop in braces: `add_polygon({0, 1, 2})`.
   void add_polygon(std::initializer_list<Index> loop) { add_polygon<std::initializer_list<Index>>(loop); }
 
+  /// Reserves memory for faces, of so many corners in all.
+  void reserve_faces(std::size_t faces, std::size_t corners)
+  {
+    corners_.reserve(corners);
+    loop_end_.reserve(faces);
+    face_end_.reserve(faces);
+  }
+
+  /// Gives each corner the number new_number(v) in place of v.
+  template <class New_number>
+  void renumber(const New_number& new_number)
+  {
+    for (Index& v : corners_) v = new_number(v);
+  }
+
   /// The number of faces.
   std::size_t face_count() const { return face_end_.size(); }
+
+  /// The number of corners of all faces: a vertex counts as often as loops name it.
+  std::size_t corner_count() const { return corners_.size(); }
 
   /// The number of loops of face `f`: 1, and one more for each hole.
   std::size_t loop_count(Index f) const { return face_end_[f] - first_loop(f); }
@@ -76,9 +96,9 @@ class Polyhedron {
  private:
   std::size_t first_loop(Index f) const { return f == 0 ? 0 : face_end_[f - 1]; }
 
-  std::vector<Index> corners_;         // all loops, one after the other
-  std::vector<std::size_t> loop_end_;  // loop l is corners_[loop_end_[l-1] .. loop_end_[l])
-  std::vector<std::size_t> face_end_;  // face f is loops face_end_[f-1] .. face_end_[f]
+  std::vector<Index> corners_;   // all loops, one after the other
+  std::vector<Index> loop_end_;  // loop l is corners_[loop_end_[l-1] .. loop_end_[l])
+  std::vector<Index> face_end_;  // face f is loops face_end_[f-1] .. face_end_[f]
 };
 
 /// Appends the vertices and the faces of `what`, which must be another polyhedron; with every loop turned round when

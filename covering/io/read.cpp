@@ -15,7 +15,10 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
-#include <numeric>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -26,35 +29,47 @@
 
 namespace tetracone::covering {
 
-Polyhedron merge_equal_vertices(const Polyhedron& polyhedron)
+namespace {
+
+/// The same for equal vertices: 0 is equal to -0.
+std::uint64_t hash_of(const Vertex& vertex)
 {
-  const auto& vertices = polyhedron.vertices;
-  std::vector<Index> order(vertices.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  std::ranges::sort(order,
-                    [&](Index a, Index b) { return vertices[a] != vertices[b] ? vertices[a] < vertices[b] : a < b; });
-  std::vector<Index> first(vertices.size()), number(vertices.size());
-  for (std::size_t k = 0; k < order.size(); ++k)
-    first[order[k]] = k > 0 && vertices[order[k]] == vertices[order[k - 1]] ? first[order[k - 1]] : order[k];
-  Polyhedron result;
-  for (Index v = 0; v < vertices.size(); ++v) {
-    if (first[v] == v) {
-      number[v] = static_cast<Index>(result.vertices.size());
-      result.vertices.push_back(vertices[v]);
-    } else {
-      number[v] = number[first[v]];
-    }
+  std::uint64_t hash = 0;
+  for (const double x : vertex) {
+    hash = (hash ^ std::bit_cast<std::uint64_t>(x == 0 ? 0.0 : x)) * 0x9e3779b97f4a7c15;
+    hash ^= hash >> 29;
   }
-  std::vector<std::vector<Index>> loops;
-  for (Index f = 0; f < polyhedron.face_count(); ++f) {
-    loops.clear();
-    for (std::size_t k = 0; k < polyhedron.loop_count(f); ++k) {
-      loops.emplace_back();
-      for (const Index v : polyhedron.loop(f, k)) loops.back().push_back(number[v]);
+  return hash;
+}
+
+/// Keeps each vertex once, where it was first, and returns its number of each.
+std::vector<Index> merge(std::vector<Vertex>& vertices)
+{
+  constexpr Index none = std::numeric_limits<Index>::max();
+  const int bits = int(std::bit_width(vertices.size())) + 1;
+  std::vector<Index> places(std::size_t(1) << bits, none), numbers(vertices.size());
+  Index kept = 0;
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    std::size_t place = hash_of(vertices[v]) >> (64 - bits);
+    while (places[place] != none && vertices[places[place]] != vertices[v]) place = (place + 1) & (places.size() - 1);
+    if (places[place] == none) {
+      places[place] = kept;
+      vertices[kept++] = vertices[v];
     }
-    result.add_face(loops);
+    numbers[v] = places[place];
   }
-  return result;
+  vertices.resize(kept);
+  vertices.shrink_to_fit();
+  return numbers;
+}
+
+}  // namespace
+
+Polyhedron merge_equal_vertices(Polyhedron polyhedron)
+{
+  const std::vector<Index> numbers = merge(polyhedron.vertices);
+  polyhedron.renumber([&](Index v) { return numbers[v]; });
+  return polyhedron;
 }
 
 namespace {
@@ -96,6 +111,9 @@ bool agrees(const Soup& soup, const Polyhedron& scanned, bool compare_coordinate
 
 }  // namespace cgal
 
+/// Of larger files the scan's reading is not compared with CGAL's.
+constexpr std::size_t most_for_cgal = 100'000'000;
+
 }  // namespace
 
 Read_model read_model(const std::filesystem::path& path)
@@ -125,9 +143,11 @@ Read_model read_model(const std::filesystem::path& path)
                 : suffix == ".obj" ? scan_obj(file, text)
                 : suffix == ".ply" ? scan_ply(file, text)
                                    : scan_stl(file, text);
-    model.polyhedron = suffix == ".stl" ? merge_equal_vertices(scan.soup) : std::move(scan.soup);
+    model.polyhedron = suffix == ".stl" ? merge_equal_vertices(std::move(scan.soup)) : std::move(scan.soup);
     if (model.polyhedron.face_count() != 0) {
-      if (!scan.cgal_knows) {
+      if (text.size() > most_for_cgal) {
+        model.notes.emplace_back("so large that CGAL's reader would take far longer: read by the scan alone");
+      } else if (!scan.cgal_knows) {
         model.notes.emplace_back("a dialect that CGAL's reader does not take: read by the scan alone");
       } else {
         const auto soup = cgal::read(suffix, text);

@@ -10,7 +10,7 @@ namespace tetracone::covering {
 
 /// Vertices with exactly equal coordinates (-0.0 equals 0.0) become one, the first of them; faces and loops stay as
 /// they are.
-Polyhedron merge_equal_vertices(const Polyhedron& polyhedron);
+Polyhedron merge_equal_vertices(Polyhedron polyhedron);
 
 /// Reads a model: OFF, OBJ, PLY (text and binary), STL (text and binary) or TetGen .poly, by the suffix in any case of
 /// letters.
@@ -20,7 +20,8 @@ Polyhedron merge_equal_vertices(const Polyhedron& polyhedron);
 ///  - OFF, OBJ, PLY and STL are scanned first (`scan_off` and so on), which finds what is wrong and where; then CGAL's
 ///    reader reads the file, and must find the same vertices and faces. The scan's coordinates are the ones kept: they
 ///    are nearest doubles by the standard's own conversion, also where CGAL rounds to float (a PLY text's `float`). A
-///    legal dialect that CGAL's reader does not take is read by the scan alone, and a note says so.
+///    legal dialect that CGAL's reader does not take is read by the scan alone, and so is a file of more than
+///    100,000,000 bytes, for which CGAL would take far longer; a note says so.
 ///  - .poly is read by `read_poly`.
 ///
 /// Throws Input_error at the first thing that is wrong: no file, an unknown suffix, a word that is no number, nan,

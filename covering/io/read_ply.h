@@ -28,20 +28,21 @@ class Ply_body {
 
   void begin_item(const Ply_element& element, std::size_t item)
   {
-    what_ = element.name + " " + std::to_string(item);
+    element_ = &element;
+    item_ = item;
     word_ = 0;
     if (is_text() && !element.properties.empty())
-      lines_.need_next("expected " + what_ + " of " + std::to_string(element.items));
+      lines_.need_next("expected " + what() + " of " + std::to_string(element.items));
   }
 
   void end_item()
   {
     if (is_text() && word_ != lines_.words().size() && word_ != 0)
-      lines_.fail(std::to_string(lines_.words().size()) + " numbers in " + what_, "expected " + std::to_string(word_));
+      lines_.fail(std::to_string(lines_.words().size()) + " numbers in " + what(), "expected " + std::to_string(word_));
   }
 
   /// An integer of the type; it is in the type's range.
-  std::int64_t integer(Ply_type type, const std::string& name)
+  std::int64_t integer(Ply_type type, std::string_view name)
   {
     if (!is_text()) {
       const std::uint64_t bits = bytes(type.bytes, name);
@@ -55,13 +56,13 @@ class Ply_body {
     const std::int64_t span = std::int64_t{1} << (8 * type.bytes - (type.kind == 'i' ? 1 : 0));
     if (rest != word.data() + word.size() || error != std::errc() || value >= span ||
         value < (type.kind == 'i' ? -span : 0))
-      fail(in_quotes(word) + " as " + name + " of " + what_, "expected an integer of its type");
+      fail(in_quotes(word) + " as " + std::string(name) + " of " + what(), "expected an integer of its type");
     return value;
   }
 
   /// A floating-point number of the type. As text: the double nearest to the decimal, whatever the type; where it is
   /// unused it may be nan or infinite, which is returned as nan.
-  double floating(Ply_type type, const std::string& name, bool used)
+  double floating(Ply_type type, std::string_view name, bool used)
   {
     double value = NAN;
     if (is_text()) {
@@ -69,13 +70,13 @@ class Ply_body {
       if (const auto number = parse_double(word))
         value = *number;
       else if (used || !is_number_word(word))
-        fail(in_quotes(word) + " as " + name + " of " + what_, "expected a finite decimal number");
+        fail(in_quotes(word) + " as " + std::string(name) + " of " + what(), "expected a finite decimal number");
       return value;
     }
     const std::uint64_t bits = bytes(type.bytes, name);
     value = type.bytes == 4 ? std::bit_cast<float>(static_cast<std::uint32_t>(bits)) : std::bit_cast<double>(bits);
     if (used && !std::isfinite(value))
-      fail(name + " of " + what_ + " is no finite number", "expected finite coordinates");
+      fail(std::string(name) + " of " + what() + " is no finite number", "expected finite coordinates");
     return value;
   }
 
@@ -94,7 +95,7 @@ class Ply_body {
   std::size_t bytes_left() const { return is_text() ? text_.size() : text_.size() - at_; }
 
   /// The item under way, as an error names it.
-  const std::string& what() const { return what_; }
+  std::string what() const { return element_->name + " " + std::to_string(item_); }
 
   [[noreturn]] void fail(const std::string& wrong, const std::string& expected) const
   {
@@ -102,16 +103,18 @@ class Ply_body {
   }
 
  private:
-  std::string_view next_word(const std::string& name)
+  std::string_view next_word(std::string_view name)
   {
-    if (word_ >= lines_.words().size()) fail("the line ends before " + name + " of " + what_, "expected a number");
+    if (word_ >= lines_.words().size())
+      fail("the line ends before " + std::string(name) + " of " + what(), "expected a number");
     return lines_.words()[word_++];
   }
 
-  std::uint64_t bytes(std::size_t count, const std::string& name)
+  std::uint64_t bytes(std::size_t count, std::string_view name)
   {
     if (count > text_.size() - at_)
-      fail("the file ends before " + name + " of " + what_, "expected as many elements as the header counts");
+      fail("the file ends before " + std::string(name) + " of " + what(),
+           "expected as many elements as the header counts");
     std::uint64_t value = 0;
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t offset = format_ == Ply_header::Format::big_endian ? k : count - 1 - k;
@@ -126,7 +129,8 @@ class Ply_body {
   Ply_header::Format format_;
   std::size_t at_;
   std::size_t word_ = 0;
-  std::string what_;
+  const Ply_element* element_ = nullptr;
+  std::size_t item_ = 0;
 };
 
 /// Scans a PLY file, text or binary of either byte order: the element `vertex` (or `vertices`) with the properties x, y
@@ -196,7 +200,7 @@ inline Scan scan_ply(const std::string& file, std::string_view text)
   }
 
   Ply_body body(lines, text, header.format);
-  const auto scalar = [&](const Ply_type& type, const std::string& name, bool used) {
+  const auto scalar = [&](const Ply_type& type, std::string_view name, bool used) {
     if (type.kind != 'f') return static_cast<double>(body.integer(type, name));
     const double value = body.floating(type, name, used);
     if (body.is_text() && (!std::isfinite(value) || (type.bytes == 4 && std::abs(value) > FLT_MAX)))
@@ -204,7 +208,12 @@ inline Scan scan_ply(const std::string& file, std::string_view text)
     return value;
   };
   std::vector<Index> loop;
-  for (auto element = header.elements.begin(); element != header.elements.end(); ++element)
+  // The header's counts are such as the file can hold.
+  scan.soup.vertices.reserve(vertex_element->items);
+  scan.soup.reserve_faces(face_element->items, 3 * face_element->items);
+  for (auto element = header.elements.begin(); element != header.elements.end(); ++element) {
+    std::vector<std::string> counts;
+    for (const Ply_property& each : element->properties) counts.push_back("count of " + each.name);
     for (std::size_t item = 0; item < element->items; ++item) {
       body.begin_item(*element, item);
       kernel::Vertex vertex{};
@@ -218,7 +227,7 @@ inline Scan scan_ply(const std::string& file, std::string_view text)
           continue;
         }
         const bool is_face = element == face_element && p == corners;
-        const std::int64_t count = body.integer(*each.count, "count of " + each.name);
+        const std::int64_t count = body.integer(*each.count, counts[p]);
         if (count < 0 || static_cast<std::uint64_t>(count) > body.bytes_left())
           body.fail(std::to_string(count) + " as count of " + each.name + " of " + body.what(),
                     "expected a count that the file can hold");
@@ -243,6 +252,7 @@ inline Scan scan_ply(const std::string& file, std::string_view text)
       body.end_item();
       if (element == vertex_element) scan.soup.vertices.push_back(vertex);
     }
+  }
   body.need_end();
   return scan;
 }

@@ -39,6 +39,7 @@ inline Scan scan_stl_binary(const std::string& file, std::string_view text)
   // CGAL reads the machine's own byte order.
   scan.cgal_knows = std::endian::native == std::endian::little;
   scan.soup.vertices.reserve(3 * triangles);
+  scan.soup.reserve_faces(triangles, 3 * triangles);
   for (std::uint64_t t = 0; t < triangles; ++t) {
     const Index first = static_cast<Index>(scan.soup.vertices.size());
     for (int corner = 0; corner < 3; ++corner) {

@@ -5,12 +5,12 @@
 #include "tetracone/kernel/number/number.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
@@ -33,7 +33,10 @@ inline std::string read_bytes(const std::filesystem::path& file)
     throw Input_error(file.native(), 0, "is a device", "expected a file");
   std::ifstream in(file, std::ios::binary);
   if (!in) throw Input_error(file.native(), 0, "cannot be opened", "expected a file that may be read");
-  std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  std::string bytes;
+  if (std::filesystem::is_regular_file(status)) bytes.reserve(std::filesystem::file_size(file, error));
+  for (std::array<char, 1 << 16> some; in.read(some.data(), some.size()), in.gcount() > 0;)
+    bytes.append(some.data(), std::size_t(in.gcount()));
   if (in.bad()) throw Input_error(file.native(), 0, "cannot be read to its end", "expected a file that may be read");
   return bytes;
 }

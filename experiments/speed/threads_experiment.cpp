@@ -47,6 +47,21 @@ Lap lap(const Body& a, const Body& b, const std::vector<kernel::Pose>& poses, in
   return {watch.nanoseconds() / double(all), hits};
 }
 
+/// Nanoseconds a triangle of making all nodes of a fresh body by so many threads, the best of some passes.
+double making(const covering::Polyhedron& object, int count)
+{
+  double best = 0;
+  for (int pass = 0; pass < 5; ++pass) {
+    const Body body(object);
+    body.first_hit({{9, 9, 9}, {1, 0, 0}});  // what is not the tree's making is made before
+    const Stopwatch watch;
+    body.make_all(std::size_t(count));
+    const double now = watch.nanoseconds() / double(object.face_count());
+    if (pass == 0 || now < best) best = now;
+  }
+  return best;
+}
+
 }  // namespace
 
 void run_threads(const std::filesystem::path& out, int frames, std::uint64_t seed)
@@ -85,6 +100,21 @@ void run_threads(const std::filesystem::path& out, int frames, std::uint64_t see
                     .add_origin(seed));
       std::printf("%8d  %-6s  %10.0f  %8.2f\n", count, bodies.c_str(), best.nanoseconds, alone / best.nanoseconds);
     }
+  }
+  const covering::Polyhedron large = verify::blob(70000, seed);
+  double alone = 0;
+  for (int count = 1; count <= processors; count *= 2) {
+    const double now = making(large, count);
+    if (count == 1) alone = now;
+    table.add(Csv_row()
+                  .add("threads", count)
+                  .add("bodies", "making")
+                  .add_exact("ns", now)
+                  .add_exact("speedup", alone / now)
+                  .add("hits", 0)
+                  .add("poses", 0)
+                  .add_origin(seed));
+    std::printf("%8d  %-6s  %10.0f  %8.2f\n", count, "making", now, alone / now);
   }
   write_whole(out / "threads.csv", table.text());
 }

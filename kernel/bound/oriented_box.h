@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <span>
-#include <vector>
 
 namespace tetracone::kernel {
 
@@ -24,11 +24,32 @@ struct Spread {
   Matrix covariance = Matrix::Zero();
 
   explicit Spread(std::span<const Vector> points)
+      : Spread(points.size(), [&](std::size_t k) -> const Vector& { return points[k]; })
+  {}
+
+  /// Of point(0) .. point(count - 1). Requires count > 0. In one pass: about the first point, near which all are.
+  template <class Point>
+  Spread(std::size_t count, const Point& point)
   {
-    for (const Vector& p : points) mean += p;
-    mean /= double(points.size());
-    for (const Vector& p : points) covariance += (p - mean) * (p - mean).transpose();
-    covariance /= double(points.size());
+    const Vector about = point(0);
+    double x = 0, y = 0, z = 0, xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+    for (std::size_t k = 1; k < count; ++k) {
+      const Vector p = point(k) - about;
+      x += p[0];
+      y += p[1];
+      z += p[2];
+      xx += p[0] * p[0];
+      xy += p[0] * p[1];
+      xz += p[0] * p[2];
+      yy += p[1] * p[1];
+      yz += p[1] * p[2];
+      zz += p[2] * p[2];
+    }
+    const double n = double(count);
+    const Vector shift(x / n, y / n, z / n);
+    mean = about + shift;
+    covariance << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+    covariance = covariance / n - shift * shift.transpose();
   }
 
   double size() const { return covariance.trace(); }
@@ -98,36 +119,101 @@ inline Matrix turned(const Matrix& axes, int about, double tangent)
 
 }  // namespace detail
 
-/// A box of little surface about the points: from the eigenvectors of their covariance, turned about each axis in turn
-/// while that makes the surface smaller, by `rounds` rounds of halved angles. Of many points, some 500 tell how to
-/// turn.
-inline Oriented_box fitted_box(std::span<const Vector> points, int rounds)
-{
-  constexpr std::size_t enough = 512;
-  std::vector<Vector> some;
-  std::span<const Vector> tried = points;
-  if (points.size() > enough) {
-    const std::size_t step = (points.size() + enough - 1) / enough;
-    for (std::size_t k = 0; k < points.size(); k += step) some.push_back(points[k]);
-    tried = some;
+namespace detail {
+
+/// At most 512 of the points in float, about their mean and over the root of their spread, four at a time: what turning
+/// axes does to the surface of the box about them.
+class Turned_points {
+ public:
+  Turned_points(std::span<const Vector> points, const Spread& spread, const Matrix& axes)
+  {
+    // So near to one another that squares underflow: as good as a point.
+    const double scale = spread.size() > 0x1p-900 ? 1 / std::sqrt(spread.size()) : 0;
+    const std::size_t step = (points.size() + most - 1) / most;
+    for (std::size_t k = 0; k < points.size() || count_ % 4 != 0; k += step) {
+      const Vector& p = points[k < points.size() ? k : 0];
+      const Vector at = scale * (axes.transpose() * (p - spread.mean));
+      for (int i = 0; i < 3; ++i) at_[count_ / 4][std::size_t(i)][count_ % 4] = static_cast<float>(at[i]);
+      ++count_;
+    }
+    for (int i = 0; i < 3; ++i) length_[i] = turned(i, i, 1, 0)[0];
   }
-  const Matrix start = Spread(points).principal_axes();
-  Oriented_box best(detail::axes_from(start.col(0), start.col(2)), tried);
+
+  /// Turns the axes, where that makes the surface smaller by more than float may be wrong about.
+  bool turn(int about, double tangent)
+  {
+    const int i = (about + 1) % 3, j = (about + 2) % 3;
+    const auto c = static_cast<float>(1 / std::sqrt(1 + tangent * tangent)), s = static_cast<float>(tangent) * c;
+    const std::array<float, 2> now = turned(i, j, c, s);
+    if (!(surface(length_[about], now[0], now[1]) < 0.9999f * surface(length_[about], length_[i], length_[j])))
+      return false;
+    length_[i] = now[0];
+    length_[j] = now[1];
+    for (std::size_t k = 0; 4 * k < count_; ++k) {
+      auto &x = at_[k][std::size_t(i)], &y = at_[k][std::size_t(j)];
+      const Eigen::Array4f before = x;
+      x = c * x + s * y;
+      y = c * y - s * before;
+    }
+    return true;
+  }
+
+ private:
+  static constexpr std::size_t most = 512;
+
+  static float surface(float x, float y, float z) { return x * y + y * z + z * x; }
+
+  /// How far the points reach along axes i and j when these are turned by the angle of this cosine and sine.
+  std::array<float, 2> turned(int i, int j, float c, float s) const
+  {
+    constexpr float none = std::numeric_limits<float>::infinity();
+    Eigen::Array4f low_x = Eigen::Array4f::Constant(none), low_y = low_x, high_x = -low_x, high_y = -low_x;
+    for (std::size_t k = 0; 4 * k < count_; ++k) {
+      const auto &x = at_[k][std::size_t(i)], &y = at_[k][std::size_t(j)];
+      const Eigen::Array4f turned_x = c * x + s * y, turned_y = c * y - s * x;
+      low_x = low_x.min(turned_x);
+      high_x = high_x.max(turned_x);
+      low_y = low_y.min(turned_y);
+      high_y = high_y.max(turned_y);
+    }
+    return {high_x.maxCoeff() - low_x.minCoeff(), high_y.maxCoeff() - low_y.minCoeff()};
+  }
+
+  std::array<std::array<Eigen::Array4f, 3>, most / 4> at_;
+  std::array<float, 3> length_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace detail
+
+/// The axes of a box of little surface about the points: from the eigenvectors of their covariance, turned about each
+/// axis in turn while that makes the surface smaller, by `rounds` rounds of halved angles. Of many points, some 500 tell
+/// how to turn. Requires a point.
+inline Matrix fitted_axes(std::span<const Vector> points, int rounds)
+{
+  const Spread spread(points);
+  const Matrix start = spread.principal_axes();
+  Matrix axes = detail::axes_from(start.col(0), start.col(2));
+  detail::Turned_points tried(points, spread, axes);
   double tangent = 0.5;
   for (int round = 0; round < rounds; ++round, tangent *= 0.5)
     for (int axis = 0; axis < 3; ++axis)
-      for (const double t : {tangent, -tangent}) {
-        const Oriented_box turned(detail::turned(best.axes, axis, t), tried);
-        if (turned.surface() < best.surface()) {
-          best = turned;
+      for (const double t : {tangent, -tangent})
+        if (tried.turn(axis, t)) {
+          axes = detail::turned(axes, axis, t);
           break;
         }
-      }
-  return some.empty() ? best : Oriented_box(best.axes, points);
+  return axes;
 }
 
-/// The box of a triangle: its plane, and along its longest edge.
-inline Oriented_box triangle_box(std::span<const Vector, 3> corners)
+/// The box of these axes.
+inline Oriented_box fitted_box(std::span<const Vector> points, int rounds)
+{
+  return Oriented_box(fitted_axes(points, rounds), points);
+}
+
+/// The axes of a triangle: its normal, and along its longest edge.
+inline Matrix triangle_axes(std::span<const Vector, 3> corners)
 {
   int longest = 0;
   double length = -1;
@@ -139,51 +225,100 @@ inline Oriented_box triangle_box(std::span<const Vector, 3> corners)
     }
   }
   // So small that squares of its sides' products would underflow: as good as a point.
-  if (!(length > 0x1p-400)) return Oriented_box(Matrix::Identity(), corners);
+  if (!(length > 0x1p-400)) return Matrix::Identity();
   const Vector edge = corners[(longest + 1) % 3] - corners[longest];
   const Vector normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-  if (!(normal.squaredNorm() > 1e-24 * length * length))
-    return Oriented_box(detail::axes_from(edge, Vector(1, 0, 0)), corners);
-  return Oriented_box(detail::axes_from(normal, edge), corners);
+  if (!(normal.squaredNorm() > 1e-24 * length * length)) return detail::axes_from(edge, Vector(1, 0, 0));
+  return detail::axes_from(normal, edge);
 }
 
-/// Writes the box into a lane, relative to the node's origin, in float. `points` are all that it must hold; the extents
-/// are found again for the float axes and centre, and axes that came out not orthonormal are those of the identity
-/// instead. `point_error` bounds how far a coordinate of a point may be from the exact one.
-///
-/// With axes a_i that are orthonormal but for a defect d, y = p - c is sum_i s_i a_i with |s_i| <= |a_i . y| + 3 d
-/// max_k |a_k . y| (1 + 4 d); the sums below are rounded 6 times in double, far below `few_roundings` of |y|_1.
+/// The box of these axes.
+inline Oriented_box triangle_box(std::span<const Vector, 3> corners)
+{
+  return Oriented_box(triangle_axes(corners), corners);
+}
+
+/// A box that takes in one point after the other, to be written into a lane: its axes are those given, in float, or
+/// those of the identity where these are not orthonormal.
+class Lane_box {
+ public:
+  /// `about`: a point near those that come.
+  Lane_box(const Matrix& axes, const Vector& about) : about_(about)
+  {
+    std::array<Vector, 3> axis;
+    for (int i = 0; i < 3; ++i) axis[i] = axes.col(i).cast<float>().cast<double>();
+    for (int i = 0; i < 3; ++i)
+      for (int j = i; j < 3; ++j)
+        if (!(std::abs(axis[i].dot(axis[j]) - (i == j)) <= axis_defect)) {
+          *this = Lane_box(Matrix::Identity(), about);
+          return;
+        }
+    for (int k = 0; k < 3; ++k) across_[k] << axis[0][k], axis[1][k], axis[2][k], 0;
+  }
+
+  void add(const Vector& p)
+  {
+    const Four s = along(p - about_);
+    low_ = low_.min(s);
+    high_ = high_.max(s);
+    sum_ += s;
+  }
+
+  /// Requires a point.
+  Vector centre() const
+  {
+    const Four middle = 0.5 * (low_ + high_);
+    Vector centre;
+    for (int k = 0; k < 3; ++k) centre[k] = about_[k] + (across_[k] * middle).sum();
+    return centre;
+  }
+
+  /// Writes the box into a lane, relative to the node's origin, which is exact in float. `point_error` bounds how far a
+  /// coordinate of a point may be from the exact one. Requires a point.
+  ///
+  /// With axes a_i that are orthonormal but for a defect d, y = p - c is sum_i s_i a_i with |s_i| <= |a_i . y| + 3 d
+  /// max_k |a_k . y| (1 + 4 d). The sums below are of p - b and c - b, b the point `about`, each rounded 6 times in
+  /// double at most, far below `few_roundings` of |p - b|_1 + |c - b|_1; and |p - b|_1 is at most sqrt(3) (1 + 3 d)
+  /// times the sum of |a_i . (p - b)|. Where a point is no number, the sum of all is none, and no extent.
+  void store(Obb8& boxes, int lane, const Vector& node_origin, double point_error) const
+  {
+    const Vector middle = centre();
+    Vector from_about, extent;
+    for (int i = 0; i < 3; ++i) {
+      boxes.centre[i][lane] = static_cast<float>(middle[i] - node_origin[i]);
+      from_about[i] = (double(boxes.centre[i][lane]) + node_origin[i]) - about_[i];
+      for (int k = 0; k < 3; ++k) boxes.axis[i][k][lane] = static_cast<float>(across_[k][i]);
+    }
+    const Four at = along(from_about);
+    double size = from_about.cwiseAbs().sum();
+    for (int i = 0; i < 3; ++i) {
+      extent[i] = maximum(high_[i] - at[i], at[i] - low_[i]);
+      size += 2 * maximum(std::abs(low_[i]), std::abs(high_[i]));
+    }
+    const double margin = axis_defect_factor * axis_defect * extent.maxCoeff() + few_roundings * size +
+                          axis_norm_1 * point_error + 0 * sum_.sum();
+    for (int i = 0; i < 3; ++i)
+      boxes.extent[i][lane] =
+          std::nextafter(static_cast<float>(extent[i] + margin), std::numeric_limits<float>::infinity());
+  }
+
+ private:
+  using Four = Eigen::Array4d;  // along the axes; the fourth is 0
+
+  Four along(const Vector& y) const { return across_[0] * y[0] + across_[1] * y[1] + across_[2] * y[2]; }
+
+  Vector about_;
+  std::array<Four, 3> across_;  // of each coordinate: that of the three axes
+  Four low_ = Four::Constant(std::numeric_limits<double>::infinity()), high_ = -low_, sum_ = Four::Zero();
+};
+
+/// Writes the box of the axes of `box` about the points into a lane: see `Lane_box`. Requires a point.
 inline void store_lane(Obb8& boxes, int lane, const Oriented_box& box, const Vector& node_origin,
                        std::span<const Vector> points, double point_error)
 {
-  std::array<Vector, 3> axis;
-  Vector centre;
-  for (int i = 0; i < 3; ++i) {
-    boxes.centre[i][lane] = static_cast<float>(box.centre[i] - node_origin[i]);
-    centre[i] = double(boxes.centre[i][lane]) + node_origin[i];
-    for (int k = 0; k < 3; ++k) {
-      boxes.axis[i][k][lane] = static_cast<float>(box.axes(k, i));
-      axis[i][k] = boxes.axis[i][k][lane];
-    }
-  }
-  for (int i = 0; i < 3; ++i)
-    for (int j = i; j < 3; ++j)
-      if (!(std::abs(axis[i].dot(axis[j]) - (i == j)) <= axis_defect)) {
-        store_lane(boxes, lane, Oriented_box(Matrix::Identity(), points), node_origin, points, point_error);
-        return;
-      }
-  Vector extent = Vector::Zero();
-  double size = 0;
-  for (const Vector& p : points) {
-    const Vector y = p - centre;
-    for (int i = 0; i < 3; ++i) extent[i] = maximum(extent[i], std::abs(axis[i].dot(y)));
-    size = maximum(size, y.cwiseAbs().sum());
-  }
-  const double margin =
-      axis_defect_factor * axis_defect * extent.maxCoeff() + few_roundings * size + axis_norm_1 * point_error;
-  for (int i = 0; i < 3; ++i)
-    boxes.extent[i][lane] =
-        std::nextafter(static_cast<float>(extent[i] + margin), std::numeric_limits<float>::infinity());
+  Lane_box stored(box.axes, points.front());
+  for (const Vector& p : points) stored.add(p);
+  stored.store(boxes, lane, node_origin, point_error);
 }
 
 /// Where the triangle lies in the lane that `store_lane` has written for it; 0 where it is not as `Apex_code` says,

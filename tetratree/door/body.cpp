@@ -6,6 +6,10 @@
 #include "tetracone/tetratree/door/body_data.h"
 #include "tetracone/tetratree/door/tetracone.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -105,7 +109,21 @@ const Polyhedron& Body::polyhedron() const { return data_->polyhedron; }
 
 bool Body::is_closed() const { return data_->is_closed(); }
 
-void Body::make_all() const { data_->bvh8().make_all(); }
+void Body::make_all(std::size_t threads) const
+{
+  const auto most = std::size_t(tbb::this_task_arena::max_concurrency());
+  if (threads == 0 || threads > most) threads = most;
+  if (threads == 1) {
+    data_->bvh8().make_all();
+    return;
+  }
+  // Of its own: a thread that waits in it takes up no other work, which might ask this tree.
+  tbb::task_arena arena{int(threads)};
+  data_->bvh8().make_all([&](const auto& work) {
+    arena.execute(
+        [&] { tbb::parallel_for(tbb::blocked_range<std::size_t>(0, threads, 1), [&](const auto&) { work(); }); });
+  });
+}
 
 Body read_body(const std::filesystem::path& file) { return Body(file); }
 

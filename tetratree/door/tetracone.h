@@ -110,8 +110,9 @@ class Body {
   /// True when every directed edge occurs as often as its reverse: then the body bounds a solid.
   bool is_closed() const;
 
-  /// Makes now the nodes that queries of the fast tree would make when they first need them.
-  void make_all() const;
+  /// Makes now the nodes that queries of the fast tree would make when they first need them, by so many threads; 0: as
+  /// many as there are. The tree is the same whatever their number is. Other threads' queries wait for nodes meanwhile.
+  void make_all(std::size_t threads = 1) const;
 
   /// Where the point stands with regard to the solid, exactly: by its winding number. The first such question makes the
   /// table that answers all. Throws Error for an open surface, and for a coordinate that is not finite.

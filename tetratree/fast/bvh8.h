@@ -6,6 +6,7 @@
 #include "tetracone/tetratree/fast/bvh8_elements.h"
 #include "tetracone/tetratree/fast/bvh8_node.h"
 #include "tetracone/tetratree/fast/bvh8_options.h"
+#include "tetracone/tetratree/fast/bvh8_subtrees.h"
 #include "tetracone/tetratree/fast/reserved_array.h"
 
 #include <cstddef>
@@ -37,7 +38,7 @@ class Bvh8 {
   explicit Bvh8(const covering::Polyhedron& polyhedron, std::span<const Face_triangle> triangles = {},
                 const Bvh8_options& options = {})
       : elements_(polyhedron, triangles),
-        builder_(std::in_place, elements_, options, order_, leaf_ends_),
+        builder_(std::in_place, elements_, options, leaf_ends_),
         nodes_(elements_.count())
   {
     // Of every node but the root at least two elements come apart: there are no more nodes than elements.
@@ -61,14 +62,14 @@ class Bvh8 {
     if (const auto known = parent.child_of(lane); known >= 0) return Index(known);
     const std::lock_guard lock(making_);
     if (const auto known = parent.child_of(lane); known >= 0) return Index(known);
-    const Index made = nodes_.push_back(builder_->node(parent.first[lane], Bvh8_node::last_of(parent.child[lane])));
+    const Index made = builder_->make(parent.first[lane], Bvh8_node::last_of(parent.child[lane]), nodes_);
     parent.publish(lane, made);
     return made;
   }
 
   bool is_leaf(Index n, int lane) const { return node(n).is_leaf(lane); }
   /// Element k of a leaf, and how many it holds: one, where the options don't say more.
-  const Element& element(Index n, int lane, Index k = 0) const { return elements_[order_[node(n).first[lane] + k]]; }
+  const Element& element(Index n, int lane, Index k = 0) const { return elements_[node(n).first[lane] + k]; }
   Index leaf_count(Index n, int lane) const
   {
     if (leaf_ends_.empty()) [[likely]]
@@ -87,12 +88,20 @@ class Bvh8 {
   /// Makes every node, and gives back what only the making needs.
   void make_all() const
   {
+    make_all([](const auto& work) { work(); });
+  }
+
+  /// The same, by `run(work)`, which calls work() from one thread or more at once and returns when all calls have. The
+  /// tree is the same whatever their number is. Queries that lack a node wait until all are there: none may be asked by
+  /// a thread that is within `run`.
+  template <class Run>
+  void make_all(const Run& run) const
+  {
     kernel::require_sound_floating_point();
-    for (Index n = 0; n < nodes_.size(); ++n)
-      for (int lane = 0; lane < node(n).boxes.lane_count; ++lane)
-        if (!is_leaf(n, lane)) child(n, lane);
     const std::lock_guard lock(making_);
-    if (builder_) cuts_ = builder_->cuts();
+    if (!builder_) return;
+    Bvh8_subtrees(*builder_, nodes_).make(run);
+    cuts_ = builder_->cuts();
     builder_.reset();
   }
 
@@ -110,7 +119,7 @@ class Bvh8 {
   std::size_t bytes() const
   {
     const std::lock_guard lock(making_);
-    return node_bytes() + elements_.bytes() + (order_.capacity() + leaf_ends_.capacity()) * sizeof(Index) +
+    return node_bytes() + elements_.bytes() + leaf_ends_.capacity() * sizeof(Index) +
            (builder_ ? builder_->bytes() : 0);
   }
 
@@ -118,10 +127,10 @@ class Bvh8 {
   std::size_t node_bytes() const { return nodes_.size() * sizeof(Bvh8_node); }
 
  private:
-  Bvh8_elements elements_;
   mutable std::mutex making_;
-  mutable std::vector<Index> order_, leaf_ends_;  // a lane's are in their place before the lane can be seen
-  mutable Cut_counts cuts_;                       // of a builder that is gone
+  mutable Bvh8_elements elements_;  // a leaf's are in their place before the leaf can be seen
+  mutable std::vector<Index> leaf_ends_;
+  mutable Cut_counts cuts_;  // of a builder that is gone
   mutable std::optional<Bvh8_builder> builder_;
   mutable Reserved_array<Bvh8_node> nodes_;
 };

@@ -45,6 +45,10 @@ class Bvh8_elements {
   const kernel::Local_scale& scale() const { return scale_; }
   Index count() const { return Index(elements_.size()); }
   const Element& operator[](Index e) const { return elements_[e]; }
+
+  /// All, whose order becomes that of the leaves.
+  std::span<Element> order() { return elements_; }
+
   std::size_t bytes() const { return elements_.capacity() * sizeof(Element); }
 
   /// How far a coordinate of `local` may be off: one rounding of a difference, of at most 1.

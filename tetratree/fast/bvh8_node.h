@@ -19,6 +19,9 @@ struct alignas(64) Bvh8_node {
 
   bool is_leaf(int lane) const { return boxes.marked >> lane & 1; }
 
+  /// Whether the lane is a leaf or its node is there. For the thread that makes nodes.
+  bool is_made(int lane) const { return is_leaf(lane) || child[std::size_t(lane)] >= 0; }
+
   /// The code of a lane whose node another thread may be making; `publish` lets it see the node, and all that was
   /// written before.
   std::int32_t child_of(int lane) const { return __atomic_load_n(&child[std::size_t(lane)], __ATOMIC_ACQUIRE); }

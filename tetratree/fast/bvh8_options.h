@@ -30,6 +30,14 @@ struct Cut_counts {
   std::size_t all = 0;             ///< cuts made so far
   std::size_t tried_cones = 0;     ///< of these: where planes through the origin were tried
   std::size_t through_origin = 0;  ///< of those: where one of them was taken
+
+  Cut_counts& operator+=(const Cut_counts& other)
+  {
+    all += other.all;
+    tried_cones += other.tried_cones;
+    through_origin += other.through_origin;
+    return *this;
+  }
 };
 
 }  // namespace tetracone::tetratree

@@ -39,10 +39,17 @@ class Reserved_array {
   /// Returns its number. Requires room.
   std::uint32_t push_back(const T& element)
   {
-    const std::uint32_t n = size();
-    assert(n < capacity_);
+    const std::uint32_t n = append(1);
     new (data_ + n) T(element);
-    size_.store(n + 1, std::memory_order_relaxed);
+    return n;
+  }
+
+  /// Makes place for so many, to be written by the caller, and returns the number of the first. Requires room.
+  std::uint32_t append(std::size_t count)
+  {
+    const std::uint32_t n = size();
+    assert(n + count <= capacity_);
+    size_.store(std::uint32_t(n + count), std::memory_order_relaxed);
     return n;
   }
 

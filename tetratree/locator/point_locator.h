@@ -272,7 +272,7 @@ class Point_locator {
   /// `covering::signed_inclusion` of p in the triangle's tetrahedron, where p is not on the face.
   [[gnu::noinline]] Seen see_exactly(const covering::Covering_triangle& t, const K::Point_3& p) const
   {
-    const auto corner = [&](int k) -> const K::Point_3& { return model_->point(t.corner[k]); };
+    const auto corner = [&](int k) { return model_->point(t.corner[k]); };
     if (kernel::segment_face<K>(p, p, covering::Model_face<K>(*model_, t.face)) != kernel::Contact::none)
       return {.on_face = true};
     return {.winding = covering::signed_inclusion<K>(p, model_->origin(), corner(0), corner(1), corner(2))};
@@ -392,7 +392,7 @@ class Point_locator {
     const kernel::Pose to_origin = kernel::Pose::translation(scale_.origin[0], scale_.origin[1], scale_.origin[2]);
     const K::Point_3 p =
         K::placed({direction[0] * scale_.unit, direction[1] * scale_.unit, direction[2] * scale_.unit}, to_origin);
-    const auto corner = [&](int k) -> const K::Point_3& { return model_->point(t.corner[k]); };
+    const auto corner = [&](int k) { return model_->point(t.corner[k]); };
     const K::Point_3& o = model_->origin();
     const kernel::Sign volume = kernel::volume_sign<K>(o, corner(0), corner(1), corner(2));
     if (volume == kernel::ZERO) return 0;

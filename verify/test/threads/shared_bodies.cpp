@@ -83,7 +83,8 @@ int main()
     for (std::size_t t = 0; t < answers.size(); ++t)
       threads.emplace_back([&, t] {
         Query query(a, b, t % 2 == 0 ? Question::solid : Question::surface, {.remember = t % 4 < 2});
-        if (t == 5) a.make_all();
+        if (t == 5) a.make_all(3);
+        if (t == 6) b.make_all();
         // By turns a table and a tree that others may be making.
         const std::array<double, 3> far = {9, 9, double(t)};
         if (t % 3 == 0 && (a.inside(far) != Location::outside || a.first_hit({far, {1, 0, 0}}))) ++strays;

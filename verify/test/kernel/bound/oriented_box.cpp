@@ -115,6 +115,47 @@ BOOST_AUTO_TEST_CASE(axes_that_are_not_orthonormal_are_not_stored)
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_lane_holds_its_points_wherever_it_was_told_that_they_are)
+{
+  Random random(9);
+  int outside = 0, loose = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const double size = std::ldexp(1.0, -int(random() % 12));
+    std::vector<Vector> all;
+    for (int j = 0; j < 5; ++j) all.push_back(Vector(0.5, 0.25, -0.25) + size * Vector(real(random), 0, real(random)));
+    const Vector far = Vector(real(random), real(random), real(random));
+    Lane_box box(fitted_axes(all, 2), k % 2 == 0 ? far : all[0]);
+    for (const Vector& p : all) box.add(p);
+    Obb8 boxes{};
+    const Vector origin = Vector(0.5, 0.25, 0).cast<float>().cast<double>();
+    box.store(boxes, 1, origin, 0);
+    for (int i = 0; i < 3; ++i) {
+      double most = 0;
+      for (const Vector& p : all) {
+        double along = 0;
+        for (int j = 0; j < 3; ++j) along += (p[j] - (origin[j] + double(boxes.centre[j][1]))) * boxes.axis[i][j][1];
+        most = std::max(most, std::abs(along));
+      }
+      outside += !(most <= boxes.extent[i][1]);
+      loose += !(boxes.extent[i][1] <= 1.00001 * most + 1e-5 * size + 1e-10);
+    }
+  }
+  BOOST_TEST(outside == 0);
+  BOOST_TEST(loose == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_lane_of_a_point_that_is_no_number_has_no_extent)
+{
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    for (int place = 0; place < 3; ++place) {
+      Lane_box box(Matrix::Identity(), Vector(0, 0, 0));
+      for (int k = 0; k < 3; ++k) box.add(Vector(0.5, k == place ? bad : 0.25, 0.125));
+      Obb8 boxes{};
+      box.store(boxes, 0, Vector::Zero(), 0);
+      for (int i = 0; i < 3; ++i) BOOST_TEST(std::isnan(boxes.extent[i][0]));
+    }
+}
+
 BOOST_AUTO_TEST_CASE(a_flat_cloud_gets_a_flat_box)
 {
   Random random(2);

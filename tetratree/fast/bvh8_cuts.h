@@ -1,0 +1,106 @@
+#ifndef TETRACONE_TETRATREE_FAST_BVH8_CUTS_H
+#define TETRACONE_TETRATREE_FAST_BVH8_CUTS_H
+
+#include "tetracone/kernel/bound/oriented_box.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+namespace tetracone::tetratree {
+
+/// Planes, one through every point: all across one direction or, of a cone, all through the origin and a line there.
+struct Pencil {
+  kernel::Vector across;
+  std::optional<kernel::Vector> along;  ///< of a cone: into it
+
+  /// Where the point's plane is among them. Of a cone, for points before the origin.
+  float place(const kernel::Vector& p) const { return float(along ? across.dot(p) / along->dot(p) : across.dot(p)); }
+};
+
+/// A plane of a pencil, and what it costs to cut there.
+struct Cut {
+  Pencil pencil;
+  float place = 0;
+  double cost = std::numeric_limits<double>::infinity();
+};
+
+/// Finds where a pencil's planes cut points best, in two: so that the boxes of both sides along three axes have the
+/// least surface, each times the root of its count. (With the count itself, as for rays, or with lengths in place of
+/// surfaces, trees had more boxes to compare.) Points are counted in bins between planes, at whose sides cuts are tried.
+class Binned_cuts {
+ public:
+  using Four = Eigen::Array4f;  // along the axes; the fourth is 0
+
+  /// Most points are within `spread` of `middle`, those beyond are in the outermost bins. Requires spread > 0.
+  Binned_cuts(const Pencil& pencil, double middle, double spread)
+      : pencil_(pencil), first_(float(middle - spread)), width_(float(2 * spread / count)), per_width_(1 / width_)
+  {}
+
+  const Pencil& pencil() const { return pencil_; }
+
+  /// `at`: the point along the axes.
+  void add(const kernel::Vector& p, const Four& at)
+  {
+    const float bin = (pencil_.place(p) - first_) * per_width_;
+    constexpr float last = float(count - 1);
+    Side& side = bins_[bin > 0 ? std::size_t(bin < last ? bin : last) : 0];
+    side.low = side.low.min(at);
+    side.high = side.high.max(at);
+    ++side.points;
+  }
+
+  /// Where one side would have less than an eighth of the points, there is no cut: else elements that all reach
+  /// everywhere would be cut off one by one.
+  Cut best() const
+  {
+    std::array<double, count> cost_after;
+    Side after, before;
+    for (std::size_t k = count; k-- > 1;) {
+      after.add(bins_[k]);
+      cost_after[k] = after.cost();
+    }
+    const int all = after.points + bins_[0].points;
+    Cut best{pencil_};
+    for (std::size_t k = 1; k < count; ++k) {
+      before.add(bins_[k - 1]);
+      const bool is_even = 8 * before.points >= all && 8 * (all - before.points) >= all;
+      const double cost = before.cost() + cost_after[k];
+      if (!(is_even && cost < best.cost)) continue;
+      best.cost = cost;
+      best.place = first_ + float(k) * width_;
+    }
+    return best;
+  }
+
+ private:
+  struct Side {
+    Four low = Four::Constant(std::numeric_limits<float>::infinity()), high = -low;
+    int points = 0;
+
+    void add(const Side& other)
+    {
+      low = low.min(other.low);
+      high = high.max(other.high);
+      points += other.points;
+    }
+    double cost() const
+    {
+      if (points == 0) return 0;
+      const Four e = high - low;
+      return std::sqrt(double(points)) * (e[0] * e[1] + e[1] * e[2] + e[2] * e[0]);
+    }
+  };
+
+  static constexpr std::size_t count = 64;
+
+  Pencil pencil_;
+  float first_, width_, per_width_;
+  std::array<Side, count> bins_;
+};
+
+}  // namespace tetracone::tetratree
+
+#endif
