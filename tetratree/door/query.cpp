@@ -66,6 +66,12 @@ Answer Query::collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
   return Answer(d.solver->relation(pose_a, pose_b, d.question));
 }
 
+Answer Query::collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Witness& witness)
+{
+  detail::Query_data& d = data();
+  return Answer(d.solver->relation_by(witness, pose_a, pose_b, d.question));
+}
+
 std::vector<Answer> Query::collide(std::span<const Pose> poses_a, std::span<const Pose> poses_b)
 {
   const std::size_t n = poses_a.size() > 1 ? poses_a.size() : poses_b.size();

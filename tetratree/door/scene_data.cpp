@@ -422,7 +422,8 @@ void Scene_data::ask_pair(Number number, Scene_worker& worker)
   const auto [model_a, model_b] = models_of(pair);
   const int first = bodies_[pair.body[0]].model == model_a ? 0 : 1;
   Query& query = worker.query(models, model_a, model_b, pair.by_brute_force ? Method::brute : Method::tree);
-  if (!query.collide(bodies_[pair.body[first]].pose, bodies_[pair.body[1 - first]].pose)) {
+  if (options_.memory != 0) pair.witness.reset();  // its model's tree may have been made anew
+  if (!query.collide(bodies_[pair.body[first]].pose, bodies_[pair.body[1 - first]].pose, pair.witness)) {
     answer_apart(pair, query.certified_gap());
     return;
   }

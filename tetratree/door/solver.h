@@ -20,6 +20,12 @@ class Solver {
  public:
   virtual ~Solver() = default;
   virtual Relation relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question) = 0;
+  /// The same, with what met when these placed bodies were asked last, where the solver can use it.
+  virtual Relation relation_by(Witness& /*witness*/, const kernel::Pose& pose_a, const kernel::Pose& pose_b,
+                               Question question)
+  {
+    return relation(pose_a, pose_b, question);
+  }
   virtual std::vector<Feature_pair> features(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
   virtual tetratree::Found_contacts contacts(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
   /// Of the last relation, where it was `apart`.

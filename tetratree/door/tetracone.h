@@ -15,12 +15,14 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <ostream>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// Whether two placed polyhedra collide, exactly. The door: a compiled library behind the standard library's types.
@@ -168,6 +170,10 @@ class Answer {
   Relation relation_;
 };
 
+/// Two parts of the bodies of a pair that met when the pair was asked last, in the query's own numbers; empty where none
+/// did.
+using Witness = std::optional<std::pair<std::uint32_t, std::uint32_t>>;
+
 /// Two bodies and a question, asked for many poses. Keeps work from one pose to the next: one query per thread.
 class Query {
  public:
@@ -186,6 +192,10 @@ class Query {
 
   /// By poses of the templates (`exact`). Requires det M != 0.
   Answer collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
+
+  /// The same of one of many pairs of placed bodies that a query is asked of: with the parts that met the last time, tried
+  /// first; the answer does not depend on them. Requires a witness of this pair of bodies, or an empty one.
+  Answer collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Witness& witness);
 
   /// The answers for n poses of each body, or for one of A and n of B, or n of A and one of B. Throws Error for other
   /// counts.

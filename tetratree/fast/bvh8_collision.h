@@ -76,7 +76,7 @@ class Bvh8_collision {
     ++counts_.queries;
     is_plane_tried_ = !a_.tree->empty() && !b_.tree->empty();
     if (!is_plane_tried_ || separating_direction_(pose_a, pose_b, most_directions, false)) return Relation::apart;
-    return ask_trees(pose_a, pose_b, question, nullptr);
+    return ask_trees(pose_a, pose_b, [&] { return relation_of_trees(question, nullptr); });
   }
 
   /// The same, with what `front` keeps of this pair of placed bodies.
@@ -87,7 +87,28 @@ class Bvh8_collision {
     is_plane_tried_ = !a_.tree->empty() && !b_.tree->empty() && front.is_plane_first();
     if (a_.tree->empty() || b_.tree->empty()) return Relation::apart;
     if (is_plane_tried_ && is_apart_by_plane(pose_a, pose_b, front)) return Relation::apart;
-    return ask_trees(pose_a, pose_b, question, &front);
+    return ask_trees(pose_a, pose_b, [&] { return relation_of_trees(question, &front); });
+  }
+
+  /// The same, with the pair of leaves that met the last time these placed bodies were asked, tried first, if they did.
+  Relation relation(const Pose& pose_a, const Pose& pose_b, Question question,
+                    std::optional<Bvh8_front::Boxes>& witness)
+  {
+    kernel::require_sound_floating_point();
+    ++counts_.queries;
+    is_plane_tried_ = !a_.tree->empty() && !b_.tree->empty() && !witness;
+    if (a_.tree->empty() || b_.tree->empty()) return Relation::apart;
+    if (is_plane_tried_ && separating_direction_(pose_a, pose_b, most_directions, false)) return Relation::apart;
+    return ask_trees(pose_a, pose_b, [&] {
+      if (witness && leaves_meet(witness->first, witness->second)) return Relation::surfaces;
+      witness.reset();
+      if (!is_plane_tried_) {
+        is_plane_tried_ = true;
+        if (separating_direction_(pose_a, pose_b, most_directions, false)) return Relation::apart;
+      }
+      relate_frames();
+      return meet_by_trees(&witness) ? Relation::surfaces : relation_of_apart(question);
+    });
   }
 
   /// Calls leaf_test(element of A, element of B) for the pairs that the query does not discard, until one returns true:
@@ -147,14 +168,15 @@ class Bvh8_collision {
     return is_apart;
   }
 
-  /// What no plane has decided. `front`: null where nothing is kept.
-  [[gnu::noinline]] Relation ask_trees(const Pose& pose_a, const Pose& pose_b, Question question, Bvh8_front* front)
+  /// What no plane has decided.
+  template <class Ask>
+  [[gnu::noinline]] Relation ask_trees(const Pose& pose_a, const Pose& pose_b, const Ask& ask)
   {
     const std::uint64_t fallbacks = exact_fallbacks();
     pose_a_ = &pose_a;
     pose_b_ = &pose_b;
     is_placed_ = false;
-    const Relation answer = relation_of_trees(question, front);
+    const Relation answer = ask();
     counts_.exact_fallbacks += exact_fallbacks() - fallbacks;
     return answer;
   }
@@ -166,6 +188,7 @@ class Bvh8_collision {
     return 0;
   }
 
+  /// `front`: null where nothing is kept.
   Relation relation_of_trees(Question question, Bvh8_front* front)
   {
     if (front && front->witness && leaves_meet(front->witness->first, front->witness->second))
@@ -175,12 +198,19 @@ class Bvh8_collision {
     if (meet && *meet) return Relation::surfaces;
     if (!meet || question == Question::surface) return Relation::apart;
     if (front && front->relation) return *front->relation;
-    place();
-    const Relation apart = containment_(a_, b_, counts_)   ? Relation::b_in_a
-                           : containment_(b_, a_, counts_) ? Relation::a_in_b
-                                                           : Relation::apart;
+    const Relation apart = relation_of_apart(question);
     if (front && front->holds()) front->relation = apart;
     return apart;
+  }
+
+  /// Of bodies whose surfaces do not meet.
+  Relation relation_of_apart(Question question)
+  {
+    if (question == Question::surface) return Relation::apart;
+    place();
+    return containment_(a_, b_, counts_)   ? Relation::b_in_a
+           : containment_(b_, a_, counts_) ? Relation::a_in_b
+                                           : Relation::apart;
   }
 
   /// Whether surfaces meet; nothing where a plane separates the bodies.
@@ -203,15 +233,15 @@ class Bvh8_collision {
         return meet;
       }
     }
-    return meet_by_trees(&front);
+    return meet_by_trees(&front.witness);
   }
 
-  /// By a descent that certifies nothing.
-  bool meet_by_trees(Bvh8_front* front)
+  /// By a descent that certifies nothing. Writes the leaves that meet.
+  bool meet_by_trees(std::optional<Bvh8_front::Boxes>* witness)
   {
     return descend_trees([&](Box box_a, Box box_b) {
       const bool meet = leaves_meet(box_a, box_b);
-      if (meet && front) front->witness = {box_a, box_b};
+      if (meet && witness) *witness = {box_a, box_b};
       return meet;
     });
   }

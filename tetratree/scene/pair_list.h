@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -18,10 +19,11 @@ struct Near_pair {
   std::uint32_t place[2] = {};  ///< in the lists of either
   std::uint64_t asked = never;  ///< the frame in which they were asked last
   double limit = -1;            ///< they are apart until both bodies' ways, summed, reach this
-  bool collide = false;         ///< what they did when they were asked
-  bool is_open = false;         ///< to be asked
-  bool by_brute_force = false;  ///< how they are to be asked
-  bool is_listed = false;       ///< among the colliding pairs of the last answer
+  std::optional<std::pair<std::uint32_t, std::uint32_t>> witness = {};  ///< the parts that met then
+  bool collide = false;                                                 ///< what they did when they were asked
+  bool is_open = false;                                                 ///< to be asked
+  bool by_brute_force = false;                                          ///< how they are to be asked
+  bool is_listed = false;  ///< among the colliding pairs of the last answer
 };
 
 /// The pairs of bodies that are near one another, each in the lists of both of its bodies. A pair keeps its number while
