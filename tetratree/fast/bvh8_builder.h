@@ -206,8 +206,8 @@ class Bvh8_builder {
   Index split(const Part& part)
   {
     const Index count = part.last - part.first, middle = part.first + count / 2;
-    if (count == 2) return middle;
     const kernel::Spread& spread = part.spread;
+    if (count == 2 || !(spread.size() > 0x1p-900)) return middle;
     const double scale = 1 / std::sqrt(spread.size());
     const auto along_axes = [&](const Vector& p) -> Binned_cuts::Four {
       const Vector at = scale * (part.axes.transpose() * (p - spread.mean));
@@ -217,7 +217,6 @@ class Bvh8_builder {
       const double most = std::sqrt(pencil.across.dot(spread.covariance * pencil.across));
       return Binned_cuts(pencil, middle, reach_of_bins * most * per_length);
     };
-    if (!(spread.size() > 0x1p-900)) return middle;
     ++cuts_.all;
     const Vector across = part.axes.col(2);
     Binned_cuts planes = cuts_across({across, {}}, across.dot(spread.mean), 1);
@@ -227,10 +226,16 @@ class Bvh8_builder {
     const Some some(part.first, part.last, most_seen);
     for (Index k = 0; k < some.count(); ++k) {
       const Vector p = centroid(some[k]);
-      const Binned_cuts::Four at = along_axes(p);
-      planes.add(p, at);
+      Binned_cuts::Four low = along_axes(p), high = low;
+      if (count <= most_by_corners)
+        for_corners(elements_[some[k]], [&](const Vector& corner) {
+          const Binned_cuts::Four at = along_axes(corner);
+          low = low.min(at);
+          high = high.max(at);
+        });
+      planes.add(p, low, high);
       if (cones && !(p.dot(*cones->pencil().along) > steep * p.norm())) cones.reset();
-      if (cones) cones->add(p, at);
+      if (cones) cones->add(p, low, high);
     }
     Cut best = planes.best();
     if (cones) {
@@ -305,7 +310,7 @@ class Bvh8_builder {
   std::vector<Bvh8_lane> lanes_;
   std::vector<Vector> gathered_;
 
-  static constexpr Index most_seen = 32768, most_fitted = 128, fewest_in_cones = 64;
+  static constexpr Index most_seen = 32768, most_fitted = 128, most_by_corners = 256, fewest_in_cones = 64;
   static constexpr double steep = 0.05, reach_of_bins = 2.5;
 };
 

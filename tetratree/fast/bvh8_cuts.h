@@ -41,14 +41,14 @@ class Binned_cuts {
 
   const Pencil& pencil() const { return pencil_; }
 
-  /// `at`: the point along the axes.
-  void add(const kernel::Vector& p, const Four& at)
+  /// What has its middle in `p`, between `low` and `high` along the axes.
+  void add(const kernel::Vector& p, const Four& low, const Four& high)
   {
     const float bin = (pencil_.place(p) - first_) * per_width_;
     constexpr float last = float(count - 1);
     Side& side = bins_[bin > 0 ? std::size_t(bin < last ? bin : last) : 0];
-    side.low = side.low.min(at);
-    side.high = side.high.max(at);
+    side.low = side.low.min(low);
+    side.high = side.high.max(high);
     ++side.points;
   }
 
