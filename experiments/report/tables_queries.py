@@ -11,9 +11,9 @@ def us(ns):
     return f"{float(ns) / 1000:.3g}"
 
 
-def rows_and_source(page, name, question):
+def rows_and_source(page, name, question, experiment=None):
     rows = read(os.path.join(page.out, f"{name}.csv"))
-    return rows, rows and Source.of(rows, question, f"{len(rows)} rows", f"build/tetracone experiment {name} --out out")
+    return rows, rows and Source.of(rows, question, f"{len(rows)} rows", f"build/tetracone experiment {experiment or name} --out out")
 
 
 def section(page, name, title, words, rows, source, columns, head, line):
@@ -101,7 +101,23 @@ def scenes(page):
                 f"{float(r['us_first_frame']) / 1000:.3g}", f"{float(r['ratio']):.2f}", r["candidates"], r["pairs_judged"], r["lost"], r["invented"]]))
 
 
+def moving_bodies(page):
+    rows, source = rows_and_source(page, "moving_bodies", "What does the exact first contact of two moving bodies cost, and which contacts do others miss?",
+                                   "moving-bodies")
+    if rows:
+        yield section(
+            page, "moving_bodies", "Bodies in motion",
+            "Each motion of a course asked for its first contact; <b>static N</b> asks at N poses of it. Time is in questions at one pose of the same course, of motions without "
+            "a contact and with one. <b>Latest</b>: how much later than the exact first contact one is told, of the motion. FCL's continuousCollide: by conservative advancement, and by steps.",
+            rows, source,
+            ["course", "triangles", "subject", "motions", "contacts", "missed", "invented", "latest", "static_ns", "apart_in_statics", "contact_in_statics"],
+            ["course", "triangles", "method", "motions", "contacts", "missed", "invented", "latest", "apart, in static questions", "contact"],
+            lambda r: (r["subject"] == "tetracone", [
+                html.escape(r["course"]), r["triangles"], html.escape(r["subject"]), r["motions"], r["contacts"], r["missed"], r["invented"],
+                f"{float(r['latest']):.2g}", f"{float(r['apart_in_statics']):.3g}", f"{float(r['contact_in_statics']):.3g}"]))
+
+
 def sections(page, study, campaign):
-    """Of OUT/contacts.csv, OUT/distance.csv, OUT/coherence.csv, OUT/points.csv and OUT/scenes.csv those that are there."""
-    for table in (contacts, distances, coherence, points, scenes):
+    """Of contacts.csv, distance.csv, coherence.csv, points.csv, scenes.csv and moving_bodies.csv in OUT those that are there."""
+    for table in (contacts, distances, coherence, points, scenes, moving_bodies):
         yield from table(page)
