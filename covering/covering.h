@@ -73,12 +73,10 @@ class Covering {
   /// Three vertices of the face that span its plane; nothing when all its corners are on one line.
   std::optional<std::array<Index, 3>> plane_basis(Index f) const
   {
-    const Spanned how = spanned_[f];
-    if (how == Spanned::not_at_all) return std::nullopt;
-    if (how == Spanned::by_others) return plane_bases_.find(f)->second;
+    if (spanned_[f] == by_none) return std::nullopt;
+    if (spanned_[f] == by_others) return plane_bases_.find(f)->second;
     const auto corners = from(f);
-    const bool turned = how == Spanned::by_corners_0_2_1;
-    return std::array{corners[0], corners[turned ? 2 : 1], corners[turned ? 1 : 2]};
+    return std::array{corners[0], corners[spanned_[f] / 16], corners[spanned_[f] % 16]};
   }
 
   /// A vertex of each connected part of the surface, at least: of each maximal set of loops connected through shared
@@ -86,8 +84,8 @@ class Covering {
   const std::vector<Index>& shell_vertices() const { return shell_vertices_; }
 
  private:
-  /// What spans the plane of a face.
-  enum class Spanned : std::uint8_t { not_at_all, by_corners_0_1_2, by_corners_0_2_1, by_others };
+  /// What spans the plane of a face: its first corner and two of the next fourteen, four bits each, or one of these.
+  static constexpr std::uint8_t by_none = 0, by_others = 255;
 
   std::span<const Index> part(const std::vector<Index>& of, Index f) const
   {
@@ -175,15 +173,16 @@ class Covering {
     const auto corners = from(f);
     const auto triple = kernel::plane_basis(
         corners.size(), [&](std::size_t k) -> const Vertex& { return polyhedron.vertices[corners[k]]; });
-    if (!triple)
-      spanned_.push_back(Spanned::not_at_all);
-    else if (*triple == std::array<std::size_t, 3>{0, 1, 2})
-      spanned_.push_back(Spanned::by_corners_0_1_2);
-    else if (*triple == std::array<std::size_t, 3>{0, 2, 1})
-      spanned_.push_back(Spanned::by_corners_0_2_1);
-    else {
-      spanned_.push_back(Spanned::by_others);
-      plane_bases_[f] = {corners[(*triple)[0]], corners[(*triple)[1]], corners[(*triple)[2]]};
+    if (!triple) {
+      spanned_.push_back(by_none);
+      return;
+    }
+    const auto [first, second, third] = *triple;
+    if (first == 0 && second < 15 && third < 15) {
+      spanned_.push_back(std::uint8_t(16 * second + third));
+    } else {
+      spanned_.push_back(by_others);
+      plane_bases_[f] = {corners[first], corners[second], corners[third]};
     }
   }
 
@@ -204,7 +203,7 @@ class Covering {
   std::vector<Index> edge_begin_;  // while faces are covered: where each vertex's begin
   std::vector<Index> from_, to_;
   std::vector<Index> face_corner_begin_;
-  std::vector<Spanned> spanned_;  // a byte a face: of triangles, which are most, no more is kept
+  std::vector<std::uint8_t> spanned_;
   std::unordered_map<Index, std::array<Index, 3>> plane_bases_;  // of faces by others of their corners
   std::vector<Index> shell_vertices_;
 };

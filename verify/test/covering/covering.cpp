@@ -259,6 +259,32 @@ BOOST_AUTO_TEST_CASE(spanning_corners_are_off_one_line_and_missing_only_where_al
   }
 }
 
+BOOST_AUTO_TEST_CASE(faces_of_many_corners_are_spanned_by_any_of_them)
+{
+  // Along a parabola, and once with all but two corners on a line.
+  for (const bool in_line : {false, true})
+    for (const Index corners : {4u, 15u, 16u, 40u}) {
+      Polyhedron body;
+      std::vector<Index> loop;
+      for (Index k = 0; k < corners; ++k) {
+        const double y = in_line ? 0.5 * (k + 2 >= corners) : 0.125 * k * k;
+        body.vertices.push_back({double(k), y, 1});
+        loop.push_back(k);
+      }
+      body.add_polygon(std::vector<Index>{0, 1, corners - 1});
+      body.add_polygon(loop);
+      body.add_polygon(std::vector<Index>{2, 2, 2});
+      const Covering covering(body);
+      const auto of_triangle = covering.plane_basis(0), of_all = covering.plane_basis(1);
+      BOOST_REQUIRE((of_triangle && of_all));
+      BOOST_TEST(((*of_triangle)[0] == 0u && (*of_triangle)[1] + (*of_triangle)[2] == corners));
+      BOOST_TEST((*of_all)[0] == 0u);
+      BOOST_TEST((*of_all)[1] == corners - 1);
+      BOOST_TEST(((*of_all)[2] > 0u && (*of_all)[2] < corners - 1));
+      BOOST_TEST(!covering.plane_basis(2));
+    }
+}
+
 BOOST_AUTO_TEST_CASE(a_vertex_speaks_for_each_connected_shell)
 {
   const auto count = [](const Polyhedron& body) { return Covering(body).shell_vertices().size(); };
