@@ -19,6 +19,13 @@
 
 namespace tetracone::kernel {
 
+/// An axis over its largest component: of a length that bounds take.
+inline Vertex scaled_to_one(const Vertex& v)
+{
+  const double largest = maximum(std::abs(v[0]), std::abs(v[1]), std::abs(v[2]));
+  return {v[0] / largest, v[1] / largest, v[2] / largest};
+}
+
 /// What of a body's local units the bounds need: a local point p is o + unit p in its own, unit a power of two.
 struct Motion_units {
   Vertex origin;

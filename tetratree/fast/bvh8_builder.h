@@ -213,9 +213,9 @@ class Bvh8_builder {
       const Vector at = scale * (part.axes.transpose() * (p - spread.mean));
       return {float(at[0]), float(at[1]), float(at[2]), 0};
     };
-    const auto cuts_across = [&](const Pencil& pencil, double middle, double per_length) {
+    const auto cuts_across = [&](const Pencil& pencil, double place, double per_length) {
       const double most = std::sqrt(pencil.across.dot(spread.covariance * pencil.across));
-      return Binned_cuts(pencil, middle, reach_of_bins * most * per_length);
+      return Binned_cuts(pencil, place, reach_of_bins * most * per_length);
     };
     ++cuts_.all;
     const Vector across = part.axes.col(2);

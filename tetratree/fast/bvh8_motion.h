@@ -2,44 +2,24 @@
 #define TETRACONE_TETRATREE_FAST_BVH8_MOTION_H
 
 #include "tetracone/kernel/motion/body_motion.h"
-#include "tetracone/kernel/motion/first_contact.h"
-#include "tetracone/kernel/motion/motion_exact.h"
 #include "tetracone/kernel/motion/motion_span.h"
 #include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/number/products.h"
 #include "tetracone/tetratree/fast/bvh8.h"
 #include "tetracone/tetratree/fast/element_gap.h"
+#include "tetracone/tetratree/fast/moving_features.h"
 #include "tetracone/tetratree/fast/span_reference.h"
 #include "tetracone/tetratree/query_statistics.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
-#include <compare>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
-#include <set>
-#include <utility>
 #include <vector>
 
 namespace tetracone::tetratree {
-
-/// Where moving bodies first meet: a vertex and a triangle of a face, or two edges.
-struct Moving_features {
-  kernel::Moving_kind kind;
-  int body;                     ///< vertex_face: of the vertex
-  std::array<Index, 2> face;    ///< of A and of B, one that the feature belongs to
-  std::array<Index, 4> corner;  ///< vertex_face: the vertex, the triangle; edge_edge: A's edge, B's edge
-};
-
-/// The first contact of two bodies in motion.
-struct First_meeting {
-  kernel::Time_root time;
-  Moving_features features;
-};
 
 /// The first contact of the surfaces of two moving `Bvh8`, exactly. Build once, ask for many motions.
 ///
@@ -55,27 +35,32 @@ struct First_meeting {
 class Bvh8_motion {
  public:
   /// Requires trees whose elements are triangles, or faces of corners on one line.
-  Bvh8_motion(const Bvh8& a, const Bvh8& b) : tree_{&a, &b} { kernel::require_exact_arithmetic(); }
+  Bvh8_motion(const Bvh8& a, const Bvh8& b) : tree_{&a, &b}, features_(a, b) { kernel::require_exact_arithmetic(); }
 
   /// Nothing where the surfaces never meet. Requires that they share no point at t = 0.
   std::optional<First_meeting> operator()(const kernel::Body_motion& a, const kernel::Body_motion& b)
   {
     kernel::require_sound_floating_point();
     if (tree_[0]->empty() || tree_[1]->empty()) return std::nullopt;
-    moving_ = {&a, &b};
-    motion_.reset();
+    features_.begin(a, b);
     spans_.clear();
     queue_.clear();
-    decided_.clear();
-    best_.reset();
-    best_before_ = std::numeric_limits<double>::infinity();
-    spans_.emplace_back(whole_span());
+    spans_.emplace_back(whole_span(a, b));
     search();
-    return std::exchange(best_, std::nullopt);
+    return features_.take_first();
   }
 
-  const Query_statistics& counts() const { return counts_; }
-  void clear_counts() { counts_ = {}; }
+  Query_statistics counts() const
+  {
+    Query_statistics all = counts_;
+    all += features_.counts();
+    return all;
+  }
+  void clear_counts()
+  {
+    counts_ = {};
+    features_.clear_counts();
+  }
 
  private:
   using Box = Index;  // lane k of node n: 8 n + k
@@ -102,39 +87,17 @@ class Bvh8_motion {
     kernel::Motion_span maps;
     std::array<Index, 2> half{};  // 0: not made
   };
-  /// A pair of features that has been decided over a span: triangles share corners and edges.
-  struct Decided {
-    kernel::Moving_kind kind;
-    int body;
-    std::array<Index, 4> corner;
-    std::uint64_t m;
-    unsigned k;
-
-    auto operator<=>(const Decided&) const = default;
-  };
-  struct Triangle {
-    std::array<Index, 3> corner;
-    std::array<Vertex, 3> local;
-    Index face;
-  };
-
   static constexpr unsigned most_halvings = 50;
   static constexpr double share_of_boxes = 0.5, share_of_leaves = 0.005;  // so far they may move in a span
 
   kernel::Motion_units units(int body) const { return {tree_[body]->scale().origin, tree_[body]->scale().unit}; }
 
-  const kernel::Pair_motion& motion()
+  kernel::Motion_span whole_span(const kernel::Body_motion& a, const kernel::Body_motion& b)
   {
-    if (!motion_) motion_.emplace(*moving_[0], *moving_[1]);
-    return *motion_;
-  }
-
-  kernel::Motion_span whole_span()
-  {
-    const auto &of_a = moving_[0]->ends(), &of_b = moving_[1]->ends();
+    const auto &of_a = a.ends(), &of_b = b.ends();
     if (of_a && of_b)
       if (const auto span = kernel::Motion_span::of_lines(*of_a, units(0), *of_b, units(1))) return *span;
-    return kernel::Motion_span(motion(), units(0), units(1));
+    return kernel::Motion_span(features_.motion(), units(0), units(1));
   }
 
   const Bvh8_node& node_of(int body, Box box) const { return tree_[body]->node(box / 8); }
@@ -166,7 +129,7 @@ class Bvh8_motion {
   void search()
   {
     follow({0, 0, 0, 0, 0, 1});
-    while (!queue_.empty() && queue_.front().start < best_before_) {
+    while (!queue_.empty() && queue_.front().start < features_.before()) {
       std::pop_heap(queue_.begin(), queue_.end(), is_later);
       const Near near = queue_.back();
       queue_.pop_back();
@@ -222,18 +185,8 @@ class Bvh8_motion {
   {
     ++counts_.leaf_pairs;
     const Element_gap gap = element_gap(*tree_[0], a, *tree_[1], b, reference.frame());
-    return gap.low > 0 &&
-           reference.are_apart(gap.low, gap.axis, local_corners(0, a.corner), local_corners(1, b.corner));
-  }
-
-  std::array<Vertex, 3> local_corners(int body, const std::array<Index, 3>& corner) const
-  {
-    std::array<Vertex, 3> corners;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const kernel::Vector at = tree_[body]->local(corner[k]);
-      corners[k] = {at[0], at[1], at[2]};
-    }
-    return corners;
+    return gap.low > 0 && reference.are_apart(gap.low, gap.axis, local_corners(*tree_[0], a.corner),
+                                              local_corners(*tree_[1], b.corner));
   }
 
   /// The parts that are leaves, where the box of the other body is one.
@@ -318,7 +271,7 @@ class Bvh8_motion {
     for (int half = 0; half < 2; ++half) {
       near.span = half_of(span, half);
       near.start = spans_[near.span].maps.start();
-      if (near.start < best_before_) follow(near);
+      if (near.start < features_.before()) follow(near);
     }
   }
 
@@ -349,18 +302,14 @@ class Bvh8_motion {
     return spans_[span].half[half];
   }
 
-  static Vertex scaled_to_one(const Vertex& v)
-  {
-    const double largest = kernel::maximum(std::abs(v[0]), std::abs(v[1]), std::abs(v[2]));
-    return {v[0] / largest, v[1] / largest, v[2] / largest};
-  }
-
   /// Whether boxes are certainly apart all the time of the span: along the line of their centres, and the axes that part
   /// them in the middle of it.
   static bool stay_apart(const kernel::Motion_span& span, const Part& a, const Part& b)
   {
     const auto& maps = span.at_middle();
-    const auto apart = [&](const Vertex& axis) { return span.apart_along(scaled_to_one(axis), a.hull, b.hull); };
+    const auto apart = [&](const Vertex& axis) {
+      return span.apart_along(kernel::scaled_to_one(axis), a.hull, b.hull);
+    };
     if (apart(span.between(maps, a.hull.centre, b.hull.centre))) return true;
     std::array<std::array<Vertex, 3>, 2> edge;
     for (int k = 0; k < 3; ++k) {
@@ -380,115 +329,17 @@ class Bvh8_motion {
   {
     const kernel::Motion_span& span = spans_[near.span].maps;
     for (unsigned left = near.lanes; left != 0; left &= left - 1)
-      all_elements(near, std::countr_zero(left), [&](const Element& of_a, const Element& of_b) {
-        for_triangles(0, of_a,
-                      [&](const Triangle& a) { for_triangles(1, of_b, [&](const Triangle& b) { meet(span, a, b); }); });
+      all_elements(near, std::countr_zero(left), [&](const Element& a, const Element& b) {
+        features_.meet(span, a, b);
         return true;
       });
   }
 
-  /// An element as triangles: one, or, of corners on one line, its edges.
-  template <class What>
-  void for_triangles(int body, const Element& element, const What& what) const
-  {
-    const auto call = [&](Index p, Index q, Index r) {
-      what(Triangle{{p, q, r}, local_corners(body, {p, q, r}), element.face});
-    };
-    if (!element.is_whole_face()) return call(element.corner[0], element.corner[1], element.corner[2]);
-    const auto from = tree_[body]->model().covering().from(element.face),
-               to = tree_[body]->model().covering().to(element.face);
-    for (std::size_t k = 0; k < from.size(); ++k) call(from[k], to[k], to[k]);
-  }
-
-  /// Tries all vertices and edges of two triangles.
-  void meet(const kernel::Motion_span& span, const Triangle& a, const Triangle& b)
-  {
-    ++counts_.triangle_tests;
-    const std::array<const Triangle*, 2> both = {&a, &b};
-    const auto& maps = span.at_middle();
-    std::array<std::array<Vertex, 3>, 2> edge;
-    for (int body = 0; body < 2; ++body)
-      for (int k = 0; k < 3; ++k)
-        edge[body][k] =
-            span.direction(maps, body, kernel::difference(both[body]->local[(k + 1) % 3], both[body]->local[k]));
-    const std::array<Vertex, 2> normal = {kernel::cross(edge[0][0], edge[0][1]), kernel::cross(edge[1][0], edge[1][1])};
-
-    const auto apart = [&](const Vertex& axis, std::span<const Vertex> of_a, std::span<const Vertex> of_b) {
-      return span.apart_along(scaled_to_one(axis), kernel::Moving_hull{of_a}, kernel::Moving_hull{of_b});
-    };
-    for (int body = 0; body < 2; ++body) {
-      if (apart(normal[body], a.local, b.local)) return;
-      for (const Vertex& e : edge[body])
-        if (apart(kernel::cross(normal[body], e), a.local, b.local)) return;
-    }
-    for (int body = 0; body < 2; ++body)
-      for (int k = 0; k < 3; ++k) {
-        const std::span<const Vertex> vertex(&both[body]->local[k], 1), face(both[1 - body]->local);
-        const auto parts = [&](const Vertex& axis) {
-          return body == 0 ? apart(axis, vertex, face) : apart(axis, face, vertex);
-        };
-        const auto& sides = edge[1 - body];
-        const Vertex& n = normal[1 - body];
-        if (parts(n) || parts(kernel::cross(n, sides[0])) || parts(kernel::cross(n, sides[1])) ||
-            parts(kernel::cross(n, sides[2])))
-          continue;
-        const auto& corner = both[1 - body]->corner;
-        decide(span, {kernel::Moving_kind::vertex_face,
-                      body,
-                      {a.face, b.face},
-                      {both[body]->corner[k], corner[0], corner[1], corner[2]}});
-      }
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) {
-        const std::array<Vertex, 2> of_a = {a.local[i], a.local[(i + 1) % 3]},
-                                    of_b = {b.local[j], b.local[(j + 1) % 3]};
-        const Vertex n = kernel::cross(edge[0][i], edge[1][j]);
-        const auto parts = [&](const Vertex& axis) { return apart(axis, of_a, of_b); };
-        if (parts(n) || parts(kernel::cross(n, edge[0][i])) || parts(kernel::cross(n, edge[1][j]))) continue;
-        decide(span, {kernel::Moving_kind::edge_edge,
-                      0,
-                      {a.face, b.face},
-                      {a.corner[i], a.corner[(i + 1) % 3], b.corner[j], b.corner[(j + 1) % 3]}});
-      }
-  }
-
-  /// Finds the first contact of two features in the span, exactly.
-  void decide(const kernel::Motion_span& span, const Moving_features& features)
-  {
-    Decided now{features.kind, features.body, features.corner, span.m(), span.k()};
-    if (features.kind == kernel::Moving_kind::edge_edge)
-      for (const int k : {0, 2})
-        if (now.corner[k] > now.corner[k + 1]) std::swap(now.corner[k], now.corner[k + 1]);
-    if (!decided_.insert(now).second) return;
-    ++counts_.exact_fallbacks;
-    const bool is_vertex = features.kind == kernel::Moving_kind::vertex_face;
-    const auto body = [&](int k) {
-      if (is_vertex) return k == 0 ? features.body : 1 - features.body;
-      return k < 2 ? 0 : 1;
-    };
-    const auto vertex = [&](int k) -> const Vertex& { return tree_[body(k)]->model().vertices()[features.corner[k]]; };
-    int least = 0;
-    for (int k = 0; k < 4; ++k) least = kernel::Pair_motion::exponent_of(vertex(k), least);
-    std::array<kernel::Form_vector, 4> points;
-    for (int k = 0; k < 4; ++k) points[k] = motion().image(body(k), vertex(k), least);
-    std::optional<kernel::Time_root> time =
-        kernel::Exact_motion(features.kind, std::move(points), motion().square())
-            .first_contact({kernel::Integer(static_cast<unsigned long>(span.m())), span.k()});
-    if (!time || (best_ && !time->is_before(best_->time))) return;
-    best_before_ = kernel::bounds_about(*time).hi;
-    best_ = First_meeting{std::move(*time), features};
-  }
-
   std::array<const Bvh8*, 2> tree_;
+  Moving_feature_search features_;
   Query_statistics counts_;
-
-  std::array<const kernel::Body_motion*, 2> moving_{};
-  std::optional<kernel::Pair_motion> motion_;  // made when needed
   std::vector<Span> spans_;
   std::vector<Near> queue_;
-  std::set<Decided> decided_;
-  std::optional<First_meeting> best_;
-  double best_before_ = 0;  // not before the best
 };
 
 }  // namespace tetracone::tetratree

@@ -132,8 +132,8 @@ class Bvh8_subtrees {
       Bvh8_node* const at = nodes_.data() + placed.first;
       for (Index n = 0; n < placed.nodes.size(); ++n) {
         at[n] = placed.nodes.data()[n];
-        for (std::size_t k = 0; k < std::size_t(at[n].boxes.lane_count); ++k)
-          if (at[n].child[k] >= 0) at[n].child[k] += std::int32_t(placed.first);
+        for (std::size_t lane = 0; lane < std::size_t(at[n].boxes.lane_count); ++lane)
+          if (at[n].child[lane] >= 0) at[n].child[lane] += std::int32_t(placed.first);
       }
       nodes_.data()[placed.lane.node].publish(placed.lane.lane, placed.first);
     }

@@ -44,7 +44,7 @@ class Corner_set {
     places_.assign(std::size_t(1) << bits, {covering::none, 0});
     points_.clear();
     for (std::uint32_t& v : vertices_) {
-      auto place = (v * 0x9e3779b1u) >> (32 - bits);
+      std::size_t place = (v * 0x9e3779b1u) >> (32 - bits);
       while (places_[place].vertex != covering::none && places_[place].vertex != v)
         place = (place + 1) & (places_.size() - 1);
       if (places_[place].vertex == covering::none) {

@@ -1,0 +1,209 @@
+#ifndef TETRACONE_TETRATREE_FAST_MOVING_FEATURES_H
+#define TETRACONE_TETRATREE_FAST_MOVING_FEATURES_H
+
+#include "tetracone/kernel/motion/body_motion.h"
+#include "tetracone/kernel/motion/first_contact.h"
+#include "tetracone/kernel/motion/motion_exact.h"
+#include "tetracone/kernel/motion/motion_span.h"
+#include "tetracone/kernel/number/products.h"
+#include "tetracone/tetratree/fast/bvh8.h"
+#include "tetracone/tetratree/query_statistics.h"
+
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <set>
+#include <span>
+#include <utility>
+
+namespace tetracone::tetratree {
+
+/// Where moving bodies first meet: a vertex and a triangle of a face, or two edges.
+struct Moving_features {
+  kernel::Moving_kind kind;
+  int body;                     ///< vertex_face: of the vertex
+  std::array<Index, 2> face;    ///< of A and of B, one that the feature belongs to
+  std::array<Index, 4> corner;  ///< vertex_face: the vertex, the triangle; edge_edge: A's edge, B's edge
+};
+
+/// The first contact of two bodies in motion.
+struct First_meeting {
+  kernel::Time_root time;
+  Moving_features features;
+};
+
+/// The corners of an element, in local points.
+inline std::array<kernel::Vertex, 3> local_corners(const Bvh8& tree, const std::array<Index, 3>& corner)
+{
+  std::array<kernel::Vertex, 3> corners;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const kernel::Vector at = tree.local(corner[k]);
+    corners[k] = {at[0], at[1], at[2]};
+  }
+  return corners;
+}
+
+/// The first contact of vertices and faces, and of edges, of the triangles that it is given: what the bounds of a span do
+/// not part is decided in integers, over the span alone.
+class Moving_feature_search {
+ public:
+  /// Both trees must outlive it.
+  Moving_feature_search(const Bvh8& a, const Bvh8& b) : tree_{&a, &b} {}
+
+  /// Begins anew. Both motions must stay until the first contact is taken.
+  void begin(const kernel::Body_motion& a, const kernel::Body_motion& b)
+  {
+    moving_ = {&a, &b};
+    motion_.reset();
+    decided_.clear();
+    best_.reset();
+    best_before_ = std::numeric_limits<double>::infinity();
+  }
+
+  /// Both motions, exactly; made when first asked for.
+  const kernel::Pair_motion& motion()
+  {
+    if (!motion_) motion_.emplace(*moving_[0], *moving_[1]);
+    return *motion_;
+  }
+
+  /// Not before the first contact so far; infinity where there is none.
+  double before() const { return best_before_; }
+  std::optional<First_meeting> take_first() { return std::exchange(best_, std::nullopt); }
+
+  /// Looks for contacts of two elements in the span.
+  void meet(const kernel::Motion_span& span, const Element& of_a, const Element& of_b)
+  {
+    for_triangles(0, of_a,
+                  [&](const Triangle& a) { for_triangles(1, of_b, [&](const Triangle& b) { meet(span, a, b); }); });
+  }
+
+  const Query_statistics& counts() const { return counts_; }
+  void clear_counts() { counts_ = {}; }
+
+ private:
+  using Vertex = kernel::Vertex;
+
+  /// A pair of features that has been decided over a span: triangles share corners and edges.
+  struct Decided {
+    kernel::Moving_kind kind;
+    int body;
+    std::array<Index, 4> corner;
+    std::uint64_t m;
+    unsigned k;
+
+    auto operator<=>(const Decided&) const = default;
+  };
+  struct Triangle {
+    std::array<Index, 3> corner;
+    std::array<Vertex, 3> local;
+    Index face;
+  };
+
+  /// An element as triangles: one, or, of corners on one line, its edges.
+  template <class What>
+  void for_triangles(int body, const Element& element, const What& what) const
+  {
+    const auto call = [&](Index p, Index q, Index r) {
+      what(Triangle{{p, q, r}, local_corners(*tree_[body], {p, q, r}), element.face});
+    };
+    if (!element.is_whole_face()) return call(element.corner[0], element.corner[1], element.corner[2]);
+    const auto from = tree_[body]->model().covering().from(element.face),
+               to = tree_[body]->model().covering().to(element.face);
+    for (std::size_t k = 0; k < from.size(); ++k) call(from[k], to[k], to[k]);
+  }
+
+  /// Tries all vertices and edges of two triangles.
+  void meet(const kernel::Motion_span& span, const Triangle& a, const Triangle& b)
+  {
+    ++counts_.triangle_tests;
+    const std::array<const Triangle*, 2> both = {&a, &b};
+    const auto& maps = span.at_middle();
+    std::array<std::array<Vertex, 3>, 2> edge;
+    for (int body = 0; body < 2; ++body)
+      for (int k = 0; k < 3; ++k)
+        edge[body][k] =
+            span.direction(maps, body, kernel::difference(both[body]->local[(k + 1) % 3], both[body]->local[k]));
+    const std::array<Vertex, 2> normal = {kernel::cross(edge[0][0], edge[0][1]), kernel::cross(edge[1][0], edge[1][1])};
+
+    const auto apart = [&](const Vertex& axis, std::span<const Vertex> of_a, std::span<const Vertex> of_b) {
+      return span.apart_along(kernel::scaled_to_one(axis), kernel::Moving_hull{of_a}, kernel::Moving_hull{of_b});
+    };
+    for (int body = 0; body < 2; ++body) {
+      if (apart(normal[body], a.local, b.local)) return;
+      for (const Vertex& e : edge[body])
+        if (apart(kernel::cross(normal[body], e), a.local, b.local)) return;
+    }
+    for (int body = 0; body < 2; ++body)
+      for (int k = 0; k < 3; ++k) {
+        const std::span<const Vertex> vertex(&both[body]->local[k], 1), face(both[1 - body]->local);
+        const auto parts = [&](const Vertex& axis) {
+          return body == 0 ? apart(axis, vertex, face) : apart(axis, face, vertex);
+        };
+        const auto& sides = edge[1 - body];
+        const Vertex& n = normal[1 - body];
+        if (parts(n) || parts(kernel::cross(n, sides[0])) || parts(kernel::cross(n, sides[1])) ||
+            parts(kernel::cross(n, sides[2])))
+          continue;
+        const auto& corner = both[1 - body]->corner;
+        decide(span, {kernel::Moving_kind::vertex_face,
+                      body,
+                      {a.face, b.face},
+                      {both[body]->corner[k], corner[0], corner[1], corner[2]}});
+      }
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        const std::array<Vertex, 2> of_a = {a.local[i], a.local[(i + 1) % 3]},
+                                    of_b = {b.local[j], b.local[(j + 1) % 3]};
+        const Vertex n = kernel::cross(edge[0][i], edge[1][j]);
+        const auto parts = [&](const Vertex& axis) { return apart(axis, of_a, of_b); };
+        if (parts(n) || parts(kernel::cross(n, edge[0][i])) || parts(kernel::cross(n, edge[1][j]))) continue;
+        decide(span, {kernel::Moving_kind::edge_edge,
+                      0,
+                      {a.face, b.face},
+                      {a.corner[i], a.corner[(i + 1) % 3], b.corner[j], b.corner[(j + 1) % 3]}});
+      }
+  }
+
+  /// Finds the first contact of two features in the span, exactly.
+  void decide(const kernel::Motion_span& span, const Moving_features& features)
+  {
+    Decided now{features.kind, features.body, features.corner, span.m(), span.k()};
+    if (features.kind == kernel::Moving_kind::edge_edge)
+      for (const int k : {0, 2})
+        if (now.corner[k] > now.corner[k + 1]) std::swap(now.corner[k], now.corner[k + 1]);
+    if (!decided_.insert(now).second) return;
+    ++counts_.exact_fallbacks;
+    const bool is_vertex = features.kind == kernel::Moving_kind::vertex_face;
+    const auto body = [&](int k) {
+      if (is_vertex) return k == 0 ? features.body : 1 - features.body;
+      return k < 2 ? 0 : 1;
+    };
+    const auto vertex = [&](int k) -> const Vertex& { return tree_[body(k)]->model().vertices()[features.corner[k]]; };
+    int least = 0;
+    for (int k = 0; k < 4; ++k) least = kernel::Pair_motion::exponent_of(vertex(k), least);
+    std::array<kernel::Form_vector, 4> points;
+    for (int k = 0; k < 4; ++k) points[k] = motion().image(body(k), vertex(k), least);
+    std::optional<kernel::Time_root> time =
+        kernel::Exact_motion(features.kind, std::move(points), motion().square())
+            .first_contact({kernel::Integer(static_cast<unsigned long>(span.m())), span.k()});
+    if (!time || (best_ && !time->is_before(best_->time))) return;
+    best_before_ = kernel::bounds_about(*time).hi;
+    best_ = First_meeting{std::move(*time), features};
+  }
+
+  std::array<const Bvh8*, 2> tree_;
+  Query_statistics counts_;
+  std::array<const kernel::Body_motion*, 2> moving_{};
+  std::optional<kernel::Pair_motion> motion_;
+  std::set<Decided> decided_;
+  std::optional<First_meeting> best_;
+  double best_before_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace tetracone::tetratree
+
+#endif
