@@ -31,7 +31,7 @@ struct Spread {
   template <class Point>
   Spread(std::size_t count, const Point& point)
   {
-    const Vector about = point(0);
+    const Vector& about = point(0);
     double x = 0, y = 0, z = 0, xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
     for (std::size_t k = 1; k < count; ++k) {
       const Vector p = point(k) - about;

@@ -192,6 +192,7 @@ class Bvh8_builder {
     std::iota(order.begin(), order.end(), first);
     const auto begins = order_by_cones(order, [this](Index e) { return centroid(e); });
     std::vector<std::pair<Element, Centroid>> ordered;
+    ordered.reserve(order.size());
     for (const Index e : order) ordered.push_back({elements_[e], (*centroids_)[e]});
     for (Index k = 0; k < ordered.size(); ++k)
       std::tie(elements_.order()[first + k], (*centroids_)[first + k]) = ordered[k];
