@@ -30,6 +30,14 @@ struct alignas(32) Obb8 {
 };
 inline constexpr double axis_defect = 0x1p-21;
 
+/// Of box `lane`, in the body's local units.
+inline std::array<double, 3> centre_of(const Obb8& boxes, int lane)
+{
+  std::array<double, 3> centre;
+  for (int k = 0; k < 3; ++k) centre[k] = double(boxes.origin[k]) + double(boxes.centre[k][lane]);
+  return centre;
+}
+
 /// A point's coordinates s along axes of that defect d are a_i . y but for 3 d (1 + 4 d) max_k |a_k . y|; the fourth
 /// takes what is rounded in double. And |a_i|_1 is below 2: what an error of each coordinate moves a point along an
 /// axis.
@@ -157,9 +165,7 @@ class Box_map {
 
   void place_centre(Single_box& box, double sum, const Obb8& boxes, const Obb8& from, int lane) const
   {
-    const auto centre = frame_(std::array{double(from.origin[0]) + double(from.centre[0][lane]),
-                                          double(from.origin[1]) + double(from.centre[1][lane]),
-                                          double(from.origin[2]) + double(from.centre[2][lane])});
+    const auto centre = frame_(centre_of(from, lane));
     for (int i = 0; i < 3; ++i) {
       const double t = centre[i] - double(boxes.origin[i]);
       box.centre[i] = float(t);

@@ -4,6 +4,7 @@
 #include "tetracone/covering/inclusion.h"
 #include "tetracone/kernel/bound/obb8_overlap.h"
 #include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/number/products.h"
 #include "tetracone/tetratree/fast/placed_bvh8.h"
 #include "tetracone/tetratree/query_statistics.h"
 
@@ -60,12 +61,8 @@ class Bvh8_containment {
   /// `error` in a coordinate, and |a_i|_1 < 2.
   static bool is_outside(const kernel::Obb8& root, const Row& at, double error)
   {
-    double size = 0;
-    Row from_centre;
-    for (int k = 0; k < 3; ++k) {
-      from_centre[k] = at[k] - (double(root.origin[k]) + double(root.centre[k][0]));
-      size += std::abs(from_centre[k]);
-    }
+    const Row from_centre = kernel::difference(at, kernel::centre_of(root, 0));
+    const double size = std::abs(from_centre[0]) + std::abs(from_centre[1]) + std::abs(from_centre[2]);
     for (int i = 0; i < 3; ++i) {
       const double along = from_centre[0] * root.axis[i][0][0] + from_centre[1] * root.axis[i][1][0] +
                            from_centre[2] * root.axis[i][2][0];

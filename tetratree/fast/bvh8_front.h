@@ -155,10 +155,9 @@ class Bvh8_front {
   /// Keeps the box of all of B.
   void hold_all(const kernel::Obb8& root)
   {
-    for (int k = 0; k < 3; ++k) {
-      box_.centre[k] = double(root.origin[k]) + double(root.centre[k][0]);
+    box_.centre = kernel::centre_of(root, 0);
+    for (int k = 0; k < 3; ++k)
       for (int j = 0; j < 3; ++j) box_.half_edge[j][k] = double(root.extent[j][0]) * double(root.axis[j][k][0]);
-    }
     reach_ = box_.reach();
   }
 

@@ -115,14 +115,12 @@ class Bvh8_motion {
   {
     const kernel::Obb8& boxes = node_of(body, box).boxes;
     const int lane = int(box % 8);
-    Part part;
-    for (int i = 0; i < 3; ++i) {
-      part.hull.centre[i] = double(boxes.origin[i]) + double(boxes.centre[i][lane]);
+    Part part{{kernel::centre_of(boxes, lane), {}}, {}};
+    for (int i = 0; i < 3; ++i)
       for (int k = 0; k < 3; ++k) {
         part.axis[i][k] = boxes.axis[i][k][lane];
         part.hull.half_edge[i][k] = part.axis[i][k] * double(boxes.extent[i][lane]);
       }
-    }
     return part;
   }
 

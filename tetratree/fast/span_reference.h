@@ -77,7 +77,7 @@ class Span_reference {
   {
     kernel::Certified_gaps gaps;
     kernel::certified_gaps(boxes, into_[1 - body], from, lane, apex, gaps);
-    const Vertex node = {boxes.origin[0], boxes.origin[1], boxes.origin[2]}, centre = centre_of(from, lane);
+    const Vertex node = {boxes.origin[0], boxes.origin[1], boxes.origin[2]}, centre = kernel::centre_of(from, lane);
     const double loss = turn_[1 - body] * radius_of(from, lane) + slack_;
     // Of the box, away from the node at its origin: in common coordinates, and along the body's own axes.
     std::array<Vertex, kernel::Motion_span::most_coefficients> moved;
@@ -211,13 +211,6 @@ class Span_reference {
     const double sense = body == 0 ? 1 : -1;
     return {sense * step.offset[0] + (to[0] - from[0]), sense * step.offset[1] + (to[1] - from[1]),
             sense * step.offset[2] + (to[2] - from[2])};
-  }
-
-  static Vertex centre_of(const kernel::Obb8& boxes, int lane)
-  {
-    Vertex centre;
-    for (int k = 0; k < 3; ++k) centre[k] = double(boxes.origin[k]) + double(boxes.centre[k][lane]);
-    return centre;
   }
 
   /// At least the distance of a lane's points from its centre: its axes are not quite of length 1.

@@ -99,3 +99,26 @@ function makeCamera(canvas, changed)
     },
   };
 }
+
+function makeRenderer(canvas)
+{
+  try {
+    return new THREE.WebGLRenderer({canvas, antialias: true});
+  } catch (error) {
+    throw new Error('this browser shows no WebGL here: ' + error.message);
+  }
+}
+
+// What calls draw before the next picture, once, however often it is called until then.
+let waiting = false;
+function onceAPicture(draw)
+{
+  return () => {
+    if (waiting) return;
+    waiting = true;
+    requestAnimationFrame(() => {
+      waiting = false;
+      draw();
+    });
+  };
+}

@@ -12,13 +12,7 @@ const state = {...start, show: new Set(start.show)};
 const isWrong = k => data.exact !== undefined && data.exact[k] !== data.answer[k];
 const wrongPoses = Array.from({length: poseCount}, (_, k) => k).filter(isWrong);
 
-const renderer = (() => {
-  try {
-    return new THREE.WebGLRenderer({canvas, antialias: true});
-  } catch (error) {
-    throw new Error('this browser shows no WebGL here: ' + error.message);
-  }
-})();
+const renderer = makeRenderer(canvas);
 const scene = new THREE.Scene(), marks = new THREE.Group(), lamp = new THREE.DirectionalLight('#ffffff', 0.65);
 let fitted = true;  // nobody has moved the camera since it was fitted
 const camera = makeCamera(canvas, () => { fitted = false; changed(); });
@@ -136,21 +130,14 @@ function resize()
   if (fitted) fit();
 }
 
-let waiting = false;
-function changed()
-{
-  if (waiting) return;
-  waiting = true;
-  requestAnimationFrame(() => {
-    waiting = false;
-    update();
-    camera.aim();
-    renderer.render(scene, camera.lens);
-    tell();
-    clearTimeout(writing);
-    writing = setTimeout(writeFragment, 150);
-  });
-}
+const changed = onceAPicture(() => {
+  update();
+  camera.aim();
+  renderer.render(scene, camera.lens);
+  tell();
+  clearTimeout(writing);
+  writing = setTimeout(writeFragment, 150);
+});
 
 // ---------------------------------------------------------------------------------------------------------------------
 // In words, and for the tests.

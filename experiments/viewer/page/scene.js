@@ -6,13 +6,7 @@ const data = JSON.parse(element('data').textContent);
 const canvas = element('picture'), frameCount = data.frames.length;
 const state = {frame: 0, theme: '', drawn: 0};
 
-const renderer = (() => {
-  try {
-    return new THREE.WebGLRenderer({canvas, antialias: true});
-  } catch (error) {
-    throw new Error('this browser shows no WebGL here: ' + error.message);
-  }
-})();
+const renderer = makeRenderer(canvas);
 const scene = new THREE.Scene(), lamp = new THREE.DirectionalLight('#ffffff', 0.65);
 let fitted = true;  // nobody has moved the camera since it was fitted
 const camera = makeCamera(canvas, () => { fitted = false; changed(); });
@@ -121,16 +115,7 @@ function draw()
   ++state.drawn;
   tell();
 }
-let waiting = false;
-function changed()
-{
-  if (waiting) return;
-  waiting = true;
-  requestAnimationFrame(() => {
-    waiting = false;
-    draw();
-  });
-}
+const changed = onceAPicture(draw);
 function setFrame(k)
 {
   state.frame = ((k % frameCount) + frameCount) % frameCount;

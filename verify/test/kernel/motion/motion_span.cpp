@@ -37,6 +37,15 @@ Body_motion any_motion(Random& random, bool is_rigid)
   return Body_motion::rigid(from, pose()).value();
 }
 
+/// As a query has it: of doubles where all points move on lines.
+Motion_span span_of(const Body_motion& a, const Motion_units& in_a, const Body_motion& b, const Motion_units& in_b)
+{
+  if (!a.ends() || !b.ends()) return Motion_span(Pair_motion(a, b), in_a, in_b);
+  const auto span = Motion_span::of_lines(*a.ends(), in_a, *b.ends(), in_b);
+  BOOST_TEST(span.has_value());
+  return *span;
+}
+
 /// axis . (M x + t), exactly.
 Rational along(const Vertex& axis, const Pose& pose, const std::array<Rational, 3>& x)
 {
@@ -81,11 +90,12 @@ Moving_box any_box(Random& random, double size)
 BOOST_AUTO_TEST_CASE(what_is_apart_in_a_span_is_apart_at_its_times)
 {
   Random random(1);
-  int found = 0, of_halves = 0;
+  int found = 0, of_halves = 0, of_lines = 0;
   for (int k = 0; k < 300; ++k) {
     const Body_motion a = any_motion(random, k % 3 != 0), b = any_motion(random, k % 2 != 0);
     const Motion_units in_a{any_vertex(random), 0.5}, in_b{any_vertex(random), 2};
-    Motion_span span(Pair_motion(a, b), in_a, in_b);
+    Motion_span span = span_of(a, in_a, b, in_b);
+    of_lines += a.ends() && b.ends();
     for (int halves = k % 6; halves > 0; --halves) span = span.half(random.bits() % 2 == 1);
     const Moving_box box_a = any_box(random, 0.25), box_b = any_box(random, 0.25);
     const Vertex axis = any_vertex(random);
@@ -110,6 +120,7 @@ BOOST_AUTO_TEST_CASE(what_is_apart_in_a_span_is_apart_at_its_times)
   }
   BOOST_TEST(found > 60);
   BOOST_TEST(of_halves > 40);
+  BOOST_TEST(of_lines >= 50);
 }
 
 BOOST_AUTO_TEST_CASE(what_coincides_is_never_apart)
@@ -124,7 +135,8 @@ BOOST_AUTO_TEST_CASE(what_coincides_is_never_apart)
       p[i] = std::round(random.symmetric() * 0x1p30) * 0x1p-30;
       q[i] = (p[i] - in_b.origin[i]) / 2;
     }
-    Motion_span span(Pair_motion(motion, motion), in_a, in_b);
+    Motion_span span =
+        k % 4 == 1 ? Motion_span(Pair_motion(motion, motion), in_a, in_b) : span_of(motion, in_a, motion, in_b);
     for (int halves = k % 4; halves > 0; --halves) span = span.half(random.bits() % 2 == 1);
     const std::array<Vertex, 1> of_a = {p}, of_b = {q};
     BOOST_TEST(!span.apart_along(any_vertex(random), Moving_hull{of_a}, Moving_hull{of_b}));
