@@ -11,9 +11,9 @@ namespace tetracone::experiments {
 namespace {
 
 /// A mesh with what Bullet only points to.
-class Body {
+class Bullet_body {
  public:
-  explicit Body(const Peer_mesh& mesh)
+  explicit Bullet_body(const Peer_mesh& mesh)
   {
     for (const auto& v : mesh.vertices)
       for (const double x : v) coordinates_.push_back(static_cast<btScalar>(x));
@@ -93,7 +93,7 @@ class Bullet_pair : public Prepared_pair {
 
  private:
   Asking ask_;
-  Body a_, b_;
+  Bullet_body a_, b_;
 };
 
 /// The broad phase of the library, and the question of `Bullet_pair` for what it lets through.
@@ -102,7 +102,7 @@ class Bullet_scene : public Scene_peer {
   Bullet_scene(const std::vector<Peer_mesh>& meshes, const std::vector<std::size_t>& of)
   {
     for (std::size_t k = 0; k < of.size(); ++k) {
-      bodies_.push_back(std::make_unique<Body>(meshes[of[k]]));
+      bodies_.push_back(std::make_unique<Bullet_body>(meshes[of[k]]));
       bodies_.back()->object().setUserIndex(int(k));
     }
   }
@@ -141,7 +141,7 @@ class Bullet_scene : public Scene_peer {
  private:
   Asking ask_;
   btDbvtBroadphase broad_;
-  std::vector<std::unique_ptr<Body>> bodies_;
+  std::vector<std::unique_ptr<Bullet_body>> bodies_;
   std::vector<btBroadphaseProxy*> proxies_;
 };
 

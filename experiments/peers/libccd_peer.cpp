@@ -27,12 +27,12 @@ bool is_convex(const Peer_mesh& mesh)
   return inner != kernel::ZERO;
 }
 
-struct Body {
+struct Ccd_body {
   const std::vector<kernel::Vertex> vertices;
   kernel::Vertex middle{0, 0, 0};
   const kernel::Pose* pose = nullptr;
 
-  explicit Body(const Peer_mesh& mesh) : vertices(mesh.vertices)
+  explicit Ccd_body(const Peer_mesh& mesh) : vertices(mesh.vertices)
   {
     for (const auto& v : vertices)
       for (int k = 0; k < 3; ++k) middle[k] += v[k] / static_cast<double>(vertices.size());
@@ -47,7 +47,7 @@ struct Body {
 
 void support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* farthest)
 {
-  const Body& body = *static_cast<const Body*>(object);
+  const Ccd_body& body = *static_cast<const Ccd_body*>(object);
   const auto& m = body.pose->entries();
   kernel::Vertex turned;  // the direction in the body's frame
   for (int k = 0; k < 3; ++k)
@@ -63,7 +63,7 @@ void support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* farthe
 
 void center(const void* object, ccd_vec3_t* out)
 {
-  const Body& body = *static_cast<const Body*>(object);
+  const Ccd_body& body = *static_cast<const Ccd_body*>(object);
   body.image(body.middle, out);
 }
 
@@ -87,7 +87,7 @@ class Libccd_pair : public Prepared_pair {
   }
 
  private:
-  Body a_, b_;
+  Ccd_body a_, b_;
   Intersect intersect_;
   ccd_t ccd_;
 };

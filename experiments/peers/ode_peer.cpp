@@ -9,9 +9,9 @@ namespace tetracone::experiments {
 namespace {
 
 /// A mesh with what ODE only points to.
-class Body {
+class Ode_body {
  public:
-  explicit Body(const Peer_mesh& mesh, dSpaceID space = nullptr) : vertices_(mesh.vertices)
+  explicit Ode_body(const Peer_mesh& mesh, dSpaceID space = nullptr) : vertices_(mesh.vertices)
   {
     for (const auto& triangle : mesh.triangles)
       for (const covering::Index corner : triangle) corners_.push_back(static_cast<dTriIndex>(corner));
@@ -20,9 +20,9 @@ class Body {
                                 corners_.data(), static_cast<int>(corners_.size()), 3 * sizeof(dTriIndex));
     geometry_ = dCreateTriMesh(space, data_, nullptr, nullptr, nullptr);
   }
-  Body(const Body&) = delete;
-  Body& operator=(const Body&) = delete;
-  ~Body()
+  Ode_body(const Ode_body&) = delete;
+  Ode_body& operator=(const Ode_body&) = delete;
+  ~Ode_body()
   {
     dGeomDestroy(geometry_);
     dGeomTriMeshDataDestroy(data_);
@@ -56,7 +56,7 @@ class Ode_pair : public Prepared_pair {
   }
 
  private:
-  Body a_, b_;
+  Ode_body a_, b_;
 };
 
 /// Its meshes are of each body: ODE has no trimesh for several.
@@ -67,7 +67,7 @@ class Ode_scene : public Scene_peer {
   {
     dSpaceSetCleanup(space_, 0);
     for (std::size_t k = 0; k < of.size(); ++k) {
-      bodies_.push_back(std::make_unique<Body>(meshes[of[k]], space_));
+      bodies_.push_back(std::make_unique<Ode_body>(meshes[of[k]], space_));
       dGeomSetData(bodies_.back()->placed(kernel::Pose()), reinterpret_cast<void*>(k));
     }
   }
@@ -98,7 +98,7 @@ class Ode_scene : public Scene_peer {
   }
 
   dSpaceID space_;
-  std::vector<std::unique_ptr<Body>> bodies_;
+  std::vector<std::unique_ptr<Ode_body>> bodies_;
   std::vector<Pair> found_;
 };
 

@@ -300,8 +300,8 @@ py::tuple tuple_of(const auto& names)
   return list;
 }
 
-std::shared_ptr<Locked_query> made(const Shared_body& a, const Shared_body& b, const py::str& of_question,
-                                   const py::str& of_kernel, const py::str& of_method, bool remember)
+std::shared_ptr<Locked_query> made_query(const Shared_body& a, const Shared_body& b, const py::str& of_question,
+                                         const py::str& of_kernel, const py::str& of_method, bool remember)
 {
   const std::string question = text_of(of_question), kernel = text_of(of_kernel), method = text_of(of_method);
   const auto asked = kernel::parse_question(question);
@@ -355,8 +355,8 @@ Raises Error when an open surface is asked for its solid, and for a pose that is
 >>> query.collide(poses)
 array([ True,  True, False])
 )")
-      .def(py::init(&made), py::arg("a"), py::arg("b"), py::arg("question") = "solid", py::arg("kernel") = "adaptive",
-           py::arg("method") = "tree", py::arg("remember") = false)
+      .def(py::init(&made_query), py::arg("a"), py::arg("b"), py::arg("question") = "solid",
+           py::arg("kernel") = "adaptive", py::arg("method") = "tree", py::arg("remember") = false)
       .def("collide", &collide, poses_b, poses_a, R"(collide(poses_b, poses_a=None)
 
 Whether the bodies collide: array (n,) of bool; of one pose of each, a bool.

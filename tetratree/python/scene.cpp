@@ -77,8 +77,8 @@ class Locked_scene {
   std::mutex lock_;  // never waited for with the interpreter's lock
 };
 
-std::shared_ptr<Locked_scene> made(const Bodies& bodies, const py::str& of_question, const py::str& of_kernel,
-                                   std::size_t threads, double budget)
+std::shared_ptr<Locked_scene> made_scene(const Bodies& bodies, const py::str& of_question, const py::str& of_kernel,
+                                         std::size_t threads, double budget)
 {
   const std::string question = text_of(of_question), kernel = text_of(of_kernel);
   const auto asked = kernel::parse_question(question);
@@ -157,7 +157,7 @@ py::tuple undecided(Locked_scene& self)
   return py::make_tuple(pairs_of(left, [](const Undecided_pair& each) { return each.pair; }), farthest);
 }
 
-py::dict statistics(Locked_scene& self)
+py::dict scene_statistics(Locked_scene& self)
 {
   const Frame_statistics done = self.alone([](Scene& scene) { return scene.statistics(); });
   py::dict counts;
@@ -197,7 +197,7 @@ budget: seconds for a frame; what is not decided then is `undecided`. 0: no limi
 >>> scene.frame(poses).tolist()
 [[0, 1], [1, 2]]
 )")
-      .def(py::init(&made), py::arg("bodies") = py::tuple(), py::arg("question") = "solid",
+      .def(py::init(&made_scene), py::arg("bodies") = py::tuple(), py::arg("question") = "solid",
            py::arg("kernel") = "adaptive", py::arg("threads") = 1, py::arg("budget") = 0.0)
       .def("__len__", &Locked_scene::count)
       .def("add", &Locked_scene::add, py::arg("body"), "add(body)\n\nOne more body; returns its number.")
@@ -248,7 +248,7 @@ uint32, in order. Raises Error for another number of poses, and for a pose that 
           },
           py::arg("limit"), a, b, "within(limit, a, b)\n\nWhether that is at most `limit`.")
       .def_property_readonly(
-          "statistics", &statistics,
+          "statistics", &scene_statistics,
           "What the last frame has cost: a dict of moved, kept, candidates, queries, nodes_made, bytes.");
 }
 
