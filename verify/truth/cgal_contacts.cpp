@@ -89,7 +89,7 @@ class Parts {
   template <class Result>
   void add_result(const Result& result)
   {
-    if (result) boost::apply_visitor([this](const auto& shape) { take(shape); }, *result);
+    if (result) boost::apply_visitor([this](const auto& shape) { this->take(shape); }, *result);
   }
   void take(const Shape_point& p) { points.push_back(p); }
   void take(const Shape_segment& s) { segments.push_back(s); }
