@@ -15,13 +15,13 @@
 namespace tetracone::experiments {
 namespace {
 
-struct Options {
+struct Ccd_options {
   std::vector<std::string> files;
   std::string kind;
   bool first = false;
 };
 
-kernel::Moving_kind kind_of(const Options& options, const std::string& file)
+kernel::Moving_kind kind_of(const Ccd_options& options, const std::string& file)
 {
   if (!options.kind.empty())
     return options.kind == "vertex-face" ? kernel::Moving_kind::vertex_face : kernel::Moving_kind::edge_edge;
@@ -41,7 +41,7 @@ std::string answer(const kernel::Moving_pair& pair, bool meets, bool first)
   return text + "\n";
 }
 
-void run(const Options& options)
+void run_ccd(const Ccd_options& options)
 {
   std::vector<std::pair<std::string, std::vector<covering::Moving_query>>> files;
   for (const std::string& file : options.files)
@@ -68,7 +68,7 @@ void run(const Options& options)
 void add_ccd_command(CLI::App& app)
 {
   CLI::App* command = app.add_subcommand("ccd", "Whether a moving vertex and face, or two moving edges, meet");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<Ccd_options>();
   command
       ->add_option("QUERIES", options->files,
                    "CSV: eight lines a query, four points at t = 0, then at t = 1; a line has numerator,denominator of "
@@ -81,7 +81,7 @@ void add_ccd_command(CLI::App& app)
   command->footer(
       "One line a query: 1 or 0. Status 1 where a file says otherwise.\n"
       "Example: tetracone ccd unit-tests/edge-edge/data_0_0.csv");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_ccd(*options); });
 }
 
 }  // namespace tetracone::experiments

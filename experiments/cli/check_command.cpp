@@ -24,7 +24,7 @@ using covering::Shell;
 using kernel::Rational;
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct Check_options {
   std::vector<std::string> models;
   bool json = false;
   bool strict = false;
@@ -42,7 +42,7 @@ struct Checked {
   bool closes_if_oriented = false;
 };
 
-Checked look_at(const std::string& file, const Options& options)
+Checked look_at(const std::string& file, const Check_options& options)
 {
   Checked result;
   result.file = file;
@@ -281,7 +281,7 @@ std::string to_text(const Checked& checked)
   return printable(checked.file) + '\n' + rows.text();
 }
 
-void run(const Options& options)
+void run_check(const Check_options& options)
 {
   // Nothing is printed before every model is read.
   std::string text;
@@ -306,7 +306,7 @@ void add_check_command(CLI::App& app)
 {
   CLI::App* command =
       app.add_subcommand("check", "What a model is: closed, planar, its counts, shells and exact volume");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<Check_options>();
   command->add_option("MODEL", options->models, "OFF, OBJ, PLY, STL or TetGen .poly files")->required();
   command->add_flag("--json", options->json, "One array, an object a model; rationals are strings n/d");
   command->add_flag("--strict", options->strict, "Exit 1 also where a face is not exactly planar");
@@ -316,7 +316,7 @@ void add_check_command(CLI::App& app)
   command->footer(
       "Vertices and faces count from 0. Exit status: 0 all closed, 1 some model is no closed polyhedron, 2 bad input.\n"
       "Example: tetracone check --strict cat.off house.poly");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_check(*options); });
 }
 
 }  // namespace tetracone::experiments

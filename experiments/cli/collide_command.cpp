@@ -32,7 +32,7 @@ using kernel::Question;
 using verify::Subject;
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct Collide_options {
   Scene_names names;
   std::string csv, question = "solid", kernel = "adaptive", method = "tree", curves;
   std::vector<std::string> compare;
@@ -50,7 +50,7 @@ struct Scene {
   Question question;
 };
 
-Scene read_scene(const Options& options, Question question)
+Scene read_scene(const Collide_options& options, Question question)
 {
   if (options.names.b.empty())
     throw CLI::ValidationError("collide " + options.names.a,
@@ -181,7 +181,7 @@ std::string features_as_json(const std::vector<std::vector<Feature_pair>>& featu
   return json.dump(1) + "\n";
 }
 
-std::string rows_as_text(const std::vector<Row>& rows, const Options& options)
+std::string rows_as_text(const std::vector<Row>& rows, const Collide_options& options)
 {
   if (options.json) return rows_as_json(rows, options.time, options.relation);
   if (!options.csv.empty()) return rows_as_csv(rows, options.time, options.relation);
@@ -190,7 +190,7 @@ std::string rows_as_text(const std::vector<Row>& rows, const Options& options)
   return text;
 }
 
-std::string features_of(verify::Prepared_pair& pair, const Scene& scene, const Options& options)
+std::string features_of(verify::Prepared_pair& pair, const Scene& scene, const Collide_options& options)
 {
   std::vector<std::vector<Feature_pair>> features;
   Progress progress("poses", scene.poses.count());
@@ -209,7 +209,8 @@ std::string features_of(verify::Prepared_pair& pair, const Scene& scene, const O
 }
 
 /// The curves, too, where they are asked for.
-std::string contacts_of(verify::Prepared_pair& pair, const Scene& scene, const Options& options, std::string& curves)
+std::string contacts_of(verify::Prepared_pair& pair, const Scene& scene, const Collide_options& options,
+                        std::string& curves)
 {
   if (!options.curves.empty() && scene.poses.count() != 1)
     throw CLI::ValidationError("--curves " + options.curves,
@@ -225,7 +226,7 @@ std::string contacts_of(verify::Prepared_pair& pair, const Scene& scene, const O
 }
 
 /// Requires what only some options go with.
-void require_contact_options(const Options& options)
+void require_contact_options(const Collide_options& options)
 {
   const auto require = [](bool given, bool holds, const char* name, const char* expected) {
     if (given && !holds) throw CLI::ValidationError(name, expected);
@@ -247,7 +248,7 @@ void require_contact_options(const Options& options)
 
 /// The answers of several kernels side by side.
 std::string columns_as_text(const std::vector<std::string>& kernels, const std::vector<std::vector<Row>>& columns,
-                            const Options& options)
+                            const Collide_options& options)
 {
   const bool csv = !options.csv.empty();
   Json json = Json::array();
@@ -289,7 +290,7 @@ Row answer_of(const verify::Case_file& c, const std::string& kernel, const std::
 }
 
 /// The kernels in the order of their answers.
-std::vector<std::string> kernels_of(const Options& options)
+std::vector<std::string> kernels_of(const Collide_options& options)
 {
   std::vector<std::string> kernels = {options.kernel};
   for (const std::string& kernel : options.compare) {
@@ -301,7 +302,7 @@ std::vector<std::string> kernels_of(const Options& options)
   return kernels;
 }
 
-void run(const Options& options, bool question_is_given)
+void run_collide(const Collide_options& options, bool question_is_given)
 {
   auto question = kernel::parse_question(options.question);
   const auto method = verify::parse_method(options.method);
@@ -378,7 +379,7 @@ void run(const Options& options, bool question_is_given)
 void add_collide_command(CLI::App& app)
 {
   CLI::App* command = app.add_subcommand("collide", "Whether two models collide: one answer a pose");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<Collide_options>();
   command
       ->add_option("A", options->names.a,
                    "Model: OFF, OBJ, PLY, STL or TetGen .poly; or a case file, *.case.json, that holds all")
@@ -428,7 +429,7 @@ void add_collide_command(CLI::App& app)
       "With --compare double,float a line is `1 1 0`: the answers of adaptive (or of --kernel), double and float; CSV: "
       "pose,adaptive,double,float.\n"
       "Example: tetracone collide cat.off house.poly --pose-b poses.txt --kernel epick --csv answers.csv --time");
-  command->callback([options, question] { run(*options, question->count() > 0); });
+  command->callback([options, question] { run_collide(*options, question->count() > 0); });
 }
 
 }  // namespace tetracone::experiments

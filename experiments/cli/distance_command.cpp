@@ -20,7 +20,7 @@
 namespace tetracone::experiments {
 namespace {
 
-struct Options {
+struct Distance_options {
   Scene_names names;
   std::string csv, within, certificate, question = "surface", kernel = "adaptive";
   bool exact = false, time = false;
@@ -41,7 +41,7 @@ std::string exact_line(const Nearest& nearest)
 /// A line a pose, or a row of the table.
 class Asking {
  public:
-  Asking(const Options& options, Query& query, const Pose_pairs& poses)
+  Asking(const Distance_options& options, Query& query, const Pose_pairs& poses)
       : options_(options), query_(query), poses_(poses)
   {}
 
@@ -85,12 +85,12 @@ class Asking {
     return row + "\n";
   }
 
-  const Options& options_;
+  const Distance_options& options_;
   Query& query_;
   const Pose_pairs& poses_;
 };
 
-void run(const Options& options)
+void run_distance(const Distance_options& options)
 {
   const auto question = kernel::parse_question(options.question);
   if (!question) throw CLI::ValidationError("--question " + options.question, "expected solid or surface");
@@ -131,7 +131,7 @@ void add_distance_command(CLI::App& app)
   CLI::App* command = app.add_subcommand("distance",
                                          "How far apart two models are: the double nearest to the exact "
                                          "distance, a line a pose");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<Distance_options>();
   command->add_option("A", options->names.a, "Model: OFF, OBJ, PLY, STL or TetGen .poly")->required();
   command->add_option("B", options->names.b, "Model")->required();
   command
@@ -155,7 +155,7 @@ void add_distance_command(CLI::App& app)
       "With --exact a line is `SQUARE  X Y Z HOLDER  X Y Z HOLDER`; a holder is `vertex V`, `edge V V`, `face F` or "
       "`interior`, of faces as they are once --strict, --merge and --orient have been obeyed.\n"
       "Example: tetracone distance cat.off house.poly --pose-b poses.txt --within 1/10");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_distance(*options); });
 }
 
 }  // namespace tetracone::experiments

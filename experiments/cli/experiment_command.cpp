@@ -33,7 +33,7 @@
 namespace tetracone::experiments {
 namespace {
 
-struct Options {
+struct Experiment_options {
   std::string name;
   bool list = false, full = false;
   Study_options study;
@@ -43,12 +43,12 @@ struct Options {
   std::vector<std::filesystem::path> meshes;
 };
 
-std::filesystem::path models(const Options& options)
+std::filesystem::path models(const Experiment_options& options)
 {
   return options.study.models.empty() ? TETRACONE_SOURCE_DIR "/.cache/models" : options.study.models;
 }
 
-void study(Options options)
+void study(Experiment_options options)
 {
   if (options.full) {
     options.study.frames *= 20;
@@ -59,57 +59,66 @@ void study(Options options)
   draw("report.py", options.study.out);
 }
 
-Race_options race(const Options& options)
+Race_options race(const Experiment_options& options)
 {
   return {options.study.out, models(options), options.race_frames, options.full, options.study.seed};
 }
 
-void peers(Options options) { run_peers(race(options)); }
-void scaling(Options options) { run_scaling(race(options)); }
-void paper(Options options) { run_paper(race(options)); }
-void ablation(Options options) { run_ablation(race(options)); }
-void distance(Options options)
+void peers(Experiment_options options) { run_peers(race(options)); }
+void scaling(Experiment_options options) { run_scaling(race(options)); }
+void paper(Experiment_options options) { run_paper(race(options)); }
+void ablation(Experiment_options options) { run_ablation(race(options)); }
+void distance(Experiment_options options)
 {
   run_distance(options.study.out, options.race_frames, options.full, options.study.seed);
 }
-void moving_bodies(Options options) { run_moving_bodies(options.study.out, options.race_frames, options.study.seed); }
-void coherence(Options options) { run_coherence(options.study.out, options.race_frames, options.study.seed); }
-void threads(Options options) { run_threads(options.study.out, options.race_frames, options.study.seed); }
+void moving_bodies(Experiment_options options)
+{
+  run_moving_bodies(options.study.out, options.race_frames, options.study.seed);
+}
+void coherence(Experiment_options options)
+{
+  run_coherence(options.study.out, options.race_frames, options.study.seed);
+}
+void threads(Experiment_options options) { run_threads(options.study.out, options.race_frames, options.study.seed); }
 
-void contacts(Options options)
+void contacts(Experiment_options options)
 {
   run_contacts(options.study.out, models(options), options.race_frames, options.study.seed);
 }
-void scenes(Options options)
+void scenes(Experiment_options options)
 {
   run_scenes(options.study.out, std::size_t(std::max(2, options.race_frames / 20)), options.full, options.study.seed);
 }
-void points(Options options)
+void points(Experiment_options options)
 {
   run_points(options.study.out, options.meshes, options.full ? 20 * options.points : options.points,
              options.study.seed);
 }
 
-void method(Options options) { run_method_figures(options.study.out, options.model); }
-void sign_maps(Options options) { run_sign_maps(options.study.out, options.size); }
-void stability(Options options) { run_stability(options.study.out, options.full ? 400 : 20, options.study.seed); }
+void method(Experiment_options options) { run_method_figures(options.study.out, options.model); }
+void sign_maps(Experiment_options options) { run_sign_maps(options.study.out, options.size); }
+void stability(Experiment_options options)
+{
+  run_stability(options.study.out, options.full ? 400 : 20, options.study.seed);
+}
 
-void bounds(Options options) { run_error_bounds(options.study.out, 20000, options.study.seed); }
-void motion(Options options)
+void bounds(Experiment_options options) { run_error_bounds(options.study.out, 20000, options.study.seed); }
+void motion(Experiment_options options)
 {
   const std::uint64_t cases = options.full ? 500 * options.cases : 10 * options.cases;
   run_motion(options.study.out, options.queries, cases, options.study.seed);
 }
-void compilers(Options options) { run_compilers(options.study.out); }
+void compilers(Experiment_options options) { run_compilers(options.study.out); }
 
-void dataset(Options options)
+void dataset(Experiment_options options)
 {
   export_dataset(options.study.out, options.full ? 20 * options.cases : options.cases, options.study.seed);
 }
 
 struct Experiment {
   std::string_view name, question, time;
-  void (*run)(Options options);
+  void (*run)(Experiment_options options);
 };
 constexpr std::array experiments = {
     Experiment{
@@ -152,7 +161,7 @@ constexpr std::array experiments = {
                dataset},
 };
 
-void run(const Options& options)
+void run_experiment(const Experiment_options& options)
 {
   if (options.list) {
     for (const Experiment& e : experiments) std::cout << e.name << "  (" << e.time << ")  " << e.question << '\n';
@@ -173,7 +182,7 @@ void run(const Options& options)
 void add_experiment_command(CLI::App& app)
 {
   CLI::App* command = app.add_subcommand("experiment", "One question: its CSV and its figure");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<Experiment_options>();
   const CLI::Range poses(1, 1'000'000);
   command->add_option("NAME", options->name, "The experiment");
   command->add_flag("--list", options->list, "Name the experiments, with the time of their default size");
@@ -221,7 +230,7 @@ void add_experiment_command(CLI::App& app)
   command->footer(
       "Stopped and started again with the same words, it goes on where it was.\nExample: tetracone experiment study "
       "--out out");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_experiment(*options); });
 }
 
 }  // namespace tetracone::experiments

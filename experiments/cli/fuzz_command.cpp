@@ -40,7 +40,7 @@ using verify::Object_case;
 using verify::Outcome;
 using verify::Predicate_case;
 
-struct Options {
+struct Fuzz_options {
   double seconds = 60;
   std::uint64_t seed = 1;
   std::string subject;
@@ -109,7 +109,7 @@ std::string file_safe(std::string name)
 
 class Fuzz {
  public:
-  explicit Fuzz(const Options& options) : options_(options), progress_("seconds", std::size_t(options.seconds))
+  explicit Fuzz(const Fuzz_options& options) : options_(options), progress_("seconds", std::size_t(options.seconds))
   {
     const auto commands = command_subjects(options.others, verify::object_subjects());
     std::vector<std::string> names;
@@ -285,7 +285,7 @@ class Fuzz {
     std::fflush(stdout);
   }
 
-  Options options_;
+  Fuzz_options options_;
   Progress progress_;
   std::size_t shown_ = 0;  // seconds
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
@@ -296,7 +296,7 @@ class Fuzz {
   std::string name_;  // the file of the last find
 };
 
-void run(const Options& options)
+void run_fuzz(const Fuzz_options& options)
 {
   if (!(options.seconds >= 0 && options.seconds <= 1e9))
     throw CLI::ValidationError("--seconds", "expected a number from 0 to 1e9");
@@ -316,7 +316,7 @@ void add_fuzz_command(CLI::App& app)
 {
   CLI::App* command =
       app.add_subcommand("fuzz", "New wrong answers on fresh and mutated cases, shrunk, each a case file");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<Fuzz_options>();
   command->add_option("--seconds", options->seconds, "Time to spend")->capture_default_str();
   command->add_option("--seed", options->seed, "Seed of all cases")
       ->capture_default_str()
@@ -330,7 +330,7 @@ void add_fuzz_command(CLI::App& app)
       "Each new kind of wrong answer (subject, family, question or features, direction) is written once.\n"
       "Exit status 1: an exact subject was wrong.\n"
       "Example: tetracone fuzz --seconds 600 --subject \"double brute\" --out out/fuzz");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_fuzz(*options); });
 }
 
 }  // namespace tetracone::experiments

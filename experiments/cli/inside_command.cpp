@@ -17,7 +17,7 @@
 namespace tetracone::experiments {
 namespace {
 
-struct Options {
+struct Inside_options {
   std::string model, points, csv;
   Model_options models;
   bool time = false;
@@ -31,7 +31,7 @@ Location answer(const Body& body, const covering::Point_numbers& p)
   return body.inside({p[0].nearest, p[1].nearest, p[2].nearest});
 }
 
-void run(const Options& options)
+void run_inside(const Inside_options& options)
 {
   if (options.time && options.csv.empty()) throw CLI::ValidationError("--time", "expected --csv to hold the times");
   if (!options.csv.empty()) refuse_input(options.csv, {options.model, options.points});
@@ -61,7 +61,7 @@ void add_inside_command(CLI::App& app)
 {
   CLI::App* command =
       app.add_subcommand("inside", "Where points are: 1 inside the solid, 0 on its surface, -1 outside");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<Inside_options>();
   command->add_option("MODEL", options->model, "A closed model: OFF, OBJ, PLY, STL or TetGen .poly")->required();
   command
       ->add_option("POINTS", options->points,
@@ -71,7 +71,7 @@ void add_inside_command(CLI::App& app)
   command->add_flag("--time", options->time, "With --csv: nanoseconds of each point");
   options->models.add_to(*command);
   command->footer("One line a point. Example: tetracone inside house.poly points.txt");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_inside(*options); });
 }
 
 }  // namespace tetracone::experiments

@@ -17,7 +17,7 @@
 namespace tetracone::experiments {
 namespace {
 
-struct Options {
+struct Motion_options {
   Motion_names names;
   std::string csv, question = "solid";
   bool time = false, features = false;
@@ -42,7 +42,7 @@ std::string row_of(std::size_t k, const std::optional<First_contact>& first, boo
   return row;
 }
 
-std::string answers(const Options& options, Query& query, const Motion_pairs& motions)
+std::string answers(const Motion_options& options, Query& query, const Motion_pairs& motions)
 {
   std::string text;
   if (!options.csv.empty()) {
@@ -72,7 +72,7 @@ std::string answers(const Options& options, Query& query, const Motion_pairs& mo
   return text;
 }
 
-void run(const Options& options)
+void run_motion(const Motion_options& options)
 {
   const auto question = kernel::parse_question(options.question);
   if (!question) throw CLI::ValidationError("--question " + options.question, "expected solid or surface");
@@ -97,7 +97,7 @@ void add_motion_command(CLI::App& app)
   CLI::App* command = app.add_subcommand(
       "motion",
       "When two moving models first meet, exactly: `0`, or `1` and the doubles about the time, a line a motion");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<Motion_options>();
   command->add_option("A", options->names.a, "Model: OFF, OBJ, PLY, STL or TetGen .poly")->required();
   command->add_option("B", options->names.b, "Model")->required();
   options->names.add_options_to(*command);
@@ -113,7 +113,7 @@ void add_motion_command(CLI::App& app)
   command->footer(
       "lo <= t <= hi are equal where t is a double, else neighbours. `1 0 0`: they collide as they start.\n"
       "Example: tetracone motion cat.off house.poly --pose-b0 start.txt --pose-b1 end.txt");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_motion(*options); });
 }
 
 }  // namespace tetracone::experiments

@@ -17,7 +17,7 @@
 namespace tetracone::experiments {
 namespace {
 
-struct Options {
+struct Ray_options {
   std::string model, rays, csv;
   Model_options models;
   bool all = false, time = false;
@@ -36,7 +36,7 @@ std::vector<Ray_hit> named_as_in_file(std::vector<Ray_hit> hits, const std::vect
   return named;
 }
 
-void run(const Options& options)
+void run_ray(const Ray_options& options)
 {
   if (options.time && options.csv.empty()) throw CLI::ValidationError("--time", "expected --csv to hold the times");
   if (!options.csv.empty()) refuse_input(options.csv, {options.model, options.rays});
@@ -81,7 +81,7 @@ void run(const Options& options)
 void add_ray_command(CLI::App& app)
 {
   CLI::App* command = app.add_subcommand("ray", "Where rays meet a surface first: the face and t");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<Ray_options>();
   command->add_option("MODEL", options->model, "A model: OFF, OBJ, PLY, STL or TetGen .poly")->required();
   command->add_option("RAYS", options->rays, "Rays: one a line, six decimals, origin and direction; '#' comments")
       ->required();
@@ -94,7 +94,7 @@ void add_ray_command(CLI::App& app)
       "nearest "
       "to the exact one. Of faces met at once, the least number is first.\n"
       "Example: tetracone ray house.poly rays.txt --all");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_ray(*options); });
 }
 
 }  // namespace tetracone::experiments

@@ -24,7 +24,7 @@
 namespace tetracone::experiments {
 namespace {
 
-struct Options {
+struct Report_options {
   std::vector<std::string> dbs;
   std::string table, out = "out";
   bool progress = false;
@@ -83,7 +83,7 @@ void print_progress(const std::vector<std::string>& dbs)
   if (done < of || int(begun.size()) < shards) throw CLI::RuntimeError(1);
 }
 
-void run(const Options& options)
+void run_report(const Report_options& options)
 {
   if (options.progress) {
     if (!options.table.empty()) throw CLI::ValidationError("--progress", "expected without --table");
@@ -118,7 +118,7 @@ void run(const Options& options)
 void add_report_command(CLI::App& app)
 {
   CLI::App* command = app.add_subcommand("report", "The report and the tables of a campaign's database");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<Report_options>();
   command->add_option("DB", options->dbs, "Database that `tetracone verify` wrote; with --progress, any number")
       ->required();
   command->add_flag("--progress", options->progress,
@@ -135,7 +135,7 @@ void add_report_command(CLI::App& app)
   command->footer(footer +
                   "\nExample: tetracone report out/verify.db --table errors\n"
                   "         tetracone report --progress out/shard-*.db");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_report(*options); });
 }
 
 }  // namespace tetracone::experiments

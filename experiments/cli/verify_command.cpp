@@ -28,7 +28,7 @@ namespace {
 using verify::Campaign;
 using verify::Database;
 
-struct Options {
+struct Verify_options {
   std::string db = "out/verify.db", shard = "0/1", level, check_subject;
   std::vector<std::string> families, subjects;
   Subject_options others;
@@ -72,7 +72,7 @@ std::vector<Subject> chosen(const std::vector<Subject>& all, const std::vector<s
   return some;
 }
 
-void choose_subjects(const Options& options, Campaign& campaign)
+void choose_subjects(const Verify_options& options, Campaign& campaign)
 {
   auto objects = verify::object_subjects();
   for (auto& peer : peer_subjects(std::filesystem::read_symlink("/proc/self/exe").native()))
@@ -128,7 +128,7 @@ std::vector<std::string> all_families()
   return names;
 }
 
-void choose_families(const Options& options, Campaign& campaign)
+void choose_families(const Verify_options& options, Campaign& campaign)
 {
   for (const std::string& name : options.families.empty() ? all_families() : options.families) {
     if (add_family(name, campaign)) continue;
@@ -139,7 +139,7 @@ void choose_families(const Options& options, Campaign& campaign)
   if (!options.families.empty()) campaign.sequence_frames = 0;
 }
 
-void choose_sizes(const Options& options, Campaign& campaign)
+void choose_sizes(const Verify_options& options, Campaign& campaign)
 {
   if (options.cases != 0)
     campaign.predicate_cases = campaign.object_cases = campaign.feature_cases = campaign.probe_cases = options.cases;
@@ -213,7 +213,7 @@ bool print_summary(Database& database, const Campaign& campaign)
   return exact_was_wrong;
 }
 
-void run(Options options)
+void run_verify(Verify_options options)
 {
   if (!options.check_subject.empty()) {
     require_command(options.check_subject, options.others.limit_ms());
@@ -248,7 +248,7 @@ void add_verify_command(CLI::App& app)
 {
   CLI::App* command =
       app.add_subcommand("verify", "A campaign: every subject on every family of cases, against two exact truths");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<Verify_options>();
   command->add_option("--db", options->db, "Database of the results (SQLite)")->capture_default_str();
   command
       ->add_option("--cases", options->cases,
@@ -282,7 +282,7 @@ void add_verify_command(CLI::App& app)
       "protocol.\n"
       "Example: tetracone verify --db out/verify.db --family sliver --subject double\n"
       "         tetracone verify --subject mine --subject-command \"mine=./mine --tolerance 1e-9\"");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_verify(*options); });
 }
 
 void add_merge_command(CLI::App& app)

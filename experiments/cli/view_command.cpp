@@ -19,7 +19,7 @@
 namespace tetracone::experiments {
 namespace {
 
-struct Options {
+struct View_options {
   Scene_names names;
   Motion_names motion;  // the poses alone
   std::string question, kernel = "double", method = "tree", rays, out;
@@ -67,7 +67,7 @@ void write_page(const std::string& out, std::string_view controls, const std::st
 }
 
 /// The scene that the options name, which is no scene file.
-View_scene scene_of(const Options& options, std::optional<kernel::Question> question)
+View_scene scene_of(const View_options& options, std::optional<kernel::Question> question)
 {
   const Scene_names& names = options.names;
   if (!options.motion.is_given()) {
@@ -88,7 +88,7 @@ View_scene scene_of(const Options& options, std::optional<kernel::Question> ques
   return read_view_motion(motion, question.value_or(kernel::Question::solid));
 }
 
-void run(const Options& options)
+void run_view(const View_options& options)
 {
   std::optional<kernel::Question> question;
   if (!options.question.empty() && !(question = kernel::parse_question(options.question)))
@@ -118,7 +118,7 @@ void run(const Options& options)
 void add_view_command(CLI::App& app)
 {
   CLI::App* command = app.add_subcommand("view", "One self-contained page in 3D of a case or of models under poses");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<View_options>();
   Scene_names& names = options->names;
   command
       ->add_option("A", names.a,
@@ -147,7 +147,7 @@ void add_view_command(CLI::App& app)
       "Wrong answers of the kernel are marked on the time line, and the pairs of features that it loses or invents in "
       "the picture. With --pose-a0 to --pose-b1 the page plays one motion to the first contact.\n"
       "Example: tetracone view cat.off house.poly --pose-b poses.txt --kernel float --out scene.html");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_view(*options); });
 }
 
 }  // namespace tetracone::experiments
