@@ -33,19 +33,6 @@ Motion rigid_motion(const std::array<Rational, 7>& from, const std::array<Ration
   return Motion(std::move(*motion));
 }
 
-/// Throws where a face is taken as a whole, which motions know no test for.
-const tetratree::Bvh8& triangulated_tree(const detail::Body_data& body, const std::string& who)
-{
-  std::vector<bool> has_triangles(body.polyhedron.face_count(), false);
-  for (const Face_triangle& t : body.triangles) has_triangles[t.face] = true;
-  const tetratree::Bvh8& tree = body.bvh8();
-  for (covering::Index f = 0; f < body.polyhedron.face_count(); ++f)
-    if (!has_triangles[f] && !body.polyhedron.is_triangle(f) && tree.model().covering().plane_basis(f))
-      throw Error("motion: " + who + " has a face " + std::to_string(f) +
-                  " without triangles; expected a body of triangles (tetracone/repair.h makes them)");
-  return tree;
-}
-
 Holder vertex(covering::Index v) { return {Holder::Kind::vertex, {v}}; }
 Holder edge(covering::Index from, covering::Index to)
 {
@@ -63,6 +50,25 @@ std::array<Holder, 2> holders(const tetratree::Moving_features& found)
 }
 
 }  // namespace
+
+void detail::require_motion_kernel(const Query_options& options)
+{
+  if (options.kernel != Kernel::adaptive)
+    throw Error("query: kernel " + kernel_name(options.kernel, options.tolerance) +
+                " follows no motion; expected adaptive");
+}
+
+const tetratree::Bvh8& detail::triangulated_tree(const Body_data& body, const std::string& who)
+{
+  std::vector<bool> has_triangles(body.polyhedron.face_count(), false);
+  for (const Face_triangle& t : body.triangles) has_triangles[t.face] = true;
+  const tetratree::Bvh8& tree = body.bvh8();
+  for (covering::Index f = 0; f < body.polyhedron.face_count(); ++f)
+    if (!has_triangles[f] && !body.polyhedron.is_triangle(f) && tree.model().covering().plane_basis(f))
+      throw Error("motion: " + who + " has a face " + std::to_string(f) +
+                  " without triangles; expected a body of triangles (tetracone/repair.h makes them)");
+  return tree;
+}
 
 detail::Motion_solver::Motion_solver(const std::shared_ptr<const Body_data>& of_a,
                                      const std::shared_ptr<const Body_data>& of_b)
@@ -106,9 +112,7 @@ Motion Motion::rigid_from_text(const std::array<std::string, 7>& from, const std
 std::optional<First_contact> Query::first_contact(const Motion& a, const Motion& b)
 {
   detail::Query_data& d = data();
-  if (d.options.kernel != Kernel::adaptive)
-    throw Error("query: kernel " + kernel_name(d.options.kernel, d.options.tolerance) +
-                " follows no motion; expected adaptive");
+  detail::require_motion_kernel(d.options);
   if (!d.motion) d.motion = std::make_unique<detail::Motion_solver>(d.a, d.b);
   const kernel::Pose start_a = a.exact().at(0), start_b = b.exact().at(0);
   if (d.solver->relation(start_a, start_b, d.question) != Relation::apart) return First_contact{0, 0, std::nullopt};

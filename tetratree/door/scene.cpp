@@ -1,5 +1,6 @@
 #include "tetracone/tetratree/door/scene.h"
 
+#include "tetracone/kernel/motion/body_motion.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/tetratree/door/scene_data.h"
 
@@ -35,12 +36,24 @@ const std::vector<Scene_pair>& Scene::pairs() { return data_->pairs(); }
 
 const std::vector<Scene_pair>& Scene::frame(std::span<const Pose> poses)
 {
-  const std::vector<std::size_t> bodies = data_->present();
-  if (poses.size() != bodies.size())
-    throw Error("scene: " + std::to_string(poses.size()) + " poses of " + std::to_string(bodies.size()) +
-                " bodies; expected one a body");
+  const std::vector<std::size_t> bodies = data_->present(poses.size(), "poses");
   for (std::size_t k = 0; k < bodies.size(); ++k) place(bodies[k], poses[k]);
   return pairs();
+}
+
+std::vector<Scene_contact> Scene::first_contacts(std::span<const Motion> motions)
+{
+  return data_->first_contacts(motions);
+}
+
+std::vector<Scene_contact> Scene::first_contacts(std::span<const Pose> to)
+{
+  const std::vector<std::size_t> bodies = data_->present(to.size(), "poses");
+  std::vector<Motion> motions;
+  motions.reserve(to.size());
+  for (std::size_t k = 0; k < to.size(); ++k)
+    motions.emplace_back(kernel::Body_motion::linear(data_->pose(bodies[k]), to[k].exact()));
+  return data_->first_contacts(motions);
 }
 
 const std::vector<Undecided_pair>& Scene::undecided() const { return data_->undecided(); }

@@ -41,7 +41,13 @@ struct Undecided_pair {
   double farthest;
 };
 
-/// What a frame has cost.
+/// Two bodies of a scene that meet as they move, and when first: the holders are of a and of b.
+struct Scene_contact {
+  Scene_pair pair;
+  First_contact first;
+};
+
+/// What a frame has cost, or asking for first contacts.
 struct Frame_statistics {
   std::size_t moved = 0;       ///< bodies that were placed anew
   std::size_t kept = 0;        ///< pairs near one another whose answer a certificate kept
@@ -94,9 +100,19 @@ class Scene {
   /// Places all bodies, in the order of their numbers, removed ones left out, and asks. Throws Error for another count.
   const std::vector<Scene_pair>& frame(std::span<const Pose> poses);
 
+  /// The pairs of bodies that meet while all of them move so, each with its first contact, as `Query::first_contact` has
+  /// it: in order of (lo, hi, pair). That is the order of the exact times, but for those between the same two doubles.
+  /// A motion a body, in the order of their numbers, removed ones left out; pairs are asked whose boxes about all of
+  /// their motions meet, by all threads, and no budget bounds it. The bodies stand where they stood, or nowhere, and
+  /// frames go on as if it had not been asked. Throws Error for another count, for another kernel than adaptive, and as
+  /// `pairs`; also where a face of a body that another comes near is neither a triangle nor has triangles.
+  std::vector<Scene_contact> first_contacts(std::span<const Motion> motions);
+  /// The same on lines, from where the bodies stand to these poses. Throws Error also for a body that is not placed.
+  std::vector<Scene_contact> first_contacts(std::span<const Pose> to);
+
   /// The pairs that the budget has left undecided in the last frame, in order.
   const std::vector<Undecided_pair>& undecided() const;
-  /// What the last frame has cost.
+  /// What the last frame has cost, or first contacts that were asked for since.
   const Frame_statistics& statistics() const;
 
   /// How two placed bodies stand now. Throws Error as `pairs`, and for bodies that are not placed.

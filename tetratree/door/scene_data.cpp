@@ -3,9 +3,6 @@
 #include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/tetratree/door/body_data.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -126,6 +123,11 @@ void Scene_data::ignore(std::size_t a, std::size_t b)
     }
 }
 
+bool Scene_data::is_ignored(std::size_t a, std::size_t b) const
+{
+  return !ignored_.empty() && ignored_.contains(key_of(a, b));
+}
+
 void Scene_data::place(std::size_t number, const kernel::Pose& pose)
 {
   Placed_body& body = there(number);
@@ -137,27 +139,15 @@ void Scene_data::place(std::size_t number, const kernel::Pose& pose)
   moved_.push_back(Number(number));
 }
 
-std::vector<std::size_t> Scene_data::present() const
+std::vector<std::size_t> Scene_data::present(std::size_t count, const std::string& what) const
 {
   std::vector<std::size_t> numbers;
   for (std::size_t k = 0; k < bodies_.size(); ++k)
     if (bodies_[k].is_there) numbers.push_back(k);
+  if (numbers.size() != count)
+    throw Error("scene: " + std::to_string(count) + " " + what + " of " + std::to_string(numbers.size()) +
+                " bodies; expected one a body");
   return numbers;
-}
-
-template <class What>
-void Scene_data::for_each(std::size_t n, std::size_t at_least, const What& what)
-{
-  if (!arena_ || n < 2 * at_least) {
-    for (std::size_t i = 0; i < n; ++i) what(i, workers_[0]);
-    return;
-  }
-  arena_->execute([&] {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, at_least), [&](const auto& range) {
-      Scene_worker& worker = workers_[std::size_t(tbb::this_task_arena::current_thread_index())];
-      for (std::size_t i = range.begin(); i < range.end(); ++i) what(i, worker);
-    });
-  });
 }
 
 const std::vector<Scene_pair>& Scene_data::pairs()
@@ -258,8 +248,7 @@ void Scene_data::find_near(const std::vector<Number>& bodies)
       part(pair);
     }
     for (const Number other : found[i])
-      if (seen_[other] == search && (ignored_.empty() || !ignored_.contains(key_of(body, other))))
-        near_.add(body, other);
+      if (seen_[other] == search && !is_ignored(body, other)) near_.add(body, other);
   }
 }
 
@@ -311,32 +300,24 @@ void Scene_data::tighten(Placed_body& body)
   body.is_tight = true;
 }
 
-std::pair<Scene_data::Number, Scene_data::Number> Scene_data::models_of(const Near_pair& pair) const
+std::pair<Scene_data::Number, Scene_data::Number> Scene_data::models_of(std::size_t a, std::size_t b) const
 {
-  const Number a = bodies_[pair.body[0]].model, b = bodies_[pair.body[1]].model;
-  return a < b ? std::pair(a, b) : std::pair(b, a);
+  const Number of_a = bodies_[a].model, of_b = bodies_[b].model;
+  return of_a < of_b ? std::pair(of_a, of_b) : std::pair(of_b, of_a);
 }
 
 void Scene_data::ask_pairs()
 {
-  if (options_.memory == 0) {
-    ask_models(open_.begin(), open_.end());
-    return;
-  }
-  std::sort(open_.begin(), open_.end(), [this](Number p, Number q) {
-    const auto of_p = models_of(near_[p]), of_q = models_of(near_[q]);
-    return of_p != of_q ? of_p < of_q
-                        : std::pair(near_[p].body[0], near_[p].body[1]) < std::pair(near_[q].body[0], near_[q].body[1]);
-  });
-  for (auto first = open_.begin(); first != open_.end();) {
-    const auto of_first = models_of(near_[*first]);
-    const auto last = std::find_if(first, open_.end(), [&](Number pair) { return models_of(near_[pair]) != of_first; });
-    models.use(of_first.first);
-    models.use(of_first.second);
-    ask_models(first, last);
-    keep_to_memory(of_first.first, of_first.second);
-    first = last;
-  }
+  if (options_.memory != 0)
+    std::sort(open_.begin(), open_.end(), [this](Number p, Number q) {
+      const auto of_p = models_of(near_[p]), of_q = models_of(near_[q]);
+      return of_p != of_q
+                 ? of_p < of_q
+                 : std::pair(near_[p].body[0], near_[p].body[1]) < std::pair(near_[q].body[0], near_[q].body[1]);
+    });
+  for_each_models(
+      open_, [this](Number pair) { return models_of(near_[pair]); },
+      [this](auto first, auto last) { ask_models(first, last); });
 }
 
 /// Asks open pairs: their boxes, then their models.

@@ -9,12 +9,17 @@
 #include "tetracone/tetratree/scene/turned_box.h"
 #include "tetracone/tetratree/scene/world_box.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <string>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -42,8 +47,11 @@ class Scene_data {
   const std::vector<Scene_pair>& pairs();
   const std::vector<Undecided_pair>& undecided() const { return undecided_; }
   const Frame_statistics& statistics() const { return statistics_; }
-  /// The numbers of the bodies that there are.
-  std::vector<std::size_t> present() const;
+  std::vector<Scene_contact> first_contacts(std::span<const Motion> motions);
+
+  /// The numbers of the bodies that there are. Throws Error where that are not `count`, which are `what`.
+  std::vector<std::size_t> present(std::size_t count, const std::string& what) const;
+  const kernel::Pose& pose(std::size_t body) { return placed(body).pose; }
 
   /// Calls what(query of their models, pose of a, pose of b).
   template <class What>
@@ -69,12 +77,43 @@ class Scene_data {
   Placed_body& there(std::size_t body);
   Placed_body& placed(std::size_t body);
   void require_model(std::size_t model) const;
+  bool is_ignored(std::size_t a, std::size_t b) const;
   void part(Number pair);
   void leave(Number body);
 
   /// Calls what(i, worker) for i < n, by all threads.
   template <class What>
-  void for_each(std::size_t n, std::size_t at_least, const What& what);
+  void for_each(std::size_t n, std::size_t at_least, const What& what)
+  {
+    if (!arena_ || n < 2 * at_least) {
+      for (std::size_t i = 0; i < n; ++i) what(i, workers_[0]);
+      return;
+    }
+    arena_->execute([&] {
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, at_least), [&](const auto& range) {
+        Scene_worker& worker = workers_[std::size_t(tbb::this_task_arena::current_thread_index())];
+        for (std::size_t i = range.begin(); i < range.end(); ++i) what(i, worker);
+      });
+    });
+  }
+
+  /// Calls what(first, last) for the pairs of two models at a time, which keeps to the memory; where that has no limit, for
+  /// all at once. models(pair): those of a pair, in the order of the pairs.
+  template <class Pairs, class Models, class What>
+  void for_each_models(Pairs& pairs, const Models& models_of, const What& what)
+  {
+    for (auto first = pairs.begin(); first != pairs.end();) {
+      if (options_.memory == 0) return what(first, pairs.end());
+      const auto [a, b] = models_of(*first);
+      const auto last = std::find_if(first, pairs.end(),
+                                     [&, both = std::pair(a, b)](const auto& pair) { return models_of(pair) != both; });
+      models.use(a);
+      models.use(b);
+      what(first, last);
+      keep_to_memory(a, b);
+      first = last;
+    }
+  }
 
   void move_bodies();
   void move(Number body, Scene_worker& worker);
@@ -93,7 +132,12 @@ class Scene_data {
   void answer_apart(Near_pair& pair, double gap);
   void list_pairs();
   std::size_t bytes() const;
-  std::pair<Number, Number> models_of(const Near_pair& pair) const;
+  std::pair<Number, Number> models_of(std::size_t a, std::size_t b) const;
+  std::pair<Number, Number> models_of(const Near_pair& pair) const { return models_of(pair.body[0], pair.body[1]); }
+
+  using Motions = std::vector<const Motion*>;  // of each body, null where it is not there
+  std::vector<Scene_pair> meeting_pairs(const Motions& motion_of);
+  std::optional<First_contact> first_contact(const Scene_pair& pair, const Motions& motion_of, Scene_worker& worker);
 
   Scene_options options_;
   std::vector<Scene_worker> workers_;

@@ -1,6 +1,7 @@
 #include "tetracone/tetratree/door/scene_models.h"
 
 #include "tetracone/tetratree/door/body_data.h"
+#include "tetracone/tetratree/door/motion_solver.h"
 
 #include <algorithm>
 #include <array>
@@ -50,7 +51,7 @@ std::size_t query_bytes(const Body& body)
 
 Scene_models::Number Scene_models::add(std::function<Body()> make, const std::string& name, bool is_kept)
 {
-  models_.push_back({std::move(make), name, is_kept, std::nullopt, std::nullopt});
+  models_.push_back({std::move(make), name, is_kept, false, std::nullopt, std::nullopt});
   return Number(models_.size() - 1);
 }
 
@@ -66,6 +67,15 @@ const Body& Scene_models::body(Number number)
     model.body.emplace(std::move(made));
   }
   return *model.body;
+}
+
+const Body& Scene_models::body_of_triangles(Number number)
+{
+  const Body& of_model = body(number);
+  Model& model = models_[number];
+  if (!model.has_triangles) triangulated_tree(data_of(of_model), model.name);
+  model.has_triangles = true;
+  return of_model;
 }
 
 const tetratree::Body_extent& Scene_models::extent(Number number)

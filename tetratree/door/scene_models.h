@@ -31,6 +31,8 @@ class Scene_models {
 
   /// The body, made now if it has to be. Throws what making it throws, and Error where it has no solid to be asked for.
   const Body& body(Number model);
+  /// The same of a body that motions can follow. Throws Error also where a face has no triangles.
+  const Body& body_of_triangles(Number model);
   const tetratree::Body_extent& extent(Number model);
   /// Its tree, or nothing where none has been made.
   const tetratree::Bvh8* tree(Number model) const;
@@ -56,7 +58,8 @@ class Scene_models {
   struct Model {
     std::function<Body()> make;
     std::string name;
-    bool is_kept;  // by whoever gave it
+    bool is_kept;                // by whoever gave it
+    bool has_triangles = false;  // where that is known
     std::optional<Body> body;
     std::optional<tetratree::Body_extent> extent;
     std::array<std::size_t, 2> bytes_beside_tree{};  // before there is one, and after

@@ -1,6 +1,8 @@
 #ifndef TETRACONE_TETRATREE_SCENE_WORLD_BOX_H
 #define TETRACONE_TETRATREE_SCENE_WORLD_BOX_H
 
+#include "tetracone/kernel/number/floating_point.h"
+
 #include <array>
 #include <cmath>
 #include <limits>
@@ -52,6 +54,17 @@ struct World_box {
       larger.high[k] = rounded_above(double(high[k]) + margin);
     }
     return larger;
+  }
+
+  /// The least about both.
+  World_box joined(const World_box& other) const
+  {
+    World_box both;
+    for (int k = 0; k < 3; ++k) {
+      both.low[k] = kernel::minimum(low[k], other.low[k]);
+      both.high[k] = kernel::maximum(high[k], other.high[k]);
+    }
+    return both;
   }
 
   /// At most how far the boxes are from one another, along the axis on which that is most; not above 0 where they meet.

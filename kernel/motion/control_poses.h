@@ -1,0 +1,75 @@
+#ifndef TETRACONE_KERNEL_MOTION_CONTROL_POSES_H
+#define TETRACONE_KERNEL_MOTION_CONTROL_POSES_H
+
+#include "tetracone/kernel/motion/body_motion.h"
+#include "tetracone/kernel/number/number.h"
+#include "tetracone/kernel/number/pose.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace tetracone::kernel {
+
+/// Adds the poses of one span of time, or of parts of it. False where more halvings would be needed, one in another.
+/// Requires forms of one degree.
+inline bool add_control_poses(const Body_motion::Forms& forms, int halvings, std::vector<Pose>& poses)
+{
+  const auto is_near = [&](std::size_t i) {
+    const Integer largest = 2 * forms.weight[i];
+    if (sgn(largest) <= 0) return false;
+    for (int k = 0; k < 12; ++k)
+      if (k % 4 != 3 && cmp(abs(forms.entry[k][i]), largest) > 0) return false;
+    return true;
+  };
+  std::size_t near = 0;
+  while (near < forms.weight.size() && is_near(near)) ++near;
+  if (near < forms.weight.size()) {
+    if (halvings == 0) return false;
+    Body_motion::Forms first, second;
+    for (int k = 0; k < 12; ++k) {
+      first.entry[k] = forms.entry[k].first_half();
+      second.entry[k] = forms.entry[k].second_half();
+    }
+    first.weight = forms.weight.first_half();
+    second.weight = forms.weight.second_half();
+    return add_control_poses(first, halvings - 1, poses) && add_control_poses(second, halvings - 1, poses);
+  }
+  for (std::size_t i = 0; i < forms.weight.size(); ++i) {
+    std::array<Rational, 12> entries;
+    for (int k = 0; k < 12; ++k) {
+      entries[k] = Rational(forms.entry[k][i], forms.weight[i]);
+      entries[k].canonicalize();
+      if (!std::isfinite(nearest_double(entries[k]))) return false;
+    }
+    poses.emplace_back(entries);
+  }
+  return true;
+}
+
+/// Poses among whose images a moving body stays: at every time in [0, 1] a point of it is in the hull of its images under
+/// these. They need not be poses that it takes, nor ones with det M != 0.
+///
+/// Of a linear motion they are both ends. Of a rigid one they are the coefficients of M and v over those of w, in
+/// Bernstein's basis: where those of w are positive, the place at any time is a sum of such images with weights that are
+/// not negative and have the sum 1. The time is halved until they are, and until no M has an entry above 2, of which a
+/// rotation has none above 1. Nothing where 24 halvings, one in another, do not suffice, and where an entry is beyond
+/// all doubles.
+inline std::optional<std::vector<Pose>> control_poses(const Body_motion& motion)
+{
+  if (const auto& ends = motion.ends()) return std::vector<Pose>(ends->begin(), ends->end());
+  Body_motion::Forms forms = motion.forms();
+  std::size_t size = forms.weight.size();
+  for (const Integer_form& entry : forms.entry) size = maximum(size, entry.size());
+  for (Integer_form& entry : forms.entry) entry = entry.raised_to(size);
+  forms.weight = forms.weight.raised_to(size);
+  std::vector<Pose> poses;
+  if (!add_control_poses(forms, 24, poses)) return std::nullopt;
+  return poses;
+}
+
+}  // namespace tetracone::kernel
+
+#endif
