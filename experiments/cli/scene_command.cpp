@@ -4,6 +4,8 @@
 #include "experiments/support/output_file.h"
 #include "experiments/support/progress.h"
 #include "experiments/support/stopwatch.h"
+#include "tetracone/covering/io/input_error.h"
+#include "tetracone/kernel/motion/body_motion.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/tetratree/door/repair.h"
 #include "tetracone/tetratree/door/scene.h"
@@ -15,13 +17,14 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tetracone::experiments {
 namespace {
 
 struct Options {
-  std::string file, csv, question = "solid", kernel = "adaptive";
+  std::string file, csv, question = "solid", kernel = "adaptive", motion;
   bool json = false, time = false;
   std::size_t memory = 0, threads = 1;
   std::int64_t budget = 0;
@@ -34,9 +37,10 @@ class Rows {
   explicit Rows(const Options& options) : options_(options)
   {
     if (!options.csv.empty())
-      text_ = options.time          ? "frame,pairs,ns,candidates,queries,nodes_made,bytes\n"
-              : options.budget != 0 ? "frame,a,b,answer,at_most\n"
-                                    : "frame,a,b\n";
+      text_ = options.time              ? "frame,pairs,ns,candidates,queries,nodes_made,bytes\n"
+              : !options.motion.empty() ? "frame,a,b,lo,hi\n"
+              : options.budget != 0     ? "frame,a,b,answer,at_most\n"
+                                        : "frame,a,b\n";
     if (options.json) text_ = "[";
   }
 
@@ -46,10 +50,7 @@ class Rows {
     if (options_.json) {
       text_ += (frame == 0 ? "\n" : ",\n") + json(number, scene, pairs, ns);
     } else if (options_.time) {
-      const Frame_statistics& done = scene.statistics();
-      text_ += number + "," + std::to_string(pairs.size()) + "," + std::to_string(std::int64_t(ns)) + "," +
-               std::to_string(done.candidates) + "," + std::to_string(done.queries) + "," +
-               std::to_string(done.nodes_made) + "," + std::to_string(done.bytes) + "\n";
+      text_ += row(number, scene, pairs.size(), ns);
     } else {
       const std::string comma = options_.csv.empty() ? " " : ",";
       const bool has_answers = options_.budget != 0 && !options_.csv.empty();
@@ -59,6 +60,28 @@ class Rows {
       for (const Undecided_pair& left : scene.undecided())
         text_ += number + comma + std::to_string(left.pair.a) + comma + std::to_string(left.pair.b) + comma +
                  "undecided" + comma + kernel::shortest(left.farthest) + "\n";
+    }
+    if (options_.csv.empty() && !options_.json) flush();
+  }
+
+  /// From this frame to the next.
+  void add(std::size_t frame, const Scene& scene, const std::vector<Scene_contact>& contacts, double ns)
+  {
+    const std::string number = std::to_string(frame);
+    if (options_.json) {
+      text_ += (frame == 0 ? "\n" : ",\n") + ("  {\"frame\": " + number) + ", \"contacts\": [";
+      for (const Scene_contact& contact : contacts)
+        text_ += (&contact == &contacts.front() ? "" : ", ") + ("{\"pair\": " + in_brackets(contact.pair)) +
+                 ", \"lo\": " + kernel::shortest(contact.first.lo) + ", \"hi\": " + kernel::shortest(contact.first.hi) +
+                 "}";
+      text_ += "]" + (options_.time ? json_costs(scene, ns) : "") + "}";
+    } else if (options_.time) {
+      text_ += row(number, scene, contacts.size(), ns);
+    } else {
+      const std::string comma = options_.csv.empty() ? " " : ",";
+      for (const auto& [pair, first] : contacts)
+        text_ += number + comma + std::to_string(pair.a) + comma + std::to_string(pair.b) + comma +
+                 kernel::shortest(first.lo) + comma + kernel::shortest(first.hi) + "\n";
     }
     if (options_.csv.empty() && !options_.json) flush();
   }
@@ -80,6 +103,22 @@ class Rows {
     text_.clear();
   }
 
+  static std::string row(const std::string& number, const Scene& scene, std::size_t pairs, double ns)
+  {
+    const Frame_statistics& done = scene.statistics();
+    return number + "," + std::to_string(pairs) + "," + std::to_string(std::int64_t(ns)) + "," +
+           std::to_string(done.candidates) + "," + std::to_string(done.queries) + "," +
+           std::to_string(done.nodes_made) + "," + std::to_string(done.bytes) + "\n";
+  }
+
+  static std::string json_costs(const Scene& scene, double ns)
+  {
+    const Frame_statistics& done = scene.statistics();
+    return ", \"ns\": " + std::to_string(std::int64_t(ns)) + ", \"candidates\": " + std::to_string(done.candidates) +
+           ", \"queries\": " + std::to_string(done.queries) + ", \"nodes_made\": " + std::to_string(done.nodes_made) +
+           ", \"bytes\": " + std::to_string(done.bytes);
+  }
+
   static std::string in_brackets(const Scene_pair& pair)
   {
     return "[" + std::to_string(pair.a) + ", " + std::to_string(pair.b) + "]";
@@ -97,12 +136,7 @@ class Rows {
                 ", \"at_most\": " + kernel::shortest(left.farthest) + "}";
       text += "]";
     }
-    if (options_.time) {
-      const Frame_statistics& done = scene.statistics();
-      text += ", \"ns\": " + std::to_string(std::int64_t(ns)) + ", \"candidates\": " + std::to_string(done.candidates) +
-              ", \"queries\": " + std::to_string(done.queries) +
-              ", \"nodes_made\": " + std::to_string(done.nodes_made) + ", \"bytes\": " + std::to_string(done.bytes);
-    }
+    if (options_.time) text += json_costs(scene, ns);
     return text + "}";
   }
 
@@ -123,6 +157,29 @@ Scene scene_of(const verify::Scene_file& file, const Scene_options& how, const M
   return scene;
 }
 
+/// How the bodies move from a frame to the next.
+std::vector<Motion> motions_between(verify::Scene_file& file, std::size_t frame, const Options& options)
+{
+  std::vector<Motion> motions;
+  if (options.motion == "linear") {
+    const std::vector<kernel::Pose> from = file.frame(frame), to = file.frame(frame + 1);
+    for (std::size_t body = 0; body < from.size(); ++body)
+      motions.emplace_back(kernel::Body_motion::linear(from[body], to[body]));
+    return motions;
+  }
+  const std::vector<kernel::Rigid_pose> from = file.rigid_frame(frame), to = file.rigid_frame(frame + 1);
+  for (std::size_t body = 0; body < from.size(); ++body) {
+    auto motion = kernel::Body_motion::rigid(from[body], to[body]);
+    if (!motion)
+      throw covering::Input_error(options.file, 0,
+                                  "body " + std::to_string(body) + " from frame " + std::to_string(frame) +
+                                      " to the next: one quaternion between them is 0",
+                                  "expected q0 and q1 of which no (1-t) q0 + t q1 is 0");
+    motions.emplace_back(std::move(*motion));
+  }
+  return motions;
+}
+
 void run(const Options& options)
 {
   const auto question = kernel::parse_question(options.question);
@@ -136,9 +193,13 @@ void run(const Options& options)
     throw CLI::ValidationError("--time", "expected --csv or --json to hold the times");
   if (options.threads > 1024)
     throw CLI::ValidationError("--threads", "expected a number from 1 to 1024, or 0 for all that there are");
+  const bool moves = !options.motion.empty();
+  if (moves && options.motion != "linear" && options.motion != "rigid")
+    throw CLI::ValidationError("--motion " + options.motion, "expected linear or rigid");
+  if (moves && options.budget != 0) throw CLI::ValidationError("--budget", "expected without --motion");
   if (options.budget < 0) throw CLI::ValidationError("--budget", "expected nanoseconds, a number from 0");
 
-  verify::Scene_file file(options.file);
+  verify::Scene_file file(options.file, options.motion == "rigid");
   if (!options.csv.empty()) refuse_input(options.csv, file.files());
   Scene scene = scene_of(file,
                          {.question = *question,
@@ -148,10 +209,19 @@ void run(const Options& options)
                           .budget = std::chrono::nanoseconds(options.budget)},
                          options.models);
   Rows rows(options);
-  Progress progress("frames", file.frame_count());
+  const std::size_t steps = file.frame_count() - (moves && file.frame_count() > 0 ? 1 : 0);
+  Progress progress(moves ? "motions" : "frames", steps);
   std::exception_ptr failed;
   try {
-    for (std::size_t frame = 0; frame < file.frame_count(); ++frame) {
+    for (std::size_t frame = 0; frame < steps; ++frame) {
+      if (moves) {
+        const std::vector<Motion> motions = motions_between(file, frame, options);
+        const Stopwatch watch;
+        const std::vector<Scene_contact> contacts = scene.first_contacts(motions);
+        rows.add(frame, scene, contacts, watch.nanoseconds());
+        progress.step();
+        continue;
+      }
       const std::vector<kernel::Pose> poses = file.frame(frame);
       const Stopwatch watch;
       for (std::size_t body = 0; body < poses.size(); ++body) scene.place(body, poses[body]);
@@ -186,7 +256,12 @@ void add_scene_command(CLI::App& app)
       "--budget", options->budget,
       "Nanoseconds for a frame: pairs not decided then are lines `frame a b undecided D`, with the bodies "
       "at most D from one another");
-  command->add_option("--csv", options->csv, "Write a table to this file: frame,a,b");
+  command->add_option(
+      "--motion", options->motion,
+      "linear: bodies move from each frame to the next, every point on a line, and what meets has a line `frame a b lo "
+      "hi`, in order of the time t of its first contact, doubles lo <= t <= hi in [0, 1]; rigid: the same by the "
+      "quaternion (1-t) q0 + t q1 and a translation, and a pose is 7 numbers, w x y z and the translation");
+  command->add_option("--csv", options->csv, "Write a table to this file: frame,a,b; with --motion frame,a,b,lo,hi");
   command->add_flag("--json", options->json, "Write JSON: an object a frame");
   command->add_flag("--time", options->time,
                     "With --csv or --json: a row a frame, frame,pairs,ns,candidates,queries,nodes_made,bytes");

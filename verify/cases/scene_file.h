@@ -1,6 +1,7 @@
 #ifndef TETRACONE_VERIFY_CASES_SCENE_FILE_H
 #define TETRACONE_VERIFY_CASES_SCENE_FILE_H
 
+#include "tetracone/kernel/motion/body_motion.h"
 #include "tetracone/kernel/number/pose.h"
 #include "verify/cases/json_field.h"
 
@@ -23,8 +24,9 @@ bool is_scene_name(const std::filesystem::path& path);
 class Scene_file {
  public:
   /// Throws covering::Input_error, with the line, for whatever is not of the form: names that are missing, unknown or of
-  /// another type, bodies of no model, numbers out of range, a file of frames that is no whole number of frames.
-  explicit Scene_file(const std::filesystem::path& path);
+  /// another type, bodies of no model, numbers out of range, a file of frames that is no whole number of frames. A pose
+  /// has 12 numbers, or 7 where it is rigid, a quaternion w x y z and a translation.
+  explicit Scene_file(const std::filesystem::path& path, bool is_rigid = false);
 
   struct Model {
     std::string name;
@@ -38,13 +40,19 @@ class Scene_file {
 
   std::size_t frame_count() const { return frame_count_; }
   /// The poses of a frame, one a body. Throws Input_error for numbers that are not finite and where det M = 0.
+  /// Requires poses of 12 numbers.
   std::vector<kernel::Pose> frame(std::size_t k);
+  /// The same of rigid poses. Throws Input_error for numbers that are not finite and where a quaternion is 0.
+  std::vector<kernel::Rigid_pose> rigid_frame(std::size_t k);
 
   /// All files that it names, and itself.
   std::vector<std::filesystem::path> files() const;
 
  private:
+  template <std::size_t N>
+  std::vector<std::array<double, N>> numbers_of_file(std::size_t k);
   std::vector<kernel::Pose> frame_of_file(std::size_t k);
+  [[noreturn]] void fail(std::size_t frame, std::size_t body, const std::string& wrong, const char* expected) const;
 
   std::filesystem::path path_, frames_path_;
   std::unique_ptr<Json_text> text_;

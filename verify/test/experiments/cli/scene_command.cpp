@@ -55,6 +55,62 @@ BOOST_AUTO_TEST_CASE(a_pair_has_a_line_and_a_frame_has_a_row)
   BOOST_TEST(run(ask + " --budget 1 --csv /dev/stdout").out.find(",undecided,") != std::string::npos);
 }
 
+BOOST_AUTO_TEST_CASE(what_meets_between_frames_has_a_line_in_order_of_time)
+{
+  // From 5 to 1.5 the last cube meets the second, which is 10^-20 further than at first, at t = 6/7.
+  const Temporary_file file("moving.scene.json", scene(two_frames + ",\n" + frame("3", "1", "0")));
+  const std::string ask = "scene " + in_quotes(file.path()) + " --motion linear";
+  const std::string first = "0 0 1 0 0\n0 1 2 0.8571428571428571 0.8571428571428572\n";
+  BOOST_TEST(run(ask).out.starts_with(first + "1 1 2 0 0\n"));
+  BOOST_TEST(run(ask + " --threads 2").out == run(ask).out);
+  BOOST_TEST(run(ask + " --csv /dev/stdout").out.starts_with("frame,a,b,lo,hi\n0,0,1,0,0\n0,1,2,0.857"));
+  BOOST_TEST(
+      run(ask + " --json")
+          .out.starts_with(
+              "[\n  {\"frame\": 0, \"contacts\": [{\"pair\": [0, 1], \"lo\": 0, \"hi\": 0}, {\"pair\": [1, 2], "));
+  BOOST_TEST(run(ask + " --csv /dev/stdout --time")
+                 .out.starts_with("frame,pairs,ns,candidates,queries,nodes_made,bytes\n0,2,"));
+  BOOST_TEST(run("scene " + in_quotes(Temporary_file("one.scene.json", scene(frame("0", "1", "5"))).path()) +
+                 " --motion linear")
+                 .out.empty());
+  check_refused(ask + " --budget 1", "--budget: expected without --motion");
+  check_refused(ask + " --kernel double", "kernel double follows no motion");
+  check_refused("scene " + in_quotes(file.path()) + " --motion screw", "expected linear or rigid");
+  check_refused("scene " + in_quotes(file.path()) + " --motion rigid", "expected 7: a quaternion");
+}
+
+BOOST_AUTO_TEST_CASE(rigid_frames_are_quaternions_and_translations)
+{
+  const auto at = [](const std::string& x, const std::string& q) { return "[" + q + ", " + x + ", 0, 0]"; };
+  const std::string still = "1, 0, 0, 0", turned = "1, 0, 0, 1", none = "0, 0, 0, 0", against = "-2, 0, 0, 0";
+  const auto text = [&](const std::string& to) {
+    return scene("[" + at("0", still) + ", " + at("\"5/2\"", still) + ", " + at("9", still) + "], [" + at("0", to) +
+                 ", " + at("1.5", still) + ", " + at("9", still) + "]");
+  };
+  const auto ask = [](const Temporary_file& file) { return "scene " + in_quotes(file.path()) + " --motion rigid"; };
+  const Temporary_file rest("rest.scene.json", text(still)), turn("turn.scene.json", text(turned)),
+      zero("zero.scene.json", text(none)), opposite("opposite.scene.json", text(against));
+  // A cube's corner reaches sqrt 2 from its axis, and 5/2 - t is 1.5 at least.
+  BOOST_TEST(run(ask(rest)).out.empty());
+  BOOST_TEST(run(ask(turn)).status == 0);
+  check_refused(ask(zero), "has the quaternion 0");
+  check_refused(ask(opposite), "one quaternion between them is 0");
+  const Temporary_file frames("rigid.bin", "");
+  {
+    std::ofstream out(frames.path(), std::ios::binary);
+    for (const double x : {0.0, 3.0, 9.0, 0.0, -3.0, 9.0}) {
+      const double pose[7] = {1, 0, 0, 0, x, 0.25, 0.25};
+      out.write(reinterpret_cast<const char*>(pose), sizeof pose);
+    }
+  }
+  std::string binary = scene("");
+  binary.replace(binary.find("\"frames\""), std::string::npos,
+                 "\"frames_file\": \"" + frames.path().string() + "\"}\n");
+  const Temporary_file file("rigid.scene.json", binary);
+  BOOST_TEST(run(ask(file)).out.starts_with("0 0 1 0.3333333333333333 0.333333333333333"));
+  check_refused("scene " + in_quotes(file.path()), "expected a multiple of 288, 12 doubles a body and frame");
+}
+
 BOOST_AUTO_TEST_CASE(frames_may_be_doubles_of_a_file)
 {
   const Temporary_file frames("frames.bin", "");
