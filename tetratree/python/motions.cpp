@@ -15,8 +15,8 @@ namespace {
 std::size_t common_count(std::size_t from, std::size_t to, const std::string& body)
 {
   if (from != to && from != 1 && to != 1)
-    throw Error("motion: " + std::to_string(from) + " poses of " + body + " at t = 0 and " + std::to_string(to) +
-                " at t = 1; expected as many, or one of either");
+    throw Error("motion: " + std::to_string(from) + " poses" + (body.empty() ? "" : " of " + body) + " at t = 0 and " +
+                std::to_string(to) + " at t = 1; expected as many, or one of either");
   return from == 1 ? to : from;
 }
 

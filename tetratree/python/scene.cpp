@@ -3,6 +3,7 @@
 #include "tetracone/tetratree/door/scene.h"
 #include "tetracone/tetratree/python/arrays.h"
 #include "tetracone/tetratree/python/body.h"
+#include "tetracone/tetratree/python/motions.h"
 #include "tetracone/tetratree/python/texts.h"
 #include "tetracone/tetratree/python/unlocked.h"
 
@@ -141,6 +142,35 @@ py::array frame(Locked_scene& self, const py::object& of_poses)
   }
 }
 
+/// Pairs and times.
+py::tuple first_contacts(Locked_scene& self, const py::object& poses_1, const py::object& poses_0,
+                         const py::str& of_kind)
+{
+  const std::string kind = text_of(of_kind);
+  std::vector<Scene_contact> found;
+  if (poses_0.is_none() && kind == "linear") {
+    const Poses poses(poses_1, "poses_1");
+    std::vector<Pose> to;
+    for (std::size_t k = 0; k < poses.count(); ++k) {
+      poses.require(k);
+      to.push_back(poses(k));
+    }
+    found = self.alone([&](Scene& scene) { return scene.first_contacts(to); });
+  } else {
+    const Motions moving(poses_0, poses_1, kind, "");
+    std::vector<Motion> motions;
+    for (std::size_t k = 0; k < moving.count(); ++k) motions.push_back(moving(k));
+    found = self.alone([&](Scene& scene) { return scene.first_contacts(motions); });
+  }
+  py::array_t<double> times({found.size(), std::size_t(2)});
+  double* time = times.mutable_data();
+  for (const Scene_contact& contact : found) {
+    *time++ = contact.first.lo;
+    *time++ = contact.first.hi;
+  }
+  return py::make_tuple(pairs_of(found, [](const Scene_contact& contact) { return contact.pair; }), times);
+}
+
 void place(Locked_scene& self, std::size_t body, const py::object& of_pose)
 {
   const Poses poses(of_pose, "pose");
@@ -219,6 +249,33 @@ budget: seconds for a frame; what is not decided then is `undecided`. 0: no limi
 
 Places all bodies, (n, 3, 4) or (n, 4, 4) in the order of their numbers, and returns the pairs that collide: (m, 2)
 uint32, in order. Raises Error for another number of poses, and for a pose that is none.)")
+      .def("first_contacts", &first_contacts, py::arg("poses_1"), py::arg("poses_0") = py::none(),
+           py::arg("kind") = "linear",
+           R"(first_contacts(poses_1, poses_0=None, kind="linear")
+
+Which bodies meet while all of them move, and when first, exactly: pairs (m, 2) uint32 and times (m, 2), doubles
+lo <= t <= hi of t in [0, 1] as `Query.motion` has them. In order of (lo, hi, pair): that of the exact times, but for
+those between the same two doubles. The bodies stand where they stood.
+
+poses_1: the poses of all bodies at t = 1, in the order of their numbers.
+poses_0: those at t = 0; None: where the bodies stand, of a linear motion; of a rigid one the identity.
+kind: "linear", of poses as `frame` takes them, or "rigid", of arrays (n, 7), a quaternion and a translation, as
+`Query.motion` says.
+
+Raises Error for another number of poses, for a body that stands nowhere, and as `Query.motion`.
+
+>>> import numpy as np, tetracone
+>>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+>>> scene = tetracone.Scene([a] * 3)
+>>> poses = np.tile(np.eye(3, 4), (3, 1, 1))
+>>> poses[:, 0, 3] = [0, 3, 9]
+>>> scene.frame(poses).tolist()
+[]
+>>> poses[:, 0, 3] = [0, -1, 1]
+>>> pairs, times = scene.first_contacts(poses)
+>>> pairs.tolist(), times.tolist()
+([[0, 1], [0, 2]], [[0.5, 0.5], [1.0, 1.0]])
+)")
       .def_property_readonly(
           "undecided", &undecided,
           "What the budget has left undecided in the last frame: pairs (m, 2) uint32, and (m,) float, "
@@ -247,9 +304,9 @@ uint32, in order. Raises Error for another number of poses, and for a pose that 
             return self.alone([&](Scene& scene) { return scene.within(first, second, limit); });
           },
           py::arg("limit"), a, b, "within(limit, a, b)\n\nWhether that is at most `limit`.")
-      .def_property_readonly(
-          "statistics", &scene_statistics,
-          "What the last frame has cost: a dict of moved, kept, candidates, queries, nodes_made, bytes.");
+      .def_property_readonly("statistics", &scene_statistics,
+                             "What the last frame, or the last first contacts, have cost: a dict of moved, kept, "
+                             "candidates, queries, nodes_made, bytes.");
 }
 
 }  // namespace tetracone::python

@@ -111,6 +111,26 @@ class Answers(unittest.TestCase):
         self.assertEqual(query.relation(None, poses[0]), "a_in_b")
         self.assertEqual(Query(Body(*CUBE), Body(*CUBE), "surface").relation(poses[0]), "apart")
 
+    def test_first_contacts_of_a_scene_are_those_of_its_pairs(self):
+        random, n = np.random.default_rng(8), 16
+        tetrahedron = Body(*TETRAHEDRON)
+        scene, query = tetracone.Scene([tetrahedron] * n), Query(tetrahedron, tetrahedron)
+        linear = [translations(*random.integers(-2, 3, (n, 3))) for _ in range(2)]
+        rigid = [np.hstack([random.uniform(0.1, 1, (n, 4)), random.integers(-2, 3, (n, 3))]) for _ in range(2)]
+        for kind, (start, end) in (("linear", linear), ("rigid", rigid)):
+            pairs, times = scene.first_contacts(end, start, kind=kind)
+            expected = []
+            for a in range(n):
+                for b in range(a + 1, n):
+                    first = query.motion(start[b], end[b], start[a], end[a], kind=kind)
+                    expected += [(*first, a, b)] if first else []
+            self.assertGreater(len(expected), 3)
+            self.assertEqual([(*t, *p) for t, p in zip(times.tolist(), pairs.tolist())], sorted(expected))
+        for number, pose in enumerate(linear[0]):
+            scene.place(number, pose)
+        for placed, given in zip(scene.first_contacts(linear[1]), scene.first_contacts(linear[1], linear[0])):
+            self.assertEqual(placed.tolist(), given.tolist())
+
     def test_a_hole_is_empty(self):
         frame, rod = Body(*FRAME), Body(*CUBE)
         self.assertTrue(frame.is_closed)
@@ -296,6 +316,11 @@ class Errors(unittest.TestCase):
             self.error("rays: 2 origins and 3 directions; expected as many, or one of either", ask, np.zeros((2, 3)), np.ones((3, 3)))
             self.error("directions: an array of shape (2,); expected (n, 3), or one direction (3,)", ask, [0, 0, 0], [1, 0])
             self.error("origins: numbers that are no doubles; expected doubles", ask, ["1/3", "0", "0"], [1, 0, 0])
+        scene = tetracone.Scene([cube] * 2)
+        self.error("scene: body 0 has no pose; expected a placed body", scene.first_contacts, [IDENTITY] * 2)
+        self.error("scene: 3 poses of 2 bodies; expected one a body", scene.first_contacts, [IDENTITY] * 3)
+        self.error("motion: 2 poses at t = 0 and 3 at t = 1; expected as many, or one of either", scene.first_contacts,
+                   np.ones((3, 7)), np.ones((2, 7)), "rigid")
         with self.assertRaises(ValueError):  # what numpy's users catch
             Query(cube, cube, "both")
 
