@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <memory>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace tetracone::covering {
@@ -28,9 +29,12 @@ class Model {
   /// A vertex as K sees it; a reference where it is kept so.
   using Point = std::conditional_t<keeps_points, const kernel::Point<K>&, kernel::Point<K>>;
 
-  explicit Model(const Polyhedron& polyhedron)
+  explicit Model(const Polyhedron& polyhedron) : Model(polyhedron, Covering(polyhedron)) {}
+
+  /// Of the polyhedron's covering, where it is known.
+  Model(const Polyhedron& polyhedron, Covering covering)
       : vertices_(polyhedron.vertices),
-        covering_(polyhedron),
+        covering_(std::move(covering)),
         face_count_(polyhedron.face_count()),
         lattice_(kernel::cone_lattice(polyhedron.vertices)),
         origin_(kernel::point<K>(lattice_.origin))

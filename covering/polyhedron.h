@@ -72,6 +72,19 @@ class Polyhedron {
     for (Index& v : corners_) v = new_number(v);
   }
 
+  /// Calls what(array) for each of the arrays that it is made of: they are kept in a file, or filled from one.
+  template <class What>
+  void for_arrays(const What& what) const
+  {
+    for_arrays_of(*this, what);
+  }
+  /// The same, where `what` may change them: to those of a polyhedron.
+  template <class What>
+  void for_arrays(const What& what)
+  {
+    for_arrays_of(*this, what);
+  }
+
   /// The number of faces.
   std::size_t face_count() const { return face_end_.size(); }
 
@@ -94,6 +107,15 @@ class Polyhedron {
   bool is_triangle(Index f) const { return loop_count(f) == 1 && loop(f, 0).size() == 3; }
 
  private:
+  template <class Self, class What>
+  static void for_arrays_of(Self& self, const What& what)
+  {
+    what(self.vertices);
+    what(self.corners_);
+    what(self.loop_end_);
+    what(self.face_end_);
+  }
+
   std::size_t first_loop(Index f) const { return f == 0 ? 0 : face_end_[f - 1]; }
 
   std::vector<Index> corners_;   // all loops, one after the other

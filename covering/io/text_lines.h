@@ -21,9 +21,9 @@
 
 namespace tetracone::covering {
 
-/// All bytes of a file. Throws Input_error where there is no such file, it cannot be read, or it is no file with an end
-/// (a folder, a device).
-inline std::string read_bytes(const std::filesystem::path& file)
+/// What a file is that can be read to its end, which a pipe can, too. Throws Input_error where there is no such file,
+/// and for a folder or a device.
+inline std::filesystem::file_status status_to_read(const std::filesystem::path& file)
 {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
@@ -31,6 +31,14 @@ inline std::string read_bytes(const std::filesystem::path& file)
   if (std::filesystem::is_directory(status)) throw Input_error(file.native(), 0, "is a folder", "expected a file");
   if (!std::filesystem::is_regular_file(status) && !std::filesystem::is_fifo(status))
     throw Input_error(file.native(), 0, "is a device", "expected a file");
+  return status;
+}
+
+/// All bytes of a file. Throws Input_error as `status_to_read`, and where it cannot be read.
+inline std::string read_bytes(const std::filesystem::path& file)
+{
+  const auto status = status_to_read(file);
+  std::error_code error;
   std::ifstream in(file, std::ios::binary);
   if (!in) throw Input_error(file.native(), 0, "cannot be opened", "expected a file that may be read");
   std::string bytes;

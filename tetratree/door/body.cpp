@@ -4,6 +4,7 @@
 #include "tetracone/covering/star_faces.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/tetratree/door/body_data.h"
+#include "tetracone/tetratree/door/body_file.h"
 #include "tetracone/tetratree/door/tetracone.h"
 
 #include <tbb/blocked_range.h>
@@ -103,7 +104,10 @@ Body::Body(Polyhedron polyhedron, std::vector<Face_triangle> triangles)
     : data_(checked(std::move(polyhedron), std::move(triangles), "body"))
 {}
 
-Body::Body(const std::filesystem::path& file) : data_(checked(covering::read(file), {}, file.string())) {}
+Body::Body(const std::filesystem::path& file)
+    : data_(detail::is_body_file(file) ? detail::read_body_file(file)
+                                       : checked(covering::read(file), {}, file.string()))
+{}
 
 const Polyhedron& Body::polyhedron() const { return data_->polyhedron; }
 
@@ -126,5 +130,11 @@ void Body::make_all(std::size_t threads) const
 }
 
 Body read_body(const std::filesystem::path& file) { return Body(file); }
+
+void save_body(const Body& body, const std::filesystem::path& file)
+{
+  body.make_all(0);
+  detail::write_body_file(*body.data_, file);
+}
 
 }  // namespace tetracone

@@ -27,6 +27,18 @@ struct Body_data {
       : polyhedron(std::move(p)), triangles(std::move(t))
   {}
 
+  /// One that was saved: whether it is closed and its fast tree are known.
+  Body_data(covering::Polyhedron p, std::vector<covering::Face_triangle> t, bool closed, covering::Covering covering,
+            std::vector<tetratree::Element> elements, tetratree::Reserved_array<tetratree::Bvh8_node> nodes)
+      : Body_data(std::move(p), std::move(t))
+  {
+    std::call_once(closed_once_, [&] { closed_ = closed; });
+    std::call_once(bvh8_once_, [&] {
+      bvh8_.emplace(polyhedron, std::move(covering), std::move(elements), std::move(nodes));
+      made_bvh8_.store(&*bvh8_, std::memory_order_release);
+    });
+  }
+
   const covering::Polyhedron polyhedron;
   const std::vector<covering::Face_triangle> triangles;
 

@@ -145,14 +145,24 @@ class Body {
   friend class Query;
   friend const detail::Body_data& detail::data_of(const Body& body);
   friend Body read_body(const std::filesystem::path& file);
+  friend void save_body(const Body& body, const std::filesystem::path& file);
   explicit Body(const std::filesystem::path& file);
 
   std::shared_ptr<const detail::Body_data> data_;
 };
 
-/// Reads OFF, OBJ, PLY, STL or TetGen .poly, by the suffix. Throws Error, "file:line: what is wrong; what was
-/// expected", for a file that is not one, and as `Body` does.
+/// Reads OFF, OBJ, PLY, STL or TetGen .poly, or a body that was saved (.body), by the suffix. Throws Error, "file:line:
+/// what is wrong; what was expected", for a file that is not one, and as `Body` does.
+///
+/// A saved body has all nodes of its fast tree, used where the system keeps the file: many processes share them. The file
+/// may be removed or saved anew while it is in use, not written into. Refused is one whose checksum says that a byte is
+/// not what was saved, and one of another version of the format or of a machine of other numbers.
 Body read_body(const std::filesystem::path& file);
+
+/// Saves the body with its fast tree, all nodes of which are made, to a file *.body that `read_body` takes: the same
+/// bytes whenever it is saved. Written under a temporary name first, so that a reader sees the old file or the new one.
+/// Throws Error for another suffix, and for a file that cannot be written; then nothing is left behind.
+void save_body(const Body& body, const std::filesystem::path& file);
 
 /// The answer for one pose of each body.
 class Answer {

@@ -13,6 +13,7 @@
 #include <mutex>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace tetracone::tetratree {
@@ -44,6 +45,14 @@ class Bvh8 {
     // Of every node but the root at least two elements come apart: there are no more nodes than elements.
     if (!empty()) nodes_.push_back(builder_->root());
   }
+
+  /// A tree that was made before, of the same polyhedron: its covering, its elements, and its nodes as `nodes_in_order`
+  /// had them.
+  Bvh8(const covering::Polyhedron& polyhedron, covering::Covering covering, std::vector<Element> elements,
+       Reserved_array<Bvh8_node> nodes)
+      : elements_(polyhedron, std::move(covering), std::move(elements)), nodes_(std::move(nodes))
+  {}
+
   Bvh8(const Bvh8&) = delete;
 
   const covering::Model<kernel::Adaptive>& model() const { return elements_.model(); }
@@ -105,7 +114,20 @@ class Bvh8 {
     builder_.reset();
   }
 
-  /// The cuts by which the nodes that there are were made.
+  /// All nodes, each before those below it and these in the order of lanes: the same bytes in whatever order they were
+  /// made. Requires `make_all`.
+  std::vector<Bvh8_node> nodes_in_order() const
+  {
+    std::vector<Bvh8_node> ordered;
+    ordered.reserve(node_count());
+    if (node_count() > 0) append_in_order(0, ordered);
+    return ordered;
+  }
+
+  /// All elements, in the order of leaves. Requires `make_all`.
+  std::span<const Element> elements() const { return std::as_const(elements_).order(); }
+
+  /// The cuts by which the nodes that there are were made here.
   Cut_counts cuts() const
   {
     const std::lock_guard lock(making_);
@@ -127,6 +149,18 @@ class Bvh8 {
   std::size_t node_bytes() const { return nodes_.size() * sizeof(Bvh8_node); }
 
  private:
+  Index append_in_order(Index n, std::vector<Bvh8_node>& ordered) const
+  {
+    const auto number = Index(ordered.size());
+    ordered.push_back(node(n).without_padding());
+    for (int lane = 0; lane < node(n).boxes.lane_count; ++lane)
+      if (!is_leaf(n, lane)) {
+        const Index below = append_in_order(child(n, lane), ordered);
+        ordered[number].child[std::size_t(lane)] = std::int32_t(below);
+      }
+    return number;
+  }
+
   mutable std::mutex making_;
   mutable Bvh8_elements elements_;  // a leaf's are in their place before the leaf can be seen
   mutable std::vector<Index> leaf_ends_;

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace tetracone::tetratree {
@@ -37,8 +38,14 @@ class Bvh8_elements {
   Bvh8_elements(const covering::Polyhedron& polyhedron, std::span<const Face_triangle> triangles) : model_(polyhedron)
   {
     collect_elements(polyhedron, triangles);
-    scale_ = kernel::local_scale(model_.lattice().origin, model_.vertices());
-    per_half_unit_ = 2 / scale_.unit;
+    find_scale();
+  }
+
+  /// With the covering and the elements known, these in the order that `order` has.
+  Bvh8_elements(const covering::Polyhedron& polyhedron, covering::Covering covering, std::vector<Element> order)
+      : model_(polyhedron, std::move(covering)), elements_(std::move(order))
+  {
+    find_scale();
   }
 
   const covering::Model<Adaptive>& model() const { return model_; }
@@ -48,6 +55,7 @@ class Bvh8_elements {
 
   /// All, whose order becomes that of the leaves.
   std::span<Element> order() { return elements_; }
+  std::span<const Element> order() const { return elements_; }
 
   std::size_t bytes() const { return elements_.capacity() * sizeof(Element); }
 
@@ -74,6 +82,12 @@ class Bvh8_elements {
   }
 
  private:
+  void find_scale()
+  {
+    scale_ = kernel::local_scale(model_.lattice().origin, model_.vertices());
+    per_half_unit_ = 2 / scale_.unit;
+  }
+
   void collect_elements(const covering::Polyhedron& polyhedron, std::span<const Face_triangle> triangles)
   {
     std::vector<bool> has_triangles(polyhedron.face_count(), false);

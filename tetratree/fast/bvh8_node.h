@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 namespace tetracone::tetratree {
@@ -30,6 +31,17 @@ struct alignas(64) Bvh8_node {
     __atomic_store_n(&child[std::size_t(lane)], std::int32_t(made), __ATOMIC_RELEASE);
   }
 
+  /// The same, with 0 in all bytes that mean nothing.
+  Bvh8_node without_padding() const
+  {
+    Bvh8_node node;
+    std::memset(static_cast<void*>(&node), 0, sizeof node);
+    std::memcpy(static_cast<void*>(&node), this, bytes_of_boxes);
+    node.child = child;
+    node.first = first;
+    return node;
+  }
+
   /// A lane whose node is not made yet says where its elements end. Requires last <= most_elements.
   static constexpr std::int32_t not_made(std::uint32_t last) { return -1 - std::int32_t(last); }
   static constexpr std::uint32_t last_of(std::int32_t code) { return std::uint32_t(-1 - code); }
@@ -39,6 +51,9 @@ struct alignas(64) Bvh8_node {
   static constexpr std::int32_t leaf(kernel::Apex_code apex) { return first_leaf + apex; }
   static constexpr kernel::Apex_code apex(std::int32_t code) { return kernel::Apex_code(code - first_leaf); }
   static constexpr std::int32_t first_leaf = std::numeric_limits<std::int32_t>::min(), last_leaf = first_leaf + 0xffff;
+
+ private:
+  static constexpr std::size_t bytes_of_boxes = offsetof(kernel::Obb8, marked) + sizeof(kernel::Obb8::marked);
 };
 
 }  // namespace tetracone::tetratree

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <new>
 #include <type_traits>
+#include <utility>
 
 namespace tetracone::tetratree {
 
@@ -27,11 +28,18 @@ class Reserved_array {
     if (space == MAP_FAILED) throw std::bad_alloc();
     data_ = static_cast<T*>(space);
   }
+  /// Of so many elements that are there, at the beginning of pages that mmap gave: they become the array's. None may be
+  /// appended; where the pages are read only, none may be changed.
+  Reserved_array(T* pages, std::size_t count) : data_(pages), capacity_(count), size_(std::uint32_t(count)) {}
+
+  Reserved_array(Reserved_array&& other) noexcept
+      : data_(std::exchange(other.data_, nullptr)), capacity_(other.capacity_), size_(other.size())
+  {}
+
   ~Reserved_array()
   {
     if (data_ != nullptr) ::munmap(data_, capacity_ * sizeof(T));
   }
-  Reserved_array(const Reserved_array&) = delete;
 
   T* data() const { return data_; }
   std::uint32_t size() const { return size_.load(std::memory_order_relaxed); }

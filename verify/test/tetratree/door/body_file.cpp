@@ -1,0 +1,229 @@
+#include "tetracone/tetratree/door/body_file.h"
+
+#include "tetracone/tetratree/door/checksum.h"
+#include "tetracone/tetratree/door/repair.h"
+#include "tetracone/tetratree/door/tetracone.h"
+#include "verify/test/support/scenes.h"
+#include "verify/test/support/temporary_file.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <cstddef>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <thread>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_body_file)
+
+namespace scenes = tetracone::verify::scenes;
+namespace verify = tetracone::verify;
+using tetracone::Body;
+using tetracone::Error;
+using tetracone::Location;
+using tetracone::Polyhedron;
+using tetracone::Pose;
+using tetracone::Query;
+using tetracone::Question;
+using tetracone::read_body;
+using tetracone::save_body;
+
+namespace {
+
+std::string bytes_of(const std::filesystem::path& file)
+{
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void write(const std::filesystem::path& file, const std::string& bytes)
+{
+  std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
+}
+
+/// A body as it is read from where it was saved.
+Body saved(const Body& body)
+{
+  const verify::Temporary_file file("saved.body", "");
+  save_body(body, file.path());
+  return read_body(file.path());
+}
+
+/// What reading these bytes is refused with, behind the file's name; empty where it is not.
+std::string refusal(const verify::Temporary_file& file, const std::string& bytes)
+{
+  write(file.path(), bytes);
+  const std::string line = error_of(file, [](const auto& path) { read_body(path); });
+  return line == "no error" ? "" : line;
+}
+
+Polyhedron blob(int divisions, unsigned seed)
+{
+  scenes::Random random(seed);
+  return scenes::blob(random, divisions, 0.7, 1.3);
+}
+
+Polyhedron open_box()
+{
+  const Polyhedron closed = scenes::unit_cube();
+  Polyhedron open;
+  open.vertices = closed.vertices;
+  for (std::uint32_t f = 0; f + 1 < closed.face_count(); ++f) open.add_polygon(closed.loop(f, 0));
+  return open;
+}
+
+/// Triangles, polygons, faces with a hole, and a surface that is open.
+std::vector<Body> bodies()
+{
+  const std::string frame = TETRACONE_SOURCE_DIR "/verify/test/models/frame.poly";
+  return {Body(scenes::unit_cube()), Body(open_box()), Body(blob(4, 1)), read_body(frame),
+          tetracone::triangulated_body(read_body(frame).polyhedron())};
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_saved_body_answers_as_the_one_that_was_saved)
+{
+  const Body probe(blob(2, 2));
+  for (const Body& made : bodies()) {
+    const Body read = saved(made);
+    BOOST_TEST(read.is_closed() == made.is_closed());
+    BOOST_TEST((read.polyhedron().vertices == made.polyhedron().vertices));
+    const Question question = made.is_closed() ? Question::solid : Question::surface;
+    Query of_made(made, probe, question), of_read(read, probe, question), of_both(read, made, question);
+    for (int k = 0; k < 20; ++k) {
+      const Pose pose({0.8, -0.6, 0, 0.1 * k, 0.6, 0.8, 0, 0.05 * k, 0, 0, 1, 0.01 * k});
+      const auto answer = of_made.collide(Pose(), pose);
+      BOOST_TEST((of_read.collide(Pose(), pose).relation() == answer.relation()));
+      BOOST_TEST(of_read.certified_gap() == of_made.certified_gap());
+      BOOST_TEST(of_read.distance(Pose(), pose) == of_made.distance(Pose(), pose));
+      if (k % 5 != 0) continue;
+      BOOST_TEST((of_read.features(Pose(), pose) == of_made.features(Pose(), pose)));
+      BOOST_TEST(of_read.contacts(Pose(), pose).size() == of_made.contacts(Pose(), pose).size());
+      BOOST_TEST(bool(of_both.collide(Pose(), Pose())));
+    }
+    const tetracone::Ray ray{{-3, 0.4, 0.3}, {1, 0.01, 0.02}};
+    const auto of_ray = made.hits(ray), of_read_ray = read.hits(ray);
+    BOOST_REQUIRE(of_ray.size() == of_read_ray.size());
+    for (std::size_t k = 0; k < of_ray.size(); ++k)
+      BOOST_TEST((of_ray[k].face == of_read_ray[k].face && of_ray[k].t == of_read_ray[k].t));
+    if (made.is_closed()) BOOST_TEST((read.inside({0.3, 0.2, 0.1}) == made.inside({0.3, 0.2, 0.1})));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_body_is_the_same_bytes_whenever_it_is_saved)
+{
+  const verify::Temporary_file first("first.body", ""), second("second.BODY", "");
+  for (const Body& body : bodies()) {
+    save_body(body, first.path());
+    const Body asked(body.polyhedron());  // some of whose nodes are made by queries
+    if (body.polyhedron().face_count() > 100) {
+      Query(asked, Body(blob(2, 2)), Question::surface).collide(Pose(), Pose::translation(0.9, 0.1, 0));
+      save_body(asked, second.path());
+      BOOST_TEST((bytes_of(second.path()) == bytes_of(first.path())));
+    }
+    save_body(read_body(first.path()), second.path());
+    BOOST_TEST((bytes_of(second.path()) == bytes_of(first.path())));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_file_may_go_and_threads_may_share_it_while_the_body_is_asked)
+{
+  const Body body(blob(3, 3)), read = saved(body), copy = saved(read);
+  std::vector<int> collisions(3, 0);
+  std::vector<std::thread> threads;
+  for (int& count : collisions)
+    threads.emplace_back([&] {
+      Query query(read, copy);
+      for (int k = 0; k < 30; ++k) count += bool(query.collide(Pose(), Pose::translation(0.1 * k, 0, 0)));
+    });
+  for (std::thread& thread : threads) thread.join();
+  BOOST_TEST(collisions[0] > 0);
+  BOOST_TEST((collisions[0] == collisions[1] && collisions[1] == collisions[2]));
+}
+
+BOOST_AUTO_TEST_CASE(every_spoiled_byte_is_seen)
+{
+  const verify::Temporary_file file("spoiled.body", "");
+  save_body(Body(blob(1, 4)), file.path());
+  const std::string whole = bytes_of(file.path());
+  BOOST_TEST(refusal(file, whole) == "");
+  int seen = 0, spoiled = 0;
+  const auto spoil = [&](std::size_t at, int bits) {
+    std::string bytes = whole;
+    bytes[at] = char(bytes[at] ^ bits);
+    ++spoiled;
+    const std::string line = refusal(file, bytes);
+    seen += line.starts_with(": ") && line.find("; expected ") != std::string::npos;
+  };
+  for (std::size_t at = 0; at < 400; ++at) spoil(at, 1 << at % 8);
+  for (std::size_t at = 400; at < whole.size(); at += 997) spoil(at, 0x80);
+  for (std::size_t back = 1; back <= 64; ++back) spoil(whole.size() - back, 0xff);
+  BOOST_TEST(seen == spoiled);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_wrong_is_said)
+{
+  const verify::Temporary_file file("wrong.body", "");
+  save_body(Body(scenes::unit_cube()), file.path());
+  const std::string whole = bytes_of(file.path()), size = std::to_string(whole.size());
+  const auto with = [&](std::size_t at, char byte) {
+    std::string bytes = whole;
+    bytes[at] = byte;
+    return refusal(file, bytes);
+  };
+  BOOST_TEST(refusal(file, "") == ": the file is empty; expected a saved body");
+  BOOST_TEST(refusal(file, "OFF\n") == ": is no saved body; expected a file that `tetracone save` or save_body wrote");
+  BOOST_TEST(refusal(file, whole.substr(0, 100)) ==
+             ": has 100 bytes; expected at least the 320 with which a saved body begins");
+  BOOST_TEST(with(16, 2) == ": is a saved body of version 2; expected version 1: save it anew");
+  BOOST_TEST(with(20, 4) ==
+             ": is of a machine with another order of bytes; expected a body saved by such a machine as this one");
+  BOOST_TEST(with(32, 25) == ": has 25 bytes for an element of array 0; expected 24: save it anew");
+  BOOST_TEST(with(47, 1) == ": has " + size + " bytes; expected more, as its beginning says");
+  BOOST_TEST(refusal(file, whole + '\0') ==
+             ": has " + std::to_string(whole.size() + 1) + " bytes; expected " + size + ", as its beginning says");
+  BOOST_TEST(with(whole.size() - 1, 1) ==
+             ": is spoiled: its checksum is not that of its bytes; expected the file as it was saved");
+  int refused = 0, cuts = 0;
+  for (std::size_t length = 1; length < whole.size(); length += 61, ++cuts)
+    refused += refusal(file, whole.substr(0, length)) != "";
+  BOOST_TEST(refused == cuts);
+}
+
+BOOST_AUTO_TEST_CASE(what_cannot_be_saved_leaves_nothing)
+{
+  const Body cube(scenes::unit_cube());
+  const verify::Temporary_folder folder("nothing");
+  BOOST_CHECK_THROW(save_body(cube, folder.path() / "cube.body"), Error);
+  std::filesystem::create_directories(folder.path() / "taken.body" / "within");
+  BOOST_CHECK_THROW(save_body(cube, folder.path() / "taken.body"), Error);
+  BOOST_CHECK_THROW(save_body(cube, folder.path() / "cube.off"), Error);
+  BOOST_CHECK_THROW(read_body(folder.path() / "taken.body"), Error);
+  BOOST_CHECK_THROW(read_body(folder.path() / "none.body"), Error);
+  BOOST_TEST(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
+}
+
+BOOST_AUTO_TEST_CASE(a_checksum_differs_where_one_word_or_the_order_of_two_does)
+{
+  const auto sum = [](const std::vector<unsigned char>& bytes) {
+    tetracone::detail::Checksum checksum;
+    checksum.add(std::as_bytes(std::span(bytes)));
+    return checksum.value();
+  };
+  std::vector<unsigned char> bytes(256, 0);
+  const auto none = sum(bytes);
+  for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
+    bytes[bit / 8] ^= static_cast<unsigned char>(1 << bit % 8);
+    BOOST_TEST(sum(bytes) != none);
+    bytes[bit / 8] = 0;
+  }
+  bytes[7] = bytes[64 + 7] = 0x80;  // the highest bits of a lane's words do not cancel
+  BOOST_TEST(sum(bytes) != none);
+  std::vector<unsigned char> one(256, 0), other(256, 0);
+  one[0] = other[64] = 1;
+  BOOST_TEST(sum(one) != sum(other));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
