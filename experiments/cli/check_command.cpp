@@ -4,6 +4,8 @@
 #include "tetracone/covering/io/read.h"
 #include "tetracone/covering/repair/repair.h"
 #include "tetracone/kernel/number/number.h"
+#include "tetracone/tetratree/door/body_file.h"
+#include "tetracone/tetratree/door/tetracone.h"
 
 #include <nlohmann/json.hpp>
 
@@ -46,7 +48,10 @@ Checked look_at(const std::string& file, const Check_options& options)
 {
   Checked result;
   result.file = file;
-  result.model = covering::read_model(file);
+  if (detail::is_body_file(file))
+    result.model.polyhedron = read_body(file).polyhedron();
+  else
+    result.model = covering::read_model(file);
   auto& polyhedron = result.model.polyhedron;
   if (options.merge) {
     const std::size_t before = polyhedron.vertices.size();
@@ -307,7 +312,8 @@ void add_check_command(CLI::App& app)
   CLI::App* command =
       app.add_subcommand("check", "What a model is: closed, planar, its counts, shells and exact volume");
   const auto options = std::make_shared<Check_options>();
-  command->add_option("MODEL", options->models, "OFF, OBJ, PLY, STL or TetGen .poly files")->required();
+  command->add_option("MODEL", options->models, "OFF, OBJ, PLY, STL or TetGen .poly files, or saved bodies")
+      ->required();
   command->add_flag("--json", options->json, "One array, an object a model; rationals are strings n/d");
   command->add_flag("--strict", options->strict, "Exit 1 also where a face is not exactly planar");
   command->add_flag("--merge", options->merge, "Merge vertices with exactly equal coordinates first");

@@ -352,7 +352,7 @@ void run_collide(const Collide_options& options, bool question_is_given)
     const Scene scene = c ? scene_of(*c->object, options.names.a, *question, solid) : read_scene(options, *question);
     for (const Subject& subject : subjects) {
       const Stopwatch since;
-      const auto pair = verify::prepare(subject, scene.a.polyhedron, scene.b.polyhedron);
+      const auto pair = verify::prepare(subject, scene.a.body(), scene.b.body());
       const double ready = since.milliseconds();
       if (options.lists()) {
         text = options.features ? features_of(*pair, scene, options) : contacts_of(*pair, scene, options, curves);
@@ -381,8 +381,9 @@ void add_collide_command(CLI::App& app)
   CLI::App* command = app.add_subcommand("collide", "Whether two models collide: one answer a pose");
   const auto options = std::make_shared<Collide_options>();
   command
-      ->add_option("A", options->names.a,
-                   "Model: OFF, OBJ, PLY, STL or TetGen .poly; or a case file, *.case.json, that holds all")
+      ->add_option(
+          "A", options->names.a,
+          "Model: OFF, OBJ, PLY, STL, TetGen .poly or a saved body; or a case file, *.case.json, that holds all")
       ->required();
   command->add_option("B", options->names.b, "Model");
   const CLI::Option* question =

@@ -6,7 +6,6 @@
 #include "experiments/support/scene_options.h"
 #include "experiments/support/stopwatch.h"
 #include "tetracone/kernel/number/number.h"
-#include "tetracone/tetratree/door/repair.h"
 #include "tetracone/tetratree/door/tetracone.h"
 
 #include <algorithm>
@@ -114,7 +113,7 @@ void run_distance(const Distance_options& options)
   const bool solid = *question == Question::solid;
   const Model_file a = load_model(options.names.a, options.names.models, solid),
                    b = load_model(options.names.b, options.names.models, solid);
-  Query query(triangulated_body(a.polyhedron), triangulated_body(b.polyhedron), *question, *how);
+  Query query(a.body(), b.body(), *question, *how);
   const std::string text = Asking(options, query, poses).text();
   if (!options.certificate.empty())
     write_whole(options.certificate, distance_certificate(a.polyhedron, b.polyhedron, poses, *question));
@@ -132,7 +131,7 @@ void add_distance_command(CLI::App& app)
                                          "How far apart two models are: the double nearest to the exact "
                                          "distance, a line a pose");
   const auto options = std::make_shared<Distance_options>();
-  command->add_option("A", options->names.a, "Model: OFF, OBJ, PLY, STL or TetGen .poly")->required();
+  command->add_option("A", options->names.a, "Model: OFF, OBJ, PLY, STL, TetGen .poly or a saved body")->required();
   command->add_option("B", options->names.b, "Model")->required();
   command
       ->add_option("--question", options->question,

@@ -36,7 +36,7 @@ void run_inside(const Inside_options& options)
   if (options.time && options.csv.empty()) throw CLI::ValidationError("--time", "expected --csv to hold the times");
   if (!options.csv.empty()) refuse_input(options.csv, {options.model, options.points});
   const auto points = covering::read_points(options.points);
-  const Body body(load_model(options.model, options.models, true).polyhedron);
+  const Body body = load_model(options.model, options.models, true).body();
   body.inside_bytes();  // no point's time is that of the table
 
   std::string text, csv = options.time ? "point,answer,ns\n" : "point,answer\n";
@@ -62,7 +62,8 @@ void add_inside_command(CLI::App& app)
   CLI::App* command =
       app.add_subcommand("inside", "Where points are: 1 inside the solid, 0 on its surface, -1 outside");
   const auto options = std::make_shared<Inside_options>();
-  command->add_option("MODEL", options->model, "A closed model: OFF, OBJ, PLY, STL or TetGen .poly")->required();
+  command->add_option("MODEL", options->model, "A closed model: OFF, OBJ, PLY, STL, TetGen .poly or a saved body")
+      ->required();
   command
       ->add_option("POINTS", options->points,
                    "Points: one a line, three numbers, decimals or fractions n/d; '#' comments")

@@ -6,7 +6,6 @@
 #include "experiments/support/progress.h"
 #include "experiments/support/stopwatch.h"
 #include "tetracone/kernel/number/number.h"
-#include "tetracone/tetratree/door/repair.h"
 #include "tetracone/tetratree/door/tetracone.h"
 
 #include <iostream>
@@ -82,7 +81,7 @@ void run_motion(const Motion_options& options)
   const bool solid = *question == Question::solid;
   const Model_file a = load_model(options.names.a, options.names.models, solid),
                    b = load_model(options.names.b, options.names.models, solid);
-  Query query(triangulated_body(a.polyhedron), triangulated_body(b.polyhedron), *question);
+  Query query(a.body(), b.body(), *question);
   const std::string text = answers(options, query, motions);
   if (options.csv.empty())
     std::cout << text;
@@ -98,7 +97,7 @@ void add_motion_command(CLI::App& app)
       "motion",
       "When two moving models first meet, exactly: `0`, or `1` and the doubles about the time, a line a motion");
   const auto options = std::make_shared<Motion_options>();
-  command->add_option("A", options->names.a, "Model: OFF, OBJ, PLY, STL or TetGen .poly")->required();
+  command->add_option("A", options->names.a, "Model: OFF, OBJ, PLY, STL, TetGen .poly or a saved body")->required();
   command->add_option("B", options->names.b, "Model")->required();
   options->names.add_options_to(*command);
   options->names.models.add_to(*command);

@@ -41,8 +41,8 @@ void run_ray(const Ray_options& options)
   if (options.time && options.csv.empty()) throw CLI::ValidationError("--time", "expected --csv to hold the times");
   if (!options.csv.empty()) refuse_input(options.csv, {options.model, options.rays});
   const auto rays = covering::read_rays(options.rays);
-  Model_file model = load_model(options.model, options.models, false);
-  const Body body(std::move(model.polyhedron));
+  const Model_file model = load_model(options.model, options.models, false);
+  const Body body = model.body();
   body.make_all();  // no ray's time is that of the tree
 
   std::string text, csv = options.time ? "ray,face,t,ns\n" : "ray,face,t\n";
@@ -82,7 +82,7 @@ void add_ray_command(CLI::App& app)
 {
   CLI::App* command = app.add_subcommand("ray", "Where rays meet a surface first: the face and t");
   const auto options = std::make_shared<Ray_options>();
-  command->add_option("MODEL", options->model, "A model: OFF, OBJ, PLY, STL or TetGen .poly")->required();
+  command->add_option("MODEL", options->model, "A model: OFF, OBJ, PLY, STL, TetGen .poly or a saved body")->required();
   command->add_option("RAYS", options->rays, "Rays: one a line, six decimals, origin and direction; '#' comments")
       ->required();
   command->add_flag("--all", options->all, "Every face that is met, `face t` after `face t`, in order");

@@ -7,7 +7,6 @@
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/kernel/motion/body_motion.h"
 #include "tetracone/kernel/number/number.h"
-#include "tetracone/tetratree/door/repair.h"
 #include "tetracone/tetratree/door/scene.h"
 #include "verify/cases/scene_file.h"
 
@@ -149,8 +148,7 @@ Scene scene_of(const verify::Scene_file& file, const Scene_options& how, const M
   Scene scene(how);
   const bool solid = how.question == Question::solid;
   for (const verify::Scene_file::Model& model : file.models())
-    scene.add_model([path = model.file.native(), models,
-                     solid] { return triangulated_body(load_model(path, models, solid).polyhedron); },
+    scene.add_model([path = model.file.native(), models, solid] { return load_model(path, models, solid).body(); },
                     model.name);
   for (const std::size_t model : file.bodies()) scene.add_body(model);
   for (const auto& [a, b] : file.ignored()) scene.ignore(a, b);

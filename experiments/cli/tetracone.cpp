@@ -13,6 +13,7 @@
 #include "experiments/cli/motion_command.h"
 #include "experiments/cli/ray_command.h"
 #include "experiments/cli/report_command.h"
+#include "experiments/cli/save_command.h"
 #include "experiments/cli/scene_command.h"
 #include "experiments/cli/verify_command.h"
 #include "experiments/cli/view_command.h"
@@ -74,6 +75,7 @@ int main(int argc, char** argv)
   app.footer("tetracone COMMAND --help says more, with an example.");
 
   tetracone::experiments::add_check_command(app);
+  tetracone::experiments::add_save_command(app);
   tetracone::experiments::add_collide_command(app);
   tetracone::experiments::add_distance_command(app);
   tetracone::experiments::add_inside_command(app);

@@ -121,10 +121,11 @@ void add_view_command(CLI::App& app)
   const auto options = std::make_shared<View_options>();
   Scene_names& names = options->names;
   command
-      ->add_option("A", names.a,
-                   "Model: OFF, OBJ, PLY, STL or TetGen .poly; or a case file, *.case.json, or a scene file, "
-                   "*.scene.json, that holds "
-                   "all")
+      ->add_option(
+          "A", names.a,
+          "Model: OFF, OBJ, PLY, STL, TetGen .poly or a saved body; or a case file, *.case.json, or a scene file, "
+          "*.scene.json, that holds "
+          "all")
       ->required();
   command->add_option("B", names.b, "Model; without it A is shown alone");
   command->add_option("--out", options->out, "The page, FILE.html")->required();

@@ -4,6 +4,8 @@
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/io/read.h"
 #include "tetracone/covering/repair/repair.h"
+#include "tetracone/tetratree/door/body_file.h"
+#include "tetracone/tetratree/door/repair.h"
 
 #include <algorithm>
 #include <iostream>
@@ -13,11 +15,14 @@ namespace tetracone::experiments {
 
 Model_file load_model(const std::string& file, const Model_options& options, bool must_be_solid)
 {
-  covering::Polyhedron polyhedron = covering::read(file);
+  std::optional<Body> saved;
+  if (detail::is_body_file(file)) saved = read_body(file);
+  covering::Polyhedron polyhedron = saved ? saved->polyhedron() : covering::read(file);
+  if (options.merge || options.orient) saved.reset();
   if (options.merge) polyhedron = covering::merge_equal_vertices(polyhedron);
   if (options.orient) polyhedron = covering::orient(polyhedron).polyhedron;
 
-  if (must_be_solid && !covering::is_closed(polyhedron)) {
+  if (must_be_solid && !(saved ? saved->is_closed() : covering::is_closed(polyhedron))) {
     const covering::Check check = covering::check(polyhedron);
     const auto& edge = check.open_edges.front();
     const bool orientation_alone = covering::closes_if_oriented(polyhedron);
@@ -39,7 +44,9 @@ Model_file load_model(const std::string& file, const Model_options& options, boo
     std::cerr << file << ": " << triangulated.replaced.size() << " faces are not exactly planar (first: " << first
               << "); replaced by triangles\n";
   }
-  return {file, std::move(triangulated.polyhedron), std::move(triangulated.source)};
+  return {file, std::move(triangulated.polyhedron), std::move(triangulated.source), std::move(saved)};
 }
+
+Body Model_file::body() const { return saved ? *saved : triangulated_body(polyhedron); }
 
 }  // namespace tetracone::experiments

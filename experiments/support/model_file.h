@@ -2,9 +2,11 @@
 #define TETRACONE_EXPERIMENTS_SUPPORT_MODEL_FILE_H
 
 #include "tetracone/covering/polyhedron.h"
+#include "tetracone/tetratree/door/tetracone.h"
 
 #include <CLI/CLI.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,9 +31,13 @@ struct Model_file {
   std::string file;
   covering::Polyhedron polyhedron;
   std::vector<covering::Index> source_face;  ///< the face of the file that each face is, or is a triangle of
+  std::optional<Body> saved = {};            ///< with its tree, of a file that has it
+
+  /// With what the file has of its tree, or triangulated.
+  Body body() const;
 };
 
-/// Reads a model, merged and oriented as the options say, its non-planar faces replaced by triangles, with one line on
+/// Reads a model or a saved body, merged and oriented as the options say, its non-planar faces replaced by triangles, with one line on
 /// stderr that says so. Throws covering::Input_error for an unreadable file, with `strict` for a non-planar face, and
 /// with `must_be_solid` for an open surface: what is open, and whether consistent orientation alone would close it.
 Model_file load_model(const std::string& file, const Model_options& options, bool must_be_solid);

@@ -12,10 +12,8 @@ namespace {
 /// By the library's own door. Each question is a query; that of solids is made when it is first asked.
 class Query_pair : public Prepared_pair {
  public:
-  Query_pair(const Subject& subject, const covering::Polyhedron& a, const covering::Polyhedron& b)
-      : options_{subject.kernel, subject.method, subject.tolerance, subject.remembers},
-        a_(subject.whole_faces ? Body(a) : triangulated_body(a)),
-        b_(subject.whole_faces ? Body(b) : triangulated_body(b))
+  Query_pair(const Subject& subject, const Body& a, const Body& b)
+      : options_{subject.kernel, subject.method, subject.tolerance, subject.remembers}, a_(a), b_(b)
   {
     asked(kernel::Question::surface);
   }
@@ -97,6 +95,11 @@ class Truth_pair : public Prepared_pair {
   Brute_body a_, b_;
 };
 
+bool is_truth(const Subject& subject)
+{
+  return subject.kernel == Kernel_name::rational && subject.method == Method::brute;
+}
+
 }  // namespace
 
 std::optional<Subject> Subject::parse(std::string_view kernel, Method method)
@@ -117,8 +120,16 @@ std::string Subject::name() const
 std::unique_ptr<Prepared_pair> prepare(const Subject& subject, const covering::Polyhedron& a,
                                        const covering::Polyhedron& b)
 {
-  if (subject.kernel == Kernel_name::rational && subject.method == Method::brute)
-    return std::make_unique<Truth_pair>(a, b);
+  if (is_truth(subject)) return std::make_unique<Truth_pair>(a, b);
+  const auto body = [&](const covering::Polyhedron& polyhedron) {
+    return subject.whole_faces ? Body(polyhedron) : triangulated_body(polyhedron);
+  };
+  return std::make_unique<Query_pair>(subject, body(a), body(b));
+}
+
+std::unique_ptr<Prepared_pair> prepare(const Subject& subject, const Body& a, const Body& b)
+{
+  if (is_truth(subject)) return std::make_unique<Truth_pair>(a.polyhedron(), b.polyhedron());
   return std::make_unique<Query_pair>(subject, a, b);
 }
 

@@ -19,8 +19,9 @@
 #include <vector>
 
 namespace tetracone {
+class Body;
 class Query;
-}
+}  // namespace tetracone
 
 namespace tetracone::verify {
 
@@ -82,6 +83,8 @@ class Prepared_pair {
 
 std::unique_ptr<Prepared_pair> prepare(const Subject& subject, const covering::Polyhedron& a,
                                        const covering::Polyhedron& b);
+/// The same of bodies, by what is made of them.
+std::unique_ptr<Prepared_pair> prepare(const Subject& subject, const Body& a, const Body& b);
 
 }  // namespace tetracone::verify
 
