@@ -154,9 +154,9 @@ class Body {
 /// Reads OFF, OBJ, PLY, STL or TetGen .poly, or a body that was saved (.body), by the suffix. Throws Error, "file:line:
 /// what is wrong; what was expected", for a file that is not one, and as `Body` does.
 ///
-/// A saved body has all nodes of its fast tree, used where the system keeps the file: many processes share them. The file
-/// may be removed or saved anew while it is in use, not written into. Refused is one whose checksum says that a byte is
-/// not what was saved, and one of another version of the format or of a machine of other numbers.
+/// A saved body has all nodes of its fast tree, used where the system keeps the file: many processes share them. The
+/// file may be removed or saved anew while it is in use, not written into. Refused is one whose checksum says that a
+/// byte is not what was saved, and one of another version of the format or of a machine of other numbers.
 Body read_body(const std::filesystem::path& file);
 
 /// Saves the body with its fast tree, all nodes of which are made, to a file *.body that `read_body` takes: the same
