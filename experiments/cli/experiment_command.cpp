@@ -8,8 +8,10 @@
 #include "experiments/accuracy/stability.h"
 #include "experiments/report/method_figures.h"
 #include "experiments/speed/ablation_experiment.h"
+#include "experiments/speed/budget_experiment.h"
 #include "experiments/speed/coherence_experiment.h"
 #include "experiments/speed/contacts_experiment.h"
+#include "experiments/speed/demand_experiment.h"
 #include "experiments/speed/distance_experiment.h"
 #include "experiments/speed/moving_bodies_experiment.h"
 #include "experiments/speed/paper_experiment.h"
@@ -90,6 +92,14 @@ void scenes(Experiment_options options)
 {
   run_scenes(options.study.out, std::size_t(std::max(2, options.race_frames / 20)), options.full, options.study.seed);
 }
+void budget(Experiment_options options)
+{
+  run_budget(options.study.out, std::size_t(std::max(2, options.race_frames / 20)), options.study.seed);
+}
+void demand(Experiment_options options)
+{
+  run_demand(options.study.out, std::size_t(std::max(2, options.race_frames / 10)), options.study.seed);
+}
 void points(Experiment_options options)
 {
   run_points(options.study.out, options.meshes, options.full ? 20 * options.points : options.points,
@@ -142,6 +152,10 @@ constexpr std::array experiments = {
                "20 s", contacts},
     Experiment{"scenes", "how fast is a frame of many bodies beside FCL, Bullet and ODE, and who misses what?", "2 min",
                scenes},
+    Experiment{"budget", "how many pairs of a scene does a budget of time decide, and how near are the others?", "20 s",
+               budget},
+    Experiment{"demand", "how much of what could be made do the frames of a scene make, and what does that save?",
+               "20 s", demand},
     Experiment{"points", "what does a point in a solid cost, and the first hit of a ray, against CGAL?", "1 min",
                points},
     Experiment{"sign-maps",
@@ -196,11 +210,12 @@ void add_experiment_command(CLI::App& app)
       ->check(poses)
       ->capture_default_str();
   command
-      ->add_option(
-          "--race-frames", options->race_frames,
-          "peers, scaling, ablation, paper, distance, threads, coherence, contacts, scenes: poses of each "
-          "trajectory (peers: of each of eight circles; coherence: of the coarsest walk; scenes: a twentieth); "
-          "moving-bodies: motions of each course")
+      ->add_option("--race-frames", options->race_frames,
+                   "peers, scaling, ablation, paper, distance, threads, coherence, contacts, scenes, budget, demand: "
+                   "poses of each "
+                   "trajectory (peers: of each of eight circles; coherence: of the coarsest walk; scenes and budget: a "
+                   "twentieth, demand: a tenth); "
+                   "moving-bodies: motions of each course")
       ->check(poses)
       ->capture_default_str();
   command->add_option("--size", options->size, "sign-maps: doubles along each side of a map")

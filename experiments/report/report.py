@@ -13,6 +13,7 @@ import figures_failure
 import figures_need
 import figures_paper
 import figures_peers
+import figures_scenes
 import figures_signs
 import figures_speed
 import figures_stability
@@ -32,7 +33,7 @@ def page_of(page, study, campaign):
     opening = (f'<p class="claim">{figures_speed.claim(study, campaign)}</p>{chart}<h2 id="verdicts">The verdict</h2>'
                f"{figures_speed.verdicts(study, campaign)}{report_methods.KEY_OF_CHART}")
     sections = [section for module in (figures_speed, figures_failure, figures_stability, figures_signs, figures_paper, figures_stages,
-                                       figures_peers, tables_queries, figures_need, table_bounds, table_motion)
+                                       figures_peers, tables_queries, figures_scenes, figures_need, table_bounds, table_motion)
                 for section in module.sections(page, study, campaign)]
     sections += report_methods.sections(page, study, campaign)
     return report_methods.frame(opening, sections)

@@ -108,6 +108,16 @@ def peers():
             for s, e, w, ns in (("tetracone", 1, 0, 1000), ("FCL", 0, 5, 500))]
 
 
+def scenes():
+    """Rows of a budget and of what is asked: name and rows."""
+    return (("budget", [dict(frames_asked="alone", triangles=760, budget_ns=int(1000 * x), budget_of_a_frame=x, frame_ns=900 * x, frame_of_a_frame=0.9 * x, candidates=40,
+                             decided=d, undecided=40 - d, share_decided=d / 40, wrong=0, farther_than_said=0, mean_farthest_in_sizes=1.5, **MADE)
+                        for x, d in ((0.25, 0), (0.5, 20), (1, 35), (2, 40))]),
+            ("demand", [dict(frame=k, bodies=9, triangles=7000, pairs=k, differ=0, trees=k, nodes=10 * k, nodes_of_whole_trees=900, bytes_of_trees=k,
+                             bytes_of_whole_trees=99, bytes=50 + k, bytes_made_first=150, signs=1000 * k, signs_beyond_doubles=k // 2, ns=100 * k,
+                             ns_made_first=900 + 90 * k, **MADE) for k in range(4)]))
+
+
 def queries():
     """Rows of contacts, distances, points: name and rows."""
     return (("contacts", [dict(scenario="circular", object="x", triangles=9, method=m, poses=4, pairs=10, ns=ns, ratio=ns / 2000, lost=lost,
@@ -142,7 +152,7 @@ def draw(out, with_study=None, with_campaign=None, everything=True):
         write(f"{out}/tables/verify_{name}.csv", rows)
     if everything:
         for name, rows in (("sign_maps", signs()), ("stability", thresholds()), ("compilers", compilers()), ("peers", peers()),
-                           *queries(), ("motion", motion())):
+                           *queries(), *scenes(), ("motion", motion())):
             write(f"{out}/{name}.csv", rows)
     done = subprocess.run([sys.executable, "-B", os.path.join(SOURCE, "report.py"), out], capture_output=True, text=True)
     if done.returncode:
@@ -174,7 +184,7 @@ class Whole_report(unittest.TestCase):
         figures = re.findall(r'<figure id="([^"]*)">(.*?)</figure>', self.page, re.DOTALL)
         expected = {"speed_against_accuracy", "speed_against_accuracy_cold", "errors_by_distance", "errors_by_parameter", "flips",
                     "thresholds", "sign_maps", "frames_per_second",
-                    "relative_sizes", "stages", "blame", "relations", "compilers", "needs", "digits"}
+                    "relative_sizes", "stages", "blame", "relations", "compilers", "needs", "digits", "budget", "demand"}
         self.assertEqual({name for name, _ in figures}, expected)
         self.assertEqual(self.page.count("<svg"), len(figures), "a drawing outside a figure")
         for name, figure in figures:
@@ -195,6 +205,11 @@ class Whole_report(unittest.TestCase):
         self.assertEqual([(r["of"], r["subject"], r["n"], r["false_negatives"]) for r in rows],
                          [(g, s, "100", w) for g in ("published", "families") for s, w in (("adaptive", "0"), ("double", "7"))])
         self.assertIn('<section id="motion">', self.page)
+
+    def test_budgets_say_what_was_wrong_and_demand_what_share_was_made(self):
+        self.assertIn("160 pairs, 0 decided wrong, 0 farther apart than said", self.page)
+        with open(f"{self.out}/figures/demand.svg", encoding="utf-8") as file:
+            self.assertIn("nodes of trees, millions; at the end 3.3 %", file.read())
 
     def test_every_row_of_a_table_says_what_made_it(self):
         names = [n for n in os.listdir(f"{self.out}/tables") if not n.startswith("verify_")]
