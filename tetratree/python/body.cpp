@@ -36,6 +36,13 @@ std::shared_ptr<Shared_body> read(const py::object& path)
   return std::make_shared<Shared_body>(read_body(name));
 }
 
+void save(const Shared_body& self, const py::object& path)
+{
+  const std::filesystem::path name = path_of(path);
+  const py::gil_scoped_release unlocked;
+  save_body(self.body, name);
+}
+
 /// Arrays (n, 3), or one row (3,).
 class Rows {
  public:
@@ -223,13 +230,27 @@ origins, directions: as first_hit -> arrays (m,) of int64, int64 and float64. Ra
 (array([0, 0]), array([0, 3]), array([1. , 1.5]))
 )")
       .def(
-          "make_all", [](const Shared_body& self) { self.body.make_all(); }, py::call_guard<py::gil_scoped_release>(),
-          R"(make_all()
+          "make_all", [](const Shared_body& self, std::size_t threads) { self.body.make_all(threads); },
+          py::arg("threads") = 1, py::call_guard<py::gil_scoped_release>(),
+          R"(make_all(threads=1)
 
-Makes now what queries of the method `tree` would make when they first need it.
+Makes now what queries of the method `tree` would make when they first need it, by so many threads; 0: as many as there
+are.
 
 >>> import tetracone
 >>> tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]).make_all()
+)")
+      .def("save", &save, py::arg("path"), R"(save(path)
+
+Saves the body with its tree, all of which is made, to a file *.body that `read` takes: it is mapped there, and nothing
+is built again. Raises Error for another suffix, and for a file that cannot be written; then nothing is left behind.
+
+>>> import tetracone, tempfile, pathlib
+>>> with tempfile.TemporaryDirectory() as folder:
+...     file = pathlib.Path(folder, "triangle.body")
+...     tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]).save(file)
+...     tetracone.read(file)
+Body(3 vertices, 1 faces, open)
 )")
       .def_property_readonly(
           "is_closed", [](const Shared_body& self) { return self.body.is_closed(); },
@@ -252,8 +273,8 @@ Makes now what queries of the method `tree` would make when they first need it.
 
   module.def("read", &read, py::arg("path"), R"(read(path)
 
-The body of a file: OFF, OBJ, PLY, STL or TetGen .poly, by the suffix. Raises Error, "file:line: what is wrong; what was
-expected", for a file that is none, and as Body does.
+The body of a file: OFF, OBJ, PLY, STL or TetGen .poly, or one that was saved (.body), by the suffix. Raises Error,
+"file:line: what is wrong; what was expected", for a file that is none, and as Body does.
 
 >>> import tetracone, tempfile, pathlib
 >>> with tempfile.TemporaryDirectory() as folder:

@@ -356,6 +356,27 @@ class Objects(unittest.TestCase):
         faces[:] = 0
         self.assertEqual(body.inside([0.5, 0.5, 0.5]), 1)
 
+    def test_a_saved_body_answers_as_the_one_that_was_made(self):
+        body = Body(*FRAME)
+        poses = np.eye(3, 4)[None] + np.linspace(0, 9, 40)[:, None, None] * [[0, 0, 0, 1], [0, 0, 0, 0.5], [0, 0, 0, 0.25]]
+        with tempfile.TemporaryDirectory() as folder:
+            name = os.path.join(folder, "frame.body")
+            body.save(name)
+            saved = tetracone.read(name)
+            self.assertEqual(saved.faces, body.faces)
+            answers = Query(saved, saved).collide(poses)
+            self.assertEqual(answers.tolist(), Query(body, body).collide(poses).tolist())
+            self.assertTrue(answers.any() and not answers.all())
+            with open(name, "r+b") as file:
+                file.seek(400)
+                byte = file.read(1)
+                file.seek(400)
+                file.write(bytes([byte[0] ^ 1]))
+            with self.assertRaisesRegex(Error, r"frame\.body: is spoiled"):
+                tetracone.read(name)
+            with self.assertRaisesRegex(Error, r"\.body"):
+                body.save(os.path.join(folder, "frame.off"))
+
     def test_bodies_are_pickled(self):
         for body in (Body(*CUBE), Body(*FRAME)):
             for again in (pickle.loads(pickle.dumps(body)), copy.deepcopy(body)):
