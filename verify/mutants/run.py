@@ -105,14 +105,17 @@ def main():
     parser.add_argument("--only", default="", help="mutants whose name has this word")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     args = parser.parse_args()
+    program = args.build / "verify" / "mutant_cases"
+    if not program.exists():
+        sys.exit(f"{program}: not there; expected a build folder with the target mutant_cases built")
     out = args.out or args.build / "mutants"
     out.mkdir(parents=True, exist_ok=True)
 
-    cases, program = out / "cases.txt", args.build / "verify" / "mutant_cases"
+    cases = out / "cases.txt"
     if not cases.exists():
         with open(cases.with_suffix(".new"), "w") as file:
             if subprocess.run([str(program)], stdout=file).returncode != 0:
-                sys.exit(f"{program}: failed; build the target mutant_cases")
+                sys.exit(f"{program}: failed; expected the cases that it writes")
         cases.with_suffix(".new").rename(cases)
 
     # A result counts for the headers, the cases and the probe that it was found with.
