@@ -116,11 +116,17 @@ constexpr std::size_t most_for_cgal = 100'000'000;
 
 }  // namespace
 
-Read_model read_model(const std::filesystem::path& path)
+std::string suffix_of(const std::filesystem::path& path)
 {
   std::string suffix = path.extension().native();
   std::ranges::transform(suffix, suffix.begin(),
                          [](unsigned char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c); });
+  return suffix;
+}
+
+Read_model read_model(const std::filesystem::path& path)
+{
+  const std::string suffix = suffix_of(path);
   const std::string& file = path.native();
   const bool known = suffix == ".off" || suffix == ".obj" || suffix == ".ply" || suffix == ".stl" || suffix == ".poly";
   // What is no file at all is said first.

@@ -3,6 +3,7 @@
 #include "tetracone/covering/covering.h"
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/io/mapped_file.h"
+#include "tetracone/covering/io/read.h"
 #include "tetracone/covering/polyhedron.h"
 #include "tetracone/tetratree/door/body_data.h"
 #include "tetracone/tetratree/door/checksum.h"
@@ -11,7 +12,6 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -227,12 +227,7 @@ Header checked_header(const fs::path& file, std::string_view bytes)
 
 }  // namespace
 
-bool is_body_file(const fs::path& file)
-{
-  std::string suffix = file.extension().native();
-  std::ranges::transform(suffix, suffix.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
-  return suffix == ".body";
-}
+bool is_body_file(const fs::path& file) { return covering::suffix_of(file) == ".body"; }
 
 void write_body_file(const Body_data& body, const fs::path& file)
 {

@@ -105,14 +105,13 @@ def main():
     parser.add_argument("--only", default="", help="mutants whose name has this word")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     args = parser.parse_args()
-    program = args.build / "verify" / "mutant_cases"
-    if not program.exists():
-        sys.exit(f"{program}: not there; expected a build folder with the target mutant_cases built")
     out = args.out or args.build / "mutants"
     out.mkdir(parents=True, exist_ok=True)
 
-    cases = out / "cases.txt"
+    cases, program = out / "cases.txt", args.build / "verify" / "mutant_cases"
     if not cases.exists():
+        if not program.exists():
+            sys.exit(f"{program}: not there; expected a build folder with the target mutant_cases built")
         with open(cases.with_suffix(".new"), "w") as file:
             if subprocess.run([str(program)], stdout=file).returncode != 0:
                 sys.exit(f"{program}: failed; expected the cases that it writes")

@@ -1,5 +1,6 @@
 #include "tetracone/kernel/motion/body_motion.h"
 #include "tetracone/tetratree/door/scene.h"
+#include "verify/test/support/said.h"
 #include "verify/test/support/scenes.h"
 
 #include <boost/test/unit_test.hpp>
@@ -132,16 +133,6 @@ void check_scenes(const Scene_options& options, int rounds, bool by_makers = fal
   BOOST_TEST(asked < std::size_t(rounds) * 45);
 }
 
-std::string complaint(const auto& what)
-{
-  try {
-    what();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
-
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_scene_has_the_first_contact_of_every_pair_in_order_of_time)
@@ -187,21 +178,21 @@ BOOST_AUTO_TEST_CASE(motions_that_cannot_be_followed_are_refused_with_a_line)
   scene.add_body(0);
   const std::size_t holed = scene.add_body(1);
   const Motion rests = Motion::linear(Pose(), Pose());
-  BOOST_TEST(complaint([&] { scene.first_contacts(std::vector<Motion>{rests}); }) ==
+  BOOST_TEST(verify::said([&] { scene.first_contacts(std::vector<Motion>{rests}); }) ==
              "scene: 1 motions of 2 bodies; expected one a body");
-  BOOST_TEST(complaint([&] { scene.first_contacts(std::vector<Pose>(3)); }) ==
+  BOOST_TEST(verify::said([&] { scene.first_contacts(std::vector<Pose>(3)); }) ==
              "scene: 3 poses of 2 bodies; expected one a body");
-  BOOST_TEST(complaint([&] { scene.first_contacts(std::vector<Pose>(2)); }) ==
+  BOOST_TEST(verify::said([&] { scene.first_contacts(std::vector<Pose>(2)); }) ==
              "scene: body 0 has no pose; expected a placed body");
-  BOOST_TEST(complaint([&] {
+  BOOST_TEST(verify::said([&] {
                scene.first_contacts(std::vector<Motion>{rests, rests});
              }).starts_with("motion: model 1 has a face"));
   scene.set_model(holed, 2);
-  BOOST_TEST(complaint([&] {
+  BOOST_TEST(verify::said([&] {
                scene.first_contacts(std::vector<Motion>{rests, rests});
              }) == "cube.off: not there; expected a model");
   Scene rounded({.query = {.kernel = Kernel::double_}});
-  BOOST_TEST(complaint([&] { rounded.first_contacts(std::vector<Motion>{}); }) ==
+  BOOST_TEST(verify::said([&] { rounded.first_contacts(std::vector<Motion>{}); }) ==
              "query: kernel double follows no motion; expected adaptive");
 }
 

@@ -3,6 +3,7 @@
 #include "tetracone/kernel/number/pose.h"
 #include "tetracone/tetratree/door/repair.h"
 #include "verify/test/support/keep_environment.h"
+#include "verify/test/support/said.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/temporary_file.h"
 #include "verify/truth/cgal_truth.h"
@@ -32,6 +33,7 @@ using tetracone::Pose;
 using tetracone::Query;
 using tetracone::Question;
 using tetracone::Relation;
+using verify::said;
 
 namespace {
 
@@ -60,18 +62,6 @@ Polyhedron naming(std::uint32_t vertex)
 Pose turned(const std::array<double, 9>& m)
 {
   return Pose(std::array<double, 12>{m[0], m[1], m[2], 0, m[3], m[4], m[5], 0, m[6], m[7], m[8], 0});
-}
-
-/// What the Error says; empty when there is none.
-template <class Ask>
-std::string said(const Ask& ask)
-{
-  try {
-    ask();
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "";
 }
 
 const std::vector<Kernel> exact_kernels = {Kernel::adaptive, Kernel::epeck, Kernel::rational};
