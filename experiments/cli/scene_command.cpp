@@ -7,7 +7,7 @@
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/kernel/motion/body_motion.h"
 #include "tetracone/kernel/number/number.h"
-#include "tetracone/tetratree/door/scene.h"
+#include "tetracone/tetratree/scene/scene.h"
 #include "verify/cases/scene_file.h"
 
 #include <chrono>

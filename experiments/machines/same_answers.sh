@@ -34,7 +34,7 @@ mkdir "$work/include/tetracone"
 ln -s "$root"/{kernel,covering,tetratree} "$work/include/tetracone/"
 printf '#include "tetracone/tetratree/door/tetracone.h"\n' > "$work/include/tetracone/tetracone.h"
 # The library as one unit.
-for source in "$root"/tetratree/door/*.cpp "$root/covering/io/read.cpp"; do
+for source in "$root"/tetratree/{door,scene,solver}/*.cpp "$root/covering/io/read.cpp"; do
   [[ $source == */repair.cpp ]] || printf '#include "%s"\n' "$source"
 done > "$work/library.cpp"
 

@@ -4,7 +4,7 @@
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/repair/repair.h"
 #include "tetracone/tetratree/door/repair.h"
-#include "tetracone/tetratree/door/scene.h"
+#include "tetracone/tetratree/scene/scene.h"
 #include "verify/cases/scene_file.h"
 
 #include <nlohmann/json.hpp>

@@ -1,11 +1,11 @@
 #include "tetracone/tetratree/python/scene.h"
 
-#include "tetracone/tetratree/door/scene.h"
 #include "tetracone/tetratree/python/arrays.h"
 #include "tetracone/tetratree/python/body.h"
 #include "tetracone/tetratree/python/motions.h"
 #include "tetracone/tetratree/python/texts.h"
 #include "tetracone/tetratree/python/unlocked.h"
+#include "tetracone/tetratree/scene/scene.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>

@@ -2,9 +2,9 @@
 #define TETRACONE_VERIFY_SUBJECTS_BLAME_STAGES_H
 
 #include "tetracone/covering/repair/repair.h"
-#include "tetracone/tetratree/door/method_config.h"
 #include "tetracone/tetratree/fast/bvh8_collision.h"
 #include "tetracone/tetratree/paper/collision.h"
+#include "tetracone/tetratree/solver/method_config.h"
 #include "verify/subjects/blame.h"
 #include "verify/truth/rounded_pair.h"
 

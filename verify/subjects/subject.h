@@ -7,9 +7,9 @@
 #include "tetracone/kernel/predicate/question.h"
 #include "tetracone/kernel/predicate/tolerant.h"
 #include "tetracone/tetratree/door/contacts.h"
-#include "tetracone/tetratree/door/method_config.h"
 #include "tetracone/tetratree/door/query_options.h"
 #include "tetracone/tetratree/query_statistics.h"
+#include "tetracone/tetratree/solver/method_config.h"
 
 #include <cstddef>
 #include <memory>

@@ -1,8 +1,8 @@
 // Many threads on fresh bodies, whose trees are made while all of them ask; built with ThreadSanitizer, which ends the
 // program at a data race.
 
-#include "tetracone/tetratree/door/scene.h"
 #include "tetracone/tetratree/door/tetracone.h"
+#include "tetracone/tetratree/scene/scene.h"
 
 #include "verify/cases/random.h"
 

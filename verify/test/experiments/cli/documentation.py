@@ -19,7 +19,7 @@ PAGES = ("README.md", "CONTRIBUTING.md", "experiments/README.md", "experiments/s
          "verify/corpus/README.md", "tetratree/door/mainpage.md")
 # What recipes of CONTRIBUTING.md make.
 NEW = {"halvings", "NAME", "experiments/accuracy/halvings.cpp", "experiments/accuracy/halvings.h", "verify/subjects/box_subject.h",
-       "verify/subjects/box_subject.cpp", "tetratree/door/solver_long_double.cpp", "experiments/peers/example_peer.cpp",
+       "verify/subjects/box_subject.cpp", "tetratree/solver/solver_long_double.cpp", "experiments/peers/example_peer.cpp",
        "verify/test/experiments/accuracy/halvings.cpp", "verify/test/verify/subjects/box_subject.cpp", "mirror-image"}
 
 

@@ -1,0 +1,190 @@
+#include "experiments/queries/moving_bodies_experiment.h"
+
+#include "experiments/peers/fcl_motion.h"
+#include "experiments/speed/trajectory.h"
+#include "experiments/support/csv_row.h"
+#include "experiments/support/output_file.h"
+#include "experiments/support/stopwatch.h"
+#include "tetracone/kernel/motion/body_motion.h"
+#include "tetracone/tetratree/door/tetracone.h"
+#include "verify/cases/random.h"
+#include "verify/cases/shape_generators.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tetracone::experiments {
+namespace {
+
+/// Motions of B, linear between two poses, A at rest.
+struct Motion_course {
+  std::string name;
+  covering::Polyhedron a, b;
+  std::vector<std::array<kernel::Pose, 2>> ends;
+};
+
+/// The time that a subject tells of a motion; nothing: no contact.
+using Told = std::optional<double>;
+
+struct Timed_motions {
+  std::vector<Told> told;
+  std::array<double, 2> ns = {0, 0};  ///< of all motions without contact, and of all with one, in truth
+};
+
+Timed_motions time_motions(const Motion_course& course, const std::vector<Told>* truth,
+                           const std::function<Told(std::size_t)>& first_contact)
+{
+  Timed_motions asked;
+  for (std::size_t k = 0; k < course.ends.size(); ++k) {
+    const Stopwatch watch;
+    asked.told.push_back(first_contact(k));
+    const double ns = watch.nanoseconds();
+    asked.ns[truth ? (*truth)[k].has_value() : asked.told[k].has_value()] += ns;
+  }
+  return asked;
+}
+
+void add_motions(Csv_table& table, const Motion_course& course, const std::string& subject, const Timed_motions& asked,
+                 const std::vector<Told>& truth, double static_ns, std::uint64_t seed)
+{
+  std::size_t contacts = 0, missed = 0, invented = 0;
+  double latest = 0;
+  for (std::size_t k = 0; k < truth.size(); ++k) {
+    contacts += truth[k].has_value();
+    missed += truth[k] && !asked.told[k];
+    invented += !truth[k] && asked.told[k];
+    if (truth[k] && asked.told[k]) latest = std::max(latest, *asked.told[k] - *truth[k]);
+  }
+  const std::size_t apart = truth.size() - contacts;
+  const auto in_statics = [&](double ns, std::size_t count) { return count == 0 ? 0 : ns / double(count) / static_ns; };
+  const double of_apart = in_statics(asked.ns[0], apart), of_contacts = in_statics(asked.ns[1], contacts);
+  table.add(Csv_row()
+                .add("course", course.name)
+                .add("triangles", course.a.face_count() + course.b.face_count())
+                .add("subject", subject)
+                .add("motions", truth.size())
+                .add("contacts", contacts)
+                .add("missed", missed)
+                .add("invented", invented)
+                .add("latest", latest)
+                .add("static_ns", static_ns)
+                .add("apart_in_statics", of_apart)
+                .add("contact_in_statics", of_contacts)
+                .add_origin(seed));
+  std::printf(
+      "%-8s %-16s missed %3zu of %3zu, invented %zu, latest by %8.2g; in static questions: apart %8.1f, contact "
+      "%8.1f\n",
+      course.name.c_str(), subject.c_str(), missed, contacts, invented, latest, of_apart, of_contacts);
+}
+
+void run_course(Csv_table& table, const Motion_course& course, std::uint64_t seed)
+{
+  const Body a(course.a), b(course.b);
+  a.make_all();
+  b.make_all();
+  Query query(a, b, Question::surface);
+  const kernel::Pose still;
+  const kernel::Body_motion rests = kernel::Body_motion::linear(still, still);
+
+  const auto exactly = [&](std::size_t k) -> Told {
+    const auto first =
+        query.first_contact(Motion(rests), Motion(kernel::Body_motion::linear(course.ends[k][0], course.ends[k][1])));
+    return first ? Told(first->lo) : std::nullopt;
+  };
+  const Timed_motions ours = time_motions(course, nullptr, exactly);
+  double static_ns = 0;
+  for (const auto& [from, to] : course.ends) {
+    const Stopwatch watch;
+    query.collide(still, from);
+    static_ns += watch.nanoseconds() / double(course.ends.size());
+  }
+  add_motions(table, course, "tetracone", ours, ours.told, static_ns, seed);
+  for (const int steps : {10, 100, 1000})
+    add_motions(table, course, "static " + std::to_string(steps),
+                time_motions(course, &ours.told,
+                             [&](std::size_t k) -> Told {
+                               std::array<double, 12> between;
+                               for (int step = 0; step < steps; ++step) {
+                                 const double t = step / (steps - 1.0);
+                                 const auto &from = course.ends[k][0], &to = course.ends[k][1];
+                                 for (int i = 0; i < 12; ++i) between[i] = (1 - t) * from[i] + t * to[i];
+                                 if (query.collide(still, kernel::Pose(between))) return t;
+                               }
+                               return std::nullopt;
+                             }),
+                ours.told, static_ns, seed);
+
+  const auto mesh_a = peer_mesh(course.a), mesh_b = peer_mesh(course.b);
+  using Make = std::unique_ptr<Motion_peer> (*)(const Peer_mesh&, const Peer_mesh&);
+  for (const auto& [name, make] : {std::pair<const char*, Make>("fcl advancement", fcl_advancement),
+                                   std::pair<const char*, Make>("fcl steps", fcl_steps)})
+    if (const auto peer = make(*mesh_a, *mesh_b))
+      add_motions(
+          table, course, name,
+          time_motions(course, &ours.told,
+                       [&](std::size_t k) { return peer->first_contact(course.ends[k][0], course.ends[k][1]); }),
+          ours.told, static_ns, seed);
+}
+
+/// From a frame to the next.
+Motion_course steps(const std::string& name, const covering::Polyhedron& body, const std::vector<kernel::Pose>& poses)
+{
+  Motion_course course{name, body, body, {}};
+  for (std::size_t k = 0; k + 1 < poses.size(); ++k) course.ends.push_back({poses[k], poses[k + 1]});
+  return course;
+}
+
+/// Through the middle of A or past it, from 4 away to 4 beyond.
+Motion_course throws(const std::string& name, const covering::Polyhedron& a, const covering::Polyhedron& b, int motions,
+                     std::uint64_t seed)
+{
+  Motion_course course{name, a, b, {}};
+  verify::Random random(seed);
+  for (int k = 0; k < motions; ++k) {
+    const double x = 3 * random.symmetric(), y = 3 * random.symmetric();
+    course.ends.push_back(
+        {kernel::Pose::translation(x, y, 4), kernel::Pose::translation(0.5 * x, y + 0.25 * random.symmetric(), -4)});
+  }
+  return course;
+}
+
+covering::Polyhedron triangulated(const covering::Polyhedron& body)
+{
+  covering::Polyhedron result;
+  result.vertices = body.vertices;
+  for (covering::Index f = 0; f < body.face_count(); ++f) {
+    const auto loop = body.loop(f, 0);
+    for (std::size_t k = 2; k < loop.size(); ++k) result.add_polygon({loop[0], loop[k - 1], loop[k]});
+  }
+  return result;
+}
+
+}  // namespace
+
+void run_moving_bodies(const std::filesystem::path& out, int motions, std::uint64_t seed)
+{
+  make_folder(out);
+  Csv_table table;
+  const covering::Polyhedron object = verify::blob(7172, seed);
+  const Body body(object);
+  Query query(body, body, Question::surface);
+  const Collides collides = [&](const kernel::Pose& pose) { return bool(query.collide(kernel::Pose(), pose)); };
+  run_course(table, steps("contour", object, contour_trajectory(object, object, 1, motions + 1, seed, collides)), seed);
+  run_course(table, steps("circular", object, circular_trajectory(object, object, 1, motions + 1, seed, collides)),
+             seed);
+  run_course(table, throws("throws", object, object, motions, seed), seed);
+  covering::Polyhedron small = verify::blob(512, seed);
+  for (auto& v : small.vertices)
+    for (double& x : v) x *= 0.125;
+  run_course(table, throws("plate", triangulated(verify::box({-2, -2, 0}, {2, 2, 0.001})), small, motions, seed), seed);
+  write_whole(out / "moving_bodies.csv", table.text());
+}
+
+}  // namespace tetracone::experiments

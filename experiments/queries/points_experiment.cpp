@@ -1,0 +1,333 @@
+#include "experiments/queries/points_experiment.h"
+
+#include "experiments/queries/points_truth.h"
+#include "experiments/speed/benchmark_workload.h"
+#include "experiments/support/csv_row.h"
+#include "experiments/support/model_file.h"
+#include "experiments/support/output_file.h"
+#include "tetracone/covering/io/input_error.h"
+#include "tetracone/covering/io/write.h"
+#include "tetracone/kernel/predicate/kernels.h"
+#include "tetracone/tetratree/door/tetracone.h"
+#include "tetracone/tetratree/paper/placed_tree.h"
+#include "verify/cases/random.h"
+
+#include <CGAL/Side_of_triangle_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <malloc.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <ctime>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tetracone::experiments {
+namespace {
+
+using Epick = Exact_predicates;
+using Side = CGAL::Side_of_triangle_mesh<Cgal_mesh, Epick>;
+using Point = std::array<double, 3>;
+
+constexpr int passes = 5;
+
+/// Seconds of this process on a processor: others on the machine take none of them.
+double processor_time() { return double(std::clock()) / CLOCKS_PER_SEC; }
+
+/// What one contestant does: made ready from a file, then asked all at once, an answer each.
+struct Contestant {
+  std::string name;
+  std::function<void()> set_up;
+  std::function<std::vector<long>()> ask;
+  std::function<double()> bytes;  ///< none: what the heap has grown by
+  bool is_slow = false;           ///< asked in one pass
+};
+
+double heap()
+{
+  const auto info = mallinfo2();
+  return double(info.uordblks) + double(info.hblkhd);
+}
+
+/// Points at random in a box a tenth larger than the body; or within 1e-3 of a random point of a random triangle, 1
+/// being half of the body's largest extent.
+std::vector<Point> points_of(const covering::Polyhedron& body, bool near_surface, int count, verify::Random& random)
+{
+  Point low = body.vertices[0], high = low;
+  for (const auto& v : body.vertices)
+    for (int k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], v[k]);
+      high[k] = std::max(high[k], v[k]);
+    }
+  double half = 0;
+  for (int k = 0; k < 3; ++k) half = std::max(half, (high[k] - low[k]) / 2);
+  std::vector<Point> points;
+  for (int n = 0; n < count; ++n) {
+    Point p;
+    if (near_surface) {
+      const auto loop = body.loop(covering::Index(random.bits() % body.face_count()), 0);
+      double a = random.unit(), b = random.unit();
+      if (a + b > 1) {
+        a = 1 - a;
+        b = 1 - b;
+      }
+      const auto off = random.in_ball();
+      for (int k = 0; k < 3; ++k)
+        p[k] = body.vertices[loop[0]][k] * (1 - a - b) + body.vertices[loop[1]][k] * a + body.vertices[loop[2]][k] * b +
+               1e-3 * half * off[k];
+    } else {
+      for (int k = 0; k < 3; ++k) p[k] = low[k] + (high[k] - low[k]) * (1.1 * random.unit() - 0.05);
+    }
+    points.push_back(p);
+  }
+  return points;
+}
+
+std::vector<Ray> rays_of(const covering::Polyhedron& body, int count, verify::Random& random)
+{
+  std::vector<Ray> rays;
+  for (const Point& p : points_of(body, false, count, random)) {
+    const auto [x, y, z] = random.in_ball();
+    rays.push_back({p, {x, y, z}});
+  }
+  return rays;
+}
+
+struct Task {
+  std::string body, what;
+  std::size_t triangles;
+  std::vector<long> truth;
+  std::uint64_t seed;
+};
+
+/// All contestants in turn, pass by pass.
+void race(const Task& task, const std::vector<Contestant>& contestants, Csv_table& table)
+{
+  struct Clocked {
+    double ready = 0, bytes = 0, best = 0, signs = 0;
+    std::vector<long> answers;
+  };
+  std::vector<Clocked> clocked(contestants.size());
+  for (std::size_t c = 0; c < contestants.size(); ++c) {
+    const double before = heap(), start = processor_time();
+    contestants[c].set_up();
+    clocked[c].ready = 1e3 * (processor_time() - start);
+    clocked[c].bytes = contestants[c].bytes ? contestants[c].bytes() : heap() - before;
+  }
+  const double count = double(task.truth.size());
+  for (int pass = 0; pass < passes; ++pass)
+    for (std::size_t c = 0; c < contestants.size(); ++c) {
+      if (contestants[c].is_slow && pass > 0) continue;
+      const auto signs = kernel::Adaptive::decided_by().total();
+      const double start = processor_time();
+      clocked[c].answers = contestants[c].ask();
+      const double ns = 1e9 * (processor_time() - start) / count;
+      clocked[c].signs = double(kernel::Adaptive::decided_by().total() - signs) / count;
+      if (pass == 0 || ns < clocked[c].best) clocked[c].best = ns;
+    }
+  for (std::size_t c = 0; c < contestants.size(); ++c) {
+    const Clocked& of = clocked[c];
+    std::size_t wrong = 0;
+    for (std::size_t k = 0; k < task.truth.size(); ++k) wrong += of.answers[k] != task.truth[k];
+    table.add(Csv_row()
+                  .add("body", task.body)
+                  .add("triangles", task.triangles)
+                  .add("asked", task.what)
+                  .add("contestant", contestants[c].name)
+                  .add("ns", of.best)
+                  .add("signs", of.signs)
+                  .add("setup_ms", of.ready)
+                  .add("bytes_per_triangle", of.bytes / double(task.triangles))
+                  .add("judged", task.truth.size())
+                  .add("wrong", wrong)
+                  .add_origin(task.seed));
+    std::printf("%-16.16s %6zu  %-6s  %-17s  %8.0f ns  %6.2f signs  %8.1f ms  %6.0f bytes  %zu of %zu wrong\n",
+                task.body.c_str(), task.triangles, task.what.c_str(), contestants[c].name.c_str(), of.best, of.signs,
+                of.ready, of.bytes / double(task.triangles), wrong, task.truth.size());
+    std::fflush(stdout);
+  }
+}
+
+/// A tree of the paper's over K, where it stands.
+template <class K>
+struct Located {
+  tetratree::Tetra_tree<K> tree;
+  tetratree::Placed_tree<K> placed;
+  kernel::Pose unmoved;
+  explicit Located(const covering::Polyhedron& p) : tree(p, tetratree::Config::fastest()), placed(tree)
+  {
+    placed.place(unmoved);
+  }
+};
+
+template <class K, class Make>
+Contestant tetra_tree(const std::string& name, const covering::Polyhedron& mesh, const std::vector<Point>& points,
+                      const Make& make)
+{
+  const auto made = std::make_shared<std::optional<Located<K>>>();
+  return {name, [made, &mesh] { made->emplace(mesh); },
+          [made, &points, make] {
+            std::vector<long> answers;
+            for (const Point& p : points) answers.push_back(long((*made)->placed.locate(make(p))));
+            return answers;
+          },
+          nullptr, true};
+}
+
+std::vector<Contestant> for_points(const covering::Polyhedron& mesh, const std::string& file,
+                                   const std::vector<Point>& points)
+{
+  struct Cgal {
+    Cgal_mesh mesh;
+    std::optional<Side> side;
+  };
+  const auto body = std::make_shared<std::optional<Body>>();
+  const auto cgal = std::make_shared<Cgal>();
+  const auto boxes = std::make_shared<std::optional<Query>>();
+  covering::Polyhedron dot;
+  dot.vertices = {{0, 0, 0}};
+  dot.add_polygon({0});
+  std::vector<Contestant> contestants = {
+      {"cones",
+       [body, file] {
+         body->emplace(read_body(file));
+         (*body)->inside_bytes();
+       },
+       [body, &points] {
+         std::vector<long> answers;
+         for (const Location at : (*body)->inside(points)) answers.push_back(long(at));
+         return answers;
+       },
+       [body] { return double((*body)->inside_bytes()); }},
+      {"boxes",
+       [boxes, file, dot] {
+         const Body read = read_body(file);
+         read.make_all();
+         boxes->emplace(read, Body(dot), Question::solid);
+       },
+       [boxes, &points] {
+         std::vector<long> answers;
+         for (const Point& p : points) {
+           const Relation at = (*boxes)->collide(Pose(), Pose::translation(p[0], p[1], p[2])).relation();
+           answers.push_back(at == Relation::apart ? -1 : at == Relation::surfaces ? 0 : 1);
+         }
+         return answers;
+       },
+       [boxes] { return double((*boxes)->bytes()); }},
+      tetra_tree<kernel::Adaptive>("tetra-tree", mesh, points, kernel::Adaptive::unmoved),
+      tetra_tree<kernel::Double>("tetra-tree double", mesh, points, kernel::point<kernel::Double>),
+      {"CGAL",
+       [cgal, file] {
+         CGAL::IO::read_polygon_mesh(file, cgal->mesh);
+         cgal->side.emplace(cgal->mesh);
+         (*cgal->side)(Epick::Point_3(0, 0, 0));
+       },
+       [cgal, &points] {
+         std::vector<long> answers;
+         for (const Point& p : points) {
+           const CGAL::Bounded_side at = (*cgal->side)(Epick::Point_3(p[0], p[1], p[2]));
+           answers.push_back(at == CGAL::ON_BOUNDED_SIDE ? 1 : at == CGAL::ON_BOUNDARY ? 0 : -1);
+         }
+         return answers;
+       },
+       nullptr}};
+  return contestants;
+}
+
+std::vector<Contestant> for_rays(const std::string& file, const std::vector<Ray>& rays)
+{
+  struct Cgal {
+    Cgal_mesh mesh;
+    Cgal_tree tree;
+  };
+  const auto body = std::make_shared<std::optional<Body>>();
+  const auto cgal = std::make_shared<Cgal>();
+  return {{"boxes",
+           [body, file] {
+             body->emplace(read_body(file));
+             (*body)->make_all();
+           },
+           [body, &rays] {
+             std::vector<long> faces;
+             for (const auto& hit : (*body)->first_hits(rays)) faces.push_back(hit ? long(hit->face) : no_face);
+             return faces;
+           },
+           [body] { return double(Query(**body, **body, Question::surface).bytes()) / 2; }},
+          {"CGAL",
+           [cgal, file] {
+             CGAL::IO::read_polygon_mesh(file, cgal->mesh);
+             cgal->tree.rebuild(faces(cgal->mesh).first, faces(cgal->mesh).second, cgal->mesh);
+             cgal->tree.build();
+           },
+           [cgal, &rays] {
+             std::vector<long> faces;
+             for (const auto& [o, d] : rays) {
+               const auto hit = cgal->tree.first_intersection(
+                   Epick::Ray_3(Epick::Point_3(o[0], o[1], o[2]), Epick::Vector_3(d[0], d[1], d[2])));
+               faces.push_back(hit ? long(std::size_t(hit->second)) : no_face);
+             }
+             return faces;
+           },
+           nullptr}};
+}
+
+/// The first faces of rays: of those that CGAL's tree finds by exact predicates.
+std::vector<long> first_faces(const covering::Polyhedron& mesh, const std::string& file, const std::vector<Ray>& rays)
+{
+  Cgal_mesh read;
+  CGAL::IO::read_polygon_mesh(file, read);
+  const Cgal_tree tree(faces(read).first, faces(read).second, read);
+  std::vector<long> first;
+  for (const Ray& ray : rays) {
+    const auto& [o, d] = ray;
+    std::vector<Cgal_mesh::Face_index> met;
+    tree.all_intersected_primitives(Epick::Ray_3(Epick::Point_3(o[0], o[1], o[2]), Epick::Vector_3(d[0], d[1], d[2])),
+                                    std::back_inserter(met));
+    first.push_back(first_of(mesh, ray, met));
+  }
+  return first;
+}
+
+}  // namespace
+
+void run_points(const std::filesystem::path& out, const std::vector<std::filesystem::path>& models, int count,
+                std::uint64_t seed)
+{
+  make_folder(out);
+  std::vector<std::pair<std::string, covering::Polyhedron>> bodies;
+  Race_objects objects("");
+  for (const std::size_t triangles : {std::size_t(7000), std::size_t(70000)})
+    for (const std::string name : {"blob", "knot"}) bodies.emplace_back(name, objects(name, triangles));
+  for (const auto& model : models) {
+    covering::Polyhedron mesh = load_model(model.native(), {}, true).polyhedron;
+    for (covering::Index f = 0; f < mesh.face_count(); ++f)
+      if (!mesh.is_triangle(f))
+        throw covering::Input_error(model.native(), 0, "has faces that are no triangles", "expected triangles");
+    bodies.emplace_back(model.stem().native(), std::move(mesh));
+  }
+  Csv_table table;
+  for (const auto& [name, mesh] : bodies) {
+    const std::string file = out / "points_body.off";
+    write_whole(file, covering::write_off(mesh));
+    verify::Random random(seed);
+    const Column_truth truth(mesh);
+    for (const bool near : {false, true}) {
+      const auto points = points_of(mesh, near, count, random);
+      Task task{name, near ? "near" : "random", mesh.face_count(), {}, seed};
+      for (const Point& p : points) task.truth.push_back(truth(p));
+      race(task, for_points(mesh, file, points), table);
+    }
+    const auto rays = rays_of(mesh, count, random);
+    race({name, "rays", mesh.face_count(), first_faces(mesh, file, rays), seed}, for_rays(file, rays), table);
+    std::filesystem::remove(file);
+  }
+  write_whole(out / "points.csv", table.text());
+}
+
+}  // namespace tetracone::experiments

@@ -1,0 +1,133 @@
+#ifndef TETRACONE_EXPERIMENTS_QUERIES_POINTS_TRUTH_H
+#define TETRACONE_EXPERIMENTS_QUERIES_POINTS_TRUTH_H
+
+#include "tetracone/covering/polyhedron.h"
+#include "tetracone/tetratree/ray_hit.h"
+#include "verify/truth/cgal_truth.h"
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace tetracone::experiments {
+
+using Exact_predicates = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Cgal_mesh = CGAL::Surface_mesh<Exact_predicates::Point_3>;
+using Cgal_tree =
+    CGAL::AABB_tree<CGAL::AABB_traits<Exact_predicates, CGAL::AABB_face_graph_triangle_primitive<Cgal_mesh>>>;
+
+/// The truth of points for meshes of many triangles: signed crossings of the ray upwards, by CGAL's exact predicates,
+/// of the triangles that a grid over x and y has above and below. What is degenerate there is decided in rationals, by
+/// all pairs whose boxes meet.
+class Column_truth {
+ public:
+  using Point = std::array<double, 3>;
+
+  /// Requires triangles.
+  explicit Column_truth(const covering::Polyhedron& mesh) : mesh_(&mesh), body_(mesh), placed_(body_, kernel::Pose())
+  {
+    low_ = high_ = {mesh.vertices[0][0], mesh.vertices[0][1]};
+    for (const auto& v : mesh.vertices)
+      for (int k = 0; k < 2; ++k) {
+        low_[k] = std::min(low_[k], v[k]);
+        high_[k] = std::max(high_[k], v[k]);
+      }
+    side_ = std::clamp(int(std::sqrt(double(mesh.face_count()) / 4)), 1, 1000);
+    columns_.resize(std::size_t(side_) * std::size_t(side_));
+    for (covering::Index f = 0; f < mesh.face_count(); ++f) {
+      const auto [x0, x1] = std::minmax({corner(f, 0)[0], corner(f, 1)[0], corner(f, 2)[0]});
+      const auto [y0, y1] = std::minmax({corner(f, 0)[1], corner(f, 1)[1], corner(f, 2)[1]});
+      for (int i = place(x0, 0); i <= place(x1, 0); ++i)
+        for (int j = place(y0, 1); j <= place(y1, 1); ++j) columns_[std::size_t(i * side_ + j)].push_back(f);
+    }
+    covering::Polyhedron origin;
+    origin.vertices = {{0, 0, 0}};
+    origin.add_polygon({0});
+    dot_.emplace(origin);
+  }
+
+  /// 1 inside, 0 on the surface, -1 outside.
+  long operator()(const Point& p) const
+  {
+    for (int k = 0; k < 2; ++k)
+      if (p[k] < low_[k] || p[k] > high_[k]) return -1;
+    const auto in_plane = [](const Point& v) { return Exact_predicates::Point_2(v[0], v[1]); };
+    const auto in_space = [](const Point& v) { return Exact_predicates::Point_3(v[0], v[1], v[2]); };
+    int winding = 0;
+    for (const covering::Index f : columns_[std::size_t(place(p[0], 0) * side_ + place(p[1], 1))]) {
+      int sides[3];
+      for (int k = 0; k < 3; ++k)
+        sides[k] = CGAL::orientation(in_plane(corner(f, k)), in_plane(corner(f, (k + 1) % 3)), in_plane(p));
+      const auto [least, most] = std::minmax({sides[0], sides[1], sides[2]});
+      if (least < 0 && most > 0) continue;
+      if (least == 0 || most == 0) return in_rationals(p);
+      const int above =
+          CGAL::orientation(in_space(corner(f, 0)), in_space(corner(f, 1)), in_space(corner(f, 2)), in_space(p));
+      if (above == 0) return 0;
+      if (above != most) winding += most > 0 ? 1 : -1;
+    }
+    return winding != 0 ? 1 : -1;
+  }
+
+  long in_rationals(const Point& p) const
+  {
+    const verify::Placed_body moved(*dot_, kernel::Pose::translation(p[0], p[1], p[2]));
+    if (verify::detail::surfaces_meet(placed_, moved)) return 0;
+    return verify::detail::winding(placed_, moved, 0) != 0 ? 1 : -1;
+  }
+
+ private:
+  const Point& corner(covering::Index f, int k) const { return mesh_->vertices[mesh_->loop(f, 0)[std::size_t(k)]]; }
+
+  /// Grows with x, whatever is rounded.
+  int place(double x, int axis) const
+  {
+    return std::clamp(int((x - low_[axis]) / (high_[axis] - low_[axis]) * side_), 0, side_ - 1);
+  }
+
+  const covering::Polyhedron* mesh_;
+  verify::Brute_body body_;
+  verify::Placed_body placed_;
+  std::optional<verify::Brute_body> dot_;
+  std::array<double, 2> low_, high_;
+  int side_;
+  std::vector<std::vector<covering::Index>> columns_;
+};
+
+inline constexpr long no_face = -1;
+
+/// The first of the faces that a ray meets, by CGAL's exact predicates, in rational t. Requires a ray in the plane of
+/// none of them.
+template <class Faces>
+long first_of(const covering::Polyhedron& mesh, const tetratree::Ray& ray, const Faces& faces)
+{
+  using Exact = verify::Exact;
+  const auto point = [](const std::array<double, 3>& v) { return Exact::Point_3(v[0], v[1], v[2]); };
+  const Exact::Point_3 origin = point(ray.origin);
+  const Exact::Vector_3 direction(ray.direction[0], ray.direction[1], ray.direction[2]);
+  long best = no_face;
+  kernel::Rational least;
+  for (const covering::Index f : faces) {
+    const auto corner = [&](int k) { return point(mesh.vertices[mesh.loop(f, 0)[std::size_t(k)]]); };
+    const Exact::Vector_3 normal = CGAL::cross_product(corner(1) - corner(0), corner(2) - corner(0));
+    const kernel::Rational t = kernel::Rational(normal * (corner(0) - origin)) / kernel::Rational(normal * direction);
+    if (best == no_face || t < least || (t == least && long(f) < best)) {
+      best = long(f);
+      least = t;
+    }
+  }
+  return best;
+}
+
+}  // namespace tetracone::experiments
+
+#endif

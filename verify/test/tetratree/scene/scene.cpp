@@ -1,0 +1,255 @@
+#include "tetracone/tetratree/scene/scene.h"
+
+#include "tetracone/kernel/number/pose.h"
+#include "verify/test/support/said.h"
+#include "verify/test/support/scenes.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_scene)
+
+using namespace tetracone;
+namespace scenes = verify::scenes;
+
+namespace {
+
+/// The models of the tests: round, flat, hollow, and one to fit the hollow.
+std::vector<Body> bodies()
+{
+  return {Body(scenes::triangulated(scenes::torus(12, 8))), Body(scenes::unit_cube()), Body(scenes::cube_with_cavity()),
+          Body(scenes::tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}))};
+}
+
+/// Small steps, jumps, rests, and steps on a grid, where bodies touch.
+class Walk {
+ public:
+  explicit Walk(std::uint64_t seed) : random_(seed) {}
+
+  Pose next(const std::optional<Pose>& last)
+  {
+    const int kind = scenes::integer(random_, 0, 9);
+    if (last && kind < 4) return *last;
+    std::array<double, 12> m = last ? last->rows() : Pose().rows();
+    if (last && kind < 8) {
+      for (double& x : m) x += scenes::real(random_, -1, 1) * (kind < 6 ? 0.001 : 0.05);
+    } else {
+      const auto turned = Pose::from_text({"3/5", "-4/5", "0", "0", "4/5", "3/5", "0", "0", "0", "0", "1", "0"});
+      if (kind == 9) m = turned.rows();
+      for (int i = 0; i < 3; ++i) m[4 * i + 3] = scenes::integer(random_, -9, 9) * 0.5;
+    }
+    return Pose(m);
+  }
+
+ private:
+  scenes::Random random_;
+};
+
+/// By a query of its own for every pair and frame.
+class Truth {
+ public:
+  std::vector<Body> models = bodies();
+
+  bool collide(std::size_t model_a, const Pose& a, std::size_t model_b, const Pose& b, Question question) const
+  {
+    Query query(models[model_a], models[model_b], question);
+    return bool(query.collide(a, b));
+  }
+};
+
+void check_walk(const Scene_options& options, std::size_t n, int frames, bool by_makers = false)
+{
+  const Truth truth;
+  Scene scene(options);
+  for (const Body& body : truth.models)
+    if (by_makers)
+      scene.add_model([body] { return Body(body.polyhedron()); }, "made");
+    else
+      scene.add_model(body);
+  std::vector<std::size_t> model_of;
+  std::vector<std::optional<Pose>> poses(n);
+  for (std::size_t k = 0; k < n; ++k) scene.add_body(model_of.emplace_back(k % truth.models.size()));
+  scene.ignore(3, 1);
+  Walk walk(n);
+  std::size_t found = 0;
+  for (int frame = 0; frame < frames; ++frame) {
+    if (frame == frames / 2) {
+      scene.remove_body(2);
+      scene.set_model(0, 3);
+      model_of[0] = 3;
+    }
+    for (std::size_t k = 0; k < n; ++k)
+      if (k != 2 || frame < frames / 2) scene.place(k, *(poses[k] = walk.next(poses[k])));
+    std::vector<Scene_pair> expected;
+    for (std::size_t a = 0; a < n; ++a)
+      for (std::size_t b = a + 1; b < n; ++b)
+        if (!(a == 1 && b == 3) && (frame < frames / 2 || (a != 2 && b != 2)) &&
+            truth.collide(model_of[a], *poses[a], model_of[b], *poses[b], options.question))
+          expected.push_back({a, b});
+    BOOST_REQUIRE_MESSAGE(scene.pairs() == expected, "frame " << frame);
+    BOOST_REQUIRE_MESSAGE(scene.pairs() == expected, "frame " << frame << ", asked again");
+    found += expected.size();
+  }
+  BOOST_TEST(found > 0u);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_frame_has_exactly_the_pairs_that_collide)
+{
+  check_walk({}, 24, 40);
+  check_walk({.question = Question::surface}, 24, 30);
+  check_walk({.threads = 3}, 24, 30);
+  check_walk({.query = {.kernel = Kernel::rational}}, 8, 6);
+}
+
+BOOST_AUTO_TEST_CASE(models_that_are_given_back_change_no_answer) { check_walk({.memory = 400000}, 24, 12, true); }
+
+BOOST_AUTO_TEST_CASE(pairs_that_are_apart_are_not_asked_again_before_the_gap_is_used_up)
+{
+  const Body cube(scenes::unit_cube());
+  Scene scene;
+  scene.add_body(scene.add_model(cube));
+  scene.add_body(0);
+  scene.place(0, Pose());
+  // Turned by an eighth about z, so that their boxes meet and they do not.
+  const double c = std::sqrt(0.5);
+  const auto at = [c](double x) { return Pose(std::array<double, 12>{c, -c, 0, x, c, c, 0, 0.7, 0, 0, 1, 0}); };
+  scene.place(1, at(1.45));
+  BOOST_TEST(scene.pairs().empty());
+  std::size_t asked = scene.statistics().queries;
+  BOOST_TEST(asked == 1u);
+  for (int k = 1; k <= 100; ++k) {
+    scene.place(1, at(1.45 - k * 1e-4));
+    BOOST_TEST(scene.pairs().empty());
+    asked += scene.statistics().queries;
+  }
+  BOOST_TEST(asked < 20u);
+  scene.place(1, Pose());
+  BOOST_TEST((scene.pairs() == std::vector<Scene_pair>{{0, 1}}));
+}
+
+BOOST_AUTO_TEST_CASE(a_model_is_made_when_a_body_of_it_is_placed_and_treed_when_another_is_near)
+{
+  int made = 0;
+  Scene scene;
+  scene.add_model(
+      [&] {
+        ++made;
+        return Body(scenes::triangulated(scenes::torus(12, 8)));
+      },
+      "torus");
+  scene.add_model([]() -> Body { throw Error("never needed"); }, "none");
+  scene.add_body(0);
+  scene.add_body(0);
+  scene.add_body(1);
+  scene.pairs();
+  BOOST_TEST(made == 0);
+  scene.place(0, Pose());
+  scene.place(1, Pose::translation(9, 0, 0));
+  scene.pairs();
+  BOOST_TEST(made == 1);
+  BOOST_TEST(scene.statistics().nodes_made == 0u);
+  scene.place(1, Pose::translation(0.5, 0, 0));
+  BOOST_TEST(scene.pairs().size() == 1u);
+  BOOST_TEST(scene.statistics().nodes_made > 0u);
+  BOOST_TEST(scene.relation(0, 1) == Relation::surfaces);
+  BOOST_TEST(scene.distance(0, 1) == 0);
+  BOOST_TEST(scene.within(0, 1, 0));
+  BOOST_TEST(scene.contacts(0, 1).size() > 0u);
+}
+
+BOOST_AUTO_TEST_CASE(small_bodies_that_are_asked_seldom_get_no_trees)
+{
+  Scene scene;
+  scene.add_model(Body(scenes::unit_cube()));
+  for (int k = 0; k < 2; ++k) scene.place(scene.add_body(0), Pose::translation(0.5 * k, 0, 0));
+  BOOST_TEST(scene.pairs().size() == 1u);
+  BOOST_TEST(scene.statistics().queries == 1u);
+  std::size_t nodes = scene.statistics().nodes_made;
+  BOOST_TEST(nodes == 0u);
+  for (int k = 0; k < 100; ++k) {
+    scene.place(1, Pose::translation(0.5 + 0.001 * k, 0, 0));
+    BOOST_TEST(scene.pairs().size() == 1u);
+    nodes += scene.statistics().nodes_made;
+  }
+  BOOST_TEST(nodes > 0u);
+}
+
+BOOST_AUTO_TEST_CASE(a_budget_leaves_pairs_undecided_and_later_frames_decide_them)
+{
+  const Body torus(scenes::triangulated(scenes::torus(24, 16)));
+  Scene hurried({.budget = std::chrono::nanoseconds(1)}), scene;
+  for (Scene* each : {&hurried, &scene}) {
+    each->add_model(torus);
+    for (int k = 0; k < 6; ++k) each->place(each->add_body(0), Pose::translation(k * 0.9, 0, 0));
+  }
+  const std::vector<Scene_pair> all = scene.pairs();
+  const std::size_t decided = hurried.pairs().size();
+  BOOST_TEST(decided + hurried.undecided().size() >= all.size());
+  BOOST_TEST(!hurried.undecided().empty());
+  for (const Undecided_pair& left : hurried.undecided())
+    BOOST_TEST(scene.distance(left.pair.a, left.pair.b) <= left.farthest);
+
+  const Scene_pair first = hurried.undecided().front().pair;
+  hurried.remove_body(first.a);
+  hurried.pairs();
+  BOOST_TEST(!hurried.undecided().empty());
+  for (const Undecided_pair& left : hurried.undecided()) BOOST_TEST((left.pair.a != first.a && left.pair.b != first.a));
+}
+
+BOOST_AUTO_TEST_CASE(misuse_is_refused_with_a_line)
+{
+  Scene scene;
+  BOOST_TEST(verify::said([&] { scene.add_body(0); }) == "scene: model 0 of 0; expected a model's number");
+  scene.add_model(Body(scenes::unit_cube()));
+  const std::size_t body = scene.add_body(0), other = scene.add_body(0);
+  BOOST_TEST(verify::said([&] { scene.set_model(body, 7); }) == "scene: model 7 of 1; expected a model's number");
+  BOOST_TEST(verify::said([&] { scene.place(9, Pose()); }) ==
+             "scene: body 9 is not there; expected the number of one that is");
+  BOOST_TEST(verify::said([&] { scene.relation(body, other); }) == "scene: body 0 has no pose; expected a placed body");
+  BOOST_TEST(verify::said([&] { scene.ignore(body, body); }) ==
+             "scene: body 0 with itself; expected two bodies to ignore");
+  BOOST_TEST(verify::said([&] { scene.frame({}); }) == "scene: 0 poses of 2 bodies; expected one a body");
+  scene.remove_body(other);
+  BOOST_TEST(verify::said([&] { scene.remove_body(other); }) ==
+             "scene: body 1 is not there; expected the number of one that is");
+  BOOST_TEST(verify::said([] { Scene({.budget = std::chrono::nanoseconds(-1)}); }) ==
+             "scene: a budget below 0; expected nanoseconds, or 0 for no limit");
+}
+
+BOOST_AUTO_TEST_CASE(what_fails_once_is_asked_again)
+{
+  bool is_there = false;
+  Scene scene;
+  scene.add_model(
+      [&] {
+        if (!is_there) throw Error("cube.off: not yet; expected later");
+        return Body(scenes::unit_cube());
+      },
+      "cube");
+  for (int k = 0; k < 2; ++k) scene.place(scene.add_body(0), Pose());
+  BOOST_TEST(verify::said([&] { scene.pairs(); }) == "cube.off: not yet; expected later");
+  is_there = true;
+  BOOST_TEST(scene.pairs().size() == 1u);
+
+  Polyhedron triangle;
+  triangle.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  triangle.add_polygon({0, 1, 2});
+  Scene open;
+  open.add_model(Body(triangle));
+  open.place(open.add_body(0), Pose());
+  BOOST_TEST(verify::said([&] { open.pairs(); }).starts_with("model 0 is open at 3 edges"));
+
+  Scene small({.memory = 1000});
+  small.add_model([] { return Body(scenes::triangulated(scenes::torus(24, 16))); }, "torus");
+  for (int k = 0; k < 2; ++k) small.place(small.add_body(0), Pose());
+  BOOST_TEST(verify::said([&] { small.pairs(); }).starts_with("scene: a memory of 1000 bytes does not hold 'torus'"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
