@@ -4,6 +4,7 @@
 #include "tetracone/tetratree/fast/bvh8_distance.h"
 #include "verify/fuzz/doubles.h"
 #include "verify/fuzz/fuzz_body.h"
+#include "verify/fuzz/fuzz_targets.h"
 #include "verify/truth/distance_truth.h"
 
 #include <cstdint>
@@ -13,16 +14,7 @@ using namespace tetracone;
 using kernel::Question;
 using kernel::Rational;
 
-namespace {
-
-void same(bool condition)
-{
-  if (!condition) std::abort();
-}
-
-}  // namespace
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+void tetracone::verify::fuzz_distance(const std::uint8_t* data, std::size_t size)
 {
   // An image is three products and a sum: below the largest double.
   verify::Doubles doubles(data, size, 0x1p510);
@@ -55,5 +47,4 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                (square <= Rational(limit) * Rational(limit)));
     }
   }
-  return 0;
 }

@@ -7,15 +7,16 @@
 #include "tetracone/covering/io/read.h"
 #include "tetracone/covering/orient.h"
 #include "tetracone/covering/repair/repair.h"
+#include "verify/fuzz/fuzz_targets.h"
 #include "verify/fuzz/scratch_file.h"
 
 #include <cstdint>
 #include <cstdlib>
 #include <string>
 
-namespace covering = tetracone::covering;
+using namespace tetracone;
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+void tetracone::verify::fuzz_model(const std::uint8_t* data, std::size_t size)
 {
   static const tetracone::verify::Scratch_file file([] {
     const char* format = std::getenv("FORMAT");
@@ -26,7 +27,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     polyhedron = covering::read(file.path());
   } catch (const tetracone::covering::Input_error&) {
-    return 0;
+    return;
   }
   const covering::Check check = covering::check(polyhedron);
   const auto repaired = covering::triangulate_non_planar(polyhedron);
@@ -36,5 +37,4 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (covering::is_closed(polyhedron) && !covering::is_closed(repaired.polyhedron)) std::abort();
   if (covering::is_closed(polyhedron) != check.open_edges.empty()) std::abort();
   if (oriented.polyhedron.face_count() != polyhedron.face_count()) std::abort();
-  return 0;
 }

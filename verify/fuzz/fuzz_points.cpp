@@ -5,6 +5,7 @@
 #include "tetracone/tetratree/locator/point_locator.h"
 #include "verify/fuzz/doubles.h"
 #include "verify/fuzz/fuzz_body.h"
+#include "verify/fuzz/fuzz_targets.h"
 #include "verify/truth/point_truth.h"
 #include "verify/truth/ray_truth.h"
 
@@ -17,11 +18,6 @@ using namespace tetracone;
 using kernel::Vertex;
 
 namespace {
-
-void same(bool condition)
-{
-  if (!condition) std::abort();
-}
 
 /// Any doubles, or a vertex of the body, or a point between two, as doubles have it.
 Vertex point(verify::Doubles& doubles, const covering::Polyhedron& body)
@@ -41,7 +37,7 @@ Vertex point(verify::Doubles& doubles, const covering::Polyhedron& body)
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+void tetracone::verify::fuzz_points(const std::uint8_t* data, std::size_t size)
 {
   verify::Doubles doubles(data, size, 0x1p1023);
   const covering::Polyhedron body = verify::fuzz_body(doubles);
@@ -65,5 +61,4 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     same(caster.all(ray) == hits);
     same(caster.first(ray) == (hits.empty() ? std::nullopt : std::optional(hits[0])));
   }
-  return 0;
 }

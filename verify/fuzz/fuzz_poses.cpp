@@ -3,16 +3,16 @@
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/io/read_points.h"
 #include "tetracone/covering/io/read_poses.h"
+#include "verify/fuzz/fuzz_targets.h"
 #include "verify/fuzz/scratch_file.h"
 
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 
-namespace covering = tetracone::covering;
-namespace kernel = tetracone::kernel;
+using namespace tetracone;
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+void tetracone::verify::fuzz_poses(const std::uint8_t* data, std::size_t size)
 {
   static const tetracone::verify::Scratch_file file(".txt");
   file.write(data, size);
@@ -30,5 +30,4 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         if (!std::isfinite(number.nearest)) std::abort();
   } catch (const covering::Input_error&) {
   }
-  return 0;
 }

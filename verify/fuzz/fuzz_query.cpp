@@ -6,6 +6,7 @@
 #include "tetracone/tetratree/paper/collision.h"
 #include "verify/fuzz/doubles.h"
 #include "verify/fuzz/fuzz_body.h"
+#include "verify/fuzz/fuzz_targets.h"
 #include "verify/truth/cgal_truth.h"
 
 #include <cstdint>
@@ -15,16 +16,7 @@ using namespace tetracone;
 using kernel::Pose;
 using kernel::Question;
 
-namespace {
-
-void same(bool condition)
-{
-  if (!condition) std::abort();
-}
-
-}  // namespace
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+void tetracone::verify::fuzz_query(const std::uint8_t* data, std::size_t size)
 {
   // An image is three products and a sum: below the largest double.
   verify::Doubles doubles(data, size, 0x1p510);
@@ -47,5 +39,4 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       same(paper(pose_a, pose_b, question) == truth);
     }
   }
-  return 0;
 }

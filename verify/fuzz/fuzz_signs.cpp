@@ -5,6 +5,7 @@
 #include "tetracone/kernel/predicate/segment_face.h"
 #include "tetracone/kernel/predicate/signs.h"
 #include "verify/fuzz/doubles.h"
+#include "verify/fuzz/fuzz_targets.h"
 
 #include <array>
 #include <cstdint>
@@ -12,16 +13,7 @@
 
 using namespace tetracone::kernel;
 
-namespace {
-
-void same(bool condition)
-{
-  if (!condition) std::abort();
-}
-
-}  // namespace
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+void tetracone::verify::fuzz_signs(const std::uint8_t* data, std::size_t size)
 {
   // Images must stay finite: a pose multiplies three coordinates and adds.
   tetracone::verify::Doubles doubles(data, size, 0x1p500);
@@ -29,7 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (double& x : entries_a) x = doubles.next();
   for (double& x : entries_b) x = doubles.next();
   const Pose pose_a(entries_a), pose_b(entries_b);
-  if (pose_a.determinant_sign() == ZERO || pose_b.determinant_sign() == ZERO) return 0;
+  if (pose_a.determinant_sign() == ZERO || pose_b.determinant_sign() == ZERO) return;
   const Frame<Adaptive> adaptive_a(pose_a), adaptive_b(pose_b);
   const Frame<Rational_kernel> rational_a(pose_a), rational_b(pose_b);
   std::array<Vertex, 5> vertices;
@@ -51,5 +43,4 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   same(segment_face<Adaptive>(p[3], p[4], Triangle<Adaptive>{p[0], p[1], p[2]}) ==
        segment_face<Rational_kernel>(q[3], q[4], Triangle<Rational_kernel>{q[0], q[1], q[2]}));
-  return 0;
 }

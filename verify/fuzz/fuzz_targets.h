@@ -1,0 +1,26 @@
+#ifndef TETRACONE_VERIFY_FUZZ_FUZZ_TARGETS_H
+#define TETRACONE_VERIFY_FUZZ_FUZZ_TARGETS_H
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+
+namespace tetracone::verify {
+
+// What libFuzzer asks of any bytes, one of these a run: each aborts where something that must hold does not.
+void fuzz_case(const std::uint8_t* data, std::size_t size);
+void fuzz_distance(const std::uint8_t* data, std::size_t size);
+void fuzz_model(const std::uint8_t* data, std::size_t size);
+void fuzz_points(const std::uint8_t* data, std::size_t size);
+void fuzz_poses(const std::uint8_t* data, std::size_t size);
+void fuzz_query(const std::uint8_t* data, std::size_t size);
+void fuzz_signs(const std::uint8_t* data, std::size_t size);
+
+inline void same(bool condition)
+{
+  if (!condition) std::abort();
+}
+
+}  // namespace tetracone::verify
+
+#endif
