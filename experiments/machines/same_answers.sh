@@ -66,13 +66,14 @@ ask()
   done
 }
 
-# compile NAME COMPILER FLAG...: library and program; status 1 where the compiler is not there.
+# compile NAME COMPILER FLAG...: library and program; status 1 where the compiler is not there. The threads of scenes, which are not asked, are the tests'
+# stand-in: no oneTBB of another machine need be had.
 compile()
 {
   local name=$1 compiler=$2
   shift 2
   command -v "$compiler" > /dev/null || { echo "$compiler: not installed, left out" >&2; return 1; }
-  "$compiler" -O2 -w -Wno-psabi -frounding-math -DCGAL_USE_GMPXX=1 "$@" -I "$work/include" -I "$root" -isystem /usr/include/eigen3 \
+  "$compiler" -O2 -w -Wno-psabi -frounding-math -DCGAL_USE_GMPXX=1 "$@" -I "$work/include" -I "$root" -I "$root/verify/test/threads" -pthread -isystem /usr/include/eigen3 \
     "$root/experiments/machines/answers.cpp" "$work/library.cpp" -lhwy -lgmp -lmpfr -o "$work/$name" ||
     fail "$compiler $*: did not compile"
 }

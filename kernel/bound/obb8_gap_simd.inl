@@ -38,8 +38,9 @@ HWY_INLINE auto certify_gaps(const One_test& test, float slack, Certified_gaps& 
 {
   using Floats = One_test::Floats;
   const auto all = [&](float x) HWY_ATTR { return test.all(x); };
-  Relative_edges<Floats> edges;
-  Gap_along<Floats> best = largest_gap<true>(test, edges, Gap_and_axis());
+  const auto largest = largest_gap<true>(test, Gap_and_axis());
+  const Relative_edges<Floats>& edges = largest.edges;
+  Gap_along<Floats> best = largest.kept;
   best.gap = Sub(best.gap, all(slack));
   if (test.holds_triangle()) {
     const auto sides = beyond_triangle(test, edges, test.load(test.boxes.extent[0]), test.load(test.boxes.extent[1]),

@@ -105,11 +105,19 @@ struct Gap_alone {
   }
 };
 
-/// What is kept of the axis of the largest gap of the single box and each lane: separating axes are the normals of both
-/// and the 9 cross products of edges. A gap is |distance| minus both reaches. `edges` are what a triangle is compared by.
-template <bool similarity, class Test, class Floats, class Kept>
-HWY_INLINE auto largest_gap(const Test& test, Relative_edges<Floats>& edges, const Kept& kept)
+/// What is kept of an axis, and by what a triangle is compared.
+template <class Kept, class Floats>
+struct Largest_gap {
+  Kept kept;
+  Relative_edges<Floats> edges;
+};
+
+/// Of the largest gap of the single box and each lane: separating axes are the normals of both and the 9 cross products
+/// of edges. A gap is |distance| minus both reaches.
+template <bool similarity, class Test, class Kept>
+HWY_INLINE auto largest_gap(const Test& test, const Kept& kept)
 {
+  using Floats = typename Test::Floats;
   const auto& boxes = test.boxes;
   const auto& box = test.box;
   using Number = std::decay_t<decltype(box.slack)>;
@@ -193,8 +201,8 @@ HWY_INLINE auto largest_gap(const Test& test, Relative_edges<Floats>& edges, con
       Max(kept(crossed(t1, r00, t0, r10, e0, s10, e1, s00, f1, n22, f2, n21), Neg(r10), r00, zero),
           Max(kept(crossed(t1, r01, t0, r11, e0, s11, e1, s01, f2, n20, f0, n22), Neg(r11), r01, zero),
               kept(crossed(t1, r02, t0, r12, e0, s12, e1, s02, f0, n21, f1, n20), Neg(r12), r02, zero)));
-  edges = {t0, t1, t2, r01, r11, r21, r02, r12, r22};
-  return Max(Max(gap, across0), Max(across1, across2));
+  const auto largest = Max(Max(gap, across0), Max(across1, across2));
+  return Largest_gap<std::decay_t<decltype(largest)>, Floats>{largest, {t0, t1, t2, r01, r11, r21, r02, r12, r22}};
 }
 
 /// The lanes whose box is not found apart from the single box; with an infinite slack none is, whatever overflowed. Of a
@@ -202,12 +210,11 @@ HWY_INLINE auto largest_gap(const Test& test, Relative_edges<Floats>& edges, con
 template <bool similarity, class Test>
 HWY_INLINE auto together(const Test& test)
 {
-  using Floats = typename Test::Floats;
-  Relative_edges<Floats> edges;
-  const auto apart = Gt(largest_gap<similarity>(test, edges, Gap_alone()), test.all(test.box.slack));
+  const auto largest = largest_gap<similarity>(test, Gap_alone());
+  const auto apart = Gt(largest.kept, test.all(test.box.slack));
   if constexpr (similarity) {
     if (test.holds_triangle())
-      return Not(Or(apart, beside_triangle(test, edges, test.load(test.boxes.extent[0]),
+      return Not(Or(apart, beside_triangle(test, largest.edges, test.load(test.boxes.extent[0]),
                                            test.load(test.boxes.extent[1]), test.load(test.boxes.extent[2]))));
   }
   return Not(apart);
