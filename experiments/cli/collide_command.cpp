@@ -1,5 +1,6 @@
 #include "experiments/cli/collide_command.h"
 
+#include "experiments/cli/answer_rows.h"
 #include "experiments/cli/contact_rows.h"
 #include "experiments/support/output_file.h"
 #include "experiments/support/progress.h"
@@ -11,12 +12,9 @@
 #include "verify/subjects/predicate_subject.h"
 #include "verify/subjects/subject.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,7 +28,6 @@ using kernel::Feature_pair;
 using kernel::Pose;
 using kernel::Question;
 using verify::Subject;
-using Json = nlohmann::ordered_json;
 
 struct Collide_options {
   Scene_names names;
@@ -41,6 +38,7 @@ struct Collide_options {
 
   /// Lists instead of answers, which need no solid.
   bool lists() const { return features || contacts; }
+  Row_format format() const { return {json, !csv.empty(), time, relation}; }
 };
 
 /// What is asked: two models, or the bodies of a case file, and their poses.
@@ -73,22 +71,16 @@ Scene scene_of(const verify::Object_case& c, const std::string& file, Question q
   return {body(*c.a, "a"), body(*c.b, "b"), {{c.pose_a}, {c.pose_b}}, question};
 }
 
-struct Row {
-  int answer = 0;  // 0 or 1; a predicate's may be -1
-  double nanoseconds = std::numeric_limits<double>::infinity();
-  tetratree::Query_statistics counts;
-};
-
 struct Answers {
-  std::vector<Row> rows;
+  std::vector<Answer_row> rows;
   double first_nanoseconds = 0;  // of the very first query, which may make what later ones find
 };
 
 /// `relation`: answers are how the bodies stand.
 Answers ask(verify::Prepared_pair& pair, const Pose_pairs& poses, Question question, int passes, bool relation = false)
 {
-  Answers answers{std::vector<Row>(poses.count())};
-  std::vector<Row>& rows = answers.rows;
+  Answers answers{std::vector<Answer_row>(poses.count())};
+  std::vector<Answer_row>& rows = answers.rows;
   Progress progress("poses", rows.size() * passes);
   for (int pass = 0; pass < passes; ++pass)
     for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -115,81 +107,6 @@ void tell_first_query(verify::Prepared_pair& pair, const Scene& scene, const Ans
                1e-6 * first, 1e-6 * std::max(0.0, first - again), ready_milliseconds);
 }
 
-/// `relation`: it is one.
-std::string answer_text(int answer, bool relation)
-{
-  return relation ? std::string(to_string(kernel::Relation(answer))) : std::to_string(answer);
-}
-
-std::string rows_as_csv(const std::vector<Row>& rows, bool time, bool relation)
-{
-  std::string text = time ? "pose,answer,ns,bounding_tests,primitive_tests,exact_fallbacks\n" : "pose,answer\n";
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    const Row& row = rows[k];
-    text += std::to_string(k) + "," + answer_text(row.answer, relation);
-    if (time)
-      text += "," + std::to_string(static_cast<long long>(row.nanoseconds)) + "," +
-              std::to_string(row.counts.bounding_tests()) + "," + std::to_string(row.counts.primitive_tests()) + "," +
-              std::to_string(row.counts.exact_fallbacks);
-    text += "\n";
-  }
-  return text;
-}
-
-std::string rows_as_json(const std::vector<Row>& rows, bool time, bool relation)
-{
-  Json json = Json::array();
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    Json row = {{"pose", k}, {"answer", rows[k].answer}};
-    if (relation) row["answer"] = answer_text(rows[k].answer, relation);
-    if (time) {
-      row["ns"] = static_cast<long long>(rows[k].nanoseconds);
-      row["bounding_tests"] = rows[k].counts.bounding_tests();
-      row["primitive_tests"] = rows[k].counts.primitive_tests();
-      row["exact_fallbacks"] = rows[k].counts.exact_fallbacks;
-    }
-    json.push_back(row);
-  }
-  return json.dump(1) + "\n";
-}
-
-// A feature of a pose, one line: body 0 is an edge of A against a face of B, body 1 the other way round.
-std::string features_as_text(const std::vector<std::vector<Feature_pair>>& features, const std::string& header,
-                             const std::string& separator)
-{
-  std::string text = header;
-  for (std::size_t k = 0; k < features.size(); ++k)
-    for (const Feature_pair& f : features[k]) {
-      for (const auto number :
-           {k, std::size_t(f.body), std::size_t(f.edge_from), std::size_t(f.edge_to), std::size_t(f.face)})
-        text += std::to_string(number) + separator;
-      text += std::string(to_string(f.kind)) + "\n";
-    }
-  return text;
-}
-
-std::string features_as_json(const std::vector<std::vector<Feature_pair>>& features)
-{
-  Json json = Json::array();
-  for (std::size_t k = 0; k < features.size(); ++k) {
-    Json pairs = Json::array();
-    for (const Feature_pair& f : features[k])
-      pairs.push_back(
-          {{"body", f.body}, {"edge", {f.edge_from, f.edge_to}}, {"face", f.face}, {"kind", to_string(f.kind)}});
-    json.push_back({{"pose", k}, {"features", pairs}});
-  }
-  return json.dump(1) + "\n";
-}
-
-std::string rows_as_text(const std::vector<Row>& rows, const Collide_options& options)
-{
-  if (options.json) return rows_as_json(rows, options.time, options.relation);
-  if (!options.csv.empty()) return rows_as_csv(rows, options.time, options.relation);
-  std::string text;
-  for (const Row& row : rows) text += answer_text(row.answer, options.relation) + "\n";
-  return text;
-}
-
 std::string features_of(verify::Prepared_pair& pair, const Scene& scene, const Collide_options& options)
 {
   std::vector<std::vector<Feature_pair>> features;
@@ -203,9 +120,7 @@ std::string features_of(verify::Prepared_pair& pair, const Scene& scene, const C
     features.push_back(std::move(found));
     progress.step();
   }
-  if (options.json) return features_as_json(features);
-  return options.csv.empty() ? features_as_text(features, "", " ")
-                             : features_as_text(features, "pose,body,edge_from,edge_to,face,kind\n", ",");
+  return feature_rows(features, options.format());
 }
 
 /// The curves, too, where they are asked for.
@@ -246,31 +161,8 @@ void require_contact_options(const Collide_options& options)
   require(options.relation, options.compare.empty(), "--compare", "expected without --relation");
 }
 
-/// The answers of several kernels side by side.
-std::string columns_as_text(const std::vector<std::string>& kernels, const std::vector<std::vector<Row>>& columns,
-                            const Collide_options& options)
-{
-  const bool csv = !options.csv.empty();
-  Json json = Json::array();
-  std::string text = csv ? "pose" : "";
-  if (csv)
-    for (const std::string& kernel : kernels) text += "," + kernel;
-  if (csv) text += "\n";
-  for (std::size_t k = 0; k < columns.front().size(); ++k) {
-    Json answers;
-    if (csv) text += std::to_string(k);
-    for (std::size_t i = 0; i < kernels.size(); ++i) {
-      answers[kernels[i]] = columns[i][k].answer;
-      text += (csv ? "," : i == 0 ? "" : " ") + std::to_string(columns[i][k].answer);
-    }
-    text += "\n";
-    if (options.json) json.push_back({{"pose", k}, {"answers", answers}});
-  }
-  return options.json ? json.dump(1) + "\n" : text;
-}
-
 /// The answer of the subject of predicates that has the kernel's name.
-Row answer_of(const verify::Case_file& c, const std::string& kernel, const std::string& file)
+Answer_row answer_of(const verify::Case_file& c, const std::string& kernel, const std::string& file)
 {
   const auto& subjects = verify::predicate_subjects();
   const auto subject =
@@ -284,7 +176,7 @@ Row answer_of(const verify::Case_file& c, const std::string& kernel, const std::
   if (!answer)
     throw covering::Input_error(file, 0, kernel + " does not answer " + to_string(*c.predicate) + " on these points",
                                 "expected another kernel, or points of which it is asked");
-  Row row;
+  Answer_row row;
   row.answer = *answer;
   return row;
 }
@@ -327,7 +219,7 @@ void run_collide(const Collide_options& options, bool question_is_given)
     options.names.refuse_all_but_case();
     c = verify::read_case(options.names.a);
   }
-  std::vector<std::vector<Row>> columns;
+  std::vector<std::vector<Answer_row>> columns;
   std::string text, curves;
   if (c && c->level == verify::Level::predicate) {
     for (const auto& [given, name] : {std::pair(question_is_given, "--question"),
@@ -365,8 +257,8 @@ void run_collide(const Collide_options& options, bool question_is_given)
     }
   }
   if (!options.lists())
-    text =
-        options.compare.empty() ? rows_as_text(columns.front(), options) : columns_as_text(kernels, columns, options);
+    text = options.compare.empty() ? answer_rows(columns.front(), options.format())
+                                   : answer_columns(kernels, columns, options.format());
   if (options.csv.empty())
     std::cout << text;
   else
