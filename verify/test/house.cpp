@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -513,6 +514,15 @@ BOOST_AUTO_TEST_CASE(the_sources_are_found)
   const Strings found = sources();
   for (const std::string file : {"kernel/number/pose.h", "covering/polyhedron.h", "verify/test/house.cpp"})
     BOOST_TEST(std::ranges::count(found, file) == 1, file);
+}
+
+BOOST_AUTO_TEST_CASE(no_room_is_crowded)
+{
+  std::map<std::string, std::size_t> files;
+  for (const std::string& path : sources()) ++files[fs::path(path).parent_path().generic_string()];
+  for (const auto& [room, count] : files)
+    if (count > 40)
+      BOOST_ERROR(room + ": " + std::to_string(count) + " files; expected at most 40: make a room of some");
 }
 
 BOOST_AUTO_TEST_CASE(includes_point_only_to_the_right) { check_each_source(wrong_includes); }
