@@ -3,6 +3,7 @@
 
 #include "tetracone/covering/inclusion.h"
 #include "tetracone/kernel/bound/cone_cells.h"
+#include "tetracone/kernel/bound/cone_probe.h"
 #include "tetracone/kernel/bound/cone_slab.h"
 #include "tetracone/kernel/bound/relative_frame.h"
 
@@ -48,8 +49,9 @@ class Point_locator {
     vertices_.reserve(model.vertices().size());
     bool is_local = true;
     for (const covering::Vertex& v : model.vertices()) {
-      vertices_.push_back(local(v));
-      for (const double x : vertices_.back()) is_local = is_local && std::abs(x) <= 1;
+      const kernel::Local_point p = local(v);
+      for (const double x : p) is_local = is_local && std::abs(x) <= 1;
+      vertices_.push_back(kernel::rounded(p));
     }
     if (is_local) make_table();  // else coordinates are near the largest doubles
   }
@@ -66,11 +68,10 @@ class Point_locator {
   {
     std::array<Asked, at_a_time> asked;
     std::array<Pending, at_a_time> pending;
-    const auto& triangles = model_->covering().triangles();
     for (std::size_t first = 0; first < points.size(); first += at_a_time) {
       const std::size_t count = kernel::minimum(at_a_time, points.size() - first);
       for (std::size_t k = 0; k < count; ++k) {
-        asked[k] = ask(local(points[first + k]));
+        ask(local(points[first + k]), asked[k]);
         if (asked[k].cell != none) __builtin_prefetch(&cell_groups_[asked[k].cell]);
       }
       for (std::size_t k = 0; k < count; ++k)
@@ -78,24 +79,9 @@ class Point_locator {
       std::size_t left = 0;
       for (std::size_t k = 0; k < count; ++k) {
         Index group;
-        if (const auto decided = decide(asked[k], group))
-          answers[first + k] = *decided;
-        else
-          pending[left++] = {k, group};
+        if (!decide(asked[k], answers[first + k], group)) pending[left++] = {k, group, none};
       }
-      // What the triangles of a group, or the first of them, are made of.
-      const auto for_first_triangles = [&](const auto& what) {
-        for (std::size_t k = 0; k < left; ++k) {
-          if (pending[k].group == none) continue;
-          const Group* const group = &groups_[pending[k].group];
-          for (Index e = group->first; e < kernel::minimum(group[1].first, group->first + 4); ++e) what(e);
-        }
-      };
-      for_first_triangles([&](Index e) { __builtin_prefetch(&entries_[e]); });
-      for_first_triangles([&](Index e) { __builtin_prefetch(&triangles[entries_[e]]); });
-      for_first_triangles([&](Index e) {
-        for (const Index v : triangles[entries_[e]].corner) __builtin_prefetch(&vertices_[v]);
-      });
+      prefetch(std::span(pending).first(left), asked);
       for (std::size_t k = 0; k < left; ++k) {
         const covering::Vertex& point = points[first + pending[k].number];
         answers[first + pending[k].number] =
@@ -119,7 +105,8 @@ class Point_locator {
   std::size_t bytes() const
   {
     return cell_groups_.capacity() * sizeof(Index) + groups_.capacity() * sizeof(Group) +
-           entries_.capacity() * sizeof(Index) + vertices_.capacity() * sizeof(kernel::Local_point);
+           entries_.capacity() * sizeof(Index) + heights_.capacity() +
+           vertices_.capacity() * sizeof(kernel::Rounded_point);
   }
 
  private:
@@ -133,6 +120,9 @@ class Point_locator {
     /// The winding number nearer to the origin, as far as the group before.
     int within() const { return within_and_sheet >> 1; }
     bool is_sheet() const { return (within_and_sheet & 1) != 0; }
+
+    /// A norm of the group, in steps of 0 to 254: no larger norm gives less, whatever is rounded.
+    double steps(double norm) const { return (norm - low) * (254 / (double(high) - low)); }
   };
 
   /// A triangle in a cell while the table is made.
@@ -142,7 +132,8 @@ class Point_locator {
   };
 
   static constexpr Index none = covering::none;
-  static constexpr std::size_t at_a_time = 32;
+  static constexpr std::size_t at_a_time = 64;
+  static constexpr double farthest = 4;  ///< what signs ask of a norm
 
   /// A point that is asked about, and the cell that holds it; none beyond the surface, in the core and without a table.
   struct Asked {
@@ -153,7 +144,7 @@ class Point_locator {
   /// A point of several, by its number, that triangles decide: those of a group, or all.
   struct Pending {
     std::size_t number;
-    Index group;
+    Index group, end;
   };
 
   /// What one triangle says of a point.
@@ -179,7 +170,8 @@ class Point_locator {
   kernel::Local_triangle triangle(Index t) const
   {
     const auto& corner = model_->covering().triangles()[t].corner;
-    return {vertices_[corner[0]], vertices_[corner[1]], vertices_[corner[2]]};
+    const auto& vertices = model_->vertices();
+    return {local(vertices[corner[0]]), local(vertices[corner[1]]), local(vertices[corner[2]])};
   }
 
   static Location location(int winding) { return winding != 0 ? Location::inside : Location::outside; }
@@ -188,43 +180,94 @@ class Point_locator {
   template <class Exact>
   Location locate(const kernel::Local_point& p, const Exact& exact) const
   {
-    const Asked asked = ask(p);
+    Asked asked;
+    ask(p, asked);
+    Location at;
     Index group;
-    if (const auto decided = decide(asked, group)) return *decided;
-    return by_triangles(asked, group, exact);
+    return decide(asked, at, group) ? at : by_triangles(asked, group, exact);
   }
 
-  Asked ask(const kernel::Local_point& p) const
+  void ask(const kernel::Local_point& p, Asked& asked) const
   {
-    Asked asked{p, kernel::octahedral_norm(p), none};
-    if (has_table_ && asked.norm >= Cone_cells::core && asked.norm <= reach_)
-      asked.cell = Index(cells_.cell(p, asked.norm));
-    return asked;
+    // One by one: what is written in parts and read as a whole waits for the memory.
+    for (int k = 0; k < 3; ++k) asked.at[k] = p[k];
+    const double norm = asked.norm = kernel::octahedral_norm(p);
+    if (has_table_ && norm >= Cone_cells::core && norm <= farthest) [[likely]]
+      asked.cell = norm > reach_ ? Index(cells_.count()) : Index(cells_.cell(p, norm));
+    else
+      asked.cell = none;
   }
 
-  /// What is known without triangles; else `group` is that whose triangles decide, or none for all.
-  std::optional<Location> decide(const Asked& asked, Index& group) const
+  /// Whether no triangle is asked. If so, `at` is the answer; else `group` is that whose triangles decide, or none for
+  /// all.
+  bool decide(const Asked& asked, Location& at, Index& group) const
   {
     group = none;
-    if (asked.cell == none) {
-      if (has_table_ && asked.norm > reach_) return Location::outside;
-      if (has_table_ && core_) return location(*core_);
-      return std::nullopt;
-    }
-    for (Index g = cell_groups_[asked.cell]; g < cell_groups_[asked.cell + 1]; ++g) {
-      if (asked.norm > groups_[g].high) continue;
-      if (asked.norm < groups_[g].low) return location(groups_[g].within());
-      const int side = groups_[g].slab.side(asked.at);
-      if (side < 0) return location(groups_[g].within());
-      if (side > 0) return location(beyond(asked.cell, g));
-      group = g;
-      return std::nullopt;
-    }
-    return Location::outside;
+    if (asked.cell == none) [[unlikely]]
+      return decide_without_cell(asked, at);
+    const Index first = cell_groups_[asked.cell], end = cell_groups_[asked.cell + 1];
+    Index g = first;
+    while (g + 1 < end && asked.norm > groups_[g].high) ++g;
+    const Group& of = groups_[g];
+    // Most are decided here, by no branch that would be a guess.
+    const bool is_beyond = (first == end) | (asked.norm > of.high), is_before = asked.norm < of.low;
+    at = Location(2 * int(!is_beyond & (of.within() != 0)) - 1);
+    if (is_beyond | is_before) return true;
+    const int side = of.slab.side(asked.at);
+    if (side < 0) return true;
+    at = location(beyond(asked.cell, g));
+    if (side > 0) return true;
+    group = g;
+    return false;
+  }
+
+  bool decide_without_cell(const Asked& asked, Location& at) const
+  {
+    at = Location::outside;
+    if (has_table_ && asked.norm > farthest) return true;
+    if (!has_table_ || !core_) return false;
+    at = location(*core_);
+    return true;
   }
 
   /// The winding number beyond a group of the cell.
   int beyond(Index cell, Index g) const { return g + 1 < cell_groups_[cell + 1] ? groups_[g + 1].within() : 0; }
+
+  /// Where the group's triangles end that may reach as far as `norm`, which is within the group's.
+  Index end_beyond(Index g, double norm) const
+  {
+    const Group& of = groups_[g];
+    const Index end = groups_[g + 1].first;
+    if (of.is_sheet()) return end;
+    const int step = int(of.steps(norm));
+    Index e = of.first;
+    while (e < end && heights_[e] > step) ++e;
+    return e;
+  }
+
+  /// What the triangles of groups, or the first of them, are made of.
+  void prefetch(std::span<Pending> pending, const std::array<Asked, at_a_time>& asked) const
+  {
+    const auto& triangles = model_->covering().triangles();
+    for (const Pending& p : pending) {
+      if (p.group == none) continue;
+      const Index first = groups_[p.group].first;
+      __builtin_prefetch(&entries_[first]);
+      __builtin_prefetch(&heights_[first]);
+    }
+    for (Pending& p : pending)
+      if (p.group != none)
+        p.end = kernel::minimum(groups_[p.group].first + 16, end_beyond(p.group, asked[p.number].norm));
+    const auto for_first_triangles = [&](const auto& what) {
+      for (const Pending& p : pending)
+        if (p.group != none)
+          for (Index e = groups_[p.group].first; e < p.end; ++e) what(e);
+    };
+    for_first_triangles([&](Index e) { __builtin_prefetch(&triangles[entries_[e]]); });
+    for_first_triangles([&](Index e) {
+      for (const Index v : triangles[entries_[e]].corner) __builtin_prefetch(&vertices_[v]);
+    });
+  }
 
   template <class Exact>
   Location by_triangles(const Asked& asked, Index group, const Exact& exact) const
@@ -232,9 +275,15 @@ class Point_locator {
     if (group == none) return locate_among_all(asked.at, exact);
     const Group& of = groups_[group];
     const int outer = beyond(asked.cell, group);
+    const Index end = end_beyond(group, asked.norm);
+    const kernel::Cone_probe probe(asked.at);
     int winding = outer;
-    for (Index e = of.first; e < groups_[group + 1].first; ++e) {
-      const Seen seen = see(model_->covering().triangles()[entries_[e]], asked.at, exact);
+    for (Index e = of.first; e < end; ++e) {
+      const covering::Covering_triangle& t = model_->covering().triangles()[entries_[e]];
+      const auto [facing, is_before] = probe(vertices_[t.corner[0]], vertices_[t.corner[1]], vertices_[t.corner[2]]);
+      if (facing == 0) continue;
+      const Seen seen = facing == kernel::cone_undecided ? see(entries_[e], asked.at, exact)
+                                                         : Seen{.winding = is_before ? facing : 0, .facing = facing};
       if (seen.on_face) return Location::on_surface;
       winding += seen.winding;
       if (of.is_sheet() && seen.facing == of.within() - outer) break;
@@ -246,7 +295,7 @@ class Point_locator {
   Location locate_among_all(const kernel::Local_point& p, const Exact& exact) const
   {
     int winding = 0;
-    for (const covering::Covering_triangle& t : model_->covering().triangles()) {
+    for (Index t = 0; t < model_->covering().triangles().size(); ++t) {
       const Seen seen = see(t, p, exact);
       if (seen.on_face) return Location::on_surface;
       winding += seen.winding;
@@ -256,17 +305,17 @@ class Point_locator {
 
   /// By a filter first: a face lies within its covering's triangles, so that p is on none of it where that is certain.
   template <class Exact>
-  Seen see(const covering::Covering_triangle& t, const kernel::Local_point& p, const Exact& exact) const
+  Seen see(Index t, const kernel::Local_point& p, const Exact& exact) const
   {
-    if (has_table_ && kernel::octahedral_norm(p) <= 4) {
-      const kernel::Local_point &w = vertices_[t.corner[0]], &a = vertices_[t.corner[1]], &b = vertices_[t.corner[2]];
+    if (has_table_ && kernel::octahedral_norm(p) <= farthest) {
+      const auto [w, a, b] = triangle(t);
       const int facing = kernel::cone_holds(w, a, b, p);
       if (facing == 0) return {};
       if (facing != kernel::cone_undecided)
         if (const int side = kernel::plane_side(w, a, b, p); side != 0)
           return {.winding = side == -facing ? facing : 0, .facing = facing};
     }
-    return see_exactly(t, exact());
+    return see_exactly(model_->covering().triangles()[t], exact());
   }
 
   /// `covering::signed_inclusion` of p in the triangle's tetrahedron, where p is not on the face.
@@ -297,18 +346,20 @@ class Point_locator {
       t = Index(-1);  // the first is next
     }
     const std::vector<Index> begin = sort_by_cells(found);
-    cell_groups_.reserve(begin.size());
+    cell_groups_.reserve(begin.size() + 1);
     entries_.reserve(found.size());
+    heights_.reserve(found.size());
     kernel::Local_point direction{};
     cells_.for_directions([&](std::size_t cell, const kernel::Local_point& d, const Cone_cells::Corners& corners) {
       cell_groups_.push_back(Index(groups_.size()));
       group(found.data() + begin[cell], found.data() + begin[cell + 1]);
-      sum_inwards(cell_groups_.back(), d, corners);
+      sum_inwards(cell_groups_.back(), found.data() + begin[cell], d, corners);
       direction = d;
     });
     if (core_is_empty) core_ = cell_groups_.back() < groups_.size() ? groups_[cell_groups_.back()].within() : 0;
     for (const Group& g : groups_) reach_ = kernel::maximum(reach_, double(g.high));
-    cell_groups_.push_back(Index(groups_.size()));
+    // And the cell of what is beyond all.
+    cell_groups_.insert(cell_groups_.end(), 2, Index(groups_.size()));
     groups_.push_back({0, 0, {}, Index(entries_.size()), 0});
     groups_.shrink_to_fit();
     has_table_ = true;
@@ -337,12 +388,13 @@ class Point_locator {
       else
         groups_.push_back({f->low, f->high, {}, Index(entries_.size()), 0});
       entries_.push_back(f->triangle);
+      heights_.push_back(0);
     }
   }
 
   /// The winding numbers of the cell's groups, which are those from `first` on: crossings of its ray, the farthest
-  /// first.
-  void sum_inwards(Index first, const kernel::Local_point& direction, const Cone_cells::Corners& corners)
+  /// first. `found`: the cell's triangles, in the groups' order; changes it.
+  void sum_inwards(Index first, Found* found, const kernel::Local_point& direction, const Cone_cells::Corners& corners)
   {
     std::vector<kernel::Local_triangle> triangles;
     int winding = 0;
@@ -361,8 +413,20 @@ class Point_locator {
       }
       const bool sheet = is_sheet(winding - beyond, kernel::maximum(facing[0], facing[2]), int(triangles.size()));
       groups_[g].slab = kernel::Cone_slab(corners, triangles);
-      end = groups_[g].first;
       groups_[g].within_and_sheet = 2 * winding + sheet;
+      if (!sheet) order_by_heights(g, std::span(found + (groups_[g].first - groups_[first].first), triangles.size()));
+      end = groups_[g].first;
+    }
+  }
+
+  /// The highest first.
+  void order_by_heights(std::size_t g, std::span<Found> found)
+  {
+    std::sort(found.begin(), found.end(), [](const Found& x, const Found& y) { return x.high > y.high; });
+    Index e = groups_[g].first;
+    for (const Found& f : found) {
+      entries_[e] = f.triangle;
+      heights_[e++] = std::uint8_t(int(groups_[g].steps(f.high)) + 1);
     }
   }
 
@@ -405,13 +469,14 @@ class Point_locator {
   kernel::Local_scale scale_;
   double per_half_unit_;
   kernel::Cone_cells cells_;
-  std::vector<kernel::Local_point> vertices_;  ///< of the model
+  std::vector<kernel::Rounded_point> vertices_;  ///< of the model
   bool has_table_ = false;
-  double reach_ = Cone_cells::core;  ///< no part of the surface has a larger norm
-  std::optional<int> core_;          ///< the winding number in the core, where no surface is
-  std::vector<Index> cell_groups_;   ///< where each cell's groups begin
-  std::vector<Group> groups_;        ///< by cells, then by norm; the last ends the one before
-  std::vector<Index> entries_;       ///< triangles of the covering, by groups
+  double reach_ = Cone_cells::core;    ///< no part of the surface has a larger norm
+  std::optional<int> core_;            ///< the winding number in the core, where no surface is
+  std::vector<Index> cell_groups_;     ///< where each cell's groups begin
+  std::vector<Group> groups_;          ///< by cells, then by norm; the last ends the one before
+  std::vector<Index> entries_;         ///< triangles of the covering, by groups
+  std::vector<std::uint8_t> heights_;  ///< of each, in a group that is no sheet: above the `steps` of its norms
 };
 
 }  // namespace tetracone::tetratree
