@@ -59,15 +59,21 @@ class Ray_triangle {
     const double M = maximum(largest(A), largest(B), largest(C));
     if (!usable_ || !(M >= 0x1p-300)) return {};
     const double limit = 0x1p-46 * M * M;
-    const int ab = sign(determinant(direction_, A, B), limit), bc = sign(determinant(direction_, B, C), limit),
-              ca = sign(determinant(direction_, C, A), limit);
-    if (ab * bc < 0 || bc * ca < 0 || ca * ab < 0) return {Meets::no};
-    if (ab == 0 || bc == 0 || ca == 0) return {};
+    const double ab = determinant(direction_, A, B), bc = determinant(direction_, B, C),
+                 ca = determinant(direction_, C, A);
+    // No branch but the last: each is a guess.
+    const bool some_left = (ab > limit) | (bc > limit) | (ca > limit),
+               some_right = (ab < -limit) | (bc < -limit) | (ca < -limit);
+    if (some_left & some_right) return {Meets::no};
+    const bool all_left = (ab > limit) & (bc > limit) & (ca > limit),
+               all_right = (ab < -limit) & (bc < -limit) & (ca < -limit);
+    if (!(all_left | all_right)) return {};
+    const double turn = all_left ? 1 : -1;
 
     const Vertex p = difference(b, a), q = difference(c, a);
     const double S = maximum(largest(p), largest(q));
     if (!(S >= 0x1p-300)) return {};
-    const double N = determinant(A, p, q) * ab, D = determinant(direction_, p, q) * ab;
+    const double N = determinant(A, p, q) * turn, D = determinant(direction_, p, q) * turn;
     const double error_N = 0x1p-45 * S * S * M, error_D = 0x1p-44 * S * S;
     if (N < -error_N) return {Meets::no};
     if (!(N > error_N) || !(D > 2 * error_D)) return {};
@@ -117,7 +123,6 @@ class Ray_triangle {
   {
     return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
   }
-  static int sign(double value, double limit) { return value > limit ? 1 : value < -limit ? -1 : 0; }
 
   Vertex origin_, direction_;
   int exponent_;

@@ -116,6 +116,8 @@ class Bvh8_rays {
     met_.clear();
     decided_.clear();
     limit_ = std::numeric_limits<double>::infinity();
+    farthest_ = kernel::Local_ray::length;
+    first_alone_ = first_alone;
     if (tree_->empty()) return;
     std::optional<kernel::Local_ray> local;
     const bool is_local = kernel::Local_ray::may_be_local(tree_->scale(), ray.origin);
@@ -123,38 +125,60 @@ class Bvh8_rays {
       local = kernel::Local_ray::of(tree_->scale(), ray.origin, filter_->direction());
       if (!local) return;
       const auto& d = filter_->direction();
+      skipped_ = local->skipped;
       per_t_ = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) / tree_->scale().unit;
     }
     open_.assign(1, {0, 0});
     while (!open_.empty()) {
       const Open top = open_.back();
       open_.pop_back();
-      const double limit = first_alone && is_local
-                               ? kernel::minimum(limit_ * per_t_ - local->skipped, double(kernel::Local_ray::length))
-                               : double(kernel::Local_ray::length);
-      if (is_local && top.nearest > limit + 0x1p-14) continue;
-      open_node(top.node, local, limit);
+      if (is_local && is_beyond(top.nearest)) continue;
+      open_node(top.node, local);
     }
   }
 
+  /// Whether what begins at s, in local units, is beyond the first face, where that alone is asked for.
+  bool is_beyond(float s) const { return s > farthest_ + 0x1p-14; }
+
   /// Without a local ray, all lanes.
-  void open_node(Index n, const std::optional<kernel::Local_ray>& local, double limit)
+  void open_node(Index n, const std::optional<kernel::Local_ray>& local)
   {
     const Bvh8_node& node = tree_->node(n);
     unsigned met = (1u << node.boxes.lane_count) - 1;
-    if (local) met = kernel::ray_lanes(node.boxes, *local, limit, nearest_);
+    if (local) met = kernel::ray_lanes(node.boxes, *local, farthest_, nearest_);
+    const unsigned leaves = met & node.boxes.marked;
+    for_lanes(leaves, [&](int lane) { __builtin_prefetch(&tree_->element(n, lane)); });
     const std::size_t before = open_.size();
-    for (; met != 0; met &= met - 1) {
-      const int lane = std::countr_zero(met);
-      if (node.is_leaf(lane)) {
-        for (Index k = 0; k < tree_->leaf_count(n, lane); ++k) decide(tree_->element(n, lane, k));
-        continue;
-      }
-      open_.push_back({nearest_[std::size_t(lane)], tree_->child(n, lane)});
+    for_lanes(met & ~leaves, [&](int lane) {
+      const Index child = tree_->child(n, lane);
+      open_.push_back({nearest_[std::size_t(lane)], child});
       // The nearest last, to be opened first.
       for (std::size_t k = open_.size() - 1; k > before && open_[k - 1].nearest < open_[k].nearest; --k)
         std::swap(open_[k - 1], open_[k]);
-    }
+      prefetch(child);
+    });
+    for_lanes(leaves, [&](int lane) {
+      const Element& element = tree_->element(n, lane);
+      if (!element.is_whole_face())
+        for (const Index v : element.corner) __builtin_prefetch(&tree_->model().vertices()[v]);
+    });
+    for_lanes(leaves, [&](int lane) {
+      if (local && is_beyond(nearest_[std::size_t(lane)])) return;
+      for (Index k = 0; k < tree_->leaf_count(n, lane); ++k) decide(tree_->element(n, lane, k));
+    });
+  }
+
+  /// A node, while others are opened.
+  void prefetch(Index n) const
+  {
+    const char* const bytes = reinterpret_cast<const char*>(&tree_->node(n));
+    for (std::size_t k = 0; k < sizeof(Bvh8_node); k += 64) __builtin_prefetch(bytes + k);
+  }
+
+  template <class What>
+  static void for_lanes(unsigned lanes, const What& what)
+  {
+    for (; lanes != 0; lanes &= lanes - 1) what(std::countr_zero(lanes));
   }
 
   void decide(const Element& element)
@@ -183,6 +207,7 @@ class Bvh8_rays {
   void add(Met met)
   {
     limit_ = kernel::minimum(limit_, met.high);
+    if (first_alone_) farthest_ = kernel::minimum(farthest_, limit_ * per_t_ - skipped_);
     met_.push_back(std::move(met));
   }
 
@@ -226,8 +251,10 @@ class Bvh8_rays {
   Ray ray_{};
   std::optional<kernel::Ray_triangle> filter_;
   std::optional<kernel::Rational_ray> exact_ray_;
-  double per_t_ = 0;  // from t to length in local units
-  double limit_ = 0;  // the first face is met no later
+  double per_t_ = 0;                   // from t to length in local units
+  double limit_ = 0;                   // the first face is met no later
+  double skipped_ = 0, farthest_ = 0;  // in local units: the ray's start, and where it need not be followed farther
+  bool first_alone_ = false;
   std::vector<Met> met_;
   std::vector<Index> decided_;  // faces decided in rationals
   std::vector<Open> open_;
