@@ -66,10 +66,10 @@ Answer Query::collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
   return Answer(d.solver->relation(pose_a, pose_b, d.question));
 }
 
-Answer Query::collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Witness& witness)
+Answer Query::collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, tetratree::Pair_memory& memory)
 {
   detail::Query_data& d = data();
-  return Answer(d.solver->relation_by(witness, pose_a, pose_b, d.question));
+  return Answer(d.solver->relation_by(memory, pose_a, pose_b, d.question));
 }
 
 std::vector<Answer> Query::collide(std::span<const Pose> poses_a, std::span<const Pose> poses_b)

@@ -20,9 +20,9 @@ class Solver {
  public:
   virtual ~Solver() = default;
   virtual Relation relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question) = 0;
-  /// The same, with what met when these placed bodies were asked last, where the solver can use it.
-  virtual Relation relation_by(Witness& /*witness*/, const kernel::Pose& pose_a, const kernel::Pose& pose_b,
-                               Question question)
+  /// The same, with what is kept of these placed bodies, where the solver can use it.
+  virtual Relation relation_by(tetratree::Pair_memory& /*memory*/, const kernel::Pose& pose_a,
+                               const kernel::Pose& pose_b, Question question)
   {
     return relation(pose_a, pose_b, question);
   }

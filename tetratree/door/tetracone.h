@@ -34,6 +34,9 @@ class Pose;
 /// Writes the name: apart, surfaces, a_in_b, b_in_a.
 inline std::ostream& operator<<(std::ostream& out, Relation relation) { return out << to_string(relation); }
 }  // namespace kernel
+namespace tetratree {
+struct Pair_memory;
+}
 class Body;
 namespace detail {
 struct Body_data;
@@ -180,10 +183,6 @@ class Answer {
   Relation relation_;
 };
 
-/// Two parts of the bodies of a pair that met when the pair was asked last, in the query's own numbers; empty where none
-/// did.
-using Witness = std::optional<std::pair<std::uint32_t, std::uint32_t>>;
-
 /// Two bodies and a question, asked for many poses. Keeps work from one pose to the next: one query per thread.
 class Query {
  public:
@@ -203,9 +202,9 @@ class Query {
   /// By poses of the templates (`exact`). Requires det M != 0.
   Answer collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
 
-  /// The same of one of many pairs of placed bodies that a query is asked of: with the parts that met the last time, tried
-  /// first; the answer does not depend on them. Requires a witness of this pair of bodies, or an empty one.
-  Answer collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Witness& witness);
+  /// The same of one of many pairs of placed bodies that a query is asked of, with what is kept of it
+  /// (tetracone/tetratree/fast/pair_memory.h); the answer does not depend on that. Requires the memory of this pair.
+  Answer collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, tetratree::Pair_memory& memory);
 
   /// The answers for n poses of each body, or for one of A and n of B, or n of A and one of B. Throws Error for other
   /// counts.

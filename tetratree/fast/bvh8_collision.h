@@ -9,6 +9,7 @@
 #include "tetracone/tetratree/fast/bvh8_descent.h"
 #include "tetracone/tetratree/fast/bvh8_front.h"
 #include "tetracone/tetratree/fast/element_gap.h"
+#include "tetracone/tetratree/fast/pair_memory.h"
 #include "tetracone/tetratree/fast/placed_bvh8.h"
 #include "tetracone/tetratree/fast/separating_direction.h"
 #include "tetracone/tetratree/query_statistics.h"
@@ -90,10 +91,12 @@ class Bvh8_collision {
     return ask_trees(pose_a, pose_b, [&] { return relation_of_trees(question, &front); });
   }
 
-  /// The same, with the pair of leaves that met the last time these placed bodies were asked, tried first, if they did.
-  Relation relation(const Pose& pose_a, const Pose& pose_b, Question question,
-                    std::optional<Bvh8_front::Boxes>& witness)
+  /// The same, with what is kept of this pair of placed bodies: the leaves that met the last time, or a front, which is
+  /// made where the last descent says that it pays.
+  Relation relation(const Pose& pose_a, const Pose& pose_b, Question question, Pair_memory& memory)
   {
+    if (memory.front) return relation(pose_a, pose_b, question, *memory.front);
+    std::optional<Bvh8_front::Boxes>& witness = memory.witness;
     kernel::require_sound_floating_point();
     ++counts_.queries;
     is_plane_tried_ = !a_.tree->empty() && !b_.tree->empty() && !witness;
@@ -106,8 +109,16 @@ class Bvh8_collision {
         is_plane_tried_ = true;
         if (separating_direction_(pose_a, pose_b, most_directions, false)) return Relation::apart;
       }
+      if (keeps_fronts && memory.is_front_allowed && memory.is_front_worth()) {
+        memory.front = std::make_unique<Bvh8_front>();
+        memory.front->set_plane_first(false);
+        return relation_of_trees(question, memory.front.get());
+      }
       relate_frames();
-      return meet_by_trees(&witness) ? Relation::surfaces : relation_of_apart(question);
+      const std::uint64_t opened = counts_.pairs_visited;
+      const bool meet = meet_by_trees(&witness);
+      memory.opened = std::uint32_t(counts_.pairs_visited - opened);
+      return meet ? Relation::surfaces : relation_of_apart(question);
     });
   }
 
@@ -163,7 +174,9 @@ class Bvh8_collision {
 
   bool is_apart_by_plane(const Pose& pose_a, const Pose& pose_b, Bvh8_front& front)
   {
-    const bool is_apart = separating_direction_(pose_a, pose_b, most_directions, true);
+    is_plane_tried_ = true;
+    // The last direction is of the pair that was asked last: this one, where the object keeps its front.
+    const bool is_apart = separating_direction_(pose_a, pose_b, most_directions, own_front_.has_value());
     front.set_plane_first(is_apart);
     return is_apart;
   }

@@ -26,6 +26,19 @@ double sum_below(double x, double y) { return y == 0 ? x : std::nextafter(x + y,
 /// A wide box leaves room for so many steps like the last one, but not for more than half of the body.
 constexpr double steps_ahead = 4;
 
+/// Bodies that have moved by more than this share of the smaller one since they were asked get no front.
+constexpr double little = 1.0 / 64;
+
+/// What a front may take before it is made, and all of them.
+constexpr std::size_t bytes_of_front = std::size_t(1) << 17, most_bytes_of_fronts = std::size_t(1) << 28;
+
+double size_of(const tetratree::World_box& box)
+{
+  double size = 0;
+  for (int k = 0; k < 3; ++k) size = kernel::maximum(size, double(box.high[k]) - double(box.low[k]));
+  return size;
+}
+
 }  // namespace
 
 Scene_data::Scene_data(const Scene_options& options) : models(options.question), options_(options)
@@ -198,10 +211,8 @@ void Scene_data::widen(std::vector<Number> bodies)
 {
   for (const Number number : bodies) {
     Placed_body& body = bodies_[number];
-    double size = 0;
-    for (int k = 0; k < 3; ++k) size = kernel::maximum(size, double(body.box.high[k]) - double(body.box.low[k]));
     const double room = steps_ahead * body.step;
-    wide_[number] = body.is_in_tree && room < size / 2 ? body.box.grown(room) : body.box.grown(0);
+    wide_[number] = body.is_in_tree && room < size_of(body.box) / 2 ? body.box.grown(room) : body.box.grown(0);
     if (body.is_in_tree)
       tree_.set(number, wide_[number]);
     else
@@ -269,7 +280,7 @@ void Scene_data::open_pairs()
       if (bodies_[other].has_moved) continue;  // its turn comes
       const Near_pair& pair = near_[number];
       if (pair.is_open) continue;
-      if (pair.asked != Near_pair::never && sum_above(way_[body], way_[other]) < pair.limit)
+      if (pair.asked != Near_pair::never && way(pair) < pair.limit)
         ++statistics_.kept;
       else
         open_pair(number);
@@ -284,10 +295,16 @@ void Scene_data::open_pair(Number number)
   open_.push_back(number);
 }
 
-void Scene_data::answer_apart(Near_pair& pair, double gap)
+/// A bound on the motions of both bodies, from above.
+double Scene_data::way(const Near_pair& pair) const { return sum_above(way_[pair.body[0]], way_[pair.body[1]]); }
+
+/// Where they do not collide, they are at least `gap` apart.
+void Scene_data::answer(Near_pair& pair, bool collide, double gap)
 {
-  pair.collide = pair.is_open = false;
+  pair.collide = collide;
+  pair.is_open = false;
   pair.asked = frame_;
+  pair.way = way(pair);
   pair.limit = gap > 0 ? sum_below(sum_below(way_[pair.body[0]], way_[pair.body[1]]), gap) : -1;
 }
 
@@ -328,7 +345,7 @@ void Scene_data::ask_models(std::vector<Number>::iterator first, std::vector<Num
     Near_pair& pair = near_[*at];
     const double gap = bodies_[pair.body[0]].box.gap(bodies_[pair.body[1]].box);
     if (gap > 0)
-      answer_apart(pair, gap);
+      answer(pair, false, gap);
     else
       meeting.push_back(*at);
   }
@@ -342,7 +359,7 @@ void Scene_data::ask_models(std::vector<Number>::iterator first, std::vector<Num
       tighten(b);
       const double gap = a.box.gap(b.box);
       if (gap > 0) {
-        answer_apart(pair, gap);
+        answer(pair, false, gap);
         continue;
       }
     }
@@ -351,8 +368,38 @@ void Scene_data::ask_models(std::vector<Number>::iterator first, std::vector<Num
     candidates.push_back(number);
   }
   statistics_.candidates += candidates.size();
+  allow_fronts(candidates);
   for_each(candidates.size(), 4, [&](std::size_t i, Scene_worker& worker) { ask_pair(candidates[i], worker); });
-  for (const Number pair : candidates) statistics_.queries += !near_[pair].is_open;
+  for (const Number pair : candidates) {
+    statistics_.queries += !near_[pair].is_open;
+    near_.count_memory(pair);
+  }
+}
+
+/// Says of pairs that are to be asked whether they may keep fronts: those that move little from frame to frame, while
+/// there is room.
+void Scene_data::allow_fronts(const std::vector<Number>& pairs)
+{
+  std::size_t taken = near_.memory_bytes(), room = most_bytes_of_fronts;
+  if (options_.memory != 0)
+    room = memory_has_fronts_
+               ? kernel::minimum(room, options_.memory - kernel::minimum(options_.memory, bytes() - taken))
+               : 0;
+  for (const Number number : pairs) {
+    Near_pair& pair = near_[number];
+    const bool would_be_made = !pair.memory.front && pair.memory.is_front_worth(),
+               is_allowed = (pair.memory.front || would_be_made) && moves_little(pair) &&
+                            (!would_be_made || taken + bytes_of_front <= room);
+    if (is_allowed && would_be_made) taken += bytes_of_front;
+    pair.memory.allow_front(is_allowed);
+  }
+}
+
+/// Of bodies that have been asked before: since then.
+bool Scene_data::moves_little(const Near_pair& pair) const
+{
+  const double size = kernel::minimum(size_of(bodies_[pair.body[0]].box), size_of(bodies_[pair.body[1]].box));
+  return way(pair) - pair.way <= little * size;
 }
 
 tetratree::Turned_box Scene_data::turned_box(Number body)
@@ -391,7 +438,7 @@ void Scene_data::ask_turned_boxes(std::vector<Number>& all)
     for (std::size_t k = 0; k < row.count; ++k) others[k] = turned_box(near_.other(pairs[row.first + k], row.body));
     const auto gaps = tetratree::turned_gaps(turned_box(row.body), std::span(others).first(row.count));
     for (std::size_t k = 0; k < row.count; ++k)
-      if (gaps[k] > 0) answer_apart(near_[pairs[row.first + k]], gaps[k]);
+      if (gaps[k] > 0) answer(near_[pairs[row.first + k]], false, gaps[k]);
   });
   std::erase_if(all, [this](Number pair) { return !near_[pair].is_open; });
 }
@@ -403,20 +450,17 @@ void Scene_data::ask_pair(Number number, Scene_worker& worker)
   const auto [model_a, model_b] = models_of(pair);
   const int first = bodies_[pair.body[0]].model == model_a ? 0 : 1;
   Query& query = worker.query(models, model_a, model_b, pair.by_brute_force ? Method::brute : Method::tree);
-  if (options_.memory != 0) pair.witness.reset();  // its model's tree may have been made anew
-  if (!query.collide(bodies_[pair.body[first]].pose, bodies_[pair.body[1 - first]].pose, pair.witness)) {
-    answer_apart(pair, query.certified_gap());
-    return;
-  }
-  pair.is_open = false;
-  pair.collide = true;
-  pair.asked = frame_;
-  pair.limit = -1;
+  const bool collide(query.collide(bodies_[pair.body[first]].pose, bodies_[pair.body[1 - first]].pose, pair.memory));
+  answer(pair, collide, collide ? 0 : query.certified_gap());
 }
 
-/// Gives back models until the memory holds what is left.
+/// Drops fronts, and gives back models, until the memory holds what is left.
 void Scene_data::keep_to_memory(Number model_a, Number model_b)
 {
+  if (bytes() > options_.memory && near_.memory_bytes() > 0) {
+    memory_has_fronts_ = false;
+    for (Number body = 0; body < bodies_.size(); ++body) forget_pairs_of(body);
+  }
   while (bytes() > options_.memory) {
     const auto least = models.least_recently_used(model_a, model_b);
     if (!least)
@@ -424,8 +468,16 @@ void Scene_data::keep_to_memory(Number model_a, Number model_b)
                   models.name(model_a) + "', '" + models.name(model_b) +
                   "' and what is asked of them; expected at least " + std::to_string(bytes()));
     for (Scene_worker& worker : workers_) worker.forget(*least);
+    // A tree that is made anew has other numbers.
+    for (Number body = 0; body < bodies_.size(); ++body)
+      if (bodies_[body].model == *least) forget_pairs_of(body);
     models.give_back(*least);
   }
+}
+
+void Scene_data::forget_pairs_of(Number body)
+{
+  for (const auto& [pair, other] : near_.of(body)) near_.forget(pair);
 }
 
 void Scene_data::list_pairs()

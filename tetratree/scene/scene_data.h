@@ -129,7 +129,11 @@ class Scene_data {
   void ask_turned_boxes(std::vector<Number>& pairs);
   tetratree::Turned_box turned_box(Number body);
   void keep_to_memory(Number model_a, Number model_b);
-  void answer_apart(Near_pair& pair, double gap);
+  void forget_pairs_of(Number body);
+  void allow_fronts(const std::vector<Number>& pairs);
+  bool moves_little(const Near_pair& pair) const;
+  void answer(Near_pair& pair, bool collide, double gap);
+  double way(const Near_pair& pair) const;
   void list_pairs();
   std::size_t bytes() const;
   std::pair<Number, Number> models_of(std::size_t a, std::size_t b) const;
@@ -150,6 +154,7 @@ class Scene_data {
   bool tree_is_old_ = false;  // there are bodies that it does not know
   std::unordered_set<std::uint64_t> ignored_;
   tetratree::Pair_list near_;
+  bool memory_has_fronts_ = true;  // until they have been too much for it once
   std::vector<Number> moved_, open_;
   std::vector<double> way_;          // of each body, a bound on its motions of all frames
   std::vector<std::uint64_t> seen_;  // of each body, the search that has seen it last

@@ -25,11 +25,11 @@ class Bvh8_solver : public Solver {
     if constexpr (std::is_same_v<K, kernel::Tolerant>) kernel::Tolerant::tolerance() = options_.tolerance;
     return collision_.relation(pose_a, pose_b, question);
   }
-  Relation relation_by(Witness& witness, const kernel::Pose& pose_a, const kernel::Pose& pose_b,
+  Relation relation_by(tetratree::Pair_memory& memory, const kernel::Pose& pose_a, const kernel::Pose& pose_b,
                        Question question) override
   {
     if constexpr (std::is_same_v<K, kernel::Tolerant>) kernel::Tolerant::tolerance() = options_.tolerance;
-    return collision_.relation(pose_a, pose_b, question, witness);
+    return collision_.relation(pose_a, pose_b, question, memory);
   }
   std::vector<Feature_pair> features(const kernel::Pose& pose_a, const kernel::Pose& pose_b) override
   {

@@ -6,7 +6,9 @@ usage: run.py BUILD [--out FOLDER] [--only WORD] [--jobs N]
 
 BUILD is a built tree with the target `mutant_cases`, which writes the cases and their truths. A mutant is killed when the probe finds a
 wrong answer, or the test fails, or either does not end. Exit status 1 when one survives, or when one does not compile: an error of the
-list. The results are kept in FOLDER (default BUILD/mutants) and not computed again: what was stopped goes on; remove the folder to begin anew.
+list. Of a mutant that names `units`, the library's sources that are compiled with the test from the mutated
+copy; else what the library has compiled is right.
+The results are kept in FOLDER (default BUILD/mutants) and not computed again: what was stopped goes on; remove the folder to begin anew.
 N mutants (default: the number of cores) are tried at a time.
 """
 import argparse
@@ -26,7 +28,7 @@ SOURCE = HERE.parent.parent
 HEADERS = ("kernel", "covering", "tetratree")
 COMPILE = ["-std=c++20", "-O1", "-frounding-math", "-ffp-contract=off", "-DCGAL_USE_GMPXX=1"]
 LINK = ["-lhwy", "-lgmpxx", "-lgmp", "-lmpfr"]
-TEST = ["-Wno-psabi", "-DCGAL_NO_CDT_2_WARNING", "-DBOOST_TEST_DYN_LINK", "-DBOOST_TEST_MODULE=mutant", "-lboost_unit_test_framework"]
+TEST = ["-Wno-psabi", "-DCGAL_NO_CDT_2_WARNING", "-DBOOST_TEST_DYN_LINK", "-DBOOST_TEST_MODULE=mutant", "-lboost_unit_test_framework", "-ltbb"]
 SECONDS = 600  # a probe of right headers takes some 60
 # What no mutant changes, and is half of a compilation: precompiled once.
 OUTSIDE = ("CGAL/Exact_predicates_exact_constructions_kernel.h", "CGAL/Exact_predicates_inexact_constructions_kernel.h", "CGAL/Interval_nt.h",
@@ -67,12 +69,13 @@ def precompiled(out, eigen):
     return ["-include", str(header)]
 
 
-def probe(folder, cases, options, test, build):
+def probe(folder, cases, options, test, build, units=()):
     """What the probe, or the test if it is not None, says of the headers in `folder`: "killed: ...", "survived" or "does not compile: ..."."""
     program = folder / "probe"
-    # Readers and repair are the built ones: a mutant is in the headers.
+    # What is no header is the built one, but for the units: what is defined first counts.
     libraries = [str(build / "libtetracone_repair.a"), str(build / "libtetracone.a")]
-    source, more = (test, [f"-I{SOURCE}", *libraries, *TEST]) if test else (HERE / "probe.cpp", [])
+    sources = [str(folder / "tetracone" / unit) for unit in units] + (["-Wl,--allow-multiple-definition"] if units else [])
+    source, more = (test, [f"-I{SOURCE}", *sources, *libraries, *TEST]) if test else (HERE / "probe.cpp", [])
     built = subprocess.run([compiler(), *COMPILE, *options, f"-I{folder}", str(source), *more, *LINK, "-o", str(program)],
                            capture_output=True, text=True)
     if built.returncode != 0:
@@ -120,7 +123,7 @@ def main():
     # A result counts for the headers, the cases and the probe that it was found with.
     digest = hashlib.sha256(cases.read_bytes() + (HERE / "probe.cpp").read_bytes())
     for name in HEADERS:
-        for header in sorted((SOURCE / name).rglob("*.[hi]*")):
+        for header in sorted((SOURCE / name).rglob("*.[chi]*")):
             digest.update(header.read_bytes())
     results_file = out / "results.json"
     results = json.loads(results_file.read_text()) if results_file.exists() else {}
@@ -129,8 +132,9 @@ def main():
     mutants = [m for m in json.loads((HERE / "mutants.json").read_text()) if args.only in m["name"]]
     for mutant in mutants:
         planted((SOURCE / mutant["file"]).read_text(), mutant)
-    judges = list(dict.fromkeys(m.get("test") for m in mutants))  # None is the probe
-    unplanted = [{"name": f"none, by {test or 'the probe'}", "file": None, **({"test": test} if test else {})} for test in judges]
+    judges = list(dict.fromkeys((m.get("test"), tuple(m.get("units", ()))) for m in mutants))  # None is the probe
+    unplanted = [{"name": f"none, by {test or 'the probe'}", "file": None, **({"test": test} if test else {}), **({"units": units} if units else {})}
+                 for test, units in judges]
     unwritten = threading.Lock()
 
     def result(mutant):
@@ -142,7 +146,7 @@ def main():
             if mutant["file"]:
                 path = folder / "tetracone" / mutant["file"]
                 path.write_text(planted(path.read_text(), mutant))
-            found = probe(folder, cases, options, test, args.build)
+            found = probe(folder, cases, options, test, args.build, mutant.get("units", ()))
             shutil.rmtree(folder)
             with unwritten:
                 results[key] = found

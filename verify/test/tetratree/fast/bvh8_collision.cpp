@@ -187,7 +187,7 @@ BOOST_AUTO_TEST_CASE(what_is_kept_from_the_last_pose_changes_no_answer)
     for (const auto& b : all) {
       Bvh8_collision none(a->triangles, b->triangles), last(a->triangles, b->triangles, Coherence::last_frame),
           whole(a->whole, b->whole, Coherence::last_frame), of_many(a->triangles, b->triangles);
-      std::optional<Bvh8_front::Boxes> witness;
+      Pair_memory memory;
       const Pose rotation = random_rotation(random, 3);
       for (int k = -16; k <= 16; ++k) {
         const double x = k / 2.0;
@@ -200,7 +200,7 @@ BOOST_AUTO_TEST_CASE(what_is_kept_from_the_last_pose_changes_no_answer)
         const bool answer = none(pose_a, pose_b, question);
         differ += last(pose_a, pose_b, question) != answer;
         differ += whole(pose_a, pose_b, question) != answer;
-        differ += (of_many.relation(pose_a, pose_b, question, witness) != Relation::apart) != answer;
+        differ += (of_many.relation(pose_a, pose_b, question, memory) != Relation::apart) != answer;
         if (k % 4 == 0) wrong += answer != verify::collide(a->truth, pose_a, b->truth, pose_b, question);
         ++(answer ? yes : no);
       }
@@ -225,14 +225,14 @@ BOOST_AUTO_TEST_CASE(a_witness_or_a_direction_of_the_last_pose_saves_the_work)
 
   // A witness that the caller keeps.
   Bvh8_collision of_many(a.triangles, b.triangles);
-  std::optional<Bvh8_front::Boxes> witness;
-  const auto ask = [&](double x) { return of_many.relation(Pose(), translation(x, 0, 0), Question::surface, witness); };
-  BOOST_TEST((ask(2) == Relation::surfaces && witness));
+  Pair_memory memory;
+  const auto ask = [&](double x) { return of_many.relation(Pose(), translation(x, 0, 0), Question::surface, memory); };
+  BOOST_TEST((ask(2) == Relation::surfaces && memory.witness));
   of_many.clear_counts();
-  BOOST_TEST((ask(2.001) == Relation::surfaces && witness));
+  BOOST_TEST((ask(2.001) == Relation::surfaces && memory.witness));
   BOOST_TEST(of_many.counts().box_tests == 0u);
   BOOST_TEST(of_many.counts().leaf_pairs == 1u);
-  BOOST_TEST((ask(100) == Relation::apart && !witness));
+  BOOST_TEST((ask(100) == Relation::apart && !memory.witness));
   BOOST_TEST(of_many.certified_gap() > 0);
 }
 
