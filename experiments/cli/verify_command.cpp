@@ -90,13 +90,14 @@ void choose_subjects(const Verify_options& options, Campaign& campaign)
   choose("distances", campaign.distance_subjects, verify::distance_subjects());
   choose("points", campaign.point_subjects, verify::point_subjects());
   choose("rays", campaign.ray_subjects, verify::ray_subjects());
+  choose("scenes", campaign.scene_subjects, verify::scene_subjects());
   campaign.object_subjects.insert(campaign.object_subjects.end(), commands.begin(), commands.end());
   for (const std::string& name : options.subjects)
     if (!known.contains(name)) {
       std::string list;
       for (const auto& subject : objects) list += (list.empty() ? "" : ", ") + subject.name;
-      throw CLI::ValidationError("--subject " + name,
-                                 "expected one of " + list + " or of the subjects of predicates, points and rays");
+      throw CLI::ValidationError("--subject " + name, "expected one of " + list +
+                                                          " or of the subjects of predicates, points, rays and scenes");
     }
 }
 
@@ -109,6 +110,8 @@ bool add_family(const std::string& name, Campaign& campaign)
     campaign.distance_families.push_back(of_distances);
   } else if (const auto* of_probes = verify::find_probe_family(name)) {
     (name.starts_with("ray") ? campaign.ray_families : campaign.point_families).push_back(of_probes);
+  } else if (const auto* of_scenes = verify::find_scene_family(name)) {
+    campaign.scene_families.push_back(of_scenes);
   } else {
     return false;
   }
@@ -125,6 +128,7 @@ std::vector<std::string> all_families()
   add(verify::distance_families());
   add(verify::point_families());
   add(verify::ray_families());
+  add(verify::scene_families());
   return names;
 }
 
@@ -145,10 +149,11 @@ void choose_sizes(const Verify_options& options, Campaign& campaign)
     campaign.predicate_cases = campaign.object_cases = campaign.feature_cases = campaign.probe_cases = options.cases;
   if (options.level.empty()) return;
   const auto is = [&](const char* level) { return options.level == level; };
-  const bool of_features = is("features") || is("contacts") || is("distances"), of_probes = is("points") || is("rays");
+  const bool of_features = is("features") || is("contacts") || is("distances") || is("scenes"),
+             of_probes = is("points") || is("rays");
   if (!is("predicate") && !is("object") && !of_features && !of_probes)
     throw CLI::ValidationError("--level " + options.level,
-                               "expected predicate, object, features, contacts, distances, points or rays");
+                               "expected predicate, object, features, contacts, distances, points, rays or scenes");
   if (!is("predicate")) campaign.predicate_cases = 0;
   campaign.lists_features = is("features");
   if (!of_features) campaign.feature_cases = 0;
@@ -193,6 +198,7 @@ bool print_summary(Database& database, const Campaign& campaign)
   add("distances", campaign.distance_subjects);
   add("points", campaign.point_subjects);
   add("rays", campaign.ray_subjects);
+  add("scenes", campaign.scene_subjects);
   Database::Statement rows(
       database,
       "SELECT level, subject, sum(n), sum(false_positives), sum(false_negatives), sum(failures), sum(not_asked) FROM "
@@ -253,7 +259,7 @@ void add_verify_command(CLI::App& app)
   command
       ->add_option("--cases", options->cases,
                    "Cases per family and level; default: 400 of predicates, 24 of objects, 6 of "
-                   "features, of contacts and of distances, 64 of points and of rays")
+                   "features, of contacts, of distances and of scenes, 64 of points and of rays")
       ->check(CLI::Range(1ul, 1'000'000'000ul));
   command->add_option("--seed", options->campaign.seed, "Seed of all cases")
       ->capture_default_str()
@@ -271,7 +277,7 @@ void add_verify_command(CLI::App& app)
   command->add_option("--check-subject", options->check_subject,
                       "No campaign: whether the program COMMAND follows the protocol, in at most a minute");
   command->add_option("--level", options->level,
-                      "Only this level: predicate, object, features, contacts, distances, points or rays");
+                      "Only this level: predicate, object, features, contacts, distances, points, rays or scenes");
   command->add_option("--frames", options->campaign.sequence_frames, "Frames of each sequence of exact contact")
       ->capture_default_str()
       ->check(CLI::Range(0, 100'000));

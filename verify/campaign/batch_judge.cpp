@@ -340,7 +340,8 @@ Batch_judge::Batch_judge(const Campaign& campaign, const Done& done)
       locating_([&campaign] { return make_running(campaign.contact_subjects); }),
       measuring_([&campaign] { return make_running(campaign.distance_subjects); }),
       placing_([&campaign] { return make_running(campaign.point_subjects); }),
-      casting_([&campaign] { return make_running(campaign.ray_subjects); })
+      casting_([&campaign] { return make_running(campaign.ray_subjects); }),
+      playing_([&campaign] { return make_running(campaign.scene_subjects); })
 {}
 
 Findings Batch_judge::operator()(const Batch& batch)
@@ -352,9 +353,10 @@ Findings Batch_judge::operator()(const Batch& batch)
     case Asked_for::contacts: return Contact_batch(campaign_, batch, done_, locating_.local()).judge();
     case Asked_for::distances: return judge_distances(campaign_, batch, done_, measuring_.local());
     case Asked_for::points: return judge_points(campaign_, batch, done_, placing_.local());
-    case Asked_for::rays: break;
+    case Asked_for::rays: return judge_rays(campaign_, batch, done_, casting_.local());
+    case Asked_for::scenes: break;
   }
-  return judge_rays(campaign_, batch, done_, casting_.local());
+  return judge_scenes(campaign_, batch, done_, playing_.local());
 }
 
 }  // namespace tetracone::verify

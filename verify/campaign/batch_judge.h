@@ -5,6 +5,7 @@
 #include "verify/campaign/distance_batch.h"
 #include "verify/campaign/findings.h"
 #include "verify/campaign/probe_batch.h"
+#include "verify/campaign/scene_batch.h"
 
 #include <tbb/enumerable_thread_specific.h>
 
@@ -26,6 +27,7 @@ class Batch_judge {
       // levels object, features,
       // contacts and distances
   tbb::enumerable_thread_specific<Running_probes> placing_, casting_;  // of points and rays
+  tbb::enumerable_thread_specific<Running_scenes> playing_;
 };
 
 }  // namespace tetracone::verify

@@ -5,7 +5,7 @@
 namespace tetracone::verify {
 namespace {
 
-constexpr std::uint64_t predicate_batch = 200, object_batch = 10, feature_batch = 3,
+constexpr std::uint64_t predicate_batch = 200, object_batch = 10, feature_batch = 3, scene_batch = 1,
                         probe_batch = 4 * Probe_family::cases_a_body;
 
 std::size_t subject_count(const Campaign& campaign, Asked_for what)
@@ -17,9 +17,10 @@ std::size_t subject_count(const Campaign& campaign, Asked_for what)
     case Asked_for::contacts: return campaign.contact_subjects.size();
     case Asked_for::distances: return campaign.distance_subjects.size();
     case Asked_for::points: return campaign.point_subjects.size();
-    case Asked_for::rays: break;
+    case Asked_for::rays: return campaign.ray_subjects.size();
+    case Asked_for::scenes: break;
   }
-  return campaign.ray_subjects.size();
+  return campaign.scene_subjects.size();
 }
 
 }  // namespace
@@ -54,6 +55,10 @@ std::vector<Batch> batches(const Campaign& campaign, const std::vector<Sequence>
       if (!campaign.distance_subjects.empty()) add(Asked_for::distances, family, campaign.feature_cases, feature_batch);
   if (!campaign.point_subjects.empty()) add_probes(Asked_for::points, campaign.point_families);
   if (!campaign.ray_subjects.empty()) add_probes(Asked_for::rays, campaign.ray_families);
+  for (const Scene_family* family : campaign.scene_families)
+    if (!campaign.scene_subjects.empty())
+      add_any({Asked_for::scenes, nullptr, nullptr, 0, 0, 0, nullptr, family}, family->number, campaign.feature_cases,
+              scene_batch);
   for (std::size_t k = 0; k < sequences.size(); ++k)
     if (int(k % std::size_t(campaign.shards)) == campaign.shard)
       all.push_back({Asked_for::collision, nullptr, &sequences[k], 0, 0, sequences[k].frames.size()});

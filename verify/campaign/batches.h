@@ -17,8 +17,8 @@ namespace tetracone::verify {
 inline constexpr const char* truth_name = "truth";
 
 /// What is asked of a case: its predicates, whether its bodies collide, which of their features meet, where their faces
-/// do, and how far apart they are; where its point is, and what its ray meets.
-enum class Asked_for { predicates, collision, features, contacts, distances, points, rays };
+/// do, and how far apart they are; where its point is, and what its ray meets; which of its many bodies collide.
+enum class Asked_for { predicates, collision, features, contacts, distances, points, rays, scenes };
 
 /// The name of that in the database.
 constexpr const char* level_name(Asked_for what)
@@ -30,9 +30,10 @@ constexpr const char* level_name(Asked_for what)
     case Asked_for::contacts: return "contacts";
     case Asked_for::distances: return "distances";
     case Asked_for::points: return "points";
-    case Asked_for::rays: break;
+    case Asked_for::rays: return "rays";
+    case Asked_for::scenes: break;
   }
-  return "rays";
+  return "scenes";
 }
 
 /// Unit of work: the cases first to last - 1 of a family, or one sequence.
@@ -41,11 +42,15 @@ struct Batch {
   const Family* family;
   const Sequence* sequence;  // instead of a family
   std::uint64_t number, first, last;
-  const Probe_family* probes = nullptr;  // instead of a family
+  const Probe_family* probes = nullptr;  // instead of a family, or these
+  const Scene_family* scenes = nullptr;
 
   std::string family_name() const
   {
-    return sequence ? "sequence " + sequence->name : std::string(probes ? probes->name : family->name);
+    return sequence ? "sequence " + sequence->name
+                    : std::string(probes   ? probes->name
+                                  : scenes ? scenes->name
+                                           : family->name);
   }
 };
 

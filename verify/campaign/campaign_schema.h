@@ -16,7 +16,7 @@ namespace tetracone::verify {
 ///    exactly_degenerate where the distance is 0, not_near where no determinant was near. False positive: higher than
 ///    the truth; false negative: lower. not_asked: the subject does not take such input; failures: crash, hang or
 ///    exception.
-///  At the levels 'features', 'contacts' and 'rays' an answer is a list. Its truth is how many elements it has; an
+///  At the levels 'features', 'contacts', 'rays' and 'scenes', there of a frame's pairs, an answer is a list. Its truth is how many elements it has; an
 ///  answer that lacks some is how many of them it has right, lower, and one with more is how many it has in all, higher.
 ///  At the level 'distances' an answer is how many of its statements are right, and the truth how many there are.
 ///  - truth: cases by question, how many of them have a positive answer, and how many were also known by construction.

@@ -5,6 +5,7 @@
 #include "verify/families/distance_families.h"
 #include "verify/families/families.h"
 #include "verify/families/probe_families.h"
+#include "verify/families/scene_families.h"
 
 #include <algorithm>
 #include <cassert>
@@ -109,6 +110,7 @@ void add_sweep(Database& database)
   add(distance_families());
   add(point_families());
   add(ray_families());
+  add(scene_families());
 }
 
 /// A field of a CSV: quoted where it holds a comma or a quote.

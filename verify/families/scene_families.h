@@ -1,0 +1,37 @@
+#ifndef TETRACONE_VERIFY_FAMILIES_SCENE_FAMILIES_H
+#define TETRACONE_VERIFY_FAMILIES_SCENE_FAMILIES_H
+
+#include "verify/cases/random.h"
+#include "verify/cases/scene_case.h"
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace tetracone::verify {
+
+/// A named generator of scenes: (seed, index) -> case. What frames have in common is what a scene keeps from one to the
+/// next; what they have not is what it must forget.
+struct Scene_family {
+  int number;                  ///< from 1
+  std::string_view name;       ///< of lower-case words joined by '-'; the first is scene
+  std::string_view what;       ///< what its cases have in common, in a line
+  std::string_view parameter;  ///< what the parameter means
+  std::vector<double> sweep;   ///< the values that the parameter takes in turn
+
+  /// A scene of some frames; its question and its origin are not known yet.
+  Scene_case (*make)(Random& random, double parameter);
+
+  /// Case `index` of the family, of either question. The same on every machine, in any order.
+  Scene_case scene_case(std::uint64_t seed, std::uint64_t index) const;
+};
+
+/// All of them, in the order of their numbers.
+const std::vector<Scene_family>& scene_families();
+
+/// The family of this name; null when there is none.
+const Scene_family* find_scene_family(std::string_view name);
+
+}  // namespace tetracone::verify
+
+#endif
