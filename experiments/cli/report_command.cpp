@@ -1,5 +1,6 @@
 #include "experiments/cli/report_command.h"
 
+#include "experiments/peers/fcl_motion.h"
 #include "experiments/peers/peer.h"
 #include "experiments/support/draw.h"
 #include "experiments/support/output_file.h"
@@ -7,6 +8,7 @@
 #include "verify/campaign/campaign.h"
 #include "verify/campaign/campaign_words.h"
 #include "verify/campaign/tables.h"
+#include "verify/subjects/moving_bodies_subject.h"
 #include "verify/subjects/predicate_subject.h"
 
 #include <algorithm>
@@ -39,6 +41,8 @@ std::string notes_as_csv(verify::Database& database)
     if (!note.empty()) csv += level + "," + subject + ",\"" + note + "\"\n";
   };
   for (const Peer& peer : peers()) add("object", peer.name, peer.note);
+  for (const auto& subject : verify::moving_bodies_subjects()) add("motions", subject.name, subject.note);
+  for (const Named_motion_peer& peer : motion_peers()) add("motions", peer.name, peer.note);
   verify::Database::Statement commands(database, "SELECT subject, command FROM command ORDER BY 1");
   for (commands.with(); commands.next();)
     add("object", commands.text(0), "somebody else's program: " + commands.text(1));

@@ -10,6 +10,8 @@
 #include "verify/campaign/campaign.h"
 #include "verify/cases/case_file.h"
 #include "verify/families/distance_families.h"
+#include "verify/families/moving_body_families.h"
+#include "verify/subjects/moving_bodies_subject.h"
 #include "verify/subjects/object_subject.h"
 #include "verify/subjects/predicate_subject.h"
 
@@ -74,9 +76,9 @@ std::vector<Subject> chosen(const std::vector<Subject>& all, const std::vector<s
 
 void choose_subjects(const Verify_options& options, Campaign& campaign)
 {
+  const std::string self = std::filesystem::read_symlink("/proc/self/exe").native();
   auto objects = verify::object_subjects();
-  for (auto& peer : peer_subjects(std::filesystem::read_symlink("/proc/self/exe").native()))
-    objects.push_back(std::move(peer));
+  for (auto& peer : peer_subjects(self)) objects.push_back(std::move(peer));
   const auto commands = command_subjects(options.others, objects);
   std::set<std::string> known;
   for (const auto& command : commands) known.insert(command.name);
@@ -91,13 +93,17 @@ void choose_subjects(const Verify_options& options, Campaign& campaign)
   choose("points", campaign.point_subjects, verify::point_subjects());
   choose("rays", campaign.ray_subjects, verify::ray_subjects());
   choose("scenes", campaign.scene_subjects, verify::scene_subjects());
+  auto motions = verify::moving_bodies_subjects();
+  for (auto& peer : motion_peer_subjects(self)) motions.push_back(std::move(peer));
+  choose("motions", campaign.motion_subjects, motions);
   campaign.object_subjects.insert(campaign.object_subjects.end(), commands.begin(), commands.end());
   for (const std::string& name : options.subjects)
     if (!known.contains(name)) {
       std::string list;
       for (const auto& subject : objects) list += (list.empty() ? "" : ", ") + subject.name;
-      throw CLI::ValidationError("--subject " + name, "expected one of " + list +
-                                                          " or of the subjects of predicates, points, rays and scenes");
+      throw CLI::ValidationError(
+          "--subject " + name,
+          "expected one of " + list + " or of the subjects of predicates, points, rays, scenes and motions");
     }
 }
 
@@ -112,6 +118,8 @@ bool add_family(const std::string& name, Campaign& campaign)
     (name.starts_with("ray") ? campaign.ray_families : campaign.point_families).push_back(of_probes);
   } else if (const auto* of_scenes = verify::find_scene_family(name)) {
     campaign.scene_families.push_back(of_scenes);
+  } else if (const auto* of_motions = verify::find_moving_body_family(name)) {
+    campaign.motion_families.push_back(of_motions);
   } else {
     return false;
   }
@@ -129,6 +137,7 @@ std::vector<std::string> all_families()
   add(verify::point_families());
   add(verify::ray_families());
   add(verify::scene_families());
+  add(verify::moving_body_families());
   return names;
 }
 
@@ -149,11 +158,12 @@ void choose_sizes(const Verify_options& options, Campaign& campaign)
     campaign.predicate_cases = campaign.object_cases = campaign.feature_cases = campaign.probe_cases = options.cases;
   if (options.level.empty()) return;
   const auto is = [&](const char* level) { return options.level == level; };
-  const bool of_features = is("features") || is("contacts") || is("distances") || is("scenes"),
+  const bool of_features = is("features") || is("contacts") || is("distances") || is("scenes") || is("motions"),
              of_probes = is("points") || is("rays");
   if (!is("predicate") && !is("object") && !of_features && !of_probes)
-    throw CLI::ValidationError("--level " + options.level,
-                               "expected predicate, object, features, contacts, distances, points, rays or scenes");
+    throw CLI::ValidationError(
+        "--level " + options.level,
+        "expected predicate, object, features, contacts, distances, points, rays, scenes or motions");
   if (!is("predicate")) campaign.predicate_cases = 0;
   campaign.lists_features = is("features");
   if (!of_features) campaign.feature_cases = 0;
@@ -199,6 +209,7 @@ bool print_summary(Database& database, const Campaign& campaign)
   add("points", campaign.point_subjects);
   add("rays", campaign.ray_subjects);
   add("scenes", campaign.scene_subjects);
+  add("motions", campaign.motion_subjects);
   Database::Statement rows(
       database,
       "SELECT level, subject, sum(n), sum(false_positives), sum(false_negatives), sum(failures), sum(not_asked) FROM "
@@ -259,7 +270,7 @@ void add_verify_command(CLI::App& app)
   command
       ->add_option("--cases", options->cases,
                    "Cases per family and level; default: 400 of predicates, 24 of objects, 6 of "
-                   "features, of contacts, of distances and of scenes, 64 of points and of rays")
+                   "features, of contacts, of distances, of scenes and of motions, 64 of points and of rays")
       ->check(CLI::Range(1ul, 1'000'000'000ul));
   command->add_option("--seed", options->campaign.seed, "Seed of all cases")
       ->capture_default_str()
@@ -276,8 +287,9 @@ void add_verify_command(CLI::App& app)
   add_subject_options(*command, options->others);
   command->add_option("--check-subject", options->check_subject,
                       "No campaign: whether the program COMMAND follows the protocol, in at most a minute");
-  command->add_option("--level", options->level,
-                      "Only this level: predicate, object, features, contacts, distances, points, rays or scenes");
+  command->add_option(
+      "--level", options->level,
+      "Only this level: predicate, object, features, contacts, distances, points, rays, scenes or motions");
   command->add_option("--frames", options->campaign.sequence_frames, "Frames of each sequence of exact contact")
       ->capture_default_str()
       ->check(CLI::Range(0, 100'000));
@@ -287,6 +299,7 @@ void add_verify_command(CLI::App& app)
       "Exit status 1: an exact subject was wrong, the truths disagree, or the program checked does not follow the "
       "protocol.\n"
       "Example: tetracone verify --db out/verify.db --family sliver --subject double\n"
+      "         tetracone verify --db out/verify.db --level motions --cases 100\n"
       "         tetracone verify --subject mine --subject-command \"mine=./mine --tolerance 1e-9\"");
   command->callback([options] { run_verify(*options); });
 }

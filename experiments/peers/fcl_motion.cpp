@@ -4,6 +4,7 @@
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/narrowphase/continuous_collision.h>
 
+#include <array>
 #include <vector>
 #endif
 
@@ -59,10 +60,23 @@ std::unique_ptr<Motion_peer> fcl_steps(const Peer_mesh& a, const Peer_mesh& b)
   return std::make_unique<Fcl_motion>(a, b, fcl::CCDC_NAIVE);
 }
 
+std::span<const Named_motion_peer> motion_peers()
+{
+  static constexpr std::array all = {
+      Named_motion_peer{"FCL advancement",
+                        "continuousCollide of surfaces by conservative advancement, until within 1e-4 of the time; "
+                        "translations of B alone are asked",
+                        fcl_advancement},
+      Named_motion_peer{"FCL steps", "continuousCollide of surfaces by ten steps; translations of B alone are asked",
+                        fcl_steps}};
+  return all;
+}
+
 #else
 
 std::unique_ptr<Motion_peer> fcl_advancement(const Peer_mesh&, const Peer_mesh&) { return nullptr; }
 std::unique_ptr<Motion_peer> fcl_steps(const Peer_mesh&, const Peer_mesh&) { return nullptr; }
+std::span<const Named_motion_peer> motion_peers() { return {}; }
 
 #endif
 

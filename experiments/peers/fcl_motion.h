@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 
 namespace tetracone::experiments {
 
@@ -22,6 +23,16 @@ std::unique_ptr<Motion_peer> fcl_advancement(const Peer_mesh& a, const Peer_mesh
 
 /// FCL's continuousCollide by its default, static questions at ten steps.
 std::unique_ptr<Motion_peer> fcl_steps(const Peer_mesh& a, const Peer_mesh& b);
+
+/// One of them by name.
+struct Named_motion_peer {
+  const char* name;
+  const char* note;  ///< what it really answers
+  std::unique_ptr<Motion_peer> (*make)(const Peer_mesh& a, const Peer_mesh& b);
+};
+
+/// Those of this build.
+std::span<const Named_motion_peer> motion_peers();
 
 }  // namespace tetracone::experiments
 

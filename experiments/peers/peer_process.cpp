@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <bit>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -81,6 +82,17 @@ std::optional<char> Peer_process::ask(const std::string& message, Deadline deadl
 {
   if (!send(message, deadline)) return std::nullopt;
   return receive(deadline);
+}
+
+std::optional<double> Peer_process::take_double(Deadline deadline)
+{
+  std::array<char, sizeof(double)> bytes;
+  for (char& byte : bytes) {
+    const auto next = receive(deadline);
+    if (!next) return std::nullopt;
+    byte = *next;
+  }
+  return std::bit_cast<double>(bytes);
 }
 
 bool Peer_process::send(const std::string& message, Deadline deadline)

@@ -24,6 +24,9 @@ class Peer_process {
   /// first.
   std::optional<char> ask(const std::string& message, Deadline deadline);
 
+  /// The double that follows the answer; nothing as of `ask`.
+  std::optional<double> take_double(Deadline deadline);
+
  private:
   void stop();
   bool send(const std::string& message, Deadline deadline);

@@ -12,11 +12,13 @@
 #include <vector>
 
 /// What goes between the program and a peer's worker, both the same program on the same machine. To the worker:
-///   'm' and two polyhedra: those of the questions to come; 'q', a question and the doubles of two poses.
-/// From the worker, one byte each: `ready` when it has started, an answer for each 'q'.
+///   'm' and two polyhedra: those of the questions to come; 'q', a question and the doubles of two poses; 't', the
+///   doubles of the poses from which and to which B moves, A at rest.
+/// From the worker, one byte each: `ready` when it has started, an answer for each 'q' and each 't'; after a `yes` to a
+/// 't' the double of the time.
 namespace tetracone::experiments::wire {
 
-enum class Message : char { models = 'm', question = 'q' };
+enum class Message : char { models = 'm', question = 'q', motion = 't' };
 enum class Answer : char { ready = 'r', no = '0', yes = '1', not_taken = 'n', failed = 'f' };
 
 template <class T>
@@ -76,6 +78,11 @@ covering::Polyhedron take_polyhedron(const Read& read)
 struct Asked {
   kernel::Question question;
   std::array<double, 12> pose_a, pose_b;
+};
+
+/// What follows 't'.
+struct Asked_motion {
+  std::array<double, 12> from, to;
 };
 
 }  // namespace tetracone::experiments::wire

@@ -1,5 +1,6 @@
 #include "experiments/peers/peer_worker.h"
 
+#include "experiments/peers/fcl_motion.h"
 #include "experiments/peers/peer.h"
 #include "experiments/peers/peer_wire.h"
 
@@ -57,19 +58,25 @@ class Input {
   std::size_t next_ = 0, end_ = 0;
 };
 
-void answer(wire::Answer a)
+template <class T>
+void answer(const T& value)
 {
-  ssize_t put;
-  do {
-    put = ::write(STDIN_FILENO, &a, 1);  // a socket: both ways
-  } while (put < 0 && errno == EINTR);
-  if (put != 1) throw Closed();
+  const char* next = reinterpret_cast<const char*>(&value);
+  for (std::size_t left = sizeof value; left > 0;) {
+    const ssize_t put = ::write(STDIN_FILENO, next, left);  // a socket: both ways
+    if (put < 0 && errno == EINTR) continue;
+    if (put <= 0) throw Closed();
+    next += put;
+    left -= static_cast<std::size_t>(put);
+  }
 }
 
 /// What one peer makes of the models last sent; built at the first question, so that building is within its time limit.
+template <class Ready>
 class Bench {
  public:
-  explicit Bench(const Peer& peer) : peer_(peer) {}
+  using Make = std::unique_ptr<Ready> (*)(const Peer_mesh& a, const Peer_mesh& b);
+  explicit Bench(Make make) : make_(make) {}
 
   void take(covering::Polyhedron a, covering::Polyhedron b)
   {
@@ -78,13 +85,13 @@ class Bench {
     built_ = false;
   }
 
-  wire::Answer ask(const wire::Asked& asked)
+  template <class Says>
+  wire::Answer ask(const Says& says)
   {
     try {
       if (!built_) build();
-      if (!pair_) return wire::Answer::not_taken;
-      const bool yes = pair_->collide(kernel::Pose(asked.pose_a), kernel::Pose(asked.pose_b), asked.question);
-      return yes ? wire::Answer::yes : wire::Answer::no;
+      if (!ready_) return wire::Answer::not_taken;
+      return says(*ready_) ? wire::Answer::yes : wire::Answer::no;
     } catch (const std::exception&) {
       built_ = false;
       return wire::Answer::failed;
@@ -94,15 +101,15 @@ class Bench {
  private:
   void build()
   {
-    pair_.reset();
+    ready_.reset();
     const auto a = peer_mesh(a_), b = peer_mesh(b_);
-    if (a && b) pair_ = peer_.prepare(*a, *b);
+    if (a && b) ready_ = make_(*a, *b);
     built_ = true;
   }
 
-  const Peer& peer_;
+  Make make_;
   covering::Polyhedron a_, b_;
-  std::unique_ptr<Prepared_pair> pair_;
+  std::unique_ptr<Ready> ready_;
   bool built_ = false;
 };
 
@@ -158,10 +165,12 @@ void behave_as_child()
   ::setrlimit(RLIMIT_AS, &memory);
 }
 
-void serve(const Peer& peer)
+/// Answers until the other end closes: take(read) takes what follows a message that announces no models.
+template <class Ready, class Take>
+void serve(typename Bench<Ready>::Make make, const Take& take)
 {
   behave_as_child();
-  Bench bench(peer);
+  Bench<Ready> bench(make);
   Input input;
   const auto read = [&input](void* to, std::size_t bytes) { input(to, bytes); };
   try {
@@ -171,11 +180,34 @@ void serve(const Peer& peer)
         auto a = wire::take_polyhedron(read), b = wire::take_polyhedron(read);
         bench.take(std::move(a), std::move(b));
       } else {
-        answer(bench.ask(wire::take<wire::Asked>(read)));
+        take(bench, read);
       }
     }
   } catch (const Closed&) {
   }
+}
+
+void serve(const Peer& peer)
+{
+  serve<Prepared_pair>(peer.prepare, [](auto& bench, const auto& read) {
+    const auto asked = wire::take<wire::Asked>(read);
+    answer(bench.ask([&](Prepared_pair& pair) {
+      return pair.collide(kernel::Pose(asked.pose_a), kernel::Pose(asked.pose_b), asked.question);
+    }));
+  });
+}
+
+void serve(const Named_motion_peer& peer)
+{
+  serve<Motion_peer>(peer.make, [](auto& bench, const auto& read) {
+    const auto asked = wire::take<wire::Asked_motion>(read);
+    std::optional<double> time;
+    answer(bench.ask([&](Motion_peer& motion) {
+      time = motion.first_contact(kernel::Pose(asked.from), kernel::Pose(asked.to));
+      return time.has_value();
+    }));
+    if (time) answer(*time);
+  });
 }
 
 }  // namespace
@@ -187,6 +219,8 @@ void add_peer_worker_command(CLI::App& app)
   const auto name = std::make_shared<std::string>();
   command->add_option("NAME", *name)->required();
   command->callback([name] {
+    for (const Named_motion_peer& peer : motion_peers())
+      if (*name == peer.name) return serve(peer);
     const auto peer = find_peer(*name);
     if (!peer) throw CLI::ValidationError("NAME", "no such peer in this build: " + *name);
     serve(*peer);

@@ -1,11 +1,15 @@
 #include "experiments/peers/peers.h"
 
+#include "experiments/peers/fcl_motion.h"
 #include "experiments/peers/peer.h"
 #include "experiments/peers/peer_process.h"
 #include "experiments/peers/peer_wire.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace tetracone::experiments {
@@ -63,6 +67,57 @@ class Running_peer : public verify::Running_subject {
   std::string message_;
 };
 
+constexpr std::chrono::seconds usual_limit(10);
+
+/// A peer of motions at work in a child process.
+class Running_motion_peer : public verify::Running_motion {
+ public:
+  Running_motion_peer(std::string program, std::string name) : program_(std::move(program)), name_(std::move(name)) {}
+
+  verify::Told_contact first_contact(const verify::Moving_bodies& bodies, kernel::Question question) override
+  {
+    const auto rest = shift(bodies.motion_a[0]), from = shift(bodies.motion_b[0]), to = shift(bodies.motion_b[1]);
+    if (question == kernel::Question::solid || bodies.motion_a[0] != bodies.motion_a[1] || !rest ||
+        !rest->is_identity() || !from || !to)
+      return {Outcome::not_asked};
+    if (!process_) process_ = std::make_unique<Peer_process>(program_, name_);
+    std::string message;
+    wire::append(message, wire::Message::models);
+    wire::append(message, bodies.a);
+    wire::append(message, bodies.b);
+    wire::append(message, wire::Message::motion);
+    wire::append(message, wire::Asked_motion{from->entries(), to->entries()});
+    const auto deadline = std::chrono::steady_clock::now() + usual_limit;
+    const auto answer =
+        static_cast<wire::Answer>(process_->ask(message, deadline).value_or(static_cast<char>(wire::Answer::failed)));
+    if (answer == wire::Answer::no) return {Outcome::no};
+    if (answer == wire::Answer::not_taken) return {Outcome::not_asked};
+    const auto time = answer == wire::Answer::yes ? process_->take_double(deadline) : std::nullopt;
+    if (!time) process_.reset();
+    if (!time || !(*time >= 0 && *time <= 1)) return {Outcome::failed};
+    return {Outcome::yes, {*time, *time}};
+  }
+
+ private:
+  /// The pose, where it is a shift by doubles.
+  static std::optional<kernel::Pose> shift(const std::vector<kernel::Rational>& numbers)
+  {
+    std::array<kernel::Rational, 12> entries = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+    if (numbers.size() == entries.size()) {
+      std::copy(numbers.begin(), numbers.end(), entries.begin());
+    } else {
+      for (std::size_t k = 1; k < 4; ++k)
+        if (numbers[k] != 0) return std::nullopt;
+      for (std::size_t k = 0; k < 3; ++k) entries[4 * k + 3] = numbers[4 + k];
+    }
+    const kernel::Pose pose(entries);
+    return pose.is_translation() ? std::optional(pose) : std::nullopt;
+  }
+
+  std::string program_, name_;
+  std::unique_ptr<Peer_process> process_;
+};
+
 verify::Object_subject subject(const std::string& program, const std::string& name, const std::string& note,
                                bool solids_only, std::chrono::milliseconds limit)
 {
@@ -84,6 +139,16 @@ std::vector<verify::Object_subject> peer_subjects(const std::string& program)
 {
   std::vector<verify::Object_subject> subjects;
   for (const Peer& peer : peers()) subjects.push_back(peer_subject(program, peer.name));
+  return subjects;
+}
+
+std::vector<verify::Moving_bodies_subject> motion_peer_subjects(const std::string& program)
+{
+  std::vector<verify::Moving_bodies_subject> subjects;
+  for (const Named_motion_peer& peer : motion_peers())
+    subjects.push_back({peer.name, false, peer.note, [program, name = std::string(peer.name)] {
+                          return std::make_unique<Running_motion_peer>(program, name);
+                        }});
   return subjects;
 }
 

@@ -1,6 +1,7 @@
 #ifndef TETRACONE_EXPERIMENTS_PEERS_PEERS_H
 #define TETRACONE_EXPERIMENTS_PEERS_PEERS_H
 
+#include "verify/subjects/moving_bodies_subject.h"
 #include "verify/subjects/object_subject.h"
 
 #include <chrono>
@@ -19,6 +20,10 @@ std::vector<verify::Object_subject> peer_subjects(const std::string& program);
 /// The peer of this name, with this limit for one question, the building of its trees included.
 verify::Object_subject peer_subject(const std::string& program, const std::string& name,
                                     std::chrono::milliseconds limit = std::chrono::seconds(10));
+
+/// Every peer of motions of this build, likewise: asked of surfaces alone, of bodies of which A rests where its model is
+/// and B is shifted. A time that is not in [0, 1] is `Outcome::failed`.
+std::vector<verify::Moving_bodies_subject> motion_peer_subjects(const std::string& program);
 
 }  // namespace tetracone::experiments
 

@@ -48,7 +48,8 @@ class Campaign:
         frames = max((int(r["frames"]) for r in self.tables["flips"]), default=0)
         parts = [f"--level {level} --cases {max(n.values())}" + (f" --frames {frames}" if level == "object" else "")
                  for level, n in (("predicate", self.families("predicate")), ("object", self.families("object")),
-                                    ("features", self.families("features")), ("contacts", self.families("contacts"))) if n]
+                                    ("features", self.families("features")), ("contacts", self.families("contacts")),
+                                    ("motions", self.families("motions"))) if n]
         return " && ".join([f"build/tetracone verify --db out/verify.db --seed {seed} {part}" for seed in seeds for part in parts] +
                            ["build/tetracone report out/verify.db --out out"])
 

@@ -214,5 +214,10 @@ def sections(page, study, campaign):
     if any(r["level"] == "predicate" for r in campaign.tables["subjects"]):
         yield page.section("predicates", "Predicates", "<p>The same families as seven points, by predicate. Answers higher than the truth "
                            "are invented, lower ones missed.</p>", subjects(page, campaign, "predicate"))
+    if any(r["level"] == "motions" for r in campaign.tables["subjects"]):
+        yield page.section("motions", "Bodies in motion: who finds the first contact",
+                           f"<p>{len(campaign.families('motions'))} families of two bodies in motion. <i>surface</i>, <i>solid</i>: whether they meet; <i>time</i>: "
+                           "of those that meet and are said to, whether the first contact is told as it is, without any tolerance: the doubles about it, or of a subject that tells "
+                           "one time, one of these. Missed times are early ones, invented ones late.</p>", subjects(page, campaign, "motions"))
     yield page.section("families", "Which family breaks whom",
                        "<p>Peers answer the surface question whatever is asked, unless they say otherwise.</p>", families(page, campaign))

@@ -341,7 +341,8 @@ Batch_judge::Batch_judge(const Campaign& campaign, const Done& done)
       measuring_([&campaign] { return make_running(campaign.distance_subjects); }),
       placing_([&campaign] { return make_running(campaign.point_subjects); }),
       casting_([&campaign] { return make_running(campaign.ray_subjects); }),
-      playing_([&campaign] { return make_running(campaign.scene_subjects); })
+      playing_([&campaign] { return make_running(campaign.scene_subjects); }),
+      following_([&campaign] { return make_running(campaign.motion_subjects); })
 {}
 
 Findings Batch_judge::operator()(const Batch& batch)
@@ -354,9 +355,10 @@ Findings Batch_judge::operator()(const Batch& batch)
     case Asked_for::distances: return judge_distances(campaign_, batch, done_, measuring_.local());
     case Asked_for::points: return judge_points(campaign_, batch, done_, placing_.local());
     case Asked_for::rays: return judge_rays(campaign_, batch, done_, casting_.local());
-    case Asked_for::scenes: break;
+    case Asked_for::scenes: return judge_scenes(campaign_, batch, done_, playing_.local());
+    case Asked_for::motions: break;
   }
-  return judge_scenes(campaign_, batch, done_, playing_.local());
+  return judge_motions(campaign_, batch, done_, following_.local());
 }
 
 }  // namespace tetracone::verify

@@ -4,6 +4,7 @@
 #include "verify/campaign/batches.h"
 #include "verify/campaign/distance_batch.h"
 #include "verify/campaign/findings.h"
+#include "verify/campaign/motion_batch.h"
 #include "verify/campaign/probe_batch.h"
 #include "verify/campaign/scene_batch.h"
 
@@ -28,6 +29,7 @@ class Batch_judge {
       // contacts and distances
   tbb::enumerable_thread_specific<Running_probes> placing_, casting_;  // of points and rays
   tbb::enumerable_thread_specific<Running_scenes> playing_;
+  tbb::enumerable_thread_specific<Running_motions> following_;  // of motions
 };
 
 }  // namespace tetracone::verify

@@ -5,7 +5,7 @@
 namespace tetracone::verify {
 namespace {
 
-constexpr std::uint64_t predicate_batch = 200, object_batch = 10, feature_batch = 3, scene_batch = 1,
+constexpr std::uint64_t predicate_batch = 200, object_batch = 10, feature_batch = 3, scene_batch = 1, motion_batch = 4,
                         probe_batch = 4 * Probe_family::cases_a_body;
 
 std::size_t subject_count(const Campaign& campaign, Asked_for what)
@@ -18,9 +18,10 @@ std::size_t subject_count(const Campaign& campaign, Asked_for what)
     case Asked_for::distances: return campaign.distance_subjects.size();
     case Asked_for::points: return campaign.point_subjects.size();
     case Asked_for::rays: return campaign.ray_subjects.size();
-    case Asked_for::scenes: break;
+    case Asked_for::scenes: return campaign.scene_subjects.size();
+    case Asked_for::motions: break;
   }
-  return campaign.scene_subjects.size();
+  return campaign.motion_subjects.size();
 }
 
 }  // namespace
@@ -59,6 +60,10 @@ std::vector<Batch> batches(const Campaign& campaign, const std::vector<Sequence>
     if (!campaign.scene_subjects.empty())
       add_any({Asked_for::scenes, nullptr, nullptr, 0, 0, 0, nullptr, family}, family->number, campaign.feature_cases,
               scene_batch);
+  for (const Moving_body_family* family : campaign.motion_families)
+    if (!campaign.motion_subjects.empty())
+      add_any({Asked_for::motions, nullptr, nullptr, 0, 0, 0, nullptr, nullptr, family}, family->number,
+              campaign.feature_cases, motion_batch);
   for (std::size_t k = 0; k < sequences.size(); ++k)
     if (int(k % std::size_t(campaign.shards)) == campaign.shard)
       all.push_back({Asked_for::collision, nullptr, &sequences[k], 0, 0, sequences[k].frames.size()});

@@ -17,8 +17,9 @@ namespace tetracone::verify {
 inline constexpr const char* truth_name = "truth";
 
 /// What is asked of a case: its predicates, whether its bodies collide, which of their features meet, where their faces
-/// do, and how far apart they are; where its point is, and what its ray meets; which of its many bodies collide.
-enum class Asked_for { predicates, collision, features, contacts, distances, points, rays, scenes };
+/// do, and how far apart they are; where its point is, and what its ray meets; which of its many bodies collide, and
+/// when two moving ones first meet.
+enum class Asked_for { predicates, collision, features, contacts, distances, points, rays, scenes, motions };
 
 /// The name of that in the database.
 constexpr const char* level_name(Asked_for what)
@@ -31,9 +32,10 @@ constexpr const char* level_name(Asked_for what)
     case Asked_for::distances: return "distances";
     case Asked_for::points: return "points";
     case Asked_for::rays: return "rays";
-    case Asked_for::scenes: break;
+    case Asked_for::scenes: return "scenes";
+    case Asked_for::motions: break;
   }
-  return "scenes";
+  return "motions";
 }
 
 /// Unit of work: the cases first to last - 1 of a family, or one sequence.
@@ -44,13 +46,12 @@ struct Batch {
   std::uint64_t number, first, last;
   const Probe_family* probes = nullptr;  // instead of a family, or these
   const Scene_family* scenes = nullptr;
+  const Moving_body_family* motions = nullptr;
 
   std::string family_name() const
   {
-    return sequence ? "sequence " + sequence->name
-                    : std::string(probes   ? probes->name
-                                  : scenes ? scenes->name
-                                           : family->name);
+    if (sequence) return "sequence " + sequence->name;
+    return std::string(probes ? probes->name : scenes ? scenes->name : motions ? motions->name : family->name);
   }
 };
 

@@ -5,8 +5,10 @@
 #include "verify/cases/case.h"
 #include "verify/cases/probe_case.h"
 #include "verify/families/families.h"
+#include "verify/families/moving_body_families.h"
 #include "verify/families/probe_families.h"
 #include "verify/families/scene_families.h"
+#include "verify/subjects/moving_bodies_subject.h"
 #include "verify/subjects/object_subject.h"
 #include "verify/subjects/predicate_subject.h"
 #include "verify/subjects/probe_subject.h"
@@ -32,17 +34,19 @@ struct Campaign {
   std::uint64_t seed = 1;
   std::uint64_t predicate_cases = 400, object_cases = 24, feature_cases = 6;  ///< per family; 0: not that level
   std::uint64_t probe_cases = 64;                                             ///< per family of points and of rays
-  bool lists_features = true;  ///< of feature_cases: else only contacts, distances and scenes are asked
+  bool lists_features = true;  ///< of feature_cases: else only contacts, distances, scenes and motions are asked
   int sequence_frames = 16;    ///< of each exact sequence; 0: none
   int shard = 0, shards = 1;   ///< this process does each `shards`-th batch, from `shard`
   std::vector<const Family*> families;
   std::vector<const Family*> distance_families;  ///< of distances alone
   std::vector<const Probe_family*> point_families, ray_families;
-  std::vector<const Scene_family*> scene_families;  ///< of feature_cases
+  std::vector<const Scene_family*> scene_families;         ///< of feature_cases
+  std::vector<const Moving_body_family*> motion_families;  ///< the same
   std::vector<Predicate_subject> predicate_subjects;
   std::vector<Object_subject> object_subjects, feature_subjects, contact_subjects, distance_subjects;
   std::vector<Probe_subject> point_subjects, ray_subjects;
   std::vector<Scene_subject> scene_subjects;
+  std::vector<Moving_bodies_subject> motion_subjects;
   Provenance made_by;
 };
 

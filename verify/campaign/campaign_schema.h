@@ -19,9 +19,12 @@ namespace tetracone::verify {
 ///  At the levels 'features', 'contacts', 'rays' and 'scenes', there of a frame's pairs, an answer is a list. Its truth is how many elements it has; an
 ///  answer that lacks some is how many of them it has right, lower, and one with more is how many it has in all, higher.
 ///  At the level 'distances' an answer is how many of its statements are right, and the truth how many there are.
+///  At the level 'motions' the questions 'surface' and 'solid' are whether bodies meet; 'surface time' and 'solid time',
+///  asked of those that meet by truth and answer, whether the time is the exact one, 0, earlier, -1, or later, 1.
 ///  - truth: cases by question, how many of them have a positive answer, and how many were also known by construction.
 ///  Each is
-///    the answer of both truths.
+///    the answer of both truths; but at the level 'motions' the second does not decide all, and by_construction is how
+///    many it does.
 ///  - wrong: the wrong answers among the first `kept_one_by_one` cases of each family, one by one.
 ///  - blame: wrong answers of rounding trees by the stage of first divergence.
 ///  - relation: how often a metamorphic relation was tried, did not apply, and was violated.

@@ -26,6 +26,7 @@ std::string families_of(const Campaign& campaign)
   for (const auto* families : {&campaign.point_families, &campaign.ray_families})
     for (const Probe_family* family : *families) names.emplace(family->name);
   for (const Scene_family* family : campaign.scene_families) names.emplace(family->name);
+  for (const Moving_body_family* family : campaign.motion_families) names.emplace(family->name);
   return array_of(names);
 }
 
@@ -41,6 +42,7 @@ std::string subjects_of(const Campaign& campaign)
   for (const auto& subject : campaign.point_subjects) names.insert("points " + subject.name);
   for (const auto& subject : campaign.ray_subjects) names.insert("rays " + subject.name);
   for (const auto& subject : campaign.scene_subjects) names.insert("scenes " + subject.name);
+  for (const auto& subject : campaign.motion_subjects) names.insert("motions " + subject.name);
   return array_of(names);
 }
 

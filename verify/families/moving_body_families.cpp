@@ -3,6 +3,7 @@
 #include "verify/cases/random.h"
 #include "verify/cases/shape_generators.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -240,25 +241,31 @@ Moving_bodies flattened(Random& random)
 }
 
 constexpr std::array of_bodies = {
-    Moving_body_family{"anywhere", "linear between nearly rigid poses", anywhere},
-    Moving_body_family{"one-turns", "rigid, the other body rests", one_turns},
-    Moving_body_family{"both-turn", "rigid, both bodies turn", both_turn},
-    Moving_body_family{"grazing", "faces, edges and corners slide along, an ulp off now and then", grazing},
-    Moving_body_family{"double-contact", "two walls at once, or by an ulp one first", double_contact},
-    Moving_body_family{"tunnelling", "fast through a thin plate, or past it", tunnelling},
-    Moving_body_family{"spin-in-socket", "a bar turns in a square tunnel", spin_in_socket},
-    Moving_body_family{"rolling", "a cube turns about an edge above a plate", rolling},
-    Moving_body_family{"resting", "on a plate or by an ulp not, and away", resting},
-    Moving_body_family{"nested", "one within the other, to the end or through the wall", nested},
-    Moving_body_family{"at-end", "contact at the end alone, or by an ulp not", at_end},
-    Moving_body_family{"tiny-and-huge", "lengths times a power of two, motions of an ulp", tiny_and_huge},
-    Moving_body_family{"flattened", "a linear motion that turns a body inside out", flattened},
+    Moving_body_family{1, "motion-anywhere", "linear between nearly rigid poses", anywhere},
+    Moving_body_family{2, "motion-one-turns", "rigid, the other body rests", one_turns},
+    Moving_body_family{3, "motion-both-turn", "rigid, both bodies turn", both_turn},
+    Moving_body_family{4, "motion-grazing", "faces, edges and corners slide along, an ulp off now and then", grazing},
+    Moving_body_family{5, "motion-double-contact", "two walls at once, or by an ulp one first", double_contact},
+    Moving_body_family{6, "motion-tunnelling", "fast through a thin plate, or past it", tunnelling},
+    Moving_body_family{7, "motion-spin-in-socket", "a bar turns in a square tunnel", spin_in_socket},
+    Moving_body_family{8, "motion-rolling", "a cube turns about an edge above a plate", rolling},
+    Moving_body_family{9, "motion-resting", "on a plate or by an ulp not, and away", resting},
+    Moving_body_family{10, "motion-nested", "one within the other, to the end or through the wall", nested},
+    Moving_body_family{11, "motion-at-end", "contact at the end alone, or by an ulp not", at_end},
+    Moving_body_family{12, "motion-tiny-and-huge", "lengths times a power of two, motions of an ulp", tiny_and_huge},
+    Moving_body_family{13, "motion-flattened", "a linear motion that turns a body inside out", flattened},
 };
 
 }  // namespace
 }  // namespace moving_body_family
 
 std::span<const Moving_body_family> moving_body_families() { return moving_body_family::of_bodies; }
+
+const Moving_body_family* find_moving_body_family(std::string_view name)
+{
+  const auto found = std::ranges::find(moving_body_family::of_bodies, name, &Moving_body_family::name);
+  return found == moving_body_family::of_bodies.end() ? nullptr : &*found;
+}
 
 Moving_bodies moving_bodies_case(const Moving_body_family& family, std::uint64_t seed, std::uint64_t index)
 {

@@ -1,7 +1,9 @@
 #include "verify/relations/moving_body_relations.h"
 
-#include "verify/subjects/moving_bodies_subject.h"
+#include "tetracone/kernel/number/pose.h"
+#include "tetracone/tetratree/door/tetracone.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -17,7 +19,15 @@ using kernel::Time_bounds;
 using First = std::optional<Time_bounds>;
 using Numbers = std::vector<Rational>;
 
-First first_of(const Moving_bodies& bodies) { return first_contact(bodies, Question::surface); }
+/// The subject does not tell.
+struct Untold {};
+
+First first_of(const Moving_bodies& bodies, Running_motion& subject)
+{
+  const Told_contact told = subject.first_contact(bodies, Question::surface);
+  if (told.outcome != Outcome::yes && told.outcome != Outcome::no) throw Untold();
+  return told.outcome == Outcome::yes ? First(told.time) : std::nullopt;
+}
 
 bool equal(const First& a, const First& b)
 {
@@ -26,17 +36,18 @@ bool equal(const First& a, const First& b)
 
 Verdict verdict(bool holds) { return holds ? Verdict::holds : Verdict::violated; }
 
-Verdict swapped(const Moving_bodies& bodies, Random&)
+Verdict swapped(const Moving_bodies& bodies, Running_motion& subject, Random&)
 {
-  return verdict(equal(first_of(bodies), first_of({bodies.b, bodies.a, bodies.motion_b, bodies.motion_a})));
+  return verdict(
+      equal(first_of(bodies, subject), first_of({bodies.b, bodies.a, bodies.motion_b, bodies.motion_a}, subject)));
 }
 
 /// The first contact of the reversed motion is the last of the motion, so not before its first.
-Verdict reversed_time(const Moving_bodies& bodies, Random&)
+Verdict reversed_time(const Moving_bodies& bodies, Running_motion& subject, Random&)
 {
   Moving_bodies reversed = bodies;
   for (Motion_ends* motion : {&reversed.motion_a, &reversed.motion_b}) std::swap((*motion)[0], (*motion)[1]);
-  const First first = first_of(bodies), last = first_of(reversed);
+  const First first = first_of(bodies, subject), last = first_of(reversed, subject);
   if (first.has_value() != last.has_value()) return Verdict::violated;
   return verdict(!first || Rational(first->lo) + Rational(last->lo) <= 1);
 }
@@ -49,14 +60,25 @@ Numbers between(const Motion_ends& ends, const Rational& time)
   return numbers;
 }
 
-/// The first contact of a motion is that of its part before a time, else that of the part after it.
-Verdict split(const Moving_bodies& bodies, Random& random)
+bool is_flat(const Numbers& pose)
+{
+  std::array<Rational, 12> entries;
+  if (pose.size() != entries.size()) return false;
+  std::ranges::copy(pose, entries.begin());
+  return kernel::Pose(entries).determinant_sign() == CGAL::ZERO;
+}
+
+/// The first contact of a motion is that of its part before a time, else that of the part after it. Not where a body is
+/// flat then, since no motion starts so.
+Verdict split(const Moving_bodies& bodies, Running_motion& subject, Random& random)
 {
   const Rational time = Rational(1 + random.bits() % 7) / 8;
   Moving_bodies before = bodies, after = bodies;
   for (const auto member : {&Moving_bodies::motion_a, &Moving_bodies::motion_b})
     (before.*member)[1] = (after.*member)[0] = between(bodies.*member, time);
-  const First whole = first_of(bodies), first = first_of(before), second = first ? First() : first_of(after);
+  if (is_flat(after.motion_a[0]) || is_flat(after.motion_b[0])) return Verdict::not_applicable;
+  const First whole = first_of(bodies, subject), first = first_of(before, subject),
+              second = first ? First() : first_of(after, subject);
   if (whole.has_value() != (first || second)) return Verdict::violated;
   if (!whole) return Verdict::holds;
   const auto in_whole = [&](double t) { return first ? Rational(time * t) : Rational(time + (1 - time) * t); };
@@ -65,7 +87,7 @@ Verdict split(const Moving_bodies& bodies, Random& random)
 }
 
 /// Both bodies carried along by one more motion: a fixed turn, and a translation in time.
-Verdict common_motion(const Moving_bodies& bodies, Random& random)
+Verdict common_motion(const Moving_bodies& bodies, Running_motion& subject, Random& random)
 {
   const auto small = [&] { return Rational(long(random.bits() % 9) - 4); };
   const std::array<Rational, 4> g = {small(), small(), small(), Rational(3)};
@@ -99,13 +121,13 @@ Verdict common_motion(const Moving_bodies& bodies, Random& random)
         for (std::size_t i = 0; i < 3; ++i) n[4 * i + 3] += shift[end][i];
       }
     }
-  return verdict(equal(first_of(bodies), first_of(twin)));
+  return verdict(equal(first_of(bodies, subject), first_of(twin, subject)));
 }
 
 /// No static answer at an eighth of the time before the first contact is a collision; without one, none is.
-Verdict finer_steps(const Moving_bodies& bodies, Random&)
+Verdict finer_steps(const Moving_bodies& bodies, Running_motion& subject, Random&)
 {
-  const First first = first_of(bodies);
+  const First first = first_of(bodies, subject);
   Query query(Body(bodies.a), Body(bodies.b), Question::surface);
   const kernel::Body_motion a = motion_of(bodies.motion_a), b = motion_of(bodies.motion_b);
   for (int k = 0; k <= 8; ++k) {
@@ -118,13 +140,23 @@ Verdict finer_steps(const Moving_bodies& bodies, Random&)
   return Verdict::holds;
 }
 
+template <Verdict (*relation)(const Moving_bodies&, Running_motion&, Random&)>
+Verdict or_untold(const Moving_bodies& bodies, Running_motion& subject, Random& random)
+{
+  try {
+    return relation(bodies, subject, random);
+  } catch (const Untold&) {
+    return Verdict::not_applicable;
+  }
+}
+
 constexpr std::array of_motion = {
-    Moving_body_relation{"swapped", "the same time with the bodies swapped", swapped},
-    Moving_body_relation{"reversed-time", "existence, and the first time before the last", reversed_time},
-    Moving_body_relation{"split", "the first contact of the first part that has one", split},
+    Moving_body_relation{"swapped", "the same time with the bodies swapped", or_untold<swapped>},
+    Moving_body_relation{"reversed-time", "existence, and the first time before the last", or_untold<reversed_time>},
+    Moving_body_relation{"split", "the first contact of the first part that has one", or_untold<split>},
     Moving_body_relation{"common-motion", "the same time where both bodies are carried along by one motion",
-                         common_motion},
-    Moving_body_relation{"finer-steps", "no collision at a step before the first contact", finer_steps},
+                         or_untold<common_motion>},
+    Moving_body_relation{"finer-steps", "no collision at a step before the first contact", or_untold<finer_steps>},
 };
 
 }  // namespace

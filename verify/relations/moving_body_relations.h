@@ -4,16 +4,18 @@
 #include "verify/cases/moving_bodies.h"
 #include "verify/cases/random.h"
 #include "verify/relations/metamorphic_relations.h"
+#include "verify/subjects/moving_bodies_subject.h"
 
 #include <span>
 #include <string_view>
 
 namespace tetracone::verify {
 
-/// What must hold between the first contacts of the surfaces of moving bodies and of twins made of them without rounding.
+/// What must hold between the first contacts that a subject tells of the surfaces of moving bodies and of twins made of
+/// them without rounding; an answer that it does not give makes the relation not applicable.
 struct Moving_body_relation {
   std::string_view name, what;
-  Verdict (*check)(const Moving_bodies& bodies, Random& random);
+  Verdict (*check)(const Moving_bodies& bodies, Running_motion& subject, Random& random);
 };
 
 /// swapped, reversed-time, split, common-motion, finer-steps.

@@ -3,40 +3,48 @@
 
 #include "tetracone/kernel/motion/body_motion.h"
 #include "tetracone/kernel/motion/time_bounds.h"
-#include "tetracone/kernel/number/pose.h"
-#include "tetracone/tetratree/door/tetracone.h"
+#include "tetracone/kernel/predicate/question.h"
 #include "verify/cases/moving_bodies.h"
+#include "verify/subjects/object_subject.h"
 
-#include <algorithm>
-#include <array>
+#include <functional>
+#include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace tetracone::verify {
 
 /// The package's motion between these poses. Requires quaternions between which none is 0.
-inline kernel::Body_motion motion_of(const Motion_ends& ends)
-{
-  const auto& [from, to] = ends;
-  const auto pose = [](const std::vector<kernel::Rational>& numbers) {
-    std::array<kernel::Rational, 12> entries;
-    std::ranges::copy(numbers, entries.begin());
-    return kernel::Pose(entries);
-  };
-  const auto rigid = [](const std::vector<kernel::Rational>& n) {
-    return kernel::Rigid_pose{{n[0], n[1], n[2], n[3]}, {n[4], n[5], n[6]}};
-  };
-  return from.size() == 12 ? kernel::Body_motion::linear(pose(from), pose(to))
-                           : kernel::Body_motion::rigid(rigid(from), rigid(to)).value();
-}
+kernel::Body_motion motion_of(const Motion_ends& ends);
 
 /// The package's answer.
-inline std::optional<kernel::Time_bounds> first_contact(const Moving_bodies& bodies, kernel::Question question)
-{
-  Query query(Body(bodies.a), Body(bodies.b), question);
-  const auto first = query.first_contact(Motion(motion_of(bodies.motion_a)), Motion(motion_of(bodies.motion_b)));
-  if (!first) return std::nullopt;
-  return kernel::Time_bounds{first->lo, first->hi};
-}
+std::optional<kernel::Time_bounds> first_contact(const Moving_bodies& bodies, kernel::Question question);
+
+/// What a subject tells of the first contact of two moving bodies.
+struct Told_contact {
+  Outcome outcome = Outcome::not_asked;
+  kernel::Time_bounds time{0, 0};  ///< yes: doubles about the time; twice the same of a subject that tells but one
+};
+
+/// A subject that is asked when moving bodies first meet, in one thread.
+class Running_motion {
+ public:
+  virtual ~Running_motion() = default;
+  virtual Told_contact first_contact(const Moving_bodies& bodies, kernel::Question question) = 0;
+};
+
+/// Something that says when moving bodies first meet.
+struct Moving_bodies_subject {
+  std::string name;  ///< "adaptive tree", "static 100"
+  bool is_exact = false;
+  std::string note;  ///< of others: what they really answer
+  std::function<std::unique_ptr<Running_motion>()> make;
+};
+
+/// The package's exact first contact, and its exact static questions at 10, 100 and 1000 times, evenly from the start to
+/// the end, in poses of doubles.
+std::vector<Moving_bodies_subject> moving_bodies_subjects();
 
 }  // namespace tetracone::verify
 

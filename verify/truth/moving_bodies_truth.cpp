@@ -7,8 +7,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <set>
 #include <utility>
 #include <vector>
@@ -153,20 +156,34 @@ struct Features {
   std::vector<std::array<Index, 2>> edges;
 };
 
-bool surfaces_meet(const Features& a, const Features& b, const Time_span& span)
+/// A vertex and a triangle, or two edges.
+struct Feature_pair {
+  kernel::Moving_kind kind;
+  std::array<Moving_coordinates, 4> points;
+
+  bool meets(const Time_span& span) const { return truly_meet_in_motion(kind, points, span); }
+};
+
+/// Calls is_it(pair) for all pairs, in turn, until it is. Returns whether it was of one.
+template <class Is_it>
+bool any_pair(const Features& a, const Features& b, const Is_it& is_it)
 {
   for (const auto& [one, other] : {std::pair(&a, &b), std::pair(&b, &a)})
     for (const Moving_coordinates& p : one->points)
       for (const auto& [q, r, s] : other->triangles)
-        if (truly_meet_in_motion(kernel::Moving_kind::vertex_face,
-                                 {p, other->points[q], other->points[r], other->points[s]}, span))
+        if (is_it(Feature_pair{kernel::Moving_kind::vertex_face,
+                               {p, other->points[q], other->points[r], other->points[s]}}))
           return true;
   for (const auto& [p, q] : a.edges)
     for (const auto& [r, s] : b.edges)
-      if (truly_meet_in_motion(kernel::Moving_kind::edge_edge, {a.points[p], a.points[q], b.points[r], b.points[s]},
-                               span))
+      if (is_it(Feature_pair{kernel::Moving_kind::edge_edge, {a.points[p], a.points[q], b.points[r], b.points[s]}}))
         return true;
   return false;
+}
+
+bool surfaces_meet(const Features& a, const Features& b, const Time_span& span)
+{
+  return any_pair(a, b, [&](const Feature_pair& pair) { return pair.meets(span); });
 }
 
 bool are_bounds(double lo, double hi) { return 0 <= lo && hi <= 1 && (lo == hi || hi == std::nextafter(lo, HUGE_VAL)); }
@@ -222,6 +239,17 @@ Rational speed(const Polyhedron& body, const Motion_ends& ends)
 }  // namespace
 }  // namespace moving_truth
 
+Object_case at_start(const Moving_bodies& bodies, const Origin& origin)
+{
+  return {std::make_shared<const covering::Polyhedron>(bodies.a),
+          std::make_shared<const covering::Polyhedron>(bodies.b),
+          moving_truth::pose_at(bodies.motion_a, 0),
+          moving_truth::pose_at(bodies.motion_b, 0),
+          origin,
+          {},
+          {}};
+}
+
 bool truly_first_by_features(const Moving_bodies& bodies, kernel::Question question,
                              const std::optional<kernel::Time_bounds>& first)
 {
@@ -237,6 +265,33 @@ bool truly_first_by_features(const Moving_bodies& bodies, kernel::Question quest
   return moving_truth::surfaces_meet(a, b, {0, lo, true});
 }
 
+std::optional<kernel::Time_bounds> true_first_contact(const Moving_bodies& bodies, kernel::Question question,
+                                                      const std::optional<kernel::Time_bounds>& guess)
+{
+  if (truly_first_by_features(bodies, question, guess)) return guess;
+  if (moving_truth::collide_at_start(bodies, question)) return kernel::Time_bounds{0, 0};
+  const moving_truth::Features a(bodies.a, bodies.motion_a, moving_truth::weight_of(bodies.motion_b)),
+      b(bodies.b, bodies.motion_b, moving_truth::weight_of(bodies.motion_a));
+  std::vector<moving_truth::Feature_pair> meeting;
+  moving_truth::any_pair(a, b, [&](const moving_truth::Feature_pair& pair) {
+    if (pair.meets({})) meeting.push_back(pair);
+    return false;
+  });
+  if (meeting.empty()) return std::nullopt;
+  const auto meet = [&](double from, double to, bool with_end) {
+    return std::ranges::any_of(meeting, [&](const auto& pair) { return pair.meets({from, to, with_end}); });
+  };
+  // The bits of doubles that are not negative are in the order of the doubles.
+  auto before = std::bit_cast<std::uint64_t>(0.0), until = std::bit_cast<std::uint64_t>(1.0);
+  const auto time = [](std::uint64_t bits) { return std::bit_cast<double>(bits); };
+  while (until - before > 1) {
+    const std::uint64_t middle = before + (until - before) / 2;
+    (meet(time(before), time(middle), true) ? until : before) = middle;
+  }
+  const double lo = time(before), hi = time(until);
+  return kernel::Time_bounds{meet(lo, hi, false) ? lo : hi, hi};
+}
+
 Bracket truly_first_by_distances(const Moving_bodies& bodies, kernel::Question question,
                                  const std::optional<kernel::Time_bounds>& first, int most, double end)
 {
@@ -244,17 +299,21 @@ Bracket truly_first_by_distances(const Moving_bodies& bodies, kernel::Question q
   if (moving_truth::collide_at_start(bodies, question)) return judged(first && first->lo == 0 && first->hi == 0);
   if (first && (!moving_truth::are_bounds(first->lo, first->hi) || first->hi == 0)) return Bracket::violated;
   const Brute_body a(bodies.a), b(bodies.b);
-  const auto square_at = [&](const Rational& time) {
-    return squared_distance(Placed_body(a, moving_truth::pose_at(bodies.motion_a, time)),
-                            Placed_body(b, moving_truth::pose_at(bodies.motion_b, time)));
+  const auto square_at = [&](const Rational& time) -> std::optional<Rational> {
+    const kernel::Pose of_a = moving_truth::pose_at(bodies.motion_a, time),
+                       of_b = moving_truth::pose_at(bodies.motion_b, time);
+    if (of_a.determinant_sign() == CGAL::ZERO || of_b.determinant_sign() == CGAL::ZERO) return std::nullopt;
+    return squared_distance(Placed_body(a, of_a), Placed_body(b, of_b));
   };
   const Rational fastest =
       moving_truth::speed(bodies.a, bodies.motion_a) + moving_truth::speed(bodies.b, bodies.motion_b);
   const Rational until = first ? Rational(first->lo) - Rational(end) : Rational(1);
   for (Rational time = 0; time < until; --most) {
     if (most == 0) return Bracket::undecided;
-    const Rational square = square_at(time), gap = moving_truth::root_below(square);
-    if (square == 0) return Bracket::violated;
+    const auto square = square_at(time);
+    if (!square) return Bracket::undecided;
+    if (*square == 0) return Bracket::violated;
+    const Rational gap = moving_truth::root_below(*square);
     if (fastest == 0) break;
     // Rounded down to a dyadic number: else its digits would grow.
     const mpz_class units(Rational(gap / fastest * 0x1p60).get_num() / Rational(gap / fastest * 0x1p60).get_den());
@@ -263,7 +322,8 @@ Bracket truly_first_by_distances(const Moving_bodies& bodies, kernel::Question q
   }
   if (!first) return Bracket::holds;
   const Rational lo(first->lo), hi(first->hi), reach = fastest * (hi - lo);
-  return judged(square_at(lo) <= reach * reach);
+  const auto square = square_at(lo);
+  return square ? judged(*square <= reach * reach) : Bracket::undecided;
 }
 
 }  // namespace tetracone::verify

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <fstream>
 #include <memory>
@@ -210,6 +211,32 @@ BOOST_AUTO_TEST_CASE(what_a_peer_does_not_take_is_not_asked)
   if (is_built("FCL AABB")) BOOST_TEST(ask("FCL AABB", c, Question::solid) == Outcome::yes);
   BOOST_TEST(ask("CGAL RMCD EPICK", two(covering::Polyhedron{}, verify::unit_cube()), Question::solid) ==
              Outcome::not_asked);
+}
+
+BOOST_AUTO_TEST_CASE(peers_of_motions_are_asked_of_shifted_surfaces_alone)
+{
+  using Numbers = std::vector<kernel::Rational>;
+  const auto shifted = [](double x) { return Numbers{1, 0, 0, x, 0, 1, 0, 0, 0, 0, 1, 0}; };
+  const auto cube = verify::unit_cube();
+  const verify::Moving_bodies towards = {cube, cube, {shifted(0), shifted(0)}, {shifted(6), shifted(0)}},
+                              away = {cube, cube, {shifted(0), shifted(0)}, {shifted(6), shifted(4)}};
+  verify::Moving_bodies both = towards, turned = towards;
+  both.motion_a[1] = shifted(1);
+  turned.motion_a = {Numbers{1, 0, 0, 0, 0, 0, 0}, Numbers{1, 0, 0, 0, 0, 0, 0}};
+  turned.motion_b = {Numbers{1, 0, 0, 0, 6, 0, 0}, Numbers{1, 1, 0, 0, 0, 0, 0}};
+  for (const auto& subject : experiments::motion_peer_subjects(program)) {
+    const auto peer = subject.make();
+    const auto told = peer->first_contact(towards, Question::surface);
+    BOOST_TEST(told.outcome == Outcome::yes, subject.name);
+    BOOST_TEST(std::abs(told.time.lo - 4.0 / 6) < 0.12, subject.name << ": " << told.time.lo);
+    BOOST_TEST(peer->first_contact(away, Question::surface).outcome == Outcome::no, subject.name);
+    BOOST_TEST(peer->first_contact(towards, Question::solid).outcome == Outcome::not_asked, subject.name);
+    BOOST_TEST(peer->first_contact(both, Question::surface).outcome == Outcome::not_asked, subject.name);
+    BOOST_TEST(peer->first_contact(turned, Question::surface).outcome == Outcome::not_asked, subject.name);
+    turned.motion_b[1] = Numbers{2, 0, 0, 0, 0, 0, 0};
+    BOOST_TEST(peer->first_contact(turned, Question::surface).outcome == Outcome::yes, subject.name);
+    turned.motion_b[1] = Numbers{1, 1, 0, 0, 0, 0, 0};
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_crash_is_a_failure_and_the_next_question_is_answered)

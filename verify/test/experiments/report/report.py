@@ -50,7 +50,8 @@ def campaign():
     """Tables by name, small but whole: every section has something to draw."""
     asked = [(level, s, q) for level, subjects, questions in (("object", ("double brute", "double tree", "adaptive tree", "FCL OBBRSS"),
                                                                ("solid", "surface")),
-                                                             ("predicate", ("double", "adaptive", "float"), ("segment-triangle",)))
+                                                             ("predicate", ("double", "adaptive", "float"), ("segment-triangle",)),
+                                                             ("motions", ("adaptive tree", "static 10"), ("surface", "surface time")))
              for s in subjects for q in questions]
     errors, sweeps, needs, times = [], [], [], []
     for family, parameters in (("random", (0.0,)), ("far-from-origin", (0.0, 10.0)), ("mixed-scales", (0.0, 10.0)), ("sliver", (2.0, 10.0)),
@@ -244,13 +245,13 @@ class Whole_report(unittest.TestCase):
             self.assertEqual(files_of(self.out), files_of(other))
 
     def test_a_wrong_answer_of_an_exact_kernel_changes_the_claim(self):
-        self.assertIn(" 0 wrong answers of 1,070 ", claim_of(self.page))  # 7 scenes of 50, and 3 questions of 240 in the campaign
+        self.assertIn(" 0 wrong answers of 1,550 ", claim_of(self.page))  # 7 scenes of 50, and 5 questions of 240 in the campaign
         rows = study()
         rows[1]["false_negatives"] = 2
         self.assertEqual(rows[1]["subject"], "adaptive tree")
         with tempfile.TemporaryDirectory() as other:
             page = draw(other, rows, campaign(), everything=False)
-        self.assertIn(" 2 wrong answers of 1,070 ", claim_of(page))
+        self.assertIn(" 2 wrong answers of 1,550 ", claim_of(page))
         self.assertIn("wrong in 2 of 200 (1 %) random", verdict_of(page, "adaptive tree"))
         self.assertIn("right in all 350 of the study", verdict_of(self.page, "adaptive tree"))
 
@@ -304,7 +305,7 @@ class Parts(unittest.TestCase):
         with tempfile.TemporaryDirectory() as out:
             page = draw(out, with_campaign=campaign(), everything=False)
             self.assertIn('id="speed_against_accuracy_cold"', page)
-            self.assertIn("0 wrong answers of 720", claim_of(page))
+            self.assertIn("0 wrong answers of 1,200", claim_of(page))
 
     def test_an_empty_folder_is_refused_in_a_line(self):
         with tempfile.TemporaryDirectory() as out:

@@ -1,0 +1,108 @@
+#include "verify/subjects/moving_bodies_subject.h"
+
+#include "tetracone/kernel/number/number.h"
+#include "tetracone/kernel/number/pose.h"
+#include "tetracone/tetratree/door/tetracone.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <exception>
+
+namespace tetracone::verify {
+namespace {
+
+class By_first_contact : public Running_motion {
+ public:
+  Told_contact first_contact(const Moving_bodies& bodies, kernel::Question question) override
+  {
+    try {
+      const auto first = verify::first_contact(bodies, question);
+      return first ? Told_contact{Outcome::yes, *first} : Told_contact{Outcome::no};
+    } catch (const std::exception&) {
+      return {Outcome::failed};
+    }
+  }
+};
+
+/// Where a body is at a time, in double.
+kernel::Pose rounded_pose(const Motion_ends& ends, double time)
+{
+  const auto at = [&](std::size_t k) {
+    return (1 - time) * kernel::nearest_double(ends[0][k]) + time * kernel::nearest_double(ends[1][k]);
+  };
+  std::array<double, 12> entries;
+  if (ends[0].size() == entries.size()) {
+    for (std::size_t k = 0; k < entries.size(); ++k) entries[k] = at(k);
+    return kernel::Pose(entries);
+  }
+  const Eigen::Matrix3d turn = Eigen::Quaterniond(at(0), at(1), at(2), at(3)).normalized().toRotationMatrix();
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) entries[std::size_t(4 * i + j)] = turn(i, j);
+    entries[std::size_t(4 * i + 3)] = at(std::size_t(4 + i));
+  }
+  return kernel::Pose(entries);
+}
+
+class By_frames : public Running_motion {
+ public:
+  explicit By_frames(int frames) : frames_(frames) {}
+
+  Told_contact first_contact(const Moving_bodies& bodies, kernel::Question question) override
+  {
+    try {
+      Query query(Body(bodies.a), Body(bodies.b), question);
+      for (int frame = 0; frame < frames_; ++frame) {
+        const double time = frame / (frames_ - 1.0);
+        const kernel::Pose a = rounded_pose(bodies.motion_a, time), b = rounded_pose(bodies.motion_b, time);
+        const bool is_flat = a.determinant_sign() == CGAL::ZERO || b.determinant_sign() == CGAL::ZERO;
+        if (!is_flat && query.collide(a, b)) return {Outcome::yes, {time, time}};
+      }
+      return {Outcome::no};
+    } catch (const std::exception&) {
+      return {Outcome::failed};
+    }
+  }
+
+ private:
+  int frames_;
+};
+
+}  // namespace
+
+kernel::Body_motion motion_of(const Motion_ends& ends)
+{
+  const auto& [from, to] = ends;
+  const auto pose = [](const std::vector<kernel::Rational>& numbers) {
+    std::array<kernel::Rational, 12> entries;
+    std::ranges::copy(numbers, entries.begin());
+    return kernel::Pose(entries);
+  };
+  const auto rigid = [](const std::vector<kernel::Rational>& n) {
+    return kernel::Rigid_pose{{n[0], n[1], n[2], n[3]}, {n[4], n[5], n[6]}};
+  };
+  return from.size() == 12 ? kernel::Body_motion::linear(pose(from), pose(to))
+                           : kernel::Body_motion::rigid(rigid(from), rigid(to)).value();
+}
+
+std::optional<kernel::Time_bounds> first_contact(const Moving_bodies& bodies, kernel::Question question)
+{
+  Query query(Body(bodies.a), Body(bodies.b), question);
+  const auto first = query.first_contact(Motion(motion_of(bodies.motion_a)), Motion(motion_of(bodies.motion_b)));
+  if (!first) return std::nullopt;
+  return kernel::Time_bounds{first->lo, first->hi};
+}
+
+std::vector<Moving_bodies_subject> moving_bodies_subjects()
+{
+  std::vector<Moving_bodies_subject> subjects = {
+      {"adaptive tree", true, "", [] { return std::make_unique<By_first_contact>(); }}};
+  for (const int frames : {10, 100, 1000})
+    subjects.push_back({"static " + std::to_string(frames), false,
+                        "exact static questions at " + std::to_string(frames) + " times, in poses of doubles",
+                        [frames] { return std::make_unique<By_frames>(frames); }});
+  return subjects;
+}
+
+}  // namespace tetracone::verify
