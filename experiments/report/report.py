@@ -10,6 +10,7 @@ import os
 import sys
 
 import figures_failure
+import figures_motion
 import figures_need
 import figures_paper
 import figures_peers
@@ -33,7 +34,7 @@ def page_of(page, study, campaign):
     opening = (f'<p class="claim">{figures_speed.claim(study, campaign)}</p>{chart}<h2 id="verdicts">The verdict</h2>'
                f"{figures_speed.verdicts(study, campaign)}{report_methods.KEY_OF_CHART}")
     sections = [section for module in (figures_speed, figures_failure, figures_stability, figures_signs, figures_paper, figures_stages,
-                                       figures_peers, tables_queries, figures_scenes, figures_need, table_bounds, table_motion)
+                                       figures_peers, tables_queries, figures_scenes, figures_need, table_bounds, table_motion, figures_motion)
                 for section in module.sections(page, study, campaign)]
     sections += report_methods.sections(page, study, campaign)
     return report_methods.frame(opening, sections)

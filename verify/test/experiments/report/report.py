@@ -19,6 +19,8 @@ try:
 except ImportError:
     print("skipped: no matplotlib")
     sys.exit(77)
+import figures_motion  # noqa: E402
+import matplotlib.pyplot as plt  # noqa: E402
 from report_data import share, wilson  # noqa: E402
 from report_page import Source  # noqa: E402
 
@@ -120,8 +122,11 @@ def scenes():
 
 
 def queries():
-    """Rows of contacts, distances, points: name and rows."""
-    return (("contacts", [dict(scenario="circular", object="x", triangles=9, method=m, poses=4, pairs=10, ns=ns, ratio=ns / 2000, lost=lost,
+    """Rows of contacts, distances, moving bodies, points: name and rows."""
+    return (("moving_bodies", [dict(course="plate", triangles=9, subject=s, motions=40, contacts=30, missed=m, invented=0, latest=late, static_ns=100, apart_in_statics=2,
+                                    contact_in_statics=x, **MADE) for s, m, late, x in (("tetracone", 0, 0, 50), ("static 10", 30, 0, 5), ("static 100", 3, 0.01, 20),
+                                                                                       ("fcl steps", 6, 0.1, 8))]),
+            ("contacts", [dict(scenario="circular", object="x", triangles=9, method=m, poses=4, pairs=10, ns=ns, ratio=ns / 2000, lost=lost,
                                invented=0, **MADE) for m, ns, lost in (("tetracone", 2000, 0), ("FCL", 9000, 3))]),
             ("distance", [dict(trajectory="gaps", triangles=12, subject="FCL RSS", question="distance", poses=5, mean_ns=1234567, mean_ulps=2.5,
                                most_ulps=7, apart=4, zero_apart=1, touching=1, positive_touching=0, **MADE)]),
@@ -185,7 +190,7 @@ class Whole_report(unittest.TestCase):
         figures = re.findall(r'<figure id="([^"]*)">(.*?)</figure>', self.page, re.DOTALL)
         expected = {"speed_against_accuracy", "speed_against_accuracy_cold", "errors_by_distance", "errors_by_parameter", "flips",
                     "thresholds", "sign_maps", "frames_per_second",
-                    "relative_sizes", "stages", "blame", "relations", "compilers", "needs", "digits", "budget", "demand"}
+                    "relative_sizes", "stages", "blame", "relations", "compilers", "needs", "digits", "budget", "demand", "first_contacts"}
         self.assertEqual({name for name, _ in figures}, expected)
         self.assertEqual(self.page.count("<svg"), len(figures), "a drawing outside a figure")
         for name, figure in figures:
@@ -206,6 +211,23 @@ class Whole_report(unittest.TestCase):
         self.assertEqual([(r["of"], r["subject"], r["n"], r["false_negatives"]) for r in rows],
                          [(g, s, "100", w) for g in ("published", "families") for s, w in (("adaptive", "0"), ("double", "7"))])
         self.assertIn('<section id="motion">', self.page)
+
+    def test_steps_are_drawn_by_what_they_miss_and_how_late_they_are(self):
+        self.assertIn("40 motions, 30 of them with a contact", self.page)
+        with open(f"{self.out}/figures/first_contacts.svg", encoding="utf-8") as file:
+            drawing = file.read()
+        for text in ("10 static poses", "FCL, steps", "ours, exact", "plate", "contacts missed"):
+            self.assertIn(text, drawing)
+        self.assertNotIn("FCL, advancement", drawing)  # it has no row here
+        rows = [dict((k, str(v)) for k, v in r.items()) for name, some in queries() if name == "moving_bodies" for r in some]
+        figure, axes = plt.subplots(1, 2)
+        figures_motion.late_against_time(axes[0], rows, ["plate"])
+        figures_motion.missed_against_steps(axes[1], rows, ["plate"])
+        late = {(line.get_xdata()[0], line.get_ydata()[0]) for line in axes[0].get_lines()}
+        self.assertEqual(late, {(5.0, figures_motion.ON_TIME), (2.0, 0.01), (0.8, 0.1)})  # ten poses miss all
+        missed = [(list(line.get_xdata()), list(line.get_ydata())) for line in axes[1].get_lines()]
+        self.assertEqual(missed, [([0, 1], [100, 10]), ([4], [0]), ([2], [20])])
+        plt.close(figure)
 
     def test_budgets_say_what_was_wrong_and_demand_what_share_was_made(self):
         self.assertIn("160 pairs, 0 decided wrong, 0 farther apart than said", self.page)
