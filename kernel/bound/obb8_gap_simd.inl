@@ -122,6 +122,42 @@ inline HWY_ATTR double least_gap_after_simd(const Certified_gaps& gaps, unsigned
   return least_gap_after(gaps, of_lanes, box, map, turned, Carried_box::error_of(map));
 }
 
+/// The gap and the losses are moved by 16 roundings to the safe side, which takes those of their products, sums and
+/// roots: at most 5 of each, and 2 of the difference. A gap that is not positive says nothing.
+inline HWY_ATTR unsigned lanes_still_apart_simd(const Obb8& boxes, const Certified_gaps& gaps,
+                                                std::span<const Gap_step> steps, const Gap_losses& losses)
+{
+  constexpr Float_tag tag;
+  double size = 0;
+  for (const Gap_step& step : steps) size = maximum(size, step.size(boxes.reach));
+  const float loss = float(losses.loss + step_rounding * size) * rounded_up + box_underflow,
+              turn = float(losses.turn) * (1 + 0x1p-16f), scale = float(losses.scale) * (1 - 0x1p-20f);
+  unsigned apart = 0;
+  for (std::size_t first = 0; first < lanes; first += hn::Lanes(tag)) {
+    const auto load = [&](const float* lane) HWY_ATTR { return hn::Load(tag, lane + first); };
+    const auto all = [&](float x) HWY_ATTR { return hn::Set(tag, x); };
+    const auto gap = load(gaps.gap), e0 = load(boxes.extent[0]), e1 = load(boxes.extent[1]), e2 = load(boxes.extent[2]);
+    const auto radius = hn::Sqrt(MulAdd(e2, e2, MulAdd(e1, e1, Mul(e0, e0))));
+    const auto rest = Sub(Mul(gap, all(scale)), MulAdd(radius, all(turn), all(loss)));
+    auto stay = Gt(gap, hn::Zero(tag));
+    for (const Gap_step& step : steps) {
+      const auto along = [&](int k) HWY_ATTR {
+        const auto way =
+            NegMulAdd(load(boxes.centre[2]), all(step.bend[k][2]),
+                      NegMulAdd(load(boxes.centre[1]), all(step.bend[k][1]),
+                                NegMulAdd(load(boxes.centre[0]), all(step.bend[k][0]), all(step.shift[k]))));
+        return Mul(load(gaps.axis[k]), way);
+      };
+      const auto after = hn::Add(rest, hn::Add(along(0), hn::Add(along(1), along(2))));
+      stay = hn::And(stay, Gt(after, hn::Zero(tag)));
+    }
+    std::uint8_t bits[8];
+    hn::StoreMaskBits(tag, stay, bits);
+    apart |= unsigned(bits[0]) << first;
+  }
+  return apart;
+}
+
 }  // namespace tetracone::kernel::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

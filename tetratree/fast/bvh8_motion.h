@@ -11,12 +11,12 @@
 #include "tetracone/tetratree/fast/span_reference.h"
 #include "tetracone/tetratree/query_statistics.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace tetracone::tetratree {
@@ -24,11 +24,11 @@ namespace tetracone::tetratree {
 /// The first contact of the surfaces of two moving `Bvh8`, exactly. Build once, ask for many motions.
 ///
 /// Surfaces that share no point at t = 0 first meet where a vertex of one meets a triangle of the other, or an edge an
-/// edge. Parts of a node are followed against a box of the other body over spans of time, the earliest first: those that
-/// stay apart in a span are gone, by a certified gap in a pose near all of it (`Span_reference`) or, where there is none,
-/// by the span's own coefficients (`Motion_span`); of others a box is opened or the span is halved, whichever is more than
-/// the other. Pairs of triangles that stay near are decided in integers, over the span alone. The search ends where the
-/// first contact found is not after the start of any span left.
+/// edge. Parts of a node are followed against a box of the other body over a span of time: those that stay apart in it are
+/// gone, by a certified gap in a pose near all of it (`Span_reference`) or, where there is none, by the span's own
+/// coefficients (`Motion_span`); of others a box is opened, or they wait for the halves of the span, whichever is more
+/// than the other. Pairs of triangles that stay near are decided in integers, over the span alone. The first half is done
+/// before the second, which is left where the first contact found is not after its start.
 ///
 /// Both trees must outlive the query object. Making it and every query throw kernel::Unsound_floating_point when floating
 /// point is not as exact answers need it.
@@ -43,10 +43,7 @@ class Bvh8_motion {
     kernel::require_sound_floating_point();
     if (tree_[0]->empty() || tree_[1]->empty()) return std::nullopt;
     features_.begin(a, b);
-    spans_.clear();
-    queue_.clear();
-    spans_.emplace_back(whole_span(a, b));
-    search();
+    search(whole_span(a, b), std::array{Near{0, 0, 0, 1}});
     return features_.take_first();
   }
 
@@ -73,19 +70,17 @@ class Bvh8_motion {
   };
   /// Parts of a node of body `body`, as bits, near a box of the other.
   struct Near {
-    double start;
-    Index span;
     Index node;
     Box other;
     std::uint8_t body, lanes;
-    double way = 0;  ///< about how far they move against each other in the span, in its units
   };
+  /// A span of time, and what is to be followed in its halves.
   struct Span {
     explicit Span(const kernel::Motion_span& all) : reference(all), maps(all) {}
 
     Span_reference reference;
     kernel::Motion_span maps;
-    std::array<Index, 2> half{};  // 0: not made
+    std::vector<Near> later{};
   };
   static constexpr unsigned most_halvings = 50;
   static constexpr double share_of_boxes = 0.5, share_of_leaves = 0.005;  // so far they may move in a span
@@ -124,47 +119,52 @@ class Bvh8_motion {
     return part;
   }
 
-  void search()
+  /// Follows the parts in a span of time, and then those that are left for its halves in these.
+  void search(const kernel::Motion_span& all, std::span<const Near> near)
   {
-    follow({0, 0, 0, 0, 0, 1});
-    while (!queue_.empty() && queue_.front().start < features_.before()) {
-      std::pop_heap(queue_.begin(), queue_.end(), is_later);
-      const Near near = queue_.back();
-      queue_.pop_back();
-      split(near);
+    Span span(all);
+    for (const Near& parts : near) follow(span, parts);
+    for (const bool is_second : {false, true}) {
+      if (span.later.empty()) return;
+      const kernel::Motion_span half = span.maps.half(is_second);
+      if (half.start() < features_.before()) search(half, span.later);
     }
   }
 
-  static bool is_later(const Near& x, const Near& y)
+  /// Takes the parts that are not found to stay apart to smaller ones, or leaves them for later.
+  void follow(Span& span, Near near)
   {
-    return x.start != y.start ? x.start > y.start : x.span < y.span;
-  }
-
-  /// Queues the parts that are not found to stay apart.
-  void follow(Near near)
-  {
-    const Span& span = spans_[near.span];
     counts_.box_tests += std::uint64_t(std::popcount(near.lanes));
-    if (span.reference.is_certifiable())
-      leave_parts(span.reference, near);
-    else
-      leave_parts(span.maps, near);
+    const double way =
+        span.reference.is_certifiable() ? leave_parts(span.reference, near) : leave_parts(span.maps, near);
     if (near.lanes == 0) return;
-    queue_.push_back(near);
-    std::push_heap(queue_.begin(), queue_.end(), is_later);
+    ++counts_.pairs_visited;
+    const unsigned leaves = leaves_of(near);
+    for (const unsigned lanes : {leaves, near.lanes & ~leaves}) {
+      Near some = near;
+      some.lanes = std::uint8_t(lanes);
+      if (lanes == 0)
+        continue;
+      else if (is_long(span.maps, some, way, lanes == leaves))
+        span.later.push_back(some);
+      else if (lanes == leaves)
+        meet_leaves(span.maps, some);
+      else
+        open(span, some);
+    }
   }
 
-  /// Takes those away that stay apart.
-  void leave_parts(const Span_reference& reference, Near& near)
+  /// Takes those away that stay apart. Returns about how far the others move against each other, in the span's units.
+  double leave_parts(const Span_reference& reference, Near& near)
   {
     const Bvh8_node &node = tree_[near.body]->node(near.node), &from = node_of(1 - near.body, near.other);
     const int lane = int(near.other % 8);
     const float apex =
         from.is_leaf(lane) ? kernel::apex_of(Bvh8_node::apex(from.child[std::size_t(lane)])) : kernel::no_apex;
     const auto found = reference.parts(near.body, node.boxes, near.lanes, from.boxes, lane, apex);
-    near.way = found.way;
     near.lanes = std::uint8_t(near.lanes & ~found.apart);
     near.lanes = std::uint8_t(near.lanes & ~leaves_apart(reference, near));
+    return found.way;
   }
 
   /// Where both are leaves: the parts whose triangles are apart.
@@ -206,44 +206,25 @@ class Bvh8_motion {
     return true;
   }
 
-  void leave_parts(const kernel::Motion_span& span, Near& near)
+  double leave_parts(const kernel::Motion_span& span, Near& near)
   {
     const Part other = part(1 - near.body, near.other);
-    near.way = 0;
+    double way = 0;
     unsigned apart = 0;
     for (unsigned left = near.lanes; left != 0; left &= left - 1) {
       const int lane = std::countr_zero(left);
       const Part own = part(near.body, 8 * near.node + Box(lane));
       const Part &a = near.body == 0 ? own : other, &b = near.body == 0 ? other : own;
-      near.way = kernel::maximum(near.way, span.way(a.hull.centre, b.hull.centre));
+      way = kernel::maximum(way, span.way(a.hull.centre, b.hull.centre));
       if (stay_apart(span, a, b)) apart |= 1u << lane;
     }
     near.lanes = std::uint8_t(near.lanes & ~apart);
-  }
-
-  /// Takes the parts to smaller ones, or the span to its halves.
-  void split(const Near& near)
-  {
-    ++counts_.pairs_visited;
-    const unsigned leaves = leaves_of(near);
-    for (const unsigned lanes : {leaves, near.lanes & ~leaves}) {
-      Near some = near;
-      some.lanes = std::uint8_t(lanes);
-      if (lanes == 0)
-        continue;
-      else if (is_long(some, lanes == leaves))
-        halve(some);
-      else if (lanes == leaves)
-        meet_leaves(some);
-      else
-        open(some);
-    }
+    return way;
   }
 
   /// Whether the parts move too far in the span for their size.
-  bool is_long(const Near& near, bool are_leaves) const
+  bool is_long(const kernel::Motion_span& span, const Near& near, double way, bool are_leaves) const
   {
-    const kernel::Motion_span& span = spans_[near.span].maps;
     if (span.k() >= most_halvings) return false;
     const double of_other = size_of(span, 1 - near.body, near.other);
     double size = 0;
@@ -252,7 +233,7 @@ class Bvh8_motion {
       const double of_box = size_of(span, near.body, box);
       size = kernel::maximum(size, opens_own(near, box, of_box, of_other) ? of_box : of_other);
     }
-    const double way = near.way + size * (span.turn(0) / span.scale(0) + span.turn(1) / span.scale(1));
+    way += size * (span.turn(0) / span.scale(0) + span.turn(1) / span.scale(1));
     // What is less than doubles tell apart is not worth another halving.
     return !(way <= kernel::maximum((are_leaves ? share_of_leaves : share_of_boxes) * size, 8 * span.resolution()));
   }
@@ -263,41 +244,21 @@ class Bvh8_motion {
     return !is_leaf(near.body, box) && (is_leaf(1 - near.body, near.other) || size > of_other);
   }
 
-  void halve(Near near)
+  void open(Span& span, const Near& near)
   {
-    const Index span = near.span;
-    for (int half = 0; half < 2; ++half) {
-      near.span = half_of(span, half);
-      near.start = spans_[near.span].maps.start();
-      if (near.start < features_.before()) follow(near);
-    }
-  }
-
-  void open(const Near& near)
-  {
-    const kernel::Motion_span& span = spans_[near.span].maps;
-    const double of_other = size_of(span, 1 - near.body, near.other);
+    const double of_other = size_of(span.maps, 1 - near.body, near.other);
     for (unsigned left = near.lanes; left != 0; left &= left - 1) {
       const Box box = 8 * near.node + Box(std::countr_zero(left));
-      const bool own = opens_own(near, box, size_of(span, near.body, box), of_other);
+      const bool own = opens_own(near, box, size_of(span.maps, near.body, box), of_other);
       const int body = own ? near.body : 1 - near.body;
       const Box opened = own ? box : near.other;
-      Near next = near;
+      Near next;
       next.body = std::uint8_t(body);
       next.node = tree_[body]->child(opened / 8, int(opened % 8));
       next.other = own ? near.other : box;
       next.lanes = std::uint8_t((1u << tree_[body]->node(next.node).boxes.lane_count) - 1);
-      follow(next);
+      follow(span, next);
     }
-  }
-
-  Index half_of(Index span, int half)
-  {
-    if (spans_[span].half[half] == 0) {
-      spans_.emplace_back(spans_[span].maps.half(half == 1));
-      spans_[span].half[half] = Index(spans_.size() - 1);
-    }
-    return spans_[span].half[half];
   }
 
   /// Whether boxes are certainly apart all the time of the span: along the line of their centres, and the axes that part
@@ -323,9 +284,8 @@ class Bvh8_motion {
     return false;
   }
 
-  void meet_leaves(const Near& near)
+  void meet_leaves(const kernel::Motion_span& span, const Near& near)
   {
-    const kernel::Motion_span& span = spans_[near.span].maps;
     for (unsigned left = near.lanes; left != 0; left &= left - 1)
       all_elements(near, std::countr_zero(left), [&](const Element& a, const Element& b) {
         features_.meet(span, a, b);
@@ -336,8 +296,6 @@ class Bvh8_motion {
   std::array<const Bvh8*, 2> tree_;
   Moving_feature_search features_;
   Query_statistics counts_;
-  std::vector<Span> spans_;
-  std::vector<Near> queue_;
 };
 
 }  // namespace tetracone::tetratree

@@ -10,7 +10,6 @@
 #include "tetracone/kernel/number/vertex.h"
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 
@@ -67,7 +66,8 @@ class Span_reference {
   const kernel::Relative_frame& frame() const { return into_[1].frame(); }
 
   /// Of the lanes of a node of body `body`, as bits, those that are apart from a box of the other body all the time.
-  /// `apex`: where a triangle lies in that box. `way`: about how far the box moves against the node, in common units.
+  /// `apex`: where a triangle lies in that box. `way`: about how far the box moves against the node, in common units; 0
+  /// where all are apart.
   struct Parts {
     unsigned apart;
     double way;
@@ -78,37 +78,28 @@ class Span_reference {
     kernel::Certified_gaps gaps;
     kernel::certified_gaps(boxes, into_[1 - body], from, lane, apex, gaps);
     const Vertex node = {boxes.origin[0], boxes.origin[1], boxes.origin[2]}, centre = kernel::centre_of(from, lane);
-    const double loss = turn_[1 - body] * radius_of(from, lane) + slack_;
-    // Of the box, away from the node at its origin: in common coordinates, and along the body's own axes.
-    std::array<Vertex, kernel::Motion_span::most_coefficients> moved;
-    double most = 0, all_the_way = 0;
+    // Of the box, away from the node at its origin, along the body's own axes.
+    std::array<kernel::Gap_step, kernel::Motion_span::most_coefficients> steps;
+    std::array<Vertex, kernel::Motion_span::most_coefficients> shift;
     for (std::size_t i = 0; i < size_; ++i) {
-      const Vertex shift = moved_away(body, i, node, centre);
-      most = kernel::maximum(most, dot(shift, shift));
-      moved[i] = kernel::Motion_span::across(shift, direction_[body]);
-      if (i == 0) continue;
-      const Vertex step = kernel::difference(moved[i], moved[i - 1]);
-      all_the_way += std::sqrt(dot(step, step));
-    }
-    most = std::sqrt(most) * (1 + kernel::few_roundings);
-    const double enough = most + turn_[body] * double(boxes.reach) + loss;
-
-    unsigned apart = 0;
-    for (unsigned left = lanes; left != 0; left &= left - 1) {
-      const int k = std::countr_zero(left);
-      const double gap = double(gaps.gap[k]) * scale_[body];
-      bool is_apart = gap > enough;
-      if (!is_apart && gap > loss) {
-        const Vertex n = {gaps.axis[0][k], gaps.axis[1][k], gaps.axis[2][k]},
-                     from_node = {boxes.centre[0][k], boxes.centre[1][k], boxes.centre[2][k]};
-        const double rest = gap - (loss + turn_[body] * radius_of(boxes, k));
-        is_apart = true;
-        for (std::size_t i = 0; i < size_ && is_apart; ++i)
-          is_apart = rest + dot(n, kernel::difference(moved[i], times(bend_[i][body], from_node))) > 0;
+      const Own_step& step = own_step_[i][body];
+      const Vertex from_node = times(step.own, node), to_centre = times(step.other, centre);
+      steps[i] = step.of_lanes;
+      for (int k = 0; k < 3; ++k) {
+        shift[i][k] = step.offset[k] + (to_centre[k] - from_node[k]);
+        steps[i].shift[k] = float(shift[i][k]);
       }
-      apart |= unsigned(is_apart) << k;
     }
-    return {apart, all_the_way};
+    const double loss = turn_[1 - body] * radius_of(from, lane) + slack_;
+    const unsigned apart =
+        lanes & kernel::lanes_still_apart(boxes, gaps, {steps.data(), size_}, {scale_[body], loss, turn_[body]});
+    double way = 0;
+    if (apart != lanes)
+      for (std::size_t i = 1; i < size_; ++i) {
+        const Vertex step = kernel::difference(shift[i], shift[i - 1]);
+        way += std::sqrt(dot(step, step));
+      }
+    return {apart, way};
   }
 
   /// Whether triangles, in local points of A and of B, are apart all the time, that are so by a gap along an axis of length
@@ -136,6 +127,13 @@ class Span_reference {
   struct Step {
     std::array<Rows, 2> row;
     Vertex offset;
+  };
+
+  /// The same along a body's own axes, away from it.
+  struct Own_step {
+    Rows own, other;
+    Vertex offset;
+    kernel::Gap_step of_lanes;  ///< but for its shift
   };
 
   static double dot(const Vertex& a, const Vertex& b) { return kernel::dot(a, b); }
@@ -190,27 +188,35 @@ class Span_reference {
           for (int l = 0; l < 3; ++l) step.row[k][j][l] = maps.row[k][j][l] / maps.weight - rotation_[k][j][l];
           square += dot(step.row[k][j], step.row[k][j]);
         }
-        for (int l = 0; l < 3; ++l) {
-          const Vertex column =
-              kernel::Motion_span::across({step.row[k][0][l], step.row[k][1][l], step.row[k][2][l]}, direction_[k]);
-          for (int j = 0; j < 3; ++j) bend_[i][k][j][l] = column[j];
-        }
         turn_[k] = kernel::maximum(turn_[k], std::sqrt(square) * (1 + kernel::few_roundings));
       }
       longest = kernel::maximum(longest, shift);
+      for (std::size_t k = 0; k < 2; ++k) own_step_[i][k] = own_step(step, k);
     }
     slack_ = 4 * span.error() / least_weight + 0x1p-20 * (longest + 2 * (turn_[0] + turn_[1]));
     is_certifiable_ = least_weight > 0 && slack_ < 1;
   }
 
-  /// d_i of a point of the body and one of the other, away from the body.
-  Vertex moved_away(std::size_t body, std::size_t i, const Vertex& own, const Vertex& others) const
+  /// Away from the body, along its own axes.
+  Own_step own_step(const Step& step, std::size_t body) const
   {
-    const Step& step = step_[i];
-    const Vertex from = times(step.row[body], own), to = times(step.row[1 - body], others);
+    const Rows& axes = direction_[body];
     const double sense = body == 0 ? 1 : -1;
-    return {sense * step.offset[0] + (to[0] - from[0]), sense * step.offset[1] + (to[1] - from[1]),
-            sense * step.offset[2] + (to[2] - from[2])};
+    Own_step own;
+    own.offset =
+        kernel::Motion_span::across({sense * step.offset[0], sense * step.offset[1], sense * step.offset[2]}, axes);
+    for (int l = 0; l < 3; ++l) {
+      const auto column = [&](std::size_t k) {
+        return kernel::Motion_span::across({step.row[k][0][l], step.row[k][1][l], step.row[k][2][l]}, axes);
+      };
+      const Vertex of_own = column(body), of_other = column(1 - body);
+      for (int j = 0; j < 3; ++j) {
+        own.own[j][l] = of_own[j];
+        own.other[j][l] = of_other[j];
+        own.of_lanes.bend[j][l] = float(of_own[j]);
+      }
+    }
+    return own;
   }
 
   /// At least the distance of a lane's points from its centre: its axes are not quite of length 1.
@@ -230,8 +236,8 @@ class Span_reference {
   std::array<Rows, 2> rotation_,
       direction_;  // R_k; and over the length of a column: what is apart along a direction in
                    // local units by g is so by g times that length along its image
-  std::array<std::array<Rows, 2>, kernel::Motion_span::most_coefficients> bend_;  // direction_, transposed, times step_
   std::array<Step, kernel::Motion_span::most_coefficients> step_;
+  std::array<std::array<Own_step, 2>, kernel::Motion_span::most_coefficients> own_step_;
   bool is_certifiable_ = true;
 };
 
