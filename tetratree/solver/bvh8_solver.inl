@@ -1,5 +1,5 @@
-#ifndef TETRACONE_TETRATREE_DOOR_BVH8_SOLVER_INL
-#define TETRACONE_TETRATREE_DOOR_BVH8_SOLVER_INL
+#ifndef TETRACONE_TETRATREE_SOLVER_BVH8_SOLVER_INL
+#define TETRACONE_TETRATREE_SOLVER_BVH8_SOLVER_INL
 // Included by the one unit of each kernel.
 
 #include "tetracone/kernel/predicate/tolerant.h"
