@@ -1,0 +1,72 @@
+#ifndef TETRACONE_KERNEL_NUMBER_DOUBLE_DOUBLE_BALL_H
+#define TETRACONE_KERNEL_NUMBER_DOUBLE_DOUBLE_BALL_H
+
+#include "tetracone/kernel/number/double_double.h"
+#include "tetracone/kernel/number/floating_point.h"
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+namespace tetracone::kernel {
+
+/// A real number: `middle`, but for at most `radius`, which is infinite or undefined where nothing is known.
+///
+/// A sum in double-double is off by 3 u^2 / (1 - 4 u) of itself, a product by 7 u^2 and, where parts underflow, by a few
+/// times 2^-1074; both are told by the high part, which is off by u of the whole. What magnitudes and radii lose as they
+/// are computed is at most 16 u of a radius.
+struct Double_double_ball {
+  Double_double middle;
+  double radius = 0;
+
+  Double_double_ball() = default;
+  Double_double_ball(double x) : middle(x) {}
+  Double_double_ball(const Double_double& x, double r) : middle(x), radius(r) {}
+
+  static constexpr double u = unit_roundoff<double>;
+  static constexpr double sum_rounding = 4 * u * u, product_rounding = 8 * u * u, of_radii = 1 + 16 * u,
+                          underflow = 0x1p-1060;
+
+  friend Double_double_ball operator-(const Double_double_ball& x)
+  {
+    return {{-x.middle.high, -x.middle.low}, x.radius};
+  }
+  friend Double_double_ball operator+(const Double_double_ball& x, const Double_double_ball& y)
+  {
+    const Double_double sum = x.middle + y.middle;
+    return {sum, (x.radius + y.radius + sum_rounding * std::abs(sum.high)) * of_radii};
+  }
+  friend Double_double_ball operator-(const Double_double_ball& x, const Double_double_ball& y) { return x + -y; }
+  friend Double_double_ball operator*(const Double_double_ball& x, const Double_double_ball& y)
+  {
+    const Double_double product = x.middle * y.middle;
+    const double by_radii = std::abs(x.middle.high) * y.radius + x.radius * (std::abs(y.middle.high) + y.radius);
+    return {product, (by_radii + product_rounding * std::abs(product.high)) * of_radii + underflow};
+  }
+
+  /// Whether the number is above 0 for certain.
+  bool is_positive() const { return middle.high * (1 - 4 * u) > radius; }
+};
+
+/// The double nearest to top / sqrt(square), both positive, where it is certain: between the middles of neighbours.
+inline std::optional<double> nearest_over_root(const Double_double_ball& top, const Double_double_ball& square)
+{
+  const Double_double_ball top_square = top * top;
+  const auto left = [&](const Double_double_ball& x) { return top_square - x * x * square; };
+  double nearest = top.middle.high / std::sqrt(square.middle.high);
+  nearest += left(nearest).middle.high / (2 * nearest * square.middle.high);  // a step of Newton's
+  if (!(nearest > 0x1p-900 && nearest < 0x1p900)) return std::nullopt;
+  const auto bits = std::bit_cast<std::uint64_t>(nearest);
+  const double below = std::bit_cast<double>(bits - 1), above = std::bit_cast<double>(bits + 1);
+  const auto middle = [&](double neighbour) {
+    return Double_double_ball(Double_double(nearest, (neighbour - nearest) / 2), 0);
+  };
+  if (!left(middle(below)).is_positive() || !(-left(middle(above))).is_positive()) return std::nullopt;
+  return nearest;
+}
+
+}  // namespace tetracone::kernel
+
+#endif

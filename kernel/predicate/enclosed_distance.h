@@ -1,0 +1,113 @@
+#ifndef TETRACONE_KERNEL_PREDICATE_ENCLOSED_DISTANCE_H
+#define TETRACONE_KERNEL_PREDICATE_ENCLOSED_DISTANCE_H
+
+#include "tetracone/kernel/number/double_double_ball.h"
+#include "tetracone/kernel/number/pose.h"
+#include "tetracone/kernel/number/products.h"
+#include "tetracone/kernel/number/vertex.h"
+#include "tetracone/kernel/predicate/adaptive_double_double.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+/// The distance of two features of triangles in double-double, enclosed: what face_distance.h finds in exact numbers,
+/// where enclosures tell the same.
+namespace tetracone::kernel {
+
+using Ball_vector = std::array<Double_double_ball, 3>;
+
+/// One to three corners that span a feature.
+struct Ball_hull {
+  std::array<Ball_vector, 3> corner;
+  int count = 0;
+
+  /// The image of a vertex, enclosed.
+  void add(const Vertex& vertex, const Pose& pose)
+  {
+    const auto image = Adaptive_double_double::double_double_image(Adaptive_points::placed(vertex, pose));
+    for (std::size_t k = 0; k < 3; ++k) corner[std::size_t(count)][k] = {image.coordinate[k], image.error};
+    ++count;
+  }
+};
+
+/// The distance height / sqrt(square), along a direction from A's feature to B's of |direction|^2 = square.
+struct Enclosed_distance {
+  Double_double_ball height, square;
+  std::array<double, 3> direction;  ///< rounded: all coordinates together are off by at most 2^-51 of their magnitudes
+};
+
+namespace detail {
+
+/// From a point to the line of an edge; nothing unless the nearest point is within the edge for certain.
+inline std::optional<Ball_vector> way_to_edge(const Ball_vector& x, const Ball_vector& a, const Ball_vector& b)
+{
+  const Ball_vector e = difference(b, a), r = difference(x, a);
+  const Double_double_ball length = dot(e, e), at = dot(r, e);
+  if (!at.is_positive() || !(length - at).is_positive()) return std::nullopt;
+  return Ball_vector{e[0] * at - r[0] * length, e[1] * at - r[1] * length, e[2] * at - r[2] * length};
+}
+
+/// Across two edges; nothing unless the nearest points are within both for certain.
+inline std::optional<Ball_vector> way_across_edges(const Ball_vector& a, const Ball_vector& b, const Ball_vector& c,
+                                                   const Ball_vector& d)
+{
+  const Ball_vector e = difference(b, a), f = difference(d, c), r = difference(a, c);
+  const Double_double_ball ee = dot(e, e), ef = dot(e, f), ff = dot(f, f), er = dot(e, r), fr = dot(f, r);
+  const Double_double_ball weight = ee * ff - ef * ef, s = ef * fr - ff * er, t = ee * fr - ef * er;
+  if (!s.is_positive() || !t.is_positive() || !(weight - s).is_positive() || !(weight - t).is_positive())
+    return std::nullopt;
+  return cross(e, f);
+}
+
+/// The normal of a triangle; nothing unless the point is over its inside for certain.
+inline std::optional<Ball_vector> way_to_triangle(const Ball_vector& x, const std::array<Ball_vector, 3>& t)
+{
+  const Ball_vector normal = cross(difference(t[1], t[0]), difference(t[2], t[0]));
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!dot(normal, cross(difference(t[k], x), difference(t[(k + 1) % 3], x))).is_positive()) return std::nullopt;
+  return normal;
+}
+
+inline std::optional<Ball_vector> way_between(const Ball_hull& a, const Ball_hull& b)
+{
+  if (a.count > b.count) return way_between(b, a);
+  if (a.count == 1 && b.count == 1) return difference(b.corner[0], a.corner[0]);
+  if (a.count == 1 && b.count == 2) return way_to_edge(a.corner[0], b.corner[0], b.corner[1]);
+  if (a.count == 2 && b.count == 2) return way_across_edges(a.corner[0], a.corner[1], b.corner[0], b.corner[1]);
+  if (a.count == 1 && b.count == 3) return way_to_triangle(a.corner[0], b.corner);
+  return std::nullopt;
+}
+
+}  // namespace detail
+
+/// Of two hulls, as `distance_of_hulls` takes them; nothing where enclosures do not tell that the nearest points of their
+/// affine hulls are within both, or how to direct what is between them.
+inline std::optional<Enclosed_distance> enclosed_distance(const Ball_hull& a, const Ball_hull& b)
+{
+  auto way = detail::way_between(a, b);
+  if (!way) return std::nullopt;
+  Enclosed_distance found;
+  found.height = dot(*way, difference(b.corner[0], a.corner[0]));
+  if (!found.height.is_positive()) {
+    found.height = -found.height;
+    for (Double_double_ball& x : *way) x = -x;
+  }
+  if (!found.height.is_positive()) return std::nullopt;
+  found.square = dot(*way, *way);
+  double off = 0, magnitude = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    found.direction[k] = (*way)[k].middle.high;
+    off += (*way)[k].radius;
+    magnitude += std::abs(found.direction[k]);
+  }
+  // The high parts are off by u each, and radii and magnitudes are rounded.
+  if (!(off < 0x1p-52 * magnitude)) return std::nullopt;
+  return found;
+}
+
+}  // namespace tetracone::kernel
+
+#endif
