@@ -6,6 +6,7 @@
 #include "tetracone/kernel/simd/simd.h"
 
 #include <array>
+#include <cstddef>
 #include <limits>
 
 namespace tetracone::kernel {
@@ -39,8 +40,24 @@ struct Gap_question {
 struct Eight_gaps {
   alignas(32) std::array<float, lanes> low;  ///< lower bounds of distances
   std::array<float, lanes> size;             ///< at least the least normal number
-  std::array<float, lanes> between;          ///< of the centres, about, squared, in the units of the eight
+  std::array<float, lanes> between;          ///< of the centres, about, squared, where `stretch` is known
 };
+
+/// The lanes of `boxes` against box `lane` of `from`, which `map` carries into their frame.
+struct Gap_test {
+  const Obb8* boxes;
+  const Box_map* map;
+  const Obb8* from;
+  int lane;
+  Gap_question question;
+
+  // What is found.
+  unsigned nearer;  ///< lanes, as bits, that are not found farther than the limit
+  Eight_gaps gaps;  ///< of lanes that hold nothing they may have any value
+};
+
+/// So many tests are made at once at most.
+inline constexpr std::size_t most_gap_tests = 4;
 
 /// The size of a box by the sum of its extents, which a sign may be given.
 inline float box_size(float sum, float factor)
@@ -56,14 +73,12 @@ inline float box_size(float sum, float factor)
 
 namespace tetracone::kernel {
 
-/// The lanes of `boxes`, as bits, that are not found farther than the limit from box `lane` of `from`, which `map`
-/// carries into their frame; `gaps` of lanes that hold nothing may have any value.
-inline unsigned nearer_lanes(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane,
-                             const Gap_question& question, Eight_gaps& gaps)
+/// Makes up to `most_gap_tests` tests, so that none need wait for what another brings.
+inline void find_gaps(Gap_test* tests, std::size_t count)
 {
-  using Function = unsigned(const Obb8&, const Box_map&, const Obb8&, int, const Gap_question&, Eight_gaps&);
-  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(nearer_lanes_simd));
-  return fastest(boxes, map, from, lane, question, gaps);
+  using Function = void(Gap_test*, std::size_t);
+  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(find_gaps_simd));
+  fastest(tests, count);
 }
 
 }  // namespace tetracone::kernel

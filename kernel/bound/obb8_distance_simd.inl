@@ -76,13 +76,14 @@ HWY_INLINE auto squared_gaps(const Test& test, const typename Test::Floats slack
   return Max(own, squared_way(s, f, e, turned, slack));
 }
 
-/// Returns the lanes that are near enough, as bits.
+/// Of the other box as the test's map has carried it.
 template <bool similarity>
-HWY_INLINE unsigned store_gaps(const Obb8& boxes, const Single_box& box, float slack, const Gap_question& question,
-                               Eight_gaps& gaps)
+HWY_INLINE void store_gaps(Gap_test& test, const Single_box& box, float slack)
 {
   const Float_tag tag;
   const auto all = [&](float value) HWY_ATTR { return hn::Set(tag, value); };
+  const Obb8& boxes = *test.boxes;
+  const Gap_question& question = test.question;
   unsigned nearer = 0;
   for (std::size_t first = 0; first < lanes; first += hn::Lanes(tag)) {
     const auto load = [&](const float* lane) HWY_ATTR { return hn::Load(tag, lane + first); };
@@ -94,28 +95,43 @@ HWY_INLINE unsigned store_gaps(const Obb8& boxes, const Single_box& box, float s
     const auto sum = hn::Add(load(boxes.extent[0]), hn::Add(load(boxes.extent[1]), load(boxes.extent[2])));
     const auto x = Sub(all(box.centre[0]), load(boxes.centre[0])), y = Sub(all(box.centre[1]), load(boxes.centre[1])),
                z = Sub(all(box.centre[2]), load(boxes.centre[2]));
-    hn::Store(low, tag, gaps.low.data() + first);
-    hn::Store(Max(Mul(sum, all(question.size)), all(std::numeric_limits<float>::min())), tag, gaps.size.data() + first);
-    hn::Store(MulAdd(z, z, MulAdd(y, y, Mul(x, x))), tag, gaps.between.data() + first);
+    hn::Store(low, tag, test.gaps.low.data() + first);
+    hn::Store(Max(Mul(sum, all(question.size)), all(std::numeric_limits<float>::min())), tag,
+              test.gaps.size.data() + first);
+    const auto between = MulAdd(z, z, MulAdd(y, y, Mul(x, x)));
+    hn::Store(Mul(between, all(question.stretch * question.stretch)), tag, test.gaps.between.data() + first);
     std::uint8_t bits[8];
     hn::StoreMaskBits(tag, hn::Le(low, all(question.limit)), bits);
     nearer |= unsigned(bits[0]) << first;
   }
-  return nearer & ((1u << boxes.lane_count) - 1);
+  test.nearer = nearer & ((1u << boxes.lane_count) - 1);
 }
 
-inline HWY_ATTR unsigned nearer_lanes_simd(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane,
-                                           const Gap_question& question, Eight_gaps& gaps)
+inline HWY_ATTR void find_gaps_simd(Gap_test* tests, std::size_t count)
 {
-  const bool similarity = map.is_similarity();
-  float size = (from.extent[0][lane] + from.extent[1][lane] + from.extent[2][lane]) * map.stretch();
-  const Single_box box = similarity ? carried(boxes, map, from, lane, size) : map(boxes, from, lane);
-  if (!similarity) size = box.extent[0] + box.extent[1] + box.extent[2];
-  const float way = std::abs(box.centre[0]) + std::abs(box.centre[1]) + std::abs(box.centre[2]);
-  // The slacks of both maps have the position's error.
-  const float slack = float(distance_rounding) * (way + boxes.reach + size) * (1 + 0x1p-20f) + box.slack;
-  return similarity ? store_gaps<true>(boxes, box, slack, question, gaps)
-                    : store_gaps<false>(boxes, box, slack, question, gaps);
+  Single_box box[most_gap_tests];
+  float slack[most_gap_tests];
+  for (std::size_t k = 0; k < count; ++k) {
+    const Obb8 &boxes = *tests[k].boxes, &from = *tests[k].from;
+    const Box_map& map = *tests[k].map;
+    const int lane = tests[k].lane;
+    float size = (from.extent[0][lane] + from.extent[1][lane] + from.extent[2][lane]) * map.stretch();
+    if (map.is_similarity()) {
+      box[k] = carried(boxes, map, from, lane, size);
+    } else {
+      box[k] = map(boxes, from, lane);
+      size = box[k].extent[0] + box[k].extent[1] + box[k].extent[2];
+    }
+    const float way = std::abs(box[k].centre[0]) + std::abs(box[k].centre[1]) + std::abs(box[k].centre[2]);
+    // The slacks of both maps have the position's error.
+    slack[k] = float(distance_rounding) * (way + boxes.reach + size) * (1 + 0x1p-20f) + box[k].slack;
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    if (tests[k].map->is_similarity())
+      store_gaps<true>(tests[k], box[k], slack[k]);
+    else
+      store_gaps<false>(tests[k], box[k], slack[k]);
+  }
 }
 
 }  // namespace tetracone::kernel::HWY_NAMESPACE

@@ -166,9 +166,10 @@ inline double least_gap(const Double_triangle& a, const Double_triangle& b, cons
   return td::below(gap, length, td::slack(position_error, largest));
 }
 
-/// Whether x is before p along a direction that n is, but for 2^-51 of each coordinate. x and p are at most `largest` and
-/// off by at most `position_error` in a coordinate: n . (x - p) is off by |n|_1 times 2 `position_error` and, of 2
-/// `largest`, 2^-51 for n and 5 u for roundings. Numbers near the ends of the doubles' range tell nothing.
+/// Whether x is before p along a direction that n is, but for 2^-51 |n|_1 in all coordinates together. x and p are at
+/// most `largest` and off by at most `position_error` in a coordinate: n . (x - p) is off by |n|_1 times 2
+/// `position_error` and, of 2 `largest`, 2^-51 for n and 5 u for roundings. Numbers near the ends of the doubles' range
+/// tell nothing.
 inline bool is_surely_before(const Double_vector& x, const Double_vector& p, const Double_vector& n,
                              double position_error, double largest)
 {

@@ -6,6 +6,7 @@
 #include "tetracone/kernel/bound/obb8_distance.h"
 #include "tetracone/kernel/bound/triangle_distance.h"
 #include "tetracone/kernel/number/nearest_root.h"
+#include "tetracone/kernel/predicate/enclosed_distance.h"
 #include "tetracone/kernel/predicate/face_distance.h"
 #include "tetracone/tetratree/fast/bvh8_collision.h"
 #include "tetracone/tetratree/fast/exact_vertices.h"
@@ -19,6 +20,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -36,9 +38,10 @@ struct Nearest_pair {
 ///
 /// Bodies that collide, which `Bvh8_collision` tells, are 0 apart. Of others pairs of boxes are opened, about the nearest
 /// first, while their lower bound is not above the least upper bound that a pair of triangles has given. Pairs
-/// of triangles are enclosed in double; those that may be the nearest are compared in exact arithmetic, of which one is
-/// left almost always. The first upper bounds are those of the pair that was nearest in the last pose, and of the pair
-/// that the nearest part of each box leads to.
+/// of triangles are enclosed in double; of those that may be the nearest one is left almost always, whose distance is
+/// enclosed in double-double: where that does not tell the nearest double, or that no other pair is nearer, exact numbers
+/// do. The first upper bounds are those of the pair that was nearest in the last pose, and of the pair that the nearest
+/// parts lead to.
 /// Over a kernel that rounds, the least distance in double is the answer.
 ///
 /// Both trees, and their models, must outlive the query object. Making it and every query throw
@@ -66,6 +69,9 @@ class Bvh8_distance {
     start_with_last();
     search();
     if constexpr (!is_exact) return std::ldexp(nearest_, frame_->exponent());
+    bring_nearest_first();
+    last_ = {candidates_.front().a, candidates_.front().b};
+    if (const std::optional<double> certain = settle_by_enclosures()) return *certain;
     const Candidate best = settle(kernel::Nearest_points::are_not_asked_for);
     last_ = {best.a, best.b};
     return kernel::nearest_root(kernel::Rational(best.exact->top()), of_space(best.exact->bottom()));
@@ -81,6 +87,7 @@ class Bvh8_distance {
     if (relation == Relation::a_in_b || relation == Relation::b_in_a)
       return inside(relation == Relation::a_in_b ? 0 : 1);
     search();
+    bring_nearest_first();
     return told(settle(kernel::Nearest_points::are_asked_for));
   }
 
@@ -99,6 +106,7 @@ class Bvh8_distance {
     if (is_within()) return true;
     if constexpr (!is_exact) return nearest_ <= below;
     if (candidates_.empty()) return false;
+    bring_nearest_first();
     const Candidate best = settle(kernel::Nearest_points::are_not_asked_for);
     return kernel::Rational(best.exact->top()) <= of_space(best.exact->bottom()) * limit * limit;
   }
@@ -137,21 +145,21 @@ class Bvh8_distance {
     kernel::Edged_triangle at;
   };
 
-  /// A pair of boxes of which one is replaced by its parts, those of a node; and what is known of these.
+  /// A pair of boxes of which one is replaced by its parts, those of a node.
   struct Opening {
     Box_pair pair;
     int body;
     Index node;
-    unsigned nearer;  // parts, as bits, that are near enough
-    kernel::Eight_gaps gaps;
 
-    Box_pair part(int lane, bool is_leaf) const
+    /// Made of single numbers: what is written in parts and read as a whole would wait until it is stored.
+    Box_pair part(const kernel::Eight_gaps& gaps, int lane, bool is_leaf) const
     {
-      Box_pair of = pair;
-      of.low = gaps.low[std::size_t(lane)];
-      of.box[std::size_t(body)] = 8 * node + Box(lane);
-      of.size[std::size_t(body)] = is_leaf ? -gaps.size[std::size_t(lane)] : gaps.size[std::size_t(lane)];
-      return of;
+      const float magnitude = gaps.size[std::size_t(lane)], size = is_leaf ? -magnitude : magnitude;
+      const Box box = 8 * node + Box(lane);
+      const bool first = body == 0;
+      return {gaps.low[std::size_t(lane)],
+              {first ? size : pair.size[0], first ? pair.size[1] : size},
+              {first ? box : pair.box[0], first ? pair.box[1] : box}};
     }
   };
 
@@ -242,13 +250,23 @@ class Bvh8_distance {
   void search()
   {
     Box_pair root{0, {size_of_root(0), size_of_root(1)}, {0, 0}};
-    kernel::Eight_gaps gaps;
-    kernel::nearer_lanes(tree_[0]->node(0).boxes, *into_other_[1], tree_[1]->node(0).boxes, 0,
-                         {stretch_[0], limit(), 0, size_[0]}, gaps);
-    root.low = gaps.low[0];
-    dive(root);
+    kernel::Gap_test of_roots{&tree_[0]->node(0).boxes,
+                              &*into_other_[1],
+                              &tree_[1]->node(0).boxes,
+                              0,
+                              {stretch_[0], limit(), 0, size_[0]},
+                              0,
+                              {}};
+    kernel::find_gaps(&of_roots, 1);
+    root.low = of_roots.gaps.low[0];
+    rest_.clear();
+    if (root.is_of_leaves())
+      compare_leaves(0, 0);
+    else
+      dive(root);
     queue_.clear(root.low, high_);
-    queue_.push(root);
+    for (const Box_pair& pair : rest_)
+      if (pair.low <= high_) queue_.push(pair);
     while (!queue_.empty() && !is_within()) {
       std::size_t count = 0;
       while (count < open_.size() && !queue_.empty()) {
@@ -257,34 +275,59 @@ class Bvh8_distance {
         if (next.is_of_leaves())
           compare_leaves(next.box[0], next.box[1]);
         else
-          choose(open_[count++], next);
+          choose(count++, next);
       }
-      for (std::size_t k = 0; k < count; ++k) compare_parts(open_[k]);
+      compare_parts(count);
       for (std::size_t k = 0; k < count; ++k)
-        for_nearer_parts(open_[k], [this](int, const Box_pair& part) { queue_.push(part); });
+        for_nearer_parts(k, [this](int, const Box_pair& part) {
+          fetch(part);
+          queue_.push(part);
+        });
     }
   }
 
-  /// Takes in the pair that the nearest part of each box leads to; where several overlap the other box, that whose
-  /// centre is nearest to the other's.
-  void dive(Box_pair pair)
+  /// Opens pairs down to leaves: of the parts of the last ones those whose centres are nearest, since these lie near the
+  /// surfaces; and takes in the nearest leaves. The others are the rest.
+  void dive(const Box_pair& root)
   {
-    Opening& opening = open_[0];
-    while (!pair.is_of_leaves()) {
-      choose(opening, pair);
-      compare_parts(opening);
-      if (opening.nearer == 0) return;
-      float least = std::numeric_limits<float>::infinity(), between = least;
-      for_nearer_parts(opening, [&](int lane, const Box_pair& part) {
-        const float centres = opening.gaps.between[std::size_t(lane)];
-        if (part.low > least || (part.low == least && !(centres < between))) return;
-        least = part.low;
-        between = centres;
-        pair = part;
-      });
+    std::array<Box_pair, kernel::most_gap_tests> best = {root};
+    std::array<float, kernel::most_gap_tests> between{};
+    std::optional<Box_pair> leaves;
+    float between_leaves = std::numeric_limits<float>::infinity();
+    for (std::size_t count = 1; count > 0;) {
+      for (std::size_t k = 0; k < count; ++k) choose(k, best[k]);
+      compare_parts(count);
+      const std::size_t opened = std::exchange(count, 0);
+      for (std::size_t k = 0; k < opened; ++k)
+        for_nearer_parts(k, [&](int lane, const Box_pair& part) {
+          const float centres = tests_[k].gaps.between[std::size_t(lane)];
+          if (part.is_of_leaves()) {
+            const bool is_nearest = centres < between_leaves;
+            if (leaves || !is_nearest) rest_.push_back(is_nearest ? *leaves : part);
+            if (!is_nearest) return;
+            leaves = part;
+            between_leaves = centres;
+            return;
+          }
+          fetch(part);
+          std::size_t place = count;
+          if (count < best.size()) {
+            ++count;
+          } else if (centres < between.back()) {
+            rest_.push_back(best[--place]);
+          } else {
+            rest_.push_back(part);
+            return;
+          }
+          for (; place > 0 && centres < between[place - 1]; --place) {
+            best[place] = best[place - 1];
+            between[place] = between[place - 1];
+          }
+          best[place] = part;
+          between[place] = centres;
+        });
     }
-    compare_leaves(pair.box[0], pair.box[1]);
-    candidates_.clear();
+    if (leaves) compare_leaves(leaves->box[0], leaves->box[1]);
   }
 
   /// Whether what is known decides that the limit holds: an unknown distance is within none.
@@ -310,37 +353,58 @@ class Bvh8_distance {
     return high_ < 0x1p100 ? float(high_) * kernel::rounded_up + 0x1p-100f : std::numeric_limits<float>::infinity();
   }
 
-  /// The larger box is opened.
-  void choose(Opening& opening, const Box_pair& pair) const
+  /// Asks for the node that the pair will need, if it is made, before it does: trees are larger than the caches.
+  void fetch(const Box_pair& pair) const
   {
-    opening.pair = pair;
-    opening.body = pair.size[0] > pair.size[1] ? 0 : 1;
-    const Bvh8& tree = *tree_[opening.body];
-    const Box box = pair.box[std::size_t(opening.body)];
-    opening.node = tree.child(box / 8, int(box % 8));
-    const auto* at = reinterpret_cast<const char*>(&tree.node(opening.node));
+    if (pair.is_of_leaves()) return;
+    const int body = pair.size[0] > pair.size[1] ? 0 : 1;
+    const Box box = pair.box[std::size_t(body)];
+    const std::int32_t child = tree_[body]->node(box / 8).child_of(int(box % 8));
+    if (child < 0) return;
+    const auto* at = reinterpret_cast<const char*>(&tree_[body]->node(Index(child)));
     for (std::size_t k = 0; k < sizeof(Bvh8_node); k += 64) __builtin_prefetch(at + k);
   }
 
-  void compare_parts(Opening& opening)
+  /// Of this number: the larger box is opened.
+  void choose(std::size_t number, const Box_pair& pair)
   {
-    const int body = opening.body, other = 1 - body;
-    const Box kept = opening.pair.box[std::size_t(other)];
-    const kernel::Obb8& boxes = tree_[body]->node(opening.node).boxes;
-    opening.nearer = kernel::nearer_lanes(boxes, *into_other_[other], tree_[other]->node(kept / 8).boxes, int(kept % 8),
-                                          {stretch_[body], limit(), opening.pair.low, size_[body]}, opening.gaps);
-    ++counts_.pairs_visited;
-    counts_.box_tests += std::uint64_t(boxes.lane_count);
+    Opening& opening = open_[number];
+    const int body = pair.size[0] > pair.size[1] ? 0 : 1, other = 1 - body;
+    const Bvh8& tree = *tree_[std::size_t(body)];
+    const Box box = pair.box[std::size_t(body)], kept = pair.box[std::size_t(other)];
+    const Index node = tree.child(box / 8, int(box % 8));
+    opening.pair = pair;
+    opening.body = body;
+    opening.node = node;
+    kernel::Gap_test& test = tests_[number];
+    test.boxes = &tree.node(node).boxes;
+    test.map = &*into_other_[std::size_t(other)];
+    test.from = &tree_[std::size_t(other)]->node(kept / 8).boxes;
+    test.lane = int(kept % 8);
+    test.question = {stretch_[std::size_t(body)], 0, pair.low, size_[std::size_t(body)]};
+  }
+
+  /// Of the first `count` openings.
+  void compare_parts(std::size_t count)
+  {
+    const float nearest = limit();
+    for (std::size_t k = 0; k < count; ++k) {
+      tests_[k].question.limit = nearest;
+      counts_.box_tests += std::uint64_t(tests_[k].boxes->lane_count);
+    }
+    counts_.pairs_visited += count;
+    kernel::find_gaps(tests_.data(), count);
   }
 
   /// Calls what(lane, pair of the part and the other box) for the parts that are near enough.
   template <class What>
-  void for_nearer_parts(const Opening& opening, const What& what) const
+  void for_nearer_parts(std::size_t number, const What& what) const
   {
-    const std::uint32_t leaves = tree_[opening.body]->node(opening.node).boxes.marked;
-    for (unsigned nearer = opening.nearer; nearer != 0; nearer &= nearer - 1) {
+    const kernel::Gap_test& test = tests_[number];
+    const std::uint32_t leaves = test.boxes->marked;
+    for (unsigned nearer = test.nearer; nearer != 0; nearer &= nearer - 1) {
       const int lane = std::countr_zero(nearer);
-      what(lane, opening.part(lane, leaves >> lane & 1));
+      what(lane, open_[number].part(test.gaps, lane, leaves >> lane & 1));
     }
   }
 
@@ -399,16 +463,13 @@ class Bvh8_distance {
     kernel::Double_vector n;
     for (std::size_t k = 0; k < 3; ++k) n[k] = best.exact->direction[k].to_double();
     return is_behind(0, best.a, best.gap.of_a, pair.a, n,
-                     [&](const kernel::Exact_vector& x) {
-                       return kernel::dot(best.exact->direction, x) <= best.exact->low;
-                     }) &&
-           is_behind(1, best.b, best.gap.of_b, pair.b, {-n[0], -n[1], -n[2]}, [&](const kernel::Exact_vector& x) {
-             return kernel::dot(best.exact->direction, x) >= best.exact->high;
-           });
+                     [&](Index v) { return kernel::dot(best.exact->direction, exact_[0](v)) <= best.exact->low; }) &&
+           is_behind(1, best.b, best.gap.of_b, pair.b, {-n[0], -n[1], -n[2]},
+                     [&](Index v) { return kernel::dot(best.exact->direction, exact_[1](v)) >= best.exact->high; });
   }
 
   /// Whether no corner of an element is beyond a feature of the nearest one along n, which is rounded; where doubles do
-  /// not tell, `is_exactly(image)` does. Corners of the feature are as far as it is.
+  /// not tell, `is_exactly(vertex)` does. Corners of the feature are as far as it is.
   template <class Is_exactly>
   bool is_behind(int body, const Leaf_element& nearest, unsigned feature, const Leaf_element& leaf,
                  const kernel::Double_vector& n, const Is_exactly& is_exactly)
@@ -416,7 +477,7 @@ class Bvh8_distance {
     const Element &with_feature = element(body, nearest), &asked = element(body, leaf);
     if (feature == 0 || asked.is_whole_face()) {
       bool is = true;
-      tree_[body]->for_vertices(asked, [&](Index v) { is = is && is_exactly(exact_[body](v)); });
+      tree_[body]->for_vertices(asked, [&](Index v) { is = is && is_exactly(v); });
       return is;
     }
     const auto is_of_feature = [&](Index v) {
@@ -428,18 +489,52 @@ class Bvh8_distance {
     return std::ranges::all_of(asked.corner, [&](Index v) {
       return is_of_feature(v) ||
              kernel::is_surely_before(image(body, v), on, n, frame_->position_error(), frame_->largest()) ||
-             is_exactly(exact_[body](v));
+             is_exactly(v);
     });
   }
 
-  /// Of the pairs that are left the nearest one, with its distance. Requires one.
-  Candidate settle(kernel::Nearest_points points)
+  /// Of the pairs that are left; of those as near, that of the fewest corners of B's feature, then A's last element, then
+  /// B's first: whatever order they were found in. Requires one.
+  void bring_nearest_first()
   {
     std::erase_if(candidates_, [this](const Candidate& c) { return c.gap.low > high_; });
     const auto first =
-        std::min_element(candidates_.begin(), candidates_.end(),
-                         [](const Candidate& x, const Candidate& y) { return x.gap.nearest < y.gap.nearest; });
+        std::min_element(candidates_.begin(), candidates_.end(), [](const Candidate& x, const Candidate& y) {
+          return std::tuple(x.gap.nearest, std::popcount(x.gap.of_b), y.a.box, y.a.k, x.b.box, x.b.k) <
+                 std::tuple(y.gap.nearest, std::popcount(y.gap.of_b), x.a.box, x.a.k, y.b.box, y.b.k);
+        });
     std::swap(*first, candidates_.front());
+  }
+
+  kernel::Ball_hull enclosed_corners(int body, const Element& element, unsigned feature) const
+  {
+    kernel::Ball_hull hull;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (feature >> k & 1) hull.add(model_[body]->vertices()[element.corner[k]], *pose_[std::size_t(body)]);
+    return hull;
+  }
+
+  /// The distance by the features of the first pair that is left, where enclosures tell that it is theirs, that no other
+  /// pair is nearer, and which double is the nearest to it.
+  std::optional<double> settle_by_enclosures()
+  {
+    const Candidate& best = candidates_.front();
+    if (best.exact) return std::nullopt;
+    const auto found = kernel::enclosed_distance(enclosed_corners(0, element(0, best.a), best.gap.of_a),
+                                                 enclosed_corners(1, element(1, best.b), best.gap.of_b));
+    if (!found) return std::nullopt;
+    const kernel::Double_vector &n = found->direction, back = {-n[0], -n[1], -n[2]};
+    const auto is_exactly = [](Index) { return false; };
+    for (const Candidate& pair : candidates_)
+      if (!is_behind(0, best.a, best.gap.of_a, pair.a, n, is_exactly) ||
+          !is_behind(1, best.b, best.gap.of_b, pair.b, back, is_exactly))
+        return std::nullopt;
+    return kernel::nearest_over_root(found->height, found->square);
+  }
+
+  /// Of the pairs that are left the nearest one, with its distance. Requires that `bring_nearest_first` was asked.
+  Candidate settle(kernel::Nearest_points points)
+  {
     Candidate* best = &candidates_.front();
     find_exactly(*best, points);
     for (Candidate& pair : candidates_) {
@@ -501,9 +596,11 @@ class Bvh8_distance {
   std::array<std::optional<kernel::Box_map>, 2> into_other_;
   std::array<float, 2> stretch_{};  // of lower bounds, from a body's local units
   std::array<float, 2> size_{};     // of sizes, about the same
+  std::vector<Box_pair> rest_;      // of a dive
   Pair_queue queue_;
-  std::array<Opening, 4> open_;
-  static constexpr std::size_t slots = 16;
+  std::array<Opening, kernel::most_gap_tests> open_;
+  std::array<kernel::Gap_test, kernel::most_gap_tests> tests_;
+  static constexpr std::size_t slots = 64;
   std::uint64_t place_ = 0;  // number of what was placed
   std::array<std::array<Placed_triangle, slots>, 2> triangles_;
   std::vector<Candidate> candidates_;

@@ -21,11 +21,11 @@ using scenes::real;
 
 namespace {
 
-using Nearer = unsigned(const Obb8&, const Box_map&, const Obb8&, int, const Gap_question&, Eight_gaps&);
+using Find = void(Gap_test*, std::size_t);
 
-std::vector<Nearer*> nearer_versions()
+std::vector<Find*> versions()
 {
-  return tetracone::verify::versions_here<Nearer>(TETRACONE_SIMD_VERSIONS(nearer_lanes_simd));
+  return tetracone::verify::versions_here<Find>(TETRACONE_SIMD_VERSIONS(find_gaps_simd));
 }
 
 Vector vector(Random& random, double size)
@@ -109,27 +109,36 @@ struct Scene {
     }
   }
   Box_map map() const { return Box_map(Pose(), Local_scale(), pose, Local_scale()); }
+  Gap_test test(const Box_map& map, const Gap_question& question) const
+  {
+    return {&boxes, &map, &from, 0, question, 0, {}};
+  }
+  Gap_test found(Find* find, const Gap_question& question) const
+  {
+    const Box_map carries = map();
+    Gap_test made = test(carries, question);
+    find(&made, 1);
+    return made;
+  }
 };
 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(no_box_is_told_farther_than_two_corners_are_and_most_nearly_as_far)
 {
-  for (Nearer* const nearer : nearer_versions()) {
+  for (Find* const find : versions()) {
     Random random(1);
     int too_far = 0, beyond_limit = 0, near = 0;
     for (int k = 0; k < 1500; ++k) {
       const double gap = k % 3 == 0 ? 1e-3 : k % 3 == 1 ? 0.1 : 1;
       const Scene scene(random, k % 2 == 0, gap);
-      Eight_gaps gaps;
-      BOOST_TEST(nearer(scene.boxes, scene.map(), scene.from, 0, {distance_shrink, infinite, 0, 1}, gaps) == 255u);
-      const Eight_gaps all = gaps;
-      const unsigned left =
-          nearer(scene.boxes, scene.map(), scene.from, 0, {distance_shrink, float(gap / 2), 0, 1}, gaps);
+      const Gap_test all = scene.found(find, {distance_shrink, infinite, 0, 1});
+      BOOST_TEST(all.nearer == 255u);
+      const unsigned left = scene.found(find, {distance_shrink, float(gap / 2), 0, 1}).nearer;
       for (std::size_t lane = 0; lane < lanes; ++lane) {
-        too_far += double(all.low[lane]) > scene.corners_apart[lane];
-        near += double(all.low[lane]) > 0.99 * gap - 1e-4;
-        beyond_limit += (left >> lane & 1) != (all.low[lane] <= float(gap / 2));
+        too_far += double(all.gaps.low[lane]) > scene.corners_apart[lane];
+        near += double(all.gaps.low[lane]) > 0.99 * gap - 1e-4;
+        beyond_limit += (left >> lane & 1) != (all.gaps.low[lane] <= float(gap / 2));
       }
     }
     BOOST_TEST(too_far == 0);
@@ -138,20 +147,41 @@ BOOST_AUTO_TEST_CASE(no_box_is_told_farther_than_two_corners_are_and_most_nearly
   }
 }
 
+BOOST_AUTO_TEST_CASE(several_tests_at_once_find_what_each_finds_alone)
+{
+  Random random(3);
+  std::vector<Scene> scenes;
+  std::vector<Box_map> maps;
+  for (std::size_t k = 0; k < most_gap_tests; ++k) scenes.emplace_back(random, k % 2 == 0, 0.1);
+  for (const Scene& scene : scenes) maps.push_back(scene.map());
+  for (Find* const find : versions()) {
+    std::vector<Gap_test> tests;
+    for (std::size_t k = 0; k < most_gap_tests; ++k)
+      tests.push_back(scenes[k].test(maps[k], {distance_shrink, 0.3f + 0.1f * float(k), 0.01f * float(k), 2}));
+    find(tests.data(), tests.size());
+    for (std::size_t k = 0; k < most_gap_tests; ++k) {
+      const Gap_test alone = scenes[k].found(find, tests[k].question);
+      BOOST_TEST(tests[k].nearer == alone.nearer);
+      BOOST_TEST((tests[k].gaps.low == alone.gaps.low));
+      BOOST_TEST((tests[k].gaps.size == alone.gaps.size));
+      BOOST_TEST((tests[k].gaps.between == alone.gaps.between));
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(what_is_infinite_or_undefined_is_no_bound)
 {
   Random random(2);
   const Scene scene(random, true, 1);
-  for (Nearer* const nearer : nearer_versions()) {
-    Eight_gaps gaps;
+  for (Find* const find : versions()) {
     // Nothing is known of lengths; nor of coordinates that overflow.
-    BOOST_TEST(nearer(scene.boxes, scene.map(), scene.from, 0, {0, 0.5f, 0.25f, 1}, gaps) == 255u);
-    for (const float low : gaps.low) BOOST_TEST(low == 0.25f);
+    const Gap_test unknown = scene.found(find, {0, 0.5f, 0.25f, 1});
+    BOOST_TEST(unknown.nearer == 255u);
+    for (const float low : unknown.gaps.low) BOOST_TEST(low == 0.25f);
     for (const float bad : {infinite, std::numeric_limits<float>::quiet_NaN(), 1e30f}) {
       Scene far = scene;
       far.from.centre[0][0] = bad;
-      nearer(far.boxes, far.map(), far.from, 0, {distance_shrink, infinite, 0.25f, 1}, gaps);
-      for (const float low : gaps.low) BOOST_TEST(low == 0.25f);
+      for (const float low : far.found(find, {distance_shrink, infinite, 0.25f, 1}).gaps.low) BOOST_TEST(low == 0.25f);
     }
   }
 }
