@@ -5,6 +5,7 @@
 #include "tetracone/kernel/number/floating_point.h"
 
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 
@@ -31,6 +32,7 @@ class Cone_probe {
   /// Requires Cone_cells::core <= octahedral_norm(p) <= 4.
   explicit Cone_probe(const Local_point& p)
   {
+    assert(octahedral_norm(p) >= Cone_cells::core && octahedral_norm(p) <= 4);
     const double x = std::abs(p[0]), y = std::abs(p[1]), z = std::abs(p[2]);
     z_ = z >= x && z >= y ? 2 : y >= x ? 1 : 0;
     x_ = z_ == 2 ? 0 : z_ + 1;
