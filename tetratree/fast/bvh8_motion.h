@@ -83,7 +83,7 @@ class Bvh8_motion {
     std::vector<Near> later{};
   };
   static constexpr unsigned most_halvings = 50;
-  static constexpr double share_of_boxes = 0.5, share_of_leaves = 0.005;  // so far they may move in a span
+  static constexpr double share_of_boxes = 0.4, share_of_leaves = 0.002;  // so far they may move in a span
 
   kernel::Motion_units units(int body) const { return {tree_[body]->scale().origin, tree_[body]->scale().unit}; }
 
