@@ -61,8 +61,9 @@ struct Frame_statistics {
 /// thread; it uses threads of its own.
 ///
 /// The answer is exactly the set of pairs that collide, whatever the history of frames, the number of threads or the
-/// memory allowed. A pair that was apart is not asked again before the motion since can have used up the gap; a model
-/// is made when a body of it is first placed, and its tree when another body first comes near.
+/// memory allowed. A pair that was apart is not asked again before the motion since can have used up the gap; bodies
+/// near one another that move by small steps are asked again only where they may have met; a model is made when a body
+/// of it is first placed, and its tree when another body first comes near.
 class Scene {
  public:
   /// Throws Error for a budget below 0.
