@@ -45,6 +45,14 @@ struct World_box {
     return true;
   }
 
+  /// The longest edge.
+  double size() const
+  {
+    double longest = 0;
+    for (int k = 0; k < 3; ++k) longest = kernel::maximum(longest, double(high[k]) - double(low[k]));
+    return longest;
+  }
+
   /// Larger by `margin` >= 0 on every side, at least.
   World_box grown(double margin) const
   {
