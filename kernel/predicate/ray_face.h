@@ -2,6 +2,7 @@
 #define TETRACONE_KERNEL_PREDICATE_RAY_FACE_H
 
 #include "tetracone/kernel/number/number.h"
+#include "tetracone/kernel/number/products.h"
 #include "tetracone/kernel/number/vertex.h"
 #include "tetracone/kernel/predicate/kernels.h"
 #include "tetracone/kernel/predicate/segment_face.h"
@@ -20,19 +21,6 @@ struct Rational_ray {
 
 namespace detail {
 
-inline Rational dot(const Rational_vector& a, const Rational_vector& b)
-{
-  return Rational(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
-}
-inline Rational_vector cross(const Rational_vector& a, const Rational_vector& b)
-{
-  return {Rational(a[1] * b[2] - a[2] * b[1]), Rational(a[2] * b[0] - a[0] * b[2]),
-          Rational(a[0] * b[1] - a[1] * b[0])};
-}
-inline Rational_vector difference(const Rational_vector& a, const Rational_vector& b)
-{
-  return {Rational(a[0] - b[0]), Rational(a[1] - b[1]), Rational(a[2] - b[2])};
-}
 inline bool is_zero(const Rational_vector& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
 inline Rational_vector coordinates(const Point<Rational_kernel>& p) { return {p.x(), p.y(), p.z()}; }
 
@@ -62,7 +50,7 @@ inline std::optional<Rational> ray_segment(const Rational_ray& ray, const Ration
 template <Covered_face<Rational_kernel> Face>
 std::optional<Rational> ray_face(const Rational_ray& ray, const Face& face)
 {
-  using detail::coordinates, detail::difference, detail::dot;
+  using detail::coordinates;
   const auto is_on_face = [&](const Rational_vector& x) {
     const Point<Rational_kernel> p(x[0], x[1], x[2]);
     return segment_face<Rational_kernel>(p, p, face) != Contact::none;
@@ -70,7 +58,7 @@ std::optional<Rational> ray_face(const Rational_ray& ray, const Face& face)
   if (!face.is_degenerate()) {
     const Rational_vector a = coordinates(face.plane_basis(0));
     const Rational_vector normal =
-        detail::cross(difference(coordinates(face.plane_basis(1)), a), difference(coordinates(face.plane_basis(2)), a));
+        cross(difference(coordinates(face.plane_basis(1)), a), difference(coordinates(face.plane_basis(2)), a));
     const Rational ascent = dot(normal, ray.direction), height = dot(normal, difference(a, ray.origin));
     if (ascent != 0) {
       const Rational t = height / ascent;
