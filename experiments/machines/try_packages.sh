@@ -1,5 +1,5 @@
 #!/bin/bash
-# try_packages.sh [BUILD]: makes the Debian packages of a build folder (default: build, built whole), installs them by apt in a bare Debian 12 of
+# try_packages.sh [BUILD]: builds what is missing of a build folder (default: build), makes its Debian packages, installs them by apt in a bare Debian 12 of
 # their own, and runs there what README.md shows: the program, the Python example, and the C++ examples against the installed library.
 # As root, with mmdebstrap (Debian: mmdebstrap) and apt's own mirrors; a few minutes, most of them apt's. Leaves nothing.
 
@@ -16,6 +16,7 @@ chmod 755 "$work"
 shopt -s nullglob
 sources=(/etc/apt/sources.list /etc/apt/sources.list.d/debian.sources)
 echo "packing, and making a bare Debian 12"
+cmake --build "$build" --target all python > "$work/log" 2>&1 || { tail -n 20 "$work/log" >&2; exit 1; }
 cpack --config "$build/CPackConfig.cmake" -B "$work/packed" > "$work/log" 2>&1 || { cat "$work/log" >&2; exit 1; }
 mmdebstrap --quiet --variant=minbase bookworm "$work/debian" $(for file in "${sources[@]}"; do [[ ! -s $file ]] || echo "$file"; done)
 mkdir -p "$work/debian/tetracone/"{verify/test,tetratree/door}
