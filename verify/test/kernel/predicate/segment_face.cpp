@@ -643,7 +643,9 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(ends_loops_their_start_turn_and_origin_are_free, K
   Random random(9);
   Judge judge;
   for (int n = 0; n < 800; ++n) {
-    auto [p, q, loops] = samples();
+    Face_sample sample = samples();
+    auto &p = sample.p, &q = sample.q;
+    auto& loops = sample.loops;
     const Contact truth = told(by_pieces(p, q, loops));
     const auto ask = [&](std::size_t origin) {
       judge(segment_face<K>(on_grid<K>(p), on_grid<K>(q), Face<K>(loops, origin)), truth, p, q, loops);
