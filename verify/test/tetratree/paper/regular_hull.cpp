@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(the_hull_of_every_level_in_use_is_convex)
     std::vector<Side> sides;
     int inside_out = 0;
     for (const Tetra_cone& cone : cones) {
-      const auto& [a, b, c] = cone.ray;
+      const Direction &a = cone.ray[0], &b = cone.ray[1], &c = cone.ray[2];
       const auto minor = [&](int i, int j) { return std::int64_t(b[i]) * c[j] - std::int64_t(b[j]) * c[i]; };
       inside_out += a[0] * minor(1, 2) + a[1] * minor(2, 0) + a[2] * minor(0, 1) <= 0;
       for (int i = 0; i < 3; ++i) {
