@@ -76,6 +76,13 @@ class Bvh8 {
     return made;
   }
 
+  /// Asks the memory for a node before it is needed: trees are larger than the caches.
+  void prefetch(Index n) const
+  {
+    const char* const bytes = reinterpret_cast<const char*>(&node(n));
+    for (std::size_t k = 0; k < sizeof(Bvh8_node); k += 64) __builtin_prefetch(bytes + k);
+  }
+
   bool is_leaf(Index n, int lane) const { return node(n).is_leaf(lane); }
   /// Element k of a leaf, and how many it holds: one, where the options don't say more.
   const Element& element(Index n, int lane, Index k = 0) const { return elements_[node(n).first[lane] + k]; }

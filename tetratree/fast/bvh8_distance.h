@@ -353,16 +353,14 @@ class Bvh8_distance {
     return high_ < 0x1p100 ? float(high_) * kernel::rounded_up + 0x1p-100f : std::numeric_limits<float>::infinity();
   }
 
-  /// Asks for the node that the pair will need, if it is made, before it does: trees are larger than the caches.
+  /// Asks for the node that the pair will need, if it is made.
   void fetch(const Box_pair& pair) const
   {
     if (pair.is_of_leaves()) return;
     const int body = pair.size[0] > pair.size[1] ? 0 : 1;
     const Box box = pair.box[std::size_t(body)];
     const std::int32_t child = tree_[body]->node(box / 8).child_of(int(box % 8));
-    if (child < 0) return;
-    const auto* at = reinterpret_cast<const char*>(&tree_[body]->node(Index(child)));
-    for (std::size_t k = 0; k < sizeof(Bvh8_node); k += 64) __builtin_prefetch(at + k);
+    if (child >= 0) tree_[body]->prefetch(Index(child));
   }
 
   /// Of this number: the larger box is opened.

@@ -143,9 +143,8 @@ class Bvh8_motion {
     for (const unsigned lanes : {leaves, near.lanes & ~leaves}) {
       Near some = near;
       some.lanes = std::uint8_t(lanes);
-      if (lanes == 0)
-        continue;
-      else if (is_long(span.maps, some, way, lanes == leaves))
+      if (lanes == 0) continue;
+      if (is_long(span.maps, some, way, lanes == leaves))
         span.later.push_back(some);
       else if (lanes == leaves)
         meet_leaves(span.maps, some);

@@ -155,7 +155,7 @@ class Bvh8_rays {
       // The nearest last, to be opened first.
       for (std::size_t k = open_.size() - 1; k > before && open_[k - 1].nearest < open_[k].nearest; --k)
         std::swap(open_[k - 1], open_[k]);
-      prefetch(child);
+      tree_->prefetch(child);
     });
     for_lanes(leaves, [&](int lane) {
       const Element& element = tree_->element(n, lane);
@@ -166,13 +166,6 @@ class Bvh8_rays {
       if (local && is_beyond(nearest_[std::size_t(lane)])) return;
       for (Index k = 0; k < tree_->leaf_count(n, lane); ++k) decide(tree_->element(n, lane, k));
     });
-  }
-
-  /// A node, while others are opened.
-  void prefetch(Index n) const
-  {
-    const char* const bytes = reinterpret_cast<const char*>(&tree_->node(n));
-    for (std::size_t k = 0; k < sizeof(Bvh8_node); k += 64) __builtin_prefetch(bytes + k);
   }
 
   template <class What>

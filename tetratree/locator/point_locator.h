@@ -211,7 +211,7 @@ class Point_locator {
     const Group& of = groups_[g];
     // Most are decided here, by no branch that would be a guess.
     const bool is_beyond = (first == end) | (asked.norm > of.high), is_before = asked.norm < of.low;
-    at = Location(2 * int(!is_beyond & (of.within() != 0)) - 1);
+    at = location(is_beyond ? 0 : of.within());
     if (is_beyond | is_before) return true;
     const int side = of.slab.side(asked.at);
     if (side < 0) return true;

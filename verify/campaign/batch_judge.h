@@ -29,7 +29,7 @@ class Batch_judge {
       // contacts and distances
   tbb::enumerable_thread_specific<Running_probes> placing_, casting_;  // of points and rays
   tbb::enumerable_thread_specific<Running_scenes> playing_;
-  tbb::enumerable_thread_specific<Running_motions> following_;  // of motions
+  tbb::enumerable_thread_specific<Running_motions> following_;
 };
 
 }  // namespace tetracone::verify

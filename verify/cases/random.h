@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <string_view>
 
 namespace tetracone::verify {
 
@@ -112,6 +113,19 @@ inline std::array<double, 2> turn(double turns)
       {{1, 0}, {half, half}, {0, 1}, {-half, half}, {-1, 0}, {-half, -half}, {0, -1}, {half, -half}}};
   const auto [c, s] = compass[static_cast<std::int64_t>(eighths) & 7];
   return {c * cosine - s * sine, c * sine + s * cosine};
+}
+
+/// Of the case `index` of a family, by its number or name: rounds of the generator's own seeding keep cases of other
+/// seeds, families and indices apart.
+inline Random random_of_case(std::uint64_t seed, std::uint64_t family, std::uint64_t index)
+{
+  return Random(Random(Random(seed).bits() ^ family).bits() ^ index);
+}
+inline Random random_of_case(std::uint64_t seed, std::string_view family, std::uint64_t index)
+{
+  std::uint64_t state = Random(seed).bits();
+  for (const char c : family) state = Random(state ^ static_cast<unsigned char>(c)).bits();
+  return Random(state ^ index);
 }
 
 }  // namespace tetracone::verify

@@ -323,10 +323,7 @@ std::vector<Entry> entries()
 template <class Case>
 Case made(const Family& family, Level level, Case (*make)(Random&, double), std::uint64_t seed, std::uint64_t index)
 {
-  // Three rounds of the generator's own seeding keep (seed, family, level, index) apart.
-  const std::uint64_t of_seed = Random(seed).bits();
-  const std::uint64_t of_family = Random(of_seed ^ std::uint64_t(2 * family.number + (level == Level::object))).bits();
-  Random random(of_family ^ index);
+  Random random = random_of_case(seed, std::uint64_t(2 * family.number + (level == Level::object)), index);
   const double parameter = family.sweep[index % family.sweep.size()];
   Case c = make(random, parameter);
   c.origin = {std::string(family.name), seed, index, parameter};

@@ -260,10 +260,7 @@ std::span<const Motion_family> motion_families() { return of_motion; }
 
 kernel::Moving_pair motion_case(const Motion_family& family, std::uint64_t seed, std::uint64_t index)
 {
-  // Rounds of the generator's own seeding keep (seed, family, index) apart.
-  std::uint64_t state = Random(seed).bits();
-  for (const char c : family.name) state = Random(state ^ static_cast<unsigned char>(c)).bits();
-  Random random(state ^ index);
+  Random random = random_of_case(seed, family.name, index);
   return family.make(random, index % 2 == 0 ? Moving_kind::vertex_face : Moving_kind::edge_edge);
 }
 

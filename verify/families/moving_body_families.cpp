@@ -269,10 +269,7 @@ const Moving_body_family* find_moving_body_family(std::string_view name)
 
 Moving_bodies moving_bodies_case(const Moving_body_family& family, std::uint64_t seed, std::uint64_t index)
 {
-  // Rounds of the generator's own seeding keep (seed, family, index) apart.
-  std::uint64_t state = Random(seed).bits();
-  for (const char c : family.name) state = Random(state ^ static_cast<unsigned char>(c)).bits();
-  Random random(state ^ index);
+  Random random = random_of_case(seed, family.name, index);
   return family.make(random);
 }
 

@@ -371,10 +371,7 @@ Probed_body probed(std::shared_ptr<const covering::Polyhedron> body)
 
 Random random_of(std::uint64_t seed, const Probe_family& family, std::uint64_t part, std::uint64_t index)
 {
-  const std::uint64_t of_seed = Random(seed).bits();
-  const std::uint64_t of_family =
-      Random(of_seed ^ (std::uint64_t(1) << 40) ^ std::uint64_t(2 * family.number) ^ part).bits();
-  return Random(of_family ^ index);
+  return random_of_case(seed, (std::uint64_t(1) << 40) ^ std::uint64_t(2 * family.number) ^ part, index);
 }
 
 std::vector<Probe_family> numbered(std::vector<Probe_family> families, int from)

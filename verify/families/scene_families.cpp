@@ -407,9 +407,7 @@ std::vector<Scene_family> entries()
 
 Scene_case Scene_family::scene_case(std::uint64_t seed, std::uint64_t index) const
 {
-  const std::uint64_t of_seed = Random(seed).bits(),
-                      of_family = Random(of_seed ^ (std::uint64_t(1) << 41) ^ std::uint64_t(number)).bits();
-  Random random(of_family ^ index);
+  Random random = random_of_case(seed, (std::uint64_t(1) << 41) ^ std::uint64_t(number), index);
   const double parameter = sweep[index % sweep.size()];
   Scene_case made = make(random, parameter);
   made.question = random.bits() % 2 == 0 ? kernel::Question::surface : kernel::Question::solid;

@@ -1,9 +1,7 @@
 #include "verify/relations/moving_body_relations.h"
 
-#include "tetracone/kernel/number/pose.h"
 #include "tetracone/tetratree/door/tetracone.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -60,13 +58,7 @@ Numbers between(const Motion_ends& ends, const Rational& time)
   return numbers;
 }
 
-bool is_flat(const Numbers& pose)
-{
-  std::array<Rational, 12> entries;
-  if (pose.size() != entries.size()) return false;
-  std::ranges::copy(pose, entries.begin());
-  return kernel::Pose(entries).determinant_sign() == CGAL::ZERO;
-}
+bool is_flat(const Numbers& pose) { return pose.size() == 12 && pose_of(pose).determinant_sign() == CGAL::ZERO; }
 
 /// The first contact of a motion is that of its part before a time, else that of the part after it. Not where a body is
 /// flat then, since no motion starts so.

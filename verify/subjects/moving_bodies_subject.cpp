@@ -71,18 +71,20 @@ class By_frames : public Running_motion {
 
 }  // namespace
 
+kernel::Pose pose_of(const std::vector<kernel::Rational>& numbers)
+{
+  std::array<kernel::Rational, 12> entries;
+  std::ranges::copy(numbers, entries.begin());
+  return kernel::Pose(entries);
+}
+
 kernel::Body_motion motion_of(const Motion_ends& ends)
 {
   const auto& [from, to] = ends;
-  const auto pose = [](const std::vector<kernel::Rational>& numbers) {
-    std::array<kernel::Rational, 12> entries;
-    std::ranges::copy(numbers, entries.begin());
-    return kernel::Pose(entries);
-  };
   const auto rigid = [](const std::vector<kernel::Rational>& n) {
     return kernel::Rigid_pose{{n[0], n[1], n[2], n[3]}, {n[4], n[5], n[6]}};
   };
-  return from.size() == 12 ? kernel::Body_motion::linear(pose(from), pose(to))
+  return from.size() == 12 ? kernel::Body_motion::linear(pose_of(from), pose_of(to))
                            : kernel::Body_motion::rigid(rigid(from), rigid(to)).value();
 }
 

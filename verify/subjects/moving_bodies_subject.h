@@ -3,6 +3,8 @@
 
 #include "tetracone/kernel/motion/body_motion.h"
 #include "tetracone/kernel/motion/time_bounds.h"
+#include "tetracone/kernel/number/number.h"
+#include "tetracone/kernel/number/pose.h"
 #include "tetracone/kernel/predicate/question.h"
 #include "verify/cases/moving_bodies.h"
 #include "verify/subjects/object_subject.h"
@@ -14,6 +16,9 @@
 #include <vector>
 
 namespace tetracone::verify {
+
+/// The pose of twelve numbers.
+kernel::Pose pose_of(const std::vector<kernel::Rational>& numbers);
 
 /// The package's motion between these poses. Requires quaternions between which none is 0.
 kernel::Body_motion motion_of(const Motion_ends& ends);

@@ -24,7 +24,7 @@ using Integer = long long;
 
 Integer determinant(const Tetra_cone& cone)
 {
-  const auto& [a, b, c] = cone.ray;
+  const auto &a = cone.ray[0], &b = cone.ray[1], &c = cone.ray[2];
   const auto minor = [&](int i, int j) { return Integer(b[i]) * c[j] - Integer(b[j]) * c[i]; };
   return a[0] * minor(1, 2) + a[1] * minor(2, 0) + a[2] * minor(0, 1);
 }

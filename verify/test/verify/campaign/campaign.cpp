@@ -3,6 +3,7 @@
 #include "tetracone/covering/io/input_error.h"
 #include "verify/campaign/campaign_words.h"
 #include "verify/campaign/tables.h"
+#include "verify/test/support/database_number.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/temporary_file.h"
 #include "verify/truth/cgal_truth.h"
@@ -10,6 +11,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <cstdint>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -137,9 +139,7 @@ struct Results {
 
   std::int64_t sum(const std::string& what, const std::string& where)
   {
-    Database::Statement row(database, "SELECT sum(" + what + ") FROM tally WHERE axis = 'rho' AND " + where);
-    row.with().next();
-    return row.integer(0);
+    return number(database, "SELECT sum(" + what + ") FROM tally WHERE axis = 'rho' AND " + where);
   }
 
   Temporary_file file;

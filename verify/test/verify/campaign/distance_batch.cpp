@@ -2,6 +2,7 @@
 
 #include "verify/campaign/campaign.h"
 #include "verify/families/distance_families.h"
+#include "verify/test/support/database_number.h"
 #include "verify/test/support/temporary_file.h"
 
 #include <boost/test/unit_test.hpp>
@@ -79,15 +80,11 @@ BOOST_AUTO_TEST_CASE(every_distance_of_every_family_is_exact_and_each_wrong_stat
   const Temporary_file file("distance_campaign.db", "");
   Database database(file.path(), Database::Mode::write);
   run_campaign(database, campaign, [](std::uint64_t) {});
-  const auto number = [&](const std::string& query) {
-    Database::Statement row(database, query);
-    row.with().next();
-    return row.integer(0);
-  };
   const auto sum = [&](const std::string& what, const std::string& subject) {
-    return number("SELECT sum(" + what + ") FROM tally WHERE axis = 'rho' AND subject = '" + subject + "'");
+    return number(database, "SELECT sum(" + what + ") FROM tally WHERE axis = 'rho' AND subject = '" + subject + "'");
   };
-  const std::int64_t asked = number("SELECT sum(n) FROM truth"), zero = number("SELECT sum(positives) FROM truth");
+  const std::int64_t asked = number(database, "SELECT sum(n) FROM truth"),
+                     zero = number(database, "SELECT sum(positives) FROM truth");
   BOOST_TEST(asked > 20);
   BOOST_TEST(zero > 0);
   BOOST_TEST(asked - zero > 12);
@@ -102,8 +99,8 @@ BOOST_AUTO_TEST_CASE(every_distance_of_every_family_is_exact_and_each_wrong_stat
     BOOST_TEST(sum("false_negatives", subject) >= asked - zero - 2, subject);
   }
   BOOST_TEST(sum("not_asked", "nothing") == asked);
-  BOOST_TEST(number("SELECT sum(violated) FROM relation WHERE subject LIKE 'adaptive%'") == 0);
-  BOOST_TEST(number("SELECT sum(tried) FROM relation WHERE subject LIKE 'adaptive%'") > asked / 4);
+  BOOST_TEST(number(database, "SELECT sum(violated) FROM relation WHERE subject LIKE 'adaptive%'") == 0);
+  BOOST_TEST(number(database, "SELECT sum(tried) FROM relation WHERE subject LIKE 'adaptive%'") > asked / 4);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

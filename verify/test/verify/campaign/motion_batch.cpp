@@ -1,6 +1,7 @@
 #include "verify/campaign/motion_batch.h"
 
 #include "verify/campaign/campaign.h"
+#include "verify/test/support/database_number.h"
 #include "verify/test/support/temporary_file.h"
 
 #include <boost/test/unit_test.hpp>
@@ -78,20 +79,15 @@ BOOST_AUTO_TEST_CASE(first_contacts_of_every_family_are_judged_in_a_campaign)
   run_campaign(database, of_motions(), [&](std::uint64_t cases) { done += cases; });
   BOOST_TEST(done == case_count(of_motions()));
   BOOST_TEST(done == moving_body_families().size());
-  const auto number = [&](const std::string& query) {
-    Database::Statement row(database, query);
-    row.with().next();
-    return row.integer(0);
-  };
   const auto sum = [&](const std::string& what, const std::string& subject, bool of_times) {
-    return number("SELECT sum(" + what + ") FROM tally WHERE axis = 'rho' AND subject = '" + subject +
-                  "' AND question " + (of_times ? "" : "NOT ") + "LIKE '% time'");
+    return number(database, "SELECT sum(" + what + ") FROM tally WHERE axis = 'rho' AND subject = '" + subject +
+                                "' AND question " + (of_times ? "" : "NOT ") + "LIKE '% time'");
   };
   const std::string wrong = "false_positives + false_negatives + failures";
   const auto asked = std::int64_t(2 * done);
-  const std::int64_t meet = number("SELECT sum(positives) FROM truth WHERE level = 'motions'");
-  BOOST_TEST(number("SELECT sum(n) FROM truth") == asked);
-  BOOST_TEST(number("SELECT sum(by_construction) FROM truth") > asked / 4);
+  const std::int64_t meet = number(database, "SELECT sum(positives) FROM truth WHERE level = 'motions'");
+  BOOST_TEST(number(database, "SELECT sum(n) FROM truth") == asked);
+  BOOST_TEST(number(database, "SELECT sum(by_construction) FROM truth") > asked / 4);
   BOOST_TEST(meet > asked / 4);
   BOOST_TEST(meet < asked);
   BOOST_TEST(sum("n", "adaptive tree", false) == asked);
@@ -110,10 +106,11 @@ BOOST_AUTO_TEST_CASE(first_contacts_of_every_family_are_judged_in_a_campaign)
   BOOST_TEST(sum("false_negatives", "invents", true) > 0);
   BOOST_TEST(sum("not_asked", "declines", false) == asked);
   BOOST_TEST(sum("failures", "fails", false) == asked);
-  BOOST_TEST(number("SELECT count(*) FROM wrong WHERE subject = 'fails' AND answer IS NULL") == asked);
-  BOOST_TEST(number("SELECT sum(violated) FROM relation WHERE subject = 'adaptive tree'") == 0);
-  BOOST_TEST(number("SELECT sum(tried) FROM relation WHERE subject = 'adaptive tree'") > std::int64_t(done / 2));
-  BOOST_TEST(number("SELECT sum(tried) FROM relation WHERE subject = 'declines'") == 0);
+  BOOST_TEST(number(database, "SELECT count(*) FROM wrong WHERE subject = 'fails' AND answer IS NULL") == asked);
+  BOOST_TEST(number(database, "SELECT sum(violated) FROM relation WHERE subject = 'adaptive tree'") == 0);
+  BOOST_TEST(number(database, "SELECT sum(tried) FROM relation WHERE subject = 'adaptive tree'") >
+             std::int64_t(done / 2));
+  BOOST_TEST(number(database, "SELECT sum(tried) FROM relation WHERE subject = 'declines'") == 0);
 
   // Again with the same words: nothing is asked twice.
   run_campaign(database, of_motions(), [](std::uint64_t) {});

@@ -1,6 +1,7 @@
 #include "verify/campaign/probe_batch.h"
 
 #include "verify/campaign/campaign.h"
+#include "verify/test/support/database_number.h"
 #include "verify/test/support/temporary_file.h"
 
 #include <boost/test/unit_test.hpp>
@@ -39,13 +40,6 @@ Campaign of_probes()
   campaign.ray_subjects = {ray_subjects()[0], misses, fails_at_all};
   campaign.made_by = {"0", "compiler", "flags", "processor"};
   return campaign;
-}
-
-std::int64_t number(Database& database, const std::string& query)
-{
-  Database::Statement row(database, query);
-  row.with().next();
-  return row.integer(0);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "verify/campaign/campaign.h"
 #include "verify/families/scene_families.h"
+#include "verify/test/support/database_number.h"
 #include "verify/test/support/temporary_file.h"
 
 #include <boost/test/unit_test.hpp>
@@ -74,15 +75,11 @@ BOOST_AUTO_TEST_CASE(every_frame_of_every_family_is_exact_and_each_wrong_list_is
   const Temporary_file file("scene_campaign.db", "");
   Database database(file.path(), Database::Mode::write);
   run_campaign(database, campaign, [](std::uint64_t) {});
-  const auto number = [&](const std::string& query) {
-    Database::Statement row(database, query);
-    row.with().next();
-    return row.integer(0);
-  };
   const auto sum = [&](const std::string& what, const std::string& subject) {
-    return number("SELECT sum(" + what + ") FROM tally WHERE axis = 'rho' AND subject = '" + subject + "'");
+    return number(database, "SELECT sum(" + what + ") FROM tally WHERE axis = 'rho' AND subject = '" + subject + "'");
   };
-  const std::int64_t frames = number("SELECT sum(n) FROM truth"), meet = number("SELECT sum(positives) FROM truth");
+  const std::int64_t frames = number(database, "SELECT sum(n) FROM truth"),
+                     meet = number(database, "SELECT sum(positives) FROM truth");
   BOOST_TEST(frames == std::int64_t(8 * scene_families().size()));
   BOOST_TEST(meet > frames / 2);
   for (const Scene_subject& subject : scene_subjects()) {
@@ -94,11 +91,11 @@ BOOST_AUTO_TEST_CASE(every_frame_of_every_family_is_exact_and_each_wrong_list_is
   BOOST_TEST(sum("false_positives", "one too many") == frames);
   BOOST_TEST(sum("false_negatives", "one too few") == meet);
   BOOST_TEST(sum("failures", "nothing") == frames);
-  BOOST_TEST(number("SELECT count(*) FROM wrong WHERE subject = 'one too many'") ==
+  BOOST_TEST(number(database, "SELECT count(*) FROM wrong WHERE subject = 'one too many'") ==
              std::int64_t(scene_families().size()));
-  BOOST_TEST(number("SELECT sum(violated) FROM relation WHERE subject LIKE 'adaptive%'") == 0);
-  BOOST_TEST(number("SELECT sum(tried) FROM relation WHERE subject LIKE 'adaptive%'") > frames);
-  BOOST_TEST(number("SELECT sum(violated) FROM relation WHERE subject = 'as the frame before'") > 0);
+  BOOST_TEST(number(database, "SELECT sum(violated) FROM relation WHERE subject LIKE 'adaptive%'") == 0);
+  BOOST_TEST(number(database, "SELECT sum(tried) FROM relation WHERE subject LIKE 'adaptive%'") > frames);
+  BOOST_TEST(number(database, "SELECT sum(violated) FROM relation WHERE subject = 'as the frame before'") > 0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
