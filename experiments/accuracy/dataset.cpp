@@ -10,9 +10,9 @@
 #include "tetracone/covering/repair/repair.h"
 #include "tetracone/kernel/number/number.h"
 #include "verify/families/families.h"
+#include "verify/integer_truth/distance_to_degeneracy.h"
+#include "verify/integer_truth/integer_truth.h"
 #include "verify/truth/cgal_truth.h"
-#include "verify/truth/distance_to_degeneracy.h"
-#include "verify/truth/integer_truth.h"
 #include "verify/truth/predicate_truth.h"
 
 #include <nlohmann/json.hpp>

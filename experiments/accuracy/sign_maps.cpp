@@ -8,11 +8,11 @@
 #include "tetracone/kernel/predicate/segment_face.h"
 #include "tetracone/tetratree/paper/classification.h"
 #include "tetracone/tetratree/paper/collision.h"
+#include "verify/cases/object_placing.h"
 #include "verify/cases/shape_generators.h"
-#include "verify/families/object_placing.h"
+#include "verify/integer_truth/integer_truth.h"
 #include "verify/subjects/predicate_subject.h"
 #include "verify/subjects/subject.h"
-#include "verify/truth/integer_truth.h"
 
 #include <tbb/parallel_for.h>
 

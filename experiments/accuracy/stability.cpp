@@ -4,9 +4,9 @@
 #include "experiments/support/output_file.h"
 #include "experiments/support/progress.h"
 #include "verify/cases/exact_motion.h"
+#include "verify/cases/object_placing.h"
 #include "verify/cases/random.h"
 #include "verify/cases/shape_generators.h"
-#include "verify/families/object_placing.h"
 #include "verify/subjects/subject.h"
 
 #include <array>

@@ -1,4 +1,4 @@
-#include "experiments/cli/ccd_command.h"
+#include "experiments/cli/commands.h"
 
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/io/read_moving_pairs.h"

@@ -1,4 +1,4 @@
-#include "experiments/cli/check_command.h"
+#include "experiments/cli/commands.h"
 
 #include "tetracone/covering/check.h"
 #include "tetracone/covering/io/read.h"

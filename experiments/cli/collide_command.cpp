@@ -1,4 +1,4 @@
-#include "experiments/cli/collide_command.h"
+#include "experiments/cli/commands.h"
 
 #include "experiments/cli/answer_rows.h"
 #include "experiments/cli/contact_rows.h"

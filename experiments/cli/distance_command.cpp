@@ -1,4 +1,4 @@
-#include "experiments/cli/distance_command.h"
+#include "experiments/cli/commands.h"
 
 #include "experiments/cli/distance_certificate.h"
 #include "experiments/support/output_file.h"

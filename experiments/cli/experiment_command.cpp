@@ -1,4 +1,4 @@
-#include "experiments/cli/experiment_command.h"
+#include "experiments/cli/commands.h"
 
 #include "experiments/accuracy/compilers.h"
 #include "experiments/accuracy/dataset.h"

@@ -1,4 +1,4 @@
-#include "experiments/cli/fuzz_command.h"
+#include "experiments/cli/commands.h"
 
 #include "experiments/cli/subject_options.h"
 #include "experiments/support/output_file.h"
@@ -7,12 +7,12 @@
 #include "verify/cases/case_file.h"
 #include "verify/cases/random.h"
 #include "verify/families/families.h"
+#include "verify/integer_truth/integer_features.h"
 #include "verify/shrink/mutate.h"
 #include "verify/shrink/shrink.h"
 #include "verify/shrink/wrong_answers.h"
 #include "verify/subjects/object_subject.h"
 #include "verify/subjects/predicate_subject.h"
-#include "verify/truth/integer_features.h"
 #include "verify/truth/predicate_truth.h"
 
 #include <algorithm>

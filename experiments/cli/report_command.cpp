@@ -1,4 +1,4 @@
-#include "experiments/cli/report_command.h"
+#include "experiments/cli/commands.h"
 
 #include "experiments/peers/fcl_motion.h"
 #include "experiments/peers/peer.h"

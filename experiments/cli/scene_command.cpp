@@ -1,4 +1,4 @@
-#include "experiments/cli/scene_command.h"
+#include "experiments/cli/commands.h"
 
 #include "experiments/support/model_file.h"
 #include "experiments/support/output_file.h"

@@ -1,22 +1,9 @@
-// The program `tetracone`: one subcommand per job, each in a file of its own (NAME_command.h with add_NAME_command).
+// The program `tetracone`: one subcommand per job, each in a file of its own, NAME_command.cpp.
 //
 // Exit status: 0 done, 1 a check found something (the command throws CLI::RuntimeError(1)), 2 bad use or bad input,
 // with one line on stderr.
 
-#include "experiments/cli/ccd_command.h"
-#include "experiments/cli/check_command.h"
-#include "experiments/cli/collide_command.h"
-#include "experiments/cli/distance_command.h"
-#include "experiments/cli/experiment_command.h"
-#include "experiments/cli/fuzz_command.h"
-#include "experiments/cli/inside_command.h"
-#include "experiments/cli/motion_command.h"
-#include "experiments/cli/ray_command.h"
-#include "experiments/cli/report_command.h"
-#include "experiments/cli/save_command.h"
-#include "experiments/cli/scene_command.h"
-#include "experiments/cli/verify_command.h"
-#include "experiments/cli/view_command.h"
+#include "experiments/cli/commands.h"
 #include "experiments/peers/peer_worker.h"
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/kernel/number/floating_point.h"

@@ -1,4 +1,4 @@
-#include "experiments/cli/verify_command.h"
+#include "experiments/cli/commands.h"
 
 #include "experiments/cli/subject_options.h"
 #include "experiments/peers/check_subject.h"

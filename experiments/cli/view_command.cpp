@@ -1,4 +1,4 @@
-#include "experiments/cli/view_command.h"
+#include "experiments/cli/commands.h"
 
 #include "experiments/support/motion_options.h"
 #include "experiments/support/output_file.h"

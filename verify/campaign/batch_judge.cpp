@@ -2,14 +2,14 @@
 
 #include "verify/campaign/batch_parts.h"
 #include "verify/campaign/campaign_schema.h"
+#include "verify/integer_truth/distance_to_degeneracy.h"
+#include "verify/integer_truth/integer_contacts.h"
+#include "verify/integer_truth/integer_features.h"
+#include "verify/integer_truth/integer_truth.h"
 #include "verify/relations/contact_relations.h"
 #include "verify/relations/metamorphic_relations.h"
 #include "verify/truth/cgal_contacts.h"
 #include "verify/truth/cgal_truth.h"
-#include "verify/truth/distance_to_degeneracy.h"
-#include "verify/truth/integer_contacts.h"
-#include "verify/truth/integer_features.h"
-#include "verify/truth/integer_truth.h"
 #include "verify/truth/predicate_truth.h"
 
 #include <algorithm>

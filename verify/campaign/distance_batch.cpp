@@ -3,8 +3,8 @@
 #include "tetracone/kernel/number/number.h"
 #include "verify/campaign/batch_parts.h"
 #include "verify/campaign/campaign_schema.h"
+#include "verify/integer_truth/distance_to_degeneracy.h"
 #include "verify/relations/distance_relations.h"
-#include "verify/truth/distance_to_degeneracy.h"
 #include "verify/truth/distance_truth.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 
 #include "verify/campaign/database.h"
 #include "verify/cases/case.h"
+#include "verify/integer_truth/distance_to_degeneracy.h"
 #include "verify/subjects/blame.h"
-#include "verify/truth/distance_to_degeneracy.h"
 
 #include <compare>
 #include <cstdint>

@@ -2,9 +2,9 @@
 
 #include "verify/campaign/batch_parts.h"
 #include "verify/campaign/campaign_schema.h"
+#include "verify/integer_truth/integer_truth.h"
 #include "verify/relations/moving_body_relations.h"
 #include "verify/truth/cgal_truth.h"
-#include "verify/truth/integer_truth.h"
 #include "verify/truth/moving_bodies_truth.h"
 
 #include <array>

@@ -3,8 +3,8 @@
 #include "tetracone/kernel/number/number.h"
 #include "verify/campaign/batch_parts.h"
 #include "verify/campaign/campaign_schema.h"
+#include "verify/integer_truth/integer_probes.h"
 #include "verify/relations/probe_relations.h"
-#include "verify/truth/integer_probes.h"
 #include "verify/truth/point_truth.h"
 #include "verify/truth/ray_truth.h"
 

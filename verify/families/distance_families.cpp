@@ -1,6 +1,6 @@
 #include "verify/families/distance_families.h"
 
-#include "verify/families/object_placing.h"
+#include "verify/cases/object_placing.h"
 
 #include <algorithm>
 #include <array>

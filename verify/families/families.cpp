@@ -1,7 +1,7 @@
 #include "verify/families/families.h"
 
 #include "verify/families/object_families.h"
-#include "verify/families/predicate_families.h"
+#include "verify/predicate_families/predicate_families.h"
 
 #include <limits>
 #include <utility>

@@ -1,6 +1,6 @@
+#include "verify/cases/object_placing.h"
 #include "verify/cases/shape_generators.h"
 #include "verify/families/object_families.h"
-#include "verify/families/object_placing.h"
 
 #include "tetracone/kernel/bound/cone_lattice.h"
 

@@ -1,5 +1,5 @@
+#include "verify/cases/object_placing.h"
 #include "verify/families/object_families.h"
-#include "verify/families/object_placing.h"
 
 #include <algorithm>
 #include <cassert>

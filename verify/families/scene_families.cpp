@@ -1,8 +1,8 @@
 #include "verify/families/scene_families.h"
 
 #include "verify/cases/exact_map.h"
+#include "verify/cases/object_placing.h"
 #include "verify/cases/shape_generators.h"
-#include "verify/families/object_placing.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "verify/families/sequences.h"
 
+#include "verify/cases/object_placing.h"
 #include "verify/cases/shape_generators.h"
-#include "verify/families/object_placing.h"
 
 #include <cassert>
 #include <cmath>

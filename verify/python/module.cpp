@@ -5,8 +5,8 @@
 #include "tetracone/tetratree/python/texts.h"
 #include "verify/cases/case_file.h"
 #include "verify/families/families.h"
+#include "verify/integer_truth/integer_truth.h"
 #include "verify/shrink/shrink.h"
-#include "verify/truth/integer_truth.h"
 
 #include <pybind11/functional.h>
 #include <pybind11/stl.h>

@@ -2,10 +2,10 @@
 
 #include "tetracone/covering/edge_uses.h"
 #include "tetracone/kernel/predicate/contact.h"
+#include "verify/integer_truth/integer_features.h"
 #include "verify/shrink/shrink.h"
 #include "verify/subjects/blame.h"
 #include "verify/truth/cgal_truth.h"
-#include "verify/truth/integer_features.h"
 #include "verify/truth/predicate_truth.h"
 
 #include <algorithm>

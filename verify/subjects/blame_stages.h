@@ -5,8 +5,8 @@
 #include "tetracone/tetratree/fast/bvh8_collision.h"
 #include "tetracone/tetratree/paper/collision.h"
 #include "tetracone/tetratree/solver/method_config.h"
+#include "verify/integer_truth/rounded_pair.h"
 #include "verify/subjects/blame.h"
-#include "verify/truth/rounded_pair.h"
 
 #include <algorithm>
 #include <array>

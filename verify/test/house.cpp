@@ -55,23 +55,31 @@ const std::set<std::pair<std::string, std::string>> ways_within = {{"kernel/pred
                                                                    {"tetratree/scene", "tetratree/fast"},
                                                                    {"tetratree/python", "tetratree/door"},
                                                                    {"tetratree/python", "tetratree/scene"},
+                                                                   {"verify/predicate_families", "verify/cases"},
                                                                    {"verify/families", "verify/cases"},
+                                                                   {"verify/families", "verify/predicate_families"},
                                                                    {"verify/truth", "verify/cases"},
+                                                                   {"verify/integer_truth", "verify/cases"},
+                                                                   {"verify/integer_truth", "verify/truth"},
                                                                    {"verify/subjects", "verify/cases"},
                                                                    {"verify/subjects", "verify/truth"},
+                                                                   {"verify/subjects", "verify/integer_truth"},
                                                                    {"verify/relations", "verify/cases"},
                                                                    {"verify/relations", "verify/subjects"},
                                                                    {"verify/shrink", "verify/cases"},
                                                                    {"verify/shrink", "verify/truth"},
+                                                                   {"verify/shrink", "verify/integer_truth"},
                                                                    {"verify/shrink", "verify/subjects"},
                                                                    {"verify/campaign", "verify/cases"},
                                                                    {"verify/campaign", "verify/families"},
                                                                    {"verify/campaign", "verify/truth"},
+                                                                   {"verify/campaign", "verify/integer_truth"},
                                                                    {"verify/campaign", "verify/subjects"},
                                                                    {"verify/campaign", "verify/relations"},
                                                                    {"verify/python", "verify/cases"},
                                                                    {"verify/python", "verify/families"},
                                                                    {"verify/python", "verify/truth"},
+                                                                   {"verify/python", "verify/integer_truth"},
                                                                    {"verify/python", "verify/shrink"},
                                                                    {"experiments/viewer", "experiments/support"},
                                                                    {"experiments/speed", "experiments/support"},
@@ -521,8 +529,8 @@ BOOST_AUTO_TEST_CASE(no_room_is_crowded)
   std::map<std::string, std::size_t> files;
   for (const std::string& path : sources()) ++files[fs::path(path).parent_path().generic_string()];
   for (const auto& [room, count] : files)
-    if (count > 40)
-      BOOST_ERROR(room + ": " + std::to_string(count) + " files; expected at most 40: make a room of some");
+    if (count > 35)
+      BOOST_ERROR(room + ": " + std::to_string(count) + " files; expected at most 35: make a room of some");
 }
 
 BOOST_AUTO_TEST_CASE(includes_point_only_to_the_right) { check_each_source(wrong_includes); }

@@ -1,7 +1,5 @@
 // Runs the program itself: exit status, output and errors of `tetracone check`.
 
-#include "experiments/cli/check_command.h"
-
 #include "verify/test/support/program.h"
 #include "verify/test/support/temporary_file.h"
 

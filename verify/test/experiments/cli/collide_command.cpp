@@ -1,7 +1,5 @@
 // Runs the program itself: the answers of several kernels side by side, and poses of long fractions.
 
-#include "experiments/cli/collide_command.h"
-
 #include "verify/test/support/program.h"
 #include "verify/test/support/temporary_file.h"
 

@@ -1,5 +1,3 @@
-#include "experiments/cli/distance_command.h"
-
 #include "verify/test/support/program.h"
 #include "verify/test/support/temporary_file.h"
 

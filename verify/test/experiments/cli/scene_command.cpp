@@ -1,5 +1,3 @@
-#include "experiments/cli/scene_command.h"
-
 #include "verify/test/support/program.h"
 
 #include <boost/test/unit_test.hpp>

@@ -1,8 +1,6 @@
 // Runs the program itself: the pages of `tetracone view`, what they hold, and, in headless Chromium where it is
 // installed, what they show.
 
-#include "experiments/cli/view_command.h"
-
 #include "tetracone/kernel/number/floating_point.h"
 #include "verify/test/support/program.h"
 #include "verify/test/support/temporary_file.h"

@@ -2,10 +2,10 @@
 // the file names are wrong as they were, but for exact ones, which have been mended.
 
 #include "verify/cases/case_file.h"
+#include "verify/integer_truth/integer_truth.h"
 #include "verify/shrink/shrink.h"
 #include "verify/subjects/object_subject.h"
 #include "verify/subjects/predicate_subject.h"
-#include "verify/truth/integer_truth.h"
 #include "verify/truth/predicate_truth.h"
 
 #include <boost/test/unit_test.hpp>

@@ -1,6 +1,6 @@
 #include "verify/families/object_families.h"
 
-#include "verify/families/object_placing.h"
+#include "verify/cases/object_placing.h"
 
 #include "tetracone/covering/check.h"
 #include "verify/families/families.h"

@@ -1,9 +1,9 @@
 #include "verify/subjects/object_subject.h"
 
 #include "verify/families/families.h"
+#include "verify/integer_truth/integer_features.h"
+#include "verify/integer_truth/integer_truth.h"
 #include "verify/truth/cgal_contacts.h"
-#include "verify/truth/integer_features.h"
-#include "verify/truth/integer_truth.h"
 
 #include <boost/test/unit_test.hpp>
 

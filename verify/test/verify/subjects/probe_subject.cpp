@@ -1,7 +1,7 @@
 #include "verify/subjects/probe_subject.h"
 
 #include "verify/families/probe_families.h"
-#include "verify/truth/integer_probes.h"
+#include "verify/integer_truth/integer_probes.h"
 
 #include <boost/test/unit_test.hpp>
 

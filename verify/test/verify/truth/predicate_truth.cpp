@@ -1,7 +1,7 @@
 #include "verify/truth/predicate_truth.h"
 
+#include "verify/integer_truth/integer_truth.h"
 #include "verify/test/support/scenes.h"
-#include "verify/truth/integer_truth.h"
 
 #include <boost/test/unit_test.hpp>
 

@@ -1,0 +1,115 @@
+#ifndef TETRACONE_VERIFY_CASES_OBJECT_PLACING_H
+#define TETRACONE_VERIFY_CASES_OBJECT_PLACING_H
+
+#include "verify/cases/case.h"
+#include "verify/cases/exact_map.h"
+#include "verify/cases/random.h"
+#include "verify/cases/shape_library.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+/// Exact contacts and their placing, from which the object families are made. Arguments of one call are evaluated in an
+/// order of the compiler's choice: at most one of them draws from `random`, here and in the families, so that a seed
+/// means the same cases everywhere. (What stands in braces is evaluated from left to right.)
+namespace tetracone::verify::object_family {
+
+using kernel::Pose;
+using kernel::Rational;
+
+/// An integer from `low` to `high`.
+int integer(Random& random, int low, int high);
+
+/// 2^k, any k, exactly.
+Rational power_of_two(int k);
+
+/// An odd multiple of 2^-bits strictly between 0 and 1; 1 <= bits <= 52.
+double dyadic(Random& random, int bits);
+
+/// A vector of integers from -size to size, not zero.
+Exact_vector integer_direction(Random& random, int size);
+
+/// Signed permutation k of 48: the first is the identity, the first 24 are rotations.
+Pose signed_permutation(int k);
+
+/// The rotation of a quaternion of integers from -size to size.
+Pose rational_rotation(Random& random, int size);
+
+/// The rounded rotation of a random quaternion.
+Pose double_rotation(Random& random);
+
+/// A unimodular integer shear, x += s y for two pairs of axes, entries up to `size`; and its inverse.
+std::array<Pose, 2> shear_and_inverse(Random& random, int size);
+
+/// x -> diag(2^exponents) x.
+Pose stretch(const std::array<int, 3>& exponents);
+
+/// A map of any kind: a turn, reflection or shear between two stretches by up to 2^+-size along the axes, then perhaps
+/// a translation. Exact, and of rationals where the turn is.
+Pose wild_map(Random& random, int size);
+
+/// The map that both bodies of a case are put under at last. All but `rounded` keep a contact exactly.
+enum class Motion { identity, translation, permutation, rotation, similarity, shear, rounded };
+Motion exact_motion(Random& random);
+Pose motion(Random& random, Motion kind);
+
+/// How B may be turned against A: not, by signed permutations, or by rational rotations too.
+Pose any_turn(Random& random);
+
+/// Two bodies in contact, in A's frame.
+struct Touching {
+  Body a, b;
+  Pose relative;           ///< of B
+  Exact_vector apart;      ///< the way on which B leaves A
+  bool separated = false;  ///< all of A is on one side of a plane that is normal to `apart`, all of B on the other, and
+                           ///< they share a point of it
+};
+
+/// `turn`, then the translation that puts the lowest vertex of B along `normal` on `point`: B is on the upper side of
+/// the plane.
+Pose resting(const covering::Polyhedron& b, const Pose& turn, const Exact_vector& point, const Exact_vector& normal);
+
+/// Vertex of B on an inner point of a hull triangle of A, at barycentric coordinates of `bits` bits.
+Touching vertex_on_face(Random& random, const Shape& a, const Body& b, const Pose& turn, int bits);
+/// Vertex of B on a hull edge of A at an odd multiple of 2^-bits. Requires a hull edge.
+Touching vertex_on_edge(Random& random, const Shape& a, const Body& b, const Pose& turn, int bits);
+/// The extreme vertices of both along a random direction.
+Touching vertex_on_vertex(Random& random, const Body& a, const Body& b, const Pose& turn);
+/// Two edges that cross at parameters of `bits` bits. On the hulls, unless dozens of tries find no such edges. `turn`
+/// is a similarity.
+Touching edge_across_edge(Random& random, const Shape& a, const Shape& b, const Pose& turn, int bits);
+/// One of these, or B's lowest face, edge or vertex on A's face.
+Touching any_contact(Random& random, const Shape& a, const Shape& b, const Pose& turn);
+/// Any of these with bodies of any kind.
+Touching any_contact(Random& random, const Pose& turn);
+
+/// A point inside the triangle, at barycentric coordinates of `bits` bits.
+Exact_vector point_inside(Random& random, const Shape& shape, const Face_triangle& triangle, int bits);
+Exact_vector point_on(const Shape& shape, const Face_triangle& triangle, double s, double t);
+
+/// Mostly 0, else 2^-10 to 2^-60 apart or into one another.
+Rational any_gap(Random& random);
+
+/// A at the identity and B at `relative`, both then moved, and the two exchanged or not. No answer is known.
+Object_case placed(Random& random, const Body& a, const Body& b, const Pose& relative, Motion kind);
+Object_case placed(Random& random, const Body& a, const Body& b, const Pose& relative, const Pose& common);
+
+/// The contact opened by `gap` along `apart` (negative: closed further), a length of about one times `gap`; its answers
+/// as far as known.
+Object_case placed(Random& random, const Touching& contact, const Rational& gap, Motion kind);
+Object_case placed(Random& random, const Touching& contact, const Rational& gap, const Pose& common);
+/// Under any exact motion, and with `any_gap`.
+Object_case placed(Random& random, const Touching& contact, const Rational& gap);
+Object_case placed(Random& random, const Touching& contact);
+
+/// Both answers.
+Object_case with_answer(Object_case c, std::optional<bool> surface, std::optional<bool> solid);
+Object_case with_answer(Object_case c, bool both);
+
+/// The case with all of its poses rounded to doubles; nothing is known any more where that changes one.
+Object_case rounded_poses(Object_case c);
+
+}  // namespace tetracone::verify::object_family
+
+#endif

@@ -1,0 +1,39 @@
+#ifndef TETRACONE_VERIFY_INTEGER_TRUTH_DISTANCE_TO_DEGENERACY_H
+#define TETRACONE_VERIFY_INTEGER_TRUTH_DISTANCE_TO_DEGENERACY_H
+
+#include "verify/cases/case.h"
+
+namespace tetracone::verify {
+
+/// Distance of a case from degeneracy, in exact arithmetic: the least over the determinants D whose signs decide it, of
+/// each measure by itself. No magnitude of coordinates overflows or underflows it; a logarithm is right to some 1e-12.
+/// Minus infinity: exactly degenerate. Plus infinity: no determinant was needed.
+struct Distance {
+  double log2_rho;   ///< log2 of |D| / P, P the sum of the absolute values of the products of D's differences: rounding
+                     ///< errs below some u
+  double log2_ulps;  ///< log2 of the distance |D| / |n| of a vertex from a plane (edges: of two lines) in ulps of the
+                     ///< largest coordinate
+};
+
+/// The determinants of a predicate, [a b c x] being the side of x against the plane of a, b, c, and differences being
+/// taken to x:
+///  - orientation: [v1 v2 v3 p];
+///  - tetra-cone: its volume [v1 v2 v3 v0], and p against its three planes; tetrahedron: against its four;
+///  - segment-triangle: p and q against the plane of v1 v2 v3, and the line pq against the three edges' lines;
+///  - solid: p and the covering's origin q against the four planes, p against the six inner ones, through q and an
+///  edge;
+///  - classification: the two volumes, p q r against the cone's planes, and v1 v2 v3 against the planes through v0 and
+///  the edges of p q r.
+/// The largest coordinate is that of the points named.
+Distance distance(Predicate predicate, const Predicate_case& c);
+
+/// Over the pairs of an edge of the one and a face of the other body whose boxes, grown by 2^-20 of their longest side,
+/// meet: the ends of the edge against the face's plane and, where these are not strictly on one side of it, the edge's
+/// line against those of the face's edges. A face that spans no plane is exactly degenerate. Of each direction the
+/// first 2000 pairs, in the order of the faces and then of the edges. The largest coordinate is that of all placed
+/// vertices.
+Distance distance(const Object_case& c);
+
+}  // namespace tetracone::verify
+
+#endif

@@ -1,0 +1,16 @@
+#ifndef TETRACONE_VERIFY_INTEGER_TRUTH_INTEGER_CONTACTS_H
+#define TETRACONE_VERIFY_INTEGER_TRUTH_INTEGER_CONTACTS_H
+
+#include "verify/cases/case.h"
+#include "verify/truth/contact_pieces.h"
+
+namespace tetracone::verify::integer_truth {
+
+/// The second truth of `contacts` of `cgal_contacts.h`, with the polygons of a pair of faces as one. Nothing is
+/// triangulated: edges are cut where they meet the other face or each other, and what is shared beside a part, or in
+/// it, the turns of the loops about its middle tell. Requires det M != 0 and planar faces.
+Contact_forms contacts(const Object_case& c);
+
+}  // namespace tetracone::verify::integer_truth
+
+#endif

@@ -1,0 +1,167 @@
+#ifndef TETRACONE_VERIFY_PREDICATE_FAMILIES_PREDICATE_POINTS_H
+#define TETRACONE_VERIFY_PREDICATE_FAMILIES_PREDICATE_POINTS_H
+
+#include "verify/cases/case.h"
+#include "verify/cases/exact_map.h"
+#include "verify/cases/object_placing.h"
+#include "verify/cases/random.h"
+
+#include <array>
+#include <cassert>
+#include <cstddef>
+#include <optional>
+
+/// Building blocks of the predicate families: seven points in the world, exactly, and frames whose poses put them
+/// there.
+namespace tetracone::verify::points {
+
+using kernel::Pose;
+using kernel::Rational;
+using kernel::Vertex;
+using object_family::composed;
+using object_family::cross;
+using object_family::difference;
+using object_family::dot;
+using object_family::double_rotation;
+using object_family::dyadic;
+using object_family::exact;
+using object_family::integer;
+using object_family::is_zero;
+using object_family::moved;
+using object_family::power_of_two;
+using object_family::rounded;
+using object_family::shear_and_inverse;
+using object_family::signed_permutation;
+using object_family::sum;
+using object_family::times;
+using Point = object_family::Exact_vector;
+using Tetra = std::array<Point, 4>;
+
+struct Scene {
+  Tetra v;
+  Point p, q, r;
+};
+
+// --- draws -----------------------------------------------------------------------------------------------------------
+
+inline bool one_in(Random& random, int n) { return random.bits() % n == 0; }
+inline int sign(Random& random) { return one_in(random, 2) ? 1 : -1; }
+template <class Choice, std::size_t n>
+Choice any_of(Random& random, const std::array<Choice, n>& choices)
+{
+  return choices[random.bits() % n];
+}
+
+/// A point of integers from -size to size.
+Point grid_point(Random& random, int size);
+
+/// Full mantissas in [-1, 1), to multiples of 2^-bits.
+Point mantissa_point(Random& random, int bits);
+
+/// Four integer corners whose determinant is at least size^3 / 4, and not 0. The second is the origin when `anchored`.
+Tetra tetrahedron(Random& random, int size, bool anchored = false);
+
+/// A tetrahedron with the origin on its boundary: at v1, on the edge v1 v2 or in the face v1 v2 v3, at coordinates of
+/// few bits.
+Tetra tetrahedron_at_origin(Random& random, int size = 8);
+
+/// A tetrahedron with v1 = 0 on which points with `bits` binary places are doubles: few bits of its own when they need
+/// many.
+Tetra tetrahedron_for(Random& random, int bits);
+
+/// A point strictly inside, at barycentric coordinates in sixteenths.
+Point inner_point(Random& random, const Tetra& v);
+
+/// A point strictly inside the simplex of the first n corners of v1 v2 v3, n = 1, 2, 3, at barycentric coordinates of
+/// `bits` bits.
+Point element_point(Random& random, const Tetra& v, int n, int bits);
+
+/// a + s (b - a)
+inline Point between(const Point& a, const Point& b, const Rational& s) { return sum(a, s, difference(b, a)); }
+
+/// v1 + a (v2 - v1) + b (v3 - v1)
+inline Point in_plane(const Tetra& v, const Rational& a, const Rational& b)
+{
+  return sum(sum(v[1], a, difference(v[2], v[1])), b, difference(v[3], v[1]));
+}
+
+/// Every coordinate down to a multiple of 2^-bits.
+Point on_grid(const Point& x, int bits);
+
+// --- about a contact -------------------------------------------------------------------------------------------------
+
+/// Fine enough against tetrahedra of integers, and few bits.
+inline constexpr int usual_grid = 10;
+
+/// Beyond x, which is on the boundary of v, as seen from an inner point: points that are outside v with all of their
+/// mixtures.
+Point outward(Random& random, const Tetra& v, const Point& x, int grid = usual_grid);
+
+/// Fills q and r for a p on the boundary of v: on its other side, inside, through it, along it; on multiples of
+/// 2^-grid.
+void complete(Random& random, Scene& scene, int grid = usual_grid);
+
+/// Leaves p where it is or moves it clearly out of v or into it; says by how many ulps it is to be nudged at last.
+int moved_aside(Random& random, Scene& scene, int grid = usual_grid);
+
+/// Half of the time as they are, else in any order: then another face, edge or vertex is the one of v1 v2 v3.
+void relabel(Random& random, Scene& scene);
+
+/// A coordinate of p changed by `ulps`: its own or, where it is 0, those of the largest coordinate of p q r.
+void nudge(Random& random, Predicate_case& c, int ulps);
+
+// --- placing ---------------------------------------------------------------------------------------------------------
+
+/// Frames in which the bodies' points are written, and a map applied last to both.
+struct Frames {
+  Pose a, b, common;
+  Rational scale = 1;  ///< of the scene, so that its points are doubles in the frames
+};
+
+enum class Frame_kind { identity, translation, permutation, true_rotation, rounded_rotation, shear };
+Frames frames(Random& random, Frame_kind kind);
+Frames any_frames(Random& random);
+
+/// Frames a and b truly rotated, by quaternions of integers up to `size`.
+Frames true_rotations(Random& random, int size);
+
+/// The point that the pose maps to x.
+Point preimage(const Pose& pose, const Point& x);
+
+/// The case whose placed points are the scene, scaled and moved by `common`, exactly; nothing when a point is no double
+/// in its frame.
+std::optional<Predicate_case> placed(const Scene& scene, const Frames& frames);
+
+/// The same, all points in one frame where theirs cannot have them.
+std::optional<Predicate_case> placed_somehow(const Scene& scene, const Frames& frames);
+
+/// The same, and at last p changed by `ulps`, as `nudge` does.
+std::optional<Predicate_case> finished(Random& random, const Scene& scene, const Frames& frames, int ulps);
+
+/// The same, relabelled before, in any frames.
+std::optional<Predicate_case> finished(Random& random, Scene scene, int ulps);
+
+/// The case of the nearest doubles in the frames: exact to an ulp or two.
+Predicate_case placed_nearly(const Scene& scene, const Frames& frames);
+
+/// Everything times 2^exponent, translations too. Requires that nothing is lost.
+Predicate_case rescaled(Predicate_case c, int exponent);
+
+/// Calls `attempt`, which draws anew each time, until it makes a case.
+template <class Attempt>
+Predicate_case settled(const Attempt& attempt)
+{
+  for (;;)
+    if (std::optional<Predicate_case> c = attempt()) return *c;
+}
+
+/// A contact in x of p with the boundary of v: completed, moved aside, relabelled, placed, nudged.
+std::optional<Predicate_case> contact(Random& random, const Tetra& v, const Point& x, const Frames& frames,
+                                      int grid = usual_grid);
+
+/// A contact with v1, on the edge v1 v2 or in the face v1 v2 v3, of few bits, under these frames.
+Predicate_case any_contact(Random& random, const Frames& frames);
+
+}  // namespace tetracone::verify::points
+
+#endif
