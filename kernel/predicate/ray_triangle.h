@@ -51,8 +51,8 @@ class Ray_triangle {
   ///
   /// With M the largest |A_k|, |B_k|, |C_k|: a sign past an edge is a sum of six products of at most 2 M^2, rounded at
   /// most seven times each with its differences: below 2^-46 M^2. With S the largest component of an edge: N sums six
-  /// products of at most S^2 M and D six of 2 S^2, rounded likewise: below 2^-46 S^2 M and 2^-45 S^2. Nothing underflows
-  /// that counts beside these.
+  /// products of at most S^2 M and D six of 2 S^2, rounded likewise: below 2^-46 S^2 M and 2^-45 S^2, of which twice as
+  /// much is taken. Nothing underflows that counts beside these.
   Decision operator()(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
     const Vertex A = less_origin(a), B = less_origin(b), C = less_origin(c);
