@@ -11,11 +11,39 @@ namespace tetracone::kernel::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+// What lower bounds may be off by is proved of these, run over other numbers than vectors (verify/proofs/).
+
+/// The way between the centres, less an extent, along an axis of a frame.
+template <class Floats>
+HWY_INLINE Floats room_along(const Floats& t, const Floats& e, const Floats& slack)
+{
+  return Sub(Sub(Abs(t), e), slack);
+}
+
+/// The same less how far the other box reaches, of the extents `f` and edges with the components r along that axis.
+template <class Floats>
+HWY_INLINE Floats gap_of_room(const Floats& room, const Floats (&f)[3], const Floats (&r)[3])
+{
+  return NegMulAdd(f[2], Abs(r[2]), NegMulAdd(f[1], Abs(r[1]), NegMulAdd(f[0], Abs(r[0]), room)));
+}
+
+/// The gap along a way of the components +-g_i along a frame's axes, times the way's length: there the other box itself
+/// reaches less far than the axis-parallel one about it.
+template <class Floats>
+HWY_INLINE Floats gap_of_way(const Floats (&g)[3], const Floats (&room)[3], const Floats (&way)[3],
+                             const Floats (&f)[3], const Floats (&r)[3][3])
+{
+  Floats gap = MulAdd(g[2], room[2], MulAdd(g[1], room[1], Mul(g[0], room[0])));
+  for (int j = 0; j < 3; ++j)
+    gap = NegMulAdd(f[j], Abs(MulAdd(way[2], r[2][j], MulAdd(way[1], r[1][j], Mul(way[0], r[0][j])))), gap);
+  return gap;
+}
+
 /// The squared length of the way from a box to another along its axes i: with `t` the way between the centres, of the
 /// extents `e`, the other's edges j of extents `f` having components r[i][j].
 ///
 /// First of the axis-parallel box about the other one: g_i = |t_i| - e_i - sum_j f_j |r_ij|, 0 where that is negative.
-/// Then along this way, where the other box itself does not reach as far: the gap over the length.
+/// Then along this way: the gap over the length.
 template <class Floats>
 HWY_INLINE Floats squared_way(const Floats (&t)[3], const Floats (&e)[3], const Floats (&f)[3], const Floats (&r)[3][3],
                               Floats slack)
@@ -23,19 +51,48 @@ HWY_INLINE Floats squared_way(const Floats (&t)[3], const Floats (&e)[3], const 
   const Floats zero = Sub(slack, slack);
   Floats room[3], g[3], way[3];
   for (int i = 0; i < 3; ++i) {
-    room[i] = Sub(Sub(Abs(t[i]), e[i]), slack);
-    g[i] =
-        Max(NegMulAdd(f[2], Abs(r[i][2]), NegMulAdd(f[1], Abs(r[i][1]), NegMulAdd(f[0], Abs(r[i][0]), room[i]))), zero);
+    room[i] = room_along(t[i], e[i], slack);
+    g[i] = Max(gap_of_room(room[i], f, r[i]), zero);
     way[i] = hn::CopySign(g[i], t[i]);
   }
   const Floats square = MulAdd(g[2], g[2], MulAdd(g[1], g[1], Mul(g[0], g[0])));
-  Floats gap = MulAdd(g[2], room[2], MulAdd(g[1], room[1], Mul(g[0], room[0])));
-  for (int j = 0; j < 3; ++j)
-    gap = NegMulAdd(f[j], Abs(MulAdd(way[2], r[2][j], MulAdd(way[1], r[1][j], Mul(way[0], r[0][j])))), gap);
+  const Floats gap = gap_of_way(g, room, way, f, r);
   // Where neither is near underflow.
   const Floats numerator = Mul(gap, Max(gap, zero));
   const auto is_sound = hn::Ge(hn::Min(numerator, square), hn::Set(hn::DFromV<Floats>(), 0x1p-100f));
   return Max(hn::IfThenElseZero(is_sound, hn::Div(numerator, square)), square);
+}
+
+/// Components along the axes i of the eight and, of a similarity, along the edges j of the single box.
+template <class Floats>
+struct Ways_in_frames {
+  Floats t[3], r[3][3];  ///< of the way between the centres; of the edges
+  Floats s[3];           ///< of the way, along the edges
+};
+template <bool similarity, class Test>
+HWY_INLINE auto ways_in_frames(const Test& test)
+{
+  using Floats = typename Test::Floats;
+  const auto& boxes = test.boxes;
+  const auto& box = test.box;
+  const Floats x = Sub(test.all(box.centre[0]), test.load(boxes.centre[0])),
+               y = Sub(test.all(box.centre[1]), test.load(boxes.centre[1])),
+               z = Sub(test.all(box.centre[2]), test.load(boxes.centre[2]));
+  Ways_in_frames<Floats> ways;
+  for (int i = 0; i < 3; ++i) {
+    const Floats a0 = test.load(boxes.axis[i][0]), a1 = test.load(boxes.axis[i][1]), a2 = test.load(boxes.axis[i][2]);
+    ways.t[i] = MulAdd(a2, z, MulAdd(a1, y, Mul(a0, x)));
+    for (int j = 0; j < 3; ++j) {
+      const auto& edge = box.edge[j];
+      ways.r[i][j] = MulAdd(a2, test.all(edge[2]), MulAdd(a1, test.all(edge[1]), Mul(a0, test.all(edge[0]))));
+    }
+  }
+  if constexpr (similarity)
+    for (int j = 0; j < 3; ++j) {
+      const auto& edge = box.edge[j];
+      ways.s[j] = MulAdd(z, test.all(edge[2]), MulAdd(y, test.all(edge[1]), Mul(x, test.all(edge[0]))));
+    }
+  return ways;
 }
 
 /// Lower bounds of squared distances of the test's lanes, but for the axes' defect. Undefined where its numbers are.
@@ -45,35 +102,14 @@ HWY_INLINE auto squared_gaps(const Test& test, const typename Test::Floats slack
   using Floats = typename Test::Floats;
   const auto& boxes = test.boxes;
   const auto& box = test.box;
-  const auto load = [&](const auto& lane) HWY_ATTR { return test.load(lane); };
-  const auto all = [&](const auto& x) HWY_ATTR { return test.all(x); };
-
-  const Floats x = Sub(all(box.centre[0]), load(boxes.centre[0])), y = Sub(all(box.centre[1]), load(boxes.centre[1])),
-               z = Sub(all(box.centre[2]), load(boxes.centre[2]));
-  const Floats e0 = load(boxes.extent[0]), e1 = load(boxes.extent[1]), e2 = load(boxes.extent[2]);
-  const Floats f0 = all(box.extent[0]), f1 = all(box.extent[1]), f2 = all(box.extent[2]);
-  Floats t0, t1, t2, r00, r01, r02, r10, r11, r12, r20, r21, r22;
-  const auto along = [&](int i, Floats& t, Floats& r0, Floats& r1, Floats& r2) HWY_ATTR {
-    const Floats a0 = load(boxes.axis[i][0]), a1 = load(boxes.axis[i][1]), a2 = load(boxes.axis[i][2]);
-    const auto dot = [&](const auto& v)
-                         HWY_ATTR { return MulAdd(a2, all(v[2]), MulAdd(a1, all(v[1]), Mul(a0, all(v[0])))); };
-    t = MulAdd(a2, z, MulAdd(a1, y, Mul(a0, x)));
-    r0 = dot(box.edge[0]);
-    r1 = dot(box.edge[1]);
-    r2 = dot(box.edge[2]);
-  };
-  along(0, t0, r00, r01, r02);
-  along(1, t1, r10, r11, r12);
-  along(2, t2, r20, r21, r22);
-  const Floats t[3] = {t0, t1, t2}, e[3] = {e0, e1, e2}, f[3] = {f0, f1, f2};
-  const Floats r[3][3] = {{r00, r01, r02}, {r10, r11, r12}, {r20, r21, r22}};
-  const Floats own = squared_way(t, e, f, r, slack);
+  const auto ways = ways_in_frames<similarity>(test);
+  const Floats e[3] = {test.load(boxes.extent[0]), test.load(boxes.extent[1]), test.load(boxes.extent[2])};
+  const Floats f[3] = {test.all(box.extent[0]), test.all(box.extent[1]), test.all(box.extent[2])};
+  const Floats own = squared_way(ways.t, e, f, ways.r, slack);
   if constexpr (!similarity) return own;
-  const auto toward = [&](const auto& edge)
-                          HWY_ATTR { return MulAdd(z, all(edge[2]), MulAdd(y, all(edge[1]), Mul(x, all(edge[0])))); };
-  const Floats s[3] = {toward(box.edge[0]), toward(box.edge[1]), toward(box.edge[2])};
-  const Floats turned[3][3] = {{r00, r10, r20}, {r01, r11, r21}, {r02, r12, r22}};
-  return Max(own, squared_way(s, f, e, turned, slack));
+  const auto& r = ways.r;
+  const Floats turned[3][3] = {{r[0][0], r[1][0], r[2][0]}, {r[0][1], r[1][1], r[2][1]}, {r[0][2], r[1][2], r[2][2]}};
+  return Max(own, squared_way(ways.s, f, e, turned, slack));
 }
 
 /// Of the other box as the test's map has carried it.

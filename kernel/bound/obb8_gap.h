@@ -9,8 +9,9 @@
 #include <cmath>
 #include <span>
 
-/// Certified gaps of eight boxes and one that a similarity carries, each along an axis n, |n| <= 1: for all points q of
-/// the one and p of a lane n . (q - p) is at least the gap, and so is their distance.
+/// Certified gaps of eight boxes and one that a similarity carries, each along an axis n as it is stored, of length 1 at
+/// most but for 2^-17: for all points q of the one and p of a lane n . (q - p) is at least the gap, and so is their
+/// distance.
 ///
 /// The comparison of obb8_overlap.h finds the axis of the largest gap. Its slack is enough to tell whether a gap is
 /// positive, since boxes whose centres are farther apart than both reach are apart, whatever is computed; how large one
@@ -18,14 +19,19 @@
 namespace tetracone::kernel {
 
 /// What a gap may be off by, a share of M = |t|_1 + reach + sum of extents, t the single box's centre relative to the
-/// node's origin, beside the position's error. In roundings of float: components of t along axes are off by 5 of M, of
-/// edges by 4 and with an axis by 10; along a normal that is sqrt(3) of these, across two axes twice 15, and the sums'
-/// own 6 each; what the axes lack to be orthonormal, 8 of each, counts three times at most, of t and of both boxes. All
-/// are below 120 of M; the sides of a triangle are given twice that.
-inline constexpr double gap_rounding = carried_box_rounding;
+/// node's origin, beside the position's error. Boxes may be apart, so that each term counts by itself, the centres' way
+/// and both boxes' extents: none is off by more than 99 roundings, the axes' defect among them. The axis that is stored
+/// is off from the one that is compared along by 3 roundings of a coordinate, sqrt(3) times, and 7 of a component,
+/// three times by two rotations' norms: 26 of M, which no two points' distance is above. Along the sides of a triangle,
+/// which are given twice as much, these are 128 and 46.
+inline constexpr double gap_rounding = 144 * 0x1p-24;
 
-/// What takes the length of an axis above 1, at most 1 + 6 `axis_defect`, and the roundings of a gap.
+/// What takes the length of an axis above 1 and the roundings of a gap: the axes' defect 3.5 times, and 46 roundings.
 inline constexpr float gap_shrink = 1 - 0x1p-17f;
+
+/// What a box's radius grows by: what its axes lack to be orthonormal, the length of a gap's axis above 1, and few
+/// roundings.
+inline constexpr float radius_rounding = 0x1p-16f;
 
 /// The slack of certified gaps, of a box that `carried` has placed: not finite where nothing is known.
 inline float gap_slack(const Single_box& box, float reach, float size)
@@ -63,24 +69,27 @@ struct alignas(32) Carried_box {
       centre[k] = from.origin[k] + from.centre[k][lane];
       square += from.extent[k][lane] * from.extent[k][lane];
     }
-    radius = std::sqrt(square) * (1 + 0x1p-16f) + centre_rounding;
+    radius = std::sqrt(square) * (1 + radius_rounding) + centre_rounding;
     for (int k = 0; k < 4; ++k)
       image[k] = placed(map.column(3)[k], map.column(0)[k] * double(centre[0]), map.column(1)[k] * double(centre[1]),
                         map.column(2)[k] * double(centre[2]));
   }
 
-  /// Of n . y in float, a share of |p_t - p_0|_1: n is off by 4 roundings of its own, the way by 1, their product by 3.
+  /// Of n . y in float, a share of |p_t - p_0|_1: n may have been rounded once, the way is, and products and sums by 3.
   static constexpr double way_rounding = 16 * 0x1p-24;
 
   /// More than a sum of two coordinates of magnitude 2 at most loses, in three of them, and what underflows.
   static constexpr float centre_rounding = 0x1p-20f;
+
+  /// Above what an error of each coordinate of a point moves it along an axis.
+  static constexpr double position_norm = 2;
 
   /// Of an image in double: the map's, in three coordinates, and few roundings of terms that are at most the offset and
   /// three times twice a column.
   static double error_of(const Box_map& map)
   {
     const double* offset = map.column(3);
-    return 2 * map.frame().error() +
+    return position_norm * map.frame().error() +
            few_roundings * (6 * map.scale() + (std::abs(offset[0]) + std::abs(offset[1]) + std::abs(offset[2])));
   }
 
@@ -113,8 +122,9 @@ struct Gap_losses {
   double scale, loss, turn;
 };
 
-/// What a gap after a step is off by in float, a share of the step's size: entries are off by 1 rounding, the way by 6
-/// more, its products with an axis and their sums by 3, and the sum with the gap by 1; more than twice that.
+/// What a gap after a step is off by in float, a share of the step's size: entries are off by 1 rounding, the way by 4
+/// more, its products with the axis and their sums by 3. The axis is as it is stored, of which the gap is; and the sum
+/// with the gap keeps its sign.
 inline constexpr double step_rounding = 32 * 0x1p-24;
 
 }  // namespace tetracone::kernel

@@ -32,6 +32,45 @@ struct Gap_and_axis {
   }
 };
 
+// What a gap may be off by is proved of these, run over other numbers than vectors (verify/proofs/).
+
+/// Of the components n along the eight's axes, component k in the frame of their node.
+template <class Test, class Floats>
+HWY_INLINE Floats component_in_frame(const Test& test, int k, const Floats& n0, const Floats& n1, const Floats& n2)
+{
+  return MulAdd(n2, test.load(test.boxes.axis[2][k]),
+                MulAdd(n1, test.load(test.boxes.axis[1][k]), Mul(n0, test.load(test.boxes.axis[0][k]))));
+}
+
+/// The gap beyond a triangle's edge, and its axis: the normal n over `length`.
+template <class Kept, class Test, class Floats, class Number>
+HWY_INLINE auto gap_beyond(const Kept& kept, const Test& test, const Floats& beyond, const Number& length,
+                           const Floats (&n)[3], const Number& slack)
+{
+  const Floats shorter = test.all(Number(1) / length);
+  return kept(Sub(Mul(beyond, shorter), test.all(slack)), Mul(n[0], shorter), Mul(n[1], shorter), Mul(n[2], shorter));
+}
+
+/// n . way.
+template <class Floats>
+HWY_INLINE Floats along_axis(const Floats (&n)[3], const Floats (&way)[3])
+{
+  return MulAdd(way[2], n[2], MulAdd(way[1], n[1], Mul(way[0], n[0])));
+}
+
+/// n . (shift - bend centre).
+template <class Floats>
+HWY_INLINE Floats step_along(const Floats (&n)[3], const Floats (&centre)[3], const Floats (&shift)[3],
+                             const Floats (&bend)[3][3])
+{
+  const auto along = [&](int k) HWY_ATTR {
+    const Floats way =
+        NegMulAdd(centre[2], bend[k][2], NegMulAdd(centre[1], bend[k][1], NegMulAdd(centre[0], bend[k][0], shift[k])));
+    return Mul(n[k], way);
+  };
+  return Add(along(0), Add(along(1), along(2)));
+}
+
 /// Writes certified gaps of the test's lanes, and their axes; returns the gaps. Requires a similarity, and a slack that
 /// is at most `most_gap_slack`.
 HWY_INLINE auto certify_gaps(const One_test& test, float slack, Certified_gaps& gaps)
@@ -46,11 +85,8 @@ HWY_INLINE auto certify_gaps(const One_test& test, float slack, Certified_gaps& 
     const auto sides = beyond_triangle(test, edges, test.load(test.boxes.extent[0]), test.load(test.boxes.extent[1]),
                                        test.load(test.boxes.extent[2]));
     const float slack_of_sides = side_slack(test.box, slack);
-    const auto side = [&](Floats beyond, float length, const Floats(&n)[3]) HWY_ATTR {
-      const Floats shorter = all(1 / length);
-      return Gap_along<Floats>{Sub(Mul(beyond, shorter), all(slack_of_sides)), Mul(n[0], shorter), Mul(n[1], shorter),
-                               Mul(n[2], shorter)};
-    };
+    const auto side = [&](Floats beyond, float length, const Floats(&n)[3])
+                          HWY_ATTR { return gap_beyond(Gap_and_axis(), test, beyond, length, n, slack_of_sides); };
     best = Max(best, Max(side(sides.left, sides.left_length, sides.left_normal),
                          side(sides.right, sides.right_length, sides.right_normal)));
   }
@@ -59,9 +95,7 @@ HWY_INLINE auto certify_gaps(const One_test& test, float slack, Certified_gaps& 
   const Floats outward = hn::CopySign(all(1), along), n0 = Mul(best.n0, outward), n1 = Mul(best.n1, outward),
                n2 = Mul(best.n2, outward);
   for (int k = 0; k < 3; ++k)
-    hn::Store(MulAdd(n2, test.load(test.boxes.axis[2][k]),
-                     MulAdd(n1, test.load(test.boxes.axis[1][k]), Mul(n0, test.load(test.boxes.axis[0][k])))),
-              One_test::tag, gaps.axis[k] + test.first);
+    hn::Store(component_in_frame(test, k, n0, n1, n2), One_test::tag, gaps.axis[k] + test.first);
   const Floats gap = Mul(best.gap, all(gap_shrink));
   hn::Store(gap, One_test::tag, gaps.gap + test.first);
   return gap;
@@ -103,10 +137,10 @@ HWY_INLINE double least_gap_after(const Certified_gaps& gaps, unsigned of_lanes,
   }
   auto least = hn::Set(tag, most_gap_slack);
   for (std::size_t first = 0; first < lanes; first += hn::Lanes(tag)) {
-    const auto along = [&](int k) HWY_ATTR { return hn::Load(tag, gaps.axis[k] + first); };
-    const auto part = [&](int k) HWY_ATTR { return hn::Set(tag, way[k]); };
-    const auto gap = hn::Add(hn::Load(tag, gaps.gap + first),
-                             MulAdd(part(2), along(2), MulAdd(part(1), along(1), Mul(part(0), along(0)))));
+    const auto load = [&](const float* lane) HWY_ATTR { return hn::Load(tag, lane + first); };
+    const One_test::Floats n[3] = {load(gaps.axis[0]), load(gaps.axis[1]), load(gaps.axis[2])},
+                           moved[3] = {hn::Set(tag, way[0]), hn::Set(tag, way[1]), hn::Set(tag, way[2])};
+    const auto gap = Add(load(gaps.gap), along_axis(n, moved));
     const std::uint8_t some[8] = {std::uint8_t(of_lanes >> first)};
     least = hn::Min(least, hn::IfThenElse(hn::LoadMaskBits(tag, some), gap, hn::Set(tag, most_gap_slack)));
   }
@@ -131,7 +165,7 @@ inline HWY_ATTR unsigned lanes_still_apart_simd(const Obb8& boxes, const Certifi
   double size = 0;
   for (const Gap_step& step : steps) size = maximum(size, step.size(boxes.reach));
   const float loss = float(losses.loss + step_rounding * size) * rounded_up + box_underflow,
-              turn = float(losses.turn) * (1 + 0x1p-16f), scale = float(losses.scale) * (1 - 0x1p-20f);
+              turn = float(losses.turn) * (1 + radius_rounding), scale = float(losses.scale) * (1 - 0x1p-20f);
   unsigned apart = 0;
   for (std::size_t first = 0; first < lanes; first += hn::Lanes(tag)) {
     const auto load = [&](const float* lane) HWY_ATTR { return hn::Load(tag, lane + first); };
@@ -139,16 +173,16 @@ inline HWY_ATTR unsigned lanes_still_apart_simd(const Obb8& boxes, const Certifi
     const auto gap = load(gaps.gap), e0 = load(boxes.extent[0]), e1 = load(boxes.extent[1]), e2 = load(boxes.extent[2]);
     const auto radius = hn::Sqrt(MulAdd(e2, e2, MulAdd(e1, e1, Mul(e0, e0))));
     const auto rest = Sub(Mul(gap, all(scale)), MulAdd(radius, all(turn), all(loss)));
+    const One_test::Floats n[3] = {load(gaps.axis[0]), load(gaps.axis[1]), load(gaps.axis[2])},
+                           centre[3] = {load(boxes.centre[0]), load(boxes.centre[1]), load(boxes.centre[2])};
     auto stay = Gt(gap, hn::Zero(tag));
     for (const Gap_step& step : steps) {
-      const auto along = [&](int k) HWY_ATTR {
-        const auto way =
-            NegMulAdd(load(boxes.centre[2]), all(step.bend[k][2]),
-                      NegMulAdd(load(boxes.centre[1]), all(step.bend[k][1]),
-                                NegMulAdd(load(boxes.centre[0]), all(step.bend[k][0]), all(step.shift[k]))));
-        return Mul(load(gaps.axis[k]), way);
-      };
-      const auto after = hn::Add(rest, hn::Add(along(0), hn::Add(along(1), along(2))));
+      One_test::Floats shift[3], bend[3][3];
+      for (int k = 0; k < 3; ++k) {
+        shift[k] = all(step.shift[k]);
+        for (int j = 0; j < 3; ++j) bend[k][j] = all(step.bend[k][j]);
+      }
+      const auto after = Add(rest, step_along(n, centre, shift, bend));
       stay = hn::And(stay, Gt(after, hn::Zero(tag)));
     }
     std::uint8_t bits[8];

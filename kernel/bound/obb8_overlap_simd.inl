@@ -13,7 +13,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 // The comparison is written over these alone, so that it is also done with other numbers than vectors: what it may be
 // off by is proved of it (verify/proofs/).
-using hn::Abs, hn::Gt, hn::Max, hn::Mul, hn::MulAdd, hn::Neg, hn::NegMulAdd, hn::Not, hn::Or, hn::Sub;
+using hn::Abs, hn::Add, hn::Gt, hn::Max, hn::Mul, hn::MulAdd, hn::Neg, hn::NegMulAdd, hn::Not, hn::Or, hn::Sub;
 
 /// As many of the eight lanes as the instruction set compares at once.
 using Float_tag = hn::CappedTag<float, lanes>;

@@ -44,20 +44,30 @@ inline constexpr double rounded_error = (10 + 10 * halvings) * unit_roundoff<dou
 
 /// A form by its coefficients in Bernstein's basis, times its degree: averages of neighbours halve the time that it
 /// is over, and where all have one sign it has that sign.
-template <std::size_t N>
-using Scaled = std::array<double, N>;
+template <std::size_t N, class Number = double>
+using Scaled = std::array<Number, N>;
 
-inline Scaled<3> scaled(const Quadratic_form<double>& q) { return {2 * q[0], q[1], 2 * q[2]}; }
-inline Scaled<4> scaled(const Cubic_form<double>& q) { return {3 * q[0], q[1], q[2], 3 * q[3]}; }
+template <class Number>
+Scaled<3, Number> scaled(const Quadratic_form<Number>& q)
+{
+  return {Number(2) * q[0], q[1], Number(2) * q[2]};
+}
+template <class Number>
+Scaled<4, Number> scaled(const Cubic_form<Number>& q)
+{
+  return {Number(3) * q[0], q[1], q[2], Number(3) * q[3]};
+}
+
+inline double halved(double x) { return x * 0.5; }
 
 /// The form over the second half of its time; `form` becomes that over the first.
-template <std::size_t N>
-Scaled<N> halve(Scaled<N>& form)
+template <std::size_t N, class Number>
+Scaled<N, Number> halve(std::array<Number, N>& form)
 {
-  Scaled<N> second;
+  Scaled<N, Number> second;
   for (std::size_t round = 0; round < N; ++round) {
     second[N - 1 - round] = form[N - 1];
-    for (std::size_t k = N - 1; k > round; --k) form[k] = (form[k - 1] + form[k]) * 0.5;
+    for (std::size_t k = N - 1; k > round; --k) form[k] = halved(form[k - 1] + form[k]);
   }
   return second;
 }

@@ -32,18 +32,23 @@ struct Motion_units {
   double unit;
 };
 
-/// A box in local units: centre + sum_k s_k half_edge[k], |s_k| <= 1.
+/// The least and the largest l . p of a box' points: centre + sum_k s_k half_edge[k], |s_k| <= 1.
+template <class Number>
+std::array<Number, 2> range_of_box(const std::array<Number, 3>& l, const std::array<Number, 3>& centre,
+                                   const std::array<std::array<Number, 3>, 3>& half_edge)
+{
+  using std::abs;
+  const Number at = dot(l, centre),
+               reach = abs(dot(l, half_edge[0])) + abs(dot(l, half_edge[1])) + abs(dot(l, half_edge[2]));
+  return {at - reach, at + reach};
+}
+
+/// Such a box, in local units.
 struct Moving_box {
   Vertex centre;
   std::array<Vertex, 3> half_edge;
 
-  /// The least and the largest l . p of its points.
-  std::array<double, 2> range(const Vertex& l) const
-  {
-    const double at = dot(l, centre), reach = std::abs(dot(l, half_edge[0])) + std::abs(dot(l, half_edge[1])) +
-                                              std::abs(dot(l, half_edge[2]));
-    return {at - reach, at + reach};
-  }
+  std::array<double, 2> range(const Vertex& l) const { return range_of_box(l, centre, half_edge); }
 };
 
 /// The hull of a few points in local units.
@@ -231,11 +236,12 @@ class Motion_span {
   double resolution() const { return error_ / landmark_[1].weight; }
 
   /// l = axis . L.
-  static Vertex across(const Vertex& axis, const std::array<Vertex, 3>& row)
+  template <class Number>
+  static std::array<Number, 3> across(const std::array<Number, 3>& axis,
+                                      const std::array<std::array<Number, 3>, 3>& row)
   {
-    Vertex l;
-    for (int k = 0; k < 3; ++k) l[k] = axis[0] * row[0][k] + axis[1] * row[1][k] + axis[2] * row[2][k];
-    return l;
+    const auto along = [&](std::size_t k) { return axis[0] * row[0][k] + axis[1] * row[1][k] + axis[2] * row[2][k]; };
+    return {along(0), along(1), along(2)};
   }
 
   static Vertex direction(const Maps& maps, int body, const Vertex& v)

@@ -15,8 +15,8 @@ namespace tetracone::kernel {
 /// A real number: `middle`, but for at most `radius`, which is infinite or undefined where nothing is known.
 ///
 /// A sum in double-double is off by 3 u^2 / (1 - 4 u) of itself, a product by 7 u^2 and, where parts underflow, by a few
-/// times 2^-1074; both are told by the high part, which is off by u of the whole. What magnitudes and radii lose as they
-/// are computed is at most 16 u of a radius.
+/// times 2^-1074; both are told by the high part, which is off by u of the whole. Where a sum's share underflows the sum
+/// is exact. What magnitudes and radii lose as they are computed is at most 16 u of a radius.
 struct Double_double_ball {
   Double_double middle;
   double radius = 0;
@@ -29,6 +29,20 @@ struct Double_double_ball {
   static constexpr double sum_rounding = 4 * u * u, product_rounding = 8 * u * u, of_radii = 1 + 16 * u,
                           underflow = 0x1p-1060;
 
+  /// The radius of a sum and of a product, by magnitudes and radii of both numbers and the magnitude of what is found.
+  template <class Number>
+  static Number radius_of_sum(const Number& x_radius, const Number& y_radius, const Number& sum)
+  {
+    return (x_radius + y_radius + Number(sum_rounding) * sum) * Number(of_radii);
+  }
+  template <class Number>
+  static Number radius_of_product(const Number& x, const Number& x_radius, const Number& y, const Number& y_radius,
+                                  const Number& product)
+  {
+    const Number by_radii = x * y_radius + x_radius * (y + y_radius);
+    return (by_radii + Number(product_rounding) * product) * Number(of_radii) + Number(underflow);
+  }
+
   friend Double_double_ball operator-(const Double_double_ball& x)
   {
     return {{-x.middle.high, -x.middle.low}, x.radius};
@@ -36,14 +50,14 @@ struct Double_double_ball {
   friend Double_double_ball operator+(const Double_double_ball& x, const Double_double_ball& y)
   {
     const Double_double sum = x.middle + y.middle;
-    return {sum, (x.radius + y.radius + sum_rounding * std::abs(sum.high)) * of_radii};
+    return {sum, radius_of_sum(x.radius, y.radius, std::abs(sum.high))};
   }
   friend Double_double_ball operator-(const Double_double_ball& x, const Double_double_ball& y) { return x + -y; }
   friend Double_double_ball operator*(const Double_double_ball& x, const Double_double_ball& y)
   {
     const Double_double product = x.middle * y.middle;
-    const double by_radii = std::abs(x.middle.high) * y.radius + x.radius * (std::abs(y.middle.high) + y.radius);
-    return {product, (by_radii + product_rounding * std::abs(product.high)) * of_radii + underflow};
+    return {product, radius_of_product(std::abs(x.middle.high), x.radius, std::abs(y.middle.high), y.radius,
+                                       std::abs(product.high))};
   }
 
   /// Whether the number is above 0 for certain.

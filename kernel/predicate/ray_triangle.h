@@ -3,6 +3,7 @@
 
 #include "tetracone/kernel/number/double_double.h"
 #include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/number/products.h"
 #include "tetracone/kernel/number/vertex.h"
 
 #include <algorithm>
@@ -47,20 +48,24 @@ class Ray_triangle {
   const Vertex& direction() const { return direction_; }
   int exponent() const { return exponent_; }
 
-  /// Requires corners within 2^250.
-  ///
-  /// With M the largest |A_k|, |B_k|, |C_k|: a sign past an edge is a sum of six products of at most 2 M^2, rounded at
-  /// most seven times each with its differences: below 2^-46 M^2. With S the largest component of an edge: N sums six
-  /// products of at most S^2 M and D six of 2 S^2, rounded likewise: below 2^-46 S^2 M and 2^-45 S^2, of which twice as
-  /// much is taken. Nothing underflows that counts beside these.
+  /// Of a sign past an edge, a share of M^2, M the largest |A_k|, |B_k|, |C_k|: six products of at most 2 M^2, rounded
+  /// seven times each with its differences.
+  static constexpr double side_rounding = 0x1p-46;
+
+  /// Of N and of t D, a share of S^2 M, S the largest component of an edge: N sums six products of at most S^2 M, rounded
+  /// eight times, D six of 2 S^2, seven times; and t is at most M where the ray meets the triangle, for |t d_k| <= M.
+  static constexpr double plane_rounding = 0x1p-45;
+
+  /// Requires corners within 2^250. Nothing underflows that counts beside the bounds; and where N is above its own, D is
+  /// more than N / M less its own.
   Decision operator()(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
-    const Vertex A = less_origin(a), B = less_origin(b), C = less_origin(c);
+    const Vertex A = difference(a, origin_), B = difference(b, origin_), C = difference(c, origin_);
     const double M = maximum(largest(A), largest(B), largest(C));
     if (!usable_ || !(M >= 0x1p-300)) return {};
-    const double limit = 0x1p-46 * M * M;
-    const double ab = determinant(direction_, A, B), bc = determinant(direction_, B, C),
-                 ca = determinant(direction_, C, A);
+    const double limit = side_rounding * M * M;
+    const double ab = determinant(A, B, direction_), bc = determinant(B, C, direction_),
+                 ca = determinant(C, A, direction_);
     // No branch but the last: each is a guess.
     const bool some_left = (ab > limit) | (bc > limit) | (ca > limit),
                some_right = (ab < -limit) | (bc < -limit) | (ca < -limit);
@@ -73,33 +78,30 @@ class Ray_triangle {
     const Vertex p = difference(b, a), q = difference(c, a);
     const double S = maximum(largest(p), largest(q));
     if (!(S >= 0x1p-300)) return {};
-    const double N = determinant(A, p, q) * turn, D = determinant(direction_, p, q) * turn;
-    const double error_N = 0x1p-45 * S * S * M, error_D = 0x1p-44 * S * S;
-    if (N < -error_N) return {Meets::no};
-    if (!(N > error_N) || !(D > 2 * error_D)) return {};
-    return {Meets::yes, (N - error_N) / (D + error_D) * (1 - 0x1p-50), (N + error_N) / (D - error_D) * (1 + 0x1p-50)};
+    const double N = determinant(p, q, A) * turn, D = determinant(p, q, direction_) * turn,
+                 error = plane_rounding * S * S * M;
+    if (N < -error) return {Meets::no};
+    if (!(N > error)) return {};
+    return {Meets::yes, (N - error) / D * (1 - 0x1p-50), (N + error) / D * (1 + 0x1p-50)};
   }
 
+  /// In double-double: of N a share of S^2 M, of D one of S^2, which six products of at most S^2 M and 2 S^2 lose; and of
+  /// the quotient, whose rest is off by some roundings in double-double, its correction by as many in double.
+  static constexpr double height_rounding = 0x1p-97, slope_rounding = 0x1p-96, quotient_rounding = 0x1p-98;
+
   /// t of the ray as it was given, the double nearest to it, where double-double tells. Requires a ray that meets the
-  /// triangle's plane in one point.
-  ///
-  /// Differences of doubles are exact here. A component of n is off by 20 u^2 S^2, u = 2^-53, N by less than 2^-97 S^2
-  /// M and D by 2^-96 S^2; the quotient's own error is below 2^-100 of it.
+  /// triangle's plane in one point. Differences of doubles are exact here.
   std::optional<double> rounded(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
+    using Wide_vector = std::array<Double_double, 3>;
     const auto exact = [](const Vertex& x, const Vertex& y) {
-      std::array<Double_double, 3> d;
-      for (int k = 0; k < 3; ++k) d[k] = Double_double::sum(x[k], -y[k]);
-      return d;
+      return Wide_vector{Double_double::sum(x[0], -y[0]), Double_double::sum(x[1], -y[1]),
+                         Double_double::sum(x[2], -y[2])};
     };
-    const auto A = exact(a, origin_), p = exact(b, a), q = exact(c, a);
-    Double_double N, D;
+    const Wide_vector A = exact(a, origin_), p = exact(b, a), q = exact(c, a), normal = cross(p, q);
+    const Double_double N = dot(normal, A), D = dot(normal, Wide_vector{direction_[0], direction_[1], direction_[2]});
     double S = 0, M = 0;
     for (int k = 0; k < 3; ++k) {
-      const int i = (k + 1) % 3, j = (k + 2) % 3;
-      const Double_double normal = p[i] * q[j] - p[j] * q[i];
-      N = N + normal * A[k];
-      D = D + normal * Double_double(direction_[k]);
       S = maximum(S, std::abs(p[k].high), std::abs(q[k].high));
       M = maximum(M, std::abs(A[k].high));
     }
@@ -107,8 +109,8 @@ class Ray_triangle {
     const double quotient = N.high / D.high;
     const Double_double rest = N - Double_double(quotient) * D;
     const double correction = rest.high / D.high;
-    const double error =
-        std::abs(quotient) * (0x1p-96 * S * S * M / std::abs(N.high) + 0x1p-95 * S * S / std::abs(D.high) + 0x1p-98);
+    const double error = std::abs(quotient) * (height_rounding * S * S * M / std::abs(N.high) +
+                                               slope_rounding * S * S / std::abs(D.high) + quotient_rounding);
     const double below = quotient + (correction - error), above = quotient + (correction + error);
     const double t = std::scalbn(below, -exponent_);
     if (!(below == above) || !(std::abs(t) >= 0x1p-1000 && std::abs(t) <= 0x1p1000)) return std::nullopt;
@@ -116,13 +118,7 @@ class Ray_triangle {
   }
 
  private:
-  static Vertex difference(const Vertex& a, const Vertex& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-  Vertex less_origin(const Vertex& a) const { return difference(a, origin_); }
   static double largest(const Vertex& a) { return maximum_of_defined(std::abs(a[0]), std::abs(a[1]), std::abs(a[2])); }
-  static double determinant(const Vertex& a, const Vertex& b, const Vertex& c)
-  {
-    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
-  }
 
   Vertex origin_, direction_;
   int exponent_;

@@ -224,7 +224,7 @@ class Span_reference {
   {
     double square = 0;
     for (int k = 0; k < 3; ++k) square += double(boxes.extent[k][lane]) * double(boxes.extent[k][lane]);
-    return std::sqrt(square) * (1 + 0x1p-16);
+    return std::sqrt(square) * (1 + double(kernel::radius_rounding));
   }
 
   static constexpr double most_bent = 0.125;

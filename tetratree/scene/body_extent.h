@@ -45,21 +45,45 @@ struct Body_extent {
 /// lose by underflow.
 inline constexpr double placed_rounding = 16 * kernel::unit_roundoff<double>, placed_underflow = 0x1p-1000;
 
+/// A coordinate of the image of a box, by a row m of a map and its translation t: of the centre, how far it reaches from
+/// there, and the magnitudes of all terms.
+template <class Number>
+struct Placed_coordinate {
+  Number at, reach, terms;
+
+  Placed_coordinate(const std::array<Number, 3>& m, const Number& t, const std::array<Number, 3>& centre,
+                    const std::array<Number, 3>& half)
+      : at(t), reach(0), terms(magnitude(t))
+  {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Number size = magnitude(m[j]);
+      at = at + m[j] * centre[j];
+      reach = reach + size * half[j];
+      terms = terms + size * (magnitude(centre[j]) + half[j]);
+    }
+  }
+
+ private:
+  static Number magnitude(const Number& x)
+  {
+    using std::abs;
+    return abs(x);
+  }
+};
+inline Placed_coordinate<double> placed_coordinate(const Body_extent& extent, const kernel::Pose& pose, int i)
+{
+  return {{pose[4 * i], pose[4 * i + 1], pose[4 * i + 2]}, pose[4 * i + 3], extent.centre, extent.half};
+}
+
 /// About the placed body: the image of the box of its model, |x_i - M_i c - t_i| <= sum_j |M_ij| half_j.
 inline World_box world_box(const Body_extent& extent, const kernel::Pose& pose)
 {
   World_box box;
   for (int i = 0; i < 3; ++i) {
-    double at = pose[4 * i + 3], reach = 0, terms = std::abs(at);
-    for (int j = 0; j < 3; ++j) {
-      const double m = pose[4 * i + j], size = std::abs(m);
-      at += m * extent.centre[j];
-      reach += size * extent.half[j];
-      terms += size * (std::abs(extent.centre[j]) + extent.half[j]);
-    }
-    const double slack = placed_rounding * terms + placed_underflow;
-    box.low[i] = rounded_below(at - reach - slack);
-    box.high[i] = rounded_above(at + reach + slack);
+    const Placed_coordinate<double> x = placed_coordinate(extent, pose, i);
+    const double slack = placed_rounding * x.terms + placed_underflow;
+    box.low[i] = rounded_below(x.at - x.reach - slack);
+    box.high[i] = rounded_above(x.at + x.reach + slack);
   }
   return box;
 }
@@ -110,17 +134,15 @@ inline double motion(const Body_extent& extent, const kernel::Pose& from, const 
   const double rounding_of_entries = from.is_rational() || to.is_rational() ? kernel::unit_roundoff<double> : 0;
   double squares = 0;
   for (int i = 0; i < 3; ++i) {
-    const double dt = to[4 * i + 3] - from[4 * i + 3];
-    double at = dt, reach = 0, terms = std::abs(dt), entries = std::abs(to[4 * i + 3]) + std::abs(from[4 * i + 3]);
-    for (int j = 0; j < 3; ++j) {
-      const double p = from[4 * i + j], q = to[4 * i + j], dm = q - p;
-      const double farthest = std::abs(extent.centre[j]) + extent.half[j];
-      at += dm * extent.centre[j];
-      reach += std::abs(dm) * extent.half[j];
-      terms += std::abs(dm) * farthest;
-      entries += (std::abs(p) + std::abs(q)) * farthest;
+    std::array<double, 3> change;
+    double entries = std::abs(to[4 * i + 3]) + std::abs(from[4 * i + 3]);
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double p = from[4 * i + int(j)], q = to[4 * i + int(j)];
+      change[j] = q - p;
+      entries += (std::abs(p) + std::abs(q)) * (std::abs(extent.centre[j]) + extent.half[j]);
     }
-    const double along = std::abs(at) + reach + placed_rounding * terms + 2 * rounding_of_entries * entries;
+    const Placed_coordinate<double> x(change, to[4 * i + 3] - from[4 * i + 3], extent.centre, extent.half);
+    const double along = std::abs(x.at) + x.reach + placed_rounding * x.terms + 2 * rounding_of_entries * entries;
     squares += along * along;
   }
   // Squares that underflow are of what is far below the last term.

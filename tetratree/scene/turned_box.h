@@ -30,8 +30,8 @@ struct Turned_box {
 };
 
 /// What axes that are not quite at right angles, and are rounded to float, take away from a box, a share of the sum of its
-/// extents; and how far columns of a pose may be from right angles.
-inline constexpr double turned_rounding = 0x1p-20, most_skewed = 0x1p-24;
+/// extents; what a centre in float does, of its coordinates; and how far columns of a pose may be from right angles.
+inline constexpr double turned_rounding = 0x1p-20, turned_centre_rounding = 0x1p-22, most_skewed = 0x1p-24;
 
 /// The image of c + sum_j s_j half_j e_j is M c + t + sum_j s_j half_j m_j, m_j the columns of M, as long as extents over
 /// half. The centre is off by `placed_rounding` of its terms in each coordinate, along axes by less than twice that; a
@@ -41,13 +41,9 @@ inline Turned_box turned_box(const Body_extent& extent, const kernel::Pose& pose
   Turned_box box;
   double most = 0, sum = 0;
   for (int i = 0; i < 3; ++i) {
-    double at = pose[4 * i + 3], terms = std::abs(at);
-    for (int j = 0; j < 3; ++j) {
-      at += pose[4 * i + j] * extent.centre[j];
-      terms += std::abs(pose[4 * i + j]) * (std::abs(extent.centre[j]) + extent.half[j]);
-    }
-    box.centre[i] = at;
-    most = kernel::maximum(most, terms);
+    const Placed_coordinate<double> x = placed_coordinate(extent, pose, i);
+    box.centre[i] = x.at;
+    most = kernel::maximum(most, x.terms);
   }
   for (int j = 0; j < 3; ++j) {
     const kernel::Vertex column = {pose[j], pose[4 + j], pose[8 + j]};
@@ -90,7 +86,7 @@ inline std::array<double, kernel::lanes> turned_gaps(const Turned_box& one, std:
     }
     for (int j = 0; j < 3; ++j) {
       for (int k = 0; k < 3; ++k) boxes.axis[j][k][lane] = float(box.axis[j][k]);
-      boxes.extent[j][lane] = float((box.extent[j] * per_unit + 0x1p-22 * off) * (1 + 0x1p-22));
+      boxes.extent[j][lane] = float((box.extent[j] * per_unit + turned_centre_rounding * off) * (1 + 0x1p-22));
       sum += boxes.extent[j][lane];
     }
     boxes.reach = kernel::maximum(boxes.reach, float((std::sqrt(square) + sum) * (1 + 0x1p-20)));

@@ -4,8 +4,13 @@
 #include "verify/proofs/bound_proofs.h"
 #include "verify/proofs/distance_proofs.h"
 #include "verify/proofs/frame_proofs.h"
+#include "verify/proofs/gap_proofs.h"
 #include "verify/proofs/margin_proofs.h"
+#include "verify/proofs/motion_proofs.h"
+#include "verify/proofs/obb8_distance_proofs.h"
 #include "verify/proofs/obb8_proofs.h"
+#include "verify/proofs/ray_proofs.h"
+#include "verify/proofs/scene_proofs.h"
 #include "verify/proofs/searches.h"
 #include "verify/proofs/separation_proofs.h"
 
@@ -21,7 +26,8 @@ Proved_bounds all_proofs()
 {
   Proved_bounds all;
   for (const auto& proofs :
-       {adaptive_proofs, bound_proofs, frame_proofs, obb8_proofs, separation_proofs, margin_proofs, distance_proofs})
+       {adaptive_proofs, bound_proofs, frame_proofs, obb8_proofs, gap_proofs, obb8_distance_proofs, separation_proofs,
+        margin_proofs, distance_proofs, ray_proofs, motion_proofs, scene_proofs})
     for (const Proved_bound& bound : proofs()) all.push_back(bound);
   return all;
 }
@@ -32,7 +38,8 @@ const Searches& searches()
 {
   static const Searches all = [] {
     Searches found;
-    for (const auto& part : {adaptive_searches, bound_searches, frame_searches, box_searches, distance_searches})
+    for (const auto& part :
+         {adaptive_searches, bound_searches, frame_searches, box_searches, distance_searches, ray_searches})
       found.merge(part());
     return found;
   }();
@@ -43,12 +50,17 @@ const Searches& searches()
 
 std::string why_not_searched(const std::string& name)
 {
+  const std::string counted = "counts roundings, each taken in full",
+                    one = "one rounding of each coordinate, taken in full";
   static const std::map<std::string, std::string> reasons = {
       {"Support_table::slack", "its reaches are rounded up, by more than a search finds beside them"},
       {"Relative_frame::second_order", "of second order: what it adds to 1 is below the first order's own rounding"},
       {"few_roundings", "counts roundings, each taken in full"},
       {"rounded_up", "counts roundings, each taken in full"},
       {"bound_box_defect in bound_box", "as axis_defect_factor"},
+      {"radius_rounding", "counts roundings, each taken in full"},
+      {"Carried_box::centre_rounding", "one rounding of each coordinate, taken in full"},
+      {"Carried_box::position_norm", "as position_factor"},
       {"box_underflow", "underflow comes where no rounding of these sizes is seen"},
       {"apex_tolerance", "every apex is checked when it is stored"},
       {"Regular_hull::normal_rounding", "every cone of its levels is enclosed instead"},

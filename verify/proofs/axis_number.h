@@ -21,6 +21,7 @@ class Axis_number {
   }
   const std::vector<Number>& any() const { return any_; }
 
+  friend Axis_number Add(const Axis_number& a, const Axis_number& b) { return a.one() + b.one(); }
   friend Axis_number Sub(const Axis_number& a, const Axis_number& b) { return a.one() - b.one(); }
   friend Axis_number Mul(const Axis_number& a, const Axis_number& b) { return a.one() * b.one(); }
   friend Axis_number Abs(const Axis_number& a) { return abs(a.one()); }

@@ -1,7 +1,9 @@
 #include "verify/proofs/searches.h"
 
-#include "tetracone/kernel/bound/obb8.h"
+#include "tetracone/kernel/bound/obb8_gap.h"
 #include "verify/proofs/box_test.h"
+#include "verify/proofs/obb8_distance_proofs.h"
+#include "verify/proofs/scene_proofs.h"
 
 #include <algorithm>
 #include <array>
@@ -117,6 +119,155 @@ double carried_boxes(const Inputs& in)
   return detail::ratio(worst, sides * boxes.sum_of_extents()) / u_of_float;
 }
 
+/// A gap, and its axis as it is stored, as they are computed.
+struct Stored_gap {
+  float gap;
+  std::array<float, 3> axis;
+};
+
+/// Those of all axes, or of a triangle's two sides.
+template <bool fused>
+std::vector<Stored_gap> stored_gaps(const Box_test<Float, fused>& test, bool triangle)
+{
+  namespace simd = kernel::HWY_NAMESPACE;
+  const auto largest = simd::largest_gap<true>(test, Keep_all());
+  auto found = largest.kept;
+  if (triangle) {
+    const auto sides =
+        simd::beyond_triangle(test, largest.edges, test.boxes.extent[0], test.boxes.extent[1], test.boxes.extent[2]);
+    found = Max(simd::gap_beyond(Keep_all(), test, sides.left, sides.left_length, sides.left_normal, Float(0)),
+                simd::gap_beyond(Keep_all(), test, sides.right, sides.right_length, sides.right_normal, Float(0)));
+  }
+  std::vector<Stored_gap> gaps;
+  for (const auto& [gap, n0, n1, n2] : found.all) {
+    const auto coordinate = [&](int k) { return simd::component_in_frame(test, k, n0, n1, n2).one().computed; };
+    gaps.push_back({gap.one().computed, {coordinate(0), coordinate(1), coordinate(2)}});
+  }
+  return gaps;
+}
+
+/// The gap along an axis, exactly, of boxes of edges that are not rounded. A triangle's leads from the other box.
+template <bool fused>
+Rational exact_gap(const Box_test<Float, fused>& test, const std::array<float, 3>& axis, bool triangle)
+{
+  Rational way = 0, reach = 0, along[3], of_axis[3];
+  for (int k = 0; k < 3; ++k) {
+    const Rational n(axis[std::size_t(k)]);
+    way += n * (test.box.centre[k].exact - test.boxes.centre[k].one().exact);
+    for (int j = 0; j < 3; ++j) {
+      along[j] += n * test.box.edge[j][k].exact * test.box.extent[j].exact;
+      of_axis[j] += n * test.boxes.axis[j][k].one().exact * test.boxes.extent[j].one().exact;
+    }
+  }
+  for (const Rational& x : of_axis) reach += abs(x);
+  if (triangle)
+    return Rational(way - reach +
+                    std::min({Rational(-along[1] - along[2]), Rational(along[1] - along[2]), Rational(along[2])}));
+  for (const Rational& x : along) reach += abs(x);
+  return Rational(abs(way) - reach);
+}
+
+/// By how much a gap is too large.
+template <bool triangle>
+double certified_gaps(const Inputs& in)
+{
+  Boxes boxes;
+  const std::vector<Float> numbers = boxes.inputs(in, Edges::carried);
+  double worst = 0;
+  const auto compare = [&](const auto& test) {
+    for (const Stored_gap& found : stored_gaps(test, triangle))
+      worst = std::max(worst, Rational(Rational(found.gap) - exact_gap(test, found.axis, triangle)).get_d());
+  };
+  compare(Box_test<Float, true>(numbers, Edges::carried, false, Float(0)));
+  compare(Box_test<Float, false>(numbers, Edges::carried, false, Float(0)));
+  return detail::ratio(worst, boxes.norm_1_of_single_centre() + boxes.sum_of_extents()) / u_of_float;
+}
+
+/// By how much an axis as it is stored is longer than 1.
+double stored_length(const Inputs& in)
+{
+  Boxes boxes;
+  const Box_test<Float, true> test(boxes.inputs(in, Edges::carried), Edges::carried, false, Float(0));
+  double longest = 0;
+  for (const bool triangle : {false, true})
+    for (const Stored_gap& found : stored_gaps(test, triangle)) {
+      Rational square = 0;
+      for (const float n : found.axis) square += Rational(n) * Rational(n);
+      longest = std::max(longest, Rational(square - 1).get_d() / 2);
+    }
+  return longest / u_of_float;
+}
+
+/// n . way in float, of an n and a way that are rounded to it.
+double way(const Inputs& in)
+{
+  using Floats = Axis_number<Float, false>;
+  Floats n[3], moved[3];
+  double largest = 0, sum = 0;
+  const auto rounded = [](double x) { return Float(float(x), Rational(x)); };
+  for (int k = 0; k < 3; ++k) {
+    n[k] = rounded(in[k]);
+    moved[k] = rounded(in[3 + k]);
+    largest = std::max(largest, std::abs(in[k]));
+    sum += std::abs(in[3 + k]);
+  }
+  return detail::ratio(kernel::HWY_NAMESPACE::along_axis(n, moved).one().error(), largest * sum) / u_of_float;
+}
+
+/// A step along an axis: entries are rounded to float.
+double step(const Inputs& in)
+{
+  using Floats = Axis_number<Float, false>;
+  const auto rounded = [](double x) { return Float(float(x), Rational(x)); };
+  Floats n[3], centre[3], shift[3], bend[3][3];
+  double largest = 0, reach = 0, size = 0;
+  for (int k = 0; k < 3; ++k) {
+    n[k] = Float(in[k]);
+    centre[k] = Float(in[3 + k]);
+    shift[k] = rounded(in[6 + k]);
+    largest = std::max(largest, std::abs(in[k]));
+    reach = std::max(reach, std::abs(in[3 + k]));
+    size += std::abs(in[6 + k]);
+  }
+  for (int k = 0; k < 3; ++k)
+    for (int j = 0; j < 3; ++j) {
+      const double x = in[9 + 3 * k + j];
+      bend[k][j] = rounded(x);
+      size += reach * std::abs(x);
+    }
+  return detail::ratio(kernel::HWY_NAMESPACE::step_along(n, centre, shift, bend).one().error(), largest * size) /
+         u_of_float;
+}
+
+/// The gap along a way in a frame: rounding alone.
+double distances(const Inputs& in)
+{
+  Boxes boxes;
+  std::vector<Float> numbers = boxes.inputs(in, Edges::carried);
+  double sum = 0, worst = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    numbers.emplace_back(std::abs(in[Boxes::end + k]));
+    sum += numbers.back().computed;
+  }
+  for (const auto frame : {detail::Frame_of::eight, detail::Frame_of::single_box})
+    worst = std::max({worst, detail::gap_of_way<true>(numbers, frame, Float(0)).error(),
+                      detail::gap_of_way<false>(numbers, frame, Float(0)).error()});
+  return detail::ratio(worst, sum * (boxes.norm_1_of_single_centre() + boxes.sum_of_extents())) / u_of_float;
+}
+
+/// A coordinate of a placed box's lower end, of entries that are rounded; or that of its centre alone.
+template <bool is_end>
+double placed(const Inputs& in)
+{
+  std::vector<Tracked<double>> numbers;
+  for (int k = 0; k < 10; ++k) {
+    const double x = k < 7 ? in[std::size_t(k)] : std::abs(in[std::size_t(k)]);
+    numbers.push_back(k < 4 ? detail::rounded_once<double>(x, in[std::size_t(10 + k)]) : Tracked<double>(x));
+  }
+  const auto x = detail::placed_coordinate(numbers);
+  return detail::ratio((is_end ? x.at - x.reach : x.at).error(), x.terms.computed) / detail::u;
+}
+
 /// The end of a ray from the holder's origin through a point, and where its box ends, by its centre, direction and
 /// extent in float.
 double ray(const Inputs& in)
@@ -173,6 +324,14 @@ Searches box_searches()
           {"box_rounding, rays of containment", {Boxes::end, any_boxes<Edges::given>}},
           {"carried_box_rounding", {Boxes::end, carried_boxes<false>}},
           {"twice carried_box_rounding, sides of a triangle", {Boxes::end, carried_boxes<true>}},
+          {"gap_rounding", {Boxes::end, certified_gaps<false>}},
+          {"twice gap_rounding, sides of a triangle", {Boxes::end, certified_gaps<true>}},
+          {"gap_shrink", {Boxes::end, stored_length}},
+          {"Carried_box::way_rounding", {6, way}},
+          {"step_rounding", {18, step}},
+          {"distance_rounding", {Boxes::end + 3, distances}},
+          {"placed_rounding", {14, placed<true>}},
+          {"placed_rounding, of motions", {14, placed<false>}},
           {"Bvh8_containment::ray_rounding", {3, ray}},
           {"axis_defect_factor", {9, coordinates}}};
 }

@@ -78,6 +78,26 @@ struct Box_test {
   }
 };
 
+/// Every gap that is compared, and the components of its axis along the eight's axes.
+template <class Floats>
+struct All_gaps {
+  std::vector<std::array<Floats, 4>> all;
+
+  friend All_gaps Max(const All_gaps& a, const All_gaps& b)
+  {
+    All_gaps both = a;
+    both.all.insert(both.all.end(), b.all.begin(), b.all.end());
+    return both;
+  }
+};
+struct Keep_all {
+  template <class Floats>
+  All_gaps<Floats> operator()(const Floats& gap, const Floats& n0, const Floats& n1, const Floats& n2) const
+  {
+    return {{{gap, n0, n1, n2}}};
+  }
+};
+
 /// The gaps of all axes tried, by the comparison itself: 3 of the eight's normals, 3 of the single box's, 9 across, and
 /// of a triangle 2 more.
 template <class Number, bool fused>

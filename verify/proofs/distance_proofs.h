@@ -3,9 +3,11 @@
 
 #include "tetracone/kernel/bound/cone_cells.h"
 #include "tetracone/kernel/bound/triangle_distance.h"
+#include "tetracone/kernel/number/double_double_ball.h"
 #include "tetracone/kernel/number/products.h"
 #include "verify/proofs/adaptive_proofs.h"
 #include "verify/proofs/proved_bound.h"
+#include "verify/proofs/range_number.h"
 #include "verify/proofs/rounding_count.h"
 #include "verify/proofs/slices.h"
 
@@ -14,7 +16,8 @@
 #include <string>
 #include <vector>
 
-/// The constants of kernel/bound/triangle_distance.h and of the signs by which the point locator's cones decide.
+/// The constants of kernel/bound/triangle_distance.h, of balls of double-double, and of the signs by which the point
+/// locator's cones decide.
 namespace tetracone::verify::proofs {
 
 namespace detail {
@@ -102,6 +105,26 @@ inline Proved_bounds distance_proofs()
       half_root_of_3 * std::max(Rational(in_triangle + 2 * Rational(u)), of_gap) / power(down, 4);
   bounds.push_back({"triangle_distance::point_rounding", of_triangles, Rational(td::point_rounding), point_rounding, u,
                     1.03, "gappa"});
+
+  // Balls of double-double: what is proved of its sums and products, told by the high part of the result. Magnitudes and
+  // radii are rounded on their way, a magnitude first as a high part.
+  using Ball = kernel::Double_double_ball;
+  const std::string of_balls = "kernel/number/double_double_ball.h";
+  const Rational square(u * u);
+  const Rational sum_error = 3 * square / (1 - 4 * Rational(u)), product_error = 7 * square;
+  bounds.push_back({"Double_double_ball::sum_rounding", of_balls, Rational(Ball::sum_rounding),
+                    sum_error / (1 - sum_error) * up, u * u, 1.34, "rationals"});
+  bounds.push_back({"Double_double_ball::product_rounding", of_balls, Rational(Ball::product_rounding),
+                    product_error / (1 - product_error) * up, u * u, 1.15, "rationals"});
+  const Count radius, magnitude = entry(radius);
+  const int of_radius = std::max(Ball::radius_of_sum(radius, radius, magnitude).count(),
+                                 Ball::radius_of_product(magnitude, radius, magnitude, radius, magnitude).count());
+  bounds.push_back({"Double_double_ball::of_radii", of_balls, Rational(Ball::of_radii) - 1,
+                    1 / power(down, of_radius) - 1, u, 2.3, "rationals"});
+  // A high part's remainder, both mixed products, and three products of radii.
+  bounds.push_back({"Double_double_ball::underflow", of_balls, Rational(Ball::underflow),
+                    (Double_double_range::lost_by_product() + 3 * Double_range::lost_by_product()) * 2, 0x1p-1074, 2731,
+                    "rationals"});
 
   // Signs about the origin: of a model's coordinates, at most 1, and of a point whose norm is at most 4. What its
   // coordinates are off by moves the determinants by their minors.

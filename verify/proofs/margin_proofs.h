@@ -117,8 +117,9 @@ inline Proved_bounds margin_proofs()
   };
 
   add("few_roundings", "kernel/number/floating_point.h", kernel::few_roundings, times(once, 100) - 1, u, 82);
-  // The way of a box's size: two sums, stretched, and the product with this.
-  add("rounded_up", "kernel/bound/obb8.h", kernel::rounded_up - 1, times(once_in_float, 6) - 1, of_float, 2.67);
+  // The way of a box's size: two sums, stretched, and the product with this; then the slack of a gap, by two sums and
+  // two products.
+  add("rounded_up", "kernel/bound/obb8.h", kernel::rounded_up - 1, times(once_in_float, 8) - 1, of_float, 2.01);
   add("box_underflow", "kernel/bound/obb8.h", kernel::box_underflow, detail::underflow_of_boxes(), 0x1p-149, 2.86e12);
 
   // The rows of X = f M^T: |col|_1 <= sqrt(3) |col|_2, a column as long as the first but for the defect of its square;

@@ -31,6 +31,7 @@ Searches bound_searches();
 Searches frame_searches();
 Searches box_searches();
 Searches distance_searches();
+Searches ray_searches();
 
 namespace detail {
 

@@ -1,5 +1,6 @@
 #include "tetracone/kernel/predicate/ray_triangle.h"
 
+#include "tetracone/kernel/number/products.h"
 #include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 
@@ -120,6 +121,29 @@ BOOST_AUTO_TEST_CASE(what_is_decided_and_rounded_is_what_rationals_say)
   BOOST_TEST(no > 1000);
   BOOST_TEST(uncertain > 1000);
   BOOST_TEST(rounded > 10000);
+}
+
+BOOST_AUTO_TEST_CASE(where_a_ray_nearly_in_the_plane_meets_it_is_rounded_as_rationals_say)
+{
+  // The less it leaves the plane, the larger are errors of D, as shares of it.
+  Random random(17);
+  int rounded = 0, not_rounded = 0;
+  for (int k = 0; k < 3000; ++k) {
+    Scene scene;
+    for (Vertex& corner : scene.triangle) corner = real_vertex(random, 1);
+    scene.origin = real_vertex(random, 1);
+    const auto& [a, b, c] = scene.triangle;
+    const Vertex p = difference(b, a), q = difference(c, a), normal = cross(p, q);
+    const double s = real(random, -1, 1), t = real(random, -1, 1), leaves = std::ldexp(1, -integer(random, 34, 50));
+    for (std::size_t i = 0; i < 3; ++i) scene.direction[i] = s * p[i] + t * q[i] + leaves * normal[i];
+    const Truth right = truth(scene);
+    if (!right.t) continue;
+    const auto found = Ray_triangle(scene.origin, scene.direction).rounded(a, b, c);
+    ++(found ? rounded : not_rounded);
+    if (found) BOOST_TEST(*found == nearest_double(*right.t));
+  }
+  BOOST_TEST(rounded > 1000);
+  BOOST_TEST(not_rounded > 100);
 }
 
 BOOST_AUTO_TEST_CASE(what_degenerates_or_is_out_of_range_is_uncertain)

@@ -26,7 +26,7 @@ BOOST_AUTO_TEST_CASE(no_search_finds_more_than_is_proved_and_each_finds_somethin
     BOOST_TEST(found > 0, bound.name);
     BOOST_TEST(found <= proved, bound.name << ": found " << found << ", proved " << proved);
   }
-  BOOST_TEST(searched == 52);
+  BOOST_TEST(searched == 64);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,199 @@
+#ifndef TETRACONE_VERIFY_PROOFS_GAP_PROOFS_H
+#define TETRACONE_VERIFY_PROOFS_GAP_PROOFS_H
+
+#include "tetracone/kernel/bound/obb8_gap.h"
+#include "tetracone/kernel/bound/relative_frame.h"
+#include "verify/proofs/box_test.h"
+#include "verify/proofs/near_orthonormal.h"
+#include "verify/proofs/obb8_proofs.h"
+#include "verify/proofs/proved_bound.h"
+#include "verify/proofs/rounding_count.h"
+#include "verify/proofs/slices.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+/// The constants of kernel/bound/obb8_gap.h, from kernel/bound/obb8_gap_simd.inl itself.
+namespace tetracone::verify::proofs {
+
+namespace detail {
+
+/// Inputs of the expressions below: those of a comparison, and three numbers more.
+inline constexpr std::size_t more = Place::end, gap_inputs = more + 3;
+
+template <bool fused, class Number>
+Box_test<Number, fused> box_test(const std::vector<Number>& in, Edges edges)
+{
+  return Box_test<Number, fused>(in, edges, true, Number(*in[0].script(), "0"));
+}
+
+/// The first component of the single box's first axis: after the eight's own three.
+template <bool fused, class Number>
+Number component_of_axis(const std::vector<Number>& in)
+{
+  return kernel::HWY_NAMESPACE::largest_gap<true>(box_test<fused>(in, Edges::carried), Keep_all()).kept.all[3][1].one();
+}
+
+/// The first coordinate of an axis as it is stored; its components are the three numbers.
+template <bool fused, class Number>
+Number stored_coordinate(const std::vector<Number>& in)
+{
+  using Floats = Axis_number<Number, fused>;
+  return kernel::HWY_NAMESPACE::component_in_frame(box_test<fused>(in, Edges::given), 0, Floats(in[more]),
+                                                   Floats(in[more + 1]), Floats(in[more + 2]))
+      .one();
+}
+
+/// The gap beyond a triangle's edge, or the first component of its axis: the three numbers are by what the box lies
+/// beyond the edge's line, over the normal's length, and such components of the single box's edges 1 and 2.
+template <bool fused, bool is_axis, class Number>
+Number beyond_edge(const std::vector<Number>& in)
+{
+  using Floats = Axis_number<Number, fused>;
+  const auto test = box_test<fused>(in, Edges::given);
+  const Number none(*in[0].script(), "0");
+  const Floats zero(none);
+  const kernel::HWY_NAMESPACE::Relative_edges<Floats> edges = {
+      zero, zero, zero, Floats(in[more + 1]), zero, zero, Floats(in[more + 2]), zero, zero};
+  const auto sides = kernel::HWY_NAMESPACE::beyond_triangle(test, edges, zero, zero, zero);
+  return kernel::HWY_NAMESPACE::gap_beyond(Keep_all(), test, Floats(in[more]), sides.left_length, sides.left_normal,
+                                           none)
+      .all[0][is_axis]
+      .one();
+}
+
+/// What a gap and its axis lose, in roundings of either way of products and sums.
+struct Losses_of_gap {
+  Rational component = 0;  ///< of an axis' components, shares of an edge's length
+  Rational stored = 0;     ///< of the stored axis' coordinates, shares of these components
+  Rational side = 0;       ///< of components along a triangle's side, over the normal's length
+  Rational beyond = 0;     ///< of the gap there, a share of itself
+};
+
+template <bool fused>
+Losses_of_gap losses_of_gap()
+{
+  const auto slice = [](const std::vector<int>& places) {
+    Slice all(gap_inputs, 0);
+    for (const int place : places) all[std::size_t(place)] = 1;
+    return all;
+  };
+  const auto most = [](const auto& expression, const std::vector<Slice>& slices) {
+    return largest(slice_errors<Relative_32>(expression, slices));
+  };
+  Losses_of_gap losses;
+  std::vector<Slice> components, stored;
+  for (int k = 0; k < 3; ++k) {
+    components.push_back(slice({Place::axis + k, Place::edge, Place::direction + 3 * k}));
+    stored.push_back(slice({Place::axis + 3 * k, int(more) + k}));
+  }
+  losses.component = most([](const auto& in) { return component_of_axis<fused>(in); }, components);
+  losses.stored = most([](const auto& in) { return stored_coordinate<fused>(in); }, stored);
+  // Extents 1 and 2 are 1: the base is 2, what is left of the apex 1, and the normal's length 3, of which each counts a
+  // third at least.
+  const int one = Place::single_extent + 1, two = Place::single_extent + 2;
+  losses.side = 3 * most([](const auto& in) { return beyond_edge<fused, true>(in); },
+                         {slice({one, two, int(more) + 1}), slice({one, two, int(more) + 2})});
+  losses.beyond =
+      3 * most([](const auto& in) { return beyond_edge<fused, false>(in); }, {slice({one, two, int(more)})});
+  return losses;
+}
+
+}  // namespace detail
+
+inline Proved_bounds gap_proofs()
+{
+  using detail::Kind;
+  using kernel::Carried_box;
+  const double u = kernel::unit_roundoff<float>;
+  const Rational roundoff(u), defect(kernel::axis_defect), computed = 1 + Rational(0x1p-16);
+  const std::string file = "kernel/bound/obb8_gap.h";
+  Proved_bounds bounds;
+  const auto add = [&](const std::string& name, double in_code, const Rational& proved, double unit, double loosest,
+                       const std::string& by) {
+    bounds.push_back({name, file, Rational(in_code), proved, unit, loosest, by});
+  };
+
+  // How far a stored axis is, as a vector, from the one that the comparison's exact gap is along. A component is a sum
+  // over products of the entries of two rotations, of the eight's axes and of the directions; a stored coordinate one
+  // over the components.
+  const detail::Losses_of_gap fused = detail::losses_of_gap<true>(), apart = detail::losses_of_gap<false>();
+  const Rational component = std::max(fused.component, apart.component), stored = std::max(fused.stored, apart.stored),
+                 side = std::max(fused.side, apart.side), beyond = std::max(fused.beyond, apart.beyond);
+  const Rational off = (3 * component + root_3() * stored) * computed, off_along_side = off + side * computed;
+
+  // Gaps of boxes that are apart: each share counts, of M, which the distance of two of their points is below too.
+  const auto gap = [&](Kind kind) {
+    Rational most = 0;
+    for (const Rational& share : detail::shares_of(Edges::carried, kind, defect, defect + 3 * roundoff * computed))
+      most = std::max(most, share);
+    return Rational(most * computed);
+  };
+  add("gap_rounding", kernel::gap_rounding,
+      std::max(gap(Kind::own), Rational(std::max(gap(Kind::other), gap(Kind::across)) + off)), u, 1.16, "gappa");
+  add("twice gap_rounding, sides of a triangle", 2 * kernel::gap_rounding,
+      gap(Kind::triangle) + beyond + off_along_side, u, 1.66, "gappa");
+
+  // |A A^T b|, b turned by directions of a similarity, of the axes' own defect; and three roundings of the gap.
+  const auto times = [](const Rational& factor, int n) {
+    Rational all = 1;
+    for (int k = 0; k < n; ++k) all *= factor;
+    return all;
+  };
+  const Rational norm = 1 + Rational(3, 2) * defect,
+                 length =
+                     norm * norm * (1 + defect / 2) * (1 + 2 * Rational(kernel::Relative_frame::similarity_defect)) +
+                     off_along_side;
+  add("gap_shrink", 1 - double(kernel::gap_shrink), 1 - 1 / (length * times(1 + roundoff, 3)), u, 1.74, "gappa");
+
+  // n may be rounded, and the way is.
+  const auto moved = [](const auto& in) {
+    using Floats = Axis_number<std::decay_t<decltype(in[0])>, false>;
+    const Floats n[3] = {entry(in[0]), entry(in[1]), entry(in[2])}, way[3] = {entry(in[3]), entry(in[4]), entry(in[5])};
+    return kernel::HWY_NAMESPACE::along_axis(n, way).one();
+  };
+  const std::vector<Slice> terms = {{1, 0, 0, 1, 0, 0}, {0, 1, 0, 0, 1, 0}, {0, 0, 1, 0, 0, 1}};
+  add("Carried_box::way_rounding", Carried_box::way_rounding,
+      largest(slice_errors<Relative_32>(moved, terms)) * length * computed, u, 3.21, "gappa");
+
+  // Coordinates of a step are rounded to float; the sum with what is left of a gap keeps its sign.
+  const auto step = [](const auto& in) {
+    using Floats = Axis_number<std::decay_t<decltype(in[0])>, false>;
+    const Floats n[3] = {in[0], in[1], in[2]}, centre[3] = {in[3], in[4], in[5]};
+    Floats shift[3], bend[3][3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      shift[k] = entry(in[6 + k]);
+      for (std::size_t j = 0; j < 3; ++j) bend[k][j] = entry(in[9 + 3 * k + j]);
+    }
+    return kernel::HWY_NAMESPACE::step_along(n, centre, shift, bend).one();
+  };
+  std::vector<Slice> terms_of_step;
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t j = 0; j < 4; ++j) {
+      Slice slice(18, 0);
+      slice[k] = 1;
+      if (j == 3)
+        slice[6 + k] = 1;
+      else
+        slice[3 + j] = slice[9 + 3 * k + j] = 1;
+      terms_of_step.push_back(slice);
+    }
+  add("step_rounding", kernel::step_rounding,
+      largest(slice_errors<Relative_32>(step, terms_of_step)) * length * computed, u, 4.01, "gappa");
+
+  // Points are sums of axes times extents; the root halves the roundings of squares, and has two more; the product with
+  // a turn and the sum with a loss, two each.
+  add("radius_rounding", kernel::radius_rounding, norm * length * times(1 + roundoff, 2 + 2 + 4) - 1, u, 2.83,
+      "rationals");
+  add("Carried_box::centre_rounding", Carried_box::centre_rounding, root_3() * 4 * roundoff + Rational(0x1p-70), 1,
+      2.32, "rationals");
+  add("Carried_box::position_norm", Carried_box::position_norm, root_3() * length, 1, 1.16, "rationals");
+  return bounds;
+}
+
+}  // namespace tetracone::verify::proofs
+
+#endif

@@ -1,0 +1,86 @@
+#ifndef TETRACONE_VERIFY_PROOFS_RAY_PROOFS_H
+#define TETRACONE_VERIFY_PROOFS_RAY_PROOFS_H
+
+#include "tetracone/kernel/bound/obb8.h"
+#include "tetracone/kernel/bound/obb8_ray.h"
+#include "tetracone/kernel/number/products.h"
+#include "tetracone/kernel/predicate/ray_triangle.h"
+#include "verify/proofs/adaptive_proofs.h"
+#include "verify/proofs/near_orthonormal.h"
+#include "verify/proofs/proved_bound.h"
+#include "verify/proofs/slices.h"
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+/// The constants of kernel/predicate/ray_triangle.h and of rays against boxes, kernel/bound/obb8_ray.h.
+namespace tetracone::verify::proofs {
+
+namespace detail {
+
+/// The determinant of so many differences, from a point at 0, and of what is exact.
+template <std::size_t differences, class Number>
+Number determinant_of_differences(const std::vector<Number>& in)
+{
+  const std::array<Number, 3> zero = {Number(0), Number(0), Number(0)};
+  std::array<std::array<Number, 3>, 3> v = {triple(in, 0), triple(in, 3), triple(in, 6)};
+  for (std::size_t k = 0; k < differences; ++k) v[k] = kernel::difference(v[k], zero);
+  return kernel::determinant(v[0], v[1], v[2]);
+}
+
+}  // namespace detail
+
+inline Proved_bounds ray_proofs()
+{
+  using Ray = kernel::Ray_triangle;
+  const double u = kernel::unit_roundoff<double>;
+  // Magnitudes are those of rounded differences; a bound is three products of such at most.
+  const Rational once = 1 / (1 - Rational(u)), few = once * once * once * once * once * once;
+  Proved_bounds bounds;
+  const auto add = [&](const std::string& name, double in_code, const Rational& proved, double unit, double loosest,
+                       const std::string& by = "gappa") {
+    bounds.push_back({name, "kernel/predicate/ray_triangle.h", Rational(in_code), proved, unit, loosest, by});
+  };
+
+  // The direction's components are 2 at most.
+  const Rational of_direction = 2 * sum(slice_errors<Relative_64>(
+                                        [](const auto&in) { return detail::determinant_of_differences<2>(in); },
+                                        slices_of_determinant())),
+                 of_corner = sum(slice_errors<Relative_64>(
+                     [](const auto&in) { return detail::determinant_of_differences<3>(in); }, slices_of_determinant()));
+  add("Ray_triangle::side_rounding", Ray::side_rounding, of_direction * few, u, 1.61);
+  add("Ray_triangle::plane_rounding", Ray::plane_rounding, (of_corner + of_direction) * few, u, 2.04);
+
+  const auto wide = [](const auto& in) { return detail::determinant_of_differences<0>(in); };
+  const Rational of_products = sum(slice_errors<Relative_double_double>(wide, slices_of_determinant()));
+  add("Ray_triangle::height_rounding", Ray::height_rounding, of_products * few, u * u, 3.89);
+  add("Ray_triangle::slope_rounding", Ray::slope_rounding, 2 * of_products * few, u * u, 3.89);
+  // Of the rest N - q D, below 4 u of N: the product by 7 u^2 of N, the sum by 3 u^2 of the rest; its high part, that of
+  // D and their quotient by u each of the rest; the correction and the error by u.
+  add("Ray_triangle::quotient_rounding", Ray::quotient_rounding, Rational(u * u) * (7 + 4 * 5) * few, u * u, 9.49,
+      "rationals");
+
+  // Local rays: an origin of at most 2^29 is rounded, and moved along the direction by at most root 3 times as much: a
+  // product, of a direction that is off by a norm's 2.5 roundings and a quotient's.
+  using Local = kernel::Local_ray;
+  const std::string of_local = "kernel/bound/obb8_ray.h";
+  const Rational way(0x1p29), of_float(kernel::unit_roundoff<float>), defect(kernel::axis_defect);
+  bounds.push_back({"Local_ray::error", of_local, Rational(Local::error),
+                    Rational(u) * way * (1 + root_3() * (1 + Rational(7, 2))) * few, 1, 3.65, "rationals"});
+  // Along an axis: its defect and the ray's error; coordinates within 6 of the centre, rounded five times with their
+  // products; the direction over the ray's length, four times; the quotients, four of the extent and the coordinate; and
+  // the least step over that length.
+  const Rational coordinate = 6 * root_3(), length(Local::length), half_diagonal = root_3();
+  bounds.push_back({"Local_ray::slack", of_local, Rational(Local::slack),
+                    3 * defect * (1 + 4 * defect) * 6 + 2 * Rational(Local::error) +
+                        of_float * (5 * coordinate + 4 * root_3() * length + 4 * (half_diagonal + coordinate)) +
+                        Rational(0x1p-30) * length,
+                    1, 1.53, "rationals"});
+  return bounds;
+}
+
+}  // namespace tetracone::verify::proofs
+
+#endif

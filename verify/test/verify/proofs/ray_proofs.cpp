@@ -1,0 +1,17 @@
+#include "verify/proofs/ray_proofs.h"
+
+#include "verify/test/support/proofs.h"
+
+#include <boost/test/unit_test.hpp>
+
+BOOST_AUTO_TEST_SUITE(test_ray_proofs)
+
+using namespace tetracone::verify::proofs;
+
+BOOST_AUTO_TEST_CASE(every_constant_of_rays_against_triangles_is_proved)
+{
+  if (skipped_without_gappa()) return;
+  check_proved(ray_proofs());
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,17 @@
+#include "verify/proofs/scene_proofs.h"
+
+#include "verify/test/support/proofs.h"
+
+#include <boost/test/unit_test.hpp>
+
+BOOST_AUTO_TEST_SUITE(test_scene_proofs)
+
+using namespace tetracone::verify::proofs;
+
+BOOST_AUTO_TEST_CASE(every_constant_of_placed_bodies_is_proved)
+{
+  if (skipped_without_gappa()) return;
+  check_proved(scene_proofs());
+}
+
+BOOST_AUTO_TEST_SUITE_END()
