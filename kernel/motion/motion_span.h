@@ -32,7 +32,7 @@ struct Motion_units {
   double unit;
 };
 
-/// The least and the largest l . p of a box' points: centre + sum_k s_k half_edge[k], |s_k| <= 1.
+/// The least and the largest l . p of a box's points: centre + sum_k s_k half_edge[k], |s_k| <= 1.
 template <class Number>
 std::array<Number, 2> range_of_box(const std::array<Number, 3>& l, const std::array<Number, 3>& centre,
                                    const std::array<std::array<Number, 3>, 3>& half_edge)

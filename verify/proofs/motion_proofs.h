@@ -118,7 +118,7 @@ inline Proved_bounds motion_proofs()
       point = {entry(entry(axis[0])), entry(entry(axis[0])), entry(entry(axis[0]))};
   const auto along = kernel::Motion_span::across(axis, std::array{row, row, row});
   Rounding_count reach = abs(kernel::dot(along, point));
-  reach = (reach + reach + reach) + reach;  // of a box' three edges, and its centre
+  reach = (reach + reach + reach) + reach;  // of a box's three edges, and its centre
   const Rounding_count difference_of_ranges = (kernel::dot(axis, row) + reach) + reach;
   add("few_roundings, of moving boxes", "kernel/motion/motion_span.h", kernel::few_roundings,
       1 / difference_of_ranges.least(roundoff) * bound - 1, 18.6);

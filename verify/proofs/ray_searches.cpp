@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace tetracone::verify::proofs {
@@ -19,19 +20,26 @@ struct Ray_and_triangle {
   double farthest = 0, longest = 0;
 
   explicit Ray_and_triangle(const Inputs& in)
-      : direction{Number(2 * std::clamp(in[12], -1.0, 1.0)), Number(2 * std::clamp(in[13], -1.0, 1.0)),
-                  Number(2 * std::clamp(in[14], -1.0, 1.0))}
+      : to_a(between(in, 0, 9)),
+        to_b(between(in, 3, 9)),
+        p(between(in, 3, 0)),
+        q(between(in, 6, 0)),
+        direction{component(in, 0), component(in, 1), component(in, 2)}
   {
-    const Vector a = detail::tracked<double>(in, 0), b = detail::tracked<double>(in, 3),
-                 c = detail::tracked<double>(in, 6), origin = detail::tracked<double>(in, 9);
-    to_a = kernel::difference(a, origin);
-    to_b = kernel::difference(b, origin);
-    p = kernel::difference(b, a);
-    q = kernel::difference(c, a);
-    for (int k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < 3; ++k) {
       farthest = std::max({farthest, std::abs(to_a[k].computed), std::abs(to_b[k].computed)});
       longest = std::max({longest, std::abs(p[k].computed), std::abs(q[k].computed)});
     }
+  }
+
+ private:
+  static Vector between(const Inputs& in, int to, int from)
+  {
+    return kernel::difference(detail::tracked<double>(in, to), detail::tracked<double>(in, from));
+  }
+  static Number component(const Inputs& in, int k)
+  {
+    return Number(2 * std::clamp(in[std::size_t(12 + k)], -1.0, 1.0));
   }
 };
 
