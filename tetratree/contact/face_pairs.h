@@ -9,6 +9,7 @@
 #include "tetracone/kernel/predicate/face_contact.h"
 #include "tetracone/kernel/predicate/segment_face.h"
 #include "tetracone/kernel/predicate/triangle_contact.h"
+#include "tetracone/kernel/predicate/triangle_contact8.h"
 
 #include <algorithm>
 #include <array>
@@ -17,6 +18,7 @@
 #include <cstdint>
 #include <map>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -38,6 +40,15 @@ struct Found_contacts {
   using Loops = std::vector<std::vector<kernel::Rational_point>>;
   std::vector<Found_piece> pieces;
   std::vector<Loops> kept;
+};
+
+/// A face of A and one of B, with their corners where they are triangles with a plane, of which the first is else none.
+struct Face_pair {
+  using Corners = std::array<Index, 3>;
+  Index face_a, face_b;
+  const Corners *corners_a, *corners_b;
+
+  bool are_triangles() const { return (*corners_a)[0] != covering::none && (*corners_b)[0] != covering::none; }
 };
 
 /// A body's faces, as pairs of them are decided.
@@ -65,9 +76,7 @@ class Contact_faces {
   }
 
   const covering::Polyhedron& polyhedron() const { return *polyhedron_; }
-  /// Whether a face is a triangle with a plane.
-  bool is_triangle(Index f) const { return triangles_[f][0] != covering::none; }
-  /// Its corners.
+  /// The corners of a triangle with a plane; of other faces none.
   const std::array<Index, 3>& triangle(Index f) const { return triangles_[f]; }
 
   /// The edges of a face that no face before it has: vertices, the smaller number first. Every edge is some face's.
@@ -91,22 +100,22 @@ class Face_pairs {
 
   Face_pairs(const Contact_faces& a, const Contact_faces& b) : a_(a), b_(b) {}
 
-  /// Adds what the two faces share. Requires an exact kernel.
-  void add_contacts(Body& a, const kernel::Pose& pose_a, Index face_a, Body& b, const kernel::Pose& pose_b,
-                    Index face_b, Found_contacts& found) requires(kernel::Kernel_traits<K>::exact_motion)
+  /// Two faces, to be asked for.
+  Face_pair pair(Index face_a, Index face_b) const
   {
-    if (a_.is_triangle(face_a) && b_.is_triangle(face_b)) {
-      const kernel::Triangle_contact contact =
-          kernel::triangle_contact<K>(corners(a_, a, face_a), corners(b_, b, face_b));
-      if (contact.count > 0) found.pieces.push_back(piece(face_a, face_b, contact));
-      return;
-    }
-    if (is_beside(a, face_a, b, face_b) || is_beside(b, face_b, a, face_a)) return;
-    const auto shared = kernel::face_contact(exact_face(a_, 0, pose_a, face_a), exact_face(b_, 1, pose_b, face_b));
-    for (const kernel::Rational_piece& each : shared) {
-      found.pieces.push_back({face_a, face_b, each.kind, each.in_p, each.in_q, {}, Index(found.kept.size())});
-      found.kept.push_back(each.loops);
-    }
+    return {face_a, face_b, &a_.triangle(face_a), &b_.triangle(face_b)};
+  }
+
+  /// Adds what the faces of each pair share, in their order. Requires an exact kernel.
+  void add_contacts(Body& a, const kernel::Pose& pose_a, Body& b, const kernel::Pose& pose_b,
+                    std::span<const Face_pair> pairs,
+                    Found_contacts& found) requires(kernel::Kernel_traits<K>::exact_motion)
+  {
+    const auto by_signs = [&](const Face_pair& pair) { add_contact(a, pose_a, b, pose_b, pair, found); };
+    if constexpr (std::is_same_v<K, kernel::Adaptive>)
+      filter(a.model().vertices(), pose_a, b.model().vertices(), pose_b, pairs, by_signs, found);
+    else
+      for (const Face_pair& pair : pairs) by_signs(pair);
   }
 
   /// Forgets what is kept of the poses.
@@ -117,10 +126,11 @@ class Face_pairs {
   }
 
   /// Adds the contacts of the edges that either face owns with the other.
-  void add_features(Body& a, Index face_a, Body& b, Index face_b, std::vector<kernel::Feature_pair>& found) const
+  void add_features(Body& a, Body& b, const Face_pair& pair, std::vector<kernel::Feature_pair>& found) const
   {
-    if (a_.is_triangle(face_a) && b_.is_triangle(face_b)) {
-      const auto p = corners(a_, a, face_a), q = corners(b_, b, face_b);
+    const auto [face_a, face_b, corners_a, corners_b] = pair;
+    if (pair.are_triangles()) {
+      const auto p = corners(a, *corners_a), q = corners(b, *corners_b);
       const auto side_q = kernel::sides<K>(p, q);
       if (kernel::detail::all_strictly_beside(side_q)) return;
       const auto side_p = kernel::sides<K>(q, p);
@@ -136,13 +146,63 @@ class Face_pairs {
  private:
   using Feature = kernel::Feature;
 
-  static kernel::Corners<K> corners(const Contact_faces& faces, Body& body, Index f)
+  static kernel::Corners<K> corners(Body& body, const Face_pair::Corners& t)
   {
-    const std::array<Index, 3>& t = faces.triangle(f);
     return {&body.point(t[0]), &body.point(t[1]), &body.point(t[2])};
   }
 
-  static Found_piece piece(Index face_a, Index face_b, const kernel::Triangle_contact& contact)
+  /// Adds what signs in double tell, and calls undecided(pair) for the other pairs, in their order.
+  template <class Undecided>
+  static void filter(const std::vector<kernel::Vertex>& a, const kernel::Pose& pose_a,
+                     const std::vector<kernel::Vertex>& b, const kernel::Pose& pose_b, std::span<const Face_pair> pairs,
+                     const Undecided& undecided, Found_contacts& found)
+  {
+    for (const Face_pair& pair : pairs) {
+      if (!pair.are_triangles()) continue;
+      for (const Index v : *pair.corners_a) __builtin_prefetch(&a[v]);
+      for (const Index v : *pair.corners_b) __builtin_prefetch(&b[v]);
+    }
+    constexpr std::size_t lanes = kernel::Triangles8::count;
+    kernel::Triangles8 p, q;
+    for (std::size_t first = 0; first < pairs.size(); first += lanes) {
+      const auto some = pairs.subspan(first, kernel::minimum(lanes, pairs.size() - first));
+      unsigned triangles = 0;
+      for (std::size_t lane = 0; lane < some.size(); ++lane) {
+        if (!some[lane].are_triangles()) continue;
+        triangles |= 1u << lane;
+        const auto &s = *some[lane].corners_a, &t = *some[lane].corners_b;
+        p.set(lane, a[s[0]], a[s[1]], a[s[2]]);
+        q.set(lane, b[t[0]], b[t[1]], b[t[2]]);
+      }
+      kernel::Triangle_contacts8 contacts;
+      if (triangles != 0) kernel::triangle_contacts8(p, pose_a, q, pose_b, contacts);
+      for (std::size_t lane = 0; lane < some.size(); ++lane) {
+        if (triangles & contacts.crossing & 1u << lane)
+          found.pieces.push_back(piece(some[lane], contacts.contact(lane)));
+        else if (!(triangles & contacts.apart & 1u << lane))
+          undecided(some[lane]);
+      }
+    }
+  }
+
+  void add_contact(Body& a, const kernel::Pose& pose_a, Body& b, const kernel::Pose& pose_b, const Face_pair& pair,
+                   Found_contacts& found)
+  {
+    const auto [face_a, face_b, corners_a, corners_b] = pair;
+    if (pair.are_triangles()) {
+      const auto contact = kernel::triangle_contact<K>(corners(a, *corners_a), corners(b, *corners_b));
+      if (contact.count > 0) found.pieces.push_back(piece(pair, contact));
+      return;
+    }
+    if (is_beside(a, face_a, b, face_b) || is_beside(b, face_b, a, face_a)) return;
+    const auto shared = kernel::face_contact(exact_face(a_, 0, pose_a, face_a), exact_face(b_, 1, pose_b, face_b));
+    for (const kernel::Rational_piece& each : shared) {
+      found.pieces.push_back({face_a, face_b, each.kind, each.in_p, each.in_q, {}, Index(found.kept.size())});
+      found.kept.push_back(each.loops);
+    }
+  }
+
+  static Found_piece piece(const Face_pair& pair, const kernel::Triangle_contact& contact)
   {
     const auto held = [&](auto edges_of) {
       if (contact.count > 2) return Feature::interior;
@@ -154,8 +214,8 @@ class Face_pairs {
     const auto kind = contact.count == 1   ? kernel::Piece::point
                       : contact.count == 2 ? kernel::Piece::segment
                                            : kernel::Piece::polygon;
-    return {face_a,
-            face_b,
+    return {pair.face_a,
+            pair.face_b,
             kind,
             held([](const auto& corner) { return corner.on_p; }),
             held([](const auto& corner) { return corner.on_q; }),

@@ -21,6 +21,7 @@
 #include <memory>
 #include <optional>
 #include <type_traits>
+#include <vector>
 
 namespace tetracone::tetratree {
 
@@ -122,20 +123,27 @@ class Bvh8_collision {
     });
   }
 
-  /// Calls leaf_test(element of A, element of B) for the pairs that the query does not discard, until one returns true:
-  /// the descent alone, with a leaf test of the caller's. Returns whether one did.
-  template <class Leaf_test>
-  bool any_element_pair(const Pose& pose_a, const Pose& pose_b, const Leaf_test& leaf_test)
+  /// Calls what(element of A, element of B) for all pairs that the query does not discard: the descent alone.
+  template <class What>
+  void for_element_pairs(const Pose& pose_a, const Pose& pose_b, const What& what)
   {
     kernel::require_sound_floating_point();
     ++counts_.queries;
-    if (a_.tree->empty() || b_.tree->empty() || separating_direction_(pose_a, pose_b, most_directions, false))
-      return false;
     pose_a_ = &pose_a;
     pose_b_ = &pose_b;
     is_placed_ = false;
+    if (a_.tree->empty() || b_.tree->empty() || separating_direction_(pose_a, pose_b, most_directions, false)) return;
     relate_frames();
-    return descend_trees([&](Box box_a, Box box_b) { return any_pair(box_a, box_b, leaf_test); });
+    collect_leaves();
+    for (const auto& [box_a, box_b] : leaves_) {
+      __builtin_prefetch(&a_.element(box_a));
+      __builtin_prefetch(&b_.element(box_b));
+    }
+    for (const auto& [box_a, box_b] : leaves_)
+      any_pair(box_a, box_b, [&](const Element& a, const Element& b) {
+        what(a, b);
+        return false;
+      });
   }
 
   /// The bodies at the poses that were asked last. Requires that the poses are still there.
@@ -310,28 +318,55 @@ class Bvh8_collision {
     return all;
   }
 
+  /// Writes all pairs of leaves that are not discarded to `leaves_`.
+  void collect_leaves()
+  {
+    Both_trees trees = both_trees();
+    start(trees);
+    leaves_.clear();
+    for (Stop stop; (stop = descend_to_leaves(stack_, trees, leaves_)) != Stop::nothing_left;)
+      if (stop == Stop::leaves) {  // the roots
+        leaves_.push_back({stack_.box(0), stack_.box(1)});
+        stack_.pop();
+      } else {
+        make_child();
+      }
+    count(trees);
+  }
+
   /// Whether leaf_pair(box of A, box of B) holds for some pair of leaves that is not discarded.
   template <class Leaf_pair>
   bool descend_trees(const Leaf_pair& leaf_pair)
   {
     Both_trees trees = both_trees();
-    stack_.clear();
-    stack_.push(0, 0, a_.size() * trees.scale, b_.size());
+    start(trees);
     bool meet = false;
     for (Stop stop; !meet && (stop = descend(stack_, trees)) != Stop::nothing_left;) {
-      const Box box_a = stack_.box(0), box_b = stack_.box(1);
       if (stop == Stop::leaves) {
+        const Box box_a = stack_.box(0), box_b = stack_.box(1);
         stack_.pop();
         meet = leaf_pair(box_a, box_b);
       } else {
-        const int larger = first_is_larger(stack_.size(0), stack_.size(1)) ? 0 : 1;
-        const Bvh8& tree = *(larger == 0 ? a_ : b_).tree;
-        const Box box = larger == 0 ? box_a : box_b;
-        tree.child(box / 8, int(box % 8));
+        make_child();
       }
     }
     count(trees);
     return meet;
+  }
+
+  /// Both roots.
+  void start(const Both_trees& trees)
+  {
+    stack_.clear();
+    stack_.push(0, 0, a_.size() * trees.scale, b_.size());
+  }
+
+  /// The children of the larger box of the top pair, which lacks them.
+  void make_child()
+  {
+    const int larger = first_is_larger(stack_.size(0), stack_.size(1)) ? 0 : 1;
+    const Box box = stack_.box(larger);
+    (larger == 0 ? a_ : b_).tree->child(box / 8, int(box % 8));
   }
 
   Both_trees both_trees() const
@@ -390,6 +425,7 @@ class Bvh8_collision {
   Separating_direction separating_direction_;
   Bvh8_containment<K> containment_;
   Pair_stack stack_;
+  std::vector<Leaf_pair> leaves_;
   Query_statistics counts_;
   std::optional<Bvh8_front> own_front_;  // where the object keeps one
 

@@ -32,9 +32,8 @@ class Bvh8_contacts {
     Found_contacts found;
     found.pieces.reserve(last_count_ + last_count_ / 4 + 16);
     pairs_.begin();
-    for_face_pairs(pose_a, pose_b, [&](Index face_a, Index face_b) {
-      pairs_.add_contacts(collision_.placed_a(), pose_a, face_a, collision_.placed_b(), pose_b, face_b, found);
-    });
+    find_candidates(pose_a, pose_b);
+    pairs_.add_contacts(collision_.placed_a(), pose_a, collision_.placed_b(), pose_b, candidates_, found);
     // Pieces of one pair are kept in their order.
     std::sort(found.pieces.begin(), found.pieces.end(), [](const Found_piece& one, const Found_piece& other) {
       const auto pair = [](const Found_piece& piece) { return std::uint64_t(piece.face_a) << 32 | piece.face_b; };
@@ -48,9 +47,9 @@ class Bvh8_contacts {
   std::vector<kernel::Feature_pair> features(const Pose& pose_a, const Pose& pose_b)
   {
     std::vector<kernel::Feature_pair> found;
-    for_face_pairs(pose_a, pose_b, [&](Index face_a, Index face_b) {
-      pairs_.add_features(collision_.placed_a(), face_a, collision_.placed_b(), face_b, found);
-    });
+    find_candidates(pose_a, pose_b);
+    for (const Face_pair& pair : candidates_)
+      pairs_.add_features(collision_.placed_a(), collision_.placed_b(), pair, found);
     std::sort(found.begin(), found.end());
     return found;
   }
@@ -65,29 +64,26 @@ class Bvh8_contacts {
     return tree.element_count() == faces.polyhedron().face_count();
   }
 
-  /// Calls what(face of A, face of B) once for each pair of which some elements were not discarded.
-  template <class What>
-  void for_face_pairs(const Pose& pose_a, const Pose& pose_b, const What& what)
+  /// Writes each pair of faces of which some elements were not discarded, once.
+  void find_candidates(const Pose& pose_a, const Pose& pose_b)
   {
-    const bool once = one_element_a_ && one_element_b_;
     candidates_.clear();
-    collision_.any_element_pair(pose_a, pose_b, [&](const Element& a, const Element& b) {
-      if (once)
-        what(a.face, b.face);
-      else
-        candidates_.push_back(std::uint64_t(a.face) << 32 | b.face);
-      return false;
+    collision_.for_element_pairs(pose_a, pose_b, [&](const Element& a, const Element& b) {
+      candidates_.push_back({a.face, b.face, &a.corner, &b.corner});
     });
-    std::sort(candidates_.begin(), candidates_.end());
-    candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
-    for (const std::uint64_t pair : candidates_) what(Index(pair >> 32), Index(pair));
+    if (one_element_a_ && one_element_b_) return;
+    const auto faces = [](const Face_pair& pair) { return std::uint64_t(pair.face_a) << 32 | pair.face_b; };
+    std::ranges::sort(candidates_, {}, faces);
+    const auto repeated = std::ranges::unique(candidates_, {}, faces);
+    candidates_.erase(repeated.begin(), repeated.end());
+    for (Face_pair& pair : candidates_) pair = pairs_.pair(pair.face_a, pair.face_b);
   }
 
   Bvh8_collision<K> collision_;
   Contact_faces faces_a_, faces_b_;
   Face_pairs<K> pairs_;
   bool one_element_a_, one_element_b_;
-  std::vector<std::uint64_t> candidates_;
+  std::vector<Face_pair> candidates_;
   std::size_t last_count_ = 0;  // of the last pose's pieces: the next one's are about as many
 };
 

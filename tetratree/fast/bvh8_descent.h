@@ -6,6 +6,7 @@
 #include "tetracone/tetratree/fast/bvh8_node.h"
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -51,6 +52,9 @@ class Pair_stack {
   std::vector<float> size_[2];
   std::size_t count_ = 0;
 };
+
+/// A leaf's box of each body.
+using Leaf_pair = std::array<std::uint32_t, 2>;
 
 /// Two bodies as a descent sees them.
 struct Both_trees {
@@ -102,6 +106,14 @@ inline Stop descend(Pair_stack& stack, Both_trees& trees)
   using Function = Stop(Pair_stack&, Both_trees&);
   static Function* const fastest = kernel::fastest_version<Function>(TETRACONE_SIMD_VERSIONS(descend_simd));
   return fastest(stack, trees);
+}
+
+/// The same, but the pairs of leaves that it finds are added to `leaves`, and are not pushed.
+inline Stop descend_to_leaves(Pair_stack& stack, Both_trees& trees, std::vector<Leaf_pair>& leaves)
+{
+  using Function = Stop(Pair_stack&, Both_trees&, std::vector<Leaf_pair>&);
+  static Function* const fastest = kernel::fastest_version<Function>(TETRACONE_SIMD_VERSIONS(descend_to_leaves_simd));
+  return fastest(stack, trees, leaves);
 }
 
 }  // namespace tetracone::tetratree

@@ -135,6 +135,57 @@ struct Keep_together {
   }
 };
 
+/// Adds the pairs of the other box and of the parts in `set`, as bits, from part `first` on.
+[[gnu::noinline]] inline HWY_ATTR void add_leaves(std::vector<Leaf_pair>& leaves, const Opening& o,
+                                                  const Both_trees& trees, std::size_t first, unsigned set)
+{
+  const std::uint32_t first_id = std::uint32_t(o.node - trees.nodes[o.body]) * 8 + std::uint32_t(first);
+  Leaf_pair pair{o.box[0], o.box[1]};
+  for (; set != 0; set &= set - 1) {
+    pair[std::size_t(o.body)] = first_id + std::uint32_t(std::countr_zero(set));
+    leaves.push_back(pair);
+  }
+}
+
+/// The parts that may meet the other box, but for leaves where that is one: such pairs are added to `leaves`.
+template <bool similarity>
+struct Parts_without_leaves {
+  Parts_together<similarity> together;
+  std::vector<Leaf_pair>& leaves;
+  const Opening& opening;
+  const Both_trees& trees;
+  unsigned paired;  // leaves that make pairs of leaves, as bits
+
+  HWY_INLINE auto operator()(std::size_t first) const
+  {
+    constexpr simd::Float_tag tag;
+    auto mask = together(first);
+    std::uint8_t bits[8];
+    hn::StoreMaskBits(tag, mask, bits);
+    if (const unsigned found = bits[0] & paired >> first; found != 0) {
+      add_leaves(leaves, opening, trees, first, found);
+      bits[0] = std::uint8_t(bits[0] & ~found);
+      mask = hn::LoadMaskBits(tag, bits);
+    }
+    return mask;
+  }
+};
+
+/// Keeps these.
+template <bool similarity>
+struct Keep_without_leaves {
+  std::vector<Leaf_pair>& leaves;
+
+  HWY_INLINE std::size_t operator()(Pair_stack& stack, std::size_t count, const Opening& o,
+                                    const kernel::Single_box& box, Both_trees& trees) const
+  {
+    const kernel::Obb8& boxes = o.node->boxes;
+    const bool is_leaf = o.size[1 - o.body] < 0;
+    return push_parts(stack, count, o, trees,
+                      Parts_without_leaves<similarity>{{boxes, box}, leaves, o, trees, is_leaf ? boxes.marked : 0});
+  }
+};
+
 /// Four pairs a round where so many are ready, so that none need wait for what the one before it brings; else two, or
 /// one. At first two: bodies that meet are often known to after few openings, and what is opened beside these is in
 /// vain. `keep` writes the pairs that are left of one that was opened.
@@ -180,10 +231,27 @@ HWY_ATTR Stop descend(Pair_stack& stack, Both_trees& trees)
   return descend_keeping<similarity>(stack, trees, keep);
 }
 
+template <bool similarity>
+HWY_ATTR Stop descend_to_leaves(Pair_stack& stack, Both_trees& trees, std::vector<Leaf_pair>& leaves)
+{
+  const Keep_without_leaves<similarity> keep{leaves};
+  return descend_keeping<similarity>(stack, trees, keep);
+}
+
+HWY_INLINE bool are_similarities(const Both_trees& trees)
+{
+  return trees.into[0]->is_similarity() && trees.into[1]->is_similarity();
+}
+
 inline HWY_ATTR Stop descend_simd(Pair_stack& stack, Both_trees& trees)
 {
-  return trees.into[0]->is_similarity() && trees.into[1]->is_similarity() ? descend<true>(stack, trees)
-                                                                          : descend<false>(stack, trees);
+  return are_similarities(trees) ? descend<true>(stack, trees) : descend<false>(stack, trees);
+}
+
+inline HWY_ATTR Stop descend_to_leaves_simd(Pair_stack& stack, Both_trees& trees, std::vector<Leaf_pair>& leaves)
+{
+  return are_similarities(trees) ? descend_to_leaves<true>(stack, trees, leaves)
+                                 : descend_to_leaves<false>(stack, trees, leaves);
 }
 
 }  // namespace tetracone::tetratree::HWY_NAMESPACE

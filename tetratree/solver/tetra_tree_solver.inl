@@ -12,6 +12,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace tetracone::detail {
 
@@ -64,9 +65,10 @@ class Tetra_tree_solver : public Solver {
     const tetratree::Contact_faces faces_a(body_a_->polyhedron, a_->model().covering()),
         faces_b(body_b_->polyhedron, b_->model().covering());
     tetratree::Face_pairs<K> pairs(faces_a, faces_b);
+    std::vector<tetratree::Face_pair> asked;
+    for (const auto& [face_a, face_b] : candidates) asked.push_back(pairs.pair(face_a, face_b));
     tetratree::Found_contacts found;
-    for (const auto& [face_a, face_b] : candidates)
-      pairs.add_contacts(collision_.a().body(), pose_a, face_a, collision_.b().body(), pose_b, face_b, found);
+    pairs.add_contacts(collision_.a().body(), pose_a, collision_.b().body(), pose_b, asked, found);
     return found;
   }
 

@@ -144,11 +144,11 @@ std::optional<Stage> blame_in_fast_tree(const Object_case& c, kernel::Question q
   const Rounded_pair rounded(a.body(), b.body(), question);
   if (rounded.collide() != truth) return Stage::pose;
 
-  const auto exact_leaves = [&](const Element& of_a, const Element& of_b) {
-    return rounded.faces_meet(a.number(of_a), b.number(of_b));
-  };
-  if ((rounded.is_contained() || collision.any_element_pair(c.pose_a, c.pose_b, exact_leaves)) != truth)
-    return Stage::bounding_box;
+  bool collide = rounded.is_contained();
+  collision.for_element_pairs(c.pose_a, c.pose_b, [&](const Element& of_a, const Element& of_b) {
+    collide = collide || rounded.faces_meet(a.number(of_a), b.number(of_b));
+  });
+  if (collide != truth) return Stage::bounding_box;
   if ((rounded.is_contained() || collision(c.pose_a, c.pose_b, kernel::Question::surface)) != truth)
     return Stage::leaf_sign;
   return Stage::containment;

@@ -32,6 +32,7 @@ constexpr std::size_t package_folders = 3;
 
 // Rooms that may include each other, from where to where; a folder's own files count as the room of its name.
 const std::set<std::pair<std::string, std::string>> ways_within = {{"kernel/predicate", "kernel/number"},
+                                                                   {"kernel/predicate", "kernel/simd"},
                                                                    {"kernel/contact", "kernel/number"},
                                                                    {"kernel/contact", "kernel/predicate"},
                                                                    {"kernel/bound", "kernel/number"},

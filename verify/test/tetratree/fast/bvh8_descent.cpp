@@ -8,6 +8,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <set>
 #include <utility>
@@ -15,11 +16,26 @@
 
 namespace tetracone::tetratree {
 
-using Descend = Stop(Pair_stack&, Both_trees&);
+/// Goes on; what it finds of leaves it may add.
+using Descend = std::function<Stop(Pair_stack&, Both_trees&, std::vector<Leaf_pair>&)>;
 
-std::vector<Descend*> descend_versions()
+/// A descent that stops at every pair of leaves.
+Descend stopping(Stop (*descend)(Pair_stack&, Both_trees&))
 {
-  return verify::versions_here<Descend>(TETRACONE_SIMD_VERSIONS(descend_simd));
+  return [=](Pair_stack& stack, Both_trees& trees, std::vector<Leaf_pair>&) { return descend(stack, trees); };
+}
+
+/// All versions of both descents.
+std::vector<Descend> descend_versions()
+{
+  using Stopping = Stop(Pair_stack&, Both_trees&);
+  using To_leaves = Stop(Pair_stack&, Both_trees&, std::vector<Leaf_pair>&);
+  std::vector<Descend> all;
+  for (Stopping* each : verify::versions_here<Stopping>(TETRACONE_SIMD_VERSIONS(descend_simd)))
+    all.push_back(stopping(each));
+  for (To_leaves* each : verify::versions_here<To_leaves>(TETRACONE_SIMD_VERSIONS(descend_to_leaves_simd)))
+    all.push_back(each);
+  return all;
 }
 
 }  // namespace tetracone::tetratree
@@ -42,18 +58,19 @@ struct Descended {
 };
 
 /// All pairs of leaves that a whole descent offers.
-Descended descended(Descend* descend, Placed_bvh8<>& a, Placed_bvh8<>& b)
+Descended descended(const Descend& descend, Placed_bvh8<>& a, Placed_bvh8<>& b)
 {
   const double factor = a.into_other.frame().scale();
   const float scale = factor >= 0x1p-60 && factor <= 0x1p60 ? float(factor) : 1;
   Descended result{{}, 0, 0, {{a.tree->nodes(), b.tree->nodes()}, {&a.into_other, &b.into_other}, scale}};
   Pair_stack stack;
   stack.push(0, 0, a.size() * scale, b.size());
-  for (Stop stop; (stop = descend(stack, result.trees)) != Stop::nothing_left;) {
+  std::vector<Leaf_pair> leaves;
+  for (Stop stop; (stop = descend(stack, result.trees, leaves)) != Stop::nothing_left;) {
     const std::uint32_t box_a = stack.box(0), box_b = stack.box(1);
     if (stop == Stop::leaves) {
       stack.pop();
-      if (!result.offered.insert({&a.element(box_a), &b.element(box_b)}).second) ++result.repeated;
+      leaves.push_back({box_a, box_b});
       continue;
     }
     const bool first = first_is_larger(stack.size(0), stack.size(1));
@@ -63,6 +80,8 @@ Descended descended(Descend* descend, Placed_bvh8<>& a, Placed_bvh8<>& b)
     result.trees.nodes[0] = a.tree->nodes();
     result.trees.nodes[1] = b.tree->nodes();
   }
+  for (const auto& [box_a, box_b] : leaves)
+    if (!result.offered.insert({&a.element(box_a), &b.element(box_b)}).second) ++result.repeated;
   return result;
 }
 
@@ -129,7 +148,10 @@ BOOST_AUTO_TEST_CASE(every_pair_of_leaves_that_meet_is_offered_once)
     b.into_other = kernel::Box_map(scene.pose_a, tree_a.scale(), scene.pose_b, tree_b.scale());
     similar += a.into_other.is_similarity();
     const Pairs truth = meeting(scene.a, scene.pose_a, a, scene.b, scene.pose_b, b);
-    for (Descend* descend : descend_versions()) {
+    const Descended with_stops = descended(stopping(&descend), a, b), without = descended(&descend_to_leaves, a, b);
+    BOOST_TEST((with_stops.offered == without.offered));
+    BOOST_TEST(with_stops.trees.opened == without.trees.opened);
+    for (const Descend& descend : descend_versions()) {
       const Descended all = descended(descend, a, b);
       for (const auto& pair : truth) missed += !all.offered.contains(pair);
       met += int(truth.size());
@@ -188,7 +210,7 @@ BOOST_AUTO_TEST_CASE(triangles_that_touch_in_one_point_of_a_side_are_offered)
     BOOST_TEST(a.into_other.is_similarity());
     const Pairs truth = meeting(large, pose, a, small, pose, b);
     touching += int(truth.size());
-    for (Descend* descend : descend_versions()) {
+    for (const Descend& descend : descend_versions()) {
       const Descended all = descended(descend, a, b);
       for (const auto& pair : truth) missed += !all.offered.contains(pair);
     }
@@ -206,11 +228,11 @@ BOOST_AUTO_TEST_CASE(triangles_that_touch_in_one_point_of_a_side_are_offered)
     a.into_other = kernel::Box_map(pose, tree_clear.scale(), pose, tree_a.scale());
     c.into_other = kernel::Box_map(pose, tree_a.scale(), pose, tree_clear.scale());
     BOOST_TEST(meeting(large, pose, a, clear, pose, c).empty());
-    offered += int(descended(&descend, a, c).offered.size());
+    offered += int(descended(stopping(&descend), a, c).offered.size());
     // Far away nothing is left to offer.
     a.into_other = kernel::Box_map(translation(2, 0, 0), tree_b.scale(), Pose(), tree_a.scale());
     b.into_other = kernel::Box_map(Pose(), tree_a.scale(), translation(2, 0, 0), tree_b.scale());
-    offered_far += int(descended(&descend, a, b).offered.size());
+    offered_far += int(descended(stopping(&descend), a, b).offered.size());
   }
   BOOST_TEST(missed == 0);
   BOOST_TEST(touching == 60 * 40);
@@ -236,14 +258,14 @@ BOOST_AUTO_TEST_CASE(children_that_are_made_on_the_way_change_nothing)
       std::sort(all.begin(), all.end());
       return all;
     };
-    const Descended first = descended(&descend, a, b);
+    const Descended first = descended(stopping(&descend), a, b);
     made += int(first.made);
-    const Descended again = descended(&descend, a, b);
+    const Descended again = descended(stopping(&descend), a, b);
     BOOST_TEST(again.made == 0u);
     BOOST_TEST((by_corners(first.offered) == by_corners(again.offered)));
     lazy_a.make_all();
     lazy_b.make_all();
-    BOOST_TEST((by_corners(descended(&descend, a, b).offered) == by_corners(first.offered)));
+    BOOST_TEST((by_corners(descended(stopping(&descend), a, b).offered) == by_corners(first.offered)));
   }
   BOOST_TEST(made > 100);
 }

@@ -1,0 +1,73 @@
+#ifndef TETRACONE_KERNEL_PREDICATE_TRIANGLE_CONTACT8_H
+#define TETRACONE_KERNEL_PREDICATE_TRIANGLE_CONTACT8_H
+
+#include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/number/pose.h"
+#include "tetracone/kernel/number/vertex.h"
+#include "tetracone/kernel/predicate/adaptive_bounds.h"
+#include "tetracone/kernel/predicate/triangle_contact.h"
+#include "tetracone/kernel/simd/simd.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+/// The filter of `triangle_contact<Adaptive>`, eight pairs of triangles at once.
+namespace tetracone::kernel {
+
+/// Up to eight triangles of a body before it is placed, a lane each.
+struct alignas(64) Triangles8 {
+  static constexpr std::size_t count = 8;
+
+  double corner[3][3][count] = {};  ///< of corner c its coordinate k, in lanes
+
+  void set(std::size_t lane, const Vertex& a, const Vertex& b, const Vertex& c)
+  {
+    for (int k = 0; k < 3; ++k) {
+      corner[0][k][lane] = a[k];
+      corner[1][k][lane] = b[k];
+      corner[2][k][lane] = c[k];
+    }
+  }
+};
+
+/// What signs in double tell of eight pairs of triangles. Lanes that are in neither set are undecided.
+class Triangle_contacts8 {
+ public:
+  unsigned apart = 0;     ///< lanes, as bits: the triangles share no point
+  unsigned crossing = 0;  ///< lanes: they share a segment, and no corner of either is in the other's plane
+
+  /// Of a lane in `crossing`: what `triangle_contact` says.
+  Triangle_contact contact(std::size_t lane) const
+  {
+    const auto part = [&](int place) { return Edge_set(ends[lane] >> place & 0xff); };
+    Triangle_contact segment;
+    segment.add({part(0), part(8)});
+    segment.add({part(16), part(24)});
+    return segment;
+  }
+
+  alignas(64) std::uint64_t ends[Triangles8::count];  ///< edge sets, a byte each: of the first end on p, on q, of the
+                                                      ///< second on p, on q
+};
+
+}  // namespace tetracone::kernel
+
+#define TETRACONE_SIMD_FILE "tetracone/kernel/predicate/triangle_contact8_simd.inl"
+#include "tetracone/kernel/simd/simd_rounds.h"
+
+namespace tetracone::kernel {
+
+/// Of triangle k of p under `pose_p` and of q under `pose_q`, for every lane k. Exact where it decides. Requires sound
+/// floating point.
+inline void triangle_contacts8(const Triangles8& p, const Pose& pose_p, const Triangles8& q, const Pose& pose_q,
+                               Triangle_contacts8& found)
+{
+  using Function = void(const Triangles8&, const Pose&, const Triangles8&, const Pose&, Triangle_contacts8&);
+  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(triangle_contacts8_simd));
+  fastest(p, pose_p, q, pose_q, found);
+}
+
+}  // namespace tetracone::kernel
+
+#endif

@@ -1,0 +1,232 @@
+#include "tetracone/kernel/predicate/triangle_contact8.h"
+
+#include "tetracone/kernel/contact/corner_point.h"
+#include "tetracone/kernel/contact/rational_contact.h"
+#include "verify/test/support/rationals.h"
+#include "verify/test/support/scenes.h"
+#include "verify/test/support/simd_versions.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_triangle_contact8)
+
+using namespace tetracone::kernel;
+namespace rationals = tetracone::verify::rationals;
+using namespace tetracone::verify::scenes;
+
+namespace {
+
+using Corners8 = std::array<std::array<std::array<Vertex, 3>, Triangles8::count>, 2>;  // of p, of q
+using Filter = void(const Triangles8&, const Pose&, const Triangles8&, const Pose&, Triangle_contacts8&);
+
+std::vector<Filter*> versions()
+{
+  return tetracone::verify::versions_here<Filter>(TETRACONE_SIMD_VERSIONS(triangle_contacts8_simd));
+}
+
+/// The pairs of each version, and that all versions say the same.
+Triangle_contacts8 filtered(const Corners8& corners, const Pose& pose_p, const Pose& pose_q)
+{
+  Triangles8 p, q;
+  for (std::size_t lane = 0; lane < Triangles8::count; ++lane) {
+    p.set(lane, corners[0][lane][0], corners[0][lane][1], corners[0][lane][2]);
+    q.set(lane, corners[1][lane][0], corners[1][lane][1], corners[1][lane][2]);
+  }
+  Triangle_contacts8 first;
+  bool is_first = true;
+  for (Filter* filter : versions()) {
+    Triangle_contacts8 found;
+    filter(p, pose_p, q, pose_q, found);
+    if (is_first) first = found;
+    is_first = false;
+    BOOST_TEST_REQUIRE(found.apart == first.apart);
+    BOOST_TEST_REQUIRE(found.crossing == first.crossing);
+    for (std::size_t lane = 0; lane < Triangles8::count; ++lane)
+      if (found.crossing >> lane & 1) BOOST_TEST(found.ends[lane] == first.ends[lane]);
+  }
+  return first;
+}
+
+/// A triangle, and one that nearly touches it or crosses it in any way: a corner in its plane, in it or beside it; an
+/// edge through an edge or a corner; or anything. Of very different sizes, too.
+std::array<std::array<Vertex, 3>, 2> near_pair(Random& random)
+{
+  std::array<std::array<Vertex, 3>, 2> pair;
+  const double size = std::ldexp(1, integer(random, -12, 0));
+  for (Vertex& v : pair[0]) v = real_vertex(random, 1);
+  for (Vertex& v : pair[1]) v = real_vertex(random, size);
+  const int kind = integer(random, 0, 4);
+  const auto point_of = [&](const std::array<Vertex, 3>& t, double s, double r) {
+    Vertex x;
+    for (int k = 0; k < 3; ++k) x[k] = t[0][k] + (s * (t[1][k] - t[0][k]) + r * (t[2][k] - t[0][k]));
+    return x;
+  };
+  const double s = real(random, -0.2, 1), r = kind == 1 ? 0 : real(random, 0, 1);
+  const Vertex on_p = point_of(pair[0], s, r);
+  Vertex on_q = point_of(pair[1], kind == 0 ? 0 : real(random, 0, 1), kind < 2 ? 0 : real(random, 0, 0.5));
+  if (kind == 4) on_q = on_p;  // as they are
+  for (Vertex& v : pair[1])
+    for (int k = 0; k < 3; ++k) {
+      v[k] += on_p[k] - on_q[k];
+      v[k] += integer(random, -2, 2) * std::ldexp(std::abs(v[k]), -53);
+    }
+  return pair;
+}
+
+Vertex rounded_image(const Pose& pose, const Vertex& x)
+{
+  Vertex image;
+  for (int k = 0; k < 3; ++k)
+    image[k] = pose[4 * k] * x[0] + pose[4 * k + 1] * x[1] + pose[4 * k + 2] * x[2] + pose[4 * k + 3];
+  return image;
+}
+
+/// A pose, and nearly its inverse: the identity, a translation, a rotation in rationals, a similarity in doubles.
+std::array<Pose, 2> pose_and_back(Random& random, int kind)
+{
+  if (kind == 0) return {Pose(), Pose()};
+  const Vertex t = kind == 2 ? Vertex{0, 0, 0} : real_vertex(random, 4);
+  if (kind == 1) return {Pose::translation(t[0], t[1], t[2]), Pose::translation(-t[0], -t[1], -t[2])};
+  const Pose turn = random_rotation(random, 4);
+  const double scale = kind == 2 ? 1 : std::ldexp(1, integer(random, -3, 3));
+  std::array<double, 12> there{}, back{};
+  for (int i = 0; i < 3; ++i) {
+    there[4 * i + 3] = t[i];
+    for (int j = 0; j < 3; ++j) {
+      there[4 * i + j] = turn[4 * i + j] * scale;
+      back[4 * j + i] = turn[4 * i + j] / scale;
+      back[4 * j + 3] -= back[4 * j + i] * t[i];
+    }
+  }
+  return {kind == 2 ? turn : Pose(there), Pose(back)};
+}
+
+std::array<Number_point<Rational>, 3> images(const std::array<Vertex, 3>& t, const Pose& pose)
+{
+  return {rationals::image(pose, rationals::exactly(t[0])), rationals::image(pose, rationals::exactly(t[1])),
+          rationals::image(pose, rationals::exactly(t[2]))};
+}
+
+Rational_face face_of(const std::array<Number_point<Rational>, 3>& t)
+{
+  return Rational_face({{t[0], t[1]}, {t[1], t[2]}, {t[2], t[0]}});
+}
+
+}  // namespace
+
+// The faces are compared by constructions in rationals, which share nothing with signs.
+BOOST_AUTO_TEST_CASE(what_is_decided_is_what_rationals_say)
+{
+  Random random(11);
+  int apart = 0, crossing = 0, undecided = 0;
+  for (int tried = 0; tried < 600; ++tried) {
+    const int kind_p = tried % 4 == 0 ? integer(random, 1, 3) : 0, kind_q = integer(random, 0, 3);
+    const auto [pose_p, back_p] = pose_and_back(random, kind_p);
+    const auto [pose_q, back_q] = pose_and_back(random, kind_q);
+    Corners8 corners;
+    for (std::size_t lane = 0; lane < Triangles8::count; ++lane) {
+      const auto pair = near_pair(random);
+      for (int k = 0; k < 3; ++k) {
+        corners[0][lane][k] = rounded_image(back_p, pair[0][k]);
+        corners[1][lane][k] = rounded_image(back_q, pair[1][k]);
+      }
+    }
+    const Triangle_contacts8 found = filtered(corners, pose_p, pose_q);
+    BOOST_TEST((found.apart & found.crossing) == 0u);
+    for (std::size_t lane = 0; lane < Triangles8::count; ++lane) {
+      const bool is_apart = found.apart >> lane & 1, is_crossing = found.crossing >> lane & 1;
+      apart += is_apart;
+      crossing += is_crossing;
+      undecided += !is_apart && !is_crossing;
+      if (!is_apart && !is_crossing) continue;
+      const auto p = images(corners[0][lane], pose_p), q = images(corners[1][lane], pose_q);
+      const auto truth = face_contact(face_of(p), face_of(q));
+      BOOST_TEST_REQUIRE(truth.empty() == is_apart, "pair " << tried << ", " << lane);
+      if (is_apart) continue;
+      const Triangle_contact contact = found.contact(lane);
+      BOOST_TEST_REQUIRE(contact.count == 2);
+      BOOST_TEST((truth.size() == 1 && truth[0].kind == Piece::segment));
+      BOOST_TEST((truth[0].in_p == Feature::interior && truth[0].in_q == Feature::interior));
+      std::vector<Rational_point> ends = {corner_point(p, q, contact.corners[0]),
+                                          corner_point(p, q, contact.corners[1])};
+      std::vector<Rational_point> true_ends = truth[0].loops[0];
+      std::sort(ends.begin(), ends.end());
+      std::sort(true_ends.begin(), true_ends.end());
+      BOOST_TEST((ends == true_ends), "pair " << tried << ", " << lane);
+    }
+  }
+  BOOST_TEST(apart > 500);
+  BOOST_TEST(crossing > 500);
+  BOOST_TEST(undecided > 500);
+}
+
+BOOST_AUTO_TEST_CASE(pairs_that_are_far_from_degenerate_are_decided_as_one_by_one)
+{
+  Random random(3);
+  int crossing = 0;
+  for (int tried = 0; tried < 500; ++tried) {
+    const Pose pose_p = tried % 2 ? random_rotation(random, 5) : Pose(),
+               pose_q = rounded(random_rotation(random, 5, {Rational(1) / 3, 0, 0}));
+    Corners8 corners;
+    for (auto& of_body : corners)
+      for (auto& t : of_body)
+        for (Vertex& v : t) v = real_vertex(random, 1);
+    const Triangle_contacts8 found = filtered(corners, pose_p, pose_q);
+    BOOST_TEST((found.apart | found.crossing) == 0xffu);
+    for (std::size_t lane = 0; lane < Triangles8::count; ++lane) {
+      std::array<Adaptive::Point_3, 3> p, q;
+      for (int k = 0; k < 3; ++k) {
+        p[k] = Adaptive::placed(corners[0][lane][k], pose_p);
+        q[k] = Adaptive::placed(corners[1][lane][k], pose_q);
+      }
+      const auto one = triangle_contact<Adaptive>({&p[0], &p[1], &p[2]}, {&q[0], &q[1], &q[2]});
+      BOOST_TEST(one.count == (found.crossing >> lane & 1 ? 2 : 0));
+      if (one.count == 0) continue;
+      ++crossing;
+      const auto contact = found.contact(lane);
+      for (int k = 0; k < 2; ++k) {
+        BOOST_TEST(contact.corners[k].on_p == one.corners[k].on_p);
+        BOOST_TEST(contact.corners[k].on_q == one.corners[k].on_q);
+      }
+    }
+  }
+  BOOST_TEST(crossing > 400);
+}
+
+BOOST_AUTO_TEST_CASE(nothing_is_decided_of_what_is_degenerate_or_beyond_the_gate)
+{
+  constexpr double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+  const std::array<Vertex, 3> flat = {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}}, line = {{{1, 1, -1}, {1, 1, 1}, {1, 1, 3}}};
+  const auto moved_by = [&](double z) { return std::array<Vertex, 3>{{{1, 1, z}, {2, 1, z + 1}, {1, 2, z + 2}}}; };
+  const auto decided = [&](const std::array<Vertex, 3>& p, const std::array<Vertex, 3>& q, const Pose& pose) {
+    Corners8 corners;
+    corners[0].fill(p);
+    corners[1].fill(q);
+    const Triangle_contacts8 found = filtered(corners, pose, Pose());
+    return found.apart | found.crossing;
+  };
+  BOOST_TEST(decided(flat, moved_by(-1.5), Pose()) == 0xffu);
+  BOOST_TEST(decided(flat, moved_by(1), Pose()) == 0xffu);
+  BOOST_TEST(decided(flat, moved_by(0), Pose()) == 0u);  // a corner in the plane
+  BOOST_TEST(decided(flat, moved_by(-1), Pose()) == 0u);
+  BOOST_TEST(decided(flat, flat, Pose()) == 0u);
+  BOOST_TEST(decided(flat, line, Pose()) == 0u);
+  for (const double far : {0x1p120, -0x1p120, inf, nan})
+    for (int corner = 0; corner < 3; ++corner)
+      for (int k = 0; k < 3; ++k) {
+        auto beyond = flat, other = moved_by(1);
+        beyond[corner][k] = other[corner][k] = far;
+        BOOST_TEST(decided(beyond, moved_by(1), Pose()) == 0u);
+        BOOST_TEST(decided(flat, other, Pose()) == 0u);
+        BOOST_TEST(decided(beyond, moved_by(1), Pose::translation(1, 0, 0)) == 0u);
+      }
+  BOOST_TEST(decided(flat, moved_by(1), Pose::translation(0x1p120, 0, 0)) == 0u);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
