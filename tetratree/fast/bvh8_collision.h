@@ -323,8 +323,9 @@ class Bvh8_collision {
   {
     Both_trees trees = both_trees();
     start(trees);
+    next_level_.clear();
     leaves_.clear();
-    for (Stop stop; (stop = descend_to_leaves(stack_, trees, leaves_)) != Stop::nothing_left;)
+    for (Stop stop; (stop = descend_to_leaves(stack_, next_level_, trees, leaves_)) != Stop::nothing_left;)
       if (stop == Stop::leaves) {  // the roots
         leaves_.push_back({stack_.box(0), stack_.box(1)});
         stack_.pop();
@@ -424,7 +425,7 @@ class Bvh8_collision {
   Placed a_, b_;
   Separating_direction separating_direction_;
   Bvh8_containment<K> containment_;
-  Pair_stack stack_;
+  Pair_stack stack_, next_level_;
   std::vector<Leaf_pair> leaves_;
   Query_statistics counts_;
   std::optional<Bvh8_front> own_front_;  // where the object keeps one

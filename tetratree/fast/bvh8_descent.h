@@ -9,6 +9,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace tetracone::tetratree {
@@ -108,12 +109,13 @@ inline Stop descend(Pair_stack& stack, Both_trees& trees)
   return fastest(stack, trees);
 }
 
-/// The same, but the pairs of leaves that it finds are added to `leaves`, and are not pushed.
-inline Stop descend_to_leaves(Pair_stack& stack, Both_trees& trees, std::vector<Leaf_pair>& leaves)
+/// Opens all pairs, level by level: those of `level`, the top one first, whose parts go to `next`, which is the next
+/// level. Pairs of leaves that it finds are added to `leaves`; it stops at one that it is given.
+inline Stop descend_to_leaves(Pair_stack& level, Pair_stack& next, Both_trees& trees, std::vector<Leaf_pair>& leaves)
 {
-  using Function = Stop(Pair_stack&, Both_trees&, std::vector<Leaf_pair>&);
+  using Function = Stop(Pair_stack&, Pair_stack&, Both_trees&, std::vector<Leaf_pair>&);
   static Function* const fastest = kernel::fastest_version<Function>(TETRACONE_SIMD_VERSIONS(descend_to_leaves_simd));
-  return fastest(stack, trees, leaves);
+  return fastest(level, next, trees, leaves);
 }
 
 }  // namespace tetracone::tetratree

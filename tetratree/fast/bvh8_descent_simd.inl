@@ -171,21 +171,6 @@ struct Parts_without_leaves {
   }
 };
 
-/// Keeps these.
-template <bool similarity>
-struct Keep_without_leaves {
-  std::vector<Leaf_pair>& leaves;
-
-  HWY_INLINE std::size_t operator()(Pair_stack& stack, std::size_t count, const Opening& o,
-                                    const kernel::Single_box& box, Both_trees& trees) const
-  {
-    const kernel::Obb8& boxes = o.node->boxes;
-    const bool is_leaf = o.size[1 - o.body] < 0;
-    return push_parts(stack, count, o, trees,
-                      Parts_without_leaves<similarity>{{boxes, box}, leaves, o, trees, is_leaf ? boxes.marked : 0});
-  }
-};
-
 /// Four pairs a round where so many are ready, so that none need wait for what the one before it brings; else two, or
 /// one. At first two: bodies that meet are often known to after few openings, and what is opened beside these is in
 /// vain. `keep` writes the pairs that are left of one that was opened.
@@ -231,11 +216,46 @@ HWY_ATTR Stop descend(Pair_stack& stack, Both_trees& trees)
   return descend_keeping<similarity>(stack, trees, keep);
 }
 
-template <bool similarity>
-HWY_ATTR Stop descend_to_leaves(Pair_stack& stack, Both_trees& trees, std::vector<Leaf_pair>& leaves)
+/// Asks the memory for the nodes that the pairs from position `first` on are to be opened by.
+HWY_INLINE void prefetch_nodes(Pair_stack& stack, std::size_t first, const Both_trees& trees)
 {
-  const Keep_without_leaves<similarity> keep{leaves};
-  return descend_keeping<similarity>(stack, trees, keep);
+  for (std::size_t k = first; k < stack.count(); ++k) {
+    const Opening opening(stack, k, trees);
+    if (!opening.is_ready()) continue;
+    const char* const bytes = reinterpret_cast<const char*>(opening.node);
+    for (std::size_t line = 0; line < sizeof(Bvh8_node); line += 64) __builtin_prefetch(bytes + line);
+  }
+}
+
+/// Level by level, four pairs a round: the nodes of a level are asked for while the one before it is opened.
+template <bool similarity>
+HWY_ATTR Stop descend_to_leaves(Pair_stack& level, Pair_stack& next, Both_trees& trees, std::vector<Leaf_pair>& leaves)
+{
+  constexpr std::size_t most = 4;
+  for (;; std::swap(level, next)) {
+    while (!level.empty()) {
+      const std::size_t top = level.count() - 1;
+      const auto opening = [&](std::size_t below)
+                               HWY_ATTR { return Opening(level, top >= below ? top - below : 0, trees); };
+      const Opening openings[most] = {opening(0), opening(1), opening(2), opening(3)};
+      if (!openings[0].is_ready()) return openings[0].stop;
+      std::size_t ready = 1;
+      while (ready < most && ready <= top && openings[ready].is_ready()) ++ready;
+      kernel::Single_box boxes[most];
+      for (std::size_t k = 0; k < ready; ++k) boxes[k] = openings[k].template single<similarity>(trees);
+      level.set_count(level.count() - ready);
+      next.reserve();
+      const std::size_t first = next.count();
+      for (std::size_t k = 0; k < ready; ++k) {
+        const Opening& o = openings[k];
+        const unsigned paired = o.size[1 - o.body] < 0 ? o.node->boxes.marked : 0;
+        const Parts_without_leaves<similarity> parts{{o.node->boxes, boxes[k]}, leaves, o, trees, paired};
+        next.set_count(push_parts(next, next.count(), o, trees, parts));
+      }
+      prefetch_nodes(next, first, trees);
+    }
+    if (next.empty()) return Stop::nothing_left;
+  }
 }
 
 HWY_INLINE bool are_similarities(const Both_trees& trees)
@@ -248,10 +268,11 @@ inline HWY_ATTR Stop descend_simd(Pair_stack& stack, Both_trees& trees)
   return are_similarities(trees) ? descend<true>(stack, trees) : descend<false>(stack, trees);
 }
 
-inline HWY_ATTR Stop descend_to_leaves_simd(Pair_stack& stack, Both_trees& trees, std::vector<Leaf_pair>& leaves)
+inline HWY_ATTR Stop descend_to_leaves_simd(Pair_stack& level, Pair_stack& next, Both_trees& trees,
+                                            std::vector<Leaf_pair>& leaves)
 {
-  return are_similarities(trees) ? descend_to_leaves<true>(stack, trees, leaves)
-                                 : descend_to_leaves<false>(stack, trees, leaves);
+  return are_similarities(trees) ? descend_to_leaves<true>(level, next, trees, leaves)
+                                 : descend_to_leaves<false>(level, next, trees, leaves);
 }
 
 }  // namespace tetracone::tetratree::HWY_NAMESPACE

@@ -16,20 +16,22 @@
 
 namespace tetracone::tetratree {
 
+using Stopping = Stop(Pair_stack&, Both_trees&);
+using To_leaves = Stop(Pair_stack&, Pair_stack&, Both_trees&, std::vector<Leaf_pair>&);
+
 /// Goes on; what it finds of leaves it may add.
-using Descend = std::function<Stop(Pair_stack&, Both_trees&, std::vector<Leaf_pair>&)>;
+using Descend = std::function<To_leaves>;
 
 /// A descent that stops at every pair of leaves.
-Descend stopping(Stop (*descend)(Pair_stack&, Both_trees&))
+Descend stopping(Stopping* descend)
 {
-  return [=](Pair_stack& stack, Both_trees& trees, std::vector<Leaf_pair>&) { return descend(stack, trees); };
+  return
+      [=](Pair_stack& stack, Pair_stack&, Both_trees& trees, std::vector<Leaf_pair>&) { return descend(stack, trees); };
 }
 
 /// All versions of both descents.
 std::vector<Descend> descend_versions()
 {
-  using Stopping = Stop(Pair_stack&, Both_trees&);
-  using To_leaves = Stop(Pair_stack&, Both_trees&, std::vector<Leaf_pair>&);
   std::vector<Descend> all;
   for (Stopping* each : verify::versions_here<Stopping>(TETRACONE_SIMD_VERSIONS(descend_simd)))
     all.push_back(stopping(each));
@@ -63,10 +65,10 @@ Descended descended(const Descend& descend, Placed_bvh8<>& a, Placed_bvh8<>& b)
   const double factor = a.into_other.frame().scale();
   const float scale = factor >= 0x1p-60 && factor <= 0x1p60 ? float(factor) : 1;
   Descended result{{}, 0, 0, {{a.tree->nodes(), b.tree->nodes()}, {&a.into_other, &b.into_other}, scale}};
-  Pair_stack stack;
+  Pair_stack stack, next;
   stack.push(0, 0, a.size() * scale, b.size());
   std::vector<Leaf_pair> leaves;
-  for (Stop stop; (stop = descend(stack, result.trees, leaves)) != Stop::nothing_left;) {
+  for (Stop stop; (stop = descend(stack, next, result.trees, leaves)) != Stop::nothing_left;) {
     const std::uint32_t box_a = stack.box(0), box_b = stack.box(1);
     if (stop == Stop::leaves) {
       stack.pop();
