@@ -158,6 +158,10 @@ class Face_pairs {
                      const Undecided& undecided, Found_contacts& found)
   {
     for (const Face_pair& pair : pairs) {
+      __builtin_prefetch(pair.corners_a);
+      __builtin_prefetch(pair.corners_b);
+    }
+    for (const Face_pair& pair : pairs) {
       if (!pair.are_triangles()) continue;
       for (const Index v : *pair.corners_a) __builtin_prefetch(&a[v]);
       for (const Index v : *pair.corners_b) __builtin_prefetch(&b[v]);

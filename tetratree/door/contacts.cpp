@@ -33,26 +33,26 @@ std::array<N, 12> entries(const kernel::Pose& pose, const Number_of& number_of)
   return m;
 }
 
-/// The corners of a piece of two triangles over N.
-template <class N, class Number_of>
-std::vector<kernel::Number_point<N>> corners(const Contacts_data& data, const tetratree::Found_piece& piece,
-                                             const Number_of& number_of)
+/// Calls what(corner) for the corners of a piece of two triangles, over N.
+template <class N, class Number_of, class What>
+void for_corners(const Contacts_data& data, const tetratree::Found_piece& piece, const Number_of& number_of,
+                 const What& what)
 {
   const auto triangle = [&](const detail::Shared_body& body, const kernel::Pose& pose, Index face) {
-    const auto m = entries<N>(pose, number_of);
     const covering::Loop loop = body->polyhedron.loop(face, 0);
+    const auto vertex = [&](int k) { return body->polyhedron.vertices[loop[k]]; };
     std::array<kernel::Number_point<N>, 3> t;
-    for (int k = 0; k < 3; ++k) {
-      const kernel::Vertex& v = body->polyhedron.vertices[loop[k]];
-      t[k] = pose.is_identity() ? kernel::Number_point<N>{N(v[0]), N(v[1]), N(v[2])} : kernel::image(v, m);
+    if (pose.is_identity()) {
+      for (int k = 0; k < 3; ++k)
+        for (int i = 0; i < 3; ++i) t[k][i] = N(vertex(k)[i]);
+    } else {
+      const auto m = entries<N>(pose, number_of);
+      for (int k = 0; k < 3; ++k) t[k] = kernel::image(vertex(k), m);
     }
     return t;
   };
   const auto p = triangle(data.a, data.pose_a, piece.face_a), q = triangle(data.b, data.pose_b, piece.face_b);
-  std::vector<kernel::Number_point<N>> corners;
-  for (int k = 0; k < piece.by_signs.count; ++k)
-    corners.push_back(kernel::corner_point(p, q, piece.by_signs.corners[k]));
-  return corners;
+  for (int k = 0; k < piece.by_signs.count; ++k) what(kernel::corner_point(p, q, piece.by_signs.corners[k]));
 }
 
 Enclosure enclosure(const Rational_point& x)
@@ -80,7 +80,11 @@ Loops exactly(const Contacts_data& data, std::size_t k)
 {
   const tetratree::Found_piece& piece = data.found.pieces[k];
   if (piece.by_signs.count == 0) return data.found.kept[piece.kept];
-  return {corners<Rational>(data, piece, [](const kernel::Pose& pose, int i) { return pose.exact(i); })};
+  Loops loops(1);
+  for_corners<Rational>(
+      data, piece, [](const kernel::Pose& pose, int i) { return pose.exact(i); },
+      [&](const Rational_point& x) { loops[0].push_back(x); });
+  return loops;
 }
 
 std::array<double, 3> nearest(const Rational_point& x)
@@ -109,16 +113,20 @@ std::vector<std::vector<Enclosure>> Contacts::loops(std::size_t k) const
 {
   const tetratree::Found_piece& piece = data_->found.pieces[k];
   if (piece.by_signs.count > 0) {
+    std::vector<std::vector<Enclosure>> loops(1);
+    loops[0].reserve(piece.by_signs.count);
+    bool are_narrow = true;
     const CGAL::Protect_FPU_rounding<true> upward;
-    const auto found = corners<Interval>(*data_, piece, [](const kernel::Pose& pose, int i) {
-      return pose.is_rational() ? Interval(CGAL::to_interval(pose.exact(i))) : Interval(pose[i]);
-    });
-    if (std::ranges::all_of(found, is_narrow)) {
-      std::vector<std::vector<Enclosure>> loops(1);
-      for (const auto& x : found)
-        loops[0].push_back({{x[0].inf(), x[1].inf(), x[2].inf()}, {x[0].sup(), x[1].sup(), x[2].sup()}});
-      return loops;
-    }
+    for_corners<Interval>(
+        *data_, piece,
+        [](const kernel::Pose& pose, int i) {
+          return pose.is_rational() ? Interval(CGAL::to_interval(pose.exact(i))) : Interval(pose[i]);
+        },
+        [&](const kernel::Number_point<Interval>& x) {
+          are_narrow = are_narrow && is_narrow(x);
+          loops[0].push_back({{x[0].inf(), x[1].inf(), x[2].inf()}, {x[0].sup(), x[1].sup(), x[2].sup()}});
+        });
+    if (are_narrow) return loops;
   }
   std::vector<std::vector<Enclosure>> loops;
   for (const auto& loop : exactly(*data_, k)) {

@@ -69,14 +69,13 @@ class Bvh8_contacts {
   {
     candidates_.clear();
     collision_.for_element_pairs(pose_a, pose_b, [&](const Element& a, const Element& b) {
-      candidates_.push_back({a.face, b.face, &a.corner, &b.corner});
+      candidates_.push_back(pairs_.pair(a.face, b.face));
     });
     if (one_element_a_ && one_element_b_) return;
     const auto faces = [](const Face_pair& pair) { return std::uint64_t(pair.face_a) << 32 | pair.face_b; };
     std::ranges::sort(candidates_, {}, faces);
     const auto repeated = std::ranges::unique(candidates_, {}, faces);
     candidates_.erase(repeated.begin(), repeated.end());
-    for (Face_pair& pair : candidates_) pair = pairs_.pair(pair.face_a, pair.face_b);
   }
 
   Bvh8_collision<K> collision_;
