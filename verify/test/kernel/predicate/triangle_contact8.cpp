@@ -53,29 +53,44 @@ Triangle_contacts8 filtered(const Corners8& corners, const Pose& pose_p, const P
   return first;
 }
 
-/// A triangle, and one that nearly touches it or crosses it in any way: a corner in its plane, in it or beside it; an
-/// edge through an edge or a corner; or anything. Of very different sizes, too.
+/// A triangle, and one that touches it or crosses it in any way, exactly or nearly: a corner in its plane, in it or
+/// beside it; an edge through an edge or a corner; or anything. Of very different sizes, too.
 std::array<std::array<Vertex, 3>, 2> near_pair(Random& random)
 {
+  // Coordinates of 24 bits: what is meant is exact, and signs in double are rounded.
+  const bool exactly = integer(random, 0, 1);
+  const auto rounded = [&](double x, int bits) {
+    return exactly ? std::ldexp(std::round(std::ldexp(x, bits)), -bits) : x;
+  };
   std::array<std::array<Vertex, 3>, 2> pair;
   const double size = std::ldexp(1, integer(random, -12, 0));
-  for (Vertex& v : pair[0]) v = real_vertex(random, 1);
-  for (Vertex& v : pair[1]) v = real_vertex(random, size);
-  const int kind = integer(random, 0, 4);
+  for (int k = 0; k < 3; ++k) {
+    pair[0][k] = real_vertex(random, 1);
+    pair[1][k] = real_vertex(random, size);
+    for (auto& triangle : pair)
+      for (double& x : triangle[k]) x = rounded(x, 24);
+  }
   const auto point_of = [&](const std::array<Vertex, 3>& t, double s, double r) {
     Vertex x;
     for (int k = 0; k < 3; ++k) x[k] = t[0][k] + (s * (t[1][k] - t[0][k]) + r * (t[2][k] - t[0][k]));
     return x;
   };
-  const double s = real(random, -0.2, 1), r = kind == 1 ? 0 : real(random, 0, 1);
-  const Vertex on_p = point_of(pair[0], s, r);
-  Vertex on_q = point_of(pair[1], kind == 0 ? 0 : real(random, 0, 1), kind < 2 ? 0 : real(random, 0, 0.5));
-  if (kind == 4) on_q = on_p;  // as they are
+  const int kind = integer(random, 0, 4);
+  const auto share = [&](double low, double high) { return rounded(real(random, low, high), 3); };
+  const double s = share(-0.2, 1), r = kind == 1 ? 0 : share(0, 1), t = kind == 0 ? 0 : share(0, 1),
+               u = kind < 2 ? 0 : share(0, 0.5);
+  const Vertex on_p = point_of(pair[0], s, r), on_q = kind == 4 ? on_p : point_of(pair[1], t, u);
+  const int most = integer(random, 0, 2);  // units in the last place, off
+  // Small about the origin: what poses round, of corners that are far from it, is then more than signs do.
+  const int exponent = integer(random, -16, 0);
   for (Vertex& v : pair[1])
     for (int k = 0; k < 3; ++k) {
       v[k] += on_p[k] - on_q[k];
-      v[k] += integer(random, -2, 2) * std::ldexp(std::abs(v[k]), -53);
+      v[k] += integer(random, -most, most) * std::ldexp(std::abs(v[k]), -53);
     }
+  for (auto& triangle : pair)
+    for (Vertex& v : triangle)
+      for (double& x : v) x = std::ldexp(x, exponent);
   return pair;
 }
 
