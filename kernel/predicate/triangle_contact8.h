@@ -32,10 +32,12 @@ struct alignas(64) Triangles8 {
 };
 
 /// What signs in double tell of eight pairs of triangles. Lanes that are in neither set are undecided.
-class Triangle_contacts8 {
- public:
+struct Triangle_contacts8 {
   unsigned apart = 0;     ///< lanes, as bits: the triangles share no point
   unsigned crossing = 0;  ///< lanes: they share a segment, and no corner of either is in the other's plane
+
+  /// Edge sets, a byte each: of the segment's first end on p, on q, of its second on p, on q.
+  alignas(64) std::uint64_t ends[Triangles8::count];
 
   /// Of a lane in `crossing`: what `triangle_contact` says.
   Triangle_contact contact(std::size_t lane) const
@@ -46,9 +48,6 @@ class Triangle_contacts8 {
     segment.add({part(16), part(24)});
     return segment;
   }
-
-  alignas(64) std::uint64_t ends[Triangles8::count];  ///< edge sets, a byte each: of the first end on p, on q, of the
-                                                      ///< second on p, on q
 };
 
 }  // namespace tetracone::kernel

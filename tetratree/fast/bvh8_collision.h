@@ -335,9 +335,9 @@ class Bvh8_collision {
     count(trees);
   }
 
-  /// Whether leaf_pair(box of A, box of B) holds for some pair of leaves that is not discarded.
-  template <class Leaf_pair>
-  bool descend_trees(const Leaf_pair& leaf_pair)
+  /// Whether meet_in(box of A, box of B) holds for some pair of leaves that is not discarded.
+  template <class Meet>
+  bool descend_trees(const Meet& meet_in)
   {
     Both_trees trees = both_trees();
     start(trees);
@@ -346,7 +346,7 @@ class Bvh8_collision {
       if (stop == Stop::leaves) {
         const Box box_a = stack_.box(0), box_b = stack_.box(1);
         stack_.pop();
-        meet = leaf_pair(box_a, box_b);
+        meet = meet_in(box_a, box_b);
       } else {
         make_child();
       }
