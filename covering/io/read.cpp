@@ -124,7 +124,9 @@ std::string suffix_of(const std::filesystem::path& path)
   return suffix;
 }
 
-Read_model read_model(const std::filesystem::path& path)
+namespace {
+
+Read_model read_model(const std::filesystem::path& path, bool also_by_cgal)
 {
   const std::string suffix = suffix_of(path);
   const std::string& file = path.native();
@@ -150,7 +152,7 @@ Read_model read_model(const std::filesystem::path& path)
                 : suffix == ".ply" ? scan_ply(file, text)
                                    : scan_stl(file, text);
     model.polyhedron = suffix == ".stl" ? merge_equal_vertices(std::move(scan.soup)) : std::move(scan.soup);
-    if (model.polyhedron.face_count() != 0) {
+    if (model.polyhedron.face_count() != 0 && also_by_cgal) {
       if (text.size() > most_for_cgal) {
         model.notes.emplace_back("so large that CGAL's reader would take far longer: read by the scan alone");
       } else if (!scan.cgal_knows) {
@@ -168,6 +170,10 @@ Read_model read_model(const std::filesystem::path& path)
   return model;
 }
 
-Polyhedron read(const std::filesystem::path& path) { return read_model(path).polyhedron; }
+}  // namespace
+
+Read_model read_model(const std::filesystem::path& path) { return read_model(path, true); }
+
+Polyhedron read(const std::filesystem::path& path) { return read_model(path, false).polyhedron; }
 
 }  // namespace tetracone::covering

@@ -60,7 +60,7 @@ inline Scan scan_off(const std::string& file, std::string_view text)
 
   scan.soup.vertices.reserve(vertices);
   for (std::size_t v = 0; v < vertices; ++v) {
-    lines.need_next("expected vertex " + std::to_string(v) + " of " + std::to_string(vertices));
+    lines.need_next("vertex", v, vertices);
     const std::size_t least = 3 + (normals ? 3 : 0) + (textures ? 2 : 0);
     if (lines.words().size() < least)
       lines.fail("a vertex of " + std::to_string(lines.words().size()) + " numbers",
@@ -74,7 +74,7 @@ inline Scan scan_off(const std::string& file, std::string_view text)
   }
   std::vector<Index> loop;
   for (std::size_t f = 0; f < faces; ++f) {
-    lines.need_next("expected face " + std::to_string(f) + " of " + std::to_string(faces));
+    lines.need_next("face", f, faces);
     const std::uint64_t corners = lines.count(0, "count of corners");
     need_corners(lines, corners);
     if (corners > lines.words().size() - 1)

@@ -39,7 +39,7 @@ inline Poly_nodes scan_poly_nodes(Text_lines& lines)
   }
   nodes.vertices.reserve(count);
   for (std::size_t v = 0; v < count; ++v) {
-    lines.need_next("expected node " + std::to_string(v + 1) + " of " + std::to_string(count));
+    lines.need_next("node", v + 1, count);
     const std::uint64_t index = lines.count(0, "index of a node");
     if (v == 0 && index > 1) lines.fail("first node " + std::to_string(index), "expected 0 or 1");
     if (v == 0) nodes.first = index;
@@ -93,7 +93,7 @@ inline void scan_poly_facets(Text_lines& lines, const Poly_nodes& nodes, Read_mo
   const std::size_t facets = lines.count_ahead(lines.words()[0], "count of facets", 4);
   std::vector<std::vector<Index>> loops;
   for (std::size_t f = 0; f < facets; ++f) {
-    lines.need_next("expected facet " + std::to_string(f + 1) + " of " + std::to_string(facets));
+    lines.need_next("facet", f + 1, facets);
     const std::size_t polygons = lines.count_ahead(lines.words()[0], "count of polygons", 2);
     const std::size_t holes = lines.words().size() > 1 ? lines.count_ahead(lines.words()[1], "count of holes", 8) : 0;
     for (std::size_t k = 2; k < lines.words().size(); ++k) lines.number(k, "marker of a facet");
@@ -112,7 +112,7 @@ inline void scan_poly_facets(Text_lines& lines, const Poly_nodes& nodes, Read_mo
       for (std::size_t word = 1; loop.size() < corners; ++word) {
         // A long polygon may go on in the next line.
         if (word == lines.words().size()) {
-          lines.need_next("expected corner " + std::to_string(loop.size() + 1) + " of " + std::to_string(corners));
+          lines.need_next("corner", loop.size() + 1, corners);
           word = 0;
         }
         const std::uint64_t index = lines.count(word, "node of a polygon");
@@ -135,7 +135,7 @@ inline void scan_poly_facets(Text_lines& lines, const Poly_nodes& nodes, Read_mo
   if (!lines.next()) return;
   const std::size_t points = lines.count_ahead(lines.words()[0], "count of hole points", 8);
   for (std::size_t k = 0; k < points; ++k) {
-    lines.need_next("expected hole point " + std::to_string(k + 1) + " of " + std::to_string(points));
+    lines.need_next("hole point", k + 1, points);
     lines.point(1);
   }
   if (points != 0)

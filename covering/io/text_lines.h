@@ -96,9 +96,15 @@ class Text_lines {
   }
 
   /// As `next()`, where the text may not end yet: `expected` says what should come.
-  void need_next(const std::string& expected)
+  void need_next(std::string_view expected)
   {
     if (!next()) fail(line_ == 0 ? "the file is empty" : "the file ends here", expected);
+  }
+  /// The same, of the next of several: `what`, this one's number and how many there should be.
+  void need_next(std::string_view what, std::size_t number, std::size_t count)
+  {
+    if (next()) return;
+    need_next("expected " + std::string(what) + " " + std::to_string(number) + " of " + std::to_string(count));
   }
 
   std::size_t line() const { return line_; }
@@ -115,11 +121,11 @@ class Text_lines {
   }
 
   /// Word `k` as a finite number, `what` names it: the double nearest to the decimal.
-  double number(std::size_t k, const std::string& what) const
+  double number(std::size_t k, std::string_view what) const
   {
-    if (k >= words_.size()) fail("the line ends before " + what, "expected a number");
+    if (k >= words_.size()) fail("the line ends before " + std::string(what), "expected a number");
     const auto value = kernel::parse_double(words_[k]);
-    if (!value) fail(in_quotes(words_[k]) + " as " + what, "expected a finite decimal number");
+    if (!value) fail(in_quotes(words_[k]) + " as " + std::string(what), "expected a finite decimal number");
     return *value;
   }
 
@@ -130,28 +136,28 @@ class Text_lines {
   }
 
   /// A word as an integer from 0, `what` names it.
-  std::uint64_t count(std::string_view word, const std::string& what) const
+  std::uint64_t count(std::string_view word, std::string_view what) const
   {
     const auto value = parse_count(word);
-    if (!value) fail(in_quotes(word) + " as " + what, "expected an integer from 0");
+    if (!value) fail(in_quotes(word) + " as " + std::string(what), "expected an integer from 0");
     return *value;
   }
 
   /// Word `k` as an integer from 0, `what` names it.
-  std::uint64_t count(std::size_t k, const std::string& what) const
+  std::uint64_t count(std::size_t k, std::string_view what) const
   {
-    if (k >= words_.size()) fail("the line ends before " + what, "expected an integer");
+    if (k >= words_.size()) fail("the line ends before " + std::string(what), "expected an integer");
     return count(words_[k], what);
   }
 
   /// A word as a count of things in the lines that follow, each on at least `bytes` bytes: fails where the text is too
   /// short for them, so that a wrong count reserves no memory.
-  std::size_t count_ahead(std::string_view word, const std::string& what, std::size_t bytes) const
+  std::size_t count_ahead(std::string_view word, std::string_view what, std::size_t bytes) const
   {
     const std::uint64_t value = count(word, what);
     // The last line needs no end.
     if (value > (bytes_left() + 1) / bytes || value > std::numeric_limits<std::uint32_t>::max())
-      fail(std::string(word) + " as " + what + ", with " + std::to_string(bytes_left()) + " bytes left in the file",
+      fail(std::string(word) + " as " + std::string(what) + ", with " + std::to_string(bytes_left()) + " bytes left in the file",
            "expected a count that the file can hold");
     return value;
   }
@@ -160,11 +166,12 @@ class Text_lines {
   void split(std::string_view line)
   {
     if (comment_ != '\0') line = line.substr(0, line.find(comment_));
-    constexpr std::string_view white = " \t\r\v\f";
-    for (std::size_t begin = line.find_first_not_of(white); begin != std::string_view::npos;) {
-      const std::size_t end = std::min(line.find_first_of(white, begin), line.size());
-      words_.push_back(line.substr(begin, end - begin));
-      begin = line.find_first_not_of(white, end);
+    const auto is_white = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; };
+    for (std::size_t begin = 0, end = 0; begin < line.size(); begin = end) {
+      while (begin < line.size() && is_white(line[begin])) ++begin;
+      end = begin;
+      while (end < line.size() && !is_white(line[end])) ++end;
+      if (begin < end) words_.push_back(line.substr(begin, end - begin));
     }
   }
 

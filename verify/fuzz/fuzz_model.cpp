@@ -25,7 +25,7 @@ void tetracone::verify::fuzz_model(const std::uint8_t* data, std::size_t size)
   file.write(data, size);
   covering::Polyhedron polyhedron;
   try {
-    polyhedron = covering::read(file.path());
+    polyhedron = covering::read_model(file.path()).polyhedron;
   } catch (const tetracone::covering::Input_error&) {
     return;
   }
