@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 namespace tetracone::kernel {
 
@@ -69,6 +68,28 @@ inline int plane_side(const Local_point& a, const Local_point& b, const Local_po
   return side > plane_side_bound ? 1 : side < -plane_side_bound ? -1 : 0;
 }
 
+/// A triangle of a model, with its plane normal . x = offset: a component of the normal, of at most 8, is off by less
+/// than 2^-46, the offset by less than 2^-43.
+///
+/// A corner's difference is off by 2 `local_error` + 2^-53 <= 9 2^-53, a product of two of at most 2 by 4 times that and
+/// 2^-51 of rounding, a component, which rounds once more, by 2^-53 (72 + 8 + 8). The offset takes three times 2^-46 +
+/// 8 `local_error` and roundings of sums of at most 24.
+struct Local_facet {
+  Local_triangle corner;
+  Local_point normal;
+  double offset;
+
+  explicit Local_facet(const Local_triangle& triangle) : corner(triangle)
+  {
+    const Local_point &a = corner[0], &b = corner[1], &c = corner[2];
+    for (int k = 0; k < 3; ++k) {
+      const int u = (k + 1) % 3, v = (k + 2) % 3;
+      normal[k] = (b[u] - a[u]) * (c[v] - a[v]) - (b[v] - a[v]) * (c[u] - a[u]);
+    }
+    offset = normal[0] * a[0] + normal[1] * a[1] + normal[2] * a[2];
+  }
+};
+
 /// Cells of directions about an origin: each octant of the octahedron |x| + |y| + |z| = 1 has an n x n lattice, of
 /// which the half below its diagonal is used. JS08 section 2.1 halves the edges of the same octahedron.
 ///
@@ -99,11 +120,8 @@ class Cone_cells {
     return octant * octant_size() + row(i) + std::size_t(j);
   }
 
-  /// Directions of norm 1, in the octant's coordinates, whose hull holds a wide cell.
-  struct Corners {
-    std::array<Local_point, 4> direction;
-    int count;
-  };
+  /// Directions of norm 1 whose hull holds a wide cell.
+  using Corners = std::array<Local_point, 4>;
 
   /// Calls what(cell, direction, corners) for every cell in order, with a direction of norm 1 well within it.
   template <class What>
@@ -125,24 +143,24 @@ class Cone_cells {
   /// The triangle is clipped to the octant, a little widened. What is clipped is off by some 2^-50, from r >= core / 4
   /// on by n 2^-50 8 / core <= 2^-17 in a, b and c.
   template <class What>
-  bool for_cells(const Local_triangle& triangle, const What& what) const
+  bool for_cells(const Local_facet& facet, const What& what) const
   {
     bool is_beyond_core = true;
     unsigned reached[2] = {0, 0};  // axes on whose positive, negative side a corner is, or nearly
-    for (const Local_point& p : triangle)
+    for (const Local_point& p : facet.corner)
       for (int k = 0; k < 3; ++k) {
         if (p[k] >= -0x1p-7 / n_) reached[0] |= 1u << k;
         if (p[k] <= 0x1p-7 / n_) reached[1] |= 1u << k;
       }
     for (unsigned octant = 0; octant < 8; ++octant) {
       if (((~octant & ~reached[0]) | (octant & ~reached[1])) & 7) continue;
-      Polygon part = in_octant(triangle, octant);
+      Polygon part = in_octant(facet.corner, octant);
       const double widening = 0x1p-9 / n_;
       for (int k = 0; k < 3 && part.count > 0; ++k)
         part.clip([&](const Local_point& p) { return p[k] + widening * (p[0] + p[1] + p[2]); });
       for (int k = 0; k < part.count; ++k) is_beyond_core = is_beyond_core && norm(part.corner[k]) > 2 * core;
       if (!is_beyond_core) part.clip([](const Local_point& p) { return norm(p) - core / 4; });
-      if (part.count > 0) place(octant, part, in_octant(triangle, octant), what);
+      if (part.count > 0) place(octant, part, Plane(facet, octant, n_), what);
     }
     return is_beyond_core;
   }
@@ -176,8 +194,8 @@ class Cone_cells {
     }
   };
 
-  /// By so much intervals of a, b and c, and of norms, are made wider.
-  static constexpr double lattice_margin = 0x1p-8, norm_margin = 0x1p-40;
+  /// By so much intervals of a, b and c, and of norms, are made wider: of the latter, a quarter is for rounding to float.
+  static constexpr double lattice_margin = 0x1p-8, norm_margin = 0x1p-21;
 
   std::size_t octant_size() const { return std::size_t(n_) * std::size_t(n_ + 1) / 2; }
   std::size_t row(int i) const { return std::size_t(i) * std::size_t(2 * n_ - i + 1) / 2; }
@@ -193,8 +211,9 @@ class Cone_cells {
   {
     const auto at = [&](double a, double b) { return turned(octant, a / n_, b / n_); };
     constexpr double m = lattice_margin;
-    if (i + j == n_ - 1) return {{at(i - m, j - m), at(i + 1 + 3 * m, j - m), at(i - m, j + 1 + 3 * m)}, 3};
-    return {{at(i - m, j - m), at(i + 1 + m, j - m), at(i - m, j + 1 + m), at(i + 1 + m, j + 1 + m)}, 4};
+    const Local_point first = at(i - m, j - m);
+    if (i + j == n_ - 1) return {first, first, at(i + 1 + 3 * m, j - m), at(i - m, j + 1 + 3 * m)};
+    return {first, at(i + 1 + m, j - m), at(i - m, j + 1 + m), at(i + 1 + m, j + 1 + m)};
   }
 
   static double norm(const Local_point& in_octant) { return in_octant[0] + in_octant[1] + in_octant[2]; }
@@ -208,17 +227,38 @@ class Cone_cells {
     return turned;
   }
 
-  static float rounded_down(double x)
-  {
-    return std::nextafter(float(x - norm_margin), -std::numeric_limits<float>::infinity());
-  }
-  static float rounded_up(double x)
-  {
-    return std::nextafter(float(x + norm_margin), std::numeric_limits<float>::infinity());
-  }
+  /// The plane of a triangle in the coordinates of an octant: along a direction (a, b, c) / n it is at the norm D / g, g
+  /// linear in a and b, so that over a cell the norm is between those at its corners where g keeps its sign.
+  class Plane {
+   public:
+    Plane(const Local_facet& facet, unsigned octant, int n) : offset_(facet.offset)
+    {
+      const auto turned = [&](unsigned k) { return octant >> k & 1 ? -facet.normal[k] : facet.normal[k]; };
+      along_c_ = turned(2);
+      per_a_ = (turned(0) - along_c_) / n;
+      per_b_ = (turned(1) - along_c_) / n;
+      half_spread_ = (std::abs(per_a_) + std::abs(per_b_)) * (0.5 + lattice_margin);
+    }
+
+    /// Errors: 2^-43 of D, and of g 3 2^-46 for the normal, at |a| + |b| + |c| <= 3 n, and less than 2^-45 for roundings
+    /// of terms that sum to 40 at most; so with |g| >= 2^-16 and a norm of at most 4 that of D / g is below 2^-25.
+    void narrow(int i, int j, double& low, double& high) const
+    {
+      const double middle = along_c_ + per_a_ * (i + 0.5) + per_b_ * (j + 0.5);
+      const double side = middle > 0 ? 1 : -1, far = side * middle - half_spread_;
+      if (!(far >= 0x1p-16)) return;
+      low = maximum(low, side * offset_ / (side * middle + half_spread_) - plane_margin);
+      high = minimum(high, side * offset_ / far + plane_margin);
+    }
+
+   private:
+    static constexpr double plane_margin = 0x1p-24;
+
+    double offset_, along_c_, per_a_, per_b_, half_spread_;
+  };
 
   template <class What>
-  void place(unsigned octant, const Polygon& part, const Polygon& triangle, const What& what) const
+  void place(unsigned octant, const Polygon& part, const Plane& plane, const What& what) const
   {
     double low[4], high[4];  // of a, b, c and r
     for (int k = 0; k < part.count; ++k) {
@@ -236,7 +276,6 @@ class Cone_cells {
     }
     const auto whole = [this](double x) { return std::clamp(int(std::floor(x)), -1, n_); };
     const int first_i = maximum(0, whole(low[0])), last_i = minimum(n_ - 1, whole(high[0]));
-    const Plane plane(triangle, n_);
     for (int i = first_i; i <= last_i; ++i) {
       const int first_j = maximum(0, whole(low[1]), int(std::ceil(n_ - i - 2 - high[2])));
       const int last_j = minimum(n_ - 1 - i, whole(high[1]), int(std::floor(n_ - i - low[2])));
@@ -245,48 +284,10 @@ class Cone_cells {
         double r_low = low[3], r_high = high[3];
         if (several) plane.narrow(i, j, r_low, r_high);
         if (r_low <= r_high)
-          what(octant * octant_size() + row(i) + std::size_t(j), rounded_down(r_low), rounded_up(r_high));
+          what(octant * octant_size() + row(i) + std::size_t(j), float(r_low - norm_margin), float(r_high + norm_margin));
       }
     }
   }
-
-  /// The plane of a triangle of an octant: along a direction (a, b, c) / n it is at the norm D / g, g linear in a and
-  /// b, so that over a cell the norm is between those at its corners where g keeps its sign.
-  class Plane {
-   public:
-    Plane(const Polygon& t, int n) : n_(n)
-    {
-      const Local_point &p = t.corner[0], &q = t.corner[1], &s = t.corner[2];
-      for (int k = 0; k < 3; ++k) {
-        const int u = (k + 1) % 3, v = (k + 2) % 3;
-        normal_[k] = (q[u] - p[u]) * (s[v] - p[v]) - (q[v] - p[v]) * (s[u] - p[u]);
-      }
-      offset_ = normal_[0] * p[0] + normal_[1] * p[1] + normal_[2] * p[2];
-    }
-
-    /// Errors: 2^-48 of a component of the normal, 2^-46 of D, 2^-46 of g; so with |g| >= 2^-16 and a norm of at most 4
-    /// that of D / g is below 2^-27.
-    void narrow(int i, int j, double& low, double& high) const
-    {
-      double least = 0, largest = 0;
-      for (int corner = 0; corner < 4; ++corner) {
-        const double a = i + (corner & 1 ? 1 + lattice_margin : -lattice_margin),
-                     b = j + (corner & 2 ? 1 + lattice_margin : -lattice_margin);
-        const double g = (normal_[0] * a + normal_[1] * b + normal_[2] * (n_ - a - b)) / n_;
-        least = corner == 0 ? g : minimum(least, g);
-        largest = corner == 0 ? g : maximum(largest, g);
-      }
-      const double side = least > 0 ? 1 : -1, near = side > 0 ? largest : -least, far = side > 0 ? least : -largest;
-      if (!(far >= 0x1p-16)) return;
-      low = maximum(low, side * offset_ / near - 0x1p-25);
-      high = minimum(high, side * offset_ / far + 0x1p-25);
-    }
-
-   private:
-    double n_;
-    Local_point normal_;
-    double offset_;
-  };
 
   int n_;
 };

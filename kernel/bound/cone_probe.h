@@ -3,6 +3,7 @@
 
 #include "tetracone/kernel/bound/cone_cells.h"
 #include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/simd/short_vectors.h"
 
 #include <array>
 #include <cassert>
@@ -11,22 +12,31 @@
 
 namespace tetracone::kernel {
 
-/// A model's `Local_point`, rounded.
-using Rounded_point = std::array<float, 3>;
-inline Rounded_point rounded(const Local_point& p) { return {float(p[0]), float(p[1]), float(p[2])}; }
+/// A model's `Local_point`, rounded; 0 in the last lane.
+using Rounded_point = Four_floats;
+inline Rounded_point rounded(const Local_point& p) { return Rounded_point{float(p[0]), float(p[1]), float(p[2]), 0}; }
 
-/// A point p against triangles as they are seen from the origin, by a filter in float.
+/// A point p against triangles as they are seen from the origin, by a filter in float, four at a time.
 ///
 /// The axis z along which p is largest is kept, the others are sheared so that the line from the origin through p
 /// becomes z's: (x, y, z) -> (X, Y, z) = (x - z p_x / p_z, y - z p_y / p_z, z). How an edge of the triangle turns about
 /// the line is the sign of one 2D determinant, of numbers as small as the triangle is beside the line.
 class Cone_probe {
  public:
-  /// What a triangle w a b says of p. `facing` is as by `cone_holds`; where it is 1 or -1, `is_before` tells whether p
-  /// is before the triangle's plane, with the triangle on p's side of the origin, or else beyond it.
-  struct View {
-    int facing;
-    bool is_before;
+  /// One corner of each of four triangles.
+  using Corners = std::array<Rounded_point, 4>;
+
+  /// What triangles w a b say of p, a bit each: which the line from the origin through p meets within, their edges
+  /// turning about p to the left (1, as by `cone_holds`) or to the right (-1); of which of these p is before the plane,
+  /// with the triangle on p's side of the origin; and which are uncertain. The others are missed.
+  struct Views {
+    unsigned left, right, before, undecided;
+
+    /// Of triangle k, as `cone_holds` has it.
+    int facing(unsigned k) const
+    {
+      return undecided >> k & 1 ? cone_undecided : int(left >> k & 1) - int(right >> k & 1);
+    }
   };
 
   /// Requires Cone_cells::core <= octahedral_norm(p) <= 4.
@@ -35,14 +45,18 @@ class Cone_probe {
     assert(octahedral_norm(p) >= Cone_cells::core && octahedral_norm(p) <= 4);
     const double x = std::abs(p[0]), y = std::abs(p[1]), z = std::abs(p[2]);
     z_ = z >= x && z >= y ? 2 : y >= x ? 1 : 0;
-    x_ = z_ == 2 ? 0 : z_ + 1;
-    y_ = z_ == 0 ? 2 : z_ - 1;
+    // Axes in cyclic order as p sees them: it is seen from the other side where it points the other way.
+    const bool is_up = p[z_] > 0;
+    const std::size_t next = z_ == 2 ? 0 : z_ + 1, last = z_ == 0 ? 2 : z_ - 1;
+    x_ = is_up ? next : last;
+    y_ = is_up ? last : next;
+    up_ = is_up ? 1 : -1;
     x_shear_ = float(p[x_] / p[z_]);
     y_shear_ = float(p[y_] / p[z_]);
     height_ = float(p[z_]);
   }
 
-  /// Of corners of a model's triangle.
+  /// Of corners of a model's triangles.
   ///
   /// X: a shear is off by 2^-25 for being a float and by 2^-28 for p, which is off by 2^-51 over |p_z| >= core / 3; a
   /// corner's coordinates by 2^-25 and 2^-51; the product, at most 1, is rounded by 2^-25 and the difference, at most 2,
@@ -56,37 +70,54 @@ class Cone_probe {
   /// and by its rounding, 2^-22: `height_error`, H, is more. With |e| <= L, off by t, D is off by 3 (t (Z + H) + L H) and
   /// by 9 L Z 2^-24 of roundings: 4 (t (Z + H) + L (H + 2^-22 Z)) is more, and what it is rounded by itself. What
   /// underflows is below E^2 by far.
-  View operator()(const Rounded_point& w, const Rounded_point& a, const Rounded_point& b) const
+  Views operator()(const Corners& w, const Corners& a, const Corners& b) const
   {
-    const float wx = w[x_] - x_shear_ * w[z_], wy = w[y_] - y_shear_ * w[z_];
-    const float ax = a[x_] - x_shear_ * a[z_], ay = a[y_] - y_shear_ * a[z_];
-    const float bx = b[x_] - x_shear_ * b[z_], by = b[y_] - y_shear_ * b[z_];
-    const float ab = ax * by - ay * bx, bw = bx * wy - by * wx, wa = wx * ay - wy * ax;
-    const float B =
-        maximum_of_defined(std::abs(wx), std::abs(wy), std::abs(ax), std::abs(ay), std::abs(bx), std::abs(by));
-    const float t = turn_bound * (B + sheared_error);
-    // No branch but the last two: each is a guess.
-    const bool some_left = (ab > t) | (bw > t) | (wa > t), some_right = (ab < -t) | (bw < -t) | (wa < -t);
-    if (some_left & some_right) return {0, false};
-    const bool all_left = (ab > t) & (bw > t) & (wa > t), all_right = (ab < -t) & (bw < -t) & (wa < -t);
-    if (!(all_left | all_right)) return {cone_undecided, false};
+    const auto [wx, wy, wz] = sheared(w);
+    const auto [ax, ay, az] = sheared(a);
+    const auto [bx, by, bz] = sheared(b);
+    const Four_floats ab = ax * by - ay * bx, bw = bx * wy - by * wx, wa = wx * ay - wy * ax;
+    const Four_floats B = maximum_of_defined(magnitudes(wx), magnitudes(wy), magnitudes(ax), magnitudes(ay),
+                                             magnitudes(bx), magnitudes(by));
+    const Four_floats t = turn_bound * (B + sheared_error);
+    const Four_ints some_left = (ab > t) | (bw > t) | (wa > t), some_right = (ab < -t) | (bw < -t) | (wa < -t);
+    const Four_ints all_left = (ab > t) & (bw > t) & (wa > t), all_right = (ab < -t) & (bw < -t) & (wa < -t);
 
-    const float w_above = w[z_] - height_, a_above = a[z_] - height_, b_above = b[z_] - height_;
-    const float D = ab * w_above + bw * a_above + wa * b_above;
-    const float L = maximum_of_defined(std::abs(ab), std::abs(bw), std::abs(wa));
-    const float Z = maximum_of_defined(std::abs(w_above), std::abs(a_above), std::abs(b_above));
-    const float d = 4 * (t * (Z + height_error) + L * (height_error + 0x1p-22f * Z));
-    if (!(D > d) && !(D < -d)) return {cone_undecided, false};
-    // Both are turned about where z points the other way.
-    const bool is_up = height_ > 0;
-    return {all_left == is_up ? 1 : -1, ((D > 0) == all_left) == is_up};
+    const Four_floats w_above = wz - height_, a_above = az - height_, b_above = bz - height_;
+    const Four_floats D = ab * w_above + bw * a_above + wa * b_above;
+    const Four_floats L = maximum_of_defined(magnitudes(ab), magnitudes(bw), magnitudes(wa));
+    const Four_floats Z = maximum_of_defined(magnitudes(w_above), magnitudes(a_above), magnitudes(b_above));
+    const Four_floats d = 4 * (t * (Z + height_error) + L * (height_error + 0x1p-22f * Z));
+    const Four_ints is_certain = magnitudes(D) > d;
+    const Four_ints left = all_left & is_certain, right = all_right & is_certain;
+    // D / S has the sign of p_z where the plane is beyond p.
+    const Four_ints is_positive = up_ * D > 0;
+    const Four_ints before = (left & is_positive) | (right & ~is_positive);
+    const Four_ints undecided = ~(some_left & some_right) & ~left & ~right;
+    const Four_ints one{1, 2, 4, 8};
+    const auto bits = unsigned(sum_of_lanes((left & one) | (right & one << 4) | (before & one << 8) |
+                                            (undecided & one << 12))[0]);
+    return {bits & 15, bits >> 4 & 15, bits >> 8 & 15, bits >> 12 & 15};
   }
 
   static constexpr float sheared_error = 0x1p-22f, turn_bound = 8 * sheared_error, height_error = 0x1p-21f;
 
  private:
-  std::size_t x_, y_, z_;  ///< axes, in cyclic order
-  float x_shear_, y_shear_, height_;
+  /// X, Y and z of four corners.
+  std::array<Four_floats, 3> sheared(const Corners& p) const
+  {
+    const Four_floats xy01 = __builtin_shufflevector(p[0], p[1], 0, 4, 1, 5);
+    const Four_floats xy23 = __builtin_shufflevector(p[2], p[3], 0, 4, 1, 5);
+    const Four_floats z01 = __builtin_shufflevector(p[0], p[1], 2, 6, 2, 6);
+    const Four_floats z23 = __builtin_shufflevector(p[2], p[3], 2, 6, 2, 6);
+    const Four_floats by_axis[3] = {__builtin_shufflevector(xy01, xy23, 0, 1, 4, 5),
+                                    __builtin_shufflevector(xy01, xy23, 2, 3, 6, 7),
+                                    __builtin_shufflevector(z01, z23, 0, 1, 4, 5)};
+    const Four_floats z = by_axis[z_];
+    return {by_axis[x_] - x_shear_ * z, by_axis[y_] - y_shear_ * z, z};
+  }
+
+  std::size_t x_, y_, z_;  ///< axes, in cyclic order where p_z is positive
+  float x_shear_, y_shear_, height_, up_;
 };
 
 }  // namespace tetracone::kernel

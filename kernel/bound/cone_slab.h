@@ -21,34 +21,27 @@ class Cone_slab {
   /// cell.
   ///
   /// A triangle's part in the cell lies in the hull of its corners, and, where its plane faces all of the cell, of the
-  /// plane's points on the cell's corners. With |N_k| <= 8, N is off by 2^-48 in a component, D = N . a by 2^-46 and g =
-  /// N . direction by 2^-46: for g >= 2^-20 a point's norm r = D / g, at most 4 where it counts, is off by less than
-  /// 2^-23. Rounding n / w and d / w to float adds 2^-24 (3 + 3) / w over |x|_1 <= 3: `margin` is more than both.
-  Cone_slab(const Cone_cells::Corners& corners, std::span<const Local_triangle> triangles)
+  /// plane's points on the cell's corners. D is off by 2^-43 and g = N . direction by 2^-44: for g >= 2^-20 a point's
+  /// norm r = D / g, at most 4 where it counts, is off by less than 2^-21. Rounding n / w and d / w to float adds 2^-24
+  /// (4 + 4) / w over |x|_1 <= 4: `margin` is more than both.
+  Cone_slab(const Cone_cells::Corners& corners, std::span<const Local_facet* const> facets)
   {
     Local_point n{};
-    for (const Local_triangle& t : triangles) {
-      const Local_point normal = normal_of(t);
-      const double facing = dot(normal, corners.direction[0]) < 0 ? -1 : 1;
-      for (int k = 0; k < 3; ++k) n[k] += facing * normal[k];
-    }
+    for (const Local_facet* f : facets)
+      for (int k = 0; k < 3; ++k) n[k] += f->offset < 0 ? -f->normal[k] : f->normal[k];
     const double length = std::sqrt(dot(n, n));
     if (!(length >= 0x1p-100)) return;
     for (double& x : n) x /= length;
     std::array<double, 4> ascent;
-    for (int c = 0; c < corners.count; ++c) {
-      ascent[c] = dot(n, corners.direction[c]);
-      if (!(ascent[c] >= 0x1p-8)) return;
-    }
-    double low = 0, high = 0;
-    bool is_first = true;
-    for (const Local_triangle& t : triangles) {
-      const double at[3] = {dot(n, t[0]), dot(n, t[1]), dot(n, t[2])};
+    for (std::size_t c = 0; c < 4; ++c) ascent[c] = dot(n, corners[c]);
+    if (!(minimum(ascent[0], ascent[1], ascent[2], ascent[3]) >= 0x1p-8)) return;
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (const Local_facet* f : facets) {
+      const double at[3] = {dot(n, f->corner[0]), dot(n, f->corner[1]), dot(n, f->corner[2])};
       double least = minimum(at[0], at[1], at[2]), most = maximum(at[0], at[1], at[2]);
-      narrow(t, corners, ascent, least, most);
-      low = is_first ? least : minimum(low, least);
-      high = is_first ? most : maximum(high, most);
-      is_first = false;
+      narrow(*f, corners, ascent, least, most);
+      low = minimum(low, least);
+      high = maximum(high, most);
     }
     const double width = maximum(0.5 * (high - low), 0.0) + margin;
     for (int k = 0; k < 3; ++k) normal_[k] = float(n[k] / width);
@@ -67,33 +60,18 @@ class Cone_slab {
 
   static double dot(const Local_point& a, const Local_point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-  static Local_point normal_of(const Local_triangle& t)
-  {
-    const Local_point &a = t[0], &b = t[1], &c = t[2];
-    Local_point normal;
-    for (int k = 0; k < 3; ++k) {
-      const int u = (k + 1) % 3, v = (k + 2) % 3;
-      normal[k] = (b[u] - a[u]) * (c[v] - a[v]) - (b[v] - a[v]) * (c[u] - a[u]);
-    }
-    return normal;
-  }
-
   /// Heights of the plane's points on the corners of the cell, where there are such.
-  static void narrow(const Local_triangle& t, const Cone_cells::Corners& corners, const std::array<double, 4>& ascent,
+  static void narrow(const Local_facet& f, const Cone_cells::Corners& corners, const std::array<double, 4>& ascent,
                      double& least, double& most)
   {
-    const Local_point normal = normal_of(t);
-    const double offset = dot(normal, t[0]), side = offset < 0 ? -1 : 1;
-    double low = 0, high = 0;
-    for (int c = 0; c < corners.count; ++c) {
-      const double g = side * dot(normal, corners.direction[c]);
-      if (!(g >= 0x1p-20)) return;
-      const double height = side * offset / g * ascent[c];
-      low = c == 0 ? height : minimum(low, height);
-      high = c == 0 ? height : maximum(high, height);
-    }
+    const double side = f.offset < 0 ? -1 : 1;
+    std::array<double, 4> g, height;
+    for (std::size_t c = 0; c < 4; ++c) g[c] = side * dot(f.normal, corners[c]);
+    if (!(minimum(g[0], g[1], g[2], g[3]) >= 0x1p-20)) return;
+    for (std::size_t c = 0; c < 4; ++c) height[c] = side * f.offset / g[c] * ascent[c];
+    const double high = maximum(height[0], height[1], height[2], height[3]);
     if (!(high <= 4)) return;
-    least = maximum(least, low);
+    least = maximum(least, minimum(height[0], height[1], height[2], height[3]));
     most = minimum(most, high);
   }
 

@@ -9,10 +9,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <vector>
@@ -78,10 +80,10 @@ class Point_locator {
         if (asked[k].cell != none) __builtin_prefetch(groups_.data() + cell_groups_[asked[k].cell]);
       std::size_t left = 0;
       for (std::size_t k = 0; k < count; ++k) {
-        Index group;
-        if (!decide(asked[k], answers[first + k], group)) pending[left++] = {k, group, none};
+        pending[left].number = k;
+        left += !decide(asked[k], answers[first + k], pending[left].group);
       }
-      prefetch(std::span(pending).first(left), asked);
+      prefetch(std::span(pending).first(left));
       for (std::size_t k = 0; k < left; ++k) {
         const covering::Vertex& point = points[first + pending[k].number];
         answers[first + pending[k].number] =
@@ -135,7 +137,8 @@ class Point_locator {
   static constexpr std::size_t at_a_time = 64;
   static constexpr double farthest = 4;  ///< what signs ask of a norm
 
-  /// A point that is asked about, and the cell that holds it; none beyond the surface, in the core and without a table.
+  /// A point that is asked about, and the cell that holds it; none far beyond the surface, in the core and without a
+  /// table.
   struct Asked {
     kernel::Local_point at;
     double norm;
@@ -192,33 +195,31 @@ class Point_locator {
     // One by one: what is written in parts and read as a whole waits for the memory.
     for (int k = 0; k < 3; ++k) asked.at[k] = p[k];
     const double norm = asked.norm = kernel::octahedral_norm(p);
-    if (has_table_ && norm >= Cone_cells::core && norm <= farthest) [[likely]]
-      asked.cell = norm > reach_ ? Index(cells_.count()) : Index(cells_.cell(p, norm));
-    else
-      asked.cell = none;
+    const bool has_cell = has_table_ && norm >= Cone_cells::core && norm <= farthest;
+    asked.cell = has_cell ? Index(cells_.cell(p, norm)) : none;
   }
 
   /// Whether no triangle is asked. If so, `at` is the answer; else `group` is that whose triangles decide, or none for
   /// all.
   bool decide(const Asked& asked, Location& at, Index& group) const
   {
-    group = none;
-    if (asked.cell == none) [[unlikely]]
+    if (asked.cell == none) [[unlikely]] {
+      group = none;
       return decide_without_cell(asked, at);
+    }
     const Index first = cell_groups_[asked.cell], end = cell_groups_[asked.cell + 1];
+    // No branch but for a third group: each is a guess.
+    const auto is_passed = [&](Index g) { return (g + 1 < end) & (asked.norm > groups_[g].high); };
     Index g = first;
-    while (g + 1 < end && asked.norm > groups_[g].high) ++g;
+    g += is_passed(g);
+    g += is_passed(g);
+    while (is_passed(g)) [[unlikely]] ++g;
     const Group& of = groups_[g];
-    // Most are decided here, by no branch that would be a guess.
     const bool is_beyond = (first == end) | (asked.norm > of.high), is_before = asked.norm < of.low;
-    at = location(is_beyond ? 0 : of.within());
-    if (is_beyond | is_before) return true;
-    const int side = of.slab.side(asked.at);
-    if (side < 0) return true;
-    at = location(beyond(asked.cell, g));
-    if (side > 0) return true;
+    const int side = is_beyond ? 1 : is_before ? -1 : of.slab.side(asked.at);
+    at = location(side < 0 ? of.within() : beyond(asked.cell, g));
     group = g;
-    return false;
+    return side != 0;
   }
 
   bool decide_without_cell(const Asked& asked, Location& at) const
@@ -233,20 +234,11 @@ class Point_locator {
   /// The winding number beyond a group of the cell.
   int beyond(Index cell, Index g) const { return g + 1 < cell_groups_[cell + 1] ? groups_[g + 1].within() : 0; }
 
-  /// Where the group's triangles end that may reach as far as `norm`, which is within the group's.
-  Index end_beyond(Index g, double norm) const
-  {
-    const Group& of = groups_[g];
-    const Index end = groups_[g + 1].first;
-    if (of.is_sheet()) return end;
-    const int step = int(of.steps(norm));
-    Index e = of.first;
-    while (e < end && heights_[e] > step) ++e;
-    return e;
-  }
+  /// The steps above which triangles of the group may reach as far as `norm`, which is within the group's.
+  int least_height(const Group& of, double norm) const { return of.is_sheet() ? -1 : int(of.steps(norm)); }
 
   /// What the triangles of groups, or the first of them, are made of.
-  void prefetch(std::span<Pending> pending, const std::array<Asked, at_a_time>& asked) const
+  void prefetch(std::span<Pending> pending) const
   {
     const auto& triangles = model_->covering().triangles();
     for (const Pending& p : pending) {
@@ -256,8 +248,7 @@ class Point_locator {
       __builtin_prefetch(&heights_[first]);
     }
     for (Pending& p : pending)
-      if (p.group != none)
-        p.end = kernel::minimum(groups_[p.group].first + 16, end_beyond(p.group, asked[p.number].norm));
+      if (p.group != none) p.end = kernel::minimum(groups_[p.group].first + 8, groups_[p.group + 1].first);
     const auto for_first_triangles = [&](const auto& what) {
       for (const Pending& p : pending)
         if (p.group != none)
@@ -273,22 +264,40 @@ class Point_locator {
   Location by_triangles(const Asked& asked, Index group, const Exact& exact) const
   {
     if (group == none) return locate_among_all(asked.at, exact);
+    constexpr std::array<std::int8_t, 16> counts = {0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};  // of bits
     const Group& of = groups_[group];
-    const int outer = beyond(asked.cell, group);
-    const Index end = end_beyond(group, asked.norm);
+    const int outer = beyond(asked.cell, group), way = of.within() - outer;
+    const Index end = groups_[group + 1].first;
+    const int height = least_height(of, asked.norm);
     const kernel::Cone_probe probe(asked.at);
     int winding = outer;
-    for (Index e = of.first; e < end; ++e) {
-      const covering::Covering_triangle& t = model_->covering().triangles()[entries_[e]];
-      const auto [facing, is_before] = probe(vertices_[t.corner[0]], vertices_[t.corner[1]], vertices_[t.corner[2]]);
-      if (facing == 0) continue;
-      const Seen seen = facing == kernel::cone_undecided ? see(entries_[e], asked.at, exact)
-                                                         : Seen{.winding = is_before ? facing : 0, .facing = facing};
-      if (seen.on_face) return Location::on_surface;
-      winding += seen.winding;
-      if (of.is_sheet() && seen.facing == of.within() - outer) break;
+    // The highest are first.
+    for (Index e = of.first; e < end && heights_[e] > height; e += 4) {
+      const kernel::Cone_probe::Views views = view(probe, e, end);
+      if (of.is_sheet() && (way > 0 ? views.left : views.right) != 0)
+        return location(views.before != 0 ? of.within() : outer);
+      winding += counts[views.left & views.before] - counts[views.right & views.before];
+      for (unsigned undecided = views.undecided; undecided != 0; undecided &= undecided - 1) {
+        const Seen seen = see(entries_[e + Index(std::countr_zero(undecided))], asked.at, exact);
+        if (seen.on_face) return Location::on_surface;
+        winding += seen.winding;
+        if (of.is_sheet() && seen.facing == way) return location(winding);
+      }
     }
     return location(winding);
+  }
+
+  /// What the next four triangles say, or those before `end`.
+  kernel::Cone_probe::Views view(const kernel::Cone_probe& probe, Index first, Index end) const
+  {
+    std::array<kernel::Cone_probe::Corners, 3> corners;
+    for (Index k = 0; k < 4; ++k) {
+      const auto& corner = model_->covering().triangles()[entries_[kernel::minimum(first + k, end - 1)]].corner;
+      for (std::size_t c = 0; c < 3; ++c) corners[c][k] = vertices_[corner[c]];
+    }
+    const auto [left, right, before, undecided] = probe(corners[0], corners[1], corners[2]);
+    const unsigned those = end - first < 4 ? (1u << (end - first)) - 1 : 15;
+    return {left & those, right & those, before & those, undecided & those};
   }
 
   template <class Exact>
@@ -329,15 +338,18 @@ class Point_locator {
 
   void make_table()
   {
-    const auto& triangles = model_->covering().triangles();
+    const auto count = Index(model_->covering().triangles().size());
+    std::vector<kernel::Local_facet> facets;
+    facets.reserve(count);
+    for (Index t = 0; t < count; ++t) facets.emplace_back(triangle(t));
     std::vector<Found> found;
-    found.reserve(8 * triangles.size());
+    found.reserve(8 * count);
     bool core_is_empty = true;
     // Of bodies whose triangles span many cells, fewer cells; or none.
-    const std::size_t most = 64 * triangles.size() + 65536;
-    for (Index t = 0; t < triangles.size(); ++t) {
+    const std::size_t most = 64 * std::size_t(count) + 65536;
+    for (Index t = 0; t < count; ++t) {
       const auto add = [&](std::size_t cell, float low, float high) { found.push_back({Index(cell), t, low, high}); };
-      core_is_empty = cells_.for_cells(triangle(t), add) && core_is_empty;
+      core_is_empty = cells_.for_cells(facets[t], add) && core_is_empty;
       if (found.size() <= most) continue;
       if (cells_.n() == 2) return;
       cells_ = Cone_cells(kernel::maximum(cells_.n() / 2, 2));
@@ -349,32 +361,33 @@ class Point_locator {
     cell_groups_.reserve(begin.size() + 1);
     entries_.reserve(found.size());
     heights_.reserve(found.size());
-    kernel::Local_point direction{};
     cells_.for_directions([&](std::size_t cell, const kernel::Local_point& d, const Cone_cells::Corners& corners) {
       cell_groups_.push_back(Index(groups_.size()));
       group(found.data() + begin[cell], found.data() + begin[cell + 1]);
-      sum_inwards(cell_groups_.back(), found.data() + begin[cell], d, corners);
-      direction = d;
+      sum_inwards(cell_groups_.back(), found.data() + begin[cell], facets, d, corners);
     });
     if (core_is_empty) core_ = cell_groups_.back() < groups_.size() ? groups_[cell_groups_.back()].within() : 0;
-    for (const Group& g : groups_) reach_ = kernel::maximum(reach_, double(g.high));
-    // And the cell of what is beyond all.
-    cell_groups_.insert(cell_groups_.end(), 2, Index(groups_.size()));
+    cell_groups_.push_back(Index(groups_.size()));
     groups_.push_back({0, 0, {}, Index(entries_.size()), 0});
     groups_.shrink_to_fit();
     has_table_ = true;
   }
 
-  /// Where each cell's begin; the last, where all end.
+  /// Where each cell's begin; the last, where all end. In place: each is changed for that in whose place it belongs.
   std::vector<Index> sort_by_cells(std::vector<Found>& found) const
   {
     std::vector<Index> begin(cells_.count() + 1, 0);
-    for (const Found& f : found) ++begin[f.cell + 1];
-    for (std::size_t c = 0; c < cells_.count(); ++c) begin[c + 1] += begin[c];
+    for (const Found& f : found) ++begin[f.cell];
+    std::exclusive_scan(begin.begin(), begin.end(), begin.begin(), Index(0));
     std::vector<Index> next = begin;
-    std::vector<Found> sorted(found.size());
-    for (const Found& f : found) sorted[next[f.cell]++] = f;
-    found.swap(sorted);
+    for (Index cell = 0; cell < cells_.count(); ++cell)
+      while (next[cell] < begin[cell + 1]) {
+        Found& here = found[next[cell]];
+        if (here.cell == cell)
+          ++next[cell];
+        else
+          std::swap(here, found[next[here.cell]++]);
+      }
     return begin;
   }
 
@@ -394,28 +407,41 @@ class Point_locator {
 
   /// The winding numbers of the cell's groups, which are those from `first` on: crossings of its ray, the farthest
   /// first. `found`: the cell's triangles, in the groups' order; changes it.
-  void sum_inwards(Index first, Found* found, const kernel::Local_point& direction, const Cone_cells::Corners& corners)
+  void sum_inwards(Index first, Found* found, const std::vector<kernel::Local_facet>& facets,
+                   const kernel::Local_point& direction, const Cone_cells::Corners& corners)
   {
-    std::vector<kernel::Local_triangle> triangles;
+    if (groups_.size() == first) return;
+    const kernel::Cone_probe probe(direction);
+    std::vector<const kernel::Local_facet*> of_group;
     int winding = 0;
-    std::size_t end = entries_.size();
+    auto end = Index(entries_.size());
     for (std::size_t g = groups_.size(); g-- > first;) {
-      triangles.clear();
+      const Index begin = groups_[g].first;
+      of_group.clear();
       int facing[3] = {0, 0, 0};
       const int beyond = winding;
-      for (std::size_t e = groups_[g].first; e < end; ++e) {
-        triangles.push_back(triangle(entries_[e]));
-        ++facing[1 + kernel::cone_side(triangles.back()[0], triangles.back()[1], triangles.back()[2])];
-        if (const int crossed = crossing(entries_[e], direction); crossed != 0) {
-          winding += crossed;
-          std::swap(entries_[e], entries_[groups_[g].first]);
+      for (Index e = begin; e < end; ++e) {
+        const kernel::Local_facet& facet = facets[entries_[e]];
+        of_group.push_back(&facet);
+        ++facing[1 + kernel::cone_side(facet.corner[0], facet.corner[1], facet.corner[2])];
+      }
+      Index crossed = begin;
+      for (Index e = begin; e < end; e += 4) {
+        const kernel::Cone_probe::Views views = view(probe, e, end);
+        for (unsigned met = views.left | views.right | views.undecided; met != 0; met &= met - 1) {
+          const auto k = unsigned(std::countr_zero(met));
+          const Index t = entries_[e + k];
+          const int sign = crossing(t, facets[t].corner, views.facing(k), direction);
+          winding += sign;
+          if (sign != 0) crossed = e + k;
         }
       }
-      const bool sheet = is_sheet(winding - beyond, kernel::maximum(facing[0], facing[2]), int(triangles.size()));
-      groups_[g].slab = kernel::Cone_slab(corners, triangles);
+      std::swap(entries_[crossed], entries_[begin]);  // likely to be met by others
+      const bool sheet = is_sheet(winding - beyond, kernel::maximum(facing[0], facing[2]), int(of_group.size()));
+      groups_[g].slab = kernel::Cone_slab(corners, of_group);
       groups_[g].within_and_sheet = 2 * winding + sheet;
-      if (!sheet) order_by_heights(g, std::span(found + (groups_[g].first - groups_[first].first), triangles.size()));
-      end = groups_[g].first;
+      if (!sheet) order_by_heights(g, std::span(found + (begin - groups_[first].first), of_group.size()));
+      end = begin;
     }
   }
 
@@ -439,10 +465,11 @@ class Point_locator {
   }
 
   /// The sign of the triangle where the ray from the origin crosses it, moved by the same infinitesimal for all.
-  int crossing(Index t, const kernel::Local_point& direction) const
+  /// `facing`: how its edges turn about the ray, where that is known.
+  int crossing(Index t, const kernel::Local_triangle& corner, int facing, const kernel::Local_point& direction) const
   {
-    const auto [w, a, b] = triangle(t);
-    const int facing = kernel::cone_holds(w, a, b, direction);
+    const auto& [w, a, b] = corner;
+    if (facing == kernel::cone_undecided) facing = kernel::cone_holds(w, a, b, direction);
     if (facing == 0) return 0;
     // Where the triangle's own sign is another, it is the opposite ray that crosses it.
     const int volume = kernel::cone_side(w, a, b);
@@ -471,7 +498,6 @@ class Point_locator {
   kernel::Cone_cells cells_;
   std::vector<kernel::Rounded_point> vertices_;  ///< of the model
   bool has_table_ = false;
-  double reach_ = Cone_cells::core;    ///< no part of the surface has a larger norm
   std::optional<int> core_;            ///< the winding number in the core, where no surface is
   std::vector<Index> cell_groups_;     ///< where each cell's groups begin
   std::vector<Group> groups_;          ///< by cells, then by norm; the last ends the one before

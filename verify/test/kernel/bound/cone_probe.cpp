@@ -46,6 +46,13 @@ Vector moved(Random& random, const Local_point& p)
   return exact;
 }
 
+/// What is said of a triangle, once with each corner as the first, and last of its reverse.
+Cone_probe::Views views(const Local_triangle& t, const Local_point& p)
+{
+  const std::array<Rounded_point, 3> c = {rounded(t[0]), rounded(t[1]), rounded(t[2])};
+  return Cone_probe(p)({c[0], c[1], c[2], c[0]}, {c[1], c[2], c[0], c[2]}, {c[2], c[0], c[1], c[1]});
+}
+
 /// A number of 2^-least to 1 in size.
 double spread(Random& random, int least) { return std::exp2(-least * random.unit()); }
 
@@ -75,16 +82,21 @@ BOOST_AUTO_TEST_CASE(what_is_certain_is_true_of_the_exact_points)
       for (const double x : corner) is_model = is_model && std::abs(x) <= 1;
     if (!is_model) continue;
     ++asked;
-    const auto [facing, is_before] = Cone_probe(p)(rounded(t[0]), rounded(t[1]), rounded(t[2]));
+    const Cone_probe::Views seen = views(t, p);
     const Truth exact = truth({moved(random, t[0]), moved(random, t[1]), moved(random, t[2])}, moved(random, p));
-    if (facing == cone_undecided) {
-      ++undecided;
-      continue;
+    for (unsigned k = 0; k < 4; ++k) {
+      const int facing = k == 3 && seen.facing(3) != cone_undecided ? -seen.facing(3) : seen.facing(k);
+      if (facing == cone_undecided) {
+        ++undecided;
+        continue;
+      }
+      const bool is_before = seen.before >> k & 1;
+      wrong += facing != exact.facing || (facing != 0 && (exact.is_on_plane || is_before != exact.is_before));
+      missed += facing == 0;
+      before += facing != 0 && is_before;
+      beyond += facing != 0 && !is_before;
+      wrong += facing == 0 && is_before;
     }
-    wrong += facing != exact.facing || (facing != 0 && (exact.is_on_plane || is_before != exact.is_before));
-    missed += facing == 0;
-    before += facing != 0 && is_before;
-    beyond += facing != 0 && !is_before;
   }
   BOOST_TEST_MESSAGE(asked << " asked, " << missed << " missed, " << before << " before, " << beyond << " beyond, "
                            << undecided << " undecided");
@@ -100,11 +112,12 @@ BOOST_AUTO_TEST_CASE(it_says_what_the_signs_in_double_say)
     Local_triangle t;
     for (Local_point& corner : t) corner = random.direction();
     const Local_point p = random.direction();
-    const auto [facing, is_before] = Cone_probe(p)(rounded(t[0]), rounded(t[1]), rounded(t[2]));
+    const Cone_probe::Views seen = views(t, p);
+    const int facing = seen.facing(0);
     if (facing == cone_undecided) continue;
     ++told;
     BOOST_TEST(facing == cone_holds(t[0], t[1], t[2], p));
-    if (facing != 0) BOOST_TEST(is_before == (plane_side(t[0], t[1], t[2], p) == -facing));
+    if (facing != 0) BOOST_TEST((seen.before & 1) == (plane_side(t[0], t[1], t[2], p) == -facing));
   }
   BOOST_TEST(told > 1900);
 }

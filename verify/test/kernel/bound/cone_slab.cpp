@@ -29,11 +29,12 @@ BOOST_AUTO_TEST_CASE(what_is_before_a_triangle_is_never_beyond_its_slab)
     const Local_point about = along(random.direction(), 0.5);
     for (Local_point& p : t)
       for (int k = 0; k < 3; ++k) p[k] = about[k] + 0.3 * random.symmetric();
+    const Local_facet facet(t);
     std::map<std::size_t, Cone_slab> slabs;
     std::map<std::size_t, std::pair<float, float>> norms;
-    cells.for_cells(t, [&](std::size_t cell, float low, float high) { norms[cell] = {low, high}; });
+    cells.for_cells(facet, [&](std::size_t cell, float low, float high) { norms[cell] = {low, high}; });
     cells.for_directions([&](std::size_t cell, const Local_point&, const Cone_cells::Corners& corners) {
-      if (norms.contains(cell)) slabs.emplace(cell, Cone_slab(corners, std::vector{t}));
+      if (norms.contains(cell)) slabs.emplace(cell, Cone_slab(corners, std::vector{&facet}));
     });
     for (int k = 0; k < 50; ++k) {
       double a = random.unit(), b = random.unit();
@@ -62,10 +63,10 @@ BOOST_AUTO_TEST_CASE(what_is_before_a_triangle_is_never_beyond_its_slab)
 BOOST_AUTO_TEST_CASE(a_slab_tells_nothing_where_a_triangle_is_seen_edge_on)
 {
   const Cone_cells cells(2);
-  const Local_triangle through_origin = {{{0.5, 0.1, 0.1}, {0.25, 0.05, 0.05}, {0.5, 0.2, 0.2}}};
+  const Local_facet through_origin({{{0.5, 0.1, 0.1}, {0.25, 0.05, 0.05}, {0.5, 0.2, 0.2}}});
   cells.for_directions([&](std::size_t, const Local_point& d, const Cone_cells::Corners& corners) {
     if (d[0] < 0 || d[1] < 0 || d[2] < 0) return;
-    const Cone_slab slab(corners, std::vector{through_origin});
+    const Cone_slab slab(corners, std::vector{&through_origin});
     for (const double norm : {0.1, 1.0, 2.0}) BOOST_TEST(slab.side(along(d, norm)) == 0);
   });
 }
