@@ -72,6 +72,7 @@ inline Scan scan_off(const std::string& file, std::string_view text)
       else if (!parse_double(lines.words()[k]))
         scan.cgal_knows = false;
   }
+  scan.soup.reserve_faces(faces, 3 * faces);
   std::vector<Index> loop;
   for (std::size_t f = 0; f < faces; ++f) {
     lines.need_next("face", f, faces);

@@ -157,7 +157,8 @@ class Text_lines {
     const std::uint64_t value = count(word, what);
     // The last line needs no end.
     if (value > (bytes_left() + 1) / bytes || value > std::numeric_limits<std::uint32_t>::max())
-      fail(std::string(word) + " as " + std::string(what) + ", with " + std::to_string(bytes_left()) + " bytes left in the file",
+      fail(std::string(word) + " as " + std::string(what) + ", with " + std::to_string(bytes_left()) +
+               " bytes left in the file",
            "expected a count that the file can hold");
     return value;
   }

@@ -174,6 +174,7 @@ Contestant tetra_tree(const std::string& name, const covering::Polyhedron& mesh,
   return {name, [made, &mesh] { made->emplace(mesh); },
           [made, &points, make] {
             std::vector<long> answers;
+            answers.reserve(points.size());
             for (const Point& p : points) answers.push_back(long((*made)->placed.locate(make(p))));
             return answers;
           },
@@ -201,6 +202,7 @@ std::vector<Contestant> for_points(const covering::Polyhedron& mesh, const std::
        },
        [body, &points] {
          std::vector<long> answers;
+         answers.reserve(points.size());
          for (const Location at : (*body)->inside(points)) answers.push_back(long(at));
          return answers;
        },
@@ -213,6 +215,7 @@ std::vector<Contestant> for_points(const covering::Polyhedron& mesh, const std::
        },
        [boxes, &points] {
          std::vector<long> answers;
+         answers.reserve(points.size());
          for (const Point& p : points) {
            const Relation at = (*boxes)->collide(Pose(), Pose::translation(p[0], p[1], p[2])).relation();
            answers.push_back(at == Relation::apart ? -1 : at == Relation::surfaces ? 0 : 1);
@@ -230,6 +233,7 @@ std::vector<Contestant> for_points(const covering::Polyhedron& mesh, const std::
        },
        [cgal, &points] {
          std::vector<long> answers;
+         answers.reserve(points.size());
          for (const Point& p : points) {
            const CGAL::Bounded_side at = (*cgal->side)(Epick::Point_3(p[0], p[1], p[2]));
            answers.push_back(at == CGAL::ON_BOUNDED_SIDE ? 1 : at == CGAL::ON_BOUNDARY ? 0 : -1);
@@ -255,6 +259,7 @@ std::vector<Contestant> for_rays(const std::string& file, const std::vector<Ray>
            },
            [body, &rays] {
              std::vector<long> faces;
+             faces.reserve(rays.size());
              for (const auto& hit : (*body)->first_hits(rays)) faces.push_back(hit ? long(hit->face) : no_face);
              return faces;
            },
@@ -267,6 +272,7 @@ std::vector<Contestant> for_rays(const std::string& file, const std::vector<Ray>
            },
            [cgal, &rays] {
              std::vector<long> faces;
+             faces.reserve(rays.size());
              for (const auto& [o, d] : rays) {
                const auto hit = cgal->tree.first_intersection(
                    Epick::Ray_3(Epick::Point_3(o[0], o[1], o[2]), Epick::Vector_3(d[0], d[1], d[2])));

@@ -240,6 +240,8 @@ class Cone_cells {
       half_spread_ = (std::abs(per_a_) + std::abs(per_b_)) * (0.5 + lattice_margin);
     }
 
+    /// Bounds the norms within wide cell (i, j), where all of it is faced.
+    ///
     /// Errors: 2^-43 of D, and of g 3 2^-46 for the normal, at |a| + |b| + |c| <= 3 n, and less than 2^-45 for roundings
     /// of terms that sum to 40 at most; so with |g| >= 2^-16 and a norm of at most 4 that of D / g is below 2^-25.
     void narrow(int i, int j, double& low, double& high) const
@@ -284,7 +286,8 @@ class Cone_cells {
         double r_low = low[3], r_high = high[3];
         if (several) plane.narrow(i, j, r_low, r_high);
         if (r_low <= r_high)
-          what(octant * octant_size() + row(i) + std::size_t(j), float(r_low - norm_margin), float(r_high + norm_margin));
+          what(octant * octant_size() + row(i) + std::size_t(j), float(r_low - norm_margin),
+               float(r_high + norm_margin));
       }
     }
   }

@@ -94,8 +94,8 @@ class Cone_probe {
     const Four_ints before = (left & is_positive) | (right & ~is_positive);
     const Four_ints undecided = ~(some_left & some_right) & ~left & ~right;
     const Four_ints one{1, 2, 4, 8};
-    const auto bits = unsigned(sum_of_lanes((left & one) | (right & one << 4) | (before & one << 8) |
-                                            (undecided & one << 12))[0]);
+    const auto bits =
+        unsigned(sum_of_lanes((left & one) | (right & one << 4) | (before & one << 8) | (undecided & one << 12))[0]);
     return {bits & 15, bits >> 4 & 15, bits >> 8 & 15, bits >> 12 & 15};
   }
 

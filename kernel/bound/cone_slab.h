@@ -24,11 +24,11 @@ class Cone_slab {
   /// plane's points on the cell's corners. D is off by 2^-43 and g = N . direction by 2^-44: for g >= 2^-20 a point's
   /// norm r = D / g, at most 4 where it counts, is off by less than 2^-21. Rounding n / w and d / w to float adds 2^-24
   /// (4 + 4) / w over |x|_1 <= 4: `margin` is more than both.
-  Cone_slab(const Cone_cells::Corners& corners, std::span<const Local_facet* const> facets)
+  Cone_slab(const Cone_cells::Corners& corners, std::span<const Local_facet> facets)
   {
     Local_point n{};
-    for (const Local_facet* f : facets)
-      for (int k = 0; k < 3; ++k) n[k] += f->offset < 0 ? -f->normal[k] : f->normal[k];
+    for (const Local_facet& f : facets)
+      for (int k = 0; k < 3; ++k) n[k] += f.offset < 0 ? -f.normal[k] : f.normal[k];
     const double length = std::sqrt(dot(n, n));
     if (!(length >= 0x1p-100)) return;
     for (double& x : n) x /= length;
@@ -36,10 +36,10 @@ class Cone_slab {
     for (std::size_t c = 0; c < 4; ++c) ascent[c] = dot(n, corners[c]);
     if (!(minimum(ascent[0], ascent[1], ascent[2], ascent[3]) >= 0x1p-8)) return;
     double low = HUGE_VAL, high = -HUGE_VAL;
-    for (const Local_facet* f : facets) {
-      const double at[3] = {dot(n, f->corner[0]), dot(n, f->corner[1]), dot(n, f->corner[2])};
+    for (const Local_facet& f : facets) {
+      const double at[3] = {dot(n, f.corner[0]), dot(n, f.corner[1]), dot(n, f.corner[2])};
       double least = minimum(at[0], at[1], at[2]), most = maximum(at[0], at[1], at[2]);
-      narrow(*f, corners, ascent, least, most);
+      narrow(f, corners, ascent, least, most);
       low = minimum(low, least);
       high = maximum(high, most);
     }
@@ -52,7 +52,7 @@ class Cone_slab {
   int side(const Local_point& p) const
   {
     const double at = normal_[0] * p[0] + normal_[1] * p[1] + normal_[2] * p[2] - offset_;
-    return at > 1 ? 1 : at < -1 ? -1 : 0;
+    return int(at > 1) - int(at < -1);
   }
 
  private:

@@ -208,12 +208,11 @@ class Point_locator {
       return decide_without_cell(asked, at);
     }
     const Index first = cell_groups_[asked.cell], end = cell_groups_[asked.cell + 1];
-    // No branch but for a third group: each is a guess.
-    const auto is_passed = [&](Index g) { return (g + 1 < end) & (asked.norm > groups_[g].high); };
-    Index g = first;
-    g += is_passed(g);
-    g += is_passed(g);
-    while (is_passed(g)) [[unlikely]] ++g;
+    // The first two are looked at together and without a branch, which would be a guess.
+    const auto is_passed = [&](Index g) { return Index((g + 1 < end) & (asked.norm > groups_[g].high)); };
+    Index g = first + is_passed(first) + is_passed(first + 1);
+    if (end > first + 3) [[unlikely]]
+      while (is_passed(g) != 0) ++g;
     const Group& of = groups_[g];
     const bool is_beyond = (first == end) | (asked.norm > of.high), is_before = asked.norm < of.low;
     const int side = is_beyond ? 1 : is_before ? -1 : of.slab.side(asked.at);
@@ -232,7 +231,7 @@ class Point_locator {
   }
 
   /// The winding number beyond a group of the cell.
-  int beyond(Index cell, Index g) const { return g + 1 < cell_groups_[cell + 1] ? groups_[g + 1].within() : 0; }
+  int beyond(Index cell, Index g) const { return int(g + 1 < cell_groups_[cell + 1]) * groups_[g + 1].within(); }
 
   /// The steps above which triangles of the group may reach as far as `norm`, which is within the group's.
   int least_height(const Group& of, double norm) const { return of.is_sheet() ? -1 : int(of.steps(norm)); }
@@ -274,8 +273,8 @@ class Point_locator {
     // The highest are first.
     for (Index e = of.first; e < end && heights_[e] > height; e += 4) {
       const kernel::Cone_probe::Views views = view(probe, e, end);
-      if (of.is_sheet() && (way > 0 ? views.left : views.right) != 0)
-        return location(views.before != 0 ? of.within() : outer);
+      if (const unsigned met = way > 0 ? views.left : views.right; of.is_sheet() && met != 0)
+        return location((views.before & met) != 0 ? of.within() : outer);
       winding += counts[views.left & views.before] - counts[views.right & views.before];
       for (unsigned undecided = views.undecided; undecided != 0; undecided &= undecided - 1) {
         const Seen seen = see(entries_[e + Index(std::countr_zero(undecided))], asked.at, exact);
@@ -339,17 +338,14 @@ class Point_locator {
   void make_table()
   {
     const auto count = Index(model_->covering().triangles().size());
-    std::vector<kernel::Local_facet> facets;
-    facets.reserve(count);
-    for (Index t = 0; t < count; ++t) facets.emplace_back(triangle(t));
     std::vector<Found> found;
-    found.reserve(8 * count);
+    found.reserve(8 * std::size_t(count));
     bool core_is_empty = true;
     // Of bodies whose triangles span many cells, fewer cells; or none.
     const std::size_t most = 64 * std::size_t(count) + 65536;
     for (Index t = 0; t < count; ++t) {
       const auto add = [&](std::size_t cell, float low, float high) { found.push_back({Index(cell), t, low, high}); };
-      core_is_empty = cells_.for_cells(facets[t], add) && core_is_empty;
+      core_is_empty = cells_.for_cells(kernel::Local_facet(triangle(t)), add) && core_is_empty;
       if (found.size() <= most) continue;
       if (cells_.n() == 2) return;
       cells_ = Cone_cells(kernel::maximum(cells_.n() / 2, 2));
@@ -358,18 +354,24 @@ class Point_locator {
       t = Index(-1);  // the first is next
     }
     const std::vector<Index> begin = sort_by_cells(found);
-    cell_groups_.reserve(begin.size() + 1);
+    // All arrays as long as they will be: memory that is not there yet takes longer than all else.
+    std::size_t groups = 0;
+    for (std::size_t cell = 0; cell < cells_.count(); ++cell)
+      groups += group_count(found.data() + begin[cell], found.data() + begin[cell + 1]);
+    cell_groups_.reserve(cells_.count() + 1);
+    groups_.reserve(groups + 2);
     entries_.reserve(found.size());
     heights_.reserve(found.size());
+    std::vector<kernel::Local_facet> scratch;
     cells_.for_directions([&](std::size_t cell, const kernel::Local_point& d, const Cone_cells::Corners& corners) {
       cell_groups_.push_back(Index(groups_.size()));
       group(found.data() + begin[cell], found.data() + begin[cell + 1]);
-      sum_inwards(cell_groups_.back(), found.data() + begin[cell], facets, d, corners);
+      sum_inwards(cell_groups_.back(), found.data() + begin[cell], d, corners, scratch);
     });
     if (core_is_empty) core_ = cell_groups_.back() < groups_.size() ? groups_[cell_groups_.back()].within() : 0;
     cell_groups_.push_back(Index(groups_.size()));
-    groups_.push_back({0, 0, {}, Index(entries_.size()), 0});
-    groups_.shrink_to_fit();
+    // Of an empty last cell, what would be its first and its second are read.
+    groups_.insert(groups_.end(), 2, {0, 0, {}, Index(entries_.size()), 0});
     has_table_ = true;
   }
 
@@ -391,12 +393,25 @@ class Point_locator {
     return begin;
   }
 
-  void group(Found* first, Found* last)
+  /// How many groups a cell's triangles are; sorts them by their low ends.
+  static std::size_t group_count(Found* first, Found* last)
   {
     std::sort(first, last, [](const Found& x, const Found& y) { return x.low < y.low; });
-    const std::size_t before = groups_.size();
+    std::size_t count = 0;
+    float high = 0;
     for (const Found* f = first; f != last; ++f) {
-      if (groups_.size() > before && f->low <= groups_.back().high)
+      const bool is_new = f == first || f->low > high;
+      count += is_new;
+      high = is_new ? f->high : kernel::maximum(high, f->high);
+    }
+    return count;
+  }
+
+  /// Appends the groups of a cell's triangles, which are sorted.
+  void group(const Found* first, const Found* last)
+  {
+    for (const Found* f = first; f != last; ++f) {
+      if (f != first && f->low <= groups_.back().high)
         groups_.back().high = kernel::maximum(groups_.back().high, f->high);
       else
         groups_.push_back({f->low, f->high, {}, Index(entries_.size()), 0});
@@ -406,41 +421,38 @@ class Point_locator {
   }
 
   /// The winding numbers of the cell's groups, which are those from `first` on: crossings of its ray, the farthest
-  /// first. `found`: the cell's triangles, in the groups' order; changes it.
-  void sum_inwards(Index first, Found* found, const std::vector<kernel::Local_facet>& facets,
-                   const kernel::Local_point& direction, const Cone_cells::Corners& corners)
+  /// first. `found`: the cell's triangles, in the groups' order; changes it. `facets` is for its use.
+  void sum_inwards(Index first, Found* found, const kernel::Local_point& direction, const Cone_cells::Corners& corners,
+                   std::vector<kernel::Local_facet>& facets)
   {
     if (groups_.size() == first) return;
     const kernel::Cone_probe probe(direction);
-    std::vector<const kernel::Local_facet*> of_group;
     int winding = 0;
     auto end = Index(entries_.size());
     for (std::size_t g = groups_.size(); g-- > first;) {
       const Index begin = groups_[g].first;
-      of_group.clear();
+      facets.clear();
       int facing[3] = {0, 0, 0};
       const int beyond = winding;
       for (Index e = begin; e < end; ++e) {
-        const kernel::Local_facet& facet = facets[entries_[e]];
-        of_group.push_back(&facet);
-        ++facing[1 + kernel::cone_side(facet.corner[0], facet.corner[1], facet.corner[2])];
+        const auto& [w, a, b] = facets.emplace_back(triangle(entries_[e])).corner;
+        ++facing[1 + kernel::cone_side(w, a, b)];
       }
       Index crossed = begin;
       for (Index e = begin; e < end; e += 4) {
         const kernel::Cone_probe::Views views = view(probe, e, end);
         for (unsigned met = views.left | views.right | views.undecided; met != 0; met &= met - 1) {
           const auto k = unsigned(std::countr_zero(met));
-          const Index t = entries_[e + k];
-          const int sign = crossing(t, facets[t].corner, views.facing(k), direction);
+          const int sign = crossing(entries_[e + k], facets[e + k - begin].corner, views.facing(k), direction);
           winding += sign;
           if (sign != 0) crossed = e + k;
         }
       }
       std::swap(entries_[crossed], entries_[begin]);  // likely to be met by others
-      const bool sheet = is_sheet(winding - beyond, kernel::maximum(facing[0], facing[2]), int(of_group.size()));
-      groups_[g].slab = kernel::Cone_slab(corners, of_group);
+      const bool sheet = is_sheet(winding - beyond, kernel::maximum(facing[0], facing[2]), int(facets.size()));
+      groups_[g].slab = kernel::Cone_slab(corners, facets);
       groups_[g].within_and_sheet = 2 * winding + sheet;
-      if (!sheet) order_by_heights(g, std::span(found + (begin - groups_[first].first), of_group.size()));
+      if (!sheet) order_by_heights(g, std::span(found + (begin - groups_[first].first), facets.size()));
       end = begin;
     }
   }
@@ -500,7 +512,7 @@ class Point_locator {
   bool has_table_ = false;
   std::optional<int> core_;            ///< the winding number in the core, where no surface is
   std::vector<Index> cell_groups_;     ///< where each cell's groups begin
-  std::vector<Group> groups_;          ///< by cells, then by norm; the last ends the one before
+  std::vector<Group> groups_;          ///< by cells, then by norm; the last two end the one before
   std::vector<Index> entries_;         ///< triangles of the covering, by groups
   std::vector<std::uint8_t> heights_;  ///< of each, in a group that is no sheet: above the `steps` of its norms
 };

@@ -5,8 +5,8 @@
 #include <boost/test/unit_test.hpp>
 
 #include <map>
+#include <span>
 #include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_cone_slab)
 
@@ -34,7 +34,7 @@ BOOST_AUTO_TEST_CASE(what_is_before_a_triangle_is_never_beyond_its_slab)
     std::map<std::size_t, std::pair<float, float>> norms;
     cells.for_cells(facet, [&](std::size_t cell, float low, float high) { norms[cell] = {low, high}; });
     cells.for_directions([&](std::size_t cell, const Local_point&, const Cone_cells::Corners& corners) {
-      if (norms.contains(cell)) slabs.emplace(cell, Cone_slab(corners, std::vector{&facet}));
+      if (norms.contains(cell)) slabs.emplace(cell, Cone_slab(corners, std::span(&facet, 1)));
     });
     for (int k = 0; k < 50; ++k) {
       double a = random.unit(), b = random.unit();
@@ -66,7 +66,7 @@ BOOST_AUTO_TEST_CASE(a_slab_tells_nothing_where_a_triangle_is_seen_edge_on)
   const Local_facet through_origin({{{0.5, 0.1, 0.1}, {0.25, 0.05, 0.05}, {0.5, 0.2, 0.2}}});
   cells.for_directions([&](std::size_t, const Local_point& d, const Cone_cells::Corners& corners) {
     if (d[0] < 0 || d[1] < 0 || d[2] < 0) return;
-    const Cone_slab slab(corners, std::vector{&through_origin});
+    const Cone_slab slab(corners, std::span(&through_origin, 1));
     for (const double norm : {0.1, 1.0, 2.0}) BOOST_TEST(slab.side(along(d, norm)) == 0);
   });
 }
