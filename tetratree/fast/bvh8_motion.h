@@ -8,6 +8,7 @@
 #include "tetracone/tetratree/fast/bvh8.h"
 #include "tetracone/tetratree/fast/element_gap.h"
 #include "tetracone/tetratree/fast/moving_features.h"
+#include "tetracone/tetratree/fast/separating_direction.h"
 #include "tetracone/tetratree/fast/span_reference.h"
 #include "tetracone/tetratree/query_statistics.h"
 
@@ -17,6 +18,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace tetracone::tetratree {
@@ -35,7 +37,7 @@ namespace tetracone::tetratree {
 class Bvh8_motion {
  public:
   /// Requires trees whose elements are triangles, or faces of corners on one line.
-  Bvh8_motion(const Bvh8& a, const Bvh8& b) : tree_{&a, &b}, features_(a, b) { kernel::require_exact_arithmetic(); }
+  Bvh8_motion(const Bvh8& a, const Bvh8& b) : tree_{&a, &b}, separating_direction_(a, b), features_(a, b) { kernel::require_exact_arithmetic(); }
 
   /// Nothing where the surfaces never meet. Requires that they share no point at t = 0.
   std::optional<First_meeting> operator()(const kernel::Body_motion& a, const kernel::Body_motion& b)
@@ -43,7 +45,7 @@ class Bvh8_motion {
     kernel::require_sound_floating_point();
     if (tree_[0]->empty() || tree_[1]->empty()) return std::nullopt;
     features_.begin(a, b);
-    search(whole_span(a, b), std::array{Near{0, 0, 0, 1}});
+    search(whole_span(a, b), std::array{Near{0, 0, 0, 1, both_halves}});
     return features_.take_first();
   }
 
@@ -68,11 +70,11 @@ class Bvh8_motion {
     kernel::Moving_box hull;
     std::array<Vertex, 3> axis;
   };
-  /// Parts of a node of body `body`, as bits, near a box of the other.
+  /// Parts of a node of body `body`, as bits, near a box of the other in halves of a span, as bits.
   struct Near {
     Index node;
     Box other;
-    std::uint8_t body, lanes;
+    std::uint8_t body, lanes, halves;
   };
   /// A span of time, and what is to be followed in its halves.
   struct Span {
@@ -80,9 +82,16 @@ class Bvh8_motion {
 
     Span_reference reference;
     kernel::Motion_span maps;
-    std::vector<Near> later{};
+    std::array<std::vector<Near>, 2> later{};
   };
-  static constexpr unsigned most_halvings = 50;
+  /// Of the lanes of a node, as bits, those that are not found to stay apart in each half of a span, and about how far
+  /// these move, in the span's units.
+  struct Outlook {
+    std::array<unsigned, 2> near;
+    double way;
+  };
+  static constexpr int most_directions = 8;
+  static constexpr unsigned most_halvings = 50, both_halves = 3;
   static constexpr double share_of_boxes = 0.4, share_of_leaves = 0.002;  // so far they may move in a span
 
   kernel::Motion_units units(int body) const { return {tree_[body]->scale().origin, tree_[body]->scale().unit}; }
@@ -122,68 +131,88 @@ class Bvh8_motion {
   /// Follows the parts in a span of time, and then those that are left for its halves in these.
   void search(const kernel::Motion_span& all, std::span<const Near> near)
   {
+    if (separating_direction_(all, most_directions)) return;
     Span span(all);
-    for (const Near& parts : near) follow(span, parts);
+    for (Near parts : near) {
+      parts.halves = both_halves;
+      follow(span, parts);
+    }
     for (const bool is_second : {false, true}) {
-      if (span.later.empty()) return;
+      const auto& later = span.later[is_second];
+      if (later.empty()) continue;
       const kernel::Motion_span half = span.maps.half(is_second);
-      if (half.start() < features_.before()) search(half, span.later);
+      if (half.start() < features_.before()) search(half, later);
     }
   }
 
   /// Takes the parts that are not found to stay apart to smaller ones, or leaves them for later.
-  void follow(Span& span, Near near)
+  void follow(Span& span, const Near& near)
   {
     counts_.box_tests += std::uint64_t(std::popcount(near.lanes));
-    const double way =
-        span.reference.is_certifiable() ? leave_parts(span.reference, near) : leave_parts(span.maps, near);
-    if (near.lanes == 0) return;
+    const Outlook seen = span.reference.is_certifiable() ? outlook(span.reference, near) : outlook(span.maps, near);
+    const auto [first, second] = seen.near;
+    if ((first | second) == 0) return;
     ++counts_.pairs_visited;
     const unsigned leaves = leaves_of(near);
     for (const unsigned lanes : {leaves, near.lanes & ~leaves}) {
       Near some = near;
-      some.lanes = std::uint8_t(lanes);
-      if (lanes == 0) continue;
-      if (is_long(span.maps, some, way, lanes == leaves))
-        span.later.push_back(some);
-      else if (lanes == leaves)
-        meet_leaves(span.maps, some);
-      else
-        open(span, some);
+      for (const auto& [halves, in_these] : {std::pair(both_halves, first & second), std::pair(1u, first & ~second),
+                                             std::pair(2u, second & ~first)}) {
+        some.halves = std::uint8_t(halves);
+        some.lanes = std::uint8_t(lanes & in_these);
+        if (some.lanes != 0) go_on(span, some, seen.way, lanes == leaves);
+      }
     }
   }
 
-  /// Takes those away that stay apart. Returns about how far the others move against each other, in the span's units.
-  double leave_parts(const Span_reference& reference, Near& near)
+  void go_on(Span& span, const Near& near, double way, bool are_leaves)
+  {
+    if (is_long(span.maps, near, way, are_leaves)) {
+      for (unsigned half = 0; half < 2; ++half)
+        if (near.halves >> half & 1) span.later[half].push_back(near);
+    } else if (are_leaves) {
+      meet_leaves(span.maps, near);
+    } else {
+      open(span, near);
+    }
+  }
+
+  Outlook outlook(const Span_reference& reference, const Near& near)
   {
     const Bvh8_node &node = tree_[near.body]->node(near.node), &from = node_of(1 - near.body, near.other);
     const int lane = int(near.other % 8);
     const float apex =
         from.is_leaf(lane) ? kernel::apex_of(Bvh8_node::apex(from.child[std::size_t(lane)])) : kernel::no_apex;
-    const auto found = reference.parts(near.body, node.boxes, near.lanes, from.boxes, lane, apex);
-    near.lanes = std::uint8_t(near.lanes & ~found.apart);
-    near.lanes = std::uint8_t(near.lanes & ~leaves_apart(reference, near));
-    return found.way;
+    const auto found = reference.parts(near.body, node.boxes, near.lanes, from.boxes, lane, apex, near.halves);
+    Outlook seen{{0, 0}, found.way};
+    for (unsigned half = 0; half < 2; ++half)
+      if (near.halves >> half & 1) seen.near[half] = near.lanes & ~found.apart[half];
+    leave_leaves(reference, near, seen);
+    return seen;
   }
 
-  /// Where both are leaves: the parts whose triangles are apart.
-  unsigned leaves_apart(const Span_reference& reference, const Near& near)
+  /// Where both are leaves: takes those away whose triangles are apart.
+  void leave_leaves(const Span_reference& reference, const Near& near, Outlook& seen)
   {
-    unsigned apart = 0;
-    for (unsigned left = leaves_of(near); left != 0; left &= left - 1) {
+    for (unsigned left = leaves_of(near) & (seen.near[0] | seen.near[1]); left != 0; left &= left - 1) {
       const int lane = std::countr_zero(left);
-      const auto are_apart = [&](const Element& a, const Element& b) { return elements_apart(reference, a, b); };
-      if (all_elements(near, lane, are_apart)) apart |= 1u << lane;
+      unsigned apart = (seen.near[0] >> lane & 1) | (seen.near[1] >> lane & 1) << 1;
+      all_elements(near, lane, [&](const Element& a, const Element& b) {
+        apart = halves_apart(reference, a, b, apart);
+        return apart != 0;
+      });
+      for (unsigned half = 0; half < 2; ++half) seen.near[half] &= ~((apart >> half & 1) << lane);
     }
-    return apart;
   }
 
-  bool elements_apart(const Span_reference& reference, const Element& a, const Element& b)
+  /// Of halves of the span, as bits, those in which the elements are found apart.
+  unsigned halves_apart(const Span_reference& reference, const Element& a, const Element& b, unsigned halves)
   {
     ++counts_.leaf_pairs;
     const Element_gap gap = element_gap(*tree_[0], a, *tree_[1], b, reference.frame());
-    return gap.low > 0 && reference.are_apart(gap.low, gap.axis, local_corners(*tree_[0], a.corner),
-                                              local_corners(*tree_[1], b.corner));
+    return gap.low > 0 ? reference.halves_apart(gap.low, gap.axis, local_corners(*tree_[0], a.corner),
+                                                local_corners(*tree_[1], b.corner), halves)
+                       : 0;
   }
 
   /// The parts that are leaves, where the box of the other body is one.
@@ -205,20 +234,19 @@ class Bvh8_motion {
     return true;
   }
 
-  double leave_parts(const kernel::Motion_span& span, Near& near)
+  Outlook outlook(const kernel::Motion_span& span, const Near& near) const
   {
     const Part other = part(1 - near.body, near.other);
     double way = 0;
-    unsigned apart = 0;
+    unsigned close = 0;
     for (unsigned left = near.lanes; left != 0; left &= left - 1) {
       const int lane = std::countr_zero(left);
       const Part own = part(near.body, 8 * near.node + Box(lane));
       const Part &a = near.body == 0 ? own : other, &b = near.body == 0 ? other : own;
       way = kernel::maximum(way, span.way(a.hull.centre, b.hull.centre));
-      if (stay_apart(span, a, b)) apart |= 1u << lane;
+      if (!stay_apart(span, a, b)) close |= 1u << lane;
     }
-    near.lanes = std::uint8_t(near.lanes & ~apart);
-    return way;
+    return {{near.halves & 1 ? close : 0, near.halves & 2 ? close : 0}, way};
   }
 
   /// Whether the parts move too far in the span for their size.
@@ -251,7 +279,7 @@ class Bvh8_motion {
       const bool own = opens_own(near, box, size_of(span.maps, near.body, box), of_other);
       const int body = own ? near.body : 1 - near.body;
       const Box opened = own ? box : near.other;
-      Near next;
+      Near next = near;
       next.body = std::uint8_t(body);
       next.node = tree_[body]->child(opened / 8, int(opened % 8));
       next.other = own ? near.other : box;
@@ -293,6 +321,7 @@ class Bvh8_motion {
   }
 
   std::array<const Bvh8*, 2> tree_;
+  Separating_direction separating_direction_;
   Moving_feature_search features_;
   Query_statistics counts_;
 };

@@ -2,6 +2,7 @@
 #define TETRACONE_TETRATREE_FAST_SEPARATING_DIRECTION_H
 
 #include "tetracone/kernel/bound/relative_frame.h"
+#include "tetracone/kernel/motion/motion_span.h"
 #include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/simd/short_vectors.h"
 #include "tetracone/tetratree/fast/support_table.h"
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 namespace tetracone::tetratree {
 
@@ -39,6 +41,23 @@ class Separating_direction {
     last_ = m;
     last_gap_ = {first.gap, first.slack};
     return were_apart_ = true;
+  }
+
+  /// True when the moving bodies are found to be apart in all of the span, by one plane that stands still in it, found in
+  /// at most `steps` > 0 directions: what is apart along one direction at each coefficient is so all the time (see
+  /// `kernel::Motion_span`).
+  bool operator()(const kernel::Motion_span& span, int steps)
+  {
+    if (were_apart_ && !failing(span, last_)) return true;
+    Floats m = Placed(span.at_middle(), span.error()).apart;
+    for (; steps > 0; --steps) {
+      const std::optional<Failure> failure = failing(span, m);
+      were_apart_ = !failure;
+      if (were_apart_) last_ = m;
+      if (!failure || !failure->tried.is_defined || is_hopeless(failure->placed, failure->tried, m)) return were_apart_;
+      m = mirrored(m, failure->tried, failure->placed);
+    }
+    return false;
   }
 
   /// How far from one another the bodies of the last call were at least, along the direction found; 0 where none was.
@@ -144,6 +163,22 @@ class Separating_direction {
       slack = kernel::sum_of_lanes((both(0) + (both(1) + both(2))) * slack_of_rows +
                                    kernel::magnitudes(apart) * (float(rounding) * u))[0];
     }
+
+    /// Of local points as a span of time places them. `error`: see `kernel::Motion_span`; what is lost where a number
+    /// underflows as it is rounded is far below it.
+    Placed(const kernel::Motion_span::Maps& maps, double error)
+    {
+      float sum = 0;
+      for (int i = 0; i < 3; ++i) {
+        const auto &a = maps.row[0][i], &b = maps.row[1][i];
+        row_a[i] = Floats{float(a[0]), float(a[1]), float(a[2]), 0};
+        row_b[i] = Floats{-float(b[0]), -float(b[1]), -float(b[2]), 0};
+        apart[i] = float(maps.offset[i]);
+        sum += kernel::sum_of_lanes(kernel::magnitudes(row_a[i]) + kernel::magnitudes(row_b[i]))[0] + std::abs(apart[i]);
+      }
+      apart[3] = 0;
+      slack = float(rounding) * u * sum + float(2 * error);
+    }
   };
 
   /// What a direction has shown.
@@ -189,7 +224,7 @@ class Separating_direction {
   [[gnu::noinline]] bool search(const Placed& placed, Attempt tried, Floats m, int steps, bool last_one_first)
   {
     const auto separates = [&] {
-      if (tried.is_defined && !(kernel::sum_of_lanes(tried.reach)[0] < std::numeric_limits<float>::infinity())) {
+      if (tried.is_defined && !is_known(tried)) {
         a_.table.find(tried.at_a);
         b_.table.find(tried.at_b);
         tried = attempt(placed, m);
@@ -201,8 +236,7 @@ class Separating_direction {
       tried = attempt(placed, m);
     }
     were_apart_ = separates();
-    while (!were_apart_ && --steps > 0 && tried.is_defined &&
-           kernel::sum_of_lanes(m * placed.apart)[0] > hopeless * kernel::sum_of_lanes(tried.reach)[0]) {
+    while (!were_apart_ && --steps > 0 && tried.is_defined && !is_hopeless(placed, tried, m)) {
       m = mirrored(m, tried, placed);
       tried = attempt(placed, m);
       were_apart_ = separates();
@@ -210,6 +244,40 @@ class Separating_direction {
     last_ = m;
     last_gap_ = {tried.gap, tried.slack};
     return were_apart_;
+  }
+
+  /// Whether bodies that a direction does not part overlap far along it.
+  static bool is_hopeless(const Placed& placed, const Attempt& tried, Floats m)
+  {
+    return !(kernel::sum_of_lanes(m * placed.apart)[0] > hopeless * kernel::sum_of_lanes(tried.reach)[0]);
+  }
+
+  /// Where a direction does not part moving bodies.
+  struct Failure {
+    Placed placed;
+    Attempt tried;
+  };
+
+  /// The first of a span's coefficients at which the direction parts nothing, if there is one.
+  std::optional<Failure> failing(const kernel::Motion_span& span, Floats m)
+  {
+    for (std::size_t i = 0; i < span.size(); ++i) {
+      const Placed placed(span.coefficient(i), span.error());
+      Attempt tried = attempt(placed, m);
+      if (tried.is_defined && !is_known(tried)) {
+        a_.table.find(tried.at_a);
+        b_.table.find(tried.at_b);
+        tried = attempt(placed, m);
+      }
+      if (!tried.separates()) return Failure{placed, tried};
+    }
+    return std::nullopt;
+  }
+
+  /// Whether the reach is known of the corners that a direction is between.
+  static bool is_known(const Attempt& tried)
+  {
+    return kernel::sum_of_lanes(tried.reach)[0] < std::numeric_limits<float>::infinity();
   }
 
   /// The next direction (Chung and Wang): m mirrored at the plane across w, which leads from A's farthest point along m
