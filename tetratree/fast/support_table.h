@@ -106,6 +106,13 @@ class Support_table {
     return {kernel::sum_of_lanes(corner + octant)[0], weight, sum, at};
   }
 
+  /// That of -d: the corners opposite those of d, with the same weights.
+  static Place opposite(const Place& p)
+  {
+    const int octant = p.first / (row * row);
+    return {p.first + (7 - 2 * octant) * (row * row), p.weight, p.sum, -p.at};
+  }
+
   /// h(d) is at most the sum of these and `slack` |d|_1. Their sum is infinite or undefined where a corner's reach is
   /// not known yet.
   kernel::Four_floats reach(const Place& p) const { return weighted(p.weight, corners(p), p.sum); }

@@ -104,12 +104,10 @@ inline World_box world_box(Support_table& table, const kernel::Local_scale& scal
       at += part;
       terms += std::abs(part);
     }
-    const auto reach = [&](float sign) {
-      const kernel::Four_floats d = {sign * float(pose[4 * i]), sign * float(pose[4 * i + 1]),
-                                     sign * float(pose[4 * i + 2]), 0};
-      const kernel::Four_floats norm = kernel::sum_of_lanes(kernel::magnitudes(d));
-      if (!(norm[0] >= 1e-30f && norm[0] <= 1e30f)) return std::numeric_limits<double>::infinity();
-      const Support_table::Place place = Support_table::place(d, norm);
+    const kernel::Four_floats d = {float(pose[4 * i]), float(pose[4 * i + 1]), float(pose[4 * i + 2]), 0};
+    const kernel::Four_floats norm = kernel::sum_of_lanes(kernel::magnitudes(d));
+    if (!(norm[0] >= 1e-30f && norm[0] <= 1e30f)) return {};
+    const auto reach = [&](const Support_table::Place& place) {
       float found = kernel::sum_of_lanes(table.reach(place))[0];
       if (!(found < std::numeric_limits<float>::infinity())) {
         table.find(place);
@@ -118,7 +116,8 @@ inline World_box world_box(Support_table& table, const kernel::Local_scale& scal
       return scale.unit * (double(found) + double(Support_table::slack + slack_of_direction) * double(norm[0]));
     };
     const double slack = placed_rounding * terms + placed_underflow;
-    const double up = reach(1), down = reach(-1);
+    const Support_table::Place place = Support_table::place(d, norm);
+    const double up = reach(place), down = reach(Support_table::opposite(place));
     // The sums' own roundings are shares of what they are made of.
     box.high[i] = rounded_above(at + up + slack + placed_rounding * (std::abs(at) + std::abs(up)));
     box.low[i] = rounded_below(at - down - slack - placed_rounding * (std::abs(at) + std::abs(down)));

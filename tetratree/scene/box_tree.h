@@ -18,11 +18,17 @@
 
 namespace tetracone::tetratree {
 
-/// Which of many boxes meet a box: a tree of eight boxes a node. Boxes change in place; the tree is made anew by what
-/// its age costs.
+/// Which of many boxes meet one another: a tree of eight boxes a node. Boxes change in place; the tree is made anew by
+/// what its age costs.
 class Box_tree {
  public:
   using Item = std::uint32_t;
+
+  /// A part of a search: two lanes of the tree whose boxes meet, each an item or a child; or all within a node.
+  struct Part {
+    std::uint32_t first;   ///< `no_place`: the second is a node
+    std::uint32_t second;
+  };
 
   /// Item i has boxes[i]; only those of `items` are in the tree.
   void build(std::span<const World_box> boxes, std::vector<Item> items)
@@ -40,44 +46,82 @@ class Box_tree {
   /// Gives an item of the tree another box.
   void set(Item item, const World_box& box)
   {
-    const auto lane_of = [](std::uint32_t place) { return int(place % lanes); };
     std::uint32_t place = place_[item];
-    nodes_[place / lanes].set(lane_of(place), box);
-    while ((place = nodes_[place / lanes].parent) != no_place) {
-      Node& node = nodes_[place / lanes];
-      const World_box all = union_of(nodes_[std::size_t(node.child[lane_of(place)])]);
-      if (node.box(lane_of(place)) == all) break;
-      node.set(lane_of(place), all);
+    node_of(place).set(lane_of(place), box);
+    while ((place = node_of(place).parent) != no_place) {
+      const World_box all = union_of(nodes_[std::size_t(child_at(place))]);
+      if (box_at(place) == all) break;
+      node_of(place).set(lane_of(place), all);
     }
   }
 
-  /// Takes an item out.
+  /// Takes an item out. Requires that it is not marked.
   void remove(Item item)
   {
     set(item, nothing);
-    nodes_[place_[item] / lanes].used &= ~(1u << place_[item] % lanes);
+    node_of(place_[item]).used &= ~bit_of(place_[item]);
     place_[item] = no_place;
   }
 
-  /// Calls what(item) for the items whose boxes meet `box`; returns how many nodes were opened. Any number of threads
-  /// may ask at once.
-  template <class What>
-  std::size_t for_meeting(const World_box& box, const What& what) const
+  /// Gives every item of the tree its box of these.
+  void set_all(std::span<const World_box> boxes)
   {
-    if (nodes_.empty()) return 0;
-    std::size_t opened = 0;
-    std::vector<std::uint32_t> open = {0};
-    while (!open.empty()) {
-      const Node& node = nodes_[open.back()];
-      open.pop_back();
-      ++opened;
-      for (unsigned met = node.meeting(box); met != 0; met &= met - 1) {
-        const int lane = std::countr_zero(met);
-        if (node.child[lane] >= 0)
-          open.push_back(std::uint32_t(node.child[lane]));
-        else
-          what(Item(~node.child[lane]));
+    // A child's number is above its parent's.
+    for (std::size_t n = nodes_.size(); n-- > 0;)
+      for (unsigned used = nodes_[n].used; used != 0; used &= used - 1) {
+        const int lane = std::countr_zero(used);
+        const std::int32_t child = nodes_[n].child[lane];
+        nodes_[n].set(lane, child >= 0 ? union_of(nodes_[std::size_t(child)]) : boxes[std::size_t(~child)]);
       }
+  }
+
+  /// Searches look for pairs of which one item at least is marked.
+  void mark(Item item)
+  {
+    for (std::uint32_t place = place_[item]; place != no_place && !is_marked(place); place = node_of(place).parent)
+      node_of(place).marked |= bit_of(place);
+  }
+  void unmark(Item item)
+  {
+    for (std::uint32_t place = place_[item]; place != no_place; place = node_of(place).parent)
+      if ((node_of(place).marked &= ~bit_of(place)) != 0) break;
+  }
+
+  /// The search for all pairs, in `enough` parts or so where there are as many, in an order that is the tree's alone.
+  std::vector<Part> parts(std::size_t enough) const
+  {
+    std::vector<Part> parts, opened;
+    if (!nodes_.empty()) parts.push_back({no_place, 0});
+    for (bool can_open = true; can_open && parts.size() < enough; parts.swap(opened)) {
+      can_open = false;
+      opened.clear();
+      for (const Part& part : parts)
+        if (is_pair(part)) {
+          opened.push_back(part);
+        } else {
+          open(part, [&opened](const Part& smaller) { opened.push_back(smaller); });
+          can_open = true;
+        }
+    }
+    return parts;
+  }
+
+  /// Calls what(item, item) for the pairs of this part whose boxes meet, each once; returns how many nodes were opened.
+  /// Any number of threads may search at once.
+  template <class What>
+  std::size_t for_meeting(const Part& all, const What& what) const
+  {
+    std::size_t opened = 0;
+    std::vector<Part> left = {all};
+    while (!left.empty()) {
+      const Part part = left.back();
+      left.pop_back();
+      if (is_pair(part)) {
+        what(item_at(part.first), item_at(part.second));
+        continue;
+      }
+      ++opened;
+      open(part, [&left](const Part& smaller) { left.push_back(smaller); });
     }
     return opened;
   }
@@ -116,6 +160,7 @@ class Box_tree {
     float low[3][lanes], high[3][lanes];
     std::int32_t child[lanes];  // a node, or ~item
     std::uint32_t used = 0;     // lanes that hold something, as bits
+    std::uint32_t marked = 0;   // those that are marked items, or hold some
     std::uint32_t parent;       // lane k of node n is 8 n + k
 
     World_box box(int lane) const
@@ -151,15 +196,70 @@ class Box_tree {
     }
   };
 
+  static int lane_of(std::uint32_t place) { return int(place % lanes); }
+  static std::uint32_t bit_of(std::uint32_t place) { return 1u << place % lanes; }
+  Node& node_of(std::uint32_t place) { return nodes_[place / lanes]; }
+  const Node& node_of(std::uint32_t place) const { return nodes_[place / lanes]; }
+  std::int32_t child_at(std::uint32_t place) const { return node_of(place).child[lane_of(place)]; }
+  Item item_at(std::uint32_t place) const { return Item(~child_at(place)); }
+  World_box box_at(std::uint32_t place) const { return node_of(place).box(lane_of(place)); }
+  bool is_marked(std::uint32_t place) const { return (node_of(place).marked & bit_of(place)) != 0; }
+
+  /// Whether it is two items.
+  bool is_pair(const Part& part) const
+  {
+    return part.first != no_place && child_at(part.first) < 0 && child_at(part.second) < 0;
+  }
+
+  /// Calls push(smaller part) for those that have a marked item. Of two lanes, one that has a child is opened, the first
+  /// one first; it comes second then.
+  template <class Push>
+  void open(const Part& part, const Push& push) const
+  {
+    const auto for_lanes = [](unsigned lanes, const auto& what) {
+      for (; lanes != 0; lanes &= lanes - 1) what(std::uint32_t(std::countr_zero(lanes)));
+    };
+    const auto meeting = [this](const Node& node, std::uint32_t place) {
+      return node.meeting(box_at(place)) & (is_marked(place) ? node.used : node.marked);
+    };
+    if (part.first != no_place) {
+      const bool has_child = child_at(part.first) >= 0;
+      const std::uint32_t opened = has_child ? part.first : part.second, other = has_child ? part.second : part.first,
+                          number = std::uint32_t(child_at(opened));
+      for_lanes(meeting(nodes_[number], other),
+                [&](std::uint32_t lane) { push(Part{other, lanes * number + lane}); });
+      return;
+    }
+    const std::uint32_t number = part.second;
+    const Node& node = nodes_[number];
+    for_lanes(node.used, [&](std::uint32_t lane) {
+      const std::uint32_t place = lanes * number + lane;
+      if (is_marked(place) && child_at(place) >= 0) push(Part{no_place, std::uint32_t(child_at(place))});
+      const unsigned later = ~0u << lane << 1;
+      for_lanes(meeting(node, place) & later,
+                [&](std::uint32_t other) { push(Part{place, lanes * number + other}); });
+    });
+  }
+
   static World_box union_of(const Node& node)
   {
-    World_box all = nothing;
-    for (int lane = 0; lane < lanes; ++lane)
-      for (int k = 0; k < 3; ++k) {
-        all.low[k] = kernel::minimum(all.low[k], node.low[k][lane]);
-        all.high[k] = kernel::maximum(all.high[k], node.high[k][lane]);
-      }
+    World_box all;
+    for (int k = 0; k < 3; ++k) {
+      all.low[k] = extreme(node.low[k], [](const auto& x, const auto& y) { return kernel::select(x < y, x, y); });
+      all.high[k] = extreme(node.high[k], [](const auto& x, const auto& y) { return kernel::select(x > y, x, y); });
+    }
     return all;
+  }
+  /// Of eight numbers, none of which is undefined.
+  template <class Of_two>
+  static float extreme(const float* numbers, const Of_two& of_two)
+  {
+    kernel::Four_floats first, last;
+    std::memcpy(&first, numbers, sizeof first);
+    std::memcpy(&last, numbers + 4, sizeof last);
+    const kernel::Four_floats four = of_two(first, last),
+                              two = of_two(four, __builtin_shufflevector(four, four, 2, 3, 0, 1));
+    return of_two(two, __builtin_shufflevector(two, two, 1, 0, 3, 2))[0];
   }
 
   /// The node of the items first .. last of the order; its number.

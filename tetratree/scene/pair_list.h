@@ -5,22 +5,23 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
 
 namespace tetracone::tetratree {
 
-/// Two bodies that are near one another, and what is known of them.
-struct Near_pair {
-  static constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
+/// Two bodies that are near one another, the lesser number first, and until when they are apart. Of a pair that is gone
+/// both numbers are 0.
+struct Near_bodies {
+  std::uint32_t body[2] = {};
+  double limit = -1;  ///< they are apart until their ways sum up to this
+};
 
-  std::uint32_t body[2];         ///< the lesser number first
-  std::uint32_t place[2] = {};   ///< in the lists of either
-  std::uint64_t asked = never;   ///< the frame in which they were asked last
-  double way = 0;                ///< both bodies' ways then, summed
-  double limit = -1;             ///< they are apart until these reach this
+/// What is known of two bodies that are near one another, beside.
+struct Near_pair {
+  std::uint32_t place[2] = {};   ///< in the lists of either body
+  double way = 0;                ///< both bodies' ways when they were asked last, summed
   Pair_memory memory = {};       ///< of their trees
   std::size_t memory_bytes = 0;  ///< that are counted
   bool collide = false;          ///< what they did when they were asked
@@ -44,13 +45,14 @@ class Pair_list {
   std::size_t count() const { return pairs_.size() - free_.size(); }
   Near_pair& operator[](Number pair) { return pairs_[pair]; }
   const Near_pair& operator[](Number pair) const { return pairs_[pair]; }
+  Near_bodies& bodies(Number pair) { return bodies_[pair]; }
+  const Near_bodies& bodies(Number pair) const { return bodies_[pair]; }
+
+  /// By number, also those that are gone.
+  std::span<const Near_bodies> all_bodies() const { return bodies_; }
 
   /// The pairs of a body.
   std::span<const Of_body> of(std::uint32_t body) const { return of_[body]; }
-  std::uint32_t other(Number pair, std::uint32_t body) const
-  {
-    return pairs_[pair].body[pairs_[pair].body[0] == body ? 1 : 0];
-  }
 
   void set_body_count(std::size_t bodies) { of_.resize(bodies); }
 
@@ -60,17 +62,17 @@ class Pair_list {
     if (free_.empty()) {
       free_.push_back(Number(pairs_.size()));
       pairs_.emplace_back();
+      bodies_.emplace_back();
     }
     const Number number = free_.back();
     free_.pop_back();
-    Near_pair& pair = pairs_[number];
-    pair.body[0] = a < b ? a : b;
-    pair.body[1] = a < b ? b : a;
+    Near_bodies& bodies = bodies_[number];
+    bodies = {{a < b ? a : b, a < b ? b : a}};
     for (int k = 0; k < 2; ++k) {
-      std::vector<Of_body>& list = of_[pair.body[k]];
-      pair.place[k] = std::uint32_t(list.size());
+      std::vector<Of_body>& list = of_[bodies.body[k]];
+      pairs_[number].place[k] = std::uint32_t(list.size());
       in_lists_ -= list.capacity();
-      list.push_back({number, pair.body[1 - k]});
+      list.push_back({number, bodies.body[1 - k]});
       in_lists_ += list.capacity();
     }
     return number;
@@ -79,15 +81,17 @@ class Pair_list {
   void remove(Number number)
   {
     Near_pair& pair = pairs_[number];
+    Near_bodies& bodies = bodies_[number];
     memory_bytes_ -= pair.memory_bytes;
     for (int k = 0; k < 2; ++k) {
-      std::vector<Of_body>& list = of_[pair.body[k]];
+      std::vector<Of_body>& list = of_[bodies.body[k]];
       const Of_body last = list.back();
       list[pair.place[k]] = last;
-      pairs_[last.pair].place[pair.body[k] < last.other ? 0 : 1] = pair.place[k];
+      pairs_[last.pair].place[bodies.body[k] < last.other ? 0 : 1] = pair.place[k];
       list.pop_back();
     }
     pair = Near_pair();
+    bodies = Near_bodies();
     free_.push_back(number);
   }
 
@@ -111,12 +115,14 @@ class Pair_list {
 
   std::size_t bytes() const
   {
-    return pairs_.capacity() * sizeof(Near_pair) + free_.capacity() * sizeof(Number) + in_lists_ * sizeof(Of_body) +
+    return pairs_.capacity() * sizeof(Near_pair) + bodies_.capacity() * sizeof(Near_bodies) +
+           free_.capacity() * sizeof(Number) + in_lists_ * sizeof(Of_body) +
            of_.capacity() * sizeof(std::vector<Of_body>) + memory_bytes_;
   }
 
  private:
   std::vector<Near_pair> pairs_;
+  std::vector<Near_bodies> bodies_;  // of each; apart from it, since frames read them all
   std::vector<Number> free_;
   std::vector<std::vector<Of_body>> of_;
   std::size_t in_lists_ = 0;  // room in them

@@ -1,10 +1,13 @@
 #include "tetracone/tetratree/scene/scene_data.h"
 
 #include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/tetratree/scene/number_groups.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -18,6 +21,12 @@ std::uint64_t key_of(std::size_t a, std::size_t b)
 
 /// A wide box leaves room for so many steps like the last one, but not for more than half of the body.
 constexpr double steps_ahead = 4;
+
+/// Above that share of all bodies, one in so many, boxes of all are brought up to date at once.
+constexpr std::size_t few_of_all = 8;
+
+/// Of a search, for threads to share.
+constexpr std::size_t parts_of_search = 64;
 
 }  // namespace
 
@@ -58,9 +67,10 @@ std::size_t Scene_data::add_body(std::size_t model)
   if (bodies_.size() >= std::numeric_limits<std::int32_t>::max())
     throw Error("scene: too many bodies; expected less than 2^31");
   bodies_.emplace_back().model = Number(model);
+  boxes_.emplace_back();
   wide_.emplace_back();
   turned_.emplace_back();
-  way_.push_back(0);
+  ways_.emplace_back();
   seen_.push_back(0);
   near_.set_body_count(bodies_.size());
   return bodies_.size() - 1;
@@ -69,8 +79,7 @@ std::size_t Scene_data::add_body(std::size_t model)
 /// The two are near one another no more.
 void Scene_data::part(Number pair)
 {
-  const Near_pair& gone = near_[pair];
-  if (gone.is_listed) left_.push_back({gone.body[0], gone.body[1]});
+  if (near_[pair].is_listed) left_.push_back(pair_of(pair));
   near_.remove(pair);
 }
 
@@ -109,9 +118,9 @@ void Scene_data::ignore(std::size_t a, std::size_t b)
   there(b);
   if (a == b) throw Error("scene: body " + std::to_string(a) + " with itself; expected two bodies to ignore");
   ignored_.insert(key_of(a, b));
-  for (const auto& [pair, other] : near_.of(Number(a)))
-    if (other == b) {
-      part(pair);
+  for (const auto& near : near_.of(Number(a)))
+    if (near.other == b) {
+      part(near.pair);
       break;
     }
 }
@@ -169,9 +178,12 @@ void Scene_data::move_bodies()
   for_each(moved_.size(), 64, [this](std::size_t i, Scene_worker& worker) { move(moved_[i], worker); });
   statistics_.moved = moved_.size();
   std::vector<Number> out_of_their_boxes;
-  for (const Number body : moved_)
-    if (!bodies_[body].is_in_tree || !wide_[body].holds(bodies_[body].box)) out_of_their_boxes.push_back(body);
-  widen(std::move(out_of_their_boxes));
+  for (const Number number : moved_) {
+    const Placed_body& body = bodies_[number];
+    if (!body.is_in_tree || body.is_tight != body.is_wide_tight || !wide_[number].holds(boxes_[number]))
+      out_of_their_boxes.push_back(number);
+  }
+  widen(out_of_their_boxes);
 }
 
 void Scene_data::move(Number number, Scene_worker& worker)
@@ -182,23 +194,29 @@ void Scene_data::move(Number number, Scene_worker& worker)
       body.is_in_tree ? tetratree::motion(extent, body.last_pose, body.pose) : std::numeric_limits<double>::infinity();
   body.last_pose = body.pose;
   body.is_tight = models.tree(body.model) != nullptr;
-  body.box = worker.box(body.model, extent, body.pose);
+  boxes_[number] = worker.box(body.model, extent, body.pose);
+  ways_[number].moved = frame_;
   turned_[number] = extent.is_long() ? tetratree::turned_box(extent, body.pose) : tetratree::Turned_box();
 }
 
 /// Gives these bodies new wide boxes, and finds what is near them.
-void Scene_data::widen(std::vector<Number> bodies)
+void Scene_data::widen(const std::vector<Number>& bodies)
 {
+  if (bodies.empty()) return;
   for (const Number number : bodies) {
     Placed_body& body = bodies_[number];
+    const World_box& box = boxes_[number];
     const double room = steps_ahead * body.step;
-    wide_[number] = body.is_in_tree && room < body.box.size() / 2 ? body.box.grown(room) : body.box.grown(0);
-    if (body.is_in_tree)
-      tree_.set(number, wide_[number]);
-    else
-      tree_is_old_ = body.is_in_tree = true;
+    wide_[number] = body.is_in_tree && room < box.size() / 2 ? box.grown(room) : box.grown(0);
+    body.is_wide_tight = body.is_tight;
+    if (!body.is_in_tree) tree_is_old_ = body.is_in_tree = true;
   }
-  if (tree_is_old_ || tree_.is_worn() || 4 * bodies.size() > 3 * bodies_.size()) build_boxes();
+  if (tree_is_old_ || tree_.is_worn())
+    build_boxes();
+  else if (bodies.size() > bodies_.size() / few_of_all)
+    tree_.set_all(wide_);
+  else
+    for (const Number body : bodies) tree_.set(body, wide_[body]);
   find_near(bodies);
 }
 
@@ -214,31 +232,39 @@ void Scene_data::build_boxes()
 /// Brings the near pairs of these bodies up to date.
 void Scene_data::find_near(const std::vector<Number>& bodies)
 {
-  std::vector<std::vector<Number>> found(bodies.size());
-  std::vector<std::size_t> opened(bodies.size());
-  for_each(bodies.size(), 32, [&](std::size_t i, Scene_worker&) {
-    opened[i] = tree_.for_meeting(wide_[bodies[i]], [&](Number other) {
-      if (other != bodies[i]) found[i].push_back(other);
-    });
+  for (const Number body : bodies) tree_.mark(body);
+  const auto parts = tree_.parts(arena_ ? parts_of_search : 1);
+  std::vector<std::vector<std::array<Number, 2>>> found(parts.size());
+  std::vector<std::size_t> opened(parts.size());
+  for_each(parts.size(), 1, [&](std::size_t i, Scene_worker&) {
+    opened[i] = tree_.for_meeting(parts[i], [&](Number a, Number b) { found[i].push_back({a, b}); });
   });
-  std::size_t all_opened = 0;
-  for (const std::size_t n : opened) all_opened += n;
-  tree_.count_searches(bodies.size(), all_opened);
+  for (const Number body : bodies) tree_.unmark(body);
+  tree_.count_searches(bodies.size(), std::accumulate(opened.begin(), opened.end(), std::size_t(0)));
 
+  constexpr Number none = std::numeric_limits<Number>::max();
+  std::vector<Number> group(bodies_.size(), none);
+  for (std::size_t i = 0; i < bodies.size(); ++i) group[bodies[i]] = Number(i);
+  const tetratree::Number_groups others(bodies.size(), [&](const auto& put) {
+    for (const auto& pairs : found)
+      for (const auto [a, b] : pairs) {
+        if (group[a] != none) put(group[a], b);
+        if (group[b] != none) put(group[b], a);
+      }
+  });
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Number body = bodies[i];
     const std::uint64_t search = ++search_;
-    for (const Number other : found[i]) seen_[other] = search;
+    for (const Number other : others[i]) seen_[other] = search;
     const auto known = near_.of(body);
     for (std::size_t k = known.size(); k-- > 0;) {
-      const auto [pair, other] = known[k];
-      if (seen_[other] == search) {
-        seen_[other] = 0;  // known
-        continue;
-      }
-      part(pair);
+      const auto near = known[k];
+      if (seen_[near.other] == search)
+        seen_[near.other] = 0;  // known
+      else
+        part(near.pair);
     }
-    for (const Number other : found[i])
+    for (const Number other : others[i])
       if (seen_[other] == search && !is_ignored(body, other)) near_.add(body, other);
   }
 }

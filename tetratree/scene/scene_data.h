@@ -68,10 +68,16 @@ class Scene_data {
 
   struct Placed_body {
     Number model;
-    bool is_there = true, is_placed = false, is_in_tree = false, has_moved = false, is_tight = false;
+    bool is_there = true, is_placed = false, is_in_tree = false, has_moved = false;
+    bool is_tight = false, is_wide_tight = false;  // whether its box, and the wide one, are by the model's tree
     kernel::Pose pose, last_pose;  // that of the last frame, once there was one
-    World_box box;
-    double step = 0;  // a bound on its motion of the last frame
+    double step = 0;               // a bound on its motion of the last frame
+  };
+
+  /// A bound on a body's motions of all frames, and the last frame in which it moved.
+  struct Way {
+    double sum = 0;
+    std::uint64_t moved = 0;
   };
 
   Placed_body& there(std::size_t body);
@@ -117,12 +123,12 @@ class Scene_data {
 
   void move_bodies();
   void move(Number body, Scene_worker& worker);
-  void widen(std::vector<Number> out_of_their_boxes);
+  void widen(const std::vector<Number>& out_of_their_boxes);
   void build_boxes();
   void find_near(const std::vector<Number>& bodies);
   void open_pairs();
   void open_pair(Number pair);
-  void tighten(Placed_body& body);
+  void tighten(Number body);
   void ask_pairs();
   void ask_pair(Number pair, Scene_worker& worker);
   void ask_models(std::vector<Number>::iterator first, std::vector<Number>::iterator last);
@@ -131,13 +137,14 @@ class Scene_data {
   void keep_to_memory(Number model_a, Number model_b);
   void forget_pairs_of(Number body);
   void allow_fronts(const std::vector<Number>& pairs);
-  bool moves_little(const Near_pair& pair) const;
-  void answer(Near_pair& pair, bool collide, double gap);
-  double way(const Near_pair& pair) const;
+  bool moves_little(Number pair) const;
+  void answer(Number pair, bool collide, double gap);
+  double way(Number pair) const;
   void list_pairs();
   std::size_t bytes() const;
   std::pair<Number, Number> models_of(std::size_t a, std::size_t b) const;
-  std::pair<Number, Number> models_of(const Near_pair& pair) const { return models_of(pair.body[0], pair.body[1]); }
+  Scene_pair pair_of(Number pair) const { return {near_.bodies(pair).body[0], near_.bodies(pair).body[1]}; }
+  std::pair<Number, Number> models_of(const Scene_pair& pair) const { return models_of(pair.a, pair.b); }
 
   using Motions = std::vector<const Motion*>;  // of each body, null where it is not there
   std::vector<Scene_pair> meeting_pairs(const Motions& motion_of);
@@ -148,7 +155,7 @@ class Scene_data {
   std::optional<tbb::task_arena> arena_;  // of more than one thread
 
   std::vector<Placed_body> bodies_;
-  std::vector<World_box> wide_;                // of each body, in the tree
+  std::vector<World_box> boxes_, wide_;        // about each body, and in the tree
   std::vector<tetratree::Turned_box> turned_;  // of each body, known of long ones alone
   tetratree::Box_tree tree_;
   bool tree_is_old_ = false;  // there are bodies that it does not know
@@ -156,7 +163,7 @@ class Scene_data {
   tetratree::Pair_list near_;
   bool memory_has_fronts_ = true;  // until they have been too much for it once
   std::vector<Number> moved_, open_;
-  std::vector<double> way_;          // of each body, a bound on its motions of all frames
+  std::vector<Way> ways_;            // of each body
   std::vector<std::uint64_t> seen_;  // of each body, the search that has seen it last
   std::uint64_t search_ = 0;
 

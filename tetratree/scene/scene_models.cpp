@@ -167,19 +167,27 @@ tetratree::World_box Scene_worker::box(Number model, const tetratree::Body_exten
 {
   const tetratree::Bvh8* const tree = models_->tree(model);
   if (!tree || tree->empty()) return tetratree::world_box(extent, pose);
-  const tetratree::World_box tight =
-      tetratree::world_box(tables_.try_emplace(model, *tree).first->second, tree->scale(), pose);
+  if (model >= tables_.size()) tables_.resize(model + 1);
+  if (!tables_[model]) tables_[model].emplace(*tree);
+  const tetratree::World_box tight = tetratree::world_box(*tables_[model], tree->scale(), pose);
   return tight.is_bounded() ? tight : tetratree::world_box(extent, pose);
 }
 
 void Scene_worker::forget(Number model)
 {
-  tables_.erase(model);
+  if (model < tables_.size()) tables_[model].reset();
   for (auto asked = queries_.begin(); asked != queries_.end();) {
     const bool has_it = std::get<0>(asked->first) == model || std::get<1>(asked->first) == model;
     if (has_it) query_bytes_ -= asked->second.bytes;
     asked = has_it ? queries_.erase(asked) : std::next(asked);
   }
+}
+
+std::size_t Scene_worker::bytes() const
+{
+  std::size_t all = query_bytes_ + tables_.capacity() * sizeof(tables_[0]);
+  for (const auto& table : tables_) all += table ? table_bytes : 0;
+  return all;
 }
 
 }  // namespace tetracone::detail

@@ -90,7 +90,7 @@ class Scene_worker {
   /// Drops what is about this model.
   void forget(Number model);
 
-  std::size_t bytes() const { return query_bytes_ + tables_.size() * table_bytes; }
+  std::size_t bytes() const;
 
   static constexpr std::size_t table_bytes =
       8 * tetratree::Support_table::row * tetratree::Support_table::row * sizeof(float);
@@ -107,7 +107,7 @@ class Scene_worker {
   const Scene_models* models_;
   const Scene_options* options_;
   std::map<std::tuple<Number, Number, Method>, Asked> queries_;
-  std::map<Number, tetratree::Support_table> tables_;
+  std::vector<std::optional<tetratree::Support_table>> tables_;  // of each model
   std::size_t query_bytes_ = 0;
   std::uint64_t now_ = 0;
 };

@@ -24,7 +24,7 @@ std::vector<Scene_contact> Scene_data::first_contacts(std::span<const Motion> mo
   const std::size_t nodes = models.nodes_made();
   statistics_ = {};
 
-  const auto of_pair = [this](const Scene_pair& pair) { return models_of(pair.a, pair.b); };
+  const auto of_pair = [this](const Scene_pair& pair) { return models_of(pair); };
   std::vector<Scene_pair> pairs = meeting_pairs(motion_of);
   std::ranges::sort(pairs, {}, [&](const Scene_pair& pair) { return std::pair(of_pair(pair), pair); });
   std::vector<Scene_contact> contacts;
@@ -65,10 +65,11 @@ std::vector<Scene_pair> Scene_data::meeting_pairs(const Motions& motion_of)
   });
   tetratree::Box_tree tree;
   tree.build(swept, moving);
+  for (const Number body : moving) tree.mark(body);
   std::vector<Scene_pair> pairs;
-  for (const Number body : moving)
-    tree.for_meeting(swept[body], [&](Number other) {
-      if (body < other && !is_ignored(body, other)) pairs.push_back({body, other});
+  for (const auto& part : tree.parts(1))
+    tree.for_meeting(part, [&](Number a, Number b) {
+      if (!is_ignored(a, b)) pairs.push_back({kernel::minimum(a, b), kernel::maximum(a, b)});
     });
   return pairs;
 }
@@ -76,7 +77,7 @@ std::vector<Scene_pair> Scene_data::meeting_pairs(const Motions& motion_of)
 std::optional<First_contact> Scene_data::first_contact(const Scene_pair& pair, const Motions& motion_of,
                                                        Scene_worker& worker)
 {
-  const auto [model_a, model_b] = models_of(pair.a, pair.b);
+  const auto [model_a, model_b] = models_of(pair);
   const bool is_turned = bodies_[pair.a].model != model_a;
   const Motion &a = *motion_of[pair.a], &b = *motion_of[pair.b];
   Query& query = worker.query(models, model_a, model_b);

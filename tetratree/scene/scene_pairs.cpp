@@ -17,9 +17,10 @@
 namespace tetracone::detail {
 namespace {
 
-/// A sum of what is not negative, rounded up or down.
-double sum_above(double x, double y) { return y == 0 ? x : std::nextafter(x + y, std::numeric_limits<double>::max()); }
-double sum_below(double x, double y) { return y == 0 ? x : std::nextafter(x + y, 0.0); }
+/// At least, and at most, a sum of what is not negative: it is rounded once, and the product again. Of denormals, sums
+/// are exact.
+double sum_above(double x, double y) { return (x + y) * (1 + 0x1p-51); }
+double sum_below(double x, double y) { return (x + y) * (1 - 0x1p-51); }
 
 /// Bodies that have moved by more than this share of the smaller one since they were asked get no front.
 constexpr double little = 1.0 / 64;
@@ -34,23 +35,30 @@ void Scene_data::open_pairs()
 {
   std::erase_if(open_, [this](Number pair) { return !near_[pair].is_open; });
   for (const Number number : moved_) {
-    const Placed_body& body = bodies_[number];
+    Placed_body& body = bodies_[number];
+    body.has_moved = false;
     if (body.step <= std::numeric_limits<double>::max())
-      way_[number] = sum_above(way_[number], body.step);
+      ways_[number].sum = sum_above(ways_[number].sum, body.step);
     else
-      for (const auto& [pair, other] : near_.of(number)) near_[pair].limit = -1;
+      for (const auto& near : near_.of(number)) near_.bodies(near.pair).limit = -1;
   }
-  for (const Number body : moved_) {
-    bodies_[body].has_moved = false;
-    for (const auto& [number, other] : near_.of(body)) {
-      if (bodies_[other].has_moved) continue;  // its turn comes
-      const Near_pair& pair = near_[number];
-      if (pair.is_open) continue;
-      if (pair.asked != Near_pair::never && way(pair) < pair.limit)
-        ++statistics_.kept;
-      else
-        open_pair(number);
+  const auto has_moved = [this](Number body) { return ways_[body].moved == frame_; };
+  const auto look_at = [this](Number pair) {
+    if (way(pair) < near_.bodies(pair).limit)
+      ++statistics_.kept;
+    else if (!near_[pair].is_open)
+      open_pair(pair);
+  };
+  if (2 * moved_.size() > bodies_.size()) {
+    const auto all = near_.all_bodies();
+    for (Number pair = 0; pair < all.size(); ++pair) {
+      const auto [a, b] = all[pair].body;
+      if (a != b && (has_moved(a) || has_moved(b))) look_at(pair);
     }
+  } else {
+    for (const Number body : moved_)
+      for (const auto& near : near_.of(body))
+        if (body < near.other || !has_moved(near.other)) look_at(near.pair);
   }
   moved_.clear();
 }
@@ -62,24 +70,30 @@ void Scene_data::open_pair(Number number)
 }
 
 /// A bound on the motions of both bodies, from above.
-double Scene_data::way(const Near_pair& pair) const { return sum_above(way_[pair.body[0]], way_[pair.body[1]]); }
+double Scene_data::way(Number pair) const
+{
+  const auto [a, b] = near_.bodies(pair).body;
+  return sum_above(ways_[a].sum, ways_[b].sum);
+}
 
 /// Where they do not collide, they are at least `gap` apart.
-void Scene_data::answer(Near_pair& pair, bool collide, double gap)
+void Scene_data::answer(Number number, bool collide, double gap)
 {
+  Near_pair& pair = near_[number];
   pair.collide = collide;
   pair.is_open = false;
-  pair.asked = frame_;
-  pair.way = way(pair);
-  pair.limit = gap > 0 ? sum_below(sum_below(way_[pair.body[0]], way_[pair.body[1]]), gap) : -1;
+  pair.way = way(number);
+  auto& [body, limit] = near_.bodies(number);
+  limit = gap > 0 ? sum_below(sum_below(ways_[body[0]].sum, ways_[body[1]].sum), gap) : -1;
 }
 
 /// By the tree, which is made now if it has to be.
-void Scene_data::tighten(Placed_body& body)
+void Scene_data::tighten(Number number)
 {
+  Placed_body& body = bodies_[number];
   if (body.is_tight) return;
   data_of(models.body(body.model)).bvh8();
-  body.box = workers_[0].box(body.model, models.extent(body.model), body.pose);
+  boxes_[number] = workers_[0].box(body.model, models.extent(body.model), body.pose);
   body.is_tight = true;
 }
 
@@ -93,13 +107,10 @@ void Scene_data::ask_pairs()
 {
   if (options_.memory != 0)
     std::sort(open_.begin(), open_.end(), [this](Number p, Number q) {
-      const auto of_p = models_of(near_[p]), of_q = models_of(near_[q]);
-      return of_p != of_q
-                 ? of_p < of_q
-                 : std::pair(near_[p].body[0], near_[p].body[1]) < std::pair(near_[q].body[0], near_[q].body[1]);
+      return std::pair(models_of(pair_of(p)), pair_of(p)) < std::pair(models_of(pair_of(q)), pair_of(q));
     });
   for_each_models(
-      open_, [this](Number pair) { return models_of(near_[pair]); },
+      open_, [this](Number pair) { return models_of(pair_of(pair)); },
       [this](auto first, auto last) { ask_models(first, last); });
 }
 
@@ -108,29 +119,30 @@ void Scene_data::ask_models(std::vector<Number>::iterator first, std::vector<Num
 {
   std::vector<Number> meeting, candidates;
   for (auto at = first; at != last; ++at) {
-    Near_pair& pair = near_[*at];
-    const double gap = bodies_[pair.body[0]].box.gap(bodies_[pair.body[1]].box);
+    const auto [a, b] = near_.bodies(*at).body;
+    const double gap = boxes_[a].gap(boxes_[b]);
     if (gap > 0)
-      answer(pair, false, gap);
+      answer(*at, false, gap);
     else
       meeting.push_back(*at);
   }
   ask_turned_boxes(meeting);
   for (const Number number : meeting) {
     Near_pair& pair = near_[number];
-    Placed_body &a = bodies_[pair.body[0]], &b = bodies_[pair.body[1]];
-    pair.by_brute_force = models.is_worth_no_tree(a.model, b.model);
-    if (!pair.by_brute_force && !(a.is_tight && b.is_tight)) {
+    const auto [a, b] = near_.bodies(number).body;
+    const Number model_a = bodies_[a].model, model_b = bodies_[b].model;
+    pair.by_brute_force = models.is_worth_no_tree(model_a, model_b);
+    if (!pair.by_brute_force && !(bodies_[a].is_tight && bodies_[b].is_tight)) {
       tighten(a);
       tighten(b);
-      const double gap = a.box.gap(b.box);
+      const double gap = boxes_[a].gap(boxes_[b]);
       if (gap > 0) {
-        answer(pair, false, gap);
+        answer(number, false, gap);
         continue;
       }
     }
-    models.body(a.model);
-    models.body(b.model);
+    models.body(model_a);
+    models.body(model_b);
     candidates.push_back(number);
   }
   statistics_.candidates += candidates.size();
@@ -154,7 +166,7 @@ void Scene_data::allow_fronts(const std::vector<Number>& pairs)
   for (const Number number : pairs) {
     Near_pair& pair = near_[number];
     const bool would_be_made = !pair.memory.front && pair.memory.is_front_worth(),
-               is_allowed = (pair.memory.front || would_be_made) && moves_little(pair) &&
+               is_allowed = (pair.memory.front || would_be_made) && moves_little(number) &&
                             (!would_be_made || taken + bytes_of_front <= room);
     if (is_allowed && would_be_made) taken += bytes_of_front;
     pair.memory.allow_front(is_allowed);
@@ -162,10 +174,10 @@ void Scene_data::allow_fronts(const std::vector<Number>& pairs)
 }
 
 /// Of bodies that have been asked before: since then.
-bool Scene_data::moves_little(const Near_pair& pair) const
+bool Scene_data::moves_little(Number pair) const
 {
-  const double size = kernel::minimum(bodies_[pair.body[0]].box.size(), bodies_[pair.body[1]].box.size());
-  return way(pair) - pair.way <= little * size;
+  const auto [a, b] = near_.bodies(pair).body;
+  return way(pair) - near_[pair].way <= little * kernel::minimum(boxes_[a].size(), boxes_[b].size());
 }
 
 tetratree::Turned_box Scene_data::turned_box(Number body)
@@ -174,37 +186,35 @@ tetratree::Turned_box Scene_data::turned_box(Number body)
                                 : tetratree::turned_box(models.extent(bodies_[body].model), bodies_[body].pose);
 }
 
-/// Leaves the pairs, of a long body at least, whose turned boxes are not found apart: up to eight pairs in a row of one
-/// body at a time.
+/// Leaves the pairs, of a long body at least, whose turned boxes are not found apart: up to eight pairs of one body at a
+/// time.
 void Scene_data::ask_turned_boxes(std::vector<Number>& all)
 {
+  const auto is_long = [this](Number body) { return turned_[body].is_known; };
+  if (std::ranges::none_of(turned_, &tetratree::Turned_box::is_known)) return;
+  const tetratree::Number_groups pairs(bodies_.size(), [&](const auto& put) {
+    for (const Number pair : all) {
+      const auto [a, b] = near_.bodies(pair).body;
+      if (is_long(a) || is_long(b)) put(a, pair);
+    }
+  });
   struct Row {
-    std::size_t first, count;
     Number body;
+    std::span<const Number> pairs;
   };
   std::vector<Row> rows;
-  std::vector<Number> pairs;
-  for (const Number pair : all)
-    if (turned_[near_[pair].body[0]].is_known || turned_[near_[pair].body[1]].is_known) pairs.push_back(pair);
-  for (std::size_t k = 0; k < pairs.size();) {
-    const auto has = [&](std::size_t at, Number body) {
-      const auto& bodies = near_[pairs[at]].body;
-      return bodies[0] == body || bodies[1] == body;
-    };
-    Number body = near_[pairs[k]].body[0];
-    if (k + 1 < pairs.size() && !has(k + 1, body)) body = near_[pairs[k]].body[1];
-    Row row{k, 1, body};
-    while (row.count < kernel::lanes && k + row.count < pairs.size() && has(k + row.count, body)) ++row.count;
-    rows.push_back(row);
-    k += row.count;
-  }
+  for (Number body = 0; body < bodies_.size(); ++body)
+    for (auto left = pairs[body]; !left.empty();) {
+      rows.push_back({body, left.first(kernel::minimum(left.size(), kernel::lanes))});
+      left = left.subspan(rows.back().pairs.size());
+    }
   for_each(rows.size(), 64, [&](std::size_t i, Scene_worker&) {
     const Row& row = rows[i];
     std::array<tetratree::Turned_box, kernel::lanes> others;
-    for (std::size_t k = 0; k < row.count; ++k) others[k] = turned_box(near_.other(pairs[row.first + k], row.body));
-    const auto gaps = tetratree::turned_gaps(turned_box(row.body), std::span(others).first(row.count));
-    for (std::size_t k = 0; k < row.count; ++k)
-      if (gaps[k] > 0) answer(near_[pairs[row.first + k]], false, gaps[k]);
+    for (std::size_t k = 0; k < row.pairs.size(); ++k) others[k] = turned_box(near_.bodies(row.pairs[k]).body[1]);
+    const auto gaps = tetratree::turned_gaps(turned_box(row.body), std::span(others).first(row.pairs.size()));
+    for (std::size_t k = 0; k < row.pairs.size(); ++k)
+      if (gaps[k] > 0) answer(row.pairs[k], false, gaps[k]);
   });
   std::erase_if(all, [this](Number pair) { return !near_[pair].is_open; });
 }
@@ -213,11 +223,12 @@ void Scene_data::ask_pair(Number number, Scene_worker& worker)
 {
   if (deadline_ && std::chrono::steady_clock::now() >= *deadline_) return;
   Near_pair& pair = near_[number];
-  const auto [model_a, model_b] = models_of(pair);
-  const int first = bodies_[pair.body[0]].model == model_a ? 0 : 1;
+  const auto& body = near_.bodies(number).body;
+  const auto [model_a, model_b] = models_of(body[0], body[1]);
+  const int first = bodies_[body[0]].model == model_a ? 0 : 1;
   Query& query = worker.query(models, model_a, model_b, pair.by_brute_force ? Method::brute : Method::tree);
-  const bool collide(query.collide(bodies_[pair.body[first]].pose, bodies_[pair.body[1 - first]].pose, pair.memory));
-  answer(pair, collide, collide ? 0 : query.certified_gap());
+  const bool collide(query.collide(bodies_[body[first]].pose, bodies_[body[1 - first]].pose, pair.memory));
+  answer(number, collide, collide ? 0 : query.certified_gap());
 }
 
 /// Drops fronts, and gives back models, until the memory holds what is left.
@@ -243,7 +254,7 @@ void Scene_data::keep_to_memory(Number model_a, Number model_b)
 
 void Scene_data::forget_pairs_of(Number body)
 {
-  for (const auto& [pair, other] : near_.of(body)) near_.forget(pair);
+  for (const auto& near : near_.of(body)) near_.forget(near.pair);
 }
 
 void Scene_data::list_pairs()
@@ -252,8 +263,8 @@ void Scene_data::list_pairs()
   undecided_.clear();
   for (const Number number : open_) {
     Near_pair& pair = near_[number];
-    const Scene_pair bodies = {pair.body[0], pair.body[1]};
-    if (pair.is_open) undecided_.push_back({bodies, bodies_[bodies.a].box.farthest(bodies_[bodies.b].box)});
+    const Scene_pair bodies = pair_of(number);
+    if (pair.is_open) undecided_.push_back({bodies, boxes_[bodies.a].farthest(boxes_[bodies.b])});
     const bool is_colliding = pair.collide && !pair.is_open;
     if (is_colliding && !pair.is_listed) come.push_back(bodies);
     if (!is_colliding && pair.is_listed) left_.push_back(bodies);
@@ -274,8 +285,8 @@ void Scene_data::list_pairs()
 std::size_t Scene_data::bytes() const
 {
   std::size_t all = models.bytes() + tree_.bytes() + near_.bytes() +
-                    bodies_.capacity() * (sizeof(Placed_body) + sizeof(World_box) + sizeof(tetratree::Turned_box) +
-                                          sizeof(double) + sizeof(Number)) +
+                    bodies_.capacity() * (sizeof(Placed_body) + 2 * sizeof(World_box) + sizeof(tetratree::Turned_box) +
+                                          sizeof(Way) + sizeof(std::uint64_t)) +
                     colliding_.capacity() * sizeof(Scene_pair);
   for (const Scene_worker& worker : workers_) all += worker.bytes();
   return all;

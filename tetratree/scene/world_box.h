@@ -4,7 +4,9 @@
 #include "tetracone/kernel/number/floating_point.h"
 
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace tetracone::tetratree {
@@ -15,7 +17,10 @@ inline float rounded_above(double x)
   constexpr float infinity = std::numeric_limits<float>::infinity();
   if (!(x < std::numeric_limits<float>::max())) return infinity;
   const float nearest = float(x);
-  return double(nearest) >= x ? nearest : std::nextafter(nearest, infinity);
+  // Bits count up above 0, and down below; -0 is below nothing that it is nearest to. Without a branch, which no
+  // processor could foretell.
+  const auto bits = std::bit_cast<std::int32_t>(nearest);
+  return std::bit_cast<float>(bits + int(double(nearest) < x) * (1 | bits >> 31));
 }
 inline float rounded_below(double x) { return -rounded_above(-x); }
 
