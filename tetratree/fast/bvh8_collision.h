@@ -86,9 +86,9 @@ class Bvh8_collision {
   {
     kernel::require_sound_floating_point();
     ++counts_.queries;
-    is_plane_tried_ = !a_.tree->empty() && !b_.tree->empty() && front.is_plane_first();
+    is_plane_tried_ = false;
     if (a_.tree->empty() || b_.tree->empty()) return Relation::apart;
-    if (is_plane_tried_ && is_apart_by_plane(pose_a, pose_b, front)) return Relation::apart;
+    if (!front.witness && front.is_plane_first() && is_apart_by_plane(pose_a, pose_b, front)) return Relation::apart;
     return ask_trees(pose_a, pose_b, [&] { return relation_of_trees(question, &front); });
   }
 
@@ -245,8 +245,8 @@ class Bvh8_collision {
         const std::optional<bool> meet = front.follow(stack_, trees, *a_.tree, *b_.tree, leaves);
         count(trees);
         if (meet) return meet;
-        if (!is_plane_tried_ && is_apart_by_plane(*pose_a_, *pose_b_, front)) return std::nullopt;
       }
+      if (!is_plane_tried_ && is_apart_by_plane(*pose_a_, *pose_b_, front)) return std::nullopt;
       Both_trees trees = both_trees();
       if (Bvh8_front::is_certifiable(trees) && front.is_to_be_made()) {
         const bool meet = front.make(stack_, trees, *a_.tree, *b_.tree, leaves);

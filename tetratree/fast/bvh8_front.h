@@ -126,7 +126,8 @@ class Bvh8_front {
         expired(entries_.all_until(), entries_.count(), Front_entries::as_float(moved), expired_.data());
     double left = std::numeric_limits<double>::infinity();
     least_gap_ = left;
-    for (std::size_t k = 0; k < count; ++k) left = kernel::minimum(left, entries_.until(expired_[k]) - before);
+    if (relation)
+      for (std::size_t k = 0; k < count; ++k) left = kernel::minimum(left, entries_.until(expired_[k]) - before);
     const std::size_t checked = count;
     count = keep_by_axes(trees, certifying(trees), expired_.data(), count, least_gap_);
     if (!policy_.is_worth(count)) return forget();

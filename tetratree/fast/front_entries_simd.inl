@@ -38,6 +38,7 @@ inline HWY_ATTR std::size_t keep_by_axes_simd(const Both_trees& trees, const Cer
                            kernel::Carried_box::error_of(*trees.into[1])};
   std::size_t left = 0;
   for (std::size_t k = 0; k < count; ++k) {
+    if (k + 2 < count) entries.prefetch(asked[k + 2]);
     const std::uint32_t number = asked[k];
     const Front_entry& entry = entries[number];
     const Certificate& certificate = entries.certificate(number);

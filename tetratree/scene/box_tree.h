@@ -112,16 +112,19 @@ class Box_tree {
   std::size_t for_meeting(const Part& all, const What& what) const
   {
     std::size_t opened = 0;
-    std::vector<Part> left = {all};
+    std::vector<Part> left;
+    const auto take = [&](const Part& part) {
+      if (is_pair(part))
+        what(item_at(part.first), item_at(part.second));
+      else
+        left.push_back(part);
+    };
+    take(all);
     while (!left.empty()) {
       const Part part = left.back();
       left.pop_back();
-      if (is_pair(part)) {
-        what(item_at(part.first), item_at(part.second));
-        continue;
-      }
       ++opened;
-      open(part, [&left](const Part& smaller) { left.push_back(smaller); });
+      open(part, take);
     }
     return opened;
   }

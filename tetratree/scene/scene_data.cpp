@@ -19,8 +19,8 @@ std::uint64_t key_of(std::size_t a, std::size_t b)
   return std::uint64_t(kernel::minimum(a, b)) << 32 | kernel::maximum(a, b);
 }
 
-/// A wide box leaves room for so many steps like the last one, but not for more than half of the body.
-constexpr double steps_ahead = 4;
+/// A wide box leaves room for so many steps like the last one, but not for more than that share of the body.
+constexpr double steps_ahead = 4, most_room = 1.0 / 8;
 
 /// Above that share of all bodies, one in so many, boxes of all are brought up to date at once.
 constexpr std::size_t few_of_all = 8;
@@ -206,8 +206,8 @@ void Scene_data::widen(const std::vector<Number>& bodies)
   for (const Number number : bodies) {
     Placed_body& body = bodies_[number];
     const World_box& box = boxes_[number];
-    const double room = steps_ahead * body.step;
-    wide_[number] = body.is_in_tree && room < box.size() / 2 ? box.grown(room) : box.grown(0);
+    const double room = steps_ahead * body.step, most = most_room * box.size();
+    wide_[number] = box.grown(!body.is_in_tree ? 0 : room < most ? room : most);
     body.is_wide_tight = body.is_tight;
     if (!body.is_in_tree) tree_is_old_ = body.is_in_tree = true;
   }

@@ -167,6 +167,19 @@ BOOST_AUTO_TEST_CASE(weights_make_the_direction_of_the_corners)
   BOOST_TEST(outside == 0);
 }
 
+BOOST_AUTO_TEST_CASE(the_opposite_place_is_that_of_the_opposite_direction)
+{
+  Random random(9);
+  int other = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const Direction d = direction(random, k);
+    const auto at = Support_table::opposite(place(d)), there = place({-d[0], -d[1], -d[2]});
+    other += at.first != there.first || at.sum[0] != there.sum[0];
+    for (int i = 0; i < 4; ++i) other += at.weight[i] != there.weight[i] || (i < 3 && at.at[i] != there.at[i]);
+  }
+  BOOST_TEST(other == 0);
+}
+
 BOOST_AUTO_TEST_CASE(what_is_not_known_has_no_finite_reach)
 {
   Random random(6);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_box_tree)
@@ -25,25 +26,31 @@ World_box random_box(Random& random, float size)
   return box;
 }
 
-std::vector<Box_tree::Item> found(const Box_tree& tree, const World_box& box)
+using Pairs = std::vector<std::pair<Box_tree::Item, Box_tree::Item>>;
+
+/// Those of which one item at least is marked, of the tree searched in so many parts.
+Pairs found(const Box_tree& tree, std::size_t parts)
 {
-  std::vector<Box_tree::Item> items;
-  tree.for_meeting(box, [&](Box_tree::Item item) { items.push_back(item); });
-  std::sort(items.begin(), items.end());
-  return items;
+  Pairs pairs;
+  for (const Box_tree::Part& part : tree.parts(parts))
+    tree.for_meeting(part, [&](Box_tree::Item a, Box_tree::Item b) { pairs.push_back(std::minmax(a, b)); });
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
 }
 
-std::vector<Box_tree::Item> expected(const Box_tree& tree, const std::vector<World_box>& boxes, const World_box& box)
+Pairs expected(const Box_tree& tree, const std::vector<World_box>& boxes, const std::vector<bool>& is_marked)
 {
-  std::vector<Box_tree::Item> items;
-  for (Box_tree::Item item = 0; item < boxes.size(); ++item)
-    if (tree.holds(item) && boxes[item].meets(box)) items.push_back(item);
-  return items;
+  Pairs pairs;
+  for (Box_tree::Item a = 0; a < boxes.size(); ++a)
+    for (Box_tree::Item b = a + 1; b < boxes.size(); ++b)
+      if (tree.holds(a) && tree.holds(b) && (is_marked[a] || is_marked[b]) && boxes[a].meets(boxes[b]))
+        pairs.push_back({a, b});
+  return pairs;
 }
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(it_finds_what_meets_after_boxes_have_changed_and_gone)
+BOOST_AUTO_TEST_CASE(it_finds_each_pair_of_a_marked_item_once_after_boxes_have_changed_and_gone)
 {
   Random random(5);
   for (const std::size_t n : {0, 1, 2, 7, 8, 9, 65, 700}) {
@@ -54,13 +61,24 @@ BOOST_AUTO_TEST_CASE(it_finds_what_meets_after_boxes_have_changed_and_gone)
     std::iota(items.begin(), items.end(), 0);
     Box_tree tree;
     tree.build(boxes, items);
-    for (int round = 0; round < 3; ++round) {
-      for (int k = 0; k < 50; ++k) {
-        const World_box box = k == 0 ? World_box() : random_box(random, 0.2f);
-        BOOST_TEST(found(tree, box) == expected(tree, boxes, box));
+    for (int round = 0; round < 6; ++round) {
+      for (const std::size_t one_in : {1, 2, 30, 1000}) {
+        std::vector<bool> is_marked(n);
+        for (Box_tree::Item i = 0; i < n; ++i)
+          if (tree.holds(i) && random.unit() * double(one_in) < 1) {
+            is_marked[i] = true;
+            tree.mark(i);
+          }
+        for (const std::size_t parts : {1, 64}) BOOST_TEST((found(tree, parts) == expected(tree, boxes, is_marked)));
+        for (Box_tree::Item i = 0; i < n; ++i)
+          if (is_marked[i]) tree.unmark(i);
+        BOOST_TEST(found(tree, 1).empty());
       }
-      for (std::size_t i = 0; i < n; i += 3)
-        if (tree.holds(Box_tree::Item(i))) tree.set(Box_tree::Item(i), boxes[i] = random_box(random, 0.1f));
+      for (Box_tree::Item i = 0; i < n; i += 3) {
+        boxes[i] = random_box(random, 0.1f);
+        if (round % 2 == 0 && tree.holds(i)) tree.set(i, boxes[i]);
+      }
+      if (round % 2 == 1) tree.set_all(boxes);
       for (std::size_t i = std::size_t(round); i < n; i += 5)
         if (tree.holds(Box_tree::Item(i))) tree.remove(Box_tree::Item(i));
     }
