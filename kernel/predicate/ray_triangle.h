@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 
 namespace tetracone::kernel {
@@ -34,9 +36,9 @@ class Ray_triangle {
   {
     double largest = 0;
     for (const double x : direction) largest = maximum(largest, std::abs(x));
-    exponent_ = std::ilogb(largest);
-    const bool is_common = std::abs(exponent_) <= 1000;  // then so are both powers of two
-    const double scale = is_common ? std::ldexp(1, -exponent_) : 0, back = is_common ? std::ldexp(1, exponent_) : 0;
+    const bool is_common = largest >= 0x1p-1000 && largest < 0x1p1001;  // then both powers of two are doubles
+    exponent_ = is_common ? exponent_of(largest) : std::ilogb(largest);
+    const double scale = is_common ? power_of_two(-exponent_) : 0, back = is_common ? power_of_two(exponent_) : 0;
     for (int k = 0; k < 3; ++k) {
       direction_[k] = is_common ? direction[k] * scale : std::scalbn(direction[k], -exponent_);
       scaled_exactly_ = scaled_exactly_ && is_common && direction_[k] * back == direction[k];
@@ -112,12 +114,15 @@ class Ray_triangle {
     const double error = std::abs(quotient) * (height_rounding * S * S * M / std::abs(N.high) +
                                                slope_rounding * S * S / std::abs(D.high) + quotient_rounding);
     const double below = quotient + (correction - error), above = quotient + (correction + error);
-    const double t = std::scalbn(below, -exponent_);
+    const double t = below * power_of_two(-exponent_);
     if (!(below == above) || !(std::abs(t) >= 0x1p-1000 && std::abs(t) <= 0x1p1000)) return std::nullopt;
     return t;
   }
 
  private:
+  /// Of a normal double, and back: `std::ilogb` and `std::ldexp` take longer than the filter's constructor else.
+  static int exponent_of(double x) { return int(std::bit_cast<std::uint64_t>(x) >> 52) - 1023; }
+  static double power_of_two(int exponent) { return std::bit_cast<double>(std::uint64_t(1023 + exponent) << 52); }
   static double largest(const Vertex& a) { return maximum_of_defined(std::abs(a[0]), std::abs(a[1]), std::abs(a[2])); }
 
   Vertex origin_, direction_;

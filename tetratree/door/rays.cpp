@@ -35,11 +35,9 @@ std::optional<Ray_hit> Body::first_hit(const Ray& ray) const { return rays_of(*d
 
 std::vector<std::optional<Ray_hit>> Body::first_hits(std::span<const Ray> rays) const
 {
-  tetratree::Bvh8_rays caster = rays_of(*data_);
-  std::vector<std::optional<Ray_hit>> hits;
-  hits.reserve(rays.size());
-  for (const Ray& ray : rays) hits.push_back(caster.first(checked(ray)));
-  return hits;
+  kernel::require_sound_floating_point();
+  for (const Ray& ray : rays) checked(ray);
+  return tetratree::Bvh8_rays::first_of_each(data_->bvh8(), rays);
 }
 
 std::vector<Ray_hit> Body::hits(const Ray& ray) const { return rays_of(*data_).all(checked(ray)); }

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -28,23 +29,39 @@ class Bvh8_rays {
   /// The tree must outlive this.
   explicit Bvh8_rays(const Bvh8& tree) : tree_(&tree) { open_.reserve(256); }
 
+  /// `first` of each ray. Some are on their way at once and take turns, a node each: what one needs of the memory comes
+  /// while others compute. Requires as `first`.
+  static std::vector<std::optional<Ray_hit>> first_of_each(const Bvh8& tree, std::span<const Ray> rays)
+  {
+    constexpr std::size_t at_once = 16;
+    std::vector<Bvh8_rays> casters(std::min(at_once, rays.size()), Bvh8_rays(tree));
+    std::vector<std::optional<Ray_hit>> hits;
+    hits.reserve(rays.size());
+    while (hits.size() < rays.size()) {
+      const auto some = rays.subspan(hits.size(), std::min(at_once, rays.size() - hits.size()));
+      for (std::size_t k = 0; k < some.size(); ++k) casters[k].begin(some[k], true);
+      for (unsigned under_way = (1u << some.size()) - 1; under_way != 0;)
+        for_bits(under_way, [&](int k) {
+          if (!casters[std::size_t(k)].advance()) under_way &= ~(1u << k);
+        });
+      for (std::size_t k = 0; k < some.size(); ++k) hits.push_back(casters[k].first_met());
+    }
+    return hits;
+  }
+
   /// The least t, and of the faces met there the first. Requires finite numbers and a direction that is not 0.
   std::optional<Ray_hit> first(const Ray& ray)
   {
-    collect(ray, true);
-    if (met_.empty()) return std::nullopt;
-    if (met_.size() > 1) std::erase_if(met_, [&](const Met& m) { return m.low > limit_; });
-    if (met_.size() > 1) {
-      for (Met& m : met_) make_exact(m);
-      std::swap(met_.front(), *std::min_element(met_.begin(), met_.end(), is_before));
-    }
-    return hit(met_.front());
+    begin(ray, true);
+    while (advance()) continue;
+    return first_met();
   }
 
   /// Every face met, by t, and of equal t by their numbers. Requires as `first`.
   std::vector<Ray_hit> all(const Ray& ray)
   {
-    collect(ray, false);
+    begin(ray, false);
+    while (advance()) continue;
     std::sort(met_.begin(), met_.end(), [](const Met& x, const Met& y) { return x.low < y.low; });
     for (std::size_t begin = 0, end; begin < met_.size(); begin = end) {
       double high = met_[begin].high;
@@ -108,48 +125,57 @@ class Bvh8_rays {
     return tree_->model().vertices()[element.corner[std::size_t(k)]];
   }
 
-  void collect(const Ray& ray, bool first_alone)
+  void begin(const Ray& ray, bool first_alone)
   {
     ray_ = ray;
     filter_.emplace(ray.origin, ray.direction);
     exact_ray_.reset();
+    local_.reset();
     met_.clear();
     decided_.clear();
+    open_.clear();
+    leaves_ = 0;
     limit_ = std::numeric_limits<double>::infinity();
     farthest_ = kernel::Local_ray::length;
     first_alone_ = first_alone;
     if (tree_->empty()) return;
-    std::optional<kernel::Local_ray> local;
-    const bool is_local = kernel::Local_ray::may_be_local(tree_->scale(), ray.origin);
-    if (is_local) {
-      local = kernel::Local_ray::of(tree_->scale(), ray.origin, filter_->direction());
-      if (!local) return;
+    if (kernel::Local_ray::may_be_local(tree_->scale(), ray.origin)) {
+      local_ = kernel::Local_ray::of(tree_->scale(), ray.origin, filter_->direction());
+      if (!local_) return;
       const auto& d = filter_->direction();
-      skipped_ = local->skipped;
       per_t_ = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) / tree_->scale().unit;
     }
-    open_.assign(1, {0, 0});
+    open_.push_back({0, 0});
+  }
+
+  /// Opens one node, the nearest. False where none is left: then all leaves are decided.
+  bool advance()
+  {
+    decide_leaves();
     while (!open_.empty()) {
       const Open top = open_.back();
       open_.pop_back();
-      if (is_local && is_beyond(top.nearest)) continue;
-      open_node(top.node, local);
+      if (local_ && is_beyond(top.nearest)) continue;
+      open_node(top.node);
+      return true;
     }
+    return false;
   }
 
   /// Whether what begins at s, in local units, is beyond the first face, where that alone is asked for.
   bool is_beyond(float s) const { return s > farthest_ + 0x1p-14; }
 
   /// Without a local ray, all lanes.
-  void open_node(Index n, const std::optional<kernel::Local_ray>& local)
+  void open_node(Index n)
   {
     const Bvh8_node& node = tree_->node(n);
     unsigned met = (1u << node.boxes.lane_count) - 1;
-    if (local) met = kernel::ray_lanes(node.boxes, *local, farthest_, nearest_);
-    const unsigned leaves = met & node.boxes.marked;
-    for_lanes(leaves, [&](int lane) { __builtin_prefetch(&tree_->element(n, lane)); });
+    if (local_) met = kernel::ray_lanes(node.boxes, *local_, farthest_, nearest_);
+    node_ = n;
+    leaves_ = met & node.boxes.marked;
+    for_bits(leaves_, [&](int lane) { __builtin_prefetch(&tree_->element(n, lane)); });
     const std::size_t before = open_.size();
-    for_lanes(met & ~leaves, [&](int lane) {
+    for_bits(met & ~leaves_, [&](int lane) {
       const Index child = tree_->child(n, lane);
       open_.push_back({nearest_[std::size_t(lane)], child});
       // The nearest last, to be opened first.
@@ -157,21 +183,27 @@ class Bvh8_rays {
         std::swap(open_[k - 1], open_[k]);
       tree_->prefetch(child);
     });
-    for_lanes(leaves, [&](int lane) {
+    for_bits(leaves_, [&](int lane) {
       const Element& element = tree_->element(n, lane);
       if (!element.is_whole_face())
         for (const Index v : element.corner) __builtin_prefetch(&tree_->model().vertices()[v]);
     });
-    for_lanes(leaves, [&](int lane) {
-      if (local && is_beyond(nearest_[std::size_t(lane)])) return;
-      for (Index k = 0; k < tree_->leaf_count(n, lane); ++k) decide(tree_->element(n, lane, k));
+  }
+
+  /// Of the node that was opened last.
+  void decide_leaves()
+  {
+    for_bits(leaves_, [&](int lane) {
+      if (local_ && is_beyond(nearest_[std::size_t(lane)])) return;
+      for (Index k = 0; k < tree_->leaf_count(node_, lane); ++k) decide(tree_->element(node_, lane, k));
     });
+    leaves_ = 0;
   }
 
   template <class What>
-  static void for_lanes(unsigned lanes, const What& what)
+  static void for_bits(unsigned bits, const What& what)
   {
-    for (; lanes != 0; lanes &= lanes - 1) what(std::countr_zero(lanes));
+    for (; bits != 0; bits &= bits - 1) what(std::countr_zero(bits));
   }
 
   void decide(const Element& element)
@@ -200,7 +232,7 @@ class Bvh8_rays {
   void add(Met met)
   {
     limit_ = kernel::minimum(limit_, met.high);
-    if (first_alone_) farthest_ = kernel::minimum(farthest_, limit_ * per_t_ - skipped_);
+    if (first_alone_ && local_) farthest_ = kernel::minimum(farthest_, limit_ * per_t_ - local_->skipped);
     met_.push_back(std::move(met));
   }
 
@@ -226,6 +258,17 @@ class Bvh8_rays {
     return result;
   }
 
+  std::optional<Ray_hit> first_met()
+  {
+    if (met_.empty()) return std::nullopt;
+    if (met_.size() > 1) std::erase_if(met_, [&](const Met& m) { return m.low > limit_; });
+    if (met_.size() > 1) {
+      for (Met& m : met_) make_exact(m);
+      std::swap(met_.front(), *std::min_element(met_.begin(), met_.end(), is_before));
+    }
+    return hit(met_.front());
+  }
+
   void make_exact(Met& met)
   {
     if (!met.t) met.t = exact_t(met.element->face);
@@ -244,14 +287,17 @@ class Bvh8_rays {
   Ray ray_{};
   std::optional<kernel::Ray_triangle> filter_;
   std::optional<kernel::Rational_ray> exact_ray_;
-  double per_t_ = 0;                   // from t to length in local units
-  double limit_ = 0;                   // the first face is met no later
-  double skipped_ = 0, farthest_ = 0;  // in local units: the ray's start, and where it need not be followed farther
+  std::optional<kernel::Local_ray> local_;
+  double per_t_ = 0;     // from t to length in local units
+  double limit_ = 0;     // the first face is met no later
+  double farthest_ = 0;  // in local units: where the ray need not be followed farther
   bool first_alone_ = false;
   std::vector<Met> met_;
   std::vector<Index> decided_;  // faces decided in rationals
   std::vector<Open> open_;
-  kernel::Lane_entries nearest_{};  // of the node that is open
+  Index node_ = 0;                  // that was opened last
+  unsigned leaves_ = 0;             // of it, those that are met and not yet decided
+  kernel::Lane_entries nearest_{};  // of it
 };
 
 }  // namespace tetracone::tetratree
