@@ -6,7 +6,11 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -67,6 +71,8 @@ BOOST_AUTO_TEST_CASE(every_face_is_met_where_the_truth_has_it_and_in_its_order)
     const Bvh8 tree(body, tetracone::covering::star_faces(body));
     Bvh8_rays caster(tree);
     const Ray_truth truth(body);
+    std::vector<Ray> asked;
+    std::vector<std::optional<Ray_hit>> firsts;
     for (int k = 0; k < 8 * scenes::rounds(); ++k) {
       const Ray ray = degenerate_ray(random, body, tree.model().lattice().origin);
       std::vector<Ray_hit> expected;
@@ -76,6 +82,8 @@ BOOST_AUTO_TEST_CASE(every_face_is_met_where_the_truth_has_it_and_in_its_order)
       const auto first = caster.first(ray);
       const bool right = found == expected && first.has_value() == !expected.empty() &&
                          (expected.empty() || *first == expected.front());
+      asked.push_back(ray);
+      firsts.push_back(expected.empty() ? std::nullopt : std::optional(expected.front()));
       ++rays;
       wrong += !right;
       hits += long(expected.size());
@@ -86,6 +94,7 @@ BOOST_AUTO_TEST_CASE(every_face_is_met_where_the_truth_has_it_and_in_its_order)
                                << " towards " << ray.direction[0] << " " << ray.direction[1] << " " << ray.direction[2]
                                << ": " << found.size() << " for " << expected.size());
     }
+    BOOST_TEST((Bvh8_rays::first_of_each(tree, asked) == firsts), name);
   }
   BOOST_TEST_MESSAGE(rays << " rays, " << wrong << " wrong, " << hits << " hits, " << ties << " ties, " << misses
                           << " misses");
@@ -102,13 +111,22 @@ BOOST_AUTO_TEST_CASE(a_mesh_of_many_triangles_answers_as_all_of_them_do)
   const Bvh8 tree(body);
   Bvh8_rays caster(tree);
   const Ray_truth truth(body);
+  std::vector<Ray> asked;
+  std::vector<std::optional<Ray_hit>> firsts;
   for (int k = 0; k < 20 * scenes::rounds(); ++k) {
     const Ray ray{scenes::real_vertex(random, 2), scenes::real_vertex(random, 1)};
     std::vector<Ray_hit> expected;
     for (const auto& [t, face] : truth(ray.origin, ray.direction))
       expected.push_back({face, tetracone::kernel::nearest_double(t)});
+    asked.push_back(ray);
+    firsts.push_back(expected.empty() ? std::nullopt : std::optional(expected.front()));
     BOOST_TEST((caster.all(ray) == expected));
-    BOOST_TEST((caster.first(ray) == (expected.empty() ? std::nullopt : std::optional(expected.front()))));
+    BOOST_TEST((caster.first(ray) == firsts.back()));
+  }
+  // In turns, the last of them fewer than there are; and none at all.
+  for (std::size_t count = 0; count <= asked.size(); ++count) {
+    const auto some = Bvh8_rays::first_of_each(tree, std::span(asked).first(count));
+    BOOST_TEST(std::equal(some.begin(), some.end(), firsts.begin(), firsts.begin() + std::ptrdiff_t(count)));
   }
 }
 
