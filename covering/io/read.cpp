@@ -1,5 +1,6 @@
 #include "tetracone/covering/io/read.h"
 
+#include "tetracone/covering/io/file_bytes.h"
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/io/read_obj.h"
 #include "tetracone/covering/io/read_off.h"
@@ -84,9 +85,9 @@ struct Soup {
 };
 
 /// The polygon soup that CGAL reads from the text; nothing where CGAL refuses it.
-std::optional<Soup> read(const std::string& suffix, const std::string& text)
+std::optional<Soup> read(const std::string& suffix, std::string_view text)
 {
-  std::istringstream in(text, std::ios::binary);
+  std::istringstream in(std::string(text), std::ios::binary);
   Soup soup;
   const bool done = suffix == ".off"   ? CGAL::IO::read_OFF(in, soup.points, soup.polygons)
                     : suffix == ".obj" ? CGAL::IO::read_OBJ(in, soup.points, soup.polygons)
@@ -136,12 +137,14 @@ Read_model read_model(const std::filesystem::path& path, bool also_by_cgal)
   if (!known && std::filesystem::is_regular_file(path, ignored))
     throw Input_error(file, 0, (suffix.empty() ? "no suffix" : "unknown suffix " + in_quotes(suffix)),
                       "expected .off, .obj, .ply, .stl or .poly");
-  std::string text = covering::read_bytes(path);
+  const File_bytes bytes(path);
+  std::string_view text = bytes.bytes();
   if (!known) throw Input_error(file, 0, "unknown suffix", "expected .off, .obj, .ply, .stl or .poly");
   if (text.empty()) throw Input_error(file, 0, "the file is empty", "expected a model");
   const bool binary = (suffix == ".stl" && has_size_of_binary_stl(text)) ||
                       (suffix == ".ply" && text.find("format binary") != std::string::npos);
-  if (!binary) text = as_text(file, std::move(text));
+  std::string copied;
+  if (!binary) text = copied = as_text(file, std::string(text));
 
   Read_model model;
   if (suffix == ".poly") {

@@ -10,13 +10,17 @@
 
 #include <CLI/CLI.hpp>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <iostream>
 #include <new>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -38,6 +42,18 @@ int finish(int status)
                   "; expected a file or a reader that takes all");
 }
 
+/// What is read may be mapped.
+void say_that_a_file_has_shrunk()
+{
+  std::signal(SIGBUS, [](int) {
+    constexpr std::string_view message =
+        "tetracone: a file was made shorter while it was read; expected one that stays\n";
+    // Nothing is left to be done where that cannot be written.
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message.data(), message.size());
+    ::_exit(2);
+  });
+}
+
 constexpr const char* empty_word = "an empty word; expected a value";
 
 /// An empty word is what an unset variable of a shell leaves: no option takes it.
@@ -55,6 +71,7 @@ int main(int argc, char** argv)
 {
   if (!tetracone::kernel::floating_point_is_sound())
     return complain("doubles are not rounded to nearest, or denormals are flushed; no answer here could be trusted");
+  say_that_a_file_has_shrunk();
   CLI::App app("Exact collision detection between complex polyhedra", "tetracone");
   app.set_version_flag("--version", "tetracone " TETRACONE_VERSION);
   // None at all is found below: asked to, CLI11 would hide behind it what else is wrong.

@@ -3,6 +3,7 @@
 
 #include "tetracone/kernel/bound/obb8.h"
 #include "tetracone/kernel/bound/relative_frame.h"
+#include "tetracone/kernel/number/products.h"
 #include "tetracone/kernel/simd/simd.h"
 
 #include <array>
@@ -14,14 +15,16 @@ namespace tetracone::kernel {
 
 /// A ray as boxes see it: o + s d in local units, d of length 1, from where it may first meet the body on.
 ///
-/// Its error: the origin is rounded by 2^-53 of at most 2^30 and the direction by 2^-51 over as far, so that a point of
-/// the ray is off by less than 2^-19 where the body is.
+/// Its error: a coordinate of the origin, within `farthest`, is a difference rounded once. The direction is off by 4 u of
+/// it, by the root of its square and a quotient: over at most the root of 3 times `farthest`, by which the origin is
+/// moved along it, rounded twice more.
 struct Local_ray {
   std::array<double, 3> origin, direction;
-  double skipped;                      ///< length, from the ray's own origin to `origin`
-  static constexpr double length = 4;  ///< so far the ray may meet the body
-  static constexpr double error = 0x1p-19;
-  static constexpr float slack = 0x1p-15f;  ///< see `ray_lanes`
+  double skipped;                             ///< length, from the ray's own origin to `origin`
+  static constexpr double length = 4;         ///< so far the ray may meet the body
+  static constexpr double farthest = 0x1p29;  ///< coordinates of the ray's own origin are at most this
+  static constexpr double error = 0x1p-20;    ///< above that of a coordinate (verify/proofs/)
+  static constexpr float slack = 0x1p-16f, least_step = 0x1p-30f;  ///< see `ray_lanes`
 
   /// Of a ray in the model's units; nothing where it does not come near the body. Requires d of components of at most
   /// 2, one of them at least 1, and `may_be_local`.
@@ -37,10 +40,17 @@ struct Local_ray {
     if (square <= 4) return ray;
     // The body is within sqrt(3) of the local origin.
     ray.skipped = -dot(ray.origin, ray.direction) - 2;
-    if (!(ray.skipped > -2)) return std::nullopt;
-    for (int k = 0; k < 3; ++k) ray.origin[k] += ray.skipped * ray.direction[k];
+    if (ray.skipped <= -2) return std::nullopt;
+    for (int k = 0; k < 3; ++k) ray.origin[k] = farther(ray.origin[k], ray.skipped, ray.direction[k]);
     if (dot(ray.origin, ray.origin) > 8) return std::nullopt;
     return ray;
+  }
+
+  /// Where a coordinate is after a way along the direction.
+  template <class Number>
+  static Number farther(const Number& at, const Number& way, const Number& direction)
+  {
+    return at + way * direction;
   }
 
   /// Whether the bounds on errors hold.
@@ -48,14 +58,8 @@ struct Local_ray {
   {
     if (!scale.is_in_range()) return false;
     for (int k = 0; k < 3; ++k)
-      if (!(std::abs(0.5 * origin[k] - 0.5 * scale.origin[k]) * (2 / scale.unit) <= 0x1p29)) return false;
+      if (!(std::abs(0.5 * origin[k] - 0.5 * scale.origin[k]) * (2 / scale.unit) <= farthest)) return false;
     return true;
-  }
-
- private:
-  static double dot(const std::array<double, 3>& a, const std::array<double, 3>& b)
-  {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   }
 };
 
@@ -69,25 +73,21 @@ namespace tetracone::kernel {
 /// For each lane, where a ray may come in.
 using Lane_entries = std::array<float, lanes>;
 
-/// The lanes, as bits, that the ray may meet before s = `limit`; `nearest` becomes the s, in each lane, that is at most
-/// that of any of its points in the box.
+/// The lanes, as bits, whose boxes the ray may meet before s = `limit` at a point x of |x_k| <= 1; `nearest` becomes, in
+/// each lane, a number that is at most the s of any such point. Requires boxes of parts of a body in its local units:
+/// |a_i . (c - o)| + e_i <= sqrt(3), o the local origin, and their own origin within 1 in each coordinate.
 ///
-/// A point x of the exact ray in a box has |a_i . (x - c)| <= e_i + 3 d (1 + 4 d) |x - c|_1, d the axes' defect of
-/// 2^-21 and |x - c|_1 <= 6; against o + s d it is off by Local_ray::error in a coordinate, twice that along an axis. In
-/// float, a_i . (o - c) sums three products of at most 6 |a_ik|, rounded five times at most, by 2^-18, and s a_i . d is
-/// off by 2^-19. The quotients, by four roundings, move along the axis by 4 u (e_i + |a_i . (o - c)|), below 2^-18; and
-/// where the ray is nearly across an axis, its step along it is set to 2^-30, which over a length of 4 is as little. So
-/// all is below `slack`.
+/// By the axes' defect d, |a_i . (x - c)| <= e_i + d (e_0 + e_1 + e_2) of a point in the box, at most 3 sqrt(3) d more
+/// than e_i. The ray's point o + s d is off from x by Local_ray::error in a coordinate, and by sqrt(3) as much along an
+/// axis. In float, at = a_i . (o - c) is off by shares of the vectors' lengths, which are at most sqrt(8) + sqrt(3) and 3
+/// + sqrt(3), and s times the step along the axis by a share of Local_ray::length. A step below `least_step` becomes
+/// that, which moves the point along the axis by at most 2 `length` times it. Then the entry into the slab, times the
+/// step, is off by shares of |at| <= sqrt(8) + 3 and of the reach. The sum of all is below `slack` (verify/proofs/).
 inline unsigned ray_lanes(const Obb8& boxes, const Local_ray& ray, double limit, Lane_entries& nearest)
 {
-  using Function = unsigned(const Obb8&, const float*, const float*, float, float*);
+  using Function = unsigned(const Obb8&, const Local_ray&, double, float*);
   static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(ray_lanes_simd));
-  float from[3], direction[3];
-  for (int k = 0; k < 3; ++k) {
-    from[k] = float(ray.origin[k] - double(boxes.origin[k]));
-    direction[k] = float(ray.direction[k]);
-  }
-  return fastest(boxes, from, direction, float(limit), nearest.data());
+  return fastest(boxes, ray, limit, nearest.data());
 }
 
 }  // namespace tetracone::kernel

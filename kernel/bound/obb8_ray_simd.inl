@@ -9,29 +9,57 @@
 HWY_BEFORE_NAMESPACE();
 namespace tetracone::kernel::HWY_NAMESPACE {
 
-/// Sets `nearest` and returns the lanes met, as bits: `ray_lanes`, with `from` the ray's origin less that of the boxes.
-inline HWY_ATTR unsigned ray_lanes_simd(const Obb8& boxes, const float* from, const float* direction, float limit,
-                                        float* nearest)
+namespace hn = hwy::HWY_NAMESPACE;
+
+// What is rounded is written over these alone, so that its error is proved of it (verify/proofs/).
+using hn::Abs, hn::Add, hn::Mul, hn::MulAdd, hn::Neg, hn::Sub;
+
+/// The scalar product of an axis (u, v, w) and a vector (x, y, z).
+template <class Floats>
+HWY_INLINE Floats along_axis(Floats u, Floats v, Floats w, Floats x, Floats y, Floats z)
 {
-  namespace hn = hwy::HWY_NAMESPACE;
-  using hn::Abs, hn::Add, hn::Div, hn::IfThenElse, hn::Lt, hn::Max, hn::Min, hn::Mul, hn::MulAdd, hn::Sub;
+  return MulAdd(w, z, MulAdd(v, y, Mul(u, x)));
+}
+
+/// Where a ray at `at` along an axis comes within `reach` of its 0, and leaves it, `inverse` the inverse of its step.
+template <class Floats>
+HWY_INLINE Floats entry_of_slab(Floats at, Floats inverse, Floats reach)
+{
+  return Sub(Neg(Mul(at, inverse)), Mul(reach, Abs(inverse)));
+}
+template <class Floats>
+HWY_INLINE Floats exit_of_slab(Floats at, Floats inverse, Floats reach)
+{
+  return Sub(Mul(reach, Abs(inverse)), Mul(at, inverse));
+}
+
+/// Sets `nearest` and returns the lanes met, as bits: `ray_lanes`.
+inline HWY_ATTR unsigned ray_lanes_simd(const Obb8& boxes, const Local_ray& ray, double limit, float* nearest)
+{
+  using hn::Div, hn::IfThenElse, hn::Lt, hn::Max, hn::Min;
   constexpr hn::CappedTag<float, lanes> tag{};
+  float from[3], direction[3];
+  for (int k = 0; k < 3; ++k) {
+    from[k] = float(ray.origin[k] - double(boxes.origin[k]));
+    direction[k] = float(ray.direction[k]);
+  }
+  const float last = float(limit) + Local_ray::slack;
   unsigned met = 0;
   for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(tag)) {
     const auto load = [&](const float* first) HWY_ATTR { return hn::Load(tag, first + lane); };
     const auto all = [&](float x) HWY_ATTR { return hn::Set(tag, x); };
-    const auto one = all(1), slack = all(Local_ray::slack), least_step = all(0x1p-30f);
+    const auto one = all(1), slack = all(Local_ray::slack), least_step = all(Local_ray::least_step);
     const auto x = Sub(all(from[0]), load(boxes.centre[0])), y = Sub(all(from[1]), load(boxes.centre[1])),
                z = Sub(all(from[2]), load(boxes.centre[2]));
-    auto near = all(-Local_ray::slack), far = all(limit + Local_ray::slack);
+    auto near = all(-Local_ray::slack), far = all(last);
     for (int i = 0; i < 3; ++i) {
       const auto u = load(boxes.axis[i][0]), v = load(boxes.axis[i][1]), w = load(boxes.axis[i][2]);
-      const auto at = MulAdd(w, z, MulAdd(v, y, Mul(u, x)));
-      const auto step = MulAdd(w, all(direction[2]), MulAdd(v, all(direction[1]), Mul(u, all(direction[0]))));
+      const auto at = along_axis(u, v, w, x, y, z);
+      const auto step = along_axis(u, v, w, all(direction[0]), all(direction[1]), all(direction[2]));
       const auto inverse = Div(one, IfThenElse(Lt(Abs(step), least_step), least_step, step));
-      const auto middle = Mul(at, inverse), half = Mul(Add(load(boxes.extent[i]), slack), Abs(inverse));
-      near = Max(near, Sub(hn::Neg(middle), half));
-      far = Min(far, Sub(half, middle));
+      const auto reach = Add(load(boxes.extent[i]), slack);
+      near = Max(near, entry_of_slab(at, inverse, reach));
+      far = Min(far, exit_of_slab(at, inverse, reach));
     }
     hn::StoreU(near, tag, nearest + lane);
     std::uint8_t apart[8] = {};

@@ -1,12 +1,9 @@
 #ifndef TETRACONE_VERIFY_PROOFS_RAY_PROOFS_H
 #define TETRACONE_VERIFY_PROOFS_RAY_PROOFS_H
 
-#include "tetracone/kernel/bound/obb8.h"
-#include "tetracone/kernel/bound/obb8_ray.h"
 #include "tetracone/kernel/number/products.h"
 #include "tetracone/kernel/predicate/ray_triangle.h"
 #include "verify/proofs/adaptive_proofs.h"
-#include "verify/proofs/near_orthonormal.h"
 #include "verify/proofs/proved_bound.h"
 #include "verify/proofs/slices.h"
 
@@ -15,7 +12,7 @@
 #include <string>
 #include <vector>
 
-/// The constants of kernel/predicate/ray_triangle.h and of rays against boxes, kernel/bound/obb8_ray.h.
+/// The constants of kernel/predicate/ray_triangle.h.
 namespace tetracone::verify::proofs {
 
 namespace detail {
@@ -61,23 +58,6 @@ inline Proved_bounds ray_proofs()
   // D and their quotient by u each of the rest; the correction and the error by u.
   add("Ray_triangle::quotient_rounding", Ray::quotient_rounding, Rational(u * u) * (7 + 4 * 5) * few, u * u, 9.49,
       "rationals");
-
-  // Local rays: an origin of at most 2^29 is rounded, and moved along the direction by at most root 3 times as much: a
-  // product, of a direction that is off by a norm's 2.5 roundings and a quotient's.
-  using Local = kernel::Local_ray;
-  const std::string of_local = "kernel/bound/obb8_ray.h";
-  const Rational way(0x1p29), of_float(kernel::unit_roundoff<float>), defect(kernel::axis_defect);
-  bounds.push_back({"Local_ray::error", of_local, Rational(Local::error),
-                    Rational(u) * way * (1 + root_3() * (1 + Rational(7, 2))) * few, 1, 3.65, "rationals"});
-  // Along an axis: its defect and the ray's error; coordinates within 6 of the centre, rounded five times with their
-  // products; the direction over the ray's length, four times; the quotients, four of the extent and the coordinate; and
-  // the least step over that length.
-  const Rational coordinate = 6 * root_3(), length(Local::length), half_diagonal = root_3();
-  bounds.push_back({"Local_ray::slack", of_local, Rational(Local::slack),
-                    3 * defect * (1 + 4 * defect) * 6 + 2 * Rational(Local::error) +
-                        of_float * (5 * coordinate + 4 * root_3() * length + 4 * (half_diagonal + coordinate)) +
-                        Rational(0x1p-30) * length,
-                    1, 1.53, "rationals"});
   return bounds;
 }
 

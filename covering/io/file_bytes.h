@@ -1,0 +1,45 @@
+#ifndef TETRACONE_COVERING_IO_FILE_BYTES_H
+#define TETRACONE_COVERING_IO_FILE_BYTES_H
+
+#include "tetracone/covering/io/input_error.h"
+#include "tetracone/covering/io/mapped_file.h"
+#include "tetracone/covering/io/text_lines.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace tetracone::covering {
+
+/// All bytes of a file: mapped where the system can, else a copy, as of a pipe. A file that is made shorter while it is
+/// mapped ends the process by SIGBUS.
+class File_bytes {
+ public:
+  /// Throws Input_error as `read_bytes`.
+  explicit File_bytes(const std::filesystem::path& file)
+  {
+    if (std::filesystem::is_regular_file(status_to_read(file))) map(file);
+    // Of some files, as those of /proc, the system tells no size.
+    if (bytes().empty()) copied_ = read_bytes(file);
+  }
+
+  std::string_view bytes() const { return mapped_ ? mapped_->bytes() : std::string_view(copied_); }
+
+ private:
+  void map(const std::filesystem::path& file)
+  {
+    try {
+      mapped_.emplace(file);
+    } catch (const Input_error&) {  // it is read, or is said then why not
+    }
+    if (mapped_ && mapped_->bytes().empty()) mapped_.reset();
+  }
+
+  std::optional<Mapped_file> mapped_;
+  std::string copied_;
+};
+
+}  // namespace tetracone::covering
+
+#endif
