@@ -132,7 +132,8 @@ class Bvh8_collision {
     pose_a_ = &pose_a;
     pose_b_ = &pose_b;
     is_placed_ = false;
-    if (a_.tree->empty() || b_.tree->empty() || separating_direction_(pose_a, pose_b, most_directions, false)) return;
+    // One direction: who asks for all pairs has bodies that meet, mostly.
+    if (a_.tree->empty() || b_.tree->empty() || separating_direction_(pose_a, pose_b, 1, false)) return;
     relate_frames();
     collect_leaves();
     for (const auto& [box_a, box_b] : leaves_) {
