@@ -171,22 +171,14 @@ class Motion_span {
     Motion_span half = *this;
     half.m_ = 2 * m_ + second;
     half.k_ = k_ + 1;
-    const Halves halves = in_halves();
-    for (std::size_t i = 0; i < size_; ++i) half.coefficient_[i] = halves[second ? size_ - 1 + i : i];
+    // De Casteljau's algorithm.
+    for (std::size_t round = 1; round < size_; ++round)
+      for (std::size_t i = 0; i + round < size_; ++i) {
+        const std::size_t to = second ? i : size_ - 1 - i;
+        half.coefficient_[to] = average(half.coefficient_[to], half.coefficient_[second ? to + 1 : to - 1]);
+      }
     half.find_landmarks();
     return half;
-  }
-
-  /// The coefficients of the first half, of which the last is the first of the second half's, by De Casteljau's algorithm.
-  using Halves = std::array<Maps, 2 * most_coefficients - 1>;
-  Halves in_halves() const
-  {
-    Halves halves;
-    for (std::size_t i = 0; i < size_; ++i) halves[2 * i] = coefficient_[i];
-    // Of 2 i apart at first; each round leaves the ends of what is averaged.
-    for (std::size_t round = 1; round < size_; ++round)
-      for (std::size_t i = round; i + round < 2 * size_ - 1; i += 2) halves[i] = average(halves[i - 1], halves[i + 1]);
-    return halves;
   }
 
   std::uint64_t m() const { return m_; }
@@ -307,8 +299,11 @@ class Motion_span {
 
   void find_landmarks()
   {
-    landmark_ = {over_weight(coefficient_[0]), over_weight(in_halves()[size_ - 1]),
-                 over_weight(coefficient_[size_ - 1])};
+    // The middle as the last of De Casteljau's averages.
+    std::array<Maps, most_coefficients> averages = coefficient_;
+    for (std::size_t last = size_ - 1; last > 0; --last)
+      for (std::size_t i = 0; i < last; ++i) averages[i] = average(averages[i], averages[i + 1]);
+    landmark_ = {over_weight(coefficient_[0]), over_weight(averages[0]), over_weight(coefficient_[size_ - 1])};
     for (int body = 0; body < 2; ++body) {
       turn_[body] = scale_[body] = 0;
       for (int i = 0; i < 3; ++i)

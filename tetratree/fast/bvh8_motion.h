@@ -18,7 +18,6 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace tetracone::tetratree {
@@ -26,18 +25,22 @@ namespace tetracone::tetratree {
 /// The first contact of the surfaces of two moving `Bvh8`, exactly. Build once, ask for many motions.
 ///
 /// Surfaces that share no point at t = 0 first meet where a vertex of one meets a triangle of the other, or an edge an
-/// edge. Parts of a node are followed against a box of the other body over a span of time: those that stay apart in it are
-/// gone, by a certified gap in a pose near all of it (`Span_reference`) or, where there is none, by the span's own
-/// coefficients (`Motion_span`); of others a box is opened, or they wait for the halves of the span, whichever is more
-/// than the other. Pairs of triangles that stay near are decided in integers, over the span alone. The first half is done
-/// before the second, which is left where the first contact found is not after its start.
+/// edge. A span of time in which one plane parts the bodies is done with. In another, parts of a node are followed
+/// against a box of the other body: those that stay apart are gone, by a certified gap in a pose near all of it
+/// (`Span_reference`) or, where there is none, by the span's own coefficients (`Motion_span`); of others a box is opened,
+/// or they wait for the halves of the span, whichever is more than the other. Pairs of triangles that stay near are
+/// decided in integers, over the span alone. The first half is done before the second, which is left where the first
+/// contact found is not after its start.
 ///
 /// Both trees must outlive the query object. Making it and every query throw kernel::Unsound_floating_point when floating
 /// point is not as exact answers need it.
 class Bvh8_motion {
  public:
   /// Requires trees whose elements are triangles, or faces of corners on one line.
-  Bvh8_motion(const Bvh8& a, const Bvh8& b) : tree_{&a, &b}, separating_direction_(a, b), features_(a, b) { kernel::require_exact_arithmetic(); }
+  Bvh8_motion(const Bvh8& a, const Bvh8& b) : tree_{&a, &b}, separating_direction_(a, b), features_(a, b)
+  {
+    kernel::require_exact_arithmetic();
+  }
 
   /// Nothing where the surfaces never meet. Requires that they share no point at t = 0.
   std::optional<First_meeting> operator()(const kernel::Body_motion& a, const kernel::Body_motion& b)
@@ -45,7 +48,7 @@ class Bvh8_motion {
     kernel::require_sound_floating_point();
     if (tree_[0]->empty() || tree_[1]->empty()) return std::nullopt;
     features_.begin(a, b);
-    search(whole_span(a, b), std::array{Near{0, 0, 0, 1, both_halves}});
+    search(whole_span(a, b), std::array{Near{0, 0, 0, 1}});
     return features_.take_first();
   }
 
@@ -70,11 +73,11 @@ class Bvh8_motion {
     kernel::Moving_box hull;
     std::array<Vertex, 3> axis;
   };
-  /// Parts of a node of body `body`, as bits, near a box of the other in halves of a span, as bits.
+  /// Parts of a node of body `body`, as bits, near a box of the other.
   struct Near {
     Index node;
     Box other;
-    std::uint8_t body, lanes, halves;
+    std::uint8_t body, lanes;
   };
   /// A span of time, and what is to be followed in its halves.
   struct Span {
@@ -82,16 +85,10 @@ class Bvh8_motion {
 
     Span_reference reference;
     kernel::Motion_span maps;
-    std::array<std::vector<Near>, 2> later{};
-  };
-  /// Of the lanes of a node, as bits, those that are not found to stay apart in each half of a span, and about how far
-  /// these move, in the span's units.
-  struct Outlook {
-    std::array<unsigned, 2> near;
-    double way;
+    std::vector<Near> later{};
   };
   static constexpr int most_directions = 8;
-  static constexpr unsigned most_halvings = 50, both_halves = 3;
+  static constexpr unsigned most_halvings = 50;
   static constexpr double share_of_boxes = 0.4, share_of_leaves = 0.002;  // so far they may move in a span
 
   kernel::Motion_units units(int body) const { return {tree_[body]->scale().origin, tree_[body]->scale().unit}; }
@@ -133,86 +130,67 @@ class Bvh8_motion {
   {
     if (separating_direction_(all, most_directions)) return;
     Span span(all);
-    for (Near parts : near) {
-      parts.halves = both_halves;
-      follow(span, parts);
-    }
+    for (const Near& parts : near) follow(span, parts);
     for (const bool is_second : {false, true}) {
-      const auto& later = span.later[is_second];
-      if (later.empty()) continue;
+      if (span.later.empty()) return;
       const kernel::Motion_span half = span.maps.half(is_second);
-      if (half.start() < features_.before()) search(half, later);
+      if (half.start() < features_.before()) search(half, span.later);
     }
   }
 
   /// Takes the parts that are not found to stay apart to smaller ones, or leaves them for later.
-  void follow(Span& span, const Near& near)
+  void follow(Span& span, Near near)
   {
     counts_.box_tests += std::uint64_t(std::popcount(near.lanes));
-    const Outlook seen = span.reference.is_certifiable() ? outlook(span.reference, near) : outlook(span.maps, near);
-    const auto [first, second] = seen.near;
-    if ((first | second) == 0) return;
+    const double way =
+        span.reference.is_certifiable() ? leave_parts(span.reference, near) : leave_parts(span.maps, near);
+    if (near.lanes == 0) return;
     ++counts_.pairs_visited;
     const unsigned leaves = leaves_of(near);
     for (const unsigned lanes : {leaves, near.lanes & ~leaves}) {
       Near some = near;
-      for (const auto& [halves, in_these] : {std::pair(both_halves, first & second), std::pair(1u, first & ~second),
-                                             std::pair(2u, second & ~first)}) {
-        some.halves = std::uint8_t(halves);
-        some.lanes = std::uint8_t(lanes & in_these);
-        if (some.lanes != 0) go_on(span, some, seen.way, lanes == leaves);
-      }
+      some.lanes = std::uint8_t(lanes);
+      if (lanes == 0) continue;
+      if (is_long(span.maps, some, way, lanes == leaves))
+        span.later.push_back(some);
+      else if (lanes == leaves)
+        meet_leaves(span.maps, some);
+      else
+        open(span, some);
     }
   }
 
-  void go_on(Span& span, const Near& near, double way, bool are_leaves)
-  {
-    if (is_long(span.maps, near, way, are_leaves)) {
-      for (unsigned half = 0; half < 2; ++half)
-        if (near.halves >> half & 1) span.later[half].push_back(near);
-    } else if (are_leaves) {
-      meet_leaves(span.maps, near);
-    } else {
-      open(span, near);
-    }
-  }
-
-  Outlook outlook(const Span_reference& reference, const Near& near)
+  /// Takes those away that stay apart. Returns about how far the others move against each other, in the span's units.
+  double leave_parts(const Span_reference& reference, Near& near)
   {
     const Bvh8_node &node = tree_[near.body]->node(near.node), &from = node_of(1 - near.body, near.other);
     const int lane = int(near.other % 8);
     const float apex =
         from.is_leaf(lane) ? kernel::apex_of(Bvh8_node::apex(from.child[std::size_t(lane)])) : kernel::no_apex;
-    const auto found = reference.parts(near.body, node.boxes, near.lanes, from.boxes, lane, apex, near.halves);
-    Outlook seen{{0, 0}, found.way};
-    for (unsigned half = 0; half < 2; ++half)
-      if (near.halves >> half & 1) seen.near[half] = near.lanes & ~found.apart[half];
-    leave_leaves(reference, near, seen);
-    return seen;
+    const auto found = reference.parts(near.body, node.boxes, near.lanes, from.boxes, lane, apex);
+    near.lanes = std::uint8_t(near.lanes & ~found.apart);
+    near.lanes = std::uint8_t(near.lanes & ~leaves_apart(reference, near));
+    return found.way;
   }
 
-  /// Where both are leaves: takes those away whose triangles are apart.
-  void leave_leaves(const Span_reference& reference, const Near& near, Outlook& seen)
+  /// Where both are leaves: the parts whose triangles are apart.
+  unsigned leaves_apart(const Span_reference& reference, const Near& near)
   {
-    for (unsigned left = leaves_of(near) & (seen.near[0] | seen.near[1]); left != 0; left &= left - 1) {
+    unsigned apart = 0;
+    for (unsigned left = leaves_of(near); left != 0; left &= left - 1) {
       const int lane = std::countr_zero(left);
-      unsigned apart = (seen.near[0] >> lane & 1) | (seen.near[1] >> lane & 1) << 1;
-      all_elements(near, lane, [&](const Element& a, const Element& b) {
-        apart = halves_apart(reference, a, b, apart);
-        return apart != 0;
-      });
-      for (unsigned half = 0; half < 2; ++half) seen.near[half] &= ~((apart >> half & 1) << lane);
+      const auto are_apart = [&](const Element& a, const Element& b) { return elements_apart(reference, a, b); };
+      if (all_elements(near, lane, are_apart)) apart |= 1u << lane;
     }
+    return apart;
   }
 
-  /// Of halves of the span, as bits, those in which the elements are found apart.
-  unsigned halves_apart(const Span_reference& reference, const Element& a, const Element& b, unsigned halves)
+  bool elements_apart(const Span_reference& reference, const Element& a, const Element& b)
   {
     ++counts_.leaf_pairs;
     const Element_gap gap = element_gap(*tree_[0], a, *tree_[1], b, reference.frame());
-    return gap.low > 0 ? reference.halves_apart(gap.low, gap.axis, local_corners(*tree_[0], a.corner),
-                                                local_corners(*tree_[1], b.corner), halves)
-                       : 0;
+    return gap.low > 0 && reference.are_apart(gap.low, gap.axis, local_corners(*tree_[0], a.corner),
+                                              local_corners(*tree_[1], b.corner));
   }
 
   /// The parts that are leaves, where the box of the other body is one.
@@ -234,19 +212,20 @@ class Bvh8_motion {
     return true;
   }
 
-  Outlook outlook(const kernel::Motion_span& span, const Near& near) const
+  double leave_parts(const kernel::Motion_span& span, Near& near)
   {
     const Part other = part(1 - near.body, near.other);
     double way = 0;
-    unsigned close = 0;
+    unsigned apart = 0;
     for (unsigned left = near.lanes; left != 0; left &= left - 1) {
       const int lane = std::countr_zero(left);
       const Part own = part(near.body, 8 * near.node + Box(lane));
       const Part &a = near.body == 0 ? own : other, &b = near.body == 0 ? other : own;
       way = kernel::maximum(way, span.way(a.hull.centre, b.hull.centre));
-      if (!stay_apart(span, a, b)) close |= 1u << lane;
+      if (stay_apart(span, a, b)) apart |= 1u << lane;
     }
-    return {{near.halves & 1 ? close : 0, near.halves & 2 ? close : 0}, way};
+    near.lanes = std::uint8_t(near.lanes & ~apart);
+    return way;
   }
 
   /// Whether the parts move too far in the span for their size.
@@ -279,7 +258,7 @@ class Bvh8_motion {
       const bool own = opens_own(near, box, size_of(span.maps, near.body, box), of_other);
       const int body = own ? near.body : 1 - near.body;
       const Box opened = own ? box : near.other;
-      Near next = near;
+      Near next;
       next.body = std::uint8_t(body);
       next.node = tree_[body]->child(opened / 8, int(opened % 8));
       next.other = own ? near.other : box;

@@ -45,9 +45,10 @@ class Separating_direction {
 
   /// True when the moving bodies are found to be apart in all of the span, by one plane that stands still in it, found in
   /// at most `steps` > 0 directions: what is apart along one direction at each coefficient is so all the time (see
-  /// `kernel::Motion_span`).
+  /// `kernel::Motion_span`). No gap is told.
   bool operator()(const kernel::Motion_span& span, int steps)
   {
+    last_gap_ = {};
     if (were_apart_ && !failing(span, last_)) return true;
     Floats m = Placed(span.at_middle(), span.error()).apart;
     for (; steps > 0; --steps) {
@@ -174,7 +175,8 @@ class Separating_direction {
         row_a[i] = Floats{float(a[0]), float(a[1]), float(a[2]), 0};
         row_b[i] = Floats{-float(b[0]), -float(b[1]), -float(b[2]), 0};
         apart[i] = float(maps.offset[i]);
-        sum += kernel::sum_of_lanes(kernel::magnitudes(row_a[i]) + kernel::magnitudes(row_b[i]))[0] + std::abs(apart[i]);
+        sum +=
+            kernel::sum_of_lanes(kernel::magnitudes(row_a[i]) + kernel::magnitudes(row_b[i]))[0] + std::abs(apart[i]);
       }
       apart[3] = 0;
       slack = float(rounding) * u * sum + float(2 * error);
@@ -224,11 +226,7 @@ class Separating_direction {
   [[gnu::noinline]] bool search(const Placed& placed, Attempt tried, Floats m, int steps, bool last_one_first)
   {
     const auto separates = [&] {
-      if (tried.is_defined && !is_known(tried)) {
-        a_.table.find(tried.at_a);
-        b_.table.find(tried.at_b);
-        tried = attempt(placed, m);
-      }
+      tried = with_known_reach(placed, m, tried);
       return tried.separates();
     };
     if (last_one_first && were_apart_ && !separates()) {
@@ -263,21 +261,20 @@ class Separating_direction {
   {
     for (std::size_t i = 0; i < span.size(); ++i) {
       const Placed placed(span.coefficient(i), span.error());
-      Attempt tried = attempt(placed, m);
-      if (tried.is_defined && !is_known(tried)) {
-        a_.table.find(tried.at_a);
-        b_.table.find(tried.at_b);
-        tried = attempt(placed, m);
-      }
+      const Attempt tried = with_known_reach(placed, m, attempt(placed, m));
       if (!tried.separates()) return Failure{placed, tried};
     }
     return std::nullopt;
   }
 
-  /// Whether the reach is known of the corners that a direction is between.
-  static bool is_known(const Attempt& tried)
+  /// The attempt, made again where a reach was not known.
+  Attempt with_known_reach(const Placed& placed, Floats m, Attempt tried)
   {
-    return kernel::sum_of_lanes(tried.reach)[0] < std::numeric_limits<float>::infinity();
+    if (!tried.is_defined || kernel::sum_of_lanes(tried.reach)[0] < std::numeric_limits<float>::infinity())
+      return tried;
+    a_.table.find(tried.at_a);
+    b_.table.find(tried.at_b);
+    return attempt(placed, m);
   }
 
   /// The next direction (Chung and Wang): m mirrored at the plane across w, which leads from A's farthest point along m

@@ -12,8 +12,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <span>
-#include <tuple>
 
 namespace tetracone::tetratree {
 
@@ -67,24 +65,23 @@ class Span_reference {
   /// From B's local units to A's.
   const kernel::Relative_frame& frame() const { return into_[1].frame(); }
 
-  /// Of the lanes of a node of body `body`, as bits, those that are apart from a box of the other body in all of each half
-  /// of the span that is asked for, as bits. `apex`: where a triangle lies in that box. `way`: about how far the box moves
-  /// against the node in these halves, in common units; 0 where all lanes are apart.
+  /// Of the lanes of a node of body `body`, as bits, those that are apart from a box of the other body all the time.
+  /// `apex`: where a triangle lies in that box. `way`: about how far the box moves against the node, in common units; 0
+  /// where all are apart.
   struct Parts {
-    std::array<unsigned, 2> apart;
+    unsigned apart;
     double way;
   };
   Parts parts(std::size_t body, const kernel::Obb8& boxes, unsigned lanes, const kernel::Obb8& from, int lane,
-              float apex, unsigned halves) const
+              float apex) const
   {
     kernel::Certified_gaps gaps;
     kernel::certified_gaps(boxes, into_[1 - body], from, lane, apex, gaps);
     const Vertex node = {boxes.origin[0], boxes.origin[1], boxes.origin[2]}, centre = kernel::centre_of(from, lane);
     // Of the box, away from the node at its origin, along the body's own axes.
-    std::array<kernel::Gap_step, most_steps> steps;
-    std::array<Vertex, most_steps> shift;
-    const auto [first, last] = steps_of(halves);
-    for (std::size_t i = first; i <= last; ++i) {
+    std::array<kernel::Gap_step, kernel::Motion_span::most_coefficients> steps;
+    std::array<Vertex, kernel::Motion_span::most_coefficients> shift;
+    for (std::size_t i = 0; i < size_; ++i) {
       const Own_step& step = own_step_[i][body];
       const Vertex from_node = times(step.own, node), to_centre = times(step.other, centre);
       steps[i] = step.of_lanes;
@@ -94,40 +91,33 @@ class Span_reference {
       }
     }
     const double loss = turn_[1 - body] * radius_of(from, lane) + slack_;
-    Parts found{{0, 0}, 0};
-    bool are_all_apart = true;
-    for (unsigned half = 0; half < 2; ++half) {
-      if (!(halves >> half & 1)) continue;
-      const std::span<const kernel::Gap_step> of_half(steps.data() + half * (size_ - 1), size_);
-      found.apart[half] =
-          lanes & kernel::lanes_still_apart(boxes, gaps, of_half, {scale_[body], loss, turn_[body]});
-      are_all_apart = are_all_apart && found.apart[half] == lanes;
-    }
-    if (!are_all_apart)
-      for (std::size_t i = first + 1; i <= last; ++i) {
+    const unsigned apart =
+        lanes & kernel::lanes_still_apart(boxes, gaps, {steps.data(), size_}, {scale_[body], loss, turn_[body]});
+    double way = 0;
+    if (apart != lanes)
+      for (std::size_t i = 1; i < size_; ++i) {
         const Vertex step = kernel::difference(shift[i], shift[i - 1]);
-        found.way += std::sqrt(dot(step, step));
+        way += std::sqrt(dot(step, step));
       }
-    return found;
+    return {apart, way};
   }
 
-  /// The halves of the span, as bits, in all of which triangles, in local points of A and of B, are apart, that are so by
-  /// a gap along an axis of length 1 in A's local units, from A to B, in the reference.
-  unsigned halves_apart(double gap_in_a, const Vertex& axis, const std::array<Vertex, 3>& a,
-                        const std::array<Vertex, 3>& b, unsigned halves) const
+  /// Whether triangles, in local points of A and of B, are apart all the time, that are so by a gap along an axis of length
+  /// 1 in A's local units, from A to B, in the reference.
+  bool are_apart(double gap_in_a, const Vertex& axis, const std::array<Vertex, 3>& a,
+                 const std::array<Vertex, 3>& b) const
   {
     const Vertex n = times(direction_[0], axis);
     const double gap = gap_in_a * scale_[0] - slack_;
-    const auto [first, last] = steps_of(halves);
-    for (std::size_t i = first; i <= last && halves != 0; ++i) {
+    bool apart = true;
+    for (std::size_t i = 0; i < size_ && apart; ++i) {
       const Vertex of_a = kernel::Motion_span::across(n, step_[i].row[0]),
                    of_b = kernel::Motion_span::across(n, step_[i].row[1]);
-      const double after =
-          gap + (dot(n, step_[i].offset) + kernel::minimum(dot(of_b, b[0]), dot(of_b, b[1]), dot(of_b, b[2])) -
-                 kernel::maximum(dot(of_a, a[0]), dot(of_a, a[1]), dot(of_a, a[2])));
-      if (!(after > 0)) halves &= i + 1 < size_ ? 2u : i + 1 == size_ ? 0u : 1u;
+      apart = gap + (dot(n, step_[i].offset) + kernel::minimum(dot(of_b, b[0]), dot(of_b, b[1]), dot(of_b, b[2])) -
+                     kernel::maximum(dot(of_a, a[0]), dot(of_a, a[1]), dot(of_a, a[2]))) >
+              0;
     }
-    return halves;
+    return apart;
   }
 
  private:
@@ -145,14 +135,6 @@ class Span_reference {
     Vertex offset;
     kernel::Gap_step of_lanes;  ///< but for its shift
   };
-
-  static constexpr std::size_t most_steps = std::tuple_size_v<kernel::Motion_span::Halves>;
-
-  /// The first and the last step of halves.
-  std::array<std::size_t, 2> steps_of(unsigned halves) const
-  {
-    return {halves & 1 ? 0 : size_ - 1, halves & 2 ? 2 * (size_ - 1) : size_ - 1};
-  }
 
   static double dot(const Vertex& a, const Vertex& b) { return kernel::dot(a, b); }
   static Vertex times(const Rows& m, const Vertex& v) { return {dot(m[0], v), dot(m[1], v), dot(m[2], v)}; }
@@ -189,11 +171,10 @@ class Span_reference {
   /// by 2^-21 of itself, since R_k is a similarity but for 2^-24, and moves n . d_i by as much of |d_i|.
   void find_steps(const kernel::Motion_span& span, const Vertex& offset)
   {
-    const kernel::Motion_span::Halves halves = span.in_halves();
-    double least_weight = halves[0].weight, longest = 0;
+    double least_weight = span.coefficient(0).weight, longest = 0;
     turn_ = {0, 0};
-    for (std::size_t i = 0; i <= 2 * (size_ - 1); ++i) {
-      const auto& maps = halves[i];
+    for (std::size_t i = 0; i < size_; ++i) {
+      const auto& maps = span.coefficient(i);
       least_weight = kernel::minimum(least_weight, maps.weight);
       Step& step = step_[i];
       double shift = 0;
@@ -255,8 +236,8 @@ class Span_reference {
   std::array<Rows, 2> rotation_,
       direction_;  // R_k; and over the length of a column: what is apart along a direction in
                    // local units by g is so by g times that length along its image
-  std::array<Step, most_steps> step_;
-  std::array<std::array<Own_step, 2>, most_steps> own_step_;
+  std::array<Step, kernel::Motion_span::most_coefficients> step_;
+  std::array<std::array<Own_step, 2>, kernel::Motion_span::most_coefficients> own_step_;
   bool is_certifiable_ = true;
 };
 

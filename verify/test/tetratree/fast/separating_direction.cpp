@@ -1,5 +1,7 @@
 #include "tetracone/tetratree/fast/separating_direction.h"
 
+#include "tetracone/kernel/motion/body_motion.h"
+#include "tetracone/kernel/motion/motion_span.h"
 #include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 
@@ -111,6 +113,47 @@ BOOST_AUTO_TEST_CASE(bodies_that_touch_in_one_vertex_are_never_apart)
   BOOST_TEST(told_apart == 0);
   BOOST_TEST(tried == 2560);
   BOOST_TEST(a_hair > 400);  // so the directions are near to those that could tell
+}
+
+BOOST_AUTO_TEST_CASE(bodies_that_touch_at_some_time_of_a_span_are_never_apart_in_it)
+{
+  // As above at one time, A moving past B along the plane between them.
+  const auto all = bodies();
+  Random random(5);
+  int told_apart = 0, a_hair = 0;
+  for (const auto& a : all)
+    for (const auto& b : all) {
+      Separating_direction separation(a->tree, b->tree);
+      const auto units = [](const Body& body) {
+        return kernel::Motion_units{body.tree.scale().origin, body.tree.scale().unit};
+      };
+      for (unsigned k = 0; k < 8; ++k) {
+        const kernel::Vector direction = vector(random).normalized(), past = direction.cross(vector(random));
+        const Pose pose_b = k % 2 == 0 ? Pose() : random_rotation(random, 5), turned = random_rotation(random, 5);
+        const Index p = farthest(a->polyhedron, turned, -direction), q = farthest(b->polyhedron, pose_b, direction);
+        const Pose touching =
+            brought(turned, a->polyhedron, p, rationals::image(pose_b, rationals::exactly(b->polyhedron.vertices[q])));
+        const long part = integer(random, 0, (1 << k) - 1);
+        const Rational time = (Rational(4 * part) + integer(random, 0, 4)) / Rational(4L << k);
+        const auto told = [&](const Rational& away) {
+          const auto at = [&](const Rational& later) {
+            rationals::Vector step;
+            for (int i = 0; i < 3; ++i) step[i] = later * Rational(past[i]) + away * Rational(direction[i]);
+            return plus(touching, step);
+          };
+          const auto motion_a = kernel::Body_motion::linear(at(-time), at(1 - time)),
+                     motion_b = kernel::Body_motion::linear(pose_b, pose_b);
+          kernel::Motion_span span(kernel::Pair_motion(motion_a, motion_b), units(*a), units(*b));
+          for (unsigned halvings = k; halvings-- > 0;) span = span.half(part >> halvings & 1);
+          return separation(span, 20);
+        };
+        told_apart += told(0);
+        a_hair += told(Rational(1) / 64);
+        told_apart += told(0);  // with the direction that parted them
+      }
+    }
+  BOOST_TEST(told_apart == 0);
+  BOOST_TEST(a_hair > 100);
 }
 
 BOOST_AUTO_TEST_CASE(cubes_in_contact_by_face_edge_or_vertex_are_never_apart)
