@@ -26,7 +26,7 @@ class Box_tree {
 
   /// A part of a search: two lanes of the tree whose boxes meet, each an item or a child; or all within a node.
   struct Part {
-    std::uint32_t first;   ///< `no_place`: the second is a node
+    std::uint32_t first;  ///< `no_place`: the second is a node
     std::uint32_t second;
   };
 
@@ -229,8 +229,7 @@ class Box_tree {
       const bool has_child = child_at(part.first) >= 0;
       const std::uint32_t opened = has_child ? part.first : part.second, other = has_child ? part.second : part.first,
                           number = std::uint32_t(child_at(opened));
-      for_lanes(meeting(nodes_[number], other),
-                [&](std::uint32_t lane) { push(Part{other, lanes * number + lane}); });
+      for_lanes(meeting(nodes_[number], other), [&](std::uint32_t lane) { push(Part{other, lanes * number + lane}); });
       return;
     }
     const std::uint32_t number = part.second;
@@ -239,8 +238,7 @@ class Box_tree {
       const std::uint32_t place = lanes * number + lane;
       if (is_marked(place) && child_at(place) >= 0) push(Part{no_place, std::uint32_t(child_at(place))});
       const unsigned later = ~0u << lane << 1;
-      for_lanes(meeting(node, place) & later,
-                [&](std::uint32_t other) { push(Part{place, lanes * number + other}); });
+      for_lanes(meeting(node, place) & later, [&](std::uint32_t other) { push(Part{place, lanes * number + other}); });
     });
   }
 

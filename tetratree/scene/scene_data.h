@@ -70,8 +70,8 @@ class Scene_data {
     Number model;
     bool is_there = true, is_placed = false, is_in_tree = false, has_moved = false;
     bool is_tight = false, is_wide_tight = false;  // whether its box, and the wide one, are by the model's tree
-    kernel::Pose pose, last_pose;  // that of the last frame, once there was one
-    double step = 0;               // a bound on its motion of the last frame
+    kernel::Pose pose, last_pose;                  // that of the last frame, once there was one
+    double step = 0;                               // a bound on its motion of the last frame
   };
 
   /// A bound on a body's motions of all frames, and the last frame in which it moved.
