@@ -34,11 +34,11 @@ class Bvh8_rays {
   static std::vector<std::optional<Ray_hit>> first_of_each(const Bvh8& tree, std::span<const Ray> rays)
   {
     constexpr std::size_t at_once = 16;
-    std::vector<Bvh8_rays> casters(std::min(at_once, rays.size()), Bvh8_rays(tree));
+    std::vector<Bvh8_rays> casters(kernel::minimum(at_once, rays.size()), Bvh8_rays(tree));
     std::vector<std::optional<Ray_hit>> hits;
     hits.reserve(rays.size());
     while (hits.size() < rays.size()) {
-      const auto some = rays.subspan(hits.size(), std::min(at_once, rays.size() - hits.size()));
+      const auto some = rays.subspan(hits.size(), kernel::minimum(at_once, rays.size() - hits.size()));
       for (std::size_t k = 0; k < some.size(); ++k) casters[k].begin(some[k], true);
       for (unsigned under_way = (1u << some.size()) - 1; under_way != 0;)
         for_bits(under_way, [&](int k) {
