@@ -2,11 +2,11 @@
 
 #include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/tetratree/door/body_data.h"
+#include "tetracone/tetratree/scene/number_groups.h"
 #include "tetracone/tetratree/scene/scene_data.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -190,13 +190,14 @@ tetratree::Turned_box Scene_data::turned_box(Number body)
 /// time.
 void Scene_data::ask_turned_boxes(std::vector<Number>& all)
 {
-  const auto is_long = [this](Number body) { return turned_[body].is_known; };
-  if (std::ranges::none_of(turned_, &tetratree::Turned_box::is_known)) return;
+  const auto has_long = [this](Number pair) {
+    const auto [a, b] = near_.bodies(pair).body;
+    return turned_[a].is_known || turned_[b].is_known;
+  };
+  if (std::ranges::none_of(all, has_long)) return;
   const tetratree::Number_groups pairs(bodies_.size(), [&](const auto& put) {
-    for (const Number pair : all) {
-      const auto [a, b] = near_.bodies(pair).body;
-      if (is_long(a) || is_long(b)) put(a, pair);
-    }
+    for (const Number pair : all)
+      if (has_long(pair)) put(near_.bodies(pair).body[0], pair);
   });
   struct Row {
     Number body;
