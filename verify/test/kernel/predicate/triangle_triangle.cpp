@@ -39,7 +39,7 @@ bool holds(const Exact_three& t, const Vector& p)
   for (int k = 0; k < 3; ++k)
     if (is_on_segment(p, t[k], t[(k + 1) % 3])) return true;
   const Vector n = outer(minus(t[1], t[0]), minus(t[2], t[0]));
-  if (is_zero(n) || inner(n, minus(p, t[0])) != 0) return false;
+  if (rationals::is_zero(n) || inner(n, minus(p, t[0])) != 0) return false;
   for (int k = 0; k < 3; ++k)
     if (inner(n, outer(minus(t[(k + 1) % 3], t[k]), minus(p, t[k]))) < 0) return false;
   return true;
@@ -49,7 +49,7 @@ bool segments_cross(const Vector& a, const Vector& b, const Vector& c, const Vec
 {
   using namespace rationals;
   const Vector u = minus(b, a), v = minus(d, c), w = minus(c, a), n = outer(u, v);
-  if (is_zero(n) || inner(n, w) != 0) return false;  // parallel: an end is on the other, which `holds` finds
+  if (rationals::is_zero(n) || inner(n, w) != 0) return false;  // parallel: an end is on the other, which `holds` finds
   const Rational square = inner(n, n), s = Rational(inner(outer(w, v), n) / square),
                  t = Rational(inner(outer(w, u), n) / square);
   return 0 <= s && s <= 1 && 0 <= t && t <= 1;
@@ -65,7 +65,7 @@ bool share_a_point(const Exact_three& p, const Exact_three& q)
     for (int k = 0; k < 3; ++k) {
       const Vector &a = edges[k], &b = edges[(k + 1) % 3];
       if (holds(face, a)) return true;
-      if (is_zero(n)) continue;
+      if (rationals::is_zero(n)) continue;
       const Rational at_a = inner(n, minus(a, face[0])), at_b = inner(n, minus(b, face[0]));
       if (at_a * at_b >= 0) continue;
       if (holds(face, plus(a, times(Rational(at_a / (at_a - at_b)), minus(b, a))))) return true;
