@@ -101,13 +101,13 @@ inline Proved_bounds motion_proofs()
   add("motion_filter::cross_error", of_filter, filter::cross_error, detail::error_when_halved<3>(cross) * bound, 1.14);
   add("motion_filter::sum_error", of_filter, filter::sum_error, detail::error_when_halved<3>(all_three) * bound, 1.14);
   add("motion_filter::volume_error", of_filter, filter::volume_error,
-      detail::error_when_halved<4>(filter::scaled(kernel::dot_form(crosses, vector))) * bound, 1.14);
+      detail::error_when_halved<4>(filter::scaled(kernel::dot_form(crosses, vector))) * bound, 1.12);
   // Truncated, and divided by a binomial.
   const Static_error coefficient(1, 2 * roundoff * once);
   add("motion_filter::rounded_error", of_filter, filter::rounded_error,
       detail::error_when_halved<4>(
           filter::scaled(kernel::Cubic_form<Static_error>{coefficient, coefficient, coefficient, coefficient})),
-      1.14);
+      1.12);
 
   // A coefficient of a span is truncated and divided, and then an average of averages; a local point is off by 2 u.
   Rounding_count entry_of_map = entry(entry(entry(entry(Rounding_count()))));
