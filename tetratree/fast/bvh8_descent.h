@@ -48,6 +48,13 @@ class Pair_stack {
   float* sizes(int body) { return size_[body].data(); }
   void set_count(std::size_t count) { count_ = count; }
 
+  void swap(Pair_stack& other) noexcept
+  {
+    std::swap(box_, other.box_);
+    std::swap(size_, other.size_);
+    std::swap(count_, other.count_);
+  }
+
  private:
   std::vector<std::uint32_t> box_[2];
   std::vector<float> size_[2];

@@ -14,11 +14,11 @@ namespace simd = kernel::HWY_NAMESPACE;
 
 /// A pair whose larger box is to be replaced by its parts.
 struct Opening {
-  int body;  // of the larger box
+  const Bvh8_node* node = nullptr;  // the parts
+  int body;                         // of the larger box
+  Stop stop = Stop::nothing_left;   // else: why it cannot be opened
   std::uint32_t box[2];
   float size[2];
-  const Bvh8_node* node = nullptr;  // the parts
-  Stop stop = Stop::nothing_left;   // else: why it cannot be opened
 
   HWY_INLINE Opening(Pair_stack& stack, std::size_t position, const Both_trees& trees)
   {
@@ -40,7 +40,7 @@ struct Opening {
 
   /// Of a node, and a box of the other body.
   HWY_INLINE Opening(int of_body, std::uint32_t number, std::uint32_t other_box, const Both_trees& trees)
-      : body(of_body), node(trees.nodes[of_body] + number)
+      : node(trees.nodes[of_body] + number), body(of_body)
   {
     const int other = 1 - body, lane = int(other_box % 8);
     const Bvh8_node& from = trees.nodes[other][other_box / 8];
@@ -232,7 +232,7 @@ template <bool similarity>
 HWY_ATTR Stop descend_to_leaves(Pair_stack& level, Pair_stack& next, Both_trees& trees, std::vector<Leaf_pair>& leaves)
 {
   constexpr std::size_t most = 4;
-  for (;; std::swap(level, next)) {
+  for (;; level.swap(next)) {
     while (!level.empty()) {
       const std::size_t top = level.count() - 1;
       const auto opening = [&](std::size_t below)

@@ -71,7 +71,7 @@ class Box_tree {
       for (unsigned used = nodes_[n].used; used != 0; used &= used - 1) {
         const int lane = std::countr_zero(used);
         const std::int32_t child = nodes_[n].child[lane];
-        nodes_[n].set(lane, child >= 0 ? union_of(nodes_[std::size_t(child)]) : boxes[std::size_t(~child)]);
+        nodes_[n].set(lane, child >= 0 ? union_of(nodes_[std::size_t(child)]) : boxes[Item(~child)]);
       }
   }
 
@@ -219,8 +219,8 @@ class Box_tree {
   template <class Push>
   void open(const Part& part, const Push& push) const
   {
-    const auto for_lanes = [](unsigned lanes, const auto& what) {
-      for (; lanes != 0; lanes &= lanes - 1) what(std::uint32_t(std::countr_zero(lanes)));
+    const auto for_lanes = [](unsigned bits, const auto& what) {
+      for (; bits != 0; bits &= bits - 1) what(std::uint32_t(std::countr_zero(bits)));
     };
     const auto meeting = [this](const Node& node, std::uint32_t place) {
       return node.meeting(box_at(place)) & (is_marked(place) ? node.used : node.marked);
