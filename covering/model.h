@@ -9,6 +9,7 @@
 #include "tetracone/kernel/predicate/kernels.h"
 #include "tetracone/kernel/predicate/segment_face.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <type_traits>
@@ -71,17 +72,16 @@ class Model {
   std::vector<kernel::Point<K>> points_;
 };
 
-/// A model under a pose. Points are placed when they are first asked for, and once.
+/// A model under a pose. Points are placed when they are first asked for, and once; memory is taken for those near ones
+/// that were asked for.
 template <class K>
 class Placed_model {
  public:
   using Point = kernel::Point<K>;
 
   explicit Placed_model(const Model<K>& model)
-      : model_(&model), points_(model.vertices().size(), model.origin()), placed_at_(model.vertices().size(), 0)
-  {
-    if constexpr (std::is_same_v<K, kernel::Adaptive>) exact_images_.resize(points_.size());
-  }
+      : model_(&model), blocks_((model.vertices().size() + block_size - 1) / block_size)
+  {}
 
   /// Moves the model. `pose` must outlive its use here. Throws as `Model` does.
   void place(const kernel::Pose& pose)
@@ -101,26 +101,40 @@ class Placed_model {
 
   const Point& point(Index v)
   {
-    if (placed_at_[v] != now_) {
-      points_[v] = frame_.is_identity() ? kernel::Point<K>(model_->point(v)) : frame_(model_->point(v));
-      if constexpr (std::is_same_v<K, kernel::Adaptive>) {
-        exact_images_[v].reset();
-        points_[v].slot = &exact_images_[v];
-      }
-      placed_at_[v] = now_;
-    }
-    return points_[v];
+    std::unique_ptr<Block>& block = blocks_[v / block_size];
+    if (!block) [[unlikely]]
+      block = std::make_unique<Block>();
+    const Index k = v % block_size;
+    if (block->placed_at[k] != now_) place(v, *block, k);
+    return block->point[k];
   }
 
  private:
+  static constexpr bool keeps_exact_images = std::is_same_v<K, kernel::Adaptive>;  // made when a sign asks for one
+  static constexpr Index block_size = 64;
+
+  /// Vertices of successive numbers.
+  struct Block {
+    std::array<Point, block_size> point;
+    std::array<std::uint64_t, block_size> placed_at{};  ///< 0: never
+    std::array<std::unique_ptr<kernel::Adaptive::Exact_image>, keeps_exact_images ? block_size : 0> exact_image;
+  };
+
+  void place(Index v, Block& block, Index k)
+  {
+    block.point[k] = frame_.is_identity() ? kernel::Point<K>(model_->point(v)) : frame_(model_->point(v));
+    if constexpr (keeps_exact_images) {
+      block.exact_image[k].reset();
+      block.point[k].slot = &block.exact_image[k];
+    }
+    block.placed_at[k] = now_;
+  }
+
   const Model<K>* model_;
   kernel::Frame<K> frame_{kernel::Pose()};
   kernel::Sign determinant_sign_ = kernel::POSITIVE;
-  std::vector<Point> points_;
-  std::vector<std::uint64_t> placed_at_;
-  std::uint64_t now_ = 1;                                                     // of what was never placed: 0
-  std::vector<std::unique_ptr<kernel::Adaptive::Exact_image>> exact_images_;  // of the adaptive kernel: made when a
-                                                                              // sign asks for one
+  std::vector<std::unique_ptr<Block>> blocks_;
+  std::uint64_t now_ = 1;
 };
 
 /// A face of a placed model, as `kernel::segment_face` wants it.

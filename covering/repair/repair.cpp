@@ -14,6 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
@@ -176,12 +177,22 @@ std::vector<Face_triangle> triangulate_faces(const Polyhedron& polyhedron)
   return all;
 }
 
-Triangulated triangulate_non_planar(const Polyhedron& polyhedron)
+Triangulated triangulate_non_planar(Polyhedron polyhedron)
 {
   Triangulated result;
+  const auto is_planar = [&](Index f) {
+    return polyhedron.is_triangle(f) || planarity(polyhedron, f) != Planarity::off_plane;
+  };
+  result.source.resize(polyhedron.face_count());
+  std::iota(result.source.begin(), result.source.end(), Index(0));
+  if (std::ranges::all_of(result.source, is_planar)) {
+    result.polyhedron = std::move(polyhedron);
+    return result;
+  }
+  result.source.clear();
   result.polyhedron.vertices = polyhedron.vertices;
   for (Index f = 0; f < polyhedron.face_count(); ++f) {
-    if (polyhedron.is_triangle(f) || planarity(polyhedron, f) != Planarity::off_plane) {
+    if (is_planar(f)) {
       append_face(result.polyhedron, polyhedron, f, false);
       result.source.push_back(f);
       continue;

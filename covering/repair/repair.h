@@ -51,7 +51,7 @@ struct Triangulated {
 /// Replaces each face that is not exactly planar, that face alone, by triangles with exactly its directed loop edges as
 /// their boundary: what was closed stays closed. By CGAL's constrained Delaunay triangulation (see
 /// `repair::constrained_delaunay`), and where that is impossible by `repair::fan`. Vertices stay as they are.
-Triangulated triangulate_non_planar(const Polyhedron& polyhedron);
+Triangulated triangulate_non_planar(Polyhedron polyhedron);
 
 /// The polyhedron with its faces oriented consistently across edges that two faces share: by CGAL where all faces are
 /// single loops that visit a vertex once, else breadth-first. What closes as it stands is left alone, what becomes

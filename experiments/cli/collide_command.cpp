@@ -55,8 +55,7 @@ Scene read_scene(const Collide_options& options, Question question)
                                "expected a second model, B: only a case file, *.case.json, has both bodies");
   Pose_pairs poses = read_pose_pairs(options.names);
   const bool solid = question == Question::solid && !options.lists();
-  Model_file a = load_model(options.names.a, options.names.models, solid),
-             b = load_model(options.names.b, options.names.models, solid);
+  auto [a, b] = load_models(options.names.a, options.names.b, options.names.models, solid);
   return {std::move(a), std::move(b), std::move(poses), question};
 }
 
@@ -66,7 +65,7 @@ Scene scene_of(const verify::Object_case& c, const std::string& file, Question q
     if (must_be_solid && !covering::is_closed(polyhedron))
       throw covering::Input_error(file, 0, "body " + std::string(name) + " is an open surface and has no solid",
                                   "expected --question surface");
-    return whole_body(file, polyhedron);
+    return whole_model(file, polyhedron);
   };
   return {body(*c.a, "a"), body(*c.b, "b"), {{c.pose_a}, {c.pose_b}}, question};
 }
@@ -244,7 +243,7 @@ void run_collide(const Collide_options& options, bool question_is_given)
     const Scene scene = c ? scene_of(*c->object, options.names.a, *question, solid) : read_scene(options, *question);
     for (const Subject& subject : subjects) {
       const Stopwatch since;
-      const auto pair = verify::prepare(subject, scene.a.body(), scene.b.body());
+      const auto pair = verify::prepare(subject, scene.a.body, scene.b.body);
       const double ready = since.milliseconds();
       if (options.lists()) {
         text = options.features ? features_of(*pair, scene, options) : contacts_of(*pair, scene, options, curves);

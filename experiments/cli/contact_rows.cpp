@@ -65,8 +65,7 @@ auto with_loops(const Contacts& contacts, std::size_t k, bool exact, const What&
 /// Whether a face of the file became several.
 bool is_split(const Model_file& model)
 {
-  const std::set<covering::Index> faces(model.source_face.begin(), model.source_face.end());
-  return faces.size() < model.source_face.size();
+  return std::ranges::adjacent_find(model.source_face) != model.source_face.end();
 }
 
 /// The pieces of one pose, by faces of the files. Of a face that became several, those that hold the same are one.

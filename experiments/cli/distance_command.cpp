@@ -111,12 +111,11 @@ void run_distance(const Distance_options& options)
 
   const Pose_pairs poses = read_pose_pairs(options.names);
   const bool solid = *question == Question::solid;
-  const Model_file a = load_model(options.names.a, options.names.models, solid),
-                   b = load_model(options.names.b, options.names.models, solid);
-  Query query(a.body(), b.body(), *question, *how);
+  const auto [a, b] = load_models(options.names.a, options.names.b, options.names.models, solid);
+  Query query(a.body, b.body, *question, *how);
   const std::string text = Asking(options, query, poses).text();
   if (!options.certificate.empty())
-    write_whole(options.certificate, distance_certificate(a.polyhedron, b.polyhedron, poses, *question));
+    write_whole(options.certificate, distance_certificate(a.polyhedron(), b.polyhedron(), poses, *question));
   if (options.csv.empty())
     std::cout << text;
   else

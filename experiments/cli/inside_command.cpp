@@ -36,7 +36,7 @@ void run_inside(const Inside_options& options)
   if (options.time && options.csv.empty()) throw CLI::ValidationError("--time", "expected --csv to hold the times");
   if (!options.csv.empty()) refuse_input(options.csv, {options.model, options.points});
   const auto points = covering::read_points(options.points);
-  const Body body = load_model(options.model, options.models, true).body();
+  const Body body = load_model(options.model, options.models, true).body;
   body.inside_bytes();  // no point's time is that of the table
 
   std::string text, csv = options.time ? "point,answer,ns\n" : "point,answer\n";

@@ -79,9 +79,8 @@ void run_motion(const Motion_options& options)
   if (!options.csv.empty()) options.names.refuse_as_output(options.csv);
   const Motion_pairs motions = read_motion_pairs(options.names);
   const bool solid = *question == Question::solid;
-  const Model_file a = load_model(options.names.a, options.names.models, solid),
-                   b = load_model(options.names.b, options.names.models, solid);
-  Query query(a.body(), b.body(), *question);
+  const auto [a, b] = load_models(options.names.a, options.names.b, options.names.models, solid);
+  Query query(a.body, b.body, *question);
   const std::string text = answers(options, query, motions);
   if (options.csv.empty())
     std::cout << text;

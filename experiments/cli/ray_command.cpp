@@ -42,7 +42,7 @@ void run_ray(const Ray_options& options)
   if (!options.csv.empty()) refuse_input(options.csv, {options.model, options.rays});
   const auto rays = covering::read_rays(options.rays);
   const Model_file model = load_model(options.model, options.models, false);
-  const Body body = model.body();
+  const Body body = model.body;
   body.make_all();  // no ray's time is that of the tree
 
   std::string text, csv = options.time ? "ray,face,t,ns\n" : "ray,face,t\n";

@@ -21,7 +21,7 @@ void run_save(const Save_options& options)
   if (!detail::is_body_file(options.out))
     throw CLI::ValidationError("--out " + options.out, "expected a name that ends in .body");
   refuse_input(options.out, {options.model});
-  save_body(load_model(options.model, options.models, false).body(), options.out);
+  save_body(load_model(options.model, options.models, false).body, options.out);
 }
 
 }  // namespace

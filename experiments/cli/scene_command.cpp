@@ -148,7 +148,7 @@ Scene scene_of(const verify::Scene_file& file, const Scene_options& how, const M
   Scene scene(how);
   const bool solid = how.question == Question::solid;
   for (const verify::Scene_file::Model& model : file.models())
-    scene.add_model([path = model.file.native(), models, solid] { return load_model(path, models, solid).body(); },
+    scene.add_model([path = model.file.native(), models, solid] { return load_model(path, models, solid).body; },
                     model.name);
   for (const std::size_t model : file.bodies()) scene.add_body(model);
   for (const auto& [a, b] : file.ignored()) scene.ignore(a, b);

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -23,13 +22,6 @@ using covering::Index;
 using kernel::Pose;
 using Tree = tetratree::Tetra_tree<kernel::Adaptive>;
 using Json = nlohmann::ordered_json;
-
-Model_file generated(covering::Polyhedron polyhedron)
-{
-  std::vector<Index> source(polyhedron.face_count());
-  std::iota(source.begin(), source.end(), Index(0));
-  return {"generated", std::move(polyhedron), std::move(source)};
-}
 
 /// The image of the model by a point, 0.8 radii from V0 towards the vertex that is farthest from it: both reach beyond
 /// it, and neither hull holds the other's V0.
@@ -73,14 +65,14 @@ Json path_data(const Tree& tree)
 
 void run_method_figures(const std::filesystem::path& out, const std::filesystem::path& model)
 {
-  Model_file body = model.empty() ? generated(verify::blob(760, 1)) : load_model(model.native(), {}, true);
+  Model_file body = model.empty() ? whole_model("generated", verify::blob(760, 1)) : load_model(model.native(), {}, true);
   make_folder(out);
-  const Tree tree(body.polyhedron, tetratree::Config());
+  const Tree tree(body.polyhedron(), tetratree::Config());
 
   View_scene pair, faces;
   pair.bodies = {body, body};
   pair.poses = {{Pose()}, {facing(tree)}};
-  faces.bodies = {generated(verify::complex_two())};
+  faces.bodies = {whole_model("generated", verify::complex_two())};
   faces.poses = {{Pose()}, {Pose()}};
   const Json data = {{"pair", Json::parse(view_data(pair, "adaptive", verify::Method::tree))},
                      {"path", path_data(tree)},

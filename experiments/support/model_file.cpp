@@ -7,46 +7,96 @@
 #include "tetracone/tetratree/door/body_file.h"
 #include "tetracone/tetratree/door/repair.h"
 
-#include <algorithm>
+#include <future>
 #include <iostream>
+#include <numeric>
 #include <utility>
 
 namespace tetracone::experiments {
+namespace {
+
+[[noreturn]] void refuse_open(const std::string& file, const covering::Polyhedron& polyhedron)
+{
+  const covering::Check check = covering::check(polyhedron);
+  const auto& edge = check.open_edges.front();
+  const bool orientation_alone = covering::closes_if_oriented(polyhedron);
+  throw covering::Input_error(file, 0,
+                              "an open surface has no solid: " + std::to_string(check.open_edges.size()) +
+                                  " directed edges without enough reverse, the first from vertex " +
+                                  std::to_string(edge.from) + " to " + std::to_string(edge.to),
+                              orientation_alone
+                                  ? "expected a closed polyhedron; consistent orientation would close it: --orient"
+                                  : "expected a closed polyhedron, or --question surface; consistent orientation "
+                                    "alone would not close it");
+}
+
+std::vector<covering::Index> all_faces(const covering::Polyhedron& polyhedron)
+{
+  std::vector<covering::Index> faces(polyhedron.face_count());
+  std::iota(faces.begin(), faces.end(), covering::Index(0));
+  return faces;
+}
+
+Model_file saved_model(const std::string& file)
+{
+  const Body saved = read_body(file);
+  return {file, saved, all_faces(saved.polyhedron())};
+}
+
+/// What goes to stderr is added to `lines`.
+Model_file planar_model(const std::string& file, covering::Polyhedron polyhedron, bool strict, std::string& lines)
+{
+  auto planar = covering::triangulate_non_planar(std::move(polyhedron));
+  if (!planar.replaced.empty()) {
+    const std::string first = "face " + std::to_string(planar.replaced.front());
+    if (strict)
+      throw covering::Input_error(file, 0, first + " is not exactly planar", "expected planar faces with --strict");
+    lines += file + ": " + std::to_string(planar.replaced.size()) + " faces are not exactly planar (first: " + first +
+             "); replaced by triangles\n";
+  }
+  return {file, triangulated_body(std::move(planar.polyhedron)), std::move(planar.source)};
+}
+
+/// As `load_model`, with what goes to stderr in `lines`.
+Model_file load(const std::string& file, const Model_options& options, bool must_be_solid, std::string& lines)
+{
+  const bool is_saved = detail::is_body_file(file);
+  const auto as_options_say = [&] {
+    covering::Polyhedron polyhedron = is_saved ? read_body(file).polyhedron() : covering::read(file);
+    if (options.merge) polyhedron = covering::merge_equal_vertices(std::move(polyhedron));
+    if (options.orient) polyhedron = covering::orient(polyhedron).polyhedron;
+    return planar_model(file, std::move(polyhedron), options.strict, lines);
+  };
+  Model_file model = is_saved && !options.merge && !options.orient ? saved_model(file) : as_options_say();
+  // What replaces a face has its edges: it is open where the file is.
+  if (must_be_solid && !model.body.is_closed()) refuse_open(file, model.polyhedron());
+  return model;
+}
+
+}  // namespace
+
+Model_file whole_model(const std::string& name, covering::Polyhedron polyhedron)
+{
+  std::vector<covering::Index> faces = all_faces(polyhedron);
+  return {name, triangulated_body(std::move(polyhedron)), std::move(faces)};
+}
 
 Model_file load_model(const std::string& file, const Model_options& options, bool must_be_solid)
 {
-  std::optional<Body> saved;
-  if (detail::is_body_file(file)) saved = read_body(file);
-  covering::Polyhedron polyhedron = saved ? saved->polyhedron() : covering::read(file);
-  if (options.merge || options.orient) saved.reset();
-  if (options.merge) polyhedron = covering::merge_equal_vertices(polyhedron);
-  if (options.orient) polyhedron = covering::orient(polyhedron).polyhedron;
-
-  if (must_be_solid && !(saved ? saved->is_closed() : covering::is_closed(polyhedron))) {
-    const covering::Check check = covering::check(polyhedron);
-    const auto& edge = check.open_edges.front();
-    const bool orientation_alone = covering::closes_if_oriented(polyhedron);
-    throw covering::Input_error(file, 0,
-                                "an open surface has no solid: " + std::to_string(check.open_edges.size()) +
-                                    " directed edges without enough reverse, the first from vertex " +
-                                    std::to_string(edge.from) + " to " + std::to_string(edge.to),
-                                orientation_alone
-                                    ? "expected a closed polyhedron; consistent orientation would close it: --orient"
-                                    : "expected a closed polyhedron, or --question surface; consistent orientation "
-                                      "alone would not close it");
-  }
-
-  auto triangulated = covering::triangulate_non_planar(polyhedron);
-  if (!triangulated.replaced.empty()) {
-    const std::string first = "face " + std::to_string(triangulated.replaced.front());
-    if (options.strict)
-      throw covering::Input_error(file, 0, first + " is not exactly planar", "expected planar faces with --strict");
-    std::cerr << file << ": " << triangulated.replaced.size() << " faces are not exactly planar (first: " << first
-              << "); replaced by triangles\n";
-  }
-  return {file, std::move(triangulated.polyhedron), std::move(triangulated.source), std::move(saved)};
+  std::string lines;
+  Model_file model = load(file, options, must_be_solid, lines);
+  std::cerr << lines;
+  return model;
 }
 
-Body Model_file::body() const { return saved ? *saved : triangulated_body(polyhedron); }
+std::array<Model_file, 2> load_models(const std::string& a, const std::string& b, const Model_options& options,
+                                      bool must_be_solid)
+{
+  std::string lines_of_b;
+  auto loading_b = std::async(std::launch::async, [&] { return load(b, options, must_be_solid, lines_of_b); });
+  Model_file model_a = load_model(a, options, must_be_solid), model_b = loading_b.get();
+  std::cerr << lines_of_b;
+  return {std::move(model_a), std::move(model_b)};
+}
 
 }  // namespace tetracone::experiments

@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include <optional>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -29,18 +29,23 @@ struct Model_options {
 /// A model of a file, fit for a tree: every face is planar.
 struct Model_file {
   std::string file;
-  covering::Polyhedron polyhedron;
-  std::vector<covering::Index> source_face;  ///< the face of the file that each face is, or is a triangle of
-  std::optional<Body> saved = {};            ///< with its tree, of a file that has it
+  Body body;                                 ///< with what the file has of its tree, or triangulated
+  std::vector<covering::Index> source_face;  ///< the face of the file that each face is, or is a triangle of; ascending
 
-  /// With what the file has of its tree, or triangulated.
-  Body body() const;
+  const covering::Polyhedron& polyhedron() const { return body.polyhedron(); }
 };
+
+/// A polyhedron that comes from no file of its own, with planar faces.
+Model_file whole_model(const std::string& name, covering::Polyhedron polyhedron);
 
 /// Reads a model or a saved body, merged and oriented as the options say, its non-planar faces replaced by triangles, with one line on
 /// stderr that says so. Throws covering::Input_error for an unreadable file, with `strict` for a non-planar face, and
 /// with `must_be_solid` for an open surface: what is open, and whether consistent orientation alone would close it.
 Model_file load_model(const std::string& file, const Model_options& options, bool must_be_solid);
+
+/// Both, at the same time; their lines and errors come as one after the other.
+std::array<Model_file, 2> load_models(const std::string& a, const std::string& b, const Model_options& options,
+                                      bool must_be_solid);
 
 }  // namespace tetracone::experiments
 

@@ -4,7 +4,6 @@
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/io/read_poses.h"
 
-#include <numeric>
 #include <utility>
 
 namespace tetracone::experiments {
@@ -50,13 +49,6 @@ Pose_pairs read_pose_pairs(const Scene_names& names)
         names.poses_b, 0, std::to_string(poses.b.size()) + " poses",
         "expected " + std::to_string(poses.a.size()) + " as in " + names.poses_a + ", or one pose in either file");
   return poses;
-}
-
-Model_file whole_body(const std::string& name, const covering::Polyhedron& polyhedron)
-{
-  std::vector<covering::Index> source(polyhedron.face_count());
-  std::iota(source.begin(), source.end(), covering::Index(0));
-  return {name, polyhedron, std::move(source)};
 }
 
 }  // namespace tetracone::experiments

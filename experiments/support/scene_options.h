@@ -40,9 +40,6 @@ struct Pose_pairs {
 /// for numbers of poses that do not go together.
 Pose_pairs read_pose_pairs(const Scene_names& names);
 
-/// A polyhedron that comes from no file of its own.
-Model_file whole_body(const std::string& name, const covering::Polyhedron& polyhedron);
-
 }  // namespace tetracone::experiments
 
 #endif

@@ -3,12 +3,12 @@
 #include "experiments/viewer/view_data.h"
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/repair/repair.h"
-#include "tetracone/tetratree/door/repair.h"
 #include "tetracone/tetratree/scene/scene.h"
 #include "verify/cases/scene_file.h"
 
 #include <nlohmann/json.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace tetracone::experiments {
@@ -45,14 +45,14 @@ std::string scene_data(const std::filesystem::path& name, kernel::Question quest
   Json models = Json::array();
   std::size_t triangles = 0;
   for (std::size_t m = 0; m < file.models().size(); ++m) {
-    const Model_file model =
-        is_used[m] ? load_model(file.models()[m].file.native(), options, question == kernel::Question::solid)
-                   : Model_file();
-    models.push_back(model_data(model.polyhedron));
+    std::optional<Body> body;
+    if (is_used[m])
+      body = load_model(file.models()[m].file.native(), options, question == kernel::Question::solid).body;
+    models.push_back(model_data(body ? body->polyhedron() : covering::Polyhedron()));
     triangles += models.back()["triangles"].size() / 3;
     if (triangles > most_triangles)
       refuse("models of more than " + std::to_string(most_triangles) + " triangles", "expected fewer to show");
-    scene.add_model([polyhedron = model.polyhedron] { return triangulated_body(polyhedron); }, file.models()[m].name);
+    scene.add_model([body] { return body.value(); }, file.models()[m].name);
   }
   for (const std::size_t model : file.bodies()) scene.add_body(model);
   for (const auto& [a, b] : file.ignored()) scene.ignore(a, b);

@@ -144,13 +144,13 @@ Json hull_data(const Tree& tree)
 Json body_data(const Model_file& body, const covering::Covering& covering)
 {
   Json vertices = Json::array();
-  for (const auto& v : body.polyhedron.vertices)
+  for (const auto& v : body.polyhedron().vertices)
     for (const double x : v) vertices.push_back(x);
   return {{"name", std::filesystem::path(body.file).filename().string()},
           {"vertices", vertices},
-          {"faces", faces_data(body.polyhedron)},
+          {"faces", faces_data(body.polyhedron())},
           {"source", body.source_face},
-          {"triangles", triangles_data(body.polyhedron, covering)}};
+          {"triangles", triangles_data(body.polyhedron(), covering)}};
 }
 
 void add_method(Json& body, const Tree& tree)
@@ -263,7 +263,7 @@ std::optional<std::array<std::set<std::size_t>, 2>> leaves_left(tetratree::Colli
 /// `trees`: of both bodies, or none.
 void add_answers(Json& data, const View_scene& scene, const Subject& subject, std::vector<Tree>& trees)
 {
-  const Polyhedron &body_a = scene.bodies[0].polyhedron, &body_b = scene.bodies[1].polyhedron;
+  const Polyhedron &body_a = scene.bodies[0].polyhedron(), &body_b = scene.bodies[1].polyhedron();
   const auto exact = verify::prepare(Subject(), body_a, body_b), judged = verify::prepare(subject, body_a, body_b);
   std::optional<tetratree::Collision<K>> query;
   if (!trees.empty()) query.emplace(trees[0], trees[1]);
@@ -338,7 +338,7 @@ std::string view_data(const View_scene& scene, const std::string& kernel, verify
                                "expected adaptive, double, float, double-eps=E, epick, epeck or rational");
 
   std::size_t triangles = 0;
-  for (const Model_file& body : scene.bodies) triangles += triangle_count(body.polyhedron);
+  for (const Model_file& body : scene.bodies) triangles += triangle_count(body.polyhedron());
   if (triangles > most_triangles)
     throw covering::Input_error(scene.name, 0, std::to_string(triangles) + " triangles",
                                 "expected at most " + std::to_string(most_triangles) + " in a page");
@@ -346,13 +346,13 @@ std::string view_data(const View_scene& scene, const std::string& kernel, verify
   // The paper's own choices: the page shows the paper's tree.
   std::vector<Tree> trees;
   if (triangles <= most_detailed)
-    for (const Model_file& body : scene.bodies) trees.emplace_back(body.polyhedron, tetratree::Config());
+    for (const Model_file& body : scene.bodies) trees.emplace_back(body.polyhedron(), tetratree::Config());
   else
     std::cerr << scene.name << ": " << triangles << " triangles, more than " << most_detailed
               << ": the page shows bodies and answers alone\n";
   Json data = {{"name", scene.name}, {"version", TETRACONE_VERSION}, {"bodies", Json::array()}};
   for (const Model_file& body : scene.bodies)
-    data["bodies"].push_back(body_data(body, covering::Covering(body.polyhedron)));
+    data["bodies"].push_back(body_data(body, covering::Covering(body.polyhedron())));
   for (std::size_t k = 0; k < trees.size(); ++k) add_method(data["bodies"][k], trees[k]);
   data["poses"] = {poses_data(scene.poses.a), poses_data(scene.poses.b)};
   const char* const question = scene.question == kernel::Question::solid ? "solid" : "surface";
@@ -361,7 +361,7 @@ std::string view_data(const View_scene& scene, const std::string& kernel, verify
     add_answer_of_predicate(data, *scene.from, kernel);
   else if (pair)
     add_answers(data, scene, *subject, trees);
-  if (!scene.rays.empty()) data["rays"] = rays_data(scene.bodies[0].polyhedron, scene.rays);
+  if (!scene.rays.empty()) data["rays"] = rays_data(scene.bodies[0].polyhedron(), scene.rays);
   if (scene.motion) data["motion"] = motion_data(*scene.motion);
   if (scene.from) data["case"] = case_data(*scene.from);
   return data.dump();

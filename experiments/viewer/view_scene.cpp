@@ -3,7 +3,6 @@
 #include "tetracone/covering/edge_uses.h"
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/kernel/motion/body_motion.h"
-#include "tetracone/tetratree/door/repair.h"
 #include "tetracone/tetratree/door/tetracone.h"
 
 #include <filesystem>
@@ -63,7 +62,7 @@ View_scene scene_of_case(const std::string& file, std::optional<Question> questi
   if (c.level == verify::Level::predicate) {
     if (question) throw CLI::ValidationError("--question", "expected with bodies; " + file + " asks a predicate");
     const auto [a, b] = bodies_of(*c.predicate, *c.points);
-    scene.bodies = {whole_body("A", a), whole_body("B", b)};
+    scene.bodies = {whole_model("A", a), whole_model("B", b)};
     scene.poses = {{c.points->pose_a}, {c.points->pose_b}};
     return scene;
   }
@@ -71,16 +70,9 @@ View_scene scene_of_case(const std::string& file, std::optional<Question> questi
   for (const auto& body : {c.object->a, c.object->b})
     if (scene.question == Question::solid && !covering::is_closed(*body))
       throw covering::Input_error(file, 0, "a body is an open surface and has no solid", "expected --question surface");
-  scene.bodies = {whole_body("A", *c.object->a), whole_body("B", *c.object->b)};
+  scene.bodies = {whole_model("A", *c.object->a), whole_model("B", *c.object->b)};
   scene.poses = {{c.object->pose_a}, {c.object->pose_b}};
   return scene;
-}
-
-void refuse_empty(const View_scene& scene)
-{
-  for (const Model_file& body : scene.bodies)
-    if (body.polyhedron.face_count() == 0)
-      throw covering::Input_error(body.file, 0, "no faces", "expected something to show");
 }
 
 }  // namespace
@@ -100,7 +92,6 @@ View_scene read_view_scene(const Scene_names& names, std::optional<Question> que
   scene.name = file_name(names.a) + (pair ? " and " + file_name(names.b) : "");
   scene.bodies.push_back(load_model(names.a, names.models, solid));
   if (pair) scene.bodies.push_back(load_model(names.b, names.models, solid));
-  refuse_empty(scene);
   return scene;
 }
 
@@ -115,9 +106,8 @@ View_scene read_view_motion(const Motion_names& names, Question question)
   scene.name = file_name(names.a) + " and " + file_name(names.b);
   for (const std::string& file : {names.a, names.b})
     scene.bodies.push_back(load_model(file, names.models, question == Question::solid));
-  refuse_empty(scene);
 
-  Query query(triangulated_body(scene.bodies[0].polyhedron), triangulated_body(scene.bodies[1].polyhedron), question);
+  Query query(scene.bodies[0].body, scene.bodies[1].body, question);
   View_motion motion{{}, query.first_contact(motions.a[0], motions.b[0])};
   const double end = motion.first ? motion.first->lo : 1;
   for (int k = 0; k <= motion_steps; ++k) {

@@ -8,9 +8,9 @@
 
 namespace tetracone {
 
-Repaired repaired(const Polyhedron& polyhedron)
+Repaired repaired(Polyhedron polyhedron)
 {
-  auto planar = covering::triangulate_non_planar(polyhedron);
+  auto planar = covering::triangulate_non_planar(std::move(polyhedron));
   Repaired result{std::move(planar.polyhedron), std::move(planar.replaced), false};
   if (covering::is_closed(result.polyhedron)) return result;
   auto oriented = covering::orient(result.polyhedron);
@@ -20,9 +20,10 @@ Repaired repaired(const Polyhedron& polyhedron)
   return result;
 }
 
-Body triangulated_body(const Polyhedron& polyhedron)
+Body triangulated_body(Polyhedron polyhedron)
 {
-  return Body(polyhedron, covering::triangulate_faces(polyhedron));
+  auto triangles = covering::triangulate_faces(polyhedron);
+  return Body(std::move(polyhedron), std::move(triangles));
 }
 
 Body read_repaired_body(const std::filesystem::path& file)

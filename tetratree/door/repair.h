@@ -19,11 +19,11 @@ struct Repaired {
 
 /// Replaces each face that is not exactly planar, that face alone, by triangles with the same edges; turns faces round
 /// where that alone closes an open surface.
-Repaired repaired(const Polyhedron& polyhedron);
+Repaired repaired(Polyhedron polyhedron);
 
 /// The body with its polygons triangulated where that is possible without new vertices, which makes queries faster and
 /// changes no answer. Throws as `Body`.
-Body triangulated_body(const Polyhedron& polyhedron);
+Body triangulated_body(Polyhedron polyhedron);
 
 /// Reads a model as `read_body` does, repaired and triangulated.
 Body read_repaired_body(const std::filesystem::path& file);

@@ -41,7 +41,7 @@ std::array<std::size_t, 2> bytes_beside_tree(const Body_data& body)
   return {given, given + covered};
 }
 
-/// Of a query's images of the body's vertices, and of its table of reach.
+/// At most that of a query's images of the body's vertices, and of its table of reach.
 std::size_t query_bytes(const Body& body)
 {
   return body.polyhedron().vertices.size() * (bytes_of_point + 2 * sizeof(std::uint64_t)) + Scene_worker::table_bytes;
