@@ -191,25 +191,26 @@ void run_scene(const Scene_workload& work, Csv_table& table, std::uint64_t seed)
     bodies.emplace_back(model);
     brute.emplace_back(model);
   }
-  auto all = contestants(work, bodies);
   const std::size_t n = work.model_of.size(), frames = work.frames.size();
-  for (std::size_t frame = 0; frame < frames; ++frame) {
-    const bool is_frame_judged = n <= 1000 || frame + 1 == frames;
-    const Pairs right = is_frame_judged ? truth(brute, work, work.frames[frame]) : Pairs();
-    for (Contestant& each : all) {
+  std::vector<std::optional<Pairs>> right(frames);  // of frames that are judged
+  for (std::size_t frame = 0; frame < frames; ++frame)
+    if (n <= 1000 || frame + 1 == frames) right[frame] = truth(brute, work, work.frames[frame]);
+  // Each plays alone, as in a program: who comes after another would find the caches full of that one's.
+  auto all = contestants(work, bodies);
+  for (Contestant& each : all)
+    for (std::size_t frame = 0; frame < frames; ++frame) {
       const Stopwatch watch;
       Pairs pairs = each.frame(work.frames[frame]);
       each.ns.push_back(watch.nanoseconds());
       if (frame > 0) each.candidate_count += each.candidates();
-      if (!is_frame_judged) continue;
+      if (!right[frame]) continue;
       std::erase_if(pairs, [n](const Pair& pair) { return !is_judged(pair[0], n); });
       std::ranges::sort(pairs);
       each.pair_count += pairs.size();
-      each.judged += right.size();
-      each.lost += missing(pairs, right);
-      each.invented += missing(right, pairs);
+      each.judged += right[frame]->size();
+      each.lost += missing(pairs, *right[frame]);
+      each.invented += missing(*right[frame], pairs);
     }
-  }
   for (const Contestant& each : all) {
     const double us = mean(each.ns) / 1000, ratio = mean(each.ns) / mean(all[0].ns);
     table.add(Csv_row()
