@@ -72,15 +72,9 @@ std::vector<Point> points_of(const covering::Polyhedron& body, bool near_surface
     Point p;
     if (near_surface) {
       const auto loop = body.loop(covering::Index(random.bits() % body.face_count()), 0);
-      double a = random.unit(), b = random.unit();
-      if (a + b > 1) {
-        a = 1 - a;
-        b = 1 - b;
-      }
+      const auto on = random.in_triangle({body.vertices[loop[0]], body.vertices[loop[1]], body.vertices[loop[2]]});
       const auto off = random.in_ball();
-      for (int k = 0; k < 3; ++k)
-        p[k] = body.vertices[loop[0]][k] * (1 - a - b) + body.vertices[loop[1]][k] * a + body.vertices[loop[2]][k] * b +
-               1e-3 * half * off[k];
+      for (int k = 0; k < 3; ++k) p[k] = on[k] + 1e-3 * half * off[k];
     } else {
       for (int k = 0; k < 3; ++k) p[k] = low[k] + (high[k] - low[k]) * (1.1 * random.unit() - 0.05);
     }

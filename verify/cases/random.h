@@ -5,6 +5,7 @@
 #include <bit>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -68,6 +69,19 @@ class Random {
       const Vector v = {symmetric(), symmetric(), symmetric()};
       if (v[0] * v[0] + v[1] * v[1] + v[2] * v[2] <= 1) return v;
     }
+  }
+
+  /// Uniform in the triangle, but for rounding.
+  Vector in_triangle(const std::array<Vector, 3>& t)
+  {
+    double a = unit(), b = unit();
+    if (a + b > 1) {
+      a = 1 - a;
+      b = 1 - b;
+    }
+    Vector p;
+    for (std::size_t k = 0; k < 3; ++k) p[k] = t[0][k] + a * (t[1][k] - t[0][k]) + b * (t[2][k] - t[0][k]);
+    return p;
   }
 
   /// Uniform on the sphere of radius 1.

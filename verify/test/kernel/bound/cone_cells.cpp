@@ -75,13 +75,8 @@ BOOST_AUTO_TEST_CASE(each_point_of_a_triangle_is_within_the_norms_of_its_cell)
     std::map<std::size_t, std::pair<float, float>> norms;
     cells.for_cells(Local_facet(t), [&](std::size_t cell, float low, float high) { norms[cell] = {low, high}; });
     for (int k = 0; k < 20; ++k) {
-      double a = random.unit(), b = k % 4 == 0 ? 0 : random.unit();
-      if (a + b > 1) {
-        a = 1 - a;
-        b = 1 - b;
-      }
-      Local_point p;
-      for (int c = 0; c < 3; ++c) p[c] = t[0][c] + a * (t[1][c] - t[0][c]) + b * (t[2][c] - t[0][c]);
+      const bool on_edge = k % 4 == 0;
+      const Local_point p = random.in_triangle({t[0], t[1], on_edge ? t[0] : t[2]});
       const double norm = octahedral_norm(p);
       if (norm < 4 * Cone_cells::core) continue;
       const auto found = norms.find(cells.cell(p, norm));

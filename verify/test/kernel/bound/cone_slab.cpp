@@ -37,13 +37,7 @@ BOOST_AUTO_TEST_CASE(what_is_before_a_triangle_is_never_beyond_its_slab)
       if (norms.contains(cell)) slabs.emplace(cell, Cone_slab(corners, std::span(&facet, 1)));
     });
     for (int k = 0; k < 50; ++k) {
-      double a = random.unit(), b = random.unit();
-      if (a + b > 1) {
-        a = 1 - a;
-        b = 1 - b;
-      }
-      Local_point p;
-      for (int c = 0; c < 3; ++c) p[c] = t[0][c] + a * (t[1][c] - t[0][c]) + b * (t[2][c] - t[0][c]);
+      const Local_point p = random.in_triangle(t);
       const double norm = octahedral_norm(p);
       if (norm < 0.01) continue;
       const std::size_t cell = cells.cell(p, norm);
