@@ -118,42 +118,104 @@ inline HWY_ATTR void certified_gaps_simd(const Obb8& boxes, const Box_map& map, 
   }
 }
 
-/// `error` is `Carried_box::error_of` the map.
-HWY_INLINE double least_gap_after(const Certified_gaps& gaps, unsigned of_lanes, const Carried_box& box,
-                                  const Box_map& map, double turned, double error)
+/// The centre's image in double, coordinates k and on.
+HWY_INLINE auto centre_image(const Carrier& carrier, const float (&centre)[3], std::size_t k)
+{
+  constexpr hn::CappedTag<double, 4> doubles;
+  const auto column = [&](int j) HWY_ATTR { return hn::Load(doubles, carrier.map->column(j) + k); };
+  const auto term = [&](int j) HWY_ATTR { return Mul(column(j), hn::Set(doubles, double(centre[j]))); };
+  return hn::Add(hn::Add(hn::Add(column(3), term(0)), term(1)), term(2));
+}
+
+/// By columns of four or of eight coordinates, k and on.
+template <class Tag, std::size_t size>
+HWY_INLINE auto image_of(const Tag& tag, const float (&columns)[3][size], const float* p, std::size_t k)
+{
+  const auto column = [&](int j) HWY_ATTR { return hn::Load(tag, columns[j] + k); };
+  return MulAdd(column(2), hn::Set(tag, p[2]), MulAdd(column(1), hn::Set(tag, p[1]), Mul(column(0), hn::Set(tag, p[0]))));
+}
+
+HWY_INLINE void carry_now(const Carrier& carrier, const Obb8& from, int lane, Carried_box& box)
+{
+  constexpr hn::CappedTag<double, 4> doubles;
+  constexpr hn::CappedTag<float, 4> four;
+  float size = 0;
+  for (int k = 0; k < 3; ++k) {
+    box.centre[k] = from.origin[k] + from.centre[k][lane];
+    const float extent = from.extent[k][lane];
+    for (int i = 0; i < 3; ++i) box.half_edge[k][i] = from.axis[k][i][lane] * extent;
+    size += extent;
+  }
+  for (std::size_t k = 0; k < 4; k += hn::Lanes(doubles))
+    hn::Store(centre_image(carrier, box.centre, k), doubles, box.image + k);
+  for (std::size_t k = 0; k < 4; k += hn::Lanes(four))
+    for (int j = 0; j < 3; ++j)
+      hn::Store(image_of(four, carrier.columns, box.half_edge[j], k), four, box.edge[j] + k);
+  const double rounding = Carried_box::edge_rounding * double(size * rounded_up) + Carried_box::centre_rounding;
+  box.rounding = float(rounding) * rounded_up;
+  box.error = float(carrier.error + carrier.scale * rounding) * rounded_up;
+}
+
+inline HWY_ATTR void carried_now_simd(const Carrier& carrier, const Obb8& from, int lane, Carried_box& box)
+{
+  carry_now(carrier, from, lane, box);
+}
+
+HWY_INLINE Gap_and_rate least_gap_after(const Certified_gaps& gaps, unsigned of_lanes, const Carried_box& box,
+                                        const Carrier& carrier)
 {
   constexpr Float_tag tag;
   constexpr hn::CappedTag<double, 4> doubles;
+  constexpr hn::CappedTag<float, 4> four;
   constexpr hn::Rebind<float, decltype(doubles)> narrow;
-  alignas(16) float way[4];
+  alignas(32) float way[4], going[4], edge[3][8];  // of edges, the last four are by the course
   alignas(32) double far[4];
   for (std::size_t k = 0; k < 4; k += hn::Lanes(doubles)) {
-    const auto column = [&](int j) HWY_ATTR { return hn::Load(doubles, map.column(j) + k); };
-    const auto term = [&](int j) HWY_ATTR { return Mul(column(j), hn::Set(doubles, double(box.centre[j]))); };
-    const auto now = hn::Add(hn::Add(hn::Add(column(3), term(0)), term(1)), term(2));
-    const auto moved = Sub(now, hn::Load(doubles, box.image + k));
+    const auto moved = Sub(centre_image(carrier, box.centre, k), hn::Load(doubles, box.image + k));
     hn::Store(Abs(moved), doubles, far + k);
     hn::StoreU(hn::DemoteTo(narrow, moved), narrow, way + k);
   }
-  auto least = hn::Set(tag, most_gap_slack);
+  for (int j = 0; j < 3; ++j)
+    for (std::size_t k = 0; k < 8; k += hn::Lanes(tag))
+      hn::Store(image_of(tag, carrier.columns, box.half_edge[j], k), tag, edge[j] + k);
+  for (std::size_t k = 0; k < 4; k += hn::Lanes(four)) {
+    for (int j = 0; j < 3; ++j)
+      hn::Store(Sub(hn::Load(four, edge[j] + k), hn::Load(four, box.edge[j] + k)), four, edge[j] + k);
+    hn::Store(Add(hn::Load(four, carrier.shift + k), image_of(four, carrier.columns, box.centre, 4 + k)), four,
+              going + k);
+  }
+  const double loss = Carried_box::way_rounding * (far[0] + far[1] + far[2]) +
+                      ((double(box.error) + carrier.error) + double(box.rounding) * carrier.scale);
+  const float lost = float(loss) * rounded_up + box_underflow;
+  auto least = hn::Set(tag, most_gap_slack), share = hn::Zero(tag);
   for (std::size_t first = 0; first < lanes; first += hn::Lanes(tag)) {
     const auto load = [&](const float* lane) HWY_ATTR { return hn::Load(tag, lane + first); };
-    const One_test::Floats n[3] = {load(gaps.axis[0]), load(gaps.axis[1]), load(gaps.axis[2])},
-                           moved[3] = {hn::Set(tag, way[0]), hn::Set(tag, way[1]), hn::Set(tag, way[2])};
-    const auto gap = Add(load(gaps.gap), along_axis(n, moved));
+    const auto all = [&](float x) HWY_ATTR { return hn::Set(tag, x); };
+    const One_test::Floats n[3] = {load(gaps.axis[0]), load(gaps.axis[1]), load(gaps.axis[2])};
+    const auto along = [&](const float* v) HWY_ATTR {
+      const One_test::Floats by[3] = {all(v[0]), all(v[1]), all(v[2])};
+      return along_axis(n, by);
+    };
+    const auto across = [&](int by) HWY_ATTR {
+      return Add(Add(Abs(along(edge[0] + by)), Abs(along(edge[1] + by))), Abs(along(edge[2] + by)));
+    };
+    const auto gap = Sub(Mul(Sub(Add(load(gaps.gap), along(way)), across(0)), all(gap_shrink)), all(lost));
+    const auto rate = Add(Sub(across(4), along(going)), all(carrier.slack));
     const std::uint8_t some[8] = {std::uint8_t(of_lanes >> first)};
-    least = hn::Min(least, hn::IfThenElse(hn::LoadMaskBits(tag, some), gap, hn::Set(tag, most_gap_slack)));
+    const auto is_one = hn::LoadMaskBits(tag, some);
+    least = hn::Min(least, hn::IfThenElse(is_one, gap, all(most_gap_slack)));
+    share = Max(share, hn::IfThenElseZero(is_one, hn::Div(rate, gap)));
   }
+  // Vectors may have dropped what is undefined.
+  if (!(loss <= most_gap_slack && carrier.slack <= most_gap_slack)) return {0, 0};
   const double found = double(hn::GetLane(hn::MinOfLanes(tag, least)));
-  const double loss = double(box.radius) * ((turned - double(box.turned)) * (1 + few_roundings)) +
-                      Carried_box::way_rounding * (far[0] + far[1] + far[2]) + (double(box.error) + error);
-  return (found > 0 ? found * double(gap_shrink) : found) - loss;
+  return {found, found * double(hn::GetLane(hn::MaxOfLanes(tag, share))) * (1 + 0x1p-20)};
 }
 
-inline HWY_ATTR double least_gap_after_simd(const Certified_gaps& gaps, unsigned of_lanes, const Carried_box& box,
-                                            const Box_map& map, double turned)
+inline HWY_ATTR Gap_and_rate least_gap_after_simd(const Certified_gaps& gaps, unsigned of_lanes, const Carried_box& box,
+                                                  const Carrier& carrier)
 {
-  return least_gap_after(gaps, of_lanes, box, map, turned, Carried_box::error_of(map));
+  return least_gap_after(gaps, of_lanes, box, carrier);
 }
 
 /// The gap and the losses are moved by 16 roundings to the safe side, which takes those of their products, sums and

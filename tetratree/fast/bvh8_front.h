@@ -56,8 +56,12 @@ class Bvh8_front {
   bool holds() const { return holds_; }
   const Front_entries& entries() const { return entries_; }
 
-  /// The sum of motions, in A's local units, since the front was made.
-  double moved() const { return moved_; }
+  /// At most how far the boxes of an entry are apart, in A's local units, in the pose that was asked last; not above 0
+  /// where nothing is known.
+  double gap(std::size_t k) const { return entries_.gap(k) * to_a_share(); }
+
+  /// Since the front was made.
+  std::size_t poses_followed() const { return poses_followed_; }
 
   std::size_t bytes() const { return entries_.bytes() + expired_.capacity() * sizeof(std::uint32_t); }
 
@@ -83,6 +87,9 @@ class Bvh8_front {
   }
   static constexpr double most_error = 0x1p-26;
 
+  /// Bodies that stray by more, a share of what they go on their course, are set on a new one.
+  static constexpr double most_strayed = 0.25;
+
   /// Whether the next descent from the root is to make a front.
   bool is_to_be_made() { return policy_.makes_front(); }
 
@@ -92,16 +99,21 @@ class Bvh8_front {
   bool make(Pair_stack& stack, Both_trees& trees, const Bvh8& a, const Bvh8& b, const Leaf_pair& leaf_pair)
   {
     entries_.clear();
-    hold_all(b.node(0).boxes);
-    moved_ = turned_[0] = turned_[1] = 0;
-    for (int body = 0; body < 2; ++body) at_[body] = trees.into[body]->frame();
+    boxes_[0] = kernel::Body_box(a.node(0).boxes, 0);
+    boxes_[1] = kernel::Body_box(b.node(0).boxes, 0);
+    poses_followed_ = 0;
+    for (int body = 0; body < 2; ++body) {
+      at_[body] = kernel::Placement(*trees.into[body]);
+      courses_[body] = {};
+    }
+    to_a_ = to_a(at_[1]);
     holds_ = true;
     leaf_pairs_ = 0;
     relation.reset();
     stack.clear();
     push(stack, trees, {0, 0});
     const std::uint64_t before = trees.opened;
-    const bool meet = descend(stack, trees, a, b, leaf_pair);
+    const bool meet = descend(stack, trees, certifying(trees), a, b, leaf_pair);
     policy_.made(cost(double(trees.opened - before)));
     return meet;
   }
@@ -111,55 +123,71 @@ class Bvh8_front {
   std::optional<bool> follow(Pair_stack& stack, Both_trees& trees, const Bvh8& a, const Bvh8& b,
                              const Leaf_pair& leaf_pair)
   {
-    const double step = kernel::motion_bound(at_[1], trees.into[1]->frame(), box_, reach_), before = moved_,
-                 moved = (moved_ + step) * (1 + kernel::few_roundings);
-    if (!(moved <= Front_entries::most_moved) || !is_certifiable(trees) || policy_.is_worn()) return forget();
-    moved_ = moved;
-    for (int body = 0; body < 2; ++body) {
-      const kernel::Relative_frame& now = trees.into[body]->frame();
-      turned_[body] = (turned_[body] + kernel::linear_step(at_[body], now)) * (1 + kernel::few_roundings);
-      at_[body] = now;
-    }
+    const double share_before = to_a_share();
+    const std::optional<double> step = go_on(trees);
+    if (!step || !is_certifiable(trees) || policy_.is_worn()) return forget();
+    ++poses_followed_;
 
     expired_.resize(entries_.count() + kernel::lanes);
-    std::size_t count =
-        expired(entries_.all_until(), entries_.count(), Front_entries::as_float(moved), expired_.data());
+    std::size_t count = expired(entries_, expired_.data());
     double left = std::numeric_limits<double>::infinity();
     least_gap_ = left;
     if (relation)
-      for (std::size_t k = 0; k < count; ++k) left = kernel::minimum(left, entries_.until(expired_[k]) - before);
+      for (std::size_t k = 0; k < count; ++k) left = kernel::minimum(left, entries_.gap_before(expired_[k]));
     const std::size_t checked = count;
-    count = keep_by_axes(trees, certifying(trees), expired_.data(), count, least_gap_);
+    const Certifying units = certifying(trees);
+    count = keep_by_axes(units, expired_.data(), count, least_gap_);
     if (!policy_.is_worth(count)) return forget();
 
     stack.clear();
     leaf_pairs_ = 0;
     const std::uint64_t opened = trees.opened;
     // From the last one on: where one is removed, the last takes its place.
-    open_again(stack, trees, certifying(trees), expired_.data(), count, least_gap_);
+    open_again(stack, trees, units, expired_.data(), count, least_gap_);
     bool meet = false;
-    for (std::size_t k = count; k-- > 0 && !meet;) meet = ask_again(stack, trees, expired_[k], leaf_pair);
+    for (std::size_t k = count; k-- > 0 && !meet;) meet = ask_again(stack, trees, units, expired_[k], leaf_pair);
     if (meet)
       keep_rest(stack);
     else
-      meet = descend(stack, trees, a, b, leaf_pair);
+      meet = descend(stack, trees, units, a, b, leaf_pair);
     policy_.followed(cost(Front_policy::of_certified * double(trees.opened - opened)) +
                      Front_policy::of_check * double(checked));
     // On the way, straight, from the last pose to this one, t of it from 0 to 1, those asked again were apart before the
     // step reached what was left, t step < left, and again where (1 - t) step < the new gap. Where these hold in turn
     // for all t, no surface has passed the other: a shell that was inside is inside, and one outside outside.
-    if (meet || !(left + least_gap_ > step * (1 + kernel::few_roundings))) relation.reset();
+    if (meet || !((left + least_gap_) * kernel::minimum(share_before, to_a_share()) > *step)) relation.reset();
     return meet;
   }
 
  private:
-  /// Keeps the box of all of B.
-  void hold_all(const kernel::Obb8& root)
+  /// The larger of what is known of both bodies, each in the other's frame, in A's local units.
+  template <class Bound>
+  double of_both(const Bound& bound) const
   {
-    box_.centre = kernel::centre_of(root, 0);
-    for (int k = 0; k < 3; ++k)
-      for (int j = 0; j < 3; ++j) box_.half_edge[j][k] = double(root.extent[j][0]) * double(root.axis[j][k][0]);
-    reach_ = box_.reach();
+    return kernel::maximum(to_a_ * bound(0), bound(1));
+  }
+
+  /// Takes the bodies to their present places: along the course that they are on, where that tells most of their way,
+  /// else on a new one. Returns at least how far a point of B has gone, in A's local units; nothing where that is not
+  /// known or too far.
+  std::optional<double> go_on(const Both_trees& trees)
+  {
+    const kernel::Placement now[2] = {kernel::Placement(*trees.into[0]), kernel::Placement(*trees.into[1])};
+    const auto strayed_after = [&](double steps) {
+      return of_both([&](int k) { return kernel::stray_bound(courses_[k], steps, at_[k], now[k], boxes_[k]); });
+    };
+    double steps = kernel::steps_along(courses_[1], at_[1], now[1]), strayed = strayed_after(steps);
+    if (!(strayed <= most_strayed * (steps * entries_.pace()) + 0x1p-30) || entries_.is_worn()) {
+      for (int k = 0; k < 2; ++k) courses_[k] = kernel::Course(at_[k], now[k]);
+      entries_.set_course(of_both([&](int k) { return kernel::pace_bound(courses_[k], boxes_[k]); }));
+      steps = 1;
+      strayed = strayed_after(steps);
+    }
+    entries_.go_on(steps, strayed);
+    for (int k = 0; k < 2; ++k) at_[k] = now[k];
+    const double gone = (steps * entries_.pace() + strayed) * (1 + kernel::few_roundings);
+    if (!(gone <= Front_entries::most_gone)) return std::nullopt;
+    return gone;
   }
 
   std::nullopt_t forget()
@@ -173,11 +201,16 @@ class Bvh8_front {
   /// Of openings that cost so much, and the pairs of leaves.
   double cost(double opened) const { return opened + Front_policy::of_elements * double(leaf_pairs_); }
 
-  /// At most the distances in A's local units over those in the units of either body: the exact map's columns differ
-  /// from the computed ones by 2 sqrt(3) of its error at most, and are as long as the first but for 2^-22.
+  /// At most the distances in A's local units over those in the units of B: the exact map's columns differ from the
+  /// computed ones by 2 sqrt(3) of its error at most, and are as long as the first but for 2^-22.
+  static double to_a(const kernel::Placement& of_b) { return of_b.scale * (1 - 0x1p-20); }
+
+  /// Gaps along axes in B's frame are taken to A's units by the scale with which the front was made.
+  double to_a_share() const { return kernel::minimum(1.0, to_a(at_[1]) / to_a_); }
+
   Certifying certifying(const Both_trees& trees)
   {
-    return {&entries_, moved_, {turned_[0], turned_[1]}, {1, trees.into[1]->scale() * (1 - 0x1p-20)}};
+    return {&entries_, {{*trees.into[0], at_[0], courses_[0]}, {*trees.into[1], at_[1], courses_[1]}}, {1, to_a_}};
   }
 
   static void push(Pair_stack& stack, const Both_trees& trees, const Boxes& boxes)
@@ -194,14 +227,15 @@ class Bvh8_front {
   /// Takes in what is known of an entry that was asked now.
   void renew(std::size_t k, double gap)
   {
-    entries_.set_until(k, Front_entries::until(moved_, gap));
+    entries_.set_gap(k, gap);
     least_gap_ = kernel::minimum(least_gap_, gap);
   }
 
   /// Removes what has no lanes left, and asks pairs of boxes again; what is to be opened is on the stack then. True where
   /// elements meet.
   template <class Leaf_pair>
-  bool ask_again(Pair_stack& stack, Both_trees& trees, std::size_t k, const Leaf_pair& leaf_pair)
+  bool ask_again(Pair_stack& stack, const Both_trees& trees, const Certifying& units, std::size_t k,
+                 const Leaf_pair& leaf_pair)
   {
     Front_entry& entry = entries_[k];
     if (entry.kind != Front_entry::Kind::pair) {
@@ -217,27 +251,27 @@ class Bvh8_front {
     ++leaf_pairs_;
     const Leaf_gap found = leaf_pair(entry.first, entry.second);
     if (found.meet) witness = {entry.first, entry.second};
-    entry.lanes = certify(trees, entry.second, found, entries_.certificate(k));
+    entry.lanes = certify(trees, units, entry.second, found, entries_.certificate(k));
     renew(k, found.meet ? 0 : found.gap);
     return found.meet;
   }
 
   /// Writes the certificate of a pair of leaves. Returns its lanes.
-  std::uint8_t certify(const Both_trees& trees, Index box_b, const Leaf_gap& found, Certificate& certificate) const
+  static std::uint8_t certify(const Both_trees& trees, const Certifying& units, Index box_b, const Leaf_gap& found,
+                              Certificate& certificate)
   {
     if (!(found.gap > 0) || found.axis == kernel::Double_vector{}) return 0;
-    certificate.gaps.gap[0] = Front_entries::until(0, found.gap);
+    certificate.gaps.gap[0] = float(found.gap * (1 - 0x1p-20));
     for (int k = 0; k < 3; ++k) certificate.gaps.axis[k][0] = float(found.axis[k]);
-    certificate.carried =
-        kernel::Carried_box(*trees.into[1], trees.nodes[1][box_b / 8].boxes, int(box_b % 8), turned_[1]);
+    certificate.carried = kernel::carried_now(units.carrier[1], trees.nodes[1][box_b / 8].boxes, int(box_b % 8));
     return 1;
   }
 
   /// Opens what is on the stack, until elements meet.
   template <class Leaf_pair>
-  bool descend(Pair_stack& stack, Both_trees& trees, const Bvh8& a, const Bvh8& b, const Leaf_pair& leaf_pair)
+  bool descend(Pair_stack& stack, Both_trees& trees, const Certifying& units, const Bvh8& a, const Bvh8& b,
+               const Leaf_pair& leaf_pair)
   {
-    const Certifying units = certifying(trees);
     const std::size_t known = entries_.count();
     bool meet = false;
     for (Stop stop; !meet && (stop = descend_certified(stack, trees, units)) != Stop::nothing_left;) {
@@ -253,12 +287,12 @@ class Bvh8_front {
       const Leaf_gap found = leaf_pair(boxes.first, boxes.second);
       meet = found.meet;
       if (meet) witness = boxes;
-      const std::uint8_t lanes = certify(trees, boxes.second, found, entries_.next());
+      const std::uint8_t lanes = certify(trees, units, boxes.second, found, entries_.next());
       entries_.add({boxes.first, boxes.second, Front_entry::Kind::pair, lanes},
-                   meet ? Front_entries::at_once : Front_entries::until(moved_, found.gap));
+                   meet ? 0 : found.gap);
     }
     for (std::size_t k = known; k < entries_.count(); ++k)
-      least_gap_ = kernel::minimum(least_gap_, entries_.until(k) - moved_);
+      least_gap_ = kernel::minimum(least_gap_, entries_.gap(k));
     if (meet) keep_rest(stack);
     return meet;
   }
@@ -267,17 +301,17 @@ class Bvh8_front {
   void keep_rest(Pair_stack& stack)
   {
     for (; !stack.empty(); stack.pop())
-      entries_.add({stack.box(0), stack.box(1), Front_entry::Kind::pair}, Front_entries::at_once);
+      entries_.add({stack.box(0), stack.box(1), Front_entry::Kind::pair}, 0);
   }
 
   bool holds_ = false, is_plane_first_ = true;
   Front_entries entries_;
   std::vector<std::uint32_t> expired_;
-  double moved_ = 0;
-  kernel::Body_box box_;  // of B
-  double reach_ = 0;
-  double turned_[2] = {0, 0};     // the sums of steps of the maps' linear parts
-  kernel::Relative_frame at_[2];  // of body k into the other's units, when the front was last brought to a pose
+  kernel::Body_box boxes_[2];
+  double to_a_ = 1;
+  kernel::Course courses_[2];     // of body k in the other's frame
+  kernel::Placement at_[2];       // of body k in the other's frame, when the front was last brought to a pose
+  std::size_t poses_followed_ = 0;
   double least_gap_ = 0;          // of what was asked in this pose
   std::uint64_t leaf_pairs_ = 0;
   Front_policy policy_;
