@@ -94,7 +94,8 @@ class Front_entries {
     rate_[k] = float(rate) * kernel::rounded_up;
     // Of a positive sum: more than what is lost by rounding it, and in `expired` and `set_course`, 4 roundings. Below
     // that the float would be a denormal.
-    until_[k] = gap > 0x1p-60 ? float((gap + gone_by(double(rate_[k]))) * double(shrink)) : at_once;
+    const float untils[2] = {at_once, float((gap + gone_by(double(rate_[k]))) * double(shrink))};
+    until_[k] = untils[gap > 0x1p-60];
   }
   void set_gap(std::size_t k, double gap) { set_gap(k, gap, double(pace_)); }
 

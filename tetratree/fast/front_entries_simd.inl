@@ -55,13 +55,13 @@ inline HWY_ATTR std::size_t keep_by_axes_simd(const Certifying& certifying, std:
     const int body = entry.carried_body();
     const kernel::Gap_and_rate now =
         simd::least_gap_after(certificate.gaps, entry.lanes, certificate.carried, certifying.carrier[body]);
-    const double to_a = certifying.to_a[1 - body], gap = to_a * now.gap;
-    if (entry.lanes != 0 && gap > 0) {
-      entries.set_gap(number, gap, to_a * now.rate);
-      least = least < gap ? least : gap;
-    } else {
-      asked[left++] = number;
-    }
+    // Without branches, which could not be foreseen.
+    const bool stays = (entry.lanes != 0) & (now.gap > 0);
+    const double to_a = certifying.to_a[1 - body], gaps[2] = {0, to_a * now.gap}, leasts[2] = {least, gaps[1]};
+    entries.set_gap(number, gaps[stays], to_a * now.rate);
+    least = leasts[stays & (gaps[1] < least)];
+    asked[left] = number;
+    left += !stays;
   }
   return left;
 }
