@@ -27,13 +27,18 @@ namespace tetracone::tetratree {
 ///
 /// The front covers all pairs of elements: parts of a node that were apart from a box of the other body, by a gap at
 /// least; and pairs of leaves, by a lower bound of their distance. Gaps and motions are in A's local units, where A
-/// stands still. A point of B that has moved by at most m is nearer to a point of A by at most m: so an entry certified
-/// at gap g, when the motions of all steps before summed up to s, holds until the sum reaches s + g. Then it alone is
-/// asked again, and what is no longer apart is opened, from there. Cf. Klosowski et al., "Efficient collision detection
-/// using bounding volume hierarchies of k-DOPs" (1998), generalised front tracking, which has no gaps; Mirtich's
-/// conservative advancement, which has no front.
+/// stands still.
 ///
-/// Steps are bounded by the two relative maps alone (`kernel::motion_bound`), with their errors: where these are not
+/// Bodies go on as they went, mostly. So each is on a course in the other's frame (`kernel::Course`), by the step
+/// between two poses: later poses are so many steps of it, and what the bodies have strayed at most from where these
+/// lead. A step takes at most a rate off a gap along an axis, the pace off any distance; and what a point has strayed, it
+/// may be nearer. An entry holds until its gap is used up by all that (`Front_entries`). Then it alone is asked again, and
+/// what is no longer apart is opened, from there. Where bodies stray by much, they are set on a new course. Cf. Klosowski
+/// et al., "Efficient collision detection using bounding volume hierarchies of k-DOPs" (1998), generalised front
+/// tracking, which has no gaps; Mirtich's conservative advancement, which has no front; Basch, Guibas and Hershberger,
+/// "Data structures for mobile data" (1999), whose certificates expire as motions foresee, which must be known.
+///
+/// Motions are bounded by the two relative maps alone (`kernel::stray_bound`), with their errors: where these are not
 /// known, or the maps are no similarities, nothing is certified, and descents begin at the root. Where steps are so
 /// large that the front does not pay (`Front_policy`), they do as well.
 ///
@@ -87,8 +92,9 @@ class Bvh8_front {
   }
   static constexpr double most_error = 0x1p-26;
 
-  /// Bodies that stray by more, a share of what they go on their course, are set on a new one.
-  static constexpr double most_strayed = 0.25;
+  /// Bodies that stray by more in a pose are set on a new course: a share of what they go on theirs, and as much as those
+  /// at rest may seem to.
+  static constexpr double most_strayed = 0.25, most_at_rest = 0x1p-30;
 
   /// Whether the next descent from the root is to make a front.
   bool is_to_be_made() { return policy_.makes_front(); }
@@ -177,7 +183,7 @@ class Bvh8_front {
       return of_both([&](int k) { return kernel::stray_bound(courses_[k], steps, at_[k], now[k], boxes_[k]); });
     };
     double steps = kernel::steps_along(courses_[1], at_[1], now[1]), strayed = strayed_after(steps);
-    if (!(strayed <= most_strayed * (steps * entries_.pace()) + 0x1p-30) || entries_.is_worn()) {
+    if (!(strayed <= most_strayed * (steps * entries_.pace()) + most_at_rest) || entries_.has_gone_far()) {
       for (int k = 0; k < 2; ++k) courses_[k] = kernel::Course(at_[k], now[k]);
       entries_.set_course(of_both([&](int k) { return kernel::pace_bound(courses_[k], boxes_[k]); }));
       steps = 1;

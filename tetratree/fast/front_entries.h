@@ -60,7 +60,7 @@ class Front_entries {
   double pace() const { return double(pace_); }
 
   /// Whether a new course is to be set, since bodies have gone or strayed too far on this one.
-  bool is_worn() const
+  bool has_gone_far() const
   {
     return !(gone_by(double(pace_)) <= most_gone && steps_ <= kernel::Course::most_steps);
   }
