@@ -82,7 +82,7 @@ struct alignas(64) Carried_box {
   }
 };
 
-/// A map made ready to carry boxes that are on a course.
+/// A similarity made ready to carry boxes that are on a course. The map must outlive it.
 struct alignas(32) Carrier {
   float columns[3][8];  ///< the map's linear part, and the course's
   float shift[4];       ///< the course's
