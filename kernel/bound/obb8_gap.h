@@ -82,32 +82,48 @@ struct alignas(64) Carried_box {
   }
 };
 
-/// A similarity made ready to carry boxes that are on a course. The map must outlive it.
+/// A box that holds what goes on, in its own local units: all c + sum_j s_j h_j, |s_j| <= 1, as far as it has elements.
+struct Going_box {
+  float centre[3], half_edge[3][3];
+
+  Going_box() = default;
+  Going_box(const Obb8& boxes, int lane)
+  {
+    for (int k = 0; k < 3; ++k) {
+      centre[k] = boxes.origin[k] + boxes.centre[k][lane];
+      for (int j = 0; j < 3; ++j) half_edge[j][k] = boxes.axis[j][k][lane] * boxes.extent[j][lane];
+    }
+  }
+};
+
+/// A similarity made ready to carry boxes again, in the course of a motion. The map must outlive it.
+///
+/// A step of the course takes a point q to q + (V q + v): one of the box that is carried; or, where the eight go on
+/// instead, one of theirs the other way, see `Course::reversed`. Of points q = c + sum_j s_j h_j of a box that holds
+/// these it takes off a gap along n at most
+///
+///     sum_j |n . V h_j| - n . (V c + v).
 struct alignas(32) Carrier {
-  float columns[3][8];  ///< the map's linear part, and the course's
-  float shift[4];       ///< the course's
+  float column[3][4];  ///< of the map's linear part
   const Box_map* map;
-  double error;         ///< see `Placement`
+  Course course;
+  double error;  ///< see `Placement`
   double scale;
   float slack;  ///< of the rate of a gap
 
   /// Of a rate in float, a share of the course's size, for points and half edges that count 10 times at most: columns
-  /// are exact, half edges rounded, products and sums by 8.
+  /// are rounded once or are off by as much, half edges and centres rounded, products and sums by 8.
   static constexpr double rate_rounding = 128 * 0x1p-24;
 
-  Carrier(const Box_map& of, const Placement& placement, const Course& course)
+  Carrier(const Box_map& of, const Placement& placement, const Course& going)
       : map(&of),
+        course(going),
         error(placement.error),
         scale(placement.scale),
         slack(float(rate_rounding) * course.size * rounded_up + box_underflow)
   {
-    for (int k = 0; k < 4; ++k) {
-      for (int j = 0; j < 3; ++j) {
-        columns[j][k] = float(placement.column[j][k]);
-        columns[j][4 + k] = course.column[j][k];
-      }
-      shift[k] = course.column[3][k];
-    }
+    for (int j = 0; j < 3; ++j)
+      for (int k = 0; k < 4; ++k) column[j][k] = float(placement.column[j][k]);
   }
 };
 
@@ -170,13 +186,13 @@ inline Carried_box carried_now(const Carrier& carrier, const Obb8& from, int lan
   return box;
 }
 
-/// The least of these gaps of lanes, as bits, when the box is carried again.
+/// The least of these gaps of lanes, as bits, when the box is carried again, and what goes on is in `going`.
 inline Gap_and_rate least_gap_after(const Certified_gaps& gaps, unsigned of_lanes, const Carried_box& box,
-                                    const Carrier& carrier)
+                                    const Going_box& going, const Carrier& carrier)
 {
-  using Function = Gap_and_rate(const Certified_gaps&, unsigned, const Carried_box&, const Carrier&);
+  using Function = Gap_and_rate(const Certified_gaps&, unsigned, const Carried_box&, const Going_box&, const Carrier&);
   static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(least_gap_after_simd));
-  return fastest(gaps, of_lanes, box, carrier);
+  return fastest(gaps, of_lanes, box, going, carrier);
 }
 
 /// The lanes, as bits, whose certified gap stays positive whichever of the steps is taken, or any mean of some.

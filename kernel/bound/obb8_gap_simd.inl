@@ -127,12 +127,12 @@ HWY_INLINE auto centre_image(const Carrier& carrier, const float (&centre)[3], s
   return hn::Add(hn::Add(hn::Add(column(3), term(0)), term(1)), term(2));
 }
 
-/// By columns of four or of eight coordinates, k and on.
-template <class Tag, std::size_t size>
-HWY_INLINE auto image_of(const Tag& tag, const float (&columns)[3][size], const float* p, std::size_t k)
+/// By columns, coordinates k and on.
+HWY_INLINE auto image_by(const float (*column)[4], const float (&p)[3], std::size_t k)
 {
-  const auto column = [&](int j) HWY_ATTR { return hn::Load(tag, columns[j] + k); };
-  return MulAdd(column(2), hn::Set(tag, p[2]), MulAdd(column(1), hn::Set(tag, p[1]), Mul(column(0), hn::Set(tag, p[0]))));
+  constexpr hn::CappedTag<float, 4> four;
+  const auto load = [&](int j) HWY_ATTR { return hn::Load(four, column[j] + k); };
+  return MulAdd(load(2), hn::Set(four, p[2]), MulAdd(load(1), hn::Set(four, p[1]), Mul(load(0), hn::Set(four, p[0]))));
 }
 
 HWY_INLINE void carry_now(const Carrier& carrier, const Obb8& from, int lane, Carried_box& box)
@@ -149,8 +149,7 @@ HWY_INLINE void carry_now(const Carrier& carrier, const Obb8& from, int lane, Ca
   for (std::size_t k = 0; k < 4; k += hn::Lanes(doubles))
     hn::Store(centre_image(carrier, box.centre, k), doubles, box.image + k);
   for (std::size_t k = 0; k < 4; k += hn::Lanes(four))
-    for (int j = 0; j < 3; ++j)
-      hn::Store(image_of(four, carrier.columns, box.half_edge[j], k), four, box.edge[j] + k);
+    for (int j = 0; j < 3; ++j) hn::Store(image_by(carrier.column, box.half_edge[j], k), four, box.edge[j] + k);
   const double rounding = Carried_box::edge_rounding * double(size * rounded_up) + Carried_box::centre_rounding;
   box.rounding = float(rounding) * rounded_up;
   box.error = float(carrier.error + carrier.scale * rounding) * rounded_up;
@@ -162,27 +161,26 @@ inline HWY_ATTR void carried_now_simd(const Carrier& carrier, const Obb8& from, 
 }
 
 HWY_INLINE Gap_and_rate least_gap_after(const Certified_gaps& gaps, unsigned of_lanes, const Carried_box& box,
-                                        const Carrier& carrier)
+                                        const Going_box& going, const Carrier& carrier)
 {
   constexpr Float_tag tag;
   constexpr hn::CappedTag<double, 4> doubles;
   constexpr hn::CappedTag<float, 4> four;
   constexpr hn::Rebind<float, decltype(doubles)> narrow;
-  alignas(32) float way[4], going[4], edge[3][8];  // of edges, the last four are by the course
+  alignas(16) float way[4], on[4], turn[3][4], bend[3][4];
   alignas(32) double far[4];
   for (std::size_t k = 0; k < 4; k += hn::Lanes(doubles)) {
     const auto moved = Sub(centre_image(carrier, box.centre, k), hn::Load(doubles, box.image + k));
     hn::Store(Abs(moved), doubles, far + k);
     hn::StoreU(hn::DemoteTo(narrow, moved), narrow, way + k);
   }
-  for (int j = 0; j < 3; ++j)
-    for (std::size_t k = 0; k < 8; k += hn::Lanes(tag))
-      hn::Store(image_of(tag, carrier.columns, box.half_edge[j], k), tag, edge[j] + k);
   for (std::size_t k = 0; k < 4; k += hn::Lanes(four)) {
-    for (int j = 0; j < 3; ++j)
-      hn::Store(Sub(hn::Load(four, edge[j] + k), hn::Load(four, box.edge[j] + k)), four, edge[j] + k);
-    hn::Store(Add(hn::Load(four, carrier.shift + k), image_of(four, carrier.columns, box.centre, 4 + k)), four,
-              going + k);
+    const auto& course = carrier.course.column;
+    for (int j = 0; j < 3; ++j) {
+      hn::Store(Sub(image_by(carrier.column, box.half_edge[j], k), hn::Load(four, box.edge[j] + k)), four, turn[j] + k);
+      hn::Store(image_by(course, going.half_edge[j], k), four, bend[j] + k);
+    }
+    hn::Store(Add(hn::Load(four, course[3] + k), image_by(course, going.centre, k)), four, on + k);
   }
   const double loss = Carried_box::way_rounding * (far[0] + far[1] + far[2]) +
                       ((double(box.error) + carrier.error) + double(box.rounding) * carrier.scale);
@@ -196,11 +194,10 @@ HWY_INLINE Gap_and_rate least_gap_after(const Certified_gaps& gaps, unsigned of_
       const One_test::Floats by[3] = {all(v[0]), all(v[1]), all(v[2])};
       return along_axis(n, by);
     };
-    const auto across = [&](int by) HWY_ATTR {
-      return Add(Add(Abs(along(edge[0] + by)), Abs(along(edge[1] + by))), Abs(along(edge[2] + by)));
-    };
-    const auto gap = Sub(Mul(Sub(Add(load(gaps.gap), along(way)), across(0)), all(gap_shrink)), all(lost));
-    const auto rate = Add(Sub(across(4), along(going)), all(carrier.slack));
+    const auto across = [&](const float(&v)[3][4])
+                            HWY_ATTR { return Add(Add(Abs(along(v[0])), Abs(along(v[1]))), Abs(along(v[2]))); };
+    const auto gap = Sub(Mul(Sub(Add(load(gaps.gap), along(way)), across(turn)), all(gap_shrink)), all(lost));
+    const auto rate = Add(Sub(across(bend), along(on)), all(carrier.slack));
     const std::uint8_t some[8] = {std::uint8_t(of_lanes >> first)};
     const auto is_one = hn::LoadMaskBits(tag, some);
     least = hn::Min(least, hn::IfThenElse(is_one, gap, all(most_gap_slack)));
@@ -213,9 +210,9 @@ HWY_INLINE Gap_and_rate least_gap_after(const Certified_gaps& gaps, unsigned of_
 }
 
 inline HWY_ATTR Gap_and_rate least_gap_after_simd(const Certified_gaps& gaps, unsigned of_lanes, const Carried_box& box,
-                                                  const Carrier& carrier)
+                                                  const Going_box& going, const Carrier& carrier)
 {
-  return least_gap_after(gaps, of_lanes, box, carrier);
+  return least_gap_after(gaps, of_lanes, box, going, carrier);
 }
 
 /// The gap and the losses are moved by 16 roundings to the safe side, which takes those of their products, sums and

@@ -90,6 +90,22 @@ struct alignas(32) Course {
     size = sum * rounded_up;
   }
 
+  /// What the body itself is on is gone the other way round by what stands still: as that seems to go at the body's own
+  /// points, in its frame as it is now, `other` the other body's place there. The other's exact linear part is off from
+  /// that by less than 2^-24 of its norm.
+  Course reversed(const Placement& other) const
+  {
+    Course course;
+    for (int j = 0; j < 4; ++j)
+      for (int k = 0; k < 4; ++k)
+        course.column[j][k] =
+            -float(other.column[0][k] * double(column[j][0]) + other.column[1][k] * double(column[j][1]) +
+                   other.column[2][k] * double(column[j][2]));
+    // A similarity's image is at most sqrt(3) times as long in |.|_1, times the scale.
+    course.size = size * float(other.scale) * 2;
+    return course;
+  }
+
   /// Steps come in parts of that size, so that floats hold their sums, up to `most_steps` and one more.
   static constexpr double least_step = 0x1p-10, most_steps = 0x1p12;
 };

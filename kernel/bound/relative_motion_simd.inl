@@ -49,8 +49,8 @@ HWY_INLINE double farthest(const float (&column)[4][4], const Body_box& box)
     shift = Add(shift, size(3));
   }
   // Vectors may have dropped what is undefined; sums have not.
-  const double size =
-      double(hn::GetLane(hn::SumOfLanes(four, shift))) + double(box.reach) * double(hn::GetLane(hn::SumOfLanes(four, sum)));
+  const double size = double(hn::GetLane(hn::SumOfLanes(four, shift))) +
+                      double(box.reach) * double(hn::GetLane(hn::SumOfLanes(four, sum)));
   return std::sqrt(double(hn::GetLane(hn::MaxOfLanes(tag, most)))) * double(rounded_up) + motion_rounding * size +
          motion_underflow;
 }

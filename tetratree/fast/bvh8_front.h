@@ -29,11 +29,10 @@ namespace tetracone::tetratree {
 /// least; and pairs of leaves, by a lower bound of their distance. Gaps and motions are in A's local units, where A
 /// stands still.
 ///
-/// Bodies go on as they went, mostly. So each is on a course in the other's frame (`kernel::Course`), by the step
-/// between two poses: later poses are so many steps of it, and what the bodies have strayed at most from where these
-/// lead. A step takes at most a rate off a gap along an axis, the pace off any distance; and what a point has strayed, it
+/// Bodies go on as they went, mostly. So B is on a course (`kernel::Course`), by the step between two poses: later poses
+/// are so many steps of it, and what points have strayed at most from where these lead. A step takes at most a rate off a gap along an axis, the pace off any distance; and what a point has strayed, it
 /// may be nearer. An entry holds until its gap is used up by all that (`Front_entries`). Then it alone is asked again, and
-/// what is no longer apart is opened, from there. Where bodies stray by much, they are set on a new course. Cf. Klosowski
+/// what is no longer apart is opened, from there. Where B strays by much, it is set on a new course. Cf. Klosowski
 /// et al., "Efficient collision detection using bounding volume hierarchies of k-DOPs" (1998), generalised front
 /// tracking, which has no gaps; Mirtich's conservative advancement, which has no front; Basch, Guibas and Hershberger,
 /// "Data structures for mobile data" (1999), whose certificates expire as motions foresee, which must be known.
@@ -63,7 +62,7 @@ class Bvh8_front {
 
   /// At most how far the boxes of an entry are apart, in A's local units, in the pose that was asked last; not above 0
   /// where nothing is known.
-  double gap(std::size_t k) const { return entries_.gap(k) * to_a_share(); }
+  double gap(std::size_t k) const { return entries_.gap(k); }
 
   /// Since the front was made.
   std::size_t poses_followed() const { return poses_followed_; }
@@ -105,14 +104,10 @@ class Bvh8_front {
   bool make(Pair_stack& stack, Both_trees& trees, const Bvh8& a, const Bvh8& b, const Leaf_pair& leaf_pair)
   {
     entries_.clear();
-    boxes_[0] = kernel::Body_box(a.node(0).boxes, 0);
-    boxes_[1] = kernel::Body_box(b.node(0).boxes, 0);
+    box_ = kernel::Body_box(b.node(0).boxes, 0);
+    at_ = kernel::Placement(*trees.into[1]);
+    course_ = {};
     poses_followed_ = 0;
-    for (int body = 0; body < 2; ++body) {
-      at_[body] = kernel::Placement(*trees.into[body]);
-      courses_[body] = {};
-    }
-    to_a_ = to_a(at_[1]);
     holds_ = true;
     leaf_pairs_ = 0;
     relation.reset();
@@ -129,7 +124,6 @@ class Bvh8_front {
   std::optional<bool> follow(Pair_stack& stack, Both_trees& trees, const Bvh8& a, const Bvh8& b,
                              const Leaf_pair& leaf_pair)
   {
-    const double share_before = to_a_share();
     const std::optional<double> step = go_on(trees);
     if (!step || !is_certifiable(trees) || policy_.is_worn()) return forget();
     ++poses_followed_;
@@ -161,36 +155,26 @@ class Bvh8_front {
     // On the way, straight, from the last pose to this one, t of it from 0 to 1, those asked again were apart before the
     // step reached what was left, t step < left, and again where (1 - t) step < the new gap. Where these hold in turn
     // for all t, no surface has passed the other: a shell that was inside is inside, and one outside outside.
-    if (meet || !((left + least_gap_) * kernel::minimum(share_before, to_a_share()) > *step)) relation.reset();
+    if (meet || !(left + least_gap_ > *step)) relation.reset();
     return meet;
   }
 
  private:
-  /// The larger of what is known of both bodies, each in the other's frame, in A's local units.
-  template <class Bound>
-  double of_both(const Bound& bound) const
-  {
-    return kernel::maximum(to_a_ * bound(0), bound(1));
-  }
-
-  /// Takes the bodies to their present places: along the course that they are on, where that tells most of their way,
-  /// else on a new one. Returns at least how far a point of B has gone, in A's local units; nothing where that is not
-  /// known or too far.
+  /// Takes B to its present place: along the course that it is on, where that tells most of its way, else on a new one.
+  /// Returns at least how far a point of B has gone; nothing where that is not known or too far.
   std::optional<double> go_on(const Both_trees& trees)
   {
-    const kernel::Placement now[2] = {kernel::Placement(*trees.into[0]), kernel::Placement(*trees.into[1])};
-    const auto strayed_after = [&](double steps) {
-      return of_both([&](int k) { return kernel::stray_bound(courses_[k], steps, at_[k], now[k], boxes_[k]); });
-    };
-    double steps = kernel::steps_along(courses_[1], at_[1], now[1]), strayed = strayed_after(steps);
+    const kernel::Placement now(*trees.into[1]);
+    double steps = kernel::steps_along(course_, at_, now),
+           strayed = kernel::stray_bound(course_, steps, at_, now, box_);
     if (!(strayed <= most_strayed * (steps * entries_.pace()) + most_at_rest) || entries_.has_gone_far()) {
-      for (int k = 0; k < 2; ++k) courses_[k] = kernel::Course(at_[k], now[k]);
-      entries_.set_course(of_both([&](int k) { return kernel::pace_bound(courses_[k], boxes_[k]); }));
+      course_ = kernel::Course(at_, now);
+      entries_.set_course(kernel::pace_bound(course_, box_));
       steps = 1;
-      strayed = strayed_after(steps);
+      strayed = kernel::stray_bound(course_, steps, at_, now, box_);
     }
     entries_.go_on(steps, strayed);
-    for (int k = 0; k < 2; ++k) at_[k] = now[k];
+    at_ = now;
     const double gone = (steps * entries_.pace() + strayed) * (1 + kernel::few_roundings);
     if (!(gone <= Front_entries::most_gone)) return std::nullopt;
     return gone;
@@ -207,16 +191,14 @@ class Bvh8_front {
   /// Of openings that cost so much, and the pairs of leaves.
   double cost(double opened) const { return opened + Front_policy::of_elements * double(leaf_pairs_); }
 
-  /// At most the distances in A's local units over those in the units of B: the exact map's columns differ from the
-  /// computed ones by 2 sqrt(3) of its error at most, and are as long as the first but for 2^-22.
-  static double to_a(const kernel::Placement& of_b) { return of_b.scale * (1 - 0x1p-20); }
-
-  /// Gaps along axes in B's frame are taken to A's units by the scale with which the front was made.
-  double to_a_share() const { return kernel::minimum(1.0, to_a(at_[1]) / to_a_); }
-
+  /// At most the distances in A's local units over those in the units of either body: the exact map's columns differ
+  /// from the computed ones by 2 sqrt(3) of its error at most, and are as long as the first but for 2^-22.
   Certifying certifying(const Both_trees& trees)
   {
-    return {&entries_, {{*trees.into[0], at_[0], courses_[0]}, {*trees.into[1], at_[1], courses_[1]}}, {1, to_a_}};
+    const kernel::Placement of_a(*trees.into[0]);
+    return {&entries_,
+            {{*trees.into[0], of_a, course_.reversed(of_a)}, {*trees.into[1], at_, course_}},
+            {1, at_.scale * (1 - 0x1p-20)}};
   }
 
   static void push(Pair_stack& stack, const Both_trees& trees, const Boxes& boxes)
@@ -269,7 +251,9 @@ class Bvh8_front {
     if (!(found.gap > 0) || found.axis == kernel::Double_vector{}) return 0;
     certificate.gaps.gap[0] = float(found.gap * (1 - 0x1p-20));
     for (int k = 0; k < 3; ++k) certificate.gaps.axis[k][0] = float(found.axis[k]);
-    certificate.carried = kernel::carried_now(units.carrier[1], trees.nodes[1][box_b / 8].boxes, int(box_b % 8));
+    const kernel::Obb8& boxes = trees.nodes[1][box_b / 8].boxes;
+    certificate.carried = kernel::carried_now(units.carrier[1], boxes, int(box_b % 8));
+    certificate.going = kernel::Going_box(boxes, int(box_b % 8));
     return 1;
   }
 
@@ -294,11 +278,9 @@ class Bvh8_front {
       meet = found.meet;
       if (meet) witness = boxes;
       const std::uint8_t lanes = certify(trees, units, boxes.second, found, entries_.next());
-      entries_.add({boxes.first, boxes.second, Front_entry::Kind::pair, lanes},
-                   meet ? 0 : found.gap);
+      entries_.add({boxes.first, boxes.second, Front_entry::Kind::pair, lanes}, meet ? 0 : found.gap);
     }
-    for (std::size_t k = known; k < entries_.count(); ++k)
-      least_gap_ = kernel::minimum(least_gap_, entries_.gap(k));
+    for (std::size_t k = known; k < entries_.count(); ++k) least_gap_ = kernel::minimum(least_gap_, entries_.gap(k));
     if (meet) keep_rest(stack);
     return meet;
   }
@@ -306,19 +288,17 @@ class Bvh8_front {
   /// What is left on the stack when elements meet, to be opened the next time.
   void keep_rest(Pair_stack& stack)
   {
-    for (; !stack.empty(); stack.pop())
-      entries_.add({stack.box(0), stack.box(1), Front_entry::Kind::pair}, 0);
+    for (; !stack.empty(); stack.pop()) entries_.add({stack.box(0), stack.box(1), Front_entry::Kind::pair}, 0);
   }
 
   bool holds_ = false, is_plane_first_ = true;
   Front_entries entries_;
   std::vector<std::uint32_t> expired_;
-  kernel::Body_box boxes_[2];
-  double to_a_ = 1;
-  kernel::Course courses_[2];     // of body k in the other's frame
-  kernel::Placement at_[2];       // of body k in the other's frame, when the front was last brought to a pose
+  kernel::Body_box box_;   // of B
+  kernel::Placement at_;   // of B, when the front was last brought to a pose
+  kernel::Course course_;  // of B
   std::size_t poses_followed_ = 0;
-  double least_gap_ = 0;          // of what was asked in this pose
+  double least_gap_ = 0;  // of what was asked in this pose
   std::uint64_t leaf_pairs_ = 0;
   Front_policy policy_;
 };

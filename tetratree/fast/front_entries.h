@@ -33,6 +33,7 @@ struct Front_entry {
 struct Certificate {
   kernel::Certified_gaps gaps;
   kernel::Carried_box carried;
+  kernel::Going_box going;  ///< B's: the carried box, or one that holds the lanes' elements
 };
 
 /// The front's parts, each with how much of its gap is left.
@@ -60,10 +61,7 @@ class Front_entries {
   double pace() const { return double(pace_); }
 
   /// Whether a new course is to be set, since bodies have gone or strayed too far on this one.
-  bool has_gone_far() const
-  {
-    return !(gone_by(double(pace_)) <= most_gone && steps_ <= kernel::Course::most_steps);
-  }
+  bool has_gone_far() const { return !(gone_by(double(pace_)) <= most_gone && steps_ <= kernel::Course::most_steps); }
 
   /// Sets a new course, whose pace is given: what is left of gaps is taken down, and all entries have no rate of their
   /// own. Requires `gone` to be finite.
@@ -172,15 +170,16 @@ class Front_entries {
   double steps_before_ = 0, strayed_before_ = 0;  // before bodies last went on
   float pace_ = 0;
   std::vector<Front_entry> entries_;
-  std::vector<float> until_, rate_;  // more than the rate times the steps, and what was strayed, while something is left
+  std::vector<float> until_,
+      rate_;  // more than the rate times the steps, and what was strayed, while something is left
   std::vector<Certificate> certificates_;
 };
 
 /// Where certified descents write the front.
 struct Certifying {
   Front_entries* entries;
-  kernel::Carrier carrier[2];  ///< of body k into the other's frame
-  double to_a[2];                 ///< from a body's local units to A's
+  kernel::Carrier carrier[2];  ///< of body k into the other's frame, B on its course
+  double to_a[2];              ///< at most the least stretch from a body's local units to A's
 };
 
 }  // namespace tetracone::tetratree

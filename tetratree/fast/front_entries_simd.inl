@@ -17,7 +17,7 @@ inline HWY_ATTR std::size_t expired_simd(const Front_entries& entries, std::uint
   constexpr simd::Float_tag tag;
   constexpr hn::RebindToUnsigned<simd::Float_tag> numbers;
   const float *const until = entries.until(), *const rates = entries.rates(), steps = entries.steps(),
-                    strayed = entries.strayed_as_float();
+                     strayed = entries.strayed_as_float();
   const std::size_t count = entries.count();
   const auto all_steps = hn::Set(tag, steps), limit = hn::Set(tag, strayed);
   std::size_t number = 0, first = 0;
@@ -53,8 +53,8 @@ inline HWY_ATTR std::size_t keep_by_axes_simd(const Certifying& certifying, std:
     const Front_entry& entry = entries[number];
     const Certificate& certificate = entries.certificate(number);
     const int body = entry.carried_body();
-    const kernel::Gap_and_rate now =
-        simd::least_gap_after(certificate.gaps, entry.lanes, certificate.carried, certifying.carrier[body]);
+    const kernel::Gap_and_rate now = simd::least_gap_after(certificate.gaps, entry.lanes, certificate.carried,
+                                                           certificate.going, certifying.carrier[body]);
     // Without branches, which could not be foreseen.
     const bool stays = (entry.lanes != 0) & (now.gap > 0);
     const double to_a = certifying.to_a[1 - body], gaps[2] = {0, to_a * now.gap}, leasts[2] = {least, gaps[1]};
@@ -127,11 +127,14 @@ struct Keep_uncertified {
     Certified_lanes certified;
     const unsigned held = (1u << o.node->boxes.lane_count) - 1;
     count = push_uncertified(stack, count, o, box, held, trees, certifying, certifying.entries->next(), certified);
-    if (certified.apart != 0)
+    if (certified.apart != 0) {
+      const std::uint32_t of_b = o.box[1];
+      certifying.entries->next().going = kernel::Going_box(trees.nodes[1][of_b / 8].boxes, int(of_b % 8));
       certifying.entries->add(
           {std::uint32_t(o.node - trees.nodes[o.body]), o.box[1 - o.body],
            o.body == 0 ? Front_entry::Kind::node_of_a : Front_entry::Kind::node_of_b, std::uint8_t(certified.apart)},
           certified.gap);
+    }
     return count;
   }
 };

@@ -18,7 +18,7 @@
 namespace tetracone::kernel {
 
 using Certify = void(const Obb8&, const Box_map&, const Obb8&, int, float, Certified_gaps&);
-using Least_after = Gap_and_rate(const Certified_gaps&, unsigned, const Carried_box&, const Carrier&);
+using Least_after = Gap_and_rate(const Certified_gaps&, unsigned, const Carried_box&, const Going_box&, const Carrier&);
 
 std::vector<Certify*> certifying()
 {
@@ -252,27 +252,45 @@ BOOST_AUTO_TEST_CASE(boxes_are_as_far_apart_along_its_axis_as_a_gap_says_and_aft
       const rationals::Vector exact_n = {Rational(n[0]), Rational(n[1]), Rational(n[2])};
       short_axes += n.norm() > 1 + 1e-5 || n.norm() < 1e-4;
       const rationals::Vector p = point(s.boxes, lane, lowest(s.boxes, lane, -n, [](const auto& v) { return v; }));
-      const auto q = point(s.from, s.lane, lowest_point(s.from, s.lane, s.apex, n, turned_by(map))), at = s.before.image(q);
+      const auto q = point(s.from, s.lane, lowest_point(s.from, s.lane, s.apex, n, turned_by(map))),
+                 at = s.before.image(q);
       wrong += is_less(exact_n, p, at, found.gap[lane]);
       const double exact = nearest_double(rationals::inner(exact_n, rationals::minus(at, p)));
       tightest = std::min(tightest, (exact - found.gap[lane]) / exact);
       // The step.
-      const Gap_and_rate left = least_after()[std::size_t(lane) % least_after().size()](found, 1u << lane, carried, carrier);
+      const auto left_after = least_after()[std::size_t(lane) % least_after().size()];
+      const Gap_and_rate left = left_after(found, 1u << lane, carried, Going_box(s.from, s.lane), carrier);
       const auto q_after = point(s.from, s.lane, lowest_point(s.from, s.lane, s.apex, n, turned_by(moved)));
       ++after;
       wrong_after += is_less(exact_n, p, s.after.image(q_after), left.gap);
+      kept += left.gap > 0;
       // As long as something is left.
       if (left.gap > 0)
         for (const double share : {0.0, 0.4, 0.99}) {
           const double steps = left.rate > 0 ? share * left.gap / left.rate : share * 1000;
-          const auto q_then = point(s.from, s.lane, lowest_point(s.from, s.lane, s.apex, n, turned_by(moved, course, steps)));
+          const auto q_then =
+              point(s.from, s.lane, lowest_point(s.from, s.lane, s.apex, n, turned_by(moved, course, steps)));
           const rationals::Vector then = on_course(s.after.image(q_then), q_then, course, steps);
           ++on_courses;
           wrong_on_course += is_less(exact_n, p, then, left.gap - steps * left.rate);
           if (share > 0.9 && left.rate > 0)
-            tightest_rate = std::min(tightest_rate, nearest_double(rationals::inner(exact_n, rationals::minus(then, p))) / left.gap);
+            tightest_rate = std::min(tightest_rate,
+                                     nearest_double(rationals::inner(exact_n, rationals::minus(then, p))) / left.gap);
         }
-      kept += left.gap > 0;
+      // The same if the lane goes on instead, the other way.
+      const Gap_and_rate of_lane = left_after(found, 1u << lane, carried, Going_box(s.boxes, lane), carrier);
+      wrong_after += of_lane.gap != left.gap;
+      if (!(left.gap > 0 && of_lane.rate > 0)) continue;
+      const double steps = 0.99 * left.gap / of_lane.rate;
+      const auto against = lowest(s.boxes, lane, -n, [&](const std::array<double, 3>& v) {
+        std::array<double, 3> turned = v;
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j) turned[i] -= steps * double(course.column[j][i]) * v[j];
+        return turned;
+      });
+      const rationals::Vector p_start = point(s.boxes, lane, against),
+                              p_then = on_course(p_start, p_start, course, -steps);
+      wrong_on_course += is_less(exact_n, p_then, s.after.image(q_after), left.gap - steps * of_lane.rate);
     }
   }
   BOOST_TEST_MESSAGE("gaps " << gaps << ", left after a step " << kept << ", tightest by " << tightest);
@@ -306,6 +324,7 @@ BOOST_AUTO_TEST_CASE(what_is_infinite_undefined_or_no_similarity_has_no_gap)
   certified_gaps(s.boxes, s.before.map(), s.from, s.lane, no_apex, found);
   const Box_map map = s.before.map(), of_nothing;
   const Placement placement(map), nowhere(of_nothing);
+  const Going_box going(s.from, s.lane);
   for (const auto carry : carrying())
     for (const auto after : least_after()) {
       Carried_box carried, carried_wrong;
@@ -313,20 +332,20 @@ BOOST_AUTO_TEST_CASE(what_is_infinite_undefined_or_no_similarity_has_no_gap)
       unsigned apart = 0;
       for (int lane = 0; lane < int(lanes); ++lane) apart |= unsigned(found.gap[lane] > 1e-3f) << lane;
       BOOST_TEST_REQUIRE(apart != 0u);
-      BOOST_TEST((after(found, apart, carried, Carrier(map, placement, {})).gap > 0));
-      BOOST_TEST(!(after(found, apart, carried, Carrier(of_nothing, nowhere, {})).gap > 0));
+      BOOST_TEST((after(found, apart, carried, going, Carrier(map, placement, {})).gap > 0));
+      BOOST_TEST(!(after(found, apart, carried, going, Carrier(of_nothing, nowhere, {})).gap > 0));
       for (const float bad : {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
         Course undefined;
         undefined.column[1][2] = undefined.size = bad;
-        BOOST_TEST(!(after(found, apart, carried, Carrier(map, placement, undefined)).gap > 0));
+        BOOST_TEST(!(after(found, apart, carried, going, Carrier(map, placement, undefined)).gap > 0));
         Placement error = placement;
         error.error = double(bad);
-        BOOST_TEST(!(after(found, apart, carried, Carrier(map, error, {})).gap > 0));
+        BOOST_TEST(!(after(found, apart, carried, going, Carrier(map, error, {})).gap > 0));
         error = placement;
         error.scale = double(bad);
-        BOOST_TEST(!(after(found, apart, carried, Carrier(map, error, {})).gap > 0));
+        BOOST_TEST(!(after(found, apart, carried, going, Carrier(map, error, {})).gap > 0));
         carry(Carrier(map, error, {}), s.from, s.lane, carried_wrong);
-        BOOST_TEST(!(after(found, apart, carried_wrong, Carrier(map, placement, {})).gap > 0));
+        BOOST_TEST(!(after(found, apart, carried_wrong, going, Carrier(map, placement, {})).gap > 0));
       }
     }
 }
@@ -344,12 +363,13 @@ BOOST_AUTO_TEST_CASE(of_several_lanes_that_which_is_used_up_first_tells_how_long
     const Placement before(map), after(moved);
     const Carrier carrier(moved, after, Course(before, after));
     const Carried_box carried = carried_now(Carrier(map, before, {}), s.from, s.lane);
+    const Going_box going(s.from, s.lane);
     for (const auto version : least_after()) {
       unsigned kept = 0;
       double least = std::numeric_limits<double>::infinity(), soonest = least;
       std::array<Gap_and_rate, lanes> alone;
       for (int lane = 0; lane < int(lanes); ++lane) {
-        alone[lane] = version(found, 1u << lane, carried, carrier);
+        alone[lane] = version(found, 1u << lane, carried, going, carrier);
         if (!(found.gap[lane] > 0 && alone[lane].gap > 0)) continue;
         kept |= 1u << lane;
         least = std::min(least, alone[lane].gap);
@@ -357,12 +377,13 @@ BOOST_AUTO_TEST_CASE(of_several_lanes_that_which_is_used_up_first_tells_how_long
       }
       if ((kept & (kept - 1)) == 0) continue;
       ++several;
-      const Gap_and_rate all = version(found, kept, carried, carrier);
+      const Gap_and_rate all = version(found, kept, carried, going, carrier);
       wrong += all.gap != least;
       for (int lane = 0; lane < int(lanes); ++lane)
         if (kept >> lane & 1)
           for (const double steps : {0.0, 0.5 * all.gap / all.rate, all.gap / all.rate})
-            wrong += steps <= 1e30 && alone[lane].gap - steps * alone[lane].rate < (all.gap - steps * all.rate) * (1 - 1e-5) - 1e-6 * all.gap;
+            wrong += steps <= 1e30 && alone[lane].gap - steps * alone[lane].rate <
+                                          (all.gap - steps * all.rate) * (1 - 1e-5) - 1e-6 * all.gap;
       longest += std::abs(all.gap / all.rate - soonest) <= 1e-5 * soonest || !(soonest < 1e30);
     }
   }

@@ -217,6 +217,40 @@ BOOST_AUTO_TEST_CASE(a_course_is_known_by_its_steps)
   BOOST_TEST(parts > 400);
 }
 
+BOOST_AUTO_TEST_CASE(a_course_is_reversed_in_the_frame_of_what_is_on_it)
+{
+  // A point q of B that goes on in A's frame by a step goes by the reversed one, the other way, in B's frame as it is.
+  Random random(5);
+  int wrong = 0, asked = 0;
+  double most = 0;
+  for (int k = 0; k < 300; ++k) {
+    const auto [p, q] = step(random, 4 * k);  // similarities
+    const Placement of_b = p.placement();
+    const Course course(of_b, q.placement());
+    const Placing other{p.b, p.a, p.in_b, p.in_a};
+    const Placement of_a = other.placement();
+    if (!(of_a.error <= of_a.scale * 0x1p-25)) continue;
+    const Course reversed = course.reversed(of_a);
+    const rationals::Vector origin = other.image({0, 0, 0});
+    float sum = 0;
+    for (int j = 0; j < 4; ++j) {
+      const rationals::Vector exact = rationals::minus(
+          other.image({double(course.column[j][0]), double(course.column[j][1]), double(course.column[j][2])}), origin);
+      for (int i = 0; i < 3; ++i) {
+        const double off = std::abs(nearest_double(exact[i] + Rational(reversed.column[j][i])));
+        ++asked;
+        wrong += off > 0x1p-23 * double(reversed.size);
+        most = std::max(most, off / double(reversed.size));
+        sum += std::abs(reversed.column[j][i]);
+      }
+    }
+    BOOST_TEST(sum <= reversed.size);
+  }
+  BOOST_TEST(wrong == 0);
+  BOOST_TEST(asked > 2000);
+  BOOST_TEST(most > 0x1p-28);
+}
+
 BOOST_AUTO_TEST_CASE(what_is_infinite_or_undefined_gives_no_bound)
 {
   const Placing unit_placing;
