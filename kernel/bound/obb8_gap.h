@@ -69,7 +69,8 @@ struct alignas(64) Carried_box {
   /// Of n . y in float, a share of |p_t - p_0|_1: n may have been rounded once, the way is, and products and sums by 3.
   static constexpr double way_rounding = 16 * 0x1p-24;
 
-  /// Of n . (L_t h_j - L_0 h_j) in float, a share of (|L_t| + |L_0|) |h_j|, the sum over j included.
+  /// Of n . (L_t h_j - L_0 h_j) in float, a share of (|L_t| + |L_0|) |h_j|, the sum over j included: columns, half edges
+  /// and n are rounded, images by 3, their difference once, products with n and the sums by 6.
   static constexpr double edge_rounding = 32 * 0x1p-24;
 
   /// More than a sum of two coordinates of magnitude 2 at most loses, in three of them, and what underflows.
@@ -111,8 +112,9 @@ struct alignas(32) Carrier {
   double scale;
   float slack;  ///< of the rate of a gap
 
-  /// Of a rate in float, a share of the course's size, for points and half edges that count 10 times at most: columns
-  /// are rounded once or are off by as much, half edges and centres rounded, products and sums by 8.
+  /// Of a rate in float, a share of the course's size: coordinates are |c_k| + sum_j |h_jk| at most, which is below 5,
+  /// since boxes of points |p_k| <= 1 are no longer than 2 sqrt(3). Columns, half edges, centres and n are rounded or off
+  /// by as much, images by 4, products with n and the sums by 6.
   static constexpr double rate_rounding = 128 * 0x1p-24;
 
   Carrier(const Box_map& of, const Placement& placement, const Course& going)

@@ -27,6 +27,14 @@ inline HWY_ATTR double steps_along_simd(const Course& course, const Placement& b
   return double(std::int64_t(steps / Course::least_step)) * Course::least_step;
 }
 
+/// A coordinate of how far a point goes, by a row of the linear part and the shift. What it may be off by is proved of
+/// it, run over other numbers than vectors (verify/proofs/).
+template <class Floats>
+HWY_INLINE Floats gone(const Floats (&row)[3], const Floats& shift, const Floats (&point)[3])
+{
+  return MulAdd(point[2], row[2], MulAdd(point[1], row[1], MulAdd(point[0], row[0], shift)));
+}
+
 /// At least how far any point of the box goes by these columns. Infinite or undefined where one is.
 HWY_INLINE double farthest(const float (&column)[4][4], const Body_box& box)
 {
@@ -34,10 +42,12 @@ HWY_INLINE double farthest(const float (&column)[4][4], const Body_box& box)
   constexpr hn::CappedTag<float, 4> four;
   auto most = hn::Zero(tag);
   for (std::size_t first = 0; first < lanes; first += hn::Lanes(tag)) {
-    const auto corner = [&](int k) HWY_ATTR { return hn::Load(tag, box.corner[k] + first); };
-    const auto all = [&](int j, int k) HWY_ATTR { return hn::Set(tag, column[j][k]); };
+    const auto load = [&](int k) HWY_ATTR { return hn::Load(tag, box.corner[k] + first); };
+    const One_test::Floats corner[3] = {load(0), load(1), load(2)};
     const auto along = [&](int k) HWY_ATTR {
-      return MulAdd(corner(2), all(2, k), MulAdd(corner(1), all(1, k), MulAdd(corner(0), all(0, k), all(3, k))));
+      const auto all = [&](int j) HWY_ATTR { return hn::Set(tag, column[j][k]); };
+      const One_test::Floats row[3] = {all(0), all(1), all(2)};
+      return gone(row, all(3), corner);
     };
     const auto x = along(0), y = along(1), z = along(2);
     most = Max(most, MulAdd(z, z, MulAdd(y, y, Mul(x, x))));
