@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace tetracone::kernel {
 
@@ -90,9 +91,9 @@ struct alignas(32) Course {
     size = sum * rounded_up;
   }
 
-  /// What the body itself is on is gone the other way round by what stands still: as that seems to go at the body's own
-  /// points, in its frame as it is now, `other` the other body's place there. The other's exact linear part is off from
-  /// that by less than 2^-24 of its norm.
+  /// How the other body seems to go, in the frame of the one that is on the course as it is now, where that one's own
+  /// points are; `other` is the other's place there, a similarity of which `error` is at most 2^-24 of `scale`. So much
+  /// columns are off at most, a share of the size, beside one rounding.
   Course reversed(const Placement& other) const
   {
     Course course;

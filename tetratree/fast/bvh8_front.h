@@ -30,12 +30,13 @@ namespace tetracone::tetratree {
 /// stands still.
 ///
 /// Bodies go on as they went, mostly. So B is on a course (`kernel::Course`), by the step between two poses: later poses
-/// are so many steps of it, and what points have strayed at most from where these lead. A step takes at most a rate off a gap along an axis, the pace off any distance; and what a point has strayed, it
-/// may be nearer. An entry holds until its gap is used up by all that (`Front_entries`). Then it alone is asked again, and
-/// what is no longer apart is opened, from there. Where B strays by much, it is set on a new course. Cf. Klosowski
-/// et al., "Efficient collision detection using bounding volume hierarchies of k-DOPs" (1998), generalised front
-/// tracking, which has no gaps; Mirtich's conservative advancement, which has no front; Basch, Guibas and Hershberger,
-/// "Data structures for mobile data" (1999), whose certificates expire as motions foresee, which must be known.
+/// are so many steps of it, and its points have strayed by so much at most from where these lead. A step takes at most a
+/// rate off a gap along an axis that stands still with A, and the pace off any distance; and what a point has strayed, it
+/// may be nearer. An entry holds until that has used up its gap (`Front_entries`). Then it alone is asked again, and what
+/// is no longer apart is opened, from there. Where B strays by much, it is set on a new course. Cf. Klosowski et al.,
+/// "Efficient collision detection using bounding volume hierarchies of k-DOPs" (1998), generalised front tracking, which
+/// has no gaps; Mirtich's conservative advancement, which has no front; Basch, Guibas and Hershberger, "Data structures
+/// for mobile data" (1999), whose certificates hold on a course alone, which must be known.
 ///
 /// Motions are bounded by the two relative maps alone (`kernel::stray_bound`), with their errors: where these are not
 /// known, or the maps are no similarities, nothing is certified, and descents begin at the root. Where steps are so

@@ -15,7 +15,6 @@ namespace simd = kernel::HWY_NAMESPACE;
 inline HWY_ATTR std::size_t expired_simd(const Front_entries& entries, std::uint32_t* found)
 {
   constexpr simd::Float_tag tag;
-  constexpr hn::RebindToUnsigned<simd::Float_tag> numbers;
   const float *const until = entries.until(), *const rates = entries.rates(), steps = entries.steps(),
                      strayed = entries.strayed_as_float();
   const std::size_t count = entries.count();
@@ -26,6 +25,7 @@ inline HWY_ATTR std::size_t expired_simd(const Front_entries& entries, std::uint
     const auto is_over = hn::Not(hn::Gt(left, limit));
     // Of all lanes in the set, and then it counts how many these are.
 #if HWY_TARGET <= HWY_AVX3
+    constexpr hn::RebindToUnsigned<simd::Float_tag> numbers;
     const auto id = hn::Add(hn::Set(numbers, std::uint32_t(first)), hn::Iota(numbers, 0));
     hn::StoreU(hn::Compress(id, hn::RebindMask(numbers, is_over)), numbers, found + number);
     number += hn::CountTrue(tag, is_over);
