@@ -3,6 +3,7 @@
 
 #include "tetracone/kernel/bound/obb8.h"
 #include "tetracone/kernel/bound/obb8_overlap.h"
+#include "tetracone/kernel/bound/relative_motion.h"
 #include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/simd/simd.h"
 
@@ -48,56 +49,89 @@ struct alignas(32) Certified_gaps {
   float gap[lanes], axis[3][lanes];
 };
 
-/// Where a box was when gaps along axes were certified, and how much they are still worth.
+/// Where a box was when gaps along axes were certified.
 ///
-/// When a point q of the single box has moved by y = p_t - p_0 + (L_t - L_0)(q - c), c a point near the box's centre and
-/// p its image, a gap g along n has become g + n . y, of which the second part is at most the radius about c times the
-/// norm of L_t - L_0, or of all such steps since. A node's axes stand still in its own frame.
-struct alignas(32) Carried_box {
-  double image[4];  ///< of the centre, in double; the fourth is not used
-  float centre[3];  ///< in the box's own local units
-  float radius;     ///< at least |q - c| of all points, times the length of an axis
-  float turned;     ///< at most the sum of the linear parts' steps then
-  float error;      ///< at least that of images then, in |.|_2
+/// A point of it is q = c + sum_j s_j h_j, |s_j| <= 1, c its centre and h_j its half edges. It has moved by
+///
+///     y + sum_j s_j (L_t - L_0) h_j,    y = p_t - p_0, p the centre's image,
+///
+/// L_0 the map's linear part then and L_t now. So a gap g along n, which stands still in the frame of the eight, has
+/// become g + n . y - sum_j |n . (L_t h_j - L_0 h_j)|.
+struct alignas(64) Carried_box {
+  double image[4];        ///< of the centre, in double; the fourth is not used
+  float edge[3][4];       ///< images of the half edges; the fourth is not used
+  float centre[3];        ///< in the box's own local units
+  float half_edge[3][3];  ///< there
 
-  Carried_box() = default;
-  Carried_box(const Box_map& map, const Obb8& from, int lane, double turned_so_far)
-      : turned(float(turned_so_far * (1 - 0x1p-22))), error(float(error_of(map) * (1 + 0x1p-22)))
-  {
-    float square = 0;
-    for (int k = 0; k < 3; ++k) {
-      centre[k] = from.origin[k] + from.centre[k][lane];
-      square += from.extent[k][lane] * from.extent[k][lane];
-    }
-    radius = std::sqrt(square) * (1 + radius_rounding) + centre_rounding;
-    for (int k = 0; k < 4; ++k)
-      image[k] = placed(map.column(3)[k], map.column(0)[k] * double(centre[0]), map.column(1)[k] * double(centre[1]),
-                        map.column(2)[k] * double(centre[2]));
-  }
+  /// Above what images then were off by, and how much they are for a map of the scale 1.
+  float error, rounding;
 
   /// Of n . y in float, a share of |p_t - p_0|_1: n may have been rounded once, the way is, and products and sums by 3.
   static constexpr double way_rounding = 16 * 0x1p-24;
 
+  /// Of n . (L_t h_j - L_0 h_j) in float, a share of (|L_t| + |L_0|) |h_j|, the sum over j included: columns, half edges
+  /// and n are rounded, images by 3, their difference once, products with n and the sums by 6.
+  static constexpr double edge_rounding = 32 * 0x1p-24;
+
   /// More than a sum of two coordinates of magnitude 2 at most loses, in three of them, and what underflows.
-  static constexpr float centre_rounding = 0x1p-20f;
-
-  /// Above what an error of each coordinate of a point moves it along an axis.
-  static constexpr double position_norm = 2;
-
-  /// Of an image in double: the map's, in three coordinates, and few roundings of terms that are at most the offset and
-  /// three times twice a column.
-  static double error_of(const Box_map& map)
-  {
-    const double* offset = map.column(3);
-    return position_norm * map.frame().error() +
-           few_roundings * (6 * map.scale() + (std::abs(offset[0]) + std::abs(offset[1]) + std::abs(offset[2])));
-  }
+  static constexpr double centre_rounding = 0x1p-20;
 
   template <class Number>
   static Number placed(Number offset, Number x, Number y, Number z)
   {
     return ((offset + x) + y) + z;
   }
+};
+
+/// A box that holds what goes on, in its own local units: all c + sum_j s_j h_j, |s_j| <= 1, as far as it has elements.
+struct Going_box {
+  float centre[3], half_edge[3][3];
+
+  Going_box() = default;
+  Going_box(const Obb8& boxes, int lane)
+  {
+    for (int k = 0; k < 3; ++k) {
+      centre[k] = boxes.origin[k] + boxes.centre[k][lane];
+      for (int j = 0; j < 3; ++j) half_edge[j][k] = boxes.axis[j][k][lane] * boxes.extent[j][lane];
+    }
+  }
+};
+
+/// A similarity made ready to carry boxes again, in the course of a motion. The map must outlive it.
+///
+/// A step of the course takes a point q to q + (V q + v): one of the box that is carried; or, where the eight go on
+/// instead, one of theirs the other way, see `Course::reversed`. Of points q = c + sum_j s_j h_j of a box that holds
+/// these it takes off a gap along n at most
+///
+///     sum_j |n . V h_j| - n . (V c + v).
+struct alignas(32) Carrier {
+  float column[3][4];  ///< of the map's linear part
+  const Box_map* map;
+  Course course;
+  double error;  ///< see `Placement`
+  double scale;
+  float slack;  ///< of the rate of a gap
+
+  /// Of a rate in float, a share of the course's size: coordinates are |c_k| + sum_j |h_jk| at most, which is below 5,
+  /// since boxes of points |p_k| <= 1 are no longer than 2 sqrt(3). Columns, half edges, centres and n are rounded or off
+  /// by as much, images by 4, products with n and the sums by 6.
+  static constexpr double rate_rounding = 128 * 0x1p-24;
+
+  Carrier(const Box_map& of, const Placement& placement, const Course& going)
+      : map(&of),
+        course(going),
+        error(placement.error),
+        scale(placement.scale),
+        slack(float(rate_rounding) * course.size * rounded_up + box_underflow)
+  {
+    for (int j = 0; j < 3; ++j)
+      for (int k = 0; k < 4; ++k) column[j][k] = float(placement.column[j][k]);
+  }
+};
+
+/// At most a gap, and how much of it a step of the course takes at most, as long as some is left.
+struct Gap_and_rate {
+  double gap, rate;
 };
 
 /// How the single box may move against the eight, in their frame and in any unit: a point of it, and one at p from their
@@ -144,14 +178,23 @@ inline void certified_gaps(const Obb8& boxes, const Box_map& map, const Obb8& fr
   fastest(boxes, map, from, lane, apex, gaps);
 }
 
-/// At most the least of these gaps of lanes, as bits, when the box is carried by `map`, whose linear part has changed by
-/// steps that sum up to `turned`.
-inline double least_gap_after(const Certified_gaps& gaps, unsigned of_lanes, const Carried_box& box, const Box_map& map,
-                              double turned)
+/// Box `lane` of `from` as it is carried now.
+inline Carried_box carried_now(const Carrier& carrier, const Obb8& from, int lane)
 {
-  using Function = double(const Certified_gaps&, unsigned, const Carried_box&, const Box_map&, double);
+  using Function = void(const Carrier&, const Obb8&, int, Carried_box&);
+  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(carried_now_simd));
+  Carried_box box;
+  fastest(carrier, from, lane, box);
+  return box;
+}
+
+/// The least of these gaps of lanes, as bits, when the box is carried again, and what goes on is in `going`.
+inline Gap_and_rate least_gap_after(const Certified_gaps& gaps, unsigned of_lanes, const Carried_box& box,
+                                    const Going_box& going, const Carrier& carrier)
+{
+  using Function = Gap_and_rate(const Certified_gaps&, unsigned, const Carried_box&, const Going_box&, const Carrier&);
   static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(least_gap_after_simd));
-  return fastest(gaps, of_lanes, box, map, turned);
+  return fastest(gaps, of_lanes, box, going, carrier);
 }
 
 /// The lanes, as bits, whose certified gap stays positive whichever of the steps is taken, or any mean of some.

@@ -118,42 +118,101 @@ inline HWY_ATTR void certified_gaps_simd(const Obb8& boxes, const Box_map& map, 
   }
 }
 
-/// `error` is `Carried_box::error_of` the map.
-HWY_INLINE double least_gap_after(const Certified_gaps& gaps, unsigned of_lanes, const Carried_box& box,
-                                  const Box_map& map, double turned, double error)
+/// The centre's image in double, coordinates k and on.
+HWY_INLINE auto centre_image(const Carrier& carrier, const float (&centre)[3], std::size_t k)
+{
+  constexpr hn::CappedTag<double, 4> doubles;
+  const auto column = [&](int j) HWY_ATTR { return hn::Load(doubles, carrier.map->column(j) + k); };
+  const auto term = [&](int j) HWY_ATTR { return Mul(column(j), hn::Set(doubles, double(centre[j]))); };
+  return hn::Add(hn::Add(hn::Add(column(3), term(0)), term(1)), term(2));
+}
+
+/// By columns, coordinates k and on.
+HWY_INLINE auto image_by(const float (*column)[4], const float (&p)[3], std::size_t k)
+{
+  constexpr hn::CappedTag<float, 4> four;
+  const auto load = [&](int j) HWY_ATTR { return hn::Load(four, column[j] + k); };
+  return MulAdd(load(2), hn::Set(four, p[2]), MulAdd(load(1), hn::Set(four, p[1]), Mul(load(0), hn::Set(four, p[0]))));
+}
+
+HWY_INLINE void carry_now(const Carrier& carrier, const Obb8& from, int lane, Carried_box& box)
+{
+  constexpr hn::CappedTag<double, 4> doubles;
+  constexpr hn::CappedTag<float, 4> four;
+  float size = 0;
+  for (int k = 0; k < 3; ++k) {
+    box.centre[k] = from.origin[k] + from.centre[k][lane];
+    const float extent = from.extent[k][lane];
+    for (int i = 0; i < 3; ++i) box.half_edge[k][i] = from.axis[k][i][lane] * extent;
+    size += extent;
+  }
+  for (std::size_t k = 0; k < 4; k += hn::Lanes(doubles))
+    hn::Store(centre_image(carrier, box.centre, k), doubles, box.image + k);
+  for (std::size_t k = 0; k < 4; k += hn::Lanes(four))
+    for (int j = 0; j < 3; ++j) hn::Store(image_by(carrier.column, box.half_edge[j], k), four, box.edge[j] + k);
+  const double rounding = Carried_box::edge_rounding * double(size * rounded_up) + Carried_box::centre_rounding;
+  box.rounding = float(rounding) * rounded_up;
+  box.error = float(carrier.error + carrier.scale * rounding) * rounded_up;
+}
+
+inline HWY_ATTR void carried_now_simd(const Carrier& carrier, const Obb8& from, int lane, Carried_box& box)
+{
+  carry_now(carrier, from, lane, box);
+}
+
+HWY_INLINE Gap_and_rate least_gap_after(const Certified_gaps& gaps, unsigned of_lanes, const Carried_box& box,
+                                        const Going_box& going, const Carrier& carrier)
 {
   constexpr Float_tag tag;
   constexpr hn::CappedTag<double, 4> doubles;
+  constexpr hn::CappedTag<float, 4> four;
   constexpr hn::Rebind<float, decltype(doubles)> narrow;
-  alignas(16) float way[4];
+  alignas(16) float way[4], on[4], turn[3][4], bend[3][4];
   alignas(32) double far[4];
   for (std::size_t k = 0; k < 4; k += hn::Lanes(doubles)) {
-    const auto column = [&](int j) HWY_ATTR { return hn::Load(doubles, map.column(j) + k); };
-    const auto term = [&](int j) HWY_ATTR { return Mul(column(j), hn::Set(doubles, double(box.centre[j]))); };
-    const auto now = hn::Add(hn::Add(hn::Add(column(3), term(0)), term(1)), term(2));
-    const auto moved = Sub(now, hn::Load(doubles, box.image + k));
+    const auto moved = Sub(centre_image(carrier, box.centre, k), hn::Load(doubles, box.image + k));
     hn::Store(Abs(moved), doubles, far + k);
     hn::StoreU(hn::DemoteTo(narrow, moved), narrow, way + k);
   }
-  auto least = hn::Set(tag, most_gap_slack);
+  for (std::size_t k = 0; k < 4; k += hn::Lanes(four)) {
+    const auto& course = carrier.course.column;
+    for (int j = 0; j < 3; ++j) {
+      hn::Store(Sub(image_by(carrier.column, box.half_edge[j], k), hn::Load(four, box.edge[j] + k)), four, turn[j] + k);
+      hn::Store(image_by(course, going.half_edge[j], k), four, bend[j] + k);
+    }
+    hn::Store(Add(hn::Load(four, course[3] + k), image_by(course, going.centre, k)), four, on + k);
+  }
+  const double loss = Carried_box::way_rounding * (far[0] + far[1] + far[2]) +
+                      ((double(box.error) + carrier.error) + double(box.rounding) * carrier.scale);
+  const float lost = float(loss) * rounded_up + box_underflow;
+  auto least = hn::Set(tag, most_gap_slack), share = hn::Zero(tag);
   for (std::size_t first = 0; first < lanes; first += hn::Lanes(tag)) {
     const auto load = [&](const float* lane) HWY_ATTR { return hn::Load(tag, lane + first); };
-    const One_test::Floats n[3] = {load(gaps.axis[0]), load(gaps.axis[1]), load(gaps.axis[2])},
-                           moved[3] = {hn::Set(tag, way[0]), hn::Set(tag, way[1]), hn::Set(tag, way[2])};
-    const auto gap = Add(load(gaps.gap), along_axis(n, moved));
+    const auto all = [&](float x) HWY_ATTR { return hn::Set(tag, x); };
+    const One_test::Floats n[3] = {load(gaps.axis[0]), load(gaps.axis[1]), load(gaps.axis[2])};
+    const auto along = [&](const float* v) HWY_ATTR {
+      const One_test::Floats by[3] = {all(v[0]), all(v[1]), all(v[2])};
+      return along_axis(n, by);
+    };
+    const auto across = [&](const float(&v)[3][4])
+                            HWY_ATTR { return Add(Add(Abs(along(v[0])), Abs(along(v[1]))), Abs(along(v[2]))); };
+    const auto gap = Sub(Mul(Sub(Add(load(gaps.gap), along(way)), across(turn)), all(gap_shrink)), all(lost));
+    const auto rate = Add(Sub(across(bend), along(on)), all(carrier.slack));
     const std::uint8_t some[8] = {std::uint8_t(of_lanes >> first)};
-    least = hn::Min(least, hn::IfThenElse(hn::LoadMaskBits(tag, some), gap, hn::Set(tag, most_gap_slack)));
+    const auto is_one = hn::LoadMaskBits(tag, some);
+    least = hn::Min(least, hn::IfThenElse(is_one, gap, all(most_gap_slack)));
+    share = Max(share, hn::IfThenElseZero(is_one, hn::Div(rate, gap)));
   }
+  // Vectors may have dropped what is undefined.
+  if (!(loss <= most_gap_slack && carrier.slack <= most_gap_slack)) return {0, 0};
   const double found = double(hn::GetLane(hn::MinOfLanes(tag, least)));
-  const double loss = double(box.radius) * ((turned - double(box.turned)) * (1 + few_roundings)) +
-                      Carried_box::way_rounding * (far[0] + far[1] + far[2]) + (double(box.error) + error);
-  return (found > 0 ? found * double(gap_shrink) : found) - loss;
+  return {found, found * double(hn::GetLane(hn::MaxOfLanes(tag, share))) * (1 + 0x1p-20)};
 }
 
-inline HWY_ATTR double least_gap_after_simd(const Certified_gaps& gaps, unsigned of_lanes, const Carried_box& box,
-                                            const Box_map& map, double turned)
+inline HWY_ATTR Gap_and_rate least_gap_after_simd(const Certified_gaps& gaps, unsigned of_lanes, const Carried_box& box,
+                                                  const Going_box& going, const Carrier& carrier)
 {
-  return least_gap_after(gaps, of_lanes, box, map, turned, Carried_box::error_of(map));
+  return least_gap_after(gaps, of_lanes, box, going, carrier);
 }
 
 /// The gap and the losses are moved by 16 roundings to the safe side, which takes those of their products, sums and

@@ -27,13 +27,18 @@ namespace tetracone::tetratree {
 ///
 /// The front covers all pairs of elements: parts of a node that were apart from a box of the other body, by a gap at
 /// least; and pairs of leaves, by a lower bound of their distance. Gaps and motions are in A's local units, where A
-/// stands still. A point of B that has moved by at most m is nearer to a point of A by at most m: so an entry certified
-/// at gap g, when the motions of all steps before summed up to s, holds until the sum reaches s + g. Then it alone is
-/// asked again, and what is no longer apart is opened, from there. Cf. Klosowski et al., "Efficient collision detection
-/// using bounding volume hierarchies of k-DOPs" (1998), generalised front tracking, which has no gaps; Mirtich's
-/// conservative advancement, which has no front.
+/// stands still.
 ///
-/// Steps are bounded by the two relative maps alone (`kernel::motion_bound`), with their errors: where these are not
+/// Bodies go on as they went, mostly. So B is on a course (`kernel::Course`), by the step between two poses: later poses
+/// are so many steps of it, and its points have strayed by so much at most from where these lead. A step takes at most a
+/// rate off a gap along an axis that stands still with A, and the pace off any distance; and what a point has strayed, it
+/// may be nearer. An entry holds until that has used up its gap (`Front_entries`). Then it alone is asked again, and what
+/// is no longer apart is opened, from there. Where B strays by much, it is set on a new course. Cf. Klosowski et al.,
+/// "Efficient collision detection using bounding volume hierarchies of k-DOPs" (1998), generalised front tracking, which
+/// has no gaps; Mirtich's conservative advancement, which has no front; Basch, Guibas and Hershberger, "Data structures
+/// for mobile data" (1999), whose certificates hold on a course alone, which must be known.
+///
+/// Motions are bounded by the two relative maps alone (`kernel::stray_bound`), with their errors: where these are not
 /// known, or the maps are no similarities, nothing is certified, and descents begin at the root. Where steps are so
 /// large that the front does not pay (`Front_policy`), they do as well.
 ///
@@ -56,8 +61,12 @@ class Bvh8_front {
   bool holds() const { return holds_; }
   const Front_entries& entries() const { return entries_; }
 
-  /// The sum of motions, in A's local units, since the front was made.
-  double moved() const { return moved_; }
+  /// At most how far the boxes of an entry are apart, in A's local units, in the pose that was asked last; not above 0
+  /// where nothing is known.
+  double gap(std::size_t k) const { return entries_.gap(k); }
+
+  /// Since the front was made.
+  std::size_t poses_followed() const { return poses_followed_; }
 
   std::size_t bytes() const { return entries_.bytes() + expired_.capacity() * sizeof(std::uint32_t); }
 
@@ -83,6 +92,10 @@ class Bvh8_front {
   }
   static constexpr double most_error = 0x1p-26;
 
+  /// Bodies that stray by more in a pose are set on a new course: a share of what they go on theirs, and as much as those
+  /// at rest may seem to.
+  static constexpr double most_strayed = 0.25, most_at_rest = 0x1p-30;
+
   /// Whether the next descent from the root is to make a front.
   bool is_to_be_made() { return policy_.makes_front(); }
 
@@ -92,16 +105,17 @@ class Bvh8_front {
   bool make(Pair_stack& stack, Both_trees& trees, const Bvh8& a, const Bvh8& b, const Leaf_pair& leaf_pair)
   {
     entries_.clear();
-    hold_all(b.node(0).boxes);
-    moved_ = turned_[0] = turned_[1] = 0;
-    for (int body = 0; body < 2; ++body) at_[body] = trees.into[body]->frame();
+    box_ = kernel::Body_box(b.node(0).boxes, 0);
+    at_ = kernel::Placement(*trees.into[1]);
+    course_ = {};
+    poses_followed_ = 0;
     holds_ = true;
     leaf_pairs_ = 0;
     relation.reset();
     stack.clear();
     push(stack, trees, {0, 0});
     const std::uint64_t before = trees.opened;
-    const bool meet = descend(stack, trees, a, b, leaf_pair);
+    const bool meet = descend(stack, trees, certifying(trees), a, b, leaf_pair);
     policy_.made(cost(double(trees.opened - before)));
     return meet;
   }
@@ -111,55 +125,60 @@ class Bvh8_front {
   std::optional<bool> follow(Pair_stack& stack, Both_trees& trees, const Bvh8& a, const Bvh8& b,
                              const Leaf_pair& leaf_pair)
   {
-    const double step = kernel::motion_bound(at_[1], trees.into[1]->frame(), box_, reach_), before = moved_,
-                 moved = (moved_ + step) * (1 + kernel::few_roundings);
-    if (!(moved <= Front_entries::most_moved) || !is_certifiable(trees) || policy_.is_worn()) return forget();
-    moved_ = moved;
-    for (int body = 0; body < 2; ++body) {
-      const kernel::Relative_frame& now = trees.into[body]->frame();
-      turned_[body] = (turned_[body] + kernel::linear_step(at_[body], now)) * (1 + kernel::few_roundings);
-      at_[body] = now;
-    }
+    const std::optional<double> step = go_on(trees);
+    if (!step || !is_certifiable(trees) || policy_.is_worn()) return forget();
+    ++poses_followed_;
 
     expired_.resize(entries_.count() + kernel::lanes);
-    std::size_t count =
-        expired(entries_.all_until(), entries_.count(), Front_entries::as_float(moved), expired_.data());
+    std::size_t count = expired(entries_, expired_.data());
     double left = std::numeric_limits<double>::infinity();
     least_gap_ = left;
     if (relation)
-      for (std::size_t k = 0; k < count; ++k) left = kernel::minimum(left, entries_.until(expired_[k]) - before);
+      for (std::size_t k = 0; k < count; ++k) left = kernel::minimum(left, entries_.gap_before(expired_[k]));
     const std::size_t checked = count;
-    count = keep_by_axes(trees, certifying(trees), expired_.data(), count, least_gap_);
+    const Certifying units = certifying(trees);
+    count = keep_by_axes(units, expired_.data(), count, least_gap_);
     if (!policy_.is_worth(count)) return forget();
 
     stack.clear();
     leaf_pairs_ = 0;
     const std::uint64_t opened = trees.opened;
     // From the last one on: where one is removed, the last takes its place.
-    open_again(stack, trees, certifying(trees), expired_.data(), count, least_gap_);
+    open_again(stack, trees, units, expired_.data(), count, least_gap_);
     bool meet = false;
-    for (std::size_t k = count; k-- > 0 && !meet;) meet = ask_again(stack, trees, expired_[k], leaf_pair);
+    for (std::size_t k = count; k-- > 0 && !meet;) meet = ask_again(stack, trees, units, expired_[k], leaf_pair);
     if (meet)
       keep_rest(stack);
     else
-      meet = descend(stack, trees, a, b, leaf_pair);
+      meet = descend(stack, trees, units, a, b, leaf_pair);
     policy_.followed(cost(Front_policy::of_certified * double(trees.opened - opened)) +
                      Front_policy::of_check * double(checked));
     // On the way, straight, from the last pose to this one, t of it from 0 to 1, those asked again were apart before the
     // step reached what was left, t step < left, and again where (1 - t) step < the new gap. Where these hold in turn
     // for all t, no surface has passed the other: a shell that was inside is inside, and one outside outside.
-    if (meet || !(left + least_gap_ > step * (1 + kernel::few_roundings))) relation.reset();
+    if (meet || !(left + least_gap_ > *step)) relation.reset();
     return meet;
   }
 
  private:
-  /// Keeps the box of all of B.
-  void hold_all(const kernel::Obb8& root)
+  /// Takes B to its present place: along the course that it is on, where that tells most of its way, else on a new one.
+  /// Returns at least how far a point of B has gone; nothing where that is not known or too far.
+  std::optional<double> go_on(const Both_trees& trees)
   {
-    box_.centre = kernel::centre_of(root, 0);
-    for (int k = 0; k < 3; ++k)
-      for (int j = 0; j < 3; ++j) box_.half_edge[j][k] = double(root.extent[j][0]) * double(root.axis[j][k][0]);
-    reach_ = box_.reach();
+    const kernel::Placement now(*trees.into[1]);
+    double steps = kernel::steps_along(course_, at_, now),
+           strayed = kernel::stray_bound(course_, steps, at_, now, box_);
+    if (!(strayed <= most_strayed * (steps * entries_.pace()) + most_at_rest) || entries_.has_gone_far()) {
+      course_ = kernel::Course(at_, now);
+      entries_.set_course(kernel::pace_bound(course_, box_));
+      steps = 1;
+      strayed = kernel::stray_bound(course_, steps, at_, now, box_);
+    }
+    entries_.go_on(steps, strayed);
+    at_ = now;
+    const double gone = (steps * entries_.pace() + strayed) * (1 + kernel::few_roundings);
+    if (!(gone <= Front_entries::most_gone)) return std::nullopt;
+    return gone;
   }
 
   std::nullopt_t forget()
@@ -177,7 +196,10 @@ class Bvh8_front {
   /// from the computed ones by 2 sqrt(3) of its error at most, and are as long as the first but for 2^-22.
   Certifying certifying(const Both_trees& trees)
   {
-    return {&entries_, moved_, {turned_[0], turned_[1]}, {1, trees.into[1]->scale() * (1 - 0x1p-20)}};
+    const kernel::Placement of_a(*trees.into[0]);
+    return {&entries_,
+            {{*trees.into[0], of_a, course_.reversed(of_a)}, {*trees.into[1], at_, course_}},
+            {1, at_.scale * (1 - 0x1p-20)}};
   }
 
   static void push(Pair_stack& stack, const Both_trees& trees, const Boxes& boxes)
@@ -194,14 +216,15 @@ class Bvh8_front {
   /// Takes in what is known of an entry that was asked now.
   void renew(std::size_t k, double gap)
   {
-    entries_.set_until(k, Front_entries::until(moved_, gap));
+    entries_.set_gap(k, gap);
     least_gap_ = kernel::minimum(least_gap_, gap);
   }
 
   /// Removes what has no lanes left, and asks pairs of boxes again; what is to be opened is on the stack then. True where
   /// elements meet.
   template <class Leaf_pair>
-  bool ask_again(Pair_stack& stack, Both_trees& trees, std::size_t k, const Leaf_pair& leaf_pair)
+  bool ask_again(Pair_stack& stack, const Both_trees& trees, const Certifying& units, std::size_t k,
+                 const Leaf_pair& leaf_pair)
   {
     Front_entry& entry = entries_[k];
     if (entry.kind != Front_entry::Kind::pair) {
@@ -217,27 +240,29 @@ class Bvh8_front {
     ++leaf_pairs_;
     const Leaf_gap found = leaf_pair(entry.first, entry.second);
     if (found.meet) witness = {entry.first, entry.second};
-    entry.lanes = certify(trees, entry.second, found, entries_.certificate(k));
+    entry.lanes = certify(trees, units, entry.second, found, entries_.certificate(k));
     renew(k, found.meet ? 0 : found.gap);
     return found.meet;
   }
 
   /// Writes the certificate of a pair of leaves. Returns its lanes.
-  std::uint8_t certify(const Both_trees& trees, Index box_b, const Leaf_gap& found, Certificate& certificate) const
+  static std::uint8_t certify(const Both_trees& trees, const Certifying& units, Index box_b, const Leaf_gap& found,
+                              Certificate& certificate)
   {
     if (!(found.gap > 0) || found.axis == kernel::Double_vector{}) return 0;
-    certificate.gaps.gap[0] = Front_entries::until(0, found.gap);
+    certificate.gaps.gap[0] = float(found.gap * (1 - 0x1p-20));
     for (int k = 0; k < 3; ++k) certificate.gaps.axis[k][0] = float(found.axis[k]);
-    certificate.carried =
-        kernel::Carried_box(*trees.into[1], trees.nodes[1][box_b / 8].boxes, int(box_b % 8), turned_[1]);
+    const kernel::Obb8& boxes = trees.nodes[1][box_b / 8].boxes;
+    certificate.carried = kernel::carried_now(units.carrier[1], boxes, int(box_b % 8));
+    certificate.going = kernel::Going_box(boxes, int(box_b % 8));
     return 1;
   }
 
   /// Opens what is on the stack, until elements meet.
   template <class Leaf_pair>
-  bool descend(Pair_stack& stack, Both_trees& trees, const Bvh8& a, const Bvh8& b, const Leaf_pair& leaf_pair)
+  bool descend(Pair_stack& stack, Both_trees& trees, const Certifying& units, const Bvh8& a, const Bvh8& b,
+               const Leaf_pair& leaf_pair)
   {
-    const Certifying units = certifying(trees);
     const std::size_t known = entries_.count();
     bool meet = false;
     for (Stop stop; !meet && (stop = descend_certified(stack, trees, units)) != Stop::nothing_left;) {
@@ -253,12 +278,10 @@ class Bvh8_front {
       const Leaf_gap found = leaf_pair(boxes.first, boxes.second);
       meet = found.meet;
       if (meet) witness = boxes;
-      const std::uint8_t lanes = certify(trees, boxes.second, found, entries_.next());
-      entries_.add({boxes.first, boxes.second, Front_entry::Kind::pair, lanes},
-                   meet ? Front_entries::at_once : Front_entries::until(moved_, found.gap));
+      const std::uint8_t lanes = certify(trees, units, boxes.second, found, entries_.next());
+      entries_.add({boxes.first, boxes.second, Front_entry::Kind::pair, lanes}, meet ? 0 : found.gap);
     }
-    for (std::size_t k = known; k < entries_.count(); ++k)
-      least_gap_ = kernel::minimum(least_gap_, entries_.until(k) - moved_);
+    for (std::size_t k = known; k < entries_.count(); ++k) least_gap_ = kernel::minimum(least_gap_, entries_.gap(k));
     if (meet) keep_rest(stack);
     return meet;
   }
@@ -266,19 +289,17 @@ class Bvh8_front {
   /// What is left on the stack when elements meet, to be opened the next time.
   void keep_rest(Pair_stack& stack)
   {
-    for (; !stack.empty(); stack.pop())
-      entries_.add({stack.box(0), stack.box(1), Front_entry::Kind::pair}, Front_entries::at_once);
+    for (; !stack.empty(); stack.pop()) entries_.add({stack.box(0), stack.box(1), Front_entry::Kind::pair}, 0);
   }
 
   bool holds_ = false, is_plane_first_ = true;
   Front_entries entries_;
   std::vector<std::uint32_t> expired_;
-  double moved_ = 0;
-  kernel::Body_box box_;  // of B
-  double reach_ = 0;
-  double turned_[2] = {0, 0};     // the sums of steps of the maps' linear parts
-  kernel::Relative_frame at_[2];  // of body k into the other's units, when the front was last brought to a pose
-  double least_gap_ = 0;          // of what was asked in this pose
+  kernel::Body_box box_;   // of B
+  kernel::Placement at_;   // of B, when the front was last brought to a pose
+  kernel::Course course_;  // of B
+  std::size_t poses_followed_ = 0;
+  double least_gap_ = 0;  // of what was asked in this pose
   std::uint64_t leaf_pairs_ = 0;
   Front_policy policy_;
 };

@@ -12,30 +12,40 @@ namespace tetracone::tetratree::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace simd = kernel::HWY_NAMESPACE;
 
-inline HWY_ATTR std::size_t expired_simd(const float* until, std::size_t count, float moved, std::uint32_t* found)
+inline HWY_ATTR std::size_t expired_simd(const Front_entries& entries, std::uint32_t* found)
 {
   constexpr simd::Float_tag tag;
-  const auto limit = hn::Set(tag, moved);
+  const float *const until = entries.until(), *const rates = entries.rates(), steps = entries.steps(),
+                     strayed = entries.strayed_as_float();
+  const std::size_t count = entries.count();
+  const auto all_steps = hn::Set(tag, steps), limit = hn::Set(tag, strayed);
   std::size_t number = 0, first = 0;
   for (; first + hn::Lanes(tag) <= count; first += hn::Lanes(tag)) {
-    std::uint8_t bits[8];
-    hn::StoreMaskBits(tag, hn::Not(hn::Gt(hn::LoadU(tag, until + first), limit)), bits);
+    const auto left = hn::Sub(hn::LoadU(tag, until + first), hn::Mul(hn::LoadU(tag, rates + first), all_steps));
+    const auto is_over = hn::Not(hn::Gt(left, limit));
     // Of all lanes in the set, and then it counts how many these are.
+#if HWY_TARGET <= HWY_AVX3
+    constexpr hn::RebindToUnsigned<simd::Float_tag> numbers;
+    const auto id = hn::Add(hn::Set(numbers, std::uint32_t(first)), hn::Iota(numbers, 0));
+    hn::StoreU(hn::Compress(id, hn::RebindMask(numbers, is_over)), numbers, found + number);
+    number += hn::CountTrue(tag, is_over);
+#else
+    std::uint8_t bits[8];
+    hn::StoreMaskBits(tag, is_over, bits);
     const std::uint8_t* lanes = lanes_in[bits[0]].data();
     for (std::size_t k = 0; k < hn::Lanes(tag); ++k) found[number + k] = std::uint32_t(first) + lanes[k];
     number += std::size_t(std::popcount(bits[0]));
+#endif
   }
   for (; first < count; ++first)
-    if (!(until[first] > moved)) found[number++] = std::uint32_t(first);
+    if (!(until[first] - rates[first] * steps > strayed)) found[number++] = std::uint32_t(first);
   return number;
 }
 
-inline HWY_ATTR std::size_t keep_by_axes_simd(const Both_trees& trees, const Certifying& certifying,
-                                              std::uint32_t* asked, std::size_t count, double& least)
+inline HWY_ATTR std::size_t keep_by_axes_simd(const Certifying& certifying, std::uint32_t* asked, std::size_t count,
+                                              double& least)
 {
   Front_entries& entries = *certifying.entries;
-  const double error[2] = {kernel::Carried_box::error_of(*trees.into[0]),
-                           kernel::Carried_box::error_of(*trees.into[1])};
   std::size_t left = 0;
   for (std::size_t k = 0; k < count; ++k) {
     if (k + 2 < count) entries.prefetch(asked[k + 2]);
@@ -43,15 +53,15 @@ inline HWY_ATTR std::size_t keep_by_axes_simd(const Both_trees& trees, const Cer
     const Front_entry& entry = entries[number];
     const Certificate& certificate = entries.certificate(number);
     const int body = entry.carried_body();
-    const double gap =
-        certifying.to_a[1 - body] * simd::least_gap_after(certificate.gaps, entry.lanes, certificate.carried,
-                                                          *trees.into[body], certifying.turned[body], error[body]);
-    if (entry.lanes != 0 && gap > 0) {
-      entries.set_until(number, Front_entries::until(certifying.moved, gap));
-      least = least < gap ? least : gap;
-    } else {
-      asked[left++] = number;
-    }
+    const kernel::Gap_and_rate now = simd::least_gap_after(certificate.gaps, entry.lanes, certificate.carried,
+                                                           certificate.going, certifying.carrier[body]);
+    // Without branches, which could not be foreseen.
+    const bool stays = (entry.lanes != 0) & (now.gap > 0);
+    const double to_a = certifying.to_a[1 - body], gaps[2] = {0, to_a * now.gap}, leasts[2] = {least, gaps[1]};
+    entries.set_gap(number, gaps[stays], to_a * now.rate);
+    least = leasts[stays & (gaps[1] < least)];
+    asked[left] = number;
+    left += !stays;
   }
   return left;
 }
@@ -100,8 +110,8 @@ HWY_INLINE std::size_t push_uncertified(Pair_stack& stack, std::size_t count, co
   Parts_uncertified parts{o.node->boxes, box, asked, slack, certificate};
   count = push_parts(stack, count, o, trees, parts);
   const int other = 1 - o.body;
-  certificate.carried = kernel::Carried_box(*trees.into[other], trees.nodes[other][o.box[other] / 8].boxes,
-                                            int(o.box[other] % 8), certifying.turned[other]);
+  simd::carry_now(certifying.carrier[other], trees.nodes[other][o.box[other] / 8].boxes, int(o.box[other] % 8),
+                  certificate.carried);
   certified.apart = slack <= kernel::most_gap_slack ? parts.apart : 0;
   certified.gap = double(hn::GetLane(hn::MinOfLanes(tag, parts.least))) * certifying.to_a[o.body];
   return count;
@@ -117,11 +127,14 @@ struct Keep_uncertified {
     Certified_lanes certified;
     const unsigned held = (1u << o.node->boxes.lane_count) - 1;
     count = push_uncertified(stack, count, o, box, held, trees, certifying, certifying.entries->next(), certified);
-    if (certified.apart != 0)
+    if (certified.apart != 0) {
+      const std::uint32_t of_b = o.box[1];
+      certifying.entries->next().going = kernel::Going_box(trees.nodes[1][of_b / 8].boxes, int(of_b % 8));
       certifying.entries->add(
           {std::uint32_t(o.node - trees.nodes[o.body]), o.box[1 - o.body],
            o.body == 0 ? Front_entry::Kind::node_of_a : Front_entry::Kind::node_of_b, std::uint8_t(certified.apart)},
-          Front_entries::until(certifying.moved, certified.gap));
+          certified.gap);
+    }
     return count;
   }
 };
@@ -146,7 +159,7 @@ inline HWY_ATTR void open_again_simd(Pair_stack& stack, Both_trees& trees, const
                                      entries.certificate(asked[k]), certified));
     entry.lanes = std::uint8_t(certified.apart);
     if (certified.apart == 0) continue;
-    entries.set_until(asked[k], Front_entries::until(certifying.moved, certified.gap));
+    entries.set_gap(asked[k], certified.gap);
     least = least < certified.gap ? least : certified.gap;
   }
 }

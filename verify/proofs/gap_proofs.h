@@ -3,6 +3,7 @@
 
 #include "tetracone/kernel/bound/obb8_gap.h"
 #include "tetracone/kernel/bound/relative_frame.h"
+#include "tetracone/kernel/bound/relative_motion.h"
 #include "verify/proofs/box_test.h"
 #include "verify/proofs/near_orthonormal.h"
 #include "verify/proofs/obb8_proofs.h"
@@ -159,6 +160,33 @@ inline Proved_bounds gap_proofs()
   add("Carried_box::way_rounding", Carried_box::way_rounding,
       largest(slice_errors<Relative_32>(moved, terms)) * length * computed, u, 3.21, "gappa");
 
+  // n . (L_t h - L_0 h): columns and half edges are rounded, images by |L| |h| with |L|'s norm at most sqrt(3) times the
+  // scale; their difference, of lengths that are at most |L_t h| + |L_0 h|, once; and three sums.
+  const auto image = [](const auto& in) {
+    using Floats = Axis_number<std::decay_t<decltype(in[0])>, false>;
+    const Floats columns[3] = {entry(in[0]), entry(in[1]), entry(in[2])}, p[3] = {in[3], in[4], in[5]};
+    return kernel::HWY_NAMESPACE::along_axis(columns, p).one();
+  };
+  const Rational of_image = largest(slice_errors<Relative_32>(image, terms)), of_turn = of_image;
+  add("Carried_box::edge_rounding", Carried_box::edge_rounding,
+      (root_3() * of_image + 2 * roundoff + of_turn + 3 * roundoff) * length * computed, u, 2.02, "gappa");
+
+  // Of points of coordinates up to 5: the shift, and the half edges' rounding; and three sums.
+  add("Carrier::rate_rounding", kernel::Carrier::rate_rounding,
+      5 * (of_image + 2 * roundoff + of_turn + 3 * roundoff) * length * computed, u, 1.98, "gappa");
+
+  // Of both, entries and corners are rounded.
+  const auto gone = [](const auto& in) {
+    using Floats = Axis_number<std::decay_t<decltype(in[0])>, false>;
+    const Floats row[3] = {entry(in[0]), entry(in[1]), entry(in[2])},
+                 point[3] = {entry(in[3]), entry(in[4]), entry(in[5])};
+    return kernel::HWY_NAMESPACE::gone(row, Floats(entry(in[6])), point).one();
+  };
+  const std::vector<Slice> goings = {
+      {1, 0, 0, 1, 0, 0, 0}, {0, 1, 0, 0, 1, 0, 0}, {0, 0, 1, 0, 0, 1, 0}, {0, 0, 0, 0, 0, 0, 1}};
+  bounds.push_back({"motion_rounding", "kernel/bound/relative_motion.h", Rational(kernel::motion_rounding),
+                    largest(slice_errors<Relative_32>(gone, goings)) * computed, u, 2.68, "gappa"});
+
   // Coordinates of a step are rounded to float; the sum with what is left of a gap keeps its sign.
   const auto step = [](const auto& in) {
     using Floats = Axis_number<std::decay_t<decltype(in[0])>, false>;
@@ -190,7 +218,8 @@ inline Proved_bounds gap_proofs()
       "rationals");
   add("Carried_box::centre_rounding", Carried_box::centre_rounding, root_3() * 4 * roundoff + Rational(0x1p-70), 1,
       2.32, "rationals");
-  add("Carried_box::position_norm", Carried_box::position_norm, root_3() * length, 1, 1.16, "rationals");
+  bounds.push_back({"Placement::position_norm", "kernel/bound/relative_motion.h",
+                    Rational(kernel::Placement::position_norm), root_3() * length, 1, 1.16, "rationals"});
   return bounds;
 }
 

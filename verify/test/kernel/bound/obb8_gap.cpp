@@ -18,7 +18,7 @@
 namespace tetracone::kernel {
 
 using Certify = void(const Obb8&, const Box_map&, const Obb8&, int, float, Certified_gaps&);
-using Least_after = double(const Certified_gaps&, unsigned, const Carried_box&, const Box_map&, double);
+using Least_after = Gap_and_rate(const Certified_gaps&, unsigned, const Carried_box&, const Going_box&, const Carrier&);
 
 std::vector<Certify*> certifying()
 {
@@ -29,6 +29,8 @@ std::vector<Still_apart*> still_apart()
 {
   return verify::versions_here<Still_apart>(TETRACONE_SIMD_VERSIONS(lanes_still_apart_simd));
 }
+using Carry = void(const Carrier&, const Obb8&, int, Carried_box&);
+std::vector<Carry*> carrying() { return verify::versions_here<Carry>(TETRACONE_SIMD_VERSIONS(carried_now_simd)); }
 std::vector<Least_after*> least_after()
 {
   return verify::versions_here<Least_after>(TETRACONE_SIMD_VERSIONS(least_gap_after_simd));
@@ -97,27 +99,29 @@ struct Placing {
   }
 };
 
-/// The shares of the corner of a box that reaches least along n, in the frame that `map` leads to, null: its own.
-std::array<double, 3> lowest(const Obb8& boxes, int lane, const Vector& n, const Box_map* map)
+/// The shares of the corner of a box that reaches least along n, its axes turned by `direction`.
+template <class Direction>
+std::array<double, 3> lowest(const Obb8& boxes, int lane, const Vector& n, const Direction& direction)
 {
   std::array<double, 3> share;
   for (int i = 0; i < 3; ++i) {
-    std::array<double, 3> axis = {boxes.axis[i][0][lane], boxes.axis[i][1][lane], boxes.axis[i][2][lane]};
-    if (map) axis = map->frame().direction(axis);
+    const std::array<double, 3> axis =
+        direction(std::array<double, 3>{boxes.axis[i][0][lane], boxes.axis[i][1][lane], boxes.axis[i][2][lane]});
     share[i] = n[0] * axis[0] + n[1] * axis[1] + n[2] * axis[2] > 0 ? -1 : 1;
   }
   return share;
 }
 
 /// The box itself, or of one that holds a triangle the corner of that which reaches least.
-std::array<double, 3> lowest_point(const Obb8& boxes, int lane, float apex, const Vector& n, const Box_map& map)
+template <class Direction>
+std::array<double, 3> lowest_point(const Obb8& boxes, int lane, float apex, const Vector& n, const Direction& direction)
 {
-  if (apex == no_apex) return lowest(boxes, lane, n, &map);
+  if (apex == no_apex) return lowest(boxes, lane, n, direction);
   const auto along = [&](const std::array<double, 3>& share) {
     double sum = 0;
     for (int i = 0; i < 3; ++i) {
-      const auto axis = map.frame().direction(
-          std::array<double, 3>{boxes.axis[i][0][lane], boxes.axis[i][1][lane], boxes.axis[i][2][lane]});
+      const auto axis =
+          direction(std::array<double, 3>{boxes.axis[i][0][lane], boxes.axis[i][1][lane], boxes.axis[i][2][lane]});
       sum += share[i] * boxes.extent[i][lane] * (n[0] * axis[0] + n[1] * axis[1] + n[2] * axis[2]);
     }
     return sum;
@@ -126,6 +130,28 @@ std::array<double, 3> lowest_point(const Obb8& boxes, int lane, float apex, cons
   for (const std::array<double, 3>& corner : {std::array<double, 3>{0, 1, -1}, {0, apex, 1}})
     if (along(corner) < along(best)) best = corner;
   return best;
+}
+
+/// Directions as a map turns them, and so many steps of a course after it.
+auto turned_by(const Box_map& map, const Course& course = {}, double steps = 0)
+{
+  return [&map, course, steps](const std::array<double, 3>& v) {
+    std::array<double, 3> turned = map.frame().direction(v);
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) turned[i] += steps * double(course.column[j][i]) * v[j];
+    return turned;
+  };
+}
+
+/// A point after so many steps of a course.
+rationals::Vector on_course(rationals::Vector image, const rationals::Vector& q, const Course& course, double steps)
+{
+  for (int i = 0; i < 3; ++i) {
+    Rational on = course.column[3][i];
+    for (int j = 0; j < 3; ++j) on += Rational(course.column[j][i]) * q[j];
+    image[i] += Rational(steps) * on;
+  }
+  return image;
 }
 
 struct Scene {
@@ -199,42 +225,80 @@ bool is_less(const rationals::Vector& n, const rationals::Vector& from, const ra
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE(boxes_are_as_far_apart_along_its_axis_as_a_gap_says_and_after_a_step_too)
+BOOST_AUTO_TEST_CASE(boxes_are_as_far_apart_along_its_axis_as_a_gap_says_and_after_a_step_and_on_a_course_too)
 {
   Random random(1);
-  int gaps = 0, wrong = 0, short_axes = 0, after = 0, wrong_after = 0, kept = 0;
-  double tightest = std::numeric_limits<double>::infinity();
+  int gaps = 0, wrong = 0, short_axes = 0, after = 0, wrong_after = 0, kept = 0, on_courses = 0, wrong_on_course = 0;
+  double tightest = std::numeric_limits<double>::infinity(), tightest_rate = tightest;
   for (int k = 0; k < 900; ++k) {
     const Scene s = scene(random, k);
     const Box_map map = s.before.map(), moved = s.after.map();
     BOOST_TEST_REQUIRE(map.is_similarity());
     Certified_gaps found;
     certifying()[std::size_t(k) % certifying().size()](s.boxes, map, s.from, s.lane, s.apex, found);
-    const Carried_box carried(map, s.from, s.lane, 0);
-    const double turned = linear_step(map.frame(), moved.frame());
+    const Placement before(map), after_step(moved);
+    Carried_box carried;
+    carrying()[std::size_t(k) % carrying().size()](Carrier(map, before, {}), s.from, s.lane, carried);
+    // It goes on by the same step; or elsewhere.
+    Placement elsewhere = after_step;
+    for (auto& column : elsewhere.column)
+      for (int i = 0; i < 3; ++i) column[i] += std::ldexp(real(random, -1, 1), -integer(random, 4, 40));
+    const Course course = k % 2 == 0 ? Course(before, after_step) : Course(after_step, elsewhere);
+    const Carrier carrier(moved, after_step, course);
     for (int lane = 0; lane < int(lanes); ++lane) {
       if (!(found.gap[lane] > 0)) continue;
       ++gaps;
       const Vector n(found.axis[0][lane], found.axis[1][lane], found.axis[2][lane]);
       const rationals::Vector exact_n = {Rational(n[0]), Rational(n[1]), Rational(n[2])};
       short_axes += n.norm() > 1 + 1e-5 || n.norm() < 1e-4;
-      const rationals::Vector p = point(s.boxes, lane, lowest(s.boxes, lane, -n, nullptr));
-      const auto q = point(s.from, s.lane, lowest_point(s.from, s.lane, s.apex, n, map)), at = s.before.image(q);
+      const rationals::Vector p = point(s.boxes, lane, lowest(s.boxes, lane, -n, [](const auto& v) { return v; }));
+      const auto q = point(s.from, s.lane, lowest_point(s.from, s.lane, s.apex, n, turned_by(map))),
+                 at = s.before.image(q);
       wrong += is_less(exact_n, p, at, found.gap[lane]);
       const double exact = nearest_double(rationals::inner(exact_n, rationals::minus(at, p)));
       tightest = std::min(tightest, (exact - found.gap[lane]) / exact);
       // The step.
-      const double left =
-          least_after()[std::size_t(lane) % least_after().size()](found, 1u << lane, carried, moved, turned);
-      const auto q_after = point(s.from, s.lane, lowest_point(s.from, s.lane, s.apex, n, moved));
+      const auto left_after = least_after()[std::size_t(lane) % least_after().size()];
+      const Gap_and_rate left = left_after(found, 1u << lane, carried, Going_box(s.from, s.lane), carrier);
+      const auto q_after = point(s.from, s.lane, lowest_point(s.from, s.lane, s.apex, n, turned_by(moved)));
       ++after;
-      wrong_after += is_less(exact_n, p, s.after.image(q_after), left);
-      kept += left > 0;
+      wrong_after += is_less(exact_n, p, s.after.image(q_after), left.gap);
+      kept += left.gap > 0;
+      // As long as something is left.
+      if (left.gap > 0)
+        for (const double share : {0.0, 0.4, 0.99}) {
+          const double steps = left.rate > 0 ? share * left.gap / left.rate : share * 1000;
+          const auto q_then =
+              point(s.from, s.lane, lowest_point(s.from, s.lane, s.apex, n, turned_by(moved, course, steps)));
+          const rationals::Vector then = on_course(s.after.image(q_then), q_then, course, steps);
+          ++on_courses;
+          wrong_on_course += is_less(exact_n, p, then, left.gap - steps * left.rate);
+          if (share > 0.9 && left.rate > 0)
+            tightest_rate = std::min(tightest_rate,
+                                     nearest_double(rationals::inner(exact_n, rationals::minus(then, p))) / left.gap);
+        }
+      // The same if the lane goes on instead, the other way.
+      const Gap_and_rate of_lane = left_after(found, 1u << lane, carried, Going_box(s.boxes, lane), carrier);
+      wrong_after += of_lane.gap != left.gap;
+      if (!(left.gap > 0 && of_lane.rate > 0)) continue;
+      const double steps = 0.99 * left.gap / of_lane.rate;
+      const auto against = lowest(s.boxes, lane, -n, [&](const std::array<double, 3>& v) {
+        std::array<double, 3> turned = v;
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j) turned[i] -= steps * double(course.column[j][i]) * v[j];
+        return turned;
+      });
+      const rationals::Vector p_start = point(s.boxes, lane, against),
+                              p_then = on_course(p_start, p_start, course, -steps);
+      wrong_on_course += is_less(exact_n, p_then, s.after.image(q_after), left.gap - steps * of_lane.rate);
     }
   }
   BOOST_TEST_MESSAGE("gaps " << gaps << ", left after a step " << kept << ", tightest by " << tightest);
   BOOST_TEST(wrong == 0);
   BOOST_TEST(wrong_after == 0);
+  BOOST_TEST(wrong_on_course == 0);
+  BOOST_TEST(on_courses > after);
+  BOOST_TEST(tightest_rate < 0.011);  // of the 0.01 that is left at least
   BOOST_TEST(short_axes == 0);
   BOOST_TEST(gaps > 2000);
   BOOST_TEST(kept > after / 2);
@@ -258,12 +322,74 @@ BOOST_AUTO_TEST_CASE(what_is_infinite_undefined_or_no_similarity_has_no_gap)
   // A far box is apart whatever the slack, and its gap is told with the slack of its distance.
   Certified_gaps found;
   certified_gaps(s.boxes, s.before.map(), s.from, s.lane, no_apex, found);
-  const Carried_box carried(s.before.map(), s.from, s.lane, 0);
-  for (const auto after : least_after()) {
-    BOOST_TEST(!(after(found, 255, carried, no_similarity.map(), std::numeric_limits<double>::infinity()) > 0));
-    BOOST_TEST(!(after(found, 255, carried, no_similarity.map(), std::numeric_limits<double>::quiet_NaN()) > 0));
-    BOOST_TEST(!(after(found, 255, carried, Box_map(), 0) > 0));
+  const Box_map map = s.before.map(), of_nothing;
+  const Placement placement(map), nowhere(of_nothing);
+  const Going_box going(s.from, s.lane);
+  for (const auto carry : carrying())
+    for (const auto after : least_after()) {
+      Carried_box carried, carried_wrong;
+      carry(Carrier(map, placement, {}), s.from, s.lane, carried);
+      unsigned apart = 0;
+      for (int lane = 0; lane < int(lanes); ++lane) apart |= unsigned(found.gap[lane] > 1e-3f) << lane;
+      BOOST_TEST_REQUIRE(apart != 0u);
+      BOOST_TEST((after(found, apart, carried, going, Carrier(map, placement, {})).gap > 0));
+      BOOST_TEST(!(after(found, apart, carried, going, Carrier(of_nothing, nowhere, {})).gap > 0));
+      for (const float bad : {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
+        Course undefined;
+        undefined.column[1][2] = undefined.size = bad;
+        BOOST_TEST(!(after(found, apart, carried, going, Carrier(map, placement, undefined)).gap > 0));
+        Placement error = placement;
+        error.error = double(bad);
+        BOOST_TEST(!(after(found, apart, carried, going, Carrier(map, error, {})).gap > 0));
+        error = placement;
+        error.scale = double(bad);
+        BOOST_TEST(!(after(found, apart, carried, going, Carrier(map, error, {})).gap > 0));
+        carry(Carrier(map, error, {}), s.from, s.lane, carried_wrong);
+        BOOST_TEST(!(after(found, apart, carried_wrong, going, Carrier(map, placement, {})).gap > 0));
+      }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(of_several_lanes_that_which_is_used_up_first_tells_how_long)
+{
+  // The least gap and its rate hold for each of them, on the same course.
+  Random random(4);
+  int several = 0, wrong = 0, longest = 0;
+  for (int k = 0; k < 400; ++k) {
+    const Scene s = scene(random, k);
+    const Box_map map = s.before.map(), moved = s.after.map();
+    Certified_gaps found;
+    certified_gaps(s.boxes, map, s.from, s.lane, s.apex, found);
+    const Placement before(map), after(moved);
+    const Carrier carrier(moved, after, Course(before, after));
+    const Carried_box carried = carried_now(Carrier(map, before, {}), s.from, s.lane);
+    const Going_box going(s.from, s.lane);
+    for (const auto version : least_after()) {
+      unsigned kept = 0;
+      double least = std::numeric_limits<double>::infinity(), soonest = least;
+      std::array<Gap_and_rate, lanes> alone;
+      for (int lane = 0; lane < int(lanes); ++lane) {
+        alone[lane] = version(found, 1u << lane, carried, going, carrier);
+        if (!(found.gap[lane] > 0 && alone[lane].gap > 0)) continue;
+        kept |= 1u << lane;
+        least = std::min(least, alone[lane].gap);
+        soonest = std::min(soonest, alone[lane].gap / alone[lane].rate);
+      }
+      if ((kept & (kept - 1)) == 0) continue;
+      ++several;
+      const Gap_and_rate all = version(found, kept, carried, going, carrier);
+      wrong += all.gap != least;
+      for (int lane = 0; lane < int(lanes); ++lane)
+        if (kept >> lane & 1)
+          for (const double steps : {0.0, 0.5 * all.gap / all.rate, all.gap / all.rate})
+            wrong += steps <= 1e30 && alone[lane].gap - steps * alone[lane].rate <
+                                          (all.gap - steps * all.rate) * (1 - 1e-5) - 1e-6 * all.gap;
+      longest += std::abs(all.gap / all.rate - soonest) <= 1e-5 * soonest || !(soonest < 1e30);
+    }
   }
+  BOOST_TEST(wrong == 0);
+  BOOST_TEST(longest == several);
+  BOOST_TEST(several > 300);
 }
 
 BOOST_AUTO_TEST_CASE(lanes_that_a_step_uses_up_are_not_still_apart)

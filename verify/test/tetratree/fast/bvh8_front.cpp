@@ -183,7 +183,7 @@ Judged judge(const Bvh8_front& front, const Walk& walk, const Pose& pose_a, cons
   };
   for (std::size_t k = 0; k < front.entries().count(); ++k) {
     const Front_entry& entry = front.entries()[k];
-    const double gap = front.entries().until(k) - front.moved();
+    const double gap = front.gap(k);
     if (entry.kind == Front_entry::Kind::pair) {
       cover(entry.first / 8, int(entry.first % 8), entry.second / 8, int(entry.second % 8), gap);
       continue;
@@ -243,10 +243,10 @@ BOOST_AUTO_TEST_CASE(every_pair_of_elements_is_below_an_entry_that_holds_or_is_t
       std::size_t uncovered = 0, too_far = 0;
       for (int k = 0; k < walk.frames; ++k) {
         const Pose pose_a = walk.pose_a(k), pose_b = walk.pose_b(k);
-        const double before = front.moved();
+        const std::size_t before = front.poses_followed();
         collision.relation(pose_a, pose_b, Question::surface, front);
         if (!front.holds() || front.is_plane_first() || front.witness) continue;
-        followed += front.moved() > before;
+        followed += front.poses_followed() > before;
         if (k % 4 != 0) continue;
         const Judged judged = judge(front, walk, pose_a, pose_b);
         uncovered += judged.uncovered;
@@ -307,10 +307,10 @@ BOOST_AUTO_TEST_CASE(a_body_that_passes_a_wall_between_two_poses_is_no_longer_wh
   for (int k = 0; k < 200; ++k) {
     const Pose pose = rotated(0.01 * k, 2.995 - (k % 12 < 6 ? 0.03 : -0.03), 0.001 * k, 0.4);
     const Pose in_wall = k % 7 == 0 ? rotated(0.01 * k, 2.995, 0, 0.4, 0.1) : pose;
-    const double before = front.moved();
+    const std::size_t before = front.poses_followed();
     differ += none.relation(Pose(), in_wall, Question::solid, front) != none.relation(Pose(), in_wall);
     differ += other_way.relation(in_wall, Pose(), Question::solid, back) != other_way.relation(in_wall, Pose());
-    followed += front.holds() && front.moved() > before;
+    followed += front.holds() && front.poses_followed() > before;
     inside += none.relation(Pose(), in_wall) == Relation::b_in_a;
   }
   BOOST_TEST(differ == 0);
