@@ -67,14 +67,30 @@ struct Moving_hull {
   }
 };
 
+/// Times of a span, from 0 to 1 over it, at which bodies may meet: they are apart before and after.
+struct Time_window {
+  double from = 0, until = 1;
+
+  bool is_empty() const { return !(from <= until); }
+
+  friend Time_window common(const Time_window& x, const Time_window& y)
+  {
+    return {maximum(x.from, y.from), minimum(x.until, y.until)};
+  }
+};
+
 /// A span of time from m / 2^k to (m+1) / 2^k, and where two bodies are in it, in double.
 ///
 /// Points of both, in coordinates that are common to them and times their common divisor, are forms in time; by their
-/// coefficients in Bernstein's basis over the span they are sums with weights that are not negative. So what separates
-/// the coefficients of two hulls, each of them, along an axis, separates the hulls all the time.
+/// coefficients in Bernstein's basis over the span they are sums with weights that are not negative. So where gaps of two
+/// hulls along an axis, one at each coefficient, are above a function that is linear in time, the hulls are apart while it
+/// is positive.
 class Motion_span {
  public:
   static constexpr std::size_t most_coefficients = 8;
+
+  /// What a time in the span may be off by, a share of it: a quotient of at most 1, of a difference of opposite signs.
+  static constexpr double rounding_of_times = 0x1p-50;
 
   /// The maps of both bodies' local points, B's with the offset from A's origin to its own.
   struct Maps {
@@ -186,22 +202,25 @@ class Motion_span {
   double start() const { return std::ldexp(double(m_), -int(k_)); }
   double middle() const { return std::ldexp(double(2 * m_ + 1), -int(k_) - 1); }
 
-  /// Whether the hulls, one of A and one of B, are certainly apart along the axis at every time of the span. False along
-  /// an axis so short or so long that products may be lost.
+  /// At most the time that is such a share of the span after its start.
+  double no_later_than(double share) const { return start() + std::ldexp(share, -int(k_)) - 0x1p-50; }
+
+  /// When the hulls, one of A and one of B, may meet as the axis tells. All the time along an axis so short or so long
+  /// that products may be lost.
   template <class Hull_a, class Hull_b>
-  bool apart_along(const Vertex& axis, const Hull_a& a, const Hull_b& b) const
+  Time_window near_along(const Vertex& axis, const Hull_a& a, const Hull_b& b) const
   {
     const double length = std::abs(axis[0]) + std::abs(axis[1]) + std::abs(axis[2]), error = length * error_;
-    if (!(length >= 0x1p-100 && length <= 0x1p100)) return false;
-    bool before = true, behind = true;
-    for (std::size_t i = 0; i < size_ && (before || behind); ++i) {
+    if (!(length >= 0x1p-100 && length <= 0x1p100)) return {};
+    std::array<double, most_coefficients> before, behind;
+    for (std::size_t i = 0; i < size_; ++i) {
       const Maps& maps = coefficient_[i];
       const auto of_a = a.range(across(axis, maps.row[0])), of_b = b.range(across(axis, maps.row[1]));
       const double offset = dot(axis, maps.offset);
-      before = before && offset + of_b[0] - of_a[1] > error;
-      behind = behind && of_a[0] - of_b[1] - offset > error;
+      before[i] = offset + of_b[0] - of_a[1] - error;
+      behind[i] = of_a[0] - of_b[1] - offset - error;
     }
-    return before || behind;
+    return common(near_by(before), near_by(behind));
   }
 
   /// The maps of the span's i-th coefficient in Bernstein's basis, not over their weight, and how many there are.
@@ -214,17 +233,23 @@ class Motion_span {
   /// Where the bodies are in the middle of the span, over the divisor, and how far at the start and the end: not exact.
   const Maps& at_middle() const { return landmark_[1]; }
 
-  /// About how far a point of B near `b` moves against one of A near `a` in the span, local points.
-  double way(const Vertex& a, const Vertex& b) const
+  /// About where the bodies are at such a share of the span, over the divisor.
+  Maps about(double share) const
   {
-    double longest = 0;
-    Vertex last = between(landmark_[0], a, b);
-    for (int k = 1; k < 3; ++k) {
-      const Vertex next = between(landmark_[k], a, b);
-      for (int i = 0; i < 3; ++i) longest = maximum(longest, 2 * std::abs(next[i] - last[i]));
-      last = next;
+    // The parabola through the start, the middle and the end.
+    const double first = (1 - share) * (1 - 2 * share), middle = 4 * share * (1 - share),
+                 last = share * (2 * share - 1);
+    const auto mean = [&](double x, double y, double z) { return first * x + middle * y + last * z; };
+    const auto& [start, half, end] = landmark_;
+    Maps maps;
+    for (int i = 0; i < 3; ++i) {
+      maps.offset[i] = mean(start.offset[i], half.offset[i], end.offset[i]);
+      for (int body = 0; body < 2; ++body)
+        for (int j = 0; j < 3; ++j)
+          maps.row[body][i][j] = mean(start.row[body][i][j], half.row[body][i][j], end.row[body][i][j]);
     }
-    return longest;
+    maps.weight = 1;
+    return maps;
   }
 
   /// About how far parts of a body that are 1 apart in its local units move against each other in the span, and how long
@@ -258,6 +283,22 @@ class Motion_span {
 
  private:
   Motion_span() = default;
+
+  /// When a form may be 0 or negative that has these coefficients: the line through the first and the last, lowered to
+  /// all between them, is below it. Roundings of these few sums are far below the error that was taken off.
+  Time_window near_by(const std::array<double, most_coefficients>& gap) const
+  {
+    double first = gap[0], last = gap[size_ - 1], above = 0;
+    for (std::size_t i = 1; i + 1 < size_; ++i)
+      above = maximum(above, first + (last - first) * (double(i) / double(size_ - 1)) - gap[i]);
+    first -= above;
+    last -= above;
+    if (first > 0 && last > 0) return {1, 0};
+    const double zero = first / (first - last);
+    if (first > 0 && zero >= 0) return {zero - rounding_of_times, 1};
+    if (last > 0 && zero <= 1) return {0, zero + rounding_of_times};
+    return {};
+  }
 
   double binomial(std::size_t k) const
   {

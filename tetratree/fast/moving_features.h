@@ -9,15 +9,18 @@
 #include "tetracone/tetratree/fast/bvh8.h"
 #include "tetracone/tetratree/query_statistics.h"
 
+#include <algorithm>
 #include <array>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <set>
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace tetracone::tetratree {
 
@@ -47,7 +50,7 @@ inline std::array<kernel::Vertex, 3> local_corners(const Bvh8& tree, const std::
 }
 
 /// The first contact of vertices and faces, and of edges, of the triangles that it is given: what the bounds of a span do
-/// not part is decided in integers, over the span alone.
+/// not part waits, and is decided in integers, over the span alone, in the order of the times from which on it may meet.
 class Moving_feature_search {
  public:
   /// Both trees must outlive it.
@@ -59,6 +62,7 @@ class Moving_feature_search {
     moving_ = {&a, &b};
     motion_.reset();
     decided_.clear();
+    candidates_.clear();
     best_.reset();
     best_before_ = std::numeric_limits<double>::infinity();
   }
@@ -74,11 +78,27 @@ class Moving_feature_search {
   double before() const { return best_before_; }
   std::optional<First_meeting> take_first() { return std::exchange(best_, std::nullopt); }
 
-  /// Looks for contacts of two elements in the span.
-  void meet(const kernel::Motion_span& span, const Element& of_a, const Element& of_b)
+  /// Takes in two elements, which do not meet in the span outside of these times.
+  void meet(const kernel::Motion_span& span, const kernel::Time_window& times, const Element& of_a, const Element& of_b)
   {
-    for_triangles(0, of_a,
-                  [&](const Triangle& a) { for_triangles(1, of_b, [&](const Triangle& b) { meet(span, a, b); }); });
+    for_triangles(0, of_a, [&](const Triangle& a) {
+      for_triangles(1, of_b, [&](const Triangle& b) { meet(span, times, a, b); });
+    });
+  }
+
+  /// Decides what may meet before the time, a share of the span; of all that was taken in for the same span.
+  void decide_until(const kernel::Motion_span& span, double share)
+  {
+    while (!candidates_.empty() && candidates_.front().from() <= share) {
+      std::ranges::pop_heap(candidates_, std::ranges::greater(), &Candidate::from);
+      const Candidate next = candidates_.back();
+      candidates_.pop_back();
+      if (span.no_later_than(next.from()) > before()) continue;
+      if (next.is_sharp)
+        decide(span, next.features);
+      else
+        add(span, {next.times, next.features, true});
+    }
   }
 
   const Query_statistics& counts() const { return counts_; }
@@ -96,6 +116,14 @@ class Moving_feature_search {
     unsigned k;
 
     auto operator<=>(const Decided&) const = default;
+  };
+  /// Features that may meet in the span, not before a time.
+  struct Candidate {
+    kernel::Time_window times;
+    Moving_features features;
+    bool is_sharp = false;  ///< times are by axes of about these times
+
+    double from() const { return times.from; }
   };
   struct Triangle {
     std::array<Index, 3> corner;
@@ -117,7 +145,7 @@ class Moving_feature_search {
   }
 
   /// Tries all vertices and edges of two triangles.
-  void meet(const kernel::Motion_span& span, const Triangle& a, const Triangle& b)
+  void meet(const kernel::Motion_span& span, kernel::Time_window times, const Triangle& a, const Triangle& b)
   {
     ++counts_.triangle_tests;
     const std::array<const Triangle*, 2> both = {&a, &b};
@@ -129,43 +157,83 @@ class Moving_feature_search {
             span.direction(maps, body, kernel::difference(both[body]->local[(k + 1) % 3], both[body]->local[k]));
     const std::array<Vertex, 2> normal = {kernel::cross(edge[0][0], edge[0][1]), kernel::cross(edge[1][0], edge[1][1])};
 
-    const auto apart = [&](const Vertex& axis, std::span<const Vertex> of_a, std::span<const Vertex> of_b) {
-      return span.apart_along(kernel::scaled_to_one(axis), kernel::Moving_hull{of_a}, kernel::Moving_hull{of_b});
+    // Whether hulls do not meet before what is found, as the axis tells and those before it.
+    const auto is_done = [&](kernel::Time_window& near, const Vertex& axis, std::span<const Vertex> of_a,
+                             std::span<const Vertex> of_b) {
+      near = common(near,
+                    span.near_along(kernel::scaled_to_one(axis), kernel::Moving_hull{of_a}, kernel::Moving_hull{of_b}));
+      return near.is_empty() || span.no_later_than(near.from) > before();
     };
-    for (int body = 0; body < 2; ++body) {
-      if (apart(normal[body], a.local, b.local)) return;
+    for (int body = 0; body < 2; ++body)
+      if (is_done(times, normal[body], a.local, b.local)) return;
+    for (const Vertex& of_a : edge[0])
+      for (const Vertex& of_b : edge[1])
+        if (is_done(times, kernel::cross(of_a, of_b), a.local, b.local)) return;
+    for (int body = 0; body < 2; ++body)
       for (const Vertex& e : edge[body])
-        if (apart(kernel::cross(normal[body], e), a.local, b.local)) return;
-    }
+        if (is_done(times, kernel::cross(normal[body], e), a.local, b.local)) return;
     for (int body = 0; body < 2; ++body)
       for (int k = 0; k < 3; ++k) {
-        const std::span<const Vertex> vertex(&both[body]->local[k], 1), face(both[1 - body]->local);
-        const auto parts = [&](const Vertex& axis) {
-          return body == 0 ? apart(axis, vertex, face) : apart(axis, face, vertex);
-        };
-        const auto& sides = edge[1 - body];
-        const Vertex& n = normal[1 - body];
-        if (parts(n) || parts(kernel::cross(n, sides[0])) || parts(kernel::cross(n, sides[1])) ||
-            parts(kernel::cross(n, sides[2])))
-          continue;
         const auto& corner = both[1 - body]->corner;
-        decide(span, {kernel::Moving_kind::vertex_face,
-                      body,
-                      {a.face, b.face},
-                      {both[body]->corner[k], corner[0], corner[1], corner[2]}});
+        add(span, {times,
+                   {kernel::Moving_kind::vertex_face,
+                    body,
+                    {a.face, b.face},
+                    {both[body]->corner[k], corner[0], corner[1], corner[2]}}});
       }
     for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) {
-        const std::array<Vertex, 2> of_a = {a.local[i], a.local[(i + 1) % 3]},
-                                    of_b = {b.local[j], b.local[(j + 1) % 3]};
-        const Vertex n = kernel::cross(edge[0][i], edge[1][j]);
-        const auto parts = [&](const Vertex& axis) { return apart(axis, of_a, of_b); };
-        if (parts(n) || parts(kernel::cross(n, edge[0][i])) || parts(kernel::cross(n, edge[1][j]))) continue;
-        decide(span, {kernel::Moving_kind::edge_edge,
-                      0,
-                      {a.face, b.face},
-                      {a.corner[i], a.corner[(i + 1) % 3], b.corner[j], b.corner[(j + 1) % 3]}});
-      }
+      for (int j = 0; j < 3; ++j)
+        add(span, {times,
+                   {kernel::Moving_kind::edge_edge,
+                    0,
+                    {a.face, b.face},
+                    {a.corner[i], a.corner[(i + 1) % 3], b.corner[j], b.corner[(j + 1) % 3]}}});
+  }
+
+  /// Body of corner k.
+  static int body_of(const Moving_features& features, int k)
+  {
+    if (features.kind == kernel::Moving_kind::vertex_face) return k == 0 ? features.body : 1 - features.body;
+    return k < 2 ? 0 : 1;
+  }
+
+  /// When the features may meet within these times, by axes of the middle of them.
+  kernel::Time_window near(const kernel::Motion_span& span, const Candidate& candidate) const
+  {
+    const Moving_features& features = candidate.features;
+    kernel::Time_window near = candidate.times;
+    const kernel::Motion_span::Maps maps = span.about(0.5 * (near.from + near.until));
+    std::array<Vertex, 4> p, image;
+    for (int k = 0; k < 4; ++k) {
+      const int body = body_of(features, k);
+      const kernel::Vector at = tree_[body]->local(features.corner[k]);
+      p[k] = {at[0], at[1], at[2]};
+      image[k] = span.direction(maps, body, p[k]);
+    }
+    const auto side = [&](int from, int to) { return kernel::difference(image[to], image[from]); };
+    const bool is_vertex = features.kind == kernel::Moving_kind::vertex_face;
+    const std::size_t of_first = is_vertex ? 1 : 2;
+    const std::span<const Vertex> first(p.data(), of_first), second(p.data() + of_first, 4 - of_first);
+    const bool is_turned = is_vertex && features.body == 1;
+    const auto is_done = [&](const Vertex& axis) {
+      near = common(near, span.near_along(kernel::scaled_to_one(axis), kernel::Moving_hull{is_turned ? second : first},
+                                          kernel::Moving_hull{is_turned ? first : second}));
+      return near.is_empty();
+    };
+    const Vertex e = is_vertex ? side(1, 2) : side(0, 1), f = is_vertex ? side(1, 3) : side(2, 3),
+                 n = kernel::cross(e, f);
+    if (is_done(n) || is_done(kernel::cross(n, e)) || is_done(kernel::cross(n, f)) || !is_vertex) return near;
+    is_done(kernel::cross(n, side(2, 3)));
+    return near;
+  }
+
+  /// Keeps what may meet, and before the first contact so far.
+  void add(const kernel::Motion_span& span, Candidate candidate)
+  {
+    candidate.times = near(span, candidate);
+    if (candidate.times.is_empty() || span.no_later_than(candidate.times.from) > before()) return;
+    candidates_.push_back(candidate);
+    std::ranges::push_heap(candidates_, std::ranges::greater(), &Candidate::from);
   }
 
   /// Finds the first contact of two features in the span, exactly.
@@ -177,16 +245,13 @@ class Moving_feature_search {
         if (now.corner[k] > now.corner[k + 1]) std::swap(now.corner[k], now.corner[k + 1]);
     if (!decided_.insert(now).second) return;
     ++counts_.exact_fallbacks;
-    const bool is_vertex = features.kind == kernel::Moving_kind::vertex_face;
-    const auto body = [&](int k) {
-      if (is_vertex) return k == 0 ? features.body : 1 - features.body;
-      return k < 2 ? 0 : 1;
+    const auto vertex = [&](int k) -> const Vertex& {
+      return tree_[body_of(features, k)]->model().vertices()[features.corner[k]];
     };
-    const auto vertex = [&](int k) -> const Vertex& { return tree_[body(k)]->model().vertices()[features.corner[k]]; };
     int least = 0;
     for (int k = 0; k < 4; ++k) least = kernel::Pair_motion::exponent_of(vertex(k), least);
     std::array<kernel::Form_vector, 4> points;
-    for (int k = 0; k < 4; ++k) points[k] = motion().image(body(k), vertex(k), least);
+    for (int k = 0; k < 4; ++k) points[k] = motion().image(body_of(features, k), vertex(k), least);
     std::optional<kernel::Time_root> time =
         kernel::Exact_motion(features.kind, std::move(points), motion().square())
             .first_contact({kernel::Integer(static_cast<unsigned long>(span.m())), span.k()});
@@ -200,6 +265,7 @@ class Moving_feature_search {
   std::array<const kernel::Body_motion*, 2> moving_{};
   std::optional<kernel::Pair_motion> motion_;
   std::set<Decided> decided_;
+  std::vector<Candidate> candidates_;  // a heap
   std::optional<First_meeting> best_;
   double best_before_ = std::numeric_limits<double>::infinity();
 };
