@@ -112,6 +112,22 @@ struct Largest_gap {
   Relative_edges<Floats> edges;
 };
 
+/// Along axis i of the eight: the way (x, y, z) between centres, and the single box's edges.
+template <class Test, class Floats>
+HWY_INLINE void along_own_axis(const Test& test, int i, Floats x, Floats y, Floats z, Floats& t, Floats& r0, Floats& r1,
+                               Floats& r2)
+{
+  const Floats a0 = test.load(test.boxes.axis[i][0]), a1 = test.load(test.boxes.axis[i][1]),
+               a2 = test.load(test.boxes.axis[i][2]);
+  const auto dot = [&](const auto& v) HWY_ATTR {
+    return MulAdd(a2, test.all(v[2]), MulAdd(a1, test.all(v[1]), Mul(a0, test.all(v[0]))));
+  };
+  t = MulAdd(a2, z, MulAdd(a1, y, Mul(a0, x)));
+  r0 = dot(test.box.edge[0]);
+  r1 = dot(test.box.edge[1]);
+  r2 = dot(test.box.edge[2]);
+}
+
 /// Of the largest gap of the single box and each lane: separating axes are the normals of both and the 9 cross products
 /// of edges. A gap is |distance| minus both reaches.
 template <bool similarity, class Test, class Kept>
@@ -129,18 +145,9 @@ HWY_INLINE auto largest_gap(const Test& test, const Kept& kept)
   const Floats e0 = load(boxes.extent[0]), e1 = load(boxes.extent[1]), e2 = load(boxes.extent[2]);
   const Floats f0 = all(box.extent[0]), f1 = all(box.extent[1]), f2 = all(box.extent[2]);
   Floats t0, t1, t2, r00, r01, r02, r10, r11, r12, r20, r21, r22;
-  const auto along = [&](int i, Floats& t, Floats& r0, Floats& r1, Floats& r2) HWY_ATTR {
-    const Floats a0 = load(boxes.axis[i][0]), a1 = load(boxes.axis[i][1]), a2 = load(boxes.axis[i][2]);
-    const auto dot = [&](const auto& v)
-                         HWY_ATTR { return MulAdd(a2, all(v[2]), MulAdd(a1, all(v[1]), Mul(a0, all(v[0])))); };
-    t = MulAdd(a2, z, MulAdd(a1, y, Mul(a0, x)));
-    r0 = dot(box.edge[0]);
-    r1 = dot(box.edge[1]);
-    r2 = dot(box.edge[2]);
-  };
-  along(0, t0, r00, r01, r02);
-  along(1, t1, r10, r11, r12);
-  along(2, t2, r20, r21, r22);
+  along_own_axis(test, 0, x, y, z, t0, r00, r01, r02);
+  along_own_axis(test, 1, x, y, z, t1, r10, r11, r12);
+  along_own_axis(test, 2, x, y, z, t2, r20, r21, r22);
   const Floats s00 = Abs(r00), s01 = Abs(r01), s02 = Abs(r02), s10 = Abs(r10), s11 = Abs(r11), s12 = Abs(r12),
                s20 = Abs(r20), s21 = Abs(r21), s22 = Abs(r22);
 

@@ -5,8 +5,10 @@
 #include "tetracone/kernel/bound/obb8_gap.h"
 #include "tetracone/kernel/bound/obb8_overlap.h"
 #include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/number/products.h"
 #include "tetracone/kernel/simd/simd.h"
 
+#include <array>
 #include <cmath>
 
 /// When eight boxes and one that moves past them may meet.
@@ -17,22 +19,56 @@
 /// others, since boxes that are apart at a time are so along one of these axes.
 namespace tetracone::kernel {
 
-/// How the single box moves against the eight, in their frame and local units: at x in [-1, 1], the ends of a span of
-/// time, a point of its centre and one at p from the node's origin have gone apart by x (`shift` - `bend` p) since the
-/// middle. All other motion takes at most `loss`, and `turn` times the distance of a lane's farthest point from its
-/// centre.
-struct Box_sweep {
-  float shift[3], bend[3][3];
-  double loss, turn;
+/// What the way along an axis is off by in float, a share of the sum of the magnitudes of the sweep's terms: entries are
+/// off by 1 rounding, the way by 3 more, along the eight's axes by 3, its products with the axis and their sums by 3, of
+/// terms whose sum is at most sqrt(3) times that size.
+inline constexpr double sweep_rounding = 32 * 0x1p-24;
 
-  /// Above the sum of the magnitudes of all products and terms, for points within `reach` of the origin.
-  double size(double reach) const
+/// How points of the single box's body move against points of the eight's, in the eight's frame and units: at x in
+/// [-1, 1], the ends of a span of time, q of the one and p of the other, each in its body's local units, have gone apart
+/// by x (`offset` + `single` q - `eight` p) since the middle, but for `loss` at most, in any of their directions.
+struct Box_sweep {
+  using Rows = std::array<std::array<double, 3>, 3>;
+
+  alignas(32) double offset[4], single[3][4], eight[3][4];  ///< columns; of each, the fourth is 0
+  float bend[3][3];                                         ///< the rows of `eight`
+  double loss, turn, turn_of_single;                        ///< the last two at least the norms of `eight` and `single`
+
+  Box_sweep() : offset{}, single{}, eight{}, bend{}, loss(0), turn(0), turn_of_single(0) {}
+
+  /// Rows. `rest`: the loss beside what is rounded. Local points have coordinates of at most 1.
+  Box_sweep(const std::array<double, 3>& shift, const Rows& of_single, const Rows& of_eight, double rest) : Box_sweep()
   {
+    double size = 0;
+    for (int i = 0; i < 3; ++i) {
+      offset[i] = shift[i];
+      size += std::abs(shift[i]);
+      for (int j = 0; j < 3; ++j) {
+        single[j][i] = of_single[i][j];
+        eight[j][i] = of_eight[i][j];
+        bend[i][j] = float(of_eight[i][j]);
+        size += std::abs(of_single[i][j]) + std::abs(of_eight[i][j]);
+      }
+    }
+    turn = norm(of_eight);
+    turn_of_single = norm(of_single);
+    // Centres of boxes, and parts of them, are no farther than 2 from the origin.
+    loss = (rest + sweep_rounding * (3 * size)) * (1 + few_roundings);
+  }
+
+ private:
+  /// At least the largest singular value: the root of the sum of their eighth powers.
+  static double norm(const Rows& m)
+  {
+    Rows square = m;
+    for (int round = 0; round < 2; ++round) {
+      const Rows x = square;
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) square[i][j] = dot(x[i], x[j]);
+    }
     double sum = 0;
-    for (int k = 0; k < 3; ++k)
-      sum += std::abs(double(shift[k])) +
-             reach * (std::abs(double(bend[k][0])) + std::abs(double(bend[k][1])) + std::abs(double(bend[k][2])));
-    return sum;
+    for (const auto& row : square) sum += dot(row, row);
+    return std::sqrt(std::sqrt(std::sqrt(sum))) * (1 + few_roundings);
   }
 };
 
@@ -41,10 +77,13 @@ struct alignas(32) Near_times {
   float from[lanes], until[lanes];
 };
 
-/// What the way along an axis is off by in float, a share of the sweep's size: entries are off by 1 rounding, the way by
-/// 3 more, along the eight's axes by 3, its products with the axis and their sums by 3, of terms whose sum is at most
-/// sqrt(3) times the size.
-inline constexpr double sweep_rounding = 32 * 0x1p-24;
+/// About the distance of a lane's farthest point from its centre.
+inline float radius_of(const Obb8& boxes, int lane)
+{
+  float square = 0;
+  for (int k = 0; k < 3; ++k) square += boxes.extent[k][lane] * boxes.extent[k][lane];
+  return std::sqrt(square);
+}
 
 /// A distance and what both boxes reach are each off by the slack of a gap at most: so many times that.
 inline constexpr float slacks_of_sweep = 3;

@@ -80,8 +80,8 @@ struct Swept_beyond {
 };
 
 /// Of the test's lanes; writes the times.
-HWY_INLINE unsigned near_in_sweep(const One_test& test, const Box_sweep& sweep, float slack, float loss, float turn,
-                                  Near_times& times)
+HWY_INLINE unsigned near_in_sweep(const One_test& test, const float* shift_of_single, const Box_sweep& sweep,
+                                  float slack, float loss, float turn, Near_times& times)
 {
   using Floats = One_test::Floats;
   const auto all = [&](float x) HWY_ATTR { return test.all(x); };
@@ -90,7 +90,7 @@ HWY_INLINE unsigned near_in_sweep(const One_test& test, const Box_sweep& sweep, 
   Floats centre[3], shift[3], bend[3][3];
   for (int k = 0; k < 3; ++k) {
     centre[k] = test.load(test.boxes.centre[k]);
-    shift[k] = all(sweep.shift[k]);
+    shift[k] = all(shift_of_single[k]);
     for (int j = 0; j < 3; ++j) bend[k][j] = all(sweep.bend[k][j]);
   }
   Swept swept;
@@ -121,21 +121,38 @@ HWY_INLINE unsigned near_in_sweep(const One_test& test, const Box_sweep& sweep, 
   return unsigned(bits[0]) << test.first;
 }
 
+/// How far the centre of box `lane` of `from` goes from the origin of the eight.
+HWY_INLINE void shift_between(const Box_sweep& sweep, const Obb8& from, int lane, const Obb8& boxes, float* shift)
+{
+  constexpr hn::CappedTag<double, 4> doubles;
+  constexpr hn::Rebind<float, decltype(doubles)> narrow;
+  for (std::size_t k = 0; k < 4; k += hn::Lanes(doubles)) {
+    auto way = hn::Load(doubles, sweep.offset + k);
+    for (int j = 0; j < 3; ++j) {
+      const double centre = double(from.origin[j]) + double(from.centre[j][lane]);
+      way = MulAdd(hn::Load(doubles, sweep.single[j] + k), hn::Set(doubles, centre), way);
+      way = NegMulAdd(hn::Load(doubles, sweep.eight[j] + k), hn::Set(doubles, double(boxes.origin[j])), way);
+    }
+    hn::StoreU(hn::DemoteTo(narrow, way), narrow, shift + k);
+  }
+}
+
 inline HWY_ATTR unsigned near_in_sweep_simd(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane,
                                             float apex, const Box_sweep& sweep, Near_times& times)
 {
   const float size = (from.extent[0][lane] + from.extent[1][lane] + from.extent[2][lane]) * map.stretch() * rounded_up;
   Single_box box = carried(boxes, map, from, lane, size);
   box.apex = apex;
-  const float slack = gap_slack(box, boxes.reach, size),
-              loss =
-                  float(sweep.loss + sweep_rounding * sweep.size(boxes.reach)) * (1 + radius_rounding) + box_underflow,
+  const float slack = gap_slack(box, boxes.reach, size), radius = radius_of(from, lane);
+  const float loss = float(sweep.loss + sweep.turn_of_single * double(radius)) * (1 + radius_rounding) + box_underflow,
               turn = float(sweep.turn) * (1 + radius_rounding);
+  float shift[4];
+  shift_between(sweep, from, lane, boxes, shift);
   unsigned near = 0;
   const bool is_bounded = map.is_similarity() && slack + loss + turn <= most_gap_slack;
   for (std::size_t first = 0; first < lanes; first += hn::Lanes(Float_tag())) {
     if (is_bounded) {
-      near |= near_in_sweep(One_test{boxes, box, first}, sweep, slack, loss, turn, times);
+      near |= near_in_sweep(One_test{boxes, box, first}, shift, sweep, slack, loss, turn, times);
     } else {
       hn::Store(hn::Zero(Float_tag()), Float_tag(), times.from + first);
       hn::Store(hn::Set(Float_tag(), 1.f), Float_tag(), times.until + first);

@@ -202,8 +202,8 @@ class Motion_span {
   double start() const { return std::ldexp(double(m_), -int(k_)); }
   double middle() const { return std::ldexp(double(2 * m_ + 1), -int(k_) - 1); }
 
-  /// At most the time that is such a share of the span after its start.
-  double no_later_than(double share) const { return start() + std::ldexp(share, -int(k_)) - 0x1p-50; }
+  /// At least the share of the span that is before a time.
+  double share_before(double time) const { return std::ldexp(time - start(), int(k_)) + rounding_of_times; }
 
   /// When the hulls, one of A and one of B, may meet as the axis tells. All the time along an axis so short or so long
   /// that products may be lost.

@@ -7,16 +7,16 @@
 #include "tetracone/kernel/number/products.h"
 #include "tetracone/tetratree/fast/bvh8.h"
 #include "tetracone/tetratree/fast/moving_features.h"
+#include "tetracone/tetratree/fast/pair_queue.h"
 #include "tetracone/tetratree/fast/separating_direction.h"
 #include "tetracone/tetratree/fast/span_reference.h"
 #include "tetracone/tetratree/query_statistics.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -48,7 +48,8 @@ class Bvh8_motion {
     kernel::require_sound_floating_point();
     if (tree_[0]->empty() || tree_[1]->empty()) return std::nullopt;
     features_.begin(a, b);
-    search(whole_span(a, b), std::array{Pair{0, 1, {0, 0}}});
+    search(whole_span(a, b),
+           std::array{Pair{0, 1, {size_of(tree_[0]->node(0), 0), size_of(tree_[1]->node(0), 0)}, {0, 0}}});
     return features_.take_first();
   }
 
@@ -73,10 +74,15 @@ class Bvh8_motion {
     kernel::Moving_box hull;
     std::array<Vertex, 3> axis;
   };
-  /// A box of each body, and when they may meet, from 0 to 1 over a span.
+  /// A box of each body, when they may meet, from 0 to 1 over a span, and the sums of their extents in local units,
+  /// negative of leaves.
   struct Pair {
     float low, until;
+    std::array<float, 2> size;
     std::array<Box, 2> box;
+
+    bool is_leaf(std::size_t body) const { return std::signbit(size[body]); }
+    double extent(std::size_t body) const { return double(std::abs(size[body])); }
   };
   static constexpr int most_directions = 8;
   static constexpr unsigned most_halvings = 50;
@@ -93,14 +99,12 @@ class Bvh8_motion {
   }
 
   const Bvh8_node& node_of(int body, Box box) const { return tree_[body]->node(box / 8); }
-  bool is_leaf(int body, Box box) const { return node_of(body, box).is_leaf(int(box % 8)); }
 
-  /// The sum of the extents, in local units.
-  double size_of(int body, Box box) const
+  static float size_of(const Bvh8_node& node, int lane)
   {
-    const auto& extent = node_of(body, box).boxes.extent;
-    const auto lane = int(box % 8);
-    return double(extent[0][lane]) + double(extent[1][lane]) + double(extent[2][lane]);
+    const auto& extent = node.boxes.extent;
+    const float size = extent[0][lane] + extent[1][lane] + extent[2][lane];
+    return node.is_leaf(lane) ? -size : size;
   }
 
   Part part(int body, Box box) const
@@ -121,52 +125,42 @@ class Bvh8_motion {
   {
     if (separating_direction_(span, most_directions)) return;
     const Span_reference reference(span);
-    for (const Pair& pair : pairs) push(pair);
+    features_.enter(span);
+    queue_.clear(0, 1);
+    for (const Pair& pair : pairs) queue_.push(pair);
     std::vector<Pair> later;
     while (!queue_.empty()) {
-      const Pair pair = pop();
-      features_.decide_until(span, double(pair.low));
-      if (span.no_later_than(double(pair.low)) > features_.before()) continue;
-      const bool leaf_a = is_leaf(0, pair.box[0]), leaf_b = is_leaf(1, pair.box[1]);
-      const std::array<double, 2> size = {size_of(0, pair.box[0]), size_of(1, pair.box[1])};
-      if (is_long(span, reference, size))
+      features_.decide_until(double(queue_.lowest()));
+      const Pair pair = queue_.pop();
+      if (double(pair.low) > features_.latest()) continue;
+      const bool leaf_a = pair.is_leaf(0), leaf_b = pair.is_leaf(1);
+      if (is_long(span, reference, pair))
         later.push_back(pair);
       else if (leaf_a && leaf_b)
-        meet_leaves(span, pair);
+        meet_leaves(pair);
       else
-        open(span, reference, pair, leaf_a || (!leaf_b && size[1] * span.scale(1) > size[0] * span.scale(0)));
+        open(span, reference, pair,
+             leaf_a || (!leaf_b && pair.extent(1) * span.scale(1) > pair.extent(0) * span.scale(0)));
     }
-    features_.decide_until(span, 1);
+    features_.decide_until(1);
     for (const bool is_second : {false, true}) {
       std::vector<Pair> in_half;
       for (const Pair& pair : later)
         if (is_second ? pair.until >= 0.5f : pair.low <= 0.5f)
-          in_half.push_back({2 * pair.low - float(is_second), 2 * pair.until - float(is_second), pair.box});
-      if (!in_half.empty()) search(span.half(is_second), in_half);
+          in_half.push_back({2 * pair.low - float(is_second), 2 * pair.until - float(is_second), pair.size, pair.box});
+      if (in_half.empty()) continue;
+      const kernel::Motion_span half = span.half(is_second);
+      if (half.start() < features_.before()) search(half, in_half);
     }
   }
 
-  void push(const Pair& pair)
-  {
-    queue_.push_back(pair);
-    std::ranges::push_heap(queue_, std::ranges::greater(), &Pair::low);
-  }
-  Pair pop()
-  {
-    std::ranges::pop_heap(queue_, std::ranges::greater(), &Pair::low);
-    const Pair first = queue_.back();
-    queue_.pop_back();
-    return first;
-  }
-
-  /// Whether boxes of these sizes lose too much of them by what they turn in the span.
-  static bool is_long(const kernel::Motion_span& span, const Span_reference& reference,
-                      const std::array<double, 2>& size)
+  /// Whether the boxes turn too far in the span for their size.
+  static bool is_long(const kernel::Motion_span& span, const Span_reference& reference, const Pair& pair)
   {
     if (span.k() >= most_halvings) return false;
-    const double lost = (size[0] * span.turn(0) + size[1] * span.turn(1)) +
+    const double lost = (pair.extent(0) * span.turn(0) + pair.extent(1) * span.turn(1)) +
                         (reference.is_certifiable() ? reference.rest() : 0),
-                 larger = kernel::maximum(size[0] * span.scale(0), size[1] * span.scale(1));
+                 larger = kernel::maximum(pair.extent(0) * span.scale(0), pair.extent(1) * span.scale(1));
     // What is less than doubles tell apart is not worth another halving.
     return !(lost <= kernel::maximum(share_of_size * larger, 8 * span.resolution()));
   }
@@ -176,7 +170,8 @@ class Bvh8_motion {
   {
     const Box box = pair.box[std::size_t(body)], other = pair.box[std::size_t(1 - body)];
     const Index opened = tree_[body]->child(box / 8, int(box % 8));
-    const kernel::Obb8& boxes = tree_[body]->node(opened).boxes;
+    const Bvh8_node& node = tree_[body]->node(opened);
+    const kernel::Obb8& boxes = node.boxes;
     ++counts_.pairs_visited;
     counts_.box_tests += std::uint64_t(boxes.lane_count);
     kernel::Near_times times;
@@ -184,11 +179,13 @@ class Bvh8_motion {
                                                      : near_by(span, body, opened, other, times);
     for (unsigned left = near & ((1u << boxes.lane_count) - 1); left != 0; left &= left - 1) {
       const auto lane = std::size_t(std::countr_zero(left));
-      Pair part = {kernel::maximum(pair.low, times.from[lane]), kernel::minimum(pair.until, times.until[lane]),
-                   pair.box};
+      Pair part = pair;
+      part.low = kernel::maximum(pair.low, times.from[lane]);
+      part.until = kernel::minimum(pair.until, times.until[lane]);
       if (part.low > part.until) continue;
       part.box[std::size_t(body)] = 8 * opened + Box(lane);
-      push(part);
+      part.size[std::size_t(body)] = size_of(node, int(lane));
+      queue_.push(part);
     }
   }
 
@@ -216,14 +213,14 @@ class Bvh8_motion {
     return near;
   }
 
-  void meet_leaves(const kernel::Motion_span& span, const Pair& pair)
+  void meet_leaves(const Pair& pair)
   {
     ++counts_.leaf_pairs;
     const Box a = pair.box[0], b = pair.box[1];
     const int lane_a = int(a % 8), lane_b = int(b % 8);
     for (Index i = 0; i < tree_[0]->leaf_count(a / 8, lane_a); ++i)
       for (Index j = 0; j < tree_[1]->leaf_count(b / 8, lane_b); ++j)
-        features_.meet(span, {double(pair.low), double(pair.until)}, tree_[0]->element(a / 8, lane_a, i),
+        features_.meet({double(pair.low), double(pair.until)}, tree_[0]->element(a / 8, lane_a, i),
                        tree_[1]->element(b / 8, lane_b, j));
   }
 
@@ -254,7 +251,7 @@ class Bvh8_motion {
   std::array<const Bvh8*, 2> tree_;
   Separating_direction separating_direction_;
   Moving_feature_search features_;
-  std::vector<Pair> queue_;  // a heap
+  Pair_queue<Pair, 64> queue_;
   Query_statistics counts_;
 };
 

@@ -78,26 +78,35 @@ class Moving_feature_search {
   double before() const { return best_before_; }
   std::optional<First_meeting> take_first() { return std::exchange(best_, std::nullopt); }
 
-  /// Takes in two elements, which do not meet in the span outside of these times.
-  void meet(const kernel::Motion_span& span, const kernel::Time_window& times, const Element& of_a, const Element& of_b)
+  /// Looks at a span of time. It must stay until the next. Requires that all of the last one is decided.
+  void enter(const kernel::Motion_span& span)
   {
-    for_triangles(0, of_a, [&](const Triangle& a) {
-      for_triangles(1, of_b, [&](const Triangle& b) { meet(span, times, a, b); });
-    });
+    span_ = &span;
+    latest_ = span.share_before(best_before_);
   }
 
-  /// Decides what may meet before the time, a share of the span; of all that was taken in for the same span.
-  void decide_until(const kernel::Motion_span& span, double share)
+  /// The first contact so far is not after such a share of the span.
+  double latest() const { return latest_; }
+
+  /// Takes in two elements, which do not meet in the span outside of these times.
+  void meet(const kernel::Time_window& times, const Element& of_a, const Element& of_b)
+  {
+    for_triangles(0, of_a,
+                  [&](const Triangle& a) { for_triangles(1, of_b, [&](const Triangle& b) { meet(times, a, b); }); });
+  }
+
+  /// Decides what may meet before such a share of the span.
+  void decide_until(double share)
   {
     while (!candidates_.empty() && candidates_.front().from() <= share) {
       std::ranges::pop_heap(candidates_, std::ranges::greater(), &Candidate::from);
       const Candidate next = candidates_.back();
       candidates_.pop_back();
-      if (span.no_later_than(next.from()) > before()) continue;
+      if (next.from() > latest_) continue;
       if (next.is_sharp)
-        decide(span, next.features);
+        decide(next.features);
       else
-        add(span, {next.times, next.features, true});
+        add({next.times, next.features, true});
     }
   }
 
@@ -145,9 +154,10 @@ class Moving_feature_search {
   }
 
   /// Tries all vertices and edges of two triangles.
-  void meet(const kernel::Motion_span& span, kernel::Time_window times, const Triangle& a, const Triangle& b)
+  void meet(kernel::Time_window times, const Triangle& a, const Triangle& b)
   {
     ++counts_.triangle_tests;
+    const kernel::Motion_span& span = *span_;
     const std::array<const Triangle*, 2> both = {&a, &b};
     const auto& maps = span.at_middle();
     std::array<std::array<Vertex, 3>, 2> edge;
@@ -162,7 +172,7 @@ class Moving_feature_search {
                              std::span<const Vertex> of_b) {
       near = common(near,
                     span.near_along(kernel::scaled_to_one(axis), kernel::Moving_hull{of_a}, kernel::Moving_hull{of_b}));
-      return near.is_empty() || span.no_later_than(near.from) > before();
+      return near.is_empty() || near.from > latest_;
     };
     for (int body = 0; body < 2; ++body)
       if (is_done(times, normal[body], a.local, b.local)) return;
@@ -175,19 +185,19 @@ class Moving_feature_search {
     for (int body = 0; body < 2; ++body)
       for (int k = 0; k < 3; ++k) {
         const auto& corner = both[1 - body]->corner;
-        add(span, {times,
-                   {kernel::Moving_kind::vertex_face,
-                    body,
-                    {a.face, b.face},
-                    {both[body]->corner[k], corner[0], corner[1], corner[2]}}});
+        add({times,
+             {kernel::Moving_kind::vertex_face,
+              body,
+              {a.face, b.face},
+              {both[body]->corner[k], corner[0], corner[1], corner[2]}}});
       }
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
-        add(span, {times,
-                   {kernel::Moving_kind::edge_edge,
-                    0,
-                    {a.face, b.face},
-                    {a.corner[i], a.corner[(i + 1) % 3], b.corner[j], b.corner[(j + 1) % 3]}}});
+        add({times,
+             {kernel::Moving_kind::edge_edge,
+              0,
+              {a.face, b.face},
+              {a.corner[i], a.corner[(i + 1) % 3], b.corner[j], b.corner[(j + 1) % 3]}}});
   }
 
   /// Body of corner k.
@@ -198,8 +208,9 @@ class Moving_feature_search {
   }
 
   /// When the features may meet within these times, by axes of the middle of them.
-  kernel::Time_window near(const kernel::Motion_span& span, const Candidate& candidate) const
+  kernel::Time_window near(const Candidate& candidate) const
   {
+    const kernel::Motion_span& span = *span_;
     const Moving_features& features = candidate.features;
     kernel::Time_window near = candidate.times;
     const kernel::Motion_span::Maps maps = span.about(0.5 * (near.from + near.until));
@@ -228,17 +239,18 @@ class Moving_feature_search {
   }
 
   /// Keeps what may meet, and before the first contact so far.
-  void add(const kernel::Motion_span& span, Candidate candidate)
+  void add(Candidate candidate)
   {
-    candidate.times = near(span, candidate);
-    if (candidate.times.is_empty() || span.no_later_than(candidate.times.from) > before()) return;
+    candidate.times = near(candidate);
+    if (candidate.times.is_empty() || candidate.from() > latest_) return;
     candidates_.push_back(candidate);
     std::ranges::push_heap(candidates_, std::ranges::greater(), &Candidate::from);
   }
 
   /// Finds the first contact of two features in the span, exactly.
-  void decide(const kernel::Motion_span& span, const Moving_features& features)
+  void decide(const Moving_features& features)
   {
+    const kernel::Motion_span& span = *span_;
     Decided now{features.kind, features.body, features.corner, span.m(), span.k()};
     if (features.kind == kernel::Moving_kind::edge_edge)
       for (const int k : {0, 2})
@@ -257,6 +269,7 @@ class Moving_feature_search {
             .first_contact({kernel::Integer(static_cast<unsigned long>(span.m())), span.k()});
     if (!time || (best_ && !time->is_before(best_->time))) return;
     best_before_ = kernel::bounds_about(*time).hi;
+    latest_ = span.share_before(best_before_);
     best_ = First_meeting{std::move(*time), features};
   }
 
@@ -268,6 +281,8 @@ class Moving_feature_search {
   std::vector<Candidate> candidates_;  // a heap
   std::optional<First_meeting> best_;
   double best_before_ = std::numeric_limits<double>::infinity();
+  const kernel::Motion_span* span_ = nullptr;
+  double latest_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace tetracone::tetratree

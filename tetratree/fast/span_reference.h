@@ -72,13 +72,7 @@ class Span_reference {
   unsigned near(std::size_t body, const kernel::Obb8& boxes, const kernel::Obb8& from, int lane, float apex,
                 kernel::Near_times& times) const
   {
-    const Own_sweep& own = own_sweep_[body];
-    const Vertex node = {boxes.origin[0], boxes.origin[1], boxes.origin[2]}, from_node = times_vector(own.own, node),
-                 to_centre = times_vector(own.other, kernel::centre_of(from, lane));
-    kernel::Box_sweep sweep = own.of_lanes;
-    for (int k = 0; k < 3; ++k) sweep.shift[k] = float(own.offset[k] + (to_centre[k] - from_node[k]));
-    sweep.loss += own.turn_of_other * radius_of(from, lane);
-    return kernel::near_in_sweep(boxes, into_[1 - body], from, lane, apex, sweep, times);
+    return kernel::near_in_sweep(boxes, into_[1 - body], from, lane, apex, sweep_[body], times);
   }
 
   /// What gaps lose wherever bodies are, in common units.
@@ -87,16 +81,7 @@ class Span_reference {
  private:
   using Rows = std::array<Vertex, 3>;
 
-  /// What moves along a body's own axes, away from it, in its local units.
-  struct Own_sweep {
-    Rows own, other;
-    Vertex offset;
-    double turn_of_other;
-    kernel::Box_sweep of_lanes;  ///< but for its shift, and the other body's turning
-  };
-
   static double dot(const Vertex& a, const Vertex& b) { return kernel::dot(a, b); }
-  static Vertex times_vector(const Rows& m, const Vertex& v) { return {dot(m[0], v), dot(m[1], v), dot(m[2], v)}; }
 
   static double length(const Vertex& v) { return std::sqrt(dot(v, v)); }
   static double norm(const Rows& m) { return std::sqrt(dot(m[0], m[0]) + dot(m[1], m[1]) + dot(m[2], m[2])); }
@@ -163,43 +148,23 @@ class Span_reference {
     rest_ = 4 * span.error() / least_weight + (rest + (most_weight - least_weight) / least_weight * half_way_of_all) +
             0x1p-20 * farthest;
     is_certifiable_ = least_weight > 0 && rest_ < 1;
-    for (std::size_t k = 0; k < 2; ++k) own_sweep_[k] = own_sweep(half, half_offset, k);
+    for (std::size_t k = 0; k < 2; ++k) sweep_[k] = sweep_from(half, half_offset, k);
   }
 
   /// Away from the body, along its own axes, in its units.
-  Own_sweep own_sweep(const std::array<Rows, 2>& half, const Vertex& half_offset, std::size_t body) const
+  kernel::Box_sweep sweep_from(const std::array<Rows, 2>& half, const Vertex& half_offset, std::size_t body) const
   {
-    Rows axes = direction_[body];
     const double per_unit = 1 / scale_[body], away = body == 0 ? per_unit : -per_unit;
-    Own_sweep own;
-    own.offset =
-        kernel::Motion_span::across({away * half_offset[0], away * half_offset[1], away * half_offset[2]}, axes);
-    for (Vertex& row : axes)
-      for (double& x : row) x *= per_unit;
-    for (int l = 0; l < 3; ++l) {
-      const auto column = [&](std::size_t k) {
-        return kernel::Motion_span::across({half[k][0][l], half[k][1][l], half[k][2][l]}, axes);
-      };
-      const Vertex of_own = column(body), of_other = column(1 - body);
-      for (int j = 0; j < 3; ++j) {
-        own.own[j][l] = of_own[j];
-        own.other[j][l] = of_other[j];
-        own.of_lanes.bend[j][l] = float(of_own[j]);
+    const auto along_axes = [&](const Vertex& v, double factor) {
+      return kernel::Motion_span::across({factor * v[0], factor * v[1], factor * v[2]}, direction_[body]);
+    };
+    std::array<Rows, 2> rows;
+    for (int l = 0; l < 3; ++l)
+      for (std::size_t k = 0; k < 2; ++k) {
+        const Vertex column = along_axes({half[k][0][l], half[k][1][l], half[k][2][l]}, per_unit);
+        for (int j = 0; j < 3; ++j) rows[k][j][l] = column[j];
       }
-    }
-    const double rounded = per_unit * (1 + kernel::few_roundings);
-    own.turn_of_other = norm(half[1 - body]) * rounded;
-    own.of_lanes.turn = norm(half[body]) * rounded;
-    own.of_lanes.loss = rest_ * rounded;
-    return own;
-  }
-
-  /// At least the distance of a lane's points from its centre: its axes are not quite of length 1.
-  static double radius_of(const kernel::Obb8& boxes, int lane)
-  {
-    double square = 0;
-    for (int k = 0; k < 3; ++k) square += double(boxes.extent[k][lane]) * double(boxes.extent[k][lane]);
-    return std::sqrt(square) * (1 + double(kernel::radius_rounding));
+    return {along_axes(half_offset, away), rows[1 - body], rows[body], rest_ * per_unit};
   }
 
   static constexpr double most_bent = 0.125;
@@ -211,7 +176,7 @@ class Span_reference {
   std::array<Rows, 2> rotation_,
       direction_;  // R_k; and over the length of a column: what is apart along a direction in
                    // local units by g is so by g times that length along its image
-  std::array<Own_sweep, 2> own_sweep_;
+  std::array<kernel::Box_sweep, 2> sweep_;
   bool is_certifiable_ = true;
 };
 
