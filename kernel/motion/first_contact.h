@@ -30,7 +30,7 @@ inline Time_bounds bounds_about(const Time_root& time)
   const double about = time.about();
   std::int64_t lo = about > 0 && about < 1 ? std::bit_cast<std::int64_t>(about) : about > 0 ? most : least, hi = lo;
   const CGAL::Sign first = side(lo);
-  for (std::int64_t step = 1; first != CGAL::ZERO; step *= 8) {
+  for (std::int64_t step = 1; first != CGAL::ZERO; step *= 4) {
     std::int64_t& end = first == CGAL::POSITIVE ? hi : lo;
     end = first == CGAL::POSITIVE ? std::min(most, end + step) : std::max(least, end - step);
     const CGAL::Sign there = side(end);

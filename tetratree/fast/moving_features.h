@@ -167,21 +167,19 @@ class Moving_feature_search {
             span.direction(maps, body, kernel::difference(both[body]->local[(k + 1) % 3], both[body]->local[k]));
     const std::array<Vertex, 2> normal = {kernel::cross(edge[0][0], edge[0][1]), kernel::cross(edge[1][0], edge[1][1])};
 
-    // Whether hulls do not meet before what is found, as the axis tells and those before it.
-    const auto is_done = [&](kernel::Time_window& near, const Vertex& axis, std::span<const Vertex> of_a,
-                             std::span<const Vertex> of_b) {
-      near = common(near,
-                    span.near_along(kernel::scaled_to_one(axis), kernel::Moving_hull{of_a}, kernel::Moving_hull{of_b}));
-      return near.is_empty() || near.from > latest_;
+    const auto of_a = span.placed(0, a.local), of_b = span.placed(1, b.local);
+    const auto is_done = [&](const Vertex& axis) {
+      times = common(times, span.near_along(kernel::scaled_to_one(axis), of_a, of_b));
+      return times.is_empty() || times.from > latest_;
     };
-    for (int body = 0; body < 2; ++body)
-      if (is_done(times, normal[body], a.local, b.local)) return;
-    for (const Vertex& of_a : edge[0])
-      for (const Vertex& of_b : edge[1])
-        if (is_done(times, kernel::cross(of_a, of_b), a.local, b.local)) return;
+    for (const Vertex& n : normal)
+      if (is_done(n)) return;
+    for (const Vertex& e : edge[0])
+      for (const Vertex& f : edge[1])
+        if (is_done(kernel::cross(e, f))) return;
     for (int body = 0; body < 2; ++body)
       for (const Vertex& e : edge[body])
-        if (is_done(times, kernel::cross(normal[body], e), a.local, b.local)) return;
+        if (is_done(kernel::cross(normal[body], e))) return;
     for (int body = 0; body < 2; ++body)
       for (int k = 0; k < 3; ++k) {
         const auto& corner = both[1 - body]->corner;
@@ -222,19 +220,27 @@ class Moving_feature_search {
       image[k] = span.direction(maps, body, p[k]);
     }
     const auto side = [&](int from, int to) { return kernel::difference(image[to], image[from]); };
-    const bool is_vertex = features.kind == kernel::Moving_kind::vertex_face;
-    const std::size_t of_first = is_vertex ? 1 : 2;
-    const std::span<const Vertex> first(p.data(), of_first), second(p.data() + of_first, 4 - of_first);
-    const bool is_turned = is_vertex && features.body == 1;
-    const auto is_done = [&](const Vertex& axis) {
-      near = common(near, span.near_along(kernel::scaled_to_one(axis), kernel::Moving_hull{is_turned ? second : first},
-                                          kernel::Moving_hull{is_turned ? first : second}));
-      return near.is_empty();
+    const auto take = [&](const std::array<Vertex, 2>& sides, const Vertex* third, const auto& of_a, const auto& of_b) {
+      const auto is_done = [&](const Vertex& axis) {
+        near = common(near, span.near_along(kernel::scaled_to_one(axis), of_a, of_b));
+        return near.is_empty();
+      };
+      const Vertex n = kernel::cross(sides[0], sides[1]);
+      if (is_done(n) || is_done(kernel::cross(n, sides[0])) || is_done(kernel::cross(n, sides[1])) || !third) return;
+      is_done(kernel::cross(n, *third));
     };
-    const Vertex e = is_vertex ? side(1, 2) : side(0, 1), f = is_vertex ? side(1, 3) : side(2, 3),
-                 n = kernel::cross(e, f);
-    if (is_done(n) || is_done(kernel::cross(n, e)) || is_done(kernel::cross(n, f)) || !is_vertex) return near;
-    is_done(kernel::cross(n, side(2, 3)));
+    if (features.kind == kernel::Moving_kind::edge_edge) {
+      take({side(0, 1), side(2, 3)}, nullptr, span.placed(0, std::array{p[0], p[1]}),
+           span.placed(1, std::array{p[2], p[3]}));
+      return near;
+    }
+    const auto vertex = span.placed(features.body, std::array<Vertex, 1>{p[0]});
+    const auto face = span.placed(1 - features.body, std::array{p[1], p[2], p[3]});
+    const Vertex third = side(2, 3);
+    if (features.body == 0)
+      take({side(1, 2), side(1, 3)}, &third, vertex, face);
+    else
+      take({side(1, 2), side(1, 3)}, &third, face, vertex);
     return near;
   }
 
