@@ -62,12 +62,10 @@ class Time_root {
   {
     if (exact_) return sign_at_dyadic(g);
     if (g.is_zero()) return CGAL::ZERO;
+    refine_at_once();
+    if (const CGAL::Sign there = certain_sign(g); there != CGAL::ZERO) return there;
     Integer_form cell = g.over(m_, k_);
     if (cell.variations() == 0) return cell.only_sign();
-    if (refine_at_once()) {
-      cell = g.over(m_, k_);
-      if (cell.variations() == 0) return cell.only_sign();
-    }
     const Integer_form shared = common_divisor(form_, g.primitive());
     // Roots of a divisor are roots of the form: at most one in the cell, and Descartes' count tells odd from even.
     if (shared.size() > 1 && shared.over(m_, k_).variations() % 2 == 1) return CGAL::ZERO;
@@ -108,47 +106,71 @@ class Time_root {
   /// So many halvings at once: an approximation is good enough for that, and few numbers are nearer.
   static constexpr unsigned halvings_at_once = 24;
 
+  /// A form in double, times a power of two that makes its largest coefficient at most 1: each coefficient is truncated.
+  static std::vector<double> rounded(const Integer_form& form)
+  {
+    std::vector<double> coefficients(form.size());
+    std::vector<long> exponents(form.size());
+    long largest = LONG_MIN;
+    for (std::size_t k = 0; k < form.size(); ++k) {
+      coefficients[k] = mpz_get_d_2exp(&exponents[k], form[k].get_mpz_t());
+      if (coefficients[k] != 0) largest = std::max(largest, exponents[k]);
+    }
+    for (std::size_t k = 0; k < form.size(); ++k)
+      coefficients[k] = std::ldexp(coefficients[k], int(std::max(exponents[k] - largest, -2000L)));
+    return coefficients;
+  }
+
+  /// Its value at 1 - x : x.
+  static double value_at(double x, const std::vector<double>& coefficients)
+  {
+    double value = 0, power = 1;
+    for (std::size_t k = coefficients.size(); k-- > 0;) {
+      value = value * x + coefficients[k] * power;
+      power *= 1 - x;
+    }
+    return value;
+  }
+
+  /// The sign of g all over the cell, as far as double tells: at x in it, but for 4 u and what the cell is long, where the
+  /// slope of s^(n-k) t^k is at most n. Coefficients are off by 2 u of themselves, 1 - x by u, and a term by 3 roundings
+  /// in each of n steps: less than 32 (n + 1) u of the sum of the coefficients' magnitudes, which takes what underflows.
+  CGAL::Sign certain_sign(const Integer_form& g) const
+  {
+    const std::vector<double> coefficients = rounded(g);
+    const double cell = std::ldexp(1.0, -int(k_)),
+                 value = value_at((mpz_get_d(m_.get_mpz_t()) + 0.5) * cell, coefficients);
+    double sum = 0;
+    for (const double c : coefficients) sum += std::abs(c);
+    const double error = sum * double(coefficients.size()) * (cell + 0x1p-48);
+    return value > error ? CGAL::POSITIVE : value < -error ? CGAL::NEGATIVE : CGAL::ZERO;
+  }
+
   /// The root of a form of one variation, from 0 to 1, by bisection in double: whatever is lost by rounding.
   double about_in_cell() const
   {
-    std::vector<double> coefficients;
-    std::vector<long> exponents;
-    long largest = LONG_MIN;
-    for (std::size_t k = 0; k < there_.size(); ++k) {
-      long exponent;
-      coefficients.push_back(mpz_get_d_2exp(&exponent, there_[k].get_mpz_t()));
-      exponents.push_back(exponent);
-      if (coefficients.back() != 0) largest = std::max(largest, exponent);
-    }
-    for (std::size_t k = 0; k < coefficients.size(); ++k)
-      coefficients[k] = std::ldexp(coefficients[k], int(std::max(exponents[k] - largest, -2000L)));
+    const std::vector<double> coefficients = rounded(there_);
     const double sense = there_.only_sign();
     double low = 0, high = 1;
     for (int round = 0; round < 60; ++round) {
-      const double x = 0.5 * (low + high), s = 1 - x;
-      double value = 0, power = 1;
-      for (std::size_t k = coefficients.size(); k-- > 0;) {
-        value = value * x + coefficients[k] * power;
-        power *= s;
-      }
-      (sense * value > 0 ? low : high) = x;
+      const double x = 0.5 * (low + high);
+      (sense * value_at(x, coefficients) > 0 ? low : high) = x;
     }
     return 0.5 * (low + high);
   }
 
   /// Takes a cell far within this one, about an approximation, if the root is inside; not twice.
-  bool refine_at_once()
+  void refine_at_once()
   {
-    if (is_refined_) return false;
+    if (is_refined_) return;
     is_refined_ = true;
     const Integer at(std::floor(std::ldexp(about_in_cell(), halvings_at_once)));
     const Integer m = (m_ << halvings_at_once) + at;
     const unsigned k = k_ + halvings_at_once;
-    if (compare(m, k) != CGAL::POSITIVE || compare(m + 1, k) != CGAL::NEGATIVE) return false;
+    if (compare(m, k) != CGAL::POSITIVE || compare(m + 1, k) != CGAL::NEGATIVE) return;
     there_ = form_.over(m, k);
     m_ = m;
     k_ = k;
-    return true;
   }
 
   CGAL::Sign sign_at_dyadic(const Integer_form& g) const { return sign_of(g.at((Integer(1) << k_) - m_, m_)); }
