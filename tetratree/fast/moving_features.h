@@ -103,10 +103,12 @@ class Moving_feature_search {
       const Candidate next = candidates_.back();
       candidates_.pop_back();
       if (next.from() > latest_) continue;
-      if (next.is_sharp)
-        decide(next.features);
+      if (next.feature == Candidate::all)
+        for (int feature = 0; feature < Candidate::all; ++feature) add(next, feature, false);
+      else if (!next.is_sharp)
+        add(next, next.feature, true);
       else
-        add({next.times, next.features, true});
+        decide(next.features());
     }
   }
 
@@ -126,13 +128,30 @@ class Moving_feature_search {
 
     auto operator<=>(const Decided&) const = default;
   };
-  /// Features that may meet in the span, not before a time.
+  /// Two triangles, or features of them, that may meet in the span at these times.
   struct Candidate {
     kernel::Time_window times;
-    Moving_features features;
-    bool is_sharp = false;  ///< times are by axes of about these times
+    std::array<Index, 2> face;
+    std::array<std::array<Index, 3>, 2> corner;
+    int feature = all;      ///< a vertex of A's or of B's triangle, or two edges
+    bool is_sharp = false;  ///< times of features are by axes of about these times
+
+    static constexpr int all = 15;
 
     double from() const { return times.from; }
+
+    Moving_features features() const
+    {
+      if (feature < 6) {
+        const int body = feature / 3;
+        const auto& other = corner[1 - body];
+        return {
+            kernel::Moving_kind::vertex_face, body, face, {corner[body][feature % 3], other[0], other[1], other[2]}};
+      }
+      const int i = (feature - 6) / 3, j = feature % 3;
+      const auto& [a, b] = corner;
+      return {kernel::Moving_kind::edge_edge, 0, face, {a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3]}};
+    }
   };
   struct Triangle {
     std::array<Index, 3> corner;
@@ -153,7 +172,7 @@ class Moving_feature_search {
     for (std::size_t k = 0; k < from.size(); ++k) call(from[k], to[k], to[k]);
   }
 
-  /// Tries all vertices and edges of two triangles.
+  /// Keeps two triangles if they may meet.
   void meet(kernel::Time_window times, const Triangle& a, const Triangle& b)
   {
     ++counts_.triangle_tests;
@@ -180,22 +199,7 @@ class Moving_feature_search {
     for (int body = 0; body < 2; ++body)
       for (const Vertex& e : edge[body])
         if (is_done(kernel::cross(normal[body], e))) return;
-    for (int body = 0; body < 2; ++body)
-      for (int k = 0; k < 3; ++k) {
-        const auto& corner = both[1 - body]->corner;
-        add({times,
-             {kernel::Moving_kind::vertex_face,
-              body,
-              {a.face, b.face},
-              {both[body]->corner[k], corner[0], corner[1], corner[2]}}});
-      }
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        add({times,
-             {kernel::Moving_kind::edge_edge,
-              0,
-              {a.face, b.face},
-              {a.corner[i], a.corner[(i + 1) % 3], b.corner[j], b.corner[(j + 1) % 3]}}});
+    keep({times, {a.face, b.face}, {a.corner, b.corner}});
   }
 
   /// Body of corner k.
@@ -206,11 +210,9 @@ class Moving_feature_search {
   }
 
   /// When the features may meet within these times, by axes of the middle of them.
-  kernel::Time_window near(const Candidate& candidate) const
+  kernel::Time_window near(const Moving_features& features, kernel::Time_window near) const
   {
     const kernel::Motion_span& span = *span_;
-    const Moving_features& features = candidate.features;
-    kernel::Time_window near = candidate.times;
     const kernel::Motion_span::Maps maps = span.about(0.5 * (near.from + near.until));
     std::array<Vertex, 4> p, image;
     for (int k = 0; k < 4; ++k) {
@@ -244,11 +246,17 @@ class Moving_feature_search {
     return near;
   }
 
-  /// Keeps what may meet, and before the first contact so far.
-  void add(Candidate candidate)
+  /// Keeps features of two triangles if they may meet.
+  void add(Candidate candidate, int feature, bool is_sharp)
   {
-    candidate.times = near(candidate);
-    if (candidate.times.is_empty() || candidate.from() > latest_) return;
+    candidate.feature = feature;
+    candidate.is_sharp = is_sharp;
+    candidate.times = near(candidate.features(), candidate.times);
+    if (!candidate.times.is_empty() && candidate.from() <= latest_) keep(candidate);
+  }
+
+  void keep(const Candidate& candidate)
+  {
     candidates_.push_back(candidate);
     std::ranges::push_heap(candidates_, std::ranges::greater(), &Candidate::from);
   }
