@@ -24,40 +24,32 @@ namespace tetracone::kernel {
 /// terms whose sum is at most sqrt(3) times that size.
 inline constexpr double sweep_rounding = 32 * 0x1p-24;
 
-/// How points of the single box's body move against points of the eight's, in the eight's frame and units: at x in
-/// [-1, 1], the ends of a span of time, q of the one and p of the other, each in its body's local units, have gone apart
-/// by x (`offset` + `single` q - `eight` p) since the middle, but for `loss` at most, in any of their directions.
-struct Box_sweep {
+/// A way, linear in two points: from p, of the eight's body, to q, of the single box's, each in its body's local units,
+/// `offset` + `single` q - `eight` p in the eight's frame and units.
+struct Point_way {
   using Rows = std::array<std::array<double, 3>, 3>;
 
-  alignas(32) double offset[4], single[3][4], eight[3][4];  ///< columns; of each, the fourth is 0
-  float bend[3][3];                                         ///< the rows of `eight`
-  double loss, turn, turn_of_single;                        ///< the last two at least the norms of `eight` and `single`
+  alignas(32) double offset[4] = {}, single[3][4] = {}, eight[3][4] = {};  ///< columns; of each, the fourth is 0
+  double norm_of_single = 0, norm_of_eight = 0;                            ///< at least the largest singular values
+  double size = 0;  ///< at least the sum of the magnitudes of all terms of points whose coordinates are at most 2
 
-  Box_sweep() : offset{}, single{}, eight{}, bend{}, loss(0), turn(0), turn_of_single(0) {}
-
-  /// Rows. `rest`: the loss beside what is rounded. Local points have coordinates of at most 1.
-  Box_sweep(const std::array<double, 3>& shift, const Rows& of_single, const Rows& of_eight, double rest) : Box_sweep()
+  Point_way() = default;
+  Point_way(const std::array<double, 3>& shift, const Rows& of_single, const Rows& of_eight)
+      : norm_of_single(norm(of_single)), norm_of_eight(norm(of_eight))
   {
-    double size = 0;
-    for (int i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
       offset[i] = shift[i];
       size += std::abs(shift[i]);
-      for (int j = 0; j < 3; ++j) {
+      for (std::size_t j = 0; j < 3; ++j) {
         single[j][i] = of_single[i][j];
         eight[j][i] = of_eight[i][j];
-        bend[i][j] = float(of_eight[i][j]);
-        size += std::abs(of_single[i][j]) + std::abs(of_eight[i][j]);
+        size += 2 * (std::abs(of_single[i][j]) + std::abs(of_eight[i][j]));
       }
     }
-    turn = norm(of_eight);
-    turn_of_single = norm(of_single);
-    // Centres of boxes, and parts of them, are no farther than 2 from the origin.
-    loss = (rest + sweep_rounding * (3 * size)) * (1 + few_roundings);
   }
 
  private:
-  /// At least the largest singular value: the root of the sum of their eighth powers.
+  /// The root of the sum of the singular values' eighth powers, with what underflows there.
   static double norm(const Rows& m)
   {
     Rows square = m;
@@ -68,8 +60,15 @@ struct Box_sweep {
     }
     double sum = 0;
     for (const auto& row : square) sum += dot(row, row);
-    return std::sqrt(std::sqrt(std::sqrt(sum))) * (1 + few_roundings);
+    return std::sqrt(std::sqrt(std::sqrt(sum))) * (1 + few_roundings) + 0x1p-120;
   }
+};
+
+/// How the single box's body moves against the eight's: at x in [-1, 1], the ends of a span of time, points have gone
+/// apart by `middle` + x `half` against where a similarity places them, but for `rest` at most, in any direction.
+struct Box_sweep {
+  Point_way middle, half;
+  double rest = 0;
 };
 
 /// Of each lane: before and after these times, from 0 to 1 over the span, it is apart from the single box.

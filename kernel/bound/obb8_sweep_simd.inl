@@ -79,9 +79,10 @@ struct Swept_beyond {
   }
 };
 
-/// Of the test's lanes; writes the times.
-HWY_INLINE unsigned near_in_sweep(const One_test& test, const float* shift_of_single, const Box_sweep& sweep,
-                                  float slack, float loss, float turn, Near_times& times)
+/// Of the test's lanes; writes the times. `single`: how far the single box's centre goes against the eight's origin, half
+/// way; `loss` and `turn`: what gaps lose, and times a lane's radius.
+HWY_INLINE unsigned near_in_sweep(const One_test& test, const float* single, const Point_way& half_way, float slack,
+                                  float loss, float turn, Near_times& times)
 {
   using Floats = One_test::Floats;
   const auto all = [&](float x) HWY_ATTR { return test.all(x); };
@@ -90,8 +91,8 @@ HWY_INLINE unsigned near_in_sweep(const One_test& test, const float* shift_of_si
   Floats centre[3], shift[3], bend[3][3];
   for (int k = 0; k < 3; ++k) {
     centre[k] = test.load(test.boxes.centre[k]);
-    shift[k] = all(shift_of_single[k]);
-    for (int j = 0; j < 3; ++j) bend[k][j] = all(sweep.bend[k][j]);
+    shift[k] = all(single[k]);
+    for (int j = 0; j < 3; ++j) bend[k][j] = all(float(half_way.eight[j][k]));
   }
   Swept swept;
   swept.lost = MulAdd(radius, all(turn), all(slacks_of_sweep * slack + loss));
@@ -121,19 +122,19 @@ HWY_INLINE unsigned near_in_sweep(const One_test& test, const float* shift_of_si
   return unsigned(bits[0]) << test.first;
 }
 
-/// How far the centre of box `lane` of `from` goes from the origin of the eight.
-HWY_INLINE void shift_between(const Box_sweep& sweep, const Obb8& from, int lane, const Obb8& boxes, float* shift)
+/// From the origin of the eight to the centre of box `lane` of `from`.
+HWY_INLINE void way_between(const Point_way& way, const Obb8& from, int lane, const Obb8& boxes, float* found)
 {
   constexpr hn::CappedTag<double, 4> doubles;
   constexpr hn::Rebind<float, decltype(doubles)> narrow;
   for (std::size_t k = 0; k < 4; k += hn::Lanes(doubles)) {
-    auto way = hn::Load(doubles, sweep.offset + k);
+    auto sum = hn::Load(doubles, way.offset + k);
     for (int j = 0; j < 3; ++j) {
       const double centre = double(from.origin[j]) + double(from.centre[j][lane]);
-      way = MulAdd(hn::Load(doubles, sweep.single[j] + k), hn::Set(doubles, centre), way);
-      way = NegMulAdd(hn::Load(doubles, sweep.eight[j] + k), hn::Set(doubles, double(boxes.origin[j])), way);
+      sum = MulAdd(hn::Load(doubles, way.single[j] + k), hn::Set(doubles, centre), sum);
+      sum = NegMulAdd(hn::Load(doubles, way.eight[j] + k), hn::Set(doubles, double(boxes.origin[j])), sum);
     }
-    hn::StoreU(hn::DemoteTo(narrow, way), narrow, shift + k);
+    hn::StoreU(hn::DemoteTo(narrow, sum), narrow, found + k);
   }
 }
 
@@ -143,16 +144,21 @@ inline HWY_ATTR unsigned near_in_sweep_simd(const Obb8& boxes, const Box_map& ma
   const float size = (from.extent[0][lane] + from.extent[1][lane] + from.extent[2][lane]) * map.stretch() * rounded_up;
   Single_box box = carried(boxes, map, from, lane, size);
   box.apex = apex;
-  const float slack = gap_slack(box, boxes.reach, size), radius = radius_of(from, lane);
-  const float loss = float(sweep.loss + sweep.turn_of_single * double(radius)) * (1 + radius_rounding) + box_underflow,
-              turn = float(sweep.turn) * (1 + radius_rounding);
-  float shift[4];
-  shift_between(sweep, from, lane, boxes, shift);
+  // Where it is in the middle of the span, of points at the origin of the eight: others differ by their reach.
+  float moved[4], swept[4];
+  way_between(sweep.middle, from, lane, boxes, moved);
+  way_between(sweep.half, from, lane, boxes, swept);
+  for (int i = 0; i < 3; ++i) box.centre[i] += moved[i];
+  const double lost = sweep.rest + sweep_rounding * (sweep.middle.size + sweep.half.size) +
+                      sweep.middle.norm_of_eight * double(boxes.reach) +
+                      (sweep.middle.norm_of_single + sweep.half.norm_of_single) * double(radius_of(from, lane));
+  const float slack = gap_slack(box, boxes.reach, size), loss = float(lost) * (1 + radius_rounding) + box_underflow,
+              turn = float(sweep.half.norm_of_eight) * (1 + radius_rounding);
   unsigned near = 0;
   const bool is_bounded = map.is_similarity() && slack + loss + turn <= most_gap_slack;
   for (std::size_t first = 0; first < lanes; first += hn::Lanes(Float_tag())) {
     if (is_bounded) {
-      near |= near_in_sweep(One_test{boxes, box, first}, shift, sweep, slack, loss, turn, times);
+      near |= near_in_sweep(One_test{boxes, box, first}, swept, sweep.half, slack, loss, turn, times);
     } else {
       hn::Store(hn::Zero(Float_tag()), Float_tag(), times.from + first);
       hn::Store(hn::Set(Float_tag(), 1.f), Float_tag(), times.until + first);

@@ -133,14 +133,12 @@ class Bvh8_motion {
       features_.decide_until(double(queue_.lowest()));
       const Pair pair = queue_.pop();
       if (double(pair.low) > features_.latest()) continue;
-      const bool leaf_a = pair.is_leaf(0), leaf_b = pair.is_leaf(1);
       if (is_long(span, reference, pair))
         later.push_back(pair);
-      else if (leaf_a && leaf_b)
+      else if (pair.is_leaf(0) && pair.is_leaf(1))
         meet_leaves(pair);
       else
-        open(span, reference, pair,
-             leaf_a || (!leaf_b && pair.extent(1) * span.scale(1) > pair.extent(0) * span.scale(0)));
+        open(span, reference, pair, opens(span, pair));
     }
     features_.decide_until(1);
     for (const bool is_second : {false, true}) {
@@ -163,6 +161,12 @@ class Bvh8_motion {
                  larger = kernel::maximum(pair.extent(0) * span.scale(0), pair.extent(1) * span.scale(1));
     // What is less than doubles tell apart is not worth another halving.
     return !(lost <= kernel::maximum(share_of_size * larger, 8 * span.resolution()));
+  }
+
+  /// The body whose box is to be opened: the larger one. Requires one that is no leaf.
+  static int opens(const kernel::Motion_span& span, const Pair& pair)
+  {
+    return pair.is_leaf(0) || (!pair.is_leaf(1) && pair.extent(1) * span.scale(1) > pair.extent(0) * span.scale(0));
   }
 
   /// Opens the box of body `body`.

@@ -19,19 +19,19 @@ namespace tetracone::tetratree {
 ///
 /// In the span's common coordinates the reference places local points p of A at R_0 p and q of B at R_1 q + r: two
 /// similarities near the middle of the span, of doubles, taken as they are. Coefficient i of the span, over its weight,
-/// places them at C_0i p and C_1i q + c_i, which is the reference and x_i of the way of the last coefficient against the
-/// first, halved, x_i from -1 to 1 in equal steps, but for a rest:
+/// places them at C_0i p and C_1i q + c_i: with the mean of the first and the last and half their difference, and x_i from
+/// -1 to 1 in equal steps, that is, but for a rest,
 ///
-///     C_ki = R_k + x_i H_k + E_ki,   c_i = r + x_i h + e_i.
+///     C_ki = R_k + M_k + x_i H_k,   c_i = r + m + x_i h.
 ///
 /// The place at a time is a mean of the coefficients', each with its share of the weights that are not negative, and the
 /// mean of the x_i is the time from -1 to 1, x, where the weights are equal, and else off by at most their range over the
-/// least: a mean of (x_i - x) w_i is that of (x_i - x) (w_i - w), w in the middle. So along n, |n| <= 1, a gap g of two
-/// boxes in the reference is at least
+/// least: a mean of (x_i - x) w_i is that of (x_i - x) (w_i - w), w in the middle. So n . (q - p) at the time x, images
+/// of points, along |n| <= 1, is that in the reference and
 ///
-///     g + x n . (H_1 q + h - H_0 p) - |H_1| radius - |H_0| radius - rest
+///     n . (M_1 q + m - M_0 p) + x n . (H_1 q + h - H_0 p),
 ///
-/// at the time x, p and q their centres: what `kernel::near_in_sweep` asks for.
+/// but for the rest: what `kernel::near_in_sweep` asks for.
 class Span_reference {
  public:
   using Vertex = kernel::Vertex;
@@ -83,7 +83,6 @@ class Span_reference {
 
   static double dot(const Vertex& a, const Vertex& b) { return kernel::dot(a, b); }
 
-  static double length(const Vertex& v) { return std::sqrt(dot(v, v)); }
   static double norm(const Rows& m) { return std::sqrt(dot(m[0], m[0]) + dot(m[1], m[1]) + dot(m[2], m[2])); }
   static Rows difference(const Rows& x, const Rows& y)
   {
@@ -119,52 +118,68 @@ class Span_reference {
       least_weight = kernel::minimum(least_weight, span.coefficient(i).weight);
       most_weight = kernel::maximum(most_weight, span.coefficient(i).weight);
     }
-    const auto over_weight = [&](double x, std::size_t i) { return x / span.coefficient(i).weight; };
-    const auto half_way = [&](double from, double to) { return 0.5 * (over_weight(to, last) - over_weight(from, 0)); };
-    std::array<Rows, 2> half;
-    Vertex half_offset;
-    const auto &first_maps = span.coefficient(0), &last_maps = span.coefficient(last);
-    for (int j = 0; j < 3; ++j) {
-      half_offset[j] = half_way(first_maps.offset[j], last_maps.offset[j]);
-      for (std::size_t k = 0; k < 2; ++k)
-        for (int l = 0; l < 3; ++l) half[k][j][l] = half_way(first_maps.row[k][j][l], last_maps.row[k][j][l]);
-    }
-    double rest = 0;
-    for (std::size_t i = 0; i <= last; ++i) {
+    const auto over_weight = [&](std::size_t i) {
       const auto& maps = span.coefficient(i);
-      const double x = last == 0 ? 0 : 2 * double(i) / double(last) - 1;
-      std::array<Rows, 2> off;
-      Vertex off_by;
-      for (int j = 0; j < 3; ++j) {
-        off_by[j] = over_weight(maps.offset[j], i) - offset[j] - x * half_offset[j];
-        for (std::size_t k = 0; k < 2; ++k)
-          for (int l = 0; l < 3; ++l)
-            off[k][j][l] = over_weight(maps.row[k][j][l], i) - rotation_[k][j][l] - x * half[k][j][l];
+      Placing placing{maps.row, maps.offset};
+      for (std::size_t j = 0; j < 3; ++j) {
+        placing.offset[j] /= maps.weight;
+        for (Rows& rows : placing.row)
+          for (double& x : rows[j]) x /= maps.weight;
       }
-      rest = kernel::maximum(rest, length(off_by) + most_local * (norm(off[0]) + norm(off[1])));
+      return placing;
+    };
+    const Placing first = over_weight(0), end = over_weight(last),
+                  middle = sum(sum(first, 0.5, end, 0.5), 1, {rotation_, offset}, -1),
+                  half = sum(end, 0.5, first, -0.5);
+    double rest = 0;
+    for (std::size_t i = 1; i < last; ++i) {
+      const double share = double(i) / double(last);
+      rest = kernel::maximum(rest, norm(sum(over_weight(i), 1, sum(first, 1 - share, end, share), -1)));
     }
-    const double half_way_of_all = length(half_offset) + most_local * (norm(half[0]) + norm(half[1])),
-                 farthest = 2 * (half_way_of_all + rest);
-    rest_ = 4 * span.error() / least_weight + (rest + (most_weight - least_weight) / least_weight * half_way_of_all) +
-            0x1p-20 * farthest;
+    rest_ = 4 * span.error() / least_weight + (rest + (most_weight - least_weight) / least_weight * norm(half)) +
+            0x1p-20 * (2 * (norm(middle) + norm(half) + rest));
     is_certifiable_ = least_weight > 0 && rest_ < 1;
-    for (std::size_t k = 0; k < 2; ++k) sweep_[k] = sweep_from(half, half_offset, k);
+    for (std::size_t k = 0; k < 2; ++k)
+      sweep_[k] = {seen_from(k, middle), seen_from(k, half), rest_ / scale_[k] * (1 + kernel::few_roundings)};
+  }
+
+  /// Maps of both bodies, B's with an offset.
+  struct Placing {
+    std::array<Rows, 2> row;
+    Vertex offset;
+  };
+
+  static Placing sum(const Placing& x, double by_x, const Placing& y, double by_y)
+  {
+    Placing sum;
+    for (std::size_t j = 0; j < 3; ++j) {
+      sum.offset[j] = by_x * x.offset[j] + by_y * y.offset[j];
+      for (std::size_t k = 0; k < 2; ++k)
+        for (std::size_t l = 0; l < 3; ++l) sum.row[k][j][l] = by_x * x.row[k][j][l] + by_y * y.row[k][j][l];
+    }
+    return sum;
+  }
+
+  /// Above how far it takes two points from one another.
+  static double norm(const Placing& x)
+  {
+    return std::sqrt(dot(x.offset, x.offset)) + most_local * (norm(x.row[0]) + norm(x.row[1]));
   }
 
   /// Away from the body, along its own axes, in its units.
-  kernel::Box_sweep sweep_from(const std::array<Rows, 2>& half, const Vertex& half_offset, std::size_t body) const
+  kernel::Point_way seen_from(std::size_t body, const Placing& x) const
   {
     const double per_unit = 1 / scale_[body], away = body == 0 ? per_unit : -per_unit;
     const auto along_axes = [&](const Vertex& v, double factor) {
       return kernel::Motion_span::across({factor * v[0], factor * v[1], factor * v[2]}, direction_[body]);
     };
     std::array<Rows, 2> rows;
-    for (int l = 0; l < 3; ++l)
+    for (std::size_t l = 0; l < 3; ++l)
       for (std::size_t k = 0; k < 2; ++k) {
-        const Vertex column = along_axes({half[k][0][l], half[k][1][l], half[k][2][l]}, per_unit);
-        for (int j = 0; j < 3; ++j) rows[k][j][l] = column[j];
+        const Vertex column = along_axes({x.row[k][0][l], x.row[k][1][l], x.row[k][2][l]}, per_unit);
+        for (std::size_t j = 0; j < 3; ++j) rows[k][j][l] = column[j];
       }
-    return {along_axes(half_offset, away), rows[1 - body], rows[body], rest_ * per_unit};
+    return {along_axes(x.offset, away), rows[1 - body], rows[body]};
   }
 
   static constexpr double most_bent = 0.125;
