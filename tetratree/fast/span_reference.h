@@ -109,7 +109,7 @@ class Span_reference {
 
   /// Errors of coefficients along n, |n|_1 < 1.8, over the least weight, are given twice. A direction as computed is off
   /// by 2^-21 of itself, since R_k is a similarity but for 2^-24, and moves n . d by as much of |d|: of d all that leads
-  /// from the reference to a coefficient, `farthest` at most. |p| < `most_local` of all points of a body.
+  /// from the reference to a coefficient. |p| < `most_local` of all points of boxes.
   void find_sweep(const kernel::Motion_span& span, const Vertex& offset)
   {
     const std::size_t last = span.size() - 1;
@@ -183,7 +183,7 @@ class Span_reference {
   }
 
   static constexpr double most_bent = 0.125;
-  static constexpr double most_local = 1.75;  ///< above sqrt(3)
+  static constexpr double most_local = 4;  ///< above twice sqrt(3): a centre and a radius
 
   std::array<kernel::Box_map, 2> into_;  // of body k into the other's frame
   double rest_ = 0;
