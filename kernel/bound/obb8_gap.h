@@ -8,7 +8,6 @@
 #include "tetracone/kernel/simd/simd.h"
 
 #include <cmath>
-#include <span>
 
 /// Certified gaps of eight boxes and one that a similarity carries, each along an axis n as it is stored, of length 1 at
 /// most but for 2^-17: for all points q of the one and p of a lane n . (q - p) is at least the gap, and so is their
@@ -134,33 +133,6 @@ struct Gap_and_rate {
   double gap, rate;
 };
 
-/// How the single box may move against the eight, in their frame and in any unit: a point of it, and one at p from their
-/// origin, go apart by `shift` less `bend` p, and what else they move `Gap_losses` says.
-struct Gap_step {
-  float shift[3], bend[3][3];
-
-  /// Above the sum of the magnitudes of all products and terms, for points within `reach` of the origin.
-  double size(double reach) const
-  {
-    double sum = 0;
-    for (int k = 0; k < 3; ++k)
-      sum += std::abs(double(shift[k])) +
-             reach * (std::abs(double(bend[k][0])) + std::abs(double(bend[k][1])) + std::abs(double(bend[k][2])));
-    return sum;
-  }
-};
-
-/// What gaps lose beside the steps: gap `scale` of the unit, a loss of its own, and `turn` times the distance of a lane's
-/// farthest point from its centre.
-struct Gap_losses {
-  double scale, loss, turn;
-};
-
-/// What a gap after a step is off by in float, a share of the step's size: entries are off by 1 rounding, the way by 4
-/// more, its products with the axis and their sums by 3. The axis is as it is stored, of which the gap is; and the sum
-/// with the gap keeps its sign.
-inline constexpr double step_rounding = 32 * 0x1p-24;
-
 }  // namespace tetracone::kernel
 
 #define TETRACONE_SIMD_FILE "tetracone/kernel/bound/obb8_gap_simd.inl"
@@ -195,15 +167,6 @@ inline Gap_and_rate least_gap_after(const Certified_gaps& gaps, unsigned of_lane
   using Function = Gap_and_rate(const Certified_gaps&, unsigned, const Carried_box&, const Going_box&, const Carrier&);
   static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(least_gap_after_simd));
   return fastest(gaps, of_lanes, box, going, carrier);
-}
-
-/// The lanes, as bits, whose certified gap stays positive whichever of the steps is taken, or any mean of some.
-inline unsigned lanes_still_apart(const Obb8& boxes, const Certified_gaps& gaps, std::span<const Gap_step> steps,
-                                  const Gap_losses& losses)
-{
-  using Function = unsigned(const Obb8&, const Certified_gaps&, std::span<const Gap_step>, const Gap_losses&);
-  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(lanes_still_apart_simd));
-  return fastest(boxes, gaps, steps, losses);
 }
 
 }  // namespace tetracone::kernel

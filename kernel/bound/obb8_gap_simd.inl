@@ -26,7 +26,7 @@ struct Gap_along {
 
 struct Gap_and_axis {
   template <class Floats>
-  HWY_INLINE Gap_along<Floats> operator()(Floats gap, Floats n0, Floats n1, Floats n2) const
+  HWY_INLINE Gap_along<Floats> operator()(Floats gap, Floats, Floats n0, Floats n1, Floats n2) const
   {
     return {gap, n0, n1, n2};
   }
@@ -42,13 +42,14 @@ HWY_INLINE Floats component_in_frame(const Test& test, int k, const Floats& n0, 
                 MulAdd(n1, test.load(test.boxes.axis[1][k]), Mul(n0, test.load(test.boxes.axis[0][k]))));
 }
 
-/// The gap beyond a triangle's edge, and its axis: the normal n over `length`.
+/// The gap beyond a triangle's edge, in place of the centres' distance too, and its axis: the normal n over `length`.
 template <class Kept, class Test, class Floats, class Number>
 HWY_INLINE auto gap_beyond(const Kept& kept, const Test& test, const Floats& beyond, const Number& length,
                            const Floats (&n)[3], const Number& slack)
 {
   const Floats shorter = test.all(Number(1) / length);
-  return kept(Sub(Mul(beyond, shorter), test.all(slack)), Mul(n[0], shorter), Mul(n[1], shorter), Mul(n[2], shorter));
+  const Floats gap = Sub(Mul(beyond, shorter), test.all(slack));
+  return kept(gap, gap, Mul(n[0], shorter), Mul(n[1], shorter), Mul(n[2], shorter));
 }
 
 /// n . way.
@@ -56,19 +57,6 @@ template <class Floats>
 HWY_INLINE Floats along_axis(const Floats (&n)[3], const Floats (&way)[3])
 {
   return MulAdd(way[2], n[2], MulAdd(way[1], n[1], Mul(way[0], n[0])));
-}
-
-/// n . (shift - bend centre).
-template <class Floats>
-HWY_INLINE Floats step_along(const Floats (&n)[3], const Floats (&centre)[3], const Floats (&shift)[3],
-                             const Floats (&bend)[3][3])
-{
-  const auto along = [&](int k) HWY_ATTR {
-    const Floats way =
-        NegMulAdd(centre[2], bend[k][2], NegMulAdd(centre[1], bend[k][1], NegMulAdd(centre[0], bend[k][0], shift[k])));
-    return Mul(n[k], way);
-  };
-  return Add(along(0), Add(along(1), along(2)));
 }
 
 /// Writes certified gaps of the test's lanes, and their axes; returns the gaps. Requires a similarity, and a slack that
@@ -213,42 +201,6 @@ inline HWY_ATTR Gap_and_rate least_gap_after_simd(const Certified_gaps& gaps, un
                                                   const Going_box& going, const Carrier& carrier)
 {
   return least_gap_after(gaps, of_lanes, box, going, carrier);
-}
-
-/// The gap and the losses are moved by 16 roundings to the safe side, which takes those of their products, sums and
-/// roots: at most 5 of each, and 2 of the difference. A gap that is not positive says nothing.
-inline HWY_ATTR unsigned lanes_still_apart_simd(const Obb8& boxes, const Certified_gaps& gaps,
-                                                std::span<const Gap_step> steps, const Gap_losses& losses)
-{
-  constexpr Float_tag tag;
-  double size = 0;
-  for (const Gap_step& step : steps) size = maximum(size, step.size(boxes.reach));
-  const float loss = float(losses.loss + step_rounding * size) * rounded_up + box_underflow,
-              turn = float(losses.turn) * (1 + radius_rounding), scale = float(losses.scale) * (1 - 0x1p-20f);
-  unsigned apart = 0;
-  for (std::size_t first = 0; first < lanes; first += hn::Lanes(tag)) {
-    const auto load = [&](const float* lane) HWY_ATTR { return hn::Load(tag, lane + first); };
-    const auto all = [&](float x) HWY_ATTR { return hn::Set(tag, x); };
-    const auto gap = load(gaps.gap), e0 = load(boxes.extent[0]), e1 = load(boxes.extent[1]), e2 = load(boxes.extent[2]);
-    const auto radius = hn::Sqrt(MulAdd(e2, e2, MulAdd(e1, e1, Mul(e0, e0))));
-    const auto rest = Sub(Mul(gap, all(scale)), MulAdd(radius, all(turn), all(loss)));
-    const One_test::Floats n[3] = {load(gaps.axis[0]), load(gaps.axis[1]), load(gaps.axis[2])},
-                           centre[3] = {load(boxes.centre[0]), load(boxes.centre[1]), load(boxes.centre[2])};
-    auto stay = Gt(gap, hn::Zero(tag));
-    for (const Gap_step& step : steps) {
-      One_test::Floats shift[3], bend[3][3];
-      for (int k = 0; k < 3; ++k) {
-        shift[k] = all(step.shift[k]);
-        for (int j = 0; j < 3; ++j) bend[k][j] = all(step.bend[k][j]);
-      }
-      const auto after = Add(rest, step_along(n, centre, shift, bend));
-      stay = hn::And(stay, Gt(after, hn::Zero(tag)));
-    }
-    std::uint8_t bits[8];
-    hn::StoreMaskBits(tag, stay, bits);
-    apart |= unsigned(bits[0]) << first;
-  }
-  return apart;
 }
 
 }  // namespace tetracone::kernel::HWY_NAMESPACE

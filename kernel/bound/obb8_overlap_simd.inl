@@ -96,10 +96,10 @@ HWY_INLINE auto beside_triangle(const Test& test, const Relative_edges<Floats>& 
   return Or(Gt(sides.left, test.all(slack * sides.left_length)), Gt(sides.right, test.all(slack * sides.right_length)));
 }
 
-/// What is kept of an axis, of the components n along the eight's axes: the gap.
+/// What is kept of an axis, of the components n along the eight's axes and the distance of the centres along it: the gap.
 struct Gap_alone {
   template <class Floats>
-  HWY_INLINE Floats operator()(Floats gap, Floats, Floats, Floats) const
+  HWY_INLINE Floats operator()(Floats gap, Floats, Floats, Floats, Floats) const
   {
     return gap;
   }
@@ -111,6 +111,22 @@ struct Largest_gap {
   Kept kept;
   Relative_edges<Floats> edges;
 };
+
+/// Along axis i of the eight: the way (x, y, z) between centres, and the single box's edges.
+template <class Test, class Floats>
+HWY_INLINE void along_own_axis(const Test& test, int i, Floats x, Floats y, Floats z, Floats& t, Floats& r0, Floats& r1,
+                               Floats& r2)
+{
+  const Floats a0 = test.load(test.boxes.axis[i][0]), a1 = test.load(test.boxes.axis[i][1]),
+               a2 = test.load(test.boxes.axis[i][2]);
+  const auto dot = [&](const auto& v) HWY_ATTR {
+    return MulAdd(a2, test.all(v[2]), MulAdd(a1, test.all(v[1]), Mul(a0, test.all(v[0]))));
+  };
+  t = MulAdd(a2, z, MulAdd(a1, y, Mul(a0, x)));
+  r0 = dot(test.box.edge[0]);
+  r1 = dot(test.box.edge[1]);
+  r2 = dot(test.box.edge[2]);
+}
 
 /// Of the largest gap of the single box and each lane: separating axes are the normals of both and the 9 cross products
 /// of edges. A gap is |distance| minus both reaches.
@@ -129,18 +145,9 @@ HWY_INLINE auto largest_gap(const Test& test, const Kept& kept)
   const Floats e0 = load(boxes.extent[0]), e1 = load(boxes.extent[1]), e2 = load(boxes.extent[2]);
   const Floats f0 = all(box.extent[0]), f1 = all(box.extent[1]), f2 = all(box.extent[2]);
   Floats t0, t1, t2, r00, r01, r02, r10, r11, r12, r20, r21, r22;
-  const auto along = [&](int i, Floats& t, Floats& r0, Floats& r1, Floats& r2) HWY_ATTR {
-    const Floats a0 = load(boxes.axis[i][0]), a1 = load(boxes.axis[i][1]), a2 = load(boxes.axis[i][2]);
-    const auto dot = [&](const auto& v)
-                         HWY_ATTR { return MulAdd(a2, all(v[2]), MulAdd(a1, all(v[1]), Mul(a0, all(v[0])))); };
-    t = MulAdd(a2, z, MulAdd(a1, y, Mul(a0, x)));
-    r0 = dot(box.edge[0]);
-    r1 = dot(box.edge[1]);
-    r2 = dot(box.edge[2]);
-  };
-  along(0, t0, r00, r01, r02);
-  along(1, t1, r10, r11, r12);
-  along(2, t2, r20, r21, r22);
+  along_own_axis(test, 0, x, y, z, t0, r00, r01, r02);
+  along_own_axis(test, 1, x, y, z, t1, r10, r11, r12);
+  along_own_axis(test, 2, x, y, z, t2, r20, r21, r22);
   const Floats s00 = Abs(r00), s01 = Abs(r01), s02 = Abs(r02), s10 = Abs(r10), s11 = Abs(r11), s12 = Abs(r12),
                s20 = Abs(r20), s21 = Abs(r21), s22 = Abs(r22);
 
@@ -148,15 +155,16 @@ HWY_INLINE auto largest_gap(const Test& test, const Kept& kept)
   const auto own = [&](Floats t, Floats e, Floats s0, Floats s1, Floats s2)
                        HWY_ATTR { return NegMulAdd(f2, s2, NegMulAdd(f1, s1, NegMulAdd(f0, s0, Sub(Abs(t), e)))); };
   const Floats one = all(Number(1)), zero = all(Number(0));
-  auto gap =
-      Max(kept(own(t0, e0, s00, s01, s02), one, zero, zero),
-          Max(kept(own(t1, e1, s10, s11, s12), zero, one, zero), kept(own(t2, e2, s20, s21, s22), zero, zero, one)));
+  auto gap = Max(kept(own(t0, e0, s00, s01, s02), t0, one, zero, zero),
+                 Max(kept(own(t1, e1, s10, s11, s12), t1, zero, one, zero),
+                     kept(own(t2, e2, s20, s21, s22), t2, zero, zero, one)));
 
   // n_ij = a_i . normal_j, and its magnitude: of a similarity the edges themselves.
   Floats n00 = s00, n01 = s01, n02 = s02, n10 = s10, n11 = s11, n12 = s12, n20 = s20, n21 = s21, n22 = s22;
   const auto other = [&](Floats m0, Floats m1, Floats m2, Floats reach, Floats s0, Floats s1, Floats s2) HWY_ATTR {
-    const Floats distance = Abs(MulAdd(t2, m2, MulAdd(t1, m1, Mul(t0, m0))));
-    return kept(NegMulAdd(e2, s2, NegMulAdd(e1, s1, NegMulAdd(e0, s0, Sub(distance, reach)))), m0, m1, m2);
+    const Floats distance = MulAdd(t2, m2, MulAdd(t1, m1, Mul(t0, m0)));
+    return kept(NegMulAdd(e2, s2, NegMulAdd(e1, s1, NegMulAdd(e0, s0, Sub(Abs(distance), reach)))), distance, m0, m1,
+                m2);
   };
   if constexpr (similarity) {
     gap = Max(gap, Max(other(r00, r10, r20, f0, s00, s10, s20),
@@ -185,22 +193,20 @@ HWY_INLINE auto largest_gap(const Test& test, const Kept& kept)
   // a_i x edge_j has the components 0, -r[m][j], r[l][j] along a_i, a_l, a_m; edges k of the single box reach along it
   // as a_i does along the box's normals.
   const auto crossed = [&](Floats tm, Floats rl, Floats tl, Floats rm, Floats el, Floats sm, Floats em, Floats sl,
-                           Floats fk, Floats no, Floats fo, Floats nk) HWY_ATTR {
-    const Floats distance = Abs(NegMulAdd(tl, rm, Mul(tm, rl)));
-    return NegMulAdd(fo, nk, NegMulAdd(fk, no, NegMulAdd(em, sl, NegMulAdd(el, sm, distance))));
+                           Floats fk, Floats no, Floats fo, Floats nk, Floats m0, Floats m1, Floats m2) HWY_ATTR {
+    const Floats distance = NegMulAdd(tl, rm, Mul(tm, rl));
+    return kept(NegMulAdd(fo, nk, NegMulAdd(fk, no, NegMulAdd(em, sl, NegMulAdd(el, sm, Abs(distance))))), distance, m0,
+                m1, m2);
   };
-  const auto across0 =
-      Max(kept(crossed(t2, r10, t1, r20, e1, s20, e2, s10, f1, n02, f2, n01), zero, Neg(r20), r10),
-          Max(kept(crossed(t2, r11, t1, r21, e1, s21, e2, s11, f2, n00, f0, n02), zero, Neg(r21), r11),
-              kept(crossed(t2, r12, t1, r22, e1, s22, e2, s12, f0, n01, f1, n00), zero, Neg(r22), r12)));
-  const auto across1 =
-      Max(kept(crossed(t0, r20, t2, r00, e2, s00, e0, s20, f1, n12, f2, n11), r20, zero, Neg(r00)),
-          Max(kept(crossed(t0, r21, t2, r01, e2, s01, e0, s21, f2, n10, f0, n12), r21, zero, Neg(r01)),
-              kept(crossed(t0, r22, t2, r02, e2, s02, e0, s22, f0, n11, f1, n10), r22, zero, Neg(r02))));
-  const auto across2 =
-      Max(kept(crossed(t1, r00, t0, r10, e0, s10, e1, s00, f1, n22, f2, n21), Neg(r10), r00, zero),
-          Max(kept(crossed(t1, r01, t0, r11, e0, s11, e1, s01, f2, n20, f0, n22), Neg(r11), r01, zero),
-              kept(crossed(t1, r02, t0, r12, e0, s12, e1, s02, f0, n21, f1, n20), Neg(r12), r02, zero)));
+  const auto across0 = Max(crossed(t2, r10, t1, r20, e1, s20, e2, s10, f1, n02, f2, n01, zero, Neg(r20), r10),
+                           Max(crossed(t2, r11, t1, r21, e1, s21, e2, s11, f2, n00, f0, n02, zero, Neg(r21), r11),
+                               crossed(t2, r12, t1, r22, e1, s22, e2, s12, f0, n01, f1, n00, zero, Neg(r22), r12)));
+  const auto across1 = Max(crossed(t0, r20, t2, r00, e2, s00, e0, s20, f1, n12, f2, n11, r20, zero, Neg(r00)),
+                           Max(crossed(t0, r21, t2, r01, e2, s01, e0, s21, f2, n10, f0, n12, r21, zero, Neg(r01)),
+                               crossed(t0, r22, t2, r02, e2, s02, e0, s22, f0, n11, f1, n10, r22, zero, Neg(r02))));
+  const auto across2 = Max(crossed(t1, r00, t0, r10, e0, s10, e1, s00, f1, n22, f2, n21, Neg(r10), r00, zero),
+                           Max(crossed(t1, r01, t0, r11, e0, s11, e1, s01, f2, n20, f0, n22, Neg(r11), r01, zero),
+                               crossed(t1, r02, t0, r12, e0, s12, e1, s02, f0, n21, f1, n20, Neg(r12), r02, zero)));
   const auto largest = Max(Max(gap, across0), Max(across1, across2));
   return Largest_gap<std::decay_t<decltype(largest)>, Floats>{largest, {t0, t1, t2, r01, r11, r21, r02, r12, r22}};
 }

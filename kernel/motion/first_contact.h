@@ -8,6 +8,7 @@
 #include "tetracone/kernel/motion/time_bounds.h"
 #include "tetracone/kernel/motion/time_root.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <optional>
@@ -18,15 +19,25 @@ namespace tetracone::kernel {
 inline Time_bounds bounds_about(const Time_root& time)
 {
   // Doubles from 0 up are ordered as their bits.
-  auto lo = std::bit_cast<std::int64_t>(0.0), hi = std::bit_cast<std::int64_t>(1.0);
+  const std::int64_t least = std::bit_cast<std::int64_t>(0.0), most = std::bit_cast<std::int64_t>(1.0);
   const auto side = [&](std::int64_t bits) {
     const Odd_double x(std::bit_cast<double>(bits));
     // Doubles up to 1 are odd / 2^k with k >= 0.
     return x.odd == 0 ? time.compare(0, 0)
                       : time.compare(Integer(static_cast<long>(x.odd)), static_cast<unsigned>(-x.exponent));
   };
-  if (side(lo) == CGAL::ZERO) return Time_bounds{0, 0};
-  if (side(hi) == CGAL::ZERO) return Time_bounds{1, 1};
+  // From about the time on, in steps that become longer, until there is a double on either side.
+  const double about = time.about();
+  std::int64_t lo = about > 0 && about < 1 ? std::bit_cast<std::int64_t>(about) : about > 0 ? most : least, hi = lo;
+  const CGAL::Sign first = side(lo);
+  for (std::int64_t step = 1; first != CGAL::ZERO; step *= 4) {
+    std::int64_t& end = first == CGAL::POSITIVE ? hi : lo;
+    end = first == CGAL::POSITIVE ? std::min(most, end + step) : std::max(least, end - step);
+    const CGAL::Sign there = side(end);
+    if (there == CGAL::ZERO) lo = hi = end;
+    if (there != first) break;
+    (first == CGAL::POSITIVE ? lo : hi) = end;
+  }
   while (hi - lo > 1) {
     const std::int64_t middle = lo + (hi - lo) / 2;
     const CGAL::Sign after = side(middle);

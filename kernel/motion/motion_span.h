@@ -22,8 +22,8 @@ namespace tetracone::kernel {
 /// An axis over its largest component: of a length that bounds take.
 inline Vertex scaled_to_one(const Vertex& v)
 {
-  const double largest = maximum(std::abs(v[0]), std::abs(v[1]), std::abs(v[2]));
-  return {v[0] / largest, v[1] / largest, v[2] / largest};
+  const double shrink = 1 / maximum(std::abs(v[0]), std::abs(v[1]), std::abs(v[2]));
+  return {v[0] * shrink, v[1] * shrink, v[2] * shrink};
 }
 
 /// What of a body's local units the bounds need: a local point p is o + unit p in its own, unit a power of two.
@@ -51,30 +51,30 @@ struct Moving_box {
   std::array<double, 2> range(const Vertex& l) const { return range_of_box(l, centre, half_edge); }
 };
 
-/// The hull of a few points in local units.
-struct Moving_hull {
-  std::span<const Vertex> points;
+/// Times of a span, from 0 to 1 over it, at which bodies may meet: they are apart before and after.
+struct Time_window {
+  double from = 0, until = 1;
 
-  std::array<double, 2> range(const Vertex& l) const
+  bool is_empty() const { return !(from <= until); }
+
+  friend Time_window common(const Time_window& x, const Time_window& y)
   {
-    double low = dot(l, points[0]), high = low;
-    for (const Vertex& p : points.subspan(1)) {
-      const double at = dot(l, p);
-      low = minimum(low, at);
-      high = maximum(high, at);
-    }
-    return {low, high};
+    return {maximum(x.from, y.from), minimum(x.until, y.until)};
   }
 };
 
 /// A span of time from m / 2^k to (m+1) / 2^k, and where two bodies are in it, in double.
 ///
 /// Points of both, in coordinates that are common to them and times their common divisor, are forms in time; by their
-/// coefficients in Bernstein's basis over the span they are sums with weights that are not negative. So what separates
-/// the coefficients of two hulls, each of them, along an axis, separates the hulls all the time.
+/// coefficients in Bernstein's basis over the span they are sums with weights that are not negative. So where gaps of two
+/// hulls along an axis, one at each coefficient, are above a function that is linear in time, the hulls are apart while it
+/// is positive.
 class Motion_span {
  public:
   static constexpr std::size_t most_coefficients = 8;
+
+  /// What a time in the span may be off by, a share of it: a quotient of at most 1, of a difference of opposite signs.
+  static constexpr double rounding_of_times = 0x1p-50;
 
   /// The maps of both bodies' local points, B's with the offset from A's origin to its own.
   struct Maps {
@@ -186,22 +186,44 @@ class Motion_span {
   double start() const { return std::ldexp(double(m_), -int(k_)); }
   double middle() const { return std::ldexp(double(2 * m_ + 1), -int(k_) - 1); }
 
-  /// Whether the hulls, one of A and one of B, are certainly apart along the axis at every time of the span. False along
-  /// an axis so short or so long that products may be lost.
-  template <class Hull_a, class Hull_b>
-  bool apart_along(const Vertex& axis, const Hull_a& a, const Hull_b& b) const
+  /// At least the share of the span that is before a time.
+  double share_before(double time) const { return std::ldexp(time - start(), int(k_)) + rounding_of_times; }
+
+  /// A few points of a body, as each coefficient of a span places them.
+  template <std::size_t n>
+  using Points = std::array<std::array<Vertex, n>, most_coefficients>;
+
+  /// Local points of body 0 or 1.
+  template <std::size_t n>
+  Points<n> placed(int body, const std::array<Vertex, n>& local) const
   {
-    const double length = std::abs(axis[0]) + std::abs(axis[1]) + std::abs(axis[2]), error = length * error_;
-    if (!(length >= 0x1p-100 && length <= 0x1p100)) return false;
-    bool before = true, behind = true;
-    for (std::size_t i = 0; i < size_ && (before || behind); ++i) {
+    Points<n> points;
+    for (std::size_t i = 0; i < size_; ++i)
+      for (std::size_t k = 0; k < n; ++k) {
+        points[i][k] = direction(coefficient_[i], body, local[k]);
+        for (int j = 0; j < 3 && body == 1; ++j) points[i][k][j] += coefficient_[i].offset[j];
+      }
+    return points;
+  }
+
+  /// When the hulls of points, of A and of B, may meet as the axis tells. All the time along an axis so short or so long
+  /// that products may be lost.
+  template <std::size_t n, std::size_t m>
+  Time_window near_along(const Vertex& axis, const Points<n>& a, const Points<m>& b) const
+  {
+    return near_by(axis, [&](std::size_t i) { return std::array{range(axis, a[i]), range(axis, b[i])}; });
+  }
+
+  /// The same of boxes.
+  Time_window near_along(const Vertex& axis, const Moving_box& a, const Moving_box& b) const
+  {
+    return near_by(axis, [&](std::size_t i) {
       const Maps& maps = coefficient_[i];
-      const auto of_a = a.range(across(axis, maps.row[0])), of_b = b.range(across(axis, maps.row[1]));
       const double offset = dot(axis, maps.offset);
-      before = before && offset + of_b[0] - of_a[1] > error;
-      behind = behind && of_a[0] - of_b[1] - offset > error;
-    }
-    return before || behind;
+      auto of_b = b.range(across(axis, maps.row[1]));
+      for (double& x : of_b) x += offset;
+      return std::array{a.range(across(axis, maps.row[0])), of_b};
+    });
   }
 
   /// The maps of the span's i-th coefficient in Bernstein's basis, not over their weight, and how many there are.
@@ -214,17 +236,23 @@ class Motion_span {
   /// Where the bodies are in the middle of the span, over the divisor, and how far at the start and the end: not exact.
   const Maps& at_middle() const { return landmark_[1]; }
 
-  /// About how far a point of B near `b` moves against one of A near `a` in the span, local points.
-  double way(const Vertex& a, const Vertex& b) const
+  /// About where the bodies are at such a share of the span, over the divisor.
+  Maps about(double share) const
   {
-    double longest = 0;
-    Vertex last = between(landmark_[0], a, b);
-    for (int k = 1; k < 3; ++k) {
-      const Vertex next = between(landmark_[k], a, b);
-      for (int i = 0; i < 3; ++i) longest = maximum(longest, 2 * std::abs(next[i] - last[i]));
-      last = next;
+    // The parabola through the start, the middle and the end.
+    const double first = (1 - share) * (1 - 2 * share), middle = 4 * share * (1 - share),
+                 last = share * (2 * share - 1);
+    const auto mean = [&](double x, double y, double z) { return first * x + middle * y + last * z; };
+    const auto& [start, half, end] = landmark_;
+    Maps maps;
+    for (int i = 0; i < 3; ++i) {
+      maps.offset[i] = mean(start.offset[i], half.offset[i], end.offset[i]);
+      for (int body = 0; body < 2; ++body)
+        for (int j = 0; j < 3; ++j)
+          maps.row[body][i][j] = mean(start.row[body][i][j], half.row[body][i][j], end.row[body][i][j]);
     }
-    return longest;
+    maps.weight = 1;
+    return maps;
   }
 
   /// About how far parts of a body that are 1 apart in its local units move against each other in the span, and how long
@@ -258,6 +286,56 @@ class Motion_span {
 
  private:
   Motion_span() = default;
+
+  template <std::size_t n>
+  static std::array<double, 2> range(const Vertex& axis, const std::array<Vertex, n>& points)
+  {
+    std::array<double, 2> range = {dot(axis, points[0]), dot(axis, points[0])};
+    for (std::size_t k = 1; k < n; ++k) {
+      const double at = dot(axis, points[k]);
+      range = {minimum(range[0], at), maximum(range[1], at)};
+    }
+    return range;
+  }
+
+  /// A function that is linear in time, below a form. Roundings of its few sums are far below the error that is taken off.
+  struct Line {
+    double first, last, above = 0;
+
+    void lower(double share, double gap) { above = maximum(above, first + (last - first) * share - gap); }
+
+    /// When it is not positive.
+    Time_window at_most_0() const
+    {
+      const double from = first - above, to = last - above;
+      if (from > 0 && to > 0) return {1, 0};
+      if (from > 0) return {from / (from - to) - rounding_of_times, 1};
+      if (to > 0) return {0, from / (from - to) + rounding_of_times};
+      return {};
+    }
+  };
+
+  /// When hulls may meet whose ranges along the axis at coefficient i are ranges(i): gaps of either sense, less the error,
+  /// are forms whose coefficients these are.
+  template <class Ranges>
+  Time_window near_by(const Vertex& axis, const Ranges& ranges) const
+  {
+    const double length = std::abs(axis[0]) + std::abs(axis[1]) + std::abs(axis[2]), error = length * error_;
+    if (!(length >= 0x1p-100 && length <= 0x1p100)) return {};
+    const auto gaps = [&](std::size_t i) {
+      const auto [a, b] = ranges(i);
+      return std::array{b[0] - a[1] - error, a[0] - b[1] - error};
+    };
+    const auto first = gaps(0), last = gaps(size_ - 1);
+    Line before{first[0], last[0]}, behind{first[1], last[1]};
+    for (std::size_t i = 1; i + 1 < size_; ++i) {
+      const double share = double(i) / double(size_ - 1);
+      const auto gap = gaps(i);
+      before.lower(share, gap[0]);
+      behind.lower(share, gap[1]);
+    }
+    return common(before.at_most_0(), behind.at_most_0());
+  }
 
   double binomial(std::size_t k) const
   {

@@ -3,6 +3,9 @@
 
 #include "tetracone/kernel/motion/integer_form.h"
 
+#include <algorithm>
+#include <climits>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -16,14 +19,14 @@ struct Time_cell {
 };
 
 /// A time in [0, 1], exact: a dyadic number, or the root of a form in an open dyadic cell that holds no other root of
-/// it.
+/// it, and this one once.
 class Time_root {
  public:
   /// The time m / 2^k.
   Time_root(Integer m, unsigned k) : exact_(true), m_(std::move(m)), k_(k) {}
 
-  /// The root of `form`, which has no multiple roots, in the cell from m/2^k to (m+1)/2^k. `there` is the form over the
-  /// cell. Requires one variation of it.
+  /// The root of `form`, primitive, in the cell from m/2^k to (m+1)/2^k. `there` is the form over the cell. Requires one
+  /// variation of it.
   Time_root(const Integer_form& form, Integer_form there, Integer m, unsigned k)
       : exact_(false), m_(std::move(m)), k_(k), form_(form), there_(std::move(there))
   {}
@@ -47,11 +50,20 @@ class Time_root {
   /// The cell that holds this time, or begins with it where it is dyadic.
   Time_cell cell() const { return {m_, k_}; }
 
+  /// About this time: as near as doubles tell the form in its cell.
+  double about() const
+  {
+    const double start = mpz_get_d(m_.get_mpz_t());
+    return std::ldexp(exact_ ? start : start + about_in_cell(), -int(k_));
+  }
+
   /// The sign of g at this time. May refine the cell.
   CGAL::Sign sign(const Integer_form& g)
   {
     if (exact_) return sign_at_dyadic(g);
     if (g.is_zero()) return CGAL::ZERO;
+    refine_at_once();
+    if (const CGAL::Sign there = certain_sign(g); there != CGAL::ZERO) return there;
     Integer_form cell = g.over(m_, k_);
     if (cell.variations() == 0) return cell.only_sign();
     const Integer_form shared = common_divisor(form_, g.primitive());
@@ -91,6 +103,76 @@ class Time_root {
  private:
   enum class Half { none, first, second };
 
+  /// So many halvings at once: an approximation is good enough for that, and few numbers are nearer.
+  static constexpr unsigned halvings_at_once = 24;
+
+  /// A form in double, times a power of two that makes its largest coefficient at most 1: each coefficient is truncated.
+  static std::vector<double> rounded(const Integer_form& form)
+  {
+    std::vector<double> coefficients(form.size());
+    std::vector<long> exponents(form.size());
+    long largest = LONG_MIN;
+    for (std::size_t k = 0; k < form.size(); ++k) {
+      coefficients[k] = mpz_get_d_2exp(&exponents[k], form[k].get_mpz_t());
+      if (coefficients[k] != 0) largest = std::max(largest, exponents[k]);
+    }
+    for (std::size_t k = 0; k < form.size(); ++k)
+      coefficients[k] = std::ldexp(coefficients[k], int(std::max(exponents[k] - largest, -2000L)));
+    return coefficients;
+  }
+
+  /// Its value at 1 - x : x.
+  static double value_at(double x, const std::vector<double>& coefficients)
+  {
+    double value = 0, power = 1;
+    for (std::size_t k = coefficients.size(); k-- > 0;) {
+      value = value * x + coefficients[k] * power;
+      power *= 1 - x;
+    }
+    return value;
+  }
+
+  /// The sign of g all over the cell, as far as double tells: at x in it, but for 4 u and what the cell is long, where the
+  /// slope of s^(n-k) t^k is at most n. Coefficients are off by 2 u of themselves, 1 - x by u, and a term by 3 roundings
+  /// in each of n steps: less than 32 (n + 1) u of the sum of the coefficients' magnitudes, which takes what underflows.
+  CGAL::Sign certain_sign(const Integer_form& g) const
+  {
+    const std::vector<double> coefficients = rounded(g);
+    const double cell = std::ldexp(1.0, -int(k_)),
+                 value = value_at((mpz_get_d(m_.get_mpz_t()) + 0.5) * cell, coefficients);
+    double sum = 0;
+    for (const double c : coefficients) sum += std::abs(c);
+    const double error = sum * double(coefficients.size()) * (cell + 0x1p-48);
+    return value > error ? CGAL::POSITIVE : value < -error ? CGAL::NEGATIVE : CGAL::ZERO;
+  }
+
+  /// The root of a form of one variation, from 0 to 1, by bisection in double: whatever is lost by rounding.
+  double about_in_cell() const
+  {
+    const std::vector<double> coefficients = rounded(there_);
+    const double sense = there_.only_sign();
+    double low = 0, high = 1;
+    for (int round = 0; round < 60; ++round) {
+      const double x = 0.5 * (low + high);
+      (sense * value_at(x, coefficients) > 0 ? low : high) = x;
+    }
+    return 0.5 * (low + high);
+  }
+
+  /// Takes a cell far within this one, about an approximation, if the root is inside; not twice.
+  void refine_at_once()
+  {
+    if (is_refined_) return;
+    is_refined_ = true;
+    const Integer at(std::floor(std::ldexp(about_in_cell(), halvings_at_once)));
+    const Integer m = (m_ << halvings_at_once) + at;
+    const unsigned k = k_ + halvings_at_once;
+    if (compare(m, k) != CGAL::POSITIVE || compare(m + 1, k) != CGAL::NEGATIVE) return;
+    there_ = form_.over(m, k);
+    m_ = m;
+    k_ = k;
+  }
+
   CGAL::Sign sign_at_dyadic(const Integer_form& g) const { return sign_of(g.at((Integer(1) << k_) - m_, m_)); }
 
   bool in_cell_of(const Time_root& other)
@@ -119,7 +201,7 @@ class Time_root {
     return Half::second;
   }
 
-  bool exact_;
+  bool exact_, is_refined_ = false;
   Integer m_;
   unsigned k_;
   Integer_form form_, there_;
@@ -146,11 +228,18 @@ inline void isolate_within(const Integer_form& form, const Integer_form& cell, c
 }  // namespace detail
 
 /// The roots within a cell, without its ends, of a form that is not zero, each once, in order: by Descartes' rule of
-/// signs on halves of halves (Collins and Akritas 1976), which ends where no root is multiple.
+/// signs on halves of halves (Collins and Akritas 1976), which ends where no root is multiple. One variation tells of one
+/// root that is not.
 inline std::vector<Time_root> roots_within(const Integer_form& form, const Time_cell& cell = {})
 {
   std::vector<Time_root> found;
-  if (form.over(cell.m, cell.k).variations() == 0) return found;
+  Integer_form there = form.over(cell.m, cell.k);
+  const int variations = there.variations();
+  if (variations == 0) return found;
+  if (variations == 1) {
+    found.emplace_back(form.primitive(), std::move(there), cell.m, cell.k);
+    return found;
+  }
   const Integer_form simple = without_squares(form);
   detail::isolate_within(simple, simple.over(cell.m, cell.k), cell.m, cell.k, found);
   return found;

@@ -595,7 +595,7 @@ class Bvh8_distance {
   std::array<float, 2> stretch_{};  // of lower bounds, from a body's local units
   std::array<float, 2> size_{};     // of sizes, about the same
   std::vector<Box_pair> rest_;      // of a dive
-  Pair_queue queue_;
+  Pair_queue<Box_pair, 1> queue_;
   std::array<Opening, kernel::most_gap_tests> open_;
   std::array<kernel::Gap_test, kernel::most_gap_tests> tests_;
   static constexpr std::size_t slots = 64;

@@ -6,14 +6,15 @@
 #include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/number/products.h"
 #include "tetracone/tetratree/fast/bvh8.h"
-#include "tetracone/tetratree/fast/element_gap.h"
 #include "tetracone/tetratree/fast/moving_features.h"
+#include "tetracone/tetratree/fast/pair_queue.h"
 #include "tetracone/tetratree/fast/separating_direction.h"
 #include "tetracone/tetratree/fast/span_reference.h"
 #include "tetracone/tetratree/query_statistics.h"
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -25,12 +26,11 @@ namespace tetracone::tetratree {
 /// The first contact of the surfaces of two moving `Bvh8`, exactly. Build once, ask for many motions.
 ///
 /// Surfaces that share no point at t = 0 first meet where a vertex of one meets a triangle of the other, or an edge an
-/// edge. A span of time in which one plane parts the bodies is done with. In another, parts of a node are followed
-/// against a box of the other body: those that stay apart are gone, by a certified gap in a pose near all of it
-/// (`Span_reference`) or, where there is none, by the span's own coefficients (`Motion_span`); of others a box is opened,
-/// or they wait for the halves of the span, whichever is more than the other. Pairs of triangles that stay near are
-/// decided in integers, over the span alone. The first half is done before the second, which is left where the first
-/// contact found is not after its start.
+/// edge. A span of time in which one plane parts the bodies is done with. In another, pairs of boxes are opened in the
+/// order of the times from which on they may meet: by two similarities near all of the span (`Span_reference`) or, where
+/// there are none, by the span's own coefficients (`Motion_span`). Where these tell little, for the bodies turn too far in
+/// the span for the pair's size, it waits for the halves of the span in which it may meet. Triangles are decided in
+/// integers, and what may meet only after the first contact found is left.
 ///
 /// Both trees must outlive the query object. Making it and every query throw kernel::Unsound_floating_point when floating
 /// point is not as exact answers need it.
@@ -48,7 +48,8 @@ class Bvh8_motion {
     kernel::require_sound_floating_point();
     if (tree_[0]->empty() || tree_[1]->empty()) return std::nullopt;
     features_.begin(a, b);
-    search(whole_span(a, b), std::array{Near{0, 0, 0, 1}});
+    search(whole_span(a, b),
+           std::array{Pair{0, 1, {size_of(tree_[0]->node(0), 0), size_of(tree_[1]->node(0), 0)}, {0, 0}}});
     return features_.take_first();
   }
 
@@ -73,23 +74,19 @@ class Bvh8_motion {
     kernel::Moving_box hull;
     std::array<Vertex, 3> axis;
   };
-  /// Parts of a node of body `body`, as bits, near a box of the other.
-  struct Near {
-    Index node;
-    Box other;
-    std::uint8_t body, lanes;
-  };
-  /// A span of time, and what is to be followed in its halves.
-  struct Span {
-    explicit Span(const kernel::Motion_span& all) : reference(all), maps(all) {}
+  /// A box of each body, when they may meet, from 0 to 1 over a span, and the sums of their extents in local units,
+  /// negative of leaves.
+  struct Pair {
+    float low, until;
+    std::array<float, 2> size;
+    std::array<Box, 2> box;
 
-    Span_reference reference;
-    kernel::Motion_span maps;
-    std::vector<Near> later{};
+    bool is_leaf(std::size_t body) const { return std::signbit(size[body]); }
+    double extent(std::size_t body) const { return double(std::abs(size[body])); }
   };
   static constexpr int most_directions = 8;
   static constexpr unsigned most_halvings = 50;
-  static constexpr double share_of_boxes = 0.4, share_of_leaves = 0.002;  // so far they may move in a span
+  static constexpr double share_of_size = 0.4;  // so much of a box may be lost by its turning
 
   kernel::Motion_units units(int body) const { return {tree_[body]->scale().origin, tree_[body]->scale().unit}; }
 
@@ -102,14 +99,12 @@ class Bvh8_motion {
   }
 
   const Bvh8_node& node_of(int body, Box box) const { return tree_[body]->node(box / 8); }
-  bool is_leaf(int body, Box box) const { return node_of(body, box).is_leaf(int(box % 8)); }
 
-  /// The sum of the extents, in common units.
-  double size_of(const kernel::Motion_span& span, int body, Box box) const
+  static float size_of(const Bvh8_node& node, int lane)
   {
-    const auto& extent = node_of(body, box).boxes.extent;
-    const auto lane = int(box % 8);
-    return span.scale(body) * (double(extent[0][lane]) + double(extent[1][lane]) + double(extent[2][lane]));
+    const auto& extent = node.boxes.extent;
+    const float size = extent[0][lane] + extent[1][lane] + extent[2][lane];
+    return node.is_leaf(lane) ? -size : size;
   }
 
   Part part(int body, Box box) const
@@ -125,157 +120,124 @@ class Bvh8_motion {
     return part;
   }
 
-  /// Follows the parts in a span of time, and then those that are left for its halves in these.
-  void search(const kernel::Motion_span& all, std::span<const Near> near)
+  /// Opens the pairs in a span of time, and then those that are left for its halves in these.
+  void search(const kernel::Motion_span& span, std::span<const Pair> pairs)
   {
-    if (separating_direction_(all, most_directions)) return;
-    Span span(all);
-    for (const Near& parts : near) follow(span, parts);
-    for (const bool is_second : {false, true}) {
-      if (span.later.empty()) return;
-      const kernel::Motion_span half = span.maps.half(is_second);
-      if (half.start() < features_.before()) search(half, span.later);
-    }
-  }
-
-  /// Takes the parts that are not found to stay apart to smaller ones, or leaves them for later.
-  void follow(Span& span, Near near)
-  {
-    counts_.box_tests += std::uint64_t(std::popcount(near.lanes));
-    const double way =
-        span.reference.is_certifiable() ? leave_parts(span.reference, near) : leave_parts(span.maps, near);
-    if (near.lanes == 0) return;
-    ++counts_.pairs_visited;
-    const unsigned leaves = leaves_of(near);
-    for (const unsigned lanes : {leaves, near.lanes & ~leaves}) {
-      Near some = near;
-      some.lanes = std::uint8_t(lanes);
-      if (lanes == 0) continue;
-      if (is_long(span.maps, some, way, lanes == leaves))
-        span.later.push_back(some);
-      else if (lanes == leaves)
-        meet_leaves(span.maps, some);
+    if (separating_direction_(span, most_directions)) return;
+    const Span_reference reference(span);
+    features_.enter(span);
+    queue_.clear(0, 1);
+    for (const Pair& pair : pairs) queue_.push(pair);
+    std::vector<Pair> later;
+    while (!queue_.empty()) {
+      features_.decide_until(double(queue_.lowest()));
+      const Pair pair = queue_.pop();
+      if (double(pair.low) > features_.latest()) continue;
+      if (is_long(span, reference, pair))
+        later.push_back(pair);
+      else if (pair.is_leaf(0) && pair.is_leaf(1))
+        meet_leaves(pair);
       else
-        open(span, some);
+        open(span, reference, pair, opens(span, pair));
+    }
+    features_.decide_until(1);
+    for (const bool is_second : {false, true}) {
+      std::vector<Pair> in_half;
+      for (const Pair& pair : later)
+        if (is_second ? pair.until >= 0.5f : pair.low <= 0.5f)
+          in_half.push_back({2 * pair.low - float(is_second), 2 * pair.until - float(is_second), pair.size, pair.box});
+      if (in_half.empty()) continue;
+      const kernel::Motion_span half = span.half(is_second);
+      if (half.start() < features_.before()) search(half, in_half);
     }
   }
 
-  /// Takes those away that stay apart. Returns about how far the others move against each other, in the span's units.
-  double leave_parts(const Span_reference& reference, Near& near)
-  {
-    const Bvh8_node &node = tree_[near.body]->node(near.node), &from = node_of(1 - near.body, near.other);
-    const int lane = int(near.other % 8);
-    const float apex =
-        from.is_leaf(lane) ? kernel::apex_of(Bvh8_node::apex(from.child[std::size_t(lane)])) : kernel::no_apex;
-    const auto found = reference.parts(near.body, node.boxes, near.lanes, from.boxes, lane, apex);
-    near.lanes = std::uint8_t(near.lanes & ~found.apart);
-    near.lanes = std::uint8_t(near.lanes & ~leaves_apart(reference, near));
-    return found.way;
-  }
-
-  /// Where both are leaves: the parts whose triangles are apart.
-  unsigned leaves_apart(const Span_reference& reference, const Near& near)
-  {
-    unsigned apart = 0;
-    for (unsigned left = leaves_of(near); left != 0; left &= left - 1) {
-      const int lane = std::countr_zero(left);
-      const auto are_apart = [&](const Element& a, const Element& b) { return elements_apart(reference, a, b); };
-      if (all_elements(near, lane, are_apart)) apart |= 1u << lane;
-    }
-    return apart;
-  }
-
-  bool elements_apart(const Span_reference& reference, const Element& a, const Element& b)
-  {
-    ++counts_.leaf_pairs;
-    const Element_gap gap = element_gap(*tree_[0], a, *tree_[1], b, reference.frame());
-    return gap.low > 0 && reference.are_apart(gap.low, gap.axis, local_corners(*tree_[0], a.corner),
-                                              local_corners(*tree_[1], b.corner));
-  }
-
-  /// The parts that are leaves, where the box of the other body is one.
-  unsigned leaves_of(const Near& near) const
-  {
-    return is_leaf(1 - near.body, near.other) ? near.lanes & tree_[near.body]->node(near.node).boxes.marked : 0;
-  }
-
-  /// Whether holds(element of A, element of B) for all pairs of elements of two leaves, in turn, until one does not.
-  template <class Holds>
-  bool all_elements(const Near& near, int lane, const Holds& holds) const
-  {
-    const Box own = 8 * near.node + Box(lane), box_a = near.body == 0 ? own : near.other,
-              box_b = near.body == 0 ? near.other : own;
-    const int lane_a = int(box_a % 8), lane_b = int(box_b % 8);
-    for (Index i = 0; i < tree_[0]->leaf_count(box_a / 8, lane_a); ++i)
-      for (Index j = 0; j < tree_[1]->leaf_count(box_b / 8, lane_b); ++j)
-        if (!holds(tree_[0]->element(box_a / 8, lane_a, i), tree_[1]->element(box_b / 8, lane_b, j))) return false;
-    return true;
-  }
-
-  double leave_parts(const kernel::Motion_span& span, Near& near)
-  {
-    const Part other = part(1 - near.body, near.other);
-    double way = 0;
-    unsigned apart = 0;
-    for (unsigned left = near.lanes; left != 0; left &= left - 1) {
-      const int lane = std::countr_zero(left);
-      const Part own = part(near.body, 8 * near.node + Box(lane));
-      const Part &a = near.body == 0 ? own : other, &b = near.body == 0 ? other : own;
-      way = kernel::maximum(way, span.way(a.hull.centre, b.hull.centre));
-      if (stay_apart(span, a, b)) apart |= 1u << lane;
-    }
-    near.lanes = std::uint8_t(near.lanes & ~apart);
-    return way;
-  }
-
-  /// Whether the parts move too far in the span for their size.
-  bool is_long(const kernel::Motion_span& span, const Near& near, double way, bool are_leaves) const
+  /// Whether the boxes turn too far in the span for their size.
+  static bool is_long(const kernel::Motion_span& span, const Span_reference& reference, const Pair& pair)
   {
     if (span.k() >= most_halvings) return false;
-    const double of_other = size_of(span, 1 - near.body, near.other);
-    double size = 0;
-    for (unsigned left = near.lanes; left != 0; left &= left - 1) {
-      const Box box = 8 * near.node + Box(std::countr_zero(left));
-      const double of_box = size_of(span, near.body, box);
-      size = kernel::maximum(size, opens_own(near, box, of_box, of_other) ? of_box : of_other);
-    }
-    way += size * (span.turn(0) / span.scale(0) + span.turn(1) / span.scale(1));
+    const double lost = (pair.extent(0) * span.turn(0) + pair.extent(1) * span.turn(1)) +
+                        (reference.is_certifiable() ? reference.rest() : 0),
+                 larger = kernel::maximum(pair.extent(0) * span.scale(0), pair.extent(1) * span.scale(1));
     // What is less than doubles tell apart is not worth another halving.
-    return !(way <= kernel::maximum((are_leaves ? share_of_leaves : share_of_boxes) * size, 8 * span.resolution()));
+    return !(lost <= kernel::maximum(share_of_size * larger, 8 * span.resolution()));
   }
 
-  /// Whether the part is to be opened, and not the box of the other body.
-  bool opens_own(const Near& near, Box box, double size, double of_other) const
+  /// The body whose box is to be opened: the larger one. Requires one that is no leaf.
+  static int opens(const kernel::Motion_span& span, const Pair& pair)
   {
-    return !is_leaf(near.body, box) && (is_leaf(1 - near.body, near.other) || size > of_other);
+    return pair.is_leaf(0) || (!pair.is_leaf(1) && pair.extent(1) * span.scale(1) > pair.extent(0) * span.scale(0));
   }
 
-  void open(Span& span, const Near& near)
+  /// Opens the box of body `body`.
+  void open(const kernel::Motion_span& span, const Span_reference& reference, const Pair& pair, int body)
   {
-    const double of_other = size_of(span.maps, 1 - near.body, near.other);
-    for (unsigned left = near.lanes; left != 0; left &= left - 1) {
-      const Box box = 8 * near.node + Box(std::countr_zero(left));
-      const bool own = opens_own(near, box, size_of(span.maps, near.body, box), of_other);
-      const int body = own ? near.body : 1 - near.body;
-      const Box opened = own ? box : near.other;
-      Near next;
-      next.body = std::uint8_t(body);
-      next.node = tree_[body]->child(opened / 8, int(opened % 8));
-      next.other = own ? near.other : box;
-      next.lanes = std::uint8_t((1u << tree_[body]->node(next.node).boxes.lane_count) - 1);
-      follow(span, next);
+    const Box box = pair.box[std::size_t(body)], other = pair.box[std::size_t(1 - body)];
+    const Index opened = tree_[body]->child(box / 8, int(box % 8));
+    const Bvh8_node& node = tree_[body]->node(opened);
+    const kernel::Obb8& boxes = node.boxes;
+    ++counts_.pairs_visited;
+    counts_.box_tests += std::uint64_t(boxes.lane_count);
+    kernel::Near_times times;
+    const unsigned near = reference.is_certifiable() ? near_by(reference, body, opened, other, times)
+                                                     : near_by(span, body, opened, other, times);
+    for (unsigned left = near & ((1u << boxes.lane_count) - 1); left != 0; left &= left - 1) {
+      const auto lane = std::size_t(std::countr_zero(left));
+      Pair part = pair;
+      part.low = kernel::maximum(pair.low, times.from[lane]);
+      part.until = kernel::minimum(pair.until, times.until[lane]);
+      if (part.low > part.until) continue;
+      part.box[std::size_t(body)] = 8 * opened + Box(lane);
+      part.size[std::size_t(body)] = size_of(node, int(lane));
+      queue_.push(part);
     }
   }
 
-  /// Whether boxes are certainly apart all the time of the span: along the line of their centres, and the axes that part
-  /// them in the middle of it.
-  static bool stay_apart(const kernel::Motion_span& span, const Part& a, const Part& b)
+  unsigned near_by(const Span_reference& reference, int body, Index node, Box other, kernel::Near_times& times) const
+  {
+    const Bvh8_node& from = node_of(1 - body, other);
+    const int lane = int(other % 8);
+    const float apex =
+        from.is_leaf(lane) ? kernel::apex_of(Bvh8_node::apex(from.child[std::size_t(lane)])) : kernel::no_apex;
+    return reference.near(std::size_t(body), tree_[body]->node(node).boxes, from.boxes, lane, apex, times);
+  }
+
+  unsigned near_by(const kernel::Motion_span& span, int body, Index node, Box other, kernel::Near_times& times) const
+  {
+    const Part from = part(1 - body, other);
+    unsigned near = 0;
+    for (int lane = 0; lane < tree_[body]->node(node).boxes.lane_count; ++lane) {
+      const Part own = part(body, 8 * node + Box(lane));
+      const kernel::Time_window window = body == 0 ? near_boxes(span, own, from) : near_boxes(span, from, own);
+      if (window.is_empty()) continue;
+      near |= 1u << lane;
+      times.from[lane] = float(window.from * (1 - 0x1p-20)) - 0x1p-40f;
+      times.until[lane] = float(window.until * (1 + 0x1p-20)) + 0x1p-40f;
+    }
+    return near;
+  }
+
+  void meet_leaves(const Pair& pair)
+  {
+    ++counts_.leaf_pairs;
+    const Box a = pair.box[0], b = pair.box[1];
+    const int lane_a = int(a % 8), lane_b = int(b % 8);
+    for (Index i = 0; i < tree_[0]->leaf_count(a / 8, lane_a); ++i)
+      for (Index j = 0; j < tree_[1]->leaf_count(b / 8, lane_b); ++j)
+        features_.meet({double(pair.low), double(pair.until)}, tree_[0]->element(a / 8, lane_a, i),
+                       tree_[1]->element(b / 8, lane_b, j));
+  }
+
+  /// When boxes may meet: along the line of their centres, and the axes that part them in the middle of the span.
+  static kernel::Time_window near_boxes(const kernel::Motion_span& span, const Part& a, const Part& b)
   {
     const auto& maps = span.at_middle();
-    const auto apart = [&](const Vertex& axis) {
-      return span.apart_along(kernel::scaled_to_one(axis), a.hull, b.hull);
+    kernel::Time_window near;
+    const auto is_apart = [&](const Vertex& axis) {
+      near = common(near, span.near_along(kernel::scaled_to_one(axis), a.hull, b.hull));
+      return near.is_empty();
     };
-    if (apart(span.between(maps, a.hull.centre, b.hull.centre))) return true;
+    if (is_apart(span.between(maps, a.hull.centre, b.hull.centre))) return near;
     std::array<std::array<Vertex, 3>, 2> edge;
     for (int k = 0; k < 3; ++k) {
       edge[0][k] = span.direction(maps, 0, a.axis[k]);
@@ -283,25 +245,17 @@ class Bvh8_motion {
     }
     for (const auto& e : edge)
       for (int k = 0; k < 3; ++k)
-        if (apart(kernel::cross(e[(k + 1) % 3], e[(k + 2) % 3]))) return true;
+        if (is_apart(kernel::cross(e[(k + 1) % 3], e[(k + 2) % 3]))) return near;
     for (const Vertex& of_a : edge[0])
       for (const Vertex& of_b : edge[1])
-        if (apart(kernel::cross(of_a, of_b))) return true;
-    return false;
-  }
-
-  void meet_leaves(const kernel::Motion_span& span, const Near& near)
-  {
-    for (unsigned left = near.lanes; left != 0; left &= left - 1)
-      all_elements(near, std::countr_zero(left), [&](const Element& a, const Element& b) {
-        features_.meet(span, a, b);
-        return true;
-      });
+        if (is_apart(kernel::cross(of_a, of_b))) return near;
+    return near;
   }
 
   std::array<const Bvh8*, 2> tree_;
   Separating_direction separating_direction_;
   Moving_feature_search features_;
+  Pair_queue<Pair, 64> queue_;
   Query_statistics counts_;
 };
 

@@ -9,15 +9,18 @@
 #include "tetracone/tetratree/fast/bvh8.h"
 #include "tetracone/tetratree/query_statistics.h"
 
+#include <algorithm>
 #include <array>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <set>
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace tetracone::tetratree {
 
@@ -47,7 +50,7 @@ inline std::array<kernel::Vertex, 3> local_corners(const Bvh8& tree, const std::
 }
 
 /// The first contact of vertices and faces, and of edges, of the triangles that it is given: what the bounds of a span do
-/// not part is decided in integers, over the span alone.
+/// not part waits, and is decided in integers, over the span alone, in the order of the times from which on it may meet.
 class Moving_feature_search {
  public:
   /// Both trees must outlive it.
@@ -59,6 +62,7 @@ class Moving_feature_search {
     moving_ = {&a, &b};
     motion_.reset();
     decided_.clear();
+    candidates_.clear();
     best_.reset();
     best_before_ = std::numeric_limits<double>::infinity();
   }
@@ -74,11 +78,38 @@ class Moving_feature_search {
   double before() const { return best_before_; }
   std::optional<First_meeting> take_first() { return std::exchange(best_, std::nullopt); }
 
-  /// Looks for contacts of two elements in the span.
-  void meet(const kernel::Motion_span& span, const Element& of_a, const Element& of_b)
+  /// Looks at a span of time. It must stay until the next. Requires that all of the last one is decided.
+  void enter(const kernel::Motion_span& span)
+  {
+    span_ = &span;
+    latest_ = span.share_before(best_before_);
+  }
+
+  /// The first contact so far is not after such a share of the span.
+  double latest() const { return latest_; }
+
+  /// Takes in two elements, which do not meet in the span outside of these times.
+  void meet(const kernel::Time_window& times, const Element& of_a, const Element& of_b)
   {
     for_triangles(0, of_a,
-                  [&](const Triangle& a) { for_triangles(1, of_b, [&](const Triangle& b) { meet(span, a, b); }); });
+                  [&](const Triangle& a) { for_triangles(1, of_b, [&](const Triangle& b) { meet(times, a, b); }); });
+  }
+
+  /// Decides what may meet before such a share of the span.
+  void decide_until(double share)
+  {
+    while (!candidates_.empty() && candidates_.front().from() <= share) {
+      std::ranges::pop_heap(candidates_, std::ranges::greater(), &Candidate::from);
+      const Candidate next = candidates_.back();
+      candidates_.pop_back();
+      if (next.from() > latest_) continue;
+      if (next.feature == Candidate::all)
+        for (int feature = 0; feature < Candidate::all; ++feature) add(next, feature, false);
+      else if (!next.is_sharp)
+        add(next, next.feature, true);
+      else
+        decide(next.features());
+    }
   }
 
   const Query_statistics& counts() const { return counts_; }
@@ -96,6 +127,31 @@ class Moving_feature_search {
     unsigned k;
 
     auto operator<=>(const Decided&) const = default;
+  };
+  /// Two triangles, or features of them, that may meet in the span at these times.
+  struct Candidate {
+    kernel::Time_window times;
+    std::array<Index, 2> face;
+    std::array<std::array<Index, 3>, 2> corner;
+    int feature = all;      ///< a vertex of A's or of B's triangle, or two edges
+    bool is_sharp = false;  ///< times of features are by axes of about these times
+
+    static constexpr int all = 15;
+
+    double from() const { return times.from; }
+
+    Moving_features features() const
+    {
+      if (feature < 6) {
+        const int body = feature / 3;
+        const auto& other = corner[1 - body];
+        return {
+            kernel::Moving_kind::vertex_face, body, face, {corner[body][feature % 3], other[0], other[1], other[2]}};
+      }
+      const int i = (feature - 6) / 3, j = feature % 3;
+      const auto& [a, b] = corner;
+      return {kernel::Moving_kind::edge_edge, 0, face, {a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3]}};
+    }
   };
   struct Triangle {
     std::array<Index, 3> corner;
@@ -116,10 +172,11 @@ class Moving_feature_search {
     for (std::size_t k = 0; k < from.size(); ++k) call(from[k], to[k], to[k]);
   }
 
-  /// Tries all vertices and edges of two triangles.
-  void meet(const kernel::Motion_span& span, const Triangle& a, const Triangle& b)
+  /// Keeps two triangles if they may meet.
+  void meet(kernel::Time_window times, const Triangle& a, const Triangle& b)
   {
     ++counts_.triangle_tests;
+    const kernel::Motion_span& span = *span_;
     const std::array<const Triangle*, 2> both = {&a, &b};
     const auto& maps = span.at_middle();
     std::array<std::array<Vertex, 3>, 2> edge;
@@ -129,69 +186,104 @@ class Moving_feature_search {
             span.direction(maps, body, kernel::difference(both[body]->local[(k + 1) % 3], both[body]->local[k]));
     const std::array<Vertex, 2> normal = {kernel::cross(edge[0][0], edge[0][1]), kernel::cross(edge[1][0], edge[1][1])};
 
-    const auto apart = [&](const Vertex& axis, std::span<const Vertex> of_a, std::span<const Vertex> of_b) {
-      return span.apart_along(kernel::scaled_to_one(axis), kernel::Moving_hull{of_a}, kernel::Moving_hull{of_b});
+    const auto of_a = span.placed(0, a.local), of_b = span.placed(1, b.local);
+    const auto is_done = [&](const Vertex& axis) {
+      times = common(times, span.near_along(kernel::scaled_to_one(axis), of_a, of_b));
+      return times.is_empty() || times.from > latest_;
     };
-    for (int body = 0; body < 2; ++body) {
-      if (apart(normal[body], a.local, b.local)) return;
-      for (const Vertex& e : edge[body])
-        if (apart(kernel::cross(normal[body], e), a.local, b.local)) return;
-    }
+    for (const Vertex& n : normal)
+      if (is_done(n)) return;
+    for (const Vertex& e : edge[0])
+      for (const Vertex& f : edge[1])
+        if (is_done(kernel::cross(e, f))) return;
     for (int body = 0; body < 2; ++body)
-      for (int k = 0; k < 3; ++k) {
-        const std::span<const Vertex> vertex(&both[body]->local[k], 1), face(both[1 - body]->local);
-        const auto parts = [&](const Vertex& axis) {
-          return body == 0 ? apart(axis, vertex, face) : apart(axis, face, vertex);
-        };
-        const auto& sides = edge[1 - body];
-        const Vertex& n = normal[1 - body];
-        if (parts(n) || parts(kernel::cross(n, sides[0])) || parts(kernel::cross(n, sides[1])) ||
-            parts(kernel::cross(n, sides[2])))
-          continue;
-        const auto& corner = both[1 - body]->corner;
-        decide(span, {kernel::Moving_kind::vertex_face,
-                      body,
-                      {a.face, b.face},
-                      {both[body]->corner[k], corner[0], corner[1], corner[2]}});
-      }
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) {
-        const std::array<Vertex, 2> of_a = {a.local[i], a.local[(i + 1) % 3]},
-                                    of_b = {b.local[j], b.local[(j + 1) % 3]};
-        const Vertex n = kernel::cross(edge[0][i], edge[1][j]);
-        const auto parts = [&](const Vertex& axis) { return apart(axis, of_a, of_b); };
-        if (parts(n) || parts(kernel::cross(n, edge[0][i])) || parts(kernel::cross(n, edge[1][j]))) continue;
-        decide(span, {kernel::Moving_kind::edge_edge,
-                      0,
-                      {a.face, b.face},
-                      {a.corner[i], a.corner[(i + 1) % 3], b.corner[j], b.corner[(j + 1) % 3]}});
-      }
+      for (const Vertex& e : edge[body])
+        if (is_done(kernel::cross(normal[body], e))) return;
+    keep({times, {a.face, b.face}, {a.corner, b.corner}});
+  }
+
+  /// Body of corner k.
+  static int body_of(const Moving_features& features, int k)
+  {
+    if (features.kind == kernel::Moving_kind::vertex_face) return k == 0 ? features.body : 1 - features.body;
+    return k < 2 ? 0 : 1;
+  }
+
+  /// When the features may meet within these times, by axes of the middle of them.
+  kernel::Time_window near(const Moving_features& features, kernel::Time_window near) const
+  {
+    const kernel::Motion_span& span = *span_;
+    const kernel::Motion_span::Maps maps = span.about(0.5 * (near.from + near.until));
+    std::array<Vertex, 4> p, image;
+    for (int k = 0; k < 4; ++k) {
+      const int body = body_of(features, k);
+      const kernel::Vector at = tree_[body]->local(features.corner[k]);
+      p[k] = {at[0], at[1], at[2]};
+      image[k] = span.direction(maps, body, p[k]);
+    }
+    const auto side = [&](int from, int to) { return kernel::difference(image[to], image[from]); };
+    const auto take = [&](const std::array<Vertex, 2>& sides, const Vertex* third, const auto& of_a, const auto& of_b) {
+      const auto is_done = [&](const Vertex& axis) {
+        near = common(near, span.near_along(kernel::scaled_to_one(axis), of_a, of_b));
+        return near.is_empty();
+      };
+      const Vertex n = kernel::cross(sides[0], sides[1]);
+      if (is_done(n) || is_done(kernel::cross(n, sides[0])) || is_done(kernel::cross(n, sides[1])) || !third) return;
+      is_done(kernel::cross(n, *third));
+    };
+    if (features.kind == kernel::Moving_kind::edge_edge) {
+      take({side(0, 1), side(2, 3)}, nullptr, span.placed(0, std::array{p[0], p[1]}),
+           span.placed(1, std::array{p[2], p[3]}));
+      return near;
+    }
+    const auto vertex = span.placed(features.body, std::array<Vertex, 1>{p[0]});
+    const auto face = span.placed(1 - features.body, std::array{p[1], p[2], p[3]});
+    const Vertex third = side(2, 3);
+    if (features.body == 0)
+      take({side(1, 2), side(1, 3)}, &third, vertex, face);
+    else
+      take({side(1, 2), side(1, 3)}, &third, face, vertex);
+    return near;
+  }
+
+  /// Keeps features of two triangles if they may meet.
+  void add(Candidate candidate, int feature, bool is_sharp)
+  {
+    candidate.feature = feature;
+    candidate.is_sharp = is_sharp;
+    candidate.times = near(candidate.features(), candidate.times);
+    if (!candidate.times.is_empty() && candidate.from() <= latest_) keep(candidate);
+  }
+
+  void keep(const Candidate& candidate)
+  {
+    candidates_.push_back(candidate);
+    std::ranges::push_heap(candidates_, std::ranges::greater(), &Candidate::from);
   }
 
   /// Finds the first contact of two features in the span, exactly.
-  void decide(const kernel::Motion_span& span, const Moving_features& features)
+  void decide(const Moving_features& features)
   {
+    const kernel::Motion_span& span = *span_;
     Decided now{features.kind, features.body, features.corner, span.m(), span.k()};
     if (features.kind == kernel::Moving_kind::edge_edge)
       for (const int k : {0, 2})
         if (now.corner[k] > now.corner[k + 1]) std::swap(now.corner[k], now.corner[k + 1]);
     if (!decided_.insert(now).second) return;
     ++counts_.exact_fallbacks;
-    const bool is_vertex = features.kind == kernel::Moving_kind::vertex_face;
-    const auto body = [&](int k) {
-      if (is_vertex) return k == 0 ? features.body : 1 - features.body;
-      return k < 2 ? 0 : 1;
+    const auto vertex = [&](int k) -> const Vertex& {
+      return tree_[body_of(features, k)]->model().vertices()[features.corner[k]];
     };
-    const auto vertex = [&](int k) -> const Vertex& { return tree_[body(k)]->model().vertices()[features.corner[k]]; };
     int least = 0;
     for (int k = 0; k < 4; ++k) least = kernel::Pair_motion::exponent_of(vertex(k), least);
     std::array<kernel::Form_vector, 4> points;
-    for (int k = 0; k < 4; ++k) points[k] = motion().image(body(k), vertex(k), least);
+    for (int k = 0; k < 4; ++k) points[k] = motion().image(body_of(features, k), vertex(k), least);
     std::optional<kernel::Time_root> time =
         kernel::Exact_motion(features.kind, std::move(points), motion().square())
             .first_contact({kernel::Integer(static_cast<unsigned long>(span.m())), span.k()});
     if (!time || (best_ && !time->is_before(best_->time))) return;
     best_before_ = kernel::bounds_about(*time).hi;
+    latest_ = span.share_before(best_before_);
     best_ = First_meeting{std::move(*time), features};
   }
 
@@ -200,8 +292,11 @@ class Moving_feature_search {
   std::array<const kernel::Body_motion*, 2> moving_{};
   std::optional<kernel::Pair_motion> motion_;
   std::set<Decided> decided_;
+  std::vector<Candidate> candidates_;  // a heap
   std::optional<First_meeting> best_;
   double best_before_ = std::numeric_limits<double>::infinity();
+  const kernel::Motion_span* span_ = nullptr;
+  double latest_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace tetracone::tetratree

@@ -19,30 +19,38 @@ struct Box_pair {
   bool is_of_leaves() const { return size[0] < 0 && size[1] < 0; }
 };
 
-/// Pairs of boxes, about the nearest first: by steps of their lower bounds, of one step the last one first. Neither end
-/// takes longer where there are many.
+/// Pairs of boxes, about those of the least lower bound `low` first: by 64 times `words` steps of it, of one step the last
+/// one first. Neither end takes longer where there are many.
+template <class Pair, std::size_t words>
 class Pair_queue {
  public:
   /// Steps are of lower bounds from `nearest` to `farthest`, or one for all.
   void clear(double nearest, double farthest)
   {
     pairs_.clear();
-    filled_ = 0;
+    filled_.fill(0);
+    word_ = words - 1;
     free_ = none;
     const double range = farthest - nearest;
     nearest_ = float(nearest);
     steps_per_unit_ = range > 0x1p-60 && range < 0x1p60 ? float(steps / range) : 0;
   }
 
-  bool empty() const { return filled_ == 0; }
+  bool empty()
+  {
+    while (word_ + 1 < words && filled_[word_] == 0) ++word_;
+    return filled_[word_] == 0;
+  }
 
-  void push(const Box_pair& pair)
+  void push(const Pair& pair)
   {
     const float at = (pair.low - nearest_) * steps_per_unit_;
-    const int step = at >= steps - 1 ? steps - 1 : at > 0 ? int(at) : 0;
-    const std::uint32_t next = filled_ >> step & 1 ? top_[std::size_t(step)] : none;
-    filled_ |= std::uint64_t(1) << step;
-    std::uint32_t& top = top_[std::size_t(step)];
+    const auto step = at >= steps - 1 ? std::size_t(steps - 1) : at > 0 ? std::size_t(at) : 0;
+    const std::size_t word = step / 64;
+    const std::uint32_t next = filled_[word] >> step % 64 & 1 ? top_[step] : none;
+    filled_[word] |= std::uint64_t(1) << step % 64;
+    if (word < word_) word_ = word;
+    std::uint32_t& top = top_[step];
     if (free_ == none) {
       top = std::uint32_t(pairs_.size());
       pairs_.push_back({pair, next});
@@ -53,30 +61,36 @@ class Pair_queue {
     }
   }
 
-  /// Requires a pair.
-  Box_pair pop()
+  /// Of all pairs, at most the lower bound, but for the rounding of its step. Requires that `empty` has just found one.
+  float lowest() const { return nearest_ + float(first_step()) / steps_per_unit_; }
+
+  /// Requires that `empty` has just found a pair.
+  Pair pop()
   {
-    std::uint32_t& top = top_[std::size_t(std::countr_zero(filled_))];
+    std::uint32_t& top = top_[first_step()];
     const std::uint32_t popped = top;
     auto& [pair, next] = pairs_[popped];
     top = next;
-    if (top == none) filled_ &= filled_ - 1;
+    if (top == none) filled_[word_] &= filled_[word_] - 1;
     next = free_;
     free_ = popped;
     return pair;
   }
 
  private:
-  static constexpr int steps = 64;
+  static constexpr int steps = 64 * int(words);
   static constexpr std::uint32_t none = ~std::uint32_t(0);
 
   struct Linked {
-    Box_pair pair;
+    Pair pair;
     std::uint32_t next;  // in the same step, or unused
   };
+  std::size_t first_step() const { return 64 * word_ + std::size_t(std::countr_zero(filled_[word_])); }
+
   std::vector<Linked> pairs_;
   std::array<std::uint32_t, steps> top_{};
-  std::uint64_t filled_ = 0;  // steps that hold a pair
+  std::array<std::uint64_t, words> filled_{};  // steps that hold a pair
+  std::size_t word_ = 0;                       // no pair is in a word before
   std::uint32_t free_ = none;
   float nearest_ = 0, steps_per_unit_ = 0;
 };

@@ -2,6 +2,7 @@
 
 #include "tetracone/kernel/bound/obb8_gap.h"
 #include "verify/proofs/box_test.h"
+#include "verify/proofs/gap_proofs.h"
 #include "verify/proofs/obb8_distance_proofs.h"
 #include "verify/proofs/scene_proofs.h"
 
@@ -214,29 +215,22 @@ double way(const Inputs& in)
   return detail::ratio(kernel::HWY_NAMESPACE::along_axis(n, moved).one().error(), largest * sum) / u_of_float;
 }
 
-/// A step along an axis: entries are rounded to float.
-double step(const Inputs& in)
+/// A sweep along an axis: entries are rounded to float.
+double sweep(const Inputs& in)
 {
-  using Floats = Axis_number<Float, false>;
-  const auto rounded = [](double x) { return Float(float(x), Rational(x)); };
-  Floats n[3], centre[3], shift[3], bend[3][3];
-  double largest = 0, reach = 0, size = 0;
-  for (int k = 0; k < 3; ++k) {
-    n[k] = Float(in[k]);
-    centre[k] = Float(in[3 + k]);
-    shift[k] = rounded(in[6 + k]);
-    largest = std::max(largest, std::abs(in[k]));
-    reach = std::max(reach, std::abs(in[3 + k]));
-    size += std::abs(in[6 + k]);
+  using Place = detail::Sweep_place;
+  std::vector<Float> numbers;
+  double square = 0, reach = 0, size = 0;
+  for (std::size_t k = 0; k < Place::axes; ++k) {
+    const double x = in[k];
+    numbers.push_back(k < Place::shift ? Float(x) : Float(float(x), Rational(x)));
+    if (k < Place::centre) square += x * x;
+    if (k >= Place::centre && k < Place::shift) reach = std::max(reach, std::abs(x));
+    if (k >= Place::shift) size += (k < Place::bend ? 1 : reach) * std::abs(x);
   }
-  for (int k = 0; k < 3; ++k)
-    for (int j = 0; j < 3; ++j) {
-      const double x = in[9 + 3 * k + j];
-      bend[k][j] = rounded(x);
-      size += reach * std::abs(x);
-    }
-  return detail::ratio(kernel::HWY_NAMESPACE::step_along(n, centre, shift, bend).one().error(), largest * size) /
-         u_of_float;
+  for (int j = 0; j < 3; ++j)
+    for (const float x : Boxes::column(in, int(Place::axes), j)) numbers.emplace_back(x);
+  return detail::ratio(detail::way_of_sweep(numbers).one().error(), std::sqrt(square) * size) / u_of_float;
 }
 
 /// The gap along a way in a frame: rounding alone.
@@ -328,7 +322,7 @@ Searches box_searches()
           {"twice gap_rounding, sides of a triangle", {Boxes::end, certified_gaps<true>}},
           {"gap_shrink", {Boxes::end, stored_length}},
           {"Carried_box::way_rounding", {6, way}},
-          {"step_rounding", {18, step}},
+          {"sweep_rounding", {detail::Sweep_place::axes + 4, sweep}},
           {"distance_rounding", {Boxes::end + 3, distances}},
           {"placed_rounding", {14, placed<true>}},
           {"placed_rounding, of motions", {14, placed<false>}},

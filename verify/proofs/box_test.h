@@ -92,7 +92,8 @@ struct All_gaps {
 };
 struct Keep_all {
   template <class Floats>
-  All_gaps<Floats> operator()(const Floats& gap, const Floats& n0, const Floats& n1, const Floats& n2) const
+  All_gaps<Floats> operator()(const Floats& gap, const Floats&, const Floats& n0, const Floats& n1,
+                              const Floats& n2) const
   {
     return {{{gap, n0, n1, n2}}};
   }

@@ -2,6 +2,7 @@
 #define TETRACONE_VERIFY_PROOFS_GAP_PROOFS_H
 
 #include "tetracone/kernel/bound/obb8_gap.h"
+#include "tetracone/kernel/bound/obb8_sweep.h"
 #include "tetracone/kernel/bound/relative_frame.h"
 #include "tetracone/kernel/bound/relative_motion.h"
 #include "verify/proofs/box_test.h"
@@ -17,7 +18,7 @@
 #include <string>
 #include <vector>
 
-/// The constants of kernel/bound/obb8_gap.h, from kernel/bound/obb8_gap_simd.inl itself.
+/// The constants of kernel/bound/obb8_gap.h and obb8_sweep.h, from their *_simd.inl themselves.
 namespace tetracone::verify::proofs {
 
 namespace detail {
@@ -64,6 +65,31 @@ Number beyond_edge(const std::vector<Number>& in)
                                            none)
       .all[0][is_axis]
       .one();
+}
+
+/// Inputs of a sweep along an axis.
+struct Sweep_place {
+  static constexpr std::size_t components = 0, centre = 3, shift = 6, bend = 9, axes = 18, end = 27;
+};
+
+/// The way along an axis of these components along the eight's axes; shift and bend are rounded to float.
+template <class Numbers>
+auto way_of_sweep(const Numbers& in)
+{
+  using Floats = Axis_number<std::decay_t<decltype(in[0])>, false>;
+  Floats n[3], centre[3], shift[3], bend[3][3], sweep[3];
+  for (std::size_t k = 0; k < 3; ++k) {
+    n[k] = in[Sweep_place::components + k];
+    centre[k] = in[Sweep_place::centre + k];
+    shift[k] = entry(in[Sweep_place::shift + k]);
+    for (std::size_t j = 0; j < 3; ++j) bend[k][j] = entry(in[Sweep_place::bend + 3 * k + j]);
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto* const axis = &in[Sweep_place::axes + 3 * i];
+    const Floats a[3] = {axis[0], axis[1], axis[2]};
+    sweep[i] = kernel::HWY_NAMESPACE::sweep_along(a, centre, shift, bend);
+  }
+  return kernel::HWY_NAMESPACE::along_axis(n, sweep);
 }
 
 /// What a gap and its axis lose, in roundings of either way of products and sums.
@@ -187,30 +213,29 @@ inline Proved_bounds gap_proofs()
   bounds.push_back({"motion_rounding", "kernel/bound/relative_motion.h", Rational(kernel::motion_rounding),
                     largest(slice_errors<Relative_32>(gone, goings)) * computed, u, 2.68, "gappa"});
 
-  // Coordinates of a step are rounded to float; the sum with what is left of a gap keeps its sign.
-  const auto step = [](const auto& in) {
-    using Floats = Axis_number<std::decay_t<decltype(in[0])>, false>;
-    const Floats n[3] = {in[0], in[1], in[2]}, centre[3] = {in[3], in[4], in[5]};
-    Floats shift[3], bend[3][3];
-    for (std::size_t k = 0; k < 3; ++k) {
-      shift[k] = entry(in[6 + k]);
-      for (std::size_t j = 0; j < 3; ++j) bend[k][j] = entry(in[9 + 3 * k + j]);
-    }
-    return kernel::HWY_NAMESPACE::step_along(n, centre, shift, bend).one();
-  };
-  std::vector<Slice> terms_of_step;
-  for (std::size_t k = 0; k < 3; ++k)
-    for (std::size_t j = 0; j < 4; ++j) {
-      Slice slice(18, 0);
-      slice[k] = 1;
-      if (j == 3)
-        slice[6 + k] = 1;
-      else
-        slice[3 + j] = slice[9 + 3 * k + j] = 1;
-      terms_of_step.push_back(slice);
-    }
-  add("step_rounding", kernel::step_rounding,
-      largest(slice_errors<Relative_32>(step, terms_of_step)) * length * computed, u, 4.01, "gappa");
+  // Coordinates of a sweep are rounded to float. Along an axis of components n along the eight's, the terms are products
+  // of n_i and coordinate k of axis i, whose magnitudes' sum over i is at most the product of both lengths; and the
+  // sums with the centres' distance keep what it is off by.
+  std::vector<Slice> terms_of_sweep;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t j = 0; j < 4; ++j) {
+        Slice slice(detail::Sweep_place::end, 0);
+        slice[detail::Sweep_place::components + i] = slice[detail::Sweep_place::axes + 3 * i + k] = 1;
+        if (j == 3)
+          slice[detail::Sweep_place::shift + k] = 1;
+        else
+          slice[detail::Sweep_place::centre + j] = slice[detail::Sweep_place::bend + 3 * k + j] = 1;
+        terms_of_sweep.push_back(slice);
+      }
+  const Rational of_sweep =
+      largest(slice_errors<Relative_32>([](const auto& in) { return detail::way_of_sweep(in).one(); }, terms_of_sweep));
+  bounds.push_back({"sweep_rounding", "kernel/bound/obb8_sweep.h", Rational(kernel::sweep_rounding),
+                    of_sweep * length * norm * computed, u, 2.93, "gappa"});
+
+  // A time is a sum times the inverse of a speed, halved, and a sum again: half of the span's shares, at most 1.
+  bounds.push_back({"time_rounding", "kernel/bound/obb8_sweep.h", Rational(double(kernel::time_rounding)),
+                    times(1 + roundoff, 4) - 1, u, 2.02, "rationals"});
 
   // Points are sums of axes times extents; the root halves the roundings of squares, and has two more; the product with
   // a turn and the sum with a loss, two each.

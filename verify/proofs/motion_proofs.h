@@ -122,6 +122,12 @@ inline Proved_bounds motion_proofs()
   const Rounding_count difference_of_ranges = (kernel::dot(axis, row) + reach) + reach;
   add("few_roundings, of moving boxes", "kernel/motion/motion_span.h", kernel::few_roundings,
       1 / difference_of_ranges.least(roundoff) * bound - 1, 18.6);
+  // Or of points that are placed before.
+  const Rounding_count coordinate = kernel::dot(row, point) + entry_of_map,
+                       difference_of_points =
+                           kernel::dot(axis, std::array{coordinate, coordinate, coordinate}) + axis[0];
+  add("few_roundings, of moving points", "kernel/motion/motion_span.h", kernel::few_roundings,
+      1 / difference_of_points.least(roundoff) * bound - 1, 18.6);
   return bounds;
 }
 

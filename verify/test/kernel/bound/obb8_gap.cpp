@@ -11,8 +11,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
-#include <span>
 #include <vector>
 
 namespace tetracone::kernel {
@@ -23,11 +21,6 @@ using Least_after = Gap_and_rate(const Certified_gaps&, unsigned, const Carried_
 std::vector<Certify*> certifying()
 {
   return verify::versions_here<Certify>(TETRACONE_SIMD_VERSIONS(certified_gaps_simd));
-}
-using Still_apart = unsigned(const Obb8&, const Certified_gaps&, std::span<const Gap_step>, const Gap_losses&);
-std::vector<Still_apart*> still_apart()
-{
-  return verify::versions_here<Still_apart>(TETRACONE_SIMD_VERSIONS(lanes_still_apart_simd));
 }
 using Carry = void(const Carrier&, const Obb8&, int, Carried_box&);
 std::vector<Carry*> carrying() { return verify::versions_here<Carry>(TETRACONE_SIMD_VERSIONS(carried_now_simd)); }
@@ -390,72 +383,6 @@ BOOST_AUTO_TEST_CASE(of_several_lanes_that_which_is_used_up_first_tells_how_long
   BOOST_TEST(wrong == 0);
   BOOST_TEST(longest == several);
   BOOST_TEST(several > 300);
-}
-
-BOOST_AUTO_TEST_CASE(lanes_that_a_step_uses_up_are_not_still_apart)
-{
-  // Gaps that are just enough, or just not, for the worst of the steps, in rationals.
-  Random random(11);
-  int found = 0, asked = 0;
-  for (int round = 0; round < 400; ++round) {
-    Obb8 boxes{};
-    boxes.lane_count = lanes;
-    Certified_gaps gaps;
-    float reach = 0;
-    for (int k = 0; k < int(lanes); ++k) {
-      const Vector centre = vector(random), extent = 0.5 * (vector(random) + Vector(1, 1, 1)),
-                   axis = vector(random).normalized();
-      set(boxes, k, centre, Matrix::Identity(), extent);
-      reach = std::max(reach, float(centre.norm() + extent.sum()) * (1 + 0x1p-20f));
-      for (int i = 0; i < 3; ++i) gaps.axis[i][k] = float(axis[i] * (1 - 0x1p-20));
-    }
-    boxes.reach = reach;
-    const double size = std::exp2(real(random, -20, 2)), scale = std::exp2(real(random, -3, 3)),
-                 loss = size * real(random, 0, 1), turn = size * real(random, 0, 1);
-    std::vector<Gap_step> steps(std::size_t(integer(random, 1, 4)));
-    for (Gap_step& step : steps)
-      for (int i = 0; i < 3; ++i) {
-        step.shift[i] = float(size * real(random, -1, 1));
-        for (float& x : step.bend[i]) x = float(size * real(random, -1, 1));
-      }
-    // What the worst of the steps takes; the radius from above, from a root of doubles.
-    std::array<Rational, lanes> taken;
-    for (int k = 0; k < int(lanes); ++k) {
-      Rational square = 0;
-      std::optional<Rational> most;
-      for (int i = 0; i < 3; ++i) square += Rational(boxes.extent[i][k]) * Rational(boxes.extent[i][k]);
-      for (const Gap_step& step : steps) {
-        Rational along = 0;
-        for (int i = 0; i < 3; ++i) {
-          Rational way = step.shift[i];
-          for (int j = 0; j < 3; ++j) way -= Rational(step.bend[i][j]) * Rational(boxes.centre[j][k]);
-          along -= Rational(gaps.axis[i][k]) * way;
-        }
-        if (!most || along > *most) most = along;
-      }
-      taken[std::size_t(k)] =
-          *most + Rational(loss) + Rational(turn) * Rational(std::sqrt(square.get_d()) * (1 + 0x1p-50));
-    }
-    for (const double more : {-1e-3, -1e-7, 0.0, 1e-3}) {
-      for (int k = 0; k < int(lanes); ++k) gaps.gap[k] = float((taken[std::size_t(k)].get_d() + more * size) / scale);
-      for (const auto& version : still_apart()) {
-        const unsigned apart = version(boxes, gaps, steps, {scale, loss, turn});
-        for (int k = 0; k < int(lanes); ++k) {
-          const bool is_apart = apart >> k & 1;
-          const Rational rest = Rational(gaps.gap[k]) * Rational(scale) - taken[std::size_t(k)];
-          BOOST_TEST((!is_apart || (rest > 0 && gaps.gap[k] > 0)));
-          found += is_apart && more > 0;
-          asked += more > 0 && gaps.gap[k] > 0;
-        }
-      }
-    }
-    // What is no number tells nothing.
-    gaps.gap[0] = std::numeric_limits<float>::quiet_NaN();
-    steps[0].shift[1] = std::numeric_limits<float>::infinity();
-    for (const auto& version : still_apart()) BOOST_TEST(version(boxes, gaps, steps, {scale, loss, turn}) == 0u);
-  }
-  BOOST_TEST(found > 0.9 * asked);
-  BOOST_TEST(asked > 1000);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,178 @@
+#ifndef TETRACONE_KERNEL_BOUND_OBB8_SWEEP_SIMD_INL
+#define TETRACONE_KERNEL_BOUND_OBB8_SWEEP_SIMD_INL
+// Included by kernel/bound/obb8_sweep.h, once for each target.
+#ifndef TETRACONE_SIMD_FILE
+#undef TETRACONE_KERNEL_BOUND_OBB8_SWEEP_SIMD_INL  // that header includes this one, again and again
+#include "tetracone/kernel/bound/obb8_sweep.h"
+#else
+
+HWY_BEFORE_NAMESPACE();
+namespace tetracone::kernel::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// What the way along an axis may be off by is proved of this and `along_axis`, run over other numbers than vectors
+// (verify/proofs/).
+
+/// a . (shift - bend centre) of an axis a of the eight.
+template <class Floats>
+HWY_INLINE Floats sweep_along(const Floats (&a)[3], const Floats (&centre)[3], const Floats (&shift)[3],
+                              const Floats (&bend)[3][3])
+{
+  const auto way = [&](int k) HWY_ATTR {
+    return NegMulAdd(centre[2], bend[k][2],
+                     NegMulAdd(centre[1], bend[k][1], NegMulAdd(centre[0], bend[k][0], shift[k])));
+  };
+  const Floats moved[3] = {way(0), way(1), way(2)};
+  return along_axis(a, moved);
+}
+
+/// When boxes may meet, from -1 to 1 over the span: not before `from`, not after `until`.
+template <class Floats>
+struct Times_near {
+  Floats minus_from, until;
+
+  /// Of both axes together.
+  friend HWY_INLINE Times_near Max(const Times_near& a, const Times_near& b)
+  {
+    return {hn::Min(a.minus_from, b.minus_from), hn::Min(a.until, b.until)};
+  }
+};
+
+/// What moves along an axis.
+struct Swept {
+  using Floats = One_test::Floats;
+  Floats sweep[3];  ///< along the eight's axes
+  Floats lost;      ///< what a gap loses
+
+  HWY_INLINE Floats along(Floats n0, Floats n1, Floats n2) const
+  {
+    const Floats n[3] = {n0, n1, n2};
+    return along_axis(n, sweep);
+  }
+  static HWY_INLINE Floats time_of_one(Floats speed)
+  {
+    return hn::Div(hn::Set(One_test::tag, 1.f), Max(Abs(speed), hn::Set(One_test::tag, least_speed)));
+  }
+
+  /// Apart where the distance s + x v, of either sense, is beyond the reach r: of v > 0 up to -(r + s) / v, and from
+  /// (r - s) / v on.
+  HWY_INLINE Times_near<Floats> operator()(Floats gap, Floats distance, Floats n0, Floats n1, Floats n2) const
+  {
+    const Floats speed = along(n0, n1, n2), ahead = hn::Xor(distance, hn::And(speed, hn::SignBit(One_test::tag))),
+                 reach = Add(Sub(Abs(distance), gap), lost), time = time_of_one(speed);
+    return {Mul(Add(reach, ahead), time), Mul(Sub(reach, ahead), time)};
+  }
+};
+
+/// The same along an axis that parts boxes on one side of it alone.
+struct Swept_beyond {
+  using Floats = One_test::Floats;
+  const Swept& swept;
+
+  HWY_INLINE Times_near<Floats> operator()(Floats gap, Floats, Floats n0, Floats n1, Floats n2) const
+  {
+    const Floats speed = swept.along(n0, n1, n2), far = hn::Inf(One_test::tag);
+    const Floats time = Mul(Sub(swept.lost, gap), Swept::time_of_one(speed));
+    const auto comes = hn::Lt(speed, hn::Zero(One_test::tag));
+    return {hn::IfThenElse(comes, time, far), hn::IfThenElse(comes, far, time)};
+  }
+};
+
+/// Of the test's lanes; writes the times. `single`: how far the single box's centre goes against the eight's origin, half
+/// way; `loss` and `turn`: what gaps lose, and times a lane's radius.
+HWY_INLINE unsigned near_in_sweep(const One_test& test, const float* single, const Point_way& half_way, float slack,
+                                  float loss, float turn, Near_times& times)
+{
+  using Floats = One_test::Floats;
+  const auto all = [&](float x) HWY_ATTR { return test.all(x); };
+  const Floats e0 = test.load(test.boxes.extent[0]), e1 = test.load(test.boxes.extent[1]),
+               e2 = test.load(test.boxes.extent[2]), radius = hn::Sqrt(MulAdd(e2, e2, MulAdd(e1, e1, Mul(e0, e0))));
+  Floats centre[3], shift[3], bend[3][3];
+  for (int k = 0; k < 3; ++k) {
+    centre[k] = test.load(test.boxes.centre[k]);
+    shift[k] = all(single[k]);
+    for (int j = 0; j < 3; ++j) bend[k][j] = all(float(half_way.eight[j][k]));
+  }
+  Swept swept;
+  swept.lost = MulAdd(radius, all(turn), all(slacks_of_sweep * slack + loss));
+  for (int i = 0; i < 3; ++i) {
+    const Floats axis[3] = {test.load(test.boxes.axis[i][0]), test.load(test.boxes.axis[i][1]),
+                            test.load(test.boxes.axis[i][2])};
+    swept.sweep[i] = sweep_along(axis, centre, shift, bend);
+  }
+  const auto largest = largest_gap<true>(test, swept);
+  Times_near<Floats> near = largest.kept;
+  if (test.holds_triangle()) {
+    const auto sides = beyond_triangle(test, largest.edges, e0, e1, e2);
+    const float slack_of_sides = side_slack(test.box, slack);
+    const auto side = [&](Floats beyond, float length, const Floats(&n)[3])
+                          HWY_ATTR { return gap_beyond(Swept_beyond{swept}, test, beyond, length, n, slack_of_sides); };
+    near = Max(near, Max(side(sides.left, sides.left_length, sides.left_normal),
+                         side(sides.right, sides.right_length, sides.right_normal)));
+  }
+  const Floats half = all(0.5f), later = all(0.5f + time_rounding),
+               from = NegMulAdd(half, near.minus_from, all(0.5f - time_rounding)),
+               until = MulAdd(half, near.until, later);
+  hn::Store(from, One_test::tag, times.from + test.first);
+  hn::Store(until, One_test::tag, times.until + test.first);
+  std::uint8_t bits[8];
+  hn::StoreMaskBits(One_test::tag, Not(Or(Gt(from, until), Or(Gt(from, all(1)), Gt(hn::Zero(One_test::tag), until)))),
+                    bits);
+  return unsigned(bits[0]) << test.first;
+}
+
+/// From the origin of the eight to the centre of box `lane` of `from`.
+HWY_INLINE void way_between(const Point_way& way, const Obb8& from, int lane, const Obb8& boxes, float* found)
+{
+  constexpr hn::CappedTag<double, 4> doubles;
+  constexpr hn::Rebind<float, decltype(doubles)> narrow;
+  for (std::size_t k = 0; k < 4; k += hn::Lanes(doubles)) {
+    auto sum = hn::Load(doubles, way.offset + k);
+    for (int j = 0; j < 3; ++j) {
+      const double centre = double(from.origin[j]) + double(from.centre[j][lane]);
+      sum = MulAdd(hn::Load(doubles, way.single[j] + k), hn::Set(doubles, centre), sum);
+      sum = NegMulAdd(hn::Load(doubles, way.eight[j] + k), hn::Set(doubles, double(boxes.origin[j])), sum);
+    }
+    hn::StoreU(hn::DemoteTo(narrow, sum), narrow, found + k);
+  }
+}
+
+inline HWY_ATTR unsigned near_in_sweep_simd(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane,
+                                            float apex, const Box_sweep& sweep, Near_times& times)
+{
+  const float size = (from.extent[0][lane] + from.extent[1][lane] + from.extent[2][lane]) * map.stretch() * rounded_up;
+  Single_box box = carried(boxes, map, from, lane, size);
+  box.apex = apex;
+  // Where it is in the middle of the span, of points at the origin of the eight: others differ by their reach.
+  float moved[4], swept[4];
+  way_between(sweep.middle, from, lane, boxes, moved);
+  way_between(sweep.half, from, lane, boxes, swept);
+  for (int i = 0; i < 3; ++i) box.centre[i] += moved[i];
+  const double lost = sweep.rest + sweep_rounding * (sweep.middle.size + sweep.half.size) +
+                      sweep.middle.norm_of_eight * double(boxes.reach) +
+                      (sweep.middle.norm_of_single + sweep.half.norm_of_single) * double(radius_of(from, lane));
+  const float slack = gap_slack(box, boxes.reach, size), loss = float(lost) * (1 + radius_rounding) + box_underflow,
+              turn = float(sweep.half.norm_of_eight) * (1 + radius_rounding);
+  unsigned near = 0;
+  const bool is_bounded = map.is_similarity() && slack + loss + turn <= most_gap_slack;
+  for (std::size_t first = 0; first < lanes; first += hn::Lanes(Float_tag())) {
+    if (is_bounded) {
+      near |= near_in_sweep(One_test{boxes, box, first}, swept, sweep.half, slack, loss, turn, times);
+    } else {
+      hn::Store(hn::Zero(Float_tag()), Float_tag(), times.from + first);
+      hn::Store(hn::Set(Float_tag(), 1.f), Float_tag(), times.until + first);
+      near = (1u << lanes) - 1;
+    }
+  }
+  return near;
+}
+
+}  // namespace tetracone::kernel::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
+
+// Included again for the next target.
+#undef TETRACONE_KERNEL_BOUND_OBB8_SWEEP_SIMD_INL
+#endif

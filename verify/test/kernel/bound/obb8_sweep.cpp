@@ -1,0 +1,275 @@
+#include "tetracone/kernel/bound/obb8_sweep.h"
+
+#include "tetracone/kernel/bound/oriented_box.h"
+#include "verify/test/support/rationals.h"
+#include "verify/test/support/scenes.h"
+#include "verify/test/support/simd_versions.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace tetracone::kernel {
+
+using Near_in_sweep = unsigned(const Obb8&, const Box_map&, const Obb8&, int, float, const Box_sweep&, Near_times&);
+
+std::vector<Near_in_sweep*> near_versions()
+{
+  return verify::versions_here<Near_in_sweep>(TETRACONE_SIMD_VERSIONS(near_in_sweep_simd));
+}
+
+}  // namespace tetracone::kernel
+
+BOOST_AUTO_TEST_SUITE(test_obb8_sweep)
+
+using namespace tetracone::kernel;
+namespace rationals = tetracone::verify::rationals;
+namespace scenes = tetracone::verify::scenes;
+using scenes::integer;
+using scenes::Random;
+using scenes::real;
+
+namespace {
+
+Vector vector(Random& random, double size = 1)
+{
+  return size * Vector(real(random, -1, 1), real(random, -1, 1), real(random, -1, 1));
+}
+
+void set(Obb8& boxes, int lane, const Vector& centre, const Matrix& axes, const Vector& extent)
+{
+  for (int i = 0; i < 3; ++i) {
+    boxes.centre[i][lane] = float(centre[i]);
+    boxes.extent[i][lane] = float(extent[i]);
+    for (int k = 0; k < 3; ++k) boxes.axis[i][k][lane] = float(axes(k, i));
+  }
+}
+
+/// A point of a box, exactly, by its shares of the extents.
+rationals::Vector point(const Obb8& boxes, int lane, const std::array<double, 3>& share)
+{
+  rationals::Vector p;
+  for (int k = 0; k < 3; ++k) {
+    p[k] = Rational(boxes.origin[k]) + Rational(boxes.centre[k][lane]);
+    for (int i = 0; i < 3; ++i)
+      p[k] += Rational(share[i]) * Rational(boxes.extent[i][lane]) * Rational(boxes.axis[i][k][lane]);
+  }
+  return p;
+}
+
+struct Placing {
+  Pose a, b;
+  Local_scale in_a, in_b;
+
+  Box_map map() const { return {a, in_a, b, in_b}; }
+
+  rationals::Vector image(const rationals::Vector& p) const
+  {
+    rationals::Vector v, column[3];
+    for (int k = 0; k < 3; ++k) v[k] = Rational(in_b.origin[k]) + Rational(in_b.unit) * p[k];
+    rationals::Vector right = rationals::image(b, v);
+    for (int i = 0; i < 3; ++i) {
+      right[i] -= a.exact(4 * i + 3);
+      for (int j = 0; j < 3; ++j) column[j][i] = a.exact(4 * i + j);
+    }
+    const Rational whole = rationals::determinant(column[0], column[1], column[2]);
+    const Rational x[3] = {rationals::determinant(right, column[1], column[2]),
+                           rationals::determinant(column[0], right, column[2]),
+                           rationals::determinant(column[0], column[1], right)};
+    for (int k = 0; k < 3; ++k) v[k] = (x[k] / whole - Rational(in_a.origin[k])) / Rational(in_a.unit);
+    return v;
+  }
+};
+
+Point_way::Rows rows(Random& random, double size)
+{
+  Point_way::Rows rows;
+  for (auto& row : rows)
+    for (double& x : row) x = size * real(random, -1, 1);
+  return rows;
+}
+
+/// offset + single q - eight p, exactly.
+rationals::Vector way(const Point_way& way, const rationals::Vector& p, const rationals::Vector& q)
+{
+  rationals::Vector sum;
+  for (int i = 0; i < 3; ++i) {
+    sum[i] = Rational(way.offset[i]);
+    for (int j = 0; j < 3; ++j) sum[i] += Rational(way.single[j][i]) * q[j] - Rational(way.eight[j][i]) * p[j];
+  }
+  return sum;
+}
+
+/// Boxes, and one that a lane's point p and its point q meet in, or do not meet by far, at a time from -1 to 1.
+struct Scene {
+  Placing placing;
+  Obb8 boxes{}, from{};
+  Box_sweep sweep;
+  int lane, other;
+  float apex = no_apex;
+  double time;
+};
+
+/// `away`: of the single box from where it meets, in sizes of boxes.
+Scene scene(Random& random, int kind, double away)
+{
+  Scene s;
+  s.placing = {scenes::rounded(scenes::random_rotation(random)),
+               scenes::random_rotation(random),
+               {scenes::real_vertex(random, 2), std::ldexp(1.0, integer(random, -3, 3))},
+               {scenes::real_vertex(random, 2), std::ldexp(1.0, integer(random, -3, 3))}};
+  s.lane = integer(random, 0, 7);
+  s.other = integer(random, 0, 7);
+  const double small = kind % 7 < 2 ? 1e-3 : 0.1;
+  Vector extent = small * Vector(real(random, 0, 1), real(random, 0, 1), real(random, 0, 1));
+  if (kind % 2 == 0) {
+    extent[0] = 0;
+    s.apex = float(real(random, -1, 1));
+  }
+  for (int i = 0; i < 3; ++i) s.from.origin[i] = float(real(random, -0.25, 0.25));
+  set(s.from, s.other, vector(random, 0.4), detail::axes_from(vector(random), vector(random)), extent);
+  const double near = small * s.placing.in_b.unit / s.placing.in_a.unit;
+  for (int i = 0; i < 3; ++i) s.boxes.origin[i] = float(real(random, -0.25, 0.25));
+  for (int k = 0; k < int(lanes); ++k) {
+    const Vector e = near * Vector(real(random, 0, 1), real(random, 0, 1), real(random, 0, 1));
+    const Vector centre = vector(random, 2 * near);
+    set(s.boxes, k, centre, detail::axes_from(vector(random), vector(random)), e);
+    s.boxes.reach = maximum(s.boxes.reach, float(e.sum() + centre.norm()) * 1.00001f);
+  }
+  s.boxes.lane_count = lanes;
+
+  // The single box's corner that comes first, and the lane's, or any points of both.
+  const double inside = 1 - 0x1p-20, length = std::exp2(real(random, -6, 4)) * near,
+               turn = kind % 3 == 0 ? 0 : std::exp2(real(random, -9, -1));
+  s.time = kind % 5 == 0 ? integer(random, -1, 1) : real(random, -1, 1);
+  const Vector n = vector(random).normalized();
+  const auto share = [&](const Obb8& boxes, int lane, double sense, const Box_map* map) {
+    std::array<double, 3> share;
+    for (int i = 0; i < 3; ++i) {
+      std::array<double, 3> axis = {boxes.axis[i][0][lane], boxes.axis[i][1][lane], boxes.axis[i][2][lane]};
+      if (map) axis = map->frame().direction(axis);
+      share[i] = sense * (n[0] * axis[0] + n[1] * axis[1] + n[2] * axis[2]) > 0 ? inside : -inside;
+    }
+    return share;
+  };
+  const Box_map map = s.placing.map();
+  std::array<double, 3> of_single = share(s.from, s.other, -1, &map);
+  if (s.apex != no_apex) {
+    const double along = real(random, 0, 1);
+    const std::array<std::array<double, 3>, 3> corners = {{{0, -1, -1}, {0, 1, -1}, {0, s.apex, 1}}};
+    of_single = {0, 0, 0};
+    const int first = integer(random, 0, 2);
+    for (int i = 1; i < 3; ++i)
+      of_single[i] = 0.999 * (along * corners[first][i] + (1 - along) * corners[(first + 1) % 3][i]);
+    of_single[2] -= 0.0005;
+  }
+  const rationals::Vector p = point(s.boxes, s.lane, share(s.boxes, s.lane, 1, nullptr)),
+                          q = point(s.from, s.other, of_single);
+
+  // Half the way, any; what is left for the middle makes them meet, with a rest in any direction.
+  const double of_rest = kind % 4 == 0 ? 0.1 * near : 0;
+  const Vector course = length * vector(random), rest = of_rest * 0.999 * vector(random).normalized();
+  s.sweep.half = {{course[0], course[1], course[2]}, rows(random, turn * near), rows(random, turn * near)};
+  const Point_way::Rows of_q = rows(random, turn * near), of_p = rows(random, turn * near);
+  s.sweep.rest = of_rest;
+  const rationals::Vector image = s.placing.image(q), swept = way(s.sweep.half, p, q),
+                          bent = way(Point_way({0, 0, 0}, of_q, of_p), p, q);
+  std::array<double, 3> offset;
+  for (int i = 0; i < 3; ++i)
+    offset[i] = nearest_double(Rational(p[i] - image[i] - bent[i] - Rational(s.time) * swept[i])) + rest[i] +
+                away * near * n[i];
+  s.sweep.middle = {offset, of_q, of_p};
+  return s;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(boxes_that_touch_at_a_time_are_near_at_it)
+{
+  Random random(1);
+  int found = 0, asked = 0, narrow = 0;
+  for (int k = 0; k < 6000; ++k)
+    for (const double away : {0.0, 4.0}) {
+      const Scene s = scene(random, k, away);
+      const Box_map map = s.placing.map();
+      BOOST_TEST_REQUIRE(map.is_similarity());
+      for (const auto version : near_versions()) {
+        Near_times times;
+        const unsigned near = version(s.boxes, map, s.from, s.other, s.apex, s.sweep, times);
+        const bool is_near = near >> s.lane & 1;
+        const double time = 0.5 * (s.time + 1);
+        if (away == 0) {
+          BOOST_TEST(is_near, "round " << k);
+          BOOST_TEST(double(times.from[s.lane]) <= time, "round " << k);
+          BOOST_TEST(double(times.until[s.lane]) >= time, "round " << k);
+          narrow += times.until[s.lane] - times.from[s.lane] < 0.75f;
+        } else {
+          ++asked;
+          found += !is_near;
+        }
+      }
+    }
+  BOOST_TEST_MESSAGE("apart " << found << " of " << asked << ", narrow " << narrow);
+  BOOST_TEST(found > 0.3 * asked);
+  BOOST_TEST(narrow > 0.2 * asked);
+}
+
+BOOST_AUTO_TEST_CASE(times_are_those_of_boxes_that_pass_by)
+{
+  // Unit boxes; the single one comes along an axis from 8 away, and goes as far: they meet from 3/8 to 5/8 of the time.
+  Obb8 boxes{}, from{};
+  for (int k = 0; k < int(lanes); ++k) set(boxes, k, Vector(0, k < 4 ? 0 : 3, 0), Matrix::Identity(), Vector(1, 1, 1));
+  set(from, 0, Vector(0, 0, 0), Matrix::Identity(), Vector(1, 1, 1));
+  boxes.reach = 6;
+  boxes.lane_count = lanes;
+  const Local_scale units;
+  const Box_map map(Pose(), units, Pose(), units);
+  Box_sweep sweep;
+  sweep.half = {{8, 0, 0}, {}, {}};
+  for (const auto version : near_versions()) {
+    Near_times times;
+    BOOST_TEST(version(boxes, map, from, 0, no_apex, sweep, times) == 0x0fu);
+    for (int k = 0; k < 4; ++k) {
+      BOOST_TEST(std::abs(times.from[k] - 0.375f) < 1e-4f);
+      BOOST_TEST(std::abs(times.until[k] - 0.625f) < 1e-4f);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_is_infinite_undefined_or_no_similarity_is_near_all_the_time)
+{
+  Random random(2);
+  const Scene s = scene(random, 3, 400);
+  auto sheared = s.placing.b.entries();
+  sheared[1] += 0.5;
+  Placing no_similarity = s.placing;
+  no_similarity.b = Pose(sheared);
+  const double bad[] = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()};
+  for (const auto version : near_versions()) {
+    const auto is_near = [&](const Box_map& map, const Box_sweep& sweep) {
+      Near_times times;
+      const unsigned near = version(s.boxes, map, s.from, s.other, s.apex, sweep, times);
+      bool all = near == 255u;
+      for (int k = 0; k < int(lanes); ++k) all = all && times.from[k] <= 0 && times.until[k] >= 1;
+      return all;
+    };
+    BOOST_TEST(!is_near(s.placing.map(), s.sweep));
+    for (const Box_map& map : {no_similarity.map(), Box_map()}) BOOST_TEST(is_near(map, s.sweep));
+    for (const double x : bad) {
+      Box_sweep sweep = s.sweep;
+      sweep.rest = x;
+      BOOST_TEST(is_near(s.placing.map(), sweep));
+      sweep = s.sweep;
+      sweep.half = {{0, x, 0}, {}, {}};
+      BOOST_TEST(is_near(s.placing.map(), sweep));
+      sweep = s.sweep;
+      sweep.middle = {{0, 0, 0}, {{{x, 0, 0}, {0, 0, 0}, {0, 0, 0}}}, {}};
+      BOOST_TEST(is_near(s.placing.map(), sweep));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
