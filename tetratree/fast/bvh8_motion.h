@@ -86,7 +86,9 @@ class Bvh8_motion {
   };
   static constexpr int most_directions = 8;
   static constexpr unsigned most_halvings = 50;
-  static constexpr double share_of_size = 0.4;  // so much of a box may be lost by its turning
+  /// So much of a pair may be lost by its turning; of triangles whose motions are of a degree above 1, where contacts
+  /// are dear to decide.
+  static constexpr double share_of_size = 0.1, share_of_curved = 0.01;
 
   kernel::Motion_units units(int body) const { return {tree_[body]->scale().origin, tree_[body]->scale().unit}; }
 
@@ -159,8 +161,9 @@ class Bvh8_motion {
     const double lost = (pair.extent(0) * span.turn(0) + pair.extent(1) * span.turn(1)) +
                         (reference.is_certifiable() ? reference.rest() : 0),
                  larger = kernel::maximum(pair.extent(0) * span.scale(0), pair.extent(1) * span.scale(1));
+    const bool is_curved = span.size() > 2 && pair.is_leaf(0) && pair.is_leaf(1);
     // What is less than doubles tell apart is not worth another halving.
-    return !(lost <= kernel::maximum(share_of_size * larger, 8 * span.resolution()));
+    return !(lost <= kernel::maximum((is_curved ? share_of_curved : share_of_size) * larger, 8 * span.resolution()));
   }
 
   /// The body whose box is to be opened: the larger one. Requires one that is no leaf.
