@@ -86,9 +86,7 @@ class Bvh8_motion {
   };
   static constexpr int most_directions = 8;
   static constexpr unsigned most_halvings = 50;
-  /// So much of a pair may be lost by its turning; of triangles whose motions are of a degree above 1, where contacts
-  /// are dear to decide.
-  static constexpr double share_of_size = 0.1, share_of_curved = 0.01;
+  static constexpr double share_of_size = 0.03;  // so much of a pair may be lost by its turning
 
   kernel::Motion_units units(int body) const { return {tree_[body]->scale().origin, tree_[body]->scale().unit}; }
 
@@ -135,7 +133,8 @@ class Bvh8_motion {
       features_.decide_until(double(queue_.lowest()));
       const Pair pair = queue_.pop();
       if (double(pair.low) > features_.latest()) continue;
-      if (is_long(span, reference, pair))
+      // Where there will be halves, the second may be needless.
+      if (is_long(span, reference, pair) || (!later.empty() && pair.low >= 0.5f))
         later.push_back(pair);
       else if (pair.is_leaf(0) && pair.is_leaf(1))
         meet_leaves(pair);
@@ -161,9 +160,8 @@ class Bvh8_motion {
     const double lost = (pair.extent(0) * span.turn(0) + pair.extent(1) * span.turn(1)) +
                         (reference.is_certifiable() ? reference.rest() : 0),
                  larger = kernel::maximum(pair.extent(0) * span.scale(0), pair.extent(1) * span.scale(1));
-    const bool is_curved = span.size() > 2 && pair.is_leaf(0) && pair.is_leaf(1);
     // What is less than doubles tell apart is not worth another halving.
-    return !(lost <= kernel::maximum((is_curved ? share_of_curved : share_of_size) * larger, 8 * span.resolution()));
+    return !(lost <= kernel::maximum(share_of_size * larger, 8 * span.resolution()));
   }
 
   /// The body whose box is to be opened: the larger one. Requires one that is no leaf.
