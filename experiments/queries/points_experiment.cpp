@@ -44,9 +44,9 @@ double processor_time() { return double(std::clock()) / CLOCKS_PER_SEC; }
 struct Contestant {
   std::string name;
   std::function<void()> set_up;
-  std::function<std::vector<long>()> ask;
-  std::function<double()> bytes;  ///< none: what the heap has grown by
-  bool is_slow = false;           ///< one pass is enough
+  std::function<void(std::vector<long>&)> ask;  ///< gives as many as there are places
+  std::function<double()> bytes;                ///< none: what the heap has grown by
+  bool is_slow = false;                         ///< one pass is enough
 };
 
 double heap()
@@ -116,6 +116,8 @@ void race(const Task& task, const std::vector<Contestant>& contestants, Csv_tabl
     std::vector<long> answers;
   };
   std::vector<Clocked> clocked(contestants.size());
+  // No clock runs while memory is made for them.
+  for (Clocked& each : clocked) each.answers.resize(task.truth.size());
   const auto for_passes = [&](const auto& what) {
     for (int pass = 0; pass < passes; ++pass)
       for (std::size_t c = 0; c < contestants.size(); ++c)
@@ -132,7 +134,7 @@ void race(const Task& task, const std::vector<Contestant>& contestants, Csv_tabl
   for_passes([&](int pass, std::size_t c) {
     const auto signs = kernel::Adaptive::decided_by().total();
     const double start = processor_time();
-    clocked[c].answers = contestants[c].ask();
+    contestants[c].ask(clocked[c].answers);
     const double ns = 1e9 * (processor_time() - start) / count;
     clocked[c].signs = double(kernel::Adaptive::decided_by().total() - signs) / count;
     if (pass == 0 || ns < clocked[c].best) clocked[c].best = ns;
@@ -178,11 +180,8 @@ Contestant tetra_tree(const std::string& name, const covering::Polyhedron& mesh,
 {
   const auto made = std::make_shared<std::optional<Located<K>>>();
   return {name, [made, &mesh] { made->emplace(mesh); },
-          [made, &points, make] {
-            std::vector<long> answers;
-            answers.reserve(points.size());
-            for (const Point& p : points) answers.push_back(long((*made)->placed.locate(make(p))));
-            return answers;
+          [made, &points, make](std::vector<long>& answers) {
+            for (std::size_t k = 0; k < points.size(); ++k) answers[k] = long((*made)->placed.locate(make(points[k])));
           },
           nullptr, true};
 }
@@ -206,11 +205,8 @@ std::vector<Contestant> for_points(const covering::Polyhedron& mesh, const std::
          body->emplace(read_body(file));
          (*body)->inside_bytes();
        },
-       [body, &points] {
-         std::vector<long> answers;
-         answers.reserve(points.size());
-         for (const Location at : (*body)->inside(points)) answers.push_back(long(at));
-         return answers;
+       [body, &points](std::vector<long>& answers) {
+         std::ranges::transform((*body)->inside(points), answers.begin(), [](Location at) { return long(at); });
        },
        [body] { return double((*body)->inside_bytes()); }},
       {"boxes",
@@ -219,14 +215,12 @@ std::vector<Contestant> for_points(const covering::Polyhedron& mesh, const std::
          read.make_all();
          boxes->emplace(read, Body(dot), Question::solid);
        },
-       [boxes, &points] {
-         std::vector<long> answers;
-         answers.reserve(points.size());
-         for (const Point& p : points) {
-           const Relation at = (*boxes)->collide(Pose(), Pose::translation(p[0], p[1], p[2])).relation();
-           answers.push_back(at == Relation::apart ? -1 : at == Relation::surfaces ? 0 : 1);
+       [boxes, &points](std::vector<long>& answers) {
+         for (std::size_t k = 0; k < points.size(); ++k) {
+           const auto& [x, y, z] = points[k];
+           const Relation at = (*boxes)->collide(Pose(), Pose::translation(x, y, z)).relation();
+           answers[k] = at == Relation::apart ? -1 : at == Relation::surfaces ? 0 : 1;
          }
-         return answers;
        },
        [boxes] { return double((*boxes)->bytes()); }},
       tetra_tree<kernel::Adaptive>("tetra-tree", mesh, points, kernel::Adaptive::unmoved),
@@ -238,14 +232,12 @@ std::vector<Contestant> for_points(const covering::Polyhedron& mesh, const std::
          cgal->side.emplace(cgal->mesh);
          (*cgal->side)(Epick::Point_3(0, 0, 0));
        },
-       [cgal, &points] {
-         std::vector<long> answers;
-         answers.reserve(points.size());
-         for (const Point& p : points) {
-           const CGAL::Bounded_side at = (*cgal->side)(Epick::Point_3(p[0], p[1], p[2]));
-           answers.push_back(at == CGAL::ON_BOUNDED_SIDE ? 1 : at == CGAL::ON_BOUNDARY ? 0 : -1);
+       [cgal, &points](std::vector<long>& answers) {
+         for (std::size_t k = 0; k < points.size(); ++k) {
+           const auto& [x, y, z] = points[k];
+           const CGAL::Bounded_side at = (*cgal->side)(Epick::Point_3(x, y, z));
+           answers[k] = at == CGAL::ON_BOUNDED_SIDE ? 1 : at == CGAL::ON_BOUNDARY ? 0 : -1;
          }
-         return answers;
        },
        nullptr}};
   return contestants;
@@ -264,11 +256,9 @@ std::vector<Contestant> for_rays(const std::string& file, const std::vector<Ray>
              body->emplace(read_body(file));
              (*body)->make_all();
            },
-           [body, &rays] {
-             std::vector<long> faces;
-             faces.reserve(rays.size());
-             for (const auto& hit : (*body)->first_hits(rays)) faces.push_back(hit ? long(hit->face) : no_face);
-             return faces;
+           [body, &rays](std::vector<long>& faces) {
+             std::ranges::transform((*body)->first_hits(rays), faces.begin(),
+                                    [](const auto& hit) { return hit ? long(hit->face) : no_face; });
            },
            [body] { return double(Query(**body, **body, Question::surface).bytes()) / 2; }},
           {"CGAL",
@@ -278,15 +268,13 @@ std::vector<Contestant> for_rays(const std::string& file, const std::vector<Ray>
              cgal->tree.rebuild(faces(cgal->mesh).first, faces(cgal->mesh).second, cgal->mesh);
              cgal->tree.build();
            },
-           [cgal, &rays] {
-             std::vector<long> faces;
-             faces.reserve(rays.size());
-             for (const auto& [o, d] : rays) {
+           [cgal, &rays](std::vector<long>& faces) {
+             for (std::size_t k = 0; k < rays.size(); ++k) {
+               const auto& [o, d] = rays[k];
                const auto hit = cgal->tree.first_intersection(
                    Epick::Ray_3(Epick::Point_3(o[0], o[1], o[2]), Epick::Vector_3(d[0], d[1], d[2])));
-               faces.push_back(hit ? long(std::size_t(hit->second)) : no_face);
+               faces[k] = hit ? long(std::size_t(hit->second)) : no_face;
              }
-             return faces;
            },
            nullptr}};
 }
