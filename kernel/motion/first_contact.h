@@ -7,8 +7,8 @@
 #include "tetracone/kernel/motion/odd_double.h"
 #include "tetracone/kernel/motion/time_bounds.h"
 #include "tetracone/kernel/motion/time_root.h"
+#include "tetracone/kernel/number/floating_point.h"
 
-#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <optional>
@@ -32,7 +32,7 @@ inline Time_bounds bounds_about(const Time_root& time)
   const CGAL::Sign first = side(lo);
   for (std::int64_t step = 1; first != CGAL::ZERO; step *= 4) {
     std::int64_t& end = first == CGAL::POSITIVE ? hi : lo;
-    end = first == CGAL::POSITIVE ? std::min(most, end + step) : std::max(least, end - step);
+    end = first == CGAL::POSITIVE ? minimum(most, end + step) : maximum(least, end - step);
     const CGAL::Sign there = side(end);
     if (there == CGAL::ZERO) lo = hi = end;
     if (there != first) break;

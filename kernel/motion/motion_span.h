@@ -55,7 +55,7 @@ struct Moving_box {
 struct Time_window {
   double from = 0, until = 1;
 
-  bool is_empty() const { return !(from <= until); }
+  bool is_empty() const { return from > until; }
 
   friend Time_window common(const Time_window& x, const Time_window& y)
   {
@@ -304,13 +304,15 @@ class Motion_span {
 
     void lower(double share, double gap) { above = maximum(above, first + (last - first) * share - gap); }
 
-    /// When it is not positive.
+    /// When it is not positive; all the time where that is not known.
     Time_window at_most_0() const
     {
       const double from = first - above, to = last - above;
       if (from > 0 && to > 0) return {1, 0};
-      if (from > 0) return {from / (from - to) - rounding_of_times, 1};
-      if (to > 0) return {0, from / (from - to) + rounding_of_times};
+      const double share = from / (from - to);
+      if (!(share >= 0 && share <= 1)) return {};
+      if (from > 0) return {share - rounding_of_times, 1};
+      if (to > 0) return {0, share + rounding_of_times};
       return {};
     }
   };

@@ -2,8 +2,8 @@
 #define TETRACONE_KERNEL_MOTION_TIME_ROOT_H
 
 #include "tetracone/kernel/motion/integer_form.h"
+#include "tetracone/kernel/number/floating_point.h"
 
-#include <algorithm>
 #include <climits>
 #include <cmath>
 #include <cstddef>
@@ -114,10 +114,10 @@ class Time_root {
     long largest = LONG_MIN;
     for (std::size_t k = 0; k < form.size(); ++k) {
       coefficients[k] = mpz_get_d_2exp(&exponents[k], form[k].get_mpz_t());
-      if (coefficients[k] != 0) largest = std::max(largest, exponents[k]);
+      if (coefficients[k] != 0) largest = maximum(largest, exponents[k]);
     }
     for (std::size_t k = 0; k < form.size(); ++k)
-      coefficients[k] = std::ldexp(coefficients[k], int(std::max(exponents[k] - largest, -2000L)));
+      coefficients[k] = std::ldexp(coefficients[k], int(maximum(exponents[k] - largest, -2000L)));
     return coefficients;
   }
 

@@ -185,8 +185,8 @@ class Bvh8_motion {
     for (unsigned left = near & ((1u << boxes.lane_count) - 1); left != 0; left &= left - 1) {
       const auto lane = std::size_t(std::countr_zero(left));
       Pair part = pair;
-      part.low = kernel::maximum(pair.low, times.from[lane]);
-      part.until = kernel::minimum(pair.until, times.until[lane]);
+      if (times.from[lane] > pair.low) part.low = times.from[lane];
+      if (times.until[lane] < pair.until) part.until = times.until[lane];
       if (part.low > part.until) continue;
       part.box[std::size_t(body)] = 8 * opened + Box(lane);
       part.size[std::size_t(body)] = size_of(node, int(lane));

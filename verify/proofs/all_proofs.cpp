@@ -58,6 +58,8 @@ std::string why_not_searched(const std::string& name)
       {"Relative_frame::second_order", "of second order: what it adds to 1 is below the first order's own rounding"},
       {"few_roundings", counted},
       {"few_roundings, of moving boxes", counted},
+      {"few_roundings, of moving points", counted},
+      {"time_rounding", counted},
       {"rounded_up", counted},
       {"radius_rounding", counted},
       {"distance_shrink", counted},

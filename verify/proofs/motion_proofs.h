@@ -127,7 +127,7 @@ inline Proved_bounds motion_proofs()
                        difference_of_points =
                            kernel::dot(axis, std::array{coordinate, coordinate, coordinate}) + axis[0];
   add("few_roundings, of moving points", "kernel/motion/motion_span.h", kernel::few_roundings,
-      1 / difference_of_points.least(roundoff) * bound - 1, 18.6);
+      1 / difference_of_points.least(roundoff) * bound - 1, 18.75);
   return bounds;
 }
 

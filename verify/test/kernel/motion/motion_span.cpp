@@ -188,6 +188,14 @@ BOOST_AUTO_TEST_CASE(an_axis_that_is_no_number_or_none_parts_nothing)
   BOOST_TEST(!apart({0, 0, 0}));
   BOOST_TEST(!apart({std::numeric_limits<double>::quiet_NaN(), 0, 0}));
   BOOST_TEST(!apart({1, std::numeric_limits<double>::infinity(), 0}));
+  // Nor do points that are too far at one end to be told, and on the other side at the other.
+  auto far = span.placed(1, point);
+  far[0][0] = {1e300, 0, 0};
+  far[1][0] = {-9, 0, 0};
+  for (const double sense : {0x1p90, -0x1p90}) {
+    const Time_window near = span.near_along({sense, 0, 0}, span.placed(0, point), far);
+    BOOST_TEST((near.from <= 0 && near.until >= 1));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(halves_are_where_the_bodies_are)
