@@ -65,7 +65,8 @@ Json path_data(const Tree& tree)
 
 void run_method_figures(const std::filesystem::path& out, const std::filesystem::path& model)
 {
-  Model_file body = model.empty() ? whole_model("generated", verify::blob(760, 1)) : load_model(model.native(), {}, true);
+  Model_file body =
+      model.empty() ? whole_model("generated", verify::blob(760, 1)) : load_model(model.native(), {}, true);
   make_folder(out);
   const Tree tree(body.polyhedron(), tetratree::Config());
 
