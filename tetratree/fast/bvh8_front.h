@@ -197,9 +197,9 @@ class Bvh8_front {
   Certifying certifying(const Both_trees& trees)
   {
     const kernel::Placement of_a(*trees.into[0]);
-    return {&entries_,
-            {{*trees.into[0], of_a, course_.reversed(of_a)}, {*trees.into[1], at_, course_}},
-            {1, at_.scale * (1 - 0x1p-20)}};
+    return {{{*trees.into[0], of_a, course_.reversed(of_a)}, {*trees.into[1], at_, course_}},
+            {1, at_.scale * (1 - 0x1p-20)},
+            &entries_};
   }
 
   static void push(Pair_stack& stack, const Both_trees& trees, const Boxes& boxes)

@@ -177,9 +177,9 @@ class Front_entries {
 
 /// Where certified descents write the front.
 struct Certifying {
-  Front_entries* entries;
   kernel::Carrier carrier[2];  ///< of body k into the other's frame, B on its course
   double to_a[2];              ///< at most the least stretch from a body's local units to A's
+  Front_entries* entries;
 };
 
 }  // namespace tetracone::tetratree

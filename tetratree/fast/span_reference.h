@@ -186,12 +186,12 @@ class Span_reference {
   static constexpr double most_local = 4;  ///< above twice sqrt(3): a centre and a radius
 
   std::array<kernel::Box_map, 2> into_;  // of body k into the other's frame
+  std::array<kernel::Box_sweep, 2> sweep_;
   double rest_ = 0;
   std::array<double, 2> scale_;  // the length of a column
   std::array<Rows, 2> rotation_,
       direction_;  // R_k; and over the length of a column: what is apart along a direction in
                    // local units by g is so by g times that length along its image
-  std::array<kernel::Box_sweep, 2> sweep_;
   bool is_certifiable_ = true;
 };
 
