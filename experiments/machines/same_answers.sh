@@ -1,7 +1,7 @@
 #!/bin/bash
 # same_answers.sh [--all | --skip] [--cases N] [--out DIR]: asks the library the cases of every family, compiled by this machine's g++ and
 # for aarch64 (which qemu runs here), with each set of vector instructions: the answers must be the same, bit for bit, and none wrong.
-# --skip: status 77 at once where the compiler for aarch64 or qemu is not installed. --all: also by clang, for C++20 and C++23, and with products and sums contracted and no check of that, which must show.
+# --skip: status 77 at once where the compiler for aarch64, its libgmp-dev or qemu is not installed. --all: also by clang, for C++20 and C++23, and with products and sums contracted and no check of that, which must show.
 # Writes DIR/machines.csv. Status 1 where answers differ that must not, or don't that must. What is not installed is left out, and said.
 
 . "$(dirname "${BASH_SOURCE[0]}")/../support/setup.sh"
@@ -14,6 +14,7 @@ while (($#)); do
       for tool in aarch64-linux-gnu-g++ qemu-aarch64-static; do
         command -v $tool > /dev/null || { echo "skipped: no $tool"; exit 77; }
       done
+      aarch64-linux-gnu-g++ -E -x c++ - <<< '#include <gmpxx.h>' > /dev/null 2>&1 || { echo "skipped: no libgmp-dev of arm64"; exit 77; }
       ;;
     --cases) cases=$2; shift ;;
     --out) out=$2; shift ;;
