@@ -1,6 +1,7 @@
 #include "tetracone/kernel/bound/obb8.h"
 
 #include "tetracone/kernel/bound/oriented_box.h"
+#include "verify/test/support/placed_boxes.h"
 #include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 
@@ -18,20 +19,12 @@ using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
 namespace scenes = tetracone::verify::scenes;
 using scenes::integer;
+using scenes::Placing;
 using scenes::Random;
 using scenes::real;
+using scenes::vector;
 
 namespace {
-
-Vector vector(Random& random, double size = 1)
-{
-  return size * Vector(real(random, -1, 1), real(random, -1, 1), real(random, -1, 1));
-}
-
-struct Placing {
-  Pose a, b;
-  Local_scale in_a, in_b;
-};
 
 /// Similarities, shears, reflections; far from the origin; bodies of unlike units.
 Placing placing(Random& random, int kind)

@@ -1,6 +1,7 @@
 #include "tetracone/kernel/bound/obb8_overlap.h"
 
 #include "tetracone/kernel/bound/oriented_box.h"
+#include "verify/test/support/placed_boxes.h"
 #include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/simd_versions.h"
@@ -38,13 +39,10 @@ namespace scenes = tetracone::verify::scenes;
 using scenes::integer;
 using scenes::Random;
 using scenes::real;
+using scenes::vector;
 
 namespace {
 
-Vector vector(Random& random, double size = 1)
-{
-  return size * Vector(real(random, -1, 1), real(random, -1, 1), real(random, -1, 1));
-}
 Matrix axes(Random& random) { return detail::axes_from(vector(random), vector(random)); }
 
 /// A box as floats hold it: every number below is a float.

@@ -1,6 +1,7 @@
 #include "tetracone/kernel/bound/obb8_sweep.h"
 
 #include "tetracone/kernel/bound/oriented_box.h"
+#include "verify/test/support/placed_boxes.h"
 #include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/simd_versions.h"
@@ -29,60 +30,14 @@ using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
 namespace scenes = tetracone::verify::scenes;
 using scenes::integer;
+using scenes::Placing;
+using scenes::point;
 using scenes::Random;
 using scenes::real;
+using scenes::set;
+using scenes::vector;
 
 namespace {
-
-Vector vector(Random& random, double size = 1)
-{
-  return size * Vector(real(random, -1, 1), real(random, -1, 1), real(random, -1, 1));
-}
-
-void set(Obb8& boxes, int lane, const Vector& centre, const Matrix& axes, const Vector& extent)
-{
-  for (int i = 0; i < 3; ++i) {
-    boxes.centre[i][lane] = float(centre[i]);
-    boxes.extent[i][lane] = float(extent[i]);
-    for (int k = 0; k < 3; ++k) boxes.axis[i][k][lane] = float(axes(k, i));
-  }
-}
-
-/// A point of a box, exactly, by its shares of the extents.
-rationals::Vector point(const Obb8& boxes, int lane, const std::array<double, 3>& share)
-{
-  rationals::Vector p;
-  for (int k = 0; k < 3; ++k) {
-    p[k] = Rational(boxes.origin[k]) + Rational(boxes.centre[k][lane]);
-    for (int i = 0; i < 3; ++i)
-      p[k] += Rational(share[i]) * Rational(boxes.extent[i][lane]) * Rational(boxes.axis[i][k][lane]);
-  }
-  return p;
-}
-
-struct Placing {
-  Pose a, b;
-  Local_scale in_a, in_b;
-
-  Box_map map() const { return {a, in_a, b, in_b}; }
-
-  rationals::Vector image(const rationals::Vector& p) const
-  {
-    rationals::Vector v, column[3];
-    for (int k = 0; k < 3; ++k) v[k] = Rational(in_b.origin[k]) + Rational(in_b.unit) * p[k];
-    rationals::Vector right = rationals::image(b, v);
-    for (int i = 0; i < 3; ++i) {
-      right[i] -= a.exact(4 * i + 3);
-      for (int j = 0; j < 3; ++j) column[j][i] = a.exact(4 * i + j);
-    }
-    const Rational whole = rationals::determinant(column[0], column[1], column[2]);
-    const Rational x[3] = {rationals::determinant(right, column[1], column[2]),
-                           rationals::determinant(column[0], right, column[2]),
-                           rationals::determinant(column[0], column[1], right)};
-    for (int k = 0; k < 3; ++k) v[k] = (x[k] / whole - Rational(in_a.origin[k])) / Rational(in_a.unit);
-    return v;
-  }
-};
 
 Point_way::Rows rows(Random& random, double size)
 {

@@ -1,5 +1,6 @@
 #include "tetracone/kernel/bound/relative_motion.h"
 
+#include "verify/test/support/placed_boxes.h"
 #include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/simd_versions.h"
@@ -38,35 +39,11 @@ using namespace tetracone::kernel;
 namespace rationals = tetracone::verify::rationals;
 namespace scenes = tetracone::verify::scenes;
 using scenes::integer;
+using scenes::Placing;
 using scenes::Random;
 using scenes::real;
 
 namespace {
-
-struct Placing {
-  Pose a, b;
-  Local_scale in_a, in_b;
-
-  Placement placement() const { return Placement(Box_map(a, in_a, b, in_b)); }
-
-  /// The exact image of a point in B's local units, in A's.
-  rationals::Vector image(const std::array<double, 3>& p) const
-  {
-    rationals::Vector v, column[3];
-    for (int k = 0; k < 3; ++k) v[k] = Rational(in_b.origin[k]) + Rational(in_b.unit) * Rational(p[k]);
-    rationals::Vector right = rationals::image(b, v);
-    for (int i = 0; i < 3; ++i) {
-      right[i] -= a.exact(4 * i + 3);
-      for (int j = 0; j < 3; ++j) column[j][i] = a.exact(4 * i + j);
-    }
-    const Rational whole = rationals::determinant(column[0], column[1], column[2]);
-    const Rational x[3] = {rationals::determinant(right, column[1], column[2]),
-                           rationals::determinant(column[0], right, column[2]),
-                           rationals::determinant(column[0], column[1], right)};
-    for (int k = 0; k < 3; ++k) v[k] = (x[k] / whole - Rational(in_a.origin[k])) / Rational(in_a.unit);
-    return v;
-  }
-};
 
 Body_box unit_box() { return Body_box({0, 0, 0}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}); }
 
@@ -128,7 +105,7 @@ BOOST_AUTO_TEST_CASE(no_point_of_the_box_strays_farther_from_a_course_than_the_b
   int known = 0, beyond = 0, beyond_pace = 0;
   for (int k = 0; k < 2400; ++k) {
     const auto [p, q] = step(random, k);
-    const Placement before = p.placement(), after = q.placement();
+    const Placement before(p.map()), after(q.map());
     // On no course, the way itself; or on one that leads nearby, or elsewhere.
     const bool is_on_course = k % 2 == 1;
     Placing near = p;
@@ -137,7 +114,7 @@ BOOST_AUTO_TEST_CASE(no_point_of_the_box_strays_farther_from_a_course_than_the_b
       for (double& x : b) x += std::ldexp(real(random, -1, 1), -integer(random, 4, 40));
       near.b = Pose(b);
     }
-    const Course course = is_on_course ? Course(before, near.placement()) : Course();
+    const Course course = is_on_course ? Course(before, Placement(near.map())) : Course();
     const double steps = is_on_course ? integer(random, 0, 4096) * Course::least_step : 0;
     const std::array<double, 3> centre = scenes::real_vertex(random, 0.4);
     std::array<std::array<double, 3>, 3> half_edge;
@@ -156,7 +133,7 @@ BOOST_AUTO_TEST_CASE(no_point_of_the_box_strays_farther_from_a_course_than_the_b
         for (int i = 0; i < 3; ++i) at[i] += s * half_edge[j][i];
       }
       if (std::abs(at[0]) > 1 || std::abs(at[1]) > 1 || std::abs(at[2]) > 1) continue;
-      const rationals::Vector gone = rationals::minus(q.image(at), p.image(at));
+      const rationals::Vector gone = rationals::minus(q.image(rationals::exactly(at)), p.image(rationals::exactly(at)));
       Rational square = 0, square_on_course = 0;
       for (int i = 0; i < 3; ++i) {
         Rational on = course.column[3][i];
@@ -188,7 +165,7 @@ BOOST_AUTO_TEST_CASE(the_errors_of_the_maps_are_in_the_bound)
   const Placing p{Pose(far), Pose(far), {{0.1, 0.2, 0.3}, 1}, {{0.3, 0.2, 0.1}, 1}};
   const Relative_frame frame(p.a, p.in_a, p.b, p.in_b);
   for (const auto bound : stray_bounds())
-    BOOST_TEST(bound({}, 0, p.placement(), p.placement(), unit_box()) >= 2 * std::sqrt(3.0) * frame.error());
+    BOOST_TEST(bound({}, 0, Placement(p.map()), Placement(p.map()), unit_box()) >= 2 * std::sqrt(3.0) * frame.error());
 }
 
 BOOST_AUTO_TEST_CASE(a_course_is_known_by_its_steps)
@@ -197,7 +174,7 @@ BOOST_AUTO_TEST_CASE(a_course_is_known_by_its_steps)
   int whole = 0, parts = 0;
   for (int k = 0; k < 300; ++k) {
     const auto [p, q] = step(random, 6 * k + k % 3);  // no rest
-    const Placement before = p.placement(), after = q.placement();
+    const Placement before(p.map()), after(q.map());
     const Course course(before, after);
     if (!(course.size > 0x1p-40f)) continue;
     for (const auto steps_along : all_steps_along()) {
@@ -225,10 +202,10 @@ BOOST_AUTO_TEST_CASE(a_course_is_reversed_in_the_frame_of_what_is_on_it)
   double most = 0;
   for (int k = 0; k < 300; ++k) {
     const auto [p, q] = step(random, 4 * k);  // similarities
-    const Placement of_b = p.placement();
-    const Course course(of_b, q.placement());
+    const Placement of_b(p.map());
+    const Course course(of_b, Placement(q.map()));
     const Placing other{p.b, p.a, p.in_b, p.in_a};
-    const Placement of_a = other.placement();
+    const Placement of_a(other.map());
     if (!(of_a.error <= of_a.scale * 0x1p-25)) continue;
     const Course reversed = course.reversed(of_a);
     const rationals::Vector origin = other.image({0, 0, 0});
@@ -254,11 +231,11 @@ BOOST_AUTO_TEST_CASE(a_course_is_reversed_in_the_frame_of_what_is_on_it)
 BOOST_AUTO_TEST_CASE(what_is_infinite_or_undefined_gives_no_bound)
 {
   const Placing unit_placing;
-  const Placement unit = unit_placing.placement(), none{Box_map()};
+  const Placement unit(unit_placing.map()), none{Box_map()};
   const auto is_bound = [](double x) { return x < std::numeric_limits<double>::infinity(); };
   std::array<double, 12> far = Pose().entries();
   far[3] = 1e300;
-  const Placement far_away = Placing{Pose(), Pose(far), {}, {}}.placement();
+  const Placement far_away(Placing{Pose(), Pose(far), {}, {}}.map());
   for (const auto bound : stray_bounds()) {
     BOOST_TEST(is_bound(bound({}, 0, unit, unit, unit_box())));
     BOOST_TEST(!is_bound(bound({}, 0, none, unit, unit_box())));
