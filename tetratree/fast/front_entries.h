@@ -207,7 +207,8 @@ inline Stop descend_certified(Pair_stack& stack, Both_trees& trees, const Certif
 }
 
 /// Of entries of the numbers in `asked`, those whose axes tell all their lanes apart stay in the front, with what is left
-/// of their gaps now and rates of their own; the others are left in `asked`, in order. Returns how many; takes the least gap into `least`.
+/// of their gaps now and rates of their own; the others are left in `asked`, in order. Returns how many; takes the least
+/// gap into `least`.
 inline std::size_t keep_by_axes(const Certifying& certifying, std::uint32_t* asked, std::size_t count, double& least)
 {
   using Function = std::size_t(const Certifying&, std::uint32_t*, std::size_t, double&);
