@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -20,14 +21,19 @@ struct Near_bodies {
 
 /// What is known of two bodies that are near one another, beside.
 struct Near_pair {
-  std::uint32_t place[2] = {};   ///< in the lists of either body
-  double way = 0;                ///< both bodies' ways when they were asked last, summed
-  Pair_memory memory = {};       ///< of their trees
+  std::uint32_t place[2] = {};  ///< in the lists of either body
+  std::uint32_t asked = 0;      ///< where what is kept of its trees stands; 0: nothing is
+  bool collide = false;         ///< what they did when they were asked
+  bool is_open = false;         ///< to be asked
+  bool by_brute_force = false;  ///< how they are to be asked
+  bool is_listed = false;       ///< among the colliding pairs of the last answer
+};
+
+/// What is kept of a pair whose trees have been asked: few of those that are near are.
+struct Asked_pair {
+  double way = -std::numeric_limits<double>::infinity();  ///< both bodies' ways when they were asked last, summed
+  Pair_memory memory = {};
   std::size_t memory_bytes = 0;  ///< that are counted
-  bool collide = false;          ///< what they did when they were asked
-  bool is_open = false;          ///< to be asked
-  bool by_brute_force = false;   ///< how they are to be asked
-  bool is_listed = false;        ///< among the colliding pairs of the last answer
 };
 
 /// The pairs of bodies that are near one another, each in the lists of both of its bodies. A pair keeps its number while
@@ -48,6 +54,27 @@ class Pair_list {
   Near_bodies& bodies(Number pair) { return bodies_[pair]; }
   const Near_bodies& bodies(Number pair) const { return bodies_[pair]; }
 
+  /// What is kept of a pair's trees; made if there is nothing.
+  Asked_pair& asked(Number number)
+  {
+    std::uint32_t& place = pairs_[number].asked;
+    if (place == 0) {
+      if (free_asked_.empty()) {
+        free_asked_.push_back(std::uint32_t(asked_.size()));
+        asked_.emplace_back();
+      }
+      place = free_asked_.back();
+      free_asked_.pop_back();
+    }
+    return asked_[place];
+  }
+  /// The same; null if there is nothing.
+  Asked_pair* known_asked(Number number)
+  {
+    const std::uint32_t place = pairs_[number].asked;
+    return place == 0 ? nullptr : &asked_[place];
+  }
+
   /// By number, also those that are gone.
   std::span<const Near_bodies> all_bodies() const { return bodies_; }
 
@@ -55,6 +82,20 @@ class Pair_list {
   std::span<const Of_body> of(std::uint32_t body) const { return of_[body]; }
 
   void set_body_count(std::size_t bodies) { of_.resize(bodies); }
+
+  /// Takes memory for so many pairs at once, and for some more, as boxes with room for steps will find; or for those of
+  /// a body.
+  void make_room(std::size_t pairs)
+  {
+    make_room(pairs_, pairs);
+    make_room(bodies_, pairs);
+  }
+  void make_room(std::uint32_t body, std::size_t pairs)
+  {
+    in_lists_ -= of_[body].capacity();
+    make_room(of_[body], pairs);
+    in_lists_ += of_[body].capacity();
+  }
 
   /// Requires two bodies that are no pair yet.
   Number add(std::uint32_t a, std::uint32_t b)
@@ -80,9 +121,9 @@ class Pair_list {
 
   void remove(Number number)
   {
+    forget(number);
     Near_pair& pair = pairs_[number];
     Near_bodies& bodies = bodies_[number];
-    memory_bytes_ -= pair.memory_bytes;
     for (int k = 0; k < 2; ++k) {
       std::vector<Of_body>& list = of_[bodies.body[k]];
       const Of_body last = list.back();
@@ -98,16 +139,20 @@ class Pair_list {
   /// Drops what is kept of a pair's trees.
   void forget(Number number)
   {
-    pairs_[number].memory = {};
-    count_memory(number);
+    std::uint32_t& place = pairs_[number].asked;
+    if (place == 0) return;
+    memory_bytes_ -= asked_[place].memory_bytes;
+    asked_[place] = Asked_pair();
+    free_asked_.push_back(place);
+    place = 0;
   }
 
   /// Counts what is kept of a pair's trees, after it has changed.
   void count_memory(Number number)
   {
-    Near_pair& pair = pairs_[number];
-    memory_bytes_ -= pair.memory_bytes;
-    memory_bytes_ += pair.memory_bytes = pair.memory.bytes();
+    Asked_pair& asked = this->asked(number);
+    memory_bytes_ -= asked.memory_bytes;
+    memory_bytes_ += asked.memory_bytes = asked.memory.bytes();
   }
 
   /// Of all that is kept of trees, as it is counted.
@@ -116,14 +161,22 @@ class Pair_list {
   std::size_t bytes() const
   {
     return pairs_.capacity() * sizeof(Near_pair) + bodies_.capacity() * sizeof(Near_bodies) +
-           free_.capacity() * sizeof(Number) + in_lists_ * sizeof(Of_body) +
-           of_.capacity() * sizeof(std::vector<Of_body>) + memory_bytes_;
+           asked_.capacity() * sizeof(Asked_pair) + (free_.capacity() + free_asked_.capacity()) * sizeof(Number) +
+           in_lists_ * sizeof(Of_body) + of_.capacity() * sizeof(std::vector<Of_body>) + memory_bytes_;
   }
 
  private:
+  template <class Vector>
+  static void make_room(Vector& of, std::size_t count)
+  {
+    if (of.capacity() < count) of.reserve(count + count / 2);
+  }
+
   std::vector<Near_pair> pairs_;
-  std::vector<Near_bodies> bodies_;  // of each; apart from it, since frames read them all
+  std::vector<Near_bodies> bodies_;                             // of each; apart from it, since frames read them all
+  std::vector<Asked_pair> asked_ = std::vector<Asked_pair>(1);  // the first stands for nothing
   std::vector<Number> free_;
+  std::vector<std::uint32_t> free_asked_;
   std::vector<std::vector<Of_body>> of_;
   std::size_t in_lists_ = 0;  // room in them
   std::size_t memory_bytes_ = 0;

@@ -252,9 +252,13 @@ void Scene_data::find_near(const std::vector<Number>& bodies)
         if (group[b] != none) put(group[b], a);
       }
   });
+  std::size_t pairs = 0;
+  for (const auto& of_part : found) pairs += of_part.size();
+  near_.make_room(pairs);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Number body = bodies[i];
     const std::uint64_t search = ++search_;
+    near_.make_room(body, others[i].size());
     for (const Number other : others[i]) seen_[other] = search;
     const auto known = near_.of(body);
     for (std::size_t k = known.size(); k-- > 0;) {

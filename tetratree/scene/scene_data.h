@@ -30,8 +30,9 @@ namespace tetracone::detail {
 ///
 /// A body has a box about it, and in the tree of boxes a wider one, in which it may move for some frames. Two bodies
 /// whose wide boxes meet are a near pair. Of these a frame asks those that no certificate keeps: first the boxes, then
-/// boxes that are turned with the bodies, then boxes made tight, then the query of their models. A body's way is the sum of bounds on its motions, rounded up: while the ways
-/// of both have grown by less than the gap that was between them, they are apart.
+/// boxes that are turned with the bodies, then boxes made tight, then the query of their models. A body's way is the sum
+/// of bounds on its motions, rounded up: while the ways of both have grown by less than the gap that was between them,
+/// they are apart.
 class Scene_data {
  public:
   explicit Scene_data(const Scene_options& options);
@@ -137,7 +138,7 @@ class Scene_data {
   void keep_to_memory(Number model_a, Number model_b);
   void forget_pairs_of(Number body);
   void allow_fronts(const std::vector<Number>& pairs);
-  bool moves_little(Number pair) const;
+  bool moves_little(Number pair);
   void answer(Number pair, bool collide, double gap);
   double way(Number pair) const;
   void list_pairs();

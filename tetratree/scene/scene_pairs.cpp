@@ -82,7 +82,7 @@ void Scene_data::answer(Number number, bool collide, double gap)
   Near_pair& pair = near_[number];
   pair.collide = collide;
   pair.is_open = false;
-  pair.way = way(number);
+  if (tetratree::Asked_pair* const asked = near_.known_asked(number)) asked->way = way(number);
   auto& [body, limit] = near_.bodies(number);
   limit = gap > 0 ? sum_below(sum_below(ways_[body[0]].sum, ways_[body[1]].sum), gap) : -1;
 }
@@ -164,20 +164,20 @@ void Scene_data::allow_fronts(const std::vector<Number>& pairs)
                ? kernel::minimum(room, options_.memory - kernel::minimum(options_.memory, bytes() - taken))
                : 0;
   for (const Number number : pairs) {
-    Near_pair& pair = near_[number];
-    const bool would_be_made = !pair.memory.front && pair.memory.is_front_worth(),
-               is_allowed = (pair.memory.front || would_be_made) && moves_little(number) &&
+    tetratree::Pair_memory& memory = near_.asked(number).memory;
+    const bool would_be_made = !memory.front && memory.is_front_worth(),
+               is_allowed = (memory.front || would_be_made) && moves_little(number) &&
                             (!would_be_made || taken + bytes_of_front <= room);
     if (is_allowed && would_be_made) taken += bytes_of_front;
-    pair.memory.allow_front(is_allowed);
+    memory.allow_front(is_allowed);
   }
 }
 
 /// Of bodies that have been asked before: since then.
-bool Scene_data::moves_little(Number pair) const
+bool Scene_data::moves_little(Number pair)
 {
   const auto [a, b] = near_.bodies(pair).body;
-  return way(pair) - near_[pair].way <= little * kernel::minimum(boxes_[a].size(), boxes_[b].size());
+  return way(pair) - near_.asked(pair).way <= little * kernel::minimum(boxes_[a].size(), boxes_[b].size());
 }
 
 tetratree::Turned_box Scene_data::turned_box(Number body)
@@ -228,7 +228,8 @@ void Scene_data::ask_pair(Number number, Scene_worker& worker)
   const auto [model_a, model_b] = models_of(body[0], body[1]);
   const int first = bodies_[body[0]].model == model_a ? 0 : 1;
   Query& query = worker.query(models, model_a, model_b, pair.by_brute_force ? Method::brute : Method::tree);
-  const bool collide(query.collide(bodies_[body[first]].pose, bodies_[body[1 - first]].pose, pair.memory));
+  const bool collide(
+      query.collide(bodies_[body[first]].pose, bodies_[body[1 - first]].pose, near_.known_asked(number)->memory));
   answer(number, collide, collide ? 0 : query.certified_gap());
 }
 
