@@ -56,10 +56,16 @@ std::vector<Location> Body::inside(std::span<const std::array<double, 3>> points
 {
   const tetratree::Point_locator& locator = locator_of(*data_);
   std::vector<Location> answers(points.size());
-  if (!all_finite(points)) [[unlikely]]
-    for (std::size_t k = 0; k < points.size(); ++k)
-      require_finite(points[k], [k] { return "points[" + std::to_string(k) + "]"; });
-  locator.locate(points, answers);
+  // Few enough to be looked at twice while they are near.
+  constexpr std::size_t at_a_time = 512;
+  for (std::size_t first = 0; first < points.size(); first += at_a_time) {
+    const std::size_t count = kernel::minimum(at_a_time, points.size() - first);
+    const auto some = points.subspan(first, count);
+    if (!all_finite(some)) [[unlikely]]
+      for (std::size_t k = 0; k < count; ++k)
+        require_finite(some[k], [k, first] { return "points[" + std::to_string(first + k) + "]"; });
+    locator.locate(some, std::span(answers).subspan(first, count));
+  }
   return answers;
 }
 

@@ -77,7 +77,11 @@ class Point_locator {
         if (asked[k].cell != none) __builtin_prefetch(&cell_groups_[asked[k].cell]);
       }
       for (std::size_t k = 0; k < count; ++k)
-        if (asked[k].cell != none) __builtin_prefetch(groups_.data() + cell_groups_[asked[k].cell]);
+        if (asked[k].cell != none) {
+          const Group* const first_of_cell = groups_.data() + cell_groups_[asked[k].cell];
+          __builtin_prefetch(first_of_cell);
+          __builtin_prefetch(first_of_cell + 2);
+        }
       std::size_t left = 0;
       for (std::size_t k = 0; k < count; ++k) {
         pending[left].number = k;
@@ -208,15 +212,16 @@ class Point_locator {
       return decide_without_cell(asked, at);
     }
     const Index first = cell_groups_[asked.cell], end = cell_groups_[asked.cell + 1];
-    // The first two are looked at together and without a branch, which would be a guess.
+    // Without a branch, which would be a guess: the first three together, and both what the norm and what the slab says.
     const auto is_passed = [&](Index g) { return Index((g + 1 < end) & (asked.norm > groups_[g].high)); };
-    Index g = first + is_passed(first) + is_passed(first + 1);
-    if (end > first + 3) [[unlikely]]
+    Index g = first + is_passed(first) + is_passed(first + 1) + is_passed(first + 2);
+    if (end > first + 4) [[unlikely]]
       while (is_passed(g) != 0) ++g;
     const Group& of = groups_[g];
-    const bool is_beyond = (first == end) | (asked.norm > of.high), is_before = asked.norm < of.low;
-    const int side = is_beyond ? 1 : is_before ? -1 : of.slab.side(asked.at);
-    at = location(side < 0 ? of.within() : beyond(asked.cell, g));
+    const int is_beyond = (first == end) | (asked.norm > of.high), is_before = (asked.norm < of.low) & ~is_beyond;
+    const int side = (is_beyond - is_before) | (of.slab.side(asked.at) & ((is_beyond | is_before) - 1));
+    const int outer = beyond(asked.cell, g);
+    at = location(outer ^ ((outer ^ of.within()) & -int(side < 0)));
     group = g;
     return side != 0;
   }
@@ -359,7 +364,7 @@ class Point_locator {
     for (std::size_t cell = 0; cell < cells_.count(); ++cell)
       groups += group_count(found.data() + begin[cell], found.data() + begin[cell + 1]);
     cell_groups_.reserve(cells_.count() + 1);
-    groups_.reserve(groups + 2);
+    groups_.reserve(groups + 3);
     entries_.reserve(found.size());
     heights_.reserve(found.size());
     std::vector<kernel::Local_facet> scratch;
@@ -370,8 +375,8 @@ class Point_locator {
     });
     if (core_is_empty) core_ = cell_groups_.back() < groups_.size() ? groups_[cell_groups_.back()].within() : 0;
     cell_groups_.push_back(Index(groups_.size()));
-    // Of an empty last cell, what would be its first and its second are read.
-    groups_.insert(groups_.end(), 2, {0, 0, {}, Index(entries_.size()), 0});
+    // Of an empty last cell, what would be its first three are read.
+    groups_.insert(groups_.end(), 3, {0, 0, {}, Index(entries_.size()), 0});
     has_table_ = true;
   }
 
@@ -512,7 +517,7 @@ class Point_locator {
   bool has_table_ = false;
   std::optional<int> core_;            ///< the winding number in the core, where no surface is
   std::vector<Index> cell_groups_;     ///< where each cell's groups begin
-  std::vector<Group> groups_;          ///< by cells, then by norm; the last two end the one before
+  std::vector<Group> groups_;          ///< by cells, then by norm; the last three end the one before
   std::vector<Index> entries_;         ///< triangles of the covering, by groups
   std::vector<std::uint8_t> heights_;  ///< of each, in a group that is no sheet: above the `steps` of its norms
 };
