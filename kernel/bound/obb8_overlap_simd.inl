@@ -128,10 +128,19 @@ HWY_INLINE void along_own_axis(const Test& test, int i, Floats x, Floats y, Floa
   r2 = dot(test.box.edge[2]);
 }
 
+/// For comparisons along all axes.
+struct Undecided {
+  template <class What>
+  HWY_INLINE bool operator()(const What&) const
+  {
+    return false;
+  }
+};
+
 /// Of the largest gap of the single box and each lane: separating axes are the normals of both and the 9 cross products
-/// of edges. A gap is |distance| minus both reaches.
-template <bool similarity, class Test, class Kept>
-HWY_INLINE auto largest_gap(const Test& test, const Kept& kept)
+/// of edges. A gap is |distance| minus both reaches. Where what is kept of the normals decides, no others are tried.
+template <bool similarity, class Test, class Kept, class Decides = Undecided>
+HWY_INLINE auto largest_gap(const Test& test, const Kept& kept, const Decides& decides = Decides())
 {
   using Floats = typename Test::Floats;
   const auto& boxes = test.boxes;
@@ -190,6 +199,11 @@ HWY_INLINE auto largest_gap(const Test& test, const Kept& kept)
     normals(2, n02, n12, n22);
   }
 
+  using Largest = Largest_gap<std::decay_t<decltype(gap)>, Floats>;
+  const auto found = [&](const auto& largest)
+                         HWY_ATTR { return Largest{largest, {t0, t1, t2, r01, r11, r21, r02, r12, r22}}; };
+  if (decides(gap)) return found(gap);
+
   // a_i x edge_j has the components 0, -r[m][j], r[l][j] along a_i, a_l, a_m; edges k of the single box reach along it
   // as a_i does along the box's normals.
   const auto crossed = [&](Floats tm, Floats rl, Floats tl, Floats rm, Floats el, Floats sm, Floats em, Floats sl,
@@ -207,8 +221,7 @@ HWY_INLINE auto largest_gap(const Test& test, const Kept& kept)
   const auto across2 = Max(crossed(t1, r00, t0, r10, e0, s10, e1, s00, f1, n22, f2, n21, Neg(r10), r00, zero),
                            Max(crossed(t1, r01, t0, r11, e0, s11, e1, s01, f2, n20, f0, n22, Neg(r11), r01, zero),
                                crossed(t1, r02, t0, r12, e0, s12, e1, s02, f0, n21, f1, n20, Neg(r12), r02, zero)));
-  const auto largest = Max(Max(gap, across0), Max(across1, across2));
-  return Largest_gap<std::decay_t<decltype(largest)>, Floats>{largest, {t0, t1, t2, r01, r11, r21, r02, r12, r22}};
+  return found(Max(Max(gap, across0), Max(across1, across2)));
 }
 
 /// The lanes whose box is not found apart from the single box; with an infinite slack none is, whatever overflowed. Of a

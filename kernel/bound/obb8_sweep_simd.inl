@@ -101,25 +101,31 @@ HWY_INLINE unsigned near_in_sweep(const One_test& test, const float* single, con
                             test.load(test.boxes.axis[i][2])};
     swept.sweep[i] = sweep_along(axis, centre, shift, bend);
   }
-  const auto largest = largest_gap<true>(test, swept);
-  Times_near<Floats> near = largest.kept;
-  if (test.holds_triangle()) {
+  const Floats half = all(0.5f), earlier = all(0.5f - time_rounding), later = all(0.5f + time_rounding);
+  const unsigned held = ((1u << test.boxes.lane_count) - 1) >> test.first;
+  Floats from, until;
+  const auto lanes_near = [&](const Times_near<Floats>& near) HWY_ATTR {
+    from = NegMulAdd(half, near.minus_from, earlier);
+    until = MulAdd(half, near.until, later);
+    std::uint8_t bits[8];
+    hn::StoreMaskBits(One_test::tag, Not(Or(Gt(from, until), Or(Gt(from, all(1)), Gt(hn::Zero(One_test::tag), until)))),
+                      bits);
+    return bits[0] & held;
+  };
+  const auto largest = largest_gap<true>(
+      test, swept, [&](const Times_near<Floats>& near) HWY_ATTR { return lanes_near(near) == 0; });
+  unsigned lanes = lanes_near(largest.kept);
+  if (lanes != 0 && test.holds_triangle()) {
     const auto sides = beyond_triangle(test, largest.edges, e0, e1, e2);
     const float slack_of_sides = side_slack(test.box, slack);
     const auto side = [&](Floats beyond, float length, const Floats(&n)[3])
                           HWY_ATTR { return gap_beyond(Swept_beyond{swept}, test, beyond, length, n, slack_of_sides); };
-    near = Max(near, Max(side(sides.left, sides.left_length, sides.left_normal),
-                         side(sides.right, sides.right_length, sides.right_normal)));
+    lanes = lanes_near(Max(largest.kept, Max(side(sides.left, sides.left_length, sides.left_normal),
+                                             side(sides.right, sides.right_length, sides.right_normal))));
   }
-  const Floats half = all(0.5f), later = all(0.5f + time_rounding),
-               from = NegMulAdd(half, near.minus_from, all(0.5f - time_rounding)),
-               until = MulAdd(half, near.until, later);
   hn::Store(from, One_test::tag, times.from + test.first);
   hn::Store(until, One_test::tag, times.until + test.first);
-  std::uint8_t bits[8];
-  hn::StoreMaskBits(One_test::tag, Not(Or(Gt(from, until), Or(Gt(from, all(1)), Gt(hn::Zero(One_test::tag), until)))),
-                    bits);
-  return unsigned(bits[0]) << test.first;
+  return lanes << test.first;
 }
 
 /// From the origin of the eight to the centre of box `lane` of `from`.
