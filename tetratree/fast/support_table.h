@@ -67,7 +67,7 @@ class Support_table {
                              const std::array<Number, 3>& centre, const std::array<std::array<Number, 3>, 3>& axis,
                              const std::array<Number, 3>& extent)
   {
-    using std::abs;
+    using kernel::abs, std::abs;
     const auto part = [&](int k) { return d[k] * (origin[k] + centre[k]) + abs(kernel::dot(d, axis[k])) * extent[k]; };
     return part(0) + part(1) + part(2);
   }
@@ -150,6 +150,7 @@ class Support_table {
   /// Corner (n - i - j, i, j) / n of an octant has the number k = (octant row + j) row + i. The last of each row, and
   /// the last rows, are corners beyond the octant, of no weight but by rounding.
   static constexpr float unknown = std::numeric_limits<float>::infinity();
+  static constexpr Index none = std::numeric_limits<Index>::max();
 
   kernel::Four_floats corners(const Place& p) const
   {
@@ -162,26 +163,33 @@ class Support_table {
   static double signed_by(int negative, int k) { return negative ? -double(k) / n : double(k) / n; }
 
   /// The best reach of a vertex in the direction of corner k: boxes in the order of the tree, those left out that reach
-  /// no farther than what is known.
+  /// no farther than what is known. The vertex found last is mostly near, so that it is looked at first.
   float found(int k)
   {
     const int octant = k / (row * row), j = k / row % row, i = k % row;
     const kernel::Vector d(signed_by(octant & 1, n - i - j), signed_by(octant & 2, i), signed_by(octant & 4, j));
-    double best = -4;
+    double best = farthest_ == none ? -4 : d.dot(tree_->local(farthest_));
+    const auto look_at = [&](Index v) {
+      const double at = d.dot(tree_->local(v));
+      if (at <= best) return;
+      best = at;
+      farthest_ = v;
+    };
     std::vector<std::pair<double, Index>>& open = open_;
     Index node = 0;
     for (open.clear();; node = tree_->child(open.back().second / 8, int(open.back().second % 8)), open.pop_back()) {
       const std::size_t first = open.size();
+      std::array<double, kernel::lanes> reach;
+      find_reach(tree_->node(node).boxes, d, reach);
       for (int lane = 0; lane < tree_->node(node).boxes.lane_count; ++lane) {
-        const double bound = box_reach(tree_->node(node).boxes, lane, d) + box_reach_rounding;
+        const double bound = reach[std::size_t(lane)] + box_reach_rounding;
         if (bound <= best) continue;
         if (!tree_->is_leaf(node, lane)) {
           open.push_back({bound, 8 * node + Index(lane)});
           continue;
         }
         for (Index e = 0; e < tree_->leaf_count(node, lane); ++e)
-          tree_->for_vertices(tree_->element(node, lane, e),
-                              [&](Index v) { best = kernel::maximum(best, d.dot(tree_->local(v))); });
+          tree_->for_vertices(tree_->element(node, lane, e), look_at);
       }
       // The farthest last, to be opened first.
       std::sort(open.begin() + std::ptrdiff_t(first), open.end());
@@ -191,19 +199,30 @@ class Support_table {
     return std::nextafter(float(best + reach_rounding), unknown);
   }
 
-  static double box_reach(const kernel::Obb8& boxes, int lane, const kernel::Vector& d)
+  /// How far a node's boxes reach, two at once.
+  static void find_reach(const kernel::Obb8& boxes, const kernel::Vector& d,
+                         std::array<double, kernel::lanes>& reach)
   {
-    using Row = std::array<double, 3>;
-    const auto of_lane = [lane](const auto& lanes) { return Row{lanes[0][lane], lanes[1][lane], lanes[2][lane]}; };
-    const Row origin = {boxes.origin[0], boxes.origin[1], boxes.origin[2]};
-    return reach_of_box(Row{d[0], d[1], d[2]}, origin, of_lane(boxes.centre),
-                        std::array{of_lane(boxes.axis[0]), of_lane(boxes.axis[1]), of_lane(boxes.axis[2])},
-                        of_lane(boxes.extent));
+    using Lanes = kernel::Two_doubles;
+    using Row = std::array<Lanes, 3>;
+    const auto all = [](const auto& v) { return Row{Lanes{} + v[0], Lanes{} + v[1], Lanes{} + v[2]}; };
+    const Row direction = all(d), origin = all(std::array<double, 3>{boxes.origin[0], boxes.origin[1], boxes.origin[2]});
+    for (std::size_t first = 0; first < kernel::lanes; first += 2) {
+      const auto load = [first](const auto& lanes) {
+        return Row{kernel::two_from(lanes[0] + first), kernel::two_from(lanes[1] + first),
+                   kernel::two_from(lanes[2] + first)};
+      };
+      const Lanes two = reach_of_box(direction, origin, load(boxes.centre),
+                                     std::array{load(boxes.axis[0]), load(boxes.axis[1]), load(boxes.axis[2])},
+                                     load(boxes.extent));
+      std::memcpy(&reach[first], &two, sizeof two);
+    }
   }
 
   const Bvh8* tree_;
   std::vector<float> reach_;  // h is at most this
   std::vector<std::pair<double, Index>> open_;
+  Index farthest_ = none;  // the vertex found last
 };
 
 }  // namespace tetracone::tetratree
