@@ -200,8 +200,9 @@ HWY_INLINE auto largest_gap(const Test& test, const Kept& kept, const Decides& d
   }
 
   using Largest = Largest_gap<std::decay_t<decltype(gap)>, Floats>;
-  const auto found = [&](const auto& largest)
-                         HWY_ATTR { return Largest{largest, {t0, t1, t2, r01, r11, r21, r02, r12, r22}}; };
+  const auto found = [&](const auto& largest) HWY_ATTR {
+    return Largest{largest, {t0, t1, t2, r01, r11, r21, r02, r12, r22}};
+  };
   if (decides(gap)) return found(gap);
 
   // a_i x edge_j has the components 0, -r[m][j], r[l][j] along a_i, a_l, a_m; edges k of the single box reach along it

@@ -112,8 +112,8 @@ HWY_INLINE unsigned near_in_sweep(const One_test& test, const float* single, con
                       bits);
     return bits[0] & held;
   };
-  const auto largest = largest_gap<true>(
-      test, swept, [&](const Times_near<Floats>& near) HWY_ATTR { return lanes_near(near) == 0; });
+  const auto largest =
+      largest_gap<true>(test, swept, [&](const Times_near<Floats>& near) HWY_ATTR { return lanes_near(near) == 0; });
   unsigned lanes = lanes_near(largest.kept);
   if (lanes != 0 && test.holds_triangle()) {
     const auto sides = beyond_triangle(test, largest.edges, e0, e1, e2);

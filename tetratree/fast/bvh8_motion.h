@@ -29,8 +29,9 @@ namespace tetracone::tetratree {
 /// edge. A span of time in which one plane parts the bodies is done with. In another, pairs of boxes are opened in the
 /// order of the times from which on they may meet: by two similarities near all of the span (`Span_reference`) or, where
 /// there are none, by the span's own coefficients (`Motion_span`). Where these tell little, for the bodies turn too far in
-/// the span for the pair's size, it waits for the halves of the span in which it may meet. Triangles are decided in
-/// integers, and what may meet only after the first contact found is left.
+/// the span for the pair's size, it waits for the halves of the span in which it may meet; triangles are sooner compared
+/// in halves, in the same order, than boxes. Triangles are decided in integers, and what may meet only after the first
+/// contact found is left.
 ///
 /// Both trees must outlive the query object. Making it and every query throw kernel::Unsound_floating_point when floating
 /// point is not as exact answers need it.
@@ -86,7 +87,8 @@ class Bvh8_motion {
   };
   static constexpr int most_directions = 8;
   static constexpr unsigned most_halvings = 50;
-  static constexpr double share_of_size = 0.03;  // so much of a pair may be lost by its turning
+  static constexpr double share_of_size = 0.045;    // so much of a pair may be lost by its turning
+  static constexpr double share_of_leaves = 0.002;  // where so much is lost, leaves are met in halves
 
   kernel::Motion_units units(int body) const { return {tree_[body]->scale().origin, tree_[body]->scale().unit}; }
 
@@ -134,10 +136,13 @@ class Bvh8_motion {
       const Pair pair = queue_.pop();
       if (double(pair.low) > features_.latest()) continue;
       // Where there will be halves, the second may be needless.
-      if (is_long(span, reference, pair) || (!later.empty() && pair.low >= 0.5f))
+      const bool is_of_leaves = pair.is_leaf(0) && pair.is_leaf(1);
+      if (is_long(span, reference, pair, share_of_size) || (!later.empty() && pair.low >= 0.5f))
         later.push_back(pair);
-      else if (pair.is_leaf(0) && pair.is_leaf(1))
-        meet_leaves(pair);
+      else if (is_of_leaves && is_long(span, reference, pair, share_of_leaves))
+        meet_in_halves(pair);
+      else if (is_of_leaves)
+        meet_leaves(Span_part::whole, pair, {double(pair.low), double(pair.until)});
       else
         open(span, reference, pair, opens(span, pair));
     }
@@ -153,15 +158,15 @@ class Bvh8_motion {
     }
   }
 
-  /// Whether the boxes turn too far in the span for their size.
-  static bool is_long(const kernel::Motion_span& span, const Span_reference& reference, const Pair& pair)
+  /// Whether the boxes turn too far in the span for such a share of their size.
+  static bool is_long(const kernel::Motion_span& span, const Span_reference& reference, const Pair& pair, double share)
   {
     if (span.k() >= most_halvings) return false;
     const double lost = (pair.extent(0) * span.turn(0) + pair.extent(1) * span.turn(1)) +
                         (reference.is_certifiable() ? reference.rest() : 0),
                  larger = kernel::maximum(pair.extent(0) * span.scale(0), pair.extent(1) * span.scale(1));
     // What is less than doubles tell apart is not worth another halving.
-    return !(lost <= kernel::maximum(share_of_size * larger, 8 * span.resolution()));
+    return !(lost <= kernel::maximum(share * larger, 8 * span.resolution()));
   }
 
   /// The body whose box is to be opened: the larger one. Requires one that is no leaf.
@@ -218,15 +223,26 @@ class Bvh8_motion {
     return near;
   }
 
-  void meet_leaves(const Pair& pair)
+  /// In the half of the span in which they may meet first; they come again for the other.
+  void meet_in_halves(const Pair& pair)
+  {
+    const double from = 2 * double(pair.low), until = 2 * double(pair.until);
+    if (pair.low >= 0.5f) return meet_leaves(Span_part::second_half, pair, {from - 1, until - 1});
+    meet_leaves(Span_part::first_half, pair, {from, kernel::minimum(until, 1.0)});
+    if (pair.until < 0.5f) return;
+    Pair rest = pair;
+    rest.low = 0.5f;
+    queue_.push(rest);
+  }
+
+  void meet_leaves(Span_part part, const Pair& pair, const kernel::Time_window& times)
   {
     ++counts_.leaf_pairs;
     const Box a = pair.box[0], b = pair.box[1];
     const int lane_a = int(a % 8), lane_b = int(b % 8);
     for (Index i = 0; i < tree_[0]->leaf_count(a / 8, lane_a); ++i)
       for (Index j = 0; j < tree_[1]->leaf_count(b / 8, lane_b); ++j)
-        features_.meet({double(pair.low), double(pair.until)}, tree_[0]->element(a / 8, lane_a, i),
-                       tree_[1]->element(b / 8, lane_b, j));
+        features_.meet(part, times, tree_[0]->element(a / 8, lane_a, i), tree_[1]->element(b / 8, lane_b, j));
   }
 
   /// When boxes may meet: along the line of their centres, and the axes that part them in the middle of the span.

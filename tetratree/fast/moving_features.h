@@ -38,6 +38,9 @@ struct First_meeting {
   Moving_features features;
 };
 
+/// Of a span of time.
+enum class Span_part { first_half, second_half, whole };
+
 /// The corners of an element, in local points.
 inline std::array<kernel::Vertex, 3> local_corners(const Bvh8& tree, const std::array<Index, 3>& corner)
 {
@@ -82,17 +85,19 @@ class Moving_feature_search {
   void enter(const kernel::Motion_span& span)
   {
     span_ = &span;
+    for (auto& half : half_) half.reset();
     latest_ = span.share_before(best_before_);
   }
 
   /// The first contact so far is not after such a share of the span.
   double latest() const { return latest_; }
 
-  /// Takes in two elements, which do not meet in the span outside of these times.
-  void meet(const kernel::Time_window& times, const Element& of_a, const Element& of_b)
+  /// Takes in two elements, which do not meet in a part of the span outside of these times, from 0 to 1 over it.
+  void meet(Span_part part, const kernel::Time_window& times, const Element& of_a, const Element& of_b)
   {
-    for_triangles(0, of_a,
-                  [&](const Triangle& a) { for_triangles(1, of_b, [&](const Triangle& b) { meet(times, a, b); }); });
+    for_triangles(0, of_a, [&](const Triangle& a) {
+      for_triangles(1, of_b, [&](const Triangle& b) { meet(part, times, a, b); });
+    });
   }
 
   /// Decides what may meet before such a share of the span.
@@ -108,7 +113,7 @@ class Moving_feature_search {
       else if (!next.is_sharp)
         add(next, next.feature, true);
       else
-        decide(next.features());
+        decide(next.features(), span_of(next.part));
     }
   }
 
@@ -128,8 +133,9 @@ class Moving_feature_search {
 
     auto operator<=>(const Decided&) const = default;
   };
-  /// Two triangles, or features of them, that may meet in the span at these times.
+  /// Two triangles, or features of them, that may meet at these times of a part of the span.
   struct Candidate {
+    Span_part part;
     kernel::Time_window times;
     std::array<Index, 2> face;
     std::array<std::array<Index, 3>, 2> corner;
@@ -138,7 +144,11 @@ class Moving_feature_search {
 
     static constexpr int all = 15;
 
-    double from() const { return times.from; }
+    /// A time of the whole span.
+    double from() const
+    {
+      return part == Span_part::whole ? times.from : 0.5 * (times.from + double(part == Span_part::second_half));
+    }
 
     Moving_features features() const
     {
@@ -172,11 +182,19 @@ class Moving_feature_search {
     for (std::size_t k = 0; k < from.size(); ++k) call(from[k], to[k], to[k]);
   }
 
+  const kernel::Motion_span& span_of(Span_part part)
+  {
+    if (part == Span_part::whole) return *span_;
+    auto& half = half_[std::size_t(part)];
+    if (!half) half.emplace(span_->half(part == Span_part::second_half));
+    return *half;
+  }
+
   /// Keeps two triangles if they may meet.
-  void meet(kernel::Time_window times, const Triangle& a, const Triangle& b)
+  void meet(Span_part part, kernel::Time_window times, const Triangle& a, const Triangle& b)
   {
     ++counts_.triangle_tests;
-    const kernel::Motion_span& span = *span_;
+    const kernel::Motion_span& span = span_of(part);
     const std::array<const Triangle*, 2> both = {&a, &b};
     const auto& maps = span.at_middle();
     std::array<std::array<Vertex, 3>, 2> edge;
@@ -189,7 +207,7 @@ class Moving_feature_search {
     const auto of_a = span.placed(0, a.local), of_b = span.placed(1, b.local);
     const auto is_done = [&](const Vertex& axis) {
       times = common(times, span.near_along(kernel::scaled_to_one(axis), of_a, of_b));
-      return times.is_empty() || times.from > latest_;
+      return times.is_empty() || Candidate{part, times}.from() > latest_;
     };
     for (const Vertex& n : normal)
       if (is_done(n)) return;
@@ -199,7 +217,7 @@ class Moving_feature_search {
     for (int body = 0; body < 2; ++body)
       for (const Vertex& e : edge[body])
         if (is_done(kernel::cross(normal[body], e))) return;
-    keep({times, {a.face, b.face}, {a.corner, b.corner}});
+    keep({part, times, {a.face, b.face}, {a.corner, b.corner}});
   }
 
   /// Body of corner k.
@@ -209,10 +227,10 @@ class Moving_feature_search {
     return k < 2 ? 0 : 1;
   }
 
-  /// When the features may meet within these times, by axes of the middle of them.
-  kernel::Time_window near(const Moving_features& features, kernel::Time_window near) const
+  /// When the features may meet within these times of a span, by axes of the middle of them.
+  kernel::Time_window near(const Moving_features& features, const kernel::Motion_span& span,
+                           kernel::Time_window near) const
   {
-    const kernel::Motion_span& span = *span_;
     const kernel::Motion_span::Maps maps = span.about(0.5 * (near.from + near.until));
     std::array<Vertex, 4> p, image;
     for (int k = 0; k < 4; ++k) {
@@ -251,7 +269,7 @@ class Moving_feature_search {
   {
     candidate.feature = feature;
     candidate.is_sharp = is_sharp;
-    candidate.times = near(candidate.features(), candidate.times);
+    candidate.times = near(candidate.features(), span_of(candidate.part), candidate.times);
     if (!candidate.times.is_empty() && candidate.from() <= latest_) keep(candidate);
   }
 
@@ -261,10 +279,9 @@ class Moving_feature_search {
     std::ranges::push_heap(candidates_, std::ranges::greater(), &Candidate::from);
   }
 
-  /// Finds the first contact of two features in the span, exactly.
-  void decide(const Moving_features& features)
+  /// Finds the first contact of two features in a part of the span, exactly.
+  void decide(const Moving_features& features, const kernel::Motion_span& span)
   {
-    const kernel::Motion_span& span = *span_;
     Decided now{features.kind, features.body, features.corner, span.m(), span.k()};
     if (features.kind == kernel::Moving_kind::edge_edge)
       for (const int k : {0, 2})
@@ -283,7 +300,7 @@ class Moving_feature_search {
             .first_contact({kernel::Integer(static_cast<unsigned long>(span.m())), span.k()});
     if (!time || (best_ && !time->is_before(best_->time))) return;
     best_before_ = kernel::bounds_about(*time).hi;
-    latest_ = span.share_before(best_before_);
+    latest_ = span_->share_before(best_before_);
     best_ = First_meeting{std::move(*time), features};
   }
 
@@ -296,6 +313,7 @@ class Moving_feature_search {
   std::optional<First_meeting> best_;
   double best_before_ = std::numeric_limits<double>::infinity();
   const kernel::Motion_span* span_ = nullptr;
+  std::array<std::optional<kernel::Motion_span>, 2> half_;  // made when first asked for
   double latest_ = std::numeric_limits<double>::infinity();
 };
 

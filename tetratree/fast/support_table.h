@@ -200,21 +200,21 @@ class Support_table {
   }
 
   /// How far a node's boxes reach, two at once.
-  static void find_reach(const kernel::Obb8& boxes, const kernel::Vector& d,
-                         std::array<double, kernel::lanes>& reach)
+  static void find_reach(const kernel::Obb8& boxes, const kernel::Vector& d, std::array<double, kernel::lanes>& reach)
   {
     using Lanes = kernel::Two_doubles;
     using Row = std::array<Lanes, 3>;
     const auto all = [](const auto& v) { return Row{Lanes{} + v[0], Lanes{} + v[1], Lanes{} + v[2]}; };
-    const Row direction = all(d), origin = all(std::array<double, 3>{boxes.origin[0], boxes.origin[1], boxes.origin[2]});
+    const Row direction = all(d),
+              origin = all(std::array<double, 3>{boxes.origin[0], boxes.origin[1], boxes.origin[2]});
     for (std::size_t first = 0; first < kernel::lanes; first += 2) {
       const auto load = [first](const auto& lanes) {
         return Row{kernel::two_from(lanes[0] + first), kernel::two_from(lanes[1] + first),
                    kernel::two_from(lanes[2] + first)};
       };
-      const Lanes two = reach_of_box(direction, origin, load(boxes.centre),
-                                     std::array{load(boxes.axis[0]), load(boxes.axis[1]), load(boxes.axis[2])},
-                                     load(boxes.extent));
+      const Lanes two =
+          reach_of_box(direction, origin, load(boxes.centre),
+                       std::array{load(boxes.axis[0]), load(boxes.axis[1]), load(boxes.axis[2])}, load(boxes.extent));
       std::memcpy(&reach[first], &two, sizeof two);
     }
   }
