@@ -86,6 +86,7 @@ class Bvh8_motion {
     double extent(std::size_t body) const { return double(std::abs(size[body])); }
   };
   static constexpr int most_directions = 8;
+  static constexpr int most_in_vain = 16, vain_for_one = 4, one_in = 8;
   static constexpr unsigned most_halvings = 50;
   static constexpr double share_of_size = 0.045;    // so much of a pair may be lost by its turning
   static constexpr double share_of_leaves = 0.002;  // where so much is lost, leaves are met in halves
@@ -122,10 +123,20 @@ class Bvh8_motion {
     return part;
   }
 
+  /// Whether a plane is found that parts the bodies in all of the span. Where the most of the last searches were in vain,
+  /// only one span in a few is searched.
+  bool is_parted(const kernel::Motion_span& span)
+  {
+    if (in_vain_ == most_in_vain && ++left_out_ % one_in != 0) return false;
+    const bool is_found = separating_direction_(span, most_directions);
+    in_vain_ = is_found ? kernel::maximum(in_vain_ - vain_for_one, 0) : kernel::minimum(in_vain_ + 1, most_in_vain);
+    return is_found;
+  }
+
   /// Opens the pairs in a span of time, and then those that are left for its halves in these.
   void search(const kernel::Motion_span& span, std::span<const Pair> pairs)
   {
-    if (separating_direction_(span, most_directions)) return;
+    if (is_parted(span)) return;
     const Span_reference reference(span);
     features_.enter(span);
     queue_.clear(0, 1);
@@ -274,6 +285,8 @@ class Bvh8_motion {
   Moving_feature_search features_;
   Pair_queue<Pair, 64> queue_;
   Query_statistics counts_;
+  int in_vain_ = 0;        // searches for a plane, less `vain_for_one` for each that found one
+  unsigned left_out_ = 0;  // spans of the others
 };
 
 }  // namespace tetracone::tetratree
