@@ -86,7 +86,7 @@ class Bvh8_motion {
     double extent(std::size_t body) const { return double(std::abs(size[body])); }
   };
   static constexpr int most_directions = 8;
-  static constexpr int most_in_vain = 16, vain_for_one = 4, one_in = 8;
+  static constexpr int most_in_vain = 16, vain_for_one = 8, one_in = 8;
   static constexpr unsigned most_halvings = 50;
   static constexpr double share_of_size = 0.045;    // so much of a pair may be lost by its turning
   static constexpr double share_of_leaves = 0.002;  // where so much is lost, leaves are met in halves
