@@ -88,7 +88,7 @@ class Bvh8_motion {
   static constexpr int most_directions = 8;
   static constexpr int most_in_vain = 16, vain_for_one = 8, one_in = 8;
   static constexpr unsigned most_halvings = 50;
-  static constexpr double share_of_size = 0.045;    // so much of a pair may be lost by its turning
+  static constexpr double share_of_size = 0.04;     // so much of a pair may be lost by its turning
   static constexpr double share_of_leaves = 0.002;  // where so much is lost, leaves are met in halves
 
   kernel::Motion_units units(int body) const { return {tree_[body]->scale().origin, tree_[body]->scale().unit}; }
