@@ -20,7 +20,7 @@ std::uint64_t key_of(std::size_t a, std::size_t b)
 }
 
 /// A wide box leaves room for so many steps like the last one, but not for more than that share of the body.
-constexpr double steps_ahead = 4, most_room = 1.0 / 8;
+constexpr double steps_ahead = 8, most_room = 1.0 / 8;
 
 /// Above that share of all bodies, one in so many, boxes of all are brought up to date at once.
 constexpr std::size_t few_of_all = 8;
