@@ -133,6 +133,12 @@ class Moving_feature_search {
 
     auto operator<=>(const Decided&) const = default;
   };
+  /// A time of a part of the span as one of the whole.
+  static double in_span(Span_part part, double time)
+  {
+    return part == Span_part::whole ? time : 0.5 * (time + double(part == Span_part::second_half));
+  }
+
   /// Two triangles, or features of them, that may meet at these times of a part of the span.
   struct Candidate {
     Span_part part;
@@ -144,11 +150,7 @@ class Moving_feature_search {
 
     static constexpr int all = 15;
 
-    /// A time of the whole span.
-    double from() const
-    {
-      return part == Span_part::whole ? times.from : 0.5 * (times.from + double(part == Span_part::second_half));
-    }
+    double from() const { return in_span(part, times.from); }
 
     Moving_features features() const
     {
@@ -207,7 +209,7 @@ class Moving_feature_search {
     const auto of_a = span.placed(0, a.local), of_b = span.placed(1, b.local);
     const auto is_done = [&](const Vertex& axis) {
       times = common(times, span.near_along(kernel::scaled_to_one(axis), of_a, of_b));
-      return times.is_empty() || Candidate{part, times}.from() > latest_;
+      return times.is_empty() || in_span(part, times.from) > latest_;
     };
     for (const Vertex& n : normal)
       if (is_done(n)) return;
