@@ -138,7 +138,7 @@ class Scene_data {
   void keep_to_memory(Number model_a, Number model_b);
   void forget_pairs_of(Number body);
   void allow_fronts(const std::vector<Number>& pairs);
-  bool moves_little(Number pair);
+  bool moves_little(Number pair, double since) const;
   void answer(Number pair, bool collide, double gap);
   double way(Number pair) const;
   void list_pairs();

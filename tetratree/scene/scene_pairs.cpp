@@ -164,20 +164,21 @@ void Scene_data::allow_fronts(const std::vector<Number>& pairs)
                ? kernel::minimum(room, options_.memory - kernel::minimum(options_.memory, bytes() - taken))
                : 0;
   for (const Number number : pairs) {
-    tetratree::Pair_memory& memory = near_.asked(number).memory;
+    tetratree::Asked_pair& asked = near_.asked(number);
+    tetratree::Pair_memory& memory = asked.memory;
     const bool would_be_made = !memory.front && memory.is_front_worth(),
-               is_allowed = (memory.front || would_be_made) && moves_little(number) &&
+               is_allowed = (memory.front || would_be_made) && moves_little(number, asked.way) &&
                             (!would_be_made || taken + bytes_of_front <= room);
     if (is_allowed && would_be_made) taken += bytes_of_front;
     memory.allow_front(is_allowed);
   }
 }
 
-/// Of bodies that have been asked before: since then.
-bool Scene_data::moves_little(Number pair)
+/// Since the bodies' way was `since`.
+bool Scene_data::moves_little(Number pair, double since) const
 {
   const auto [a, b] = near_.bodies(pair).body;
-  return way(pair) - near_.asked(pair).way <= little * kernel::minimum(boxes_[a].size(), boxes_[b].size());
+  return way(pair) - since <= little * kernel::minimum(boxes_[a].size(), boxes_[b].size());
 }
 
 tetratree::Turned_box Scene_data::turned_box(Number body)

@@ -298,6 +298,10 @@ BOOST_AUTO_TEST_CASE(points_of_doubles_and_of_fractions_are_located_exactly)
   BOOST_TEST(said([&] {
                cube.inside(std::vector<std::array<double, 3>>{{0, 0, 0}, {0, 0, nan}});
              }) == "points[1]: z is nan; expected a finite number");
+  std::vector<std::array<double, 3>> many(1000);
+  BOOST_TEST(cube.inside(many).size() == many.size());
+  many[999][1] = -std::numeric_limits<double>::infinity();
+  BOOST_TEST(said([&] { cube.inside(many); }) == "points[999]: y is -inf; expected a finite number");
   BOOST_TEST(said([&] {
                cube.inside_text({"0", "0", "1/0"});
              }) == "point: z is '1/0'; expected a finite decimal number or a fraction n/d");
