@@ -100,6 +100,24 @@ class Time_root {
     return Integer_form(std::array<Integer, 2>{Integer(-m), Integer((Integer(1) << k) - m)});
   }
 
+  /// The value of a form at rest : x, where rest is 1 - x.
+  template <class Number>
+  static Number value_at(const Number& x, const Number& rest, const std::vector<Number>& coefficients)
+  {
+    Number value(0), power(1);
+    for (std::size_t k = coefficients.size(); k-- > 0;) {
+      value = value * x + coefficients[k] * power;
+      power = power * rest;
+    }
+    return value;
+  }
+
+  /// How far value_at is off in double, over the number of coefficients, at most `most_coefficients`, and the sum of
+  /// their magnitudes: coefficients are truncated, and x is off by 3 u. Proved in verify/proofs/motion_proofs.h; takes
+  /// what underflows, since the largest coefficient is at least 1/2.
+  static constexpr double value_error = 0x1p-50;
+  static constexpr std::size_t most_coefficients = 40;
+
  private:
   enum class Half { none, first, second };
 
@@ -121,28 +139,17 @@ class Time_root {
     return coefficients;
   }
 
-  /// Its value at 1 - x : x.
-  static double value_at(double x, const std::vector<double>& coefficients)
-  {
-    double value = 0, power = 1;
-    for (std::size_t k = coefficients.size(); k-- > 0;) {
-      value = value * x + coefficients[k] * power;
-      power *= 1 - x;
-    }
-    return value;
-  }
-
-  /// The sign of g all over the cell, as far as double tells: at x in it, but for 4 u and what the cell is long, where the
-  /// slope of s^(n-k) t^k is at most n. Coefficients are off by 2 u of themselves, 1 - x by u, and a term by 3 roundings
-  /// in each of n steps: less than 32 (n + 1) u of the sum of the coefficients' magnitudes, which takes what underflows.
+  /// The sign of g all over the cell, as far as double tells: its value at the cell's middle, but for what the cell is
+  /// long, where the slope of s^(n-k) t^k is at most n, and for `value_error`.
   CGAL::Sign certain_sign(const Integer_form& g) const
   {
+    if (g.size() > most_coefficients) return CGAL::ZERO;
     const std::vector<double> coefficients = rounded(g);
-    const double cell = std::ldexp(1.0, -int(k_)),
-                 value = value_at((mpz_get_d(m_.get_mpz_t()) + 0.5) * cell, coefficients);
+    const double cell = std::ldexp(1.0, -int(k_)), x = (mpz_get_d(m_.get_mpz_t()) + 0.5) * cell,
+                 value = value_at(x, 1 - x, coefficients);
     double sum = 0;
     for (const double c : coefficients) sum += std::abs(c);
-    const double error = sum * double(coefficients.size()) * (cell + 0x1p-48);
+    const double error = sum * double(coefficients.size()) * (cell + value_error);
     return value > error ? CGAL::POSITIVE : value < -error ? CGAL::NEGATIVE : CGAL::ZERO;
   }
 
@@ -154,7 +161,7 @@ class Time_root {
     double low = 0, high = 1;
     for (int round = 0; round < 60; ++round) {
       const double x = 0.5 * (low + high);
-      (sense * value_at(x, coefficients) > 0 ? low : high) = x;
+      (sense * value_at(x, 1 - x, coefficients) > 0 ? low : high) = x;
     }
     return 0.5 * (low + high);
   }

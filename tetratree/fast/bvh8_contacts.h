@@ -74,8 +74,8 @@ class Bvh8_contacts {
     if (one_element_a_ && one_element_b_) return;
     const auto faces = [](const Face_pair& pair) { return std::uint64_t(pair.face_a) << 32 | pair.face_b; };
     std::ranges::sort(candidates_, {}, faces);
-    const auto repeated = std::ranges::unique(candidates_, {}, faces);
-    candidates_.erase(repeated.begin(), repeated.end());
+    const auto same = [&](const Face_pair& first, const Face_pair& second) { return faces(first) == faces(second); };
+    candidates_.erase(std::unique(candidates_.begin(), candidates_.end(), same), candidates_.end());
   }
 
   Bvh8_collision<K> collision_;

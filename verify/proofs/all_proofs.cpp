@@ -75,6 +75,7 @@ std::string why_not_searched(const std::string& name)
       {"motion_filter::sum_error", counted},
       {"motion_filter::volume_error", counted},
       {"motion_filter::rounded_error", counted},
+      {"Time_root::value_error", counted},
       {"Carried_box::centre_rounding", one},
       {"Carried_box::edge_rounding", counted},
       {"Carrier::rate_rounding", counted},

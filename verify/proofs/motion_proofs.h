@@ -4,6 +4,7 @@
 #include "tetracone/kernel/motion/motion_filter.h"
 #include "tetracone/kernel/motion/motion_forms.h"
 #include "tetracone/kernel/motion/motion_span.h"
+#include "tetracone/kernel/motion/time_root.h"
 #include "tetracone/kernel/number/floating_point.h"
 #include "verify/proofs/proved_bound.h"
 #include "verify/proofs/rounding_count.h"
@@ -13,6 +14,7 @@
 #include <cstddef>
 #include <string>
 #include <utility>
+#include <vector>
 
 /// The constants of kernel/motion/: of the filter of moving triangles, and of spans of time.
 namespace tetracone::verify::proofs {
@@ -70,6 +72,24 @@ Rational error_when_halved(kernel::motion_filter::Scaled<N, Static_error> form)
   return form[0].error;
 }
 
+/// The largest error of Time_root::value_at for a form of so many coefficients, over their number and the sum of their
+/// magnitudes: that of one coefficient alone, since each adds its own.
+inline Rational error_of_value(std::size_t count)
+{
+  const Rational u(kernel::unit_roundoff<double>), once = 1 / (1 - u);
+  const Static_error x(1), rest(Rational(1), u), coefficient(Rational(1), 2 * u * once);
+  Rational worst = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    std::vector<Static_error> coefficients(count);
+    coefficients[k] = coefficient;
+    worst = std::max(worst, kernel::Time_root::value_at(x, rest, coefficients).error);
+  }
+  // What x is off, times the slope. The sum, its product with the number and the bound's own sum are rounded too.
+  Rational rounded = (worst + 3 * u * int(count - 1)) / int(count);
+  for (std::size_t k = 0; k < count + 3; ++k) rounded *= once;
+  return rounded;
+}
+
 }  // namespace detail
 
 inline Proved_bounds motion_proofs()
@@ -108,6 +128,11 @@ inline Proved_bounds motion_proofs()
       detail::error_when_halved<4>(
           filter::scaled(kernel::Cubic_form<Static_error>{coefficient, coefficient, coefficient, coefficient})),
       1.12);
+
+  Rational error_of_value = 0;
+  for (std::size_t count = 1; count <= kernel::Time_root::most_coefficients; ++count)
+    error_of_value = std::max(error_of_value, detail::error_of_value(count));
+  add("Time_root::value_error", "kernel/motion/time_root.h", kernel::Time_root::value_error, error_of_value, 1.62);
 
   // A coefficient of a span is truncated and divided, and then an average of averages; a local point is off by 2 u.
   Rounding_count entry_of_map = entry(entry(entry(entry(Rounding_count()))));

@@ -3,6 +3,9 @@
 #include <boost/test/unit_test.hpp>
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <random>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_time_root)
@@ -61,6 +64,31 @@ BOOST_AUTO_TEST_CASE(a_shared_irrational_root_is_a_zero_and_equal)
   std::vector<Time_root> later = roots_within(form<3>({-200001, 0, 100000}));
   BOOST_TEST(roots[0].is_before(later[0]));
   BOOST_TEST(!later[0].is_before(roots[0]));
+}
+
+BOOST_AUTO_TEST_CASE(signs_of_forms_that_nearly_vanish_are_exact)
+{
+  std::mt19937_64 random(1);
+  const auto below = [&](long n) { return long(random() % std::uint64_t(n)); };
+  std::array<int, 3> count = {};
+  for (int round = 0; round < 4000; ++round) {
+    const long n = 3 + 2 * below(1L << 20), m = 1 + below(n - 1);  // no dyadic time
+    std::vector<Time_root> roots = roots_within(Integer_form(std::array<Integer, 2>{Integer(-m), Integer(n - m)}));
+    BOOST_REQUIRE(roots.size() == 1u);
+    // Factors that vanish 2^-k from there, and one of coefficients of many sizes.
+    Integer_form g(std::array<Integer, 1>{Integer(1)});
+    for (long factor = below(5); factor-- > 0;) {
+      const Integer q = Integer(n) << unsigned(below(70)), p = (q / n) * m + below(3) - 1;
+      g = g * Integer_form(std::array<Integer, 2>{Integer(-p), Integer(q - p)});
+    }
+    Integer_form other;
+    for (long k = 1 + below(14); k-- > 0;) other.push_back((Integer(below(2001)) - 1000) << unsigned(below(60)));
+    g = g * other;
+    const CGAL::Sign exact = sign_of(g.at(Integer(n - m), Integer(m)));
+    BOOST_REQUIRE(roots[0].sign(g) == exact);
+    ++count[std::size_t(int(exact) + 1)];
+  }
+  for (const int of_sign : count) BOOST_TEST(of_sign > 100);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
