@@ -53,12 +53,12 @@ install_packages()
   rm -f "$log"
 }
 
-# How many compilations at once: a processor and 2 GB of memory each.
+# How many compilations at once: a processor and 3 GB of memory each.
 jobs_at_once()
 {
   local processors gigabytes
   processors=$(nproc)
-  gigabytes=$(awk '/^MemAvailable:/ { print int($2 / 2000000) }' /proc/meminfo)
+  gigabytes=$(awk '/^MemAvailable:/ { print int($2 / 3000000) }' /proc/meminfo)
   ((gigabytes < processors)) && processors=$gigabytes
   ((processors > 1)) || processors=1
   echo "$processors"
