@@ -67,9 +67,11 @@ std::size_t Scene_data::add_body(std::size_t model)
   if (bodies_.size() >= std::numeric_limits<std::int32_t>::max())
     throw Error("scene: too many bodies; expected less than 2^31");
   bodies_.emplace_back().model = Number(model);
+  poses_.emplace_back();
+  last_poses_.emplace_back();
+  steps_.push_back(0);
   boxes_.emplace_back();
   wide_.emplace_back();
-  turned_.emplace_back();
   ways_.emplace_back();
   seen_.push_back(0);
   near_.set_body_count(bodies_.size());
@@ -133,8 +135,9 @@ bool Scene_data::is_ignored(std::size_t a, std::size_t b) const
 void Scene_data::place(std::size_t number, const kernel::Pose& pose)
 {
   Placed_body& body = there(number);
-  if (body.is_placed && body.pose == pose) return;
-  body.pose = pose;
+  kernel::Pose& known = poses_[number];
+  if (body.is_placed && known == pose) return;
+  known = pose;
   body.is_placed = true;
   if (body.has_moved) return;
   body.has_moved = true;
@@ -174,7 +177,9 @@ void Scene_data::move_bodies()
 {
   std::erase_if(moved_, [this](Number body) { return !bodies_[body].is_there; });
   // All that can fail comes before anything is changed.
-  for (const Number body : moved_) models.extent(bodies_[body].model);
+  bool has_long = false;
+  for (const Number body : moved_) has_long |= models.extent(bodies_[body].model).is_long();
+  if (has_long) turned_.resize(bodies_.size());
   for_each(moved_.size(), 64, [this](std::size_t i, Scene_worker& worker) { move(moved_[i], worker); });
   statistics_.moved = moved_.size();
   std::vector<Number> out_of_their_boxes;
@@ -190,13 +195,18 @@ void Scene_data::move(Number number, Scene_worker& worker)
 {
   Placed_body& body = bodies_[number];
   const tetratree::Body_extent& extent = models.extent(body.model);
-  body.step =
-      body.is_in_tree ? tetratree::motion(extent, body.last_pose, body.pose) : std::numeric_limits<double>::infinity();
-  body.last_pose = body.pose;
+  const kernel::Pose& pose = poses_[number];
+  kernel::Pose& last = last_poses_[number];
+  steps_[number] = body.is_in_tree ? tetratree::motion(extent, last, pose) : std::numeric_limits<double>::infinity();
+  last = pose;
   body.is_tight = models.tree(body.model) != nullptr;
-  boxes_[number] = worker.box(body.model, extent, body.pose);
+  boxes_[number] = worker.box(body.model, extent, pose);
   ways_[number].moved = frame_;
-  turned_[number] = extent.is_long() ? tetratree::turned_box(extent, body.pose) : tetratree::Turned_box();
+  body.is_turned = extent.is_long();
+  if (body.is_turned) {
+    turned_[number] = tetratree::turned_box(extent, pose);
+    body.is_turned = turned_[number].is_known;
+  }
 }
 
 /// Gives these bodies new wide boxes, and finds what is near them.
@@ -206,7 +216,7 @@ void Scene_data::widen(const std::vector<Number>& bodies)
   for (const Number number : bodies) {
     Placed_body& body = bodies_[number];
     const World_box& box = boxes_[number];
-    const double room = steps_ahead * body.step, most = most_room * box.size();
+    const double room = steps_ahead * steps_[number], most = most_room * box.size();
     wide_[number] = box.grown(!body.is_in_tree ? 0 : room < most ? room : most);
     body.is_wide_tight = body.is_tight;
     if (!body.is_in_tree) tree_is_old_ = body.is_in_tree = true;
