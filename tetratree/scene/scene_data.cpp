@@ -25,6 +25,9 @@ constexpr double steps_ahead = 8, most_room = 1.0 / 8;
 /// Above that share of all bodies, one in so many, boxes of all are brought up to date at once.
 constexpr std::size_t few_of_all = 8;
 
+/// So many bodies before one's near pairs are changed, the memory is told to bring its list; half as many, its pairs.
+constexpr std::size_t lists_ahead = 8;
+
 /// Of a search, for threads to share.
 constexpr std::size_t parts_of_search = 64;
 
@@ -235,7 +238,7 @@ void Scene_data::build_boxes()
   std::vector<Number> items;
   for (Number body = 0; body < bodies_.size(); ++body)
     if (bodies_[body].is_in_tree) items.push_back(body);
-  tree_.build(wide_, std::move(items));
+  tree_.build(wide_, items);
   tree_is_old_ = false;
 }
 
@@ -267,6 +270,8 @@ void Scene_data::find_near(const std::vector<Number>& bodies)
   near_.make_room(pairs);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Number body = bodies[i];
+    if (i + lists_ahead < bodies.size()) near_.fetch_list(bodies[i + lists_ahead]);
+    if (i + lists_ahead / 2 < bodies.size()) near_.fetch_pairs(bodies[i + lists_ahead / 2]);
     const std::uint64_t search = ++search_;
     near_.make_room(body, others[i].size());
     for (const Number other : others[i]) seen_[other] = search;

@@ -244,8 +244,7 @@ void Scene_data::ask_pair(Number number, Scene_worker& worker)
   const auto [model_a, model_b] = models_of(body[0], body[1]);
   const int first = bodies_[body[0]].model == model_a ? 0 : 1;
   Query& query = worker.query(models, model_a, model_b, pair.by_brute_force ? Method::brute : Method::tree);
-  const bool collide(
-      query.collide(poses_[body[first]], poses_[body[1 - first]], near_.known_asked(number)->memory));
+  const bool collide(query.collide(poses_[body[first]], poses_[body[1 - first]], near_.known_asked(number)->memory));
   answer(number, collide, collide ? 0 : query.certified_gap());
 }
 
@@ -305,8 +304,7 @@ std::size_t Scene_data::bytes() const
   std::size_t all = models.bytes() + tree_.bytes() + near_.bytes() +
                     bodies_.capacity() * (sizeof(Placed_body) + 2 * sizeof(kernel::Pose) + sizeof(double) +
                                           2 * sizeof(World_box) + sizeof(Way) + sizeof(std::uint64_t)) +
-                    turned_.capacity() * sizeof(tetratree::Turned_box) +
-                    colliding_.capacity() * sizeof(Scene_pair);
+                    turned_.capacity() * sizeof(tetratree::Turned_box) + colliding_.capacity() * sizeof(Scene_pair);
   for (const Scene_worker& worker : workers_) all += worker.bytes();
   return all;
 }
