@@ -31,7 +31,7 @@ struct Covering_triangle {
                                 ///< sides
 };
 
-/// Does one thing, then another. Whoever has threads to share does both at once instead, and returns when both are done.
+/// Does one thing, then another. Whoever has threads does both at once instead, and returns when both are done.
 struct In_turn {
   template <class One, class Other>
   void operator()(const One& one, const Other& other) const
