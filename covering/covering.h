@@ -31,6 +31,16 @@ struct Covering_triangle {
                                 ///< sides
 };
 
+/// Does one thing, then another. Whoever has threads does both at once instead, and returns when both are done.
+struct In_turn {
+  template <class One, class Other>
+  void operator()(const One& one, const Other& other) const
+  {
+    one();
+    other();
+  }
+};
+
 /// The covering of a polyhedron: for each face the triangles that join the origin W of the face to its directed edges
 /// (JS08 Theorem 1, Definitions 1 and 2), with the polyhedron's real edges and its connected parts.
 ///
@@ -40,23 +50,17 @@ struct Covering_triangle {
 /// face has no such triangle a flat one carries them, so that each real edge is on some triangle of its face.
 class Covering {
  public:
-  explicit Covering(const Polyhedron& polyhedron)
+  /// Made by `both`, as `In_turn` is; the same by any.
+  template <class Both = In_turn>
+  explicit Covering(const Polyhedron& polyhedron, const Both& both = {})
   {
-    collect_edges(polyhedron);
-    const std::size_t faces = polyhedron.face_count();
-    from_.reserve(polyhedron.corner_count());
-    to_.reserve(polyhedron.corner_count());
-    face_corner_begin_.reserve(faces + 1);
-    spanned_.reserve(faces);
-    if (polyhedron.corner_count() >= 2 * faces) triangles_.reserve(polyhedron.corner_count() - 2 * faces);
-    face_corner_begin_.push_back(0);
-    std::vector<std::pair<Index, bool>> neighbours;
-    for (Index f = 0; f < faces; ++f) {
-      cover_face(polyhedron, f, neighbours);
-      face_corner_begin_.push_back(Index(from_.size()));
-      span_face(polyhedron, f);
-    }
-    collect_shells(polyhedron);
+    both(
+        [&] {
+          collect_corners(polyhedron);
+          collect_shells(polyhedron);
+        },
+        [&] { collect_edges(polyhedron); });
+    both([&] { cover_faces(polyhedron); }, [&] { span_faces(polyhedron); });
     edge_begin_.clear();
     edge_begin_.shrink_to_fit();
   }
@@ -131,6 +135,24 @@ class Covering {
 
   static std::array<Index, 2> undirected(Index a, Index b) { return {std::min(a, b), std::max(a, b)}; }
 
+  void collect_corners(const Polyhedron& polyhedron)
+  {
+    from_.reserve(polyhedron.corner_count());
+    to_.reserve(polyhedron.corner_count());
+    face_corner_begin_.reserve(polyhedron.face_count() + 1);
+    face_corner_begin_.push_back(0);
+    for (Index f = 0; f < polyhedron.face_count(); ++f) {
+      for (std::size_t l = 0; l < polyhedron.loop_count(f); ++l) {
+        const Loop loop = polyhedron.loop(f, l);
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+          from_.push_back(loop[k]);
+          to_.push_back(loop[k + 1 == loop.size() ? 0 : k + 1]);
+        }
+      }
+      face_corner_begin_.push_back(Index(from_.size()));
+    }
+  }
+
   /// By their first vertices in two passes: faster than sorting them all.
   void collect_edges(const Polyhedron& polyhedron)
   {
@@ -167,21 +189,23 @@ class Covering {
     return Index(std::lower_bound(first + edge_begin_[edge[0]], first + edge_begin_[edge[0] + 1], edge) - first);
   }
 
-  /// `neighbours` is for its use: of W along the face's edges, and whether a triangle has that side.
-  void cover_face(const Polyhedron& polyhedron, Index f, std::vector<std::pair<Index, bool>>& neighbours)
+  void cover_faces(const Polyhedron& polyhedron)
   {
-    const Index w = polyhedron.loop(f, 0)[0];
+    const std::size_t faces = polyhedron.face_count();
+    if (from_.size() >= 2 * faces) triangles_.reserve(from_.size() - 2 * faces);
+    std::vector<std::pair<Index, bool>> neighbours;
+    for (Index f = 0; f < faces; ++f) cover_face(f, neighbours);
+  }
+
+  /// `neighbours` is for its use: of W along the face's edges, and whether a triangle has that side.
+  void cover_face(Index f, std::vector<std::pair<Index, bool>>& neighbours)
+  {
+    const std::size_t first = face_corner_begin_[f], last = face_corner_begin_[f + 1];
+    const Index w = from_[first];
     neighbours.clear();
-    const std::size_t first = from_.size();
-    for (std::size_t l = 0; l < polyhedron.loop_count(f); ++l) {
-      const Loop loop = polyhedron.loop(f, l);
-      for (std::size_t k = 0; k < loop.size(); ++k) {
-        const Index a = loop[k], b = loop[k + 1 == loop.size() ? 0 : k + 1];
-        from_.push_back(a);
-        to_.push_back(b);
-        if (a == w) neighbours.push_back({b, false});
-        if (b == w) neighbours.push_back({a, false});
-      }
+    for (std::size_t k = first; k < last; ++k) {
+      if (from_[k] == w) neighbours.push_back({to_[k], false});
+      if (to_[k] == w) neighbours.push_back({from_[k], false});
     }
     const auto side = [&](Index v) {
       Index edge = none;
@@ -192,7 +216,7 @@ class Covering {
         }
       return edge;
     };
-    for (std::size_t k = first; k < from_.size(); ++k) {
+    for (std::size_t k = first; k < last; ++k) {
       const Index a = from_[k], b = to_[k];
       if (a != w && b != w) triangles_.push_back({f, {w, a, b}, {side(a), edge_number(a, b), side(b)}});
     }
@@ -203,6 +227,12 @@ class Covering {
       triangles_.push_back({f, {w, v, v}, {edge, v == w ? edge : none, edge}});
       side(v);
     }
+  }
+
+  void span_faces(const Polyhedron& polyhedron)
+  {
+    spanned_.reserve(polyhedron.face_count());
+    for (Index f = 0; f < polyhedron.face_count(); ++f) span_face(polyhedron, f);
   }
 
   void span_face(const Polyhedron& polyhedron, Index f)

@@ -9,6 +9,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
 
 #include <cmath>
@@ -123,7 +124,10 @@ void Body::make_all(std::size_t threads) const
   }
   // Of its own: a thread that waits in it takes up no other work, which might ask this tree.
   tbb::task_arena arena{int(threads)};
-  data_->bvh8().make_all([&](const auto& work) {
+  const auto both = [&](const auto& one, const auto& other) {
+    arena.execute([&] { tbb::parallel_invoke(one, other); });
+  };
+  data_->bvh8(both).make_all([&](const auto& work) {
     arena.execute(
         [&] { tbb::parallel_for(tbb::blocked_range<std::size_t>(0, threads, 1), [&](const auto&) { work(); }); });
   });

@@ -48,10 +48,12 @@ struct Body_data {
     return closed_;
   }
 
-  const tetratree::Bvh8& bvh8() const
+  /// Its covering is made by `both`, as `covering::In_turn` is.
+  template <class Both = covering::In_turn>
+  const tetratree::Bvh8& bvh8(const Both& both = {}) const
   {
-    std::call_once(bvh8_once_, [this] {
-      bvh8_.emplace(polyhedron, triangles);
+    std::call_once(bvh8_once_, [&] {
+      bvh8_.emplace(polyhedron, triangles, tetratree::Bvh8_options{}, both);
       made_bvh8_.store(&*bvh8_, std::memory_order_release);
     });
     return *bvh8_;

@@ -35,10 +35,12 @@ namespace tetracone::tetratree {
 /// none.
 class Bvh8 {
  public:
-  /// `triangles`: for each face that has some, triangles that cover exactly the face. Requires planar faces.
+  /// `triangles`: for each face that has some, triangles that cover exactly the face. Requires planar faces. The
+  /// covering is made by `both`, as `covering::In_turn` is.
+  template <class Both = covering::In_turn>
   explicit Bvh8(const covering::Polyhedron& polyhedron, std::span<const Face_triangle> triangles = {},
-                const Bvh8_options& options = {})
-      : elements_(polyhedron, triangles),
+                const Bvh8_options& options = {}, const Both& both = {})
+      : elements_(polyhedron, triangles, both),
         builder_(std::in_place, elements_, options, leaf_ends_),
         nodes_(elements_.count())
   {
@@ -116,6 +118,7 @@ class Bvh8 {
     kernel::require_sound_floating_point();
     const std::lock_guard lock(making_);
     if (!builder_) return;
+    nodes_.expect(elements_.count() / (kernel::lanes - 1));
     Bvh8_subtrees(*builder_, nodes_).make(run);
     cuts_ = builder_->cuts();
     builder_.reset();

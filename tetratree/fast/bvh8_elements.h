@@ -35,7 +35,10 @@ class Bvh8_elements {
   using Adaptive = kernel::Adaptive;
 
   /// `triangles`: for each face that has some, triangles that cover exactly the face. Requires planar faces.
-  Bvh8_elements(const covering::Polyhedron& polyhedron, std::span<const Face_triangle> triangles) : model_(polyhedron)
+  /// The covering is made by `both`, as `covering::In_turn` is.
+  template <class Both = covering::In_turn>
+  Bvh8_elements(const covering::Polyhedron& polyhedron, std::span<const Face_triangle> triangles, const Both& both = {})
+      : model_(polyhedron, covering::Covering(polyhedron, both))
   {
     collect_elements(polyhedron, triangles);
     find_scale();
@@ -91,10 +94,10 @@ class Bvh8_elements {
   void collect_elements(const covering::Polyhedron& polyhedron, std::span<const Face_triangle> triangles)
   {
     std::vector<bool> has_triangles(polyhedron.face_count(), false);
-    for (const Face_triangle& t : triangles) {
-      has_triangles[t.face] = true;
-      elements_.push_back({t.face, t.corner});
-    }
+    for (const Face_triangle& t : triangles) has_triangles[t.face] = true;
+    const auto without = std::size_t(std::ranges::count(has_triangles, false));
+    elements_.reserve(triangles.size() + without);
+    for (const Face_triangle& t : triangles) elements_.push_back({t.face, t.corner});
     for (Index f = 0; f < polyhedron.face_count(); ++f) {
       if (has_triangles[f]) continue;
       const auto loop = polyhedron.loop(f, 0);
@@ -103,7 +106,6 @@ class Bvh8_elements {
                                           : std::array{covering::none, covering::none, covering::none}});
     }
     assert(elements_.size() <= Bvh8_node::most_elements);
-    elements_.shrink_to_fit();
   }
 
   covering::Model<Adaptive> model_;

@@ -1,6 +1,8 @@
 #ifndef TETRACONE_TETRATREE_FAST_RESERVED_ARRAY_H
 #define TETRACONE_TETRATREE_FAST_RESERVED_ARRAY_H
 
+#include "tetracone/kernel/number/floating_point.h"
+
 #include <sys/mman.h>
 
 #include <atomic>
@@ -52,6 +54,14 @@ class Reserved_array {
     return n;
   }
 
+  /// Tells the system that so many will be there at least, in order: it may take memory for them by larger pages.
+  void expect(std::size_t count)
+  {
+    const auto begin = (std::uintptr_t(data_) + large_page - 1) / large_page * large_page,
+               end = std::uintptr_t(data_ + kernel::minimum(count, capacity_)) / large_page * large_page;
+    if (begin < end) ::madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+  }
+
   /// Makes place for so many, to be written by the caller, and returns the number of the first. Requires room.
   std::uint32_t append(std::size_t count)
   {
@@ -62,6 +72,8 @@ class Reserved_array {
   }
 
  private:
+  static constexpr std::uintptr_t large_page = std::uintptr_t(1) << 21;
+
   T* data_ = nullptr;
   std::size_t capacity_;
   std::atomic<std::uint32_t> size_ = 0;

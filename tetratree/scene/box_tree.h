@@ -31,17 +31,19 @@ class Box_tree {
   };
 
   /// Item i has boxes[i]; only those of `items` are in the tree.
-  void build(std::span<const World_box> boxes, std::vector<Item> items)
+  void build(std::span<const World_box> boxes, std::span<const Item> items)
   {
     nodes_.clear();
     place_.assign(boxes.size(), no_place);
-    in_order_ = std::move(items);
-    if (!in_order_.empty()) make(boxes, 0, in_order_.size(), no_place);
+    count_ = items.size();
+    std::vector<Centre> order(count_);
+    std::ranges::transform(items, order.begin(), [boxes](Item item) { return centre_of(boxes[item], item); });
+    if (count_ > 0) make(boxes, order, no_place);
     new_ = worn_ = {};
   }
 
   bool holds(Item item) const { return item < place_.size() && place_[item] != no_place; }
-  std::size_t count() const { return in_order_.size(); }
+  std::size_t count() const { return count_; }
 
   /// Gives an item of the tree another box.
   void set(Item item, const World_box& box)
@@ -132,7 +134,7 @@ class Box_tree {
   /// Tells the tree what searches have cost: the first ones after a build are what later ones are compared with.
   void count_searches(std::size_t searches, std::size_t opened)
   {
-    Searches& now = new_.count < in_order_.size() ? new_ : worn_;
+    Searches& now = new_.count < count_ ? new_ : worn_;
     now.count += searches;
     now.opened += opened;
   }
@@ -143,19 +145,15 @@ class Box_tree {
   {
     if (worn_.count == 0) return false;
     const double usual = double(new_.opened) / double(new_.count) * double(worn_.count);
-    return double(worn_.opened) > usual + nodes_a_build * double(in_order_.size());
+    return double(worn_.opened) > usual + nodes_a_build * double(count_);
   }
 
-  std::size_t bytes() const
-  {
-    return nodes_.capacity() * sizeof(Node) + place_.capacity() * sizeof(place_[0]) +
-           in_order_.capacity() * sizeof(Item);
-  }
+  std::size_t bytes() const { return nodes_.capacity() * sizeof(Node) + place_.capacity() * sizeof(place_[0]); }
 
  private:
   static constexpr int lanes = 8;
   static constexpr std::uint32_t no_place = ~std::uint32_t(0);
-  static constexpr double nodes_a_build = 8;  // opened, in the time that building takes an item
+  static constexpr double nodes_a_build = 16;  // opened, in the time that building takes an item
   static constexpr World_box nothing{{World_box::infinity, World_box::infinity, World_box::infinity},
                                      {-World_box::infinity, -World_box::infinity, -World_box::infinity}};
 
@@ -263,37 +261,50 @@ class Box_tree {
     return of_two(two, __builtin_shufflevector(two, two, 1, 0, 3, 2))[0];
   }
 
-  /// The node of the items first .. last of the order; its number.
-  std::uint32_t make(std::span<const World_box> boxes, std::size_t first, std::size_t last, std::uint32_t parent)
+  /// An item while the tree is made, and where its box has its middle; 0 where that is at no finite place.
+  struct alignas(16) Centre {
+    std::array<float, 3> at;
+    Item item;
+  };
+  static Centre centre_of(const World_box& box, Item item)
+  {
+    Centre centre{{}, item};
+    for (int k = 0; k < 3; ++k) {
+      const float at = 0.5f * box.low[k] + 0.5f * box.high[k];
+      centre.at[k] = at - at == 0 ? at : 0;
+    }
+    return centre;
+  }
+
+  /// The node of the items first .. last of `order`; its number. Nodes that hold items alone are full, but for the last
+  /// one.
+  std::uint32_t make(std::span<const World_box> boxes, std::span<Centre> order, std::uint32_t parent)
   {
     const auto number = std::uint32_t(nodes_.size());
     nodes_.emplace_back();
     nodes_[number].parent = parent;
     std::array<std::size_t, lanes + 1> ends;  // of the parts, one a lane
-    const int parts = int(kernel::minimum(last - first, std::size_t(lanes)));
-    if (parts < lanes) {
-      for (int lane = 0; lane <= parts; ++lane) ends[lane] = first + std::size_t(lane);
-    } else {
-      ends[0] = first;
-      ends[lanes] = last;
-      for (int step = lanes / 2; step > 0; step /= 2)
-        for (int lane = 0; lane < lanes; lane += 2 * step) {
-          ends[lane + step] = ends[lane] + (ends[lane + 2 * step] - ends[lane]) / 2;
-          split(boxes, ends[lane], ends[lane + step], ends[lane + 2 * step]);
-        }
-    }
+    ends[0] = 0;
+    ends[lanes] = order.size();
+    for (int step = lanes / 2; step > 0; step /= 2)
+      for (int lane = 0; lane < lanes; lane += 2 * step) {
+        const std::size_t first = ends[lane], last = ends[lane + 2 * step], middle = middle_of(last - first, step);
+        ends[lane + step] = first + middle;
+        if (order.size() > lanes && middle < last - first) split(order.subspan(first, last - first), middle);
+      }
     for (int lane = 0; lane < lanes; ++lane) {
       nodes_[number].set(lane, nothing);
-      if (lane >= parts) continue;
+      const std::span<Centre> part = order.subspan(ends[lane], ends[lane + 1] - ends[lane]);
+      if (part.empty()) continue;
       nodes_[number].used |= 1u << lane;
       const std::uint32_t place = lanes * number + std::uint32_t(lane);
-      if (ends[lane + 1] - ends[lane] == 1) {
-        const Item item = in_order_[ends[lane]];
+      if (part.size() == 1) {
+        const Item item = part[0].item;
         place_[item] = place;
         nodes_[number].child[lane] = ~std::int32_t(item);
         nodes_[number].set(lane, boxes[item]);
       } else {
-        const std::uint32_t child = make(boxes, ends[lane], ends[lane + 1], place);
+        const std::uint32_t child = make(boxes, part, place);
         nodes_[number].child[lane] = std::int32_t(child);
         nodes_[number].set(lane, union_of(nodes_[child]));
       }
@@ -301,34 +312,33 @@ class Box_tree {
     return number;
   }
 
-  /// Orders the items about the middle one, along the axis on which their centres spread most.
-  void split(std::span<const World_box> boxes, std::size_t first, std::size_t middle, std::size_t last)
+  /// How many of so many items come first, where they are for twice so many lanes: half of them, in whole nodes where
+  /// there are nodes.
+  static std::size_t middle_of(std::size_t items, int half_of_lanes)
   {
-    const auto centre = [&boxes](Item item, int k) {
-      const double at = double(boxes[item].low[k]) + double(boxes[item].high[k]);
-      return at == at ? at : 0;  // of a box about everything
-    };
-    int axis = 0;
-    double widest = -1;
-    for (int k = 0; k < 3; ++k) {
-      double low = std::numeric_limits<double>::infinity(), high = -low;
-      for (std::size_t i = first; i < last; ++i) {
-        low = kernel::minimum(low, centre(in_order_[i], k));
-        high = kernel::maximum(high, centre(in_order_[i], k));
-      }
-      if (high - low > widest) {
-        widest = high - low;
-        axis = k;
-      }
+    const std::size_t half = items - items / 2, in_node = items > 2 * std::size_t(half_of_lanes) ? lanes : 1;
+    return kernel::minimum(items, (half + in_node - 1) / in_node * in_node);
+  }
+
+  /// Brings the first `middle` of them to the front, along the axis on which they spread most.
+  static void split(std::span<Centre> order, std::size_t middle)
+  {
+    kernel::Four_floats low = kernel::Four_floats{} + std::numeric_limits<float>::infinity(), high = -low;
+    for (const Centre& centre : order) {
+      const kernel::Four_floats at = {centre.at[0], centre.at[1], centre.at[2], 0};
+      low = kernel::select(at < low, at, low);
+      high = kernel::select(at > high, at, high);
     }
-    const auto at = [&](std::size_t i) { return in_order_.begin() + std::ptrdiff_t(i); };
-    std::nth_element(at(first), at(middle), at(last),
-                     [&](Item p, Item q) { return centre(p, axis) < centre(q, axis); });
+    const kernel::Four_floats spread = high - low;
+    const std::size_t first_two = spread[0] >= spread[1] ? 0 : 1,
+                      axis = spread[2] > spread[int(first_two)] ? 2 : first_two;
+    std::nth_element(order.begin(), order.begin() + std::ptrdiff_t(middle), order.end(),
+                     [axis](const Centre& p, const Centre& q) { return p.at[axis] < q.at[axis]; });
   }
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> place_;  // of each item, its lane
-  std::vector<Item> in_order_;
+  std::size_t count_ = 0;             // of items
 
   struct Searches {
     std::size_t count = 0, opened = 0;

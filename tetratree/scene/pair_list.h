@@ -81,6 +81,17 @@ class Pair_list {
   /// The pairs of a body.
   std::span<const Of_body> of(std::uint32_t body) const { return of_[body]; }
 
+  /// Tells the memory to bring the list of a body; or, where that has come, what changes when its pairs part.
+  void fetch_list(std::uint32_t body) const { __builtin_prefetch(of_[body].data()); }
+  void fetch_pairs(std::uint32_t body) const
+  {
+    for (const Of_body& near : of_[body]) {
+      __builtin_prefetch(&pairs_[near.pair]);
+      __builtin_prefetch(&bodies_[near.pair]);
+      __builtin_prefetch(&of_[near.other]);
+    }
+  }
+
   void set_body_count(std::size_t bodies) { of_.resize(bodies); }
 
   /// Takes memory for so many pairs at once, and for some more, as boxes with room for steps will find; or for those of

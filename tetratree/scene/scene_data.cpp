@@ -25,6 +25,9 @@ constexpr double steps_ahead = 8, most_room = 1.0 / 8;
 /// Above that share of all bodies, one in so many, boxes of all are brought up to date at once.
 constexpr std::size_t few_of_all = 8;
 
+/// So many bodies before one's near pairs are changed, the memory is told to bring its list; half as many, its pairs.
+constexpr std::size_t lists_ahead = 8;
+
 /// Of a search, for threads to share.
 constexpr std::size_t parts_of_search = 64;
 
@@ -67,9 +70,11 @@ std::size_t Scene_data::add_body(std::size_t model)
   if (bodies_.size() >= std::numeric_limits<std::int32_t>::max())
     throw Error("scene: too many bodies; expected less than 2^31");
   bodies_.emplace_back().model = Number(model);
+  poses_.emplace_back();
+  last_poses_.emplace_back();
+  steps_.push_back(0);
   boxes_.emplace_back();
   wide_.emplace_back();
-  turned_.emplace_back();
   ways_.emplace_back();
   seen_.push_back(0);
   near_.set_body_count(bodies_.size());
@@ -133,8 +138,9 @@ bool Scene_data::is_ignored(std::size_t a, std::size_t b) const
 void Scene_data::place(std::size_t number, const kernel::Pose& pose)
 {
   Placed_body& body = there(number);
-  if (body.is_placed && body.pose == pose) return;
-  body.pose = pose;
+  kernel::Pose& known = poses_[number];
+  if (body.is_placed && known == pose) return;
+  known = pose;
   body.is_placed = true;
   if (body.has_moved) return;
   body.has_moved = true;
@@ -174,7 +180,9 @@ void Scene_data::move_bodies()
 {
   std::erase_if(moved_, [this](Number body) { return !bodies_[body].is_there; });
   // All that can fail comes before anything is changed.
-  for (const Number body : moved_) models.extent(bodies_[body].model);
+  bool has_long = false;
+  for (const Number body : moved_) has_long |= models.extent(bodies_[body].model).is_long();
+  if (has_long) turned_.resize(bodies_.size());
   for_each(moved_.size(), 64, [this](std::size_t i, Scene_worker& worker) { move(moved_[i], worker); });
   statistics_.moved = moved_.size();
   std::vector<Number> out_of_their_boxes;
@@ -190,13 +198,18 @@ void Scene_data::move(Number number, Scene_worker& worker)
 {
   Placed_body& body = bodies_[number];
   const tetratree::Body_extent& extent = models.extent(body.model);
-  body.step =
-      body.is_in_tree ? tetratree::motion(extent, body.last_pose, body.pose) : std::numeric_limits<double>::infinity();
-  body.last_pose = body.pose;
+  const kernel::Pose& pose = poses_[number];
+  kernel::Pose& last = last_poses_[number];
+  steps_[number] = body.is_in_tree ? tetratree::motion(extent, last, pose) : std::numeric_limits<double>::infinity();
+  last = pose;
   body.is_tight = models.tree(body.model) != nullptr;
-  boxes_[number] = worker.box(body.model, extent, body.pose);
+  boxes_[number] = worker.box(body.model, extent, pose);
   ways_[number].moved = frame_;
-  turned_[number] = extent.is_long() ? tetratree::turned_box(extent, body.pose) : tetratree::Turned_box();
+  body.is_turned = extent.is_long();
+  if (body.is_turned) {
+    turned_[number] = tetratree::turned_box(extent, pose);
+    body.is_turned = turned_[number].is_known;
+  }
 }
 
 /// Gives these bodies new wide boxes, and finds what is near them.
@@ -206,7 +219,7 @@ void Scene_data::widen(const std::vector<Number>& bodies)
   for (const Number number : bodies) {
     Placed_body& body = bodies_[number];
     const World_box& box = boxes_[number];
-    const double room = steps_ahead * body.step, most = most_room * box.size();
+    const double room = steps_ahead * steps_[number], most = most_room * box.size();
     wide_[number] = box.grown(!body.is_in_tree ? 0 : room < most ? room : most);
     body.is_wide_tight = body.is_tight;
     if (!body.is_in_tree) tree_is_old_ = body.is_in_tree = true;
@@ -225,7 +238,7 @@ void Scene_data::build_boxes()
   std::vector<Number> items;
   for (Number body = 0; body < bodies_.size(); ++body)
     if (bodies_[body].is_in_tree) items.push_back(body);
-  tree_.build(wide_, std::move(items));
+  tree_.build(wide_, items);
   tree_is_old_ = false;
 }
 
@@ -257,6 +270,8 @@ void Scene_data::find_near(const std::vector<Number>& bodies)
   near_.make_room(pairs);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Number body = bodies[i];
+    if (i + lists_ahead < bodies.size()) near_.fetch_list(bodies[i + lists_ahead]);
+    if (i + lists_ahead / 2 < bodies.size()) near_.fetch_pairs(bodies[i + lists_ahead / 2]);
     const std::uint64_t search = ++search_;
     near_.make_room(body, others[i].size());
     for (const Number other : others[i]) seen_[other] = search;

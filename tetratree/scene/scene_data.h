@@ -52,14 +52,18 @@ class Scene_data {
 
   /// The numbers of the bodies that there are. Throws Error where that are not `count`, which are `what`.
   std::vector<std::size_t> present(std::size_t count, const std::string& what) const;
-  const kernel::Pose& pose(std::size_t body) { return placed(body).pose; }
+  const kernel::Pose& pose(std::size_t body)
+  {
+    placed(body);
+    return poses_[body];
+  }
 
   /// Calls what(query of their models, pose of a, pose of b).
   template <class What>
   auto ask(std::size_t a, std::size_t b, const What& what)
   {
-    Placed_body &of_a = placed(a), &of_b = placed(b);
-    return what(workers_[0].query(models, of_a.model, of_b.model), of_a.pose, of_b.pose);
+    const Number model_a = placed(a).model, model_b = placed(b).model;
+    return what(workers_[0].query(models, model_a, model_b), poses_[a], poses_[b]);
   }
 
  private:
@@ -67,12 +71,12 @@ class Scene_data {
   using World_box = tetratree::World_box;
   using Near_pair = tetratree::Near_pair;
 
+  /// What a frame reads of bodies in the order of their pairs: few bytes.
   struct Placed_body {
     Number model;
     bool is_there = true, is_placed = false, is_in_tree = false, has_moved = false;
     bool is_tight = false, is_wide_tight = false;  // whether its box, and the wide one, are by the model's tree
-    kernel::Pose pose, last_pose;                  // that of the last frame, once there was one
-    double step = 0;                               // a bound on its motion of the last frame
+    bool is_turned = false;                        // whether its turned box is known
   };
 
   /// A bound on a body's motions of all frames, and the last frame in which it moved.
@@ -131,6 +135,7 @@ class Scene_data {
   void open_pair(Number pair);
   void tighten(Number body);
   void ask_pairs();
+  void fetch_poses(Number pair) const;
   void ask_pair(Number pair, Scene_worker& worker);
   void ask_models(std::vector<Number>::iterator first, std::vector<Number>::iterator last);
   void ask_turned_boxes(std::vector<Number>& pairs);
@@ -156,8 +161,10 @@ class Scene_data {
   std::optional<tbb::task_arena> arena_;  // of more than one thread
 
   std::vector<Placed_body> bodies_;
-  std::vector<World_box> boxes_, wide_;        // about each body, and in the tree
-  std::vector<tetratree::Turned_box> turned_;  // of each body, known of long ones alone
+  std::vector<kernel::Pose> poses_, last_poses_;  // of each body; the last frame's, once there was one
+  std::vector<double> steps_;                     // of each body, a bound on its motion of the last frame
+  std::vector<World_box> boxes_, wide_;           // about each body, and in the tree
+  std::vector<tetratree::Turned_box> turned_;     // of each body, once one is long; known of long ones alone
   tetratree::Box_tree tree_;
   bool tree_is_old_ = false;  // there are bodies that it does not know
   std::unordered_set<std::uint64_t> ignored_;

@@ -25,6 +25,9 @@ double sum_below(double x, double y) { return (x + y) * (1 - 0x1p-51); }
 /// Bodies that have moved by more than this share of the smaller one since they were asked get no front.
 constexpr double little = 1.0 / 64;
 
+/// So many pairs before one is asked, the memory is told to bring its poses.
+constexpr std::size_t asked_ahead = 2;
+
 /// What a front may take before it is made, and all of them.
 constexpr std::size_t bytes_of_front = std::size_t(1) << 17, most_bytes_of_fronts = std::size_t(1) << 28;
 
@@ -35,10 +38,9 @@ void Scene_data::open_pairs()
 {
   std::erase_if(open_, [this](Number pair) { return !near_[pair].is_open; });
   for (const Number number : moved_) {
-    Placed_body& body = bodies_[number];
-    body.has_moved = false;
-    if (body.step <= std::numeric_limits<double>::max())
-      ways_[number].sum = sum_above(ways_[number].sum, body.step);
+    bodies_[number].has_moved = false;
+    if (steps_[number] <= std::numeric_limits<double>::max())
+      ways_[number].sum = sum_above(ways_[number].sum, steps_[number]);
     else
       for (const auto& near : near_.of(number)) near_.bodies(near.pair).limit = -1;
   }
@@ -93,7 +95,7 @@ void Scene_data::tighten(Number number)
   Placed_body& body = bodies_[number];
   if (body.is_tight) return;
   data_of(models.body(body.model)).bvh8();
-  boxes_[number] = workers_[0].box(body.model, models.extent(body.model), body.pose);
+  boxes_[number] = workers_[0].box(body.model, models.extent(body.model), poses_[number]);
   body.is_tight = true;
 }
 
@@ -147,7 +149,10 @@ void Scene_data::ask_models(std::vector<Number>::iterator first, std::vector<Num
   }
   statistics_.candidates += candidates.size();
   allow_fronts(candidates);
-  for_each(candidates.size(), 4, [&](std::size_t i, Scene_worker& worker) { ask_pair(candidates[i], worker); });
+  for_each(candidates.size(), 4, [&](std::size_t i, Scene_worker& worker) {
+    if (i + asked_ahead < candidates.size()) fetch_poses(candidates[i + asked_ahead]);
+    ask_pair(candidates[i], worker);
+  });
   for (const Number pair : candidates) {
     statistics_.queries += !near_[pair].is_open;
     near_.count_memory(pair);
@@ -183,8 +188,8 @@ bool Scene_data::moves_little(Number pair, double since) const
 
 tetratree::Turned_box Scene_data::turned_box(Number body)
 {
-  return turned_[body].is_known ? turned_[body]
-                                : tetratree::turned_box(models.extent(bodies_[body].model), bodies_[body].pose);
+  return bodies_[body].is_turned ? turned_[body]
+                                 : tetratree::turned_box(models.extent(bodies_[body].model), poses_[body]);
 }
 
 /// Leaves the pairs, of a long body at least, whose turned boxes are not found apart: up to eight pairs of one body at a
@@ -193,7 +198,7 @@ void Scene_data::ask_turned_boxes(std::vector<Number>& all)
 {
   const auto has_long = [this](Number pair) {
     const auto [a, b] = near_.bodies(pair).body;
-    return turned_[a].is_known || turned_[b].is_known;
+    return bodies_[a].is_turned || bodies_[b].is_turned;
   };
   if (std::ranges::none_of(all, has_long)) return;
   const tetratree::Number_groups pairs(bodies_.size(), [&](const auto& put) {
@@ -221,6 +226,16 @@ void Scene_data::ask_turned_boxes(std::vector<Number>& all)
   std::erase_if(all, [this](Number pair) { return !near_[pair].is_open; });
 }
 
+void Scene_data::fetch_poses(Number pair) const
+{
+  for (const Number body : near_.bodies(pair).body) {
+    const double* const entries = poses_[body].entries().data();
+    __builtin_prefetch(entries);
+    __builtin_prefetch(entries + 8);
+    __builtin_prefetch(entries + 14);
+  }
+}
+
 void Scene_data::ask_pair(Number number, Scene_worker& worker)
 {
   if (deadline_ && std::chrono::steady_clock::now() >= *deadline_) return;
@@ -229,8 +244,7 @@ void Scene_data::ask_pair(Number number, Scene_worker& worker)
   const auto [model_a, model_b] = models_of(body[0], body[1]);
   const int first = bodies_[body[0]].model == model_a ? 0 : 1;
   Query& query = worker.query(models, model_a, model_b, pair.by_brute_force ? Method::brute : Method::tree);
-  const bool collide(
-      query.collide(bodies_[body[first]].pose, bodies_[body[1 - first]].pose, near_.known_asked(number)->memory));
+  const bool collide(query.collide(poses_[body[first]], poses_[body[1 - first]], near_.known_asked(number)->memory));
   answer(number, collide, collide ? 0 : query.certified_gap());
 }
 
@@ -288,9 +302,9 @@ void Scene_data::list_pairs()
 std::size_t Scene_data::bytes() const
 {
   std::size_t all = models.bytes() + tree_.bytes() + near_.bytes() +
-                    bodies_.capacity() * (sizeof(Placed_body) + 2 * sizeof(World_box) + sizeof(tetratree::Turned_box) +
-                                          sizeof(Way) + sizeof(std::uint64_t)) +
-                    colliding_.capacity() * sizeof(Scene_pair);
+                    bodies_.capacity() * (sizeof(Placed_body) + 2 * sizeof(kernel::Pose) + sizeof(double) +
+                                          2 * sizeof(World_box) + sizeof(Way) + sizeof(std::uint64_t)) +
+                    turned_.capacity() * sizeof(tetratree::Turned_box) + colliding_.capacity() * sizeof(Scene_pair);
   for (const Scene_worker& worker : workers_) all += worker.bytes();
   return all;
 }

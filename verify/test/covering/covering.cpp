@@ -11,6 +11,8 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string>
+#include <thread>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_covering)
@@ -320,6 +322,26 @@ BOOST_AUTO_TEST_CASE(two_boxes_joined_by_a_face_of_two_outer_loops_are_two_parts
   const Covering covering(both);
   for (const Index v : covering.shell_vertices()) sides.insert(both.vertices[v][0] > 3);
   BOOST_TEST(sides.size() == 2u);
+}
+
+BOOST_AUTO_TEST_CASE(two_threads_make_the_same_covering)
+{
+  const auto at_once = [](const auto& one, const auto& other) {
+    std::thread thread(other);
+    one();
+    thread.join();
+  };
+  const auto bytes = [](const Covering& covering) {
+    std::string all;
+    covering.for_arrays([&all](const auto& array) {
+      all.append(reinterpret_cast<const char*>(array.data()), array.size() * sizeof(array[0]));
+    });
+    return all;
+  };
+  for (const auto& [name, body] : scenes::closed_bodies()) BOOST_TEST_CONTEXT(name)
+    {
+      BOOST_TEST((bytes(Covering(body, at_once)) == bytes(Covering(body))));
+    }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -45,7 +45,12 @@ BOOST_AUTO_TEST_CASE(a_tree_is_the_same_whatever_the_threads)
   Random random(1);
   const Polyhedron body = blob(random, 5, 0.5, 1.5);
   BOOST_TEST(body.face_count() > 3000u);  // several rounds
-  const Bvh8 by_one(body), by_three(body), by_none_but_the_last(body);
+  const auto at_once = [](const auto& one, const auto& other) {
+    std::thread thread(other);
+    one();
+    thread.join();
+  };
+  const Bvh8 by_one(body), by_three(body, {}, {}, at_once), by_none_but_the_last(body);
   by_one.make_all();
   by_three.make_all(by_threads(3));
   by_none_but_the_last.make_all([](const auto& work) {
