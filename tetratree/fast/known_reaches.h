@@ -10,8 +10,8 @@
 
 namespace tetracone::tetratree {
 
-/// How far a body reaches in the directions of a lattice, as far as some `Support_table` of it has asked. For any number
-/// of threads at once.
+/// How far a body reaches in the directions of a lattice, as far as some `Support_table` of it has asked. Safe for any
+/// number of threads at once.
 class Known_reaches {
  public:
   /// As many corners as the lattice of a `Support_table` has.
