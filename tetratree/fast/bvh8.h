@@ -7,6 +7,7 @@
 #include "tetracone/tetratree/fast/bvh8_node.h"
 #include "tetracone/tetratree/fast/bvh8_options.h"
 #include "tetracone/tetratree/fast/bvh8_subtrees.h"
+#include "tetracone/tetratree/fast/known_reaches.h"
 #include "tetracone/tetratree/fast/reserved_array.h"
 
 #include <cstddef>
@@ -62,6 +63,9 @@ class Bvh8 {
   bool empty() const { return elements_.count() == 0; }
 
   kernel::Vector local(Index v) const { return elements_.local(v); }
+
+  /// What its support tables have found.
+  const Known_reaches& known_reaches() const { return known_reaches_; }
 
   const Bvh8_node* nodes() const { return nodes_.data(); }
   const Bvh8_node& node(Index n) const { return nodes_.data()[n]; }
@@ -151,7 +155,7 @@ class Bvh8 {
   std::size_t bytes() const
   {
     const std::lock_guard lock(making_);
-    return node_bytes() + elements_.bytes() + leaf_ends_.capacity() * sizeof(Index) +
+    return node_bytes() + elements_.bytes() + known_reaches_.bytes() + leaf_ends_.capacity() * sizeof(Index) +
            (builder_ ? builder_->bytes() : 0);
   }
 
@@ -177,6 +181,7 @@ class Bvh8 {
   mutable Cut_counts cuts_;  // of a builder that is gone
   mutable std::optional<Bvh8_builder> builder_;
   mutable Reserved_array<Bvh8_node> nodes_;
+  Known_reaches known_reaches_;
 };
 
 }  // namespace tetracone::tetratree

@@ -87,6 +87,7 @@ class Bvh8_motion {
   };
   static constexpr int most_directions = 8;
   static constexpr int most_in_vain = 16, vain_for_one = 8, one_in = 8;
+  static constexpr std::size_t most_openings = 3;  // compared before what they find is queued
   static constexpr unsigned most_halvings = 50;
   static constexpr double share_of_size = 0.04;     // so much of a pair may be lost by its turning
   static constexpr double share_of_leaves = 0.002;  // where so much is lost, leaves are met in halves
@@ -143,19 +144,24 @@ class Bvh8_motion {
     for (const Pair& pair : pairs) queue_.push(pair);
     std::vector<Pair> later;
     while (!queue_.empty()) {
-      features_.decide_until(double(queue_.lowest()));
-      const Pair pair = queue_.pop();
-      if (double(pair.low) > features_.latest()) continue;
-      // Where there will be halves, the second may be needless.
-      const bool is_of_leaves = pair.is_leaf(0) && pair.is_leaf(1);
-      if (is_long(span, reference, pair, share_of_size) || (!later.empty() && pair.low >= 0.5f))
-        later.push_back(pair);
-      else if (is_of_leaves && is_long(span, reference, pair, share_of_leaves))
-        meet_in_halves(pair);
-      else if (is_of_leaves)
-        meet_leaves(Span_part::whole, pair, {double(pair.low), double(pair.until)});
-      else
-        open(span, reference, pair, opens(span, pair));
+      std::size_t count = 0;
+      while (count < most_openings && !queue_.empty()) {
+        if (features_.is_any_undecided()) features_.decide_until(double(queue_.lowest()));
+        const Pair pair = queue_.pop();
+        if (double(pair.low) > features_.latest()) continue;
+        // Where there will be halves, the second may be needless.
+        const bool is_of_leaves = pair.is_leaf(0) && pair.is_leaf(1);
+        if (is_long(span, reference, pair, share_of_size) || (!later.empty() && pair.low >= 0.5f))
+          later.push_back(pair);
+        else if (is_of_leaves && is_long(span, reference, pair, share_of_leaves))
+          meet_in_halves(pair);
+        else if (is_of_leaves)
+          meet_leaves(Span_part::whole, pair, {double(pair.low), double(pair.until)});
+        else
+          opening_[count++] = opening(span, pair);
+      }
+      for (std::size_t k = 0; k < count; ++k) find_near(span, reference, opening_[k]);
+      for (std::size_t k = 0; k < count; ++k) push_near(opening_[k]);
     }
     features_.decide_until(1);
     for (const bool is_second : {false, true}) {
@@ -186,27 +192,51 @@ class Bvh8_motion {
     return pair.is_leaf(0) || (!pair.is_leaf(1) && pair.extent(1) * span.scale(1) > pair.extent(0) * span.scale(0));
   }
 
-  /// Opens the box of body `body`.
-  void open(const kernel::Motion_span& span, const Span_reference& reference, const Pair& pair, int body)
-  {
-    const Box box = pair.box[std::size_t(body)], other = pair.box[std::size_t(1 - body)];
-    const Index opened = tree_[body]->child(box / 8, int(box % 8));
-    const Bvh8_node& node = tree_[body]->node(opened);
-    const kernel::Obb8& boxes = node.boxes;
-    ++counts_.pairs_visited;
-    counts_.box_tests += std::uint64_t(boxes.lane_count);
+  /// The box of one body that is opened, its node, and the lanes of that which may meet the other's box, and when.
+  struct Opening {
+    Pair pair;
+    int body;
+    Index node;
+    unsigned near;
     kernel::Near_times times;
-    const unsigned near = reference.is_certifiable() ? near_by(reference, body, opened, other, times)
-                                                     : near_by(span, body, opened, other, times);
-    for (unsigned left = near & ((1u << boxes.lane_count) - 1); left != 0; left &= left - 1) {
+  };
+
+  /// Requires a pair that is not of leaves.
+  Opening opening(const kernel::Motion_span& span, const Pair& pair) const
+  {
+    Opening o;
+    o.pair = pair;
+    o.body = opens(span, pair);
+    const Box box = pair.box[std::size_t(o.body)];
+    o.node = tree_[o.body]->child(box / 8, int(box % 8));
+    tree_[o.body]->prefetch(o.node);
+    return o;
+  }
+
+  /// Kept apart from queueing what is found: comparisons do not wait for one another, while what each finds cannot be
+  /// foretold.
+  void find_near(const kernel::Motion_span& span, const Span_reference& reference, Opening& o)
+  {
+    const int lane_count = tree_[o.body]->node(o.node).boxes.lane_count;
+    ++counts_.pairs_visited;
+    counts_.box_tests += std::uint64_t(lane_count);
+    const Box other = o.pair.box[std::size_t(1 - o.body)];
+    const unsigned near = reference.is_certifiable() ? near_by(reference, o.body, o.node, other, o.times)
+                                                     : near_by(span, o.body, o.node, other, o.times);
+    o.near = near & ((1u << lane_count) - 1);
+  }
+
+  void push_near(const Opening& o)
+  {
+    for (unsigned left = o.near; left != 0; left &= left - 1) {
       const auto lane = std::size_t(std::countr_zero(left));
-      Pair part = pair;
-      if (times.from[lane] > pair.low) part.low = times.from[lane];
-      if (times.until[lane] < pair.until) part.until = times.until[lane];
-      if (part.low > part.until) continue;
-      part.box[std::size_t(body)] = 8 * opened + Box(lane);
-      part.size[std::size_t(body)] = size_of(node, int(lane));
-      queue_.push(part);
+      Pair closer = o.pair;
+      if (o.times.from[lane] > closer.low) closer.low = o.times.from[lane];
+      if (o.times.until[lane] < closer.until) closer.until = o.times.until[lane];
+      if (closer.low > closer.until) continue;
+      closer.box[std::size_t(o.body)] = 8 * o.node + Box(lane);
+      closer.size[std::size_t(o.body)] = size_of(tree_[o.body]->node(o.node), int(lane));
+      queue_.push(closer);
     }
   }
 
@@ -284,6 +314,7 @@ class Bvh8_motion {
   Separating_direction separating_direction_;
   Moving_feature_search features_;
   Pair_queue<Pair, 64> queue_;
+  std::array<Opening, most_openings> opening_;
   Query_statistics counts_;
   int in_vain_ = 0;        // searches for a plane, less `vain_for_one` for each that found one
   unsigned left_out_ = 0;  // spans of the others

@@ -100,6 +100,9 @@ class Moving_feature_search {
     });
   }
 
+  /// Whether anything waits to be decided.
+  bool is_any_undecided() const { return !candidates_.empty(); }
+
   /// Decides what may meet before such a share of the span.
   void decide_until(double share)
   {

@@ -25,8 +25,8 @@ namespace tetracone::tetratree {
 /// h is sublinear: with h known in the directions of a lattice, h(d) is at most the sum of the values at the corners of
 /// the lattice cone that holds d, with d's barycentric weights in it. The lattice is flat, on the octahedron |x| + |y|
 /// + |z| = 1, and its cones are those that JS08 section 2.1 gets by halving edges, four times. This is what its regular
-/// hull (section 2.3.3) is made of, asked in the directions that a query needs. A value is found when it is first asked
-/// for, from the tree's boxes.
+/// hull (section 2.3.3) is made of, asked in the directions that a query needs. A value is found when a table of
+/// the tree is first asked for it, from the tree's boxes.
 class Support_table {
  public:
   /// Where a direction d is in the lattice: corner 0 is number `first`, 1 the next, 2 and 3 the two beside them in the
@@ -74,6 +74,7 @@ class Support_table {
 
   /// In a lattice of n steps, with corners one beyond the octant: their reach is at most 18 / 16.
   static constexpr int n = 16, row = n + 2;
+  static_assert(Known_reaches::corners == 8 * row * row);
 
   /// Above what a reach in double may be off by: of a local coordinate, and of its product with a direction.
   static constexpr double reach_rounding = 6 * kernel::unit_roundoff<double>;
@@ -82,7 +83,7 @@ class Support_table {
   static constexpr double box_reach_rounding = 0x1p-46;
 
   /// `tree` must outlive the table, and its root be made.
-  explicit Support_table(const Bvh8& tree) : tree_(&tree), reach_(8 * row * row, unknown) {}
+  explicit Support_table(const Bvh8& tree) : tree_(&tree), reach_(Known_reaches::corners, unknown) {}
 
   /// Requires d[3] = 0, and |d|_1, in every lane of `sum`, in 1e-30 .. 1e30. Without branches that no processor could
   /// foretell.
@@ -122,7 +123,8 @@ class Support_table {
   {
     for (int corner = 0; corner < 4; ++corner) {
       const int k = p.first + corner % 2 + corner / 2 * row;
-      if (reach_[k] == unknown) reach_[k] = found(k);
+      if (reach_[k] == unknown)
+        reach_[k] = tree_->known_reaches().at(std::size_t(first_of(k)), [this, k] { return found(k); });
     }
   }
 
@@ -158,6 +160,13 @@ class Support_table {
     std::memcpy(&first, reach_.data() + p.first, sizeof first);
     std::memcpy(&second, reach_.data() + p.first + row, sizeof second);
     return reinterpret_cast<kernel::Four_floats>(kernel::Two_doubles{first, second});
+  }
+
+  /// Of the corners of octants that are the same direction, the first one: a coordinate of 0 has no sign.
+  static int first_of(int k)
+  {
+    const int j = k / row % row, i = k % row, has_sign = int(n - i - j != 0) | int(i != 0) << 1 | int(j != 0) << 2;
+    return (k / (row * row) & has_sign) * (row * row) + k % (row * row);
   }
 
   static double signed_by(int negative, int k) { return negative ? -double(k) / n : double(k) / n; }
