@@ -57,9 +57,11 @@ class Reserved_array {
   /// Tells the system that so many will be there at least, in order: it may take memory for them by larger pages.
   void expect(std::size_t count)
   {
-    const auto begin = (std::uintptr_t(data_) + large_page - 1) / large_page * large_page,
-               end = std::uintptr_t(data_ + kernel::minimum(count, capacity_)) / large_page * large_page;
-    if (begin < end) ::madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+    char* const first = reinterpret_cast<char*>(data_);
+    const std::size_t bytes = kernel::minimum(count, capacity_) * sizeof(T),
+                      skipped = (large_page - std::uintptr_t(first) % large_page) % large_page;
+    if (bytes >= skipped + large_page)
+      ::madvise(first + skipped, (bytes - skipped) / large_page * large_page, MADV_HUGEPAGE);
   }
 
   /// Makes place for so many, to be written by the caller, and returns the number of the first. Requires room.
@@ -72,7 +74,7 @@ class Reserved_array {
   }
 
  private:
-  static constexpr std::uintptr_t large_page = std::uintptr_t(1) << 21;
+  static constexpr std::size_t large_page = std::size_t(1) << 21;
 
   T* data_ = nullptr;
   std::size_t capacity_;
