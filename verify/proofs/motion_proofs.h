@@ -84,9 +84,10 @@ inline Rational error_of_value(std::size_t count)
     coefficients[k] = coefficient;
     worst = std::max(worst, kernel::Time_root::value_at(x, rest, coefficients).error);
   }
-  // What x is off, times the slope. The sum, its product with the number and the bound's own sum are rounded too.
+  // What x is off, times the slope. The sum is of coefficients truncated; it, its products and the bound's sum are
+  // rounded too.
   Rational rounded = (worst + 3 * u * int(count - 1)) / int(count);
-  for (std::size_t k = 0; k < count + 3; ++k) rounded *= once;
+  for (std::size_t k = 0; k < count + 4; ++k) rounded *= once;
   return rounded;
 }
 

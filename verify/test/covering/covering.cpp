@@ -1,5 +1,6 @@
 #include "tetracone/covering/covering.h"
 
+#include "verify/test/support/at_once.h"
 #include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 
@@ -12,7 +13,6 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <thread>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_covering)
@@ -326,11 +326,6 @@ BOOST_AUTO_TEST_CASE(two_boxes_joined_by_a_face_of_two_outer_loops_are_two_parts
 
 BOOST_AUTO_TEST_CASE(two_threads_make_the_same_covering)
 {
-  const auto at_once = [](const auto& one, const auto& other) {
-    std::thread thread(other);
-    one();
-    thread.join();
-  };
   const auto bytes = [](const Covering& covering) {
     std::string all;
     covering.for_arrays([&all](const auto& array) {
@@ -340,7 +335,7 @@ BOOST_AUTO_TEST_CASE(two_threads_make_the_same_covering)
   };
   for (const auto& [name, body] : scenes::closed_bodies()) BOOST_TEST_CONTEXT(name)
     {
-      BOOST_TEST((bytes(Covering(body, at_once)) == bytes(Covering(body))));
+      BOOST_TEST((bytes(Covering(body, tetracone::verify::At_once())) == bytes(Covering(body))));
     }
 }
 

@@ -1,6 +1,7 @@
 #include "tetracone/tetratree/fast/bvh8_subtrees.h"
 
 #include "tetracone/tetratree/fast/bvh8.h"
+#include "verify/test/support/at_once.h"
 #include "verify/test/support/scenes.h"
 
 #include <boost/test/unit_test.hpp>
@@ -45,12 +46,7 @@ BOOST_AUTO_TEST_CASE(a_tree_is_the_same_whatever_the_threads)
   Random random(1);
   const Polyhedron body = blob(random, 5, 0.5, 1.5);
   BOOST_TEST(body.face_count() > 3000u);  // several rounds
-  const auto at_once = [](const auto& one, const auto& other) {
-    std::thread thread(other);
-    one();
-    thread.join();
-  };
-  const Bvh8 by_one(body), by_three(body, {}, {}, at_once), by_none_but_the_last(body);
+  const Bvh8 by_one(body), by_three(body, {}, {}, tetracone::verify::At_once()), by_none_but_the_last(body);
   by_one.make_all();
   by_three.make_all(by_threads(3));
   by_none_but_the_last.make_all([](const auto& work) {

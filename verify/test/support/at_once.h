@@ -1,0 +1,21 @@
+#ifndef TETRACONE_VERIFY_TEST_SUPPORT_AT_ONCE_H
+#define TETRACONE_VERIFY_TEST_SUPPORT_AT_ONCE_H
+
+#include <thread>
+
+namespace tetracone::verify {
+
+/// Two things at once, by a thread each: for what is made by `covering::In_turn` or the like.
+struct At_once {
+  template <class One, class Other>
+  void operator()(const One& one, const Other& other) const
+  {
+    std::thread thread(other);
+    one();
+    thread.join();
+  }
+};
+
+}  // namespace tetracone::verify
+
+#endif
