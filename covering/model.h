@@ -12,6 +12,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -143,20 +144,21 @@ class Placed_face {
  public:
   using Point = kernel::Point<K>;
 
-  Placed_face(Placed_model<K>& body, Index face) : body_(body), face_(face) {}
+  Placed_face(Placed_model<K>& body, Index face) : body_(body), face_(face), basis_(covering().plane_basis(face)) {}
 
   std::size_t edge_count() const { return covering().from(face_).size(); }
   const Point& from(std::size_t k) const { return body_.point(covering().from(face_)[k]); }
   const Point& to(std::size_t k) const { return body_.point(covering().to(face_)[k]); }
   const Point& origin() const { return from(0); }
-  bool is_degenerate() const { return !covering().plane_basis(face_); }
-  const Point& plane_basis(int k) const { return body_.point((*covering().plane_basis(face_))[k]); }
+  bool is_degenerate() const { return !basis_; }
+  const Point& plane_basis(int k) const { return body_.point((*basis_)[k]); }
 
  private:
   const Covering& covering() const { return body_.model().covering(); }
 
   Placed_model<K>& body_;
   Index face_;
+  std::optional<std::array<Index, 3>> basis_;
 };
 
 /// A face of a model where it stands, as `kernel::segment_face` wants it.

@@ -38,10 +38,10 @@ std::size_t heap()
   return info.uordblks + info.hblkhd;
 }
 
-/// `Race::cold_poses` numbers of poses, or all where these are fewer, evenly spread over the course.
+/// Numbers of poses, evenly spread over the course: `Race::cold_poses`, of a short course one in ten.
 std::vector<std::size_t> spread_poses(const Race_course& course)
 {
-  const std::size_t all = course.poses_b.size(), count = std::min(Race::cold_poses, all);
+  const std::size_t all = course.poses_b.size(), count = std::min({Race::cold_poses, all / 10 + 1, all});
   std::vector<std::size_t> numbers;
   for (std::size_t k = 0; k < count; ++k) numbers.push_back((2 * k + 1) * all / (2 * count));
   return numbers;
