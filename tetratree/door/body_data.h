@@ -48,9 +48,8 @@ struct Body_data {
     return closed_;
   }
 
-  /// Its covering is made by `both`, as `covering::In_turn` is.
-  template <class Both = covering::In_turn>
-  const tetratree::Bvh8& bvh8(const Both& both = {}) const
+  /// What it is made of is found by `both`.
+  const tetratree::Bvh8& bvh8(const covering::Both& both = {}) const
   {
     std::call_once(bvh8_once_, [&] {
       bvh8_.emplace(polyhedron, triangles, tetratree::Bvh8_options{}, both);
