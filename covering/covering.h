@@ -14,8 +14,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <new>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -105,6 +108,28 @@ auto sum_of_parts(Index first, Index last, const Both& both, const What& what) -
   return *sum;
 }
 
+/// Sets nothing where nothing is told: memory is first touched by the threads that fill it.
+template <class T>
+struct Unset : std::allocator<T> {
+  template <class Other>
+  struct rebind {
+    using other = Unset<Other>;
+  };
+
+  template <class Made>
+  void construct(Made* at)
+  {
+    ::new (static_cast<void*>(at)) Made;
+  }
+  template <class Made, class... Arguments>
+  void construct(Made* at, Arguments&&... arguments)
+  {
+    std::construct_at(at, std::forward<Arguments>(arguments)...);
+  }
+};
+template <class T>
+using Unset_vector = std::vector<T, Unset<T>>;
+
 /// The covering of a polyhedron: for each face the triangles that join the origin W of the face to its directed edges
 /// (JS08 Theorem 1, Definitions 1 and 2), with the polyhedron's real edges and its connected parts.
 ///
@@ -151,7 +176,7 @@ class Covering {
     what(bases);
   }
 
-  const std::vector<Covering_triangle>& triangles() const { return triangles_; }
+  std::span<const Covering_triangle> triangles() const { return triangles_; }
 
   /// The real edges, undirected: pairs of vertex numbers, the smaller first, sorted, each once.
   const std::vector<std::array<Index, 2>>& edges() const { return edges_; }
@@ -363,7 +388,7 @@ class Covering {
     }
   }
 
-  std::vector<Covering_triangle> triangles_;
+  Unset_vector<Covering_triangle> triangles_;
   std::vector<std::array<Index, 2>> edges_;
   std::vector<Index> edge_begin_;  // while faces are covered: where each vertex's begin
   std::vector<Index> from_, to_;

@@ -29,7 +29,7 @@ struct Body_data {
 
   /// One that was saved: whether it is closed and its fast tree are known.
   Body_data(covering::Polyhedron p, std::vector<covering::Face_triangle> t, bool closed, covering::Covering covering,
-            std::vector<tetratree::Element> elements, tetratree::Reserved_array<tetratree::Bvh8_node> nodes)
+            tetratree::Elements elements, tetratree::Reserved_array<tetratree::Bvh8_node> nodes)
       : Body_data(std::move(p), std::move(t))
   {
     std::call_once(closed_once_, [&] { closed_ = closed; });

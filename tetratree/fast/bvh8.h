@@ -50,7 +50,7 @@ class Bvh8 {
 
   /// A tree that was made before, of the same polyhedron: its covering, its elements, and its nodes as `nodes_in_order`
   /// had them.
-  Bvh8(const covering::Polyhedron& polyhedron, covering::Covering covering, std::vector<Element> elements,
+  Bvh8(const covering::Polyhedron& polyhedron, covering::Covering covering, Elements elements,
        Reserved_array<Bvh8_node> nodes)
       : elements_(polyhedron, std::move(covering), std::move(elements)), nodes_(std::move(nodes))
   {}

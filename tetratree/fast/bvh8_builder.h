@@ -41,7 +41,7 @@ class Bvh8_builder {
       : elements_(elements),
         options_(options),
         leaf_ends_(leaf_ends),
-        centroids_(std::make_shared<std::vector<Centroid>>()),
+        centroids_(std::make_shared<covering::Unset_vector<Centroid>>()),
         treelet_(elements, options_, leaf_ends)
   {
     assert(options_.leaf_size >= 1 && options_.parts >= 2 && options_.parts <= kernel::lanes);
@@ -404,7 +404,7 @@ class Bvh8_builder {
   const Bvh8_options options_;
   std::vector<Index>& leaf_ends_;
   Cut_counts cuts_;
-  std::shared_ptr<std::vector<Centroid>> centroids_;  // in the elements' order
+  std::shared_ptr<covering::Unset_vector<Centroid>> centroids_;  // in the elements' order
   Bvh8_treelet treelet_;
   Corner_set corners_;
   std::vector<Bvh8_lane> lanes_;

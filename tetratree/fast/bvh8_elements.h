@@ -29,6 +29,8 @@ struct Element {
   bool is_whole_face() const { return corner[0] == covering::none; }
 };
 
+using Elements = covering::Unset_vector<Element>;
+
 /// A body as its tree sees it: the model, its elements, and its local units.
 class Bvh8_elements {
  public:
@@ -45,7 +47,7 @@ class Bvh8_elements {
   }
 
   /// With the covering and the elements known, these in the order that `order` has.
-  Bvh8_elements(const covering::Polyhedron& polyhedron, covering::Covering covering, std::vector<Element> order)
+  Bvh8_elements(const covering::Polyhedron& polyhedron, covering::Covering covering, Elements order)
       : model_(polyhedron, std::move(covering)), elements_(std::move(order))
   {
     find_scale();
@@ -124,7 +126,7 @@ class Bvh8_elements {
   covering::Model<Adaptive> model_;
   kernel::Local_scale scale_;
   double per_half_unit_ = 2;  // of the scale; a power of two too
-  std::vector<Element> elements_;
+  Elements elements_;
 };
 
 }  // namespace tetracone::tetratree
