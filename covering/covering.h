@@ -9,11 +9,16 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <new>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -31,15 +36,99 @@ struct Covering_triangle {
                                 ///< sides
 };
 
-/// Does one thing, then another. Whoever has threads does both at once instead, and returns when both are done.
-struct In_turn {
-  template <class One, class Other>
-  void operator()(const One& one, const Other& other) const
+/// So many of a body's faces, elements or corners, or fewer, are no work to share.
+inline constexpr Index most_in_part = 8192;
+
+/// What is done when it is called. Refers to what it is made of.
+class Thing {
+ public:
+  template <std::invocable What>
+  Thing(const What& what) : what_(&what), call_([](const void* called) { (*static_cast<const What*>(called))(); })
+  {}
+
+  void operator()() const { call_(what_); }
+
+ private:
+  const void* what_;
+  void (*call_)(const void*);
+};
+
+/// Does one thing, then another; or as way(one, other) does. Whoever has threads does both at once, and returns when
+/// both are done. Refers to `way`.
+class Both {
+ public:
+  Both() = default;
+  template <std::invocable<const Thing&, const Thing&> Way>
+  Both(const Way& way)
+      : way_(&way), call_([](const void* called, const Thing& one, const Thing& other) {
+          (*static_cast<const Way*>(called))(one, other);
+        })
+  {}
+
+  bool is_in_turn() const { return call_ == nullptr; }
+
+  void operator()(const Thing& one, const Thing& other) const
   {
+    if (call_ != nullptr) {
+      call_(way_, one, other);
+      return;
+    }
     one();
     other();
   }
+
+ private:
+  const void* way_ = nullptr;
+  void (*call_)(const void*, const Thing&, const Thing&) = nullptr;
 };
+
+/// Calls what(begin, end) for parts of the numbers first .. last, each of `most` at most, which together are all: in
+/// turn, or at once where `both` does two things at once.
+template <class What>
+void in_parts(Index first, Index last, const Both& both, const What& what, Index most = most_in_part)
+{
+  if (last - first <= most) {
+    what(first, last);
+    return;
+  }
+  const Index middle = first + (last - first) / 2;
+  both([&] { in_parts(first, middle, both, what, most); }, [&] { in_parts(middle, last, both, what, most); });
+}
+
+/// The sum of what(begin, end) over such parts: later ones are added to earlier ones, by `add`.
+template <class What>
+auto sum_of_parts(Index first, Index last, const Both& both, const What& what) -> decltype(what(first, last))
+{
+  if (last - first <= most_in_part) return what(first, last);
+  const Index middle = first + (last - first) / 2;
+  std::optional<decltype(what(first, last))> sum, later;
+  both([&] { sum.emplace(sum_of_parts(first, middle, both, what)); },
+       [&] { later.emplace(sum_of_parts(middle, last, both, what)); });
+  sum->add(*later);
+  return *sum;
+}
+
+/// Sets nothing where nothing is told: memory is first touched by the threads that fill it.
+template <class T>
+struct Unset : std::allocator<T> {
+  template <class Other>
+  struct rebind {
+    using other = Unset<Other>;
+  };
+
+  template <class Made>
+  void construct(Made* at)
+  {
+    ::new (static_cast<void*>(at)) Made;
+  }
+  template <class Made, class... Arguments>
+  void construct(Made* at, Arguments&&... arguments)
+  {
+    std::construct_at(at, std::forward<Arguments>(arguments)...);
+  }
+};
+template <class T>
+using Unset_vector = std::vector<T, Unset<T>>;
 
 /// The covering of a polyhedron: for each face the triangles that join the origin W of the face to its directed edges
 /// (JS08 Theorem 1, Definitions 1 and 2), with the polyhedron's real edges and its connected parts.
@@ -50,17 +139,16 @@ struct In_turn {
 /// face has no such triangle a flat one carries them, so that each real edge is on some triangle of its face.
 class Covering {
  public:
-  /// Made by `both`, as `In_turn` is; the same by any.
-  template <class Both = In_turn>
+  /// The same by any `both`.
   explicit Covering(const Polyhedron& polyhedron, const Both& both = {})
   {
     both(
         [&] {
           collect_corners(polyhedron);
-          collect_shells(polyhedron);
+          both([&] { collect_shells(polyhedron); }, [&] { span_faces(polyhedron, both); });
         },
         [&] { collect_edges(polyhedron); });
-    both([&] { cover_faces(polyhedron); }, [&] { span_faces(polyhedron); });
+    cover_faces(both);
     edge_begin_.clear();
     edge_begin_.shrink_to_fit();
   }
@@ -88,7 +176,7 @@ class Covering {
     what(bases);
   }
 
-  const std::vector<Covering_triangle>& triangles() const { return triangles_; }
+  std::span<const Covering_triangle> triangles() const { return triangles_; }
 
   /// The real edges, undirected: pairs of vertex numbers, the smaller first, sorted, each once.
   const std::vector<std::array<Index, 2>>& edges() const { return edges_; }
@@ -189,16 +277,44 @@ class Covering {
     return Index(std::lower_bound(first + edge_begin_[edge[0]], first + edge_begin_[edge[0] + 1], edge) - first);
   }
 
-  void cover_faces(const Polyhedron& polyhedron)
+  /// In parts where each face has two triangles fewer than corners, which so have their places.
+  void cover_faces(const Both& both)
   {
-    const std::size_t faces = polyhedron.face_count();
-    if (from_.size() >= 2 * faces) triangles_.reserve(from_.size() - 2 * faces);
-    std::vector<std::pair<Index, bool>> neighbours;
-    for (Index f = 0; f < faces; ++f) cover_face(f, neighbours);
+    const auto faces = Index(face_corner_begin_.size() - 1);
+    const auto corners = [&](Index f) { return face_corner_begin_[f + 1] - face_corner_begin_[f]; };
+    std::atomic<bool> is_regular = true;
+    in_parts(0, faces, both, [&](Index first, Index last) {
+      for (Index f = first; f < last; ++f)
+        if (corners(f) < 3) is_regular = false;
+    });
+    if (is_regular) {
+      triangles_.resize(from_.size() - 2 * std::size_t(faces));
+      in_parts(0, faces, both, [&](Index first, Index last) {
+        Neighbours neighbours;
+        for (Index f = first; f < last; ++f) {
+          const Index begin = face_corner_begin_[f] - 2 * f, most = corners(f) - 2;
+          Index count = 0;
+          cover_face(f, neighbours, [&](const Covering_triangle& t) {
+            if (count < most) triangles_[begin + count] = t;
+            ++count;
+          });
+          if (count != most) is_regular = false;
+        }
+      });
+    }
+    if (is_regular) return;
+    triangles_.clear();
+    Neighbours neighbours;
+    for (Index f = 0; f < faces; ++f)
+      cover_face(f, neighbours, [&](const Covering_triangle& t) { triangles_.push_back(t); });
   }
 
-  /// `neighbours` is for its use: of W along the face's edges, and whether a triangle has that side.
-  void cover_face(Index f, std::vector<std::pair<Index, bool>>& neighbours)
+  /// Of the corner W along a face's edges, and whether a triangle has that side.
+  using Neighbours = std::vector<std::pair<Index, bool>>;
+
+  /// Calls add(triangle) for each of the face. `neighbours` is for its use.
+  template <class Add>
+  void cover_face(Index f, Neighbours& neighbours, const Add& add) const
   {
     const std::size_t first = face_corner_begin_[f], last = face_corner_begin_[f + 1];
     const Index w = from_[first];
@@ -218,46 +334,53 @@ class Covering {
     };
     for (std::size_t k = first; k < last; ++k) {
       const Index a = from_[k], b = to_[k];
-      if (a != w && b != w) triangles_.push_back({f, {w, a, b}, {side(a), edge_number(a, b), side(b)}});
+      if (a != w && b != w) add({f, {w, a, b}, {side(a), edge_number(a, b), side(b)}});
     }
     for (const auto& [neighbour, has_triangle] : neighbours) {
       const Index v = neighbour;
       if (has_triangle) continue;
       const Index edge = edge_number(w, v);
-      triangles_.push_back({f, {w, v, v}, {edge, v == w ? edge : none, edge}});
+      add({f, {w, v, v}, {edge, v == w ? edge : none, edge}});
       side(v);
     }
   }
 
-  void span_faces(const Polyhedron& polyhedron)
+  void span_faces(const Polyhedron& polyhedron, const Both& both)
   {
-    spanned_.reserve(polyhedron.face_count());
-    for (Index f = 0; f < polyhedron.face_count(); ++f) span_face(polyhedron, f);
+    const auto faces = Index(polyhedron.face_count());
+    spanned_.resize(faces);
+    in_parts(0, faces, both, [&](Index first, Index last) {
+      for (Index f = first; f < last; ++f) {
+        const auto basis = find_basis(polyhedron, f);
+        if (!basis)
+          spanned_[f] = by_none;
+        else if (const auto [k, second, third] = *basis; k == 0 && second < 15 && third < 15)
+          spanned_[f] = std::uint8_t(16 * second + third);
+        else
+          spanned_[f] = by_others;
+      }
+    });
+    for (Index f = 0; f < faces; ++f)
+      if (spanned_[f] == by_others) {
+        const auto basis = *find_basis(polyhedron, f);
+        const auto corners = from(f);
+        plane_bases_[f] = {corners[basis[0]], corners[basis[1]], corners[basis[2]]};
+      }
   }
 
-  void span_face(const Polyhedron& polyhedron, Index f)
+  std::optional<std::array<std::size_t, 3>> find_basis(const Polyhedron& polyhedron, Index f) const
   {
     const auto corners = from(f);
-    const auto triple = kernel::plane_basis(
-        corners.size(), [&](std::size_t k) -> const Vertex& { return polyhedron.vertices[corners[k]]; });
-    if (!triple) {
-      spanned_.push_back(by_none);
-      return;
-    }
-    const auto [first, second, third] = *triple;
-    if (first == 0 && second < 15 && third < 15) {
-      spanned_.push_back(std::uint8_t(16 * second + third));
-    } else {
-      spanned_.push_back(by_others);
-      plane_bases_[f] = {corners[first], corners[second], corners[third]};
-    }
+    return kernel::plane_basis(corners.size(),
+                               [&](std::size_t k) -> const Vertex& { return polyhedron.vertices[corners[k]]; });
   }
 
   void collect_shells(const Polyhedron& polyhedron)
   {
     Union_find sets(polyhedron.vertices.size());
     for (Index f = 0; f < polyhedron.face_count(); ++f)
-      for (std::size_t k = 0; k < from(f).size(); ++k) sets.join(from(f)[k], to(f)[k]);
+      for (std::size_t k = 1; k < from(f).size(); ++k)  // the last edge ends where its loop began
+        sets.join(from(f)[k - 1], to(f)[k - 1]);
     std::vector<bool> seen(polyhedron.vertices.size(), false);
     for (const Index v : from_) {
       if (!seen[sets.root(v)]) shell_vertices_.push_back(v);
@@ -265,7 +388,7 @@ class Covering {
     }
   }
 
-  std::vector<Covering_triangle> triangles_;
+  Unset_vector<Covering_triangle> triangles_;
   std::vector<std::array<Index, 2>> edges_;
   std::vector<Index> edge_begin_;  // while faces are covered: where each vertex's begin
   std::vector<Index> from_, to_;

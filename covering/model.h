@@ -31,22 +31,11 @@ class Model {
   /// A vertex as K sees it; a reference where it is kept so.
   using Point = std::conditional_t<keeps_points, const kernel::Point<K>&, kernel::Point<K>>;
 
-  explicit Model(const Polyhedron& polyhedron) : Model(polyhedron, Covering(polyhedron)) {}
+  /// The same by any `both`.
+  explicit Model(const Polyhedron& polyhedron, const Both& both = {}) : Model(Parts(polyhedron, both)) {}
 
   /// Of the polyhedron's covering, where it is known.
-  Model(const Polyhedron& polyhedron, Covering covering)
-      : vertices_(polyhedron.vertices),
-        covering_(std::move(covering)),
-        face_count_(polyhedron.face_count()),
-        lattice_(kernel::cone_lattice(polyhedron.vertices)),
-        origin_(kernel::point<K>(lattice_.origin))
-  {
-    if constexpr (kernel::Kernel_traits<K>::exact_signs) kernel::require_exact_arithmetic();
-    if constexpr (keeps_points) {
-      points_.reserve(vertices_.size());
-      for (const Vertex& v : vertices_) points_.push_back(kernel::point<K>(v));
-    }
-  }
+  Model(const Polyhedron& polyhedron, Covering covering) : Model(Parts(polyhedron, std::move(covering))) {}
 
   const std::vector<Vertex>& vertices() const { return vertices_; }
   const Covering& covering() const { return covering_; }
@@ -65,6 +54,45 @@ class Model {
   }
 
  private:
+  /// What it is made of.
+  struct Parts {
+    std::vector<Vertex> vertices;
+    std::optional<Covering> covering;
+    std::size_t face_count;
+    kernel::Cone_lattice lattice;
+
+    Parts(const Polyhedron& polyhedron, const Both& both) : face_count(polyhedron.face_count())
+    {
+      both([&] { covering.emplace(polyhedron, both); }, [&] { see_vertices(polyhedron); });
+    }
+    Parts(const Polyhedron& polyhedron, Covering known)
+        : covering(std::move(known)), face_count(polyhedron.face_count())
+    {
+      see_vertices(polyhedron);
+    }
+
+   private:
+    void see_vertices(const Polyhedron& polyhedron)
+    {
+      vertices = polyhedron.vertices;
+      lattice = kernel::cone_lattice(vertices);
+    }
+  };
+
+  explicit Model(Parts parts)
+      : vertices_(std::move(parts.vertices)),
+        covering_(std::move(*parts.covering)),
+        face_count_(parts.face_count),
+        lattice_(parts.lattice),
+        origin_(kernel::point<K>(lattice_.origin))
+  {
+    if constexpr (kernel::Kernel_traits<K>::exact_signs) kernel::require_exact_arithmetic();
+    if constexpr (keeps_points) {
+      points_.reserve(vertices_.size());
+      for (const Vertex& v : vertices_) points_.push_back(kernel::point<K>(v));
+    }
+  }
+
   std::vector<Vertex> vertices_;
   Covering covering_;
   std::size_t face_count_;

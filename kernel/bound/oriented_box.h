@@ -256,12 +256,20 @@ class Lane_box {
     for (int k = 0; k < 3; ++k) across_[k] << axis[0][k], axis[1][k], axis[2][k], 0;
   }
 
-  void add(const Vector& p)
+  [[gnu::always_inline]] void add(const Vector& p)
   {
     const Four s = along(p - about_);
     low_ = low_.min(s);
     high_ = high_.max(s);
     sum_ += s;
+  }
+
+  /// What another one of the same axes and the same `about` has been given.
+  void add(const Lane_box& other)
+  {
+    low_ = low_.min(other.low_);
+    high_ = high_.max(other.high_);
+    sum_ += other.sum_;
   }
 
   /// Requires a point.

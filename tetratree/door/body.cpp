@@ -2,6 +2,7 @@
 #include "tetracone/covering/io/read.h"
 #include "tetracone/covering/planarity.h"
 #include "tetracone/covering/star_faces.h"
+#include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/tetratree/door/body_data.h"
 #include "tetracone/tetratree/door/body_file.h"
@@ -122,15 +123,22 @@ void Body::make_all(std::size_t threads) const
     data_->bvh8().make_all();
     return;
   }
+  const auto soundly = [](const auto& what) {
+    return [&what] {
+      kernel::require_sound_floating_point();
+      what();
+    };
+  };
   // Of its own: a thread that waits in it takes up no other work, which might ask this tree.
   tbb::task_arena arena{int(threads)};
   const auto both = [&](const auto& one, const auto& other) {
-    arena.execute([&] { tbb::parallel_invoke(one, other); });
+    arena.execute([&] { tbb::parallel_invoke(soundly(one), soundly(other)); });
   };
-  data_->bvh8(both).make_all([&](const auto& work) {
+  const auto run = [&](const auto& work) {
     arena.execute(
         [&] { tbb::parallel_for(tbb::blocked_range<std::size_t>(0, threads, 1), [&](const auto&) { work(); }); });
-  });
+  };
+  data_->bvh8(both).make_all(run, both);
 }
 
 Body read_body(const std::filesystem::path& file) { return Body(file); }

@@ -29,7 +29,7 @@ struct Body_data {
 
   /// One that was saved: whether it is closed and its fast tree are known.
   Body_data(covering::Polyhedron p, std::vector<covering::Face_triangle> t, bool closed, covering::Covering covering,
-            std::vector<tetratree::Element> elements, tetratree::Reserved_array<tetratree::Bvh8_node> nodes)
+            tetratree::Elements elements, tetratree::Reserved_array<tetratree::Bvh8_node> nodes)
       : Body_data(std::move(p), std::move(t))
   {
     std::call_once(closed_once_, [&] { closed_ = closed; });
@@ -48,9 +48,8 @@ struct Body_data {
     return closed_;
   }
 
-  /// Its covering is made by `both`, as `covering::In_turn` is.
-  template <class Both = covering::In_turn>
-  const tetratree::Bvh8& bvh8(const Both& both = {}) const
+  /// What it is made of is found by `both`.
+  const tetratree::Bvh8& bvh8(const covering::Both& both = {}) const
   {
     std::call_once(bvh8_once_, [&] {
       bvh8_.emplace(polyhedron, triangles, tetratree::Bvh8_options{}, both);

@@ -259,7 +259,8 @@ std::shared_ptr<const Body_data> read_body_file(const fs::path& file)
   covering::Mapped_file mapped(file);
   const Header header = checked_header(file, mapped.bytes());
   std::size_t k = 0;
-  const auto fill = [&]<class T>(std::vector<T>& array) {
+  const auto fill = [&](auto& array) {
+    using T = typename std::remove_reference_t<decltype(array)>::value_type;
     static_assert(std::is_trivially_copyable_v<T>);
     array.resize(header.arrays[k].count);
     if (!array.empty())
@@ -271,7 +272,7 @@ std::shared_ptr<const Body_data> read_body_file(const fs::path& file)
   std::vector<Face_triangle> triangles;
   fill(triangles);
   covering::Covering covering = covering::Covering::of_arrays(fill);
-  std::vector<Element> elements;
+  tetratree::Elements elements;
   fill(elements);
   auto* const nodes = static_cast<Bvh8_node*>(mapped.release_from(begin_of(header, k)));
   return std::make_shared<const Body_data>(std::move(polyhedron), std::move(triangles), header.is_closed != 0,

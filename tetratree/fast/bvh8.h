@@ -37,21 +37,20 @@ namespace tetracone::tetratree {
 class Bvh8 {
  public:
   /// `triangles`: for each face that has some, triangles that cover exactly the face. Requires planar faces. The
-  /// covering is made by `both`, as `covering::In_turn` is.
-  template <class Both = covering::In_turn>
+  /// same by any `both`.
   explicit Bvh8(const covering::Polyhedron& polyhedron, std::span<const Face_triangle> triangles = {},
-                const Bvh8_options& options = {}, const Both& both = {})
+                const Bvh8_options& options = {}, const covering::Both& both = {})
       : elements_(polyhedron, triangles, both),
-        builder_(std::in_place, elements_, options, leaf_ends_),
+        builder_(std::in_place, elements_, options, leaf_ends_, both),
         nodes_(elements_.count())
   {
     // Of every node but the root at least two elements come apart: there are no more nodes than elements.
-    if (!empty()) nodes_.push_back(builder_->root());
+    if (!empty()) nodes_.push_back(builder_->root(both));
   }
 
   /// A tree that was made before, of the same polyhedron: its covering, its elements, and its nodes as `nodes_in_order`
   /// had them.
-  Bvh8(const covering::Polyhedron& polyhedron, covering::Covering covering, std::vector<Element> elements,
+  Bvh8(const covering::Polyhedron& polyhedron, covering::Covering covering, Elements elements,
        Reserved_array<Bvh8_node> nodes)
       : elements_(polyhedron, std::move(covering), std::move(elements)), nodes_(std::move(nodes))
   {}
@@ -115,15 +114,16 @@ class Bvh8 {
 
   /// The same, by `run(work)`, which calls work() from one thread or more at once and returns when all calls have. The
   /// tree is the same whatever their number is. Queries that lack a node wait until all are there: none may be asked by
-  /// a thread that is within `run`.
+  /// a thread that is within `run`. What one thread would have
+  /// most of is made by `both`.
   template <class Run>
-  void make_all(const Run& run) const
+  void make_all(const Run& run, const covering::Both& both = {}) const
   {
     kernel::require_sound_floating_point();
     const std::lock_guard lock(making_);
     if (!builder_) return;
     nodes_.expect(elements_.count() / (kernel::lanes - 1));
-    Bvh8_subtrees(*builder_, nodes_).make(run);
+    Bvh8_subtrees(*builder_, nodes_).make(run, both);
     cuts_ = builder_->cuts();
     builder_.reset();
   }

@@ -35,39 +35,42 @@ class Bvh8_builder {
  public:
   /// `elements` must outlive the builder. Their order becomes that of the leaves: a node's making changes its own range
   /// of it alone. `leaf_ends`, where leaves may hold several elements: by where in the order a leaf begins, where it
-  /// ends.
-  Bvh8_builder(Bvh8_elements& elements, const Bvh8_options& options, std::vector<Index>& leaf_ends)
+  /// ends. Centroids are found by `both`.
+  Bvh8_builder(Bvh8_elements& elements, const Bvh8_options& options, std::vector<Index>& leaf_ends,
+               const covering::Both& both = {})
       : elements_(elements),
         options_(options),
         leaf_ends_(leaf_ends),
-        centroids_(std::make_shared<std::vector<Centroid>>()),
+        centroids_(std::make_shared<covering::Unset_vector<Centroid>>()),
         treelet_(elements, options_, leaf_ends)
   {
     assert(options_.leaf_size >= 1 && options_.parts >= 2 && options_.parts <= kernel::lanes);
     assert(options_.cuts != Cuts::tetra_cones || options_.parts == kernel::lanes);
     if (options_.leaf_size > 1) leaf_ends_.resize(elements_.count());
-    centroids_->reserve(elements_.count());
-    for (Index e = 0; e < elements_.count(); ++e) centroids_->push_back(centroid(elements_[e]));
+    centroids_->resize(elements_.count());
+    covering::in_parts(0, elements_.count(), both, [&](Index first, Index last) {
+      for (Index e = first; e < last; ++e) (*centroids_)[e] = centroid(elements_[e]);
+    });
   }
 
   /// One for another thread, which shares all but what is in use while a node is made, and counts its own cuts.
   Bvh8_builder worker() const { return {*this, true}; }
 
   /// One lane that holds everything. Requires an element.
-  Bvh8_node root()
+  Bvh8_node root(const covering::Both& both = {})
   {
-    const Bvh8_lane lane = lane_of(part(0, elements_.count()));
+    const Bvh8_lane lane = lane_of(0, elements_.count(), corners_, both);
     return node_of(std::span(&lane, 1));
   }
 
   /// Appends the node of elements first .. last to `nodes` and returns its number. Where they are few, all nodes below
-  /// it are appended, too. Requires more elements than a leaf holds.
+  /// it are appended, too. Requires more elements than a leaf holds. By `both`: the same by any.
   template <class Nodes>
-  Index make(Index first, Index last, Nodes& nodes)
+  Index make(Index first, Index last, Nodes& nodes, const covering::Both& both = {})
   {
     if (last - first > Bvh8_treelet::most || options_.cuts == Cuts::tetra_cones ||
         options_.cuts == Cuts::through_origin)
-      return nodes.push_back(node(first, last));
+      return nodes.push_back(node(first, last, both));
     const std::size_t before = treelet_.cuts();
     const Index made = treelet_.make(first, last, nodes);
     cuts_.all += treelet_.cuts() - before;
@@ -97,6 +100,32 @@ class Bvh8_builder {
   using Vector = kernel::Vector;
   using Centroid = std::array<float, 3>;
 
+  struct Count {
+    Index of = 0;
+    void add(const Count& other) { of += other.of; }
+  };
+
+  /// No character, which the compiler would take for a part of anything.
+  struct Before {
+    bool is;
+  };
+
+  /// Of a part: across the direction in which it spreads most, and planes through the origin, where all elements let
+  /// these be tried.
+  struct Tried_cuts {
+    Binned_cuts planes;
+    std::optional<Binned_cuts> cones;
+
+    void add(const Tried_cuts& other)
+    {
+      planes.add(other.planes);
+      if (cones && other.cones)
+        cones->add(*other.cones);
+      else
+        cones.reset();
+    }
+  };
+
   Bvh8_builder(const Bvh8_builder& whole, bool)
       : elements_(whole.elements_),
         options_(whole.options_),
@@ -105,7 +134,7 @@ class Bvh8_builder {
         treelet_(whole.elements_, options_, whole.leaf_ends_)
   {}
 
-  Bvh8_node node(Index first, Index last)
+  Bvh8_node node(Index first, Index last, const covering::Both& both)
   {
     std::vector<Part> parts = parts_in_cones(first, last);
     const std::size_t most = parts.size() > 1 ? parts.size() : options_.parts;  // cones are not cut further
@@ -114,12 +143,27 @@ class Bvh8_builder {
           std::max_element(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.size < b.size; });
       if (is_leaf(*largest)) break;
       const Part whole = *largest;
-      const Index middle = split(whole);
-      *largest = part(whole.first, middle);
-      parts.insert(largest + 1, part(middle, whole.last));
+      const Index middle = split(whole, both);
+      std::optional<Part> before, after;
+      both_of(whole.last - whole.first, both)([&] { before = part(whole.first, middle); },
+                                              [&] { after = part(middle, whole.last); });
+      *largest = *before;
+      parts.insert(largest + 1, *after);
     }
     lanes_.clear();
-    for (const Part& part : parts) lanes_.push_back(lane_of(part));
+    if (last - first <= covering::most_in_part) {
+      for (const Part& part : parts) lanes_.push_back(lane_of(part.first, part.last, corners_, both));
+    } else {
+      std::array<std::optional<Bvh8_lane>, kernel::lanes> made;
+      covering::in_parts(
+          0, Index(parts.size()), both,
+          [&](Index k, Index) {
+            Corner_set corners;
+            made[k] = lane_of(parts[k].first, parts[k].last, corners, both);
+          },
+          1);
+      for (std::size_t k = 0; k < parts.size(); ++k) lanes_.push_back(*made[k]);
+    }
     return node_of(lanes_);
   }
 
@@ -182,7 +226,14 @@ class Bvh8_builder {
     return {first, last, last - first > options_.leaf_size ? kernel::maximum(spread.size(), 1e-300) : 0, spread,
             spread.principal_axes()};
   }
-  bool is_leaf(const Part& part) const { return part.last - part.first <= options_.leaf_size; }
+  bool is_leaf(Index first, Index last) const { return last - first <= options_.leaf_size; }
+  bool is_leaf(const Part& part) const { return is_leaf(part.first, part.last); }
+
+  /// What does two things for so many elements.
+  static covering::Both both_of(Index count, const covering::Both& both)
+  {
+    return count > covering::most_in_part ? both : covering::Both();
+  }
 
   /// With `Cuts::tetra_cones`: the parts that cones hold; one part where these are not asked for, or do not part it.
   std::vector<Part> parts_in_cones(Index first, Index last)
@@ -204,7 +255,7 @@ class Bvh8_builder {
 
   /// Cuts the part in two, and returns where in the order: the boxes of both are small for what they hold. In the
   /// middle where all elements are in one place.
-  Index split(const Part& part)
+  Index split(const Part& part, const covering::Both& both)
   {
     const Index count = part.last - part.first, middle = part.first + count / 2;
     const kernel::Spread& spread = part.spread;
@@ -220,50 +271,93 @@ class Bvh8_builder {
     };
     ++cuts_.all;
     const Vector across = part.axes.col(2);
-    Binned_cuts planes = cuts_across({across, {}}, across.dot(spread.mean), 1);
-    std::optional<Binned_cuts> cones;
-    if (const auto pencil = tries_cones(count) ? cones_about(part) : std::nullopt)
-      cones = cuts_across(*pencil, 0, 1 / spread.mean.norm());
+    const double place = across.dot(spread.mean);
+    const auto pencil = tries_cones(count) ? cones_about(part) : std::nullopt;
     const Some some(part.first, part.last, most_seen);
-    for (Index k = 0; k < some.count(); ++k) {
-      const Vector p = centroid(some[k]);
-      Binned_cuts::Four low = along_axes(p), high = low;
-      if (count <= most_by_corners)
-        for_corners(elements_[some[k]], [&](const Vector& corner) {
-          const Binned_cuts::Four at = along_axes(corner);
-          low = low.min(at);
-          high = high.max(at);
-        });
-      planes.add(p, low, high);
-      if (cones && !(p.dot(*cones->pencil().along) > steep * p.norm())) cones.reset();
-      if (cones) cones->add(p, low, high);
-    }
-    Cut best = planes.best();
-    if (cones) {
+    const auto tried = covering::sum_of_parts(0, some.count(), both, [&](Index first, Index last) {
+      Tried_cuts cuts{cuts_across({across, {}}, place, 1), {}};
+      auto& [planes, cones] = cuts;
+      if (pencil) cones = cuts_across(*pencil, 0, 1 / spread.mean.norm());
+      for (Index k = first; k < last; ++k) {
+        const Vector p = centroid(some[k]);
+        Binned_cuts::Four low = along_axes(p), high = low;
+        if (count <= most_by_corners)
+          for_corners(elements_[some[k]], [&](const Vector& corner) {
+            const Binned_cuts::Four at = along_axes(corner);
+            low = low.min(at);
+            high = high.max(at);
+          });
+        planes.add(p, low, high);
+        if (cones && !(p.dot(*cones->pencil().along) > steep * p.norm())) cones.reset();
+        if (cones) cones->add(p, low, high);
+      }
+      return cuts;
+    });
+    Cut best = tried.planes.best();
+    if (tried.cones) {
       ++cuts_.tried_cones;
-      const Cut into_cones = cones->best();
+      const Cut into_cones = tried.cones->best();
       if (options_.cuts == Cuts::through_origin || into_cones.cost < 1.03 * best.cost) {
         ++cuts_.through_origin;
         best = into_cones;
       }
     }
     const Index cut =
-        partition(part.first, part.last, [&](Index e) { return best.pencil.place(centroid(e)) < best.place; });
+        partition(part.first, part.last, both, [&](Index e) { return best.pencil.place(centroid(e)) < best.place; });
     return cut == part.first || cut == part.last ? middle : cut;
   }
 
-  /// Elements of which `is_before` says so come first; returns where the others begin.
+  /// Elements of which `is_before` says so come first; returns where the others begin. The first of the others changes
+  /// places with the last that is before them, the second with the last but one, and so on.
   template <class Is_before>
-  Index partition(Index first, Index last, const Is_before& is_before)
+  Index partition(Index first, Index last, const covering::Both& both, const Is_before& is_before)
   {
-    const std::span<Element> elements = elements_.order();
-    while (true) {
-      while (first < last && is_before(first)) ++first;
-      while (first < last && !is_before(last - 1)) --last;
-      if (first == last) return first;
-      std::swap(elements[first], elements[--last]);
-      std::swap((*centroids_)[first++], (*centroids_)[last]);
+    if (both.is_in_turn() || last - first <= covering::most_in_part) {
+      const std::span<Element> elements = elements_.order();
+      while (true) {
+        while (first < last && is_before(first)) ++first;
+        while (first < last && !is_before(last - 1)) --last;
+        if (first == last) return first;
+        std::swap(elements[first], elements[--last]);
+        std::swap((*centroids_)[first++], (*centroids_)[last]);
+      }
     }
+    const Index all = last - first;
+    if (is_before_.size() < all) {
+      is_before_.resize(all);
+      misplaced_.resize(all);
+    }
+    const auto count = covering::sum_of_parts(0, all, both, [&](Index begin, Index end) {
+      Count sum;
+      for (Index k = begin; k < end; ++k) sum.of += is_before_[k].is = is_before(first + k);
+      return sum;
+    });
+    const Index before = count.of;
+    Index* const others = misplaced_.data();
+    Index* const early = others + before;
+    Index swapped = 0;
+    both_of(all, both)(
+        [&] {
+          for (Index k = 0; k < before; ++k) {
+            others[swapped] = first + k;
+            swapped += !is_before_[k].is;
+          }
+        },
+        [&] {
+          Index found = 0;
+          for (Index k = all; k-- > before;) {
+            early[found] = first + k;
+            found += is_before_[k].is;
+          }
+        });
+    const std::span<Element> elements = elements_.order();
+    covering::in_parts(0, swapped, both, [&](Index begin, Index end) {
+      for (Index k = begin; k < end; ++k) {
+        std::swap(elements[others[k]], elements[early[k]]);
+        std::swap((*centroids_)[others[k]], (*centroids_)[early[k]]);
+      }
+    });
+    return first + before;
   }
 
   bool tries_cones(Index count) const
@@ -283,21 +377,26 @@ class Bvh8_builder {
     return Pencil{across.normalized(), along};
   }
 
-  /// A lane of many elements has the axes that some of their corners tell.
-  Bvh8_lane lane_of(const Part& part)
+  /// A lane of many elements has the axes that some of their corners tell. `corners` is for its use.
+  Bvh8_lane lane_of(Index first, Index last, Corner_set& corners, const covering::Both& both)
   {
-    const Index first = part.first, last = part.last;
-    if (is_leaf(part) && !leaf_ends_.empty()) leaf_ends_[first] = last;
+    if (is_leaf(first, last) && !leaf_ends_.empty()) leaf_ends_[first] = last;
     if (last - first <= most_fitted) {
-      corners_.gather(elements_, first, last);
-      return {first, last, is_leaf(part), corners_.points()};
+      corners.gather(elements_, first, last);
+      return {first, last, is_leaf(first, last), corners.points()};
     }
-    gathered_.clear();
+    std::vector<Vector> some_corners;
+    some_corners.reserve(3 * most_fitted);
     const Some some(first, last, most_fitted);
     for (Index k = 0; k < some.count(); ++k)
-      for_corners(elements_[some[k]], [&](const Vector& p) { gathered_.push_back(p); });
-    Bvh8_lane lane(first, last, is_leaf(part), kernel::fitted_axes(gathered_, fitting_rounds), gathered_[0]);
-    for (Index e = first; e < last; ++e) for_corners(elements_[e], [&](const Vector& p) { lane.box.add(p); });
+      for_corners(elements_[some[k]], [&](const Vector& p) { some_corners.push_back(p); });
+    Bvh8_lane lane(first, last, is_leaf(first, last), kernel::fitted_axes(some_corners, fitting_rounds),
+                   some_corners[0]);
+    lane.box = covering::sum_of_parts(first, last, both, [&](Index begin, Index end) {
+      kernel::Lane_box box = lane.box;
+      for (Index e = begin; e < end; ++e) for_corners(elements_[e], [&](const Vector& p) { box.add(p); });
+      return kernel::Lane_box(box);  // another one: so that what is added to stays in registers
+    });
     return lane;
   }
 
@@ -305,11 +404,12 @@ class Bvh8_builder {
   const Bvh8_options options_;
   std::vector<Index>& leaf_ends_;
   Cut_counts cuts_;
-  std::shared_ptr<std::vector<Centroid>> centroids_;  // in the elements' order
+  std::shared_ptr<covering::Unset_vector<Centroid>> centroids_;  // in the elements' order
   Bvh8_treelet treelet_;
   Corner_set corners_;
   std::vector<Bvh8_lane> lanes_;
-  std::vector<Vector> gathered_;
+  std::vector<Before> is_before_;  // while elements are parted
+  std::vector<Index> misplaced_;
 
   static constexpr Index most_seen = 32768, most_fitted = 128, most_by_corners = 256, fewest_in_cones = 64;
   static constexpr double steep = 0.05, reach_of_bins = 2.5;

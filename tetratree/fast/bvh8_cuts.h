@@ -42,7 +42,7 @@ class Binned_cuts {
   const Pencil& pencil() const { return pencil_; }
 
   /// What has its middle in `p`, between `low` and `high` along the axes.
-  void add(const kernel::Vector& p, const Four& low, const Four& high)
+  [[gnu::always_inline]] void add(const kernel::Vector& p, const Four& low, const Four& high)
   {
     const float bin = (pencil_.place(p) - first_) * per_width_;
     constexpr float last = float(count - 1);
@@ -50,6 +50,12 @@ class Binned_cuts {
     side.low = side.low.min(low);
     side.high = side.high.max(high);
     ++side.points;
+  }
+
+  /// What another one of the same pencil and spread has been given.
+  void add(const Binned_cuts& other)
+  {
+    for (std::size_t k = 0; k < count; ++k) bins_[k].add(other.bins_[k]);
   }
 
   /// Where one side would have less than an eighth of the points, there is no cut: else elements that all reach

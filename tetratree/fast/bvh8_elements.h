@@ -29,23 +29,25 @@ struct Element {
   bool is_whole_face() const { return corner[0] == covering::none; }
 };
 
+using Elements = covering::Unset_vector<Element>;
+
 /// A body as its tree sees it: the model, its elements, and its local units.
 class Bvh8_elements {
  public:
   using Adaptive = kernel::Adaptive;
 
   /// `triangles`: for each face that has some, triangles that cover exactly the face. Requires planar faces.
-  /// The covering is made by `both`, as `covering::In_turn` is.
-  template <class Both = covering::In_turn>
-  Bvh8_elements(const covering::Polyhedron& polyhedron, std::span<const Face_triangle> triangles, const Both& both = {})
-      : model_(polyhedron, covering::Covering(polyhedron, both))
+  /// The same by any `both`.
+  Bvh8_elements(const covering::Polyhedron& polyhedron, std::span<const Face_triangle> triangles,
+                const covering::Both& both = {})
+      : model_(polyhedron, both)
   {
-    collect_elements(polyhedron, triangles);
+    collect_elements(polyhedron, triangles, both);
     find_scale();
   }
 
   /// With the covering and the elements known, these in the order that `order` has.
-  Bvh8_elements(const covering::Polyhedron& polyhedron, covering::Covering covering, std::vector<Element> order)
+  Bvh8_elements(const covering::Polyhedron& polyhedron, covering::Covering covering, Elements order)
       : model_(polyhedron, std::move(covering)), elements_(std::move(order))
   {
     find_scale();
@@ -91,27 +93,40 @@ class Bvh8_elements {
     per_half_unit_ = 2 / scale_.unit;
   }
 
-  void collect_elements(const covering::Polyhedron& polyhedron, std::span<const Face_triangle> triangles)
+  void collect_elements(const covering::Polyhedron& polyhedron, std::span<const Face_triangle> triangles,
+                        const covering::Both& both)
   {
-    std::vector<bool> has_triangles(polyhedron.face_count(), false);
-    for (const Face_triangle& t : triangles) has_triangles[t.face] = true;
-    const auto without = std::size_t(std::ranges::count(has_triangles, false));
-    elements_.reserve(triangles.size() + without);
-    for (const Face_triangle& t : triangles) elements_.push_back({t.face, t.corner});
-    for (Index f = 0; f < polyhedron.face_count(); ++f) {
-      if (has_triangles[f]) continue;
-      const auto loop = polyhedron.loop(f, 0);
-      const bool is_triangle = polyhedron.is_triangle(f) && model_.covering().plane_basis(f);
-      elements_.push_back({f, is_triangle ? std::array{loop[0], loop[1], loop[2]}
-                                          : std::array{covering::none, covering::none, covering::none}});
+    const auto faces = Index(polyhedron.face_count());
+    if (triangles.empty()) {
+      elements_.resize(faces);
+      covering::in_parts(0, faces, both, [&](Index first, Index last) {
+        for (Index f = first; f < last; ++f) elements_[f] = element_of(polyhedron, f);
+      });
+    } else {
+      std::vector<bool> has_triangles(faces, false);
+      for (const Face_triangle& t : triangles) has_triangles[t.face] = true;
+      const auto without = std::size_t(std::ranges::count(has_triangles, false));
+      elements_.reserve(triangles.size() + without);
+      for (const Face_triangle& t : triangles) elements_.push_back({t.face, t.corner});
+      for (Index f = 0; f < faces; ++f)
+        if (!has_triangles[f]) elements_.push_back(element_of(polyhedron, f));
     }
     assert(elements_.size() <= Bvh8_node::most_elements);
+  }
+
+  /// A face for which no triangles are given.
+  Element element_of(const covering::Polyhedron& polyhedron, Index f) const
+  {
+    if (!(polyhedron.is_triangle(f) && model_.covering().plane_basis(f)))
+      return {f, {covering::none, covering::none, covering::none}};
+    const auto loop = polyhedron.loop(f, 0);
+    return {f, {loop[0], loop[1], loop[2]}};
   }
 
   covering::Model<Adaptive> model_;
   kernel::Local_scale scale_;
   double per_half_unit_ = 2;  // of the scale; a power of two too
-  std::vector<Element> elements_;
+  Elements elements_;
 };
 
 }  // namespace tetracone::tetratree

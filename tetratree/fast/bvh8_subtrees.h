@@ -24,9 +24,10 @@ class Bvh8_subtrees {
   /// For the thread that may change the tree; others may read it.
   Bvh8_subtrees(Bvh8_builder& builder, Reserved_array<Bvh8_node>& nodes) : builder_(builder), nodes_(nodes) {}
 
-  /// Large parts' nodes, those of a level at once; then what is below them.
+  /// Large parts' nodes, those of a level at once or, where one has most of the elements, one after the other by `both`;
+  /// then what is below them.
   template <class Run>
-  void make(const Run& run)
+  void make(const Run& run, const covering::Both& both)
   {
     Index from = 0;
     while (true) {
@@ -34,7 +35,11 @@ class Bvh8_subtrees {
       for (Index n = from; n < to; ++n) list_lanes(n);
       from = to;
       if (large_.empty()) break;
-      make_subtrees(run, std::exchange(large_, {}), true);
+      const std::vector<Lane> lanes = std::exchange(large_, {});
+      if (are_one_mostly(lanes))
+        make_nodes(lanes, both);
+      else
+        make_subtrees(run, lanes, true);
     }
     make_subtrees(run, std::exchange(small_, {}), false);
   }
@@ -85,6 +90,26 @@ class Bvh8_subtrees {
     std::vector<Nodes> made;  // below each lane, until it has its place
     std::size_t placed = 0;   // so many lanes' have
   };
+
+  /// Whether one thread would have most of the work.
+  bool are_one_mostly(const std::vector<Lane>& lanes) const
+  {
+    Index largest = 0, all = 0;
+    for (const Lane& lane : lanes) {
+      const Index count = end_of(lane) - begin_of(lane);
+      largest = kernel::maximum(largest, count);
+      all += count;
+    }
+    return largest > covering::most_in_part && largest > all / 2;
+  }
+
+  void make_nodes(const std::vector<Lane>& lanes, const covering::Both& both)
+  {
+    for (const Lane& lane : lanes) {
+      const Index made = builder_.make(begin_of(lane), end_of(lane), nodes_, both);
+      nodes_.data()[lane.node].publish(lane.lane, made);
+    }
+  }
 
   /// Of each lane, the node alone or all below it.
   template <class Run>

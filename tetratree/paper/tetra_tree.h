@@ -146,7 +146,7 @@ class Tetra_tree {
   }
 
  private:
-  const std::vector<Covering_triangle>& triangles() const { return model_.covering().triangles(); }
+  std::span<const Covering_triangle> triangles() const { return model_.covering().triangles(); }
 
   static std::span<const Index> part(const std::vector<Index>& of, std::size_t begin, std::size_t end)
   {

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <string>
@@ -337,6 +338,55 @@ BOOST_AUTO_TEST_CASE(two_threads_make_the_same_covering)
     {
       BOOST_TEST((bytes(Covering(body, tetracone::verify::At_once())) == bytes(Covering(body))));
     }
+  // Of several parts; then with faces of others than two triangles less than corners, and planes by others of their
+  // corners.
+  scenes::Random random(4);
+  Polyhedron large = scenes::blob(random, 6, 0.5, 1.5);
+  BOOST_TEST(large.face_count() > 2 * most_in_part);
+  BOOST_TEST((bytes(Covering(large, tetracone::verify::At_once())) == bytes(Covering(large))));
+  const auto first = Index(large.vertices.size());
+  for (int k = 0; k < 40; ++k) large.vertices.push_back({k < 20 ? 0.01 * k : 0.01 * (39 - k), k < 20 ? 0.0 : 1.0, 0});
+  std::vector<Index> strip(40);
+  std::iota(strip.begin(), strip.end(), first);
+  for (int k = 0; k < 5; ++k) large.add_polygon(strip);
+  BOOST_TEST((bytes(Covering(large, tetracone::verify::At_once())) == bytes(Covering(large))));
+  large.add_polygon({first, first + 1, first, first + 25});  // its first corner twice
+  const Covering twice(large);
+  BOOST_TEST(twice.triangles().back().face == large.face_count() - 1);
+  BOOST_TEST((bytes(Covering(large, tetracone::verify::At_once())) == bytes(twice)));
+  for (int k = 0; k < 3; ++k) large.add_polygon({first, first + 1});
+  large.add_polygon({first});
+  BOOST_TEST((bytes(Covering(large, tetracone::verify::At_once())) == bytes(Covering(large))));
+}
+
+BOOST_AUTO_TEST_CASE(parts_are_all_in_their_order_and_no_larger_than_asked)
+{
+  for (const Index count : {0u, 1u, 7u, 1000u}) {
+    std::vector<int> seen(count, 0);
+    Index end = 0, largest = 0;
+    in_parts(
+        5, 5 + count, {},
+        [&](Index first, Index last) {
+          BOOST_TEST(first == (end == 0 ? 5 : end));
+          end = last;
+          largest = std::max(largest, last - first);
+          for (Index k = first; k < last; ++k) ++seen[k - 5];
+        },
+        3);
+    BOOST_TEST(std::ranges::count(seen, 1) == std::ptrdiff_t(count));
+    BOOST_TEST(largest <= 3u);
+  }
+  struct Word {
+    std::vector<Index> begins;
+    void add(const Word& later) { begins.insert(begins.end(), later.begins.begin(), later.begins.end()); }
+  };
+  const auto what = [](Index first, Index) { return Word{{first}}; };
+  const tetracone::verify::At_once at_once;
+  for (const Both& both : {Both(), Both(at_once)}) {
+    const Word word = sum_of_parts(0, 4 * most_in_part + 1, both, what);
+    BOOST_TEST(word.begins.size() == 5u);
+    BOOST_TEST(std::ranges::is_sorted(word.begins));
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

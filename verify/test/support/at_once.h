@@ -5,7 +5,7 @@
 
 namespace tetracone::verify {
 
-/// Two things at once, by a thread each: for what is made by `covering::In_turn` or the like.
+/// Two things at once, by a thread each: for what `covering::Both` refers to.
 struct At_once {
   template <class One, class Other>
   void operator()(const One& one, const Other& other) const

@@ -95,6 +95,11 @@ int main()
       for (std::size_t k = 0; k < poses.size(); ++k) wrong += answers[t][k].relation() != answers[t % 2][k].relation();
     for (const Answer& answer : answers[0]) hits += bool(answer);
   }
+  // So large that what it is made of is shared by threads, while another one asks.
+  const Body large(waves(100, 0.2));
+  std::thread asking([&] { strays += large.first_hit({{0, 0, 9}, {0, 0, -1}}).has_value() ? 0 : 1; });
+  large.make_all(3);
+  asking.join();
   wrong += strays;
   wrong += differing_frames(Body(waves(12, 0.3)));
   std::printf("%ld answers differ, %ld hits\n", wrong, hits);

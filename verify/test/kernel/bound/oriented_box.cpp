@@ -144,6 +144,34 @@ BOOST_AUTO_TEST_CASE(a_lane_holds_its_points_wherever_it_was_told_that_they_are)
   BOOST_TEST(loose == 0);
 }
 
+BOOST_AUTO_TEST_CASE(boxes_of_halves_added_are_that_of_all)
+{
+  Random random(10);
+  for (int k = 0; k < 200; ++k) {
+    const auto all = points(random, 20, 1);
+    Lane_box whole(fitted_axes(all, 2), all[0]), first = whole, second = whole;
+    for (std::size_t j = 0; j < all.size(); ++j) {
+      whole.add(all[j]);
+      (j < std::size_t(k % 20) ? first : second).add(all[j]);
+    }
+    first.add(second);
+    Obb8 boxes{};
+    whole.store(boxes, 0, Vector::Zero(), 0);
+    first.store(boxes, 1, Vector::Zero(), 0);
+    for (int i = 0; i < 3; ++i) {
+      BOOST_TEST(boxes.centre[i][0] == boxes.centre[i][1]);
+      BOOST_TEST(boxes.extent[i][0] == boxes.extent[i][1]);
+    }
+  }
+  Lane_box known(Matrix::Identity(), Vector(0, 0, 0)), none = known;
+  known.add(Vector(0.5, 0.25, 0.125));
+  none.add(Vector(0.5, std::numeric_limits<double>::quiet_NaN(), 0.125));
+  known.add(none);
+  Obb8 boxes{};
+  known.store(boxes, 0, Vector::Zero(), 0);
+  for (int i = 0; i < 3; ++i) BOOST_TEST(std::isnan(boxes.extent[i][0]));
+}
+
 BOOST_AUTO_TEST_CASE(a_lane_of_a_point_that_is_no_number_has_no_extent)
 {
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})

@@ -48,6 +48,21 @@ BOOST_AUTO_TEST_CASE(no_side_has_less_than_an_eighth)
   BOOST_TEST(none.best().cost == std::numeric_limits<double>::infinity());
 }
 
+BOOST_AUTO_TEST_CASE(halves_added_cut_as_the_whole)
+{
+  const Binned_cuts none({Vector(0, 0, 1), {}}, 0.5, 0.75);
+  Binned_cuts whole = none, first = none, second = none;
+  for (int k = 0; k < 100; ++k) {
+    const Vector p(0.01 * (k % 7), 0.01 * (k % 5), (k % 10 < 3 ? 0 : 0.4) + 0.001 * k), q = p + Vector(0.1, 0.01, 0);
+    whole.add(p, four(p), four(q));
+    (k < 40 ? first : second).add(p, four(p), four(q));
+  }
+  BOOST_TEST(first.best().cost < whole.best().cost);
+  first.add(second);
+  BOOST_TEST(first.best().cost == whole.best().cost);
+  BOOST_TEST(first.best().place == whole.best().place);
+}
+
 BOOST_AUTO_TEST_CASE(a_place_that_is_no_number_is_in_some_bin)
 {
   // Planes through the origin, and points there and behind it.

@@ -44,11 +44,11 @@ int differing_nodes(const Bvh8& a, const Bvh8& b)
 BOOST_AUTO_TEST_CASE(a_tree_is_the_same_whatever_the_threads)
 {
   Random random(1);
-  const Polyhedron body = blob(random, 5, 0.5, 1.5);
-  BOOST_TEST(body.face_count() > 3000u);  // several rounds
+  const Polyhedron body = blob(random, 6, 0.5, 1.5);
+  BOOST_TEST(body.face_count() > 2 * tetracone::covering::most_in_part);  // several rounds
   const Bvh8 by_one(body), by_three(body, {}, {}, tetracone::verify::At_once()), by_none_but_the_last(body);
   by_one.make_all();
-  by_three.make_all(by_threads(3));
+  by_three.make_all(by_threads(3), tetracone::verify::At_once());
   by_none_but_the_last.make_all([](const auto& work) {
     work();
     work();  // finds nothing left
@@ -58,6 +58,27 @@ BOOST_AUTO_TEST_CASE(a_tree_is_the_same_whatever_the_threads)
   BOOST_TEST(by_one.cuts().all == by_three.cuts().all);
   BOOST_TEST(by_one.cuts().tried_cones == by_three.cuts().tried_cones);
   BOOST_TEST(by_one.cuts().through_origin == by_three.cuts().through_origin);
+}
+
+BOOST_AUTO_TEST_CASE(a_tree_by_other_choices_is_the_same_whatever_the_threads)
+{
+  Random random(3);
+  // Two apart, so that the origin lies before all of each: planes through it are tried on what several threads share.
+  Polyhedron body = blob(random, 6, 0.5, 1.5), other = blob(random, 4, 0.5, 1.5);
+  for (auto& v : body.vertices) v[0] += 5;
+  for (auto& v : other.vertices) v[0] -= 5;
+  append(body, other);
+  for (const Bvh8_options& options :
+       {Bvh8_options{}, Bvh8_options{.parts = 3, .leaf_size = 4}, Bvh8_options{.cuts = Cuts::through_origin},
+        Bvh8_options{.cuts = Cuts::tetra_cones}}) {
+    const Bvh8 by_one(body, {}, options), by_two(body, {}, options, tetracone::verify::At_once());
+    by_one.make_all();
+    by_two.make_all(by_threads(2), tetracone::verify::At_once());
+    BOOST_TEST(differing_nodes(by_one, by_two) == 0);
+    BOOST_TEST(by_one.cuts().all == by_two.cuts().all);
+    BOOST_TEST(by_one.cuts().tried_cones == by_two.cuts().tried_cones);
+    BOOST_TEST(by_one.cuts().through_origin == by_two.cuts().through_origin);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(what_queries_have_made_stays)
