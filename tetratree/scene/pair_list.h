@@ -2,6 +2,7 @@
 #define TETRACONE_TETRATREE_SCENE_PAIR_LIST_H
 
 #include "tetracone/tetratree/fast/pair_memory.h"
+#include "tetracone/tetratree/scene/large_pages.h"
 
 #include <array>
 #include <cstddef>
@@ -35,6 +36,7 @@ struct Near_pair {
 /// What is kept of a pair whose trees have been asked: few of those that are near are.
 struct Asked_pair {
   double turned = -std::numeric_limits<double>::infinity();  ///< by both bodies when they were asked last
+  std::array<float, 3> between = {};                         ///< them then
   Pair_memory memory = {};
   std::size_t memory_bytes = 0;  ///< that are counted
 };
@@ -186,9 +188,9 @@ class Pair_list {
     if (of.capacity() < count) of.reserve(count + count / 2);
   }
 
-  std::vector<Near_pair> pairs_;
-  std::vector<Near_bodies> bodies_;                             // of each; apart, since frames read them all
-  std::vector<Asked_pair> asked_ = std::vector<Asked_pair>(1);  // the first stands for nothing
+  Large_vector<Near_pair> pairs_;
+  Large_vector<Near_bodies> bodies_;                              // of each; apart, since frames read them all
+  Large_vector<Asked_pair> asked_ = Large_vector<Asked_pair>(1);  // the first stands for nothing
   std::vector<Number> free_;
   std::vector<std::uint32_t> free_asked_;
   std::vector<std::vector<Of_body>> of_;

@@ -377,7 +377,7 @@ void Scene_data::find_near(const std::vector<Number>& bodies)
 {
   for (const Number body : bodies) tree_.mark(body);
   const auto parts = tree_.parts(arena_ && bodies.size() >= parts_of_search ? parts_of_search : 1);
-  std::vector<std::vector<std::array<Number, 2>>> found(parts.size());
+  std::vector<tetratree::Large_vector<std::array<Number, 2>>> found(parts.size());
   std::vector<std::size_t> opened(parts.size());
   for_each(parts.size(), 1, [&](std::size_t i, Scene_worker&) {
     opened[i] = tree_.for_meeting(parts[i], [&](Number a, Number b) { found[i].push_back({a, b}); });

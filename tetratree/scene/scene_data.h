@@ -5,6 +5,7 @@
 #include "tetracone/tetratree/scene/body_extent.h"
 #include "tetracone/tetratree/scene/box_tree.h"
 #include "tetracone/tetratree/scene/carried_box.h"
+#include "tetracone/tetratree/scene/large_pages.h"
 #include "tetracone/tetratree/scene/pair_list.h"
 #include "tetracone/tetratree/scene/scene.h"
 #include "tetracone/tetratree/scene/scene_models.h"
@@ -166,10 +167,11 @@ class Scene_data {
   void keep_to_memory(Number model_a, Number model_b);
   void forget_pairs_of(Number body);
   void allow_fronts(const std::vector<Number>& pairs);
-  bool moves_little(const Near_bodies& pair, double turned_before) const;
+  bool moves_little(const Near_bodies& pair, const tetratree::Asked_pair& asked) const;
+  void begin(Near_bodies& pair);
   void answer(Number pair, bool collide, double gap);
   double turned(const Near_bodies& pair) const;
-  double square_between(const Near_bodies& pair) const;
+  double square_between(const Near_bodies& pair, const std::array<float, 3>& before) const;
   bool are_apart(const Near_bodies& pair) const;
   void list_pairs();
   std::size_t bytes() const;
@@ -185,13 +187,13 @@ class Scene_data {
   std::vector<Scene_worker> workers_;
   std::optional<tbb::task_arena> arena_;  // of more than one thread
 
-  std::vector<Placed_body> bodies_;
-  std::vector<kernel::Pose> poses_;            // of each body, as what follows
-  std::vector<tetratree::Body_place> places_;  // by their poses
-  std::vector<Step> steps_;
-  std::vector<tetratree::Carried_box> boxes_;
-  std::vector<World_box> wide_;                // what the tree has
-  std::vector<tetratree::Turned_box> turned_;  // once one is long; known of long ones alone
+  tetratree::Large_vector<Placed_body> bodies_;
+  tetratree::Large_vector<kernel::Pose> poses_;            // of each body, as what follows
+  tetratree::Large_vector<tetratree::Body_place> places_;  // by their poses
+  tetratree::Large_vector<Step> steps_;
+  tetratree::Large_vector<tetratree::Carried_box> boxes_;
+  tetratree::Large_vector<World_box> wide_;                // what the tree has
+  tetratree::Large_vector<tetratree::Turned_box> turned_;  // once one is long; known of long ones alone
   std::vector<Known_model> known_models_;
   tetratree::Box_tree tree_;
   bool tree_is_old_ = false;  // there are bodies that it does not know

@@ -81,12 +81,12 @@ double Scene_data::turned(const Near_bodies& pair) const
 }
 
 /// By how much what is between their places has changed, squared: but for a share of 2^-48, and for 2^-50 of what was.
-double Scene_data::square_between(const Near_bodies& pair) const
+double Scene_data::square_between(const Near_bodies& pair, const std::array<float, 3>& before) const
 {
   const auto &a = places_[pair.body[0]].at, &b = places_[pair.body[1]].at;
   double square = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    const double change = a[k] - b[k] - double(pair.between[k]);
+    const double change = a[k] - b[k] - double(before[k]);
     square += change * change;
   }
   return square;
@@ -96,7 +96,7 @@ double Scene_data::square_between(const Near_bodies& pair) const
 bool Scene_data::are_apart(const Near_bodies& pair) const
 {
   const double left = pair.limit - turned(pair);
-  return left > 0x1p-500 && square_between(pair) < left * left * (1 - 0x1p-46);
+  return left > 0x1p-500 && square_between(pair, pair.between) < left * left * (1 - 0x1p-46);
 }
 
 /// At most their distance, by their boxes.
@@ -106,21 +106,30 @@ double Scene_data::gap(const Near_bodies& pair) const
   return boxes_[a].gap(places_[a], boxes_[b], places_[b]);
 }
 
-/// Where they do not collide, they are at least `gap` apart.
+/// Begins the certificate of a pair that is asked: what is between its bodies, and what they have turned. It holds for
+/// nothing yet, since they turn by more.
+void Scene_data::begin(Near_bodies& pair)
+{
+  const auto &a = places_[pair.body[0]], &b = places_[pair.body[1]];
+  for (std::size_t k = 0; k < 3; ++k) pair.between[k] = float(a.at[k] - b.at[k]);
+  pair.limit = sum_below(a.turned, b.turned);
+}
+
+/// Where they do not collide, they are at least `gap` apart. Requires a certificate that was begun, and nothing else of
+/// the bodies, which have left the caches since.
 void Scene_data::answer(Number number, bool collide, double gap)
 {
   Near_bodies& pair = near_.bodies(number);
-  const auto &a = places_[pair.body[0]], &b = places_[pair.body[1]];
   pair.collide = collide;
   pair.is_open = false;
-  double rounded = 0x1p-120;
-  for (std::size_t k = 0; k < 3; ++k) {
-    pair.between[k] = float(a.at[k] - b.at[k]);
-    // That is off by half of it, and what is computed of it later by less.
-    rounded += 0x1p-23 * std::abs(double(pair.between[k]));
+  if (tetratree::Asked_pair* const asked = near_.known_asked(number)) {
+    asked->turned = pair.limit;
+    asked->between = pair.between;
   }
-  pair.limit = gap > rounded ? sum_below(sum_below(a.turned, b.turned), gap - rounded) : -1;
-  if (tetratree::Asked_pair* const asked = near_.known_asked(number)) asked->turned = turned(pair);
+  // What is between them is off by half of that, and what is computed of it later by less.
+  double rounded = 0x1p-120;
+  for (const float x : pair.between) rounded += 0x1p-23 * std::abs(double(x));
+  pair.limit = gap > rounded ? sum_below(pair.limit, gap - rounded) : -1;
 }
 
 /// By the tree, which is made now if it has to be.
@@ -160,6 +169,7 @@ void Scene_data::ask_models(std::vector<Number>::iterator first, std::vector<Num
   };
   for (auto at = first; at != last; ++at) {
     if (last - at > boxes_ahead) fetch_boxes(near_.bodies(*(at + boxes_ahead)));
+    begin(near_.bodies(*at));
     if (has_turned_box(near_.bodies(*at)))
       meeting.push_back(*at);
     else if (!ask_box(*at))
@@ -238,18 +248,18 @@ void Scene_data::allow_fronts(const std::vector<Number>& pairs)
     tetratree::Asked_pair& asked = near_.asked(number);
     tetratree::Pair_memory& memory = asked.memory;
     const bool would_be_made = !memory.front && memory.is_front_worth(),
-               is_allowed = (memory.front || would_be_made) && moves_little(near_.bodies(number), asked.turned) &&
+               is_allowed = (memory.front || would_be_made) && moves_little(near_.bodies(number), asked) &&
                             (!would_be_made || taken + bytes_of_front <= room);
     if (is_allowed && would_be_made) taken += bytes_of_front;
     memory.allow_front(is_allowed);
   }
 }
 
-/// Since they were asked, when they had turned so much.
-bool Scene_data::moves_little(const Near_bodies& pair, double turned_before) const
+/// Since they were asked so.
+bool Scene_data::moves_little(const Near_bodies& pair, const tetratree::Asked_pair& asked) const
 {
   const auto [a, b] = pair.body;
-  return turned(pair) - turned_before + std::sqrt(square_between(pair)) <=
+  return turned(pair) - asked.turned + std::sqrt(square_between(pair, asked.between)) <=
          little * kernel::minimum(boxes_[a].size(), boxes_[b].size());
 }
 
