@@ -1,11 +1,13 @@
 #ifndef TETRACONE_TETRATREE_SCENE_CARRIED_BOX_H
 #define TETRACONE_TETRATREE_SCENE_CARRIED_BOX_H
 
+#include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/tetratree/scene/body_extent.h"
 #include "tetracone/tetratree/scene/world_box.h"
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace tetracone::tetratree {
