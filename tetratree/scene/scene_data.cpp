@@ -127,6 +127,7 @@ void Scene_data::set_model(std::size_t body, std::size_t model)
   if (changed.model == model) return;
   leave(Number(body));
   changed.model = Number(model);
+  changed.is_turned = false;
   if (changed.is_placed && !changed.has_moved) {
     changed.has_moved = true;
     moved_.push_back(Number(body));

@@ -272,6 +272,21 @@ BOOST_AUTO_TEST_CASE(a_step_that_is_summed_up_by_other_rounding_keeps_no_answer)
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_long_body_that_becomes_another_has_its_turned_box_no_more)
+{
+  Scene scene;
+  scene.add_model(Body(scenes::box({-10, -0.5, -0.5}, {10, 0.5, 0.5})));
+  scene.add_model(Body(scenes::cube(3)));
+  scene.add_model(Body(scenes::cube(1)));
+  scene.place(scene.add_body(0), Pose());
+  scene.place(scene.add_body(2), Pose::translation(0, 3, 0));
+  BOOST_TEST(scene.pairs().empty());
+  scene.set_model(0, 1);
+  BOOST_TEST(scene.pairs().size() == 1u);
+  scene.set_model(0, 0);
+  BOOST_TEST(scene.pairs().empty());
+}
+
 BOOST_AUTO_TEST_CASE(a_model_is_made_when_a_body_of_it_is_placed_and_treed_when_another_is_near)
 {
   int made = 0;
