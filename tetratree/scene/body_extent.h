@@ -3,6 +3,7 @@
 
 #include "tetracone/kernel/number/pose.h"
 #include "tetracone/kernel/number/products.h"
+#include "tetracone/kernel/simd/short_vectors.h"
 #include "tetracone/tetratree/fast/support_table.h"
 #include "tetracone/tetratree/scene/world_box.h"
 
@@ -17,6 +18,9 @@ namespace tetracone::tetratree {
 /// before there is a tree.
 struct Body_extent {
   std::array<double, 3> centre{}, half{};
+  /// At least the length of what vertices are from the centre, each coordinate in units of its half; of a ball 1, of
+  /// corners the root of 3.
+  double reach_in_halves = 2;
 
   Body_extent() = default;
   /// Requires a vertex.
@@ -32,6 +36,17 @@ struct Body_extent {
       // The rounded centre is between them; each difference is off by one rounding.
       half[k] = kernel::maximum(high - centre[k], centre[k] - low) * (1 + 0x1p-50);
     }
+    double most = 0;
+    for (const kernel::Vertex& v : vertices) {
+      double square = 0;
+      for (int k = 0; k < 3; ++k) {
+        const double part = half[k] > 0 ? (v[k] - centre[k]) / half[k] : 0;
+        square += part * part;
+      }
+      most = kernel::maximum(most, square);
+    }
+    // Each part is at most 1, and off by a few roundings.
+    if (most <= 3) reach_in_halves = std::sqrt(most) * (1 + 0x1p-48);
   }
 
   /// Whether a box turned with the body bounds it much better than one along the world's axes.
@@ -125,28 +140,52 @@ inline World_box world_box(Support_table& table, const kernel::Local_scale& scal
   return box;
 }
 
-/// At least how far any point of the body moves from one pose to the other: per axis, that is |dM_i c + dt_i| + sum_j
-/// |dM_ij| half_j. Infinite or undefined where nothing is known; 0 only of equal poses.
-inline double motion(const Body_extent& extent, const kernel::Pose& from, const kernel::Pose& to)
+/// Where the centre of a body's box is, rounded, and how far its points have turned about there since it was placed: the
+/// sum of its steps.
+struct alignas(32) Body_place {
+  std::array<double, 3> at{};
+  double turned = 0;
+};
+
+/// A step of a body from one pose to the next.
+struct Body_step {
+  std::array<double, 3> at;  ///< where it leads: the centre's image, rounded as it always is
+  /// At least |(q - at) - (p - at before)| for the images p and q of any of the body's points; not finite where nothing is
+  /// known.
+  double turned;
+};
+
+/// Of a point c + v, q - p = dM v + (the centres' change), and |dM v|^2 is at most sum_i (sum_j |dM_ij| half_j)^2, and at
+/// most reach_in_halves^2 sum_ij (|dM_ij| half_j)^2, by the inequality of Cauchy and Schwarz over j.
+inline Body_step body_step(const Body_extent& extent, const kernel::Pose& from, const kernel::Pose& to)
 {
-  if (from == to) return 0;
-  // The entries of fractions are rounded, each on its own.
-  const double rounding_of_entries = from.is_rational() || to.is_rational() ? kernel::unit_roundoff<double> : 0;
-  double squares = 0;
+  using kernel::Two_doubles, kernel::magnitudes, kernel::two_from;
+  // Rows are (M_i0, M_i1), (M_i2, t_i).
+  const std::array<double, 3>&c = extent.centre, &h = extent.half;
+  const Two_doubles centre[] = {{c[0], c[1]}, {c[2], 1}}, half[] = {{h[0], h[1]}, {h[2], 0}},
+                    reach[] = {magnitudes(centre[0]) + half[0], magnitudes(centre[1]) + half[1]};
+  Body_step step;
+  Two_doubles squares{}, terms{};
+  double square_of_sums = 0;
   for (int i = 0; i < 3; ++i) {
-    std::array<double, 3> change;
-    double entries = std::abs(to[4 * i + 3]) + std::abs(from[4 * i + 3]);
-    for (std::size_t j = 0; j < 3; ++j) {
-      const double p = from[4 * i + int(j)], q = to[4 * i + int(j)];
-      change[j] = q - p;
-      entries += (std::abs(p) + std::abs(q)) * (std::abs(extent.centre[j]) + extent.half[j]);
+    Two_doubles at{}, sum{};
+    for (int k = 0; k < 2; ++k) {
+      const Two_doubles p = two_from(from.entries().data() + 4 * i + 2 * k),
+                        q = two_from(to.entries().data() + 4 * i + 2 * k), turn = magnitudes(q - p) * half[k];
+      at += q * centre[k];
+      sum += turn;
+      squares += turn * turn;
+      terms += (magnitudes(p) + magnitudes(q)) * reach[k];
     }
-    const Placed_coordinate<double> x(change, to[4 * i + 3] - from[4 * i + 3], extent.centre, extent.half);
-    const double along = std::abs(x.at) + x.reach + placed_rounding * x.terms + 2 * rounding_of_entries * entries;
-    squares += along * along;
+    step.at[std::size_t(i)] = at[0] + at[1];
+    square_of_sums += (sum[0] + sum[1]) * (sum[0] + sum[1]);
   }
-  // Squares that underflow are of what is far below the last term.
-  return std::sqrt(squares) * (1 + 0x1p-48) + 0x1p-500;
+  const double by_length = extent.reach_in_halves * extent.reach_in_halves * (squares[0] + squares[1]),
+               square = by_length < square_of_sums ? by_length : square_of_sums;
+  // Both centres are off by placed_rounding of their terms, in each coordinate; entries of fractions are rounded in that
+  // too. Squares that underflow are of what is far below the last term.
+  step.turned = std::sqrt(square) * (1 + 0x1p-48) + placed_rounding * (terms[0] + terms[1]) + 0x1p-500;
+  return step;
 }
 
 }  // namespace tetracone::tetratree

@@ -3,6 +3,7 @@
 
 #include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/simd/short_vectors.h"
+#include "tetracone/tetratree/scene/large_pages.h"
 #include "tetracone/tetratree/scene/world_box.h"
 
 #include <algorithm>
@@ -336,7 +337,7 @@ class Box_tree {
                      [axis](const Centre& p, const Centre& q) { return p.at[axis] < q.at[axis]; });
   }
 
-  std::vector<Node> nodes_;
+  Large_vector<Node> nodes_;
   std::vector<std::uint32_t> place_;  // of each item, its lane
   std::size_t count_ = 0;             // of items
 

@@ -1,6 +1,8 @@
 #ifndef TETRACONE_TETRATREE_SCENE_NUMBER_GROUPS_H
 #define TETRACONE_TETRATREE_SCENE_NUMBER_GROUPS_H
 
+#include "tetracone/tetratree/scene/large_pages.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -31,7 +33,7 @@ class Number_groups {
 
  private:
   std::vector<std::uint32_t> first_;  // of each group, and where the last one ends
-  std::vector<std::uint32_t> numbers_;
+  Large_vector<std::uint32_t> numbers_;
 };
 
 }  // namespace tetracone::tetratree

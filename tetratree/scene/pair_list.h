@@ -2,7 +2,9 @@
 #define TETRACONE_TETRATREE_SCENE_PAIR_LIST_H
 
 #include "tetracone/tetratree/fast/pair_memory.h"
+#include "tetracone/tetratree/scene/large_pages.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -12,26 +14,29 @@
 
 namespace tetracone::tetratree {
 
-/// Two bodies that are near one another, the lesser number first, and until when they are apart. Of a pair that is gone
-/// both numbers are 0.
-struct Near_bodies {
+/// Two bodies that are near one another, the lesser number first, and until when they are apart: what frames read of
+/// all of them. Of a pair that is gone both numbers are 0.
+struct alignas(32) Near_bodies {
   std::uint32_t body[2] = {};
-  double limit = -1;  ///< they are apart until their ways sum up to this
+  std::array<float, 3> between = {};  ///< from the second's place to the first's, about, when they were asked
+  bool collide = false;               ///< what they did then
+  bool is_open = false;               ///< to be asked
+  bool by_brute_force = false;        ///< how they are to be asked
+  bool is_listed = false;             ///< among the colliding pairs of the last answer
+  double limit =
+      -1;  ///< they are apart while what they have turned, and what is between them has changed, sum up to less
 };
 
-/// What is known of two bodies that are near one another, beside.
+/// Where a pair is in other lists.
 struct Near_pair {
   std::uint32_t place[2] = {};  ///< in the lists of either body
   std::uint32_t asked = 0;      ///< where what is kept of its trees stands; 0: nothing is
-  bool collide = false;         ///< what they did when they were asked
-  bool is_open = false;         ///< to be asked
-  bool by_brute_force = false;  ///< how they are to be asked
-  bool is_listed = false;       ///< among the colliding pairs of the last answer
 };
 
 /// What is kept of a pair whose trees have been asked: few of those that are near are.
 struct Asked_pair {
-  double way = -std::numeric_limits<double>::infinity();  ///< both bodies' ways when they were asked last, summed
+  double turned = -std::numeric_limits<double>::infinity();  ///< by both bodies when they were asked last
+  std::array<float, 3> between = {};                         ///< them then
   Pair_memory memory = {};
   std::size_t memory_bytes = 0;  ///< that are counted
 };
@@ -49,8 +54,6 @@ class Pair_list {
   };
 
   std::size_t count() const { return pairs_.size() - free_.size(); }
-  Near_pair& operator[](Number pair) { return pairs_[pair]; }
-  const Near_pair& operator[](Number pair) const { return pairs_[pair]; }
   Near_bodies& bodies(Number pair) { return bodies_[pair]; }
   const Near_bodies& bodies(Number pair) const { return bodies_[pair]; }
 
@@ -119,7 +122,9 @@ class Pair_list {
     const Number number = free_.back();
     free_.pop_back();
     Near_bodies& bodies = bodies_[number];
-    bodies = {{a < b ? a : b, a < b ? b : a}};
+    bodies = {};
+    bodies.body[0] = a < b ? a : b;
+    bodies.body[1] = a < b ? b : a;
     for (int k = 0; k < 2; ++k) {
       std::vector<Of_body>& list = of_[bodies.body[k]];
       pairs_[number].place[k] = std::uint32_t(list.size());
@@ -183,9 +188,9 @@ class Pair_list {
     if (of.capacity() < count) of.reserve(count + count / 2);
   }
 
-  std::vector<Near_pair> pairs_;
-  std::vector<Near_bodies> bodies_;                             // of each; apart from it, since frames read them all
-  std::vector<Asked_pair> asked_ = std::vector<Asked_pair>(1);  // the first stands for nothing
+  Large_vector<Near_pair> pairs_;
+  Large_vector<Near_bodies> bodies_;                              // of each; apart, since frames read them all
+  Large_vector<Asked_pair> asked_ = Large_vector<Asked_pair>(1);  // the first stands for nothing
   std::vector<Number> free_;
   std::vector<std::uint32_t> free_asked_;
   std::vector<std::vector<Of_body>> of_;

@@ -1,9 +1,12 @@
 #include "tetracone/tetratree/scene/scene_data.h"
 
 #include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/tetratree/door/body_data.h"
 #include "tetracone/tetratree/scene/number_groups.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -19,8 +22,22 @@ std::uint64_t key_of(std::size_t a, std::size_t b)
   return std::uint64_t(kernel::minimum(a, b)) << 32 | kernel::maximum(a, b);
 }
 
-/// A wide box leaves room for so many steps like the last one, but not for more than that share of the body.
-constexpr double steps_ahead = 8, most_room = 1.0 / 8;
+/// A wide box leaves room for so many steps like the last one, but not for more than that share of the body on every side;
+/// where the body moves faster, for so many steps of its place, but not for more than that share of it.
+constexpr double steps_ahead = 8, most_room = 1.0 / 8, places_ahead = 4, most_room_ahead = 1.0 / 2;
+
+/// The room of new bodies is `most_room`, but for long ones, which have many others near them.
+constexpr double first_room_of_long = 1.0 / 16;
+
+/// Steps that are soon.
+constexpr double soon = 2;
+
+/// A body's box that has grown by more than that share of itself since it was found is found anew, before the wide one is.
+constexpr double most_grown = 1.0 / 32;
+
+/// Of new bodies, so many or more are looked at before trees are made of their models, for which so many pairs are a
+/// reason.
+constexpr std::size_t looked_at = 1024, pairs_for_tree = 32;
 
 /// Above that share of all bodies, one in so many, boxes of all are brought up to date at once.
 constexpr std::size_t few_of_all = 8;
@@ -71,11 +88,10 @@ std::size_t Scene_data::add_body(std::size_t model)
     throw Error("scene: too many bodies; expected less than 2^31");
   bodies_.emplace_back().model = Number(model);
   poses_.emplace_back();
-  last_poses_.emplace_back();
-  steps_.push_back(0);
+  places_.emplace_back();
+  steps_.emplace_back();
   boxes_.emplace_back();
   wide_.emplace_back();
-  ways_.emplace_back();
   seen_.push_back(0);
   near_.set_body_count(bodies_.size());
   return bodies_.size() - 1;
@@ -84,7 +100,7 @@ std::size_t Scene_data::add_body(std::size_t model)
 /// The two are near one another no more.
 void Scene_data::part(Number pair)
 {
-  if (near_[pair].is_listed) left_.push_back(pair_of(pair));
+  if (near_.bodies(pair).is_listed) left_.push_back(pair_of(pair));
   near_.remove(pair);
 }
 
@@ -111,6 +127,7 @@ void Scene_data::set_model(std::size_t body, std::size_t model)
   if (changed.model == model) return;
   leave(Number(body));
   changed.model = Number(model);
+  changed.is_turned = false;
   if (changed.is_placed && !changed.has_moved) {
     changed.has_moved = true;
     moved_.push_back(Number(body));
@@ -140,11 +157,32 @@ void Scene_data::place(std::size_t number, const kernel::Pose& pose)
   Placed_body& body = there(number);
   kernel::Pose& known = poses_[number];
   if (body.is_placed && known == pose) return;
+  // Where the body is in the tree its extent is known, and its place is.
+  if (body.is_in_tree) step(Number(number), pose);
   known = pose;
   body.is_placed = true;
   if (body.has_moved) return;
   body.has_moved = true;
   moved_.push_back(Number(number));
+}
+
+/// Brings a body's place up to date, before its pose is.
+void Scene_data::step(Number number, const kernel::Pose& to)
+{
+  Placed_body& body = bodies_[number];
+  tetratree::Body_place& place = places_[number];
+  const auto [at, turned] = tetratree::body_step(models.extent(body.model), poses_[number], to);
+  Step& step = steps_[number];
+  if (!body.has_moved) step = {};
+  for (std::size_t k = 0; k < 3; ++k) step.by[k] += float(at[k] - place.at[k]);
+  place.at = at;
+  // Sums are rounded as they are bounded.
+  if (turned <= std::numeric_limits<double>::max() && kernel::floating_point_is_sound()) {
+    step.turned += float(turned);
+    place.turned = (place.turned + turned) * (1 + 0x1p-51);
+  } else {
+    body.is_lost = true;
+  }
 }
 
 std::vector<std::size_t> Scene_data::present(std::size_t count, const std::string& what) const
@@ -180,36 +218,113 @@ void Scene_data::move_bodies()
 {
   std::erase_if(moved_, [this](Number body) { return !bodies_[body].is_there; });
   // All that can fail comes before anything is changed.
-  bool has_long = false;
-  for (const Number body : moved_) has_long |= models.extent(bodies_[body].model).is_long();
-  if (has_long) turned_.resize(bodies_.size());
+  look_at_models();
+  std::vector<Number> out_of_their_boxes;
+  for (const Number body : moved_)
+    if (!bodies_[body].is_in_tree) out_of_their_boxes.push_back(body);
+  make_trees(out_of_their_boxes);
   for_each(moved_.size(), 64, [this](std::size_t i, Scene_worker& worker) { move(moved_[i], worker); });
   statistics_.moved = moved_.size();
-  std::vector<Number> out_of_their_boxes;
-  for (const Number number : moved_) {
-    const Placed_body& body = bodies_[number];
-    if (!body.is_in_tree || body.is_tight != body.is_wide_tight || !wide_[number].holds(boxes_[number]))
-      out_of_their_boxes.push_back(number);
-  }
+  out_of_their_boxes.clear();
+  for (const Number body : moved_)
+    if (bodies_[body].is_out) out_of_their_boxes.push_back(body);
+  // One search for most of them costs less than two, each for half.
+  if (out_of_their_boxes.size() > moved_.size() / few_of_all)
+    for (const Number body : moved_)
+      if (!bodies_[body].is_out && is_out_soon(body)) out_of_their_boxes.push_back(body);
   widen(out_of_their_boxes);
 }
 
+/// Makes the models of bodies that have moved, where they are not made.
+void Scene_data::look_at_models()
+{
+  known_models_.resize(models.count());
+  for (const Number body : moved_)
+    if (known(bodies_[body].model).is_long) turned_.resize(bodies_.size());
+}
+
+Scene_data::Known_model& Scene_data::known(Number number)
+{
+  Known_model& model = known_models_[number];
+  if (model.frame == frame_) return model;
+  model.extent = &models.extent(number);
+  model.has_tree = models.tree(number) != nullptr;
+  model.is_long = model.extent->is_long();
+  model.frame = frame_;
+  return model;
+}
+
+/// Makes the trees of models of which many pairs of new bodies are near, which their pairs would need at once: so that
+/// their boxes are tight from the beginning.
+void Scene_data::make_trees(const std::vector<Number>& bodies)
+{
+  const bool has_model_without =
+      std::ranges::any_of(bodies, [this](Number body) { return !known_models_[bodies_[body].model].has_tree; });
+  if (!has_model_without || bodies.size() < pairs_for_tree || options_.memory != 0 ||
+      options_.query.method != Method::tree)
+    return;
+  std::vector<World_box> boxes(bodies_.size());
+  for_each(bodies.size(), 64, [&](std::size_t i, Scene_worker&) {
+    const Number body = bodies[i];
+    boxes[body] = tetratree::world_box(*known_models_[bodies_[body].model].extent, poses_[body]);
+  });
+  tetratree::Box_tree tree;
+  tree.build(boxes, bodies);
+  const std::size_t one_in = bodies.size() / looked_at + 1;
+  for (std::size_t i = 0; i < bodies.size(); i += one_in) tree.mark(bodies[i]);
+  std::vector<std::size_t> pairs(models.count());
+  for (const auto& part : tree.parts(1))
+    tree.for_meeting(part, [&](Number a, Number b) {
+      for (const Number body : {a, b}) pairs[bodies_[body].model] += one_in;
+    });
+  for (Number model = 0; model < pairs.size(); ++model)
+    if (pairs[model] >= 2 * pairs_for_tree) {
+      data_of(models.body(model)).bvh8();
+      known_models_[model].has_tree = true;
+    }
+}
+
+/// Says whether a body that has moved is out of its wide box. Boxes of long bodies, which have many near them, are found
+/// where they are now, others where they are needed.
 void Scene_data::move(Number number, Scene_worker& worker)
 {
   Placed_body& body = bodies_[number];
-  const tetratree::Body_extent& extent = models.extent(body.model);
-  const kernel::Pose& pose = poses_[number];
-  kernel::Pose& last = last_poses_[number];
-  steps_[number] = body.is_in_tree ? tetratree::motion(extent, last, pose) : std::numeric_limits<double>::infinity();
-  last = pose;
-  body.is_tight = models.tree(body.model) != nullptr;
-  boxes_[number] = worker.box(body.model, extent, pose);
-  ways_[number].moved = frame_;
-  body.is_turned = extent.is_long();
-  if (body.is_turned) {
-    turned_[number] = tetratree::turned_box(extent, pose);
+  const Known_model& model = known_models_[body.model];
+  const bool has_tree = model.has_tree;
+  body.is_out = false;
+  if (model.is_long) {
+    turned_[number] = tetratree::turned_box(*model.extent, poses_[number]);
     body.is_turned = turned_[number].is_known;
+  } else if (body.is_in_tree && !body.is_lost && body.is_tight == has_tree && body.is_wide_tight == has_tree &&
+             boxes_[number].is_within(wide_[number], places_[number]))
+    return;
+  if (!body.is_in_tree) {
+    // Its first place, and how far it has turned does not matter.
+    places_[number].at = tetratree::body_step(*known_models_[body.model].extent, poses_[number], poses_[number]).at;
+    steps_[number] = {};
   }
+  const bool has_changed = !body.is_in_tree || body.is_lost || body.is_tight != has_tree || model.is_long;
+  if (has_changed || boxes_[number].grown(places_[number]) > most_grown * boxes_[number].size())
+    find_box(number, worker);
+  body.is_out = !body.is_in_tree || body.is_tight != body.is_wide_tight ||
+                !boxes_[number].is_within(wide_[number], places_[number]);
+}
+
+/// Whether a body will be out of its wide box soon, if it goes on as in the last frame.
+bool Scene_data::is_out_soon(Number body) const
+{
+  tetratree::Body_place place = places_[body];
+  for (std::size_t k = 0; k < 3; ++k) place.at[k] += soon * double(steps_[body].by[k]);
+  place.turned += soon * double(steps_[body].turned);
+  return !boxes_[body].is_within(wide_[body], place);
+}
+
+/// Finds a body's box where it is.
+void Scene_data::find_box(Number number, Scene_worker& worker)
+{
+  Placed_body& body = bodies_[number];
+  body.is_tight = models.tree(body.model) != nullptr;
+  boxes_[number] = {worker.box(body.model, models.extent(body.model), poses_[number]), places_[number]};
 }
 
 /// Gives these bodies new wide boxes, and finds what is near them.
@@ -218,10 +333,26 @@ void Scene_data::widen(const std::vector<Number>& bodies)
   if (bodies.empty()) return;
   for (const Number number : bodies) {
     Placed_body& body = bodies_[number];
-    const World_box& box = boxes_[number];
-    const double room = steps_ahead * steps_[number], most = most_room * box.size();
-    wide_[number] = box.grown(!body.is_in_tree ? 0 : room < most ? room : most);
+    const auto& [by, turned] = steps_[number];
+    const double size = boxes_[number].size(), most = most_room * size,
+                 room = steps_ahead * (double(turned) + std::hypot(double(by[0]), double(by[1]), double(by[2])));
+    const double at_first = (known_models_[body.model].is_long ? first_room_of_long : most_room) * size,
+                 all_round = !body.is_in_tree ? at_first
+                             : room < most    ? room
+                                              : most;
+    World_box& wide = wide_[number];
+    wide = boxes_[number].at(places_[number]).grown(all_round);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double ahead = places_ahead * std::abs(double(by[k])) - all_round, most_ahead = most_room_ahead * size,
+                   more = ahead < most_ahead ? ahead : most_ahead;
+      if (!(more > 0)) continue;
+      if (by[k] > 0)
+        wide.high[k] += float(more);
+      else
+        wide.low[k] -= float(more);
+    }
     body.is_wide_tight = body.is_tight;
+    body.is_out = false;
     if (!body.is_in_tree) tree_is_old_ = body.is_in_tree = true;
   }
   if (tree_is_old_ || tree_.is_worn())
@@ -247,7 +378,7 @@ void Scene_data::find_near(const std::vector<Number>& bodies)
 {
   for (const Number body : bodies) tree_.mark(body);
   const auto parts = tree_.parts(arena_ && bodies.size() >= parts_of_search ? parts_of_search : 1);
-  std::vector<std::vector<std::array<Number, 2>>> found(parts.size());
+  std::vector<tetratree::Large_vector<std::array<Number, 2>>> found(parts.size());
   std::vector<std::size_t> opened(parts.size());
   for_each(parts.size(), 1, [&](std::size_t i, Scene_worker&) {
     opened[i] = tree_.for_meeting(parts[i], [&](Number a, Number b) { found[i].push_back({a, b}); });

@@ -2,7 +2,10 @@
 #define TETRACONE_TETRATREE_SCENE_SCENE_DATA_H
 
 #include "tetracone/kernel/number/pose.h"
+#include "tetracone/tetratree/scene/body_extent.h"
 #include "tetracone/tetratree/scene/box_tree.h"
+#include "tetracone/tetratree/scene/carried_box.h"
+#include "tetracone/tetratree/scene/large_pages.h"
 #include "tetracone/tetratree/scene/pair_list.h"
 #include "tetracone/tetratree/scene/scene.h"
 #include "tetracone/tetratree/scene/scene_models.h"
@@ -14,6 +17,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -30,9 +34,9 @@ namespace tetracone::detail {
 ///
 /// A body has a box about it, and in the tree of boxes a wider one, in which it may move for some frames. Two bodies
 /// whose wide boxes meet are a near pair. Of these a frame asks those that no certificate keeps: first the boxes, then
-/// boxes that are turned with the bodies, then boxes made tight, then the query of their models. A body's way is the sum
-/// of bounds on its motions, rounded up: while the ways of both have grown by less than the gap that was between them,
-/// they are apart.
+/// boxes that are turned with the bodies, then boxes made tight, then the query of their models. How far a body has turned
+/// about its place is a sum of bounds, rounded up: while that of both has grown, and what is between their places has
+/// changed, by less than the gap that was between them, they are apart. Bodies that move alike do so for long.
 class Scene_data {
  public:
   explicit Scene_data(const Scene_options& options);
@@ -69,20 +73,29 @@ class Scene_data {
  private:
   using Number = std::uint32_t;
   using World_box = tetratree::World_box;
-  using Near_pair = tetratree::Near_pair;
+  using Near_bodies = tetratree::Near_bodies;
 
   /// What a frame reads of bodies in the order of their pairs: few bytes.
   struct Placed_body {
     Number model;
-    bool is_there = true, is_placed = false, is_in_tree = false, has_moved = false;
+    bool is_there = true, is_placed = false, is_in_tree = false;
+    bool has_moved = false, is_lost = false;       // since the last frame; by a step of which nothing is known
     bool is_tight = false, is_wide_tight = false;  // whether its box, and the wide one, are by the model's tree
+    bool is_out = false;                           // of its wide box, or of what that was made by
     bool is_turned = false;                        // whether its turned box is known
   };
 
-  /// A bound on a body's motions of all frames, and the last frame in which it moved.
-  struct Way {
-    double sum = 0;
-    std::uint64_t moved = 0;
+  /// About how a body has moved since the frame before it was placed: its place, and what it has turned.
+  struct Step {
+    std::array<float, 3> by{};
+    float turned = 0;
+  };
+
+  /// What a frame asks of a model, for all of its bodies.
+  struct Known_model {
+    const tetratree::Body_extent* extent = nullptr;
+    bool has_tree = false, is_long = false;
+    std::uint64_t frame = 0;  // the last one that has asked
   };
 
   Placed_body& there(std::size_t body);
@@ -126,8 +139,14 @@ class Scene_data {
     }
   }
 
+  void step(Number body, const kernel::Pose& to);
   void move_bodies();
+  void look_at_models();
+  Known_model& known(Number model);
+  void make_trees(const std::vector<Number>& new_bodies);
   void move(Number body, Scene_worker& worker);
+  void find_box(Number body, Scene_worker& worker);
+  bool is_out_soon(Number body) const;
   void widen(const std::vector<Number>& out_of_their_boxes);
   void build_boxes();
   void find_near(const std::vector<Number>& bodies);
@@ -135,17 +154,25 @@ class Scene_data {
   void open_pair(Number pair);
   void tighten(Number body);
   void ask_pairs();
-  void fetch_poses(Number pair) const;
+  void fetch_boxes(const Near_bodies& pair) const;
+  void fetch_pose(Number body) const;
   void ask_pair(Number pair, Scene_worker& worker);
   void ask_models(std::vector<Number>::iterator first, std::vector<Number>::iterator last);
   void ask_turned_boxes(std::vector<Number>& pairs);
+  bool has_turned_box(const Near_bodies& pair) const;
+  bool has_new_boxes(const Near_bodies& pair) const;
+  void find_boxes(const std::vector<Number>& pairs);
+  double gap(const Near_bodies& pair) const;
   tetratree::Turned_box turned_box(Number body);
   void keep_to_memory(Number model_a, Number model_b);
   void forget_pairs_of(Number body);
   void allow_fronts(const std::vector<Number>& pairs);
-  bool moves_little(Number pair, double since) const;
+  bool moves_little(const Near_bodies& pair, const tetratree::Asked_pair& asked) const;
+  void begin(Near_bodies& pair);
   void answer(Number pair, bool collide, double gap);
-  double way(Number pair) const;
+  double turned(const Near_bodies& pair) const;
+  double square_between(const Near_bodies& pair, const std::array<float, 3>& before) const;
+  bool are_apart(const Near_bodies& pair) const;
   void list_pairs();
   std::size_t bytes() const;
   std::pair<Number, Number> models_of(std::size_t a, std::size_t b) const;
@@ -160,18 +187,20 @@ class Scene_data {
   std::vector<Scene_worker> workers_;
   std::optional<tbb::task_arena> arena_;  // of more than one thread
 
-  std::vector<Placed_body> bodies_;
-  std::vector<kernel::Pose> poses_, last_poses_;  // of each body; the last frame's, once there was one
-  std::vector<double> steps_;                     // of each body, a bound on its motion of the last frame
-  std::vector<World_box> boxes_, wide_;           // about each body, and in the tree
-  std::vector<tetratree::Turned_box> turned_;     // of each body, once one is long; known of long ones alone
+  tetratree::Large_vector<Placed_body> bodies_;
+  tetratree::Large_vector<kernel::Pose> poses_;            // of each body, as what follows
+  tetratree::Large_vector<tetratree::Body_place> places_;  // by their poses
+  tetratree::Large_vector<Step> steps_;
+  tetratree::Large_vector<tetratree::Carried_box> boxes_;
+  tetratree::Large_vector<World_box> wide_;                // what the tree has
+  tetratree::Large_vector<tetratree::Turned_box> turned_;  // once one is long; known of long ones alone
+  std::vector<Known_model> known_models_;
   tetratree::Box_tree tree_;
   bool tree_is_old_ = false;  // there are bodies that it does not know
   std::unordered_set<std::uint64_t> ignored_;
   tetratree::Pair_list near_;
   bool memory_has_fronts_ = true;  // until they have been too much for it once
   std::vector<Number> moved_, open_;
-  std::vector<Way> ways_;            // of each body
   std::vector<std::uint64_t> seen_;  // of each body, the search that has seen it last
   std::uint64_t search_ = 0;
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -25,8 +26,10 @@ double sum_below(double x, double y) { return (x + y) * (1 - 0x1p-51); }
 /// Bodies that have moved by more than this share of the smaller one since they were asked get no front.
 constexpr double little = 1.0 / 64;
 
-/// So many pairs before one is asked, the memory is told to bring its poses.
-constexpr std::size_t asked_ahead = 2;
+/// So many pairs or bodies before one is asked, the memory is told to bring its poses, or boxes.
+constexpr std::size_t asked_ahead = 4;
+constexpr std::ptrdiff_t boxes_ahead = 12;
+constexpr std::size_t rows_ahead = 2;
 
 /// What a front may take before it is made, and all of them.
 constexpr std::size_t bytes_of_front = std::size_t(1) << 17, most_bytes_of_fronts = std::size_t(1) << 28;
@@ -36,57 +39,97 @@ constexpr std::size_t bytes_of_front = std::size_t(1) << 17, most_bytes_of_front
 /// Opens the near pairs of bodies that have moved, but for those that are still apart.
 void Scene_data::open_pairs()
 {
-  std::erase_if(open_, [this](Number pair) { return !near_[pair].is_open; });
+  std::erase_if(open_, [this](Number pair) { return !near_.bodies(pair).is_open; });
   for (const Number number : moved_) {
-    bodies_[number].has_moved = false;
-    if (steps_[number] <= std::numeric_limits<double>::max())
-      ways_[number].sum = sum_above(ways_[number].sum, steps_[number]);
-    else
-      for (const auto& near : near_.of(number)) near_.bodies(near.pair).limit = -1;
+    if (!bodies_[number].is_lost) continue;
+    for (const auto& near : near_.of(number)) near_.bodies(near.pair).limit = -1;
+    bodies_[number].is_lost = false;
   }
-  const auto has_moved = [this](Number body) { return ways_[body].moved == frame_; };
   const auto look_at = [this](Number pair) {
-    if (way(pair) < near_.bodies(pair).limit)
+    const Near_bodies& bodies = near_.bodies(pair);
+    if (are_apart(bodies))
       ++statistics_.kept;
-    else if (!near_[pair].is_open)
+    else if (!bodies.is_open)
       open_pair(pair);
   };
   if (2 * moved_.size() > bodies_.size()) {
+    const bool all_have = moved_.size() == tree_.count();
     const auto all = near_.all_bodies();
     for (Number pair = 0; pair < all.size(); ++pair) {
       const auto [a, b] = all[pair].body;
-      if (a != b && (has_moved(a) || has_moved(b))) look_at(pair);
+      if (a != b && (all_have || bodies_[a].has_moved || bodies_[b].has_moved)) look_at(pair);
     }
   } else {
     for (const Number body : moved_)
       for (const auto& near : near_.of(body))
-        if (body < near.other || !has_moved(near.other)) look_at(near.pair);
+        if (body < near.other || !bodies_[near.other].has_moved) look_at(near.pair);
   }
+  for (const Number body : moved_) bodies_[body].has_moved = false;
   moved_.clear();
 }
 
 void Scene_data::open_pair(Number number)
 {
-  near_[number].is_open = true;
+  near_.bodies(number).is_open = true;
   open_.push_back(number);
 }
 
-/// A bound on the motions of both bodies, from above.
-double Scene_data::way(Number pair) const
+/// What both bodies have turned, from above.
+double Scene_data::turned(const Near_bodies& pair) const
 {
-  const auto [a, b] = near_.bodies(pair).body;
-  return sum_above(ways_[a].sum, ways_[b].sum);
+  return sum_above(places_[pair.body[0]].turned, places_[pair.body[1]].turned);
 }
 
-/// Where they do not collide, they are at least `gap` apart.
+/// By how much what is between their places has changed, squared: but for a share of 2^-48, and for 2^-50 of what was.
+double Scene_data::square_between(const Near_bodies& pair, const std::array<float, 3>& before) const
+{
+  const auto &a = places_[pair.body[0]].at, &b = places_[pair.body[1]].at;
+  double square = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double change = a[k] - b[k] - double(before[k]);
+    square += change * change;
+  }
+  return square;
+}
+
+/// Whether the certificate holds that they are. Squares of what is left do not underflow.
+bool Scene_data::are_apart(const Near_bodies& pair) const
+{
+  const double left = pair.limit - turned(pair);
+  return left > 0x1p-500 && square_between(pair, pair.between) < left * left * (1 - 0x1p-46);
+}
+
+/// At most their distance, by their boxes.
+double Scene_data::gap(const Near_bodies& pair) const
+{
+  const auto [a, b] = pair.body;
+  return boxes_[a].gap(places_[a], boxes_[b], places_[b]);
+}
+
+/// Begins the certificate of a pair that is asked: what is between its bodies, and what they have turned. It holds for
+/// nothing yet, since they turn by more.
+void Scene_data::begin(Near_bodies& pair)
+{
+  const auto &a = places_[pair.body[0]], &b = places_[pair.body[1]];
+  for (std::size_t k = 0; k < 3; ++k) pair.between[k] = float(a.at[k] - b.at[k]);
+  pair.limit = sum_below(a.turned, b.turned);
+}
+
+/// Where they do not collide, they are at least `gap` apart. Requires a certificate that was begun, and nothing else of
+/// the bodies, which have left the caches since.
 void Scene_data::answer(Number number, bool collide, double gap)
 {
-  Near_pair& pair = near_[number];
+  Near_bodies& pair = near_.bodies(number);
   pair.collide = collide;
   pair.is_open = false;
-  if (tetratree::Asked_pair* const asked = near_.known_asked(number)) asked->way = way(number);
-  auto& [body, limit] = near_.bodies(number);
-  limit = gap > 0 ? sum_below(sum_below(ways_[body[0]].sum, ways_[body[1]].sum), gap) : -1;
+  if (tetratree::Asked_pair* const asked = near_.known_asked(number)) {
+    asked->turned = pair.limit;
+    asked->between = pair.between;
+  }
+  // What is between them is off by half of that, and what is computed of it later by less.
+  double rounded = 0x1p-120;
+  for (const float x : pair.between) rounded += 0x1p-23 * std::abs(double(x));
+  pair.limit = gap > rounded ? sum_below(pair.limit, gap - rounded) : -1;
 }
 
 /// By the tree, which is made now if it has to be.
@@ -95,8 +138,7 @@ void Scene_data::tighten(Number number)
   Placed_body& body = bodies_[number];
   if (body.is_tight) return;
   data_of(models.body(body.model)).bvh8();
-  boxes_[number] = workers_[0].box(body.model, models.extent(body.model), poses_[number]);
-  body.is_tight = true;
+  find_box(number, workers_[0]);
 }
 
 std::pair<Scene_data::Number, Scene_data::Number> Scene_data::models_of(std::size_t a, std::size_t b) const
@@ -119,29 +161,38 @@ void Scene_data::ask_pairs()
 /// Asks open pairs: their boxes, then their models.
 void Scene_data::ask_models(std::vector<Number>::iterator first, std::vector<Number>::iterator last)
 {
-  std::vector<Number> meeting, candidates;
+  std::vector<Number> meeting, with_old_boxes, candidates;
+  const auto ask_box = [&](Number pair) {
+    const double gap = this->gap(near_.bodies(pair));
+    if (gap > 0) answer(pair, false, gap);
+    return gap > 0;
+  };
   for (auto at = first; at != last; ++at) {
-    const auto [a, b] = near_.bodies(*at).body;
-    const double gap = boxes_[a].gap(boxes_[b]);
-    if (gap > 0)
-      answer(*at, false, gap);
-    else
+    if (last - at > boxes_ahead) fetch_boxes(near_.bodies(*(at + boxes_ahead)));
+    begin(near_.bodies(*at));
+    if (has_turned_box(near_.bodies(*at)))
       meeting.push_back(*at);
+    else if (!ask_box(*at))
+      (has_new_boxes(near_.bodies(*at)) ? meeting : with_old_boxes).push_back(*at);
   }
+  find_boxes(with_old_boxes);
+  for (const Number pair : with_old_boxes)
+    if (!ask_box(pair)) meeting.push_back(pair);
   ask_turned_boxes(meeting);
   for (const Number number : meeting) {
-    Near_pair& pair = near_[number];
-    const auto [a, b] = near_.bodies(number).body;
+    Near_bodies& pair = near_.bodies(number);
+    const auto [a, b] = pair.body;
     const Number model_a = bodies_[a].model, model_b = bodies_[b].model;
+    if (options_.memory == 0 && bodies_[a].is_tight && bodies_[b].is_tight) {
+      pair.by_brute_force = false;
+      candidates.push_back(number);
+      continue;
+    }
     pair.by_brute_force = models.is_worth_no_tree(model_a, model_b);
     if (!pair.by_brute_force && !(bodies_[a].is_tight && bodies_[b].is_tight)) {
       tighten(a);
       tighten(b);
-      const double gap = boxes_[a].gap(boxes_[b]);
-      if (gap > 0) {
-        answer(number, false, gap);
-        continue;
-      }
+      if (ask_box(number)) continue;
     }
     models.body(model_a);
     models.body(model_b);
@@ -150,13 +201,38 @@ void Scene_data::ask_models(std::vector<Number>::iterator first, std::vector<Num
   statistics_.candidates += candidates.size();
   allow_fronts(candidates);
   for_each(candidates.size(), 4, [&](std::size_t i, Scene_worker& worker) {
-    if (i + asked_ahead < candidates.size()) fetch_poses(candidates[i + asked_ahead]);
+    if (i + asked_ahead < candidates.size())
+      for (const Number body : near_.bodies(candidates[i + asked_ahead]).body) fetch_pose(body);
     ask_pair(candidates[i], worker);
   });
   for (const Number pair : candidates) {
-    statistics_.queries += !near_[pair].is_open;
+    statistics_.queries += !near_.bodies(pair).is_open;
     near_.count_memory(pair);
   }
+}
+
+/// Whether their boxes are worth no search: they are new, or the bodies collided, and mostly still do.
+bool Scene_data::has_new_boxes(const Near_bodies& pair) const
+{
+  const auto [a, b] = pair.body;
+  return pair.collide || (boxes_[a].is_new(places_[a]) && boxes_[b].is_new(places_[b]));
+}
+
+/// Finds the boxes of these pairs' bodies where they are now.
+void Scene_data::find_boxes(const std::vector<Number>& pairs)
+{
+  std::vector<Number> bodies;
+  for (const Number pair : pairs)
+    for (const Number body : near_.bodies(pair).body)
+      if (!boxes_[body].is_new(places_[body]) && !bodies_[body].is_out) {
+        bodies_[body].is_out = true;  // as a mark
+        bodies.push_back(body);
+      }
+  for_each(bodies.size(), 64, [&](std::size_t i, Scene_worker& worker) {
+    if (i + asked_ahead < bodies.size()) fetch_pose(bodies[i + asked_ahead]);
+    find_box(bodies[i], worker);
+  });
+  for (const Number body : bodies) bodies_[body].is_out = false;
 }
 
 /// Says of pairs that are to be asked whether they may keep fronts: those that move little from frame to frame, while
@@ -172,18 +248,19 @@ void Scene_data::allow_fronts(const std::vector<Number>& pairs)
     tetratree::Asked_pair& asked = near_.asked(number);
     tetratree::Pair_memory& memory = asked.memory;
     const bool would_be_made = !memory.front && memory.is_front_worth(),
-               is_allowed = (memory.front || would_be_made) && moves_little(number, asked.way) &&
+               is_allowed = (memory.front || would_be_made) && moves_little(near_.bodies(number), asked) &&
                             (!would_be_made || taken + bytes_of_front <= room);
     if (is_allowed && would_be_made) taken += bytes_of_front;
     memory.allow_front(is_allowed);
   }
 }
 
-/// Since the bodies' way was `since`.
-bool Scene_data::moves_little(Number pair, double since) const
+/// Since they were asked so.
+bool Scene_data::moves_little(const Near_bodies& pair, const tetratree::Asked_pair& asked) const
 {
-  const auto [a, b] = near_.bodies(pair).body;
-  return way(pair) - since <= little * kernel::minimum(boxes_[a].size(), boxes_[b].size());
+  const auto [a, b] = pair.body;
+  return turned(pair) - asked.turned + std::sqrt(square_between(pair, asked.between)) <=
+         little * kernel::minimum(boxes_[a].size(), boxes_[b].size());
 }
 
 tetratree::Turned_box Scene_data::turned_box(Number body)
@@ -192,14 +269,16 @@ tetratree::Turned_box Scene_data::turned_box(Number body)
                                  : tetratree::turned_box(models.extent(bodies_[body].model), poses_[body]);
 }
 
-/// Leaves the pairs, of a long body at least, whose turned boxes are not found apart: up to eight pairs of one body at a
-/// time.
+bool Scene_data::has_turned_box(const Near_bodies& pair) const
+{
+  return bodies_[pair.body[0]].is_turned || bodies_[pair.body[1]].is_turned;
+}
+
+/// Leaves the pairs, of a long body at least, that neither turned boxes nor others find apart: up to eight pairs of one
+/// body at a time. Turned boxes are first: where they are apart, they are so by much more.
 void Scene_data::ask_turned_boxes(std::vector<Number>& all)
 {
-  const auto has_long = [this](Number pair) {
-    const auto [a, b] = near_.bodies(pair).body;
-    return bodies_[a].is_turned || bodies_[b].is_turned;
-  };
+  const auto has_long = [this](Number pair) { return has_turned_box(near_.bodies(pair)); };
   if (std::ranges::none_of(all, has_long)) return;
   const tetratree::Number_groups pairs(bodies_.size(), [&](const auto& put) {
     for (const Number pair : all)
@@ -217,30 +296,43 @@ void Scene_data::ask_turned_boxes(std::vector<Number>& all)
     }
   for_each(rows.size(), 64, [&](std::size_t i, Scene_worker&) {
     const Row& row = rows[i];
+    if (i + rows_ahead < rows.size())
+      for (const Number pair : rows[i + rows_ahead].pairs) {
+        const auto* const box = reinterpret_cast<const char*>(&turned_[near_.bodies(pair).body[1]]);
+        __builtin_prefetch(box);
+        __builtin_prefetch(box + 64);
+      }
     std::array<tetratree::Turned_box, kernel::lanes> others;
     for (std::size_t k = 0; k < row.pairs.size(); ++k) others[k] = turned_box(near_.bodies(row.pairs[k]).body[1]);
     const auto gaps = tetratree::turned_gaps(turned_box(row.body), std::span(others).first(row.pairs.size()));
     for (std::size_t k = 0; k < row.pairs.size(); ++k)
-      if (gaps[k] > 0) answer(row.pairs[k], false, gaps[k]);
+      if (const double gap = gaps[k] > 0 ? gaps[k] : this->gap(near_.bodies(row.pairs[k])); gap > 0)
+        answer(row.pairs[k], false, gap);
   });
-  std::erase_if(all, [this](Number pair) { return !near_[pair].is_open; });
+  std::erase_if(all, [this](Number pair) { return !near_.bodies(pair).is_open; });
 }
 
-void Scene_data::fetch_poses(Number pair) const
+void Scene_data::fetch_boxes(const Near_bodies& pair) const
 {
-  for (const Number body : near_.bodies(pair).body) {
-    const double* const entries = poses_[body].entries().data();
-    __builtin_prefetch(entries);
-    __builtin_prefetch(entries + 8);
-    __builtin_prefetch(entries + 14);
+  for (const Number body : pair.body) {
+    __builtin_prefetch(&boxes_[body]);
+    __builtin_prefetch(&places_[body]);
   }
+}
+
+void Scene_data::fetch_pose(Number body) const
+{
+  const double* const entries = poses_[body].entries().data();
+  __builtin_prefetch(entries);
+  __builtin_prefetch(entries + 8);
+  __builtin_prefetch(entries + 14);
 }
 
 void Scene_data::ask_pair(Number number, Scene_worker& worker)
 {
   if (deadline_ && std::chrono::steady_clock::now() >= *deadline_) return;
-  Near_pair& pair = near_[number];
-  const auto& body = near_.bodies(number).body;
+  const Near_bodies& pair = near_.bodies(number);
+  const auto& body = pair.body;
   const auto [model_a, model_b] = models_of(body[0], body[1]);
   const int first = bodies_[body[0]].model == model_a ? 0 : 1;
   Query& query = worker.query(models, model_a, model_b, pair.by_brute_force ? Method::brute : Method::tree);
@@ -278,16 +370,18 @@ void Scene_data::list_pairs()
 {
   std::vector<Scene_pair> come;
   undecided_.clear();
-  for (const Number number : open_) {
-    Near_pair& pair = near_[number];
+  std::erase_if(open_, [&](Number number) {
+    Near_bodies& pair = near_.bodies(number);
     const Scene_pair bodies = pair_of(number);
-    if (pair.is_open) undecided_.push_back({bodies, boxes_[bodies.a].farthest(boxes_[bodies.b])});
+    if (pair.is_open)
+      undecided_.push_back(
+          {bodies, boxes_[bodies.a].at(places_[bodies.a]).farthest(boxes_[bodies.b].at(places_[bodies.b]))});
     const bool is_colliding = pair.collide && !pair.is_open;
     if (is_colliding && !pair.is_listed) come.push_back(bodies);
     if (!is_colliding && pair.is_listed) left_.push_back(bodies);
     pair.is_listed = is_colliding;
-  }
-  std::erase_if(open_, [this](Number pair) { return !near_[pair].is_open; });
+    return !pair.is_open;
+  });
   std::ranges::sort(undecided_, {}, &Undecided_pair::pair);
   if (come.empty() && left_.empty()) return;
   std::ranges::sort(come);
@@ -301,10 +395,11 @@ void Scene_data::list_pairs()
 
 std::size_t Scene_data::bytes() const
 {
-  std::size_t all = models.bytes() + tree_.bytes() + near_.bytes() +
-                    bodies_.capacity() * (sizeof(Placed_body) + 2 * sizeof(kernel::Pose) + sizeof(double) +
-                                          2 * sizeof(World_box) + sizeof(Way) + sizeof(std::uint64_t)) +
-                    turned_.capacity() * sizeof(tetratree::Turned_box) + colliding_.capacity() * sizeof(Scene_pair);
+  std::size_t all =
+      models.bytes() + tree_.bytes() + near_.bytes() +
+      bodies_.capacity() * (sizeof(Placed_body) + sizeof(kernel::Pose) + sizeof(tetratree::Body_place) + sizeof(Step) +
+                            sizeof(tetratree::Carried_box) + sizeof(World_box) + sizeof(std::uint64_t)) +
+      turned_.capacity() * sizeof(tetratree::Turned_box) + colliding_.capacity() * sizeof(Scene_pair);
   for (const Scene_worker& worker : workers_) all += worker.bytes();
   return all;
 }

@@ -36,26 +36,12 @@ struct World_box {
     return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] && other.low[1] <= high[1] &&
            low[2] <= other.high[2] && other.low[2] <= high[2];
   }
-  bool holds(const World_box& other) const
-  {
-    return low[0] <= other.low[0] && other.high[0] <= high[0] && low[1] <= other.low[1] && other.high[1] <= high[1] &&
-           low[2] <= other.low[2] && other.high[2] <= high[2];
-  }
-
   /// True when it is less than everything on every side.
   bool is_bounded() const
   {
     for (int k = 0; k < 3; ++k)
       if (low[k] == -infinity || high[k] == infinity) return false;
     return true;
-  }
-
-  /// The longest edge.
-  double size() const
-  {
-    double longest = 0;
-    for (int k = 0; k < 3; ++k) longest = kernel::maximum(longest, double(high[k]) - double(low[k]));
-    return longest;
   }
 
   /// Larger by `margin` >= 0 on every side, at least.
@@ -78,18 +64,6 @@ struct World_box {
       both.high[k] = kernel::maximum(high[k], other.high[k]);
     }
     return both;
-  }
-
-  /// At most how far the boxes are from one another, along the axis on which that is most; not above 0 where they meet.
-  double gap(const World_box& other) const
-  {
-    double most = -std::numeric_limits<double>::infinity();
-    for (int k = 0; k < 3; ++k) {
-      const double gaps[] = {double(low[k]) - double(other.high[k]), double(other.low[k]) - double(high[k])};
-      for (const double gap : gaps)
-        if (gap > most) most = gap;
-    }
-    return most * (most > 0 ? 1 - 0x1p-50 : 1);
   }
 
   /// At least the distance of any point of the one from any of the other.
