@@ -71,6 +71,14 @@ struct Box_sweep {
   double rest = 0;
 };
 
+/// Times from 0 to 1 over the span, before and after which the single box is known to be apart from all of the eight.
+struct Known_times {
+  float from = 0, until = 1;
+
+  /// How far from the middle of the span these are at most, a share of its half.
+  float farthest() const { return maximum(1 - 2 * from, 2 * until - 1); }
+};
+
 /// Of each lane: before and after these times, from 0 to 1 over the span, it is apart from the single box.
 struct alignas(32) Near_times {
   float from[lanes], until[lanes];
@@ -101,14 +109,15 @@ inline constexpr float time_rounding = 0x1p-21f;
 namespace tetracone::kernel {
 
 /// The lanes of `boxes`, as bits, that may meet box `lane` of `from`, which `map`, a similarity, carries into their frame
-/// in the middle of the span; and when. `apex` says where a triangle lies in that box. Lanes that hold nothing may be
-/// among them.
+/// in the middle of the span, at times that are known; and when. `apex` says where a triangle lies in that box. Lanes that
+/// hold nothing may be among them.
 inline unsigned near_in_sweep(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane, float apex,
-                              const Box_sweep& sweep, Near_times& times)
+                              const Box_sweep& sweep, const Known_times& known, Near_times& times)
 {
-  using Function = unsigned(const Obb8&, const Box_map&, const Obb8&, int, float, const Box_sweep&, Near_times&);
+  using Function =
+      unsigned(const Obb8&, const Box_map&, const Obb8&, int, float, const Box_sweep&, const Known_times&, Near_times&);
   static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(near_in_sweep_simd));
-  return fastest(boxes, map, from, lane, apex, sweep, times);
+  return fastest(boxes, map, from, lane, apex, sweep, known, times);
 }
 
 }  // namespace tetracone::kernel

@@ -82,7 +82,7 @@ struct Swept_beyond {
 /// Of the test's lanes; writes the times. `single`: how far the single box's centre goes against the eight's origin, half
 /// way; `loss` and `turn`: what gaps lose, and times a lane's radius.
 HWY_INLINE unsigned near_in_sweep(const One_test& test, const float* single, const Point_way& half_way, float slack,
-                                  float loss, float turn, Near_times& times)
+                                  float loss, float turn, const Known_times& known, Near_times& times)
 {
   using Floats = One_test::Floats;
   const auto all = [&](float x) HWY_ATTR { return test.all(x); };
@@ -105,11 +105,11 @@ HWY_INLINE unsigned near_in_sweep(const One_test& test, const float* single, con
   const unsigned held = ((1u << test.boxes.lane_count) - 1) >> test.first;
   Floats from, until;
   const auto lanes_near = [&](const Times_near<Floats>& near) HWY_ATTR {
-    from = NegMulAdd(half, near.minus_from, earlier);
-    until = MulAdd(half, near.until, later);
+    // Vectors may drop what is undefined: what is known comes second.
+    from = Max(NegMulAdd(half, near.minus_from, earlier), all(known.from));
+    until = hn::Min(MulAdd(half, near.until, later), all(known.until));
     std::uint8_t bits[8];
-    hn::StoreMaskBits(One_test::tag, Not(Or(Gt(from, until), Or(Gt(from, all(1)), Gt(hn::Zero(One_test::tag), until)))),
-                      bits);
+    hn::StoreMaskBits(One_test::tag, Not(Gt(from, until)), bits);
     return bits[0] & held;
   };
   const auto largest =
@@ -145,9 +145,11 @@ HWY_INLINE void way_between(const Point_way& way, const Obb8& from, int lane, co
 }
 
 inline HWY_ATTR unsigned near_in_sweep_simd(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane,
-                                            float apex, const Box_sweep& sweep, Near_times& times)
+                                            float apex, const Box_sweep& sweep, const Known_times& known,
+                                            Near_times& times)
 {
-  const float size = (from.extent[0][lane] + from.extent[1][lane] + from.extent[2][lane]) * map.stretch() * rounded_up;
+  const float size = (from.extent[0][lane] + from.extent[1][lane] + from.extent[2][lane]) * map.stretch() * rounded_up,
+              farthest = known.farthest();
   Single_box box = carried(boxes, map, from, lane, size);
   box.apex = apex;
   // Where it is in the middle of the span, of points at the origin of the eight: others differ by their reach.
@@ -155,19 +157,20 @@ inline HWY_ATTR unsigned near_in_sweep_simd(const Obb8& boxes, const Box_map& ma
   way_between(sweep.middle, from, lane, boxes, moved);
   way_between(sweep.half, from, lane, boxes, swept);
   for (int i = 0; i < 3; ++i) box.centre[i] += moved[i];
-  const double lost = sweep.rest + sweep_rounding * (sweep.middle.size + sweep.half.size) +
-                      sweep.middle.norm_of_eight * double(boxes.reach) +
-                      (sweep.middle.norm_of_single + sweep.half.norm_of_single) * double(radius_of(from, lane));
+  const double lost =
+      sweep.rest + sweep_rounding * (sweep.middle.size + sweep.half.size) +
+      sweep.middle.norm_of_eight * double(boxes.reach) +
+      (sweep.middle.norm_of_single + double(farthest) * sweep.half.norm_of_single) * double(radius_of(from, lane));
   const float slack = gap_slack(box, boxes.reach, size), loss = float(lost) * (1 + radius_rounding) + box_underflow,
-              turn = float(sweep.half.norm_of_eight) * (1 + radius_rounding);
+              turn = farthest * float(sweep.half.norm_of_eight) * (1 + radius_rounding);
   unsigned near = 0;
   const bool is_bounded = map.is_similarity() && slack + loss + turn <= most_gap_slack;
   for (std::size_t first = 0; first < lanes; first += hn::Lanes(Float_tag())) {
     if (is_bounded) {
-      near |= near_in_sweep(One_test{boxes, box, first}, swept, sweep.half, slack, loss, turn, times);
+      near |= near_in_sweep(One_test{boxes, box, first}, swept, sweep.half, slack, loss, turn, known, times);
     } else {
-      hn::Store(hn::Zero(Float_tag()), Float_tag(), times.from + first);
-      hn::Store(hn::Set(Float_tag(), 1.f), Float_tag(), times.until + first);
+      hn::Store(hn::Set(Float_tag(), known.from), Float_tag(), times.from + first);
+      hn::Store(hn::Set(Float_tag(), known.until), Float_tag(), times.until + first);
       near = (1u << lanes) - 1;
     }
   }

@@ -25,7 +25,7 @@ inline Two_doubles magnitudes(Two_doubles v)
   return reinterpret_cast<Two_doubles>(reinterpret_cast<Two_longs>(v) & 0x7fffffffffffffff);
 }
 
-inline Two_doubles abs(Two_doubles v) { return magnitudes(v); }
+inline Four_floats abs(Four_floats v) { return magnitudes(v); }
 
 /// In each lane all bits, where `v` has the sign bit; else none.
 inline Four_ints is_negative(Four_floats v) { return reinterpret_cast<Four_ints>(v) >> 31; }
@@ -77,13 +77,11 @@ inline Two_doubles two_from(const double* p)
   return v;
 }
 
-/// Two floats, exactly.
-inline Two_doubles two_from(const float* p)
+inline Four_floats four_from(const float* p)
 {
-  using Two_floats [[gnu::vector_size(8)]] = float;
-  Two_floats v;
+  Four_floats v;
   std::memcpy(&v, p, sizeof v);
-  return __builtin_convertvector(v, Two_doubles);
+  return v;
 }
 
 /// Four doubles, each rounded to the nearest float.

@@ -114,12 +114,25 @@ std::optional<First_contact> Query::first_contact(const Motion& a, const Motion&
   detail::Query_data& d = data();
   detail::require_motion_kernel(d.options);
   if (!d.motion) d.motion = std::make_unique<detail::Motion_solver>(d.a, d.b);
-  const kernel::Pose start_a = a.exact().at(0), start_b = b.exact().at(0);
-  if (d.solver->relation(start_a, start_b, d.question) != Relation::apart) return First_contact{0, 0, std::nullopt};
-  const auto found = d.motion->motion(a.exact(), b.exact());
-  if (!found) return std::nullopt;
-  const auto [lo, hi] = kernel::bounds_about(found->time);
-  return First_contact{lo, hi, holders(found->features)};
+  const auto meet_at_start = [&] {
+    return d.solver->relation(a.exact().at(0), b.exact().at(0), d.question) != Relation::apart;
+  };
+  // Where the surfaces alone are asked for, all of the motion mostly tells that they are apart at its start. It does not
+  // come before the start where it is costly to begin with, nor where it was needless the last time.
+  const bool is_start_first = d.question == Question::solid || !a.exact().ends() || !b.exact().ends() ||
+                              std::exchange(d.motion->began_in_contact, false);
+  tetratree::Meeting found;
+  if (is_start_first && meet_at_start())
+    found.is_at_start = true;
+  else if (is_start_first)
+    found.first = d.motion->motion(a.exact(), b.exact());
+  else
+    found = d.motion->motion(a.exact(), b.exact(), meet_at_start);
+  d.motion->began_in_contact = found.is_at_start;
+  if (found.is_at_start) return First_contact{0, 0, std::nullopt};
+  if (!found.first) return std::nullopt;
+  const auto [lo, hi] = kernel::bounds_about(found.first->time);
+  return First_contact{lo, hi, holders(found.first->features)};
 }
 
 }  // namespace tetracone

@@ -24,6 +24,7 @@ struct Motion_solver {
 
   std::shared_ptr<const Body_data> a, b;
   tetratree::Bvh8_motion motion;
+  bool began_in_contact = false;  // the last motion asked for
 };
 
 }  // namespace tetracone::detail

@@ -17,11 +17,18 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace tetracone::tetratree {
+
+/// Whether surfaces share a point at t = 0, and where they do not, how they first meet, if they ever do.
+struct Meeting {
+  bool is_at_start = false;
+  std::optional<First_meeting> first;
+};
 
 /// The first contact of the surfaces of two moving `Bvh8`, exactly. Build once, ask for many motions.
 ///
@@ -46,12 +53,23 @@ class Bvh8_motion {
   /// Nothing where the surfaces never meet. Requires that they share no point at t = 0.
   std::optional<First_meeting> operator()(const kernel::Body_motion& a, const kernel::Body_motion& b)
   {
+    return (*this)(a, b, [] { return false; }).first;
+  }
+
+  /// Of surfaces that may share a point at t = 0: `meet_at_start()` tells whether they do. It is asked once, or not at
+  /// all where no two elements may meet then.
+  Meeting operator()(const kernel::Body_motion& a, const kernel::Body_motion& b,
+                     const std::function<bool()>& meet_at_start)
+  {
     kernel::require_sound_floating_point();
-    if (tree_[0]->empty() || tree_[1]->empty()) return std::nullopt;
+    if (tree_[0]->empty() || tree_[1]->empty()) return {};
     features_.begin(a, b);
+    meet_at_start_ = &meet_at_start;
+    is_start_known_ = meets_at_start_ = false;
     search(whole_span(a, b),
            std::array{Pair{0, 1, {size_of(tree_[0]->node(0), 0), size_of(tree_[1]->node(0), 0)}, {0, 0}}});
-    return features_.take_first();
+    if (meets_at_start_) return {true, std::nullopt};
+    return {false, features_.take_first()};
   }
 
   Query_statistics counts() const
@@ -86,8 +104,9 @@ class Bvh8_motion {
     double extent(std::size_t body) const { return double(std::abs(size[body])); }
   };
   static constexpr int most_directions = 8;
-  static constexpr int most_in_vain = 16, vain_for_one = 8, one_in = 8;
-  static constexpr std::size_t most_openings = 3;  // compared before what they find is queued
+  static constexpr int most_in_vain = 16, vain_for_one = 8;
+  static constexpr std::array<unsigned, 2> one_in = {32, 8};  // of whole motions, and of parts
+  static constexpr std::size_t most_openings = 3;             // compared before what they find is queued
   static constexpr unsigned most_halvings = 50;
   static constexpr double share_of_size = 0.04;     // so much of a pair may be lost by its turning
   static constexpr double share_of_leaves = 0.002;  // where so much is lost, leaves are met in halves
@@ -128,9 +147,11 @@ class Bvh8_motion {
   /// only one span in a few is searched.
   bool is_parted(const kernel::Motion_span& span)
   {
-    if (in_vain_ == most_in_vain && ++left_out_ % one_in != 0) return false;
+    const std::size_t kind = span.k() > 0;
+    int& in_vain = in_vain_[kind];
+    if (in_vain == most_in_vain && ++left_out_[kind] % one_in[kind] != 0) return false;
     const bool is_found = separating_direction_(span, most_directions);
-    in_vain_ = is_found ? kernel::maximum(in_vain_ - vain_for_one, 0) : kernel::minimum(in_vain_ + 1, most_in_vain);
+    in_vain = is_found ? kernel::maximum(in_vain - vain_for_one, 0) : kernel::minimum(in_vain + 1, most_in_vain);
     return is_found;
   }
 
@@ -180,10 +201,11 @@ class Bvh8_motion {
   {
     if (span.k() >= most_halvings) return false;
     const double lost = (pair.extent(0) * span.turn(0) + pair.extent(1) * span.turn(1)) +
-                        (reference.is_certifiable() ? reference.rest() : 0),
-                 larger = kernel::maximum(pair.extent(0) * span.scale(0), pair.extent(1) * span.scale(1));
-    // What is less than doubles tell apart is not worth another halving.
-    return !(lost <= kernel::maximum(share * larger, 8 * span.resolution()));
+                        (reference.is_certifiable() ? reference.rest() : 0);
+    // Which is the larger cannot be foretold. What is less than doubles tell apart is not worth another halving.
+    const bool of_a = lost <= share * (pair.extent(0) * span.scale(0)),
+               of_b = lost <= share * (pair.extent(1) * span.scale(1)), of_all = lost <= 8 * span.resolution();
+    return !(of_a | of_b | of_all);
   }
 
   /// The body whose box is to be opened: the larger one. Requires one that is no leaf.
@@ -221,9 +243,16 @@ class Bvh8_motion {
     ++counts_.pairs_visited;
     counts_.box_tests += std::uint64_t(lane_count);
     const Box other = o.pair.box[std::size_t(1 - o.body)];
-    const unsigned near = reference.is_certifiable() ? near_by(reference, o.body, o.node, other, o.times)
-                                                     : near_by(span, o.body, o.node, other, o.times);
+    const unsigned near = reference.is_certifiable()
+                              ? near_by(reference, o.body, o.node, other, known_times(o.pair), o.times)
+                              : near_by(span, o.body, o.node, other, known_times(o.pair), o.times);
     o.near = near & ((1u << lane_count) - 1);
+  }
+
+  /// Of a pair that has come from a longer span, those in this one.
+  static kernel::Known_times known_times(const Pair& pair)
+  {
+    return {kernel::maximum(pair.low, 0.f), kernel::minimum(pair.until, 1.f)};
   }
 
   void push_near(const Opening& o)
@@ -231,35 +260,35 @@ class Bvh8_motion {
     for (unsigned left = o.near; left != 0; left &= left - 1) {
       const auto lane = std::size_t(std::countr_zero(left));
       Pair closer = o.pair;
-      if (o.times.from[lane] > closer.low) closer.low = o.times.from[lane];
-      if (o.times.until[lane] < closer.until) closer.until = o.times.until[lane];
-      if (closer.low > closer.until) continue;
+      closer.low = o.times.from[lane];
+      closer.until = o.times.until[lane];
       closer.box[std::size_t(o.body)] = 8 * o.node + Box(lane);
       closer.size[std::size_t(o.body)] = size_of(tree_[o.body]->node(o.node), int(lane));
       queue_.push(closer);
     }
   }
 
-  unsigned near_by(const Span_reference& reference, int body, Index node, Box other, kernel::Near_times& times) const
+  unsigned near_by(const Span_reference& reference, int body, Index node, Box other, const kernel::Known_times& known,
+                   kernel::Near_times& times) const
   {
     const Bvh8_node& from = node_of(1 - body, other);
     const int lane = int(other % 8);
     const float apex =
         from.is_leaf(lane) ? kernel::apex_of(Bvh8_node::apex(from.child[std::size_t(lane)])) : kernel::no_apex;
-    return reference.near(std::size_t(body), tree_[body]->node(node).boxes, from.boxes, lane, apex, times);
+    return reference.near(std::size_t(body), tree_[body]->node(node).boxes, from.boxes, lane, apex, known, times);
   }
 
-  unsigned near_by(const kernel::Motion_span& span, int body, Index node, Box other, kernel::Near_times& times) const
+  unsigned near_by(const kernel::Motion_span& span, int body, Index node, Box other, const kernel::Known_times& known,
+                   kernel::Near_times& times) const
   {
     const Part from = part(1 - body, other);
     unsigned near = 0;
     for (int lane = 0; lane < tree_[body]->node(node).boxes.lane_count; ++lane) {
       const Part own = part(body, 8 * node + Box(lane));
       const kernel::Time_window window = body == 0 ? near_boxes(span, own, from) : near_boxes(span, from, own);
-      if (window.is_empty()) continue;
-      near |= 1u << lane;
-      times.from[lane] = float(window.from * (1 - 0x1p-20)) - 0x1p-40f;
-      times.until[lane] = float(window.until * (1 + 0x1p-20)) + 0x1p-40f;
+      times.from[lane] = kernel::maximum(known.from, float(window.from * (1 - 0x1p-20)) - 0x1p-40f);
+      times.until[lane] = kernel::minimum(known.until, float(window.until * (1 + 0x1p-20)) + 0x1p-40f);
+      if (!(times.from[lane] > times.until[lane])) near |= 1u << lane;
     }
     return near;
   }
@@ -284,6 +313,14 @@ class Bvh8_motion {
     for (Index i = 0; i < tree_[0]->leaf_count(a / 8, lane_a); ++i)
       for (Index j = 0; j < tree_[1]->leaf_count(b / 8, lane_b); ++j)
         features_.meet(part, times, tree_[0]->element(a / 8, lane_a, i), tree_[1]->element(b / 8, lane_b, j));
+    if (features_.is_start_in_doubt() && !is_start_known_) ask_about_start();
+  }
+
+  void ask_about_start()
+  {
+    is_start_known_ = true;
+    meets_at_start_ = (*meet_at_start_)();
+    if (meets_at_start_) features_.end();
   }
 
   /// When boxes may meet: along the line of their centres, and the axes that part them in the middle of the span.
@@ -316,8 +353,11 @@ class Bvh8_motion {
   Pair_queue<Pair, 64> queue_;
   std::array<Opening, most_openings> opening_;
   Query_statistics counts_;
-  int in_vain_ = 0;        // searches for a plane, less `vain_for_one` for each that found one
-  unsigned left_out_ = 0;  // spans of the others
+  const std::function<bool()>* meet_at_start_ = nullptr;
+  bool is_start_known_ = false, meets_at_start_ = false;
+  // Of whole motions, and of parts of them:
+  std::array<int, 2> in_vain_{};        // searches for a plane, less `vain_for_one` for each that found one
+  std::array<unsigned, 2> left_out_{};  // spans of the others
 };
 
 }  // namespace tetracone::tetratree

@@ -68,6 +68,7 @@ class Moving_feature_search {
     candidates_.clear();
     best_.reset();
     best_before_ = std::numeric_limits<double>::infinity();
+    is_start_in_doubt_ = false;
   }
 
   /// Both motions, exactly; made when first asked for.
@@ -99,6 +100,12 @@ class Moving_feature_search {
       for_triangles(1, of_b, [&](const Triangle& b) { meet(part, times, a, b); });
     });
   }
+
+  /// Whether elements that were taken in may meet at t = 0; told once. All others are apart then.
+  bool is_start_in_doubt() { return std::exchange(is_start_in_doubt_, false); }
+
+  /// Leaves all that may meet later than a contact at t = 0.
+  void end() { best_before_ = latest_ = -std::numeric_limits<double>::infinity(); }
 
   /// Whether anything waits to be decided.
   bool is_any_undecided() const { return !candidates_.empty(); }
@@ -222,7 +229,9 @@ class Moving_feature_search {
     for (int body = 0; body < 2; ++body)
       for (const Vertex& e : edge[body])
         if (is_done(kernel::cross(normal[body], e))) return;
-    keep({part, times, {a.face, b.face}, {a.corner, b.corner}});
+    const Candidate both_may_meet{part, times, {a.face, b.face}, {a.corner, b.corner}};
+    if (span.m() == 0 && both_may_meet.times.from <= 0) is_start_in_doubt_ = true;
+    keep(both_may_meet);
   }
 
   /// Body of corner k.
@@ -320,6 +329,7 @@ class Moving_feature_search {
   const kernel::Motion_span* span_ = nullptr;
   std::array<std::optional<kernel::Motion_span>, 2> half_;  // made when first asked for
   double latest_ = std::numeric_limits<double>::infinity();
+  bool is_start_in_doubt_ = false;
 };
 
 }  // namespace tetracone::tetratree

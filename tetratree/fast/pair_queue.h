@@ -44,12 +44,14 @@ class Pair_queue {
 
   void push(const Pair& pair)
   {
-    const float at = (pair.low - nearest_) * steps_per_unit_;
-    const auto step = at >= steps - 1 ? std::size_t(steps - 1) : at > 0 ? std::size_t(at) : 0;
+    // Without branches that no processor could foretell.
+    const float at = (pair.low - nearest_) * steps_per_unit_, above = at > 0 ? at : 0;
+    const auto step = std::size_t(std::int32_t(above < steps - 1 ? above : float(steps - 1)));
     const std::size_t word = step / 64;
-    const std::uint32_t next = filled_[word] >> step % 64 & 1 ? top_[step] : none;
+    const auto is_filled = std::uint32_t(filled_[word] >> step % 64 & 1);
+    const std::uint32_t next = top_[step] | (is_filled - 1);
     filled_[word] |= std::uint64_t(1) << step % 64;
-    if (word < word_) word_ = word;
+    word_ = word < word_ ? word : word_;
     std::uint32_t& top = top_[step];
     if (free_ == none) {
       top = std::uint32_t(pairs_.size());
@@ -71,7 +73,8 @@ class Pair_queue {
     const std::uint32_t popped = top;
     auto& [pair, next] = pairs_[popped];
     top = next;
-    if (top == none) filled_[word_] &= filled_[word_] - 1;
+    const std::uint64_t filled = filled_[word_];
+    filled_[word_] = filled & (filled - std::uint64_t(top == none));
     next = free_;
     free_ = popped;
     return pair;

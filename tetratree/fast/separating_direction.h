@@ -270,8 +270,7 @@ class Separating_direction {
   /// The attempt, made again where a reach was not known.
   Attempt with_known_reach(const Placed& placed, Floats m, Attempt tried)
   {
-    if (!tried.is_defined || kernel::sum_of_lanes(tried.reach)[0] < std::numeric_limits<float>::infinity())
-      return tried;
+    if (!tried.is_defined || (a_.table.knows(tried.at_a) && b_.table.knows(tried.at_b))) return tried;
     a_.table.find(tried.at_a);
     b_.table.find(tried.at_b);
     return attempt(placed, m);

@@ -70,9 +70,9 @@ class Span_reference {
   /// Of the lanes of a node of body `body`, as bits, those that may meet a box of the other body, and when. `apex`: where
   /// a triangle lies in that box. Requires that the reference tells something.
   unsigned near(std::size_t body, const kernel::Obb8& boxes, const kernel::Obb8& from, int lane, float apex,
-                kernel::Near_times& times) const
+                const kernel::Known_times& known, kernel::Near_times& times) const
   {
-    return kernel::near_in_sweep(boxes, into_[1 - body], from, lane, apex, sweep_[body], times);
+    return kernel::near_in_sweep(boxes, into_[1 - body], from, lane, apex, sweep_[body], known, times);
   }
 
   /// What gaps lose wherever bodies are, in common units.

@@ -79,8 +79,8 @@ class Support_table {
   /// Above what a reach in double may be off by: of a local coordinate, and of its product with a direction.
   static constexpr double reach_rounding = 6 * kernel::unit_roundoff<double>;
 
-  /// Above what a box's reach loses by being computed in double.
-  static constexpr double box_reach_rounding = 0x1p-46;
+  /// Above what a box's reach loses by being computed in float.
+  static constexpr double box_reach_rounding = 0x1p-17;
 
   /// `tree` must outlive the table, and its root be made.
   explicit Support_table(const Bvh8& tree) : tree_(&tree), reach_(Known_reaches::corners, unknown) {}
@@ -114,16 +114,25 @@ class Support_table {
     return {p.first + (7 - 2 * octant) * (row * row), p.weight, p.sum, -p.at};
   }
 
-  /// h(d) is at most the sum of these and `slack` |d|_1. Their sum is infinite or undefined where a corner's reach is
-  /// not known yet.
-  kernel::Four_floats reach(const Place& p) const { return weighted(p.weight, corners(p), p.sum); }
+  /// h(d) is at most the sum of these and `slack` |d|_1. Their sum is infinite or undefined where the reach of a corner
+  /// that has a weight is not known yet.
+  kernel::Four_floats reach(const Place& p) const
+  {
+    const auto weighs = reinterpret_cast<kernel::Four_ints>(p.weight != 0.0f);
+    const auto known = reinterpret_cast<kernel::Four_floats>(reinterpret_cast<kernel::Four_ints>(corners(p)) & weighs);
+    return weighted(p.weight, known, p.sum);
+  }
 
-  /// Finds what is not known of the corners.
+  /// Whether all three corners of the triangle that holds the direction are known.
+  bool knows(const Place& p) const { return kernel::sum_of_lanes(of_triangle(p, corners(p)))[0] < unknown; }
+
+  /// Finds what is not known of these corners.
   void find(const Place& p)
   {
+    const int none_of = p.weight[3] > 0 ? 0 : 3;
     for (int corner = 0; corner < 4; ++corner) {
       const int k = p.first + corner % 2 + corner / 2 * row;
-      if (reach_[k] == unknown)
+      if (corner != none_of && reach_[k] == unknown)
         reach_[k] = tree_->known_reaches().at(std::size_t(first_of(k)), [this, k] { return found(k); });
     }
   }
@@ -137,7 +146,7 @@ class Support_table {
   kernel::Four_floats point(const Place& p) const
   {
     using kernel::Four_floats, kernel::Four_ints;
-    const Four_floats h = corners(p);
+    const Four_floats h = of_triangle(p, corners(p));
     const Four_floats below = __builtin_shufflevector(h, h, 0, 1, 2, 0) - kernel::repeated<0>(h),
                       beyond = kernel::repeated<3>(h) - __builtin_shufflevector(h, h, 3, 2, 1, 3);
     const Four_ints is_beyond = kernel::repeated<3>(p.weight) > 0.0f;
@@ -162,6 +171,14 @@ class Support_table {
     return reinterpret_cast<kernel::Four_floats>(kernel::Two_doubles{first, second});
   }
 
+  /// With 0 for the corner, 0 or 3, that is not of the triangle.
+  static kernel::Four_floats of_triangle(const Place& p, kernel::Four_floats h)
+  {
+    const kernel::Four_ints is_beyond = kernel::repeated<3>(p.weight) > 0.0f;
+    return kernel::select(is_beyond, __builtin_shufflevector(h, kernel::Four_floats{}, 4, 1, 2, 3),
+                          kernel::first_three(h));
+  }
+
   /// Of the corners of octants that are the same direction, the first one: a coordinate of 0 has no sign.
   static int first_of(int k)
   {
@@ -177,6 +194,7 @@ class Support_table {
   {
     const int octant = k / (row * row), j = k / row % row, i = k % row;
     const kernel::Vector d(signed_by(octant & 1, n - i - j), signed_by(octant & 2, i), signed_by(octant & 4, j));
+    const std::array<float, 3> in_float = {float(d[0]), float(d[1]), float(d[2])};  // exactly
     double best = farthest_ == none ? -4 : d.dot(tree_->local(farthest_));
     const auto look_at = [&](Index v) {
       const double at = d.dot(tree_->local(v));
@@ -188,10 +206,10 @@ class Support_table {
     Index node = 0;
     for (open.clear();; node = tree_->child(open.back().second / 8, int(open.back().second % 8)), open.pop_back()) {
       const std::size_t first = open.size();
-      std::array<double, kernel::lanes> reach;
-      find_reach(tree_->node(node).boxes, d, reach);
+      std::array<float, kernel::lanes> reach;
+      find_reach(tree_->node(node).boxes, in_float, reach);
       for (int lane = 0; lane < tree_->node(node).boxes.lane_count; ++lane) {
-        const double bound = reach[std::size_t(lane)] + box_reach_rounding;
+        const double bound = double(reach[std::size_t(lane)]) + box_reach_rounding;
         if (bound <= best) continue;
         if (!tree_->is_leaf(node, lane)) {
           open.push_back({bound, 8 * node + Index(lane)});
@@ -208,23 +226,23 @@ class Support_table {
     return std::nextafter(float(best + reach_rounding), unknown);
   }
 
-  /// How far a node's boxes reach, two at once.
-  static void find_reach(const kernel::Obb8& boxes, const kernel::Vector& d, std::array<double, kernel::lanes>& reach)
+  /// How far a node's boxes reach, four at once. `d`: of floats.
+  static void find_reach(const kernel::Obb8& boxes, const std::array<float, 3>& d,
+                         std::array<float, kernel::lanes>& reach)
   {
-    using Lanes = kernel::Two_doubles;
+    using Lanes = kernel::Four_floats;
     using Row = std::array<Lanes, 3>;
     const auto all = [](const auto& v) { return Row{Lanes{} + v[0], Lanes{} + v[1], Lanes{} + v[2]}; };
-    const Row direction = all(d),
-              origin = all(std::array<double, 3>{boxes.origin[0], boxes.origin[1], boxes.origin[2]});
-    for (std::size_t first = 0; first < kernel::lanes; first += 2) {
+    const Row direction = all(d), origin = all(boxes.origin);
+    for (std::size_t first = 0; first < kernel::lanes; first += 4) {
       const auto load = [first](const auto& lanes) {
-        return Row{kernel::two_from(lanes[0] + first), kernel::two_from(lanes[1] + first),
-                   kernel::two_from(lanes[2] + first)};
+        return Row{kernel::four_from(lanes[0] + first), kernel::four_from(lanes[1] + first),
+                   kernel::four_from(lanes[2] + first)};
       };
-      const Lanes two =
+      const Lanes four =
           reach_of_box(direction, origin, load(boxes.centre),
                        std::array{load(boxes.axis[0]), load(boxes.axis[1]), load(boxes.axis[2])}, load(boxes.extent));
-      std::memcpy(&reach[first], &two, sizeof two);
+      std::memcpy(&reach[first], &four, sizeof four);
     }
   }
 

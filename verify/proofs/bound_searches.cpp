@@ -185,13 +185,13 @@ double reach(const Inputs& in)
 double reach_of_box(const Inputs& in)
 {
   using Table = tetratree::Support_table;
-  const auto d = tracked<double>(in, 0), origin = tracked<double>(in, 3), centre = tracked<double>(in, 6),
-             extent = tracked<double>(in, 18);
-  const std::array axes = {tracked<double>(in, 9), tracked<double>(in, 12), tracked<double>(in, 15)};
+  const auto d = tracked<float>(in, 0), origin = tracked<float>(in, 3), centre = tracked<float>(in, 6),
+             extent = tracked<float>(in, 18);
+  const std::array axes = {tracked<float>(in, 9), tracked<float>(in, 12), tracked<float>(in, 15)};
   double norm = 0;
   for (int k = 0; k < 3; ++k) norm += std::abs(in[k]);
   // At most 20/16 of it: the direction may be of any length.
-  return ratio(Table::reach_of_box(d, origin, centre, axes, extent).error(), norm * 16 / 20) / u;
+  return ratio(Table::reach_of_box(d, origin, centre, axes, extent).error(), norm * 16 / 20) / u_of_float;
 }
 
 }  // namespace bound_search

@@ -153,9 +153,9 @@ inline Proved_bounds margin_proofs()
       if (place == 9) slice[18] = 1;
       terms_of_reach.push_back(slice);
     }
-  const Rational most = largest(slice_errors<Relative_64>(reach, terms_of_reach));
+  const Rational most = largest(slice_errors<Relative_32>(reach, terms_of_reach));
   add("Support_table::box_reach_rounding", "tetratree/fast/support_table.h", Support_table::box_reach_rounding,
-      most * Rational(20, 16) * (2 + 2 + 8), u, 1.23, "gappa");
+      most * Rational(20, 16) * (2 + 2 + 8), of_float, 1.23, "gappa");
 
   const detail::Plane_error plane = detail::largest_plane_error(Hull::deepest_convex_level);
   add("Regular_hull::normal_rounding", "tetratree/paper/regular_hull.h", Hull::normal_rounding, Rational(plane.normal),

@@ -69,6 +69,24 @@ BOOST_AUTO_TEST_CASE(what_collides_at_the_start_is_in_contact_at_0_and_the_quest
   BOOST_TEST(surface->hi == 0.375);
 }
 
+BOOST_AUTO_TEST_CASE(surfaces_apart_at_the_start_or_not_are_told_in_any_order)
+{
+  const Body cube(scenes::unit_cube());
+  Query query(cube, cube, Question::surface);
+  for (int round = 0; round < 3; ++round) {
+    const auto apart = query.first_contact(rests, shift(3, -3));
+    BOOST_REQUIRE(apart.has_value());
+    BOOST_TEST(apart->lo == 1.0 / 3);
+    BOOST_TEST(!query.first_contact(rests, shift(3, 1.5)));
+    for (int k = 0; k <= round; ++k) {
+      const auto begun = query.first_contact(rests, shift(0.5 * k, 4));
+      BOOST_REQUIRE(begun.has_value());
+      BOOST_TEST(begun->hi == 0);
+      BOOST_TEST(!begun->holder.has_value());
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(rigid_motions_are_of_doubles_or_fractions)
 {
   const Body bar(scenes::box({-3, -0.5, -0.5}, {3, 0.5, 0.5})), post(scenes::box({-0.5, 2, -4}, {0.5, 3, 4}));

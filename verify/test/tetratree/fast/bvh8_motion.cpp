@@ -1,11 +1,13 @@
 #include "tetracone/tetratree/fast/bvh8_motion.h"
 
+#include "tetracone/tetratree/fast/bvh8_collision.h"
 #include "verify/test/support/scenes.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 BOOST_AUTO_TEST_SUITE(test_bvh8_motion)
@@ -143,6 +145,72 @@ BOOST_AUTO_TEST_CASE(what_meets_is_named)
   BOOST_REQUIRE(found.has_value());
   const Time_bounds bounds = bounds_about(found->time);
   BOOST_TEST(std::abs(bounds.lo - 2.0 / 3) < 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(the_start_is_asked_about_where_elements_may_meet_then)
+{
+  const Bvh8 cube(scenes::triangulated(scenes::unit_cube()));
+  Bvh8_motion motion(cube, cube);
+  int asked = 0;
+  bool is_at_start = false;
+  const std::function<bool()> meet_at_start = [&] {
+    ++asked;
+    return is_at_start;
+  };
+  const auto ask = [&](const Vertex& from, const Vertex& to) {
+    asked = 0;
+    return motion(rests, shift(from, to), meet_at_start);
+  };
+  // Apart all the time; apart at the start; a hair apart there; touching, and one within the other's faces.
+  auto found = ask({3, 0.25, 0.25}, {3, 9, 0.25});
+  BOOST_TEST((!found.is_at_start && !found.first && asked == 0));
+  found = ask({3, 0.25, 0.25}, {-3, 0.25, 0.25});
+  BOOST_REQUIRE(found.first.has_value());
+  BOOST_TEST(asked == 0);
+  BOOST_TEST(bounds_about(found.first->time).lo == 1.0 / 3);
+  found = ask({1 + 0x1p-52, 0.25, 0.25}, {3, 0.25, 0.25});
+  BOOST_TEST((!found.is_at_start && !found.first && asked == 1));
+  is_at_start = true;
+  for (const Vertex& from : {Vertex{1, 0.25, 0.25}, Vertex{0.5, 0.25, 0.25}, Vertex{0, 0, 0}}) {
+    found = ask(from, {3, 0.25, 0.25});
+    BOOST_TEST((found.is_at_start && !found.first && asked == 1));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(where_the_start_is_not_asked_about_surfaces_are_apart_then)
+{
+  const Bvh8 a(scenes::triangulated(scenes::torus(12, 8))),
+      b(scenes::tetrahedron({0, 0, -1}, {1, 0.25, 0}, {-0.5, 1, 0.25}, {-0.5, -1, 0.5}));
+  Bvh8_motion motion(a, b);
+  Bvh8_collision<> collision(a, b);
+  scenes::Random random(7);
+  int begun = 0, apart = 0, wrong = 0;
+  for (int k = 0; k < 400; ++k) {
+    // Shifted, turned a little, or turned far; some end where they began.
+    std::array<double, 12> from = Pose().entries(), to = from;
+    for (const int i : {3, 7, 11}) {
+      from[i] = scenes::real(random, -2, 2);
+      to[i] = k % 7 == 0 ? from[i] : scenes::real(random, -4, 4);
+    }
+    const double turn = k % 3 == 0 ? 0 : k % 3 == 1 ? 0.05 : 0.5;
+    for (const int i : {0, 1, 2, 4, 5, 6, 8, 9, 10}) {
+      from[i] += turn * scenes::real(random, -1, 1);
+      to[i] += turn * scenes::real(random, -1, 1);
+    }
+    const Pose start(from);
+    const bool meets = collision(Pose(), start, tetracone::kernel::Question::surface);
+    int asked = 0;
+    const auto found = motion(rests, Body_motion::linear(start, Pose(to)), [&] {
+      ++asked;
+      return meets;
+    });
+    wrong += found.is_at_start != meets || asked > 1;
+    (meets ? begun : apart) += asked == (meets ? 1 : 0);
+  }
+  BOOST_TEST(wrong == 0);
+  BOOST_TEST_MESSAGE("begun in contact " << begun << ", not asked about " << apart);
+  BOOST_TEST(begun > 40);
+  BOOST_TEST(apart > 100);
 }
 
 BOOST_AUTO_TEST_CASE(faces_of_no_area_and_bodies_of_any_size_meet_too)

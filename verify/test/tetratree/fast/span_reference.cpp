@@ -140,12 +140,16 @@ BOOST_AUTO_TEST_CASE(boxes_that_touch_at_some_time_may_meet_then)
       const Span_reference reference(*span);
       if (!reference.is_certifiable()) continue;
       tetracone::kernel::Near_times times;
-      const bool is_near = reference.near(of_node, node, other, others, tetracone::kernel::no_apex, times) >> lane & 1;
+      const double share = tetracone::kernel::nearest_double(Rational(time * Rational(1L << halvings) - part));
+      // Times at which the boxes touch are among those that are known.
+      tetracone::kernel::Known_times known;
+      if (round % 5 == 0) known = {float(share) - 0x1p-10f, float(share) + 0x1p-10f};
+      const bool is_near =
+          reference.near(of_node, node, other, others, tetracone::kernel::no_apex, known, times) >> lane & 1;
       if (away == 0) {
-        const double share = tetracone::kernel::nearest_double(Rational(time * Rational(1L << halvings) - part));
         BOOST_TEST(is_near, "round " << round);
         BOOST_TEST((double(times.from[lane]) <= share && share <= double(times.until[lane])), "round " << round);
-        narrow += times.until[lane] - times.from[lane] < 0.75f;
+        narrow += round % 5 != 0 && times.until[lane] - times.from[lane] < 0.75f;
       } else {
         found += !is_near;
       }

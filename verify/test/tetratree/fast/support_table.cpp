@@ -184,18 +184,22 @@ BOOST_AUTO_TEST_CASE(what_is_not_known_has_no_finite_reach)
 {
   Random random(6);
   Bvh8 tree(unit_cube());
-  int finite = 0, not_found = 0;
+  int finite = 0, not_found = 0, knows = 0, does_not_know = 0;
   for (int k = 0; k < 600; ++k) {
     Support_table table(tree);
     const Direction d = direction(random, k);
     const auto at = place(d);
     const auto reach = [&] { return kernel::sum_of_lanes(table.reach(at))[0]; };
     finite += reach() < HUGE_VALF;
+    knows += table.knows(at);
     table.find(at);
     not_found += !(reach() < HUGE_VALF);
+    does_not_know += !table.knows(at);
   }
   BOOST_TEST(finite == 0);
   BOOST_TEST(not_found == 0);
+  BOOST_TEST(knows == 0);
+  BOOST_TEST(does_not_know == 0);
 }
 
 BOOST_AUTO_TEST_CASE(in_the_lattices_own_directions_the_bound_is_the_reach_and_the_point_has_it)
