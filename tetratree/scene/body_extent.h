@@ -14,6 +14,16 @@
 
 namespace tetracone::tetratree {
 
+/// What roots of sums of squares may lose by rounding, and what is multiplied with them, a share of themselves.
+inline constexpr double step_rounding = 0x1p-48;
+
+template <class Number>
+Number square_in_halves(const Number& vertex, const Number& centre, const Number& half)
+{
+  const Number part = (vertex - centre) / half;
+  return part * part;
+}
+
 /// A box about the vertices of a body where it was modelled: what bounds its place and its motion under any pose,
 /// before there is a tree.
 struct Body_extent {
@@ -40,13 +50,11 @@ struct Body_extent {
     for (const kernel::Vertex& v : vertices) {
       double square = 0;
       for (int k = 0; k < 3; ++k) {
-        const double part = half[k] > 0 ? (v[k] - centre[k]) / half[k] : 0;
-        square += part * part;
+        if (half[k] > 0) square += square_in_halves(v[k], centre[k], half[k]);
       }
       most = kernel::maximum(most, square);
     }
-    // Each part is at most 1, and off by a few roundings.
-    if (most <= 3) reach_in_halves = std::sqrt(most) * (1 + 0x1p-48);
+    if (most <= 3) reach_in_halves = std::sqrt(most) * (1 + step_rounding);
   }
 
   /// Whether a box turned with the body bounds it much better than one along the world's axes.
@@ -155,36 +163,68 @@ struct Body_step {
   double turned;
 };
 
+/// What a row of two poses says of a step, in every arithmetic. Of its vectors of two the lanes sum up to what is meant.
+template <class Two>
+struct Step_of_row {
+  Two at;       ///< M'_i c + t'_i
+  Two turn;     ///< sum_j |dM_ij| half_j
+  Two squares;  ///< sum_j (|dM_ij| half_j)^2
+  Two terms;    ///< sum_j (|M_ij| + |M'_ij|) (|c_j| + half_j) + |t_i| + |t'_i|
+
+  /// Of rows (M_i0, M_i1), (M_i2, t_i) from one pose to the next; `centre` is (c_0, c_1), (c_2, 1), `half` (half_0,
+  /// half_1), (half_2, 0).
+  Step_of_row(const std::array<Two, 2>& from, const std::array<Two, 2>& to, const std::array<Two, 2>& centre,
+              const std::array<Two, 2>& half)
+      : at(to[0] * centre[0] + to[1] * centre[1]),
+        turn(turn_of(from, to, half, 0) + turn_of(from, to, half, 1)),
+        squares(turn_of(from, to, half, 0) * turn_of(from, to, half, 0) +
+                turn_of(from, to, half, 1) * turn_of(from, to, half, 1)),
+        terms(terms_of(from, to, centre, half, 0) + terms_of(from, to, centre, half, 1))
+  {}
+
+ private:
+  using Twos = std::array<Two, 2>;
+
+  static Two turn_of(const Twos& from, const Twos& to, const Twos& half, std::size_t k)
+  {
+    using kernel::magnitudes;
+    return magnitudes(to[k] - from[k]) * half[k];
+  }
+  static Two terms_of(const Twos& from, const Twos& to, const Twos& centre, const Twos& half, std::size_t k)
+  {
+    using kernel::magnitudes;
+    return (magnitudes(from[k]) + magnitudes(to[k])) * (magnitudes(centre[k]) + half[k]);
+  }
+};
+
 /// Of a point c + v, q - p = dM v + (the centres' change), and |dM v|^2 is at most sum_i (sum_j |dM_ij| half_j)^2, and at
 /// most reach_in_halves^2 sum_ij (|dM_ij| half_j)^2, by the inequality of Cauchy and Schwarz over j.
 inline Body_step body_step(const Body_extent& extent, const kernel::Pose& from, const kernel::Pose& to)
 {
-  using kernel::Two_doubles, kernel::magnitudes, kernel::two_from;
-  // Rows are (M_i0, M_i1), (M_i2, t_i).
+  using Two = kernel::Two_doubles;
+  using Twos = std::array<Two, 2>;
   const std::array<double, 3>&c = extent.centre, &h = extent.half;
-  const Two_doubles centre[] = {{c[0], c[1]}, {c[2], 1}}, half[] = {{h[0], h[1]}, {h[2], 0}},
-                    reach[] = {magnitudes(centre[0]) + half[0], magnitudes(centre[1]) + half[1]};
+  const Twos centre = {Two{c[0], c[1]}, Two{c[2], 1}}, half = {Two{h[0], h[1]}, Two{h[2], 0}};
   Body_step step;
-  Two_doubles squares{}, terms{};
-  double square_of_sums = 0;
+  Two squares{}, terms{};
+  double square_of_turns = 0;
   for (int i = 0; i < 3; ++i) {
-    Two_doubles at{}, sum{};
-    for (int k = 0; k < 2; ++k) {
-      const Two_doubles p = two_from(from.entries().data() + 4 * i + 2 * k),
-                        q = two_from(to.entries().data() + 4 * i + 2 * k), turn = magnitudes(q - p) * half[k];
-      at += q * centre[k];
-      sum += turn;
-      squares += turn * turn;
-      terms += (magnitudes(p) + magnitudes(q)) * reach[k];
-    }
-    step.at[std::size_t(i)] = at[0] + at[1];
-    square_of_sums += (sum[0] + sum[1]) * (sum[0] + sum[1]);
+    const auto row = [i](const kernel::Pose& pose) {
+      const double* const entries = pose.entries().data() + 4 * i;
+      return Twos{kernel::two_from(entries), kernel::two_from(entries + 2)};
+    };
+    const Step_of_row<Two> of_row(row(from), row(to), centre, half);
+    step.at[std::size_t(i)] = of_row.at[0] + of_row.at[1];
+    const double turn = of_row.turn[0] + of_row.turn[1];
+    square_of_turns += turn * turn;
+    squares += of_row.squares;
+    terms += of_row.terms;
   }
   const double by_length = extent.reach_in_halves * extent.reach_in_halves * (squares[0] + squares[1]),
-               square = by_length < square_of_sums ? by_length : square_of_sums;
+               square = by_length < square_of_turns ? by_length : square_of_turns;
   // Both centres are off by placed_rounding of their terms, in each coordinate; entries of fractions are rounded in that
   // too. Squares that underflow are of what is far below the last term.
-  step.turned = std::sqrt(square) * (1 + 0x1p-48) + placed_rounding * (terms[0] + terms[1]) + 0x1p-500;
+  step.turned = std::sqrt(square) * (1 + step_rounding) + placed_rounding * (terms[0] + terms[1]) + 0x1p-500;
   return step;
 }
 

@@ -2,9 +2,9 @@
 #define TETRACONE_TETRATREE_SCENE_SCENE_DATA_H
 
 #include "tetracone/kernel/number/pose.h"
+#include "tetracone/tetratree/scene/body_box.h"
 #include "tetracone/tetratree/scene/body_extent.h"
 #include "tetracone/tetratree/scene/box_tree.h"
-#include "tetracone/tetratree/scene/carried_box.h"
 #include "tetracone/tetratree/scene/large_pages.h"
 #include "tetracone/tetratree/scene/pair_list.h"
 #include "tetracone/tetratree/scene/scene.h"
@@ -191,7 +191,7 @@ class Scene_data {
   tetratree::Large_vector<kernel::Pose> poses_;            // of each body, as what follows
   tetratree::Large_vector<tetratree::Body_place> places_;  // by their poses
   tetratree::Large_vector<Step> steps_;
-  tetratree::Large_vector<tetratree::Carried_box> boxes_;
+  tetratree::Large_vector<tetratree::Body_box> boxes_;
   tetratree::Large_vector<World_box> wide_;                // what the tree has
   tetratree::Large_vector<tetratree::Turned_box> turned_;  // once one is long; known of long ones alone
   std::vector<Known_model> known_models_;

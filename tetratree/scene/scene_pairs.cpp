@@ -398,7 +398,7 @@ std::size_t Scene_data::bytes() const
   std::size_t all =
       models.bytes() + tree_.bytes() + near_.bytes() +
       bodies_.capacity() * (sizeof(Placed_body) + sizeof(kernel::Pose) + sizeof(tetratree::Body_place) + sizeof(Step) +
-                            sizeof(tetratree::Carried_box) + sizeof(World_box) + sizeof(std::uint64_t)) +
+                            sizeof(tetratree::Body_box) + sizeof(World_box) + sizeof(std::uint64_t)) +
       turned_.capacity() * sizeof(tetratree::Turned_box) + colliding_.capacity() * sizeof(Scene_pair);
   for (const Scene_worker& worker : workers_) all += worker.bytes();
   return all;

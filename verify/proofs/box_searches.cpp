@@ -249,8 +249,7 @@ double distances(const Inputs& in)
   return detail::ratio(worst, sum * (boxes.norm_1_of_single_centre() + boxes.sum_of_extents())) / u_of_float;
 }
 
-/// A coordinate of a placed box's lower end, of entries that are rounded; or that of its centre alone.
-template <bool is_end>
+/// A coordinate of a placed box's lower end, of entries that are rounded.
 double placed(const Inputs& in)
 {
   std::vector<Tracked<double>> numbers;
@@ -259,7 +258,19 @@ double placed(const Inputs& in)
     numbers.push_back(k < 4 ? detail::rounded_once<double>(x, in[std::size_t(10 + k)]) : Tracked<double>(x));
   }
   const auto x = detail::placed_coordinate(numbers);
-  return detail::ratio((is_end ? x.at - x.reach : x.at).error(), x.terms.computed) / detail::u;
+  return detail::ratio((x.at - x.reach).error(), x.terms.computed) / detail::u;
+}
+
+/// A coordinate of the image of a box's centre after a step, of entries that are rounded.
+double placed_by_step(const Inputs& in)
+{
+  std::vector<Tracked<double>> numbers(15, Tracked<double>(0));
+  numbers[14] = Tracked<double>(1);
+  for (int k = 0; k < 7; ++k)
+    numbers[std::size_t(4 + k)] = k < 4 ? detail::rounded_once<double>(in[std::size_t(k)], in[std::size_t(10 + k)])
+                                        : Tracked<double>(in[std::size_t(k)]);
+  const auto row = detail::step_of_row(numbers);
+  return detail::ratio((row.at[0] + row.at[1]).error(), row.terms[0].computed + row.terms[1].computed) / detail::u;
 }
 
 /// The end of a ray from the holder's origin through a point, and where its box ends, by its centre, direction and
@@ -324,8 +335,8 @@ Searches box_searches()
           {"Carried_box::way_rounding", {6, way}},
           {"sweep_rounding", {detail::Sweep_place::axes + 4, sweep}},
           {"distance_rounding", {Boxes::end + 3, distances}},
-          {"placed_rounding", {14, placed<true>}},
-          {"placed_rounding, of motions", {14, placed<false>}},
+          {"placed_rounding", {14, placed}},
+          {"placed_rounding, of steps", {14, placed_by_step}},
           {"Bvh8_containment::ray_rounding", {3, ray}},
           {"axis_defect_factor", {9, coordinates}}};
 }

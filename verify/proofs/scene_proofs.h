@@ -2,15 +2,18 @@
 #define TETRACONE_VERIFY_PROOFS_SCENE_PROOFS_H
 
 #include "tetracone/kernel/bound/obb8.h"
+#include "tetracone/tetratree/scene/body_box.h"
 #include "tetracone/tetratree/scene/body_extent.h"
 #include "tetracone/tetratree/scene/turned_box.h"
 #include "verify/proofs/adaptive_proofs.h"
+#include "verify/proofs/lanes.h"
 #include "verify/proofs/near_orthonormal.h"
 #include "verify/proofs/proved_bound.h"
 #include "verify/proofs/rounding_count.h"
 #include "verify/proofs/slices.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -32,6 +35,28 @@ tetratree::Placed_coordinate<Number> placed_by_entries(std::vector<Number> in)
 {
   for (std::size_t k = 0; k < 4; ++k) in[k] = entry(in[k]);
   return placed_coordinate(in);
+}
+
+/// Inputs: a row of both poses, the centre and half the extents of a box, and 1. Entries are those of fractions, or
+/// exact.
+template <class Number>
+tetratree::Step_of_row<Lanes<Number, 2>> step_of_row(std::vector<Number> in, bool of_fractions = true)
+{
+  for (std::size_t k = 0; k < 8; ++k)
+    if (of_fractions) in[k] = entry(in[k]);
+  const auto two = [](const Number& first, const Number& second) { return Lanes<Number, 2>{{first, second}}; };
+  return {{two(in[0], in[1]), two(in[2], in[3])},
+          {two(in[4], in[5]), two(in[6], in[7])},
+          {two(in[8], in[9]), two(in[10], in[14])},
+          {two(in[11], in[12]), two(in[13], Number(0))}};
+}
+
+/// What is enough as a share, of a root of what has lost so many roundings, with so many more after the root.
+inline Rational lost_with_root(const Rounding_count& of_square, int after, const Rational& u)
+{
+  Rational square = of_square.least(u);
+  for (int k = 0; k < 2 * after; ++k) square *= 1 - u;
+  return (1 / square - 1) / 2;  // the root of 1 + x is at most 1 + x / 2
 }
 
 }  // namespace detail
@@ -66,9 +91,63 @@ inline Proved_bounds scene_proofs()
       2.67, "gappa");
   const auto at = [](const auto& in) { return detail::placed_by_entries(in).at; };
   const Rational of_centre = largest(slice_errors<Relative_64>(at, terms)) * lost;
-  add("placed_rounding, of motions", extent, tetratree::placed_rounding, of_centre, u, 3.21, "gappa");
   add("placed_rounding, of a turned box's centre", turned, 4 * tetratree::placed_rounding,
       root_3() * of_centre * once_in_float, u, 7.4, "gappa");
+
+  // A step, summed over rows: both centres are off, and the entries of what turns, each rounded once, by less.
+  std::vector<Slice> terms_of_step;
+  for (std::size_t k = 0; k < 4; ++k) {
+    Slice slice(15, 0);
+    slice[4 + k] = slice[14] = 1;
+    if (k < 3) slice[8 + k] = 1;
+    terms_of_step.push_back(slice);
+  }
+  const auto at_of_step = [](const auto& in) {
+    const auto row = detail::step_of_row(in);
+    return row.at[0] + row.at[1];
+  };
+  const auto of_row = detail::step_of_row(std::vector<Rounding_count>(15), false);
+  const auto over_rows = [](const auto& of_one) { return of_one + of_one + of_one; };
+  const auto sum = [](const auto& lanes) { return lanes[0] + lanes[1]; };
+  // The entries, the product with the share, and two sums.
+  const Rounding_count of_terms_of_step =
+      entry(sum(over_rows(of_row.terms))) * Rounding_count() + Rounding_count() + Rounding_count();
+  add("placed_rounding, of steps", extent, tetratree::placed_rounding,
+      largest(slice_errors<Relative_64>(at_of_step, terms_of_step)) / of_terms_of_step.least(Rational(u)), u, 4.01,
+      "gappa");
+  const Rounding_count reach, turn = sum(of_row.turn);
+  const Rounding_count by_length = reach * reach * sum(over_rows(of_row.squares)), by_turns = over_rows(turn * turn);
+  // The root, the product with the share, and two sums.
+  const Rational of_steps = detail::lost_with_root(by_length.count() > by_turns.count() ? by_length : by_turns, 4, u);
+  add("step_rounding", extent, tetratree::step_rounding, of_steps, u, 3.37);
+  const Rounding_count in_halves = tetratree::square_in_halves(Rounding_count(), Rounding_count(), Rounding_count());
+  add("step_rounding, of reaches in halves", extent, tetratree::step_rounding,
+      detail::lost_with_root(over_rows(in_halves), 2, u), u, 5.82);
+
+  // A body's box. Its own numbers are differences that were rounded twice, and then once to float, which may make them
+  // larger; what is between places is rounded once before.
+  const std::string body_box = "tetratree/scene/body_box.h";
+  const auto gap = [](const auto& in) {
+    return tetratree::less_turned(tetratree::gap_along(in[0], in[1], in[2]), in[3], in[4], in[5]);
+  };
+  const std::vector<Rational> of_gap = slice_errors<Relative_64>(gap, slices_of_sum(6));
+  const auto low_side = [](const auto& in) { return tetratree::lower_side(in[0], in[1], in[2]); };
+  const auto high_side = [](const auto& in) { return tetratree::upper_side(in[0], in[1], in[2]); };
+  const std::vector<Rational> of_low = slice_errors<Relative_64>(low_side, slices_of_sum(3)),
+                              of_high = slice_errors<Relative_64>(high_side, slices_of_sum(3));
+  const auto most = [&](std::initializer_list<Rational> errors) { return std::max(errors); };
+  const Rational one = 1, once = 1 + Rational(u);
+  // The share of what is between, and of places: three magnitudes are added up, multiplied, and lessened by the sum's
+  // rounding of the share itself, which is the last of its terms.
+  const Rational least_slack = (one - 4 * Rational(u)) * (one - of_gap[5]);
+  add("body_box_rounding, of places", body_box, tetratree::body_box_rounding,
+      most({Rational(of_gap[0] * once + u), of_low[0], of_high[0]}) / least_slack, u, 2.67, "gappa");
+  add("body_box_rounding, of the box's numbers", body_box, tetratree::body_box_rounding,
+      (2 * Rational(u) + most({of_gap[1], of_gap[2], of_low[1], of_high[1]}) * once_in_float) / least_slack, u, 2.29,
+      "gappa");
+  add("body_box_rounding, of what has turned", body_box, tetratree::body_box_rounding,
+      1 / ((one - u) * (one - u) * (one - most({of_gap[3], of_gap[4], of_low[2], of_high[2]}) - u)) - 1, u, 2.67,
+      "gappa");
 
   // Points of a box of axes a_j and one of these rounded differ by s_j (a_j - a'_j), and each is off by `of_float` in
   // length; centres likewise. Along axes that are orthonormal but for the least.

@@ -1,4 +1,4 @@
-#include "tetracone/tetratree/scene/carried_box.h"
+#include "tetracone/tetratree/scene/body_box.h"
 
 #include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-BOOST_AUTO_TEST_SUITE(test_carried_box)
+BOOST_AUTO_TEST_SUITE(test_body_box)
 
 using namespace tetracone::tetratree;
 using namespace tetracone;
@@ -50,7 +50,7 @@ class Walker {
   }
 
   Pose pose() const { return Pose(m_); }
-  const Carried_box& box() const { return box_; }
+  const Body_box& box() const { return box_; }
   const Body_place& place() const { return place_; }
 
   std::vector<rationals::Vector> points() const
@@ -67,7 +67,7 @@ class Walker {
   double size_;
   std::array<double, 12> m_;
   Body_place place_;
-  Carried_box box_;
+  Body_box box_;
 };
 
 bool holds(const World_box& box, const rationals::Vector& p)
@@ -122,16 +122,16 @@ BOOST_AUTO_TEST_CASE(it_holds_a_body_that_has_moved_and_says_at_most_how_far_it_
 
 BOOST_AUTO_TEST_CASE(of_a_body_that_is_anywhere_nothing_is_known)
 {
-  const Carried_box nothing, all(World_box(), Body_place{{1, 2, 3}, 4});
+  const Body_box nothing, all(World_box(), Body_place{{1, 2, 3}, 4});
   const Body_place place{{5, 6, 7}, 8};
-  for (const Carried_box& box : {nothing, all}) {
+  for (const Body_box& box : {nothing, all}) {
     BOOST_TEST(!box.at(place).is_bounded());
-    BOOST_TEST(!(box.gap(place, Carried_box(World_box{{9, 9, 9}, {10, 10, 10}}, place), place) > 0));
+    BOOST_TEST(!(box.gap(place, Body_box(World_box{{9, 9, 9}, {10, 10, 10}}, place), place) > 0));
     BOOST_TEST(box.is_within(World_box(), place));
     BOOST_TEST(!box.is_within(World_box{{0, 0, 0}, {9, 9, 9}}, place));
   }
   const Body_place lost{{std::numeric_limits<double>::infinity(), std::nan(""), 0}, 0};
-  const Carried_box box(World_box{{0, 0, 0}, {1, 1, 1}}, place);
+  const Body_box box(World_box{{0, 0, 0}, {1, 1, 1}}, place);
   BOOST_TEST(!box.is_within(World_box{{0, 0, 0}, {9, 9, 9}}, lost));
   BOOST_TEST(!(box.gap(lost, box, place) > 0));
 }

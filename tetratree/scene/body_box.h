@@ -1,0 +1,124 @@
+#ifndef TETRACONE_TETRATREE_SCENE_BODY_BOX_H
+#define TETRACONE_TETRATREE_SCENE_BODY_BOX_H
+
+#include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/tetratree/scene/body_extent.h"
+#include "tetracone/tetratree/scene/world_box.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace tetracone::tetratree {
+
+/// What sums of a body's box may lose by rounding, a share of each of their terms.
+inline constexpr double body_box_rounding = 0x1p-49;
+
+/// How far the upper side of a box is from the lower side of another along an axis, of what is `between` their places, less
+/// what bodies have turned, less `slack`.
+template <class Number>
+Number gap_along(const Number& between, const Number& low, const Number& high)
+{
+  return between + low - high;
+}
+template <class Number>
+Number less_turned(const Number& gap, const Number& turned, const Number& other_turned, const Number& slack)
+{
+  return gap - turned - other_turned - slack;
+}
+
+/// A side of a box that has grown by so much, where its body is.
+template <class Number>
+Number lower_side(const Number& place, const Number& low, const Number& grown)
+{
+  return place + low - grown;
+}
+template <class Number>
+Number upper_side(const Number& place, const Number& high, const Number& grown)
+{
+  return place + high + grown;
+}
+
+/// A box about a body, found at one of its poses, that goes with it: about the body's place, and on every side larger by
+/// what the body has turned since.
+///
+/// What is rounded of a place, and of what has been turned, is added; of the box's own numbers, it is in them.
+class alignas(32) Body_box {
+ public:
+  Body_box() = default;
+  Body_box(const World_box& box, const Body_place& place) : turned_(place.turned)
+  {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double low = double(box.low[k]) - place.at[k], high = double(box.high[k]) - place.at[k];
+      low_[k] = rounded_below(low - body_box_rounding * std::abs(low));
+      high_[k] = rounded_above(high + body_box_rounding * std::abs(high));
+    }
+  }
+
+  /// Whether the body has not turned since.
+  bool is_new(const Body_place& place) const { return turned_ == place.turned; }
+
+  /// By how much it is larger on every side than it was found.
+  double grown(const Body_place& place) const
+  {
+    return since(place) + body_box_rounding * (std::abs(place.at[0]) + std::abs(place.at[1]) + std::abs(place.at[2]));
+  }
+
+  /// About the body.
+  World_box at(const Body_place& place) const
+  {
+    World_box box;
+    const double more = grown(place);
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.low[k] = rounded_below(lower_side(place.at[k], double(low_[k]), more));
+      box.high[k] = rounded_above(upper_side(place.at[k], double(high_[k]), more));
+    }
+    return box;
+  }
+
+  bool is_within(const World_box& box, const Body_place& place) const
+  {
+    const double more = grown(place);
+    bool is_in = true;
+    for (std::size_t k = 0; k < 3; ++k)
+      is_in &= (lower_side(place.at[k], double(low_[k]), more) >= double(box.low[k])) &
+               (upper_side(place.at[k], double(high_[k]), more) <= double(box.high[k]));
+    return is_in;
+  }
+
+  /// At most how far the body is from another, along the axis on which their boxes are farthest apart; not above 0 where
+  /// they meet.
+  double gap(const Body_place& place, const Body_box& other, const Body_place& other_place) const
+  {
+    double most = -std::numeric_limits<double>::infinity(), terms = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double between = place.at[k] - other_place.at[k],
+                   above = gap_along(between, double(low_[k]), double(other.high_[k])),
+                   below = gap_along(-between, double(other.low_[k]), double(high_[k]));
+      most = above > most ? above : most;
+      most = below > most ? below : most;
+      terms += std::abs(between);
+    }
+    return less_turned(most, since(place), other.since(other_place), body_box_rounding * terms);
+  }
+
+  /// The longest edge.
+  double size() const
+  {
+    double longest = 0;
+    for (std::size_t k = 0; k < 3; ++k) longest = kernel::maximum(longest, double(high_[k]) - double(low_[k]));
+    return longest;
+  }
+
+ private:
+  double since(const Body_place& place) const { return (place.turned - turned_) * (1 + body_box_rounding); }
+
+  std::array<float, 3> low_{-World_box::infinity, -World_box::infinity, -World_box::infinity},
+      high_{World_box::infinity, World_box::infinity, World_box::infinity};
+  double turned_ = 0;  // by the body then
+};
+
+}  // namespace tetracone::tetratree
+
+#endif
