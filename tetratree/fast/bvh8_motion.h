@@ -347,17 +347,17 @@ class Bvh8_motion {
     return near;
   }
 
+  std::array<Opening, most_openings> opening_;
   std::array<const Bvh8*, 2> tree_;
   Separating_direction separating_direction_;
   Moving_feature_search features_;
   Pair_queue<Pair, 64> queue_;
-  std::array<Opening, most_openings> opening_;
   Query_statistics counts_;
-  const std::function<bool()>* meet_at_start_ = nullptr;
-  bool is_start_known_ = false, meets_at_start_ = false;
   // Of whole motions, and of parts of them:
   std::array<int, 2> in_vain_{};        // searches for a plane, less `vain_for_one` for each that found one
   std::array<unsigned, 2> left_out_{};  // spans of the others
+  const std::function<bool()>* meet_at_start_ = nullptr;
+  bool is_start_known_ = false, meets_at_start_ = false;
 };
 
 }  // namespace tetracone::tetratree
