@@ -81,9 +81,10 @@ class alignas(32) Body_box {
   {
     const double more = grown(place);
     bool is_in = true;
-    for (std::size_t k = 0; k < 3; ++k)
-      is_in &= (lower_side(place.at[k], double(low_[k]), more) >= double(box.low[k])) &
-               (upper_side(place.at[k], double(high_[k]), more) <= double(box.high[k]));
+    for (std::size_t k = 0; k < 3; ++k) {
+      is_in &= lower_side(place.at[k], double(low_[k]), more) >= double(box.low[k]);
+      is_in &= upper_side(place.at[k], double(high_[k]), more) <= double(box.high[k]);
+    }
     return is_in;
   }
 
