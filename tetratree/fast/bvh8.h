@@ -114,8 +114,7 @@ class Bvh8 {
 
   /// The same, by `run(work)`, which calls work() from one thread or more at once and returns when all calls have. The
   /// tree is the same whatever their number is. Queries that lack a node wait until all are there: none may be asked by
-  /// a thread that is within `run`. What one thread would have
-  /// most of is made by `both`.
+  /// a thread that is within `run`. What one thread would have most of is made by `both`.
   template <class Run>
   void make_all(const Run& run, const covering::Both& both = {}) const
   {

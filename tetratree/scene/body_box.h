@@ -15,13 +15,14 @@ namespace tetracone::tetratree {
 /// What sums of a body's box may lose by rounding, a share of each of their terms.
 inline constexpr double body_box_rounding = 0x1p-49;
 
-/// How far the upper side of a box is from the lower side of another along an axis, of what is `between` their places, less
-/// what bodies have turned, less `slack`.
+/// Along an axis, from the upper side of a box to the lower side of another, whose place is `between` beyond the first's.
 template <class Number>
 Number gap_along(const Number& between, const Number& low, const Number& high)
 {
   return between + low - high;
 }
+
+/// What is left of a gap by what both bodies have turned, and by `slack`.
 template <class Number>
 Number less_turned(const Number& gap, const Number& turned, const Number& other_turned, const Number& slack)
 {

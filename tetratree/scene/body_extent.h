@@ -175,25 +175,25 @@ struct Step_of_row {
   /// half_1), (half_2, 0).
   Step_of_row(const std::array<Two, 2>& from, const std::array<Two, 2>& to, const std::array<Two, 2>& centre,
               const std::array<Two, 2>& half)
-      : at(to[0] * centre[0] + to[1] * centre[1]),
-        turn(turn_of(from, to, half, 0) + turn_of(from, to, half, 1)),
-        squares(turn_of(from, to, half, 0) * turn_of(from, to, half, 0) +
-                turn_of(from, to, half, 1) * turn_of(from, to, half, 1)),
-        terms(terms_of(from, to, centre, half, 0) + terms_of(from, to, centre, half, 1))
+      : Step_of_row(to[0] * centre[0] + to[1] * centre[1],
+                    {turn_of(from[0], to[0], half[0]), turn_of(from[1], to[1], half[1])},
+                    terms_of(from[0], to[0], centre[0], half[0]) + terms_of(from[1], to[1], centre[1], half[1]))
   {}
 
  private:
-  using Twos = std::array<Two, 2>;
+  Step_of_row(const Two& image, const std::array<Two, 2>& turns, const Two& sum_of_terms)
+      : at(image), turn(turns[0] + turns[1]), squares(turns[0] * turns[0] + turns[1] * turns[1]), terms(sum_of_terms)
+  {}
 
-  static Two turn_of(const Twos& from, const Twos& to, const Twos& half, std::size_t k)
+  static Two turn_of(const Two& from, const Two& to, const Two& half)
   {
     using kernel::magnitudes;
-    return magnitudes(to[k] - from[k]) * half[k];
+    return magnitudes(to - from) * half;
   }
-  static Two terms_of(const Twos& from, const Twos& to, const Twos& centre, const Twos& half, std::size_t k)
+  static Two terms_of(const Two& from, const Two& to, const Two& centre, const Two& half)
   {
     using kernel::magnitudes;
-    return (magnitudes(from[k]) + magnitudes(to[k])) * (magnitudes(centre[k]) + half[k]);
+    return (magnitudes(from) + magnitudes(to)) * (magnitudes(centre) + half);
   }
 };
 

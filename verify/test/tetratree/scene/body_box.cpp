@@ -2,6 +2,7 @@
 
 #include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
+#include "verify/test/support/world_boxes.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -18,6 +19,7 @@ using kernel::Pose;
 using kernel::Rational;
 namespace scenes = verify::scenes;
 namespace rationals = verify::rationals;
+using verify::holds;
 
 namespace {
 
@@ -69,15 +71,6 @@ class Walker {
   Body_place place_;
   Body_box box_;
 };
-
-bool holds(const World_box& box, const rationals::Vector& p)
-{
-  for (int k = 0; k < 3; ++k)
-    if ((std::isfinite(box.low[k]) && Rational(double(box.low[k])) > p[k]) ||
-        (std::isfinite(box.high[k]) && Rational(double(box.high[k])) < p[k]))
-      return false;
-  return true;
-}
 
 }  // namespace
 

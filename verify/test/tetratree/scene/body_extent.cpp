@@ -2,6 +2,7 @@
 
 #include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
+#include "verify/test/support/world_boxes.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -20,17 +21,9 @@ using tetratree::Body_extent;
 using tetratree::World_box;
 namespace scenes = verify::scenes;
 namespace rationals = verify::rationals;
+using verify::holds;
 
 namespace {
-
-bool holds(const World_box& box, const rationals::Vector& p)
-{
-  for (int k = 0; k < 3; ++k)
-    if ((std::isfinite(box.low[k]) && Rational(double(box.low[k])) > p[k]) ||
-        (std::isfinite(box.high[k]) && Rational(double(box.high[k])) < p[k]))
-      return false;
-  return true;
-}
 
 /// The translation after which the rows' map leaves the point near 0: what cancels is rounded.
 void cancel(std::array<double, 12>& m, const std::array<double, 3>& point)
