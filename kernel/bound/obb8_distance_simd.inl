@@ -153,7 +153,7 @@ inline HWY_ATTR void find_gaps_simd(Gap_test* tests, std::size_t count)
     const int lane = tests[k].lane;
     float size = (from.extent[0][lane] + from.extent[1][lane] + from.extent[2][lane]) * map.stretch();
     if (map.is_similarity()) {
-      box[k] = carried(boxes, map, from, lane, size);
+      carry(boxes, map, from, lane, size, box[k]);
     } else {
       box[k] = map(boxes, from, lane);
       size = box[k].extent[0] + box[k].extent[1] + box[k].extent[2];

@@ -200,10 +200,7 @@ HWY_INLINE auto largest_gap(const Test& test, const Kept& kept, const Decides& d
   }
 
   using Largest = Largest_gap<std::decay_t<decltype(gap)>, Floats>;
-  const auto found = [&](const auto& largest) HWY_ATTR {
-    return Largest{largest, {t0, t1, t2, r01, r11, r21, r02, r12, r22}};
-  };
-  if (decides(gap)) return found(gap);
+  if (decides(gap)) return Largest{gap, {t0, t1, t2, r01, r11, r21, r02, r12, r22}};
 
   // a_i x edge_j has the components 0, -r[m][j], r[l][j] along a_i, a_l, a_m; edges k of the single box reach along it
   // as a_i does along the box's normals.
@@ -222,7 +219,7 @@ HWY_INLINE auto largest_gap(const Test& test, const Kept& kept, const Decides& d
   const auto across2 = Max(crossed(t1, r00, t0, r10, e0, s10, e1, s00, f1, n22, f2, n21, Neg(r10), r00, zero),
                            Max(crossed(t1, r01, t0, r11, e0, s11, e1, s01, f2, n20, f0, n22, Neg(r11), r01, zero),
                                crossed(t1, r02, t0, r12, e0, s12, e1, s02, f0, n21, f1, n20, Neg(r12), r02, zero)));
-  return found(Max(Max(gap, across0), Max(across1, across2)));
+  return Largest{Max(Max(gap, across0), Max(across1, across2)), {t0, t1, t2, r01, r11, r21, r02, r12, r22}};
 }
 
 /// The lanes whose box is not found apart from the single box; with an infinite slack none is, whatever overflowed. Of a
@@ -267,11 +264,10 @@ HWY_INLINE Doubles carried_point(Doubles c0, Doubles c1, Doubles c2, Doubles off
   return MulAdd(c2, p2, MulAdd(c1, p1, MulAdd(c0, p0, offset)));
 }
 
-/// Box `lane` of `from`, carried into the frame of `boxes` by a similarity. `size` is at least the sum of its extents
-/// there.
-HWY_INLINE Single_box carried(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane, float size)
+/// Writes box `lane` of `from`, carried into the frame of `boxes` by a similarity. `size` is at least the sum of its
+/// extents there.
+HWY_INLINE void carry(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane, float size, Single_box& box)
 {
-  Single_box box;
   constexpr hn::CappedTag<float, 4> tag;
   constexpr hn::CappedTag<double, 4> doubles;
   for (std::size_t k = 0; k < 4; k += hn::Lanes(tag)) {
@@ -296,6 +292,11 @@ HWY_INLINE Single_box carried(const Obb8& boxes, const Box_map& map, const Obb8&
   }
   for (int i = 0; i < 3; ++i) box.centre[i] = float(at[i] - double(boxes.origin[i]));
   box.slack = map.slack(boxes.reach, size);
+}
+HWY_INLINE Single_box carried(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane, float size)
+{
+  Single_box box;
+  carry(boxes, map, from, lane, size, box);
   return box;
 }
 

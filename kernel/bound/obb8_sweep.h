@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 /// When eight boxes and one that moves past them may meet.
 ///
@@ -30,7 +31,8 @@ struct Point_way {
   using Rows = std::array<std::array<double, 3>, 3>;
 
   alignas(32) double offset[4] = {}, single[3][4] = {}, eight[3][4] = {};  ///< columns; of each, the fourth is 0
-  double norm_of_single = 0, norm_of_eight = 0;                            ///< at least the largest singular values
+  float rounded_eight[3][4] = {};
+  double norm_of_single = 0, norm_of_eight = 0;  ///< at least the largest singular values
   double size = 0;  ///< at least the sum of the magnitudes of all terms of points whose coordinates are at most 2
 
   Point_way() = default;
@@ -43,6 +45,7 @@ struct Point_way {
       for (std::size_t j = 0; j < 3; ++j) {
         single[j][i] = of_single[i][j];
         eight[j][i] = of_eight[i][j];
+        rounded_eight[j][i] = float(of_eight[i][j]);
         size += 2 * (std::abs(of_single[i][j]) + std::abs(of_eight[i][j]));
       }
     }
@@ -84,6 +87,25 @@ struct alignas(32) Near_times {
   float from[lanes], until[lanes];
 };
 
+/// The lanes of `boxes` against box `lane` of `from`, which `map`, a similarity, carries into their frame in the middle
+/// of the span.
+struct Sweep_test {
+  const Obb8* boxes;
+  const Box_map* map;
+  const Obb8* from;
+  int lane;
+  float apex;  ///< where a triangle lies in the single box
+  const Box_sweep* sweep;
+  Known_times known;
+
+  // What is found.
+  unsigned near;  ///< lanes, as bits, that may meet the single box
+  Near_times times;
+};
+
+/// So many tests are made at once at most.
+inline constexpr std::size_t most_sweep_tests = 4;
+
 /// About the distance of a lane's farthest point from its centre.
 inline float radius_of(const Obb8& boxes, int lane)
 {
@@ -108,16 +130,12 @@ inline constexpr float time_rounding = 0x1p-21f;
 
 namespace tetracone::kernel {
 
-/// The lanes of `boxes`, as bits, that may meet box `lane` of `from`, which `map`, a similarity, carries into their frame
-/// in the middle of the span, at times that are known; and when. `apex` says where a triangle lies in that box. Lanes that
-/// hold nothing may be among them.
-inline unsigned near_in_sweep(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane, float apex,
-                              const Box_sweep& sweep, const Known_times& known, Near_times& times)
+/// Makes up to `most_sweep_tests` tests, so that none need wait for what another brings.
+inline void find_near(Sweep_test* tests, std::size_t count)
 {
-  using Function =
-      unsigned(const Obb8&, const Box_map&, const Obb8&, int, float, const Box_sweep&, const Known_times&, Near_times&);
-  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(near_in_sweep_simd));
-  return fastest(boxes, map, from, lane, apex, sweep, known, times);
+  using Function = void(Sweep_test*, std::size_t);
+  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(find_near_simd));
+  fastest(tests, count);
 }
 
 }  // namespace tetracone::kernel

@@ -79,53 +79,58 @@ struct Swept_beyond {
   }
 };
 
-/// Of the test's lanes; writes the times. `single`: how far the single box's centre goes against the eight's origin, half
-/// way; `loss` and `turn`: what gaps lose, and times a lane's radius.
-HWY_INLINE unsigned near_in_sweep(const One_test& test, const float* single, const Point_way& half_way, float slack,
-                                  float loss, float turn, const Known_times& known, Near_times& times)
+/// The single box of a test, and what it takes from gaps.
+struct Swept_box {
+  Single_box box;  ///< in the middle of the span
+  float way[4];    ///< how far its centre goes against the eight's origin, half way
+  float slack;
+  float loss, turn;  ///< what gaps lose, and times a lane's radius
+};
+
+/// Of the lanes of `by`, those that are near; writes the times.
+HWY_INLINE unsigned near_in_sweep(const One_test& by, const Swept_box& single, Sweep_test& test)
 {
   using Floats = One_test::Floats;
-  const auto all = [&](float x) HWY_ATTR { return test.all(x); };
-  const Floats e0 = test.load(test.boxes.extent[0]), e1 = test.load(test.boxes.extent[1]),
-               e2 = test.load(test.boxes.extent[2]), radius = hn::Sqrt(MulAdd(e2, e2, MulAdd(e1, e1, Mul(e0, e0))));
+  const auto all = [&](float x) HWY_ATTR { return by.all(x); };
+  const Floats e0 = by.load(by.boxes.extent[0]), e1 = by.load(by.boxes.extent[1]), e2 = by.load(by.boxes.extent[2]),
+               radius = hn::Sqrt(MulAdd(e2, e2, MulAdd(e1, e1, Mul(e0, e0))));
   Floats centre[3], shift[3], bend[3][3];
   for (int k = 0; k < 3; ++k) {
-    centre[k] = test.load(test.boxes.centre[k]);
-    shift[k] = all(single[k]);
-    for (int j = 0; j < 3; ++j) bend[k][j] = all(float(half_way.eight[j][k]));
+    centre[k] = by.load(by.boxes.centre[k]);
+    shift[k] = all(single.way[k]);
+    for (int j = 0; j < 3; ++j) bend[k][j] = all(test.sweep->half.rounded_eight[j][k]);
   }
   Swept swept;
-  swept.lost = MulAdd(radius, all(turn), all(slacks_of_sweep * slack + loss));
+  swept.lost = MulAdd(radius, all(single.turn), all(slacks_of_sweep * single.slack + single.loss));
   for (int i = 0; i < 3; ++i) {
-    const Floats axis[3] = {test.load(test.boxes.axis[i][0]), test.load(test.boxes.axis[i][1]),
-                            test.load(test.boxes.axis[i][2])};
+    const Floats axis[3] = {by.load(by.boxes.axis[i][0]), by.load(by.boxes.axis[i][1]), by.load(by.boxes.axis[i][2])};
     swept.sweep[i] = sweep_along(axis, centre, shift, bend);
   }
   const Floats half = all(0.5f), earlier = all(0.5f - time_rounding), later = all(0.5f + time_rounding);
-  const unsigned held = ((1u << test.boxes.lane_count) - 1) >> test.first;
+  const unsigned held = ((1u << by.boxes.lane_count) - 1) >> by.first;
   Floats from, until;
   const auto lanes_near = [&](const Times_near<Floats>& near) HWY_ATTR {
     // Vectors may drop what is undefined: what is known comes second.
-    from = Max(NegMulAdd(half, near.minus_from, earlier), all(known.from));
-    until = hn::Min(MulAdd(half, near.until, later), all(known.until));
+    from = Max(NegMulAdd(half, near.minus_from, earlier), all(test.known.from));
+    until = hn::Min(MulAdd(half, near.until, later), all(test.known.until));
     std::uint8_t bits[8];
     hn::StoreMaskBits(One_test::tag, Not(Gt(from, until)), bits);
     return bits[0] & held;
   };
   const auto largest =
-      largest_gap<true>(test, swept, [&](const Times_near<Floats>& near) HWY_ATTR { return lanes_near(near) == 0; });
+      largest_gap<true>(by, swept, [&](const Times_near<Floats>& near) HWY_ATTR { return lanes_near(near) == 0; });
   unsigned lanes = lanes_near(largest.kept);
-  if (lanes != 0 && test.holds_triangle()) {
-    const auto sides = beyond_triangle(test, largest.edges, e0, e1, e2);
-    const float slack_of_sides = side_slack(test.box, slack);
+  if (lanes != 0 && by.holds_triangle()) {
+    const auto sides = beyond_triangle(by, largest.edges, e0, e1, e2);
+    const float slack_of_sides = side_slack(by.box, single.slack);
     const auto side = [&](Floats beyond, float length, const Floats(&n)[3])
-                          HWY_ATTR { return gap_beyond(Swept_beyond{swept}, test, beyond, length, n, slack_of_sides); };
+                          HWY_ATTR { return gap_beyond(Swept_beyond{swept}, by, beyond, length, n, slack_of_sides); };
     lanes = lanes_near(Max(largest.kept, Max(side(sides.left, sides.left_length, sides.left_normal),
                                              side(sides.right, sides.right_length, sides.right_normal))));
   }
-  hn::Store(from, One_test::tag, times.from + test.first);
-  hn::Store(until, One_test::tag, times.until + test.first);
-  return lanes << test.first;
+  hn::Store(from, One_test::tag, test.times.from + by.first);
+  hn::Store(until, One_test::tag, test.times.until + by.first);
+  return lanes << by.first;
 }
 
 /// From the origin of the eight to the centre of box `lane` of `from`.
@@ -144,37 +149,49 @@ HWY_INLINE void way_between(const Point_way& way, const Obb8& from, int lane, co
   }
 }
 
-inline HWY_ATTR unsigned near_in_sweep_simd(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane,
-                                            float apex, const Box_sweep& sweep, const Known_times& known,
-                                            Near_times& times)
+/// False where nothing is bounded.
+HWY_INLINE bool find_single_box(const Sweep_test& test, Swept_box& single)
 {
+  const Obb8 &boxes = *test.boxes, &from = *test.from;
+  const Box_map& map = *test.map;
+  const Box_sweep& sweep = *test.sweep;
+  const int lane = test.lane;
   const float size = (from.extent[0][lane] + from.extent[1][lane] + from.extent[2][lane]) * map.stretch() * rounded_up,
-              farthest = known.farthest();
-  Single_box box = carried(boxes, map, from, lane, size);
-  box.apex = apex;
+              farthest = test.known.farthest();
+  Single_box& box = single.box;
+  carry(boxes, map, from, lane, size, box);
+  box.apex = test.apex;
   // Where it is in the middle of the span, of points at the origin of the eight: others differ by their reach.
-  float moved[4], swept[4];
+  float moved[4];
   way_between(sweep.middle, from, lane, boxes, moved);
-  way_between(sweep.half, from, lane, boxes, swept);
+  way_between(sweep.half, from, lane, boxes, single.way);
   for (int i = 0; i < 3; ++i) box.centre[i] += moved[i];
   const double lost =
       sweep.rest + sweep_rounding * (sweep.middle.size + sweep.half.size) +
       sweep.middle.norm_of_eight * double(boxes.reach) +
       (sweep.middle.norm_of_single + double(farthest) * sweep.half.norm_of_single) * double(radius_of(from, lane));
-  const float slack = gap_slack(box, boxes.reach, size), loss = float(lost) * (1 + radius_rounding) + box_underflow,
-              turn = farthest * float(sweep.half.norm_of_eight) * (1 + radius_rounding);
-  unsigned near = 0;
-  const bool is_bounded = map.is_similarity() && slack + loss + turn <= most_gap_slack;
-  for (std::size_t first = 0; first < lanes; first += hn::Lanes(Float_tag())) {
-    if (is_bounded) {
-      near |= near_in_sweep(One_test{boxes, box, first}, swept, sweep.half, slack, loss, turn, known, times);
-    } else {
-      hn::Store(hn::Set(Float_tag(), known.from), Float_tag(), times.from + first);
-      hn::Store(hn::Set(Float_tag(), known.until), Float_tag(), times.until + first);
-      near = (1u << lanes) - 1;
-    }
+  single.slack = gap_slack(box, boxes.reach, size);
+  single.loss = float(lost) * (1 + radius_rounding) + box_underflow;
+  single.turn = farthest * float(sweep.half.norm_of_eight) * (1 + radius_rounding);
+  return map.is_similarity() && single.slack + single.loss + single.turn <= most_gap_slack;
+}
+
+inline HWY_ATTR void find_near_simd(Sweep_test* tests, std::size_t count)
+{
+  Swept_box single[most_sweep_tests];
+  bool is_bounded[most_sweep_tests];
+  for (std::size_t k = 0; k < count; ++k) is_bounded[k] = find_single_box(tests[k], single[k]);
+  for (std::size_t k = 0; k < count; ++k) {
+    Sweep_test& test = tests[k];
+    test.near = is_bounded[k] ? 0 : (1u << test.boxes->lane_count) - 1;
+    for (std::size_t first = 0; first < lanes; first += hn::Lanes(Float_tag()))
+      if (is_bounded[k]) {
+        test.near |= near_in_sweep(One_test{*test.boxes, single[k].box, first}, single[k], test);
+      } else {
+        hn::Store(hn::Set(Float_tag(), test.known.from), Float_tag(), test.times.from + first);
+        hn::Store(hn::Set(Float_tag(), test.known.until), Float_tag(), test.times.until + first);
+      }
   }
-  return near;
 }
 
 }  // namespace tetracone::kernel::HWY_NAMESPACE

@@ -101,15 +101,15 @@ class Bvh8_motion {
     std::array<Box, 2> box;
 
     bool is_leaf(std::size_t body) const { return std::signbit(size[body]); }
-    double extent(std::size_t body) const { return double(std::abs(size[body])); }
+    float extent(std::size_t body) const { return std::abs(size[body]); }
   };
   static constexpr int most_directions = 8;
   static constexpr int most_in_vain = 16, vain_for_one = 8;
   static constexpr std::array<unsigned, 2> one_in = {32, 8};  // of whole motions, and of parts
-  static constexpr std::size_t most_openings = 3;             // compared before what they find is queued
+  static constexpr std::size_t most_openings = kernel::most_sweep_tests;
   static constexpr unsigned most_halvings = 50;
-  static constexpr double share_of_size = 0.04;     // so much of a pair may be lost by its turning
-  static constexpr double share_of_leaves = 0.002;  // where so much is lost, leaves are met in halves
+  static constexpr float share_of_size = 0.04f;     // so much of a pair may be lost by its turning
+  static constexpr float share_of_leaves = 0.002f;  // where so much is lost, leaves are met in halves
 
   kernel::Motion_units units(int body) const { return {tree_[body]->scale().origin, tree_[body]->scale().unit}; }
 
@@ -160,6 +160,7 @@ class Bvh8_motion {
   {
     if (is_parted(span)) return;
     const Span_reference reference(span);
+    const Turning turning(span, reference);
     features_.enter(span);
     queue_.clear(0, 1);
     for (const Pair& pair : pairs) queue_.push(pair);
@@ -172,17 +173,17 @@ class Bvh8_motion {
         if (double(pair.low) > features_.latest()) continue;
         // Where there will be halves, the second may be needless.
         const bool is_of_leaves = pair.is_leaf(0) && pair.is_leaf(1);
-        if (is_long(span, reference, pair, share_of_size) || (!later.empty() && pair.low >= 0.5f))
+        if (turning.is_long(pair, share_of_size) || (!later.empty() && pair.low >= 0.5f))
           later.push_back(pair);
-        else if (is_of_leaves && is_long(span, reference, pair, share_of_leaves))
+        else if (is_of_leaves && turning.is_long(pair, share_of_leaves))
           meet_in_halves(pair);
         else if (is_of_leaves)
           meet_leaves(Span_part::whole, pair, {double(pair.low), double(pair.until)});
         else
-          opening_[count++] = opening(span, pair);
+          open(span, reference, pair, count++);
       }
-      for (std::size_t k = 0; k < count; ++k) find_near(span, reference, opening_[k]);
-      for (std::size_t k = 0; k < count; ++k) push_near(opening_[k]);
+      find_near(span, reference, count);
+      push_near(count);
     }
     features_.decide_until(1);
     for (const bool is_second : {false, true}) {
@@ -196,17 +197,29 @@ class Bvh8_motion {
     }
   }
 
-  /// Whether the boxes turn too far in the span for such a share of their size.
-  static bool is_long(const kernel::Motion_span& span, const Span_reference& reference, const Pair& pair, double share)
-  {
-    if (span.k() >= most_halvings) return false;
-    const double lost = (pair.extent(0) * span.turn(0) + pair.extent(1) * span.turn(1)) +
-                        (reference.is_certifiable() ? reference.rest() : 0);
-    // Which is the larger cannot be foretold. What is less than doubles tell apart is not worth another halving.
-    const bool of_a = lost <= share * (pair.extent(0) * span.scale(0)),
-               of_b = lost <= share * (pair.extent(1) * span.scale(1)), of_all = lost <= 8 * span.resolution();
-    return !(of_a | of_b | of_all);
-  }
+  /// How far boxes of a span turn in it.
+  struct Turning {
+    std::array<float, 2> turn, scale;
+    float rest, least;
+    bool has_halves;
+
+    Turning(const kernel::Motion_span& span, const Span_reference& reference)
+        : turn{float(span.turn(0)), float(span.turn(1))},
+          scale{float(span.scale(0)), float(span.scale(1))},
+          rest(reference.is_certifiable() ? float(reference.rest()) : 0),
+          // What is less than doubles tell apart is not worth another halving.
+          least(float(8 * span.resolution())),
+          has_halves(span.k() < most_halvings)
+    {}
+
+    /// Whether they turn too far for such a share of their size.
+    bool is_long(const Pair& pair, float share) const
+    {
+      const float a = pair.extent(0), b = pair.extent(1), lost = a * turn[0] + b * turn[1] + rest,
+                  size = kernel::maximum(a * scale[0], b * scale[1]);
+      return has_halves && !(lost <= kernel::maximum(share * size, least));
+    }
+  };
 
   /// The body whose box is to be opened: the larger one. Requires one that is no leaf.
   static int opens(const kernel::Motion_span& span, const Pair& pair)
@@ -214,39 +227,36 @@ class Bvh8_motion {
     return pair.is_leaf(0) || (!pair.is_leaf(1) && pair.extent(1) * span.scale(1) > pair.extent(0) * span.scale(0));
   }
 
-  /// The box of one body that is opened, its node, and the lanes of that which may meet the other's box, and when.
+  /// The box of one body that is opened, and its node.
   struct Opening {
     Pair pair;
     int body;
     Index node;
-    unsigned near;
-    kernel::Near_times times;
   };
 
-  /// Requires a pair that is not of leaves.
-  Opening opening(const kernel::Motion_span& span, const Pair& pair) const
+  /// Opens one of a pair that is not of leaves, as this number of openings: its parts are to be compared with the other.
+  void open(const kernel::Motion_span& span, const Span_reference& reference, const Pair& pair, std::size_t number)
   {
-    Opening o;
-    o.pair = pair;
-    o.body = opens(span, pair);
-    const Box box = pair.box[std::size_t(o.body)];
-    o.node = tree_[o.body]->child(box / 8, int(box % 8));
-    tree_[o.body]->prefetch(o.node);
-    return o;
+    const int body = opens(span, pair);
+    const Box box = pair.box[std::size_t(body)], other = pair.box[std::size_t(1 - body)];
+    const Index node = tree_[body]->child(box / 8, int(box % 8));
+    tree_[body]->prefetch(node);
+    opening_[number] = {pair, body, node};
+    const Bvh8_node& from = node_of(1 - body, other);
+    const int lane = int(other % 8);
+    const float apex =
+        from.is_leaf(lane) ? kernel::apex_of(Bvh8_node::apex(from.child[std::size_t(lane)])) : kernel::no_apex;
+    reference.ask(test_[number], std::size_t(body), tree_[body]->node(node).boxes, from.boxes, lane, apex,
+                  known_times(pair));
   }
 
-  /// Kept apart from queueing what is found: comparisons do not wait for one another, while what each finds cannot be
-  /// foretold.
-  void find_near(const kernel::Motion_span& span, const Span_reference& reference, Opening& o)
+  /// Compares the parts of the first `count` openings.
+  void find_near(const kernel::Motion_span& span, const Span_reference& reference, std::size_t count)
   {
-    const int lane_count = tree_[o.body]->node(o.node).boxes.lane_count;
-    ++counts_.pairs_visited;
-    counts_.box_tests += std::uint64_t(lane_count);
-    const Box other = o.pair.box[std::size_t(1 - o.body)];
-    const unsigned near = reference.is_certifiable()
-                              ? near_by(reference, o.body, o.node, other, known_times(o.pair), o.times)
-                              : near_by(span, o.body, o.node, other, known_times(o.pair), o.times);
-    o.near = near & ((1u << lane_count) - 1);
+    counts_.pairs_visited += count;
+    for (std::size_t k = 0; k < count; ++k) counts_.box_tests += std::uint64_t(test_[k].boxes->lane_count);
+    if (reference.is_certifiable()) return kernel::find_near(test_.data(), count);
+    for (std::size_t k = 0; k < count; ++k) find_near(span, opening_[k], test_[k]);
   }
 
   /// Of a pair that has come from a longer span, those in this one.
@@ -255,42 +265,39 @@ class Bvh8_motion {
     return {kernel::maximum(pair.low, 0.f), kernel::minimum(pair.until, 1.f)};
   }
 
-  void push_near(const Opening& o)
+  /// Queues the parts of all these that may meet the other box.
+  void push_near(std::size_t count)
   {
-    for (unsigned left = o.near; left != 0; left &= left - 1) {
-      const auto lane = std::size_t(std::countr_zero(left));
+    static_assert(kernel::lanes * most_openings <= 32);
+    // In one loop, since how many an opening has cannot be foretold.
+    std::uint32_t near = 0;
+    for (std::size_t k = 0; k < count; ++k) near |= std::uint32_t(test_[k].near) << kernel::lanes * k;
+    for (; near != 0; near &= near - 1) {
+      const auto bit = std::size_t(std::countr_zero(near));
+      const std::size_t number = bit / kernel::lanes, lane = bit % kernel::lanes;
+      const Opening& o = opening_[number];
       Pair closer = o.pair;
-      closer.low = o.times.from[lane];
-      closer.until = o.times.until[lane];
+      closer.low = test_[number].times.from[lane];
+      closer.until = test_[number].times.until[lane];
       closer.box[std::size_t(o.body)] = 8 * o.node + Box(lane);
       closer.size[std::size_t(o.body)] = size_of(tree_[o.body]->node(o.node), int(lane));
       queue_.push(closer);
     }
   }
 
-  unsigned near_by(const Span_reference& reference, int body, Index node, Box other, const kernel::Known_times& known,
-                   kernel::Near_times& times) const
+  /// Where there are no similarities near the span.
+  void find_near(const kernel::Motion_span& span, const Opening& o, kernel::Sweep_test& test) const
   {
-    const Bvh8_node& from = node_of(1 - body, other);
-    const int lane = int(other % 8);
-    const float apex =
-        from.is_leaf(lane) ? kernel::apex_of(Bvh8_node::apex(from.child[std::size_t(lane)])) : kernel::no_apex;
-    return reference.near(std::size_t(body), tree_[body]->node(node).boxes, from.boxes, lane, apex, known, times);
-  }
-
-  unsigned near_by(const kernel::Motion_span& span, int body, Index node, Box other, const kernel::Known_times& known,
-                   kernel::Near_times& times) const
-  {
-    const Part from = part(1 - body, other);
-    unsigned near = 0;
-    for (int lane = 0; lane < tree_[body]->node(node).boxes.lane_count; ++lane) {
-      const Part own = part(body, 8 * node + Box(lane));
-      const kernel::Time_window window = body == 0 ? near_boxes(span, own, from) : near_boxes(span, from, own);
-      times.from[lane] = kernel::maximum(known.from, float(window.from * (1 - 0x1p-20)) - 0x1p-40f);
-      times.until[lane] = kernel::minimum(known.until, float(window.until * (1 + 0x1p-20)) + 0x1p-40f);
-      if (!(times.from[lane] > times.until[lane])) near |= 1u << lane;
+    const Part from = part(1 - o.body, o.pair.box[std::size_t(1 - o.body)]);
+    test.near = 0;
+    for (int lane = 0; lane < test.boxes->lane_count; ++lane) {
+      const Part own = part(o.body, 8 * o.node + Box(lane));
+      const kernel::Time_window window = o.body == 0 ? near_boxes(span, own, from) : near_boxes(span, from, own);
+      auto& [first, last] = test.times;
+      first[lane] = kernel::maximum(test.known.from, float(window.from * (1 - 0x1p-20)) - 0x1p-40f);
+      last[lane] = kernel::minimum(test.known.until, float(window.until * (1 + 0x1p-20)) + 0x1p-40f);
+      if (!(first[lane] > last[lane])) test.near |= 1u << lane;
     }
-    return near;
   }
 
   /// In the half of the span in which they may meet first; they come again for the other.
@@ -347,7 +354,9 @@ class Bvh8_motion {
     return near;
   }
 
+  // Compared before what they find is queued: comparisons do not wait for one another.
   std::array<Opening, most_openings> opening_;
+  std::array<kernel::Sweep_test, most_openings> test_;
   std::array<const Bvh8*, 2> tree_;
   Separating_direction separating_direction_;
   Moving_feature_search features_;

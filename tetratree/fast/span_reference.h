@@ -31,7 +31,7 @@ namespace tetracone::tetratree {
 ///
 ///     n . (M_1 q + m - M_0 p) + x n . (H_1 q + h - H_0 p),
 ///
-/// but for the rest: what `kernel::near_in_sweep` asks for.
+/// but for the rest: what `kernel::find_near` asks for.
 class Span_reference {
  public:
   using Vertex = kernel::Vertex;
@@ -67,12 +67,19 @@ class Span_reference {
   /// Whether the reference tells anything.
   bool is_certifiable() const { return is_certifiable_; }
 
-  /// Of the lanes of a node of body `body`, as bits, those that may meet a box of the other body, and when. `apex`: where
-  /// a triangle lies in that box. Requires that the reference tells something.
-  unsigned near(std::size_t body, const kernel::Obb8& boxes, const kernel::Obb8& from, int lane, float apex,
-                const kernel::Known_times& known, kernel::Near_times& times) const
+  /// Writes the test of a node of body `body` against box `lane` of a node of the other. `apex`: where a triangle lies in
+  /// that box. The reference must stay until it is made, and it tells nothing where the
+  /// reference does not.
+  void ask(kernel::Sweep_test& test, std::size_t body, const kernel::Obb8& boxes, const kernel::Obb8& from, int lane,
+           float apex, const kernel::Known_times& known) const
   {
-    return kernel::near_in_sweep(boxes, into_[1 - body], from, lane, apex, sweep_[body], known, times);
+    test.boxes = &boxes;
+    test.map = &into_[1 - body];
+    test.from = &from;
+    test.lane = lane;
+    test.apex = apex;
+    test.sweep = &sweep_[body];
+    test.known = known;
   }
 
   /// What gaps lose wherever bodies are, in common units.

@@ -15,13 +15,9 @@
 
 namespace tetracone::kernel {
 
-using Near_in_sweep = unsigned(const Obb8&, const Box_map&, const Obb8&, int, float, const Box_sweep&,
-                               const Known_times&, Near_times&);
+using Find = void(Sweep_test*, std::size_t);
 
-std::vector<Near_in_sweep*> near_versions()
-{
-  return verify::versions_here<Near_in_sweep>(TETRACONE_SIMD_VERSIONS(near_in_sweep_simd));
-}
+std::vector<Find*> find_versions() { return verify::versions_here<Find>(TETRACONE_SIMD_VERSIONS(find_near_simd)); }
 
 }  // namespace tetracone::kernel
 
@@ -68,6 +64,11 @@ struct Scene {
   float apex = no_apex;
   double time;
 };
+
+Sweep_test test(const Scene& s, const Box_map& map, const Box_sweep& sweep, const Known_times& known = {})
+{
+  return {&s.boxes, &map, &s.from, s.other, s.apex, &sweep, known, 0, {}};
+}
 
 /// `away`: of the single box from where it meets, in sizes of boxes.
 Scene scene(Random& random, int kind, double away)
@@ -158,10 +159,11 @@ BOOST_AUTO_TEST_CASE(boxes_that_touch_at_a_time_are_near_at_it)
       const Known_times known = is_known ? Known_times{float(time * real(random, 0.9, 1)) - 0x1p-22f,
                                                        float(1 - (1 - time) * real(random, 0.9, 1)) + 0x1p-22f}
                                          : Known_times{};
-      for (const auto version : near_versions()) {
-        Near_times times;
-        const unsigned near = version(s.boxes, map, s.from, s.other, s.apex, s.sweep, known, times);
-        const bool is_near = near >> s.lane & 1;
+      for (Find* const find : find_versions()) {
+        Sweep_test asked_now = test(s, map, s.sweep, known);
+        find(&asked_now, 1);
+        const Near_times& times = asked_now.times;
+        const bool is_near = asked_now.near >> s.lane & 1;
         if (away == 0) {
           BOOST_TEST(is_near, "round " << k);
           BOOST_TEST(double(times.from[s.lane]) <= time, "round " << k);
@@ -179,6 +181,29 @@ BOOST_AUTO_TEST_CASE(boxes_that_touch_at_a_time_are_near_at_it)
   BOOST_TEST(narrow > 0.1 * asked);
 }
 
+BOOST_AUTO_TEST_CASE(several_tests_at_once_find_what_each_finds_alone)
+{
+  Random random(3);
+  std::vector<Scene> scenes;
+  std::vector<Box_map> maps;
+  for (std::size_t k = 0; k < most_sweep_tests; ++k) scenes.push_back(scene(random, int(k), k % 2 == 0 ? 0 : 4));
+  for (const Scene& s : scenes) maps.push_back(s.placing.map());
+  maps[2] = Box_map();  // nothing is known of it
+  for (Find* const find : find_versions()) {
+    std::vector<Sweep_test> together;
+    for (std::size_t k = 0; k < most_sweep_tests; ++k) together.push_back(test(scenes[k], maps[k], scenes[k].sweep));
+    std::vector<Sweep_test> alone = together;
+    find(together.data(), together.size());
+    for (std::size_t k = 0; k < most_sweep_tests; ++k) {
+      find(&alone[k], 1);
+      BOOST_TEST(together[k].near == alone[k].near);
+      for (std::size_t lane = 0; lane < lanes; ++lane)
+        BOOST_TEST((together[k].times.from[lane] == alone[k].times.from[lane] &&
+                    together[k].times.until[lane] == alone[k].times.until[lane]));
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(times_are_those_of_boxes_that_pass_by)
 {
   // Unit boxes; the single one comes along an axis from 8 away, and goes as far: they meet from 3/8 to 5/8 of the time.
@@ -191,16 +216,22 @@ BOOST_AUTO_TEST_CASE(times_are_those_of_boxes_that_pass_by)
   const Box_map map(Pose(), units, Pose(), units);
   Box_sweep sweep;
   sweep.half = {{8, 0, 0}, {}, {}};
-  for (const auto version : near_versions()) {
-    Near_times times;
-    BOOST_TEST(version(boxes, map, from, 0, no_apex, sweep, {}, times) == 0x0fu);
+  for (Find* const find : find_versions()) {
+    const auto found = [&](const Known_times& known) {
+      Sweep_test test = {&boxes, &map, &from, 0, no_apex, &sweep, known, 0, {}};
+      find(&test, 1);
+      return test;
+    };
+    const Sweep_test all = found({});
+    BOOST_TEST(all.near == 0x0fu);
     for (int k = 0; k < 4; ++k) {
-      BOOST_TEST(std::abs(times.from[k] - 0.375f) < 1e-4f);
-      BOOST_TEST(std::abs(times.until[k] - 0.625f) < 1e-4f);
+      BOOST_TEST(std::abs(all.times.from[k] - 0.375f) < 1e-4f);
+      BOOST_TEST(std::abs(all.times.until[k] - 0.625f) < 1e-4f);
     }
-    BOOST_TEST(version(boxes, map, from, 0, no_apex, sweep, {0.5f, 0.75f}, times) == 0x0fu);
-    BOOST_TEST(times.from[0] == 0.5f);
-    BOOST_TEST(version(boxes, map, from, 0, no_apex, sweep, {0.75f, 1.0f}, times) == 0u);
+    const Sweep_test later = found({0.5f, 0.75f});
+    BOOST_TEST(later.near == 0x0fu);
+    BOOST_TEST(later.times.from[0] == 0.5f);
+    BOOST_TEST(found({0.75f, 1.0f}).near == 0u);
   }
 }
 
@@ -213,12 +244,12 @@ BOOST_AUTO_TEST_CASE(what_is_infinite_undefined_or_no_similarity_is_near_all_the
   Placing no_similarity = s.placing;
   no_similarity.b = Pose(sheared);
   const double bad[] = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()};
-  for (const auto version : near_versions()) {
+  for (Find* const find : find_versions()) {
     const auto is_near = [&](const Box_map& map, const Box_sweep& sweep) {
-      Near_times times;
-      const unsigned near = version(s.boxes, map, s.from, s.other, s.apex, sweep, {}, times);
-      bool all = near == 255u;
-      for (int k = 0; k < int(lanes); ++k) all = all && times.from[k] <= 0 && times.until[k] >= 1;
+      Sweep_test asked = test(s, map, sweep);
+      find(&asked, 1);
+      bool all = asked.near == 255u;
+      for (int k = 0; k < int(lanes); ++k) all = all && asked.times.from[k] <= 0 && asked.times.until[k] >= 1;
       return all;
     };
     BOOST_TEST(!is_near(s.placing.map(), s.sweep));

@@ -139,13 +139,15 @@ BOOST_AUTO_TEST_CASE(boxes_that_touch_at_some_time_may_meet_then)
       BOOST_TEST(span->m() == std::uint64_t(part));
       const Span_reference reference(*span);
       if (!reference.is_certifiable()) continue;
-      tetracone::kernel::Near_times times;
       const double share = tetracone::kernel::nearest_double(Rational(time * Rational(1L << halvings) - part));
       // Times at which the boxes touch are among those that are known.
       tetracone::kernel::Known_times known;
       if (round % 5 == 0) known = {float(share) - 0x1p-10f, float(share) + 0x1p-10f};
-      const bool is_near =
-          reference.near(of_node, node, other, others, tetracone::kernel::no_apex, known, times) >> lane & 1;
+      tetracone::kernel::Sweep_test test;
+      reference.ask(test, of_node, node, other, others, tetracone::kernel::no_apex, known);
+      tetracone::kernel::find_near(&test, 1);
+      const bool is_near = test.near >> lane & 1;
+      const tetracone::kernel::Near_times& times = test.times;
       if (away == 0) {
         BOOST_TEST(is_near, "round " << round);
         BOOST_TEST((double(times.from[lane]) <= share && share <= double(times.until[lane])), "round " << round);
