@@ -24,7 +24,7 @@ struct Motion_solver {
 
   std::shared_ptr<const Body_data> a, b;
   tetratree::Bvh8_motion motion;
-  bool began_in_contact = false;  // the last motion asked for
+  bool began_in_contact = true;  // the last motion asked for; before the first one what costs little is asked first
 };
 
 }  // namespace tetracone::detail
