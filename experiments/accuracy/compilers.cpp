@@ -101,8 +101,8 @@ std::vector<Csv_row> rows_of(const Compiled_probe& build, const std::filesystem:
         .add("version", TETRACONE_VERSION)
         .add("processor", processor());
   };
-  const std::string compile = build.compiler + " -std=c++20 -w " + build.flags +
-                              (build.with_adaptive ? " -DADAPTIVE" : "") +
+  const std::string compile = build.compiler + " -std=c++20 -w -Wfatal-errors -DCGAL_DO_NOT_USE_BOOST_MP " +
+                              build.flags + (build.with_adaptive ? " -DADAPTIVE" : "") +
                               " -frounding-math -I'" TETRACONE_INCLUDE_FOLDER "' " TETRACONE_INCLUDE_FLAGS
                               " '" TETRACONE_SOURCE_DIR "/experiments/accuracy/compiler_probe.cpp' -lgmp -lmpfr -o '" +
                               program.native() + "'";

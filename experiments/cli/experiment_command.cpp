@@ -37,7 +37,7 @@ namespace {
 
 struct Experiment_options {
   std::string name;
-  bool list = false, full = false;
+  bool list = false, full = false, rows_alone = false;
   Study_options study;
   std::uint64_t cases = 20;
   int race_frames = 400, size = 256, points = 20'000;
@@ -58,7 +58,7 @@ void study(Experiment_options options)
   }
   options.study.models = models(options);
   run_study(options.study);
-  draw("report.py", options.study.out);
+  if (!options.rows_alone) draw("report.py", options.study.out);
 }
 
 Race_options race(const Experiment_options& options)
@@ -242,6 +242,7 @@ void add_experiment_command(CLI::App& app)
                     "Twenty times as many poses or cases, motion fifty times; peers and scaling: larger objects; "
                     "ablation and paper: all poses; "
                     "stability: more ways");
+  command->add_flag("--rows-alone", options->rows_alone, "study: no report, which `tetracone report` draws too");
   command->footer(
       "Stopped and started again with the same words, it goes on where it was.\nExample: tetracone experiment study "
       "--out out");

@@ -1,4 +1,4 @@
-"""Figure 4, sign maps: what each arithmetic answers at 256 x 256 neighbouring doubles, in the manner of Kettner et al. 2008."""
+"""Figure 4, sign maps: what each arithmetic answers at a square of neighbouring doubles, in the manner of Kettner et al. 2008."""
 
 import os
 
@@ -49,6 +49,6 @@ def sections(page, study, campaign):
                        f"{sum(line[2] for line in lines):,} answers",
                        "build/tetracone experiment sign-maps --out out", seed="none: a grid of doubles")
     data = page.table("sign_maps", ["map", "subject", "asked", "wrong", "minus", "zero", "plus"], lines, source)
-    yield page.section("sign-maps", "Sign maps", "<p>One coordinate runs over 256 neighbouring doubles across, another up; each dot is one "
+    yield page.section("sign-maps", "Sign maps", f"<p>One coordinate runs over {len(rows[0]['answers'])} neighbouring doubles across, another up; each dot is one "
                        "answer. Blue: negative, or no; yellow: zero, or touching; orange: positive, or yes. Where a picture differs from "
                        "the last of its row, the arithmetic is wrong.</p>", page.figure("sign_maps", fig, source, data))

@@ -6,8 +6,10 @@ Every number in it is computed from these rows; nothing is written by hand. Any 
 usage: report.py OUT
 """
 
+import multiprocessing
 import os
 import sys
+from concurrent.futures import ProcessPoolExecutor
 
 import figures_failure
 import figures_motion
@@ -29,13 +31,30 @@ from report_style import set_style
 from study_data import Study
 
 
+MODULES = (figures_speed, figures_failure, figures_stability, figures_signs, figures_paper, figures_stages, figures_peers, tables_queries,
+           figures_scenes, figures_need, table_bounds, table_motion, figures_motion)
+
+
+def chart(page, study, campaign):
+    yield figures_speed.study_chart(page, study) if study else figures_speed.campaign_chart(page, campaign)
+
+
+def share(*data):
+    global shared
+    shared = data
+
+
+def made(sections):
+    return list(sections(*shared))
+
+
 def page_of(page, study, campaign):
-    chart = figures_speed.study_chart(page, study) if study else figures_speed.campaign_chart(page, campaign)
-    opening = (f'<p class="claim">{figures_speed.claim(study, campaign)}</p>{chart}<h2 id="verdicts">The verdict</h2>'
+    # Processes that are forked have the rows already: what is sent is a function's name and the sections' text.
+    with ProcessPoolExecutor(mp_context=multiprocessing.get_context("fork"), initializer=share, initargs=(page, study, campaign)) as pool:
+        (drawn,), *of_modules = pool.map(made, [chart, *(module.sections for module in MODULES)])
+    opening = (f'<p class="claim">{figures_speed.claim(study, campaign)}</p>{drawn}<h2 id="verdicts">The verdict</h2>'
                f"{figures_speed.verdicts(study, campaign)}{report_methods.KEY_OF_CHART}")
-    sections = [section for module in (figures_speed, figures_failure, figures_stability, figures_signs, figures_paper, figures_stages,
-                                       figures_peers, tables_queries, figures_scenes, figures_need, table_bounds, table_motion, figures_motion)
-                for section in module.sections(page, study, campaign)]
+    sections = [section for of_module in of_modules for section in of_module]
     sections += report_methods.sections(page, study, campaign)
     return report_methods.frame(opening, sections)
 

@@ -47,7 +47,7 @@ def label_points(axis, labels, obstacles):
     """Puts (x, y, text, colour) beside its point, where it covers neither another label nor one of the points `obstacles`.
     Call when the layout is final."""
     figure = axis.figure
-    figure.canvas.draw()
+    axis.get_xlim(), axis.get_ylim()  # brings the transform up to date, as drawing all would
     renderer, pixel = figure.canvas.get_renderer(), figure.dpi / 72
     taken = [Bbox.from_bounds(x - 3.5 * pixel, y - 3.5 * pixel, 7 * pixel, 7 * pixel)
              for x, y in (axis.transData.transform(p) for p in obstacles)]
@@ -82,7 +82,7 @@ def label_ends(axis, ends, gap=8.5):
     """Names the curves that end at (x, y) at the panel's right, one below the other, `gap` points apart at least.
     Call when the layout is final."""
     figure = axis.figure
-    figure.canvas.draw()
+    axis.get_xlim(), axis.get_ylim()  # brings the transform up to date, as drawing all would
     pixel = figure.dpi / 72
     frame = axis.get_window_extent(figure.canvas.get_renderer())
     placed = sorted(((axis.transData.transform((x, y)), text, colour) for x, y, text, colour in ends), key=lambda e: e[0][1])

@@ -38,10 +38,10 @@ std::size_t heap()
   return info.uordblks + info.hblkhd;
 }
 
-/// Numbers of poses, evenly spread over the course: `Race::cold_poses`, of a short course one in ten.
+/// Numbers of poses, evenly spread over the course: `Race::cold_poses`, of a short course one in twenty.
 std::vector<std::size_t> spread_poses(const Race_course& course)
 {
-  const std::size_t all = course.poses_b.size(), count = std::min({Race::cold_poses, all / 10 + 1, all});
+  const std::size_t all = course.poses_b.size(), count = std::min({Race::cold_poses, all / 20 + 1, all});
   std::vector<std::size_t> numbers;
   for (std::size_t k = 0; k < count; ++k) numbers.push_back((2 * k + 1) * all / (2 * count));
   return numbers;
@@ -101,7 +101,7 @@ Prepared_contestant prepare(const Contestant& contestant, const Race_course& cou
   const std::size_t before = heap();
   prepared.build.milliseconds = build(contestant.prepare);
   prepared.build.bytes = heap() - before + (prepared.pair ? prepared.pair->mapped_bytes() : 0);
-  constexpr double soon_milliseconds = 100;
+  constexpr double soon_milliseconds = 25;
   if (!prepared.pair || prepared.build.milliseconds > soon_milliseconds) return prepared;
   prepared.pair.reset();
   prepared.build.milliseconds = std::min(prepared.build.milliseconds, build(contestant.prepare));
