@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <numeric>
 #include <random>
 #include <string>
@@ -273,14 +274,13 @@ inline Polyhedron blob(Random& random, int divisions, double low, double high)
     triangles = finer;
   }
   Polyhedron result;
-  std::vector<Corner> corners;
+  std::map<Corner, Index> corners;
   for (const auto& triangle : triangles) {
     std::array<Index, 3> face;
     for (int i = 0; i < 3; ++i) {
-      const auto at = std::find(corners.begin(), corners.end(), triangle[i]);
-      face[i] = at - corners.begin();
-      if (at != corners.end()) continue;
-      corners.push_back(triangle[i]);
+      const auto [at, is_new] = corners.try_emplace(triangle[i], Index(corners.size()));
+      face[i] = at->second;
+      if (!is_new) continue;
       const auto& [x, y, z] = triangle[i];
       const double r = real(random, low, high) / std::sqrt(double(x) * x + double(y) * y + double(z) * z);
       result.vertices.push_back({r * x, r * y, r * z});
