@@ -288,7 +288,7 @@ class Motion_span {
   Motion_span() = default;
 
   template <std::size_t n>
-  static std::array<double, 2> range(const Vertex& axis, const std::array<Vertex, n>& points)
+  [[gnu::always_inline]] static std::array<double, 2> range(const Vertex& axis, const std::array<Vertex, n>& points)
   {
     std::array<double, 2> range = {dot(axis, points[0]), dot(axis, points[0])};
     for (std::size_t k = 1; k < n; ++k) {
@@ -305,7 +305,7 @@ class Motion_span {
     void lower(double share, double gap) { above = maximum(above, first + (last - first) * share - gap); }
 
     /// When it is not positive; all the time where that is not known.
-    Time_window at_most_0() const
+    [[gnu::always_inline]] Time_window at_most_0() const
     {
       const double from = first - above, to = last - above;
       if (from > 0 && to > 0) return {1, 0};
