@@ -37,7 +37,7 @@ std::vector<Contestant> contestants(std::size_t triangles, bool degenerate)
 void run_peers(const Race_options& options)
 {
   constexpr int passes = 200;
-  const double seconds = options.frames < 100 ? 0.05 : 0.3;
+  const double seconds = options.frames < 20 ? 0.05 : 0.3;
   constexpr int circles = 8;  // one alone meets A in few places, and which they are would decide the mean
   const auto objects = std::make_shared<Race_objects>(options.models);
   std::vector<Table_part> parts;
