@@ -129,8 +129,10 @@ Scene scene(Random& random, int kind, double away)
   // Half the way, any; what is left for the middle makes them meet, with a rest in any direction.
   const double of_rest = kind % 4 == 0 ? 0.1 * near : 0;
   const Vector course = length * vector(random), rest = of_rest * 0.999 * vector(random).normalized();
-  s.sweep.half = {{course[0], course[1], course[2]}, rows(random, turn * near), rows(random, turn * near)};
-  const Point_way::Rows of_q = rows(random, turn * near), of_p = rows(random, turn * near);
+  // The eight alone turn, at times: what the others lose would hide what they do.
+  const double others = kind % 4 == 2 ? 0 : turn;
+  s.sweep.half = {{course[0], course[1], course[2]}, rows(random, others * near), rows(random, turn * near)};
+  const Point_way::Rows of_q = rows(random, others * near), of_p = rows(random, others * near);
   s.sweep.rest = of_rest;
   const rationals::Vector image = s.placing.image(q), swept = way(s.sweep.half, p, q),
                           bent = way(Point_way({0, 0, 0}, of_q, of_p), p, q);
