@@ -43,11 +43,17 @@ PLACES = ((1, 0, "left", "center"), (-1, 0, "right", "center"), (0, 1, "center",
           (.3, -1, "left", "top"), (-.3, -1, "right", "top"))
 
 
+def bring_up_to_date(axis):
+    """The axis's transform, as drawing its whole figure would."""
+    axis.get_xlim()
+    axis.get_ylim()
+
+
 def label_points(axis, labels, obstacles):
     """Puts (x, y, text, colour) beside its point, where it covers neither another label nor one of the points `obstacles`.
     Call when the layout is final."""
     figure = axis.figure
-    axis.get_xlim(), axis.get_ylim()  # brings the transform up to date, as drawing all would
+    bring_up_to_date(axis)
     renderer, pixel = figure.canvas.get_renderer(), figure.dpi / 72
     taken = [Bbox.from_bounds(x - 3.5 * pixel, y - 3.5 * pixel, 7 * pixel, 7 * pixel)
              for x, y in (axis.transData.transform(p) for p in obstacles)]
@@ -82,7 +88,7 @@ def label_ends(axis, ends, gap=8.5):
     """Names the curves that end at (x, y) at the panel's right, one below the other, `gap` points apart at least.
     Call when the layout is final."""
     figure = axis.figure
-    axis.get_xlim(), axis.get_ylim()  # brings the transform up to date, as drawing all would
+    bring_up_to_date(axis)
     pixel = figure.dpi / 72
     frame = axis.get_window_extent(figure.canvas.get_renderer())
     placed = sorted(((axis.transData.transform((x, y)), text, colour) for x, y, text, colour in ends), key=lambda e: e[0][1])
