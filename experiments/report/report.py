@@ -8,8 +8,9 @@ usage: report.py OUT
 
 import multiprocessing
 import os
+import pickle
 import sys
-from concurrent.futures import ProcessPoolExecutor
+import tempfile
 
 import figures_failure
 import figures_motion
@@ -39,19 +40,39 @@ def chart(page, study, campaign):
     yield figures_speed.study_chart(page, study) if study else figures_speed.campaign_chart(page, campaign)
 
 
-def share(*data):
-    global shared
-    shared = data
+def in_processes(tasks):
+    """What each of these functions returns, by as many processes as there are processors. Forked, they have the rows already; a result's file says that it is
+    taken. No thread waits for them: whatever ends one of them ends the whole."""
+    with tempfile.TemporaryDirectory() as folder:
+        files = [os.path.join(folder, str(number)) for number in range(len(tasks))]
 
+        def work():
+            for task, path in zip(tasks, files):
+                try:
+                    file = open(path, "xb")
+                except FileExistsError:
+                    continue
+                with file:
+                    pickle.dump(task(), file)
 
-def made(sections):
-    return list(sections(*shared))
+        workers = [multiprocessing.get_context("fork").Process(target=work) for _ in range(os.cpu_count())]
+        for worker in workers:
+            worker.start()
+        for worker in workers:
+            worker.join()
+        for worker in workers:
+            if worker.exitcode:  # its own error is told; what is killed has told nothing
+                sys.exit(1 if worker.exitcode > 0 else f"a process that drew was ended by signal {-worker.exitcode}")
+        results = []
+        for path in files:
+            with open(path, "rb") as file:
+                results.append(pickle.load(file))
+        return results
 
 
 def page_of(page, study, campaign):
-    # Processes that are forked have the rows already: what is sent is a function's name and the sections' text.
-    with ProcessPoolExecutor(mp_context=multiprocessing.get_context("fork"), initializer=share, initargs=(page, study, campaign)) as pool:
-        (drawn,), *of_modules = pool.map(made, [chart, *(module.sections for module in MODULES)])
+    (drawn,), *of_modules = in_processes([lambda sections=sections: list(sections(page, study, campaign))
+                                          for sections in (chart, *(module.sections for module in MODULES))])
     opening = (f'<p class="claim">{figures_speed.claim(study, campaign)}</p>{drawn}<h2 id="verdicts">The verdict</h2>'
                f"{figures_speed.verdicts(study, campaign)}{report_methods.KEY_OF_CHART}")
     sections = [section for of_module in of_modules for section in of_module]
