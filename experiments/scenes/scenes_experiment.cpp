@@ -128,7 +128,7 @@ bool is_judged(std::uint32_t lesser_body, std::size_t bodies) { return bodies <=
 Pairs truth(const std::vector<verify::Brute_body>& models, const Scene_workload& work, const std::vector<Pose>& poses)
 {
   std::vector<std::optional<verify::Placed_body>> placed(poses.size());
-  std::vector<verify::detail::Box> boxes;
+  std::vector<CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t>> boxes;
   for (std::size_t k = 0; k < poses.size(); ++k) {
     placed[k].emplace(models[work.model_of[k]], poses[k]);
     boxes.emplace_back(placed[k]->whole_box(), k);

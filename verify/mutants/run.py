@@ -73,7 +73,7 @@ def probe(folder, cases, options, test, build, units=()):
     """What the probe, or the test if it is not None, says of the headers in `folder`: "killed: ...", "survived" or "does not compile: ..."."""
     program = folder / "probe"
     # What is no header is the built one, but for the units: what is defined first counts.
-    libraries = [str(build / "libtetracone_repair.a"), str(build / "libtetracone.a")]
+    libraries = [str(build / name) for name in ("libtruths.a", "libtetracone_repair.a", "libtetracone.a")]
     sources = [str(folder / "tetracone" / unit) for unit in units] + (["-Wl,--allow-multiple-definition"] if units else [])
     source, more = (test, [f"-I{SOURCE}", f'-DTETRACONE_SOURCE_DIR="{SOURCE}"', *sources, *libraries, *TEST]) if test else (HERE / "probe.cpp", [])
     built = subprocess.run([compiler(), *COMPILE, *options, f"-I{folder}", str(source), *more, *LINK, "-o", str(program)],

@@ -3,11 +3,6 @@
 
 #include "verify/truth/brute_body.h"
 
-#include <CGAL/intersections.h>
-
-#include <algorithm>
-#include <map>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -19,73 +14,12 @@ namespace tetracone::verify {
 class Ray_truth {
  public:
   /// Throws as `Brute_body`.
-  explicit Ray_truth(const covering::Polyhedron& polyhedron)
-  {
-    for (Index f = 0; f < polyhedron.face_count(); ++f) {
-      covering::Polyhedron face;
-      std::map<Index, Index> number;
-      std::vector<std::vector<Index>> loops;
-      for (std::size_t k = 0; k < polyhedron.loop_count(f); ++k) {
-        loops.emplace_back();
-        for (const Index v : polyhedron.loop(f, k)) {
-          const auto [at, is_new] = number.try_emplace(v, Index(face.vertices.size()));
-          if (is_new) face.vertices.push_back(polyhedron.vertices[v]);
-          loops.back().push_back(at->second);
-        }
-      }
-      face.add_face(loops);
-      faces_.emplace_back(face);
-    }
-  }
+  explicit Ray_truth(const covering::Polyhedron& polyhedron);
 
   /// The least t >= 0 for each face that o + t d meets, with the face, in order.
-  std::vector<std::pair<kernel::Rational, Index>> operator()(const kernel::Vertex& o, const kernel::Vertex& d) const
-  {
-    const Exact::Point_3 origin(o[0], o[1], o[2]);
-    const Exact::Vector_3 direction(d[0], d[1], d[2]);
-    const Exact::Line_3 line(origin, direction);
-    std::vector<std::pair<kernel::Rational, Index>> met;
-    for (Index f = 0; f < faces_.size(); ++f) {
-      std::optional<kernel::Rational> least;
-      for (const Element& element : faces_[f].elements()) {
-        std::vector<kernel::Rational> ends;
-        meet(line, faces_[f], element, [&](const Exact::Point_3& p) {
-          ends.push_back(kernel::Rational((p - origin) * direction) / kernel::Rational(direction.squared_length()));
-        });
-        std::sort(ends.begin(), ends.end());
-        if (ends.empty() || ends.back() < 0) continue;
-        const kernel::Rational t = ends.front() < 0 ? kernel::Rational(0) : ends.front();
-        if (!least || t < *least) least = t;
-      }
-      if (least) met.emplace_back(*least, f);
-    }
-    std::sort(met.begin(), met.end());
-    return met;
-  }
+  std::vector<std::pair<kernel::Rational, Index>> operator()(const kernel::Vertex& o, const kernel::Vertex& d) const;
 
  private:
-  /// Calls see(p) for the ends of what the line and the element share.
-  template <class See>
-  static void meet(const Exact::Line_3& line, const Brute_body& face, const Element& element, const See& see)
-  {
-    const auto corner = [&](int k) -> const Exact::Point_3& { return face.points()[element.corners[k]]; };
-    const auto see_all = [&](const auto& shared) {
-      if (!shared) return;
-      if (const auto* p = boost::get<Exact::Point_3>(&*shared)) see(*p);
-      if (const auto* s = boost::get<Exact::Segment_3>(&*shared)) {
-        see(s->source());
-        see(s->target());
-      }
-    };
-    switch (element.dimension) {
-      case 0:
-        if (line.has_on(corner(0))) see(corner(0));
-        break;
-      case 1: see_all(CGAL::intersection(line, Exact::Segment_3(corner(0), corner(1)))); break;
-      default: see_all(CGAL::intersection(line, Exact::Triangle_3(corner(0), corner(1), corner(2))));
-    }
-  }
-
   std::vector<Brute_body> faces_;
 };
 
