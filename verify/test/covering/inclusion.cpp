@@ -1,5 +1,6 @@
 #include "tetracone/covering/inclusion.h"
 
+#include "verify/test/support/kernel_test_case.h"
 #include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 
@@ -53,7 +54,7 @@ std::vector<Vertex> hard_points(const Polyhedron& body, const Vertex& origin, Ra
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(voxel_solids_hold_the_points_that_their_cells_hold, K, Exact_signs)
+KERNEL_TEST_CASE(voxel_solids_hold_the_points_that_their_cells_hold, K, Exact_signs)
 {
   Random random(1);
   const int solids = std::is_same_v<K, Rational_kernel> ? 1 : 4;
@@ -71,7 +72,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(voxel_solids_hold_the_points_that_their_cells_hold
   }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(every_kind_of_body_locates_points_where_its_covering_is_degenerate, K, Exact_signs)
+KERNEL_TEST_CASE(every_kind_of_body_locates_points_where_its_covering_is_degenerate, K, Exact_signs)
 {
   Random random(2);
   std::set<Location> seen;
@@ -93,7 +94,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(every_kind_of_body_locates_points_where_its_coveri
   BOOST_TEST(seen.size() == 3u);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(winding_numbers_are_those_of_a_ray_and_turn_their_sign_with_the_pose, K, Exact_motions)
+KERNEL_TEST_CASE(winding_numbers_are_those_of_a_ray_and_turn_their_sign_with_the_pose, K, Exact_motions)
 {
   Random random(3);
   std::set<int> seen;
@@ -130,7 +131,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(winding_numbers_are_those_of_a_ray_and_turn_their_
   BOOST_TEST(seen.contains(2));
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(orders_of_vertices_and_faces_and_powers_of_two_change_no_location, K, Exact_signs)
+KERNEL_TEST_CASE(orders_of_vertices_and_faces_and_powers_of_two_change_no_location, K, Exact_signs)
 {
   Random random(4);
   const scenes::Voxels voxels(random, 2, 0.5);
@@ -150,7 +151,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(orders_of_vertices_and_faces_and_powers_of_two_cha
   }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(a_tetrahedron_of_the_covering_holds_a_point_with_its_own_sign, K, Exact_motions)
+KERNEL_TEST_CASE(a_tetrahedron_of_the_covering_holds_a_point_with_its_own_sign, K, Exact_motions)
 {
   const auto at = [](double x, double y, double z) { return point<K>({x, y, z}); };
   const auto o = at(0, 0, 0), x = at(4, 0, 0), y = at(0, 4, 0), z = at(0, 0, 4);

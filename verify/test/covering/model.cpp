@@ -1,5 +1,6 @@
 #include "tetracone/covering/model.h"
 
+#include "verify/test/support/kernel_test_case.h"
 #include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 
@@ -32,7 +33,7 @@ rationals::Vector exactly(const Point<K>& p)
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(a_model_has_the_vertices_as_points_and_its_origin_in_its_lattice, K, Vertex_kernels)
+KERNEL_TEST_CASE(a_model_has_the_vertices_as_points_and_its_origin_in_its_lattice, K, Vertex_kernels)
 {
   for (const auto& [name, body] : scenes::closed_bodies()) {
     BOOST_TEST_CONTEXT(name)
@@ -47,7 +48,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_model_has_the_vertices_as_points_and_its_origin_
   }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(placed_points_are_the_exact_images_pose_after_pose, K, Exact_motions)
+KERNEL_TEST_CASE(placed_points_are_the_exact_images_pose_after_pose, K, Exact_motions)
 {
   scenes::Random random(1);
   const Polyhedron body = scenes::cube_with_tunnel();
@@ -71,7 +72,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(placed_points_are_the_exact_images_pose_after_pose
   }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(a_point_not_asked_for_at_one_pose_is_placed_at_the_next, K, Exact_motions)
+KERNEL_TEST_CASE(a_point_not_asked_for_at_one_pose_is_placed_at_the_next, K, Exact_motions)
 {
   const Model<K> model(scenes::unit_cube());
   Placed_model<K> placed(model);
@@ -83,7 +84,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_point_not_asked_for_at_one_pose_is_placed_at_the
   BOOST_TEST((exactly<K>(placed.point(7)) == rationals::Vector{6, 1, 1}));
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(a_placed_face_shows_the_loops_of_its_face_at_the_pose, K, Exact_motions)
+KERNEL_TEST_CASE(a_placed_face_shows_the_loops_of_its_face_at_the_pose, K, Exact_motions)
 {
   scenes::Random random(2);
   for (const auto& [name, body] : scenes::closed_bodies()) {
@@ -115,7 +116,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_placed_face_shows_the_loops_of_its_face_at_the_p
   }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(a_segment_of_one_point_meets_a_face_exactly_where_the_point_is_on_it, K, Exact_motions)
+KERNEL_TEST_CASE(a_segment_of_one_point_meets_a_face_exactly_where_the_point_is_on_it, K, Exact_motions)
 {
   scenes::Random random(3);
   for (const auto& [name, body] : scenes::closed_bodies()) {

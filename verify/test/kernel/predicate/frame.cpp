@@ -1,5 +1,7 @@
 #include "tetracone/kernel/predicate/frame.h"
 
+#include "verify/test/support/kernel_test_case.h"
+
 #include <boost/test/unit_test.hpp>
 
 #include <array>
@@ -76,7 +78,7 @@ class Random_motion {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(a_vertex_is_taken_exactly, K, Wide_kernels)
+KERNEL_TEST_CASE(a_vertex_is_taken_exactly, K, Wide_kernels)
 {
   for (const Vertex& v : {Vertex{0.1, -1.0 / 3, 0x1p-1074}, Vertex{1e300, -0.0, 0x1p-1022}}) {
     const auto image = exactly<K>(point<K>(v));
@@ -92,7 +94,7 @@ BOOST_AUTO_TEST_CASE(float_takes_the_nearest_float_of_a_vertex)
   BOOST_TEST(p.z() == -1.0f / 3);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(the_identity_returns_every_point_unchanged, K, Kernels)
+KERNEL_TEST_CASE(the_identity_returns_every_point_unchanged, K, Kernels)
 {
   const Pose pose;
   const Frame<K> frame(pose);
@@ -103,7 +105,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(the_identity_returns_every_point_unchanged, K, Ker
   BOOST_TEST(!Frame<K>(Pose(std::array<double, 12>{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1})).is_identity());
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(integer_poses_are_exact_in_every_kernel, K, Kernels)
+KERNEL_TEST_CASE(integer_poses_are_exact_in_every_kernel, K, Kernels)
 {
   Random_motion random(1);
   for (int n = 0; n < 500; ++n) {
@@ -113,7 +115,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(integer_poses_are_exact_in_every_kernel, K, Kernel
   }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(exact_motion_decides_by_the_exact_image, K, Exact_motions)
+KERNEL_TEST_CASE(exact_motion_decides_by_the_exact_image, K, Exact_motions)
 {
   Random_motion random(2);
   for (int n = 0; n < 600; ++n) {
@@ -138,7 +140,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(exact_motion_decides_by_the_exact_image, K, Exact_
   }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(rounded_motion_is_the_double_expression, K, Rounded_motions)
+KERNEL_TEST_CASE(rounded_motion_is_the_double_expression, K, Rounded_motions)
 {
   Random_motion random(3);
   int inexact = 0;

@@ -1,6 +1,7 @@
 #include "tetracone/kernel/predicate/segment.h"
 
 #include "tetracone/kernel/predicate/frame.h"
+#include "verify/test/support/kernel_test_case.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -131,7 +132,7 @@ class Samples {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(a_point_of_the_line_is_located_on_the_segment, K, Kernels)
+KERNEL_TEST_CASE(a_point_of_the_line_is_located_on_the_segment, K, Kernels)
 {
   int wrong = 0;
   for (const Grid_point& d : {Grid_point{1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0, 1, -2}, {-1, 2, 1}})
@@ -148,7 +149,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_point_of_the_line_is_located_on_the_segment, K, 
   BOOST_TEST(wrong == 0);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(each_kind_by_hand, K, Kernels)
+KERNEL_TEST_CASE(each_kind_by_hand, K, Kernels)
 {
   const auto is = [](Contact expected, const Grid_point& p, const Grid_point& q, const Grid_point& a,
                      const Grid_point& b) {
@@ -174,7 +175,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(each_kind_by_hand, K, Kernels)
   is(Contact::none, {0, 0, 1}, {0, 0, 1}, {-1, 0, 0}, {1, 0, 0});    // off its line
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(all_segments_of_a_small_grid_meet_as_the_reference_says, K, Kernels)
+KERNEL_TEST_CASE(all_segments_of_a_small_grid_meet_as_the_reference_says, K, Kernels)
 {
   // Every quadruple of the 3x3 grid, flat and in an oblique plane.
   std::map<Contact, int> seen;
@@ -211,7 +212,7 @@ BOOST_AUTO_TEST_CASE(a_million_random_segments_meet_as_the_reference_says)
   }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(no_order_of_ends_or_segments_changes_the_kind, K, Kernels)
+KERNEL_TEST_CASE(no_order_of_ends_or_segments_changes_the_kind, K, Kernels)
 {
   Samples samples(2);
   int wrong = 0;
@@ -227,7 +228,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(no_order_of_ends_or_segments_changes_the_kind, K, 
   BOOST_TEST(wrong == 0);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(a_rotation_of_fractions_changes_no_kind, K, Exact_motions)
+KERNEL_TEST_CASE(a_rotation_of_fractions_changes_no_kind, K, Exact_motions)
 {
   // Both under one rigid motion: first as one frame, then as two that are equal, so that no shortcut of one frame
   // applies.

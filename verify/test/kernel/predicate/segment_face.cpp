@@ -1,6 +1,7 @@
 #include "tetracone/kernel/predicate/segment_face.h"
 
 #include "tetracone/kernel/predicate/frame.h"
+#include "verify/test/support/kernel_test_case.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -472,7 +473,7 @@ class Face_samples {
 
 // --- triangles -------------------------------------------------------------------------------------------------------
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(each_kind_of_a_triangle_by_hand, K, Kernels)
+KERNEL_TEST_CASE(each_kind_of_a_triangle_by_hand, K, Kernels)
 {
   const Corners t = {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
   const auto is = [](Contact expected, const Grid_point& p, const Grid_point& q, const Corners& abc) {
@@ -538,7 +539,7 @@ BOOST_AUTO_TEST_CASE(a_million_segments_meet_triangles_as_the_reference_says)
   BOOST_TEST(points > 10'000);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(no_order_of_corners_or_ends_changes_the_kind, K, Kernels)
+KERNEL_TEST_CASE(no_order_of_corners_or_ends_changes_the_kind, K, Kernels)
 {
   Random random(2);
   Judge judge;
@@ -554,7 +555,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(no_order_of_corners_or_ends_changes_the_kind, K, K
   BOOST_TEST(judge.wrong() == 0);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(a_triangle_and_the_face_that_it_is_meet_alike, K, Kernels)
+KERNEL_TEST_CASE(a_triangle_and_the_face_that_it_is_meet_alike, K, Kernels)
 {
   Random random(3);
   Judge judge;
@@ -569,7 +570,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_triangle_and_the_face_that_it_is_meet_alike, K, 
 
 // --- faces -----------------------------------------------------------------------------------------------------------
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(each_kind_of_a_face_with_a_hole_by_hand, K, Kernels)
+KERNEL_TEST_CASE(each_kind_of_a_face_with_a_hole_by_hand, K, Kernels)
 {
   const Loops frame = {{{-3, -3, 0}, {3, -3, 0}, {3, 3, 0}, {-3, 3, 0}},
                        {{-1, -1, 0}, {-1, 1, 0}, {1, 1, 0}, {1, -1, 0}}};
@@ -624,7 +625,7 @@ BOOST_AUTO_TEST_CASE(random_faces_meet_segments_as_the_reference_says)
   BOOST_TEST_MESSAGE(crossings << " crossings of loops met inside a coplanar segment");
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(every_kernel_meets_random_faces_alike, K, Kernels)
+KERNEL_TEST_CASE(every_kernel_meets_random_faces_alike, K, Kernels)
 {
   Face_samples samples(6);
   Random random(7);
@@ -637,7 +638,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(every_kernel_meets_random_faces_alike, K, Kernels)
   BOOST_TEST(judge.wrong() == 0);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(ends_loops_their_start_turn_and_origin_are_free, K, Kernels)
+KERNEL_TEST_CASE(ends_loops_their_start_turn_and_origin_are_free, K, Kernels)
 {
   Face_samples samples(8);
   Random random(9);
@@ -663,7 +664,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(ends_loops_their_start_turn_and_origin_are_free, K
   BOOST_TEST(judge.wrong() == 0);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(a_rotation_of_fractions_changes_no_kind, K, Exact_motions)
+KERNEL_TEST_CASE(a_rotation_of_fractions_changes_no_kind, K, Exact_motions)
 {
   const std::array<Rational, 3> t = {Rational(1) / 3, 5, Rational(-2) / 7};
   const Pose one = Pose::from_quaternion(3, -1, 2, 1, t), other = Pose::from_quaternion(3, -1, 2, 1, t);

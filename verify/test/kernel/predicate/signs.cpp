@@ -1,6 +1,7 @@
 #include "tetracone/kernel/predicate/signs.h"
 
 #include "tetracone/kernel/predicate/frame.h"
+#include "verify/test/support/kernel_test_case.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -74,7 +75,7 @@ int area_by_shoelace(const Grid_point& a, const Grid_point& b, const Grid_point&
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(a_unit_corner_is_positive, K, Kernels)
+KERNEL_TEST_CASE(a_unit_corner_is_positive, K, Kernels)
 {
   const auto o = on_grid<K>({0, 0, 0}), x = on_grid<K>({1, 0, 0}), y = on_grid<K>({0, 1, 0}), z = on_grid<K>({0, 0, 1});
   BOOST_TEST(volume_sign<K>(o, x, y, z) == POSITIVE);
@@ -86,7 +87,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_unit_corner_is_positive, K, Kernels)
   BOOST_TEST(difference_sign<K>(x, y, 2) == ZERO);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(volume_sign_is_that_of_the_integer_determinant_in_every_order, K, Kernels)
+KERNEL_TEST_CASE(volume_sign_is_that_of_the_integer_determinant_in_every_order, K, Kernels)
 {
   Grid grid(1);
   std::array<int, 3> seen{};
@@ -106,7 +107,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(volume_sign_is_that_of_the_integer_determinant_in_
   for (const int count : seen) BOOST_TEST(count > 50);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(normal_sign_is_that_of_the_projected_area_in_every_order, K, Kernels)
+KERNEL_TEST_CASE(normal_sign_is_that_of_the_projected_area_in_every_order, K, Kernels)
 {
   Grid grid(2, 2);
   int wrong = 0, zeros = 0;
@@ -125,7 +126,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(normal_sign_is_that_of_the_projected_area_in_every
   BOOST_TEST(zeros > 100);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(difference_sign_orders_coordinates_and_coincide_asks_all_three, K, Kernels)
+KERNEL_TEST_CASE(difference_sign_orders_coordinates_and_coincide_asks_all_three, K, Kernels)
 {
   Grid grid(3, 1);
   int wrong = 0, equal = 0;
@@ -143,7 +144,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(difference_sign_orders_coordinates_and_coincide_as
   BOOST_TEST(equal > 100);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(powers_of_two_change_no_sign, K, Kernels)
+KERNEL_TEST_CASE(powers_of_two_change_no_sign, K, Kernels)
 {
   Grid grid(4);
   // Single precision has fewer exponents; the determinant takes three times the scale's.
@@ -162,7 +163,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(powers_of_two_change_no_sign, K, Kernels)
   BOOST_TEST(wrong == 0);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(a_pose_multiplies_the_volume_sign_by_that_of_its_determinant, K, Kernels)
+KERNEL_TEST_CASE(a_pose_multiplies_the_volume_sign_by_that_of_its_determinant, K, Kernels)
 {
   Grid grid(5), entries(6, 2);
   int wrong = 0;
@@ -186,7 +187,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_pose_multiplies_the_volume_sign_by_that_of_its_d
   for (const int count : seen) BOOST_TEST(count > 100);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(two_equal_points_make_every_sign_zero, K, Kernels)
+KERNEL_TEST_CASE(two_equal_points_make_every_sign_zero, K, Kernels)
 {
   Grid grid(7);
   int wrong = 0;
@@ -203,7 +204,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(two_equal_points_make_every_sign_zero, K, Kernels)
   BOOST_TEST(wrong == 0);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(projection_axis_is_the_first_that_keeps_the_plane, K, Kernels)
+KERNEL_TEST_CASE(projection_axis_is_the_first_that_keeps_the_plane, K, Kernels)
 {
   Grid grid(8, 1);
   int wrong = 0, collinear = 0;
@@ -219,7 +220,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(projection_axis_is_the_first_that_keeps_the_plane,
   BOOST_TEST(collinear > 100);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(perturbed_side_is_the_side_of_the_point_really_moved, K, Kernels)
+KERNEL_TEST_CASE(perturbed_side_is_the_side_of_the_point_really_moved, K, Kernels)
 {
   // Small enough: the volume is an integer, the normal's components are integers of at most 72.
   const Rational e = Rational(1) / Rational(1 << 20);
@@ -241,7 +242,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(perturbed_side_is_the_side_of_the_point_really_mov
   BOOST_TEST(moved > 100);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(exact_kernels_agree_with_rationals_within_an_ulp_of_a_plane, K, Exact_kernels)
+KERNEL_TEST_CASE(exact_kernels_agree_with_rationals_within_an_ulp_of_a_plane, K, Exact_kernels)
 {
   using R = Rational_kernel;
   std::mt19937 random(10);

@@ -1,6 +1,7 @@
 #include "tetracone/kernel/predicate/tetrahedron.h"
 
 #include "tetracone/kernel/predicate/frame.h"
+#include "verify/test/support/kernel_test_case.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -95,7 +96,7 @@ class Random_points {
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(each_element_of_a_corner_is_named, K, Kernels)
+KERNEL_TEST_CASE(each_element_of_a_corner_is_named, K, Kernels)
 {
   const Corners corner = {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}}};
   const auto feature = [&](const Grid_point& p) { return signs_of<K>(p, corner).feature(); };
@@ -111,7 +112,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(each_element_of_a_corner_is_named, K, Kernels)
   BOOST_TEST((feature({-1, 0, 0}) == In_tetrahedron::outside));
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(coordinates_and_feature_are_those_of_the_integers, K, Kernels)
+KERNEL_TEST_CASE(coordinates_and_feature_are_those_of_the_integers, K, Kernels)
 {
   Random_points random(1);
   std::array<int, 6> seen{};
@@ -131,7 +132,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(coordinates_and_feature_are_those_of_the_integers,
   for (const int count : seen) BOOST_TEST(count > 20);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(the_order_of_the_corners_permutes_the_coordinates_and_keeps_the_feature, K, Kernels)
+KERNEL_TEST_CASE(the_order_of_the_corners_permutes_the_coordinates_and_keeps_the_feature, K, Kernels)
 {
   Random_points random(2);
   int wrong = 0;
@@ -149,7 +150,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(the_order_of_the_corners_permutes_the_coordinates_
   BOOST_TEST(wrong == 0);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(the_tetra_cone_is_closed_and_open_at_its_far_end, K, Kernels)
+KERNEL_TEST_CASE(the_tetra_cone_is_closed_and_open_at_its_far_end, K, Kernels)
 {
   Random_points random(3);
   int wrong = 0, inside = 0, outside = 0, beyond = 0;

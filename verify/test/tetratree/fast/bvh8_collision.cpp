@@ -3,6 +3,7 @@
 #include "tetracone/covering/repair/repair.h"
 #include "tetracone/tetratree/paper/collision.h"
 #include "verify/test/support/keep_environment.h"
+#include "verify/test/support/kernel_test_case.h"
 #include "verify/test/support/scenes.h"
 #include "verify/truth/cgal_truth.h"
 
@@ -100,7 +101,7 @@ BOOST_AUTO_TEST_CASE(answers_are_those_of_all_pairs)
   BOOST_TEST(no > 500);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(leaves_are_decided_by_any_kernel, K, Kernels)
+KERNEL_TEST_CASE(leaves_are_decided_by_any_kernel, K, Kernels)
 {
   const auto all = bodies();
   constexpr bool is_exact = tetracone::kernel::Kernel_traits<K>::exact_motion;

@@ -1,5 +1,6 @@
 #include "tetracone/tetratree/paper/classification.h"
 
+#include "verify/test/support/kernel_test_case.h"
 #include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 
@@ -91,8 +92,7 @@ std::array<Vertex, 3> hard_triangle(Random& random, const Tetra_cone& cone)
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(a_tetrahedron_that_is_not_flat_is_classified_exactly_where_its_triangle_meets_the_cone, K,
-                              Exact_signs)
+KERNEL_TEST_CASE(a_tetrahedron_that_is_not_flat_is_classified_exactly_where_its_triangle_meets_the_cone, K, Exact_signs)
 {
   Random random(1);
   std::map<Classified, int> seen;
@@ -119,8 +119,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_tetrahedron_that_is_not_flat_is_classified_exact
     BOOST_TEST(seen[kind] > samples / 200);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(real_triangles_and_models_far_from_the_coordinate_origin_are_classified_exactly, K,
-                              Exact_signs)
+KERNEL_TEST_CASE(real_triangles_and_models_far_from_the_coordinate_origin_are_classified_exactly, K, Exact_signs)
 {
   Random random(2);
   int wrong = 0, met = 0;

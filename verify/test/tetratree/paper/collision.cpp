@@ -1,5 +1,6 @@
 #include "tetracone/tetratree/paper/collision.h"
 
+#include "verify/test/support/kernel_test_case.h"
 #include "verify/test/support/scenes.h"
 #include "verify/truth/cgal_truth.h"
 
@@ -298,12 +299,12 @@ BOOST_AUTO_TEST_CASE(the_cases_hold_answers_of_both_kinds_and_contacts_of_all_ki
     if (c.name == "rigid") BOOST_TEST(c.surface);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(exact_kernels_are_right_on_cubes_that_touch_under_a_hundred_rotations, K, Exact_kernels)
+KERNEL_TEST_CASE(exact_kernels_are_right_on_cubes_that_touch_under_a_hundred_rotations, K, Exact_kernels)
 {
   check_all<K>(touching_cubes(), 23, 11);  // features of fractions are slow
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(exact_kernels_are_right_on_every_kind_of_contact, K, Exact_kernels)
+KERNEL_TEST_CASE(exact_kernels_are_right_on_every_kind_of_contact, K, Exact_kernels)
 {
   check_all<K>(grid_bodies(), stride_of<K>, 12);
 }
@@ -313,12 +314,12 @@ BOOST_AUTO_TEST_CASE(exact_predicates_are_right_on_every_kind_of_contact_where_n
   check_all<Epick>(grid_bodies(), 3, 13);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(exact_kernels_are_right_under_poses_of_every_kind, K, Exact_kernels)
+KERNEL_TEST_CASE(exact_kernels_are_right_under_poses_of_every_kind, K, Exact_kernels)
 {
   check_all<K>(placed_bodies(), std::is_same_v<K, Rational_kernel> ? 43 : 23, 14);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(exact_kernels_are_right_on_meshes, K, Exact_kernels)
+KERNEL_TEST_CASE(exact_kernels_are_right_on_meshes, K, Exact_kernels)
 {
   check_all<K>(meshes(), stride_of<K> * 2 - 1, 15);
 }

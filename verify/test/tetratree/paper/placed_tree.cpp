@@ -1,5 +1,6 @@
 #include "tetracone/tetratree/paper/placed_tree.h"
 
+#include "verify/test/support/kernel_test_case.h"
 #include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 
@@ -45,8 +46,7 @@ std::vector<Pose> poses(Random& random)
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(a_solid_contains_a_point_off_its_surface_where_its_winding_number_is_not_zero, K,
-                              Exact_motions)
+KERNEL_TEST_CASE(a_solid_contains_a_point_off_its_surface_where_its_winding_number_is_not_zero, K, Exact_motions)
 {
   Random random(1);
   int n = 0;

@@ -1,5 +1,6 @@
 #include "tetracone/tetratree/paper/tetra_tree.h"
 
+#include "verify/test/support/kernel_test_case.h"
 #include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 
@@ -65,7 +66,7 @@ bool is_in_cone(const Tetra_cone& cone, const Vector& from_origin)
 
 }  // namespace
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(leaves_hold_every_tetrahedron_edge_and_face, K, Exact_signs)
+KERNEL_TEST_CASE(leaves_hold_every_tetrahedron_edge_and_face, K, Exact_signs)
 {
   Random random(1);
   for (const auto& [name, body] : bodies()) {
@@ -100,7 +101,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(leaves_hold_every_tetrahedron_edge_and_face, K, Ex
   }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(nodes_are_cones_in_their_parents_cone_and_depth_and_leaf_size_are_kept, K, Exact_signs)
+KERNEL_TEST_CASE(nodes_are_cones_in_their_parents_cone_and_depth_and_leaf_size_are_kept, K, Exact_signs)
 {
   Random random(2);
   for (const auto& [name, body] : bodies()) {
@@ -142,8 +143,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(nodes_are_cones_in_their_parents_cone_and_depth_an
   }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(
-    every_point_of_the_surface_is_in_a_leaf_that_holds_its_triangle_and_in_all_bounds_on_the_way, K, Exact_signs)
+KERNEL_TEST_CASE(every_point_of_the_surface_is_in_a_leaf_that_holds_its_triangle_and_in_all_bounds_on_the_way, K,
+                 Exact_signs)
 {
   Random random(3);
   for (const auto& [name, body] : bodies()) {
@@ -296,7 +297,7 @@ BOOST_AUTO_TEST_CASE(trees_of_huge_tiny_and_denormal_models_hold_everything)
 }
 
 using Rounding = std::tuple<Double, Float, Tolerant>;
-BOOST_AUTO_TEST_CASE_TEMPLATE(trees_of_rounding_kernels_hold_every_face, K, Rounding)
+KERNEL_TEST_CASE(trees_of_rounding_kernels_hold_every_face, K, Rounding)
 {
   Random random(8);
   for (const auto& [name, body] : bodies()) {
