@@ -2,12 +2,12 @@
 // refuses at run time.
 #include "tetracone/kernel/number/floating_point.h"
 
-#include <iostream>
+#include <cstdio>
 
 int main()
 try {
   tetracone::kernel::require_exact_arithmetic();
 } catch (const tetracone::kernel::Unsound_floating_point& e) {
-  std::cout << e.what() << '\n';
+  std::puts(e.what());
   return 3;
 }

@@ -4,9 +4,11 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_motion_span)
@@ -115,13 +117,15 @@ BOOST_AUTO_TEST_CASE(what_may_not_meet_in_a_span_is_apart_at_its_times)
         const Rational time =
             (Rational(16 * long(span.m()) + step)) / (Rational(16) * Rational(std::ldexp(1, int(span.k()))));
         const Pose pose_a = a.at(time), pose_b = b.at(time);
-        bool before = true, behind = true;
-        for (const Vertex& p : points_a)
-          for (const Vertex& q : points_b) {
-            const Rational gap = along(axis, pose_b, from_local(in_b, q)) - along(axis, pose_a, from_local(in_a, p));
-            before = before && gap > 0;
-            behind = behind && gap < 0;
-          }
+        const auto ends_along = [&](const Pose& pose, const Motion_units& units, const std::vector<Vertex>& points) {
+          std::vector<Rational> at;
+          for (const Vertex& p : points) at.push_back(along(axis, pose, from_local(units, p)));
+          const auto [least, most] = std::minmax_element(at.begin(), at.end());
+          return std::pair<Rational, Rational>(*least, *most);
+        };
+        const auto [from_a, to_a] = ends_along(pose_a, in_a, points_a);
+        const auto [from_b, to_b] = ends_along(pose_b, in_b, points_b);
+        const bool before = to_a < from_b, behind = to_b < from_a;
         BOOST_TEST((before || behind));
       }
     };
