@@ -52,14 +52,14 @@ Vertex moving(int row, int column, int size)
 /// One answer: -1, 0 or 1; a predicate that has no answer gives -2.
 using Ask = std::function<int(int row, int column)>;
 
-struct Subject {
+struct Map_subject {
   std::string name;
   std::function<Ask(int row)> at;  ///< prepares one row, so that each thread has its own
 };
 
 struct Map {
   std::string name;
-  std::vector<Subject> subjects;  ///< the last is exact
+  std::vector<Map_subject> subjects;  ///< the last is exact
   std::function<int(int row, int column)> truth;
 };
 
@@ -104,15 +104,15 @@ Map predicate_map(const std::string& name, Predicate predicate,
   const auto ours = [=](const std::string& shown, const std::string& kernel) {
     const auto& all = verify::predicate_subjects();
     const auto& subject = *std::find_if(all.begin(), all.end(), [&](const auto& s) { return s.name == kernel; });
-    return Subject{shown, [=](int) {
-                     return [=](int row, int column) {
-                       return drawn(subject.answer(predicate, at(row, column)).value_or(verify::no_answer));
-                     };
-                   }};
+    return Map_subject{shown, [=](int) {
+                         return [=](int row, int column) {
+                           return drawn(subject.answer(predicate, at(row, column)).value_or(verify::no_answer));
+                         };
+                       }};
   };
-  const Subject fused{"FMA double", [=](int) {
-                        return [=](int row, int column) { return drawn(contracted(predicate, at(row, column))); };
-                      }};
+  const Map_subject fused{"FMA double", [=](int) {
+                            return [=](int row, int column) { return drawn(contracted(predicate, at(row, column))); };
+                          }};
   return {name,
           {ours("float", "float"), ours("double", "double"), fused, ours("double ε = 1e-12", "double-eps=1e-12"),
            ours("EPICK moved", "epick"), ours("exact", "adaptive")},
@@ -137,12 +137,12 @@ Map collision_map(int size)
   };
   const auto ours = [=](const std::string& shown, const std::string& kernel) {
     const auto subject = *verify::Subject::parse(kernel, verify::Method::brute);
-    return Subject{shown, [=](int) {
-                     const std::shared_ptr<verify::Prepared_pair> pair = verify::prepare(subject, *a, *b);
-                     return [=](int row, int column) {
-                       return pair->collide(turn(), pose(row, column), Question::solid) ? 1 : -1;
-                     };
-                   }};
+    return Map_subject{shown, [=](int) {
+                         const std::shared_ptr<verify::Prepared_pair> pair = verify::prepare(subject, *a, *b);
+                         return [=](int row, int column) {
+                           return pair->collide(turn(), pose(row, column), Question::solid) ? 1 : -1;
+                         };
+                       }};
   };
   using Tree = tetratree::Tetra_tree<Contracted>;
   struct Trees {
@@ -152,12 +152,12 @@ Map collision_map(int size)
     Tree a, b;
     tetratree::Collision<Contracted> collision;
   };
-  const Subject fused{"FMA double", [=](int) {
-                        const auto trees = std::make_shared<Trees>(*a, *b);
-                        return [=](int row, int column) {
-                          return trees->collision(turn(), pose(row, column), Question::solid) ? 1 : -1;
-                        };
-                      }};
+  const Map_subject fused{"FMA double", [=](int) {
+                            const auto trees = std::make_shared<Trees>(*a, *b);
+                            return [=](int row, int column) {
+                              return trees->collision(turn(), pose(row, column), Question::solid) ? 1 : -1;
+                            };
+                          }};
   const auto truth = [=](int row, int column) {
     verify::Object_case c;
     c.a = a;
@@ -196,7 +196,7 @@ char letter(int answer) { return answer == verify::no_answer ? '?' : answer < 0 
 std::vector<std::string> answers(const Map& map, int row, int size)
 {
   std::vector<std::string> lines;
-  for (const Subject& subject : map.subjects) {
+  for (const Map_subject& subject : map.subjects) {
     const Ask ask = subject.at(row);
     std::string line;
     for (int column = 0; column < size; ++column) line += letter(ask(row, column));

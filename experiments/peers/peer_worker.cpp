@@ -4,6 +4,8 @@
 #include "experiments/peers/peer.h"
 #include "experiments/peers/peer_wire.h"
 
+#include <CLI/CLI.hpp>
+
 #include <poll.h>
 #include <sys/resource.h>
 #include <unistd.h>

@@ -1,7 +1,9 @@
 #ifndef TETRACONE_EXPERIMENTS_PEERS_PEER_WORKER_H
 #define TETRACONE_EXPERIMENTS_PEERS_PEER_WORKER_H
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace tetracone::experiments {
 

@@ -13,7 +13,6 @@
 #include "verify/cases/random.h"
 
 #include <CGAL/Side_of_triangle_mesh.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <malloc.h>
 
@@ -96,7 +95,7 @@ std::vector<Ray> rays_of(const covering::Polyhedron& body, int count, verify::Ra
 Cgal_mesh read_by_cgal(const std::string& file)
 {
   Cgal_mesh mesh;
-  CGAL::IO::read_polygon_mesh(file, mesh);
+  CGAL::IO::read_OFF(file, mesh);
   return mesh;
 }
 

@@ -7,6 +7,8 @@
 #include "tetracone/tetratree/door/body_file.h"
 #include "tetracone/tetratree/door/repair.h"
 
+#include <CLI/CLI.hpp>
+
 #include <future>
 #include <iostream>
 #include <numeric>
@@ -74,6 +76,13 @@ Model_file load(const std::string& file, const Model_options& options, bool must
 }
 
 }  // namespace
+
+void Model_options::add_to(CLI::App& command)
+{
+  command.add_flag("--strict", strict, "Refuse a face that is not exactly planar; else it is replaced by triangles");
+  command.add_flag("--merge", merge, "Merge vertices with exactly equal coordinates first");
+  command.add_flag("--orient", orient, "Orient faces consistently first; what is closed as it stands is left alone");
+}
 
 Model_file whole_model(const std::string& name, covering::Polyhedron polyhedron)
 {

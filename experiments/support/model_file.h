@@ -4,11 +4,13 @@
 #include "tetracone/covering/polyhedron.h"
 #include "tetracone/tetratree/door/tetracone.h"
 
-#include <CLI/CLI.hpp>
-
 #include <array>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace tetracone::experiments {
 
@@ -18,12 +20,7 @@ struct Model_options {
   bool orient = false;  ///< orient faces consistently first
   bool merge = false;   ///< merge vertices with exactly equal coordinates first
 
-  void add_to(CLI::App& command)
-  {
-    command.add_flag("--strict", strict, "Refuse a face that is not exactly planar; else it is replaced by triangles");
-    command.add_flag("--merge", merge, "Merge vertices with exactly equal coordinates first");
-    command.add_flag("--orient", orient, "Orient faces consistently first; what is closed as it stands is left alone");
-  }
+  void add_to(CLI::App& command);
 };
 
 /// A model of a file, fit for a tree: every face is planar.

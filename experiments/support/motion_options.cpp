@@ -6,6 +6,8 @@
 #include "tetracone/covering/io/read_rigid_poses.h"
 #include "tetracone/kernel/motion/body_motion.h"
 
+#include <CLI/CLI.hpp>
+
 #include <utility>
 
 namespace tetracone::experiments {

@@ -4,6 +4,8 @@
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/io/read_poses.h"
 
+#include <CLI/CLI.hpp>
+
 #include <utility>
 
 namespace tetracone::experiments {

@@ -53,15 +53,16 @@ install_packages()
   rm -f "$log"
 }
 
+# Of memory, whole ones.
+gigabytes_free() { awk '/^MemAvailable:/ { print int($2 / 1000000) }' /proc/meminfo; }
+
 # How many compilations at once: a processor and 3 GB of memory each.
 jobs_at_once()
 {
-  local processors gigabytes
-  processors=$(nproc)
-  gigabytes=$(awk '/^MemAvailable:/ { print int($2 / 3000000) }' /proc/meminfo)
-  ((gigabytes < processors)) && processors=$gigabytes
-  ((processors > 1)) || processors=1
-  echo "$processors"
+  local jobs=$(($(gigabytes_free) / 3))
+  ((jobs > $(nproc))) && jobs=$(nproc)
+  ((jobs > 1)) || jobs=1
+  echo "$jobs"
 }
 
 # Copies its input; behind a line that counts, "[12/80] ..." of a build or " 3/90 Test ..." of tests, how long the rest will take at this pace.

@@ -10,6 +10,8 @@
 #include "verify/subjects/predicate_subject.h"
 #include "verify/truth/predicate_truth.h"
 
+#include <CLI/CLI.hpp>
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>

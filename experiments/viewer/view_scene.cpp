@@ -5,6 +5,8 @@
 #include "tetracone/kernel/motion/body_motion.h"
 #include "tetracone/tetratree/door/tetracone.h"
 
+#include <CLI/CLI.hpp>
+
 #include <filesystem>
 #include <initializer_list>
 #include <numeric>
