@@ -15,14 +15,15 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <class Floats>
 struct Gap_along {
   Floats gap, n0, n1, n2;
-
-  friend HWY_INLINE Gap_along Max(const Gap_along& a, const Gap_along& b)
-  {
-    const auto is_first = hn::Gt(a.gap, b.gap);
-    return {hn::IfThenElse(is_first, a.gap, b.gap), hn::IfThenElse(is_first, a.n0, b.n0),
-            hn::IfThenElse(is_first, a.n1, b.n1), hn::IfThenElse(is_first, a.n2, b.n2)};
-  }
 };
+
+template <class Floats>
+HWY_INLINE Gap_along<Floats> Max(const Gap_along<Floats>& a, const Gap_along<Floats>& b)
+{
+  const auto is_first = hn::Gt(a.gap, b.gap);
+  return {hn::IfThenElse(is_first, a.gap, b.gap), hn::IfThenElse(is_first, a.n0, b.n0),
+          hn::IfThenElse(is_first, a.n1, b.n1), hn::IfThenElse(is_first, a.n2, b.n2)};
+}
 
 struct Gap_and_axis {
   template <class Floats>

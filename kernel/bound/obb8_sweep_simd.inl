@@ -31,13 +31,14 @@ HWY_INLINE Floats sweep_along(const Floats (&a)[3], const Floats (&centre)[3], c
 template <class Floats>
 struct Times_near {
   Floats minus_from, until;
-
-  /// Of both axes together.
-  friend HWY_INLINE Times_near Max(const Times_near& a, const Times_near& b)
-  {
-    return {hn::Min(a.minus_from, b.minus_from), hn::Min(a.until, b.until)};
-  }
 };
+
+/// Of both axes together.
+template <class Floats>
+HWY_INLINE Times_near<Floats> Max(const Times_near<Floats>& a, const Times_near<Floats>& b)
+{
+  return {hn::Min(a.minus_from, b.minus_from), hn::Min(a.until, b.until)};
+}
 
 /// What moves along an axis.
 struct Swept {

@@ -256,6 +256,14 @@ Strings drops_nan(const std::string& path, const std::string& text)
   return wrong;
 }
 
+/// g++ compiles a friend that is defined in a class template for the processor that every unit is for, not for that of its round: without optimisation,
+/// vectors then reach it in other registers than it looks in.
+Strings vector_friends(const std::string& path, const std::string& text)
+{
+  if (!path.ends_with("_simd.inl") || text.find("friend ") == std::string::npos) return {};
+  return {path + ": a friend is not compiled for the round's processor; a function template"};
+}
+
 /// The code of a C++ text: comments, literals and preprocessor lines are blanks, line breaks stay.
 std::string code_of(const std::string& text)
 {
@@ -615,6 +623,12 @@ BOOST_AUTO_TEST_CASE(no_bound_is_made_by_what_may_drop_nan)
   BOOST_TEST(drops_nan("tetratree/tree.h", "least = std::min<double>(x, y);").size() == 1);
   BOOST_TEST(drops_nan("kernel/bound/bounds.h", "worst = maximum(x, y, z);").empty());
   BOOST_TEST(drops_nan("covering/check.h", "first = std::min(a, b);").empty());
+}
+
+BOOST_AUTO_TEST_CASE(no_vector_function_is_a_friend)
+{
+  check_each_source(vector_friends);
+  BOOST_TEST(vector_friends("kernel/bound/x_simd.inl", "friend HWY_INLINE V Max(V a, V b) { return a; }").size() == 1);
 }
 
 BOOST_AUTO_TEST_CASE(no_comma_operator_stands_outside_the_header_of_a_for) { check_each_source(comma_operators); }
