@@ -53,7 +53,7 @@ install_packages()
   rm -f "$log"
 }
 
-# Of memory, whole ones.
+# Whole gigabytes of memory that programs may still take.
 gigabytes_free() { awk '/^MemAvailable:/ { print int($2 / 1000000) }' /proc/meminfo; }
 
 # How many compilations at once: a processor and 3 GB of memory each.
