@@ -150,14 +150,13 @@ inline void certified_gaps(const Obb8& boxes, const Box_map& map, const Obb8& fr
   fastest(boxes, map, from, lane, apex, gaps);
 }
 
-/// Box `lane` of `from` as it is carried now.
-inline Carried_box carried_now(const Carrier& carrier, const Obb8& from, int lane)
+/// Writes box `lane` of `from` as it is carried now. (Not returned: unoptimised, g++ 12 does not align a temporary of
+/// so many bytes.)
+inline void carry_now(const Carrier& carrier, const Obb8& from, int lane, Carried_box& box)
 {
   using Function = void(const Carrier&, const Obb8&, int, Carried_box&);
-  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(carried_now_simd));
-  Carried_box box;
+  static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(carry_now_simd));
   fastest(carrier, from, lane, box);
-  return box;
 }
 
 /// The least of these gaps of lanes, as bits, when the box is carried again, and what goes on is in `going`.

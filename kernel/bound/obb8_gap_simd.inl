@@ -144,7 +144,7 @@ HWY_INLINE void carry_now(const Carrier& carrier, const Obb8& from, int lane, Ca
   box.error = float(carrier.error + carrier.scale * rounding) * rounded_up;
 }
 
-inline HWY_ATTR void carried_now_simd(const Carrier& carrier, const Obb8& from, int lane, Carried_box& box)
+inline HWY_ATTR void carry_now_simd(const Carrier& carrier, const Obb8& from, int lane, Carried_box& box)
 {
   carry_now(carrier, from, lane, box);
 }

@@ -253,7 +253,7 @@ class Bvh8_front {
     certificate.gaps.gap[0] = float(found.gap * (1 - 0x1p-20));
     for (int k = 0; k < 3; ++k) certificate.gaps.axis[k][0] = float(found.axis[k]);
     const kernel::Obb8& boxes = trees.nodes[1][box_b / 8].boxes;
-    certificate.carried = kernel::carried_now(units.carrier[1], boxes, int(box_b % 8));
+    kernel::carry_now(units.carrier[1], boxes, int(box_b % 8), certificate.carried);
     certificate.going = kernel::Going_box(boxes, int(box_b % 8));
     return 1;
   }

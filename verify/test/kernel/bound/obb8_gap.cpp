@@ -24,7 +24,7 @@ std::vector<Certify*> certifying()
   return verify::versions_here<Certify>(TETRACONE_SIMD_VERSIONS(certified_gaps_simd));
 }
 using Carry = void(const Carrier&, const Obb8&, int, Carried_box&);
-std::vector<Carry*> carrying() { return verify::versions_here<Carry>(TETRACONE_SIMD_VERSIONS(carried_now_simd)); }
+std::vector<Carry*> carrying() { return verify::versions_here<Carry>(TETRACONE_SIMD_VERSIONS(carry_now_simd)); }
 std::vector<Least_after*> least_after()
 {
   return verify::versions_here<Least_after>(TETRACONE_SIMD_VERSIONS(least_gap_after_simd));
@@ -310,7 +310,8 @@ BOOST_AUTO_TEST_CASE(of_several_lanes_that_which_is_used_up_first_tells_how_long
     certified_gaps(s.boxes, map, s.from, s.lane, s.apex, found);
     const Placement before(map), after(moved);
     const Carrier carrier(moved, after, Course(before, after));
-    const Carried_box carried = carried_now(Carrier(map, before, {}), s.from, s.lane);
+    Carried_box carried;
+    carry_now(Carrier(map, before, {}), s.from, s.lane, carried);
     const Going_box going(s.from, s.lane);
     for (const auto version : least_after()) {
       unsigned kept = 0;
