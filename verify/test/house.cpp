@@ -256,8 +256,8 @@ Strings drops_nan(const std::string& path, const std::string& text)
   return wrong;
 }
 
-/// g++ compiles a friend that is defined in a class template for the processor that every unit is for, not for that of its round: without optimisation,
-/// vectors then reach it in other registers than it looks in.
+/// g++ compiles a friend that is defined in a class template for the processor that every unit is for, not for that of
+/// its round: without optimisation, vectors then reach it in other registers than it looks in.
 Strings vector_friends(const std::string& path, const std::string& text)
 {
   if (!path.ends_with("_simd.inl") || text.find("friend ") == std::string::npos) return {};

@@ -163,4 +163,21 @@ void Brute_body::find_components()
   component_points_.erase(std::unique(component_points_.begin(), component_points_.end()), component_points_.end());
 }
 
+covering::Polyhedron face_alone(const covering::Polyhedron& polyhedron, Index f)
+{
+  covering::Polyhedron face;
+  std::map<Index, Index> number;
+  std::vector<std::vector<Index>> loops;
+  for (std::size_t k = 0; k < polyhedron.loop_count(f); ++k) {
+    loops.emplace_back();
+    for (const Index v : polyhedron.loop(f, k)) {
+      const auto [at, is_new] = number.try_emplace(v, Index(face.vertices.size()));
+      if (is_new) face.vertices.push_back(polyhedron.vertices[v]);
+      loops.back().push_back(at->second);
+    }
+  }
+  face.add_face(loops);
+  return face;
+}
+
 }  // namespace tetracone::verify

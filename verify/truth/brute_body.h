@@ -82,6 +82,9 @@ class Brute_body {
   bool closed_ = true;
 };
 
+/// One face of a polyhedron as a body of its own, its vertices numbered anew.
+covering::Polyhedron face_alone(const covering::Polyhedron& polyhedron, Index f);
+
 }  // namespace tetracone::verify
 
 #endif

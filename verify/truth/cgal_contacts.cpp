@@ -33,18 +33,7 @@ struct Contact_face {
 
   Contact_face(const covering::Polyhedron& polyhedron, Index f, const kernel::Pose& pose)
   {
-    covering::Polyhedron alone;
-    std::map<Index, Index> number;
-    std::vector<std::vector<Index>> loops;
-    for (std::size_t l = 0; l < polyhedron.loop_count(f); ++l) {
-      loops.emplace_back();
-      for (const Index v : polyhedron.loop(f, l)) {
-        const auto [at, is_new] = number.emplace(v, Index(alone.vertices.size()));
-        if (is_new) alone.vertices.push_back(polyhedron.vertices[v]);
-        loops.back().push_back(at->second);
-      }
-    }
-    alone.add_face(loops);
+    const covering::Polyhedron alone = face_alone(polyhedron, f);
     const Brute_body body(alone);
     const Placed_body placed(body, pose);
     for (const Element& element : body.elements()) {
@@ -52,9 +41,11 @@ struct Contact_face {
       for (int k = 0; k <= element.dimension; ++k)
         elements.back().push_back(placed.image<Exact>(element.corners[std::size_t(k)]));
     }
-    for (const auto& loop : loops)
+    for (std::size_t l = 0; l < alone.loop_count(0); ++l) {
+      const auto loop = alone.loop(0, l);
       for (std::size_t k = 0; k < loop.size(); ++k)
         edges.emplace_back(placed.image<Exact>(loop[k]), placed.image<Exact>(loop[(k + 1) % loop.size()]));
+    }
     box = placed.whole_box();
   }
 };

@@ -80,6 +80,8 @@ std::optional<int> crossing(const typename K::Point_3& p, const typename K::Poin
   return side == CGAL::POSITIVE ? -1 : 0;
 }
 
+bool is_nested(const Placed_body& a, const Placed_body& b) { return detail::contains(a, b) || detail::contains(b, a); }
+
 // The edges of one against the faces of the other.
 void add_features(const Placed_body& with_edges, const Placed_body& with_faces, int body,
                   std::vector<Feature_pair>& features)
@@ -202,15 +204,14 @@ Planar_face placed_face(const Placed_body& placed, Index f)
 bool collide(const Placed_body& a, const Placed_body& b, Question question)
 {
   if (question == Question::solid) detail::require_closed(a, b);
-  return detail::surfaces_meet(a, b) ||
-         (question == Question::solid && (detail::contains(a, b) || detail::contains(b, a)));
+  return detail::surfaces_meet(a, b) || (question == Question::solid && is_nested(a, b));
 }
 
 Both_answers collide_both(const Placed_body& a, const Placed_body& b)
 {
   detail::require_closed(a, b);
   const bool surface = detail::surfaces_meet(a, b);
-  return {surface, surface || (detail::contains(a, b) || detail::contains(b, a))};
+  return {surface, surface || is_nested(a, b)};
 }
 
 bool collide(const Brute_body& a, const Pose& pose_a, const Brute_body& b, const Pose& pose_b, Question question)

@@ -3,7 +3,6 @@
 #include <CGAL/intersections.h>
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -38,21 +37,7 @@ void meet(const Exact::Line_3& line, const Brute_body& face, const Element& elem
 
 Ray_truth::Ray_truth(const covering::Polyhedron& polyhedron)
 {
-  for (Index f = 0; f < polyhedron.face_count(); ++f) {
-    covering::Polyhedron face;
-    std::map<Index, Index> number;
-    std::vector<std::vector<Index>> loops;
-    for (std::size_t k = 0; k < polyhedron.loop_count(f); ++k) {
-      loops.emplace_back();
-      for (const Index v : polyhedron.loop(f, k)) {
-        const auto [at, is_new] = number.try_emplace(v, Index(face.vertices.size()));
-        if (is_new) face.vertices.push_back(polyhedron.vertices[v]);
-        loops.back().push_back(at->second);
-      }
-    }
-    face.add_face(loops);
-    faces_.emplace_back(face);
-  }
+  for (Index f = 0; f < polyhedron.face_count(); ++f) faces_.emplace_back(face_alone(polyhedron, f));
 }
 
 std::vector<std::pair<kernel::Rational, Index>> Ray_truth::operator()(const kernel::Vertex& o,

@@ -16,6 +16,12 @@ inline std::int64_t number(Database& database, const std::string& query)
   return row.integer(0);
 }
 
+/// The sum of a column of the table of errors, or of an expression of them, over the rows where this holds.
+inline std::int64_t tally(Database& database, const std::string& what, const std::string& where)
+{
+  return number(database, "SELECT sum(" + what + ") FROM tally WHERE axis = 'rho' AND " + where);
+}
+
 }  // namespace tetracone::verify
 
 #endif

@@ -137,10 +137,7 @@ struct Results {
     return all;
   }
 
-  std::int64_t sum(const std::string& what, const std::string& where)
-  {
-    return number(database, "SELECT sum(" + what + ") FROM tally WHERE axis = 'rho' AND " + where);
-  }
+  std::int64_t sum(const std::string& what, const std::string& where) { return tally(database, what, where); }
 
   Temporary_file file;
   Database database;

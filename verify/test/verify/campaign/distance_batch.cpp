@@ -3,6 +3,7 @@
 #include "verify/campaign/campaign.h"
 #include "verify/families/distance_families.h"
 #include "verify/test/support/database_number.h"
+#include "verify/test/support/empty_campaign.h"
 #include "verify/test/support/temporary_file.h"
 
 #include <boost/test/unit_test.hpp>
@@ -60,24 +61,19 @@ class Rows {
   Rows(const std::vector<const char*>& families, std::size_t distance_family_count,
        std::vector<Object_subject> subjects)
   {
-    Campaign campaign;
-    campaign.seed = 7;
-    campaign.predicate_cases = campaign.object_cases = 0;
-    campaign.sequence_frames = 0;
-    campaign.lists_features = false;
+    Campaign campaign = empty_campaign(7);
     campaign.feature_cases = 1;
     for (const char* name : families) campaign.families.push_back(find_family(name));
     for (std::size_t k = 0; k < distance_family_count; ++k)
       campaign.distance_families.push_back(&distance_families()[k]);
     campaign.distance_subjects = std::move(subjects);
-    campaign.made_by = {"0", "compiler", "flags", "processor"};
     run_campaign(database_, campaign, [](std::uint64_t) {});
   }
 
   std::int64_t number(const std::string& query) { return tetracone::verify::number(database_, query); }
   std::int64_t sum(const std::string& what, const std::string& subject)
   {
-    return number("SELECT sum(" + what + ") FROM tally WHERE axis = 'rho' AND subject = '" + subject + "'");
+    return tally(database_, what, "subject = '" + subject + "'");
   }
   std::int64_t asked() { return number("SELECT sum(n) FROM truth"); }
   std::int64_t zero() { return number("SELECT sum(positives) FROM truth"); }

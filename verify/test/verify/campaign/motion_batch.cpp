@@ -2,6 +2,7 @@
 
 #include "verify/campaign/campaign.h"
 #include "verify/test/support/database_number.h"
+#include "verify/test/support/empty_campaign.h"
 #include "verify/test/support/temporary_file.h"
 
 #include <boost/test/unit_test.hpp>
@@ -43,10 +44,7 @@ Moving_bodies_subject spoiling(const char* name, Spoils_contact::Spoil spoil, bo
 
 Campaign of_motions()
 {
-  Campaign campaign;
-  campaign.seed = 3;
-  campaign.predicate_cases = campaign.object_cases = campaign.probe_cases = 0;
-  campaign.sequence_frames = 0;
+  Campaign campaign = empty_campaign(3);
   campaign.feature_cases = 1;
   for (const Moving_body_family& family : moving_body_families()) campaign.motion_families.push_back(&family);
   const auto all = moving_bodies_subjects();
@@ -65,7 +63,6 @@ Campaign of_motions()
                }),
       spoiling("declines", [](Told_contact& told) { told = {Outcome::not_asked}; }),
       spoiling("fails", [](Told_contact& told) { told = {Outcome::failed}; })};
-  campaign.made_by = {"0", "compiler", "flags", "processor"};
   return campaign;
 }
 
@@ -80,8 +77,8 @@ BOOST_AUTO_TEST_CASE(first_contacts_of_every_family_are_judged_in_a_campaign)
   BOOST_TEST(done == case_count(of_motions()));
   BOOST_TEST(done == moving_body_families().size());
   const auto sum = [&](const std::string& what, const std::string& subject, bool of_times) {
-    return number(database, "SELECT sum(" + what + ") FROM tally WHERE axis = 'rho' AND subject = '" + subject +
-                                "' AND question " + (of_times ? "" : "NOT ") + "LIKE '% time'");
+    return tally(database, what,
+                 "subject = '" + subject + "' AND question " + (of_times ? "" : "NOT ") + "LIKE '% time'");
   };
   const std::string wrong = "false_positives + false_negatives + failures";
   const auto asked = std::int64_t(2 * done);

@@ -2,6 +2,7 @@
 
 #include "verify/campaign/campaign.h"
 #include "verify/test/support/database_number.h"
+#include "verify/test/support/empty_campaign.h"
 #include "verify/test/support/temporary_file.h"
 
 #include <boost/test/unit_test.hpp>
@@ -29,16 +30,12 @@ Probe_subject fails_at_all{"fails", false, [] { return std::make_unique<Fails_at
 
 Campaign of_probes()
 {
-  Campaign campaign;
-  campaign.seed = 3;
-  campaign.predicate_cases = campaign.object_cases = campaign.feature_cases = 0;
-  campaign.sequence_frames = 0;
+  Campaign campaign = empty_campaign(3);
   campaign.probe_cases = 12;
   for (const Probe_family& family : point_families()) campaign.point_families.push_back(&family);
   for (const Probe_family& family : ray_families()) campaign.ray_families.push_back(&family);
   campaign.point_subjects = {point_subjects()[0], misses, fails_at_all};
   campaign.ray_subjects = {ray_subjects()[0], misses, fails_at_all};
-  campaign.made_by = {"0", "compiler", "flags", "processor"};
   return campaign;
 }
 
@@ -52,9 +49,7 @@ BOOST_AUTO_TEST_CASE(points_and_rays_are_judged_in_a_campaign)
   run_campaign(database, of_probes(), [&](std::uint64_t cases) { done += cases; });
   BOOST_TEST(done == case_count(of_probes()));
   BOOST_TEST(done == 12 * (point_families().size() + ray_families().size()));
-  const auto sum = [&](const std::string& what, const std::string& where) {
-    return number(database, "SELECT sum(" + what + ") FROM tally WHERE axis = 'rho' AND " + where);
-  };
+  const auto sum = [&](const std::string& what, const std::string& where) { return tally(database, what, where); };
   const auto points = std::int64_t(12 * point_families().size()), rays = std::int64_t(12 * ray_families().size());
   BOOST_TEST(sum("n", "subject = 'adaptive locator'") == points);
   BOOST_TEST(sum("n", "subject = 'adaptive tree'") == 3 * rays);
