@@ -149,8 +149,10 @@ Judged judge(const Bvh8_front& front, const Walk& walk, const Pose& pose_a, cons
   std::vector<const Element*> all_a, all_b;
   mark(a, 0, 0, all_a);
   mark(b, 0, 0, all_b);
-  const auto number = [](const std::vector<const Element*>& all, const Element* one) {
-    return std::size_t(std::find(all.begin(), all.end(), one) - all.begin());
+  const auto numbers = [](const std::vector<const Element*>& all, const std::vector<const Element*>& some) {
+    std::vector<std::size_t> found;
+    for (const Element* one : some) found.push_back(std::find(all.begin(), all.end(), one) - all.begin());
+    return found;
   };
   std::vector<kernel::Double_triangle> in_a, in_b;
   const auto corners = [](const Bvh8& tree, const Element& element) {
@@ -172,9 +174,9 @@ Judged judge(const Bvh8_front& front, const Walk& walk, const Pose& pose_a, cons
     std::vector<const Element*> of_a, of_b;
     mark(a, na, lane_a, of_a);
     mark(b, nb, lane_b, of_b);
-    for (const Element* x : of_a)
-      for (const Element* y : of_b) {
-        const std::size_t i = number(all_a, x), j = number(all_b, y);
+    const std::vector<std::size_t> columns = numbers(all_b, of_b);
+    for (const std::size_t i : numbers(all_a, of_a))
+      for (const std::size_t j : columns) {
         covered[i * all_b.size() + j] = 1;
         if (!(gap > 0)) continue;
         ++judged.certified;

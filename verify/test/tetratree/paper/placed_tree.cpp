@@ -127,9 +127,8 @@ BOOST_AUTO_TEST_CASE(boxes_and_spheres_hold_the_exact_images)
       Placed_tree<K> placed(tree);
       for (const Pose& pose : poses(random)) {
         placed.place(pose);
-        const auto image = [&, &body = body](Index v) {
-          return rationals::image(pose, rationals::exactly(body.vertices[v]));
-        };
+        std::vector<Vector> images;
+        for (const Vertex& v : body.vertices) images.push_back(rationals::image(pose, rationals::exactly(v)));
         const auto holds = [](const Box<double>& box, const Vector& p) {
           for (int k = 0; k < 3; ++k)
             if (p[k] < Rational(box.low[k]) || p[k] > Rational(box.high[k])) return false;
@@ -138,14 +137,15 @@ BOOST_AUTO_TEST_CASE(boxes_and_spheres_hold_the_exact_images)
         int wrong = 0;
         const auto& covering = tree.model().covering();
         for (Index e = 0; e < covering.edges().size(); ++e)
-          for (const Index v : covering.edges()[e]) wrong += !holds(placed.edge_box(e), image(v));
+          for (const Index v : covering.edges()[e]) wrong += !holds(placed.edge_box(e), images[v]);
         for (Index f = 0; f < body.face_count(); ++f)
-          for (const Index v : covering.from(f)) wrong += !holds(placed.face_box(f), image(v));
+          for (const Index v : covering.from(f)) wrong += !holds(placed.face_box(f), images[v]);
         for (Index n = 0; n < tree.node_count(); ++n) {
           const Ball<double> ball = placed.sphere(tree.node(n));
+          const Vector centre = rationals::exactly(ball.centre);
           for (const Index element : tree.elements(tree.node(n)))
             for (const Index v : covering.triangles()[element].corner) {
-              const Vector d = rationals::minus(image(v), rationals::exactly(ball.centre));
+              const Vector d = rationals::minus(images[v], centre);
               wrong += rationals::inner(d, d) > Rational(ball.radius) * Rational(ball.radius);
             }
         }
