@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(a_tree_by_other_choices_is_the_same_whatever_the_threads)
 {
   Random random(3);
   // Two apart, so that the origin lies before all of each: planes through it are tried on what several threads share.
-  Polyhedron body = blob(random, 5, 0.5, 1.5), other = blob(random, 4, 0.5, 1.5);
+  Polyhedron body = blob(random, 6, 0.5, 1.5), other = blob(random, 4, 0.5, 1.5);
   for (auto& v : body.vertices) v[0] += 5;
   for (auto& v : other.vertices) v[0] -= 5;
   append(body, other);
