@@ -6,7 +6,9 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 # To build the program and its tests.
 build_packages=(g++ cmake ninja-build libcgal-dev libgmp-dev libmpfr-dev libeigen3-dev libhwy-dev libboost-dev libboost-test-dev
   libcli11-dev nlohmann-json3-dev libsqlite3-dev libtbb-dev
-  librapidcheck-dev libjs-three libjemalloc2)
+  librapidcheck-dev libjs-three)
+# By which compilers are faster; nothing needs it.
+speed_packages=(libjemalloc2)
 # For the fuzz targets.
 fuzz_packages=(clang libclang-rt-14-dev)
 # For the tests of the sources' form, of error bounds, of the report, of the page in 3D, of the examples of subjects, of the Python package, its notebooks and the
@@ -83,13 +85,16 @@ with_time_left()
   done
 }
 
-# with_fast_malloc COMMAND...: by jemalloc where it is there, in huge pages: compilers take a tenth less time.
+# with_fast_malloc COMMAND...: by jemalloc in huge pages where it is there, as it is elsewhere.
 with_fast_malloc()
 {
-  local library=libjemalloc.so.2
-  # The loader says so on stderr where it is not there.
-  [[ -z $(LD_PRELOAD=$library cat 2>&1 < /dev/null) ]] || library=
-  LD_PRELOAD=$library MALLOC_CONF=thp:always "$@"
+  local libraries=libjemalloc.so.2${LD_PRELOAD:+:$LD_PRELOAD}
+  # The loader says on stderr which it does not find.
+  if [[ -z $(LD_PRELOAD=$libraries cat 2>&1 < /dev/null) ]]; then
+    LD_PRELOAD=$libraries MALLOC_CONF=thp:always "$@"
+  else
+    "$@"
+  fi
 }
 
 # build PRESET [-D...] [--target TARGET...]: configures quietly and builds.

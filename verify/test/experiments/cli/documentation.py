@@ -108,8 +108,8 @@ class Documentation(unittest.TestCase):
             built_with = set(re.search(r"^build_packages=\((.*?)\)", file.read(), re.M | re.S)[1].split())
         for page in ("README.md", "tetratree/door/mainpage.md"):
             (shown,) = (words[2:] for at, words, command in commands() if at.startswith(page) and words[:2] == ["apt-get", "install"] and "g++" in words)
-            # Not the tests', not the viewer's, and not what only makes builds faster.
-            self.assertEqual(set(shown), built_with - {"libboost-test-dev", "librapidcheck-dev", "libjs-three", "libjemalloc2"}, page)
+            # Not the tests', and not the viewer's.
+            self.assertEqual(set(shown), built_with - {"libboost-test-dev", "librapidcheck-dev", "libjs-three"}, page)
 
     def test_the_version_to_find_is_this_one(self):
         with open(os.path.join(SOURCE, "CMakeLists.txt")) as file:
