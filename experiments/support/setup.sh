@@ -7,10 +7,8 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build_packages=(g++ cmake ninja-build libcgal-dev libgmp-dev libmpfr-dev libeigen3-dev libhwy-dev libboost-dev libboost-test-dev
   libcli11-dev nlohmann-json3-dev libsqlite3-dev libtbb-dev
   librapidcheck-dev libjs-three)
-# By which compilers are faster; nothing needs it.
-speed_packages=(libjemalloc2)
-# For the fuzz targets.
-fuzz_packages=(clang libclang-rt-14-dev)
+# For the fuzz targets, and what clang is faster by.
+fuzz_packages=(clang libclang-rt-14-dev libjemalloc2)
 # For the tests of the sources' form, of error bounds, of the report, of the page in 3D, of the examples of subjects, of the Python package, its notebooks and the
 # Debian packages, which skip without them.
 test_packages=(clang-format clang-tidy gappa python3 python3-matplotlib python3-pil python3-selenium chromium chromium-driver libembree-dev
