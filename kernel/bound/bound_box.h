@@ -30,13 +30,11 @@ Bound_box<B> bound_box(std::span<const Bound_point<B>> points)
   for (const auto& p : points) all.emplace_back(double(p[0]), double(p[1]), double(p[2]));
   constexpr int rounds = 8;
   Oriented_box box = fitted_box(all, rounds);
-  const Matrix defect = box.axes.transpose() * box.axes - Matrix::Identity();
-  if (!defect.allFinite() || !(defect.cwiseAbs().maxCoeff() < bound_box_defect))
-    box = Oriented_box(Matrix::Identity(), all);
+  if (!(box.axes.orthonormal_defect() < bound_box_defect)) box = Oriented_box(Matrix::identity(), all);
   double size = 0;
-  for (const Vector& p : all) size = maximum(size, (p - box.centre).cwiseAbs().sum());
+  for (const Vector& p : all) size = maximum(size, (p - box.centre).norm_1());
   const double margin = axis_defect_factor * bound_box_defect * maximum(box.extent[0], box.extent[1], box.extent[2]) +
-                        few_roundings * (size + box.centre.cwiseAbs().sum()) + underflow_slack;
+                        few_roundings * (size + box.centre.norm_1()) + underflow_slack;
   Bound_box<B> corners;
   for (int k = 0; k < 8; ++k) {
     Vector corner = box.centre;

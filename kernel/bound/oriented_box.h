@@ -2,7 +2,9 @@
 #define TETRACONE_KERNEL_BOUND_ORIENTED_BOX_H
 
 #include "tetracone/kernel/bound/obb8.h"
+#include "tetracone/kernel/bound/vector.h"
 #include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/simd/short_vectors.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -15,13 +17,10 @@
 
 namespace tetracone::kernel {
 
-using Vector = Eigen::Vector3d;
-using Matrix = Eigen::Matrix3d;
-
 /// Mean and covariance of points.
 struct Spread {
-  Vector mean = Vector::Zero();
-  Matrix covariance = Matrix::Zero();
+  Vector mean;
+  Matrix covariance;
 
   explicit Spread(std::span<const Vector> points)
       : Spread(points.size(), [&](std::size_t k) -> const Vector& { return points[k]; })
@@ -48,8 +47,8 @@ struct Spread {
     const double n = double(count);
     const Vector shift(x / n, y / n, z / n);
     mean = about + shift;
-    covariance << xx, xy, xz, xy, yy, yz, xz, yz, zz;
-    covariance = covariance / n - shift * shift.transpose();
+    covariance = {{Vector(xx, xy, xz) / n - shift * shift[0], Vector(xy, yy, yz) / n - shift * shift[1],
+                   Vector(xz, yz, zz) / n - shift * shift[2]}};
   }
 
   double size() const { return covariance.trace(); }
@@ -58,10 +57,19 @@ struct Spread {
   /// another.
   Matrix principal_axes() const
   {
-    if (!(size() > 0)) return Matrix::Identity();
-    Eigen::SelfAdjointEigenSolver<Matrix> solver;
-    solver.computeDirect(covariance);
-    return solver.eigenvectors().allFinite() ? solver.eigenvectors() : Matrix::Identity();
+    if (!(size() > 0)) return Matrix::identity();
+    Eigen::Matrix3d of_eigen;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) of_eigen(i, j) = covariance(i, j);
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+    solver.computeDirect(of_eigen);
+    Matrix axes;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        axes(i, j) = solver.eigenvectors()(i, j);
+        if (!std::isfinite(axes(i, j))) return Matrix::identity();
+      }
+    return axes;
   }
 };
 
@@ -73,11 +81,11 @@ struct Oriented_box {
   /// The box of these axes about the points.
   Oriented_box(const Matrix& orthonormal, std::span<const Vector> points) : axes(orthonormal)
   {
-    Vector low = Vector::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    Vector low = Vector::all(std::numeric_limits<double>::infinity()), high = -low;
     for (const Vector& p : points) {
       const Vector s = axes.transpose() * p;
-      low = low.cwiseMin(s);
-      high = high.cwiseMax(s);
+      low = smaller(low, s);
+      high = larger(high, s);
     }
     centre = axes * (0.5 * (low + high));
     extent = 0.5 * (high - low);
@@ -93,16 +101,17 @@ namespace detail {
 inline Matrix axes_from(const Vector& first, const Vector& second)
 {
   Matrix axes;
-  axes.col(0) = first.normalized();
-  Vector other = second - second.dot(axes.col(0)) * axes.col(0);
-  if (!(other.squaredNorm() > 1e-20 * second.squaredNorm())) {
+  auto& [x, y, z] = axes.columns;
+  x = first.normalized();
+  Vector other = second - second.dot(x) * x;
+  if (!(other.squared_norm() > 1e-20 * second.squared_norm())) {
     int least = 0;
     for (int i = 1; i < 3; ++i)
-      if (std::abs(axes(i, 0)) < std::abs(axes(least, 0))) least = i;
-    other = Vector::Unit(least) - axes(least, 0) * axes.col(0);
+      if (std::abs(x[i]) < std::abs(x[least])) least = i;
+    other = Vector::unit(least) - x[least] * x;
   }
-  axes.col(1) = other.normalized();
-  axes.col(2) = axes.col(0).cross(axes.col(1));
+  y = other.normalized();
+  z = x.cross(y);
   return axes;
 }
 
@@ -129,10 +138,11 @@ class Turned_points {
   {
     // So near to one another that squares underflow: as good as a point.
     const double scale = spread.size() > 0x1p-900 ? 1 / std::sqrt(spread.size()) : 0;
+    const Matrix to_axes = scale * axes.transpose();
     const std::size_t step = (points.size() + most - 1) / most;
     for (std::size_t k = 0; k < points.size() || count_ % 4 != 0; k += step) {
       const Vector& p = points[k < points.size() ? k : 0];
-      const Vector at = scale * (axes.transpose() * (p - spread.mean));
+      const Vector at = to_axes * (p - spread.mean);
       for (int i = 0; i < 3; ++i) at_[count_ / 4][std::size_t(i)][count_ % 4] = static_cast<float>(at[i]);
       ++count_;
     }
@@ -151,7 +161,7 @@ class Turned_points {
     length_[j] = now[1];
     for (std::size_t k = 0; 4 * k < count_; ++k) {
       auto &x = at_[k][std::size_t(i)], &y = at_[k][std::size_t(j)];
-      const Eigen::Array4f before = x;
+      const Four_floats before = x;
       x = c * x + s * y;
       y = c * y - s * before;
     }
@@ -163,23 +173,29 @@ class Turned_points {
 
   static float surface(float x, float y, float z) { return x * y + y * z + z * x; }
 
+  static float largest_lane(Four_floats v)
+  {
+    v = larger(v, __builtin_shufflevector(v, v, 2, 3, 0, 1));
+    return v[0] < v[1] ? v[1] : v[0];
+  }
+
   /// How far the points reach along axes i and j when these are turned by the angle of this cosine and sine.
   std::array<float, 2> turned(int i, int j, float c, float s) const
   {
-    constexpr float none = std::numeric_limits<float>::infinity();
-    Eigen::Array4f low_x = Eigen::Array4f::Constant(none), low_y = low_x, high_x = -low_x, high_y = -low_x;
+    Four_floats low_x = four_times(std::numeric_limits<float>::infinity()), low_y = low_x, high_x = -low_x,
+                high_y = -low_x;
     for (std::size_t k = 0; 4 * k < count_; ++k) {
       const auto &x = at_[k][std::size_t(i)], &y = at_[k][std::size_t(j)];
-      const Eigen::Array4f turned_x = c * x + s * y, turned_y = c * y - s * x;
-      low_x = low_x.min(turned_x);
-      high_x = high_x.max(turned_x);
-      low_y = low_y.min(turned_y);
-      high_y = high_y.max(turned_y);
+      const Four_floats turned_x = c * x + s * y, turned_y = c * y - s * x;
+      low_x = smaller(low_x, turned_x);
+      high_x = larger(high_x, turned_x);
+      low_y = smaller(low_y, turned_y);
+      high_y = larger(high_y, turned_y);
     }
-    return {high_x.maxCoeff() - low_x.minCoeff(), high_y.maxCoeff() - low_y.minCoeff()};
+    return {largest_lane(high_x) + largest_lane(-low_x), largest_lane(high_y) + largest_lane(-low_y)};
   }
 
-  std::array<std::array<Eigen::Array4f, 3>, most / 4> at_;
+  std::array<std::array<Four_floats, 3>, most / 4> at_;
   std::array<float, 3> length_;
   std::size_t count_ = 0;
 };
@@ -218,17 +234,17 @@ inline Matrix triangle_axes(std::span<const Vector, 3> corners)
   int longest = 0;
   double length = -1;
   for (int k = 0; k < 3; ++k) {
-    const double here = (corners[(k + 1) % 3] - corners[k]).squaredNorm();
+    const double here = (corners[(k + 1) % 3] - corners[k]).squared_norm();
     if (here > length) {
       longest = k;
       length = here;
     }
   }
   // So small that squares of its sides' products would underflow: as good as a point.
-  if (!(length > 0x1p-400)) return Matrix::Identity();
+  if (!(length > 0x1p-400)) return Matrix::identity();
   const Vector edge = corners[(longest + 1) % 3] - corners[longest];
   const Vector normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-  if (!(normal.squaredNorm() > 1e-24 * length * length)) return detail::axes_from(edge, Vector(1, 0, 0));
+  if (!(normal.squared_norm() > 1e-24 * length * length)) return detail::axes_from(edge, Vector(1, 0, 0));
   return detail::axes_from(normal, edge);
 }
 
@@ -245,37 +261,37 @@ class Lane_box {
   /// `about`: a point near those that come.
   Lane_box(const Matrix& axes, const Vector& about) : about_(about)
   {
-    std::array<Vector, 3> axis;
-    for (int i = 0; i < 3; ++i) axis[i] = axes.col(i).cast<float>().cast<double>();
+    const Matrix in_float = axes.in_float();
+    const auto& axis = in_float.columns;
     for (int i = 0; i < 3; ++i)
       for (int j = i; j < 3; ++j)
         if (!(std::abs(axis[i].dot(axis[j]) - (i == j)) <= axis_defect)) {
-          *this = Lane_box(Matrix::Identity(), about);
+          *this = Lane_box(Matrix::identity(), about);
           return;
         }
-    for (int k = 0; k < 3; ++k) across_[k] << axis[0][k], axis[1][k], axis[2][k], 0;
+    for (int k = 0; k < 3; ++k) across_[k] = {axis[0][k], axis[1][k], axis[2][k]};
   }
 
   [[gnu::always_inline]] void add(const Vector& p)
   {
     const Four s = along(p - about_);
-    low_ = low_.min(s);
-    high_ = high_.max(s);
-    sum_ += s;
+    low_ = smaller(low_, s);
+    high_ = larger(high_, s);
+    sum_ = sum_ + s;
   }
 
   /// What another one of the same axes and the same `about` has been given.
   void add(const Lane_box& other)
   {
-    low_ = low_.min(other.low_);
-    high_ = high_.max(other.high_);
-    sum_ += other.sum_;
+    low_ = smaller(low_, other.low_);
+    high_ = larger(high_, other.high_);
+    sum_ = sum_ + other.sum_;
   }
 
   /// Requires a point.
   Vector centre() const
   {
-    const Four middle = 0.5 * (low_ + high_);
+    const Four middle = (low_ + high_) * 0.5;
     Vector centre;
     for (int k = 0; k < 3; ++k) centre[k] = about_[k] + (across_[k] * middle).sum();
     return centre;
@@ -298,12 +314,12 @@ class Lane_box {
       for (int k = 0; k < 3; ++k) boxes.axis[i][k][lane] = static_cast<float>(across_[k][i]);
     }
     const Four at = along(from_about);
-    double size = from_about.cwiseAbs().sum();
+    double size = from_about.norm_1();
     for (int i = 0; i < 3; ++i) {
       extent[i] = maximum(high_[i] - at[i], at[i] - low_[i]);
       size += 2 * maximum(std::abs(low_[i]), std::abs(high_[i]));
     }
-    const double margin = axis_defect_factor * axis_defect * extent.maxCoeff() + few_roundings * size +
+    const double margin = axis_defect_factor * axis_defect * maximum(extent[0], extent[1], extent[2]) + few_roundings * size +
                           axis_norm_1 * point_error + 0 * sum_.sum();
     for (int i = 0; i < 3; ++i)
       boxes.extent[i][lane] =
@@ -311,13 +327,40 @@ class Lane_box {
   }
 
  private:
-  using Four = Eigen::Array4d;  // along the axes; the fourth is 0
+  /// Along the three axes; the fourth is 0.
+  struct Four {
+    Two_doubles first{}, last{};
+
+    Four() = default;
+    Four(double x, double y, double z) : first{x, y}, last{z, 0} {}
+    Four(Two_doubles a, Two_doubles b) : first(a), last(b) {}
+
+    double operator[](int i) const { return i < 2 ? first[i] : last[i - 2]; }
+    Four operator-() const { return {-first, -last}; }
+    Four operator+(const Four& f) const { return {first + f.first, last + f.last}; }
+    Four operator*(const Four& f) const { return {first * f.first, last * f.last}; }
+    Four operator*(double s) const { return {first * s, last * s}; }
+    friend Four smaller(const Four& a, const Four& b)
+    {
+      return {kernel::smaller(a.first, b.first), kernel::smaller(a.last, b.last)};
+    }
+    friend Four larger(const Four& a, const Four& b)
+    {
+      return {kernel::larger(a.first, b.first), kernel::larger(a.last, b.last)};
+    }
+    double sum() const
+    {
+      const Two_doubles two = first + last;
+      return two[0] + two[1];
+    }
+  };
 
   Four along(const Vector& y) const { return across_[0] * y[0] + across_[1] * y[1] + across_[2] * y[2]; }
 
   Vector about_;
   std::array<Four, 3> across_;  // of each coordinate: that of the three axes
-  Four low_ = Four::Constant(std::numeric_limits<double>::infinity()), high_ = -low_, sum_ = Four::Zero();
+  Four low_{two_times(std::numeric_limits<double>::infinity()), two_times(std::numeric_limits<double>::infinity())},
+      high_ = -low_, sum_;
 };
 
 /// Writes the box of the axes of `box` about the points into a lane: see `Lane_box`. Requires a point.

@@ -66,7 +66,8 @@ class Pose {
   }
 
   /// The doubles of the matrix, taken exactly.
-  static Pose from_eigen(const Eigen::Affine3d& map)
+  template <int mode, int options>
+  static Pose from_eigen(const Eigen::Transform<double, 3, mode, options>& map)
   {
     std::array<double, 12> entries;
     for (int row = 0; row < 3; ++row)
@@ -75,9 +76,10 @@ class Pose {
   }
 
   /// The nearest double of each entry.
-  Eigen::Affine3d to_eigen() const
+  template <class Map = Eigen::Affine3d>
+  Map to_eigen() const
   {
-    Eigen::Affine3d map = Eigen::Affine3d::Identity();
+    Map map = Map::Identity();
     for (int row = 0; row < 3; ++row)
       for (int column = 0; column < 4; ++column) map(row, column) = entries_[4 * row + column];
     return map;

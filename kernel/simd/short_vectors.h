@@ -27,6 +27,15 @@ inline Two_doubles magnitudes(Two_doubles v)
 
 inline Four_floats abs(Four_floats v) { return magnitudes(v); }
 
+inline Four_floats four_times(float x) { return Four_floats{x, x, x, x}; }
+inline Two_doubles two_times(double x) { return Two_doubles{x, x}; }
+
+/// Lane by lane the smaller and the larger; a's where one is NaN.
+inline Four_floats smaller(Four_floats a, Four_floats b) { return b < a ? b : a; }
+inline Four_floats larger(Four_floats a, Four_floats b) { return a < b ? b : a; }
+inline Two_doubles smaller(Two_doubles a, Two_doubles b) { return b < a ? b : a; }
+inline Two_doubles larger(Two_doubles a, Two_doubles b) { return a < b ? b : a; }
+
 /// In each lane all bits, where `v` has the sign bit; else none.
 inline Four_ints is_negative(Four_floats v) { return reinterpret_cast<Four_ints>(v) >> 31; }
 

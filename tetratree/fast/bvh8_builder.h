@@ -175,7 +175,7 @@ class Bvh8_builder {
 
   Centroid centroid(const Element& element) const
   {
-    Vector sum = Vector::Zero();
+    Vector sum;
     int count = 0;
     for_corners(element, [&](const Vector& p) {
       sum += p;
@@ -260,10 +260,10 @@ class Bvh8_builder {
     const Index count = part.last - part.first, middle = part.first + count / 2;
     const kernel::Spread& spread = part.spread;
     if (count == 2 || !(spread.size() > 0x1p-900)) return middle;
-    const double scale = 1 / std::sqrt(spread.size());
-    const auto along_axes = [&](const Vector& p) -> Binned_cuts::Four {
-      const Vector at = scale * (part.axes.transpose() * (p - spread.mean));
-      return {float(at[0]), float(at[1]), float(at[2]), 0};
+    const kernel::Matrix to_axes = 1 / std::sqrt(spread.size()) * part.axes.transpose();
+    const auto along_axes = [&](const Vector& p) {
+      const Vector at = to_axes * (p - spread.mean);
+      return kernel::Four_floats{float(at[0]), float(at[1]), float(at[2]), 0};
     };
     const auto cuts_across = [&](const Pencil& pencil, double place, double per_length) {
       const double most = std::sqrt(pencil.across.dot(spread.covariance * pencil.across));
@@ -280,12 +280,12 @@ class Bvh8_builder {
       if (pencil) cones = cuts_across(*pencil, 0, 1 / spread.mean.norm());
       for (Index k = first; k < last; ++k) {
         const Vector p = centroid(some[k]);
-        Binned_cuts::Four low = along_axes(p), high = low;
+        kernel::Four_floats low = along_axes(p), high = low;
         if (count <= most_by_corners)
           for_corners(elements_[some[k]], [&](const Vector& corner) {
-            const Binned_cuts::Four at = along_axes(corner);
-            low = low.min(at);
-            high = high.max(at);
+            const kernel::Four_floats at = along_axes(corner);
+            low = kernel::smaller(low, at);
+            high = kernel::larger(high, at);
           });
         planes.add(p, low, high);
         if (cones && !(p.dot(*cones->pencil().along) > steep * p.norm())) cones.reset();

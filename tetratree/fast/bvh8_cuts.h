@@ -32,7 +32,7 @@ struct Cut {
 /// surfaces, trees had more boxes to compare.) Points are counted in bins between planes, at whose sides cuts are tried.
 class Binned_cuts {
  public:
-  using Four = Eigen::Array4f;  // along the axes; the fourth is 0
+  using Four = kernel::Four_floats;  // along the axes; the fourth is 0
 
   /// Most points are within `spread` of `middle`, those beyond are in the outermost bins. Requires spread > 0.
   Binned_cuts(const Pencil& pencil, double middle, double spread)
@@ -47,8 +47,8 @@ class Binned_cuts {
     const float bin = (pencil_.place(p) - first_) * per_width_;
     constexpr float last = float(count - 1);
     Side& side = bins_[bin > 0 ? std::size_t(bin < last ? bin : last) : 0];
-    side.low = side.low.min(low);
-    side.high = side.high.max(high);
+    side.low = kernel::smaller(side.low, low);
+    side.high = kernel::larger(side.high, high);
     ++side.points;
   }
 
@@ -83,13 +83,13 @@ class Binned_cuts {
 
  private:
   struct Side {
-    Four low = Four::Constant(std::numeric_limits<float>::infinity()), high = -low;
+    Four low = kernel::four_times(std::numeric_limits<float>::infinity()), high = -low;
     int points = 0;
 
     void add(const Side& other)
     {
-      low = low.min(other.low);
-      high = high.max(other.high);
+      low = kernel::smaller(low, other.low);
+      high = kernel::larger(high, other.high);
       points += other.points;
     }
     double cost() const

@@ -51,11 +51,11 @@ inline Bvh8_node node_of(std::span<const Bvh8_lane> lanes)
   using kernel::Vector;
   Bvh8_node node{};
   node.boxes.lane_count = int(lanes.size());
-  Vector low = Vector::Constant(4), high = -low;
+  Vector low = Vector::all(4), high = -low;
   for (const Bvh8_lane& lane : lanes) {
     const Vector centre = lane.box.centre();
-    low = low.cwiseMin(centre);
-    high = high.cwiseMax(centre);
+    low = smaller(low, centre);
+    high = larger(high, centre);
   }
   // Exact in float, and so in double.
   Vector origin;

@@ -59,7 +59,7 @@ class Bvh8_treelet {
   std::size_t cuts() const { return cuts_; }
 
  private:
-  using Four = Eigen::Array4f;  // the fourth is 0
+  using Four = kernel::Four_floats;  // the fourth is 0
   using Vector = kernel::Vector;
 
   /// Elements begin .. end of the order, and where it is not a leaf the two parts that it is cut into.
@@ -74,12 +74,12 @@ class Bvh8_treelet {
 
   /// The bounds of elements along the axes.
   struct Bounds {
-    Four low = Four::Constant(std::numeric_limits<float>::infinity()), high = -low;
+    Four low = kernel::four_times(std::numeric_limits<float>::infinity()), high = -low;
 
     void add(const Bounds& other)
     {
-      low = low.min(other.low);
-      high = high.max(other.high);
+      low = kernel::smaller(low, other.low);
+      high = kernel::larger(high, other.high);
     }
     float surface() const
     {
@@ -96,17 +96,17 @@ class Bvh8_treelet {
     const kernel::Spread spread(corners_.points());
     // So near to one another that squares underflow: as good as one point.
     const double scale = spread.size() > 0x1p-900 ? 1 / std::sqrt(spread.size()) : 0;
-    const kernel::Matrix axes = scale * spread.principal_axes();
+    const kernel::Matrix to_axes = scale * spread.principal_axes().transpose();
     at_.clear();
     for (const Vector& p : corners_.points()) {
-      const Vector s = axes.transpose() * (p - spread.mean);
-      at_.push_back({float(s[0]), float(s[1]), float(s[2]), 0});
+      const Vector s = to_axes * (p - spread.mean);
+      at_.push_back(Four{float(s[0]), float(s[1]), float(s[2]), 0});
     }
     for (Index k = 0; k < count_; ++k) {
       bounds_[k] = Bounds();
       for (const std::uint32_t c : corners_.of(k)) {
-        bounds_[k].low = bounds_[k].low.min(at_[c]);
-        bounds_[k].high = bounds_[k].high.max(at_[c]);
+        bounds_[k].low = kernel::smaller(bounds_[k].low, at_[c]);
+        bounds_[k].high = kernel::larger(bounds_[k].high, at_[c]);
       }
     }
   }

@@ -24,7 +24,7 @@ inline int child_cone_of(kernel::Vector& weights)
     weights[k] *= 2;
     return i;
   }
-  weights = (2 * half - 2 * weights.array()).matrix().eval();  // of the midpoints across from each ray
+  weights = kernel::Vector::all(2 * half) - 2 * weights;  // of the midpoints across from each ray
   return 3;
 }
 
@@ -43,7 +43,7 @@ std::vector<std::size_t> order_by_cones(std::span<covering::Index> elements, con
   std::vector<Placed> all;
   for (const covering::Index e : elements) {
     const kernel::Vector c = centroid(e);
-    all.push_back({e, c.cwiseAbs(), int(c[0] < 0) | int(c[1] < 0) << 1 | int(c[2] < 0) << 2});
+    all.push_back({e, c.absolute(), int(c[0] < 0) | int(c[1] < 0) << 1 | int(c[2] < 0) << 2});
   }
   const auto is_one_cone = [&] {
     return std::all_of(all.begin(), all.end(), [&](const Placed& p) { return p.cone == all.front().cone; });

@@ -22,6 +22,7 @@ using scenes::integer;
 using scenes::Placing;
 using scenes::Random;
 using scenes::real;
+using scenes::solved;
 using scenes::vector;
 
 namespace {
@@ -106,10 +107,10 @@ BOOST_AUTO_TEST_CASE(a_mapped_box_holds_the_exact_images_of_its_points_but_for_t
       // The corner seen from the box's centre, solved in A's local units.
       const Vector centre(double(boxes.origin[0]) + box.centre[0], double(boxes.origin[1]) + box.centre[1],
                           double(boxes.origin[2]) + box.centre[2]);
-      const Vector out = linear.fullPivLu().solve(exact_difference(p, at, centre));
+      const Vector out = solved(linear, exact_difference(p, at, centre));
       for (int n = 0; n < 12; ++n) {
         Vector direction = vector(random).normalized();
-        if (n < 3) direction = Vector::Unit(n);
+        if (n < 3) direction = Vector::unit(n);
         if (n >= 3 && n < 6) direction = Vector(box.normal[n - 3][0], box.normal[n - 3][1], box.normal[n - 3][2]);
         double reach = 0;
         for (int j = 0; j < 3; ++j)
@@ -137,7 +138,7 @@ BOOST_AUTO_TEST_CASE(edges_so_short_that_their_squares_underflow_have_length_1_o
       Obb8 from{}, boxes{};
       const std::vector<Vector> corners = {Vector(0.5, 0.25, 0.125), Vector(-0.5, -0.25, -0.125),
                                            Vector(0.5, -0.25, 0.125), Vector(-0.5, 0.25, -0.125)};
-      store_lane(from, 0, Oriented_box(Matrix::Identity(), corners), Vector::Zero(), corners, 0);
+      store_lane(from, 0, Oriented_box(Matrix::identity(), corners), Vector(), corners, 0);
       const Single_box box = map(boxes, from, 0);
       if (!std::isfinite(box.slack)) {
         ++unknown;

@@ -50,9 +50,9 @@ struct Solid {
   /// To what floats hold.
   void round()
   {
-    centre = centre.cast<float>().cast<double>();
-    edges = edges.cast<float>().cast<double>();
-    extent = extent.cast<float>().cast<double>();
+    centre = centre.in_float();
+    edges = edges.in_float();
+    extent = extent.in_float();
   }
   Solid carried(const Matrix& map, const Vector& offset) const { return {map * centre + offset, map * edges, extent}; }
   /// The corner that reaches farthest along the direction.
@@ -83,7 +83,7 @@ struct Scene {
 
   Scene(Random& random, bool similarity, double gap)
   {
-    Matrix map = detail::axes_from(vector(random, 1), vector(random, 1)) * real(random, 0.3, 2);
+    Matrix map = real(random, 0.3, 2) * detail::axes_from(vector(random, 1), vector(random, 1));
     if (!similarity) map.col(0) += 0.4 * map.col(1);
     const Vector offset = vector(random, 1);
     std::array<double, 12> entries;
@@ -100,7 +100,7 @@ struct Scene {
       Solid p = Solid::any(random);
       const int k = int(random() % 6);
       const Vector normal =
-          k < 3 ? Vector(p.edges.col(k)) : Vector(single.edges.col((k + 1) % 3).cross(single.edges.col((k + 2) % 3)));
+          k < 3 ? p.edges.col(k) : single.edges.col((k + 1) % 3).cross(single.edges.col((k + 2) % 3));
       const Vector n = normal.normalized();
       p.centre += single.corner(n) + gap * n - p.corner(-n);
       p.round();

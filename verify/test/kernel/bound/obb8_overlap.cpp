@@ -53,9 +53,9 @@ struct Solid {
 
   void round()
   {
-    centre = centre.cast<float>().cast<double>();
-    extent = extent.cast<float>().cast<double>();
-    edges = edges.cast<float>().cast<double>();
+    centre = centre.in_float();
+    extent = extent.in_float();
+    edges = edges.in_float();
   }
   /// The corner that reaches farthest along the direction.
   Vector corner(const Vector& direction) const
@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(boxes_that_touch_are_never_told_apart)
       single.round();
       Obb8 boxes{};
       for (int lane = 0; lane < int(lanes); ++lane) {
-        Solid p{Vector::Zero(), axes(random), extents(random)};
+        Solid p{Vector(), axes(random), extents(random)};
         p.round();
         const Vector n = axis_of(integer(random, 0, 14), p, single);
         p.centre = single.corner(n) - p.corner(-n);
@@ -136,7 +136,7 @@ BOOST_AUTO_TEST_CASE(boxes_that_touch_are_never_told_apart)
       }
       Single_box box{};
       set(box, single);
-      const double m = single.centre.cwiseAbs().sum() + single.extent.sum() + boxes.reach;
+      const double m = single.centre.norm_1() + single.extent.sum() + boxes.reach;
       box.slack = obb8_slack(m, 0);
       told_apart += int(lanes) - std::popcount(overlap(boxes, box, similarity));
       box.slack = 0;
@@ -159,9 +159,12 @@ BOOST_AUTO_TEST_CASE(boxes_that_overlap_in_depth_are_never_told_apart)
       box.slack = obb8_slack(8, 0);
       Obb8 boxes{};
       for (int lane = 0; lane < int(lanes); ++lane) {
-        Solid p{Vector::Zero(), axes(random), extents(random)};
-        p.centre = single.centre + single.edges * vector(random).cwiseProduct(single.extent) -
-                   p.edges * vector(random).cwiseProduct(p.extent);
+        Solid p{Vector(), axes(random), extents(random)};
+        const auto within = [&](const Solid& s) {
+          const Vector share = vector(random);
+          return s.edges * Vector(share[0] * s.extent[0], share[1] * s.extent[1], share[2] * s.extent[2]);
+        };
+        p.centre = single.centre + within(single) - within(p);
         set(boxes, lane, p);
       }
       told_apart += int(lanes) - std::popcount(overlap(boxes, box, k % 2 == 0));
@@ -178,7 +181,7 @@ BOOST_AUTO_TEST_CASE(boxes_apart_by_a_plane_are_told_apart_by_each_of_the_15_axe
     for (int k = 0; k < 6000; ++k) {
       const bool similarity = k % 2 == 0;
       Solid p{vector(random), axes(random), extents(random)},
-          single{Vector::Zero(), similarity ? axes(random) : sheared(random), extents(random)};
+          single{Vector(), similarity ? axes(random) : sheared(random), extents(random)};
       const int which = k % 15;
       Vector n = axis_of(which, p, single);
       const double length = n.norm();
@@ -243,7 +246,7 @@ BOOST_AUTO_TEST_CASE(boxes_that_touch_a_triangle_are_never_told_apart_from_it)
       for (int lane = 0; lane < int(lanes); ++lane) {
         const double y = real(random, -1, 1), share = lane % 3 == 0 ? 0 : lane % 3 == 1 ? 1 : real(random, 0, 1);
         const Vector touched = t.at((1 - share) * t.left(y) + share * t.right(y), y);
-        Solid p{Vector::Zero(), axes(random), extents(random)};
+        Solid p{Vector(), axes(random), extents(random)};
         p.round();
         // Beyond a plane through that side, if it is one.
         const Vector beyond = lane % 3 == 0   ? Vector(-2 * t.solid.extent[2] * t.solid.edges.col(1) +
@@ -256,7 +259,7 @@ BOOST_AUTO_TEST_CASE(boxes_that_touch_a_triangle_are_never_told_apart_from_it)
         set(boxes, lane, p);
         boxes.reach = maximum(boxes.reach, float(p.extent.sum() + p.centre.norm()) * 1.000001f);
       }
-      t.box.slack = obb8_slack(boxes.reach + t.solid.extent.sum() + t.solid.centre.cwiseAbs().sum(), 0);
+      t.box.slack = obb8_slack(boxes.reach + t.solid.extent.sum() + t.solid.centre.norm_1(), 0);
       told_apart += overlap(boxes, t.box, true) != 255;
       t.box.slack = 0;
       t.box.extent[0] += 1e-3f;  // so that only the sides can tell
@@ -289,7 +292,7 @@ BOOST_AUTO_TEST_CASE(boxes_in_the_corners_that_a_triangle_leaves_of_its_box_are_
             {t.at(x, y), axes(random),
              size / std::sqrt(3) * Vector(real(random, 0, 1), real(random, 0, 1), real(random, 0, 1))});
       boxes.reach = float(t.at(x, y).norm() + 2 * size);
-      t.box.slack = obb8_slack(boxes.reach + t.solid.extent.sum() + t.solid.centre.cwiseAbs().sum(), 0);
+      t.box.slack = obb8_slack(boxes.reach + t.solid.extent.sum() + t.solid.centre.norm_1(), 0);
       told_apart += overlap(boxes, t.box, true) == 0;
       t.box.apex = no_apex;
       of_the_box += overlap(boxes, t.box, true) == 255;
@@ -444,7 +447,7 @@ BOOST_AUTO_TEST_CASE(mapped_boxes_that_touch_are_never_told_apart)
     for (int other = 0; other < int(lanes); ++other) {
       const Vector direction = vector(random);
       const Vector at = exact_image(p, b.corner(direction) + from_origin), out = (at - middle).normalized();
-      Solid a{Vector::Zero(), axes(random), extents(random)};
+      Solid a{Vector(), axes(random), extents(random)};
       if (other % 2 == 0) a.edges = detail::axes_from(out, vector(random));  // its face towards B
       a.round();
       a.centre = at - origin - a.corner(-out);

@@ -51,7 +51,7 @@ struct Scene {
   Scene(Random& random, const Vector& target, const Vector& along, double way)
   {
     scale.unit = std::ldexp(1.0, 90 * integer(random, -2, 2));
-    const double length = real(random, 0.5, 1) / along.cwiseAbs().maxCoeff();
+    const double length = real(random, 0.5, 1) / along.norm_infinity();
     for (int k = 0; k < 3; ++k) {
       scale.origin[k] = scale.unit * integer(random, -9, 9) * 0.125;
       origin[k] = scale.origin[k] + scale.unit * (target[k] - way * along[k]);
@@ -127,8 +127,8 @@ void put(Obb8& boxes, int lane, Random& random, const Vector& at, const Vector& 
   if (integer(random, 0, 2) == 0) extent[integer(random, 0, 2)] = 0;
   if (integer(random, 0, 3) == 0) extent *= 1e-3;
   // Across the ray: any direction, or one in which a whole face or edge is first.
-  Vector side = along.cross(integer(random, 0, 1) ? unit_vector(random) : Vector(axes.col(integer(random, 0, 2))));
-  side.normalize();
+  Vector side = along.cross(integer(random, 0, 1) ? unit_vector(random) : axes.col(integer(random, 0, 2)));
+  side = side.normalized();
   Vector centre = at;
   for (int i = 0; i < 3; ++i) {
     const float e = float(extent[i]);

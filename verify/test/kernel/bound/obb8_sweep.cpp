@@ -210,8 +210,8 @@ BOOST_AUTO_TEST_CASE(times_are_those_of_boxes_that_pass_by)
 {
   // Unit boxes; the single one comes along an axis from 8 away, and goes as far: they meet from 3/8 to 5/8 of the time.
   Obb8 boxes{}, from{};
-  for (int k = 0; k < int(lanes); ++k) set(boxes, k, Vector(0, k < 4 ? 0 : 3, 0), Matrix::Identity(), Vector(1, 1, 1));
-  set(from, 0, Vector(0, 0, 0), Matrix::Identity(), Vector(1, 1, 1));
+  for (int k = 0; k < int(lanes); ++k) set(boxes, k, Vector(0, k < 4 ? 0 : 3, 0), Matrix::identity(), Vector(1, 1, 1));
+  set(from, 0, Vector(0, 0, 0), Matrix::identity(), Vector(1, 1, 1));
   boxes.reach = 6;
   boxes.lane_count = lanes;
   const Local_scale units;

@@ -1,5 +1,7 @@
 #include "tetracone/kernel/bound/oriented_box.h"
 
+#include "verify/test/support/placed_boxes.h"
+
 #include <boost/test/unit_test.hpp>
 
 #include <array>
@@ -11,6 +13,7 @@
 BOOST_AUTO_TEST_SUITE(test_oriented_box)
 
 using namespace tetracone::kernel;
+using tetracone::verify::scenes::solved;
 
 namespace {
 
@@ -43,7 +46,7 @@ BOOST_AUTO_TEST_CASE(a_stored_box_holds_its_points)
         triangle ? std::span<const Vector>(all).first(3) : std::span<const Vector>(all);
     const Oriented_box box = triangle ? triangle_box(used.first<3>()) : fitted_box(used, k % 4);
     const Vector origin(0.25f * float(real(random)), 0.5, -0.125);
-    const Vector node_origin = origin.cast<float>().cast<double>();
+    const Vector node_origin = origin.in_float();
     Obb8 boxes{};
     store_lane(boxes, 5, box, node_origin, used, 0);
     // Solved in double for the float axes: far more digits than the margin.
@@ -55,10 +58,10 @@ BOOST_AUTO_TEST_CASE(a_stored_box_holds_its_points)
       extent[i] = boxes.extent[i][5];
     }
     for (const Vector& p : used) {
-      const Vector s = axes.fullPivLu().solve(p - centre);
+      const Vector s = solved(axes, p - centre);
       for (int i = 0; i < 3; ++i) BOOST_TEST(std::abs(s[i]) <= extent[i] + 1e-15);
     }
-    BOOST_TEST((axes.transpose() * axes - Matrix::Identity()).cwiseAbs().maxCoeff() <= axis_defect);
+    BOOST_TEST(axes.orthonormal_defect() <= axis_defect);
   }
 }
 
@@ -76,9 +79,9 @@ BOOST_AUTO_TEST_CASE(boxes_of_triangles_of_any_size_have_orthonormal_axes)
         for (Vector& p : t) p = Vector(0.5 * p[0] - 0.25 * p[2], 0.5 * p[0] + p[2], p[2] + 0.125 * p[0]);
       for (const Oriented_box& box : {triangle_box(t), fitted_box(t, 2)}) {
         ++tried;
-        wrong += !((box.axes.transpose() * box.axes - Matrix::Identity()).cwiseAbs().maxCoeff() <= 1e-14);
+        wrong += !(box.axes.orthonormal_defect() <= 1e-14);
         Obb8 boxes{};
-        store_lane(boxes, 0, box, Vector::Zero(), t, 0);
+        store_lane(boxes, 0, box, Vector(), t, 0);
         for (int i = 0; i < 3; ++i) wrong += !std::isfinite(boxes.extent[i][0]);
       }
     }
@@ -94,17 +97,14 @@ BOOST_AUTO_TEST_CASE(axes_that_are_not_orthonormal_are_not_stored)
   for (int kind = 0; kind < 6; ++kind) {
     Oriented_box box = fitted_box(all, 1);
     Matrix& axes = box.axes;
-    if (kind == 0) axes.col(1).setZero();
+    if (kind == 0) axes.col(1) = Vector();
     if (kind == 1) axes.col(2) = axes.col(0);
-    if (kind == 2) axes *= 1 + 0x1p-20;
+    if (kind == 2) axes = (1 + 0x1p-20) * axes;
     if (kind == 3) axes(1, 2) = nan;
-    if (kind == 4) {
-      axes.setConstant(nan);
-      box.centre.setConstant(nan);
-    }
+    if (kind == 4) axes = {{Vector::all(nan), Vector::all(nan), box.centre = Vector::all(nan)}};
     if (kind == 5) axes.col(0) *= std::numeric_limits<double>::infinity();
     Obb8 boxes{};
-    store_lane(boxes, 2, box, Vector::Zero(), all, 0);
+    store_lane(boxes, 2, box, Vector(), all, 0);
     for (const Vector& p : all)
       for (int i = 0; i < 3; ++i) {
         double along = 0;
@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_CASE(a_lane_holds_its_points_wherever_it_was_told_that_they_are)
     Lane_box box(fitted_axes(all, 2), k % 2 == 0 ? far : all[0]);
     for (const Vector& p : all) box.add(p);
     Obb8 boxes{};
-    const Vector origin = Vector(0.5, 0.25, 0).cast<float>().cast<double>();
+    const Vector origin = Vector(0.5, 0.25, 0).in_float();
     box.store(boxes, 1, origin, 0);
     for (int i = 0; i < 3; ++i) {
       double most = 0;
@@ -156,19 +156,19 @@ BOOST_AUTO_TEST_CASE(boxes_of_halves_added_are_that_of_all)
     }
     first.add(second);
     Obb8 boxes{};
-    whole.store(boxes, 0, Vector::Zero(), 0);
-    first.store(boxes, 1, Vector::Zero(), 0);
+    whole.store(boxes, 0, Vector(), 0);
+    first.store(boxes, 1, Vector(), 0);
     for (int i = 0; i < 3; ++i) {
       BOOST_TEST(boxes.centre[i][0] == boxes.centre[i][1]);
       BOOST_TEST(boxes.extent[i][0] == boxes.extent[i][1]);
     }
   }
-  Lane_box known(Matrix::Identity(), Vector(0, 0, 0)), none = known;
+  Lane_box known(Matrix::identity(), Vector(0, 0, 0)), none = known;
   known.add(Vector(0.5, 0.25, 0.125));
   none.add(Vector(0.5, std::numeric_limits<double>::quiet_NaN(), 0.125));
   known.add(none);
   Obb8 boxes{};
-  known.store(boxes, 0, Vector::Zero(), 0);
+  known.store(boxes, 0, Vector(), 0);
   for (int i = 0; i < 3; ++i) BOOST_TEST(std::isnan(boxes.extent[i][0]));
 }
 
@@ -176,10 +176,10 @@ BOOST_AUTO_TEST_CASE(a_lane_of_a_point_that_is_no_number_has_no_extent)
 {
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
     for (int place = 0; place < 3; ++place) {
-      Lane_box box(Matrix::Identity(), Vector(0, 0, 0));
+      Lane_box box(Matrix::identity(), Vector(0, 0, 0));
       for (int k = 0; k < 3; ++k) box.add(Vector(0.5, k == place ? bad : 0.25, 0.125));
       Obb8 boxes{};
-      box.store(boxes, 0, Vector::Zero(), 0);
+      box.store(boxes, 0, Vector(), 0);
       for (int i = 0; i < 3; ++i) BOOST_TEST(std::isnan(boxes.extent[i][0]));
     }
 }
@@ -190,7 +190,7 @@ BOOST_AUTO_TEST_CASE(a_flat_cloud_gets_a_flat_box)
   for (int k = 0; k < 200; ++k) {
     const auto all = points(random, 20, 1);
     const Oriented_box box = fitted_box(all, 3);
-    BOOST_TEST(box.extent.minCoeff() < 1e-7);
+    BOOST_TEST(minimum(box.extent[0], box.extent[1], box.extent[2]) < 1e-7);
     const Oriented_box of_triangle = triangle_box(std::span<const Vector>(all).first<3>());
     BOOST_TEST(of_triangle.extent[0] < 1e-7);
   }
@@ -216,7 +216,7 @@ BOOST_AUTO_TEST_CASE(the_principal_direction_is_where_points_spread_most)
   for (int k = -5; k <= 5; ++k) all.emplace_back(3 * k, k % 2, 0.25 * (k % 3));
   const Matrix axes = Spread(all).principal_axes();
   BOOST_TEST(std::abs(axes(0, 2)) > 0.99);
-  BOOST_TEST((axes.transpose() * axes - Matrix::Identity()).cwiseAbs().maxCoeff() < 1e-12);
+  BOOST_TEST(axes.orthonormal_defect() < 1e-12);
   const auto along = [&](int k) {
     double square = 0;
     for (const Vector& p : all) square += std::pow(axes.col(k).dot(p - Spread(all).mean), 2);
@@ -226,7 +226,7 @@ BOOST_AUTO_TEST_CASE(the_principal_direction_is_where_points_spread_most)
   BOOST_TEST(along(1) <= along(2));
   const Spread of_one(std::vector<Vector>{Vector(1, 2, 3)});
   BOOST_TEST(of_one.size() == 0);
-  BOOST_TEST((of_one.principal_axes() == Matrix::Identity()));
+  BOOST_TEST((of_one.principal_axes() == Matrix::identity()));
 }
 
 namespace {
@@ -237,7 +237,7 @@ struct Lane {
   std::array<Vector, 3> corners;
 
   Lane(const Oriented_box& box, const std::array<Vector, 3>& corners)
-      : node_origin(Vector(corners[0] + (corners[1] - corners[0]) * 3).cast<float>().cast<double>()), corners(corners)
+      : node_origin((corners[0] + (corners[1] - corners[0]) * 3).in_float()), corners(corners)
   {
     store_lane(boxes, 3, box, node_origin, corners, 0);
   }

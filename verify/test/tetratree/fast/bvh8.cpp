@@ -1,6 +1,7 @@
 #include "tetracone/tetratree/fast/bvh8.h"
 
 #include "tetracone/covering/repair/repair.h"
+#include "verify/test/support/placed_boxes.h"
 #include "verify/test/support/scenes.h"
 
 #include <boost/test/unit_test.hpp>
@@ -70,9 +71,9 @@ BOOST_AUTO_TEST_CASE(every_element_is_in_one_leaf_and_in_all_boxes_above_it)
           const auto& vertex = tree.model().vertices()[v];
           kernel::Vector p;
           for (int i = 0; i < 3; ++i) p[i] = (vertex[i] - tree.scale().origin[i]) / tree.scale().unit;
-          const kernel::Vector s = axes.fullPivLu().solve(p - centre);
+          const kernel::Vector s = solved(axes, p - centre);
           for (int i = 0; i < 3; ++i) outside += std::abs(s[i]) > double(node.boxes.extent[i][lane]) + 1e-15;
-          outside += p.cwiseAbs().maxCoeff() > 1;
+          outside += p.norm_infinity() > 1;
         }
         return corners;
       };

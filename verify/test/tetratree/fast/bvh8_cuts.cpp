@@ -11,7 +11,7 @@ using tetracone::kernel::Vector;
 
 namespace {
 
-Binned_cuts::Four four(const Vector& p) { return {float(p[0]), float(p[1]), float(p[2]), 0}; }
+Binned_cuts::Four four(const Vector& p) { return Binned_cuts::Four{float(p[0]), float(p[1]), float(p[2]), 0}; }
 
 }  // namespace
 

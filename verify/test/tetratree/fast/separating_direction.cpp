@@ -70,7 +70,12 @@ std::vector<std::unique_ptr<Body>> bodies()
 /// Of all vertices the one that reaches farthest.
 Index farthest(const Polyhedron& body, const Pose& pose, const kernel::Vector& direction)
 {
-  const auto reach = [&](const Vertex& v) { return direction.dot(pose.to_eigen() * kernel::Vector(v[0], v[1], v[2])); };
+  const auto reach = [&](const Vertex& v) {
+    kernel::Vector image;
+    for (int i = 0; i < 3; ++i)
+      image[i] = pose[4 * i] * v[0] + pose[4 * i + 1] * v[1] + pose[4 * i + 2] * v[2] + pose[4 * i + 3];
+    return direction.dot(image);
+  };
   return Index(std::max_element(body.vertices.begin(), body.vertices.end(),
                                 [&](const Vertex& p, const Vertex& q) { return reach(p) < reach(q); }) -
                body.vertices.begin());
