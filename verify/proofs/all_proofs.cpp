@@ -16,21 +16,42 @@
 #include "verify/proofs/separation_proofs.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <map>
 #include <random>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace tetracone::verify::proofs {
 
+namespace {
+
+const std::vector<std::pair<std::string, Proved_bounds (*)()>> headers = {
+    {"adaptive", adaptive_proofs},     {"bound", bound_proofs},
+    {"frame", frame_proofs},           {"obb8", obb8_proofs},
+    {"gap", gap_proofs},               {"obb8_distance", obb8_distance_proofs},
+    {"obb8_ray", obb8_ray_proofs},     {"separation", separation_proofs},
+    {"margin", margin_proofs},         {"distance", distance_proofs},
+    {"ray", ray_proofs},               {"motion", motion_proofs},
+    {"scene", scene_proofs}};
+
+}  // namespace
+
 Proved_bounds all_proofs()
 {
   Proved_bounds all;
-  for (const auto& proofs :
-       {adaptive_proofs, bound_proofs, frame_proofs, obb8_proofs, gap_proofs, obb8_distance_proofs, obb8_ray_proofs,
-        separation_proofs, margin_proofs, distance_proofs, ray_proofs, motion_proofs, scene_proofs})
+  for (const auto& [header, proofs] : headers)
     for (const Proved_bound& bound : proofs()) all.push_back(bound);
   return all;
+}
+
+Proved_bounds proofs_of(const std::string& header)
+{
+  const auto found = std::find_if(headers.begin(), headers.end(), [&](const auto& h) { return h.first == header; });
+  assert(found != headers.end());
+  return found->second();
 }
 
 namespace {

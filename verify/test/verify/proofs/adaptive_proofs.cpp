@@ -1,5 +1,6 @@
 #include "verify/proofs/adaptive_proofs.h"
 
+#include "verify/proofs/all_proofs.h"
 #include "verify/proofs/range_number.h"
 #include "verify/test/support/proofs.h"
 
@@ -75,7 +76,7 @@ void check_underflow(const std::string& name, const Expression& expression, std:
 BOOST_AUTO_TEST_CASE(every_constant_of_the_adaptive_kernel_is_proved)
 {
   if (skipped_without_gappa()) return;
-  check_proved(adaptive_proofs());
+  check_proved(proofs_of("adaptive"));
 }
 
 // `Adaptive_points` knows no error beyond the gate, of images or of the vertices that fractions place, and

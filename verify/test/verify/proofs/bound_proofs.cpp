@@ -1,5 +1,6 @@
-#include "verify/proofs/bound_proofs.h"
-
+#include "tetracone/kernel/bound/bounds.h"
+#include "verify/proofs/adaptive_proofs.h"
+#include "verify/proofs/all_proofs.h"
 #include "verify/proofs/range_number.h"
 #include "verify/test/support/proofs.h"
 
@@ -76,7 +77,7 @@ void check(const std::string& name, const Expression& expression, const std::vec
 BOOST_AUTO_TEST_CASE(every_constant_of_bounding_volumes_and_of_coordinates_in_cones_is_proved)
 {
   if (skipped_without_gappa()) return;
-  check_proved(bound_proofs());
+  check_proved(proofs_of("bound"));
 }
 
 // `Bound_frame` has no finite error where the reach of the body or of its image is beyond the gate, and what has no

@@ -1,5 +1,4 @@
-#include "verify/proofs/margin_proofs.h"
-
+#include "verify/proofs/all_proofs.h"
 #include "verify/test/support/proofs.h"
 
 #include <boost/test/unit_test.hpp>
@@ -11,7 +10,7 @@ using namespace tetracone::verify::proofs;
 BOOST_AUTO_TEST_CASE(every_margin_of_geometry_and_of_counted_roundings_is_derived)
 {
   if (skipped_without_gappa()) return;
-  check_proved(margin_proofs());
+  check_proved(proofs_of("margin"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,4 @@
-#include "verify/proofs/obb8_proofs.h"
-
-#include "verify/proofs/gap_proofs.h"
-#include "verify/proofs/obb8_distance_proofs.h"
+#include "verify/proofs/all_proofs.h"
 #include "verify/test/support/proofs.h"
 
 #include <boost/test/unit_test.hpp>
@@ -13,20 +10,20 @@ using namespace tetracone::verify::proofs;
 BOOST_AUTO_TEST_CASE(every_slack_of_boxes_is_proved)
 {
   if (skipped_without_gappa()) return;
-  check_proved(obb8_proofs());
+  check_proved(proofs_of("obb8"));
 }
 
 // Here, for they take what is proved of slacks.
 BOOST_AUTO_TEST_CASE(every_constant_of_certified_gaps_is_proved)
 {
   if (skipped_without_gappa()) return;
-  check_proved(gap_proofs());
+  check_proved(proofs_of("gap"));
 }
 
 BOOST_AUTO_TEST_CASE(every_constant_of_distances_of_boxes_is_proved)
 {
   if (skipped_without_gappa()) return;
-  check_proved(obb8_distance_proofs());
+  check_proved(proofs_of("obb8_distance"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
-#include "verify/proofs/obb8_ray_proofs.h"
-
+#include "verify/proofs/all_proofs.h"
 #include "verify/test/support/proofs.h"
 
 #include <boost/test/unit_test.hpp>
@@ -11,7 +10,7 @@ using namespace tetracone::verify::proofs;
 BOOST_AUTO_TEST_CASE(the_slack_of_rays_against_boxes_is_proved)
 {
   if (skipped_without_gappa()) return;
-  check_proved(obb8_ray_proofs());
+  check_proved(proofs_of("obb8_ray"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

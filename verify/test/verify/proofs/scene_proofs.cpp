@@ -1,5 +1,4 @@
-#include "verify/proofs/scene_proofs.h"
-
+#include "verify/proofs/all_proofs.h"
 #include "verify/test/support/proofs.h"
 
 #include <boost/test/unit_test.hpp>
@@ -11,7 +10,7 @@ using namespace tetracone::verify::proofs;
 BOOST_AUTO_TEST_CASE(every_constant_of_placed_bodies_is_proved)
 {
   if (skipped_without_gappa()) return;
-  check_proved(scene_proofs());
+  check_proved(proofs_of("scene"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
-#include "verify/proofs/separation_proofs.h"
-
+#include "verify/proofs/all_proofs.h"
 #include "verify/test/support/proofs.h"
 
 #include <boost/test/unit_test.hpp>
@@ -11,7 +10,7 @@ using namespace tetracone::verify::proofs;
 BOOST_AUTO_TEST_CASE(every_slack_of_separating_directions_and_of_containment_is_proved)
 {
   if (skipped_without_gappa()) return;
-  check_proved(separation_proofs());
+  check_proved(proofs_of("separation"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
