@@ -4,15 +4,15 @@
 #include "tetracone/covering/check.h"
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/io/read.h"
-#include "tetracone/covering/repair/repair.h"
-#include "tetracone/tetratree/fast/bvh8_collision.h"
-#include "tetracone/tetratree/paper/collision.h"
+#include "tetracone/tetratree/door/repair.h"
+#include "tetracone/tetratree/door/tetracone.h"
 #include "verify/test/support/data_folder.h"
 #include "verify/test/support/scenes.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -20,7 +20,6 @@
 BOOST_AUTO_TEST_SUITE(test_collide)
 
 using namespace tetracone::verify::scenes;
-using namespace tetracone::tetratree;
 namespace covering = tetracone::covering;
 namespace fs = std::filesystem;
 using tetracone::kernel::Question;
@@ -88,18 +87,20 @@ BOOST_AUTO_TEST_CASE(faces_with_holes_get_the_answers_of_the_papers_tree_in_rati
   int models = 0, answers = 0, collisions = 0, differ = 0;
   for (const Polyhedron& p : small_models()) {
     ++models;
-    Bvh8 whole(p), triangles(p, covering::triangulate_faces(p));
-    Bvh8_collision of_whole(whole, whole), of_triangles(triangles, triangles);
-    Tetra_tree<tetracone::kernel::Rational_kernel> exact(p, Config());
-    Collision<tetracone::kernel::Rational_kernel> reference(exact, exact);
-    for (int k = 0; k < 6; ++k) {
-      const Pose pose = any_pose(random, p, k % 3);
-      for (const Question question : {Question::surface, Question::solid}) {
-        const bool answer = reference(Pose(), pose, question);
-        differ += of_whole(Pose(), pose, question) != answer;
-        differ += of_triangles(Pose(), pose, question) != answer;
+    const tetracone::Body whole(p), triangles = tetracone::triangulated_body(p);
+    std::array<Pose, 6> poses;
+    for (int k = 0; k < 6; ++k) poses[k] = any_pose(random, p, k % 3);
+    for (const Question question : {Question::surface, Question::solid}) {
+      using tetracone::Query;
+      Query of_whole(whole, whole, question), of_triangles(triangles, triangles, question),
+          reference(whole, whole, question, {.kernel = tetracone::Kernel::rational, .method = tetracone::Method::paper});
+      for (const Pose& pose : poses) {
+        const auto answer = [&](Query& query) { return bool(query.collide(Pose(), pose)); };
+        const bool expected = answer(reference);
+        differ += answer(of_whole) != expected;
+        differ += answer(of_triangles) != expected;
         ++answers;
-        collisions += answer;
+        collisions += expected;
       }
     }
   }

@@ -4,9 +4,8 @@
 
 #include "verify/families/object_families.h"
 
-#include "tetracone/covering/repair/repair.h"
-#include "tetracone/tetratree/fast/bvh8_collision.h"
-#include "tetracone/tetratree/paper/collision.h"
+#include "tetracone/tetratree/door/repair.h"
+#include "tetracone/tetratree/door/tetracone.h"
 #include "verify/truth/cgal_truth.h"
 
 #include <boost/test/unit_test.hpp>
@@ -29,6 +28,33 @@ long number_from(const char* variable, long otherwise)
   return text ? std::strtol(text, nullptr, 10) : otherwise;
 }
 
+/// What is asked of two bodies.
+class Asked {
+ public:
+  Asked(const covering::Polyhedron& a, const covering::Polyhedron& b, Question question)
+      : Asked(Body(a), Body(b), triangulated_body(a), triangulated_body(b), question)
+  {}
+
+  /// How many answers are not `truth`: that over triangles, and in turn one of the others.
+  int wrong(const kernel::Pose& pose_a, const kernel::Pose& pose_b, std::size_t turn, bool truth)
+  {
+    const Answer other = turn % 3 == 0   ? whole_.collide(pose_a, pose_b)
+                         : turn % 3 == 1 ? other_way_.collide(pose_b, pose_a)
+                                         : paper_.collide(pose_a, pose_b);
+    return (bool(triangles_.collide(pose_a, pose_b)) != truth) + (bool(other) != truth);
+  }
+
+ private:
+  Asked(const Body& a, const Body& b, const Body& triangles_a, const Body& triangles_b, Question question)
+      : whole_(a, b, question),
+        triangles_(triangles_a, triangles_b, question, {.remember = true}),
+        other_way_(triangles_b, a, question, {.remember = true}),
+        paper_(a, b, question, {.method = Method::paper})
+  {}
+
+  Query whole_, triangles_, other_way_, paper_;
+};
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(answers_on_wild_poses_are_those_of_all_pairs_in_rationals)
@@ -43,13 +69,7 @@ BOOST_AUTO_TEST_CASE(answers_on_wild_poses_are_those_of_all_pairs_in_rationals)
     const auto cases = object_family::wild_run(random, parameters[std::size_t(done / run) % parameters.size()], run);
     const covering::Polyhedron &a = *cases.front().a, &b = *cases.front().b;
     const Brute_body truth_a(a), truth_b(b);
-    tetratree::Bvh8 whole_a(a), whole_b(b), triangles_a(a, covering::triangulate_faces(a)),
-        triangles_b(b, covering::triangulate_faces(b));
-    using tetratree::Coherence, tetratree::Bvh8_collision;
-    Bvh8_collision whole(whole_a, whole_b), triangles(triangles_a, triangles_b, Coherence::last_frame),
-        other_way(triangles_b, whole_a, Coherence::last_frame);
-    tetratree::Tetra_tree<kernel::Adaptive> paper_a(a), paper_b(b);
-    tetratree::Collision<kernel::Adaptive> paper(paper_a, paper_b);
+    Asked of_surface(a, b, Question::surface), of_solid(a, b, Question::solid);
     for (std::size_t k = 0; k < cases.size(); ++k) {
       const Object_case& c = cases[k];
       // The family exchanges the bodies of half its cases.
@@ -62,11 +82,7 @@ BOOST_AUTO_TEST_CASE(answers_on_wild_poses_are_those_of_all_pairs_in_rationals)
           surface = truth;
         else
           contained += truth && !surface;
-        // Each in turn beside the first, which is asked every pose.
-        wrong += triangles(pose_a, pose_b, question) != truth;
-        wrong += (k % 3 == 0   ? whole(pose_a, pose_b, question)
-                  : k % 3 == 1 ? other_way(pose_b, pose_a, question)
-                               : paper(pose_a, pose_b, question)) != truth;
+        wrong += (question == Question::surface ? of_surface : of_solid).wrong(pose_a, pose_b, k, truth);
         known_wrong += c.known(question) && *c.known(question) != truth;
         ++asked;
         yes += truth;
