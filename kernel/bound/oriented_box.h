@@ -319,8 +319,8 @@ class Lane_box {
       extent[i] = maximum(high_[i] - at[i], at[i] - low_[i]);
       size += 2 * maximum(std::abs(low_[i]), std::abs(high_[i]));
     }
-    const double margin = axis_defect_factor * axis_defect * maximum(extent[0], extent[1], extent[2]) + few_roundings * size +
-                          axis_norm_1 * point_error + 0 * sum_.sum();
+    const double margin = axis_defect_factor * axis_defect * maximum(extent[0], extent[1], extent[2]) +
+                          few_roundings * size + axis_norm_1 * point_error + 0 * sum_.sum();
     for (int i = 0; i < 3; ++i)
       boxes.extent[i][lane] =
           std::nextafter(static_cast<float>(extent[i] + margin), std::numeric_limits<float>::infinity());

@@ -93,7 +93,10 @@ struct Matrix {
   constexpr Matrix in_float() const { return {{columns[0].in_float(), columns[1].in_float(), columns[2].in_float()}}; }
   constexpr double trace() const { return columns[0][0] + columns[1][1] + columns[2][2]; }
 
-  constexpr Vector operator*(const Vector& v) const { return columns[0] * v[0] + columns[1] * v[1] + columns[2] * v[2]; }
+  constexpr Vector operator*(const Vector& v) const
+  {
+    return columns[0] * v[0] + columns[1] * v[1] + columns[2] * v[2];
+  }
   constexpr Matrix operator*(const Matrix& m) const
   {
     return {{*this * m.columns[0], *this * m.columns[1], *this * m.columns[2]}};

@@ -29,12 +29,12 @@ namespace tetracone::verify::proofs {
 namespace {
 
 const std::vector<std::pair<std::string, Proved_bounds (*)()>> headers = {
-    {"adaptive", adaptive_proofs},     {"bound", bound_proofs},
-    {"frame", frame_proofs},           {"obb8", obb8_proofs},
-    {"gap", gap_proofs},               {"obb8_distance", obb8_distance_proofs},
-    {"obb8_ray", obb8_ray_proofs},     {"separation", separation_proofs},
-    {"margin", margin_proofs},         {"distance", distance_proofs},
-    {"ray", ray_proofs},               {"motion", motion_proofs},
+    {"adaptive", adaptive_proofs}, {"bound", bound_proofs},
+    {"frame", frame_proofs},       {"obb8", obb8_proofs},
+    {"gap", gap_proofs},           {"obb8_distance", obb8_distance_proofs},
+    {"obb8_ray", obb8_ray_proofs}, {"separation", separation_proofs},
+    {"margin", margin_proofs},     {"distance", distance_proofs},
+    {"ray", ray_proofs},           {"motion", motion_proofs},
     {"scene", scene_proofs}};
 
 }  // namespace

@@ -93,7 +93,8 @@ BOOST_AUTO_TEST_CASE(faces_with_holes_get_the_answers_of_the_papers_tree_in_rati
     for (const Question question : {Question::surface, Question::solid}) {
       using tetracone::Query;
       Query of_whole(whole, whole, question), of_triangles(triangles, triangles, question),
-          reference(whole, whole, question, {.kernel = tetracone::Kernel::rational, .method = tetracone::Method::paper});
+          reference(whole, whole, question,
+                    {.kernel = tetracone::Kernel::rational, .method = tetracone::Method::paper});
       for (const Pose& pose : poses) {
         const auto answer = [&](Query& query) { return bool(query.collide(Pose(), pose)); };
         const bool expected = answer(reference);

@@ -99,8 +99,7 @@ struct Scene {
     for (int lane = 0; lane < int(lanes); ++lane) {
       Solid p = Solid::any(random);
       const int k = int(random() % 6);
-      const Vector normal =
-          k < 3 ? p.edges.col(k) : single.edges.col((k + 1) % 3).cross(single.edges.col((k + 2) % 3));
+      const Vector normal = k < 3 ? p.edges.col(k) : single.edges.col((k + 1) % 3).cross(single.edges.col((k + 2) % 3));
       const Vector n = normal.normalized();
       p.centre += single.corner(n) + gap * n - p.corner(-n);
       p.round();
