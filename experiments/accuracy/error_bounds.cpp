@@ -4,6 +4,7 @@
 #include "experiments/support/output_file.h"
 #include "verify/proofs/all_proofs.h"
 #include "verify/proofs/gappa_script.h"
+#include "verify/proofs/searches.h"
 
 #include <cstdio>
 #include <stdexcept>

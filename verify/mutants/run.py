@@ -7,7 +7,7 @@ usage: run.py BUILD [--out FOLDER] [--only WORD] [--jobs N]
 BUILD is a built tree with the target `mutant_cases`, which writes the cases and their truths. A mutant is killed when the probe finds a
 wrong answer, or the test fails, or either does not end. Exit status 1 when one survives, or when one does not compile: an error of the
 list. Of a mutant that names `units`, these sources of the library, the mutated one and what calls it, are compiled
-with the test from the mutated copy; else what the library has compiled is right.
+with the test from the mutated copy, and those of verify by the mutated headers; else what the library has compiled is right.
 The results are kept in FOLDER (default BUILD/mutants) and not computed again: what was stopped goes on; remove the folder to begin anew.
 N mutants (default: the number of cores) are tried at a time.
 """
@@ -74,7 +74,7 @@ def probe(folder, cases, options, test, build, units=()):
     program = folder / "probe"
     # What is no header is the built one, but for the units: what is defined first counts.
     libraries = [str(build / name) for name in ("libtruths.a", "libtetracone_repair.a", "libtetracone.a")]
-    sources = [str(folder / "tetracone" / unit) for unit in units] + (["-Wl,--allow-multiple-definition"] if units else [])
+    sources = [str(SOURCE / unit if unit.startswith("verify/") else folder / "tetracone" / unit) for unit in units] + (["-Wl,--allow-multiple-definition"] if units else [])
     source, more = (test, [f"-I{SOURCE}", f'-DTETRACONE_SOURCE_DIR="{SOURCE}"', *sources, *libraries, *TEST]) if test else (HERE / "probe.cpp", [])
     built = subprocess.run([compiler(), *COMPILE, *options, f"-I{folder}", str(source), *more, *LINK, "-o", str(program)],
                            capture_output=True, text=True)

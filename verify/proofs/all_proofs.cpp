@@ -12,152 +12,17 @@
 #include "verify/proofs/obb8_ray_proofs.h"
 #include "verify/proofs/ray_proofs.h"
 #include "verify/proofs/scene_proofs.h"
-#include "verify/proofs/searches.h"
 #include "verify/proofs/separation_proofs.h"
 
-#include <algorithm>
-#include <cassert>
-#include <cmath>
-#include <map>
-#include <random>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace tetracone::verify::proofs {
-
-namespace {
-
-const std::vector<std::pair<std::string, Proved_bounds (*)()>> headers = {
-    {"adaptive", adaptive_proofs}, {"bound", bound_proofs},
-    {"frame", frame_proofs},       {"obb8", obb8_proofs},
-    {"gap", gap_proofs},           {"obb8_distance", obb8_distance_proofs},
-    {"obb8_ray", obb8_ray_proofs}, {"separation", separation_proofs},
-    {"margin", margin_proofs},     {"distance", distance_proofs},
-    {"ray", ray_proofs},           {"motion", motion_proofs},
-    {"scene", scene_proofs}};
-
-}  // namespace
 
 Proved_bounds all_proofs()
 {
   Proved_bounds all;
-  for (const auto& [header, proofs] : headers)
+  for (const auto& proofs :
+       {adaptive_proofs, bound_proofs, frame_proofs, obb8_proofs, gap_proofs, obb8_distance_proofs, obb8_ray_proofs,
+        separation_proofs, margin_proofs, distance_proofs, ray_proofs, motion_proofs, scene_proofs})
     for (const Proved_bound& bound : proofs()) all.push_back(bound);
-  return all;
-}
-
-Proved_bounds proofs_of(const std::string& header)
-{
-  const auto found = std::find_if(headers.begin(), headers.end(), [&](const auto& h) { return h.first == header; });
-  assert(found != headers.end());
-  return found->second();
-}
-
-namespace {
-
-const Searches& searches()
-{
-  static const Searches all = [] {
-    Searches found;
-    for (const auto& part :
-         {adaptive_searches, bound_searches, frame_searches, box_searches, distance_searches, ray_searches})
-      found.merge(part());
-    return found;
-  }();
-  return all;
-}
-
-}  // namespace
-
-std::string why_not_searched(const std::string& name)
-{
-  const std::string counted = "counts roundings, each taken in full",
-                    one = "one rounding of each coordinate, taken in full";
-  static const std::map<std::string, std::string> reasons = {
-      {"Support_table::slack", "its reaches are rounded up, by more than a search finds beside them"},
-      {"Relative_frame::second_order", "of second order: what it adds to 1 is below the first order's own rounding"},
-      {"few_roundings", counted},
-      {"few_roundings, of moving boxes", counted},
-      {"few_roundings, of moving points", counted},
-      {"time_rounding", counted},
-      {"rounded_up", counted},
-      {"radius_rounding", counted},
-      {"distance_shrink", counted},
-      {"Local_ray::error",
-       "its directions are over roots, which are no rationals: the test of obb8_ray.h looks at boxes"},
-      {"Local_ray::slack", "a sum of errors that are not all reached at once: the test of obb8_ray.h looks at boxes"},
-      {"Ray_triangle::quotient_rounding", counted},
-      {"Double_double_ball::sum_rounding", "as double_double_difference"},
-      {"Double_double_ball::product_rounding", "a product's own, of double-double"},
-      {"Double_double_ball::of_radii", counted},
-      {"Double_double_ball::underflow", "as box_underflow"},
-      {"motion_filter::cross_error", counted},
-      {"motion_filter::sum_error", counted},
-      {"motion_filter::volume_error", counted},
-      {"motion_filter::rounded_error", counted},
-      {"Time_root::value_error", counted},
-      {"Carried_box::centre_rounding", one},
-      {"Carried_box::edge_rounding", counted},
-      {"Carrier::rate_rounding", counted},
-      {"motion_rounding", counted},
-      {"Placement::position_norm", "as position_factor"},
-      {"placed_rounding, of a turned box's centre", "as placed_rounding, of steps"},
-      {"step_rounding", counted},
-      {"step_rounding, of reaches in halves", counted},
-      {"body_box_rounding, of places", counted},
-      {"body_box_rounding, of the box's numbers", counted},
-      {"body_box_rounding, of what has turned", counted},
-      {"turned_rounding", one},
-      {"turned_centre_rounding", one},
-      {"axis_defect, of turned boxes", one},
-      {"bound_box_defect in bound_box", "as axis_defect_factor"},
-      {"box_underflow", "underflow comes where no rounding of these sizes is seen"},
-      {"apex_tolerance", "every apex is checked when it is stored"},
-      {"Regular_hull::normal_rounding", "every cone of its levels is enclosed instead"},
-      {"Cone_coordinates::height_rounding", "every cone to the hull's depth is enclosed instead"}};
-  const auto reason = reasons.find(name);
-  return reason == reasons.end() ? "" : reason->second;
-}
-
-double worst_found(const std::string& name, int steps, unsigned seed)
-{
-  const auto search = searches().find(name);
-  if (search == searches().end()) return -1;
-  std::mt19937_64 random(seed);
-  const auto uniform = [&] { return double(random() >> 11) * 0x1p-52 - 1; };
-  const auto start = [&] {
-    Inputs in(search->second.inputs);
-    for (double& x : in) x = uniform();
-    return in;
-  };
-  // Near 1 errors are the largest shares of what they are errors of; a step changes one number by ulps or anew.
-  Inputs best = start();
-  double worst = search->second.share(best), all = worst;
-  for (int step = 0, since = 0; step < steps; ++step, ++since) {
-    if (since > 2000) {
-      best = start();
-      worst = search->second.share(best);
-      since = 0;
-    }
-    Inputs next = best;
-    for (int change = 0; change < 1 + int(random() % 2); ++change) {
-      double& x = next[random() % next.size()];
-      switch (random() % 4) {
-        case 0: x = uniform(); break;
-        case 1: x = std::copysign(1 + uniform() * 0x1p-30, uniform()); break;
-        case 2: x *= 1 + uniform() * 0x1p-40; break;
-        default: x = std::nextafter(x, random() % 2 == 0 ? 2 : -2);
-      }
-    }
-    const double share = search->second.share(next);
-    if (share >= worst) {
-      if (share > worst) since = 0;
-      worst = share;
-      best = next;
-      all = std::max(all, worst);
-    }
-  }
   return all;
 }
 

@@ -2,7 +2,7 @@
 # Has a sample of the proofs checked by Coq: scripts that the recorder writes, which Gappa proves and writes down as a proof that Coq reads.
 # usage: check_with_coq.sh SCRIPTS...
 # SCRIPTS are Gappa's, as TETRACONE_KEEP_PROOFS=FOLDER makes the tests keep them:
-#     TETRACONE_KEEP_PROOFS=out/proofs build-asserts/verify/test_verify_proofs --run_test=test_adaptive_proofs
+#     TETRACONE_KEEP_PROOFS=out/proofs build-asserts/verify/test_verify_proofs --run_test=test_all_proofs
 #     verify/proofs/check_with_coq.sh out/proofs/*.g
 # Needs the Debian packages gappa, coq, libcoq-flocq and libcoq-gappa. Exit status 2 when one is missing, 1 when a proof fails.
 set -euo pipefail

@@ -1,4 +1,5 @@
 #include "verify/proofs/distance_proofs.h"
+#include "verify/proofs/ray_proofs.h"
 #include "verify/proofs/searches.h"
 
 #include <algorithm>
@@ -69,6 +70,94 @@ Searches distance_searches()
           {"triangle_distance::point_rounding", {5, point}},
           {"cone_side_bound", {18, cone}},
           {"plane_side_bound", {24, plane}}};
+}
+
+namespace {
+namespace ray_search {
+
+using Number = Tracked<double>;
+using Vector = std::array<Number, 3>;
+
+/// Corners and the ray's origin, from which differences are taken, and a direction of components of at most 2.
+struct Ray_and_triangle {
+  Vector to_a, to_b, p, q, direction;
+  double farthest = 0, longest = 0;
+
+  explicit Ray_and_triangle(const Inputs& in)
+      : to_a(between(in, 0, 9)),
+        to_b(between(in, 3, 9)),
+        p(between(in, 3, 0)),
+        q(between(in, 6, 0)),
+        direction{component(in, 0), component(in, 1), component(in, 2)}
+  {
+    for (std::size_t k = 0; k < 3; ++k) {
+      farthest = std::max({farthest, std::abs(to_a[k].computed), std::abs(to_b[k].computed)});
+      longest = std::max({longest, std::abs(p[k].computed), std::abs(q[k].computed)});
+    }
+  }
+
+ private:
+  static Vector between(const Inputs& in, int to, int from)
+  {
+    return kernel::difference(detail::tracked<double>(in, to), detail::tracked<double>(in, from));
+  }
+  static Number component(const Inputs& in, int k)
+  {
+    return Number(2 * std::clamp(in[std::size_t(12 + k)], -1.0, 1.0));
+  }
+};
+
+double side(const Inputs& in)
+{
+  const Ray_and_triangle all(in);
+  return detail::ratio(kernel::determinant(all.to_a, all.to_b, all.direction).error(), all.farthest * all.farthest) /
+         detail::u;
+}
+
+/// Of N and of t D, t the largest.
+double plane(const Inputs& in)
+{
+  const Ray_and_triangle all(in);
+  const double square = all.longest * all.longest;
+  return (detail::ratio(kernel::determinant(all.p, all.q, all.to_a).error(), square * all.farthest) +
+          detail::ratio(kernel::determinant(all.p, all.q, all.direction).error(), square)) /
+         detail::u;
+}
+
+/// In double-double, of differences that are exact.
+template <bool is_slope>
+double wide(const Inputs& in)
+{
+  using Wide = kernel::Double_double;
+  std::array<std::array<Wide, 3>, 3> v;
+  std::array<std::array<Rational, 3>, 3> exact;
+  double longest = 0, farthest = 0;
+  for (std::size_t k = 0; k < 9; ++k) {
+    const std::size_t i = k / 3;
+    const double far = is_slope && i == 2 ? 2 * std::clamp(in[k], -1.0, 1.0) : in[k],
+                 near = is_slope && i == 2 ? 0 : in[9 + k];
+    v[i][k % 3] = Wide::sum(far, -near);
+    exact[i][k % 3] = Rational(far) - Rational(near);
+    double& largest = i == 2 ? farthest : longest;
+    largest = std::max(largest, std::abs(v[i][k % 3].high));
+  }
+  const Wide computed = kernel::determinant(v[0], v[1], v[2]);
+  const Rational off =
+      Rational(computed.high) + Rational(computed.low) - kernel::determinant(exact[0], exact[1], exact[2]);
+  return detail::ratio(Rational(abs(off)).get_d(), longest * longest * (is_slope ? 1 : farthest)) /
+         (detail::u * detail::u);
+}
+
+}  // namespace ray_search
+}  // namespace
+
+Searches ray_searches()
+{
+  using namespace ray_search;
+  return {{"Ray_triangle::side_rounding", {15, side}},
+          {"Ray_triangle::plane_rounding", {15, plane}},
+          {"Ray_triangle::height_rounding", {18, wide<false>}},
+          {"Ray_triangle::slope_rounding", {18, wide<true>}}};
 }
 
 }  // namespace tetracone::verify::proofs

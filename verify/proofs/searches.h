@@ -33,6 +33,13 @@ Searches box_searches();
 Searches distance_searches();
 Searches ray_searches();
 
+/// The worst error that a search by hill climbing finds for a constant, in its unit; negative where none looks for it.
+/// Truth is rational. The same seed finds the same.
+double worst_found(const std::string& name, int steps, unsigned seed);
+
+/// Why no search looks for a constant's worst error; empty where one does.
+std::string why_not_searched(const std::string& name);
+
 namespace detail {
 
 constexpr double u = kernel::unit_roundoff<double>, u_of_float = kernel::unit_roundoff<float>;

@@ -1,6 +1,5 @@
 #include "verify/proofs/adaptive_proofs.h"
 
-#include "verify/proofs/all_proofs.h"
 #include "verify/proofs/range_number.h"
 #include "verify/test/support/proofs.h"
 
@@ -72,12 +71,6 @@ void check_underflow(const std::string& name, const Expression& expression, std:
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_CASE(every_constant_of_the_adaptive_kernel_is_proved)
-{
-  if (skipped_without_gappa()) return;
-  check_proved(proofs_of("adaptive"));
-}
 
 // `Adaptive_points` knows no error beyond the gate, of images or of the vertices that fractions place, and
 // `Pose::determinant_sign` no bound: the gate is asked for there, and is what is assumed here.

@@ -1,6 +1,5 @@
-#include "tetracone/kernel/bound/bounds.h"
-#include "verify/proofs/adaptive_proofs.h"
-#include "verify/proofs/all_proofs.h"
+#include "verify/proofs/bound_proofs.h"
+
 #include "verify/proofs/range_number.h"
 #include "verify/test/support/proofs.h"
 
@@ -73,12 +72,6 @@ void check(const std::string& name, const Expression& expression, const std::vec
 }
 
 }  // namespace
-
-BOOST_AUTO_TEST_CASE(every_constant_of_bounding_volumes_and_of_coordinates_in_cones_is_proved)
-{
-  if (skipped_without_gappa()) return;
-  check_proved(proofs_of("bound"));
-}
 
 // `Bound_frame` has no finite error where the reach of the body or of its image is beyond the gate, and what has no
 // finite error is never separated (the tests of kernel/bound/bounds.h): that is assumed here. A pose's entry may be
