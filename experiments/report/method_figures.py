@@ -298,8 +298,9 @@ def view_across(p, q):
 
 def save(figure, out, name):
     figure.tight_layout(pad=0.3)
+    box = style.box_of(figure)
     for ending in ("svg", "pdf"):
-        figure.savefig(out / f"method_{name}.{ending}", bbox_inches="tight", pad_inches=0.03, metadata={"Date": None} if ending == "svg" else {"CreationDate": None})
+        figure.savefig(out / f"method_{name}.{ending}", bbox_inches=box, metadata={"Date": None} if ending == "svg" else {"CreationDate": None})
     plt.close(figure)
 
 

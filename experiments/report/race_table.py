@@ -10,7 +10,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-from report_style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, SKY, VERMILION, set_style  # noqa: F401
+from report_style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, SKY, VERMILION, box_of, set_style  # noqa: F401
 
 OURS, FCL, PAPER, PUBLISHED = "tetracone", "FCL OBBRSS", "tetra-tree tuned in double", "tetra-tree as published in double"
 LAST_FRAME, IN_DOUBLE, EPICK, EPECK = "tetracone with last frame", "tetracone in double", "CGAL RMCD EPICK", "CGAL RMCD EPECK"
@@ -76,8 +76,9 @@ def judged(rows):
 
 def save(figure, out, name):
     """Both files are whole or the old ones."""
+    box = box_of(figure, 0.1)
     for ending in ("svg", "pdf"):
         file = os.path.join(out, f"{name}.{ending}")
-        figure.savefig(file + ".part", format=ending, bbox_inches="tight", metadata={"Date" if ending == "svg" else "CreationDate": None})
+        figure.savefig(file + ".part", format=ending, bbox_inches=box, metadata={"Date" if ending == "svg" else "CreationDate": None})
         os.replace(file + ".part", file)
     plt.close(figure)

@@ -9,7 +9,7 @@ from dataclasses import dataclass, fields, replace
 import matplotlib.pyplot as plt
 
 from report_data import distinct
-from report_style import GRID, INK, PAPER
+from report_style import GRID, INK, PAPER, box_of
 
 
 @dataclass(frozen=True)
@@ -71,11 +71,12 @@ class Page:
         """Saves the figure as PDF and SVG; gives it for the page, with what made it and a link to its rows."""
         source.check()
         part = os.path.join(self.out, "figures", name + ".part")
-        fig.savefig(part, format="pdf", bbox_inches="tight", pad_inches=0.03,
+        box = box_of(fig)
+        fig.savefig(part, format="pdf", bbox_inches=box,
                     metadata={"CreationDate": None, "Title": source.asked, "Subject": source.line(), "Keywords": data})
         os.replace(part, os.path.join(self.out, "figures", name + ".pdf"))
         buffer = io.StringIO()
-        fig.savefig(buffer, format="svg", bbox_inches="tight", pad_inches=0.03,
+        fig.savefig(buffer, format="svg", bbox_inches=box,
                     metadata={"Date": None, "Title": source.asked, "Description": source.line()})
         plt.close(fig)
         svg = buffer.getvalue()

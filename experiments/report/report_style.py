@@ -49,6 +49,11 @@ def bring_up_to_date(axis):
     axis.get_ylim()
 
 
+def box_of(figure, around=0.03):
+    """The box, in inches, of what is drawn, with so much around it: measured once for all files of a figure."""
+    return figure.get_tightbbox(figure.canvas.get_renderer()).padded(around)
+
+
 def label_points(axis, labels, obstacles):
     """Puts (x, y, text, colour) beside its point, where it covers neither another label nor one of the points `obstacles`.
     Call when the layout is final."""

@@ -16,7 +16,7 @@ find kernel covering tetratree -name '*.h' -not -path 'tetratree/python/*' | LC_
 tidy()
 {
   with_fast_malloc clang-tidy --config-file=.clang-tidy --quiet "$1" -- -std=c++20 -frounding-math -I"$scratch" -I"$root" \
-    $(for library in eigen3 bullet; do pkg-config --cflags $library 2> /dev/null | sed 's/-I/-isystem /g'; done) -DCGAL_USE_GMPXX=1 -DCGAL_DO_NOT_USE_BOOST_MP -DCGAL_NO_CDT_2_WARNING -DBOOST_TEST_DYN_LINK \
+    $(for library in eigen3 bullet; do pkg-config --cflags $library 2> /dev/null | sed 's/-I/-isystem /g'; done) -DHWY_COMPILE_ONLY_STATIC -DCGAL_USE_GMPXX=1 -DCGAL_DO_NOT_USE_BOOST_MP -DCGAL_NO_CDT_2_WARNING -DBOOST_TEST_DYN_LINK \
     -DTETRACONE_SOURCE_DIR='""' -DTETRACONE_PROGRAM='""' -DCGAL_INCLUDE='""' 2> "$scratch/errors" || { grep -v 'warnings generated' "$scratch/errors"; return 1; }
 }
 
