@@ -120,9 +120,9 @@ def main():
                 sys.exit(f"{program}: failed; expected the cases that it writes")
         cases.with_suffix(".new").rename(cases)
 
-    # A result counts for the headers, the cases and the probe that it was found with.
+    # A result counts for the headers, the proofs of their constants, the cases and the probe that it was found with.
     digest = hashlib.sha256(cases.read_bytes() + (HERE / "probe.cpp").read_bytes())
-    for name in HEADERS:
+    for name in (*HEADERS, "verify/proofs"):
         for header in sorted((SOURCE / name).rglob("*.[chi]*")):
             digest.update(header.read_bytes())
     results_file = out / "results.json"

@@ -92,10 +92,10 @@ inline Proved_bounds distance_proofs()
                               Rational(low)));
   }
   std::vector<Slice> terms_of_gap;
-  for (int k = 0; k < 3; ++k)
-    for (const int p : {3, 6}) {
+  for (std::size_t k = 0; k < 3; ++k)
+    for (const std::size_t p : {3, 6}) {
       Slice slice(9, 0);
-      slice[std::size_t(k)] = slice[std::size_t(p + k)] = 1;
+      slice[k] = slice[p + k] = 1;
       terms_of_gap.push_back(slice);
     }
   const Rational of_gap =

@@ -1,3 +1,5 @@
+// Searches of distances of triangles and of signs in cones, and of rays against triangles.
+
 #include "verify/proofs/distance_proofs.h"
 #include "verify/proofs/ray_proofs.h"
 #include "verify/proofs/searches.h"
@@ -101,10 +103,7 @@ struct Ray_and_triangle {
   {
     return kernel::difference(detail::tracked<double>(in, to), detail::tracked<double>(in, from));
   }
-  static Number component(const Inputs& in, int k)
-  {
-    return Number(2 * std::clamp(in[std::size_t(12 + k)], -1.0, 1.0));
-  }
+  static Number component(const Inputs& in, std::size_t k) { return Number(2 * std::clamp(in[12 + k], -1.0, 1.0)); }
 };
 
 double side(const Inputs& in)
