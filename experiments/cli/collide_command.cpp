@@ -233,9 +233,7 @@ void run_collide(const Collide_options& options, bool question_is_given)
     std::vector<Subject> subjects;
     for (const std::string& kernel : kernels) {
       const auto subject = Subject::parse(kernel, *method);
-      if (!subject)
-        throw CLI::ValidationError("--kernel " + kernel,
-                                   "expected adaptive, double, float, double-eps=E, epick, epeck or rational");
+      if (!subject) throw CLI::ValidationError("--kernel " + kernel, "expected " + kernel_names());
       subjects.push_back(*subject);
     }
     if (c && !question_is_given && !options.relation) question = c->question;
@@ -282,8 +280,7 @@ void add_collide_command(CLI::App& app)
           ->add_option("--question", options->question,
                        "solid: do the solids share a point; surface: do the surfaces; of a case file: its own")
           ->capture_default_str();
-  command->add_option("--kernel", options->kernel, "adaptive, double, float, double-eps=E, epick, epeck or rational")
-      ->capture_default_str();
+  command->add_option("--kernel", options->kernel, kernel_names())->capture_default_str();
   command
       ->add_option("--compare", options->compare,
                    "Kernels asked beside --kernel, as K,K: a column each behind its own, blanks between them; in the "

@@ -183,9 +183,7 @@ void run(const Options& options)
   const auto question = kernel::parse_question(options.question);
   if (!question) throw CLI::ValidationError("--question " + options.question, "expected solid or surface");
   const auto query = parse_kernel(options.kernel);
-  if (!query)
-    throw CLI::ValidationError("--kernel " + options.kernel,
-                               "expected adaptive, double, float, epick, epeck, rational or double-eps=E");
+  if (!query) throw CLI::ValidationError("--kernel " + options.kernel, "expected " + kernel_names());
   if (options.json && !options.csv.empty()) throw CLI::ValidationError("--json", "expected without --csv");
   if (options.time && options.csv.empty() && !options.json)
     throw CLI::ValidationError("--time", "expected --csv or --json to hold the times");
@@ -243,8 +241,7 @@ void add_scene_command(CLI::App& app)
   const auto options = std::make_shared<Options>();
   command->add_option("FILE", options->file, "Scene file, *.scene.json")->required();
   command->add_option("--question", options->question, "solid or surface")->capture_default_str();
-  command->add_option("--kernel", options->kernel, "adaptive, double, float, double-eps=E, epick, epeck or rational")
-      ->capture_default_str();
+  command->add_option("--kernel", options->kernel, kernel_names())->capture_default_str();
   command->add_option(
       "--memory", options->memory,
       "Bytes that models and queries may take: models are given back, and read again when they are needed");

@@ -130,10 +130,7 @@ void add_view_command(CLI::App& app)
   command->add_option("B", names.b, "Model; without it A is shown alone");
   command->add_option("--out", options->out, "The page, FILE.html")->required();
   command->add_option("--question", options->question, "solid or surface; default: solid, or the case file's own");
-  command
-      ->add_option("--kernel", options->kernel,
-                   "Whose answers are compared with the exact ones: adaptive, double, float, double-eps=E, epick, "
-                   "epeck or rational")
+  command->add_option("--kernel", options->kernel, "Whose answers are compared with the exact ones: " + kernel_names())
       ->capture_default_str();
   command
       ->add_option("--method", options->method,

@@ -335,9 +335,7 @@ std::string view_data(const View_scene& scene, const std::string& kernel, verify
 {
   const bool predicate = scene.from && scene.from->level == verify::Level::predicate, pair = scene.bodies.size() == 2;
   const auto subject = Subject::parse(kernel, method);
-  if (!subject && !predicate)
-    throw CLI::ValidationError("--kernel " + kernel,
-                               "expected adaptive, double, float, double-eps=E, epick, epeck or rational");
+  if (!subject && !predicate) throw CLI::ValidationError("--kernel " + kernel, "expected " + kernel_names());
 
   std::size_t triangles = 0;
   for (const Model_file& body : scene.bodies) triangles += triangle_count(body.polyhedron());

@@ -96,11 +96,6 @@ std::array<double, 3> nearest(const Rational_point& x)
 
 Loops detail::rational_loops(const Contacts_data& contacts, std::size_t k) { return exactly(contacts, k); }
 
-void detail::refuse_contacts()
-{
-  throw Error("query: contacts by a kernel that rounds; expected an exact one: adaptive, epeck or rational");
-}
-
 std::size_t Contacts::size() const { return data_->found.pieces.size(); }
 
 Contact_piece Contacts::operator[](std::size_t k) const

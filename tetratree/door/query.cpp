@@ -1,56 +1,14 @@
-#include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/number/pose.h"
-#include "tetracone/kernel/predicate/kernels.h"
 #include "tetracone/tetratree/door/contacts_data.h"
 #include "tetracone/tetratree/door/query_data.h"
 #include "tetracone/tetratree/door/solver.h"
 #include "tetracone/tetratree/door/tetracone.h"
 
 #include <cstddef>
-#include <future>
 #include <string>
 #include <utility>
 
 namespace tetracone {
-namespace detail {
-
-namespace {
-
-/// Makes what there is to be of both fast trees before the first pose, at the same time where that is worth a thread.
-void make_roots(const Body_data& a, const Body_data& b)
-{
-  constexpr std::size_t worth_a_thread = 100'000;  // faces: some tens of milliseconds
-  if (a.made_bvh8() || b.made_bvh8() ||
-      kernel::minimum(a.polyhedron.face_count(), b.polyhedron.face_count()) < worth_a_thread)
-    return;
-  auto of_b = std::async(std::launch::async, [&] { b.bvh8(); });
-  a.bvh8();
-  of_b.get();
-}
-
-template <class K>
-std::unique_ptr<Solver> solver_of(const Shared_body& a, const Shared_body& b, const Query_options& options)
-{
-  if (options.method == Method::tree) make_roots(*a, *b);
-  return options.method == Method::tree ? bvh8_solver<K>(a, b, options) : tetra_tree_solver<K>(a, b, options);
-}
-
-std::unique_ptr<Solver> solver(const Shared_body& a, const Shared_body& b, const Query_options& options)
-{
-  switch (options.kernel) {
-    case Kernel::adaptive: return solver_of<kernel::Adaptive>(a, b, options);
-    case Kernel::double_: return solver_of<kernel::Double>(a, b, options);
-    case Kernel::float_: return solver_of<kernel::Float>(a, b, options);
-    case Kernel::double_eps: return solver_of<kernel::Tolerant>(a, b, options);
-    case Kernel::epick: return solver_of<kernel::Epick>(a, b, options);
-    case Kernel::epeck: return solver_of<kernel::Epeck>(a, b, options);
-    case Kernel::rational: return solver_of<kernel::Rational_kernel>(a, b, options);
-  }
-  throw Error("query: no such kernel; expected one of Kernel's");
-}
-
-}  // namespace
-}  // namespace detail
 
 Query::Query(const Body& a, const Body& b, Question question, const Query_options& options)
 {
@@ -58,8 +16,8 @@ Query::Query(const Body& a, const Body& b, Question question, const Query_option
     detail::require_solid(*a.data_, "query: body a", "Question::solid");
     detail::require_solid(*b.data_, "query: body b", "Question::solid");
   }
-  data_ = std::make_unique<detail::Query_data>(detail::Query_data{question, detail::solver(a.data_, b.data_, options),
-                                                                  a.data_, b.data_, options, nullptr, nullptr});
+  data_ = std::make_unique<detail::Query_data>(detail::Query_data{
+      question, detail::make_solver(a.data_, b.data_, options), a.data_, b.data_, options, nullptr, nullptr});
 }
 
 Query::~Query() = default;

@@ -8,8 +8,16 @@
 namespace tetracone {
 namespace {
 
-constexpr std::array<std::string_view, 7> kernel_names = {"adaptive", "double", "float",   "double-eps",
-                                                          "epick",    "epeck",  "rational"};
+constexpr std::string_view list_name(Kernel asked)
+{
+  switch (asked) {
+#define TETRACONE_CASE(kernel, name, ...) \
+  case Kernel::kernel: return name;
+    TETRACONE_FOR_EACH_KERNEL(TETRACONE_CASE)
+#undef TETRACONE_CASE
+  }
+  return "";
+}
 
 }  // namespace
 
@@ -34,19 +42,30 @@ std::optional<Query_options> parse_kernel(std::string_view name)
     (is_relative ? options.tolerance.relative : options.tolerance.absolute) = *value;
     return options;
   }
-  for (std::size_t k = 0; k < kernel_names.size(); ++k) {
-    options.kernel = Kernel(k);
-    if (name == kernel_names[k] && options.kernel != Kernel::double_eps) return options;
+  for (const Kernel kernel : all_kernels) {
+    options.kernel = kernel;
+    if (kernel != Kernel::double_eps && name == list_name(kernel)) return options;
   }
   return std::nullopt;
 }
 
 std::string kernel_name(Kernel kernel, const Tolerance& tolerance)
 {
-  const std::string name(kernel_names[static_cast<std::size_t>(kernel)]);
+  const std::string name(list_name(kernel));
   if (kernel != Kernel::double_eps) return name;
   return name + (tolerance.relative > 0 ? "=rel:" + kernel::shortest(tolerance.relative)
                                         : "=" + kernel::shortest(tolerance.absolute));
+}
+
+std::string kernel_names()
+{
+  std::string names;
+  for (std::size_t k = 0; k < all_kernels.size(); ++k) {
+    if (k > 0) names += k + 1 == all_kernels.size() ? " or " : ", ";
+    names += list_name(all_kernels[k]);
+    if (all_kernels[k] == Kernel::double_eps) names += "=E";
+  }
+  return names;
 }
 
 }  // namespace tetracone

@@ -2,6 +2,7 @@
 #define TETRACONE_TETRATREE_DOOR_QUERY_OPTIONS_H
 
 #include "tetracone/kernel/predicate/tolerance.h"
+#include "tetracone/tetratree/door/kernel_list.h"
 
 #include <array>
 #include <optional>
@@ -12,8 +13,27 @@ namespace tetracone {
 
 using kernel::Tolerance;
 
-/// The arithmetic that decides. Exact are adaptive, epeck and rational; epick is exact of images that it rounds.
-enum class Kernel { adaptive, double_, float_, double_eps, epick, epeck, rational };
+/// The arithmetic that decides: a row of `TETRACONE_FOR_EACH_KERNEL` each. `epick` rounds the images and is exact after that.
+#define TETRACONE_ENUMERATOR(kernel, ...) kernel,
+enum class Kernel { TETRACONE_FOR_EACH_KERNEL(TETRACONE_ENUMERATOR) };
+
+/// Every kernel, in the order of the list.
+#define TETRACONE_KERNEL(kernel, ...) Kernel::kernel,
+inline constexpr std::array all_kernels = {TETRACONE_FOR_EACH_KERNEL(TETRACONE_KERNEL)};
+#undef TETRACONE_ENUMERATOR
+#undef TETRACONE_KERNEL
+
+/// Whether every answer of the kernel is right by construction.
+constexpr bool is_exact(Kernel asked)
+{
+  switch (asked) {
+#define TETRACONE_CASE(kernel, name, type, exact) \
+  case Kernel::kernel: return exact;
+    TETRACONE_FOR_EACH_KERNEL(TETRACONE_CASE)
+#undef TETRACONE_CASE
+  }
+  return false;
+}
 
 /// How a query finds its answer.
 enum class Method {
@@ -23,6 +43,7 @@ enum class Method {
   brute   ///< every edge against every face
 };
 
+/// Every method.
 inline constexpr std::array all_methods = {Method::tree, Method::tuned, Method::paper, Method::brute};
 
 /// The enumerator's own name.
@@ -49,13 +70,15 @@ struct Query_options {
                           ///< answer
 };
 
-/// The kernel, and where it has one the tolerance, of a name: adaptive, double, float, epick, epeck, rational,
-/// double-eps=E or double-eps=rel:E with E >= 0 finite: a sign is zero up to E, absolute, or relative to the sum of its
-/// products. Nothing when there is none such.
+/// The kernel of a name that `kernel_names` lists, with its tolerance where it has one: double-eps=E or double-eps=rel:E,
+/// E >= 0 finite. A sign is zero up to E, absolute, or relative to the sum of its products. Nothing for other names.
 std::optional<Query_options> parse_kernel(std::string_view name);
 
 /// The name that `parse_kernel` reads.
 std::string kernel_name(Kernel kernel, const Tolerance& tolerance = {});
+
+/// The names of all kernels as help and error lines show them: "adaptive, double, ... or rational".
+std::string kernel_names();
 
 }  // namespace tetracone
 

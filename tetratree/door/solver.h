@@ -38,11 +38,14 @@ class Solver {
 
 using Shared_body = std::shared_ptr<const Body_data>;
 
-/// The paper's tree over K with the method's choices. Each kernel is a unit of its own, here and below.
+/// Makes the solver that the options ask for. Throws Error for a kernel that is none.
+std::unique_ptr<Solver> make_solver(const Shared_body& a, const Shared_body& b, const Query_options& options);
+
+/// Makes the paper's tree over K, with the method's choices. Each kernel has a unit of its own, here and below.
 template <class K>
 std::unique_ptr<Solver> tetra_tree_solver(const Shared_body& a, const Shared_body& b, const Query_options& options);
 
-/// The fast tree with leaves decided by K.
+/// Makes the fast tree, with leaves decided by K.
 template <class K>
 std::unique_ptr<Solver> bvh8_solver(const Shared_body& a, const Shared_body& b, const Query_options& options);
 

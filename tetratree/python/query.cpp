@@ -277,12 +277,10 @@ std::string listed(const Names& names)
   return text;
 }
 
-std::vector<std::string> kernel_names()
+std::vector<std::string> example_names()
 {
   std::vector<std::string> names;
-  for (const Kernel kernel : {Kernel::adaptive, Kernel::double_, Kernel::float_, Kernel::double_eps, Kernel::epick,
-                              Kernel::epeck, Kernel::rational})
-    names.push_back(kernel_name(kernel, Tolerance{1e-12, 0}));
+  for (const Kernel kernel : all_kernels) names.push_back(kernel_name(kernel, Tolerance{1e-12, 0}));
   return names;
 }
 
@@ -307,9 +305,7 @@ std::shared_ptr<Locked_query> made_query(const Shared_body& a, const Shared_body
   const auto asked = kernel::parse_question(question);
   if (!asked) throw Error("query: question '" + question + "'; expected solid or surface");
   auto options = parse_kernel(kernel);
-  if (!options)
-    throw Error("query: kernel '" + kernel +
-                "'; expected adaptive, double, float, double-eps=E, epick, epeck or rational");
+  if (!options) throw Error("query: kernel '" + kernel + "'; expected " + kernel_names());
   const auto way = parse_method(method);
   if (!way) throw Error("query: method '" + method + "'; expected " + listed(method_names()));
   options->method = *way;
@@ -322,7 +318,7 @@ std::shared_ptr<Locked_query> made_query(const Shared_body& a, const Shared_body
 
 void add_query(py::module_& module)
 {
-  module.attr("kernels") = tuple_of(kernel_names());
+  module.attr("kernels") = tuple_of(example_names());
   module.attr("methods") = tuple_of(method_names());
 
   const auto poses_b = py::arg("poses_b");

@@ -85,9 +85,7 @@ std::shared_ptr<Locked_scene> made_scene(const Bodies& bodies, const py::str& of
   const auto asked = kernel::parse_question(question);
   if (!asked) throw Error("scene: question '" + question + "'; expected solid or surface");
   const auto query = parse_kernel(kernel);
-  if (!query)
-    throw Error("scene: kernel '" + kernel +
-                "'; expected adaptive, double, float, double-eps=E, epick, epeck or rational");
+  if (!query) throw Error("scene: kernel '" + kernel + "'; expected " + kernel_names());
   if (!(budget >= 0 && budget <= 1e9)) throw Error("scene: budget; expected seconds from 0 to 10^9, 0 for no limit");
   if (threads > 1024) throw Error("scene: " + std::to_string(threads) + " threads; expected 1 to 1024, or 0 for all");
   // A budget that is no whole nanosecond is one all the same.

@@ -152,12 +152,12 @@ Object_subject object_subject(const Subject& subject)
 std::vector<Object_subject> object_subjects()
 {
   std::vector<Object_subject> subjects;
-  for (const std::string_view kernel :
-       {"adaptive", "rational", "epeck", "epick", "double", "double-eps=1e-12", "double-eps=rel:1e-12", "float"})
-    for (const Method method : all_methods)
-      // All pairs in rational arithmetic are the truth itself.
-      if (kernel != "rational" || method != Method::brute)
-        subjects.push_back(object_subject(*Subject::parse(kernel, method)));
+  for (const Kernel_name kernel : all_kernels)
+    for (const kernel::Tolerance& tolerance : studied_tolerances(kernel))
+      for (const Method method : all_methods)
+        // All pairs in rational arithmetic are the truth itself.
+        if (kernel != Kernel_name::rational || method != Method::brute)
+          subjects.push_back(object_subject({kernel, tolerance, method}));
   Subject special;
   special.remembers = true;
   subjects.push_back(object_subject(special));

@@ -4,13 +4,17 @@
 #include "tetracone/kernel/predicate/frame.h"
 #include "tetracone/kernel/predicate/segment_face.h"
 #include "tetracone/kernel/predicate/tetrahedron.h"
+#include "tetracone/tetratree/door/kernel_list.h"
 #include "tetracone/tetratree/paper/classification.h"
 #include "verify/subjects/segment_triangle_formulations.h"
 
 #include <CGAL/exceptions.h>
 
 #include <array>
+#include <string>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace tetracone::verify {
 namespace {
@@ -99,6 +103,18 @@ std::optional<int> ours(Predicate predicate, const Predicate_case& c)
   }
 }
 
+/// Adds the kernel's own predicates: a kernel with a tolerance is two subjects.
+template <class K>
+void add_ours(std::vector<Predicate_subject>& subjects, const std::string& name, bool is_exact)
+{
+  if constexpr (std::is_same_v<K, kernel::Tolerant>) {
+    subjects.push_back({name + "=1e-12", is_exact, "", ours<K, absolute_1e_12>});
+    subjects.push_back({name + "=rel:1e-12", is_exact, "", ours<K, relative_1e_12>});
+  } else {
+    subjects.push_back({name, is_exact, "", ours<K>});
+  }
+}
+
 // --- other formulations ----------------------------------------------------------------------------------------------
 
 template <class Number>
@@ -159,15 +175,7 @@ const std::vector<Predicate_subject>& predicate_subjects()
       "an error of algebra, which no arithmetic repairs";
   static const std::string cgal_note =
       "CGAL's do_intersect on the placed points as they are rounded; degenerate ones are passed on as what they are";
-  static const std::vector<Predicate_subject> subjects = {
-      {"adaptive", true, "", ours<Adaptive>},
-      {"rational", true, "", ours<Rational_kernel>},
-      {"epeck", true, "", ours<Epeck>},
-      {"epick", false, "", ours<Epick>},
-      {"double", false, "", ours<Double>},
-      {"double-eps=1e-12", false, "", ours<Tolerant, absolute_1e_12>},
-      {"double-eps=rel:1e-12", false, "", ours<Tolerant, relative_1e_12>},
-      {"float", false, "", ours<Float>},
+  static const std::vector<Predicate_subject> others = {
       {"double moeller-trumbore-eps-1e-12", false, moeller, formulated<Double, moeller_trumbore<eps_1e_12>>},
       {"double moeller-trumbore-eps-0", false, moeller, formulated<Double, moeller_trumbore<eps_0>>},
       {"double segura-feito", false, segura, formulated<Double, formulations::segura_feito<double>>},
@@ -182,6 +190,14 @@ const std::vector<Predicate_subject>& predicate_subjects()
       {"float cgal", false, cgal_note, cgal<Float>},
       {"epick cgal", false, cgal_note, cgal<Epick>},
   };
+  static const std::vector<Predicate_subject> subjects = [] {
+    std::vector<Predicate_subject> all;
+#define TETRACONE_SUBJECT(enumerator, name, type, exact) add_ours<type>(all, name, exact);
+    TETRACONE_FOR_EACH_KERNEL(TETRACONE_SUBJECT)
+#undef TETRACONE_SUBJECT
+    all.insert(all.end(), others.begin(), others.end());
+    return all;
+  }();
   return subjects;
 }
 

@@ -109,6 +109,12 @@ std::optional<Subject> Subject::parse(std::string_view kernel, Method method)
   return Subject{options->kernel, options->tolerance, method};
 }
 
+std::vector<kernel::Tolerance> studied_tolerances(Kernel_name kernel)
+{
+  if (kernel != Kernel_name::double_eps) return {{}};
+  return {{1e-12, 0}, {0, 1e-12}};
+}
+
 std::string Subject::kernel_name() const { return tetracone::kernel_name(kernel, tolerance); }
 
 std::string Subject::name() const

@@ -47,15 +47,16 @@ struct Subject {
   std::string kernel_name() const;
 
   /// True when every answer is right by construction.
-  bool is_exact() const
-  {
-    return kernel == Kernel_name::adaptive || kernel == Kernel_name::epeck || kernel == Kernel_name::rational;
-  }
+  bool is_exact() const { return tetracone::is_exact(kernel); }
 };
 
+using tetracone::all_kernels;
 using tetracone::all_methods;
 using tetracone::parse_method;
 using tetracone::to_string;
+
+/// The tolerances with which a kernel is studied: an absolute and a relative one of `double_eps`, none of the others.
+std::vector<kernel::Tolerance> studied_tolerances(Kernel_name kernel);
 
 /// Two polyhedra made ready for one subject: built once, asked for many poses. Faces must be planar.
 class Prepared_pair {

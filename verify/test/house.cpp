@@ -500,7 +500,7 @@ Strings late_own_header(const std::string& path, const std::string& text)
   return {};
 }
 
-/// The project's C++ files, relative to its root; but for the user's project of the package's test, which is not ours.
+/// The project's C++ files, relative to its root. Programs of users, the examples and the package's test, are left out.
 Strings sources()
 {
   Strings found;
@@ -508,7 +508,8 @@ Strings sources()
     if (!fs::exists(root / folder)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
       const fs::path& path = entry.path();
-      if (path.parent_path().filename() != "install" &&
+      const fs::path room = path.parent_path().filename();
+      if (room != "install" && room != "examples" &&
           (path.extension() == ".h" || path.extension() == ".inl" || path.extension() == ".cpp"))
         found.push_back(path.lexically_relative(root).generic_string());
     }

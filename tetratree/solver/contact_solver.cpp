@@ -42,6 +42,8 @@ class Bvh8_contact_solver : public Contact_solver {
 
 }  // namespace
 
+void refuse_contacts() { throw Error("query: contacts by a kernel that rounds; expected an exact one"); }
+
 template <class K>
 std::unique_ptr<Contact_solver> bvh8_contact_solver(const Shared_body& a, const Shared_body& b,
                                                     const Query_options& options)
@@ -49,16 +51,10 @@ std::unique_ptr<Contact_solver> bvh8_contact_solver(const Shared_body& a, const 
   return std::make_unique<Bvh8_contact_solver<K>>(a, b, options);
 }
 
-#define TETRACONE_CONTACT_SOLVER(K)                                                                               \
-  template std::unique_ptr<Contact_solver> bvh8_contact_solver<kernel::K>(const Shared_body&, const Shared_body&, \
-                                                                          const Query_options&);
-TETRACONE_CONTACT_SOLVER(Adaptive)
-TETRACONE_CONTACT_SOLVER(Double)
-TETRACONE_CONTACT_SOLVER(Float)
-TETRACONE_CONTACT_SOLVER(Tolerant)
-TETRACONE_CONTACT_SOLVER(Epick)
-TETRACONE_CONTACT_SOLVER(Epeck)
-TETRACONE_CONTACT_SOLVER(Rational_kernel)
+#define TETRACONE_CONTACT_SOLVER(kernel_, name, type, exact)                                                         \
+  template std::unique_ptr<Contact_solver> bvh8_contact_solver<kernel::type>(const Shared_body&, const Shared_body&, \
+                                                                             const Query_options&);
+TETRACONE_FOR_EACH_KERNEL(TETRACONE_CONTACT_SOLVER)
 #undef TETRACONE_CONTACT_SOLVER
 
 }  // namespace tetracone::detail
