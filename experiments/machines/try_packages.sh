@@ -19,9 +19,10 @@ echo "packing, and making a bare Debian 12"
 cmake --build "$build" --target all python > "$work/log" 2>&1 || { tail -n 20 "$work/log" >&2; exit 1; }
 cpack --config "$build/CPackConfig.cmake" -B "$work/packed" > "$work/log" 2>&1 || { cat "$work/log" >&2; exit 1; }
 mmdebstrap --quiet --variant=minbase bookworm "$work/debian" $(for file in "${sources[@]}"; do [[ ! -s $file ]] || echo "$file"; done)
-mkdir -p "$work/debian/tetracone/"{verify/test,tetratree/door}
+mkdir -p "$work/debian/tetracone/"{verify/test,tetratree/{door,python}}
 cp "$work"/packed/*.deb "$root/README.md" "$work/debian/tetracone/"
-cp "$root/tetratree/door/mainpage.md" "$work/debian/tetracone/tetratree/door/"
+cp -r "$root/tetratree/door/"{mainpage.md,examples} "$work/debian/tetracone/tetratree/door/"
+cp "$root/tetratree/python/README.md" "$work/debian/tetracone/tetratree/python/"
 cp -r "$root/verify/test/install" "$work/debian/tetracone/verify/test/"
 
 cat > "$work/debian/tetracone/try" << 'END'
@@ -48,8 +49,8 @@ tetracone report all.db --table errors > /dev/null
 echo "the program answers after $SECONDS s"
 
 packages ./python3-tetracone_*.deb
-python3 -m doctest README.md
-echo "the Python example of README.md prints what it says after $SECONDS s"
+python3 -m doctest tetratree/python/README.md
+echo "the Python example of tetratree/python/README.md prints what it says after $SECONDS s"
 
 packages python3-matplotlib
 tetracone report a.db --out out > /dev/null

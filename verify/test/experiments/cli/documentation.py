@@ -15,12 +15,14 @@ if not PROGRAM:
     print("skipped: no program")
     sys.exit(77)
 BUILD = os.path.dirname(PROGRAM)
-PAGES = ("README.md", "CONTRIBUTING.md", "experiments/README.md", "experiments/subjects/README.md", "experiments/cluster/README.md",
+PAGES = ("README.md", "CONTRIBUTING.md", "kernel/README.md", "covering/README.md", "tetratree/README.md", "tetratree/python/README.md", "verify/README.md",
+         "experiments/README.md", "experiments/results/README.md", "experiments/subjects/README.md", "experiments/cluster/README.md",
          "verify/corpus/README.md", "tetratree/door/mainpage.md")
-# What recipes of CONTRIBUTING.md make.
-NEW = {"halvings", "NAME", "experiments/accuracy/halvings.cpp", "experiments/accuracy/halvings.h", "verify/subjects/box_subject.h",
-       "verify/subjects/box_subject.cpp", "tetratree/solver/solver_long_double.cpp", "experiments/peers/example_peer.cpp",
-       "verify/test/experiments/accuracy/halvings.cpp", "verify/test/verify/subjects/box_subject.cpp", "mirror-image"}
+# Words for what the reader chooses.
+NEW = {"NAME"}
+# The longest that a page may be, in words, and in lines.
+MOST_WORDS = {"README.md": 1200, "CONTRIBUTING.md": 1500}
+MOST_LINES = {f"{folder}/README.md": 80 for folder in ("kernel", "covering", "verify", "experiments")}
 
 
 def code_of(page):
@@ -102,6 +104,21 @@ class Documentation(unittest.TestCase):
                         self.assertTrue(any(os.path.exists(os.path.join(of, name)) for of in (SOURCE, folder)))
                         seen += 1
         self.assertGreater(seen, 40)
+
+    def test_pages_are_short(self):
+        for page, most in MOST_WORDS.items():
+            with open(os.path.join(SOURCE, page), encoding="utf-8") as file:
+                self.assertLessEqual(len(file.read().split()), most, page)
+        for page, most in MOST_LINES.items():
+            with open(os.path.join(SOURCE, page), encoding="utf-8") as file:
+                self.assertLessEqual(len(file.readlines()), most, page)
+
+    def test_tables_of_rooms_name_the_rooms_that_there_are(self):
+        for folder in ("kernel", "verify"):
+            with open(os.path.join(SOURCE, folder, "README.md"), encoding="utf-8") as file:
+                named = {room for row in re.findall(r"^\| (`[a-z_/`, ]+`) \|", file.read(), re.M) for room in re.findall(r"`([a-z_]+)/`", row)}
+            there = {entry.name for entry in os.scandir(os.path.join(SOURCE, folder)) if entry.is_dir() and not entry.name.startswith("_")}
+            self.assertEqual(named, there, folder)
 
     def test_the_packages_to_install_are_those_that_are_built_with(self):
         with open(os.path.join(SOURCE, "experiments", "support", "setup.sh")) as file:

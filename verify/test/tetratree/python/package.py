@@ -385,8 +385,8 @@ class Objects(unittest.TestCase):
     def test_the_examples_of_the_docstrings(self):
         self.assertEqual(examples_failed(tetracone), 0)
 
-    def test_the_example_of_the_readme(self):
-        name = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "..", "README.md")
+    def test_the_examples_of_the_readme(self):
+        name = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "..", "tetratree", "python", "README.md")
         failed, attempted = doctest.testfile(name, module_relative=False, encoding="utf-8")
         self.assertEqual(failed, 0)
         self.assertGreater(attempted, 5)

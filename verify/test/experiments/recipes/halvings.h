@@ -1,0 +1,36 @@
+#ifndef TETRACONE_VERIFY_TEST_EXPERIMENTS_RECIPES_HALVINGS_H
+#define TETRACONE_VERIFY_TEST_EXPERIMENTS_RECIPES_HALVINGS_H
+// Recipe "An experiment": its header is the last declaration, its source the rest.
+
+#include "experiments/support/csv_row.h"
+#include "experiments/support/output_file.h"
+#include "verify/cases/shape_generators.h"
+#include "verify/subjects/subject.h"
+
+#include <cmath>
+#include <filesystem>
+
+namespace tetracone::experiments {
+
+/// Asks of two unit cubes 2^-k apart: at which k does each kernel first say that they touch? Writes OUT/halvings.csv, a row
+/// a kernel. Throws covering::Input_error when `out` cannot be written.
+inline void run_halvings(const std::filesystem::path& out)
+{
+  make_folder(out);
+  const covering::Polyhedron cube = verify::unit_cube();
+  Csv_table table;
+  for (const char* kernel : {"adaptive", "double", "float"}) {
+    const verify::Subject subject = *verify::Subject::parse(kernel);
+    const auto pair = verify::prepare(subject, cube, cube);
+    int k = 0;
+    while (!pair->collide(kernel::Pose(), kernel::Pose::translation(1 + std::ldexp(1.0, -k), 0, 0),
+                          kernel::Question::solid))
+      ++k;
+    table.add(Csv_row().add("subject", subject.name()).add("halvings", k).add_origin(0));
+  }
+  write_whole(out / "halvings.csv", table.text());
+}
+
+}  // namespace tetracone::experiments
+
+#endif
