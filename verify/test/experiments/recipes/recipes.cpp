@@ -2,11 +2,11 @@
 
 #include "tetracone/tetratree/solver/bvh8_solver.inl"
 #include "tetracone/tetratree/solver/tetra_tree_solver.inl"
+#include "verify/cases/shape_generators.h"
 #include "verify/test/experiments/recipes/box_subject.h"
 #include "verify/test/experiments/recipes/halvings.h"
 #include "verify/test/experiments/recipes/long_double.h"
 #include "verify/test/experiments/recipes/mirror_image.h"
-#include "verify/cases/shape_generators.h"
 #include "verify/test/support/temporary_file.h"
 #include "verify/truth/cgal_truth.h"
 
