@@ -5,9 +5,9 @@
 
 . "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-# Those that tetracone/tetracone.h and tetracone/repair.h are made of.
-interface="tetratree/door/tetracone.h tetratree/door/repair.h tetratree/door/query_options.h tetratree/query_statistics.h covering/polyhedron.h
-  kernel/number/error.h kernel/number/vertex.h kernel/predicate/contact.h kernel/predicate/question.h kernel/predicate/tolerance.h"
+# The headers of the library's interface, and those of the package that they include.
+doors="tetratree/door/tetracone.h tetratree/door/repair.h tetratree/scene/scene.h"
+interface=$(cd "$root" && { printf '%s\n' $doors; sed -n 's|^#include "tetracone/\(.*\)"|\1|p' $doors; } | sort -u | tr '\n' ' ')
 
 # document SETTING...: one run with these settings after the Doxyfile's.
 document()
@@ -21,6 +21,6 @@ mkdir -p out/doc
 # What is undocumented is told by a run of its own, whose output nobody needs.
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-document "INPUT = ${interface//$'\n'/ }" "USE_MDFILE_AS_MAINPAGE =" "WARN_IF_UNDOCUMENTED = YES" "OUTPUT_DIRECTORY = $scratch"
+document "INPUT = $interface" "USE_MDFILE_AS_MAINPAGE =" "WARN_IF_UNDOCUMENTED = YES" "OUTPUT_DIRECTORY = $scratch"
 document "PROJECT_NUMBER = $(sed -n 's/^project(tetracone VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)" "OUTPUT_DIRECTORY = out/doc"
 echo "reference: $root/out/doc/html/index.html"

@@ -29,50 +29,51 @@ struct Contact_piece {
   Feature in_b;  ///< what of face_b does
 };
 
-/// Doubles that enclose a point's coordinates: lower[k] <= x_k <= upper[k]. They are apart by at most 2^-40 of the
-/// point's largest coordinate, or they are neighbours.
+/// Doubles that enclose a point's coordinates. Their distance is at most 2^-40 of the point's largest coordinate, or they
+/// are neighbours.
 struct Enclosure {
-  std::array<double, 3> lower, upper;
+  std::array<double, 3> lower;  ///< lower[k] <= x_k
+  std::array<double, 3> upper;  ///< x_k <= upper[k]
 };
 
-/// All pairs of faces of two placed bodies that share a point, with the maximal pieces of what they share, each once:
-/// segments and points where the faces' planes cross, and of faces in one plane the polygons of their overlap, then
-/// what no polygon holds. There is none exactly where the surfaces share no point. Cheap to copy; where a piece is gets
-/// computed when it is asked for. Safe from any number of threads at once.
+/// All pairs of faces of two placed bodies that share a point, each with the maximal pieces of what they share.
+///
+/// Faces in different planes share points and segments. Faces in one plane share polygons, and points and segments that no
+/// polygon holds. Each piece is listed once. The list is empty exactly where the surfaces share no point. Copies are cheap.
+/// The place of a piece is computed when it is asked for. Any number of threads may ask at once.
 class Contacts {
  public:
-  /// The number of pieces.
+  /// Returns the number of pieces.
   std::size_t size() const;
   /// True when the surfaces share no point.
   bool empty() const { return size() == 0; }
 
-  /// Piece k, by faces of A, then of B.
+  /// Returns piece k. Pieces are sorted by the face of A, then of B. Requires k < size().
   Contact_piece operator[](std::size_t k) const;
 
-  /// Where piece k is: one loop of a point, or of the two ends of a segment; or the loops of a polygon's border, which
-  /// are its outer one and its holes, without order. No three corners in a row are on one line.
+  /// Returns where piece k is: a loop of one point, of the two ends of a segment, or the loops of a polygon's border. The
+  /// outer loop and the holes have no order. No three corners in a row are on one line. Requires k < size().
   std::vector<std::vector<Enclosure>> loops(std::size_t k) const;
 
-  /// The same, exactly: fractions "n/d", or "n".
+  /// Returns `loops` exactly: fractions "n/d", or "n".
   std::vector<std::vector<std::array<std::string, 3>>> exact_loops(std::size_t k) const;
 
-  /// The same as the doubles nearest to it.
+  /// Returns `loops` as the doubles nearest to the exact coordinates.
   std::vector<std::vector<std::array<double, 3>>> nearest_loops(std::size_t k) const;
 
-  /// Pieces that are joined: a chain of points, each joined with the next, and the last with the first where it is
-  /// closed.
+  /// Pieces that are joined to a chain of points.
   struct Curve {
-    bool closed;
-    std::vector<std::array<double, 3>> points;  ///< the doubles nearest to them
+    bool closed;                                ///< true when the last point is joined with the first
+    std::vector<std::array<double, 3>> points;  ///< the nearest doubles; each is joined with the next
   };
 
-  /// The segments, those of one line that overlap or follow each other as one, unless a segment of another line ends
-  /// between; joined where exactly two end in one point. All is compared exactly.
+  /// Returns the segments, joined where exactly two end in one point. Segments of one line that overlap or follow each
+  /// other are one, unless a segment of another line ends between them. All is compared exactly.
   std::vector<Curve> curves() const;
 
-  /// Of the library's own.
+  /// For the library's own use.
   explicit Contacts(std::shared_ptr<const detail::Contacts_data> data) : data_(std::move(data)) {}
-  /// Of the library's own.
+  /// For the library's own use.
   const detail::Contacts_data& data() const { return *data_; }
 
  private:

@@ -10,15 +10,15 @@
 
 namespace tetracone {
 
-/// What part of a placed body holds a point: of a face as it was given, its corner or edge where the point is on one.
+/// The part of a placed body that holds a point: the corner or edge of a face where the point is on one, else the face.
 struct Holder {
-  /// `interior`: of the solid, off its surface.
+  /// The kind of the part; `interior` is the solid without its surface.
   enum class Kind { vertex, edge, face, interior };
 
   Kind kind = Kind::interior;         ///< the part
-  std::vector<std::uint32_t> number;  ///< of the vertex; of the edge's vertices; of the face; nothing
+  std::vector<std::uint32_t> number;  ///< the vertex; the two vertices of the edge; the face; nothing for `interior`
 
-  /// "vertex 3", "edge 3 4", "face 7" or "interior".
+  /// Returns "vertex 3", "edge 3 4", "face 7" or "interior".
   std::string text() const
   {
     constexpr std::array<std::string_view, 4> names = {"vertex", "edge", "face", "interior"};
@@ -26,16 +26,17 @@ struct Holder {
     for (const std::uint32_t n : number) text += " " + std::to_string(n);
     return text;
   }
+  /// True when kind and numbers are equal.
   friend bool operator==(const Holder&, const Holder&) = default;
 };
 /// Writes the text.
 inline std::ostream& operator<<(std::ostream& out, const Holder& holder) { return out << holder.text(); }
 
-/// Two points, one of each placed body, that are as near as any, exactly. Fractions are "n/d" in lowest terms, or "n".
+/// Two nearest points, one of each placed body, exactly. Fractions are "n/d" in lowest terms, or "n".
 struct Nearest {
   double distance = 0;                              ///< the double nearest to the exact distance
   std::string squared;                              ///< the squared distance
-  std::array<std::array<std::string, 3>, 2> point;  ///< of A, of B
+  std::array<std::array<std::string, 3>, 2> point;  ///< the point of A, then the point of B
   std::array<Holder, 2> holder;                     ///< what holds them
 };
 

@@ -13,17 +13,16 @@ namespace tetracone {
 
 using kernel::Tolerance;
 
-/// The arithmetic that decides: a row of `TETRACONE_FOR_EACH_KERNEL` each. `epick` rounds the images and is exact after that.
 #define TETRACONE_ENUMERATOR(kernel, ...) kernel,
-enum class Kernel { TETRACONE_FOR_EACH_KERNEL(TETRACONE_ENUMERATOR) };
-
-/// Every kernel, in the order of the list.
 #define TETRACONE_KERNEL(kernel, ...) Kernel::kernel,
+/// The arithmetic that decides: a row of `TETRACONE_FOR_EACH_KERNEL` each. `epick` rounds the images and is exact after that.
+enum class Kernel { TETRACONE_FOR_EACH_KERNEL(TETRACONE_ENUMERATOR) };
+/// Every kernel, in the order of the list.
 inline constexpr std::array all_kernels = {TETRACONE_FOR_EACH_KERNEL(TETRACONE_KERNEL)};
 #undef TETRACONE_ENUMERATOR
 #undef TETRACONE_KERNEL
 
-/// Whether every answer of the kernel is right by construction.
+/// True when every answer of the kernel is right by construction.
 constexpr bool is_exact(Kernel asked)
 {
   switch (asked) {
@@ -35,7 +34,7 @@ constexpr bool is_exact(Kernel asked)
   return false;
 }
 
-/// How a query finds its answer.
+/// The way in which a query finds its answer.
 enum class Method {
   tree,   ///< the fast tree: eight oriented boxes a node
   tuned,  ///< the tetra-tree of JS08 with the fastest choices
@@ -46,7 +45,7 @@ enum class Method {
 /// Every method.
 inline constexpr std::array all_methods = {Method::tree, Method::tuned, Method::paper, Method::brute};
 
-/// The enumerator's own name.
+/// Returns the enumerator's own name.
 constexpr std::string_view to_string(Method method)
 {
   switch (method) {
@@ -58,26 +57,26 @@ constexpr std::string_view to_string(Method method)
   return "brute";
 }
 
-/// The method of that name; nothing when there is none.
+/// Returns the method of that name, or nothing.
 std::optional<Method> parse_method(std::string_view name);
 
-/// What else a query can be told.
+/// What a query can be told besides its bodies and its question.
 struct Query_options {
   Kernel kernel = Kernel::adaptive;  ///< the arithmetic
   Method method = Method::tree;      ///< the way to the answer
-  Tolerance tolerance = {};          ///< of Kernel::double_eps
-  bool remember = false;  ///< keep from pose to pose what decided the last one: for motions in small steps. Changes no
-                          ///< answer
+  Tolerance tolerance = {};          ///< for Kernel::double_eps alone
+  /// Keeps from pose to pose what decided the last one, for motions in small steps. It changes no answer.
+  bool remember = false;
 };
 
-/// The kernel of a name that `kernel_names` lists, with its tolerance where it has one: double-eps=E or double-eps=rel:E,
-/// E >= 0 finite. A sign is zero up to E, absolute, or relative to the sum of its products. Nothing for other names.
+/// Returns the kernel of a name that `kernel_names` lists, or nothing. Tolerances are double-eps=E and double-eps=rel:E with
+/// E >= 0 finite: a sign is zero up to E, absolute, or relative to the sum of its products.
 std::optional<Query_options> parse_kernel(std::string_view name);
 
-/// The name that `parse_kernel` reads.
+/// Returns the name that `parse_kernel` reads.
 std::string kernel_name(Kernel kernel, const Tolerance& tolerance = {});
 
-/// The names of all kernels as help and error lines show them: "adaptive, double, ... or rational".
+/// Returns the names of all kernels as help and error lines show them: "adaptive, double, ... or rational".
 std::string kernel_names();
 
 }  // namespace tetracone

@@ -19,110 +19,112 @@ namespace detail {
 class Scene_data;
 }
 
-/// How a scene is asked.
+/// The options of a scene.
 struct Scene_options {
   Question question = Question::solid;  ///< what colliding means
   Query_options query = {};             ///< the arithmetic and the method for a pair
-  std::size_t threads = 1;  ///< that share the pairs of a frame, at most as many as the machine has; 0: so many
-  std::size_t memory = 0;   ///< bytes that models, queries and pairs may take; 0: no limit
-  std::chrono::nanoseconds budget{0};  ///< for a frame: what is not decided then stays undecided; 0: no limit
+  std::size_t threads = 1;  ///< threads that share the pairs of a frame; 0 or more than the machine has: all of it
+  std::size_t memory = 0;   ///< upper bound of the bytes of models, queries and pairs; 0: no limit
+  std::chrono::nanoseconds budget{0};  ///< time for a frame; pairs not decided then stay undecided; 0: no limit
 };
 
 /// Two bodies of a scene by their numbers, a < b.
 struct Scene_pair {
-  std::size_t a, b;
+  std::size_t a;  ///< the lesser number
+  std::size_t b;  ///< the greater number
 
+  /// Compares a, then b.
   friend auto operator<=>(const Scene_pair&, const Scene_pair&) = default;
 };
 
-/// A pair that the budget left undecided: the bodies are at most this far from one another.
+/// A pair that the budget left undecided.
 struct Undecided_pair {
-  Scene_pair pair;
-  double farthest;
+  Scene_pair pair;  ///< the bodies
+  double farthest;  ///< upper bound of the distance between any point of one and any point of the other
 };
 
-/// Two bodies of a scene that meet as they move, and when first: the holders are of a and of b.
+/// Two bodies of a scene that meet as they move.
 struct Scene_contact {
-  Scene_pair pair;
-  First_contact first;
+  Scene_pair pair;      ///< the bodies
+  First_contact first;  ///< the first time; its holders are of a, then of b
 };
 
-/// What a frame has cost, or asking for first contacts.
+/// The cost of a frame, or of a call of `first_contacts`.
 struct Frame_statistics {
-  std::size_t moved = 0;       ///< bodies that were placed anew
-  std::size_t kept = 0;        ///< pairs near one another whose answer a certificate kept
-  std::size_t candidates = 0;  ///< pairs whose boxes met, of those that no certificate kept
+  std::size_t moved = 0;       ///< number of bodies that were placed anew
+  std::size_t kept = 0;        ///< near pairs whose answer a certificate kept
+  std::size_t candidates = 0;  ///< other near pairs whose boxes met
   std::size_t queries = 0;     ///< candidates that were asked as bodies
-  std::size_t nodes_made = 0;  ///< of the models' trees
-  std::size_t bytes = 0;       ///< of models, queries and pairs, after it
+  std::size_t nodes_made = 0;  ///< nodes of the models' trees that were made
+  std::size_t bytes = 0;       ///< bytes of models, queries and pairs afterwards
 };
 
-/// Many bodies, of which some share a model, and the pairs of them that collide, frame after frame. One scene per
+/// Many bodies, and the pairs of them that collide, frame after frame. Bodies may share a model. A scene belongs to one
 /// thread; it uses threads of its own.
 ///
 /// The answer is exactly the set of pairs that collide, whatever the history of frames, the number of threads or the
-/// memory allowed. A pair that was apart is not asked again before the motion since can have used up the gap; bodies
-/// near one another that move by small steps are asked again only where they may have met; a model is made when a body
-/// of it is first placed, and its tree when another body first comes near.
+/// memory allowed. A pair that was apart is asked again only when its bodies may have used up the gap. A model is made
+/// when a body of it is first placed, and its tree when another body first comes near.
 class Scene {
  public:
   /// Throws Error for a budget below 0.
   explicit Scene(const Scene_options& options = {});
   ~Scene();
-  /// What is moved from may only be destroyed or assigned to.
+  /// Moves; the scene that is moved from may only be destroyed or assigned to.
   Scene(Scene&&) noexcept;
-  /// As the constructor.
+  /// Moves; the scene that is moved from may only be destroyed or assigned to.
   Scene& operator=(Scene&&) noexcept;
 
-  /// A model; returns its number, from 0.
+  /// Adds a model; returns its number, from 0.
   std::size_t add_model(const Body& body);
-  /// A model that `make` makes, when it is needed, and again when memory has taken it back: it must make the same each
-  /// time. What it throws, `pairs` throws. `name` stands for the model in messages.
+  /// Adds a model that `make` makes when it is needed, and again when memory has taken it back; returns its number. Requires
+  /// that `make` makes equal bodies each time. `pairs` throws what `make` throws. `name` stands for the model in messages.
   std::size_t add_model(std::function<Body()> make, const std::string& name);
 
-  /// A body of a model, not placed yet; returns its number, from 0. Throws Error for a model's number out of range.
+  /// Adds a body of a model, not placed yet; returns its number, from 0. Throws Error for a model's number out of range.
   std::size_t add_body(std::size_t model);
-  /// Takes a body out; its number is not used again. This and what follows throw Error for a body that is not there.
+  /// Takes a body out; its number is not used again. This and the next functions throw Error for a body that is not there.
   void remove_body(std::size_t body);
-  /// Makes it a body of another model.
+  /// Makes the body one of another model.
   void set_model(std::size_t body, std::size_t model);
-  /// These two are not asked for.
+  /// Leaves this pair out of all answers.
   void ignore(std::size_t body_a, std::size_t body_b);
 
-  /// Places a body, from now on.
+  /// Places a body; it stays there until it is placed anew.
   void place(std::size_t body, const Pose& pose);
-  /// By a pose of the templates. Requires det M != 0.
+  /// Places a body by a pose of the templates. Requires det M != 0.
   void place(std::size_t body, const kernel::Pose& pose);
 
-  /// The pairs of placed bodies that collide now, in order; decided anew as far as bodies have moved. Throws Error where
-  /// a model cannot be made or is open and asked for its solid, where the memory does not hold the models of one pair,
-  /// and as `Query::collide`; asked again, it goes on where it was.
+  /// Returns the pairs of placed bodies that collide now, in order. Only what moved is decided anew. Throws Error where a
+  /// model cannot be made, where an open one is asked for its solid, where the memory does not hold the models of one
+  /// pair, and as `Query::collide`. Asked again, it goes on where it was.
   const std::vector<Scene_pair>& pairs();
-  /// Places all bodies, in the order of their numbers, removed ones left out, and asks. Throws Error for another count.
+  /// Places all bodies and returns `pairs`. Poses are in the order of the bodies' numbers, removed bodies left out. Throws
+  /// Error for another count, and as `pairs`.
   const std::vector<Scene_pair>& frame(std::span<const Pose> poses);
 
-  /// The pairs of bodies that meet while all of them move so, each with its first contact, as `Query::first_contact` has
-  /// it: in order of (lo, hi, pair). That is the order of the exact times, but for those between the same two doubles.
-  /// A motion a body, in the order of their numbers, removed ones left out; pairs are asked whose boxes about all of
-  /// their motions meet, by all threads, and no budget bounds it. The bodies stand where they stood, or nowhere, and
-  /// frames go on as if it had not been asked. Throws Error for another count, for another kernel than adaptive, and as
-  /// `pairs`; also where a face of a body that another comes near is neither a triangle nor has triangles.
+  /// Returns the pairs of bodies that meet while all of them move, each with its first contact, sorted by (lo, hi, pair).
+  /// That is the order of the exact times, except between two equal doubles. There is one motion per body, in the order of
+  /// their numbers, removed bodies left out. Only pairs whose swept boxes overlap are tested; no budget bounds it. The
+  /// bodies stay where they stood. Throws Error for another count, for another kernel than adaptive, as `pairs`, and where
+  /// a face of a near body is neither a triangle nor has triangles.
   std::vector<Scene_contact> first_contacts(std::span<const Motion> motions);
-  /// The same on lines, from where the bodies stand to these poses. Throws Error also for a body that is not placed.
+  /// Returns `first_contacts` of motions on lines, from where the bodies stand to these poses. Throws Error as above, and
+  /// for a body that is not placed.
   std::vector<Scene_contact> first_contacts(std::span<const Pose> to);
 
-  /// The pairs that the budget has left undecided in the last frame, in order.
+  /// Returns the pairs that the budget left undecided in the last frame, in order.
   const std::vector<Undecided_pair>& undecided() const;
-  /// What the last frame has cost, or first contacts that were asked for since.
+  /// Returns the cost of the last frame, or of a later call of `first_contacts`.
   const Frame_statistics& statistics() const;
 
-  /// How two placed bodies stand now. Throws Error as `pairs`, and for bodies that are not placed.
+  /// Returns how two placed bodies stand now. Throws Error as `pairs`, and for bodies that are not placed.
   Relation relation(std::size_t body_a, std::size_t body_b);
-  /// All pairs of their faces that share a point. Throws as `relation`, and as `Query::contacts`.
+  /// Returns all pairs of their faces that share a point. Throws as `relation`, and as `Query::contacts`.
   Contacts contacts(std::size_t body_a, std::size_t body_b);
-  /// Their distance. Throws as `relation`, and as `Query::distance`.
+  /// Returns their distance. Throws as `relation`, and as `Query::distance`.
   double distance(std::size_t body_a, std::size_t body_b);
-  /// Whether that is at most `limit`. Throws as `relation`, and as `Query::within`.
+  /// True when their distance is at most `limit`. Throws as `relation`, and as `Query::within`.
   bool within(std::size_t body_a, std::size_t body_b, double limit);
 
  private:
