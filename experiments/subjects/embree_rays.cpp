@@ -1,6 +1,10 @@
-// A subject around a library: Embree 3, edges as rays against triangles, in float. Surfaces; the rest is declined.
-//   g++ -O2 -std=c++20 embree_rays.cpp -o embree_rays -lembree3
+// A subject around a library: Embree 3 or 4, edges as rays against triangles, in float. Surfaces; the rest is declined.
+//   g++ -O2 -std=c++20 embree_rays.cpp -o embree_rays -lembree3   # or 4
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 #include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -31,12 +35,16 @@ bool hits(const Points& a, const Points& b)  // an edge of a, a triangle of b
   for (unsigned k = 0; k < b.size(); ++k) static_cast<unsigned*>(corners)[k] = k;
   rtcCommitGeometry(mesh);
   rtcCommitScene(scene);
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
   for (std::size_t k = 0; k < a.size(); ++k) {
     const auto &p = a[k], &q = a[k % 3 == 2 ? k - 2 : k + 1];  // a ray from p, at 0, to q, at 1
     RTCRay ray = {p[0], p[1], p[2], 0, q[0] - p[0], q[1] - p[1], q[2] - p[2], 0, 1, ~0u, 0, 0};
+#if RTC_VERSION_MAJOR < 4
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
     rtcOccluded1(scene, &context, &ray);
+#else
+    rtcOccluded1(scene, &ray);
+#endif
     if (ray.tfar < 0) return true;
   }
   return false;

@@ -7,8 +7,8 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build_packages=(g++ cmake ninja-build libcgal-dev libgmp-dev libmpfr-dev libeigen3-dev libhwy-dev libboost-dev libboost-test-dev
   libcli11-dev nlohmann-json3-dev libsqlite3-dev libtbb-dev
   librapidcheck-dev libjs-three)
-# For the fuzz targets, and what clang is faster by.
-fuzz_packages=(clang libclang-rt-14-dev libjemalloc2)
+# For the fuzz targets, and what clang is faster by; its runtime is a package of its own: clang_runtime.
+fuzz_packages=(clang libjemalloc2)
 # For the tests of the sources' form, of error bounds, of the report, of the page in 3D, of the examples of subjects, of the Python package, its notebooks and the
 # Debian packages, which skip without them.
 test_packages=(clang-format clang-tidy gappa python3 python3-matplotlib python3-pil python3-selenium chromium chromium-driver libembree-dev
@@ -52,6 +52,9 @@ install_packages()
   fi
   rm -f "$log"
 }
+
+# The package of the sanitizers' runtime for the clang that is there: its name has clang's version, which differs between releases of Debian.
+clang_runtime() { echo "libclang-rt-$(clang -dumpversion | cut -d . -f 1)-dev"; }
 
 # Whole gigabytes of memory that programs may still take.
 gigabytes_free() { awk '/^MemAvailable:/ { print int($2 / 1000000) }' /proc/meminfo; }

@@ -2,6 +2,7 @@
 
 #include "verify/truth/brute_body.h"
 #include "verify/truth/placed_body.h"
+#include "verify/truth/shared_shape.h"
 
 #include <CGAL/intersections.h>
 
@@ -80,7 +81,7 @@ class Parts {
   template <class Result>
   void add_result(const Result& result)
   {
-    if (result) boost::apply_visitor([this](const auto& shape) { this->take(shape); }, *result);
+    if (result) take_shape([this](const auto& shape) { this->take(shape); }, result);
   }
   void take(const Shape_point& p) { points.push_back(p); }
   void take(const Shape_segment& s) { segments.push_back(s); }

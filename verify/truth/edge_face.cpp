@@ -1,5 +1,7 @@
 #include "verify/truth/edge_face.h"
 
+#include "verify/truth/shared_shape.h"
+
 #include <CGAL/intersections.h>
 
 #include <algorithm>
@@ -37,7 +39,7 @@ std::vector<Exact::Point_3> find_cuts(const Exact::Segment_3& edge, const Planar
       const auto shared = CGAL::intersection(edge, Exact::Segment_3(p, q));
       // A shared segment ends in ends of the two.
       if (!shared) continue;
-      if (const auto* point = boost::get<Exact::Point_3>(&*shared)) cuts.push_back(*point);
+      if (const auto* point = shape_in<Exact::Point_3>(shared)) cuts.push_back(*point);
     }
   const auto along = [&](const Exact::Point_3& p) { return kernel::Rational((p - edge.source()) * edge.to_vector()); };
   std::sort(cuts.begin(), cuts.end(), [&](const auto& p, const auto& q) { return along(p) < along(q); });
@@ -58,7 +60,7 @@ Contact edge_face(const Exact::Point_3& from, const Exact::Point_3& to, const Pl
     if (side_from != CGAL::ZERO) {
       const auto& [p, q, r] = *face.base();
       const auto shared = CGAL::intersection(Exact::Line_3(from, to), Exact::Plane_3(p, q, r));
-      return contact_in(*boost::get<Exact::Point_3>(&*shared), from, to, face);
+      return contact_in(*shape_in<Exact::Point_3>(shared), from, to, face);
     }
   }
   // One plane, or a face on a line.

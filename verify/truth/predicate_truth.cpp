@@ -1,5 +1,7 @@
 #include "verify/truth/predicate_truth.h"
 
+#include "verify/truth/shared_shape.h"
+
 #include <CGAL/Aff_transformation_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/intersections.h>
@@ -108,7 +110,7 @@ std::vector<Point> clipped(const std::vector<Point>& polygon, const Plane& plane
     if (side_from != CGAL::ON_NEGATIVE_SIDE) kept.push_back(from);
     if (side_from * side_to == CGAL::NEGATIVE) {
       const auto crossing = CGAL::intersection(Segment(from, to), plane);
-      kept.push_back(*boost::get<Point>(&*crossing));
+      kept.push_back(*shape_in<Point>(crossing));
     }
   }
   return kept;

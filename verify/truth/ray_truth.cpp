@@ -1,5 +1,7 @@
 #include "verify/truth/ray_truth.h"
 
+#include "verify/truth/shared_shape.h"
+
 #include <CGAL/intersections.h>
 
 #include <algorithm>
@@ -18,8 +20,8 @@ void meet(const Exact::Line_3& line, const Brute_body& face, const Element& elem
   const auto corner = [&](int k) -> const Exact::Point_3& { return face.points()[element.corners[k]]; };
   const auto see_all = [&](const auto& shared) {
     if (!shared) return;
-    if (const auto* p = boost::get<Exact::Point_3>(&*shared)) see(*p);
-    if (const auto* s = boost::get<Exact::Segment_3>(&*shared)) {
+    if (const auto* p = shape_in<Exact::Point_3>(shared)) see(*p);
+    if (const auto* s = shape_in<Exact::Segment_3>(shared)) {
       see(s->source());
       see(s->target());
     }
