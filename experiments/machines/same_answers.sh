@@ -35,9 +35,10 @@ mkdir "$work/include/tetracone"
 ln -s "$root"/{kernel,covering,tetratree} "$work/include/tetracone/"
 printf '#include "tetracone/tetratree/door/tetracone.h"\n' > "$work/include/tetracone/tetracone.h"
 # The library as one unit.
-for source in "$root"/tetratree/{door,scene,solver}/*.cpp "$root/covering/io/read.cpp"; do
+for source in "$root"/tetratree/{door,scene,solver}/*.cpp "$root"/tetratree/solver/solvers.inl "$root/covering/io/read.cpp"; do
   [[ $source == */repair.cpp ]] || printf '#include "%s"\n' "$source"
 done > "$work/library.cpp"
+echo "TETRACONE_FOR_EACH_KERNEL(TETRACONE_INSTANTIATE_SOLVERS)" >> "$work/library.cpp"
 
 table=$work/machines.csv
 echo "architecture,compiler,standard,instructions,contraction,answers,wrong,sha256,seconds" > "$table"

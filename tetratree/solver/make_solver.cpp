@@ -1,4 +1,4 @@
-// The factory: a query's options to its solver. The units of the kernels are made by CMake, one for each row of kernel_list.h.
+// The factory: a query's options to its solver.
 
 #include "tetracone/kernel/predicate/kernels.h"
 #include "tetracone/tetratree/door/solver.h"
