@@ -1,7 +1,6 @@
 // The recipes of CONTRIBUTING.md, compiled and asked: what they show is here.
 
-#include "tetracone/tetratree/solver/bvh8_solver.inl"
-#include "tetracone/tetratree/solver/tetra_tree_solver.inl"
+#include "tetracone/tetratree/solver/solvers.inl"
 #include "verify/cases/shape_generators.h"
 #include "verify/test/experiments/recipes/box_subject.h"
 #include "verify/test/experiments/recipes/halvings.h"
@@ -17,15 +16,8 @@
 #include <iterator>
 #include <string>
 
-namespace tetracone::detail {
-
 // What CMake makes of a row of kernel_list.h.
-template std::unique_ptr<Solver> tetra_tree_solver<kernel::Long_double>(const Shared_body& a, const Shared_body& b,
-                                                                        const Query_options& options);
-template std::unique_ptr<Solver> bvh8_solver<kernel::Long_double>(const Shared_body& a, const Shared_body& b,
-                                                                  const Query_options& options);
-
-}  // namespace tetracone::detail
+TETRACONE_INSTANTIATE_SOLVERS(, , Long_double, )
 
 BOOST_AUTO_TEST_SUITE(test_recipes)
 
