@@ -68,11 +68,13 @@ file(WRITE ${work}/examples/mainpage.cpp "${CMAKE_MATCH_1}\n")
 foreach(model cube tetrahedron)
   file(COPY ${SOURCE}/verify/test/install/${model}.off DESTINATION ${work})
 endforeach()
-run(${CMAKE_COMMAND} -S ${SOURCE}/verify/test/install -B ${work}/build -G ${GENERATOR} -D CMAKE_BUILD_TYPE=Release
-    -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}
-    -D EXAMPLES=${work}/examples)
+set(configure ${CMAKE_COMMAND} -S ${SOURCE}/verify/test/install -G ${GENERATOR} -D CMAKE_BUILD_TYPE=Release -D CMAKE_PREFIX_PATH=${prefix}
+    -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER})
+run(${configure} -B ${work}/build -D EXAMPLES=${work}/examples)
 run(${CMAKE_COMMAND} --build ${work}/build)
-run(${work}/build/both_prefixes)
+run(${configure} -B ${work}/build_templates -D TEMPLATES=ON)
+run(${CMAKE_COMMAND} --build ${work}/build_templates)
+run(${work}/build_templates/both_prefixes)
 
 foreach(example IN LISTS examples)
   get_filename_component(name ${example} NAME_WE)
