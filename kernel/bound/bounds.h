@@ -296,7 +296,8 @@ struct Half_space {
 /// With C the cofactors of M, N = C n: N . (Mx - MO) = det M (n . (x - O)), so |N . (y - y_O)| <= |det M| offset for
 /// every image y. N is a determinant with n, off by a share of its permanent A_i, and |y - y_O| <= 2 magnitude; det M
 /// is off by a share of its own permanent. `threshold` takes all of it, and the slack of a projection on N^ covers the
-/// points asked.
+/// points asked. What underflows, and a fraction's nearest double below 2^-1022, is off by an absolute e = 2^-1075
+/// before it is multiplied with other entries: see `absolute_error`.
 template <class B, bool sound>
 class Placed_half_space {
  public:
@@ -318,19 +319,37 @@ class Placed_half_space {
     origin_ = frame(half_space.origin);
     const B volume = std::abs(determinant(row(1), row(2), row(0)));
     threshold_ = volume * half_space.offset;
-    if constexpr (sound)
-      threshold_ = sound_threshold(volume, permanent(row(1), row(2), row(0)), half_space.offset, absolute_sum,
-                                   frame.magnitude());
+    if constexpr (sound) {
+      B largest = 0;
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) largest = maximum(largest, std::abs(m[4 * i + j]));
+      threshold_ =
+          sound_threshold(volume, permanent(row(1), row(2), row(0)), half_space.offset, absolute_sum, frame.magnitude(),
+                          absolute_error(largest, norm_1(half_space.normal), half_space.offset, frame.magnitude()));
+    }
   }
 
   template <class Number>
   static Number sound_threshold(const Number& volume, const Number& permanent, const Number& offset,
-                                const Number& absolute_sum, const Number& magnitude)
+                                const Number& absolute_sum, const Number& magnitude, const Number& absolute)
   {
     return (volume * offset + Number(determinant_rounding) * permanent * offset +
             Number(normal_rounding) * absolute_sum * magnitude) *
                Number(1 + few_roundings) +
-           Number(underflow_slack);
+           absolute;
+  }
+
+  /// 32 e, a factor of the terms of `absolute_error`.
+  static constexpr double entry_underflow = 0x1p-1070;
+
+  /// Upper bound of the absolute errors of N . (y - y_O) and of det M times the offset, for entries up to `entry` and
+  /// |n|_1 = `normal`: a minor is off by (4 entry + 3) e, which N multiplies with n and then with a difference of points,
+  /// |y - y_O|_1 <= 6 magnitude; det M by (18 entry^2 + 9 entry + 3) e.
+  template <class Number>
+  static Number absolute_error(const Number& entry, const Number& normal, const Number& offset, const Number& magnitude)
+  {
+    const Number one = Number(1), larger = one + entry;
+    return Number(entry_underflow) * larger * ((one + normal) * magnitude + larger * offset) + Number(underflow_slack);
   }
 
   /// The body's half-space ends before the point; `slack` is the `projection_slack` of the two bodies.

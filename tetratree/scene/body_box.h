@@ -121,6 +121,48 @@ class alignas(32) Body_box {
   double turned_ = 0;  // by the body then
 };
 
+/// What is between the places of two bodies when a certificate begins, rounded to float.
+using Between = std::array<float, 3>;
+
+/// Errors of what is between two places, then and later, along each axis: a share of its magnitude then, for the
+/// rounding to float and two to double; and 2^-150 where floats are denormal.
+inline constexpr double between_rounding = 0x1p-23, between_underflow = 0x1p-147;
+
+/// What the comparison of squares of a certificate may lose, a share of them.
+inline constexpr double certificate_rounding = 0x1p-46;
+
+/// Certificates hold within these bounds of what is left of them: no square underflows or overflows.
+inline constexpr double least_left = 0x1p-500, most_gap = 0x1p500;
+static_assert(least_left * least_left * certificate_rounding >= 0x1p-1072 && most_gap * most_gap <= 0x1p1000);
+
+/// By how much what is between two places has changed along an axis.
+template <class Number>
+Number change_between(const Number& a, const Number& b, const Number& before)
+{
+  return a - b - before;
+}
+
+/// Upper bound of the error of a certificate that begins with this.
+template <class Number>
+Number error_of_between(const std::array<Number, 3>& magnitudes)
+{
+  return Number(between_rounding) * (magnitudes[0] + magnitudes[1] + magnitudes[2]) + Number(between_underflow);
+}
+
+/// Lower and upper bounds of a sum of two numbers that are not negative, of which one may be a difference: sum, product
+/// and difference are rounded. Sums of denormals are exact.
+inline constexpr double sum_rounding = 0x1p-51;
+template <class Number>
+Number sum_above(const Number& x, const Number& y)
+{
+  return (x + y) * Number(1 + sum_rounding);
+}
+template <class Number>
+Number sum_below(const Number& x, const Number& y)
+{
+  return (x + y) * Number(1 - sum_rounding);
+}
+
 }  // namespace tetracone::tetratree
 
 #endif

@@ -17,6 +17,16 @@ namespace tetracone::tetratree {
 /// What roots of sums of squares may lose by rounding, and what is multiplied with them, a share of themselves.
 inline constexpr double step_rounding = 0x1p-48;
 
+/// Absolute errors of the bounds below. Under 2^-1022 a product and the nearest double of a fraction are off by up to
+/// 2^-1075 =: e, whatever their size.
+///
+/// An entry's error is multiplied with |c_j| + half_j, the centre and half the extent of a body's box. A step of two
+/// poses has the most of them: 6 e in the centre's images, one of each pose in three rows, and 2 e sqrt(3) times
+/// `reach_in_halves` <= 2 in what turns.
+inline constexpr double entry_underflow = 0x1p-1072;
+/// The products themselves, and roots of sums of squares that underflow: of at most 37 squares, 37^(1/2) e^(1/2).
+inline constexpr double placed_underflow = 0x1p-532;
+
 template <class Number>
 Number square_in_halves(const Number& vertex, const Number& centre, const Number& half)
 {
@@ -31,6 +41,9 @@ struct Body_extent {
   /// At least the length of what vertices are from the centre, each coordinate in units of its half; of a ball 1, of
   /// corners the root of 3.
   double reach_in_halves = 2;
+  /// Upper bound of the absolute error of a coordinate of an image, and of a step: `placed_underflow`, and
+  /// `entry_underflow` times the sum of |c_j| + half_j. It matters where poses undo coordinates near the largest double.
+  double underflow = placed_underflow;
 
   Body_extent() = default;
   /// Requires a vertex.
@@ -43,8 +56,9 @@ struct Body_extent {
         high = kernel::maximum(high, v[k]);
       }
       centre[k] = 0.5 * low + 0.5 * high;
-      // The rounded centre is between them; each difference is off by one rounding.
+      // Each difference is off by one rounding.
       half[k] = kernel::maximum(high - centre[k], centre[k] - low) * (1 + 0x1p-50);
+      underflow += entry_underflow * std::abs(centre[k]) + entry_underflow * half[k];
     }
     double most = 0;
     for (const kernel::Vertex& v : vertices) {
@@ -65,9 +79,9 @@ struct Body_extent {
 };
 
 /// What the bounds below may lose by rounding, a share of the magnitudes of their terms: four roundings of a sum of
-/// products, as many of a second such sum, one of each entry of a fraction, two of what joins both; and what products
-/// lose by underflow.
-inline constexpr double placed_rounding = 16 * kernel::unit_roundoff<double>, placed_underflow = 0x1p-1000;
+/// products, as many of a second such sum, one of each entry of a fraction, two of what joins both. Absolute errors are
+/// `Body_extent::underflow`.
+inline constexpr double placed_rounding = 16 * kernel::unit_roundoff<double>;
 
 /// A coordinate of the image of a box, by a row m of a map and its translation t: of the centre, how far it reaches from
 /// there, and the magnitudes of all terms.
@@ -105,20 +119,23 @@ inline World_box world_box(const Body_extent& extent, const kernel::Pose& pose)
   World_box box;
   for (int i = 0; i < 3; ++i) {
     const Placed_coordinate<double> x = placed_coordinate(extent, pose, i);
-    const double slack = placed_rounding * x.terms + placed_underflow;
+    const double slack = placed_rounding * x.terms + extent.underflow;
     box.low[i] = rounded_below(x.at - x.reach - slack);
     box.high[i] = rounded_above(x.at + x.reach + slack);
   }
   return box;
 }
 
-/// The same by how far the body itself reaches along each axis: unit h(M_i) from its local origin. A direction is
-/// rounded to float, which moves h by as much of |M_i|_1, since |p_k| <= 1 locally; its norm is a rounded sum.
+/// A box about the placed body by how far the body itself reaches along each axis: unit h(M_i) from its local origin. A
+/// direction is rounded to float, which moves h by as much of |M_i|_1, since |p_k| <= 1 locally; its norm is a rounded
+/// sum. Beyond `Local_scale::is_in_range` nothing is known; within it, absolute errors are below 2^-1075 times 2^202.
 ///
 /// `table` is the body's, `scale` its tree's.
 inline World_box world_box(Support_table& table, const kernel::Local_scale& scale, const kernel::Pose& pose)
 {
   constexpr float slack_of_direction = 4 * kernel::unit_roundoff<float>;
+  static_assert(placed_underflow >= 0x1p-1074 * 0x1p201);
+  if (!scale.is_in_range()) return {};
   World_box box;
   for (int i = 0; i < 3; ++i) {
     double at = pose[4 * i + 3], terms = std::abs(at);
@@ -223,8 +240,8 @@ inline Body_step body_step(const Body_extent& extent, const kernel::Pose& from, 
   const double by_length = extent.reach_in_halves * extent.reach_in_halves * (squares[0] + squares[1]),
                square = by_length < square_of_turns ? by_length : square_of_turns;
   // Both centres are off by placed_rounding of their terms, in each coordinate; entries of fractions are rounded in that
-  // too. Squares that underflow are of what is far below the last term.
-  step.turned = std::sqrt(square) * (1 + step_rounding) + placed_rounding * (terms[0] + terms[1]) + 0x1p-500;
+  // too.
+  step.turned = std::sqrt(square) * (1 + step_rounding) + placed_rounding * (terms[0] + terms[1]) + extent.underflow;
   return step;
 }
 

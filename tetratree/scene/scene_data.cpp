@@ -179,7 +179,7 @@ void Scene_data::step(Number number, const kernel::Pose& to)
   // Sums are rounded as they are bounded.
   if (turned <= std::numeric_limits<double>::max() && kernel::floating_point_is_sound()) {
     step.turned += float(turned);
-    place.turned = (place.turned + turned) * (1 + 0x1p-51);
+    place.turned = tetratree::sum_above(place.turned, turned);
   } else {
     body.is_lost = true;
   }

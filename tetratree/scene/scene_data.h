@@ -171,7 +171,7 @@ class Scene_data {
   void begin(Near_bodies& pair);
   void answer(Number pair, bool collide, double gap);
   double turned(const Near_bodies& pair) const;
-  double square_between(const Near_bodies& pair, const std::array<float, 3>& before) const;
+  double square_between(const Near_bodies& pair, const tetratree::Between& before) const;
   bool are_apart(const Near_bodies& pair) const;
   void list_pairs();
   std::size_t bytes() const;

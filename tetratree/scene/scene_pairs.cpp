@@ -18,10 +18,7 @@
 namespace tetracone::detail {
 namespace {
 
-/// At least, and at most, a sum of what is not negative: it is rounded once, and the product again. Of denormals, sums
-/// are exact.
-double sum_above(double x, double y) { return (x + y) * (1 + 0x1p-51); }
-double sum_below(double x, double y) { return (x + y) * (1 - 0x1p-51); }
+using tetratree::sum_above, tetratree::sum_below;
 
 /// Bodies that have moved by more than this share of the smaller one since they were asked get no front.
 constexpr double little = 1.0 / 64;
@@ -80,23 +77,24 @@ double Scene_data::turned(const Near_bodies& pair) const
   return sum_above(places_[pair.body[0]].turned, places_[pair.body[1]].turned);
 }
 
-/// By how much what is between their places has changed, squared: but for a share of 2^-48, and for 2^-50 of what was.
-double Scene_data::square_between(const Near_bodies& pair, const std::array<float, 3>& before) const
+/// The square of how much what is between their places has changed, up to `error_of_between` and a few roundings.
+double Scene_data::square_between(const Near_bodies& pair, const tetratree::Between& before) const
 {
   const auto &a = places_[pair.body[0]].at, &b = places_[pair.body[1]].at;
   double square = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    const double change = a[k] - b[k] - double(before[k]);
+    const double change = tetratree::change_between(a[k], b[k], double(before[k]));
     square += change * change;
   }
   return square;
 }
 
-/// Whether the certificate holds that they are. Squares of what is left do not underflow.
+/// Whether the certificate holds that they are.
 bool Scene_data::are_apart(const Near_bodies& pair) const
 {
   const double left = pair.limit - turned(pair);
-  return left > 0x1p-500 && square_between(pair, pair.between) < left * left * (1 - 0x1p-46);
+  return left > tetratree::least_left &&
+         square_between(pair, pair.between) < left * left * (1 - tetratree::certificate_rounding);
 }
 
 /// At most their distance, by their boxes.
@@ -115,8 +113,8 @@ void Scene_data::begin(Near_bodies& pair)
   pair.limit = sum_below(a.turned, b.turned);
 }
 
-/// Where they do not collide, they are at least `gap` apart. Requires a certificate that was begun, and nothing else of
-/// the bodies, which have left the caches since.
+/// `gap`: a lower bound of their distance where they do not collide. Requires a certificate that was begun, and nothing
+/// else of the bodies, which have left the caches since.
 void Scene_data::answer(Number number, bool collide, double gap)
 {
   Near_bodies& pair = near_.bodies(number);
@@ -126,10 +124,11 @@ void Scene_data::answer(Number number, bool collide, double gap)
     asked->turned = pair.limit;
     asked->between = pair.between;
   }
-  // What is between them is off by half of that, and what is computed of it later by less.
-  double rounded = 0x1p-120;
-  for (const float x : pair.between) rounded += 0x1p-23 * std::abs(double(x));
-  pair.limit = gap > rounded ? sum_below(pair.limit, gap - rounded) : -1;
+  const tetratree::Between& between = pair.between;
+  const double error = tetratree::error_of_between(
+      std::array{std::abs(double(between[0])), std::abs(double(between[1])), std::abs(double(between[2]))});
+  const double known = gap > tetratree::most_gap ? tetratree::most_gap : gap;
+  pair.limit = known > error ? sum_below(pair.limit, known - error) : -1;
 }
 
 /// By the tree, which is made now if it has to be.

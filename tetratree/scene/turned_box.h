@@ -35,7 +35,8 @@ inline constexpr double turned_rounding = 0x1p-20, turned_centre_rounding = 0x1p
 
 /// The image of c + sum_j s_j half_j e_j is M c + t + sum_j s_j half_j m_j, m_j the columns of M, as long as extents over
 /// half. The centre is off by `placed_rounding` of its terms in each coordinate, along axes by less than twice that; a
-/// fraction's entries are rounded in that too.
+/// fraction's entries are rounded in that too. Columns are longer than 2^-101, so that an absolute error of 2^-1075 in
+/// their entries is far below `turned_rounding` of them.
 inline Turned_box turned_box(const Body_extent& extent, const kernel::Pose& pose)
 {
   Turned_box box;
@@ -56,7 +57,7 @@ inline Turned_box turned_box(const Body_extent& extent, const kernel::Pose& pose
   for (int j = 0; j < 3; ++j) {
     const double skewed = kernel::dot(box.axis[j], box.axis[(j + 1) % 3]);
     if (!(std::abs(skewed) <= most_skewed)) return {};
-    box.extent[j] += turned_rounding * sum + 4 * placed_rounding * most + placed_underflow;
+    box.extent[j] += turned_rounding * sum + 4 * placed_rounding * most + extent.underflow;
   }
   box.is_known = most <= 0x1p200;
   return box;

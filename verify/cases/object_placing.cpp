@@ -82,7 +82,19 @@ std::array<Pose, 2> shear_and_inverse(Random& random, int size)
 
 Pose stretch(const std::array<int, 3>& exponents)
 {
-  return scaling(std::ldexp(1.0, exponents[0]), std::ldexp(1.0, exponents[1]), std::ldexp(1.0, exponents[2]));
+  std::array<Rational, 12> entries;
+  for (int k = 0; k < 3; ++k) entries[5 * k] = power_of_two(exponents[k]);
+  return Pose(entries);
+}
+
+Pose fraction_map(Random& random, int exponent)
+{
+  const int numerator = integer(random, 3, 9), denominator = integer(random, 3, 9);
+  const Rational size = power_of_two(exponent) * numerator / denominator;
+  const Pose turn = rational_rotation(random, 3);
+  std::array<Rational, 12> entries;
+  for (int k = 0; k < 12; ++k) entries[k] = size * (k % 4 == 3 ? Rational(integer(random, -4, 4)) / 3 : turn.exact(k));
+  return Pose(entries);
 }
 
 Pose wild_map(Random& random, int size)

@@ -42,8 +42,12 @@ Pose double_rotation(Random& random);
 /// A unimodular integer shear, x += s y for two pairs of axes, entries up to `size`; and its inverse.
 std::array<Pose, 2> shear_and_inverse(Random& random, int size);
 
-/// x -> diag(2^exponents) x.
+/// x -> diag(2^exponents) x. Requires powers with a finite nearest double.
 Pose stretch(const std::array<int, 3>& exponents);
+
+/// A similarity of fractions by about 2^exponent, its translation too: below the denormals, entries have the nearest
+/// double 0.
+Pose fraction_map(Random& random, int exponent);
 
 /// A map of any kind: a turn, reflection or shear between two stretches by up to 2^+-size along the axes, then perhaps
 /// a translation. Exact, and of rationals where the turn is.

@@ -197,7 +197,8 @@ const std::vector<Family>& distance_families()
          nullptr,
          between_walls},
     };
-    int number = int(families().size());
+    // From where they were first numbered, so that families of pairs may still be added.
+    int number = 49;
     for (Family& family : all) family.number = ++number;
     return all;
   }();

@@ -317,6 +317,12 @@ std::vector<Entry> entries()
        {1000, 2000, 1000, 5000, 1000, 2000, 1000, 20000, 1000, 2000, 1000, 5000, 1000, 2000, 1000, 100000},
        predicate_family::many_faces,
        object_family::many_faces},
+      {"tiny-fractions",
+       "huge bodies made small by poses of fractions that are rounded to denormals, or to 0",
+       "exponent of the bodies' coordinates",
+       {0, 500, 1000, 1015},
+       predicate_family::tiny_fractions,
+       object_family::tiny_fractions},
   };
 }
 

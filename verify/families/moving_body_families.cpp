@@ -1,5 +1,6 @@
 #include "verify/families/moving_body_families.h"
 
+#include "verify/cases/object_placing.h"
 #include "verify/cases/random.h"
 #include "verify/cases/shape_generators.h"
 
@@ -240,6 +241,52 @@ Moving_bodies flattened(Random& random)
   return c;
 }
 
+using object_family::power_of_two;
+
+/// A third of an odd number, times a power of two.
+Rational fraction(Random& random, int exponent)
+{
+  return Rational(power_of_two(exponent) * (2 * below(random, 9) + 1) / 3);
+}
+
+/// Those before with each body's coordinates times a power of two that its poses undo by fractions, and all of space
+/// made smaller; quaternions of fractions that are rounded to denormals, or to 0.
+Moving_bodies tiny_fractions(Random& random)
+{
+  constexpr std::array makes = {anywhere, grazing,   double_contact, tunnelling, nested,   at_end,
+                                resting,  one_turns, both_turn,      rolling,    flattened};
+  Moving_bodies c = makes[static_cast<std::size_t>(below(random, makes.size()))](random);
+  const auto enlarge = [](Polyhedron& body, int exponent) {
+    for (auto& v : body.vertices)
+      for (double& x : v) x = std::ldexp(x, exponent);
+  };
+  if (c.is_rigid()) {
+    const std::array exponents = {-1000, -60, 0, 60, 1000};
+    const int exponent = exponents[static_cast<std::size_t>(below(random, 5))];
+    enlarge(c.a, exponent);
+    enlarge(c.b, exponent);
+    for (Motion_ends* motion : {&c.motion_a, &c.motion_b}) {
+      const Rational length = fraction(random, -below(random, 1100));
+      for (Numbers& pose : *motion)
+        for (std::size_t k = 0; k < 7; ++k) pose[k] *= k < 4 ? length : power_of_two(exponent);
+    }
+    return c;
+  }
+  const std::array smaller = {0, 25 + below(random, 100), 900 + below(random, 180)};
+  const Rational of_space = fraction(random, -smaller[static_cast<std::size_t>(below(random, 3))]);
+  for (const auto& [body, motion] : {std::pair(&c.a, &c.motion_a), std::pair(&c.b, &c.motion_b)}) {
+    const std::array exponents = {0, 500, 1000 + below(random, 16)};
+    const int exponent = exponents[static_cast<std::size_t>(below(random, 3))];
+    enlarge(*body, exponent);
+    for (Numbers& pose : *motion)
+      for (std::size_t k = 0; k < 12; ++k) {
+        pose[k] *= of_space;
+        if (k % 4 != 3) pose[k] *= power_of_two(-exponent);
+      }
+  }
+  return c;
+}
+
 constexpr std::array of_bodies = {
     Moving_body_family{1, "motion-anywhere", "linear between nearly rigid poses", anywhere},
     Moving_body_family{2, "motion-one-turns", "rigid, the other body rests", one_turns},
@@ -254,6 +301,9 @@ constexpr std::array of_bodies = {
     Moving_body_family{11, "motion-at-end", "contact at the end alone, or by an ulp not", at_end},
     Moving_body_family{12, "motion-tiny-and-huge", "lengths times a power of two, motions of an ulp", tiny_and_huge},
     Moving_body_family{13, "motion-flattened", "a linear motion that turns a body inside out", flattened},
+    Moving_body_family{14, "motion-tiny-fractions",
+                       "those before, huge bodies under fractions that are rounded to denormals, or to 0",
+                       tiny_fractions},
 };
 
 }  // namespace

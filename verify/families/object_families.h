@@ -27,7 +27,7 @@ Generator nearly_collinear, degenerate_face, duplicates, non_planar_quads, t_jun
 // meshes: of 10^3 to 10^5 triangles
 Generator many_faces;
 // scales: exponents
-Generator far_from_origin, mixed_scales, cancelled_translation, exponent_gate, extreme_exponents, wild;
+Generator far_from_origin, mixed_scales, cancelled_translation, exponent_gate, extreme_exponents, wild, tiny_fractions;
 // poses: the maps
 Generator special_poses, true_rotation, shear, nearly_singular, drifted_rotation;
 // motions: ends of sweeps, and the corpus

@@ -299,4 +299,42 @@ std::vector<Object_case> wild_run(Random& random, double parameter, int count)
 
 Object_case wild(Random& random, double parameter) { return wild_run(random, parameter, 1).front(); }
 
+/// Blocks with coordinates up to about 2^parameter, by one power of two or one of each axis, and similarities of
+/// fractions that undo it: as large as 1, far smaller, or smaller than all doubles but 0.
+Object_case tiny_fractions(Random& random, double parameter)
+{
+  const int size = static_cast<int>(parameter);
+  const auto exponents = [&] {
+    std::array<int, 3> result{size, size, size};
+    if (random.bits() % 3 == 0)
+      for (int& e : result) e = size * integer(random, -1, 1);
+    return result;
+  };
+  const auto back = [](const std::array<int, 3>& e) { return stretch({-e[0], -e[1], -e[2]}); };
+  const Shape& a = small_block(random);
+  const Shape& b = small_block(random);
+  const std::array<int, 3> of_a = exponents(), of_b = exponents();
+  const bool is_inside = random.bits() % 4 == 0;
+  Touching contact;
+  if (is_inside) {
+    contact = in_the_middle(random, a, b);
+  } else {
+    const Pose turn = any_turn(random);
+    contact = any_contact(random, a, b, turn);
+  }
+  const Rational gap = is_inside ? Rational(0) : any_gap(random);
+  if (!is_inside) contact.relative = moved(contact.relative, times(gap, scaled_to_one(contact.apart)));
+  const std::array smaller = {0, integer(random, 25, 125), integer(random, 900, 1080)};
+  const Pose common = fraction_map(random, -smaller[random.bits() % 3]);
+  const Object_case c{moved_copy(a, of_a),
+                      moved_copy(b, of_b),
+                      composed(common, back(of_a)),
+                      composed(common, composed(contact.relative, back(of_b))),
+                      {},
+                      {},
+                      {}};
+  if (is_inside || gap < 0) return c;
+  return gap == 0 ? with_answer(c, true) : contact.separated ? with_answer(c, false) : c;
+}
+
 }  // namespace tetracone::verify::object_family

@@ -378,6 +378,42 @@ Scene_case wild(Random& random, double size)
   });
 }
 
+/// Models with coordinates up to about 2^size, by one power of two or one of each axis, with their origins among them or
+/// far away; poses of fractions bring them back onto a grid, which is turned and far smaller.
+Scene_case tiny_fractions(Random& random, double size)
+{
+  Play play(random);
+  std::vector<Pose> back;  // onto the grid, of each model
+  for (int k = 0; k < 3; ++k) {
+    std::array<int, 3> exponents{int(size), int(size), int(size)};
+    const bool is_shifted = play.one_in(3);
+    if (!is_shifted && play.one_in(3))
+      for (int& e : exponents) e = int(size) * integer(random, -1, 1);
+    // Far from the origin, and still on the doubles' grid.
+    const double shift = is_shifted ? std::ldexp(1.0, int(size) + 2) : 0;
+    play.add_model(moved_copy(any_block(random), exponents, shift));
+    const Pose shrunk = stretch({-exponents[0], -exponents[1], -exponents[2]});
+    back.push_back(composed(shrunk, moved(Pose(), {Rational(-shift), Rational(-shift), Rational(-shift)})));
+  }
+  const std::array smaller = {0, integer(random, 25, 125), integer(random, 900, 1080)};
+  const Pose common = fraction_map(random, -smaller[play.one_below(3)]);
+  std::vector<std::size_t> model;
+  std::vector<Pose> at;
+  const auto placed = [&](std::size_t k) { return composed(common, composed(at[k], back[model[k]])); };
+  for (std::size_t k = 0; k < 6; ++k) {
+    model.push_back(play.any_model());
+    at.push_back(on_grid(random, 6));
+    play.add_body(model[k], placed(k));
+  }
+  return play.frames([&](int) {
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      if (play.one_in(3)) continue;
+      at[k] = play.one_in(8) ? on_grid(random, 6) : grid_step(random, at[k]);
+      play.place(k, placed(k));
+    }
+  });
+}
+
 std::vector<Scene_family> entries()
 {
   return {
@@ -399,6 +435,12 @@ std::vector<Scene_family> entries()
       {0, "scene-hollows", "bodies in cavities and tunnels", "step 2^-e: e", {3, 4, 10}, in_hollows},
       {0, "scene-sizes", "bodies of many sizes", "the least is 2^-e: e", {2, 10, 40, 300}, of_many_sizes},
       {0, "scene-wild", "poses that are no motions", "stretches up to 2^e: e", {1, 3, 30}, wild},
+      {0,
+       "scene-tiny-fractions",
+       "huge models under fractions that are rounded to denormals, or to 0",
+       "coordinates up to 2^e: e",
+       {0, 500, 1000, 1008, 1015},
+       tiny_fractions},
   };
 }
 

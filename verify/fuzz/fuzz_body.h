@@ -34,12 +34,18 @@ inline covering::Polyhedron fuzz_body(Doubles& doubles)
   return body;
 }
 
-/// Any twelve entries: det M may be 0.
+/// Any twelve entries, one in four times thirds of them, by a power of two that may leave no double but 0: det M may be
+/// 0.
 inline kernel::Pose fuzz_pose(Doubles& doubles)
 {
   std::array<double, 12> entries;
   for (double& x : entries) x = doubles.next();
-  return kernel::Pose(entries);
+  if (doubles.byte() % 4 != 3) return kernel::Pose(entries);
+  mpz_class divisor = 3;
+  divisor <<= 16 * doubles.byte();
+  std::array<kernel::Rational, 12> fractions;
+  for (std::size_t k = 0; k < 12; ++k) fractions[k] = kernel::Rational(entries[k]) / divisor;
+  return kernel::Pose(fractions);
 }
 
 }  // namespace tetracone::verify

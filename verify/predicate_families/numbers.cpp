@@ -214,4 +214,23 @@ Predicate_case wild(Random& random, double exponents)
   return any_contact(random, f);
 }
 
+/// Bodies up to 2^exponent large by one power of two, or along each axis by one of its own; their poses undo that, and
+/// then both are under a similarity of fractions that may be smaller than all doubles but 0.
+Predicate_case tiny_fractions(Random& random, double exponent)
+{
+  const int size = static_cast<int>(exponent);
+  const auto frame = [&] {
+    std::array<int, 3> by{-size, -size, -size};
+    if (one_in(random, 3))
+      for (int& e : by) e = -size * integer(random, 0, 1);
+    return object_family::stretch(by);
+  };
+  Frames f;
+  f.a = frame();
+  f.b = frame();
+  const std::array smaller = {0, integer(random, 25, 125), integer(random, 900, 1080)};
+  f.common = object_family::fraction_map(random, -smaller[random.bits() % 3]);
+  return any_contact(random, f);
+}
+
 }  // namespace tetracone::verify::predicate_family

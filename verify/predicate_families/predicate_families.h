@@ -56,6 +56,7 @@ Predicate_case exponent_gate(Random& random, double kind);
 Predicate_case extreme_exponents(Random& random, double kind);
 Predicate_case float_widened(Random& random, double bits);
 Predicate_case wild(Random& random, double exponents);
+Predicate_case tiny_fractions(Random& random, double exponent);
 
 // predicate_families_poses.cpp
 Predicate_case special_poses(Random& random, double which);

@@ -5,6 +5,7 @@
 #include "tetracone/kernel/bound/cone_coordinates.h"
 #include "verify/proofs/adaptive_proofs.h"
 #include "verify/proofs/proved_bound.h"
+#include "verify/proofs/range_number.h"
 #include "verify/proofs/rounding_count.h"
 #include "verify/proofs/slices.h"
 
@@ -100,7 +101,7 @@ inline Proved_bounds bound_proofs()
                                       std::array{entry(count), entry(count), entry(count)},
                                       std::array{entry(count), entry(count), entry(count)});
   const Count threshold =
-      Half_space::sound_threshold(count, permanent, count, permanent + count + count, reach * count);
+      Half_space::sound_threshold(count, permanent, count, permanent + count + count, reach * count, count);
   add("Placed_half_space::determinant_rounding", Half_space::determinant_rounding,
       largest(slice_errors<Relative_64>(with_entries(9), slices_of_determinant())) * lost(threshold), 2.01);
   const auto beyond = [](const auto& in) {
@@ -112,6 +113,29 @@ inline Proved_bounds bound_proofs()
       2 * largest(slice_errors<Relative_64>(with_entries(6), slices_of_determinant())) * lost(threshold) +
           Rational(asked - Rational(kernel::projection_rounding<double>)),
       2.29);
+
+  // Absolute errors, over that of one product or entry, of whatever sizes: of entries, the normal, coordinates and the
+  // offset. What is below `underflow_slack` anyway is left out.
+  using Absolute = Range_number<Double_range>;
+  Rational growth = 0;
+  for (const double m : {0x1p-600, 0x1p-60, 1.0, 0x1p60, 0x1p500})
+    for (const double n : {0x1p-300, 1.0, 0x1p500})
+      for (const double coordinate : {0x1p-300, 1.0, 0x1p250})
+        for (const double offset : {0x1p-300, 1.0, 0x1p700}) {
+          const Absolute zero(0), entry_of(entry(Absolute(m)));
+          const std::array row = {entry_of, entry_of, entry_of}, along = {Absolute(n), zero, zero},
+                           from_origin = {Absolute(2 * coordinate), Absolute(2 * coordinate), Absolute(2 * coordinate)};
+          const Absolute component = kernel::determinant(row, row, along);
+          const Rational of_point = kernel::dot(std::array{component, component, component}, from_origin).lost(),
+                         of_volume = (kernel::determinant(row, row, row) * Absolute(offset)).lost();
+          const Rational left = of_point + of_volume - Rational(kernel::underflow_slack), larger = 1 + Rational(m);
+          growth = std::max(
+              growth,
+              Rational(left / (larger * ((1 + Rational(n)) * Rational(coordinate) + larger * Rational(offset)))));
+        }
+  bounds.push_back({"Placed_half_space::entry_underflow, over 2^-1075", "kernel/bound/bounds.h",
+                    Rational(Half_space::entry_underflow) / Double_range::lost_by_product(),
+                    growth / Double_range::lost_by_product(), 1, 1.34, "rationals"});
 
   // A coordinate along a ray, of a difference that is rounded; and its share of the form that a plane cuts at 1.
   using Cone = kernel::Cone_coordinates<double, true>;

@@ -43,6 +43,8 @@ class Range_number {
                 Rational(a.lost_ * b.most_ + b.lost_ * a.most_ + a.lost_ * b.lost_ + Range::lost_by_product()));
   }
   friend Range_number abs(const Range_number& a) { return a; }
+  /// The nearest double of a fraction, which below 2^-1022 is off by as much as a product there.
+  friend Range_number entry(const Range_number& a) { return {a.most_, Rational(a.lost_ + Range::lost_by_product())}; }
 
   const Rational& lost() const { return lost_; }
 

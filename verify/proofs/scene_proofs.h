@@ -9,10 +9,12 @@
 #include "verify/proofs/lanes.h"
 #include "verify/proofs/near_orthonormal.h"
 #include "verify/proofs/proved_bound.h"
+#include "verify/proofs/range_number.h"
 #include "verify/proofs/rounding_count.h"
 #include "verify/proofs/slices.h"
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <string>
 #include <vector>
@@ -57,6 +59,45 @@ inline Rational lost_with_root(const Rounding_count& of_square, int after, const
   Rational square = of_square.least(u);
   for (int k = 0; k < 2 * after; ++k) square *= 1 - u;
   return (1 / square - 1) / 2;  // the root of 1 + x is at most 1 + x / 2
+}
+
+/// What a box of an image loses in absolute terms, whatever its entries, where |c_j| and half_j are of these sizes.
+inline Rational lost_by_box(double centre, double half)
+{
+  using Absolute = Range_number<Double_range>;
+  std::vector<Absolute> in(10, Absolute(0));
+  std::fill_n(in.begin() + 4, 3, Absolute(centre));
+  std::fill_n(in.begin() + 7, 3, Absolute(half));
+  const auto x = placed_by_entries(in);
+  return (x.at - x.reach).lost() + Rational(tetratree::placed_rounding) * x.terms.lost();
+}
+
+/// What a step loses so: both centres in three rows, and what turns in a sum of squares over the rows, or in one of all
+/// entries that is lengthened by up to 2; beside them a root of squares that underflow.
+inline Rational lost_by_step(double centre, double half)
+{
+  using Absolute = Range_number<Double_range>;
+  std::vector<Absolute> in(15, Absolute(0));
+  std::fill_n(in.begin() + 8, 3, Absolute(centre));
+  std::fill_n(in.begin() + 11, 3, Absolute(half));
+  in[14] = Absolute(1);
+  const auto sum = [](const auto& lanes) { return lanes[0] + lanes[1]; };
+  const auto row = step_of_row(in), nothing = step_of_row(std::vector<Absolute>(15, Absolute(0)));
+  const Absolute squares = sum(nothing.squares), longer(2);
+  const Rational of_squares = (longer * longer * (squares + squares + squares)).lost();
+  const Rational root =
+      Rational(std::sqrt(Rational(of_squares * Rational(0x1p1000) * 0x1p74).get_d()) * (1 + 0x1p-50)) *
+      Rational(0x1p-537);
+  return 6 * sum(row.at).lost() + 2 * root_3() * sum(row.turn).lost() +
+         3 * Rational(tetratree::placed_rounding) * sum(row.terms).lost() + root;
+}
+
+/// How fast a loss grows with a size.
+template <class Lost>
+Rational growth(const Lost& lost)
+{
+  const double size = 0x1p600;
+  return Rational(lost(size) - lost(0)) / (3 * Rational(size));
 }
 
 }  // namespace detail
@@ -123,6 +164,42 @@ inline Proved_bounds scene_proofs()
   const Rounding_count in_halves = tetratree::square_in_halves(Rounding_count(), Rounding_count(), Rounding_count());
   add("step_rounding, of reaches in halves", extent, tetratree::step_rounding,
       detail::lost_with_root(over_rows(in_halves), 2, u), u, 5.82);
+
+  // Absolute errors, over that of one product or entry. What `Body_extent::underflow` loses itself is a share of it: a
+  // product and six sums.
+  const Rational one_loss = Double_range::lost_by_product();
+  Rational of_underflow = 1;
+  for (int k = 0; k < 7; ++k) of_underflow *= 1 / (1 - Rational(u));
+  const Rational growth = std::max({detail::growth([](double x) { return detail::lost_by_box(x, 0); }),
+                                    detail::growth([](double x) { return detail::lost_by_box(0, x); }),
+                                    detail::growth([](double x) { return detail::lost_by_step(x, 0); }),
+                                    detail::growth([](double x) { return detail::lost_by_step(0, x); })});
+  add("entry_underflow, over 2^-1075", extent, Rational(Rational(tetratree::entry_underflow) / one_loss).get_d(),
+      growth * of_underflow / one_loss, 1, 1.16);
+  add("placed_underflow", extent, tetratree::placed_underflow,
+      std::max(detail::lost_by_box(0, 0), detail::lost_by_step(0, 0)) * of_underflow, 0x1p-540, 7.5);
+
+  // A certificate. What is between the places is off by a rounding to double and one to float, and later by one to
+  // double of what it was then and of what has changed.
+  const std::string certificates = "tetratree/scene/body_box.h";
+  const Rational once_less = 1 - Rational(u), less_in_float = 1 - Rational(of_float);
+  const Rational off_then = (1 + Rational(u)) * (1 + Rational(of_float)) - 1;
+  const Rounding_count of_between = tetratree::error_of_between(std::array<Rounding_count, 3>{});
+  add("between_rounding", certificates, tetratree::between_rounding,
+      (u + off_then) / (once_less * once_less * less_in_float) / of_between.least(u), of_float, 2.01);
+  add("between_underflow", certificates, tetratree::between_underflow, 3 * Rational(0x1p-150) / of_between.least(u),
+      0x1p-150, 2.67);
+  // The change, squared and summed up, and its share of what was rounded before; against what is left, which is a
+  // difference, squared and multiplied.
+  const Rounding_count change = Rounding_count() * Rounding_count();
+  Rational squares = 1;
+  for (int k = 0; k < (change + change + change).count() + 4; ++k) squares *= once_less;
+  for (int k = 0; k < 4; ++k) squares /= 1 + Rational(u);
+  add("certificate_rounding", certificates, tetratree::certificate_rounding, 1 - squares, u, 11.7);
+  const Rounding_count sum_of_two = tetratree::sum_below(Rounding_count(), entry(Rounding_count()));
+  Rational most_of_sum = 1;
+  for (int k = 0; k < sum_of_two.count(); ++k) most_of_sum *= 1 + Rational(u);
+  add("sum_rounding, of certificates", certificates, tetratree::sum_rounding, most_of_sum - 1, u, 1.34);
 
   // A body's box. Its own numbers are differences that were rounded twice, and then once to float, which may make them
   // larger; what is between places is rounded once before.

@@ -188,21 +188,26 @@ bool surfaces_meet(const Features& a, const Features& b, const Time_span& span)
 
 bool are_bounds(double lo, double hi) { return 0 <= lo && hi <= 1 && (lo == hi || hi == std::nextafter(lo, HUGE_VAL)); }
 
-/// At least the root.
-Rational root_above(const Rational& square)
+/// Lower and upper bounds of the root of a number that is not negative, by the integer root of 128 bits of it.
+std::array<Rational, 2> root_bounds(const Rational& square)
 {
-  const double nearest = std::sqrt(kernel::nearest_double(square));
-  Rational root = nearest * (1 + 0x1p-50) + 0x1p-500;
-  while (root * root < square) root *= 2;
-  return root;
+  if (square == 0) return {0, 0};
+  const long bits = long(mpz_sizeinbase(square.get_num_mpz_t(), 2)) - long(mpz_sizeinbase(square.get_den_mpz_t(), 2));
+  const long halvings = (128 - bits) / 2;
+  const auto scaled = [](const Rational& x, long doublings) {
+    Rational y;
+    if (doublings >= 0)
+      mpq_mul_2exp(y.get_mpq_t(), x.get_mpq_t(), mp_bitcnt_t(doublings));
+    else
+      mpq_div_2exp(y.get_mpq_t(), x.get_mpq_t(), mp_bitcnt_t(-doublings));
+    return y;
+  };
+  const Rational whole = scaled(square, 2 * halvings);
+  const mpz_class root = sqrt(mpz_class(whole.get_num() / whole.get_den()));
+  return {scaled(Rational(root), -halvings), scaled(Rational(root + 1), -halvings)};
 }
-/// At most the root.
-Rational root_below(const Rational& square)
-{
-  Rational root = std::sqrt(kernel::nearest_double(square)) * (1 - 0x1p-50);
-  while (root * root > square) root /= 2;
-  return root;
-}
+Rational root_above(const Rational& square) { return root_bounds(square)[1]; }
+Rational root_below(const Rational& square) { return root_bounds(square)[0]; }
 
 /// At least the speed of every point of the body at every time. A rotation by q turns by 2 |q x q'| / |q|^2, which is
 /// 2 |q0 x q1| / |q|^2: a point r off the axis is r times as fast.

@@ -2,6 +2,9 @@
 
 #include "tetracone/covering/io/read.h"
 #include "tetracone/covering/io/read_poses.h"
+#include "tetracone/kernel/motion/body_motion.h"
+#include "tetracone/tetratree/scene/scene.h"
+#include "verify/cases/scene_file.h"
 #include "verify/subjects/object_subject.h"
 #include "verify/test/support/data_folder.h"
 
@@ -10,6 +13,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_soundness)
 
@@ -49,6 +53,32 @@ BOOST_AUTO_TEST_CASE(what_was_wrong_of_real_files_is_right)
       }
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(scenes_under_fractions_that_no_double_tells_are_right)
+{
+  if (verify::scenes::without_data()) return;
+  const std::filesystem::path folder = verify::scenes::data_folder() / "soundness" / "scene";
+  for (const std::size_t threads : {1, 3})
+    for (const bool moves : {false, true}) {
+      verify::Scene_file file(folder / (moves ? "tinym.scene.json" : "tiny.scene.json"));
+      Scene scene({.threads = threads});
+      for (const auto& model : file.models()) scene.add_model(Body(covering::read(model.file.native())));
+      for (const std::size_t model : file.bodies()) scene.add_body(model);
+      const std::vector<kernel::Pose> from = file.frame(0);
+      for (std::size_t k = 0; k < from.size(); ++k) scene.place(k, from[k]);
+      if (!moves) {
+        BOOST_TEST((scene.pairs() == std::vector{Scene_pair{0, 1}}));
+        continue;
+      }
+      const std::vector<kernel::Pose> to = file.frame(1);
+      std::vector<Motion> motions;
+      for (std::size_t k = 0; k < from.size(); ++k) motions.emplace_back(kernel::Body_motion::linear(from[k], to[k]));
+      const auto contacts = scene.first_contacts(motions);
+      BOOST_REQUIRE(contacts.size() == 1u);
+      BOOST_TEST(contacts[0].first.lo == 0.75);
+      BOOST_TEST(contacts[0].first.hi == 0.75);
+    }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

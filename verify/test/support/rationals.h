@@ -45,6 +45,14 @@ inline Rational determinant(const Vector& a, const Vector& b, const Vector& c) {
 inline bool is_zero(const Vector& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
 inline int sign(const Rational& a) { return (a > 0) - (a < 0); }
 
+/// 2^exponent, exponent >= 0.
+inline Rational power(int exponent)
+{
+  mpz_class power = 1;
+  power <<= mp_bitcnt_t(exponent);
+  return power;
+}
+
 /// The exact image.
 inline Vector image(const Pose& pose, const Vector& p)
 {

@@ -526,6 +526,45 @@ BOOST_AUTO_TEST_CASE(a_point_of_the_body_is_never_beyond_its_half_space)
   BOOST_TEST(apart > 0);
 }
 
+BOOST_AUTO_TEST_CASE(a_half_space_holds_its_body_where_a_row_of_the_map_is_denormal)
+{
+  Random random(13);
+  int beyond = 0, tried = 0;
+  for (int n = 0; n < 4000; ++n) {
+    // Two rows of one size and one far below it, of fractions or of doubles.
+    const int size = std::array{0, 100, 200, 230}[std::size_t(n % 4)], tiny = -scenes::integer(random, 1040, 1076);
+    const bool is_double = n % 8 >= 4;
+    std::array<Rational, 12> m{};
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        const Rational x = i == n % 3 ? scenes::integer(random, -9, 9) / Rational(3) / rationals::power(-tiny)
+                                      : scenes::real(random, -1, 1) * rationals::power(size);
+        m[4 * i + j] = is_double ? Rational(nearest_double(x)) : x;
+      }
+    const Pose pose(m);
+    if (pose.determinant_sign() == CGAL::ZERO) continue;
+    const Points body = random_points(random, 6, is_double && n % 16 >= 12 ? 240 - size : 0);
+    Half_space<double> half_space{scenes::real_vertex(random, n % 16 >= 12 ? 0x1p450 : 1), body[0], 0};
+    Vertex contact = half_space.origin;
+    Rational offset = 0;
+    for (const Vertex& p : body) {
+      const Rational d = rationals::inner(rationals::exactly(half_space.normal),
+                                          rationals::minus(rationals::exactly(p), rationals::exactly(body[0])));
+      if (d <= offset) continue;
+      offset = d;
+      contact = p;
+    }
+    half_space.offset = rounded_up(offset);
+    const Frame frame(pose, reach_of(body));
+    if (!(frame.error() < infinity)) continue;
+    ++tried;
+    const Placed_half_space<double, true> plane(frame, half_space, pose.determinant_sign());
+    beyond += plane.is_beyond(frame(contact), projection_slack(frame, frame));
+  }
+  BOOST_TEST(beyond == 0);
+  BOOST_TEST(tried > 2000);
+}
+
 BOOST_AUTO_TEST_CASE(a_half_space_turns_with_a_reflection)
 {
   const Half_space<double> low{{1, 0, 0}, {0, 0, 0}, 1};  // x <= 1

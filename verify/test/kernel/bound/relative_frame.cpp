@@ -1,5 +1,6 @@
 #include "tetracone/kernel/bound/relative_frame.h"
 
+#include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 
 #include <boost/test/unit_test.hpp>
@@ -10,6 +11,7 @@
 BOOST_AUTO_TEST_SUITE(test_relative_frame)
 
 using namespace tetracone::kernel;
+namespace rationals = tetracone::verify::rationals;
 namespace scenes = tetracone::verify::scenes;
 using scenes::Random;
 
@@ -126,6 +128,39 @@ BOOST_AUTO_TEST_CASE(a_point_that_is_off_itself_has_an_image_off_by_no_more_than
   BOOST_TEST(known > 2000);
   BOOST_TEST(worst <= 1);
   BOOST_TEST(worst > 0.9);
+}
+
+BOOST_AUTO_TEST_CASE(fractions_that_round_to_denormals_or_to_0_stay_within_the_error)
+{
+  Random random(15);
+  int known = 0;
+  for (int k = 0; k < 1500; ++k) {
+    // Any entries of either pose, far below all others, where local units are at the ends of their range.
+    const auto with_tiny_entries = [&](const Pose& pose) {
+      std::array<Rational, 12> m;
+      for (int e = 0; e < 12; ++e)
+        m[e] = scenes::integer(random, 0, 2) == 0
+                   ? Rational(scenes::integer(random, 1, 9)) / 7 / rationals::power(scenes::integer(random, 1060, 1300))
+                   : pose.exact(e);
+      return Pose(m);
+    };
+    const Pose a = k % 2 == 0 ? any_pose(random, k / 2) : with_tiny_entries(any_pose(random, k / 2)),
+               b = with_tiny_entries(any_pose(random, k / 6));
+    if (a.determinant_sign() == CGAL::ZERO) continue;
+    const auto units = [&] {
+      const auto end = [&](int most) { return std::ldexp(1.0, scenes::integer(random, -1, 1) * most); };
+      return Local_scale{scenes::real_vertex(random, end(199)), end(200)};
+    };
+    const Local_scale in_a = units(), in_b = units();
+    const Relative_frame frame(a, in_a, b, in_b);
+    if (!(frame.error() < HUGE_VAL)) continue;
+    ++known;
+    const Vertex p = scenes::real_vertex(random, 1);
+    const auto image = frame(p);
+    const Row right = exact(a, in_a, b, in_b, p);
+    for (int i = 0; i < 3; ++i) BOOST_TEST((abs(Rational(Rational(image[i]) - right[i])) <= Rational(frame.error())));
+  }
+  BOOST_TEST(known > 300);
 }
 
 BOOST_AUTO_TEST_CASE(squares_that_overflow_make_no_similarity_and_no_bound)

@@ -65,7 +65,96 @@ Pose later(scenes::Random& random, const Pose& pose, const std::array<double, 3>
   return Pose(nearest);
 }
 
+/// x -> (numerator / denominator) 2^exponent x, with entries of its own in each place, that brings `centre` to `to`.
+Pose tiny_pose(scenes::Random& random, int exponent, bool is_double, const std::array<double, 3>& centre,
+               const Rational& to)
+{
+  std::array<Rational, 12> m;
+  for (int i = 0; i < 3; ++i) {
+    m[4 * i + 3] = to;
+    for (int j = 0; j < 3; ++j) {
+      const Rational third = Rational(scenes::integer(random, -9, 9)) / (is_double ? 1 : 3);
+      m[4 * i + j] = third * (exponent < 0 ? 1 / rationals::power(-exponent) : rationals::power(exponent));
+      m[4 * i + 3] -= m[4 * i + j] * Rational(centre[j]);
+    }
+  }
+  return Pose(m);
+}
+
 }  // namespace
+
+BOOST_AUTO_TEST_CASE(boxes_and_steps_hold_what_rounds_to_denormals_or_to_0)
+{
+  scenes::Random random(12);
+  std::size_t bounded = 0, lost = 0, turned_by_squares_that_underflow = 0;
+  for (int n = 0; n < 400; ++n) {
+    // A cube, far from the origin along some axes, as large as the doubles allow or about 1.
+    covering::Polyhedron body = scenes::cube(1);
+    const int size = std::array{0, 180, 500, 1000, 1019}[std::size_t(n % 5)];
+    for (int k = 0; k < 3; ++k) {
+      const int place = scenes::integer(random, 0, 2);
+      for (auto& v : body.vertices) v[k] = std::ldexp(v[k] + (place == 0 ? 3 : 0), place == 2 ? 0 : size);
+    }
+    const Body_extent extent(body.vertices);
+    const tetratree::Bvh8 tree(scenes::triangulated(body));
+    tetratree::Support_table table(tree);
+    for (int m = 0; m < 8; ++m) {
+      const int exponent = m == 0 ? -540 : m == 1 ? -1060 : -scenes::integer(random, size, 1130);
+      const bool is_double = m < 2;
+      const Rational to = scenes::integer(random, -1, 1) * Rational(0x1p-40);
+      const Pose pose = tiny_pose(random, exponent, is_double, extent.centre, is_double ? Rational(0) : to),
+                 next = tiny_pose(random, exponent, is_double, extent.centre, is_double ? Rational(0) : to);
+      const World_box box = world_box(extent, pose), tight = world_box(table, tree.scale(), pose);
+      const auto [before, nothing] = body_step(extent, pose, pose);
+      const auto [after, turned] = body_step(extent, pose, next);
+      bounded += box.is_bounded();
+      lost += pose.is_rational() && pose[0] == 0 && pose.exact(0) != 0;
+      Rational most = 0;
+      for (const auto& v : body.vertices) {
+        const auto p = rationals::image(pose, rationals::exactly(v)), q = rationals::image(next, rationals::exactly(v));
+        BOOST_REQUIRE(holds(box, p));
+        BOOST_REQUIRE(holds(tight, p));
+        if (!std::isfinite(turned)) continue;
+        const auto about = rationals::minus(p, rationals::exactly(before)),
+                   turned_by = rationals::minus(rationals::minus(q, rationals::exactly(after)), about);
+        most = std::max(most, Rational(rationals::inner(turned_by, turned_by)));
+      }
+      if (std::isfinite(turned)) BOOST_REQUIRE(most <= Rational(turned) * Rational(turned));
+      turned_by_squares_that_underflow += m == 0 && size == 0 && most > 0;
+    }
+  }
+  BOOST_TEST(bounded > 2000u);
+  BOOST_TEST(lost > 100u);
+  BOOST_TEST(turned_by_squares_that_underflow > 40u);
+}
+
+BOOST_AUTO_TEST_CASE(boxes_of_tiny_images_are_tiny)
+{
+  // 2^1010 times a third of 2^-1040.
+  const Body_extent extent(scenes::cube(0x1p1010).vertices);
+  std::array<Rational, 12> m;
+  for (int k = 0; k < 3; ++k) m[5 * k] = 1 / rationals::power(1040) / 3;
+  const World_box box = world_box(extent, Pose(m));
+  for (int k = 0; k < 3; ++k) {
+    BOOST_TEST(box.high[k] >= 0x1p-30 / 3);
+    BOOST_TEST(box.high[k] <= 0x1p-29);
+    BOOST_TEST(box.low[k] == -box.high[k]);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(nothing_is_known_of_reach_where_local_units_end)
+{
+  // A row of 1 and a tiny fraction, which moves what is far along the second axis: no double tells by how much.
+  covering::Polyhedron body = scenes::cube(0x1p-150);
+  for (auto& v : body.vertices) v[1] = 0x1p1000;
+  const tetratree::Bvh8 tree(scenes::triangulated(body));
+  tetratree::Support_table table(tree);
+  std::array<Rational, 12> m = {1, 1 / rationals::power(1080) / 3, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+  const Pose pose(m);
+  const World_box tight = world_box(table, tree.scale(), pose);
+  for (const auto& v : body.vertices) BOOST_TEST(holds(tight, rationals::image(pose, rationals::exactly(v))));
+  BOOST_TEST(!tight.is_bounded());
+}
 
 BOOST_AUTO_TEST_CASE(boxes_hold_every_image_and_steps_bound_how_far_each_point_turns)
 {

@@ -72,6 +72,17 @@ Motion any_motion(scenes::Random& random)
   return Motion::rigid(of(), of());
 }
 
+/// x -> a third of 2^-1040 x + t.
+kernel::Pose third_of_2_to_the_minus_1040(double t)
+{
+  mpz_class divisor = 3;
+  divisor <<= 1040;
+  std::array<kernel::Rational, 12> m{};
+  for (int k = 0; k < 3; ++k) m[5 * k] = 1 / kernel::Rational(divisor);
+  m[3] = t;
+  return kernel::Pose(m);
+}
+
 void check_scenes(const Scene_options& options, int rounds, bool by_makers = false)
 {
   const std::vector<Body> models = bodies();
@@ -134,6 +145,25 @@ void check_scenes(const Scene_options& options, int rounds, bool by_makers = fal
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_CASE(a_huge_model_under_a_fraction_that_rounds_to_0_is_met_in_motion)
+{
+  // The cube's image is 2^-40 / 3 about the origin, the small one's of 2^-42.
+  const Body huge(scenes::cube(0x1p1000)), small(scenes::cube(0x1p-42));
+  Scene scene;
+  for (const Body* body : {&huge, &small}) scene.add_body(scene.add_model(*body));
+  const kernel::Pose still = third_of_2_to_the_minus_1040(0);
+  const auto at = [](double x) { return kernel::Pose::translation(x, 0, 0); };
+  const Motion rests(kernel::Body_motion::linear(still, still)),
+      comes(kernel::Body_motion::linear(at(0x1p-38), at(0x1p-41)));
+  const auto met = scene.first_contacts(std::vector{rests, comes});
+  const auto expected = Query(huge, small).first_contact(rests, comes);
+  BOOST_REQUIRE(expected);
+  BOOST_REQUIRE(met.size() == 1u);
+  BOOST_TEST(met[0].first.lo == expected->lo);
+  BOOST_TEST(met[0].first.hi == expected->hi);
+  BOOST_TEST(expected->lo > 0);
+}
 
 BOOST_AUTO_TEST_CASE(a_scene_has_the_first_contact_of_every_pair_in_order_of_time)
 {

@@ -27,7 +27,7 @@ BOOST_AUTO_TEST_CASE(cases_are_legal_and_mostly_apart)
 {
   std::set<std::string_view> names;
   for (const Family& family : families()) names.insert(family.name);
-  int number = int(families().size());
+  int number = 49;
   for (const Family& family : distance_families()) {
     BOOST_TEST(names.insert(family.name).second);
     BOOST_TEST(family.number == ++number);

@@ -46,7 +46,9 @@ const auto threshold = [](const auto& in) {
   const auto volume = determinant(triple(in, 0), triple(in, 3), triple(in, 6));
   const auto terms = permanent(triple(in, 0), triple(in, 3), triple(in, 6));
   const auto row = permanent(triple(in, 0), triple(in, 3), triple(in, 9));
-  return Placed_half_space<double, true>::sound_threshold(abs(volume), terms, in[12], row + row + row, in[13]);
+  using Half_space = Placed_half_space<double, true>;
+  return Half_space::sound_threshold(abs(volume), terms, in[12], row + row + row, in[13],
+                                     Half_space::absolute_error(in[0], norm_1(triple(in, 9)), in[12], in[13]));
 };
 
 /// Inputs of these magnitudes, one after the other.
