@@ -19,6 +19,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -86,7 +87,7 @@ struct Soup {
 
 /// The polygon soup that CGAL reads from the text; nothing where CGAL refuses it.
 std::optional<Soup> read(const std::string& suffix, std::string_view text)
-{
+try {
   std::istringstream in(std::string(text), std::ios::binary);
   Soup soup;
   const bool done = suffix == ".off"   ? CGAL::IO::read_OFF(in, soup.points, soup.polygons)
@@ -95,6 +96,8 @@ std::optional<Soup> read(const std::string& suffix, std::string_view text)
                                        : CGAL::IO::read_STL(in, soup.points, soup.polygons);
   if (!done) return std::nullopt;
   return soup;
+} catch (const std::exception&) {
+  return std::nullopt;
 }
 
 /// True when CGAL's soup is the scanned one: the same counts, the same indices and, unless CGAL rounds to float, the
@@ -112,8 +115,21 @@ bool agrees(const Soup& soup, const Polyhedron& scanned, bool compare_coordinate
 
 }  // namespace cgal
 
-/// Of larger files the scan's reading is not compared with CGAL's.
+/// The size of a file above which the scan's reading is not compared with CGAL's.
 constexpr std::size_t most_for_cgal = 100'000'000;
+
+/// What CGAL's reader says of the text that was scanned as `polyhedron`; empty where it reads the same.
+std::string note_of_cgal(const std::string& suffix, std::string_view text, const Scan& scan,
+                         const Polyhedron& polyhedron)
+{
+  if (text.size() > most_for_cgal) return "so large that CGAL's reader would take far longer: read by the scan alone";
+  if (!scan.cgal_knows) return "a dialect that CGAL's reader does not take: read by the scan alone";
+  const auto soup = cgal::read(suffix, text);
+  if (!soup) return "CGAL's reader refuses the file: read by the scan alone";
+  if (!cgal::agrees(*soup, polyhedron, !scan.single_coordinates))
+    return "CGAL's reader finds something else in the file than the scan, which is the one that counts";
+  return "";
+}
 
 }  // namespace
 
@@ -141,8 +157,9 @@ Read_model read_model(const std::filesystem::path& path, bool also_by_cgal)
   std::string_view text = bytes.bytes();
   if (!known) throw Input_error(file, 0, "unknown suffix", "expected .off, .obj, .ply, .stl or .poly");
   if (text.empty()) throw Input_error(file, 0, "the file is empty", "expected a model");
-  const bool binary = (suffix == ".stl" && has_size_of_binary_stl(text)) ||
-                      (suffix == ".ply" && text.find("format binary") != std::string::npos);
+  const bool is_utf16 = text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff");
+  const bool binary = (suffix == ".stl" && (has_size_of_binary_stl(text) || !(is_utf16 || is_stl_text(text)))) ||
+                      (suffix == ".ply" && is_binary_ply(text));
   std::string copied;
   if (!binary) text = copied = as_text(file, std::string(text));
 
@@ -154,18 +171,11 @@ Read_model read_model(const std::filesystem::path& path, bool also_by_cgal)
                 : suffix == ".obj" ? scan_obj(file, text)
                 : suffix == ".ply" ? scan_ply(file, text)
                                    : scan_stl(file, text);
+    model.notes = std::move(scan.notes);
     model.polyhedron = suffix == ".stl" ? merge_equal_vertices(std::move(scan.soup)) : std::move(scan.soup);
     if (model.polyhedron.face_count() != 0 && also_by_cgal) {
-      if (text.size() > most_for_cgal) {
-        model.notes.emplace_back("so large that CGAL's reader would take far longer: read by the scan alone");
-      } else if (!scan.cgal_knows) {
-        model.notes.emplace_back("a dialect that CGAL's reader does not take: read by the scan alone");
-      } else {
-        const auto soup = cgal::read(suffix, text);
-        if (!soup || !cgal::agrees(*soup, model.polyhedron, !scan.single_coordinates))
-          throw Input_error(file, 0, "CGAL's reader finds something else in it than the scan",
-                            "expected that both agree");
-      }
+      const std::string note = note_of_cgal(suffix, text, scan, model.polyhedron);
+      if (!note.empty()) model.notes.push_back(note);
     }
   }
   if (model.polyhedron.face_count() == 0) throw Input_error(file, 0, "no face", "expected a model with faces");
@@ -177,6 +187,8 @@ Read_model read_model(const std::filesystem::path& path, bool also_by_cgal)
 
 Read_model read_model(const std::filesystem::path& path) { return read_model(path, true); }
 
-Polyhedron read(const std::filesystem::path& path) { return read_model(path, false).polyhedron; }
+Read_model read_with_notes(const std::filesystem::path& path) { return read_model(path, false); }
+
+Polyhedron read(const std::filesystem::path& path) { return read_with_notes(path).polyhedron; }
 
 }  // namespace tetracone::covering

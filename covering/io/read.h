@@ -23,16 +23,21 @@ std::string suffix_of(const std::filesystem::path& path);
 ///  - Each coordinate is the double nearest to the file's decimal, by the standard's own conversion, or the binary
 ///    file's number exactly.
 ///  - OFF, OBJ, PLY and STL are read by `scan_off` and so on, .poly by `read_poly`.
+///  - Numbers that no face uses (normals, colours, points of no face) may be nan or infinite.
+///  - Faces of one or two corners, and what stands behind the last face of an OFF file or the last triangle of a binary
+///    STL, are left out; `read_with_notes` says so.
 ///
 /// Throws Input_error at the first thing that is wrong: no file, an unknown suffix, a word that is no number, nan,
-/// infinity or overflow, an index out of range, a face of less than three corners, missing or surplus data, a count
-/// that the file cannot hold, no face at all.
+/// infinity or overflow in a face's point, an index out of range, a face of no corners, missing data, more faces than
+/// the file counts, a count that the file cannot hold, no face at all.
 Polyhedron read(const std::filesystem::path& path);
 
-/// The same, with what there is to say of it, and read a second time by CGAL's reader, which takes several times as
-/// long: it must find the same vertices and faces, or else Input_error is thrown. The scan's coordinates are the ones
-/// kept, also where CGAL rounds to float (a PLY text's `float`). A legal dialect that CGAL's reader does not take is
-/// read by the scan alone, and so are .poly and a file of more than 100,000,000 bytes; a note says so of the others.
+/// Reads a model as `read` does, with notes of what was left out and of what is not as it is written.
+Read_model read_with_notes(const std::filesystem::path& path);
+
+/// Reads a model as `read_with_notes` does, and a second time by CGAL's reader, which takes several times as long. A note
+/// says where CGAL's reader refuses the file or finds other vertices or faces; the scan's are the ones returned. CGAL is
+/// not asked about dialects that it is known not to take, .poly, and files of more than 100,000,000 bytes.
 Read_model read_model(const std::filesystem::path& path);
 
 }  // namespace tetracone::covering

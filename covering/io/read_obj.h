@@ -37,12 +37,108 @@ inline std::int64_t obj_corner(const Text_lines& lines, std::string_view corner)
   lines.fail(in_quotes(corner) + " as corner of a face", "expected v, v/vt, v//vn or v/vt/vn in integers");
 }
 
-/// Scans a Wavefront OBJ text: the lines `v` and `f`; a face stays the polygon it is, its indices count from 1 or
+/// Whether the statement is one that the model is made of: `v`, or one of the names of a face, `f`, the old `fo`, and
+/// `q` of QOBJ.
+inline bool is_obj_geometry(std::string_view statement)
+{
+  return statement == "v" || statement == "f" || statement == "fo" || statement == "q";
+}
+
+/// The words of OBJ statements, one after the other.
+class Obj_statements {
+ public:
+  explicit Obj_statements(Text_lines& lines) : lines_(lines) {}
+
+  /// Goes to the next statement; false at the end. A line that ends in a backslash goes on in the next. A name may end
+  /// in one, too (`g C:\parts\`): a vertex or a face in the next line is a statement of its own, unless the backslash
+  /// ends a vertex or a face.
+  bool next()
+  {
+    words_.clear();
+    while (words_.empty()) {
+      if (!std::exchange(is_current_, false) && !lines_.next()) return false;
+      append();
+      while (!words_.empty() && words_.back().ends_with('\\')) {
+        continued_ = true;
+        words_.back().pop_back();
+        if (words_.back().empty()) words_.pop_back();
+        if (!words_.empty() && is_obj_geometry(words_[0])) {
+          lines_.need_next("expected the line that the backslash continues");
+        } else if (!lines_.next()) {
+          break;
+        } else if (!words_.empty() && is_obj_geometry(lines_.words()[0])) {
+          kept_.add(at_line(lines_));
+          is_current_ = true;
+          break;
+        }
+        append();
+      }
+    }
+    return true;
+  }
+
+  const std::vector<std::string>& words() const { return words_; }
+
+  /// Whether a line before ended in a backslash.
+  bool continued() const { return continued_; }
+
+  /// Vertices and faces behind a line of something else that ends in a backslash.
+  const Left_out& kept() const { return kept_; }
+
+ private:
+  /// A comment begins a word: CGAL takes 'g#' for a statement. In numbers it begins anywhere, but not in "1.#IND".
+  void append()
+  {
+    for (const std::string_view word : lines_.words()) {
+      if (word.starts_with('#')) return;
+      words_.emplace_back(word);
+      const bool has_comment = word.find('#') != std::string_view::npos && word.find("1.#") == std::string_view::npos;
+      if (!has_comment || !is_obj_geometry(words_[0])) continue;
+      words_.back().resize(word.find('#'));
+      return;
+    }
+  }
+
+  Text_lines& lines_;
+  std::vector<std::string> words_;
+  bool is_current_ = false;  // the current line is not yet part of a statement
+  bool continued_ = false;
+  Left_out kept_;
+};
+
+/// The vertex of a statement `v`: x y z, then nothing, a weight, a colour, or both, which are not used. The weight is
+/// that of rational curves, not a homogeneous coordinate.
+inline void add_obj_vertex(const Text_lines& lines, const std::vector<std::string>& words, Scan& scan)
+{
+  const std::size_t numbers = words.size() - 1;
+  if (numbers < 3 || numbers == 5 || numbers > 7)
+    lines.fail("a vertex of " + std::to_string(numbers) + " numbers", "expected 3, and perhaps a weight and a colour");
+  auto& vertices = scan.soup.vertices;
+  if (vertices.size() == std::numeric_limits<std::int32_t>::max())
+    lines.fail("too many vertices", "expected less than 2^31");
+  kernel::Vertex vertex{};
+  bool is_placed = true;
+  for (std::size_t k = 0; k < numbers; ++k) {
+    const std::string& word = words[k + 1];
+    if (const auto value = parse_double(word)) {
+      if (k < 3) vertex[k] = *value;
+      continue;
+    }
+    const Input_error error(lines.file(), lines.line(), in_quotes(word) + " as coordinate",
+                            "expected a finite decimal number");
+    if (!is_number_word(word)) throw error;
+    scan.cgal_knows = false;
+    if (k < 3 && std::exchange(is_placed, false)) scan.unplaced.add(static_cast<Index>(vertices.size()), error);
+  }
+  vertices.push_back(vertex);
+}
+
+/// Scans a Wavefront OBJ text: the statements `v` and `f`; a face stays the polygon it is, its indices count from 1 or
 /// backwards from the last vertex before it. A line that ends in a backslash goes on in the next. Statements that draw
 /// something else (points, lines, curves, groups, materials) are skipped; unknown ones are refused.
 /// A first line of two counts, of vertices and of faces, is taken too (FCL's files have it), and must be right.
-/// CGAL is not asked about such a line, continued lines, white space other than blanks between corners, and statements
-/// that it does not know (`l`, `call`, `csh`, `maplib`, `mg`).
+/// CGAL is not asked about such a line, continued lines, white space other than blanks between corners, numbers that are
+/// not finite, and statements that it does not know (`fo`, `q`, `l`, `call`, `csh`, `maplib`, `mg`).
 inline Scan scan_obj(const std::string& file, std::string_view text)
 {
   constexpr std::array skipped = {
@@ -54,33 +150,17 @@ inline Scan scan_obj(const std::string& file, std::string_view text)
   constexpr std::array unknown_to_cgal = {"l", "call", "csh", "maplib", "mg"};
 
   Scan scan;
-  auto& vertices = scan.soup.vertices;
+  const auto& vertices = scan.soup.vertices;
   Text_lines lines(file, text, '\0');
+  Obj_statements statements(lines);
+  const std::vector<std::string>& words = statements.words();
   // A face may name vertices that come later; each index that is further ahead than all before it is settled at the
   // end.
   std::vector<std::pair<std::size_t, std::int64_t>> ahead;
   std::optional<std::array<std::uint64_t, 2>> counts;
   bool first_statement = true;
-  std::vector<std::string> words;
   std::vector<Index> loop;
-  // A comment begins a word: CGAL takes 'g#' for a statement.
-  const auto append = [&words, &lines] {
-    for (const std::string_view word : lines.words()) {
-      if (word.starts_with('#')) return;
-      words.emplace_back(word);
-    }
-  };
-  while (lines.next()) {
-    words.clear();
-    append();
-    while (!words.empty() && words.back().ends_with('\\')) {
-      scan.cgal_knows = false;
-      words.back().pop_back();
-      if (words.back().empty()) words.pop_back();
-      lines.need_next("expected the line that the backslash continues");
-      append();
-    }
-    if (words.empty()) continue;
+  while (statements.next()) {
     if (std::exchange(first_statement, false) && words.size() == 2 && parse_count(words[0]) && parse_count(words[1])) {
       counts = {*parse_count(words[0]), *parse_count(words[1])};
       scan.cgal_knows = false;
@@ -89,22 +169,12 @@ inline Scan scan_obj(const std::string& file, std::string_view text)
     const std::string& statement = words[0];
     const auto is_statement = [&statement](std::string_view name) { return statement == name; };
     if (statement == "v") {
-      // x y z, then nothing, a weight, a colour, or both; only curves use the weight.
-      const std::size_t numbers = words.size() - 1;
-      if (numbers < 3 || numbers == 5 || numbers > 7)
-        lines.fail("a vertex of " + std::to_string(numbers) + " numbers",
-                   "expected 3, and perhaps a weight and a colour");
-      kernel::Vertex vertex{};
-      for (std::size_t k = 0; k < numbers; ++k) {
-        const auto value = parse_double(words[k + 1]);
-        if (!value) lines.fail(in_quotes(words[k + 1]) + " as coordinate", "expected a finite decimal number");
-        if (k < 3) vertex[k] = *value;
-      }
-      if (vertices.size() == std::numeric_limits<std::int32_t>::max())
-        lines.fail("too many vertices", "expected less than 2^31");
-      vertices.push_back(vertex);
-    } else if (statement == "f") {
-      need_corners(lines, words.size() - 1);
+      add_obj_vertex(lines, words, scan);
+    } else if (is_obj_geometry(statement)) {
+      if (statement != "f") scan.cgal_knows = false;
+      need_corners(lines, words.size() - 1, 1);
+      if (statement == "q" && words.size() != 5)
+        lines.fail("a face q of " + std::to_string(words.size() - 1) + " corners", "expected 4");
       loop.clear();
       for (std::size_t k = 1; k < words.size(); ++k) {
         const std::int64_t corner = obj_corner(lines, words[k]);
@@ -120,25 +190,28 @@ inline Scan scan_obj(const std::string& file, std::string_view text)
       const std::string_view first = lines.words().front(), last = lines.words().back();
       const std::string_view row(first.data(), last.data() + last.size() - first.data());
       if (row.find_first_of("\t\r\v\f") != std::string_view::npos) scan.cgal_knows = false;
-      scan.soup.add_polygon(loop);
+      add_face(scan, loop, [&] { return at_line(lines); });
     } else if (std::ranges::any_of(unknown_to_cgal, is_statement)) {
       scan.cgal_knows = false;
     } else if (std::ranges::none_of(skipped, is_statement)) {
       lines.fail(in_quotes(statement) + " as statement", "expected v, f or another statement of the format");
     }
   }
+  if (statements.continued()) scan.cgal_knows = false;
+  statements.kept().note("lines behind one that ends in a backslash are read as statements of their own", scan.notes);
   for (const auto& [line, index] : ahead)
     if (index >= static_cast<std::int64_t>(vertices.size()))
       throw Input_error(
           file, line,
           "vertex index " + std::to_string(index + 1) + " with " + std::to_string(vertices.size()) + " vertices",
           "expected 1 to the number of vertices");
-  if (counts && *counts != std::array<std::uint64_t, 2>{vertices.size(), scan.soup.face_count()})
-    throw Input_error(
-        file, 0, std::to_string(vertices.size()) + " vertices and " + std::to_string(scan.soup.face_count()) + " faces",
-        "expected " + std::to_string((*counts)[0]) + " and " + std::to_string((*counts)[1]) +
-            " as the first line counts");
+  const std::size_t faces = scan.soup.face_count() + scan.short_faces.count();
+  if (counts && *counts != std::array<std::uint64_t, 2>{vertices.size(), faces})
+    throw Input_error(file, 0, std::to_string(vertices.size()) + " vertices and " + std::to_string(faces) + " faces",
+                      "expected " + std::to_string((*counts)[0]) + " and " + std::to_string((*counts)[1]) +
+                          " as the first line counts");
   if (lines.line() == 0) lines.fail("the file is empty", "expected vertices and faces");
+  finish(scan);
   return scan;
 }
 

@@ -9,10 +9,12 @@
 #include <bit>
 #include <cfloat>
 #include <cmath>
-#include <cstring>
-#include <optional>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace tetracone::covering {
@@ -60,25 +62,23 @@ class Ply_body {
     return value;
   }
 
-  /// A floating-point number of the type. As text: the double nearest to the decimal, whatever the type; where it is
-  /// unused it may be nan or infinite, which is returned as nan.
-  double floating(Ply_type type, std::string_view name, bool used)
+  /// A floating-point number of the type. As text: the double nearest to the decimal, whatever the type, or nan where it
+  /// is not finite.
+  double floating(Ply_type type, std::string_view name)
   {
-    double value = NAN;
     if (is_text()) {
       const std::string_view word = next_word(name);
-      if (const auto number = parse_double(word))
-        value = *number;
-      else if (used || !is_number_word(word))
+      if (const auto number = parse_double(word)) return *number;
+      if (!is_number_word(word))
         fail(in_quotes(word) + " as " + std::string(name) + " of " + what(), "expected a finite decimal number");
-      return value;
+      return NAN;
     }
     const std::uint64_t bits = bytes(type.bytes, name);
-    value = type.bytes == 4 ? std::bit_cast<float>(static_cast<std::uint32_t>(bits)) : std::bit_cast<double>(bits);
-    if (used && !std::isfinite(value))
-      fail(std::string(name) + " of " + what() + " is no finite number", "expected finite coordinates");
-    return value;
+    return type.bytes == 4 ? std::bit_cast<float>(static_cast<std::uint32_t>(bits)) : std::bit_cast<double>(bits);
   }
+
+  /// Whether the item's line of text has no more words.
+  bool is_line_over() const { return is_text() && word_ == lines_.words().size(); }
 
   /// Refuses anything but white space behind the last item.
   void need_end()
@@ -97,10 +97,15 @@ class Ply_body {
   /// The item under way, as an error names it.
   std::string what() const { return element_->name + " " + std::to_string(item_); }
 
-  [[noreturn]] void fail(const std::string& wrong, const std::string& expected) const
+  /// Where that is in the file, as a note names it.
+  std::string where() const { return is_text() ? at_line(lines_) : what(); }
+
+  /// The error here; of a binary file without a line.
+  Input_error error(const std::string& wrong, const std::string& expected) const
   {
-    throw Input_error(lines_.file(), is_text() ? lines_.line() : 0, wrong, expected);
+    return {lines_.file(), is_text() ? lines_.line() : 0, wrong, expected};
   }
+  [[noreturn]] void fail(const std::string& wrong, const std::string& expected) const { throw error(wrong, expected); }
 
  private:
   std::string_view next_word(std::string_view name)
@@ -133,56 +138,116 @@ class Ply_body {
   std::size_t item_ = 0;
 };
 
-/// Scans a PLY file, text or binary of either byte order: the element `vertex` (or `vertices`) with the properties x, y
-/// and z, the element `face` (or `faces`) with the list vertex_indices (or vertex_index); properties in any order and
-/// of any type, other elements and properties are skipped. A decimal of a text file is the double nearest to it, also
-/// where the header calls it float (CGAL would round it to float first).
-/// CGAL is not asked about indices that are neither int nor uint, coordinates or colours of integer or other types, the
-/// element `halfedge`, numbers that are not finite in what is unused, and headers with the format not in line 2 or with
-/// empty lines.
-inline Scan scan_ply(const std::string& file, std::string_view text)
+/// Appends the triangles of strips: each index makes one with the two before it, in turns of either direction, and -1
+/// ends a strip. A triangle that names a vertex twice only leads on, and is none.
+inline void add_triangle_strips(const std::vector<std::int64_t>& indices, Polyhedron& polyhedron)
 {
-  Text_lines lines(file, text, '\0');
-  const Ply_header header = scan_ply_header(lines);
-  Scan scan;
-  scan.cgal_knows = header.cgal_knows;
+  std::size_t begin = 0;
+  for (std::size_t k = 0; k < indices.size(); ++k) {
+    if (indices[k] < 0) begin = k + 1;
+    if (k < begin + 2) continue;
+    std::array<Index, 3> corner{};
+    for (int j = 0; j < 3; ++j) corner[j] = static_cast<Index>(indices[k - 2 + j]);
+    if ((k - begin) % 2 == 1) std::swap(corner[0], corner[1]);
+    if (corner[0] != corner[1] && corner[1] != corner[2] && corner[2] != corner[0]) polyhedron.add_polygon(corner);
+  }
+}
 
-  const auto find = [&](const char* name, const char* other) {
+/// What of a PLY file makes the model: the elements, and the places of their properties.
+struct Ply_parts {
+  const Ply_element* vertex = nullptr;
+  const Ply_element* face = nullptr;    ///< absent where there are strips
+  const Ply_element* strips = nullptr;  ///< absent in most files
+  std::array<std::size_t, 3> axis{};    ///< x, y and z of a vertex
+  std::size_t corners = 0;              ///< the list of vertices of a face
+  std::size_t strip = 0;                ///< and of strips
+
+  /// How many properties of the element are read, the last of which is used.
+  std::size_t used_properties(const Ply_element& element) const
+  {
+    if (&element == vertex) return *std::max_element(axis.begin(), axis.end()) + 1;
+    if (&element == face) return corners + 1;
+    return &element == strips ? strip + 1 : 0;
+  }
+};
+
+inline std::size_t find_property(const Ply_element& element, std::string_view name)
+{
+  return static_cast<std::size_t>(std::ranges::find(element.properties, name, &Ply_property::name) -
+                                  element.properties.begin());
+}
+
+/// The place of the element's list of vertices.
+inline std::size_t find_corners(const std::string& file, const Ply_element& element)
+{
+  std::size_t corners = find_property(element, "vertex_indices");
+  if (corners == element.properties.size()) corners = find_property(element, "vertex_index");
+  if (corners == element.properties.size() || !element.properties[corners].count ||
+      element.properties[corners].type.kind == 'f')
+    throw Input_error(file, element.line, "faces without a list of vertex indices",
+                      "expected the property vertex_indices");
+  return corners;
+}
+
+/// Finds the parts; tells the scan what CGAL does not know of them.
+inline Ply_parts find_ply_parts(const Text_lines& lines, const Ply_header& header, Scan& scan)
+{
+  const auto find = [&](const char* name, const char* other) -> const Ply_element* {
     const auto named = [&](const char* wanted) {
       return std::ranges::find(header.elements, wanted, &Ply_element::name);
     };
     const auto first = named(name), second = named(other);
-    if (first == header.elements.end() && second == header.elements.end())
-      lines.fail(std::string("no element ") + name, "expected one in the header");
     if (first != header.elements.end() && second != header.elements.end())
       lines.fail(std::string("the elements ") + name + " and " + other, "expected one of them");
-    return first != header.elements.end() ? first : second;
+    const auto found = first != header.elements.end() ? first : second;
+    return found == header.elements.end() ? nullptr : &*found;
   };
-  const auto vertex_element = find("vertex", "vertices");
-  const auto face_element = find("face", "faces");
-  const auto property = [&](const Ply_element& element, const std::string& name) {
-    return static_cast<std::size_t>(std::ranges::find(element.properties, name, &Ply_property::name) -
-                                    element.properties.begin());
-  };
-  std::array<std::size_t, 3> axis{};
+  Ply_parts parts;
+  parts.vertex = find("vertex", "vertices");
+  parts.face = find("face", "faces");
+  parts.strips = find("tristrips", "tristrip");
+  if (!parts.vertex) lines.fail("no element vertex", "expected one in the header");
+  if (!parts.face && !parts.strips) lines.fail("no element face", "expected one in the header");
   for (int k = 0; k < 3; ++k) {
     const std::string name(1, "xyz"[k]);
-    axis[k] = property(*vertex_element, name);
-    const bool missing = axis[k] == vertex_element->properties.size() || vertex_element->properties[axis[k]].count;
-    if (missing)
-      throw Input_error(file, vertex_element->line, "vertices without a number " + name,
+    parts.axis[k] = find_property(*parts.vertex, name);
+    const auto& properties = parts.vertex->properties;
+    if (parts.axis[k] == properties.size() || properties[parts.axis[k]].count)
+      throw Input_error(lines.file(), parts.vertex->line, "vertices without a number " + name,
                         "expected the properties x, y and z");
-    const Ply_type type = vertex_element->properties[axis[k]].type;
+    const Ply_type type = properties[parts.axis[k]].type;
     if (type.kind != 'f') scan.cgal_knows = false;
     scan.single_coordinates = scan.single_coordinates || (header.format == Ply_header::Format::text && type.bytes == 4);
   }
-  std::size_t corners = property(*face_element, "vertex_indices");
-  if (corners == face_element->properties.size()) corners = property(*face_element, "vertex_index");
-  if (corners == face_element->properties.size() || !face_element->properties[corners].count ||
-      face_element->properties[corners].type.kind == 'f')
-    throw Input_error(file, face_element->line, "faces without a list of vertex indices",
-                      "expected the property vertex_indices");
-  if (face_element->properties[corners].type.bytes != 4) scan.cgal_knows = false;
+  if (parts.face) {
+    parts.corners = find_corners(lines.file(), *parts.face);
+    if (parts.face->properties[parts.corners].type.bytes != 4) scan.cgal_knows = false;
+  }
+  if (parts.strips) {
+    parts.strip = find_corners(lines.file(), *parts.strips);
+    scan.cgal_knows = false;
+  }
+  return parts;
+}
+
+/// Scans a PLY file, text or binary of either byte order: the element `vertex` (or `vertices`) with the properties x, y
+/// and z, the element `face` (or `faces`) with the list vertex_indices (or vertex_index), and `tristrips` with such a
+/// list; properties in any order and of any type, other elements and properties are skipped. A decimal of a text file is
+/// the double nearest to it, also where the header calls it float (CGAL would round it to float first). A line of text
+/// may lack its last unused properties, with a note: VCGLIB promises colours that it does not write.
+/// CGAL is not asked about strips, indices that are neither int nor uint, coordinates or colours of integer or other
+/// types, the element `halfedge`, numbers that are not finite in what is unused, and headers with the format not in line
+/// 2 or with empty lines.
+inline Scan scan_ply(const std::string& file, std::string_view text)
+{
+  std::string copied;
+  const std::string_view given = text;
+  text = with_line_feeds(text, copied);
+  Text_lines lines(file, text, '\0');
+  const Ply_header header = scan_ply_header(lines);
+  Scan scan;
+  scan.cgal_knows = header.cgal_knows && text.data() == given.data();
+  const Ply_parts parts = find_ply_parts(lines, header, scan);
   for (const Ply_element& element : header.elements) {
     if (element.name == "halfedge") scan.cgal_knows = false;
     for (const Ply_property& each : element.properties)
@@ -192,6 +257,7 @@ inline Scan scan_ply(const std::string& file, std::string_view text)
     std::size_t least = 0;
     for (const Ply_property& each : element.properties)
       least += header.format == Ply_header::Format::text ? 2 : (each.count ? *each.count : each.type).bytes;
+    if (header.format == Ply_header::Format::text) least = std::min(least, 2 * parts.used_properties(element));
     if (element.items * least > lines.bytes_left() + 1)
       throw Input_error(file, element.line,
                         std::to_string(element.items) + " of " + in_quotes(element.name) + ", with " +
@@ -200,60 +266,85 @@ inline Scan scan_ply(const std::string& file, std::string_view text)
   }
 
   Ply_body body(lines, text, header.format);
-  const auto scalar = [&](const Ply_type& type, std::string_view name, bool used) {
+  const auto scalar = [&](const Ply_type& type, std::string_view name) {
     if (type.kind != 'f') return static_cast<double>(body.integer(type, name));
-    const double value = body.floating(type, name, used);
+    const double value = body.floating(type, name);
     if (body.is_text() && (!std::isfinite(value) || (type.bytes == 4 && std::abs(value) > FLT_MAX)))
       scan.cgal_knows = false;
     return value;
   };
+  std::vector<std::int64_t> indices;
   std::vector<Index> loop;
+  Left_out unwritten;
   // The header's counts are such as the file can hold.
-  scan.soup.vertices.reserve(vertex_element->items);
-  scan.soup.reserve_faces(face_element->items, 3 * face_element->items);
-  for (auto element = header.elements.begin(); element != header.elements.end(); ++element) {
+  scan.soup.vertices.reserve(parts.vertex->items);
+  if (parts.face) scan.soup.reserve_faces(parts.face->items, 3 * parts.face->items);
+  for (const Ply_element& element : header.elements) {
     std::vector<std::string> counts;
-    for (const Ply_property& each : element->properties) counts.push_back("count of " + each.name);
-    for (std::size_t item = 0; item < element->items; ++item) {
-      body.begin_item(*element, item);
+    for (const Ply_property& each : element.properties) counts.push_back("count of " + each.name);
+    const std::size_t used_properties = parts.used_properties(element);
+    const bool is_strips = &element == parts.strips;
+    for (std::size_t item = 0; item < element.items; ++item) {
+      body.begin_item(element, item);
       kernel::Vertex vertex{};
-      for (std::size_t p = 0; p < element->properties.size(); ++p) {
-        const Ply_property& each = element->properties[p];
+      bool is_placed = true, is_whole = true;
+      for (std::size_t p = 0; p < element.properties.size(); ++p) {
+        const Ply_property& each = element.properties[p];
+        if (p >= used_properties && body.is_line_over()) {
+          is_whole = false;
+          break;
+        }
         if (!each.count) {
-          const auto coordinate = std::ranges::find(axis, p) - axis.begin();
-          const bool used = element == vertex_element && coordinate < 3;
-          const double value = scalar(each.type, each.name, used);
-          if (used) vertex[coordinate] = value;
+          const double value = scalar(each.type, each.name);
+          const auto coordinate = std::ranges::find(parts.axis, p) - parts.axis.begin();
+          if (&element != parts.vertex || coordinate == 3) continue;
+          vertex[coordinate] = value;
+          if (std::isfinite(value) || !std::exchange(is_placed, false)) continue;
+          scan.cgal_knows = false;
+          scan.unplaced.add(
+              static_cast<Index>(item),
+              body.error(each.name + " of " + body.what() + " is no finite number", "expected finite coordinates"));
           continue;
         }
-        const bool is_face = element == face_element && p == corners;
+        const bool is_face = &element == parts.face && p == parts.corners, is_strip = is_strips && p == parts.strip;
         const std::int64_t count = body.integer(*each.count, counts[p]);
         if (count < 0 || static_cast<std::uint64_t>(count) > body.bytes_left())
           body.fail(std::to_string(count) + " as count of " + each.name + " of " + body.what(),
                     "expected a count that the file can hold");
-        if (is_face && count < 3)
-          body.fail(body.what() + " has " + std::to_string(count) + (count == 1 ? " corner" : " corners"),
-                    "expected at least 3");
-        loop.clear();
+        if (is_face && count == 0) body.fail(body.what() + " has 0 corners", "expected at least 3");
+        indices.clear();
         for (std::int64_t k = 0; k < count; ++k) {
-          if (!is_face) {
-            scalar(each.type, each.name, false);
+          if (!is_face && !is_strip) {
+            if (body.is_line_over()) {
+              is_whole = false;
+              break;
+            }
+            scalar(each.type, each.name);
             continue;
           }
           const std::int64_t index = body.integer(each.type, "vertex index");
-          if (index < 0 || static_cast<std::uint64_t>(index) >= vertex_element->items)
+          // -1 ends a strip, also where the type has no sign.
+          const bool is_end = is_strip && (index == -1 || index == std::numeric_limits<std::uint32_t>::max());
+          if (!is_end && (index < 0 || static_cast<std::uint64_t>(index) >= parts.vertex->items))
             body.fail("vertex index " + std::to_string(index) + " in " + body.what() + " with " +
-                          std::to_string(vertex_element->items) + " vertices",
+                          std::to_string(parts.vertex->items) + " vertices",
                       "expected an index from 0 below that");
-          loop.push_back(static_cast<Index>(index));
+          indices.push_back(is_end ? -1 : index);
         }
-        if (is_face) scan.soup.add_polygon(loop);
+        if (is_strip) add_triangle_strips(indices, scan.soup);
+        if (!is_face) continue;
+        loop.assign(indices.begin(), indices.end());
+        add_face(scan, loop, [&] { return body.where(); });
       }
+      if (!is_whole) unwritten.add(body.where());
       body.end_item();
-      if (element == vertex_element) scan.soup.vertices.push_back(vertex);
+      if (&element == parts.vertex) scan.soup.vertices.push_back(is_placed ? vertex : kernel::Vertex{});
     }
   }
   body.need_end();
+  unwritten.note("lines that lack properties of the header, which are not used", scan.notes);
+  if (unwritten.count() != 0) scan.cgal_knows = false;
+  finish(scan);
   return scan;
 }
 

@@ -3,6 +3,7 @@
 
 #include "tetracone/covering/io/read_scan.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -51,6 +52,35 @@ struct Ply_header {
   std::vector<Ply_element> elements;
   bool cgal_knows = true;
 };
+
+/// A PLY file as it is scanned: the lines of a header end in line feeds, also where the file has carriage returns alone.
+/// `copied` holds the bytes where they had to be changed, which those behind the header of a binary file never are.
+inline std::string_view with_line_feeds(std::string_view text, std::string& copied)
+{
+  constexpr std::string_view end = "end_header";
+  const std::size_t header = text.find(end);
+  if (header == std::string_view::npos || text.substr(0, header).find('\n') != std::string_view::npos) return text;
+  const std::size_t last = text.find_first_not_of(" \t", header + end.size());
+  if (last == std::string_view::npos || text[last] != '\r') return text;
+  copied = text;
+  std::replace(copied.begin(), copied.begin() + std::ptrdiff_t(last) + 1, '\r', '\n');
+  return copied;
+}
+
+/// Whether a line of the header says that what follows it is binary.
+inline bool is_binary_ply(std::string_view text)
+{
+  text = text.substr(0, text.find("end_header"));
+  std::size_t begin = 0;
+  while (begin < text.size()) {
+    const std::size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
+    Text_lines line("", text.substr(begin, end - begin), '\0');
+    if (line.next() && line.words().size() > 1 && line.words()[0] == "format" && line.words()[1].starts_with("binary"))
+      return true;
+    begin = end + 1;
+  }
+  return false;
+}
 
 /// Reads a PLY header, up to the line `end_header`.
 inline Ply_header scan_ply_header(Text_lines& lines)

@@ -20,6 +20,7 @@ namespace tetracone::covering {
 /// The nodes of a TetGen file: "count dimension attributes markers", then a line a node, "index x y z ...".
 struct Poly_nodes {
   std::vector<kernel::Vertex> vertices;
+  Unplaced_points unplaced;
   std::uint64_t first = 0;  ///< the index of the first one: 0 or 1
 };
 
@@ -45,11 +46,12 @@ inline Poly_nodes scan_poly_nodes(Text_lines& lines)
     if (v == 0) nodes.first = index;
     if (index != nodes.first + v)
       lines.fail("node " + in_quotes(lines.words()[0]), "expected " + std::to_string(nodes.first + v));
-    nodes.vertices.push_back(lines.point(1));
+    add_vertex(lines, 1, nodes.vertices, nodes.unplaced);
     if (lines.words().size() > 4 + extra)
       lines.fail("a node of " + std::to_string(lines.words().size()) + " numbers",
                  "expected at most " + std::to_string(4 + extra));
-    for (std::size_t k = 4; k < lines.words().size(); ++k) lines.number(k, "attribute or marker");
+    for (std::size_t k = 4; k < lines.words().size(); ++k)
+      if (!is_number_word(lines.words()[k])) lines.number(k, "attribute or marker");
   }
   return nodes;
 }
@@ -163,6 +165,7 @@ inline Read_model read_poly(const std::filesystem::path& path, std::string_view 
     if (node_lines.next()) node_lines.fail("more lines than the first one counts", "expected the end of the file");
   }
   scan_poly_facets(lines, nodes, model);
+  nodes.unplaced.settle(model.polyhedron, model.notes);
   if (is_closed(model.polyhedron)) return model;
   model.polyhedron = turn_hole_loops(model.polyhedron, model.loops_turned);
   if (is_closed(model.polyhedron)) return model;

@@ -1,12 +1,19 @@
 #ifndef TETRACONE_COVERING_IO_READ_SCAN_H
 #define TETRACONE_COVERING_IO_READ_SCAN_H
 
+#include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/io/text_lines.h"
 #include "tetracone/covering/polyhedron.h"
 
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
 
 namespace tetracone::covering {
 
@@ -16,31 +23,118 @@ using covering::parse_count;
 using covering::Text_lines;
 using kernel::parse_double;
 
+/// Points whose coordinates are no finite numbers: legal where no face uses them.
+class Unplaced_points {
+ public:
+  /// `error` says what is wrong, for the case that a face uses the vertex.
+  void add(Index vertex, const Input_error& error) { errors_.emplace_back(vertex, error); }
+
+  /// Puts each of them where a vertex of a face is, with a note that says so. Throws the error of the first that a face
+  /// uses.
+  void settle(Polyhedron& polyhedron, std::vector<std::string>& notes) const
+  {
+    if (errors_.empty() || polyhedron.face_count() == 0) return;
+    std::vector<bool> used(polyhedron.vertices.size());
+    for (Index f = 0; f < polyhedron.face_count(); ++f)
+      for (std::size_t k = 0; k < polyhedron.loop_count(f); ++k)
+        for (const Index v : polyhedron.loop(f, k)) used[v] = true;
+    for (const auto& [vertex, error] : errors_)
+      if (used[vertex]) throw Input_error(error);
+    const Index place = polyhedron.loop(0, 0)[0];
+    for (const auto& [vertex, error] : errors_) polyhedron.vertices[vertex] = polyhedron.vertices[place];
+    notes.push_back("points of no face whose coordinates are no finite numbers, each taken to be at vertex " +
+                    std::to_string(place) + ": " + std::to_string(errors_.size()) + " (the first: vertex " +
+                    std::to_string(errors_.front().first) + ")");
+  }
+
+ private:
+  std::vector<std::pair<Index, Input_error>> errors_;
+};
+
+/// Things of one kind that a reader did not take over: how many, and where the first one is.
+class Left_out {
+ public:
+  void add(const std::string& where)
+  {
+    if (count_++ == 0) first_ = where;
+  }
+  std::size_t count() const { return count_; }
+
+  /// Adds a note, `WHAT: COUNT (the first: WHERE)`, where there is something.
+  void note(const std::string& what, std::vector<std::string>& notes) const
+  {
+    if (count_ != 0) notes.push_back(what + ": " + std::to_string(count_) + " (the first: " + first_ + ")");
+  }
+
+ private:
+  std::size_t count_ = 0;
+  std::string first_;
+};
+
 /// What a scan found in a file before CGAL reads it. The scans exist because CGAL's readers give no line numbers,
-/// believe the counts of a header and skip what they do not know; they refuse with an Input_error the first thing that
-/// is wrong.
+/// believe the counts of a header and skip what they do not know. A scan refuses with an Input_error the first thing
+/// that is wrong. It takes over everything else, or a note says what it left out.
 struct Scan {
   Polyhedron soup;         ///< all vertices and faces in the file's order, each coordinate the nearest double
   bool cgal_knows = true;  ///< false: a legal dialect that CGAL's reader does not take, or takes for something else
   bool single_coordinates = false;  ///< CGAL rounds the coordinates to float before they become double
+  std::vector<std::string> notes;   ///< what was left out, or is not as it is written; one sentence each
+  Unplaced_points unplaced;         ///< vertices whose coordinates are no finite numbers
+  Left_out short_faces;             ///< faces of one or two corners
 };
 
 /// True for a number that a coordinate may not be, but something unused (a normal, a colour, a quality) may: nan and
-/// infinity too.
+/// infinity too, also as Microsoft's runtime wrote them up to 2013 ("-1.#IND", "1.#INF00").
 inline bool is_number_word(std::string_view word)
 {
   if (word.starts_with('+') || word.starts_with('-')) word.remove_prefix(1);
+  if (word.starts_with("1.#")) return true;
   double value = 0;
   const char* const end = word.data() + word.size();
   const auto [rest, error] = std::from_chars(word.data(), end, value);
   return rest == end && error != std::errc::invalid_argument && !word.starts_with('-');
 }
 
-/// Refuses a face of fewer than three corners.
-inline void need_corners(const Text_lines& lines, std::uint64_t corners)
+/// Appends the point of the words `k`, `k`+1 and `k`+2. One whose numbers are not finite is legal while no face uses it.
+inline void add_vertex(const Text_lines& lines, std::size_t k, std::vector<Vertex>& vertices, Unplaced_points& unplaced)
 {
-  if (corners < 3)
+  try {
+    vertices.push_back(lines.point(k));
+  } catch (const Input_error& error) {
+    const auto& words = lines.words();
+    if (words.size() < k + 3 || !std::all_of(words.begin() + k, words.begin() + k + 3, is_number_word)) throw;
+    unplaced.add(static_cast<Index>(vertices.size()), error);
+    vertices.emplace_back();
+  }
+}
+
+/// Refuses a face of fewer than `least` corners.
+inline void need_corners(const Text_lines& lines, std::uint64_t corners, std::uint64_t least = 3)
+{
+  if (corners < least)
     lines.fail("a face of " + std::to_string(corners) + (corners == 1 ? " corner" : " corners"), "expected at least 3");
+}
+
+/// Appends a face. One of one or two corners has no area and bounds nothing: it is left out, `where()` says where it was.
+template <class Where>
+void add_face(Scan& scan, const std::vector<Index>& loop, const Where& where)
+{
+  if (loop.size() >= 3) {
+    scan.soup.add_polygon(loop);
+    return;
+  }
+  scan.short_faces.add(where());
+  scan.cgal_knows = false;
+}
+
+/// "line 7": the current one.
+inline std::string at_line(const Text_lines& lines) { return "line " + std::to_string(lines.line()); }
+
+/// Says in notes what was left out, once all is read. Throws Input_error for a face's point that is not finite.
+inline void finish(Scan& scan)
+{
+  scan.unplaced.settle(scan.soup, scan.notes);
+  scan.short_faces.note("faces of one or two corners are left out, and faces are numbered without them", scan.notes);
 }
 
 /// Word `k` of the line as a vertex number below `vertices`.

@@ -7,9 +7,12 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tetracone::covering {
 
@@ -21,36 +24,83 @@ inline std::uint64_t little_endian(std::string_view text, std::size_t at, std::s
   return value;
 }
 
-/// Scans a binary STL: 80 bytes, the count of triangles, then 50 bytes a triangle and nothing behind them. Vertices are
-/// the three corners of each triangle, not merged.
+/// Whether the size is the one that a binary STL file's count of triangles asks for.
+inline bool has_size_of_binary_stl(std::string_view text)
+{
+  return text.size() >= 84 && text.size() == 84 + 50 * little_endian(text, 80, 4);
+}
+
+/// Where the triangles of a binary STL begin, 50 bytes each, and what stands between and behind them.
+struct Stl_layout {
+  std::vector<std::size_t> begins;  ///< where they begin; none: one behind the other from byte 84 on
+  std::uint64_t triangles = 0;
+  std::vector<std::string> notes;
+};
+
+/// The layout of a binary STL. The count may be 0, as by a writer that cannot go back to it: then the triangles go up to
+/// the end. Behind a triangle there may be as many bytes of attributes as its last two say. Behind the last triangle
+/// there may be bytes that are no more triangles, as a line feed. Throws Input_error for any other size.
+inline Stl_layout layout_of_binary_stl(const std::string& file, std::string_view text)
+{
+  if (text.size() < 84)
+    throw Input_error(file, 0, "no STL text, and only " + std::to_string(text.size()) + " bytes",
+                      "expected 'solid', or 84 bytes before the first triangle");
+  const std::uint64_t counted = little_endian(text, 80, 4), size = text.size(), usual = 84 + 50 * counted;
+  Stl_layout layout;
+  layout.triangles = counted;
+  if (size == usual) return layout;
+  if (counted == 0 && (size - 84) % 50 == 0) {
+    layout.triangles = (size - 84) / 50;
+    layout.notes.push_back("the count of triangles is 0: those up to the end of the file are read, " +
+                           std::to_string(layout.triangles));
+    return layout;
+  }
+  if (size > usual) {
+    std::size_t at = 84;
+    for (std::uint64_t t = 0; t < counted && at + 50 <= size; ++t) {
+      layout.begins.push_back(at);
+      at += 50 + little_endian(text, at + 48, 2);
+    }
+    if (at == size && layout.begins.size() == counted) {
+      layout.notes.push_back("bytes of attributes behind triangles are left out: " + std::to_string(size - usual));
+      return layout;
+    }
+    layout.begins.clear();
+    const std::string_view behind = text.substr(usual);
+    if (counted != 0 && behind.size() % 50 != 0 && !has_size_of_binary_stl(behind)) {
+      layout.notes.push_back("bytes behind the last triangle are left out: " + std::to_string(behind.size()));
+      return layout;
+    }
+  }
+  throw Input_error(file, 0,
+                    "binary STL of " + std::to_string(counted) + " triangles in " + std::to_string(size) + " bytes",
+                    "expected " + std::to_string(usual) + " bytes");
+}
+
+/// Scans a binary STL: 80 bytes, the count of triangles, then 50 bytes a triangle, laid out as `layout_of_binary_stl`
+/// says. Vertices are the three corners of each triangle, not merged.
 inline Scan scan_stl_binary(const std::string& file, std::string_view text)
 {
-  const auto fail = [&file](const std::string& wrong, const std::string& expected) {
-    throw Input_error(file, 0, wrong, expected);
-  };
-  if (text.size() < 84)
-    fail("no STL text, and only " + std::to_string(text.size()) + " bytes",
-         "expected 'solid', or 84 bytes before the first triangle");
-  const std::uint64_t triangles = little_endian(text, 80, 4);
-  if (text.size() != 84 + 50 * triangles)
-    fail("binary STL of " + std::to_string(triangles) + " triangles in " + std::to_string(text.size()) + " bytes",
-         "expected " + std::to_string(84 + 50 * triangles) + " bytes");
+  const Stl_layout layout = layout_of_binary_stl(file, text);
   Scan scan;
-  // CGAL reads the machine's own byte order.
-  scan.cgal_knows = std::endian::native == std::endian::little;
-  scan.soup.vertices.reserve(3 * triangles);
-  scan.soup.reserve_faces(triangles, 3 * triangles);
-  for (std::uint64_t t = 0; t < triangles; ++t) {
+  scan.notes = layout.notes;
+  // CGAL reads the machine's own byte order, and the usual layout.
+  scan.cgal_knows = std::endian::native == std::endian::little && layout.notes.empty();
+  scan.soup.vertices.reserve(3 * layout.triangles);
+  scan.soup.reserve_faces(layout.triangles, 3 * layout.triangles);
+  for (std::uint64_t t = 0; t < layout.triangles; ++t) {
     const Index first = static_cast<Index>(scan.soup.vertices.size());
+    const std::size_t begin = layout.begins.empty() ? 84 + 50 * t : layout.begins[t];
     for (int corner = 0; corner < 3; ++corner) {
       kernel::Vertex vertex;
       for (int axis = 0; axis < 3; ++axis) {
-        const std::size_t at = 84 + 50 * t + 12 * (corner + 1) + 4 * axis;
+        const std::size_t at = begin + 12 * (corner + 1) + 4 * axis;
         vertex[axis] = std::bit_cast<float>(static_cast<std::uint32_t>(little_endian(text, at, 4)));
         if (!std::isfinite(vertex[axis]))
-          fail("triangle " + std::to_string(t) + " has a coordinate that is no finite number (byte " +
-                   std::to_string(at) + ")",
-               "expected finite numbers");
+          throw Input_error(file, 0,
+                            "triangle " + std::to_string(t) + " has a coordinate that is no finite number (byte " +
+                                std::to_string(at) + ")",
+                            "expected finite numbers");
       }
       scan.soup.vertices.push_back(vertex);
     }
@@ -59,99 +109,192 @@ inline Scan scan_stl_binary(const std::string& file, std::string_view text)
   return scan;
 }
 
-/// Scans an STL text: `solid` blocks of `facet normal ... outer loop, three `vertex`, endloop, endfacet`, in any case
-/// of letters. Normals must be there and are not used. Vertices are the three corners of each triangle, not merged.
-/// CGAL is not asked about keywords in capitals, and about names that hold a keyword.
+/// The words of an STL text, one after the other, whatever their lines.
+class Stl_words {
+ public:
+  Stl_words(const std::string& file, std::string_view text) : lines_(file, text, '\0') {}
+
+  /// False at the end of the text.
+  bool next()
+  {
+    if (!is_kept_ && ++at_ >= lines_.words().size()) {
+      if (!lines_.next()) return false;
+      at_ = 0;
+    }
+    is_kept_ = false;
+    return true;
+  }
+  /// As `next()`, where the text may not end yet: `expected` says what should come.
+  void need_next(std::string_view expected)
+  {
+    if (!next()) lines_.need_next(expected);
+  }
+  /// The current word comes once more.
+  void keep() { is_kept_ = true; }
+
+  /// Whether the current word is a keyword, in any case of letters.
+  bool is(std::string_view keyword) { return begins_with(keyword) && word().size() == keyword.size(); }
+  /// Whether it begins with one.
+  bool begins_with(std::string_view keyword)
+  {
+    const bool begins = std::ranges::equal(word().substr(0, keyword.size()), keyword,
+                                           [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a + 32 : a) == b; });
+    usual_ = usual_ && (!begins || word() == keyword);
+    return begins;
+  }
+
+  /// Goes to the end of a name, which is that of the line; a triangle may begin on it.
+  void skip_name()
+  {
+    const std::size_t words = lines_.words().size();
+    for (++at_; at_ < words; ++at_) {
+      // CGAL takes a name's words for keywords.
+      for (const char* keyword : {"solid", "facet", "endsolid"})
+        if (word() == keyword) usual_ = false;
+      if (!is("facet") || at_ + 1 == words) continue;
+      ++at_;
+      const bool is_facet = is("normal");
+      --at_;
+      if (is_facet) break;
+    }
+    if (at_ < words) keep();
+  }
+
+  std::string_view word() const { return lines_.words()[at_]; }
+  const Text_lines& lines() const { return lines_; }
+  [[noreturn]] void fail(const std::string& what, const std::string& expected) const
+  {
+    lines_.fail(in_quotes(word()) + what, "expected " + expected);
+  }
+
+  /// Whether all keywords so far are written as CGAL knows them.
+  bool is_usual() const { return usual_; }
+  void be_unusual() { usual_ = false; }
+
+ private:
+  Text_lines lines_;
+  std::size_t at_ = 0;
+  bool is_kept_ = false;
+  bool usual_ = true;
+};
+
+/// Reads the keywords, or says which was expected.
+inline void need_stl_keywords(Stl_words& words, std::initializer_list<std::string_view> keywords)
+{
+  for (const std::string_view keyword : keywords) {
+    words.need_next("expected " + in_quotes(keyword));
+    if (!words.is(keyword)) words.fail(" where a triangle goes on", in_quotes(keyword));
+  }
+}
+
+/// Reads `endloop` or `end loop`, and so on.
+inline void need_stl_end(Stl_words& words, std::string_view what)
+{
+  const std::string keyword = "end" + std::string(what);
+  words.need_next("expected " + in_quotes(keyword));
+  if (words.is(keyword)) return;
+  if (!words.is("end")) words.fail(" where a triangle goes on", in_quotes(keyword));
+  words.be_unusual();
+  need_stl_keywords(words, {what});
+}
+
+/// Reads a triangle behind its keyword `facet`.
+inline void scan_stl_facet(Stl_words& words, Scan& scan)
+{
+  const auto fail_without_normal = [&] {
+    words.lines().fail("'facet' without a normal", "expected 'facet normal' and three numbers");
+  };
+  words.need_next("expected 'normal'");
+  if (!words.is("normal")) fail_without_normal();
+  for (int axis = 0; axis < 3; ++axis) {
+    words.need_next("expected three numbers of the normal");
+    if (!is_number_word(words.word())) fail_without_normal();
+  }
+  need_stl_keywords(words, {"outer", "loop"});
+  const Index first = static_cast<Index>(scan.soup.vertices.size());
+  for (int corner = 0; corner < 3; ++corner) {
+    need_stl_keywords(words, {"vertex"});
+    kernel::Vertex vertex{};
+    for (double& x : vertex) {
+      words.need_next("expected three coordinates of a vertex");
+      const auto value = parse_double(words.word());
+      if (!value) words.fail(" as a coordinate", "a finite decimal number");
+      x = *value;
+    }
+    scan.soup.vertices.push_back(vertex);
+  }
+  need_stl_end(words, "loop");
+  need_stl_end(words, "facet");
+  scan.soup.add_polygon({first, first + 1, first + 2});
+}
+
+/// Scans an STL text: `solid` blocks of `facet normal ... outer loop`, three `vertex`, `endloop`, `endfacet`, in any
+/// case of letters and on any lines; an `end` may stand apart (`end solid`), and a name may stick to `solid` and
+/// `endsolid`. Normals must be there; they and colours (`color` and numbers) are not used. Vertices are the three corners
+/// of each triangle, not merged.
+/// CGAL is not asked about other spellings than its own, and about names that hold a keyword.
 inline Scan scan_stl_text(const std::string& file, std::string_view text)
 {
   Scan scan;
-  Text_lines lines(file, text, '\0');
-  const auto lower = [](std::string_view word) {
-    std::string result(word);
-    std::ranges::transform(result, result.begin(),
-                           [](unsigned char c) { return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c; });
-    return result;
-  };
-  const auto is = [&](std::size_t k, std::string_view keyword) {
-    if (k >= lines.words().size() || lower(lines.words()[k]) != keyword) return false;
-    scan.cgal_knows = scan.cgal_knows && lines.words()[k] == keyword;
-    return true;
-  };
-  const auto need = [&](std::string_view keywords, bool whole) {
-    lines.need_next("expected " + in_quotes(keywords));
-    std::size_t k = 0;
-    for (std::size_t begin = 0; begin <= keywords.size(); ++k) {
-      const std::size_t end = std::min(keywords.find(' ', begin), keywords.size());
-      if (!is(k, keywords.substr(begin, end - begin)))
-        lines.fail(in_quotes(lines.words()[0]) + " where a triangle goes on", "expected " + in_quotes(keywords));
-      begin = end + 1;
-    }
-    if (whole && k != lines.words().size())
-      lines.fail(in_quotes(lines.words()[k]) + " behind " + in_quotes(keywords), "expected the end of the line");
-  };
-  const auto name = [&] {
-    // CGAL takes a name's words for keywords.
-    for (std::size_t k = 1; k < lines.words().size(); ++k)
-      for (const char* keyword : {"solid", "facet", "endsolid"})
-        if (lines.words()[k] == keyword) scan.cgal_knows = false;
-  };
+  Stl_words words(file, text);
   bool in_solid = false;
   while (true) {
     if (!in_solid) {
-      if (!lines.next()) break;
-      if (!is(0, "solid")) lines.fail(in_quotes(lines.words()[0]) + " outside a solid", "expected 'solid'");
-      name();
+      if (!words.next()) break;
+      if (!words.begins_with("solid")) words.fail(" outside a solid", "'solid'");
+      words.skip_name();
       in_solid = true;
       continue;
     }
-    lines.need_next("expected 'endsolid'");
-    if (is(0, "endsolid")) {
-      name();
+    words.need_next("expected 'endsolid'");
+    if (words.is("facet")) {
+      scan_stl_facet(words, scan);
+    } else if (words.begins_with("endsolid")) {
+      words.skip_name();
       in_solid = false;
-      continue;
+    } else if (words.is("end")) {
+      words.be_unusual();
+      need_stl_keywords(words, {"solid"});
+      words.skip_name();
+      in_solid = false;
+    } else if (words.is("color")) {
+      words.be_unusual();
+      while (words.next())
+        if (!is_number_word(words.word())) {
+          words.keep();
+          break;
+        }
+    } else {
+      words.fail(" in a solid", "'facet' or 'endsolid'");
     }
-    if (!is(0, "facet")) lines.fail(in_quotes(lines.words()[0]) + " in a solid", "expected 'facet' or 'endsolid'");
-    if (!is(1, "normal") || lines.words().size() != 5 ||
-        !std::all_of(lines.words().begin() + 2, lines.words().end(), is_number_word))
-      lines.fail("'facet' without a normal", "expected 'facet normal' and three numbers");
-    need("outer loop", true);
-    const Index first = static_cast<Index>(scan.soup.vertices.size());
-    for (int corner = 0; corner < 3; ++corner) {
-      need("vertex", false);
-      if (lines.words().size() != 4)
-        lines.fail("a vertex of " + std::to_string(lines.words().size() - 1) + " numbers", "expected 3");
-      scan.soup.vertices.push_back(lines.point(1));
-    }
-    need("endloop", true);
-    need("endfacet", true);
-    scan.soup.add_polygon({first, first + 1, first + 2});
   }
-  if (lines.line() == 0) lines.fail("the file is empty", "expected 'solid'");
+  if (words.lines().line() == 0) words.lines().fail("the file is empty", "expected 'solid'");
+  scan.cgal_knows = words.is_usual();
   return scan;
 }
 
-/// Whether the size is the one that a binary STL file's count of triangles asks for.
-inline bool has_size_of_binary_stl(std::string_view text)
+/// Whether the file is text: it begins with `solid` and holds no zero byte, and its size is not the one that a binary
+/// file's count of triangles asks for.
+inline bool is_stl_text(std::string_view text)
 {
-  return text.size() >= 84 && text.size() == 84 + 50 * little_endian(text, 80, 4);
-}
-
-/// Scans an STL file: binary where its size is the one that its count of triangles asks for, else text where it begins
-/// with `solid` and holds no zero byte, else a binary file that is broken.
-inline Scan scan_stl(const std::string& file, std::string_view text)
-{
-  if (text.empty()) throw Input_error(file, 0, "the file is empty", "expected an STL file");
-  if (has_size_of_binary_stl(text)) {
-    Scan scan = scan_stl_binary(file, text);
-    // CGAL tries such a file as text first.
-    scan.cgal_knows = scan.cgal_knows && text.find("facet") == std::string_view::npos;
-    return scan;
-  }
+  if (has_size_of_binary_stl(text)) return false;
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
   const auto begin = std::min(text.find_first_not_of(" \t\r\n\v\f"), text.size());
   const std::string_view start = text.substr(begin, 5);
   const bool solid = start.size() == 5 && std::ranges::equal(start, std::string_view("solid"),
                                                              [](char a, char b) { return (a | 0x20) == b; });
-  return solid && text.find('\0') == std::string_view::npos ? scan_stl_text(file, text) : scan_stl_binary(file, text);
+  return solid && text.find('\0') == std::string_view::npos;
+}
+
+/// Scans an STL file, text or binary.
+inline Scan scan_stl(const std::string& file, std::string_view text)
+{
+  if (text.empty()) throw Input_error(file, 0, "the file is empty", "expected an STL file");
+  if (is_stl_text(text)) return scan_stl_text(file, text);
+  Scan scan = scan_stl_binary(file, text);
+  // CGAL tries such a file as text first.
+  scan.cgal_knows = scan.cgal_knows && text.find("facet") == std::string_view::npos;
+  return scan;
 }
 
 }  // namespace tetracone::covering

@@ -1,9 +1,11 @@
 #include "experiments/cli/answer_rows.h"
 
+#include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/predicate/question.h"
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -79,6 +81,8 @@ std::string features_as_json(const std::vector<std::vector<Feature_pair>>& featu
 }
 
 }  // namespace
+
+Json json_number(double x) { return std::isfinite(x) ? Json(x) : Json(kernel::shortest(x)); }
 
 std::string answer_rows(const std::vector<Answer_row>& rows, const Row_format& format)
 {

@@ -4,6 +4,8 @@
 #include "tetracone/kernel/predicate/contact.h"
 #include "tetracone/tetratree/query_statistics.h"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <limits>
 #include <string>
 #include <vector>
@@ -30,6 +32,9 @@ std::string answer_rows(const std::vector<Answer_row>& rows, const Row_format& f
 /// The answers of several kernels side by side, one column of rows each.
 std::string answer_columns(const std::vector<std::string>& kernels, const std::vector<std::vector<Answer_row>>& columns,
                            const Row_format& format);
+
+/// A number in JSON, which has none for infinity: the string "inf" or "-inf".
+nlohmann::ordered_json json_number(double x);
 
 /// The features of all poses, each its line: body 0 is an edge of A against a face of B, body 1 the other way round.
 std::string feature_rows(const std::vector<std::vector<kernel::Feature_pair>>& features, const Row_format& format);

@@ -1,5 +1,7 @@
 #include "experiments/cli/commands.h"
 
+#include "experiments/cli/answer_rows.h"
+#include "experiments/support/model_file.h"
 #include "tetracone/covering/check.h"
 #include "tetracone/covering/io/read.h"
 #include "tetracone/covering/repair/repair.h"
@@ -42,6 +44,7 @@ struct Checked {
   std::size_t faces_oriented = 0;
   Check check;
   bool closes_if_oriented = false;
+  std::string what_closes;  ///< of an open one
 };
 
 Checked look_at(const std::string& file, const Check_options& options)
@@ -65,6 +68,7 @@ Checked look_at(const std::string& file, const Check_options& options)
   }
   result.check = covering::check(polyhedron);
   result.closes_if_oriented = result.check.closed || covering::closes_if_oriented(polyhedron);
+  if (!result.check.closed) result.what_closes = what_closes(polyhedron);
   return result;
 }
 
@@ -83,7 +87,7 @@ Json optional_rational(const std::optional<Rational>& value)
 
 Json optional_double(const std::optional<Rational>& value)
 {
-  return value ? Json(kernel::nearest_double(*value)) : Json(nullptr);
+  return value ? json_number(kernel::nearest_double(*value)) : Json(nullptr);
 }
 
 Json to_json(const Checked& checked)
@@ -221,9 +225,10 @@ void add_closed(Text_rows& rows, const Checked& checked)
                            " without enough reverse: " + first_few(check.open_edges, [](const auto& edge) {
                              return std::to_string(edge.from) + "->" + std::to_string(edge.to);
                            }));
-    rows.add("", checked.closes_if_oriented ? "consistent orientation would close it: --orient"
-                                            : "consistent orientation alone would not close it");
-    if (!check.repeated_vertices.empty()) rows.add("", "equal vertices can be merged: --merge");
+    rows.add("", checked.what_closes);
+    // Merging may be wanted where it does not close.
+    if (!check.repeated_vertices.empty() && checked.what_closes.find("--merge") == std::string::npos)
+      rows.add("", "equal vertices can be merged: --merge");
   }
 }
 

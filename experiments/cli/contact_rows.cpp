@@ -1,5 +1,6 @@
 #include "experiments/cli/contact_rows.h"
 
+#include "experiments/cli/answer_rows.h"
 #include "tetracone/kernel/number/error.h"
 #include "tetracone/kernel/number/number.h"
 
@@ -15,16 +16,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Requires a finite number: no model can say another.
 double finite(double x)
 {
   if (!std::isfinite(x))
-    throw Error("contacts: a coordinate is beyond the largest double; expected --exact, without --curves");
+    throw Error("curves: a coordinate is beyond the largest double; expected --contacts without --curves");
   return x;
 }
 
-Json coordinate(double x) { return finite(x); }
+Json coordinate(double x) { return json_number(x); }
 Json coordinate(const std::string& x) { return x; }
-std::string coordinate_text(double x) { return kernel::shortest(finite(x)); }
+std::string coordinate_text(double x) { return kernel::shortest(x); }
 std::string coordinate_text(const std::string& x) { return x; }
 
 /// A piece, with its loops in doubles or in fractions.
@@ -128,8 +130,8 @@ std::string curves_text(const std::vector<Contacts::Curve>& curves, const std::f
   for (const Contacts::Curve& curve : curves) {
     const std::size_t first = point_count;
     for (const auto& x : curve.points)
-      points += (is_obj ? "v " : "") + coordinate_text(x[0]) + " " + coordinate_text(x[1]) + " " +
-                coordinate_text(x[2]) + "\n";
+      points += (is_obj ? "v " : "") + coordinate_text(finite(x[0])) + " " + coordinate_text(finite(x[1])) + " " +
+                coordinate_text(finite(x[2])) + "\n";
     point_count += curve.points.size();
     const std::size_t ends = curve.points.size() + (curve.closed ? 1 : 0);
     const auto number = [&](std::size_t k) { return first + k % curve.points.size(); };

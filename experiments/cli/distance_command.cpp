@@ -1,6 +1,7 @@
 #include "experiments/cli/commands.h"
 
 #include "experiments/cli/distance_certificate.h"
+#include "experiments/support/model_file.h"
 #include "experiments/support/output_file.h"
 #include "experiments/support/progress.h"
 #include "experiments/support/scene_options.h"
@@ -9,6 +10,7 @@
 #include "tetracone/tetratree/door/tetracone.h"
 
 #include <algorithm>
+#include <array>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -26,13 +28,13 @@ struct Distance_options {
   int repeat = 1;
 };
 
-std::string exact_line(const Nearest& nearest)
+std::string exact_line(const Nearest& nearest, const std::array<Model_file, 2>& models)
 {
   std::string line = nearest.squared;
   for (int body = 0; body < 2; ++body) {
     line += " ";
     for (int k = 0; k < 3; ++k) line += " " + nearest.point[body][k];
-    line += " " + nearest.holder[body].text();
+    line += " " + named_as_in_file(nearest.holder[body], models[body]).text();
   }
   return line + "\n";
 }
@@ -40,15 +42,17 @@ std::string exact_line(const Nearest& nearest)
 /// A line a pose, or a row of the table.
 class Asking {
  public:
-  Asking(const Distance_options& options, Query& query, const Pose_pairs& poses)
-      : options_(options), query_(query), poses_(poses)
+  Asking(const Distance_options& options, Query& query, const std::array<Model_file, 2>& models,
+         const Pose_pairs& poses)
+      : options_(options), query_(query), models_(models), poses_(poses)
   {}
 
   std::string text()
   {
     std::string text;
     if (!options_.csv.empty())
-      text = options_.time ? "pose,distance,ns,bounding_tests,primitive_tests,exact_fallbacks\n" : "pose,distance\n";
+      text = std::string("pose,") + (options_.within.empty() ? "distance" : "within") +
+             (options_.time ? ",ns,bounding_tests,primitive_tests,exact_fallbacks\n" : "\n");
     std::vector<double> fastest(poses_.count(), std::numeric_limits<double>::infinity());
     const int passes = options_.time ? options_.repeat : 1;
     Progress progress("poses", poses_.count() * passes);
@@ -68,7 +72,7 @@ class Asking {
   std::string answer(std::size_t k)
   {
     const kernel::Pose &a = poses_.of_a(k), &b = poses_.of_b(k);
-    if (options_.exact) return exact_line(query_.nearest(a, b));
+    if (options_.exact) return exact_line(query_.nearest(a, b), models_);
     if (!options_.within.empty()) return query_.within(a, b, options_.within) ? "1\n" : "0\n";
     return kernel::shortest(query_.distance(a, b)) + "\n";
   }
@@ -86,6 +90,7 @@ class Asking {
 
   const Distance_options& options_;
   Query& query_;
+  const std::array<Model_file, 2>& models_;
   const Pose_pairs& poses_;
 };
 
@@ -111,11 +116,12 @@ void run_distance(const Distance_options& options)
 
   const Pose_pairs poses = read_pose_pairs(options.names);
   const bool solid = *question == Question::solid;
-  const auto [a, b] = load_models(options.names.a, options.names.b, options.names.models, solid);
-  Query query(a.body, b.body, *question, *how);
-  const std::string text = Asking(options, query, poses).text();
+  const auto models = load_models(options.names.a, options.names.b, options.names.models, solid);
+  Query query(models[0].body, models[1].body, *question, *how);
+  const std::string text = Asking(options, query, models, poses).text();
   if (!options.certificate.empty())
-    write_whole(options.certificate, distance_certificate(a.polyhedron(), b.polyhedron(), poses, *question));
+    write_whole(options.certificate,
+                distance_certificate(models[0].polyhedron(), models[1].polyhedron(), poses, *question));
   if (options.csv.empty())
     std::cout << text;
   else
@@ -141,7 +147,8 @@ void add_distance_command(CLI::App& app)
   command->add_option("--within", options->within,
                       "1 or 0: is the distance at most this, a decimal number (its double) or a fraction n/d");
   command->add_option("--kernel", options->kernel, "adaptive, double or rational")->capture_default_str();
-  command->add_option("--csv", options->csv, "Write a table to this file");
+  command->add_option("--csv", options->csv,
+                      "Write a table to this file: pose,distance or, with --within, pose,within");
   command->add_flag("--time", options->time, "With --csv: nanoseconds and work of each pose");
   command->add_option("--repeat", options->repeat, "With --time: passes over all poses, of which the fastest counts")
       ->capture_default_str();
@@ -151,7 +158,9 @@ void add_distance_command(CLI::App& app)
   options->names.add_options_to(*command);
   command->footer(
       "With --exact a line is `SQUARE  X Y Z HOLDER  X Y Z HOLDER`; a holder is `vertex V`, `edge V V`, `face F` or "
-      "`interior`, of faces as they are once --strict, --merge and --orient have been obeyed.\n"
+      "`interior`. Faces are those of the file: triangles that replace a face are that face.\n"
+      "From 2^1024 - 2^970 on, half a step beyond the largest double, the nearest double is `inf`, as IEEE 754 "
+      "rounds.\n"
       "Example: tetracone distance cat.off house.poly --pose-b poses.txt --within 1/10");
   command->callback([options] { run_distance(*options); });
 }

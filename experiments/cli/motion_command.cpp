@@ -8,6 +8,8 @@
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/tetratree/door/tetracone.h"
 
+#include <array>
+#include <cstddef>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -21,6 +23,16 @@ struct Motion_options {
   std::string csv, question = "solid";
   bool time = false, features = false;
 };
+
+/// The contact with faces as the files have them.
+std::optional<First_contact> named_as_in_file(std::optional<First_contact> first,
+                                              const std::array<Model_file, 2>& models)
+{
+  if (first && first->holder)
+    for (std::size_t body = 0; body < 2; ++body)
+      (*first->holder)[body] = named_as_in_file((*first->holder)[body], models[body]);
+  return first;
+}
 
 std::string line_of(const std::optional<First_contact>& first, bool features)
 {
@@ -41,7 +53,8 @@ std::string row_of(std::size_t k, const std::optional<First_contact>& first, boo
   return row;
 }
 
-std::string answers(const Motion_options& options, Query& query, const Motion_pairs& motions)
+std::string answers(const Motion_options& options, Query& query, const std::array<Model_file, 2>& models,
+                    const Motion_pairs& motions)
 {
   std::string text;
   if (!options.csv.empty()) {
@@ -54,8 +67,9 @@ std::string answers(const Motion_options& options, Query& query, const Motion_pa
   for (std::size_t k = 0; k < motions.a.size(); ++k) {
     query.clear_statistics();
     const Stopwatch watch;
-    const auto first = query.first_contact(motions.a[k], motions.b[k]);
+    const auto found = query.first_contact(motions.a[k], motions.b[k]);
     const double ns = watch.nanoseconds();
+    const auto first = named_as_in_file(found, models);
     progress.step();
     if (options.csv.empty()) {
       text += line_of(first, options.features);
@@ -79,9 +93,9 @@ void run_motion(const Motion_options& options)
   if (!options.csv.empty()) options.names.refuse_as_output(options.csv);
   const Motion_pairs motions = read_motion_pairs(options.names);
   const bool solid = *question == Question::solid;
-  const auto [a, b] = load_models(options.names.a, options.names.b, options.names.models, solid);
-  Query query(a.body, b.body, *question);
-  const std::string text = answers(options, query, motions);
+  const auto models = load_models(options.names.a, options.names.b, options.names.models, solid);
+  Query query(models[0].body, models[1].body, *question);
+  const std::string text = answers(options, query, models, motions);
   if (options.csv.empty())
     std::cout << text;
   else
@@ -104,8 +118,9 @@ void add_motion_command(CLI::App& app)
       ->add_option("--question", options->question,
                    "solid: of the solids, which may collide at t = 0 one within the other; surface: of the surfaces")
       ->capture_default_str();
-  command->add_flag("--features", options->features,
-                    "What meets first, of A and of B: `vertex V`, `edge V V` or `face F`; nothing at t = 0");
+  command->add_flag(
+      "--features", options->features,
+      "What meets first, of A and of B: `vertex V`, `edge V V` or `face F` of the file; nothing at t = 0");
   command->add_option("--csv", options->csv, "Write a table to this file: motion,answer,lo,hi");
   command->add_flag("--time", options->time, "With --csv: nanoseconds and work of each motion");
   command->footer(

@@ -5,12 +5,16 @@
 #include "experiments/support/progress.h"
 #include "experiments/support/stopwatch.h"
 #include "tetracone/covering/io/read_rays.h"
+#include "tetracone/covering/model.h"
 #include "tetracone/kernel/number/number.h"
+#include "tetracone/kernel/predicate/ray_face.h"
 #include "tetracone/tetratree/door/tetracone.h"
 
 #include <algorithm>
+#include <array>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,15 +27,59 @@ struct Ray_options {
   bool all = false, time = false;
 };
 
-/// A face of the file for each that the body has of it: triangles of one face, next to each other in order, are that
-/// face, met once.
-std::vector<Ray_hit> named_as_in_file(std::vector<Ray_hit> hits, const std::vector<covering::Index>& source_face)
+/// Where the ray first meets the triangle, exactly; the triangle may be a segment.
+std::optional<kernel::Rational> first_t(const kernel::Rational_ray& ray, const std::array<covering::Vertex, 3>& corners)
 {
-  std::vector<Ray_hit> named;
-  for (Ray_hit& hit : hits) {
-    hit.face = source_face[hit.face];
-    if (std::none_of(named.begin(), named.end(), [&](const Ray_hit& other) { return other.face == hit.face; }))
-      named.push_back(hit);
+  covering::Polyhedron alone;
+  alone.vertices.assign(corners.begin(), corners.end());
+  alone.add_polygon({0, 1, 2});
+  const covering::Model<kernel::Rational_kernel> model(alone);
+  return kernel::ray_face(ray, covering::Model_face<kernel::Rational_kernel>(model, 0));
+}
+
+/// Whether two triangles of one face of the file are met in one point, which belongs to a corner or an edge of both.
+/// Requires that the ray meets both.
+bool is_met_once(const Ray& ray, const std::array<covering::Vertex, 3>& a, const std::array<covering::Vertex, 3>& b)
+{
+  std::vector<covering::Vertex> common;
+  for (const covering::Vertex& corner : a)
+    if (std::find(b.begin(), b.end(), corner) != b.end() &&
+        std::find(common.begin(), common.end(), corner) == common.end())
+      common.push_back(corner);
+  if (common.empty()) return false;
+  kernel::Rational_ray exact;
+  for (int k = 0; k < 3; ++k) {
+    exact.origin[k] = ray.origin[k];
+    exact.direction[k] = ray.direction[k];
+  }
+  const kernel::Rational t = first_t(exact, a).value();
+  if (t != first_t(exact, b).value()) return false;
+  // A face that winds twice about a point has the same triangle twice.
+  if (common.size() == 3) return true;
+  for (int k = 0; k < 3; ++k) exact.origin[k] += t * exact.direction[k];
+  const auto from_point = first_t(exact, {common.front(), common.back(), common.front()});
+  return from_point && *from_point == 0;
+}
+
+/// The hits with faces as the file has them. A face that was replaced by triangles may be met several times; it is named
+/// once where two of its triangles are met in a point of their common edge.
+std::vector<Ray_hit> named_as_in_file(const Ray& ray, const std::vector<Ray_hit>& hits, const Model_file& model)
+{
+  const auto corners = [&](covering::Index triangle) {
+    const covering::Loop loop = model.polyhedron().loop(triangle, 0);
+    const auto& vertices = model.polyhedron().vertices;
+    return std::array{vertices[loop[0]], vertices[loop[1]], vertices[loop[2]]};
+  };
+  std::vector<Ray_hit> kept, named;
+  for (const Ray_hit& hit : hits) {
+    const covering::Index face = model.source_face[hit.face];
+    const auto is_of_same_face = [&](const Ray_hit& other) {
+      return other.t == hit.t && model.source_face[other.face] == face &&
+             is_met_once(ray, corners(other.face), corners(hit.face));
+    };
+    if (std::any_of(kept.begin(), kept.end(), is_of_same_face)) continue;
+    kept.push_back(hit);
+    named.push_back({face, hit.t});
   }
   return named;
 }
@@ -57,7 +105,7 @@ void run_ray(const Ray_options& options)
     else if (const auto first = body.first_hit(ray))
       hits = {*first};
     const std::string ns = options.time ? "," + std::to_string(static_cast<long long>(watch.nanoseconds())) : "";
-    hits = named_as_in_file(std::move(hits), model.source_face);
+    hits = named_as_in_file(ray, hits, model);
     if (hits.empty()) {
       text += "-";
       csv += std::to_string(k) + ",-," + ns + "\n";
@@ -85,14 +133,18 @@ void add_ray_command(CLI::App& app)
   command->add_option("MODEL", options->model, "A model: OFF, OBJ, PLY, STL, TetGen .poly or a saved body")->required();
   command->add_option("RAYS", options->rays, "Rays: one a line, six decimals, origin and direction; '#' comments")
       ->required();
-  command->add_flag("--all", options->all, "Every face that is met, `face t` after `face t`, in order");
+  command->add_flag(
+      "--all", options->all,
+      "Every face that is met, `face t` after `face t`, in order; each crossing of one that is not planar");
   command->add_option("--csv", options->csv, "Write a table to this file");
   command->add_flag("--time", options->time, "With --csv: nanoseconds of each ray");
   options->models.add_to(*command);
   command->footer(
       "One line a ray: `face t`, or `-` where it meets none. The point is origin + t direction; t is the double "
       "nearest "
-      "to the exact one. Of faces met at once, the least number is first.\n"
+      "to the exact one: from 2^1024 - 2^970 on, half a step beyond the largest double, that is `inf`, as IEEE 754 "
+      "rounds. "
+      "Of faces met at once, the least number is first.\n"
       "Example: tetracone ray house.poly rays.txt --all");
   command->callback([options] { run_ray(*options); });
 }

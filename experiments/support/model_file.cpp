@@ -1,6 +1,7 @@
 #include "experiments/support/model_file.h"
 
 #include "tetracone/covering/check.h"
+#include "tetracone/covering/edge_uses.h"
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/io/read.h"
 #include "tetracone/covering/repair/repair.h"
@@ -21,15 +22,11 @@ namespace {
 {
   const covering::Check check = covering::check(polyhedron);
   const auto& edge = check.open_edges.front();
-  const bool orientation_alone = covering::closes_if_oriented(polyhedron);
   throw covering::Input_error(file, 0,
                               "an open surface has no solid: " + std::to_string(check.open_edges.size()) +
                                   " directed edges without enough reverse, the first from vertex " +
                                   std::to_string(edge.from) + " to " + std::to_string(edge.to),
-                              orientation_alone
-                                  ? "expected a closed polyhedron; consistent orientation would close it: --orient"
-                                  : "expected a closed polyhedron, or --question surface; consistent orientation "
-                                    "alone would not close it");
+                              "expected a closed polyhedron, or --question surface; " + what_closes(polyhedron));
 }
 
 std::vector<covering::Index> all_faces(const covering::Polyhedron& polyhedron)
@@ -64,7 +61,13 @@ Model_file load(const std::string& file, const Model_options& options, bool must
 {
   const bool is_saved = detail::is_body_file(file);
   const auto as_options_say = [&] {
-    covering::Polyhedron polyhedron = is_saved ? read_body(file).polyhedron() : covering::read(file);
+    covering::Read_model read;
+    if (is_saved)
+      read.polyhedron = read_body(file).polyhedron();
+    else
+      read = covering::read_with_notes(file);
+    for (const std::string& note : read.notes) lines += file + ": " + note + "\n";
+    covering::Polyhedron polyhedron = std::move(read.polyhedron);
     if (options.merge) polyhedron = covering::merge_equal_vertices(std::move(polyhedron));
     if (options.orient) polyhedron = covering::orient(polyhedron).polyhedron;
     return planar_model(file, std::move(polyhedron), options.strict, lines);
@@ -82,6 +85,23 @@ void Model_options::add_to(CLI::App& command)
   command.add_flag("--strict", strict, "Refuse a face that is not exactly planar; else it is replaced by triangles");
   command.add_flag("--merge", merge, "Merge vertices with exactly equal coordinates first");
   command.add_flag("--orient", orient, "Orient faces consistently first; what is closed as it stands is left alone");
+}
+
+Holder named_as_in_file(Holder holder, const Model_file& model)
+{
+  if (holder.kind == Holder::Kind::face) holder.number[0] = model.source_face[holder.number[0]];
+  return holder;
+}
+
+std::string what_closes(const covering::Polyhedron& polyhedron)
+{
+  if (covering::closes_if_oriented(polyhedron)) return "consistent orientation would close it: --orient";
+  const std::string orientation = "consistent orientation alone would not close it";
+  const covering::Polyhedron merged = covering::merge_equal_vertices(polyhedron);
+  if (covering::is_closed(merged)) return orientation + ", merging equal vertices would: --merge";
+  if (covering::closes_if_oriented(merged))
+    return orientation + ", merging equal vertices first would: --merge --orient";
+  return orientation;
 }
 
 Model_file whole_model(const std::string& name, covering::Polyhedron polyhedron)

@@ -32,12 +32,18 @@ struct Model_file {
   const covering::Polyhedron& polyhedron() const { return body.polyhedron(); }
 };
 
+/// A holder that the body names, its face as the file has it: triangles that replace a face are that face.
+Holder named_as_in_file(Holder holder, const Model_file& model);
+
+/// What would close an open polyhedron, and the options that do it; or that merging and orientation would not.
+std::string what_closes(const covering::Polyhedron& polyhedron);
+
 /// A polyhedron that comes from no file of its own, with planar faces.
 Model_file whole_model(const std::string& name, covering::Polyhedron polyhedron);
 
-/// Reads a model or a saved body, merged and oriented as the options say, its non-planar faces replaced by triangles, with one line on
-/// stderr that says so. Throws covering::Input_error for an unreadable file, with `strict` for a non-planar face, and
-/// with `must_be_solid` for an open surface: what is open, and whether consistent orientation alone would close it.
+/// Reads a model or a saved body, merged and oriented as the options say, its non-planar faces replaced by triangles.
+/// Lines on stderr say that, and what the reader left out. Throws covering::Input_error for an unreadable file, with
+/// `strict` for a non-planar face, and with `must_be_solid` for an open surface: what is open, and what would close it.
 Model_file load_model(const std::string& file, const Model_options& options, bool must_be_solid);
 
 /// Both, at the same time; their lines and errors come as one after the other.

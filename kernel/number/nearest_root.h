@@ -8,8 +8,8 @@
 
 namespace tetracone::kernel {
 
-/// The double nearest to sqrt(top / bottom), ties to even; infinite beyond the largest double. Requires top >= 0 and
-/// bottom > 0; a common factor is no matter.
+/// The double nearest to sqrt(top / bottom), by the rule of `nearest_double`: infinite from 2^1024 - 2^970 on. Requires
+/// top >= 0 and bottom > 0, which may have a common factor.
 ///
 /// top / bottom is scaled by 4^k so that its integer root r has 62 or 63 bits. What the division and the root leave
 /// over tells whether r is the root itself or below it: one more bit, which rounding sees as it would see all others.

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -67,13 +68,18 @@ inline std::optional<Rational> parse_fraction(std::string_view text)
   return Rational(decimal(numerator) / divisor);
 }
 
-/// The double nearest to `value`, ties to even; infinite when |value| is beyond the largest double.
+/// The double nearest to `value`, ties to even, as IEEE 754 rounds: infinite from 2^1024 - 2^970 on, which is half a step
+/// beyond the largest double. `nearest_root` and `parse_double` round by the same rule.
 inline double nearest_double(const Rational& value)
 {
   // A rational's own conversion may truncate: it names a double at most one step off, and the candidates are compared
   // exactly.
   const double start = value.get_d();
   if (!std::isfinite(start)) return start;
+  constexpr double largest = std::numeric_limits<double>::max();
+  // The tie goes to infinity: the largest double is odd.
+  if (std::abs(start) == largest && abs(value) >= Rational(largest) + Rational(0x1p970))
+    return std::copysign(HUGE_VAL, start);
   double best = start;
   Rational error = abs(Rational(value - Rational(start)));
   for (const double candidate : {std::nextafter(start, -HUGE_VAL), std::nextafter(start, HUGE_VAL)}) {

@@ -7,8 +7,10 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -235,13 +237,32 @@ BOOST_AUTO_TEST_CASE(counts_beyond_the_file_are_refused_without_reserving_for_th
   BOOST_TEST(error_of(".ply", list + bytes(std::int32_t{-3})).find("-3 as count") != std::string::npos);
 }
 
-BOOST_AUTO_TEST_CASE(faces_of_less_than_three_corners_are_refused)
+BOOST_AUTO_TEST_CASE(faces_of_one_or_two_corners_are_left_out_with_a_note)
 {
-  BOOST_TEST(error_of(".off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1  \n") ==
-             ":6: a face of 2 corners; expected at least 3");
+  const std::string left_out = "faces of one or two corners are left out, and faces are numbered without them: ";
+  const Polyhedron plain = read_text(".off", tetrahedron_off).polyhedron;
+  const auto take = [&](const std::string& suffix, const std::string& text, const std::string& count) {
+    const Read_model model = read_text(suffix, text);
+    BOOST_TEST(same(plain, model.polyhedron), text);
+    BOOST_TEST(model.notes.at(0) == left_out + count, text);
+  };
+  take(".off", "OFF\n4 6 6\n" + tetrahedron_vertices + "2 0 1\n1 3 255 0 0\n" + tetrahedron_faces,
+       "2 (the first: line 7)");
+  take(".obj", "4 5\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\nf 1/1 -1\n",
+       "1 (the first: line 10)");
+  std::string ply = ascii_ply("double", "int", "1");
+  ply.replace(ply.find("face 4"), 6, "face 5").append("2 0 3\n");
+  take(".ply", ply, "1 (the first: line 18)");
+  // Their indices must be right all the same, and they are no model.
+  BOOST_TEST(fails_at(error_of(".off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n2 0 3\n"), ":7"));
+  BOOST_TEST(fails_at(error_of(".obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 4\n"), ":5"));
+  BOOST_TEST(error_of(".obj", "v 0 0 0\nv 1 0 0\nf 1 2\n") == ": no face; expected a model with faces");
+}
+
+BOOST_AUTO_TEST_CASE(faces_of_no_corner_are_refused)
+{
   BOOST_TEST(error_of(".off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n0 0 0 0\n") ==
              ":6: a face of 0 corners; expected at least 3");
-  BOOST_TEST(error_of(".obj", "v 0 0 0\nv 1 0 0\nf 1 2\n") == ":3: a face of 2 corners; expected at least 3");
   BOOST_TEST(error_of(".obj", "v 0 0 0\nv 1 0 0\nf\n") == ":3: a face of 0 corners; expected at least 3");
   BOOST_TEST(error_of(".poly", "3 3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n1 0\n1 0\n1 1\n") ==
              ":7: a face of 1 corner; expected at least 3");
@@ -280,7 +301,8 @@ BOOST_AUTO_TEST_CASE(off_takes_comments_blank_lines_colours_and_normals)
 
 BOOST_AUTO_TEST_CASE(off_refuses_what_it_cannot_mean)
 {
-  BOOST_TEST(fails_at(error_of(".off", "4 4 6\n" + tetrahedron_vertices), ":1"));
+  BOOST_TEST(fails_at(error_of(".off", "OFFF\n4 4 6\n" + tetrahedron_vertices), ":1"));
+  BOOST_TEST(fails_at(error_of(".off", "NNOFF\n4 4 6\n" + tetrahedron_vertices), ":1"));
   BOOST_TEST(fails_at(error_of(".off", "OFF BINARY\n"), ":1"));
   BOOST_TEST(fails_at(error_of(".off", "4OFF\n1 1 1\n"), ":1"));
   BOOST_TEST(fails_at(error_of(".off", "nOFF 3\n1 1 1\n"), ":1"));
@@ -442,7 +464,242 @@ BOOST_AUTO_TEST_CASE(stl_refuses_what_it_cannot_mean)
       ":7"));
   BOOST_TEST(error_of(".stl", binary_stl(tetrahedron_triangles, 5)) ==
              ": binary STL of 5 triangles in 284 bytes; expected 334 bytes");
-  BOOST_TEST(error_of(".stl", binary_stl(tetrahedron_triangles, 4) + "x").starts_with(": "));
+  // What could be triangles is not left out.
+  for (const std::uint32_t count : {1, 3})
+    BOOST_TEST(error_of(".stl", binary_stl(tetrahedron_triangles, count)).starts_with(": binary STL of "));
+  const std::string whole = binary_stl(tetrahedron_triangles, 4);
+  BOOST_TEST(error_of(".stl", whole + whole).starts_with(": binary STL of 4 triangles in 568 bytes"));
+  BOOST_TEST(error_of(".stl", binary_stl(tetrahedron_triangles, 0) + "x").starts_with(": binary STL of 0 triangles"));
+}
+
+BOOST_AUTO_TEST_CASE(obj_loses_nothing_behind_a_backslash)
+{
+  const Polyhedron plain = read_text(".off", tetrahedron_off).polyhedron;
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n", last = "v 0 0 1\n", faces = "f 1 3 2\nf 1 2 4\nf 2 3 4\n";
+  for (const std::string statement :
+       {"g C:\\parts\\", "o C:\\parts\\", "usemtl C:\\parts \\", "mtllib a\\", "s off\\", "vn 0 0 1\\", "vt 0 0 \\",
+        "l 1 2 \\", "g a \\\n\n", "g a \\\nb c\\", "vn 0 0 \\\n1 \\", "csh -e ls \\"}) {
+    const Read_model face = read_text(".obj", vertices + last + faces + statement + "\nf 3 1 4\n");
+    BOOST_TEST(same(plain, face.polyhedron), statement);
+    BOOST_TEST(face.notes.at(0).find(
+                   "lines behind one that ends in a backslash are read as statements of their own: 1 (") == 0u,
+               statement);
+    const Read_model vertex = read_text(".obj", vertices + statement + "\n" + last + faces + "f 3 1 4\n");
+    BOOST_TEST(same(plain, vertex.polyhedron), statement);
+  }
+  // Names and numbers go on; a name may end the file.
+  for (const std::string more : {"g a \\\nb c\n", "vn 0 0 \\\n 1\n", "# C:\\parts\\\n", "g a # C:\\\n", ""}) {
+    const Read_model model = read_text(".obj", vertices + last + faces + more + "f 3 1 \\\n 4\ng C:\\parts\\");
+    BOOST_TEST(same(plain, model.polyhedron), more);
+    BOOST_TEST(model.notes.size() == 1u, more);  // that CGAL is not asked
+  }
+  // A vertex or a face goes on in whatever follows.
+  for (const std::string line :
+       {"f 1 2 4\\\nf 2 3 4\n", "v 0 0 1\\\nv 0 0 2\n", "v 0 0 1\\\nvn 0 0 2\n", "f 1 2 3\\\ng a\n"})
+    BOOST_TEST(fails_at(error_of(".obj", vertices + line), ":5"), line);
+}
+
+BOOST_AUTO_TEST_CASE(numbers_that_no_face_uses_need_not_be_finite)
+{
+  const Polyhedron plain = read_text(".off", tetrahedron_off).polyhedron;
+  const std::string faces = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n", rest = "v 1 0 0\nv 0 1 0\nv 0 0 1\n";
+  for (const std::string word :
+       {"nan", "NaN", "-nan", "-nan(ind)", "inf", "-Infinity", "1e999", "-1.#IND", "1.#QNAN0", "1.#INF00"}) {
+    for (const std::string& vertex : {"v 0 0 0 " + word, "v 0 0 0 " + word + " 0 0", "v 0 0 0 1 0 0 " + word,
+                                      "vt " + word + "\nvn 0 0 " + word + "\nv 0 0 0"})
+      BOOST_TEST(same(plain, read_text(".obj", vertex + "\n" + rest + faces).polyhedron), vertex);
+    // A point of no face; one of a face is refused with its line, be it the last of the file.
+    const std::string note_of_point =
+        "points of no face whose coordinates are no finite numbers, each taken to be at vertex ";
+    const Read_model obj = read_text(".obj", "v 0 0 0\n" + rest + faces + "v 1 " + word + " 0\nv 5 5 5\n");
+    BOOST_TEST((obj.polyhedron.vertices.at(4) == Vertex{0, 0, 0}), word);
+    BOOST_TEST((obj.polyhedron.vertices.at(5) == Vertex{5, 5, 5}), word);
+    BOOST_TEST(obj.notes.at(0) == note_of_point + "0: 1 (the first: vertex 4)", word);
+    BOOST_TEST(fails_at(error_of(".obj", "v 0 0 0\n" + rest + faces + "v 1 " + word + " 0\nf 1 2 5\n"), ":9"), word);
+    if (word.find('#') != std::string::npos) continue;  // a comment begins there
+    const std::string counts = "OFF\n6 4 0\n", points = word + " 0 0\n" + tetrahedron_vertices + "0 0 " + word + "\n",
+                      off_faces = "3 1 3 2\n3 1 2 4\n3 2 3 4\n3 3 1 4\n";
+    const Read_model off = read_text(".off", counts + points + off_faces);
+    BOOST_TEST((off.polyhedron.vertices.front() == Vertex{0, 0, 0}), word);
+    BOOST_TEST(off.notes.at(0) == note_of_point + "1: 2 (the first: vertex 0)", word);
+    BOOST_TEST(fails_at(error_of(".off", counts + points + "3 1 3 2\n3 1 2 4\n3 2 3 4\n3 3 1 5\n"), ":8"), word);
+    std::string ply = ascii_ply("double", "int", "1");
+    ply.replace(ply.find("vertex 4"), 8, "vertex 5").insert(ply.find("3 0 2 1"), "0 0 " + word + "\n");
+    BOOST_TEST(read_text(".ply", ply).notes.at(0) == note_of_point + "0: 1 (the first: vertex 4)", word);
+    BOOST_TEST(fails_at(error_of(".ply", ply.replace(ply.rfind("3 2 0 3"), 7, "3 2 0 4")), ":14"), word);
+    BOOST_TEST(same(plain, read_text(".off", "NOFF\n4 4 6\n0 0 0 0 0 " + word +
+                                                 "\n1 0 0 0 0 1\n0 1 0 0 0 1\n0 0 1 0 0 1\n" + tetrahedron_faces)
+                               .polyhedron),
+               word);
+    const Read_model poly =
+        read_text(".poly", "5 3 1\n1 0 0 0 " + word + "\n2 1 0 0 1\n3 0 1 0 1\n4 0 0 1 1\n5 0 " + word +
+                               " 0 1\n4 0\n1\n3 1 3 2\n1\n3 1 2 4\n1\n3 2 3 4\n1\n3 3 1 4\n0\n");
+    BOOST_TEST(poly.notes.at(0) == note_of_point + "0: 1 (the first: vertex 4)", word);
+  }
+  std::string binary =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  const float infinite = std::numeric_limits<float>::infinity();
+  for (const float x : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, infinite, 0.f, 0.f}) binary += bytes(x);
+  const auto face = [](int a, int b, int c) { return "\3" + bytes(a) + bytes(b) + bytes(c); };
+  BOOST_TEST(read_text(".ply", binary + face(0, 1, 2)).polyhedron.vertices.size() == 4u);
+  BOOST_TEST(error_of(".ply", binary + face(0, 1, 3)) ==
+             ": x of vertex 3 is no finite number; expected finite coordinates");
+}
+
+BOOST_AUTO_TEST_CASE(off_takes_every_order_of_its_prefixes_no_keyword_and_lines_behind_the_last_face)
+{
+  const Polyhedron plain = read_text(".off", tetrahedron_off).polyhedron;
+  const std::string vertices =
+      "0 0 0 1 2 3 4 0 0 1 0 0\n1 0 0 1 2 3 4 0 0 1 0 0\n0 1 0 1 2 3 4 0 0 1 0 0\n0 0 1 1 2 3 4 0 0 "
+      "1 0 0\n";
+  for (const std::string keyword : {"NCSTOFF", "STCNOFF", "NCOFF", "CNOFF", "NSTOFF", "CSTOFF"})
+    BOOST_TEST(same(plain, read_text(".off", keyword + "\n4 4 6\n" + vertices + tetrahedron_faces).polyhedron),
+               keyword);
+  BOOST_TEST(same(plain, read_text(".off", "4 4 6\n" + tetrahedron_vertices + tetrahedron_faces).polyhedron));
+  for (const std::string line : {"0.5 0.5 0.5", "7", "end", "3 0 1 9", "3 0 1"}) {
+    const Read_model model = read_text(".off", tetrahedron_off + line + "\n");
+    BOOST_TEST(same(plain, model.polyhedron), line);
+    BOOST_TEST(model.notes.at(0) == "lines behind the last face are left out: 1 (the first: line 11)", line);
+  }
+  for (const std::string line : {"3 0 1 2", "2 0 1", "3 0 1 2 255 0 0", "x\n4 0 1 2 3"})
+    BOOST_TEST(
+        error_of(".off", tetrahedron_off + line + "\n").find("more faces than the header counts") != std::string::npos,
+        line);
+}
+
+BOOST_AUTO_TEST_CASE(stl_takes_what_other_programs_write)
+{
+  const auto facet = [](const std::string& loop, const std::string& facet) {
+    return "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n" + loop + "\n" + facet + "\n";
+  };
+  const std::string usual = facet("endloop", "endfacet");
+  const Polyhedron plain = read_text(".stl", "solid\n" + usual + "endsolid\n").polyhedron;
+  for (const std::string& text :
+       {"solid\tpart\n" + usual + "endsolid\tpart\n", "solid\vpart\n" + usual + "endsolid\n",
+        "solid part\n" + usual + "end solid part\n", "solid part\n" + facet("end loop", "end facet") + "END SOLID\n",
+        "solid part\n" + usual + "endsolidpart\n", "solidpart\n" + usual + "endsolid\n",
+        "solid\ncolor 0.5 0.5 nan\n" + usual + "endsolid\n", "solid\ncolor\n1 0 0\n" + usual + "color\nendsolid",
+        std::string(
+            "solid a facet normal\tnan 0 1 outer\nloop vertex 0 0 0 vertex 1\n0 0 vertex 0 1 0 endloop endfacet ") +
+            "endsolid a\n",
+        "\xef\xbb\xbf solid\r\n" + usual + "endsolid\r\n"}) {
+    const Read_model model = read_text(".stl", text);
+    BOOST_TEST(same(plain, model.polyhedron), text);
+  }
+  for (const std::string& text : {"solid\n" + facet("end", "endfacet") + "endsolid\n", "solid\n" + usual + "end\n",
+                                  "solid\n" + usual + "endsolid\n" + usual})
+    BOOST_TEST(error_of(".stl", text).find("; expected") != std::string::npos, text);
+}
+
+BOOST_AUTO_TEST_CASE(binary_stl_takes_a_count_of_0_attributes_and_bytes_behind_the_last_triangle)
+{
+  const std::string usual = binary_stl(tetrahedron_triangles, 4);
+  const Polyhedron plain = read_text(".stl", usual).polyhedron;
+  const auto take = [&](const std::string& text, const std::string& said) {
+    const Read_model model = read_text(".stl", text);
+    BOOST_TEST(same(plain, model.polyhedron), said);
+    BOOST_TEST(model.notes.at(0) == said);
+  };
+  take(usual + "\n", "bytes behind the last triangle are left out: 1");
+  take(usual + std::string(412, 'x'), "bytes behind the last triangle are left out: 412");
+  take(binary_stl(tetrahedron_triangles, 0),
+       "the count of triangles is 0: those up to the end of the file are read, 4");
+  std::string attributes = usual.substr(0, 84);
+  for (int t = 0; t < 4; ++t)
+    attributes += usual.substr(84 + 50 * t, 48) + bytes(std::uint16_t(7 * t)) + std::string(7 * t, 'a');
+  take(attributes, "bytes of attributes behind triangles are left out: 42");
+  BOOST_TEST(error_of(".stl", attributes.substr(0, attributes.size() - 43)).starts_with(": binary STL of 4 triangles"));
+  // Carriage returns without a line feed are bytes as others.
+  std::string returns = usual;
+  std::fill(returns.begin(), returns.begin() + 80, '\r');
+  take(returns + "\r", "bytes behind the last triangle are left out: 1");
+  // CGAL reads a header that is a whole text, without triangles.
+  std::string text = "solid a\nendsolid a\n";
+  text.resize(80, ' ');
+  const Read_model model = read_text(".stl", text + usual.substr(80));
+  BOOST_TEST(same(plain, model.polyhedron));
+  BOOST_TEST(model.notes.at(0).starts_with("CGAL's reader finds something else in the file"));
+}
+
+BOOST_AUTO_TEST_CASE(ply_takes_strips_wedges_and_carriage_returns)
+{
+  const std::string vertices =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+  const Polyhedron strip = read_text(".ply", vertices +
+                                                 "element tristrips 1\nproperty list int int vertex_indices\n"
+                                                 "end_header\n" +
+                                                 points + "13 0 2 1 3 0 2 -1 0 1 -1 1 2 2\n")
+                               .polyhedron;
+  BOOST_TEST_REQUIRE(strip.face_count() == 4u);
+  BOOST_TEST(is_closed(strip));
+  BOOST_TEST((loop(strip, 0) == std::vector<Index>{0, 2, 1}));
+  BOOST_TEST((loop(strip, 1) == std::vector<Index>{1, 2, 3}));
+  // Strips and faces, in the order of the file; a binary strip whose type has no sign.
+  std::string both =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
+      "float z\nelement tristrips 1\nproperty list uint uint vertex_indices\nelement face 1\nproperty list "
+      "uchar int vertex_indices\nend_header\n";
+  for (const float x : {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}) both += bytes(x);
+  both += bytes(std::uint32_t{5});
+  for (const std::uint32_t v : {0xffffffffu, 0u, 2u, 1u, 3u}) both += bytes(v);
+  both += "\3" + bytes(0) + bytes(1) + bytes(3);
+  BOOST_TEST(read_text(".ply", both).polyhedron.face_count() == 3u);
+  BOOST_TEST(error_of(".ply", vertices + "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" +
+                                  points + "3 0 1 4\n")
+                 .starts_with(":14: vertex index 4"));
+  // VCGLIB: texture coordinates and colours of wedges, and colours that its header promises and its lines lack.
+  const std::string wedges = vertices +
+                             "element face 4\nproperty list uchar int vertex_indices\nproperty list uchar float "
+                             "texcoord\nproperty int texnumber\nproperty uchar red\nproperty list uchar float "
+                             "color\nend_header\n" +
+                             points;
+  const Polyhedron plain = read_text(".off", tetrahedron_off).polyhedron;
+  for (const std::string more : {" 9 0 0 0 1 1 1 nan 1 1", "", " 9 0 0 0"}) {
+    std::string text = wedges;
+    for (const std::string face : {"3 0 2 1", "3 0 1 3", "3 1 2 3", "3 2 0 3"})
+      text += face + " 6 0 0 1 1 0 1 2 255" + more + "\n";
+    const Read_model model = read_text(".ply", text);
+    BOOST_TEST(same(plain, model.polyhedron), more);
+    BOOST_TEST(model.notes.at(0).starts_with("lines that lack") == !more.ends_with("nan 1 1"), more);
+  }
+  // The header's lines may end in carriage returns alone, and a coordinate's first byte may be a line feed.
+  for (const bool big : {false, true}) {
+    std::string returns = binary_ply(big);
+    const std::size_t header = returns.find("end_header\n") + 11;
+    std::replace(returns.begin(), returns.begin() + std::ptrdiff_t(header), '\n', '\r');
+    const Polyhedron usual = read_text(".ply", binary_ply(big)).polyhedron;
+    BOOST_TEST(same(usual, read_text(".ply", returns).polyhedron));
+    returns[header + (big ? 3 : 0)] = '\n';
+    BOOST_TEST(read_text(".ply", returns).polyhedron.vertices[0][0] == std::bit_cast<float>(0x0au));
+  }
+  // What is binary is said by the header's line alone.
+  std::string text = ascii_ply("double", "int");
+  text.insert(text.find("element vertex"), "comment format binary_little_endian 1.0\n");
+  std::replace(text.begin(), text.end(), '\n', '\r');
+  BOOST_TEST(read_text(".ply", text).polyhedron.face_count() == 4u);
+}
+
+BOOST_AUTO_TEST_CASE(spellings_of_other_programs_are_the_same_tetrahedron)
+{
+  // The seeds of the fuzz targets.
+  for (const char* suffix : {"off", "obj", "ply", "stl"}) {
+    const Read_model model = read_with_notes(models + "spellings." + suffix);
+    BOOST_TEST(model.polyhedron.face_count() == 4u, suffix);
+    BOOST_TEST(is_closed(model.polyhedron), suffix);
+    BOOST_TEST(model.notes.empty() == (suffix == std::string("stl")), suffix);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(obj_takes_comments_in_lines_and_the_other_names_of_faces)
+{
+  const Polyhedron plain = read_text(".off", tetrahedron_off).polyhedron;
+  const Read_model model = read_text(".obj",
+                                     "v 0 0 0#origin\nv 1 0 0 # x\nv 0 1 0\nv 0 0 1\n#\nf 1 3 2#\nfo 1 2 4\nf 2 3 "
+                                     "4# last\nf 3 1 4\nusemtl a#b\n");
+  BOOST_TEST(same(plain, model.polyhedron));
+  BOOST_TEST(read_text(".obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nq 1 2 3 4\n").polyhedron.loop(0, 0).size() == 4u);
 }
 
 BOOST_AUTO_TEST_CASE(merging_keeps_the_first_of_equal_vertices_and_all_loops)

@@ -6,10 +6,13 @@
 #include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
+#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_collide_command)
 
@@ -116,6 +119,48 @@ BOOST_AUTO_TEST_CASE(a_name_that_comes_twice_in_a_case_file_is_refused)
       "{\"format\": 1,\n \"level\": \"object\",\n \"a\": {\"x\": [{\"y\": 1}, {\"y\": 2}],\n  \"\\u0078\": 2}}\n");
   check_refused("collide " + in_quotes(file.path()),
                 ":4: '\\u0078' a second time; expected each name of an object once");
+}
+
+BOOST_AUTO_TEST_CASE(contacts_beyond_the_largest_double_are_rounded_as_ieee_754_does)
+{
+  const std::string largest = "1.7976931348623157e308";
+  const Temporary_file a("a.off", "OFF\n3 1 0\n" + largest + " -1 0\n" + largest + " 1 0\n1e308 0 0\n3 0 1 2\n"),
+      b("b.off", "OFF\n3 1 0\n" + largest + " 0 -1\n" + largest + " 0 1\n1e308 5 0\n3 0 1 2\n");
+  // 2^969, 2^970: with the largest double below half a step, and half a step.
+  for (const auto& [x, expected] :
+       {std::pair<std::string, std::string>{"4.9896007738368e291", "1.7976931348623157e+308"},
+        {"9.9792015476736e291", "inf"}}) {
+    const Temporary_file pose("pose", "1 0 0 " + x + " 0 1 0 0 0 0 1 0\n");
+    const std::string words = "collide " + in_quotes(a.path()) + " " + in_quotes(b.path()) + " --contacts --pose-a " +
+                              in_quotes(pose.path()) + " --pose-b " + in_quotes(pose.path());
+    BOOST_TEST(run(words).out.ends_with(" " + expected + " 0 0\n"), x);
+    if (expected != "inf") continue;
+    BOOST_TEST(run(words + " --json").out.find("\"inf\"") != std::string::npos);
+    check_refused(words + " --curves curves.obj", "expected --contacts without --curves");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(contacts_of_a_face_that_is_not_planar_are_all_told_once)
+{
+  // A saddle over its short diagonal from vertex 0 to 2, z = abs(x) / 2, and faces that cut both of its triangles, or
+  // touch the diagonal along it and in a point.
+  const Temporary_file saddle("saddle.off", "OFF\n4 1 0\n0 -1 0\n2 0 1\n0 1 0\n-2 0 1\n4 0 1 2 3\n");
+  for (const auto& [vertices, expected] :
+       {std::pair<std::string, std::string>{
+            "-9 -9 0.25\n9 -9 0.25\n0 20 0.25\n",
+            "0 0 0 segment -0.5 -0.75 0.25 -0.5 0.75 0.25\n0 0 0 segment 0.5 0.75 0.25 0.5 -0.75 0.25\n"},
+        {"0 -9 -9\n0 9 -9\n0 0 20\n", "0 0 0 segment 0 1 0 0 -1 0\n"},
+        {"0 0 0\n1 0 -5\n-1 0 -5\n", "0 0 0 point 0 0 0 0 0 0\n"}}) {
+    const Temporary_file other("other.off", "OFF\n3 1 0\n" + vertices + "3 0 1 2\n");
+    std::string lines = run("collide " + in_quotes(saddle.path()) + " " + in_quotes(other.path()) + " --contacts").out;
+    std::vector<std::string> sorted;
+    for (std::size_t begin = 0, end; (end = lines.find('\n', begin)) != std::string::npos; begin = end + 1)
+      sorted.push_back(lines.substr(begin, end - begin + 1));
+    std::sort(sorted.begin(), sorted.end());
+    std::string text;
+    for (const std::string& line : sorted) text += line;
+    BOOST_TEST(text == expected, vertices);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

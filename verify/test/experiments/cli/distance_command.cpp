@@ -70,6 +70,46 @@ BOOST_AUTO_TEST_CASE(distances_are_told_rounded_exactly_and_as_limits)
     BOOST_TEST(run(files.words() + " --kernel " + kernel).out.starts_with("1.346291201783626\n4.17612260356422\n0\n"));
 }
 
+BOOST_AUTO_TEST_CASE(the_table_says_what_its_column_is)
+{
+  const Files files;
+  const std::string csv = files.words() + " --question surface --csv /dev/stdout";
+  BOOST_TEST(run(csv).out.starts_with("pose,distance\n0,1.346291201783626\n"));
+  BOOST_TEST(run(csv + " --within 1/4").out == "pose,within\n0,0\n1,0\n2,1\n3,1\n4,0\n");
+  BOOST_TEST(run(csv + " --within 1/4 --time")
+                 .out.starts_with("pose,within,ns,bounding_tests,primitive_tests,exact_fallbacks\n0,0,"));
+}
+
+BOOST_AUTO_TEST_CASE(holders_are_faces_of_the_file)
+{
+  // Face 0 becomes two triangles.
+  const Temporary_file a("saddle.off",
+                         "OFF\n7 2 0\n0 -1 0\n2 0 1\n0 1 0\n-2 0 1\n0 0 9\n8 0 9\n0 8 9\n4 0 1 2 3\n3 4 5 6\n"),
+      b("b.off", "OFF\n3 1 0\n1 1 10\n1 2 12\n2 1 12\n3 0 1 2\n"), start("start", "1 0 0 0 0 1 0 0 0 0 1 0\n"),
+      end("end", "1 0 0 0 0 1 0 0 0 0 1 -2\n");
+  const std::string bodies = in_quotes(a.path()) + " " + in_quotes(b.path()) + " --question surface ";
+  BOOST_TEST(run("distance " + bodies + "--exact").out == "1  1 1 9 face 1  1 1 10 vertex 0\n");
+  BOOST_TEST(run("motion " + bodies + "--features --pose-a0 " + in_quotes(start.path()) + " --pose-a1 " +
+                 in_quotes(start.path()) + " --pose-b0 " + in_quotes(start.path()) + " --pose-b1 " +
+                 in_quotes(end.path()))
+                 .out == "1 0.5 0.5  face 1  vertex 0\n");
+}
+
+BOOST_AUTO_TEST_CASE(a_distance_beyond_the_largest_double_is_rounded_as_ieee_754_does)
+{
+  const std::string largest = "1.7976931348623157e308";
+  const Temporary_file a("a.off",
+                         "OFF\n3 1 0\n" + largest + " -1 -1\n" + largest + " 3 -1\n" + largest + " -1 3\n3 0 1 2\n");
+  // 2^969, 2^970: with the largest double below half a step, and half a step.
+  for (const auto& [x, expected] :
+       {std::pair<std::string, std::string>{"-4.9896007738368e291", "1.7976931348623157e+308\n"},
+        {"-9.9792015476736e291", "inf\n"}}) {
+    const Temporary_file b("b.off", "OFF\n3 1 0\n" + x + " -1 -1\n" + x + " 3 -1\n" + x + " -1 3\n3 0 1 2\n");
+    BOOST_TEST(
+        run("distance " + in_quotes(a.path()) + " " + in_quotes(b.path()) + " --question surface").out == expected, x);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(bad_use_is_refused)
 {
   const Files files;

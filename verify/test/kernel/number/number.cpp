@@ -1,10 +1,13 @@
 #include "tetracone/kernel/number/number.h"
 
+#include "tetracone/kernel/number/nearest_root.h"
+
 #include <boost/test/unit_test.hpp>
 
 #include <cstring>
 #include <limits>
 #include <random>
+#include <utility>
 
 BOOST_AUTO_TEST_SUITE(test_number)
 
@@ -87,7 +90,10 @@ BOOST_AUTO_TEST_CASE(no_neighbour_is_nearer_than_the_nearest_double)
     if (b == 0) continue;
     const Rational value = Rational(a) / Rational(b);
     const double nearest = nearest_double(value);
-    if (!std::isfinite(nearest)) continue;
+    if (!std::isfinite(nearest)) {
+      BOOST_TEST((abs(value) >= Rational(std::numeric_limits<double>::max()) + Rational(0x1p970)));
+      continue;
+    }
     for (const double other : {std::nextafter(nearest, -HUGE_VAL), std::nextafter(nearest, HUGE_VAL)}) {
       if (std::isfinite(other)) BOOST_TEST((distance(value, nearest) <= distance(value, other)));
     }
@@ -104,6 +110,30 @@ BOOST_AUTO_TEST_CASE(a_double_is_its_own_nearest_double_and_ties_go_to_even)
   BOOST_TEST(nearest_double(Rational(1) + Rational(0x1p-53)) == 1);
   BOOST_TEST(nearest_double(Rational(1) + Rational(0x1.8p-52)) == 1 + 0x1p-51);
   BOOST_TEST(nearest_double(-Rational(1) - Rational(0x1p-53)) == -1);
+}
+
+BOOST_AUTO_TEST_CASE(beyond_the_largest_double_all_round_as_ieee_754_does)
+{
+  const double largest = std::numeric_limits<double>::max(), infinite = std::numeric_limits<double>::infinity();
+  // Half a step beyond the largest double: a tie, whose even neighbour is 2^1024.
+  const Rational tie = Rational(largest) + Rational(0x1p970);
+  const Rational little = Rational(1) / Rational(0x1p1000);
+  for (const auto& [value, expected] : {std::pair(Rational(largest), largest),
+                                        {Rational(Rational(largest) + 1), largest},
+                                        {Rational(tie - little), largest},
+                                        {tie, infinite},
+                                        {Rational(tie + little), infinite},
+                                        {Rational(Rational(2) * Rational(0x1p1023)), infinite},
+                                        {Rational(Rational(largest) * 1000), infinite}}) {
+    BOOST_TEST(nearest_double(value) == expected, value.get_d());
+    BOOST_TEST(nearest_double(-value) == -expected, value.get_d());
+    BOOST_TEST(nearest_root(Rational(value * value)) == expected, value.get_d());
+    // A decimal that is not finite is none.
+    if (value.get_den() == 1) BOOST_TEST(parse_double(value.get_str()).value_or(infinite) == expected, value.get_d());
+  }
+  // A root of no rational is rounded by the same rule.
+  BOOST_TEST(nearest_root(Rational(tie * tie - 1)) == largest);
+  BOOST_TEST(nearest_root(Rational(tie * tie + 1)) == infinite);
 }
 
 BOOST_AUTO_TEST_CASE(the_shortest_decimal_reads_back_as_the_same_bits)
