@@ -31,6 +31,11 @@ class Times_before {
     if (before.is_dyadic()) return;
     root_ = over(before.form()).primitive();
     if (root_->variations() != 1) root_.reset();
+    const Integer cell_start = cell.m << (k_ - cell.k);
+    if (cell_start > first_) {
+      s_ = last_ - cell_start;
+      t_ = cell_start - first_;
+    }
   }
 
   /// An `Integer_form` or a `Pair_motion` from the start to the end, over times from 0 to 1.
@@ -45,7 +50,7 @@ class Times_before {
   CGAL::Sign sign_after_start(const Integer_form& form)
   {
     if (form.variations() == 0) return form.only_sign();
-    if (!root_) return CGAL::ZERO;
+    if (!root_ || !may_have_root(form)) return CGAL::ZERO;
     std::optional<Integer_form> rest = exact_quotient(form, *root_);
     if (!rest) {
       // A common divisor with an odd number of roots has the one root of G, and takes its place.
@@ -65,8 +70,15 @@ class Times_before {
   }
 
  private:
+  /// False where a form is not G times a form without roots up to the end: that changes its sign in T's cell.
+  bool may_have_root(const Integer_form& form) const
+  {
+    return sgn(t_) == 0 || sgn(form.at(s_, t_)) * sgn(form.at_end()) < 0;
+  }
+
   Integer first_, last_;
   unsigned k_;
+  Integer s_, t_;  // T's cell starts at s : t between the start and the end; 0 where it starts before them
   std::optional<Integer_form> root_;  // G; nothing where T is the end, and where T is not the first root
 };
 

@@ -254,8 +254,8 @@ class Moving_feature_search {
  private:
   using Vertex = kernel::Vertex;
 
-  /// A plane is made of about as many integers as it takes boxes' time to be compared.
-  static constexpr std::size_t enough_for_a_plane = 32;
+  /// To make a plane takes about as long as to compare so many pairs of boxes.
+  static constexpr std::size_t enough_for_a_plane = 64;
   static constexpr std::size_t most_planes = 4;
   static constexpr std::size_t enough_to_look_ahead = 32;
   static constexpr std::uint64_t decided_ahead = 2;
@@ -494,8 +494,8 @@ class Moving_feature_search {
   bool are_apart_until_best(const Moving_features& features)
   {
     if (!is_any_time_left()) return true;
-    if (asked_features_ == 0 && plane_count_ == 0) add_plane(best_->features);
-    if (std::has_single_bit(++asked_features_)) add_plane(features);
+    if (++asked_features_ == 2 && plane_count_ == 0) add_plane(best_->features);
+    if (asked_features_ > 1 && std::has_single_bit(asked_features_)) add_plane(features);
     return exact_motion(features, *motion_before_).is_apart(*times_before_);
   }
 
