@@ -170,6 +170,17 @@ class Pair_motion {
   /// The number of coefficients of each form.
   std::size_t size() const { return size_; }
 
+  /// The motion from `from`/2^k to `to`/2^k alone, over times from 0 to 1. Requires 0 <= from < to <= 2^k.
+  Pair_motion between(const Integer& from, const Integer& to, unsigned k) const
+  {
+    Pair_motion part = *this;
+    for (auto& entries : part.entry_)
+      for (Integer_form& entry : entries) entry = entry.between(from, to, k);
+    part.divisor_ = divisor_.between(from, to, k);
+    if (square_.size() > 0) part.square_ = square_.between(from, to, k).primitive();
+    return part;
+  }
+
   /// Entry k of the row-major 3x4 matrix that places body 0 or 1, times the divisor.
   const Integer_form& entry(int body, int k) const { return entry_[body][k]; }
   const Integer_form& divisor() const { return divisor_; }

@@ -9,6 +9,7 @@
 #include <cassert>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -67,6 +68,21 @@ class Integer_form {
     return *this;
   }
   friend Integer_form operator*(Integer_form f, const Integer& factor) { return f *= factor; }
+
+  /// Becomes the zero form of this size. Memory that it has is kept.
+  void clear(std::size_t size)
+  {
+    coefficients_.resize(size);
+    for (Integer& c : coefficients_) c = 0;
+  }
+
+  /// Adds f times a factor. Requires forms of one degree.
+  void add_product(const Integer_form& f, const Integer& factor)
+  {
+    assert(size() == f.size());
+    for (std::size_t k = 0; k < size(); ++k)
+      mpz_addmul(coefficients_[k].get_mpz_t(), f[k].get_mpz_t(), factor.get_mpz_t());
+  }
 
   /// Requires forms that are not empty.
   friend Integer_form operator*(const Integer_form& f, const Integer_form& g)
@@ -152,14 +168,17 @@ class Integer_form {
   }
 
   /// The form over the times from m/2^k to (m+1)/2^k, times 2^(k degree). Requires 0 <= m < 2^k.
-  Integer_form over(const Integer& m, unsigned k) const
+  Integer_form over(const Integer& m, unsigned k) const { return between(m, m + 1, k); }
+
+  /// The form over the times from `from`/2^k to `to`/2^k, times 2^(k degree). Requires 0 <= from < to <= 2^k.
+  Integer_form between(const Integer& from, const Integer& to, unsigned k) const
   {
-    // s -> (N-m) s + (N-m-1) t and t -> m s + (m+1) t, by Horner's scheme in forms.
-    const Integer whole = Integer(1) << k, s0 = whole - m, s1 = s0 - 1, t1 = m + 1;
+    // s -> (N-from) s + (N-to) t and t -> from s + to t, by Horner's scheme in forms.
+    const Integer whole = Integer(1) << k, s0 = whole - from, s1 = whole - to;
     Integer_form sum, power;
     power.push_back(1);
     for (std::size_t c = size(); c-- > 0;) {
-      if (sum.size() > 0) sum.multiply(m, t1);
+      if (sum.size() > 0) sum.multiply(from, to);
       sum.coefficients_.resize(power.size());
       for (std::size_t j = 0; j < power.size(); ++j) sum.coefficients_[j] += coefficients_[c] * power[j];
       if (c > 0) power.multiply(s0, s1);
@@ -209,17 +228,30 @@ inline Integer_form common_divisor(Integer_form f, Integer_form g)
   return g;
 }
 
-/// f / g in v. Requires that g is primitive, does not end in zero, and divides f.
-inline Integer_form quotient(const Integer_form& f, const Integer_form& g)
+/// f / g in v where g divides f, else nothing. Requires that g is primitive and does not end in zero.
+inline std::optional<Integer_form> exact_quotient(const Integer_form& f, const Integer_form& g)
 {
+  if (f.size() < g.size()) return std::nullopt;
   const std::size_t size = f.size() + 1 - g.size();
   std::vector<Integer> rest(f.size()), found(size);
   for (std::size_t k = 0; k < f.size(); ++k) rest[k] = f[k];
   for (std::size_t k = size; k-- > 0;) {
-    found[k] = rest[k + g.size() - 1] / g.at_end();
+    // Where a primitive form divides one with integer coefficients, the quotient has such (Gauss' lemma).
+    const Integer& leading = rest[k + g.size() - 1];
+    if (mpz_divisible_p(leading.get_mpz_t(), g.at_end().get_mpz_t()) == 0) return std::nullopt;
+    found[k] = leading / g.at_end();
     for (std::size_t j = 0; j < g.size(); ++j) rest[k + j] -= found[k] * g[j];
   }
+  if (std::ranges::any_of(rest, [](const Integer& r) { return sgn(r) != 0; })) return std::nullopt;
   return Integer_form(std::move(found));
+}
+
+/// f / g in v. Requires that g is primitive, does not end in zero, and divides f.
+inline Integer_form quotient(const Integer_form& f, const Integer_form& g)
+{
+  std::optional<Integer_form> found = exact_quotient(f, g);
+  assert(found);
+  return std::move(*found);
 }
 
 /// The primitive form with the roots of f in (0, 1), each once. Requires that f is not zero.

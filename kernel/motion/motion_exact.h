@@ -6,6 +6,7 @@
 #include "tetracone/kernel/motion/moving_pair.h"
 #include "tetracone/kernel/motion/odd_double.h"
 #include "tetracone/kernel/motion/time_root.h"
+#include "tetracone/kernel/motion/times_before.h"
 
 #include <array>
 #include <climits>
@@ -57,6 +58,31 @@ class Exact_motion {
 
   /// True where the four points are coplanar all the time.
   bool is_coplanar() const { return volume_.is_zero(); }
+
+  /// Whether signs of forms tell that the primitives share no point at any of these times, over which their points are
+  /// given. Makes no root.
+  bool is_apart(Times_before& times)
+  {
+    if (times.sign(volume_) != CGAL::ZERO) return true;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto& n = turns(axis);
+      const CGAL::Sign n1 = times.sign(n[0]), n2 = times.sign(n[1]), n3 = times.sign(n[2]);
+      if (n1 * n3 < 0) return true;
+      if (kind_ == Moving_kind::vertex_face ? n1 * n2 < 0 || n2 * n3 < 0 : n2 != 0 && n2 * times.sign(n[3]) > 0)
+        return true;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      int all = 2;  // the sign of all differences so far
+      if (all_differences(kind_, [&](const Between& d) {
+            const int side = times.sign(along(d, axis));
+            const bool agrees = side != 0 && (all == 2 || all == side);
+            all = side;
+            return agrees;
+          }))
+        return true;
+    }
+    return false;
+  }
 
   /// Whether the pair meets, by the filter on exact forms that are rounded once. For what the filter on doubles leaves.
   Moving_contact rounded_contact()

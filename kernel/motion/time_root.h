@@ -50,6 +50,16 @@ class Time_root {
   /// The cell that holds this time, or begins with it where it is dyadic.
   Time_cell cell() const { return {m_, k_}; }
 
+  /// A cell as `cell()` tells, far within the first one where doubles lead there. May refine the cell.
+  Time_cell close_cell()
+  {
+    if (!exact_) refine_at_once();
+    return cell();
+  }
+
+  /// The form that it is a root of, primitive. Requires a time that is not dyadic.
+  const Integer_form& form() const { return form_; }
+
   /// About this time: as near as doubles tell the form in its cell.
   double about() const
   {

@@ -78,6 +78,8 @@ class Bvh8_motion {
     all += features_.counts();
     return all;
   }
+  /// How many pairs each exact stage decided.
+  const Motion_stages& stages() const { return features_.stages(); }
   void clear_counts()
   {
     counts_ = {};
@@ -134,12 +136,9 @@ class Bvh8_motion {
   {
     const kernel::Obb8& boxes = node_of(body, box).boxes;
     const int lane = int(box % 8);
-    Part part{{kernel::centre_of(boxes, lane), {}}, {}};
+    Part part{hull_of(node_of(body, box), lane), {}};
     for (int i = 0; i < 3; ++i)
-      for (int k = 0; k < 3; ++k) {
-        part.axis[i][k] = boxes.axis[i][k][lane];
-        part.hull.half_edge[i][k] = part.axis[i][k] * double(boxes.extent[i][lane]);
-      }
+      for (int k = 0; k < 3; ++k) part.axis[i][k] = boxes.axis[i][k][lane];
     return part;
   }
 
@@ -168,9 +167,12 @@ class Bvh8_motion {
     while (!queue_.empty()) {
       std::size_t count = 0;
       while (count < most_openings && !queue_.empty()) {
-        if (features_.is_any_undecided()) features_.decide_until(double(queue_.lowest()));
+        if (features_.is_any_undecided()) {
+          features_.decide_until(double(queue_.lowest()));
+          features_.look_ahead();
+        }
         const Pair pair = queue_.pop();
-        if (double(pair.low) > features_.latest()) continue;
+        if (double(pair.low) > features_.latest() || features_.are_parted(pair.box)) continue;
         // Where there will be halves, the second may be needless.
         const bool is_of_leaves = pair.is_leaf(0) && pair.is_leaf(1);
         if (turning.is_long(pair, share_of_size) || (!later.empty() && pair.low >= 0.5f))

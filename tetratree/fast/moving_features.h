@@ -2,15 +2,19 @@
 #define TETRACONE_TETRATREE_FAST_MOVING_FEATURES_H
 
 #include "tetracone/kernel/motion/body_motion.h"
+#include "tetracone/kernel/motion/contact_plane.h"
 #include "tetracone/kernel/motion/first_contact.h"
 #include "tetracone/kernel/motion/motion_exact.h"
 #include "tetracone/kernel/motion/motion_span.h"
+#include "tetracone/kernel/motion/times_before.h"
+#include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/number/products.h"
 #include "tetracone/tetratree/fast/bvh8.h"
 #include "tetracone/tetratree/query_statistics.h"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
@@ -52,12 +56,112 @@ inline std::array<kernel::Vertex, 3> local_corners(const Bvh8& tree, const std::
   return corners;
 }
 
+/// A box of a tree, with its axes times its extents.
+inline kernel::Moving_box hull_of(const Bvh8_node& node, int lane)
+{
+  kernel::Moving_box hull{kernel::centre_of(node.boxes, lane), {}};
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k)
+      hull.half_edge[i][k] = double(node.boxes.axis[i][k][lane]) * double(node.boxes.extent[i][lane]);
+  return hull;
+}
+
+/// Answers to a question about numbers, until all are forgotten.
+class Kept_answers {
+ public:
+  void forget()
+  {
+    now_ += 2;
+    if (now_ == 0) kept_.assign(kept_.size(), now_++);
+  }
+
+  std::optional<bool> at(std::size_t n) const
+  {
+    if (n >= kept_.size() || (kept_[n] | 1u) != (now_ | 1u)) return std::nullopt;
+    return kept_[n] != now_;
+  }
+
+  bool keep(std::size_t n, bool answer)
+  {
+    if (n >= kept_.size()) kept_.resize(kernel::maximum(n + 1, 2 * kept_.size()));
+    kept_[n] = now_ + std::uint32_t(answer);
+    return answer;
+  }
+
+ private:
+  std::vector<std::uint32_t> kept_;
+  std::uint32_t now_ = 2;
+};
+
+/// What of two bodies a plane parts until its features meet: whole boxes of the trees, each looked at once. A box that
+/// touches the plane is told by its vertices, exactly.
+class Parted_boxes {
+ public:
+  /// Both trees must outlive it.
+  Parted_boxes(const Bvh8& a, const Bvh8& b) : tree_{&a, &b} {}
+
+  void begin(kernel::Contact_plane plane)
+  {
+    plane_.emplace(std::move(plane));
+    plane_->use_units({units(0), units(1)});
+    for (int body = 0; body < 2; ++body) {
+      of_box_[body].forget();
+      of_vertex_[body].forget();
+    }
+  }
+
+  /// Box k of node n is 8 n + k.
+  bool holds(int body, Index box)
+  {
+    if (const auto known = of_box_[body].at(box)) return *known;
+    const Bvh8_node& node = tree_[body]->node(box / 8);
+    const int lane = int(box % 8);
+    bool all = true;
+    if (plane_->holds(body, hull_of(node, lane))) {
+    } else if (node.is_leaf(lane)) {
+      for (Index k = 0; k < tree_[body]->leaf_count(box / 8, lane); ++k)
+        tree_[body]->for_vertices(tree_[body]->element(box / 8, lane, k),
+                                  [&](Index v) { all = all && holds_vertex(body, v); });
+    } else {
+      const Index child = tree_[body]->child(box / 8, lane);
+      const int lanes = tree_[body]->node(child).boxes.lane_count;
+      for (int k = 0; all && k < lanes; ++k) all = holds(body, 8 * child + Index(k));
+    }
+    return of_box_[body].keep(box, all);
+  }
+
+  bool holds_vertex(int body, Index v)
+  {
+    if (const auto known = of_vertex_[body].at(v)) return *known;
+    return of_vertex_[body].keep(v, plane_->holds(body, tree_[body]->model().vertices()[v]));
+  }
+
+ private:
+  kernel::Motion_units units(int body) const { return {tree_[body]->scale().origin, tree_[body]->scale().unit}; }
+
+  std::array<const Bvh8*, 2> tree_;
+  std::optional<kernel::Contact_plane> plane_;
+  std::array<Kept_answers, 2> of_box_, of_vertex_;
+};
+
+/// How many pairs were decided by each stage of a search for the first contact.
+struct Motion_stages {
+  std::uint64_t by_planes = 0;  ///< of boxes, triangles and features: a plane parts them until the first contact so far
+  std::uint64_t by_signs = 0;   ///< of features: signs of their forms tell that they are apart until then
+  std::uint64_t by_roots = 0;   ///< of features: by their first contact, an algebraic number
+};
+
 /// The first contact of vertices and faces, and of edges, of the triangles that it is given: what the bounds of a span do
 /// not part waits, and is decided in integers, over the span alone, in the order of the times from which on it may meet.
+///
+/// Where bodies land face on face, many features meet at the first contact so far, which doubles cannot tell from before.
+/// They are told by planes through features that meet then, and else by signs of forms: see `kernel::Times_before`.
 class Moving_feature_search {
  public:
   /// Both trees must outlive it.
-  Moving_feature_search(const Bvh8& a, const Bvh8& b) : tree_{&a, &b} {}
+  Moving_feature_search(const Bvh8& a, const Bvh8& b)
+      : tree_{&a, &b}, planes_{Parted_boxes(a, b), Parted_boxes(a, b), Parted_boxes(a, b), Parted_boxes(a, b)}
+  {}
 
   /// Begins anew. Both motions must stay until the first contact is taken.
   void begin(const kernel::Body_motion& a, const kernel::Body_motion& b)
@@ -69,6 +173,8 @@ class Moving_feature_search {
     best_.reset();
     best_before_ = std::numeric_limits<double>::infinity();
     is_start_in_doubt_ = false;
+    enough_ = enough_to_look_ahead;
+    forget_planes();
   }
 
   /// Both motions, exactly; made when first asked for.
@@ -87,6 +193,7 @@ class Moving_feature_search {
   {
     span_ = &span;
     for (auto& half : half_) half.reset();
+    forget_planes();
     latest_ = span.share_before(best_before_);
   }
 
@@ -113,25 +220,45 @@ class Moving_feature_search {
   /// Decides what may meet before such a share of the span.
   void decide_until(double share)
   {
-    while (!candidates_.empty() && candidates_.front().from() <= share) {
-      std::ranges::pop_heap(candidates_, std::ranges::greater(), &Candidate::from);
-      const Candidate next = candidates_.back();
-      candidates_.pop_back();
-      if (next.from() > latest_) continue;
-      if (next.feature == Candidate::all)
-        for (int feature = 0; feature < Candidate::all; ++feature) add(next, feature, false);
-      else if (!next.is_sharp)
-        add(next, next.feature, true);
-      else
-        decide(next.features(), span_of(next.part));
-    }
+    while (!candidates_.empty() && candidates_.front().from() <= share) decide_front();
   }
 
+  /// Where much waits for what may meet little earlier, and no contact is known yet: decides the first of it, since a
+  /// contact may rule out the others. Now and then, for it may be in vain.
+  void look_ahead()
+  {
+    if (best_ || candidates_.size() < enough_) return;
+    enough_ *= 2;
+    const std::uint64_t until = counts_.exact_fallbacks + decided_ahead;
+    while (!best_ && !candidates_.empty() && counts_.exact_fallbacks < until) decide_front();
+  }
+
+  /// Whether a plane is known to part boxes in the span until the first contact so far. Such planes are made when enough
+  /// boxes have been asked about. Box k of node n is 8 n + k.
+  bool are_parted(const std::array<Index, 2>& box)
+  {
+    if (!best_) return false;
+    if (plane_count_ == 0 && ++asked_ == enough_for_a_plane) add_plane(best_->features);
+    return is_any_plane([&](Parted_boxes& plane) { return plane.holds(0, box[0]) && plane.holds(1, box[1]); });
+  }
+
+  const Motion_stages& stages() const { return stages_; }
+
   const Query_statistics& counts() const { return counts_; }
-  void clear_counts() { counts_ = {}; }
+  void clear_counts()
+  {
+    counts_ = {};
+    stages_ = {};
+  }
 
  private:
   using Vertex = kernel::Vertex;
+
+  /// To make a plane takes about as long as to compare so many pairs of boxes.
+  static constexpr std::size_t enough_for_a_plane = 64;
+  static constexpr std::size_t most_planes = 4;
+  static constexpr std::size_t enough_to_look_ahead = 32;
+  static constexpr std::uint64_t decided_ahead = 2;
 
   /// A pair of features that has been decided over a span: triangles share corners and edges.
   struct Decided {
@@ -241,6 +368,13 @@ class Moving_feature_search {
     return k < 2 ? 0 : 1;
   }
 
+  /// Whether no direction across both is told by doubles.
+  static bool are_nearly_parallel(const Vertex& e, const Vertex& f)
+  {
+    const Vertex n = kernel::cross(e, f);
+    return !(kernel::dot(n, n) > 0x1p-60 * kernel::dot(e, e) * kernel::dot(f, f));
+  }
+
   /// When the features may meet within these times of a span, by axes of the middle of them.
   kernel::Time_window near(const Moving_features& features, const kernel::Motion_span& span,
                            kernel::Time_window near) const
@@ -264,8 +398,14 @@ class Moving_feature_search {
       is_done(kernel::cross(n, *third));
     };
     if (features.kind == kernel::Moving_kind::edge_edge) {
-      take({side(0, 1), side(2, 3)}, nullptr, span.placed(0, std::array{p[0], p[1]}),
-           span.placed(1, std::array{p[2], p[3]}));
+      std::array<Vertex, 2> sides = {side(0, 1), side(2, 3)};
+      const auto of_a = span.placed(0, std::array{p[0], p[1]}), of_b = span.placed(1, std::array{p[2], p[3]});
+      if (are_nearly_parallel(sides[0], sides[1])) {
+        // What parts parallel edges is an axis along them, or one that leads from one to the other.
+        near = common(near, span.near_along(kernel::scaled_to_one(sides[0]), of_a, of_b));
+        sides[1] = side(0, 2);
+      }
+      take(sides, nullptr, of_a, of_b);
       return near;
     }
     const auto vertex = span.placed(features.body, std::array<Vertex, 1>{p[0]});
@@ -293,6 +433,21 @@ class Moving_feature_search {
     std::ranges::push_heap(candidates_, std::ranges::greater(), &Candidate::from);
   }
 
+  /// Decides the pair that may meet first, or replaces it by its features, or by sharper times of them.
+  void decide_front()
+  {
+    std::ranges::pop_heap(candidates_, std::ranges::greater(), &Candidate::from);
+    const Candidate next = candidates_.back();
+    candidates_.pop_back();
+    if (next.from() > latest_ || are_parted(next)) return;
+    if (next.feature == Candidate::all)
+      for (int feature = 0; feature < Candidate::all; ++feature) add(next, feature, false);
+    else if (!next.is_sharp)
+      add(next, next.feature, true);
+    else
+      decide(next.features(), span_of(next.part));
+  }
+
   /// Finds the first contact of two features in a part of the span, exactly.
   void decide(const Moving_features& features, const kernel::Motion_span& span)
   {
@@ -302,20 +457,100 @@ class Moving_feature_search {
         if (now.corner[k] > now.corner[k + 1]) std::swap(now.corner[k], now.corner[k + 1]);
     if (!decided_.insert(now).second) return;
     ++counts_.exact_fallbacks;
-    const auto vertex = [&](int k) -> const Vertex& {
-      return tree_[body_of(features, k)]->model().vertices()[features.corner[k]];
-    };
-    int least = 0;
-    for (int k = 0; k < 4; ++k) least = kernel::Pair_motion::exponent_of(vertex(k), least);
-    std::array<kernel::Form_vector, 4> points;
-    for (int k = 0; k < 4; ++k) points[k] = motion().image(body_of(features, k), vertex(k), least);
-    std::optional<kernel::Time_root> time =
-        kernel::Exact_motion(features.kind, std::move(points), motion().square())
-            .first_contact({kernel::Integer(static_cast<unsigned long>(span.m())), span.k()});
+    if (best_ && are_apart_until_best(features)) {
+      ++stages_.by_signs;
+      return;
+    }
+    ++stages_.by_roots;
+    std::optional<kernel::Time_root> time = exact_motion(features, motion())
+        .first_contact({kernel::Integer(static_cast<unsigned long>(span.m())), span.k()});
     if (!time || (best_ && !time->is_before(best_->time))) return;
     best_before_ = kernel::bounds_about(*time).hi;
     latest_ = span_->share_before(best_before_);
     best_ = First_meeting{std::move(*time), features};
+    forget_planes();
+  }
+
+  /// The vertices of features.
+  std::array<Vertex, 4> vertices(const Moving_features& features) const
+  {
+    std::array<Vertex, 4> v;
+    for (int k = 0; k < 4; ++k) v[k] = tree_[body_of(features, k)]->model().vertices()[features.corner[k]];
+    return v;
+  }
+
+  kernel::Exact_motion exact_motion(const Moving_features& features, const kernel::Pair_motion& motion) const
+  {
+    const std::array<Vertex, 4> v = vertices(features);
+    int least = 0;
+    for (const Vertex& x : v) least = kernel::Pair_motion::exponent_of(x, least);
+    std::array<kernel::Form_vector, 4> points;
+    for (int k = 0; k < 4; ++k) points[k] = motion.image(body_of(features, k), v[k], least);
+    return kernel::Exact_motion(features.kind, std::move(points), motion.square());
+  }
+
+  /// Whether signs of forms tell that features are apart in the span until the first contact so far. Tries their plane
+  /// too, each time that twice as many were asked about as the last time.
+  bool are_apart_until_best(const Moving_features& features)
+  {
+    if (!is_any_time_left()) return true;
+    if (++asked_features_ == 2 && plane_count_ == 0) add_plane(best_->features);
+    if (asked_features_ > 1 && std::has_single_bit(asked_features_)) add_plane(features);
+    return exact_motion(features, *motion_before_).is_apart(*times_before_);
+  }
+
+  /// Whether the span has times before the first contact so far; makes the motion until then ready. Requires one.
+  bool is_any_time_left()
+  {
+    if (times_before_) return true;
+    const kernel::Time_cell start{kernel::Integer(static_cast<unsigned long>(span_->m())), span_->k()};
+    if (best_->time.compare(start.m, start.k) != CGAL::POSITIVE) return false;
+    times_before_.emplace(start, best_->time);
+    motion_before_.emplace(times_before_->over(motion()));
+    return true;
+  }
+
+  void forget_planes()
+  {
+    times_before_.reset();
+    plane_count_ = asked_ = asked_features_ = 0;
+  }
+
+  /// Adds the plane of features, where it parts them until the first contact so far.
+  void add_plane(const Moving_features& features)
+  {
+    if (plane_count_ == most_planes || !is_any_time_left()) return;
+    kernel::Contact_plane plane(*motion_before_, *times_before_, features.kind, features.body, vertices(features));
+    if (plane.is_defined()) planes_[plane_count_++].begin(std::move(plane));
+  }
+
+  /// Whether a plane is known to part what may meet in the span until the first contact so far.
+  bool are_parted(const Candidate& candidate)
+  {
+    if (candidate.feature == Candidate::all)
+      return is_any_plane([&](Parted_boxes& plane) {
+        for (int body = 0; body < 2; ++body)
+          for (const Index v : candidate.corner[body])
+            if (!plane.holds_vertex(body, v)) return false;
+        return true;
+      });
+    const Moving_features features = candidate.features();
+    return is_any_plane([&](Parted_boxes& plane) {
+      for (int k = 0; k < 4; ++k)
+        if (!plane.holds_vertex(body_of(features, k), features.corner[k])) return false;
+      return true;
+    });
+  }
+
+  template <class Ask>
+  bool is_any_plane(const Ask& ask)
+  {
+    for (std::size_t k = 0; k < plane_count_; ++k)
+      if (ask(planes_[k])) {
+        ++stages_.by_planes;
+        return true;
+      }
+    return false;
   }
 
   std::array<const Bvh8*, 2> tree_;
@@ -330,6 +565,13 @@ class Moving_feature_search {
   std::array<std::optional<kernel::Motion_span>, 2> half_;  // made when first asked for
   double latest_ = std::numeric_limits<double>::infinity();
   bool is_start_in_doubt_ = false;
+  Motion_stages stages_;
+  std::size_t enough_ = enough_to_look_ahead;
+  // In the span until the first contact so far:
+  std::optional<kernel::Times_before> times_before_;  // made, with the motion, when first needed
+  std::optional<kernel::Pair_motion> motion_before_;
+  std::array<Parted_boxes, most_planes> planes_;
+  std::size_t plane_count_ = 0, asked_ = 0, asked_features_ = 0;
 };
 
 }  // namespace tetracone::tetratree
