@@ -127,7 +127,7 @@ void run_ablation(const Race_options& options)
                                             options);
                          }});
       }
-  write_table(options.out, "ablation", options.key(), parts);
+  write_table(options.out, "ablation", parts);
   draw("ablation_figure.py", options.out);
 }
 
