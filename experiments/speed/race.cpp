@@ -60,7 +60,7 @@ void clock_first_queries(Prepared_contestant& prepared, const Race_course& cours
 {
   const Contestant& contestant = prepared.contestant;
   const auto& how = contestant.prepare_on_demand ? contestant.prepare_on_demand : contestant.prepare;
-  constexpr double enough_seconds = 2;  // large bodies are made fewer times
+  constexpr double enough_seconds = 0.5;  // large bodies are made fewer times
   const Stopwatch all;
   double build = 0, query = 0, count = 0;
   for (const std::size_t k : spread_poses(course)) {

@@ -31,12 +31,10 @@ struct Stratum {
   double weight = 1;
 };
 
-/// One in `one_in` of these poses, at least one of any, evenly spread.
-inline Stratum spread_sample(const std::vector<std::size_t>& of, std::size_t one_in)
+/// So many of these poses, evenly spread. Requires no more than there are.
+inline Stratum spread_sample(const std::vector<std::size_t>& of, std::size_t count)
 {
   Stratum sample;
-  if (of.empty()) return sample;
-  const std::size_t count = (of.size() + one_in - 1) / one_in;
   for (std::size_t k = 0; k < count; ++k) sample.numbers.push_back(of[(2 * k + 1) * of.size() / (2 * count)]);
   sample.weight = double(of.size()) / double(count);
   return sample;
@@ -54,17 +52,21 @@ inline tetratree::Query_statistics weighted(const tetratree::Query_statistics& c
 /// The poses that one contestant is asked, pass by pass. Each pose is clocked for itself and its fastest time kept. The
 /// answers of the first pass are judged.
 ///
-/// A contestant that is not asked every pose is asked a sample of those that collide and a sample of those that do not.
-/// Times are weighted to the course's share of both, so that each is an estimate of its value over the whole course.
+/// A contestant that is not asked every pose is asked as many that collide as that do not, where there are so many: those
+/// that collide are few and take longest. Times are weighted to the course's share of both, so that each is an estimate
+/// of its value over the whole course.
 class Timed_poses {
  public:
   /// One in `one_in` of the poses of `truth`, which must outlive this; all of them in their order where it is 1.
   Timed_poses(const std::vector<char>& truth, std::size_t one_in) : truth_(truth), has_all_(one_in == 1)
   {
-    std::array<std::vector<std::size_t>, 2> of;  // poses that do not collide, and those that do
-    for (std::size_t k = 0; k < truth.size(); ++k) of[truth[k] && !has_all_].push_back(k);
-    for (const auto& numbers : of)
-      if (!numbers.empty()) strata_.push_back(spread_sample(numbers, one_in));
+    std::vector<std::size_t> hits, others;  // all are others where none is left out
+    for (std::size_t k = 0; k < truth.size(); ++k) (truth[k] && !has_all_ ? hits : others).push_back(k);
+    const std::size_t count = (truth.size() + one_in - 1) / one_in, half = std::min(hits.size(), (count + 1) / 2);
+    const std::size_t of_hits = std::max(half, count - std::min(count, others.size()));
+    const std::size_t of_others = std::min(others.size(), std::max<std::size_t>(1, count - of_hits));
+    if (of_others > 0) strata_.push_back(spread_sample(others, of_others));
+    if (of_hits > 0) strata_.push_back(spread_sample(hits, of_hits));
     for (const Stratum& stratum : strata_) judged_.poses += stratum.numbers.size();
     fastest_.assign(judged_.poses, std::numeric_limits<double>::infinity());
     judged_.course_poses = truth.size();
