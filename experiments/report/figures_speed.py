@@ -238,8 +238,8 @@ def degenerate(page, study):
 def sections(page, study, campaign):
     if study:
         yield page.section("every-subject", "Every subject",
-                           "<p>A zero in n is stated with the upper end of its 95 % interval (Wilson). A peer that answers the surface "
-                           "question whatever is asked is no fault of the peer: nested bodies are its limit. Exact subjects are shaded.</p>",
+                           "<p>A zero in n is stated with the upper end of its 95 % interval (Wilson). FCL knows surfaces alone: it is not asked of "
+                           "nested solids. Exact subjects are shaded.</p>",
                            summary(page, study))
         yield page.section("contacts", "Where rounding fails",
                            "<p>Bodies under random common rotations of integer quaternions, exact in rationals, unless the scenario says "

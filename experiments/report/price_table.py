@@ -30,7 +30,7 @@ def prices(study):
     for (panel, scenario, question), rows in by(mine, "panel", "scenario", "question").items():
         both = {s: [(r, other[workload(r), s]) for r in rows if (workload(r), s) in other] for s in (ROUNDED, FCL)}
         if question == "solid":
-            both[FCL] = []
+            both[FCL] = []  # its answers are of surfaces
         over = {s: [a["mean_ns"] / b["mean_ns"] for a, b in pairs] for s, pairs in both.items()}
         lines.append([REGIME[panel], scenario, question, len(rows), whole(rows, "poses"), whole(rows, "collisions"),
                       f"{geometric_mean(r['mean_ns'] for r in rows) / 1000:.4g}",

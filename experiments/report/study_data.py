@@ -48,7 +48,8 @@ class Study:
                          f"{places} workloads")
 
     def asked_in(self, panel):
-        return [r for r in self.rows if r["panel"] == panel and r["question"] == QUESTION[panel]]
+        """The rows of a panel's question; peers know surfaces alone."""
+        return [r for r in self.rows if r["panel"] == panel and r["question"] == QUESTION[panel] and (r["method"] != "peer" or r["question"] == "surface")]
 
     def points(self, panel):
         """Of each subject in a regime: its first row, time a query, wrong answers, answers."""
