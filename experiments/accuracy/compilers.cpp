@@ -99,7 +99,8 @@ std::vector<Csv_row> rows_of(const Compiled_probe& build, const std::filesystem:
         .add("wrong", test.wrong)
         .add("outcome", outcome)
         .add("version", TETRACONE_VERSION)
-        .add("processor", processor());
+        .add("processor", processor())
+        .add_again();
   };
   const std::string compile = build.compiler + " -std=c++20 -w -Wfatal-errors -DCGAL_DO_NOT_USE_BOOST_MP " +
                               build.flags + (build.with_adaptive ? " -DADAPTIVE" : "") +

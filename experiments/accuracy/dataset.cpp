@@ -1,6 +1,7 @@
 #include "experiments/accuracy/dataset.h"
 
 #include "experiments/accuracy/dataset_files.h"
+#include "experiments/support/build_info.h"
 #include "experiments/support/csv_row.h"
 #include "experiments/support/output_file.h"
 #include "experiments/support/progress.h"
@@ -228,7 +229,8 @@ void export_dataset(const std::filesystem::path& out, std::uint64_t cases, std::
                                 {"licence", "CC0-1.0"},
                                 {"seed", seed},
                                 {"cases_per_family", cases},
-                                {"families", verify::families().size()}}
+                                {"families", verify::families().size()},
+                                {"again", again()}}
                                    .dump(1) +
                                "\n");
   kept.write_sums();

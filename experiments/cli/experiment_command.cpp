@@ -1,3 +1,4 @@
+#include "experiments/cli/command_words.h"
 #include "experiments/cli/commands.h"
 
 #include "experiments/accuracy/compilers.h"
@@ -21,6 +22,7 @@
 #include "experiments/speed/scaling_experiment.h"
 #include "experiments/speed/study.h"
 #include "experiments/speed/threads_experiment.h"
+#include "experiments/support/build_info.h"
 #include "experiments/support/draw.h"
 
 #include <algorithm>
@@ -41,6 +43,7 @@ struct Experiment_options {
   Study_options study;
   std::uint64_t cases = 20;
   int race_frames = 400, size = 256, points = 20'000;
+  double race_seconds = 0;
   std::filesystem::path model, queries;
   std::vector<std::filesystem::path> meshes;
 };
@@ -63,7 +66,8 @@ void study(Experiment_options options)
 
 Race_options race(const Experiment_options& options)
 {
-  return {options.study.out, models(options), options.race_frames, options.full, options.study.seed};
+  return {options.study.out, models(options),    options.race_frames,
+          options.full,      options.study.seed, options.race_seconds};
 }
 
 void peers(Experiment_options options) { run_peers(race(options)); }
@@ -129,53 +133,57 @@ void dataset(Experiment_options options)
 struct Experiment {
   std::string_view name, question, time;
   void (*run)(Experiment_options options);
+  const char* options;  ///< that its rows depend on, with a space between them
 };
 constexpr std::array experiments = {
     Experiment{
         "study",
         "how fast and how often wrong is each kernel on the paper's trajectories and in exactly degenerate contact?",
-        "2 min", study},
+        "2 min", study, "--models --frames --rotations --seed --full"},
     Experiment{"peers", "how fast are ours and FCL, CGAL, Bullet and ODE, in one run, and how often wrong?", "4 min",
-               peers},
-    Experiment{"scaling", "how do time, build and memory grow with the triangles of one geometry?", "2 min", scaling},
+               peers, "--models --race-frames --race-seconds --seed --full"},
+    Experiment{"scaling", "how do time, build and memory grow with the triangles of one geometry?", "2 min", scaling,
+               "--models --race-frames --race-seconds --seed --full"},
     Experiment{"ablation", "what does each choice of the paper cost, and each step to the fast tree bring?", "3 min",
-               ablation},
+               ablation, "--models --race-frames --race-seconds --seed --full"},
     Experiment{"paper",
                "what do adjusted tetrahedra, depth, relative size and a turning body cost in the paper's study?",
-               "4 min", paper},
-    Experiment{"distance", "what does an exact distance cost beside FCL's, and how far off is each?", "20 s", distance},
+               "4 min", paper, "--models --race-frames --race-seconds --seed --full"},
+    Experiment{"distance", "what does an exact distance cost beside FCL's, and how far off is each?", "20 s", distance,
+               "--race-frames --seed --full"},
     Experiment{"threads", "how do queries on shared bodies scale with threads, while nodes are made and after?", "10 s",
-               threads},
+               threads, "--race-frames --seed"},
     Experiment{"coherence", "what does remembering the last pose save, by how far a body moves from one to the next?",
-               "20 s", coherence},
+               "20 s", coherence, "--race-frames --seed"},
     Experiment{"contacts", "how fast are all contacts of bodies that collide, and FCL's, and how many of FCL's wrong?",
-               "20 s", contacts},
+               "20 s", contacts, "--models --race-frames --seed"},
     Experiment{"scenes", "how fast is a frame of many bodies beside FCL, Bullet and ODE, and who misses what?", "3 min",
-               scenes},
+               scenes, "--race-frames --seed --full"},
     Experiment{"budget", "how many pairs of a scene does a budget of time decide, and how near are the others?", "20 s",
-               budget},
+               budget, "--race-frames --seed"},
     Experiment{"demand", "how much of what could be made do the frames of a scene make, and what does that save?",
-               "20 s", demand},
+               "20 s", demand, "--race-frames --seed"},
     Experiment{"points", "what does a point in a solid cost, and the first hit of a ray, against CGAL?", "1 min",
-               points},
+               points, "--points --mesh --seed --full"},
     Experiment{"sign-maps",
                "what does each arithmetic answer at 256 x 256 neighbouring doubles about a degenerate place?", "1 min",
-               sign_maps},
+               sign_maps, "--size"},
     Experiment{"stability", "how many doubles from the exact place does each kernel change its answer?", "10 s",
-               stability},
+               stability, "--seed --full"},
     Experiment{"motion", "how fast and how often wrong are ways to decide whether moving primitives meet?", "20 s",
-               motion},
+               motion, "--queries --cases --seed --full"},
     Experiment{"moving-bodies", "what does an exact first contact cost, and which do steps and FCL miss?", "2 min",
-               moving_bodies},
+               moving_bodies, "--race-frames --seed"},
     Experiment{"bounds", "how much of each error bound is proved to be needed, and how much does a search find?",
-               "1 min", bounds},
-    Experiment{"method", "what do covering, cones, bounding volumes and hull of the paper look like?", "10 s", method},
-    Experiment{"compilers", "which compiler flags make which signs wrong?", "1 min", compilers},
+               "1 min", bounds, "--seed"},
+    Experiment{"method", "what do covering, cones, bounding volumes and hull of the paper look like?", "10 s", method,
+               "--model"},
+    Experiment{"compilers", "which compiler flags make which signs wrong?", "1 min", compilers, ""},
     Experiment{"dataset", "cases of every family with their exact truth, as CSV and JSON for other libraries", "1 min",
-               dataset},
+               dataset, "--cases --seed --full"},
 };
 
-void run_experiment(const Experiment_options& options)
+void run_experiment(const CLI::App& command, const Experiment_options& options)
 {
   if (options.list) {
     for (const Experiment& e : experiments) std::cout << e.name << "  (" << e.time << ")  " << e.question << '\n';
@@ -188,6 +196,8 @@ void run_experiment(const Experiment_options& options)
     throw CLI::ValidationError(options.name, "expected an experiment; --list names them");
   if (options.study.out.native().find('\'') != std::string::npos)
     throw CLI::ValidationError("--out", "expected a name without '");
+  again() = "build/tetracone experiment " + options.name + " --out out" +
+            words_of(command, CLI::detail::split(chosen->options, ' '));
   chosen->run(options);
 }
 
@@ -218,6 +228,11 @@ void add_experiment_command(CLI::App& app)
                    "moving-bodies: motions of each course")
       ->check(poses)
       ->capture_default_str();
+  command
+      ->add_option("--race-seconds", options->race_seconds,
+                   "peers, scaling, ablation, paper: seconds of processor time after which a contestant rests, once it "
+                   "has had a pass; default: 0.1 to 0.3")
+      ->check(CLI::Range(0.001, 1e6));
   command->add_option("--size", options->size, "sign-maps: doubles along each side of a map")
       ->check(CLI::Range(1, 4096))
       ->capture_default_str();
@@ -246,7 +261,7 @@ void add_experiment_command(CLI::App& app)
   command->footer(
       "Stopped and started again with the same words, it goes on where it was.\nExample: tetracone experiment study "
       "--out out");
-  command->callback([options] { run_experiment(*options); });
+  command->callback([command, options] { run_experiment(*command, *options); });
 }
 
 }  // namespace tetracone::experiments

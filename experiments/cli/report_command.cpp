@@ -1,3 +1,4 @@
+#include "experiments/cli/command_words.h"
 #include "experiments/cli/commands.h"
 
 #include "experiments/peers/fcl_motion.h"
@@ -21,6 +22,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tetracone::experiments {
@@ -49,6 +51,19 @@ std::string notes_as_csv(verify::Database& database)
   for (const verify::Predicate_subject& subject : verify::predicate_subjects())
     add("predicate", subject.name, subject.note);
   return csv;
+}
+
+/// The table `runs`, whose words name the database `db`: from the project's folder, or in out/ where it is elsewhere.
+std::string runs_of(const std::string& table, const std::filesystem::path& db)
+{
+  const std::filesystem::path from_project = std::filesystem::absolute(db).lexically_relative(TETRACONE_SOURCE_DIR);
+  const bool is_within = !from_project.empty() && *from_project.begin() != "..";
+  const std::string name = shell_word((is_within ? from_project : "out" / db.filename()).native());
+  constexpr std::string_view verify = "build/tetracone verify ";
+  std::string runs = table;
+  for (std::size_t at = 0; (at = runs.find(verify, at)) != std::string::npos; at += verify.size())
+    runs.insert(at + verify.size(), "--db " + name + " ");
+  return runs;
 }
 
 std::string share(std::uint64_t done, std::uint64_t of)
@@ -111,8 +126,10 @@ void run_report(const Report_options& options)
   }
   const std::filesystem::path folder = std::filesystem::path(options.out) / "tables";
   make_folder(folder);
-  for (const auto& [name, what] : tables)
-    write_whole(folder / ("verify_" + std::string(name) + ".csv"), verify::table_as_csv(database, name));
+  for (const auto& [name, what] : tables) {
+    const std::string table = verify::table_as_csv(database, name);
+    write_whole(folder / ("verify_" + std::string(name) + ".csv"), name == "runs" ? runs_of(table, db) : table);
+  }
   write_whole(folder / "verify_notes.csv", notes_as_csv(database));
   draw("report.py", options.out);
 }

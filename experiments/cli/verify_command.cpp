@@ -1,3 +1,4 @@
+#include "experiments/cli/command_words.h"
 #include "experiments/cli/commands.h"
 
 #include "experiments/cli/subject_options.h"
@@ -230,7 +231,16 @@ bool print_summary(Database& database, const Campaign& campaign)
   return exact_was_wrong;
 }
 
-void run_verify(Verify_options options)
+/// The words of the campaign, its shards together, that fill the database `--db` again.
+std::string campaign_words(const CLI::App& command, const Verify_options& options)
+{
+  std::vector<std::string> names = {"--cases",           "--seed",  "--family", "--subject",
+                                    "--subject-command", "--level", "--frames"};
+  if (!options.others.commands.empty()) names.emplace_back("--subject-limit");
+  return "build/tetracone verify" + words_of(command, names);
+}
+
+void run_verify(const CLI::App& command, Verify_options options)
 {
   if (!options.check_subject.empty()) {
     require_command(options.check_subject, options.others.limit_ms());
@@ -242,7 +252,7 @@ void run_verify(Verify_options options)
   choose_families(options, campaign);
   choose_sizes(options, campaign);
   choose_subjects(options, campaign);
-  campaign.made_by = {TETRACONE_VERSION, compiler(), compiler_flags(), processor()};
+  campaign.made_by = {TETRACONE_VERSION, compiler(), compiler_flags(), processor(), campaign_words(command, options)};
 
   const std::filesystem::path db = options.db;
   std::error_code error;
@@ -301,7 +311,7 @@ void add_verify_command(CLI::App& app)
       "Example: tetracone verify --db out/verify.db --family sliver --subject double\n"
       "         tetracone verify --db out/verify.db --level motions --cases 100\n"
       "         tetracone verify --subject mine --subject-command \"mine=./mine --tolerance 1e-9\"");
-  command->callback([options] { run_verify(*options); });
+  command->callback([command, options] { run_verify(*command, *options); });
 }
 
 void add_merge_command(CLI::App& app)

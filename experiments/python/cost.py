@@ -99,7 +99,8 @@ def main():
         rows.append(dict(workload=name, poses=n, collisions=int(answers.sum()), cpp_ns=round(fastest["c++"], 1),
                          python_ns=round(fastest["python"], 1), ratio=round(fastest["python"] / fastest["c++"], 4),
                          single_call_overhead_ns=round(single - batch), triangles=len(faces), version=tetracone.__version__,
-                         python=platform.python_version(), numpy=np.__version__))
+                         python=platform.python_version(), numpy=np.__version__,
+                         again=f"experiments/python/cost.py build --poses {options.poses} --passes {options.passes} --csv out/python.csv"))
     door.free_query(theirs)
     for row in rows:
         print("{workload:>12}: {collisions} of {poses} collide; {cpp_ns} ns a pose in C++, {python_ns} in Python, ratio {ratio}; "

@@ -3,7 +3,7 @@
 
 import matplotlib.pyplot as plt
 
-from race_table import BLUE, FCL, GREEN, GREY, LAST_FRAME, OURS, VERMILION, against, answers, judged, read, save, wrong
+from race_table import BLUE, FCL, GREEN, GREY, LAST_FRAME, OURS, VERMILION, against, answers, fitness, judged, read, save, wrong
 from report_data import geometric_mean
 
 LIMIT = 3  # what the paper's tree may take, of FCL's time
@@ -100,6 +100,7 @@ def summary(rows, steps, changes, fast):
         verdict = ("kept" if value <= LIMIT else "NOT kept") if share == 1 else f"not asked: {100 * share:.0f} % of its faces are turned away from its centroid"
         print(f"  {object_:8}{value:5.2f} times FCL: {verdict}")
     print("  " + judged(rows))
+    print("  " + fitness(rows))
 
 
 def main():

@@ -1,10 +1,11 @@
 """The tables of a campaign, OUT/tables/verify_*.csv, as `tetracone report DB` writes them."""
 
 import os
+import re
 from collections import defaultdict
 
 from report_data import distinct, read, wrong_in
-from report_page import Source
+from report_page import Source, again
 
 EXACTLY, NOT_NEAR = -9999, 9999
 TABLES = ("errors", "subjects", "distance", "sweeps", "blame", "relations", "flips", "truth", "runs", "times", "needs", "notes")
@@ -44,14 +45,10 @@ class Campaign:
         return count
 
     def command(self):
-        seeds = distinct(r["seed"] for r in self.tables["runs"])
-        frames = max((int(r["frames"]) for r in self.tables["flips"]), default=0)
-        parts = [f"--level {level} --cases {max(n.values())}" + (f" --frames {frames}" if level == "object" else "")
-                 for level, n in (("predicate", self.families("predicate")), ("object", self.families("object")),
-                                    ("features", self.families("features")), ("contacts", self.families("contacts")),
-                                    ("motions", self.families("motions"))) if n]
-        return " && ".join([f"build/tetracone verify --db out/verify.db --seed {seed} {part}" for seed in seeds for part in parts] +
-                           ["build/tetracone report out/verify.db --out out"])
+        """The words that ask all of the campaign again, and draw it."""
+        words = again(self.tables["runs"])
+        db = re.search(r"--db ('[^']*'|\S+)", words)
+        return f"{words} && build/tetracone report {db[1] if db else 'out/verify.db'} --out out"
 
     def source(self, asked, cases):
         return Source.of(self.tables["runs"], asked, cases, self.command())

@@ -52,7 +52,7 @@ def missed_against_steps(axis, rows, courses):
 
 def sections(page, study, campaign):
     """OUT/moving_bodies.csv, where it is there."""
-    rows, source = rows_and_source(page, "moving_bodies", "How late is a first contact told, at what cost, and which contacts do steps pass over?", "moving-bodies")
+    rows, source = rows_and_source(page, "moving_bodies", "How late is a first contact told, at what cost, and which contacts do steps pass over?")
     if not rows:
         return
     courses = distinct(r["course"] for r in rows)

@@ -46,8 +46,7 @@ def sections(page, study, campaign):
         line[0].set_ylabel(name, fontsize=7)
     fig.tight_layout(w_pad=0.3, h_pad=0.4)
     source = Source.of(rows, "What does each arithmetic answer at a grid of neighbouring doubles about a degenerate place?",
-                       f"{sum(line[2] for line in lines):,} answers",
-                       "build/tetracone experiment sign-maps --out out", seed="none: a grid of doubles")
+                       f"{sum(line[2] for line in lines):,} answers", seed="none: a grid of doubles")
     data = page.table("sign_maps", ["map", "subject", "asked", "wrong", "minus", "zero", "plus"], lines, source)
     yield page.section("sign-maps", "Sign maps", f"<p>One coordinate runs over {len(rows[0]['answers'])} neighbouring doubles across, another up; each dot is one "
                        "answer. Blue: negative, or no; yellow: zero, or touching; orange: positive, or yes. Where a picture differs from "

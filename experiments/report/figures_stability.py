@@ -89,8 +89,7 @@ def thresholds(page):
                   fontsize=7, y=0.01)
     fig.tight_layout(rect=(0, 0.04, 1, 1), w_pad=0.5)
     source = Source.of(rows, "How far from the place where the exact answer changes does each subject's answer change?",
-                       f"{len(rows):,} thresholds, {len(rows) // max(1, len(subjects))} motions",
-                       f"build/tetracone experiment stability --out out --seed {rows[0]['seed']}")
+                       f"{len(rows):,} thresholds, {len(rows) // max(1, len(subjects))} motions")
     data = page.table("thresholds", ["motion", "subject", "n", "displaced", "median_ulps", "largest_ulps"], lines, source)
     return page.figure("thresholds", fig, source, data)
 

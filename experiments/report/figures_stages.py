@@ -9,7 +9,7 @@ import numpy as np
 
 from campaign_data import is_exact
 from report_data import distinct, share
-from report_page import Source
+from report_page import Source, again
 from report_style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, SKY, VERMILION, WIDTH, YELLOW
 
 STAGES = (("pose", VERMILION), ("classification", GREEN), ("bounding sphere", SKY), ("bounding tetrahedron", ORANGE),
@@ -132,7 +132,7 @@ def compiler_matrix(page, campaign):
     fig.subplots_adjust(left=0.3, right=0.94, bottom=0.05, top=0.74, wspace=0.12)
     source = Source("Which compiler flags make which signs wrong?", f"{sum(int(r['n']) for r in rows):,} signs of four points",
                     "fixed in experiments/accuracy/compiler_probe.cpp",
-                    "build/tetracone experiment compilers --out out", "; ".join(distinct(r["version"] for r in rows)),
+                    again(campaign.compilers), "; ".join(distinct(r["version"] for r in rows)),
                     "; ".join(distinct(f"{r['compiler']} {r['compiler_version']}" for r in rows)),
                     "; ".join(distinct(r["processor"] for r in rows)))
     lines = [[c, f, r_subject, test, f"{cell[c, f, r_subject, test]:.6g}"] for c, f in builds for r_subject in subjects for test in tests

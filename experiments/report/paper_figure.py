@@ -7,7 +7,7 @@ tests go with it, and whether it matters that the moving body turns.
 
 import matplotlib.pyplot as plt
 
-from race_table import BLUE, GREY, ORANGE, VERMILION, answers, judged, read, save, wrong
+from race_table import BLUE, GREY, ORANGE, VERMILION, answers, fitness, judged, read, save, wrong
 from report_data import geometric_mean
 
 PUBLISHED = "published"
@@ -136,6 +136,7 @@ def summary(rows):
     bad = [f"{s} {wrong(rows, s)} of {answers(rows, s)}" for s in dict.fromkeys(r["subject"] for r in rows) if wrong(rows, s)]
     print("  wrong: " + (", ".join(bad) or "none"))
     print("  " + judged(rows))
+    print("  " + fitness(rows))
 
 
 def main():

@@ -5,7 +5,7 @@ import math
 
 import matplotlib.pyplot as plt
 
-from race_table import COLOURS, EPECK, EPICK, FCL, GREY, IN_DOUBLE, LAST_FRAME, OURS, PAPER, PUBLISHED, against, answers, course, judged, read, save, wrong
+from race_table import COLOURS, EPECK, EPICK, FCL, GREY, IN_DOUBLE, LAST_FRAME, OURS, PAPER, PUBLISHED, against, answers, course, fitness, in_motion, is_near, judged, read, save, with_interval, wrong
 from report_data import geometric_mean
 
 
@@ -83,17 +83,23 @@ def cold(rows):
 
 
 def summary(rows):
-    ordinary = [r for r in rows if not r["degenerate"]]
+    ordinary = in_motion(rows)
     surface = [r for r in ordinary if r["question"] == "surface"]
     subjects = list(dict.fromkeys(r["subject"] for r in rows))
-    print("mean time of a query over tetracone's, geometric mean over workloads [least, most]; wrong answers of all asked, near contact included")
+    print("mean time of a query over tetracone's in motion, geometric mean over courses (its 95 % interval, by resampling them) [least, most]; wrong answers")
+    near = [r for r in rows if is_near(r)]
     for subject in subjects:
         ratios = against(surface, subject, OURS)
         if not ratios:
             continue
-        print(f"  {subject:34} {geometric_mean(ratios.values()):8.3g} [{min(ratios.values()):.3g}, {max(ratios.values()):.3g}]"
-              f"   wrong {wrong(rows, subject)} of {answers(rows, subject)}")
+        print(f"  {subject:34} {with_interval(ratios.values()):22} [{min(ratios.values()):.3g}, {max(ratios.values()):.3g}]"
+              f"   in motion {wrong(ordinary, subject)} of {answers(ordinary, subject)}, near contact {wrong(near, subject)} of {answers(near, subject)}")
     print("  " + judged(rows))
+    print("  " + fitness(surface))
+    for scenario in dict.fromkeys(r["scenario"] for r in near):
+        mine = [r for r in near if r["scenario"] == scenario]
+        bad = [f"{s} {wrong(mine, s)} of {answers(mine, s)}" for s in subjects if wrong(mine, s)]
+        print(f"  wrong near contact, {scenario}: " + (", ".join(bad) or "none"))
     fcl = against(surface, FCL, OURS)
     if fcl:
         print("\nFCL's time over tetracone's by workload")

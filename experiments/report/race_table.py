@@ -10,13 +10,14 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
+from report_data import geometric_mean, interval
 from report_style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, SKY, VERMILION, box_of, set_style  # noqa: F401
 
 OURS, FCL, PAPER, PUBLISHED = "tetracone", "FCL OBBRSS", "tetra-tree tuned in double", "tetra-tree as published in double"
 LAST_FRAME, IN_DOUBLE, EPICK, EPECK = "tetracone with last frame", "tetracone in double", "CGAL RMCD EPICK", "CGAL RMCD EPECK"
 COLOURS = {OURS: GREEN, LAST_FRAME: "#005a41", IN_DOUBLE: "#7fc4a4", FCL: INK, PAPER: VERMILION, PUBLISHED: "#8c3a00", EPICK: SKY, EPECK: BLUE, "Bullet GImpact": ORANGE, "ODE trimesh": PURPLE}
 SHORT = {LAST_FRAME: "with last frame", IN_DOUBLE: "in double", FCL: "FCL", PAPER: "tetra-tree, double", EPICK: "EPICK"}
-TEXT = {"scenario", "object", "question", "subject", "version", "compiler", "flags", "processor", "fcl"}
+TEXT = {"scenario", "object", "question", "subject", "version", "compiler", "flags", "processor", "again", "fcl", "estimator"}
 
 
 def read(name):
@@ -31,6 +32,46 @@ def read(name):
         sys.exit(f"{file}: no such file; expected the results of tetracone experiment {name}")
     set_style()
     return sys.argv[1], rows
+
+
+def is_near(row):
+    """Near contact: a scenario of bodies that touch, or nearly, in each of its poses; else bodies move past one another."""
+    return row["degenerate"] not in (0, "0")
+
+
+def in_motion(rows):
+    return [r for r in rows if not is_near(r)]
+
+
+def contacts_of(rows):
+    """What share of the courses in motion collides, and which of them never do: their times are of bodies apart alone."""
+    courses = {}
+    for r in in_motion(rows):
+        poses, hits = (int(r.get(new) or r[old]) for new, old in (("course_poses", "poses"), ("course_collisions", "collisions")))
+        courses.setdefault((*course(r)[:4], r["question"]), []).append((poses, hits))
+    courses = {name: max(found) for name, found in courses.items()}
+    parts = []
+    for scenario in dict.fromkeys(name[0] for name in courses):
+        mine = [found for name, found in courses.items() if name[0] == scenario]
+        poses, hits = (sum(found[k] for found in mine) for k in (0, 1))
+        parts.append(f"{scenario} {hits} of {poses} poses ({100 * hits / poses:.2g} %)")
+    apart = [" ".join(f"{part:g}" if isinstance(part, float) else str(part) for part in name) for name, (_, hits) in courses.items() if hits == 0]
+    return ("courses in motion that collide: " + ", ".join(parts), apart)
+
+
+def fitness(rows):
+    """A line or two: whether the ratios of these courses may be compared with those of longer ones."""
+    shares, apart = contacts_of(rows)
+    if not apart:
+        return shares + "; all courses have contacts"
+    return shares + f"; too small to be compared with longer runs, since no pose collides: {', '.join(apart)}"
+
+
+def with_interval(values, digits=3):
+    """The geometric mean over courses, (its 95 % interval), by resampling these."""
+    values = list(values)
+    low, high = interval(values)
+    return f"{geometric_mean(values):.{digits}g}" + (f" ({low:.{digits}g} .. {high:.{digits}g})" if low else "")
 
 
 def course(row):

@@ -22,6 +22,7 @@ import figures_signs
 import figures_speed
 import figures_stability
 import figures_stages
+import price_table
 import report_methods
 import table_bounds
 import table_motion
@@ -32,7 +33,7 @@ from report_style import set_style
 from study_data import Study
 
 
-MODULES = (figures_speed, figures_failure, figures_stability, figures_signs, figures_paper, figures_stages, figures_peers, tables_queries,
+MODULES = (figures_speed, price_table, figures_failure, figures_stability, figures_signs, figures_paper, figures_stages, figures_peers, tables_queries,
            figures_scenes, figures_need, table_bounds, table_motion, figures_motion)
 
 

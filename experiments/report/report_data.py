@@ -3,6 +3,7 @@
 import csv
 import math
 import os
+import random
 from collections import defaultdict
 
 
@@ -39,6 +40,16 @@ def geometric_mean(values):
     """Of positive numbers; of none, not a number."""
     values = list(values)
     return math.exp(sum(map(math.log, values)) / len(values)) if values else math.nan
+
+
+def interval(values, resamples=2000):
+    """The 95 % interval of the geometric mean of positive numbers, by resampling them, always alike; (None, None) of fewer than two."""
+    logs = [math.log(v) for v in values]
+    if len(logs) < 2:
+        return None, None
+    chance = random.Random(1)
+    means = sorted(sum(chance.choices(logs, k=len(logs))) / len(logs) for _ in range(resamples))
+    return math.exp(means[resamples // 40]), math.exp(means[-1 - resamples // 40])
 
 
 def percent(x):

@@ -12,6 +12,11 @@ from report_data import distinct
 from report_style import GRID, INK, PAPER, box_of
 
 
+def again(rows):
+    """The words that made the rows, as these keep them, in the order of the rows."""
+    return " && ".join(distinct(r["again"] for r in rows if r.get("again"))) or "not recorded in these rows"
+
+
 @dataclass(frozen=True)
 class Source:
     """What made a figure or a table."""
@@ -24,11 +29,11 @@ class Source:
     machine: str
 
     @staticmethod
-    def of(rows, asked, cases, command, seed=None, compiler=None):
-        """From the columns of the rows themselves."""
+    def of(rows, asked, cases, command=None, seed=None, compiler=None):
+        """From the columns of the rows themselves; the command is `again(rows)` where none is given."""
         def all_of(key):
             return "; ".join(distinct(r[key] for r in rows))
-        return Source(asked, cases, seed or all_of("seed"), command, all_of("version"),
+        return Source(asked, cases, seed or all_of("seed"), command or again(rows), all_of("version"),
                       compiler or f"{all_of('compiler')}, flags {all_of('flags')}",
                       all_of("processor"))
 

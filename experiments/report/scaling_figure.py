@@ -3,7 +3,7 @@
 
 import matplotlib.pyplot as plt
 
-from race_table import COLOURS, GREEN, GREY, OURS, SHORT, answers, judged, exponent, read, save, wrong
+from race_table import COLOURS, GREEN, GREY, OURS, SHORT, answers, fitness, judged, exponent, read, save, wrong
 from report_style import label_ends
 
 
@@ -76,6 +76,7 @@ def main():
         x, all_ = curve(rows, OURS, "nodes", scenario="contour", object=object_)
         print(f"  on demand, {object_} of {x[-1]:.0f}, contour: {100 * one[-1] / all_[-1]:.2g} % of the nodes made by one query, {100 * hundred[-1] / all_[-1]:.2g} % by a hundred")
     print("  " + judged(rows))
+    print("  " + fitness(rows))
 
 
 if __name__ == "__main__":

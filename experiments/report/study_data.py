@@ -43,16 +43,13 @@ class Study:
 
     def source(self, asked, rows=None):
         rows = self.rows if rows is None else rows
-        frames = max((r["poses"] for r in self.rows if r["regime"] == "trajectory"), default=0)
-        rotations = max((r["poses"] for r in self.rows if r["scenario"] == "shared face"), default=0)
-        command = "build/tetracone experiment study --out out" + (f" --frames {frames:.0f}" if frames else "") + \
-                  (f" --rotations {rotations:.0f}" if rotations else "") + f" --seed {self.rows[0]['seed']}"
         places = len({workload(r) for r in rows})
         return Source.of(rows, asked, f"{sum(r['poses'] for r in rows):,.0f} answers of {len({r['subject'] for r in rows})} subjects on "
-                         f"{places} workloads", command)
+                         f"{places} workloads")
 
     def asked_in(self, panel):
-        return [r for r in self.rows if r["panel"] == panel and r["question"] == QUESTION[panel]]
+        """The rows of a panel's question; peers know surfaces alone."""
+        return [r for r in self.rows if r["panel"] == panel and r["question"] == QUESTION[panel] and (r["method"] != "peer" or r["question"] == "surface")]
 
     def points(self, panel):
         """Of each subject in a regime: its first row, time a query, wrong answers, answers."""

@@ -13,7 +13,7 @@ def sections(page, study, campaign):
     if not rows:
         return
     source = Source.of(rows, "How much of each error bound is proved to be needed, and how much does a search find?",
-                       f"{len(rows)} constants", "build/tetracone experiment bounds --out out")
+                       f"{len(rows)} constants")
     columns = ["constant", "file", "unit", "in_code", "proved", "proved_by", "found", "proved_over_found", "not_searched"]
     data = page.table("error_bounds", columns, [[r[c] for c in columns] for r in rows], source)
 

@@ -13,8 +13,7 @@ def sections(page, study, campaign):
     if not rows:
         return
     source = Source.of(rows, "How fast, and how often wrong, are ways to decide whether a moving vertex and face, or two moving edges, meet?",
-                       f"{sum(int(r['n']) for r in rows if r['subject'] == rows[0]['subject']):,} moving pairs",
-                       f"build/tetracone experiment motion --out out --seed {rows[0]['seed']}")
+                       f"{sum(int(r['n']) for r in rows if r['subject'] == rows[0]['subject']):,} moving pairs")
     groups = (("published", lambda r: r["family"].startswith("published")), ("families", lambda r: not r["family"].startswith("published")))
     lines = []
     for group, within in groups:

@@ -11,9 +11,9 @@ def us(ns):
     return f"{float(ns) / 1000:.3g}"
 
 
-def rows_and_source(page, name, question, experiment=None):
+def rows_and_source(page, name, question):
     rows = read(os.path.join(page.out, f"{name}.csv"))
-    return rows, rows and Source.of(rows, question, f"{len(rows)} rows", f"build/tetracone experiment {experiment or name} --out out")
+    return rows, rows and Source.of(rows, question, f"{len(rows)} rows")
 
 
 def section(page, name, title, words, rows, source, columns, head, line):
@@ -102,8 +102,7 @@ def scenes(page):
 
 
 def moving_bodies(page):
-    rows, source = rows_and_source(page, "moving_bodies", "What does the exact first contact of two moving bodies cost, and which contacts do others miss?",
-                                   "moving-bodies")
+    rows, source = rows_and_source(page, "moving_bodies", "What does the exact first contact of two moving bodies cost, and which contacts do others miss?")
     if rows:
         yield section(
             page, "moving_bodies", "Bodies in motion",

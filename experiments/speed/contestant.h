@@ -23,7 +23,7 @@ struct Contestant {
   bool knows_solids = false;
   bool counts_work = false;   ///< `Prepared_pair::take_counts` tells something
   bool clocked_cold = false;  ///< its first query, and queries with empty caches, are clocked too
-  std::size_t one_in = 1;     ///< is asked every `one_in`-th pose; more than 1 for the slow
+  std::size_t one_in = 1;     ///< is asked one in so many poses, of hits and of misses; more than 1 for the slow
 
   using Prepare =
       std::function<std::unique_ptr<Prepared_pair>(const covering::Polyhedron& a, const covering::Polyhedron& b)>;

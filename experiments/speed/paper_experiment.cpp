@@ -71,7 +71,7 @@ void run_paper(const Race_options& options)
                                               options);
                            }});
         }
-  write_table(options.out, "paper", options.key(), parts);
+  write_table(options.out, "paper", parts);
   draw("paper_figure.py", options.out);
 }
 

@@ -37,7 +37,7 @@ std::vector<Contestant> contestants(std::size_t triangles, bool degenerate)
 void run_peers(const Race_options& options)
 {
   constexpr int passes = 200;
-  const double seconds = options.frames < 20 ? 0.05 : 0.3;
+  constexpr double seconds = 0.3;
   constexpr int circles = 8;  // one alone meets A in few places, and which they are would decide the mean
   const auto objects = std::make_shared<Race_objects>(options.models);
   std::vector<Table_part> parts;
@@ -69,7 +69,7 @@ void run_peers(const Race_options& options)
   add("face-on-face", [=, seed = options.seed] { return face_on_face(16, frames, seed); });
   add("one-ulp-apart", [=, seed = options.seed] { return sliding_apart(16, fewer, seed); });
   add("shell-in-shell", [=, seed = options.seed] { return shell_in_shell(7172, fewer, seed); });
-  write_table(options.out, "peers", options.key() + "-circles" + std::to_string(circles), parts);
+  write_table(options.out, "peers", parts);
   draw("peers_figure.py", options.out);
 }
 

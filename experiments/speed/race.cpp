@@ -60,7 +60,7 @@ void clock_first_queries(Prepared_contestant& prepared, const Race_course& cours
 {
   const Contestant& contestant = prepared.contestant;
   const auto& how = contestant.prepare_on_demand ? contestant.prepare_on_demand : contestant.prepare;
-  constexpr double enough_seconds = 2;  // large bodies are made fewer times
+  constexpr double enough_seconds = 0.5;  // large bodies are made fewer times
   const Stopwatch all;
   double build = 0, query = 0, count = 0;
   for (const std::size_t k : spread_poses(course)) {
@@ -124,15 +124,18 @@ class Laps {
   {
     if (timing_.passes == 0) prepared_.pair->take_counts();
     const std::clock_t start = std::clock();  // processor time: waiting for a core does not count
-    double mean = clocked_pass();
-    if (timing_.passes == 0) timing_.counts = prepared_.pair->take_counts();
+    double mean = poses_.pass([this](std::size_t k) { return collide(k); }, clock_ns(),
+                              [this](double weight) {
+                                if (timing_.passes == 0)
+                                  timing_.counts += weighted(prepared_.pair->take_counts(), weight);
+                              });
     ++timing_.passes;
     // Fast queries: the mean is of a pass without the clock, whose own time matters. The poses are clocked again after
     // it: the caches are no longer those that the contestant before has filled.
     constexpr double long_ns = 1e8;
-    if (mean * double(poses_.numbers().size()) < long_ns) {
-      mean = pass();
-      clocked_pass();
+    if (mean * double(poses_.judged().poses) < long_ns) {
+      mean = poses_.pass_without_clock([this](std::size_t k) { found_ += collide(k); });
+      poses_.pass([this](std::size_t k) { return collide(k); }, clock_ns(), [](double) {});
     }
     mean_ = std::min(mean_, mean);
     seconds_ += double(std::clock() - start) / CLOCKS_PER_SEC;
@@ -163,19 +166,6 @@ class Laps {
   }
 
  private:
-  /// One pass without the clock: the mean time of a pose.
-  double pass()
-  {
-    const Stopwatch watch;
-    for (const std::size_t k : poses_.numbers()) found_ += collide(k);
-    return watch.nanoseconds() / poses_.numbers().size();
-  }
-
-  double clocked_pass()
-  {
-    return poses_.pass([this](std::size_t k) { return collide(k); }, clock_ns());
-  }
-
   bool collide(std::size_t k) { return prepared_.pair->collide(unmoved, course_.poses_b[k], question_); }
 
   Prepared_contestant& prepared_;

@@ -26,8 +26,8 @@ struct Build {
 
 /// How one contestant answered one question on a course: judged by the truth.
 struct Timing : Judged_answers {
-  double mean_ns = 0;                ///< over the poses, in the fastest pass
-  double median_ns = 0, p99_ns = 0;  ///< over the poses, the fastest time of each, less the clock's own
+  double mean_ns = 0;                ///< over the course, in the fastest pass
+  double median_ns = 0, p99_ns = 0;  ///< over the course, the fastest time of each pose, less the clock's own
   /// The mean of the fastest times of the poses that this contestant was asked: its own, the first's and FCL's. Ratios
   /// of contestants that were asked unequal poses are taken from these.
   double same_poses_ns = 0, first_same_poses_ns = 0, fcl_same_poses_ns = 0;
@@ -35,7 +35,7 @@ struct Timing : Judged_answers {
   /// and of the fastest times in the same poses.
   double cold_ns = 0, warm_ns = 0;
   std::size_t passes = 0;              ///< each: clocked, without the clock, clocked again; a long one clocked alone
-  tetratree::Query_statistics counts;  ///< work of one pass
+  tetratree::Query_statistics counts;  ///< work of one pass over the course, by its poses
 };
 
 /// A contestant, ready for a course.

@@ -30,7 +30,10 @@ void add_answers(Csv_row& row, const Judged_answers& answers)
       .add("collisions", answers.collisions)
       .add("false_positives", answers.false_positives)
       .add("false_negatives", answers.false_negatives)
-      .add("judged_by_truth", answers.poses);
+      .add("judged_by_truth", answers.poses)
+      .add("course_poses", answers.course_poses)
+      .add("course_collisions", answers.course_collisions)
+      .add("estimator", answers.estimator());
 }
 
 void add_times(Csv_row& row, const Timing& timing)
@@ -71,7 +74,7 @@ void add_work(Csv_row& row, const Prepared_contestant& prepared, const Timing& t
     return add_none(row, {"bounding_tests", "pairs_visited", "leaf_pairs", "primitive_tests", "exact_fallbacks",
                           "nodes", "copies", "cuts", "cuts_that_tried_cones", "cuts_into_cones"});
   const auto& counts = timing.counts;
-  const double poses = static_cast<double>(timing.poses);
+  const double poses = static_cast<double>(timing.course_poses);
   row.add("bounding_tests", counts.bounding_tests() / poses)
       .add("pairs_visited", counts.pairs_visited / poses)
       .add("leaf_pairs", counts.leaf_pairs / poses)
@@ -120,7 +123,7 @@ std::string race_rows(const Race_course& course, const std::vector<Contestant>& 
   Csv_table table;
   for (const Question question : {Question::surface, Question::solid}) {
     if (question == Question::solid && !solid) break;
-    const auto timings = race.run(question, passes, seconds);
+    const auto timings = race.run(question, passes, options.seconds_or(seconds));
     for (std::size_t k = 0; k < timings.size(); ++k) {
       if (timings[k]) table.add(row(course, question, race.contestants()[k], *timings[k], options.seed));
     }

@@ -16,12 +16,9 @@ struct Race_options {
   int frames = 400;              ///< poses of each trajectory
   bool full = false;             ///< larger objects too
   std::uint64_t seed = 1;
+  double seconds = 0;  ///< of processor time after which a contestant rests, in place of each race's own; 0: its own
 
-  /// What rows depend on.
-  std::string key() const
-  {
-    return "seed" + std::to_string(seed) + "-frames" + std::to_string(frames) + (full ? "-full" : "");
-  }
+  double seconds_or(double own) const { return seconds > 0 ? seconds : own; }
 };
 
 /// Runs these contestants on the course, the first one that others are compared with, and returns a row for each

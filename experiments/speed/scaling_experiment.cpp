@@ -35,7 +35,7 @@ void run_scaling(const Race_options& options)
                            course.a = course.b = (*objects)(name, triangles);
                            return race_rows(course, contestants(triangles), false, passes, seconds, options);
                          }});
-  write_table(options.out, "scaling", options.key(), parts);
+  write_table(options.out, "scaling", parts);
   draw("scaling_figure.py", options.out);
 }
 

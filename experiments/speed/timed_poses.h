@@ -2,73 +2,141 @@
 #define TETRACONE_EXPERIMENTS_SPEED_TIMED_POSES_H
 
 #include "experiments/support/stopwatch.h"
+#include "tetracone/tetratree/query_statistics.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace tetracone::experiments {
 
-/// Answers held against the truth.
+/// Answers held against the truth, and the course that their poses are of.
 struct Judged_answers {
   std::size_t poses = 0, collisions = 0, false_positives = 0, false_negatives = 0;
+  std::size_t course_poses = 0, course_collisions = 0;
+
+  /// How values of the course are found from these poses.
+  const char* estimator() const { return poses == course_poses ? "every pose" : "hits and misses by their share"; }
 };
 
-/// The poses that one contestant is asked, pass by pass, each clocked for itself: the fastest time of each pose is
-/// kept, the answers of the first pass are judged.
+/// Poses of one kind: each stands for `weight` poses of the course.
+struct Stratum {
+  std::vector<std::size_t> numbers;
+  double weight = 1;
+};
+
+/// So many of these poses, evenly spread. Requires no more than there are.
+inline Stratum spread_sample(const std::vector<std::size_t>& of, std::size_t count)
+{
+  Stratum sample;
+  for (std::size_t k = 0; k < count; ++k) sample.numbers.push_back(of[(2 * k + 1) * of.size() / (2 * count)]);
+  sample.weight = double(of.size()) / double(count);
+  return sample;
+}
+
+/// The counts, each times the weight, rounded.
+inline tetratree::Query_statistics weighted(const tetratree::Query_statistics& counts, double weight)
+{
+  using Fields = std::array<std::uint64_t, sizeof(counts) / sizeof(std::uint64_t)>;
+  auto fields = std::bit_cast<Fields>(counts);
+  for (std::uint64_t& field : fields) field = std::uint64_t(std::llround(weight * double(field)));
+  return std::bit_cast<tetratree::Query_statistics>(fields);
+}
+
+/// The poses that one contestant is asked, pass by pass. Each pose is clocked for itself and its fastest time kept. The
+/// answers of the first pass are judged.
+///
+/// A contestant that is not asked every pose is asked as many that collide as that do not, where there are so many: those
+/// that collide are few and take longest. Times are weighted to the course's share of both, so that each is an estimate
+/// of its value over the whole course.
 class Timed_poses {
  public:
-  /// Every `one_in`-th of the poses of `truth`, which must outlive this.
-  Timed_poses(const std::vector<char>& truth, std::size_t one_in) : truth_(truth), one_in_(one_in)
+  /// One in `one_in` of the poses of `truth`, which must outlive this; all of them in their order where it is 1.
+  Timed_poses(const std::vector<char>& truth, std::size_t one_in) : truth_(truth), has_all_(one_in == 1)
   {
-    for (std::size_t k = 0; k < truth.size(); k += one_in) numbers_.push_back(k);
-    fastest_.assign(numbers_.size(), std::numeric_limits<double>::infinity());
-    judged_.poses = numbers_.size();
+    std::vector<std::size_t> hits, others;  // all are others where none is left out
+    for (std::size_t k = 0; k < truth.size(); ++k) (truth[k] && !has_all_ ? hits : others).push_back(k);
+    const std::size_t count = (truth.size() + one_in - 1) / one_in, half = std::min(hits.size(), (count + 1) / 2);
+    const std::size_t of_hits = std::max(half, count - std::min(count, others.size()));
+    const std::size_t of_others = std::min(others.size(), std::max<std::size_t>(1, count - of_hits));
+    if (of_others > 0) strata_.push_back(spread_sample(others, of_others));
+    if (of_hits > 0) strata_.push_back(spread_sample(hits, of_hits));
+    for (const Stratum& stratum : strata_) judged_.poses += stratum.numbers.size();
+    fastest_.assign(judged_.poses, std::numeric_limits<double>::infinity());
+    judged_.course_poses = truth.size();
+    judged_.course_collisions = truth.size() - std::size_t(std::ranges::count(truth, 0));
   }
 
-  /// The numbers of the poses.
-  const std::vector<std::size_t>& numbers() const { return numbers_; }
-
+  const std::vector<Stratum>& strata() const { return strata_; }
   const Judged_answers& judged() const { return judged_; }
 
   /// One pass: `collide(k)` is the answer in pose k. `clock_ns`, what the clock itself takes, is subtracted from the
-  /// time of each pose. Returns the mean in nanoseconds.
-  template <class Collide>
-  double pass(const Collide& collide, double clock_ns = 0)
+  /// time of each pose. After each stratum `done` is called with its weight. Returns the course's mean in nanoseconds.
+  template <class Collide, class Done>
+  double pass(const Collide& collide, double clock_ns, const Done& done)
   {
     double total = 0;
-    for (std::size_t i = 0; i < numbers_.size(); ++i) {
-      const Stopwatch watch;
-      const bool answer = collide(numbers_[i]);
-      const double ns = std::max(0.0, watch.nanoseconds() - clock_ns);
-      total += ns;
-      fastest_[i] = std::min(fastest_[i], ns);
-      if (is_first_) judge(answer, truth_[numbers_[i]]);
+    std::size_t place = 0;
+    for (const Stratum& stratum : strata_) {
+      for (const std::size_t k : stratum.numbers) {
+        const Stopwatch watch;
+        const bool answer = collide(k);
+        const double ns = std::max(0.0, watch.nanoseconds() - clock_ns);
+        total += stratum.weight * ns;
+        fastest_[place] = std::min(fastest_[place], ns);
+        ++place;
+        if (is_first_) judge(answer, truth_[k]);
+      }
+      done(stratum.weight);
     }
     is_first_ = false;
-    return total / numbers_.size();
+    return total / double(truth_.size());
   }
 
-  /// The mean of the fastest times in the poses of `other`. Requires that these poses contain those.
+  /// One pass in which no pose is clocked for itself: the course's mean in nanoseconds.
+  template <class Collide>
+  double pass_without_clock(const Collide& collide) const
+  {
+    double total = 0;
+    for (const Stratum& stratum : strata_) {
+      const Stopwatch watch;
+      for (const std::size_t k : stratum.numbers) collide(k);
+      total += stratum.weight * watch.nanoseconds();
+    }
+    return total / double(truth_.size());
+  }
+
+  /// The course's mean of the fastest times, from the poses of `other`. Requires that these are all poses, or `*this`.
   double mean_ns(const Timed_poses& other) const
   {
-    const std::size_t step = other.one_in_ / one_in_;
     double total = 0;
-    for (std::size_t i = 0; i < other.numbers_.size(); ++i) total += fastest_[i * step];
-    return total / other.numbers_.size();
+    std::size_t place = 0;
+    for (const Stratum& stratum : other.strata_)
+      for (const std::size_t k : stratum.numbers) total += stratum.weight * fastest_[has_all_ ? k : place++];
+    return total / double(truth_.size());
   }
 
-  /// The fastest time of each pose of `numbers()`.
+  /// The fastest time of each pose, in the order of `strata()`.
   const std::vector<double>& fastest_ns() const { return fastest_; }
 
-  /// The fastest time of a pose, such that `share` of the poses have a shorter one.
+  /// The fastest time of a pose, such that `share` of the course's poses have a shorter one.
   double quantile_ns(double share) const
   {
-    std::vector<double> sorted = fastest_;
-    const std::size_t at = std::min(sorted.size() - 1, static_cast<std::size_t>(share * sorted.size()));
-    std::nth_element(sorted.begin(), sorted.begin() + at, sorted.end());
-    return sorted[at];
+    std::vector<std::pair<double, double>> times;  // with the weight of each
+    std::size_t place = 0;
+    for (const Stratum& stratum : strata_)
+      for (std::size_t i = 0; i < stratum.numbers.size(); ++i) times.emplace_back(fastest_[place++], stratum.weight);
+    std::ranges::sort(times);
+    double below = share * double(truth_.size());
+    for (const auto& [ns, weight] : times)
+      if ((below -= weight) < 0) return ns;
+    return times.back().first;
   }
 
  private:
@@ -80,8 +148,8 @@ class Timed_poses {
   }
 
   const std::vector<char>& truth_;
-  std::size_t one_in_;
-  std::vector<std::size_t> numbers_;
+  bool has_all_;
+  std::vector<Stratum> strata_;
   std::vector<double> fastest_;
   Judged_answers judged_;
   bool is_first_ = true;

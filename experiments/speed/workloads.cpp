@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -131,17 +132,26 @@ Workload in_cavity(int rotations, Random random)
   return w;
 }
 
-/// The complex polyhedra side by side: B's bounding box touches A's in x, or is a hair off it, in turn.
+/// The complex polyhedra side by side: a vertex of A that is farthest along x on one of B that is farthest against it,
+/// or a hair off it, in turn.
 Workload stacked(Objects& objects, int rotations, Random random)
 {
   Workload w = degenerate("stacked", "complex-1", objects["complex-1"], "complex-2", objects["complex-2"]);
-  double high = w.a.vertices[0][0], low = w.b.vertices[0][0];
-  for (const auto& v : w.a.vertices) high = std::max(high, v[0]);
-  for (const auto& v : w.b.vertices) low = std::min(low, v[0]);
+  const auto farthest = [](const Polyhedron& body, double sign) {
+    double most = sign * body.vertices[0][0];
+    for (const auto& v : body.vertices) most = std::max(most, sign * v[0]);
+    std::vector<kernel::Vertex> all;
+    std::ranges::copy_if(body.vertices, std::back_inserter(all),
+                         [&](const kernel::Vertex& v) { return sign * v[0] == most; });
+    return all;
+  };
+  const auto highest = farthest(w.a, 1), lowest = farthest(w.b, -1);
   for (int k = 0; k < rotations; ++k) {
-    const auto aside = [&random] { return Rational(static_cast<int>(random.bits() % 65) - 32) / 128; };
-    const Rational gap = k % 2 == 0 ? Rational(0) : power_of_two(-50);
-    add_poses(w, random, {Rational(high) - Rational(low) + gap, aside(), aside()}, true);
+    const kernel::Vertex &u = highest[random.bits() % highest.size()], &v = lowest[random.bits() % lowest.size()];
+    Shift shift;
+    for (int i = 0; i < 3; ++i) shift[i] = Rational(u[i]) - Rational(v[i]);
+    if (k % 2 == 1) shift[0] += power_of_two(-50);
+    add_poses(w, random, shift, true);
   }
   return w;
 }

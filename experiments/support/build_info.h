@@ -40,6 +40,14 @@ inline const std::string& processor()
   return name;
 }
 
+/// The words that make the rows of this process again, from the project's folder: `build/tetracone experiment NAME`, with
+/// all sizes. The command sets them before its first row.
+inline std::string& again()
+{
+  static std::string words;
+  return words;
+}
+
 }  // namespace tetracone::experiments
 
 #endif

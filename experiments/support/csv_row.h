@@ -35,13 +35,23 @@ class Csv_row {
   /// A field that this row has no value for.
   Csv_row& none(const std::string& name) { return add(name, std::string()); }
 
-  /// The program and the processor that made the row.
+  /// The program and the processor that made the row, and the words that make it again.
   Csv_row& add_build()
   {
     return add("version", TETRACONE_VERSION)
         .add("compiler", compiler())
         .add("flags", compiler_flags())
-        .add("processor", processor());
+        .add("processor", processor())
+        .add_again();
+  }
+  /// The words that make the row again, in quotes: they may hold commas.
+  Csv_row& add_again()
+  {
+    header_ += ",again";
+    line_ += ",\"";
+    for (const char c : again()) line_ += c == '"' ? std::string("\"\"") : std::string(1, c);
+    line_ += '"';
+    return *this;
   }
   /// The seed, and what `add_build` says.
   Csv_row& add_origin(std::uint64_t seed) { return add("seed", seed).add_build(); }

@@ -23,7 +23,7 @@ void make_tables(Database& database)
 
 void require_tables(Database& database)
 {
-  Database::Statement(database, "SELECT real_meshes, cases, not_asked FROM run, done, tally");
+  Database::Statement(database, "SELECT again, cases, not_asked FROM run, done, tally");
 }
 
 std::int64_t run_number(Database& database, const Campaign& campaign)
@@ -32,14 +32,14 @@ std::int64_t run_number(Database& database, const Campaign& campaign)
   const bool meshes = real_meshes_available();
   Database::Transaction transaction(database);
   Database::Statement(database,
-                      "INSERT OR IGNORE INTO run (version, compiler, flags, processor, seed, real_meshes) VALUES (?1, "
-                      "?2, ?3, ?4, ?5, ?6)")
-      .run(p.version, p.compiler, p.flags, p.processor, campaign.seed, meshes);
+                      "INSERT OR IGNORE INTO run (version, compiler, flags, processor, seed, real_meshes, again) "
+                      "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7)")
+      .run(p.version, p.compiler, p.flags, p.processor, campaign.seed, meshes, p.again);
   Database::Statement row(
       database,
       "SELECT id FROM run WHERE version = ?1 AND compiler = ?2 AND flags = ?3 AND processor = ?4 AND seed = ?5 "
-      "AND real_meshes = ?6");
-  row.with(p.version, p.compiler, p.flags, p.processor, campaign.seed, meshes).next();
+      "AND real_meshes = ?6 AND again = ?7");
+  row.with(p.version, p.compiler, p.flags, p.processor, campaign.seed, meshes, p.again).next();
   const std::int64_t id = row.integer(0);
   row.next();
   transaction.commit();
@@ -91,10 +91,10 @@ void refuse_common_batches(Database& into, const std::filesystem::path& from)
 
 /// Adds all rows of the attached database, its runs renumbered.
 constexpr const char* merge_attached = R"(
-    INSERT OR IGNORE INTO run (version, compiler, flags, processor, seed, real_meshes)
-      SELECT version, compiler, flags, processor, seed, real_meshes FROM other.run;
+    INSERT OR IGNORE INTO run (version, compiler, flags, processor, seed, real_meshes, again)
+      SELECT version, compiler, flags, processor, seed, real_meshes, again FROM other.run;
     CREATE TEMP TABLE renumbered AS SELECT there.id AS there, here.id AS here FROM other.run AS there
-      JOIN main.run AS here USING (version, compiler, flags, processor, seed, real_meshes);
+      JOIN main.run AS here USING (version, compiler, flags, processor, seed, real_meshes, again);
     INSERT INTO main.done SELECT * FROM other.done;
     INSERT INTO main.tally SELECT here, level, family, subject, question, axis, bin, n, false_positives, false_negatives, failures, not_asked
       FROM other.tally JOIN renumbered ON run = there WHERE true ON CONFLICT DO UPDATE SET n = n + excluded.n,

@@ -27,6 +27,7 @@ namespace tetracone::verify {
 /// What made a row.
 struct Provenance {
   std::string version, compiler, flags, processor;
+  std::string again = {};  ///< the words that ask the whole campaign again, without its database
 };
 
 /// Cases and the subjects that are asked them. Default sizes take a few minutes on two cores.

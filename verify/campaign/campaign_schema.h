@@ -7,8 +7,8 @@
 
 namespace tetracone::verify {
 
-/// The tables of a campaign's database. Every row names the `run` that made it: version, compiler, flags, processor and
-/// seed.
+/// The tables of a campaign's database. Every row names the `run` that made it: version, compiler, flags, processor,
+/// seed, and the words `again`, which ask the whole campaign once more.
 ///  - done: how many cases of a batch a subject has been asked; the subject 'truth' stands for the truths.
 ///  - tally: answers by subject, question (or predicate) and distance to degeneracy. Each answer is counted once on
 ///  each axis: 'rho'
@@ -38,7 +38,7 @@ inline constexpr std::uint64_t kept_one_by_one = 200;
 
 inline constexpr const char* campaign_schema = R"(
 CREATE TABLE IF NOT EXISTS run (id INTEGER PRIMARY KEY, version TEXT, compiler TEXT, flags TEXT, processor TEXT, seed INTEGER,
-  real_meshes INTEGER, UNIQUE (version, compiler, flags, processor, seed, real_meshes));
+  real_meshes INTEGER, again TEXT, UNIQUE (version, compiler, flags, processor, seed, real_meshes, again));
 CREATE TABLE IF NOT EXISTS done (seed INTEGER, level TEXT, family TEXT, batch INTEGER, subject TEXT, cases INTEGER,
   PRIMARY KEY (seed, level, family, batch, subject)) WITHOUT ROWID;
 CREATE TABLE IF NOT EXISTS tally (run INTEGER, level TEXT, family TEXT, subject TEXT, question TEXT, axis TEXT, bin INTEGER,

@@ -90,8 +90,8 @@ constexpr Table all[] = {
      "GROUP BY level, family, subject, question HAVING sum(n) > 0 ORDER BY 1, 2, 3, 4"},
     {"commands", "subjects that are somebody else's programs, and what starts them",
      "SELECT subject, command FROM command ORDER BY 1"},
-    {"runs", "what made the rows: version, compiler, flags, processor and seed",
-     "SELECT id AS run, version, compiler, flags, processor, seed, real_meshes FROM run ORDER BY 1"},
+    {"runs", "what made the rows: version, compiler, flags, processor, seed, and the words that ask the same again",
+     "SELECT id AS run, version, compiler, flags, processor, seed, real_meshes, again FROM run ORDER BY 1"},
 };
 
 /// temp.sweep: the parameter of each of these cases, which the database does not hold.

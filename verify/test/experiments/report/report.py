@@ -26,7 +26,9 @@ from report_page import Source  # noqa: E402
 
 STUDY_COUNTS = ("mean_ns median_ns p99_ns build_ms bytes nodes pairs_visited discarded_by_hull discarded_by_sphere "
                 "discarded_by_tetrahedron bounding_tests primitive_tests exact_fallbacks").split()
-MADE = dict(seed="7", version="9.9.9", compiler="g++ 1", flags="-O7", processor="Abacus")
+MADE = dict(seed="7", version="9.9.9", compiler="g++ 1", flags="-O7", processor="Abacus", again="build/tetracone experiment any --out out --seed 7")
+CAMPAIGN = ("build/tetracone verify --db out/mine.db --cases 100 --seed 7 --level predicate",
+            "build/tetracone verify --db out/mine.db --cases 12 --seed 7 --subject mine --subject-command 'mine=./mine --eps 1e-9'")
 SUBJECTS = (("double tree", "double", "tree", 0, 4), ("adaptive tree", "adaptive", "tree", 1, 0), ("double paper", "double", "paper", 0, 3),
             ("FCL OBBRSS", "FCL", "peer", 0, 5))
 SCENES = (("trajectory", "circular", "x", "x", 1, "surface"), ("trajectory", "circular", "x", "x", 2, "surface"),
@@ -53,6 +55,7 @@ def campaign():
     asked = [(level, s, q) for level, subjects, questions in (("object", ("double brute", "double tree", "adaptive tree", "FCL OBBRSS"),
                                                                ("solid", "surface")),
                                                              ("predicate", ("double", "adaptive", "float"), ("segment-triangle",)),
+                                                             ("object", ("mine", "tree"), ("solid", "surface")),
                                                              ("motions", ("adaptive tree", "static 10"), ("surface", "surface time")))
              for s in subjects for q in questions]
     errors, sweeps, needs, times = [], [], [], []
@@ -82,7 +85,7 @@ def campaign():
                for m, t in (("sliding on a floor", 0), ("rolling", 0), ("down onto a face", 1)) for s in ("double tree", "adaptive tree")],
         truth=[dict(level=l, family=f, question="surface", n=40, positives=20, by_construction=5) for l in ("object", "predicate")
                for f in ("random", "sliver")],
-        runs=[dict(run=1, real_meshes=1, **MADE)])
+        runs=[dict(MADE, run=k, real_meshes=1, again=words) for k, words in enumerate(CAMPAIGN)])
 
 
 def signs():
@@ -97,7 +100,7 @@ def thresholds():
 
 def compilers():
     return [dict(compiler="g++", compiler_version="1", flags="-O0", subject="double", test=t, n=100, wrong=w, outcome="ran",
-                 version="9.9.9", processor="Abacus") for t, w in (("random", 0), ("grid", 30))]
+                 version="9.9.9", processor="Abacus", again=MADE["again"]) for t, w in (("random", 0), ("grid", 30))]
 
 
 def motion():
@@ -106,9 +109,12 @@ def motion():
 
 
 def peers():
-    return [dict(scenario="circular", object="x", triangles=9, ratio=1, degenerate=0, question="surface", subject=s, exact=e, poses=50,
-                 false_positives=0, false_negatives=w, mean_ns=ns, **MADE)
-            for s, e, w, ns in (("tetracone", 1, 0, 1000), ("FCL", 0, 5, 500))]
+    """Two courses in motion, one of which has no contact, and one near contact."""
+    def row(scenario, name, degenerate, collisions, poses, subject, exact, wrong, ns):
+        return dict(scenario=scenario, object=name, triangles=9, ratio=1, degenerate=degenerate, question="surface", subject=subject, exact=exact, poses=poses,
+                    collisions=collisions, false_positives=0, false_negatives=wrong, mean_ns=ns, course_poses=poses, course_collisions=collisions, **MADE)
+    return [row(*course, *subject) for *course, wrong in (("circular", "x", 0, 2, 50, 5), ("circular", "y", 0, 0, 50, 0), ("one ulp apart", "plate", 1, 0, 10, 6))
+            for subject in (("tetracone", 1, 0, 1000), ("FCL", 0, wrong, 500))]
 
 
 def scenes():
@@ -151,6 +157,11 @@ def files_of(folder):
     return found
 
 
+def words_of(name):
+    """The words by which the rows of NAME.csv say that they were made: other sizes for each."""
+    return f"build/tetracone experiment {name} --out out --sizes {len(name)} --seed 7"
+
+
 def draw(out, with_study=None, with_campaign=None, everything=True):
     if with_study is not None:
         write(f"{out}/study.csv", with_study)
@@ -159,7 +170,7 @@ def draw(out, with_study=None, with_campaign=None, everything=True):
     if everything:
         for name, rows in (("sign_maps", signs()), ("stability", thresholds()), ("compilers", compilers()), ("peers", peers()),
                            *queries(), *scenes(), ("motion", motion())):
-            write(f"{out}/{name}.csv", rows)
+            write(f"{out}/{name}.csv", [dict(row, again=words_of(name)) for row in rows])
     done = subprocess.run([sys.executable, "-B", os.path.join(SOURCE, "report.py"), out], capture_output=True, text=True)
     if done.returncode:
         raise AssertionError(done.stderr)
@@ -218,6 +229,32 @@ class Whole_report(unittest.TestCase):
             self.assertTrue(tables, name)
             for file in tables + [f"figures/{name}.pdf", f"figures/{name}.svg"]:
                 self.assertTrue(os.path.exists(f"{self.out}/{file}"), file)
+
+    def test_the_words_under_a_figure_are_those_of_its_rows(self):
+        of_campaign = " && ".join(CAMPAIGN) + " && build/tetracone report out/mine.db --out out"
+        for figure, words in {"sign_maps": words_of("sign_maps"), "thresholds": words_of("stability"), "compilers": words_of("compilers"),
+                              "budget": words_of("budget"), "demand": words_of("demand"), "first_contacts": words_of("moving_bodies"),
+                              "stages": MADE["again"], "flips": of_campaign}.items():
+            with open(f"{self.out}/figures/{figure}.svg", encoding="utf-8") as file:
+                self.assertIn(html.escape(words, quote=False), file.read(), figure)
+            self.assertIn(f"<b>Again:</b> <code>{html.escape(words)}</code>", self.page)
+        for table in ("points", "contacts", "distance", "peers_ratios"):
+            with open(f"{self.out}/tables/{table}.csv", newline="", encoding="utf-8") as file:
+                self.assertEqual({r["command"] for r in csv.DictReader(file)}, {words_of(table.split("_")[0])})
+
+    def test_no_time_is_drawn_that_is_the_pipes(self):
+        with open(f"{self.out}/tables/speed_against_accuracy_cold.csv", newline="", encoding="utf-8") as file:
+            self.assertEqual({r["subject"] for r in csv.DictReader(file)}, {"double brute", "double tree", "adaptive tree"})
+
+    def test_the_price_of_exactness_is_told_by_kind_of_contact(self):
+        with open(f"{self.out}/tables/price.csv", newline="", encoding="utf-8") as file:
+            rows = {(r["contact"], r["question"]): r for r in csv.DictReader(file)}
+        face, moving = rows["shared face", "surface"], rows["circular", "surface"]
+        self.assertEqual([face[c] for c in ("regime", "workloads", "poses", "collisions", "over_double", "over_double_low", "over_fcl", "wrong_double")],
+                         ["exact contact", "1", "50", "20", f"{2004 / 1004:.4g}", "", f"{2004 / 4004:.4g}", "4"])
+        self.assertEqual((moving["regime"], moving["workloads"], moving["wrong_fcl"]), ("in motion", "2", "0"))
+        self.assertLessEqual(float(moving["over_double_low"]), float(moving["over_double"]))
+        self.assertEqual(rows["nested", "solid"]["over_fcl"], "")  # it answers of surfaces
 
     def test_moving_primitives_are_summed_over_families(self):
         with open(f"{self.out}/tables/motion.csv", newline="", encoding="utf-8") as file:
@@ -296,8 +333,12 @@ class Whole_report(unittest.TestCase):
         self.assertNotIn("<b>not</b> in 1 of 4", self.page)
 
     def test_peers_are_ratios_with_their_wrong_answers(self):
-        self.assertIn("<td>0.5 ×; 5 of 50 (10 %) wrong</td>", self.page)
-        self.assertIn("<td>1 ×; 0 of 50 (&lt; 7.1 %) wrong</td>", self.page)
+        self.assertIn("<td>0.5 × (0.5 .. 0.5); 5 of 100 (5 %) wrong</td><td>0.5 ×; 6 of 10 (60 %) wrong</td>", self.page)
+        self.assertIn("<td>1 × (1 .. 1); 0 of 100 (&lt; 3.7 %) wrong</td>", self.page)
+        self.assertIn("<th>in motion, surface</th><th>near contact, one ulp apart, surface</th>", self.page)
+
+    def test_a_course_without_a_contact_is_said_to_be_too_small(self):
+        self.assertIn("circular 2 of 100 poses (2 %); too small to be compared with longer runs, since no pose collides: circular y 9 1", self.page)
 
     def test_what_else_is_asked_has_tables(self):
         for cells in (("FCL", "4", "2.5", "9", "4.50", "3", "0"), ("FCL RSS", "distance", "1.23e+03", "2.5", "7", "1 of 4", "0 of 1"),

@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_CASE(wrong_answers_are_counted_by_their_kind_and_only_where_they
   BOOST_TEST(surface[0]->poses == 4u);
   BOOST_TEST(surface[0]->collisions == 2u);
   BOOST_TEST(surface[0]->false_positives + surface[0]->false_negatives == 0u);
-  BOOST_TEST(surface[1]->poses == 2u);  // the first and the third
+  BOOST_TEST(surface[1]->poses == 2u);  // one that collides and one that does not
   BOOST_TEST(surface[1]->false_negatives == 1u);
   BOOST_TEST(surface[1]->false_positives == 0u);
   BOOST_TEST(!race.run(Question::solid, 1, 1)[1]);  // it knows none

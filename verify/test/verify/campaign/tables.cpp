@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(tables_add_up_and_quote)
   Database database(file.path(), Database::Mode::write);
   database.run(campaign_schema);
   database.run(R"(
-    INSERT INTO run VALUES (1, '1', 'c,d', 'f "g"', 'p', 7, 0);
+    INSERT INTO run VALUES (1, '1', 'c,d', 'f "g"', 'p', 7, 0, 'build/tetracone verify --subject double,brute');
     INSERT INTO tally VALUES (1, 'object', 'f', 's', 'solid', 'rho', 0, 10, 1, 2, 1, 0);
     INSERT INTO tally VALUES (1, 'object', 'f', 's', 'solid', 'rho', 1, 5, 0, 0, 0, 3);
     INSERT INTO tally VALUES (1, 'object', 'f', 's', 'solid', 'ulps', 1, 15, 1, 2, 1, 3);
@@ -53,7 +53,8 @@ BOOST_AUTO_TEST_CASE(tables_add_up_and_quote)
   BOOST_TEST(table_as_csv(database, "errors") ==
              "level,family,subject,question,n,false_positives,false_negatives,failures\nobject,f,s,solid,15,1,2,1\n");
   BOOST_TEST(table_as_csv(database, "runs") ==
-             "run,version,compiler,flags,processor,seed,real_meshes\n1,1,\"c,d\",\"f \"\"g\"\"\",p,7,0\n");
+             "run,version,compiler,flags,processor,seed,real_meshes,again\n1,1,\"c,d\",\"f "
+             "\"\"g\"\"\",p,7,0,\"build/tetracone verify --subject double,brute\"\n");
   BOOST_TEST(
       table_as_csv(database, "rates")
           .starts_with(
@@ -68,7 +69,7 @@ BOOST_AUTO_TEST_CASE(a_sweep_has_all_cases_of_each_parameter)
   Database database(file.path(), Database::Mode::write);
   database.run(campaign_schema);
   database.run(R"(
-    INSERT INTO run VALUES (1, '1', 'c', 'f', 'p', 7, 0);
+    INSERT INTO run VALUES (1, '1', 'c', 'f', 'p', 7, 0, 'build/tetracone verify --subject double,brute');
     INSERT INTO done VALUES (7, 'object', 'edge-in-face-plane', 0, 's', 4), (7, 'object', 'edge-in-face-plane', 1, 's', 2);
     INSERT INTO tally VALUES (1, 'object', 'edge-in-face-plane', 's', 'solid', 'rho', 0, 4, 1, 0, 0, 0);
     INSERT INTO tally VALUES (1, 'object', 'edge-in-face-plane', 's', 'solid', 'rho', 1, 2, 0, 0, 0, 0);
@@ -90,7 +91,7 @@ BOOST_AUTO_TEST_CASE(a_sweep_leaves_out_what_was_not_asked_whole)
   database.run(campaign_schema);
   // Of t a shard is missing, of u two cases were not asked: their parameters are unknown.
   database.run(R"(
-    INSERT INTO run VALUES (1, '1', 'c', 'f', 'p', 7, 0);
+    INSERT INTO run VALUES (1, '1', 'c', 'f', 'p', 7, 0, 'build/tetracone verify --subject double,brute');
     INSERT INTO done VALUES (7, 'object', 'edge-in-face-plane', 1, 't', 4), (7, 'object', 'edge-in-face-plane', 0, 'u', 4);
     INSERT INTO tally VALUES (1, 'object', 'edge-in-face-plane', 't', 'solid', 'rho', 0, 4, 1, 0, 0, 0);
     INSERT INTO tally VALUES (1, 'object', 'edge-in-face-plane', 'u', 'solid', 'rho', 0, 2, 0, 0, 0, 2);

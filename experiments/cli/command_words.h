@@ -1,0 +1,48 @@
+#ifndef TETRACONE_EXPERIMENTS_CLI_COMMAND_WORDS_H
+#define TETRACONE_EXPERIMENTS_CLI_COMMAND_WORDS_H
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tetracone::experiments {
+
+/// The word as a shell reads it, names of files in the project from the project's folder.
+inline std::string shell_word(std::string word)
+{
+  constexpr std::string_view project = TETRACONE_SOURCE_DIR "/";
+  for (std::size_t at = 0; (at = word.find(project, at)) != std::string::npos;) word.erase(at, project.size());
+  const bool is_plain = !word.empty() && word.find_first_not_of(
+                                             "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                             "0123456789_./=:,+-") == std::string::npos;
+  if (is_plain) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+/// The options that results depend on, as words that say the same again: those given, and those with a default value
+/// that `--help` shows. Requires a command that is parsed; `options` name some of its, such as `--seed`.
+inline std::string words_of(const CLI::App& command, const std::vector<std::string>& options)
+{
+  std::string words;
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    if (std::ranges::find(options, name) == options.end()) continue;
+    if (option->get_items_expected_max() == 0) {
+      if (option->count() > 0) words += " " + name;
+    } else if (option->count() > 0) {
+      for (const std::string& value : option->results()) words += " " + name + " " + shell_word(value);
+    } else if (!option->get_default_str().empty()) {
+      words += " " + name + " " + shell_word(option->get_default_str());
+    }
+  }
+  return words;
+}
+
+}  // namespace tetracone::experiments
+
+#endif

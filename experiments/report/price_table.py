@@ -1,0 +1,80 @@
+#!/usr/bin/python3
+"""OUT/study.csv -> the price of exactness by regime and kind of contact, on the terminal.  usage: price_table.py OUT
+
+The adaptive kernel's time over double's on the same tree, and over FCL's, whose answers are wrong at times.
+"""
+
+import html
+import os
+import sys
+
+from report_data import by, geometric_mean, interval, share
+from study_data import Study, workload
+
+EXACT, ROUNDED, FCL = "adaptive tree", "double tree", "FCL OBBRSS"
+COLUMNS = ("regime", "contact", "question", "workloads", "poses", "collisions", "adaptive_us", "over_double", "over_double_low", "over_double_high",
+           "over_fcl", "over_fcl_low", "over_fcl_high", "exact_signs", "wrong_double", "wrong_fcl")
+REGIME = {"random": "in motion", "exactly degenerate": "exact contact", "near-degenerate": "near contact", "nested": "containment"}
+
+
+def whole(rows, key):
+    return int(sum(r[key] for r in rows))
+
+
+def prices(study):
+    """A row a trajectory or a kind of contact, and question: see COLUMNS. FCL answers of surfaces alone."""
+    lines = []
+    order = {panel: k for k, panel in enumerate(REGIME)}
+    mine = sorted((r for r in study.rows if r["subject"] == EXACT), key=lambda r: order[r["panel"]])
+    other = {(workload(r), r["subject"]): r for r in study.rows}
+    for (panel, scenario, question), rows in by(mine, "panel", "scenario", "question").items():
+        both = {s: [(r, other[workload(r), s]) for r in rows if (workload(r), s) in other] for s in (ROUNDED, FCL)}
+        if question == "solid":
+            both[FCL] = []  # its answers are of surfaces
+        over = {s: [a["mean_ns"] / b["mean_ns"] for a, b in pairs] for s, pairs in both.items()}
+        lines.append([REGIME[panel], scenario, question, len(rows), whole(rows, "poses"), whole(rows, "collisions"),
+                      f"{geometric_mean(r['mean_ns'] for r in rows) / 1000:.4g}",
+                      *(f"{x:.4g}" if over[s] and x is not None else "" for s in (ROUNDED, FCL) for x in (geometric_mean(over[s]), *interval(over[s]))),
+                      f"{sum(r['exact_fallbacks'] for r in rows) / len(rows):.3g}",
+                      *(whole([b for _, b in both[s]], "wrong") if both[s] else "" for s in (ROUNDED, FCL))])
+    return [dict(zip(COLUMNS, line)) for line in lines]
+
+
+def ratio(price, key):
+    """5.2 (4.9 .. 5.5): the geometric mean, and its interval where there are several workloads."""
+    if not price[key]:
+        return "–"
+    low, high = price[key + "_low"], price[key + "_high"]
+    return f"{float(price[key]):.3g}" + (f" ({float(low):.3g} .. {float(high):.3g})" if low else "")
+
+
+def sections(page, study, campaign):
+    if not study or not {EXACT, ROUNDED} <= set(study.subjects):
+        return
+    found = prices(study)
+    source = study.source("What does exactness cost, by regime and kind of contact?", [r for r in study.rows if r["subject"] in (EXACT, ROUNDED, FCL)])
+    data = page.table("price", list(COLUMNS), [list(p.values()) for p in found], source)
+    body = [(False, [p["regime"], f"{html.escape(p['contact'])}<br><small>{p['question']}</small>", f"{p['collisions']:,} of {p['poses']:,}",
+                     f"{float(p['adaptive_us']):.3g}", ratio(p, "over_double"), ratio(p, "over_fcl"), p["exact_signs"],
+                     *(share(p[w], p["poses"]) if p[w] != "" else "–" for w in ("wrong_double", "wrong_fcl"))]) for p in found]
+    head = ["regime", "contact", "collide", "adaptive, µs", "time / double's, same tree", "time / FCL's", "exact signs a query", "wrong: double", "wrong: FCL"]
+    yield page.section("price", "The price of exactness", "<p>The adaptive kernel on the fast tree, over the same tree with leaves decided in double, and over FCL. "
+                       "In parentheses: the 95 % interval of the geometric mean, by resampling the workloads, where there are several.</p>",
+                       page.html_table(head, body, source, data))
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit(f"usage: {os.path.basename(sys.argv[0])} OUT")
+    study = Study(sys.argv[1])
+    if not study:
+        sys.exit(f"{os.path.join(sys.argv[1], 'study.csv')}: no such file; expected the results of tetracone experiment study")
+    print("| regime | contact | question | collide | adaptive, µs | over double, same tree | over FCL | exact signs a query | wrong: double | wrong: FCL |")
+    print("|---|---|---|---|---|---|---|---|---|---|")
+    for p in prices(study):
+        print("| " + " | ".join([p["regime"], p["contact"], p["question"], f"{p['collisions']} of {p['poses']}", f"{float(p['adaptive_us']):.2g}",
+                                 ratio(p, "over_double"), ratio(p, "over_fcl"), p["exact_signs"], str(p["wrong_double"]), str(p["wrong_fcl"])]) + " |")
+
+
+if __name__ == "__main__":
+    main()
