@@ -100,8 +100,13 @@ class Body {
   /// planar (with the face and its deviation; tetracone/repair.h replaces such faces by triangles).
   explicit Body(Polyhedron polyhedron);
 
-  /// `triangles`: for some faces, triangles that cover exactly the face (as tetracone/repair.h makes them). Faces of
-  /// more corners without are split where they are convex, and else taken as a whole.
+  /// `triangles`: for some faces, triangles that cover exactly the face, in its direction (as tetracone/repair.h makes
+  /// them). Faces of more corners without are split where they are convex, and else taken as a whole.
+  ///
+  /// Throws as above, and for a face whose triangles do not cover exactly it; Error names the face. Legal are triangles
+  /// with area, of the face's corners, whose directed sides are the directed edges of the face's loops except pairs of
+  /// opposite ones. Each edge of a loop is a side of a triangle. (tetracone/covering/face_cover.h proves that this is
+  /// enough.) The check takes time linear in the triangles.
   Body(Polyhedron polyhedron, std::vector<Face_triangle> triangles);
 
   /// Copies share everything. There is no move: a body is never empty.
@@ -160,6 +165,9 @@ class Body {
 /// A saved body has all nodes of its fast tree, used where the system keeps the file: many processes share them. The
 /// file may be removed or saved anew while it is in use, not written into. Refused is one whose checksum says that a
 /// byte is not what was saved, and one of another version of the format or of a machine of other numbers.
+///
+/// Nothing in a saved body is trusted, whoever wrote it: all that can be derived is derived anew, and all else is
+/// checked, in one linear pass. A file is refused, or it answers as `Body` of its vertices, faces and triangles does.
 Body read_body(const std::filesystem::path& file);
 
 /// Saves the body with its fast tree, all nodes of which are made, to a file *.body that `read_body` takes: the same
