@@ -28,11 +28,19 @@ constexpr double most_coordinate = 2;
 /// Upper bound of the share of max_k |a_k . y| by which an extent must exceed |a_i . y|. Axes of defect d need
 /// 3 d (1 + 4 d); half a d more takes all roundings here, which are below 2^-46. Stored extents have 4 d.
 constexpr double defect_share = 3.5 * kernel::axis_defect;
+static_assert(defect_share > 3 * kernel::axis_defect * (1 + 4 * kernel::axis_defect) + 0x1p-46 &&
+              defect_share < kernel::axis_defect_factor * kernel::axis_defect);
 
 /// Upper bound of what errors of coordinates move a point along an axis. A local coordinate is off by 2^-54, since it is
 /// a rounded difference below 1. A centre is off by 2^-53, since it is a rounded sum below 2. Together they move the point
 /// by the root of 3 times 3 2^-54 along an axis, which is below 1.5 2^-52. Stored extents have 2 2^-52.
 constexpr double position_share = 1.5 * Bvh8_elements::local_error;
+static_assert(position_share > 1.7321 * 3 * 0x1p-54 &&
+              position_share < kernel::axis_norm_1 * Bvh8_elements::local_error);
+
+/// Upper bound of the nodes one below the other: functions that call themselves from node to node stay within a stack. Cuts
+/// that take single elements off are by floats of centroids, of which an axis has some 150 scales; seven are a node's.
+constexpr int most_depth = 1000;
 
 /// Checks one node after the other.
 class Tree_check {
@@ -53,14 +61,14 @@ class Tree_check {
 
   std::optional<std::string> flaw()
   {
-    open_ = {{0, elements_.count(), 0, -1}};
+    open_ = {{0, elements_.count(), 0, -1, 1}};
     for (Index n = 0; n < nodes_.size(); ++n) {
       if (open_.empty()) return "node " + std::to_string(n) + " is below no other";
       const Below below = open_.back();
       open_.pop_back();
       if (below.lane >= 0 && nodes_[below.parent].child[std::size_t(below.lane)] != std::int32_t(n))
         return at(below.parent, below.lane) + " does not lead to node " + std::to_string(n);
-      if (auto wrong = flaw_of_node(n, below.first, below.last)) return wrong;
+      if (auto wrong = flaw_of_node(n, below)) return wrong;
     }
     if (!open_.empty()) return at(open_.back().parent, open_.back().lane) + " leads to no node";
     return std::nullopt;
@@ -70,31 +78,34 @@ class Tree_check {
   /// What holds elements first .. last, and has its node after those before it.
   struct Below {
     Index first, last, parent;
-    int lane;  // -1: of the root
+    int lane;   // -1: of the root
+    int depth;  // of that node
   };
 
   static std::string at(Index n, int lane) { return "lane " + std::to_string(lane) + " of node " + std::to_string(n); }
 
   static bool is_within(double x, double most) { return std::abs(x) <= most; }
 
-  std::optional<std::string> flaw_of_node(Index n, Index first, Index last)
+  std::optional<std::string> flaw_of_node(Index n, const Below& below)
   {
     const Bvh8_node& node = nodes_[n];
     const int lanes = node.boxes.lane_count;
     // The root is one lane, and all others have two or more: there are no more nodes than elements.
     if (n == 0 ? lanes != 1 : lanes < 2 || lanes > int(kernel::lanes))
       return "node " + std::to_string(n) + " has " + std::to_string(lanes) + " lanes";
+    if (below.depth > most_depth) return "node " + std::to_string(n) + " is below too many others";
     for (const float x : node.boxes.origin)
       if (!is_within(x, most_coordinate)) return "node " + std::to_string(n) + " has its origin elsewhere";
     if (!is_empty_from(node, lanes)) return "node " + std::to_string(n) + " has more than its lanes";
     for (int lane = lanes; lane-- > 0;) {
       const Index begin = node.first[std::size_t(lane)],
-                  end = lane + 1 < lanes ? node.first[std::size_t(lane) + 1] : last;
-      if (!(begin < end && end <= last) || (lane == 0 && begin != first)) return at(n, lane) + " has other elements";
+                  end = lane + 1 < lanes ? node.first[std::size_t(lane) + 1] : below.last;
+      if (!(begin < end && end <= below.last) || (lane == 0 && begin != below.first))
+        return at(n, lane) + " has other elements";
       const std::int32_t child = node.child[std::size_t(lane)];
       if (node.is_leaf(lane) ? end - begin != 1 || child > Bvh8_node::last_leaf : end - begin < 2 || child < 0)
         return at(n, lane) + " is no leaf and no other's parent";
-      if (!node.is_leaf(lane)) open_.push_back({begin, end, n, lane});
+      if (!node.is_leaf(lane)) open_.push_back({begin, end, n, lane, below.depth + 1});
       if (auto wrong = flaw_of_box(n, lane, begin, end)) return wrong;
     }
     return std::nullopt;

@@ -4,12 +4,14 @@
 #include "tetracone/tetratree/door/repair.h"
 #include "tetracone/tetratree/door/tetracone.h"
 #include "verify/test/support/forged_body.h"
+#include "verify/test/support/said.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/temporary_file.h"
 
 #include <boost/test/unit_test.hpp>
 
-#include <array>
+#include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -61,15 +63,11 @@ Body saved(const Body& body)
 std::string refusal(const verify::Temporary_file& file, const std::string& bytes)
 {
   write(file.path(), bytes);
-  try {
-    read_body(file.path());
-  } catch (const Error& error) {
-    const std::string line = error.what(), name = file.path().string();
-    return line.starts_with(name) ? line.substr(name.size()) : "not of the file: " + line;
-  }
-  return "";
+  const std::string line = verify::said([&] { read_body(file.path()); }), name = file.path().string();
+  return line.starts_with(name) ? line.substr(name.size()) : line;
 }
 
+/// As `refusal` has them.
 bool is_one_line(const std::string& refused)
 {
   return refused.starts_with(": ") && refused.find("; expected ") != std::string::npos &&

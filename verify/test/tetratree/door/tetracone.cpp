@@ -10,7 +10,9 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -162,13 +164,8 @@ BOOST_AUTO_TEST_CASE(an_answer_says_how_the_bodies_stand_to_one_another)
 BOOST_AUTO_TEST_CASE(triangles_that_do_not_cover_their_face_are_refused)
 {
   const Polyhedron cube = scenes::unit_cube();
-  const auto refusal = [&](std::vector<tetracone::Face_triangle> triangles) -> std::string {
-    try {
-      const Body body(cube, std::move(triangles));
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "";
+  const auto refusal = [&](const std::vector<tetracone::Face_triangle>& triangles) {
+    return said([&] { return Body(cube, triangles); });
   };
   const auto loop = cube.loop(2, 0);
   const std::array<std::uint32_t, 3> half{loop[0], loop[1], loop[2]}, other{loop[0], loop[2], loop[3]};
