@@ -153,29 +153,6 @@ class Covering {
     edge_begin_.shrink_to_fit();
   }
 
-  /// The covering whose arrays `fill(array)` fills, one after the other, with what `for_arrays` showed.
-  template <class Fill>
-  static Covering of_arrays(const Fill& fill)
-  {
-    Covering covering;
-    for_vectors_of(covering, fill);
-    std::vector<Face_triangle> bases;
-    fill(bases);
-    for (const Face_triangle& basis : bases) covering.plane_bases_[basis.face] = basis.corner;
-    return covering;
-  }
-
-  /// Calls what(array) for each of the arrays that it is made of: they are kept in a file.
-  template <class What>
-  void for_arrays(const What& what) const
-  {
-    for_vectors_of(*this, what);
-    std::vector<Face_triangle> bases;
-    for (const auto& [face, corners] : plane_bases_) bases.push_back({face, corners});
-    std::ranges::sort(bases, {}, &Face_triangle::face);
-    what(bases);
-  }
-
   std::span<const Covering_triangle> triangles() const { return triangles_; }
 
   /// The real edges, undirected: pairs of vertex numbers, the smaller first, sorted, each once.
@@ -201,20 +178,6 @@ class Covering {
  private:
   /// What spans the plane of a face: its first corner and two of the next fourteen, four bits each, or one of these.
   static constexpr std::uint8_t by_none = 0, by_others = 255;
-
-  Covering() = default;
-
-  template <class Self, class What>
-  static void for_vectors_of(Self& self, const What& what)
-  {
-    what(self.triangles_);
-    what(self.edges_);
-    what(self.from_);
-    what(self.to_);
-    what(self.face_corner_begin_);
-    what(self.spanned_);
-    what(self.shell_vertices_);
-  }
 
   std::span<const Index> part(const std::vector<Index>& of, Index f) const
   {
@@ -318,6 +281,13 @@ class Covering {
   {
     const std::size_t first = face_corner_begin_[f], last = face_corner_begin_[f + 1];
     const Index w = from_[first];
+    if (last - first == 3) {  // mostly; the rest gives the same
+      const Index a = to_[first], b = to_[first + 1];
+      if (a != w && b != w && a != b && to_[first + 2] == w) {
+        add({f, {w, a, b}, {edge_number(w, a), edge_number(a, b), edge_number(b, w)}});
+        return;
+      }
+    }
     neighbours.clear();
     for (std::size_t k = first; k < last; ++k) {
       if (from_[k] == w) neighbours.push_back({to_[k], false});

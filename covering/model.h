@@ -34,9 +34,6 @@ class Model {
   /// The same by any `both`.
   explicit Model(const Polyhedron& polyhedron, const Both& both = {}) : Model(Parts(polyhedron, both)) {}
 
-  /// Of the polyhedron's covering, where it is known.
-  Model(const Polyhedron& polyhedron, Covering covering) : Model(Parts(polyhedron, std::move(covering))) {}
-
   const std::vector<Vertex>& vertices() const { return vertices_; }
   const Covering& covering() const { return covering_; }
   std::size_t face_count() const { return face_count_; }
@@ -64,11 +61,6 @@ class Model {
     Parts(const Polyhedron& polyhedron, const Both& both) : face_count(polyhedron.face_count())
     {
       both([&] { covering.emplace(polyhedron, both); }, [&] { see_vertices(polyhedron); });
-    }
-    Parts(const Polyhedron& polyhedron, Covering known)
-        : covering(std::move(known)), face_count(polyhedron.face_count())
-    {
-      see_vertices(polyhedron);
     }
 
    private:

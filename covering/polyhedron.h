@@ -85,6 +85,22 @@ class Polyhedron {
     for_arrays_of(*this, what);
   }
 
+  /// Whether the arrays, where they come from a file, are loops and faces: no loop is empty, each face has a loop, and
+  /// numbers are enough for all. Corners may still name vertices that are not there.
+  bool has_legal_loops() const
+  {
+    const auto ascend_to = [](const std::vector<Index>& ends, std::size_t last) {
+      Index before = 0;
+      for (const Index end : ends) {
+        if (end <= before) return false;
+        before = end;
+      }
+      return before == last;
+    };
+    return vertices.size() < std::numeric_limits<Index>::max() && ascend_to(loop_end_, corners_.size()) &&
+           ascend_to(face_end_, loop_end_.size());
+  }
+
   /// The number of faces.
   std::size_t face_count() const { return face_end_.size(); }
 

@@ -1,6 +1,7 @@
 #include "tetracone/covering/repair/repair.h"
 
 #include "tetracone/covering/edge_uses.h"
+#include "tetracone/covering/face_cover.h"
 #include "tetracone/covering/planarity.h"
 #include "tetracone/covering/projection.h"
 
@@ -16,7 +17,6 @@
 #include <map>
 #include <numeric>
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -160,18 +160,11 @@ std::optional<std::vector<bool>> turns_by_cgal(const Polyhedron& polyhedron)
 std::vector<Face_triangle> triangulate_faces(const Polyhedron& polyhedron)
 {
   std::vector<Face_triangle> all;
+  Face_cover cover(polyhedron);
   for (Index f = 0; f < polyhedron.face_count(); ++f) {
     if (polyhedron.is_triangle(f)) continue;
     const auto triangles = repair::constrained_delaunay(polyhedron, f);
-    if (!triangles) continue;
-    std::set<std::array<Index, 2>> sides;
-    for (const auto& t : *triangles)
-      for (int k = 0; k < 3; ++k) sides.insert({std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])});
-    bool all_edges = true;
-    for_each_directed_edge(polyhedron, f, [&](Index a, Index b) {
-      all_edges = all_edges && sides.contains({std::min(a, b), std::max(a, b)});
-    });
-    if (!all_edges) continue;
+    if (!triangles || cover.flaw(f, *triangles)) continue;
     for (const auto& t : *triangles) all.push_back({f, t});
   }
   return all;

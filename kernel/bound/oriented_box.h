@@ -254,6 +254,15 @@ inline Oriented_box triangle_box(std::span<const Vector, 3> corners)
   return Oriented_box(triangle_axes(corners), corners);
 }
 
+/// Whether these columns, whose entries are floats, may be the axes of a lane's box: as `Obb8` asks.
+inline bool is_nearly_orthonormal(const Matrix& axes)
+{
+  for (int i = 0; i < 3; ++i)
+    for (int j = i; j < 3; ++j)
+      if (!(std::abs(axes.col(i).dot(axes.col(j)) - (i == j)) <= axis_defect)) return false;
+  return true;
+}
+
 /// A box that takes in one point after the other, to be written into a lane: its axes are those given, in float, or
 /// those of the identity where these are not orthonormal.
 class Lane_box {
@@ -262,13 +271,11 @@ class Lane_box {
   Lane_box(const Matrix& axes, const Vector& about) : about_(about)
   {
     const Matrix in_float = axes.in_float();
+    if (!is_nearly_orthonormal(in_float)) {
+      *this = Lane_box(Matrix::identity(), about);
+      return;
+    }
     const auto& axis = in_float.columns;
-    for (int i = 0; i < 3; ++i)
-      for (int j = i; j < 3; ++j)
-        if (!(std::abs(axis[i].dot(axis[j]) - (i == j)) <= axis_defect)) {
-          *this = Lane_box(Matrix::identity(), about);
-          return;
-        }
     for (int k = 0; k < 3; ++k) across_[k] = {axis[0][k], axis[1][k], axis[2][k]};
   }
 
@@ -372,27 +379,57 @@ inline void store_lane(Obb8& boxes, int lane, const Oriented_box& box, const Vec
   stored.store(boxes, lane, node_origin, point_error);
 }
 
+/// A lane's box, and how far points lie along its axes from its centre.
+class Apex_box {
+ public:
+  Apex_box(const Obb8& boxes, int lane, const Vector& node_origin)
+      : boxes_(boxes),
+        lane_(lane),
+        e1_(boxes.extent[1][lane]),
+        e2_(boxes.extent[2][lane]),
+        centre_(node_origin + Vector(boxes.centre[0][lane], boxes.centre[1][lane], boxes.centre[2][lane]))
+  {}
+
+  double along(int i, const Vector& p) const
+  {
+    return (p - centre_).dot(Vector(boxes_.axis[i][0][lane_], boxes_.axis[i][1][lane_], boxes_.axis[i][2][lane_]));
+  }
+
+  /// Whether the triangle, which the box holds, lies where the code says; true for a code of 0, which says nothing.
+  bool holds(std::span<const Vector, 3> corners, Apex_code code) const
+  {
+    if (code == 0) return true;
+    if (!(e1_ > 0)) return false;
+    // Before the lines from (-e1, -e2) and from (e1, -e2) to the apex, each by its normal (x, y) and reach.
+    const double apex = apex_of(code), tolerance = apex_tolerance * (e1_ + e2_);
+    for (const auto& [x, y, reach] : {std::array{-2 * e2_, e1_ * (1 + apex), e1_ * e2_ * (1 - apex)},
+                                      std::array{2 * e2_, e1_ * (1 - apex), e1_ * e2_ * (1 + apex)}})
+      for (const Vector& p : corners)
+        if (!(x * along(1, p) + y * along(2, p) <= reach + tolerance * (std::abs(x) + y))) return false;
+    return true;
+  }
+
+  double e1() const { return e1_; }
+
+ private:
+  const Obb8& boxes_;
+  int lane_;
+  double e1_, e2_;
+  Vector centre_;
+};
+
 /// Where the triangle lies in the lane that `store_lane` has written for it; 0 where it is not as `Apex_code` says,
 /// which is checked.
 inline Apex_code apex_code(const Obb8& boxes, int lane, const Vector& node_origin, std::span<const Vector, 3> corners)
 {
-  const double e1 = boxes.extent[1][lane], e2 = boxes.extent[2][lane], tolerance = apex_tolerance * (e1 + e2);
-  const Vector centre = node_origin + Vector(boxes.centre[0][lane], boxes.centre[1][lane], boxes.centre[2][lane]);
-  const auto along = [&](int i, const Vector& p) {
-    return (p - centre).dot(Vector(boxes.axis[i][0][lane], boxes.axis[i][1][lane], boxes.axis[i][2][lane]));
-  };
+  const Apex_box box(boxes, lane, node_origin);
   const Vector* top = &corners[0];
   for (const Vector& p : corners)
-    if (along(2, p) > along(2, *top)) top = &p;
-  if (!(e1 > 0)) return 0;
-  const auto code = Apex_code(apex_steps + 1 + std::lround(apex_steps * std::clamp(along(1, *top) / e1, -1.0, 1.0)));
-  // Before the lines from (-e1, -e2) and from (e1, -e2) to the apex, each by its normal (x, y) and reach.
-  const double apex = apex_of(code);
-  for (const auto& [x, y, reach] : {std::array{-2 * e2, e1 * (1 + apex), e1 * e2 * (1 - apex)},
-                                    std::array{2 * e2, e1 * (1 - apex), e1 * e2 * (1 + apex)}})
-    for (const Vector& p : corners)
-      if (!(x * along(1, p) + y * along(2, p) <= reach + tolerance * (std::abs(x) + y))) return 0;
-  return code;
+    if (box.along(2, p) > box.along(2, *top)) top = &p;
+  if (!(box.e1() > 0)) return 0;
+  const double apex = std::clamp(box.along(1, *top) / box.e1(), -1.0, 1.0);
+  const auto code = Apex_code(apex_steps + 1 + std::lround(apex_steps * apex));
+  return box.holds(corners, code) ? code : 0;
 }
 
 }  // namespace tetracone::kernel

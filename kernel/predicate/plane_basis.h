@@ -28,6 +28,8 @@ std::optional<std::array<std::size_t, 3>> plane_basis(std::size_t corner_count, 
                                      Adaptive::unmoved(vertex_of(k))) >= 0;
   };
 
+  if (corner_count == 3) return spans(0, 1, 2) ? std::optional(std::array<std::size_t, 3>{0, 1, 2}) : std::nullopt;
+
   std::size_t farthest = 0, widest = 0;
   double distance = 0, area = 0;
   for (std::size_t k = 1; k < corner_count; ++k) {

@@ -1,4 +1,5 @@
 #include "tetracone/covering/edge_uses.h"
+#include "tetracone/covering/face_cover.h"
 #include "tetracone/covering/io/read.h"
 #include "tetracone/covering/planarity.h"
 #include "tetracone/covering/star_faces.h"
@@ -48,6 +49,7 @@ void require_legal(const Polyhedron& polyhedron, const std::string& name)
   }
 }
 
+/// Requires a legal polyhedron.
 void require_legal(const Polyhedron& polyhedron, const std::vector<Face_triangle>& triangles, const std::string& name)
 {
   for (const Face_triangle& t : triangles) {
@@ -56,8 +58,12 @@ void require_legal(const Polyhedron& polyhedron, const std::vector<Face_triangle
                   std::to_string(polyhedron.face_count()) + "; expected a face's number");
     for (const Index v : t.corner)
       if (v >= polyhedron.vertices.size())
-        throw Error(name + ": a triangle names vertex " + std::to_string(v) + "; expected a vertex's number");
+        throw Error(name + ": a triangle of face " + std::to_string(t.face) + " names vertex " + std::to_string(v) +
+                    "; expected a vertex's number");
   }
+  if (const auto flaw = covering::cover_flaw(polyhedron, triangles))
+    throw Error(name + ": face " + std::to_string(flaw->face) + ": " + flaw->wrong +
+                "; expected triangles that cover exactly the face");
 }
 
 /// `given`, and fans of the faces that have none.
@@ -73,13 +79,19 @@ std::vector<Face_triangle> with_fans(const Polyhedron& polyhedron, std::vector<F
 std::shared_ptr<const detail::Body_data> checked(Polyhedron polyhedron, std::vector<Face_triangle> triangles,
                                                  const std::string& name)
 {
-  require_legal(polyhedron, name);
-  require_legal(polyhedron, triangles, name);
-  triangles = with_fans(polyhedron, std::move(triangles));
+  triangles = detail::legal_triangles(polyhedron, std::move(triangles), name);
   return std::make_shared<const detail::Body_data>(std::move(polyhedron), std::move(triangles));
 }
 
 }  // namespace
+
+std::vector<Face_triangle> detail::legal_triangles(const Polyhedron& polyhedron, std::vector<Face_triangle> given,
+                                                   const std::string& name)
+{
+  require_legal(polyhedron, name);
+  require_legal(polyhedron, given, name);
+  return with_fans(polyhedron, std::move(given));
+}
 
 const detail::Body_data& detail::data_of(const Body& body) { return *body.data_; }
 

@@ -27,14 +27,13 @@ struct Body_data {
       : polyhedron(std::move(p)), triangles(std::move(t))
   {}
 
-  /// One that was saved: whether it is closed and its fast tree are known.
-  Body_data(covering::Polyhedron p, std::vector<covering::Face_triangle> t, bool closed, covering::Covering covering,
-            tetratree::Elements elements, tetratree::Reserved_array<tetratree::Bvh8_node> nodes)
+  /// One that was saved: its fast tree is known.
+  Body_data(covering::Polyhedron p, std::vector<covering::Face_triangle> t, tetratree::Bvh8_elements elements,
+            tetratree::Reserved_array<tetratree::Bvh8_node> nodes)
       : Body_data(std::move(p), std::move(t))
   {
-    std::call_once(closed_once_, [&] { closed_ = closed; });
     std::call_once(bvh8_once_, [&] {
-      bvh8_.emplace(polyhedron, std::move(covering), std::move(elements), std::move(nodes));
+      bvh8_.emplace(std::move(elements), std::move(nodes));
       made_bvh8_.store(&*bvh8_, std::memory_order_release);
     });
   }
@@ -101,6 +100,12 @@ struct Body_data {
   mutable std::map<std::string, std::shared_ptr<void>> trees_;
   mutable std::map<std::type_index, std::shared_ptr<void>> models_;
 };
+
+/// The triangles of a body: those given, and fans of the faces that have none and that a fan covers. `name`: what messages
+/// begin with. Throws Error as `Body` does. Requires a polyhedron of loops and faces that are (`has_legal_loops`).
+std::vector<covering::Face_triangle> legal_triangles(const covering::Polyhedron& polyhedron,
+                                                     std::vector<covering::Face_triangle> given,
+                                                     const std::string& name);
 
 /// Throws Error when the body is no solid: "WHO is open at ...; expected a closed surface for WHAT".
 void require_solid(const Body_data& body, const std::string& who, const std::string& what);

@@ -1,12 +1,12 @@
 #include "tetracone/tetratree/door/body_file.h"
 
-#include "tetracone/covering/covering.h"
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/io/mapped_file.h"
 #include "tetracone/covering/io/read.h"
 #include "tetracone/covering/polyhedron.h"
 #include "tetracone/tetratree/door/body_data.h"
 #include "tetracone/tetratree/door/checksum.h"
+#include "tetracone/tetratree/door/tree_flaw.h"
 #include "tetracone/tetratree/fast/bvh8.h"
 #include "tetracone/tetratree/fast/reserved_array.h"
 
@@ -32,19 +32,19 @@ namespace {
 
 namespace fs = std::filesystem;
 using covering::Face_triangle;
+using covering::Index;
 using covering::Input_error;
 using covering::Polyhedron;
 using tetratree::Bvh8_node;
-using tetratree::Element;
 
 /// Another number for whatever changes in what arrays mean: in elements, in nodes, in how boxes are made.
-constexpr std::uint32_t format_version = 1;
+constexpr std::uint32_t format_version = 2;
 
 /// A multiple of the page of any machine.
 constexpr std::size_t page = 65536;
 
 /// How many arrays a body is; the nodes are the last.
-constexpr std::size_t array_count = 15;
+constexpr std::size_t array_count = 7;
 
 struct Array {
   std::uint64_t element_bytes, count;
@@ -54,44 +54,39 @@ struct Array {
 struct Header {
   std::array<char, 16> magic;
   std::uint32_t version, byte_order;
-  std::uint64_t is_closed;
   std::array<Array, array_count> arrays;
   std::uint64_t checksum;  // of the file with 0 in its place
-  std::array<std::uint64_t, 5> nothing;
+  std::array<std::uint64_t, 6> nothing;
 };
-static_assert(sizeof(Header) % Checksum::block == 0);
+static_assert(sizeof(Header) % Checksum::block == 0 && offsetof(Header, checksum) == place_of_checksum);
 
 constexpr Header header_of_this_machine{
     {'t', 'e', 't', 'r', 'a', 'c', 'o', 'n', 'e', ' ', 'b', 'o', 'd', 'y', '\n', '\0'},
     format_version,
     0x04030201,
-    0,
     {},
     0,
     {}};
 
-/// Calls what(array) for each array, in the order of the file.
+/// Calls what(array) for each array, in the order of the file. `order`: that of the tree's elements.
 template <class What>
 void for_arrays(const Polyhedron& polyhedron, const std::vector<Face_triangle>& triangles,
-                const covering::Covering& covering, std::span<const Element> elements,
-                const std::vector<Bvh8_node>& nodes, const What& what)
+                const std::vector<Index>& order, const std::vector<Bvh8_node>& nodes, const What& what)
 {
   const auto as_span = [&](const auto& array) { what(std::span(array)); };
   polyhedron.for_arrays(as_span);
   as_span(triangles);
-  covering.for_arrays(as_span);
-  as_span(elements);
+  as_span(order);
   as_span(nodes);
 }
 
 /// The sizes and counts of the arrays of a body, whose nodes are these.
 std::array<Array, array_count> table(const Polyhedron& polyhedron, const std::vector<Face_triangle>& triangles,
-                                     const covering::Covering& covering, std::span<const Element> elements,
-                                     const std::vector<Bvh8_node>& nodes)
+                                     const std::vector<Index>& order, const std::vector<Bvh8_node>& nodes)
 {
   std::array<Array, array_count> all;
   std::size_t k = 0;
-  for_arrays(polyhedron, triangles, covering, elements, nodes, [&](const auto& array) {
+  for_arrays(polyhedron, triangles, order, nodes, [&](const auto& array) {
     all.at(k++) = {sizeof(array[0]), array.size()};
   });
   return all;
@@ -203,7 +198,7 @@ Header checked_header(const fs::path& file, std::string_view bytes)
   if (header.version != own.version)
     fail("is a saved body of version " + std::to_string(header.version),
          "version " + std::to_string(own.version) + ": save it anew");
-  const auto sizes = table(Polyhedron(), {}, covering::Covering(Polyhedron()), {}, {});
+  const auto sizes = table(Polyhedron(), {}, {}, {});
   bool fits = true;
   for (std::size_t k = 0; k < array_count; ++k) {
     if (header.arrays[k].element_bytes != sizes[k].element_bytes)
@@ -235,11 +230,9 @@ void write_body_file(const Body_data& body, const fs::path& file)
     throw Input_error(file.native(), 0, "no name of a saved body", "expected one that ends in .body");
   const tetratree::Bvh8& tree = body.bvh8();
   const std::vector<Bvh8_node> nodes = tree.nodes_in_order();
-  const auto for_all = [&](const auto& what) {
-    return what(body.polyhedron, body.triangles, tree.model().covering(), tree.elements(), nodes);
-  };
+  const std::vector<Index> order = tree.elements().order_of(body.polyhedron, body.triangles);
+  const auto for_all = [&](const auto& what) { return what(body.polyhedron, body.triangles, order, nodes); };
   Header header = header_of_this_machine;
-  header.is_closed = body.is_closed();
   header.arrays = for_all([](const auto&... parts) { return table(parts...); });
   const auto header_bytes = std::as_bytes(std::span(&header, 1));
 
@@ -267,17 +260,26 @@ std::shared_ptr<const Body_data> read_body_file(const fs::path& file)
       std::memcpy(array.data(), mapped.bytes().data() + begin_of(header, k), array.size() * sizeof(T));
     ++k;
   };
+  const auto fail = [&](const std::string& wrong) {
+    throw Input_error(file.native(), 0, wrong, "expected a file that `tetracone save` or save_body wrote");
+  };
   Polyhedron polyhedron;
   polyhedron.for_arrays(fill);
+  if (!polyhedron.has_legal_loops()) fail("has loops of other corners, or faces of other loops, than there are");
   std::vector<Face_triangle> triangles;
   fill(triangles);
-  covering::Covering covering = covering::Covering::of_arrays(fill);
-  tetratree::Elements elements;
-  fill(elements);
-  auto* const nodes = static_cast<Bvh8_node*>(mapped.release_from(begin_of(header, k)));
-  return std::make_shared<const Body_data>(std::move(polyhedron), std::move(triangles), header.is_closed != 0,
-                                           std::move(covering), std::move(elements),
-                                           tetratree::Reserved_array<Bvh8_node>(nodes, header.arrays[k].count));
+  triangles = legal_triangles(polyhedron, std::move(triangles), file.string());
+  std::vector<Index> order;
+  fill(order);
+  tetratree::Bvh8_elements elements(polyhedron, triangles);
+  if (!elements.put_in_order(order)) fail("has leaves that do not hold each triangle and each face once");
+  // Mapped pages, and in these a multiple of the largest page: aligned as nodes are.
+  const std::uint64_t at = begin_of(header, k), count = header.arrays[k].count;
+  const auto* const nodes = reinterpret_cast<const Bvh8_node*>(mapped.bytes().data() + at);
+  if (const auto flaw = tree_flaw(elements, {nodes, count})) fail(*flaw);
+  return std::make_shared<const Body_data>(
+      std::move(polyhedron), std::move(triangles), std::move(elements),
+      tetratree::Reserved_array<Bvh8_node>(static_cast<Bvh8_node*>(mapped.release_from(at)), count));
 }
 
 }  // namespace tetracone::detail

@@ -100,8 +100,13 @@ class Body {
   /// that is not exactly planar (with its deviation; tetracone/repair.h replaces such faces by triangles).
   explicit Body(Polyhedron polyhedron);
 
-  /// `triangles`: for some faces, triangles that cover exactly the face (as tetracone/repair.h makes them). Faces of
-  /// more corners without are split where they are convex, and else taken as a whole.
+  /// `triangles`: for some faces, triangles that cover exactly the face, in its direction (as tetracone/repair.h makes
+  /// them). Faces of more corners without are split where they are convex, and else taken as a whole.
+  ///
+  /// Throws as above, and for a face whose triangles do not cover exactly it; Error names the face. Legal are triangles
+  /// with area, of the face's corners, whose directed sides are the directed edges of the face's loops except pairs of
+  /// opposite ones. Each edge of a loop is a side of a triangle. (tetracone/covering/face_cover.h proves that this is
+  /// enough.) The check takes time linear in the triangles.
   Body(Polyhedron polyhedron, std::vector<Face_triangle> triangles);
 
   /// Copies; both share everything. There is no move: a body is never empty.
@@ -161,6 +166,9 @@ class Body {
 /// A saved body has all nodes of its fast tree. The file is mapped, so that many processes share it. It may be removed or
 /// saved anew while it is in use, but not written into. A spoiled file, another version of the format, and a machine with
 /// other numbers are refused.
+///
+/// Nothing in a saved body is trusted: all that can be derived is derived anew, and all else is checked, in one linear pass.
+/// A file is refused, or it answers as `Body` of its vertices, faces and triangles does.
 Body read_body(const std::filesystem::path& file);
 
 /// Saves the body with its whole fast tree to a file *.body that `read_body` takes. Equal bodies give equal bytes. The file is

@@ -48,11 +48,9 @@ class Bvh8 {
     if (!empty()) nodes_.push_back(builder_->root(both));
   }
 
-  /// A tree that was made before, of the same polyhedron: its covering, its elements, and its nodes as `nodes_in_order`
-  /// had them.
-  Bvh8(const covering::Polyhedron& polyhedron, covering::Covering covering, Elements elements,
-       Reserved_array<Bvh8_node> nodes)
-      : elements_(polyhedron, std::move(covering), std::move(elements)), nodes_(std::move(nodes))
+  /// A tree that was made before: its elements in the order of its leaves, and its nodes as `nodes_in_order` had them.
+  Bvh8(Bvh8_elements elements, Reserved_array<Bvh8_node> nodes)
+      : elements_(std::move(elements)), nodes_(std::move(nodes))
   {}
 
   Bvh8(const Bvh8&) = delete;
@@ -138,7 +136,7 @@ class Bvh8 {
   }
 
   /// All elements, in the order of leaves. Requires `make_all`.
-  std::span<const Element> elements() const { return std::as_const(elements_).order(); }
+  const Bvh8_elements& elements() const { return elements_; }
 
   /// The cuts by which the nodes that there are were made here.
   Cut_counts cuts() const

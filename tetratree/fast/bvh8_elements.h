@@ -13,7 +13,9 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -42,15 +44,41 @@ class Bvh8_elements {
                 const covering::Both& both = {})
       : model_(polyhedron, both)
   {
-    collect_elements(polyhedron, triangles, both);
-    find_scale();
+    elements_ = collected(polyhedron, triangles, both);
+    scale_ = kernel::local_scale(model_.lattice().origin, model_.vertices());
+    per_half_unit_ = 2 / scale_.unit;
   }
 
-  /// With the covering and the elements known, these in the order that `order` has.
-  Bvh8_elements(const covering::Polyhedron& polyhedron, covering::Covering covering, Elements order)
-      : model_(polyhedron, std::move(covering)), elements_(std::move(order))
+  /// The permutation by which `put_in_order` gives the elements of a new object of this body the order that they have
+  /// here. `triangles`: those of the constructor.
+  std::vector<Index> order_of(const covering::Polyhedron& polyhedron, std::span<const Face_triangle> triangles) const
   {
-    find_scale();
+    const auto sorted = [](std::span<const Element> elements) {
+      std::vector<Index> numbers(elements.size());
+      std::iota(numbers.begin(), numbers.end(), Index(0));
+      std::ranges::stable_sort(numbers, {}, [&](Index e) { return std::tie(elements[e].face, elements[e].corner); });
+      return numbers;
+    };
+    const Elements as_collected = collected(polyhedron, triangles, {});
+    const std::vector<Index> here = sorted(elements_), there = sorted(as_collected);
+    std::vector<Index> order(here.size());
+    for (std::size_t k = 0; k < order.size(); ++k) order[here[k]] = there[k];
+    return order;
+  }
+
+  /// Makes element order[k] the k-th. False, and nothing is done, unless `order` is a permutation of all.
+  bool put_in_order(std::span<const Index> order)
+  {
+    if (order.size() != elements_.size()) return false;
+    std::vector<bool> is_placed(order.size(), false);
+    for (const Index e : order) {
+      if (e >= order.size() || is_placed[e]) return false;
+      is_placed[e] = true;
+    }
+    Elements ordered(order.size());
+    for (std::size_t k = 0; k < order.size(); ++k) ordered[k] = elements_[order[k]];
+    elements_ = std::move(ordered);
+    return true;
   }
 
   const covering::Model<Adaptive>& model() const { return model_; }
@@ -87,31 +115,28 @@ class Bvh8_elements {
   }
 
  private:
-  void find_scale()
+  /// The given triangles, and each face that has none, in the order of their numbers.
+  Elements collected(const covering::Polyhedron& polyhedron, std::span<const Face_triangle> triangles,
+                     const covering::Both& both) const
   {
-    scale_ = kernel::local_scale(model_.lattice().origin, model_.vertices());
-    per_half_unit_ = 2 / scale_.unit;
-  }
-
-  void collect_elements(const covering::Polyhedron& polyhedron, std::span<const Face_triangle> triangles,
-                        const covering::Both& both)
-  {
+    Elements elements;
     const auto faces = Index(polyhedron.face_count());
     if (triangles.empty()) {
-      elements_.resize(faces);
+      elements.resize(faces);
       covering::in_parts(0, faces, both, [&](Index first, Index last) {
-        for (Index f = first; f < last; ++f) elements_[f] = element_of(polyhedron, f);
+        for (Index f = first; f < last; ++f) elements[f] = element_of(polyhedron, f);
       });
     } else {
       std::vector<bool> has_triangles(faces, false);
       for (const Face_triangle& t : triangles) has_triangles[t.face] = true;
       const auto without = std::size_t(std::ranges::count(has_triangles, false));
-      elements_.reserve(triangles.size() + without);
-      for (const Face_triangle& t : triangles) elements_.push_back({t.face, t.corner});
+      elements.reserve(triangles.size() + without);
+      for (const Face_triangle& t : triangles) elements.push_back({t.face, t.corner});
       for (Index f = 0; f < faces; ++f)
-        if (!has_triangles[f]) elements_.push_back(element_of(polyhedron, f));
+        if (!has_triangles[f]) elements.push_back(element_of(polyhedron, f));
     }
-    assert(elements_.size() <= Bvh8_node::most_elements);
+    assert(elements.size() <= Bvh8_node::most_elements);
+    return elements;
   }
 
   /// A face for which no triangles are given.

@@ -14,8 +14,8 @@ Target target()
 {
   using namespace tetracone::verify;
   const std::map<std::string_view, Target> targets = {
-      {"case", fuzz_case},   {"distance", fuzz_distance}, {"model", fuzz_model}, {"points", fuzz_points},
-      {"poses", fuzz_poses}, {"query", fuzz_query},       {"signs", fuzz_signs}};
+      {"case", fuzz_case},   {"distance", fuzz_distance}, {"model", fuzz_model},           {"points", fuzz_points},
+      {"poses", fuzz_poses}, {"query", fuzz_query},       {"saved_body", fuzz_saved_body}, {"signs", fuzz_signs}};
   const char* const name = std::getenv("TARGET");
   const auto found = targets.find(name ? name : "");
   if (found != targets.end()) return found->second;

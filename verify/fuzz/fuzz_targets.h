@@ -14,6 +14,7 @@ void fuzz_model(const std::uint8_t* data, std::size_t size);
 void fuzz_points(const std::uint8_t* data, std::size_t size);
 void fuzz_poses(const std::uint8_t* data, std::size_t size);
 void fuzz_query(const std::uint8_t* data, std::size_t size);
+void fuzz_saved_body(const std::uint8_t* data, std::size_t size);
 void fuzz_signs(const std::uint8_t* data, std::size_t size);
 
 inline void same(bool condition)

@@ -3,16 +3,28 @@
 #include "tetracone/tetratree/door/checksum.h"
 #include "tetracone/tetratree/door/repair.h"
 #include "tetracone/tetratree/door/tetracone.h"
+#include "verify/fuzz/scratch_file.h"
+#include "verify/test/support/forged_body.h"
+#include "verify/test/support/said.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/temporary_file.h"
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <fstream>
 #include <iterator>
+#include <limits>
+#include <random>
+#include <span>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_body_file)
@@ -51,11 +63,18 @@ Body saved(const Body& body)
 }
 
 /// What reading these bytes is refused with, behind the file's name; empty where it is not.
-std::string refusal(const verify::Temporary_file& file, const std::string& bytes)
+std::string refusal(const std::filesystem::path& file, const std::string& bytes)
 {
-  write(file.path(), bytes);
-  const std::string line = error_of(file, [](const auto& path) { read_body(path); });
-  return line == "no error" ? "" : line;
+  write(file, bytes);
+  const std::string line = verify::said([&] { read_body(file); }), name = file.string();
+  return line.starts_with(name) ? line.substr(name.size()) : line;
+}
+
+/// As `refusal` has them.
+bool is_one_line(const std::string& refused)
+{
+  return refused.starts_with(": ") && refused.find("; expected ") != std::string::npos &&
+         refused.find('\n') == std::string::npos;
 }
 
 Polyhedron blob(int divisions, unsigned seed)
@@ -112,6 +131,34 @@ BOOST_AUTO_TEST_CASE(a_saved_body_answers_as_the_one_that_was_saved)
   }
 }
 
+BOOST_AUTO_TEST_CASE(every_body_can_be_read_again)
+{
+  scenes::Random random(7);
+  std::vector<scenes::Named> all = scenes::closed_bodies();
+  all.push_back({"large", blob(6, 8)});
+  all.push_back({"open", open_box()});
+  all.push_back({"anywhere", scenes::random_tetrahedra(random, 200, 9)});
+  for (const double scale : {0x1p-1060, 0x1p-200, 0x1p300, 0x1p1000})
+    all.push_back({"scaled", scenes::moved(scenes::random_tetrahedra(random, 50, 9), scale)});
+  all.push_back({"far", scenes::moved(blob(3, 9), 0x1p-30, {0.7, 1e3, -3})});
+  Polyhedron dots, ever_smaller, needles;
+  dots.vertices = {{1, 2, 3}, {1, 2, 3}, {4, 4, 4}};
+  for (const auto& loop : {std::vector<std::uint32_t>{0}, {1}, {0, 1}, {2, 0, 1}}) dots.add_polygon(loop);
+  all.push_back({"dots", dots});
+  for (int k = 0; k < 400; ++k) {
+    append(ever_smaller, scenes::moved(scenes::cube(1), std::ldexp(1.0, -2 * k), {std::ldexp(8.0, -2 * k), 0, 0}));
+    append(needles, scenes::box({0.01 * k, 0, 0}, {0.01 * k + std::ldexp(1.0, -k), 1e3, std::ldexp(1.0, -k / 2)}));
+  }
+  all.push_back({"ever smaller", ever_smaller});
+  all.push_back({"needles", needles});
+  for (const auto& [name, polyhedron] : all) BOOST_TEST_CONTEXT(name)
+    {
+      for (const Body& body : {Body(polyhedron), Body(scenes::triangulated(polyhedron))}) {
+        BOOST_TEST(verify::said([&] { saved(body); }) == "");
+      }
+    }
+}
+
 BOOST_AUTO_TEST_CASE(a_body_is_the_same_bytes_whenever_it_is_saved)
 {
   const verify::Temporary_file first("first.body", ""), second("second.BODY", "");
@@ -148,14 +195,14 @@ BOOST_AUTO_TEST_CASE(every_spoiled_byte_is_seen)
   const verify::Temporary_file file("spoiled.body", "");
   save_body(Body(blob(1, 4)), file.path());
   const std::string whole = bytes_of(file.path());
-  BOOST_TEST(refusal(file, whole) == "");
+  BOOST_TEST(refusal(file.path(), whole) == "");
   int seen = 0, spoiled = 0;
   const auto spoil = [&](std::size_t at, int bits) {
     std::string bytes = whole;
     bytes[at] = char(bytes[at] ^ bits);
     ++spoiled;
-    const std::string line = refusal(file, bytes);
-    seen += line.starts_with(": ") && line.find("; expected ") != std::string::npos;
+    const std::string line = refusal(file.path(), bytes);
+    seen += is_one_line(line);
   };
   for (std::size_t at = 0; at < 400; ++at) spoil(at, 1 << at % 8);
   for (std::size_t at = 400; at < whole.size(); at += 997) spoil(at, 0x80);
@@ -171,25 +218,181 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_said)
   const auto with = [&](std::size_t at, char byte) {
     std::string bytes = whole;
     bytes[at] = byte;
-    return refusal(file, bytes);
+    return refusal(file.path(), bytes);
   };
-  BOOST_TEST(refusal(file, "") == ": the file is empty; expected a saved body");
-  BOOST_TEST(refusal(file, "OFF\n") == ": is no saved body; expected a file that `tetracone save` or save_body wrote");
-  BOOST_TEST(refusal(file, whole.substr(0, 100)) ==
-             ": has 100 bytes; expected at least the 320 with which a saved body begins");
-  BOOST_TEST(with(16, 2) == ": is a saved body of version 2; expected version 1: save it anew");
+  BOOST_TEST(refusal(file.path(), "") == ": the file is empty; expected a saved body");
+  BOOST_TEST(refusal(file.path(), "OFF\n") ==
+             ": is no saved body; expected a file that `tetracone save` or save_body wrote");
+  BOOST_TEST(refusal(file.path(), whole.substr(0, 100)) ==
+             ": has 100 bytes; expected at least the 192 with which a saved body begins");
+  BOOST_TEST(with(16, 1) == ": is a saved body of version 1; expected version 2: save it anew");
   BOOST_TEST(with(20, 4) ==
              ": is of a machine with another order of bytes; expected a body saved by such a machine as this one");
-  BOOST_TEST(with(32, 25) == ": has 25 bytes for an element of array 0; expected 24: save it anew");
-  BOOST_TEST(with(47, 1) == ": has " + size + " bytes; expected more, as its beginning says");
-  BOOST_TEST(refusal(file, whole + '\0') ==
+  BOOST_TEST(with(24, 25) == ": has 25 bytes for an element of array 0; expected 24: save it anew");
+  BOOST_TEST(with(39, 1) == ": has " + size + " bytes; expected more, as its beginning says");
+  BOOST_TEST(refusal(file.path(), whole + '\0') ==
              ": has " + std::to_string(whole.size() + 1) + " bytes; expected " + size + ", as its beginning says");
   BOOST_TEST(with(whole.size() - 1, 1) ==
              ": is spoiled: its checksum is not that of its bytes; expected the file as it was saved");
   int refused = 0, cuts = 0;
   for (std::size_t length = 1; length < whole.size(); length += 61, ++cuts)
-    refused += refusal(file, whole.substr(0, length)) != "";
+    refused += refusal(file.path(), whole.substr(0, length)) != "";
   BOOST_TEST(refused == cuts);
+}
+
+namespace {
+
+/// A saved body of few bytes, and what forgers make of it.
+class Forgery {
+ public:
+  explicit Forgery(const Body& body)
+      : file_(".body"), arrays_(arrays_of(body)), answers_(verify::answers(Body(body.polyhedron())))
+  {
+    save_body(body, file_.path());
+    whole_ = bytes_of(file_.path());
+    // Zeros between the arrays and the nodes, which begin at a page, mean nothing.
+    const std::size_t page = 65536;
+    std::size_t end = whole_.size() > page ? whole_.find_last_not_of('\0', page - 1) + 1 : whole_.size();
+    for (std::size_t at = 0; at + 4 <= whole_.size(); at += 4)
+      if (at < end + 8 || at >= page) places_.push_back(at);
+  }
+
+  const std::string& whole() const { return whole_; }
+  const std::vector<std::size_t>& places() const { return places_; }
+
+  /// Reads the bytes with a right checksum: they are refused in one line, or answer as a body made anew of their vertices
+  /// and faces.
+  void ask(const std::string& bytes)
+  {
+    ++asked;
+    const std::string changed = verify::forged(bytes);
+    if (const std::string line = refusal(file_.path(), changed); !line.empty()) {
+      ++refused;
+      BOOST_TEST(is_one_line(line), line);
+      return;
+    }
+    const Body read = read_body(file_.path());
+    const bool is_same = arrays_of(read) == arrays_;
+    BOOST_TEST(verify::answers(read) == (is_same ? answers_ : verify::answers(Body(read.polyhedron()))));
+  }
+
+  int asked = 0, refused = 0;
+
+ private:
+  /// The bytes of vertices and loops.
+  static std::string arrays_of(const Body& body)
+  {
+    std::string bytes;
+    body.polyhedron().for_arrays([&](const auto& array) {
+      bytes.append(reinterpret_cast<const char*>(array.data()), array.size() * sizeof(array[0])).push_back('.');
+    });
+    return bytes;
+  }
+
+  verify::Scratch_file file_;
+  std::string arrays_, answers_, whole_;
+  std::vector<std::size_t> places_;  // every fourth byte that means something
+};
+
+template <class Word>
+void put(std::string& bytes, std::size_t at, Word word)
+{
+  if (at + sizeof word <= bytes.size()) std::memcpy(&bytes[at], &word, sizeof word);
+}
+
+/// Another word at this place, of four bytes or eight: one of some that forgers like, or any.
+std::string changed(std::string bytes, std::size_t at, int way, std::mt19937_64& random)
+{
+  std::uint32_t four;
+  std::uint64_t eight = 0;
+  std::memcpy(&four, &bytes[at], 4);
+  std::memcpy(&eight, &bytes[at], std::min<std::size_t>(8, bytes.size() - at));
+  constexpr double infinite = std::numeric_limits<double>::infinity(),
+                   nothing = std::numeric_limits<double>::quiet_NaN();
+  switch (way) {
+    case 0: put(bytes, at, std::uint32_t(0)); break;
+    case 1: put(bytes, at, ~std::uint32_t(0)); break;
+    case 2: put(bytes, at, four + 1); break;
+    case 3: put(bytes, at, four - 1); break;
+    case 4: put(bytes, at, std::uint32_t(random())); break;
+    case 5: put(bytes, at, float(nothing)); break;
+    case 6: put(bytes, at, float(infinite)); break;
+    case 7: put(bytes, at, four ^ 1u << random() % 32); break;
+    case 8: put(bytes, at, 1e30f); break;
+    case 9: put(bytes, at, std::uint64_t(0)); break;
+    case 10: put(bytes, at, ~std::uint64_t(0)); break;
+    case 11: put(bytes, at, nothing); break;
+    case 12: put(bytes, at, -infinite); break;
+    case 13: put(bytes, at, eight + 1); break;
+    case 14: put(bytes, at, 1e308); break;
+    case 15: put(bytes, at, random()); break;
+    case 16: put(bytes, at, eight ^ std::uint64_t(1) << random() % 64); break;
+    case 17: put(bytes, at, float(std::bit_cast<float>(four) * 0.999)); break;
+    default: put(bytes, at, std::uint32_t(random() % 16)); break;
+  }
+  return bytes;
+}
+constexpr int ways = 19;
+
+Body tetrahedron() { return Body(scenes::tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1})); }
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(any_word_may_be_forged_and_no_answer_is_wrong)
+{
+  std::mt19937_64 random(1);
+  const Body with_holes = read_body(TETRACONE_SOURCE_DIR "/verify/test/models/frame.poly");
+  for (const Body& body : {tetrahedron(), Body(scenes::unit_cube()), Body(open_box()), with_holes,
+                           tetracone::triangulated_body(with_holes.polyhedron())}) {
+    Forgery forgery(body);
+    const std::size_t faces = body.polyhedron().face_count();
+    const int step = faces > 6 ? ways : faces > 4 ? 10 : 2;  // each word once, or more
+    for (const std::size_t at : forgery.places())
+      for (int way = int(random() % step); way < ways; way += step)
+        forgery.ask(changed(forgery.whole(), at, way, random));
+    BOOST_TEST_MESSAGE(forgery.asked << " forged, " << forgery.refused << " refused");
+    BOOST_TEST(forgery.refused > forgery.asked / 2);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(many_words_may_be_forged_at_once)
+{
+  std::mt19937_64 random(2);
+  for (const Body& body : {tetrahedron(), Body(blob(1, 5))}) {
+    Forgery forgery(body);
+    for (int k = 0; k < 500; ++k) {
+      std::string bytes = forgery.whole();
+      for (std::size_t words = 2 + random() % 6; words-- > 0;) {
+        const std::size_t at = forgery.places()[random() % forgery.places().size()];
+        bytes = changed(std::move(bytes), at, int(random() % ways), random);
+      }
+      forgery.ask(bytes);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_is_forged_is_said)
+{
+  const verify::Temporary_file file("said.body", "");
+  save_body(Body(scenes::triangulated(scenes::unit_cube())), file.path());
+  const std::string whole = bytes_of(file.path());
+  const auto line = [&](std::size_t at, const auto& word) {
+    std::string bytes = whole;
+    put(bytes, at, word);
+    return refusal(file.path(), verify::forged(bytes));
+  };
+  const std::string as_saved = "; expected a file that `tetracone save` or save_body wrote";
+  constexpr std::size_t vertices = 192, corners = vertices + 8 * 24, loops = corners + 192, faces = loops + 64,
+                        order = faces + 64, nodes = 65536;
+  BOOST_TEST(line(vertices, std::numeric_limits<double>::quiet_NaN()) ==
+             ": vertex 0 has the coordinate nan; expected finite coordinates");
+  BOOST_TEST(line(corners, 8u).starts_with(": face 0 names vertex 8 of 8 vertices; expected "));
+  BOOST_TEST(line(loops, 7u) == ": has loops of other corners, or faces of other loops, than there are" + as_saved);
+  BOOST_TEST(line(faces, 0u) == ": has loops of other corners, or faces of other loops, than there are" + as_saved);
+  BOOST_TEST(line(order, ~0u) == ": has leaves that do not hold each triangle and each face once" + as_saved);
+  BOOST_TEST(line(nodes + 384, 0.01f) == ": lane 0 of node 0 has a box that does not hold its elements" + as_saved);
+  BOOST_TEST(line(nodes + 96, 2.0f) == ": lane 0 of node 0 has axes that are not orthonormal" + as_saved);
+  BOOST_TEST(line(nodes + 492, 1e30f) == ": lane 0 of node 0 has a box of other numbers than boxes have" + as_saved);
 }
 
 BOOST_AUTO_TEST_CASE(what_cannot_be_saved_leaves_nothing)

@@ -10,7 +10,9 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -157,6 +159,27 @@ BOOST_AUTO_TEST_CASE(an_answer_says_how_the_bodies_stand_to_one_another)
   std::ostringstream out;
   out << Relation::apart << ' ' << Relation::surfaces << ' ' << Relation::a_in_b << ' ' << Relation::b_in_a;
   BOOST_TEST(out.str() == "apart surfaces a_in_b b_in_a");
+}
+
+BOOST_AUTO_TEST_CASE(triangles_that_do_not_cover_their_face_are_refused)
+{
+  const Polyhedron cube = scenes::unit_cube();
+  const auto refusal = [&](const std::vector<tetracone::Face_triangle>& triangles) {
+    return said([&] { return Body(cube, triangles); });
+  };
+  const auto loop = cube.loop(2, 0);
+  const std::array<std::uint32_t, 3> half{loop[0], loop[1], loop[2]}, other{loop[0], loop[2], loop[3]};
+  const std::string expected = "; expected triangles that cover exactly the face";
+  BOOST_TEST(refusal({{2, half}, {2, other}}) == "");
+  BOOST_TEST(
+      refusal({{2, half}}).starts_with("body: face 2: its triangles do not end where its loops do, at the edge "));
+  BOOST_TEST(refusal({{2, half}}).ends_with(expected));
+  BOOST_TEST(refusal({{2, half}, {2, other}, {2, other}}).starts_with("body: face 2: "));
+  BOOST_TEST(refusal({{3, half}, {3, other}}).starts_with("body: face 3: its triangle "));
+  BOOST_TEST(refusal({{2, {loop[2], loop[1], loop[0]}}, {2, other}}).starts_with("body: face 2: "));
+  BOOST_TEST(refusal({{2, {loop[0], loop[1], 8}}}) ==
+             "body: a triangle of face 2 names vertex 8; expected a vertex's number");
+  BOOST_TEST(refusal({{6, half}}) == "body: a triangle of face 6 of 6; expected a face's number");
 }
 
 BOOST_AUTO_TEST_CASE(polygons_with_holes_are_served_with_and_without_the_parts_that_are_gpl)

@@ -1,0 +1,202 @@
+#include "tetracone/tetratree/door/tree_flaw.h"
+
+#include "tetracone/kernel/bound/oriented_box.h"
+#include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/simd/short_vectors.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace tetracone::detail {
+namespace {
+
+using covering::Index;
+using kernel::Obb8;
+using kernel::Two_doubles;
+using kernel::Vector;
+using tetratree::Bvh8_elements;
+using tetratree::Bvh8_node;
+
+/// Upper bound of coordinates of centres and origins, and of extents, in local units. The proofs of the bounds take 2
+/// (verify/proofs/margin_proofs.h). Boxes of points within the unit cube have less: the root of 3, and roundings.
+constexpr double most_coordinate = 2;
+
+/// Upper bound of the share of max_k |a_k . y| by which an extent must exceed |a_i . y|. Axes of defect d need
+/// 3 d (1 + 4 d); half a d more takes all roundings here, which are below 2^-46. Stored extents have 4 d.
+constexpr double defect_share = 3.5 * kernel::axis_defect;
+static_assert(defect_share > 3 * kernel::axis_defect * (1 + 4 * kernel::axis_defect) + 0x1p-46 &&
+              defect_share < kernel::axis_defect_factor * kernel::axis_defect);
+
+/// Upper bound of what errors of coordinates move a point along an axis. A local coordinate is off by 2^-54, since it is
+/// a rounded difference below 1. A centre is off by 2^-53, since it is a rounded sum below 2. Together they move the point
+/// by the root of 3 times 3 2^-54 along an axis, which is below 1.5 2^-52. Stored extents have 2 2^-52.
+constexpr double position_share = 1.5 * Bvh8_elements::local_error;
+static_assert(position_share > 1.7321 * 3 * 0x1p-54 &&
+              position_share < kernel::axis_norm_1 * Bvh8_elements::local_error);
+
+/// Upper bound of the nodes one below the other: functions that call themselves from node to node stay within a stack. Cuts
+/// that take single elements off are by floats of centroids, of which an axis has some 150 scales; seven are a node's.
+constexpr int most_depth = 1000;
+
+/// Checks one node after the other.
+class Tree_check {
+ public:
+  Tree_check(const Bvh8_elements& elements, std::span<const Bvh8_node> nodes) : elements_(elements), nodes_(nodes)
+  {
+    begin_.reserve(elements.count() + 1);
+    for (std::vector<double>& of_axis : at_) of_axis.reserve(3 * std::size_t(elements.count()));
+    for (Index e = 0; e < elements.count(); ++e) {
+      begin_.push_back(at_[0].size());
+      elements.for_vertices(elements[e], [&](Index v) {
+        const Vector p = elements.local(v);
+        for (int k = 0; k < 3; ++k) at_[k].push_back(p[k]);
+      });
+    }
+    begin_.push_back(at_[0].size());
+  }
+
+  std::optional<std::string> flaw()
+  {
+    open_ = {{0, elements_.count(), 0, -1, 1}};
+    for (Index n = 0; n < nodes_.size(); ++n) {
+      if (open_.empty()) return "node " + std::to_string(n) + " is below no other";
+      const Below below = open_.back();
+      open_.pop_back();
+      if (below.lane >= 0 && nodes_[below.parent].child[std::size_t(below.lane)] != std::int32_t(n))
+        return at(below.parent, below.lane) + " does not lead to node " + std::to_string(n);
+      if (auto wrong = flaw_of_node(n, below)) return wrong;
+    }
+    if (!open_.empty()) return at(open_.back().parent, open_.back().lane) + " leads to no node";
+    return std::nullopt;
+  }
+
+ private:
+  /// What holds elements first .. last, and has its node after those before it.
+  struct Below {
+    Index first, last, parent;
+    int lane;   // -1: of the root
+    int depth;  // of that node
+  };
+
+  static std::string at(Index n, int lane) { return "lane " + std::to_string(lane) + " of node " + std::to_string(n); }
+
+  static bool is_within(double x, double most) { return std::abs(x) <= most; }
+
+  std::optional<std::string> flaw_of_node(Index n, const Below& below)
+  {
+    const Bvh8_node& node = nodes_[n];
+    const int lanes = node.boxes.lane_count;
+    // The root is one lane, and all others have two or more: there are no more nodes than elements.
+    if (n == 0 ? lanes != 1 : lanes < 2 || lanes > int(kernel::lanes))
+      return "node " + std::to_string(n) + " has " + std::to_string(lanes) + " lanes";
+    if (below.depth > most_depth) return "node " + std::to_string(n) + " is below too many others";
+    for (const float x : node.boxes.origin)
+      if (!is_within(x, most_coordinate)) return "node " + std::to_string(n) + " has its origin elsewhere";
+    if (!is_empty_from(node, lanes)) return "node " + std::to_string(n) + " has more than its lanes";
+    for (int lane = lanes; lane-- > 0;) {
+      const Index begin = node.first[std::size_t(lane)],
+                  end = lane + 1 < lanes ? node.first[std::size_t(lane) + 1] : below.last;
+      if (!(begin < end && end <= below.last) || (lane == 0 && begin != below.first))
+        return at(n, lane) + " has other elements";
+      const std::int32_t child = node.child[std::size_t(lane)];
+      if (node.is_leaf(lane) ? end - begin != 1 || child > Bvh8_node::last_leaf : end - begin < 2 || child < 0)
+        return at(n, lane) + " is no leaf and no other's parent";
+      if (!node.is_leaf(lane)) open_.push_back({begin, end, n, lane, below.depth + 1});
+      if (auto wrong = flaw_of_box(n, lane, begin, end)) return wrong;
+    }
+    return std::nullopt;
+  }
+
+  static bool is_empty_from(const Bvh8_node& node, int lanes)
+  {
+    std::uint32_t any = node.boxes.marked >> lanes;
+    for (std::size_t lane = std::size_t(lanes); lane < kernel::lanes; ++lane) {
+      for (int i = 0; i < 3; ++i) {
+        any |= std::uint32_t(node.boxes.centre[i][lane] != 0) | std::uint32_t(node.boxes.extent[i][lane] != 0);
+        for (int k = 0; k < 3; ++k) any |= std::uint32_t(node.boxes.axis[i][k][lane] != 0);
+      }
+      any |= std::uint32_t(node.child[lane]) | node.first[lane];
+    }
+    return any == 0;
+  }
+
+  std::optional<std::string> flaw_of_box(Index n, int lane, Index first, Index last) const
+  {
+    const Obb8& boxes = nodes_[n].boxes;
+    const auto centre = kernel::centre_of(boxes, lane);
+    kernel::Matrix axes;
+    double sum = 0, square = 0;
+    bool is_bounded = true;
+    for (int i = 0; i < 3; ++i) {
+      const double c = boxes.centre[i][lane], e = boxes.extent[i][lane];
+      for (int k = 0; k < 3; ++k) axes(k, i) = boxes.axis[i][k][lane];
+      is_bounded = is_bounded && is_within(c, most_coordinate) && is_within(centre[std::size_t(i)], most_coordinate) &&
+                   e >= 0 && e <= most_coordinate;
+      sum += e;
+      square += c * c;
+    }
+    // Roundings of the root and of sums are below 2^-50; a stored reach is 2^-23 more.
+    const double reach = (sum + std::sqrt(square)) * (1 + 0x1p-50);
+    if (!is_bounded || !(reach <= boxes.reach && boxes.reach <= 8 * most_coordinate))
+      return at(n, lane) + " has a box of other numbers than boxes have";
+    if (!kernel::is_nearly_orthonormal(axes)) return at(n, lane) + " has axes that are not orthonormal";
+    const Vector reached = largest(axes, Vector(centre[0], centre[1], centre[2]), begin_[first], begin_[last]);
+    const double margin = defect_share * kernel::maximum(reached[0], reached[1], reached[2]) + position_share;
+    for (int i = 0; i < 3; ++i)
+      if (!(reached[i] + margin <= double(boxes.extent[i][lane])))
+        return at(n, lane) + " has a box that does not hold its elements";
+    if (nodes_[n].is_leaf(lane) && !has_apex(n, lane, first))
+      return at(n, lane) + " has a triangle elsewhere in its box";
+    return std::nullopt;
+  }
+
+  bool has_apex(Index n, int lane, Index element) const
+  {
+    const kernel::Apex_code code = Bvh8_node::apex(nodes_[n].child[std::size_t(lane)]);
+    if (code == 0) return true;
+    if (begin_[element + 1] - begin_[element] != 3) return false;
+    std::array<Vector, 3> corners;
+    for (std::size_t c = 0; c < 3; ++c)
+      for (int k = 0; k < 3; ++k) corners[c][k] = at_[k][begin_[element] + c];
+    const auto& origin = nodes_[n].boxes.origin;
+    return kernel::Apex_box(nodes_[n].boxes, lane, Vector(origin[0], origin[1], origin[2])).holds(corners, code);
+  }
+
+  /// max |a_i . (p - c)| of points first .. last, for each axis. Requires finite numbers.
+  Vector largest(const kernel::Matrix& axes, const Vector& centre, std::size_t first, std::size_t last) const
+  {
+    std::array<Two_doubles, 3> most{};
+    const auto take = [&](const std::array<Two_doubles, 3>& p) {
+      const std::array<Two_doubles, 3> y{p[0] - centre[0], p[1] - centre[1], p[2] - centre[2]};
+      for (int i = 0; i < 3; ++i)
+        most[std::size_t(i)] = kernel::larger(
+            most[std::size_t(i)], kernel::magnitudes(axes(0, i) * y[0] + axes(1, i) * y[1] + axes(2, i) * y[2]));
+    };
+    std::size_t k = first;
+    for (; k + 2 <= last; k += 2)
+      take({kernel::two_from(&at_[0][k]), kernel::two_from(&at_[1][k]), kernel::two_from(&at_[2][k])});
+    if (k < last) take({kernel::two_times(at_[0][k]), kernel::two_times(at_[1][k]), kernel::two_times(at_[2][k])});
+    Vector result;
+    for (int i = 0; i < 3; ++i) result[i] = kernel::maximum(most[std::size_t(i)][0], most[std::size_t(i)][1]);
+    return result;
+  }
+
+  const Bvh8_elements& elements_;
+  std::span<const Bvh8_node> nodes_;
+  std::vector<Below> open_;
+  std::vector<std::size_t> begin_;         // of each element: where its corners begin
+  std::array<std::vector<double>, 3> at_;  // the corners of all elements, in local units
+};
+
+}  // namespace
+
+std::optional<std::string> tree_flaw(const Bvh8_elements& elements, std::span<const Bvh8_node> nodes)
+{
+  return Tree_check(elements, nodes).flaw();
+}
+
+}  // namespace tetracone::detail
