@@ -58,6 +58,9 @@ class Ray_triangle {
   /// eight times, D six of 2 S^2, seven times; and t is at most M where the ray meets the triangle, for |t d_k| <= M.
   static constexpr double plane_rounding = 0x1p-45;
 
+  /// What the ends of a time's enclosure lose: a difference or a sum, a quotient and a product, a share of themselves.
+  static constexpr double time_rounding = 0x1p-50;
+
   /// Requires corners within 2^250. Nothing underflows that counts beside the bounds; and where N is above its own, D is
   /// more than N / M less its own.
   Decision operator()(const Vertex& a, const Vertex& b, const Vertex& c) const
@@ -84,7 +87,7 @@ class Ray_triangle {
                  error = plane_rounding * S * S * M;
     if (N < -error) return {Meets::no};
     if (!(N > error)) return {};
-    return {Meets::yes, (N - error) / D * (1 - 0x1p-50), (N + error) / D * (1 + 0x1p-50)};
+    return {Meets::yes, (N - error) / D * (1 - time_rounding), (N + error) / D * (1 + time_rounding)};
   }
 
   /// In double-double: of N a share of S^2 M, of D one of S^2, which six products of at most S^2 M and 2 S^2 lose; and of

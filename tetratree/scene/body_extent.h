@@ -112,13 +112,14 @@ inline World_box world_box(const Body_extent& extent, const kernel::Pose& pose)
   return box;
 }
 
-/// The same by how far the body itself reaches along each axis: unit h(M_i) from its local origin. A direction is
-/// rounded to float, which moves h by as much of |M_i|_1, since |p_k| <= 1 locally; its norm is a rounded sum.
+/// What a direction that is rounded to float takes from a reach, a share of its |.|_1 as a rounded sum: |p_k| <= 1 locally.
+inline constexpr float slack_of_direction = 4 * kernel::unit_roundoff<float>;
+
+/// The same by how far the body itself reaches along each axis: unit h(M_i) from its local origin.
 ///
 /// `table` is the body's, `scale` its tree's.
 inline World_box world_box(Support_table& table, const kernel::Local_scale& scale, const kernel::Pose& pose)
 {
-  constexpr float slack_of_direction = 4 * kernel::unit_roundoff<float>;
   World_box box;
   for (int i = 0; i < 3; ++i) {
     double at = pose[4 * i + 3], terms = std::abs(at);

@@ -50,6 +50,10 @@ inline Proved_bounds ray_proofs()
   add("Ray_triangle::side_rounding", Ray::side_rounding, of_direction * few, u, 1.61);
   add("Ray_triangle::plane_rounding", Ray::plane_rounding, (of_corner + of_direction) * few, u, 2.04);
 
+  // A difference or a sum, a quotient and a product.
+  const Rational u_exact(u), less = (1 - u_exact) * (1 - u_exact) * (1 - u_exact);
+  add("Ray_triangle::time_rounding", Ray::time_rounding, 1 / less - 1, u, 2.67, "rationals");
+
   const auto wide = [](const auto& in) { return detail::determinant_of_differences<0>(in); };
   const Rational of_products = sum(slice_errors<Relative_double_double>(wide, slices_of_determinant()));
   add("Ray_triangle::height_rounding", Ray::height_rounding, of_products * few, u * u, 3.89);
