@@ -114,6 +114,7 @@ inline std::vector<Other_constant> other_constants()
       {"tetratree/scene/body_extent.h", "0x1p-500", by_hand, "the root of squares that underflow below 2^-1074"},
       {"tetratree/scene/scene_data.cpp", "0x1p-51", by_hand, "a sum and a product in double: 2 of 2^-53"},
       {"tetratree/scene/scene_pairs.cpp", "0x1p-51", by_hand, "a sum and a product in double: 2 of 2^-53"},
+      {"tetratree/scene/scene_pairs.cpp", "0x1p-46", by_hand, "a sum of three squares against a square, in double"},
       {"tetratree/scene/scene_pairs.cpp", "0x1p-120", by_hand, "what a float of a vector loses by underflow: 2^-150"},
       {"tetratree/scene/scene_pairs.cpp", "0x1p-23", by_hand, "a float's rounding of a vector, twice"},
       {"tetratree/scene/world_box.h", "0x1p-50", by_hand,

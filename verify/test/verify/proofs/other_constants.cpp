@@ -1,5 +1,6 @@
 #include "verify/proofs/other_constants.h"
 
+#include "tetracone/kernel/number/number.h"
 #include "verify/proofs/all_proofs.h"
 #include "verify/test/support/proofs.h"
 
@@ -113,6 +114,31 @@ BOOST_AUTO_TEST_CASE(every_constant_of_the_package_is_proved_or_has_its_reason)
                                                               : " has neither a proof nor a reason"));
       }
     }
+}
+
+BOOST_AUTO_TEST_CASE(the_kept_table_has_a_proof_in_every_row_and_no_value_that_is_none)
+{
+  std::ifstream in(source / "experiments/results/error_bounds.csv");
+  std::string line;
+  std::getline(in, line);
+  BOOST_TEST_REQUIRE(line.starts_with("constant,file,unit,in_code,proved,proved_by,proof,"));
+  int rows = 0;
+  for (; std::getline(in, line); ++rows) {
+    std::vector<std::string> fields;
+    for (std::size_t at = 0; at <= line.size(); at = line.find(',', at) + 1) {
+      fields.push_back(line.substr(at, line.find(',', at) - at));
+      if (line.find(',', at) == std::string::npos) break;
+    }
+    BOOST_TEST_INFO_SCOPE(line);
+    BOOST_TEST_REQUIRE(fields.size() > 9u);
+    BOOST_TEST(std::filesystem::is_regular_file(source / fields[1]));
+    BOOST_TEST(std::filesystem::is_regular_file(source / fields[6]));
+    const bool has_values = fields[5] != "hand" && fields[5] != "test";
+    for (const std::size_t k : {2, 3, 4})
+      BOOST_TEST((fields[k].empty() ? !has_values : tetracone::kernel::parse_double(fields[k]).has_value()));
+    if (fields[5] == "hand") BOOST_TEST(!fields[9].empty(), "no reason");
+  }
+  BOOST_TEST(rows > 150);
 }
 
 BOOST_AUTO_TEST_CASE(a_constant_is_found_by_its_name_and_a_literal_by_itself)
