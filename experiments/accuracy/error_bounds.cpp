@@ -5,7 +5,7 @@
 #include "verify/proofs/all_proofs.h"
 #include "verify/proofs/gappa_script.h"
 #include "verify/proofs/other_constants.h"
-#include "verify/proofs/searches.h"
+#include "verify/searches/searches.h"
 
 #include <cstdio>
 #include <stdexcept>

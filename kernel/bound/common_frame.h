@@ -37,10 +37,10 @@ Number row_of_gram(const std::array<Number, 3>& column, const std::array<Number,
 
 /// A lower bound of the factor by which the linear map of these rows shortens a vector, all entries exact.
 ///
-/// The least eigenvalue of L^T L is at least each diagonal entry less the others of its row (Gershgorin), which is close
-/// where L is nearly a similarity. Elsewhere the least singular value is |det L| over the product of the two others,
-/// which is at most half the sum of the squares of all.
-/// The determinant is off by `Pose::determinant_rounding` of its permanent. 0 where nothing is known.
+/// The least eigenvalue of L^T L is at least each diagonal entry less the others of its row (Gershgorin), which is
+/// close where L is nearly a similarity. Elsewhere the least singular value is |det L| over the product of the two
+/// others, which is at most half the sum of the squares of all. The determinant is off by `Pose::determinant_rounding`
+/// of its permanent. 0 where nothing is known.
 inline double least_stretch(const std::array<std::array<double, 3>, 3>& l)
 {
   namespace bound = least_stretch_bound;
@@ -63,8 +63,8 @@ inline double least_stretch(const std::array<std::array<double, 3>, 3>& l)
 /// placed, times a power of two that makes the larger body about as large as 1. A point is off by at most
 /// `position_error` in a coordinate, which is infinite where no bound is known.
 ///
-/// A local point p, off by 2 u (`Bvh8_elements::local_error`), is placed by L p, whose entries are rounded where they are
-/// fractions. B's is moved by D, which is off by its own error, and the sum is rounded.
+/// A local point p, off by 2 u (`Bvh8_elements::local_error`), is placed by L p, whose entries are rounded where they
+/// are fractions. B's is moved by D, which is off by its own error, and the sum is rounded.
 class Common_frame {
  public:
   using Row = std::array<double, 3>;

@@ -69,8 +69,8 @@ inline int plane_side(const Local_point& a, const Local_point& b, const Local_po
   return side > plane_side_bound ? 1 : side < -plane_side_bound ? -1 : 0;
 }
 
-/// A triangle of a model, with its plane normal . x = offset: a component of the normal is off by at most `normal_error`,
-/// the offset by at most `offset_error`.
+/// A triangle of a model, with its plane normal . x = offset: a component of the normal is off by at most
+/// `normal_error`, the offset by at most `offset_error`.
 struct Local_facet {
   Local_triangle corner;
   Local_point normal;
@@ -97,10 +97,10 @@ struct Local_facet {
 ///
 /// In an octant, with coordinates taken positive, r = x + y + z is linear and central projection (a, b, c) = n (x, y,
 /// z) / r maps triangles to triangles. Cell (i, j) is i <= a <= i + 1, j <= b <= j + 1 and c >= 0, and its *wide* cell
-/// reaches `wide_margin` farther everywhere, across the sides of the octant too, r being the octant's. Every direction in
-/// local units of norm at least `core` is, with its error, within the wide cell that it is given. What `for_cells` says
-/// of a cell holds for its wide cell. So a point may be moved by an infinitesimal, or have come out in the neighbour of
-/// its cell, and nothing of what is said becomes wrong.
+/// reaches `wide_margin` farther everywhere, across the sides of the octant too, r being the octant's. Every direction
+/// in local units of norm at least `core` is, with its error, within the wide cell that it is given. What `for_cells`
+/// says of a cell holds for its wide cell. So a point may be moved by an infinitesimal, or have come out in the
+/// neighbour of its cell, and nothing of what is said becomes wrong.
 class Cone_cells {
  public:
   static constexpr int most = 1 << 10;     ///< n at most
@@ -112,8 +112,8 @@ class Cone_cells {
   static constexpr double lattice_margin = 0x1p-8;
   /// By so much intervals of norms are made wider: what they and points are off by, and their rounding to float.
   static constexpr double norm_margin = 0x1p-21;
-  /// How much an octant is widened that triangles are clipped to, and how far on the other side of its border a corner may
-  /// be of a triangle that reaches it so, both over n and the second for norms of up to 3.
+  /// How much an octant is widened that triangles are clipped to, and how far on the other side of its border a corner
+  /// may be of a triangle that reaches it so, both over n and the second for norms of up to 3.
   static constexpr double widening = 0x1p-9, near_side = 0x1p-7;
   /// Above the error of the norm where a plane meets a direction, both known in double.
   static constexpr double plane_margin = 0x1p-24;
@@ -271,8 +271,8 @@ class Cone_cells {
     return turned;
   }
 
-  /// The plane of a triangle in the coordinates of an octant: along a direction (a, b, c) / n it is at the norm D / g, g
-  /// linear in a and b, so that over a cell the norm is between those at its corners where g keeps its sign.
+  /// The plane of a triangle in the coordinates of an octant: along a direction (a, b, c) / n it is at the norm D / g,
+  /// g linear in a and b, so that over a cell the norm is between those at its corners where g keeps its sign.
   class Plane {
    public:
     Plane(const Local_facet& facet, unsigned octant, int n) : offset_(facet.offset)

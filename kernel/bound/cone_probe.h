@@ -58,12 +58,13 @@ class Cone_probe {
 
   /// Of corners of a model's triangles.
   ///
-  /// X and Y are off by at most E, `sheared_error`: a shear by being a float and by p, which is off by `local_error` over
-  /// |p_z| >= core / 3. A determinant X Y' - Y X' of numbers of at most B <= 2 is off by less than t, `turn_slack(B)`.
+  /// X and Y are off by at most E, `sheared_error`: a shear by being a float and by p, which is off by `local_error`
+  /// over |p_z| >= core / 3. A determinant X Y' - Y X' of numbers of at most B <= 2 is off by less than t,
+  /// `turn_slack(B)`.
   ///
-  /// The line meets the triangle's plane at z = p_z + D / S, with e the three determinants, S their sum and D the sum of
-  /// e_k (z_k - p_z), z_k of the corner opposite. A difference, at most Z <= 5, is off by at most `height_error`. With
-  /// |e| <= L, off by t, D is off by less than `plane_slack(t, L, Z)`.
+  /// The line meets the triangle's plane at z = p_z + D / S, with e the three determinants, S their sum and D the sum
+  /// of e_k (z_k - p_z), z_k of the corner opposite. A difference, at most Z <= 5, is off by at most `height_error`.
+  /// With |e| <= L, off by t, D is off by less than `plane_slack(t, L, Z)`.
   Views operator()(const Corners& w, const Corners& a, const Corners& b) const
   {
     const auto [wx, wy, wz] = sheared(w);

@@ -18,8 +18,8 @@ class Cone_slab {
   /// Tells nothing.
   Cone_slab() = default;
 
-  /// Of triangles of a model, in the wide cell whose corners these are. It tells nothing where no plane faces all of the
-  /// cell.
+  /// Of triangles of a model, in the wide cell whose corners these are. It tells nothing where no plane faces all of
+  /// the cell.
   ///
   /// A triangle's part in the cell lies in the hull of its corners, and, where its plane faces all of the cell, of the
   /// plane's points on the cell's corners: at D / g, g = N . direction, times their ascent. `margin` is more than the

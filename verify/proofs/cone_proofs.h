@@ -14,8 +14,8 @@
 #include <array>
 #include <string>
 
-/// The constants by which the point locator's cells, slabs and probes discard: kernel/bound/cone_cells.h, cone_slab.h and
-/// cone_probe.h.
+/// The constants by which the point locator's cells, slabs and probes discard: kernel/bound/cone_cells.h, cone_slab.h
+/// and cone_probe.h.
 namespace tetracone::verify::proofs {
 
 namespace detail {
@@ -75,8 +75,8 @@ inline Proved_bounds cone_proofs()
     bounds.push_back({name, std::string("kernel/bound/") + file, Rational(in_code), proved, 1, loosest, "rationals"});
   };
 
-  // Local coordinates are differences of halves, over half a unit, which are powers of two: of a model at most 1, and of a
-  // point at most 4. Halves lose what underflows, over a unit of at least 2^-1000.
+  // Local coordinates are differences of halves, over half a unit, which are powers of two: of a model at most 1, and
+  // of a point at most 4. Halves lose what underflows, over a unit of at least 2^-1000.
   const Rational of_halves = 2 * Rational(0x1p-1074) / Rational(0x1p-1000);
   bounds.push_back({"Bvh8_elements::local_error", "tetratree/fast/bvh8_elements.h",
                     Rational(tetratree::Bvh8_elements::local_error), 2 * Double::rounding_of(Rational(0.5)) + of_halves,
@@ -103,7 +103,8 @@ inline Proved_bounds cone_proofs()
   add("Cone_cells::wide_margin", "cone_cells.h", Cells::wide_margin, 2 * on_lattice(off, core), 258);
 
   // A cut lies as far from the edge as its coordinates are rounded, and from the clip's border by what the function's
-  // values at both ends are off by, of at most 1 + 3 / 2^9, and by a rounding of the share; five cuts follow one another.
+  // values at both ends are off by, of at most 1 + 3 / 2^9, and by a rounding of the share; five cuts follow one
+  // another.
   const Double exact(Rational(1), Rational(0));
   const Rational of_cut = Cells::on_edge(exact, exact, exact).error,
                  of_value = 2 * 4 * Double::rounding_of(Rational(2)) + 2 * Double::rounding_of(Rational(2)),

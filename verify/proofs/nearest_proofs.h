@@ -20,8 +20,8 @@
 #include <string>
 #include <vector>
 
-/// The constants by which the nearest pair of elements is found: the common frame of two bodies, limits and distances in
-/// it, and directions that decide without exact numbers.
+/// The constants by which the nearest pair of elements is found: the common frame of two bodies, limits and distances
+/// in it, and directions that decide without exact numbers.
 namespace tetracone::verify::proofs {
 
 namespace detail {
@@ -78,8 +78,8 @@ inline Proved_bounds nearest_proofs()
                       error = (number * row + number * way + number * number) * number;
   add("Common_frame::sum_rounding", of_frame, Frame::sum_rounding,
       1 / std::min(error.least(u), (way * number).least(u)) - 1, unit, 2.29);
-  // Three products of numbers of at most 1; and entries of a pose that are rounded where they underflow, times a unit and
-  // the power of two that leads to the frame, both at most 2^200.
+  // Three products of numbers of at most 1; and entries of a pose that are rounded where they underflow, times a unit
+  // and the power of two that leads to the frame, both at most 2^200.
   using Double = Range_number<Double_range>;
   const Double point(1), map_entry(1, Rational(0x1p-1074) / 2 * Rational(0x1p400));
   add("Common_frame::underflow", of_frame, Frame::underflow,
@@ -142,9 +142,9 @@ inline Proved_bounds nearest_proofs()
   const std::string of_directions = "kernel/predicate/enclosed_distance.h";
   add("Enclosed_distance::direction_error", of_directions, Enclosed::direction_error,
       Rational(Enclosed::most_radii) / power(down, 6) + u / down, unit, 1.34);
-  // n . (x - p) over |n|_1: both points are off, `slack` gives 4 of `position_error`; and of their difference, of at most
-  // 2 `largest`, the direction's error, one rounding of the difference, and of a product and two sums, and those of
-  // `slack` itself.
+  // n . (x - p) over |n|_1: both points are off, `slack` gives 4 of `position_error`; and of their difference, of at
+  // most 2 `largest`, the direction's error, one rounding of the difference, and of a product and two sums, and those
+  // of `slack` itself.
   namespace td = kernel::triangle_distance;
   add("triangle_distance::point_rounding, of directions", "kernel/bound/triangle_distance.h", 4 * td::point_rounding,
       2 * (Rational(Enclosed::direction_error) + 4 * u) / power(down, 12), unit, 4.01);

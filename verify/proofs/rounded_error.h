@@ -12,12 +12,12 @@ namespace tetracone::verify::proofs {
 
 using kernel::Rational;
 
-/// How a rounding is bounded: by half the distance of the numbers next to the largest result, or by the unit roundoff of
-/// it, which makes errors proportional to magnitudes.
+/// How a rounding is bounded: by half the distance of the numbers next to the largest result, or by the unit roundoff
+/// of it, which makes errors proportional to magnitudes.
 enum class Rounds { by_binade, by_share };
 
-/// A computed number: an upper bound of its magnitude, and one of the distance from what is meant, in exact rationals. An
-/// expression run with these tells its own error for all inputs of such magnitudes and errors, underflow included.
+/// A computed number: an upper bound of its magnitude, and one of the distance from what is meant, in exact rationals.
+/// An expression run with these tells its own error for all inputs of such magnitudes and errors, underflow included.
 template <class Float, Rounds rounds = Rounds::by_binade>
 struct Rounded_error {
   Rational most, error;

@@ -149,8 +149,8 @@ inline Proved_bounds scene_proofs()
       1 / ((one - u) * (one - u) * (one - most({of_gap[3], of_gap[4], of_low[2], of_high[2]}) - u)) - 1, u, 2.67,
       "gappa");
 
-  // A direction's entries are rounded to float, of a fraction once before; its norm is a sum by two steps. The sum of both
-  // slacks is rounded.
+  // A direction's entries are rounded to float, of a fraction once before; its norm is a sum by two steps. The sum of
+  // both slacks is rounded.
   add("slack_of_direction", extent, tetratree::slack_of_direction,
       (Rational(of_float) + 2 * Rational(u)) * once_in_float * once_in_float * once_in_float +
           Rational(of_float) * Rational(double(tetratree::Support_table::slack + tetratree::slack_of_direction)),
