@@ -4,7 +4,8 @@
 #include "experiments/support/output_file.h"
 #include "verify/proofs/all_proofs.h"
 #include "verify/proofs/gappa_script.h"
-#include "verify/proofs/searches.h"
+#include "verify/proofs/other_constants.h"
+#include "verify/searches/searches.h"
 
 #include <cstdio>
 #include <stdexcept>
@@ -22,7 +23,7 @@ void run_error_bounds(const std::filesystem::path& out, int steps, std::uint64_t
     const double found = verify::proofs::worst_found(bound.name, steps, unsigned(seed));
     Csv_row row;
     row.add("constant", bound.name).add("file", bound.file).add("unit", bound.unit).add("in_code", in_code);
-    row.add("proved", proved).add("proved_by", bound.by);
+    row.add("proved", proved).add("proved_by", bound.by).add("proof", bound.proof);
     std::printf("%-50s %9.4f in the code %9.4f proved", bound.name.c_str(), in_code, proved);
     if (found < 0) {
       row.none("found").none("proved_over_found");
@@ -32,6 +33,16 @@ void run_error_bounds(const std::filesystem::path& out, int steps, std::uint64_t
       std::printf(" %9.4f found, margin %.2f\n", found, proved / found);
     }
     row.add("not_searched", verify::proofs::why_not_searched(bound.name));
+    table.add(row.add_origin(seed));
+  }
+  for (const auto& [file, name, kind, reason] : verify::proofs::other_constants()) {
+    using verify::proofs::Constant_kind;
+    if (kind != Constant_kind::tested && kind != Constant_kind::by_hand) continue;
+    const bool is_tested = kind == Constant_kind::tested;
+    Csv_row row;
+    row.add("constant", name).add("file", file).none("unit").none("in_code").none("proved");
+    row.add("proved_by", is_tested ? "test" : "hand").add("proof", is_tested ? reason : file);
+    row.none("found").none("proved_over_found").add("not_searched", is_tested ? "" : reason);
     table.add(row.add_origin(seed));
   }
   write_whole(out / "error_bounds.csv", table.text());

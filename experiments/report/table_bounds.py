@@ -14,16 +14,16 @@ def sections(page, study, campaign):
         return
     source = Source.of(rows, "How much of each error bound is proved to be needed, and how much does a search find?",
                        f"{len(rows)} constants")
-    columns = ["constant", "file", "unit", "in_code", "proved", "proved_by", "found", "proved_over_found", "not_searched"]
+    columns = ["constant", "file", "unit", "in_code", "proved", "proved_by", "proof", "found", "proved_over_found", "not_searched"]
     data = page.table("error_bounds", columns, [[r[c] for c in columns] for r in rows], source)
 
     def number(text):
         return f"{float(text):.4g}" if text else ""
-    body = [(False, [html.escape(r["constant"]), html.escape(r["file"]), *(number(r[c]) for c in ("unit", "in_code", "proved")), r["proved_by"],
+    body = [(False, [html.escape(r["constant"]), html.escape(r["file"]), *(number(r[c]) for c in ("unit", "in_code", "proved")), r["proved_by"], html.escape(r["proof"]),
                      number(r["found"]) or html.escape(r["not_searched"]), number(r["proved_over_found"])]) for r in rows]
-    head = ["constant", "file", "unit", "in the code", "proved", "by", "found", "proved / found"]
+    head = ["constant", "file", "unit", "in the code", "proved", "by", "proof", "found", "proved / found"]
     yield page.section("bounds", "Error bounds, proved by machine",
                        "<p>Constants by which rounded arithmetic decides or discards, in multiples of the unit. <b>Proved</b>: the least that the "
                        "proof shows to be enough: by Gappa, from what the templates of the code record when they run, or in exact rationals "
                        "or intervals where the argument is one of geometry or counts roundings. <b>Found</b>: the worst of a search by hill climbing "
-                       "against rational truth, or why there is none.</p>", page.html_table(head, body, source, data))
+                       "against rational truth, or why there is none. What is by <b>hand</b> is checked by no machine: its reason stands in place of what is found.</p>", page.html_table(head, body, source, data))

@@ -27,8 +27,9 @@ class Csv_row {
   {
     if (value == 0 || !std::isfinite(value)) return add(name, kernel::shortest(value));
     const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - 3);
-    return add(name, kernel::shortest(unit < 1 ? std::round(value / unit) / std::round(1 / unit)
-                                               : std::round(value / unit) * unit));
+    const double rounded = unit < 1 ? std::round(value / unit) / std::round(1 / unit) : std::round(value / unit) * unit;
+    // Near the ends of the doubles' range the unit, or its inverse, is none.
+    return add(name, kernel::shortest(unit > 0 && std::isfinite(rounded) && rounded != 0 ? rounded : value));
   }
   /// The shortest decimal that is read back as this double.
   Csv_row& add_exact(const std::string& name, double value) { return add(name, kernel::shortest(value)); }

@@ -13,28 +13,49 @@
 
 namespace tetracone::kernel {
 
-/// At most the factor by which the linear map of these rows shortens a vector, all entries exact.
+namespace least_stretch_bound {
+
+constexpr double u = unit_roundoff<double>;
+
+/// What a row of L^T L, its diagonal entry less the others, loses: a share of the sum of the squares of all entries.
+inline constexpr double row_rounding = 32 * u;
+/// What the root of such a row loses, a share of itself.
+inline constexpr double root_rounding = 4 * u;
+/// What twice a volume over that sum loses, a share of itself.
+inline constexpr double quotient_rounding = 32 * u;
+
+/// A diagonal entry of L^T L less the others of its row: of a column and the two others.
+template <class Number>
+Number row_of_gram(const std::array<Number, 3>& column, const std::array<Number, 3>& second,
+                   const std::array<Number, 3>& third)
+{
+  using std::abs;
+  return dot(column, column) - abs(dot(column, second)) - abs(dot(third, column));
+}
+
+}  // namespace least_stretch_bound
+
+/// A lower bound of the factor by which the linear map of these rows shortens a vector, all entries exact.
 ///
-/// The least eigenvalue of L^T L is at least each diagonal entry less the others of its row (Gershgorin), which is close
-/// where L is nearly a similarity. Elsewhere the least singular value is |det L| over the product of the two others,
-/// which is at most half the sum of the squares of all.
-/// Entries of L^T L and the sum of squares are off by 4 roundings of what `norm`, the sum of squares, bounds; the
-/// determinant by `Pose::determinant_rounding` of its permanent. 0 where nothing is known.
+/// The least eigenvalue of L^T L is at least each diagonal entry less the others of its row (Gershgorin), which is
+/// close where L is nearly a similarity. Elsewhere the least singular value is |det L| over the product of the two
+/// others, which is at most half the sum of the squares of all. The determinant is off by `Pose::determinant_rounding`
+/// of its permanent. 0 where nothing is known.
 inline double least_stretch(const std::array<std::array<double, 3>, 3>& l)
 {
-  constexpr double u = unit_roundoff<double>;
+  namespace bound = least_stretch_bound;
   std::array<std::array<double, 3>, 3> column;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) column[j][i] = l[i][j];
-  const double xx = dot(column[0], column[0]), yy = dot(column[1], column[1]), zz = dot(column[2], column[2]),
-               xy = std::abs(dot(column[0], column[1])), yz = std::abs(dot(column[1], column[2])),
-               zx = std::abs(dot(column[2], column[0])), norm = xx + yy + zz;
+  const auto& [x, y, z] = column;
+  const double norm = dot(x, x) + dot(y, y) + dot(z, z);
   if (!(norm >= 0x1p-400 && norm <= 0x1p400)) return 0;
-  const double square = minimum(xx - xy - zx, yy - yz - xy, zz - zx - yz) - 32 * u * norm;
-  const double by_rows = square > 0 ? std::sqrt(square) * (1 - 4 * u) : 0;
+  const double square = minimum(bound::row_of_gram(x, y, z), bound::row_of_gram(y, z, x), bound::row_of_gram(z, x, y)) -
+                        bound::row_rounding * norm;
+  const double by_rows = square > 0 ? std::sqrt(square) * (1 - bound::root_rounding) : 0;
   const double volume = std::abs(determinant(column[0], column[1], column[2])) -
                         Pose::determinant_bound(permanent(column[0], column[1], column[2]));
-  const double by_volume = volume > 0 ? 2 * volume / norm * (1 - 32 * u) : 0;
+  const double by_volume = volume > 0 ? 2 * volume / norm * (1 - bound::quotient_rounding) : 0;
   return maximum(by_rows, by_volume);
 }
 
@@ -42,9 +63,8 @@ inline double least_stretch(const std::array<std::array<double, 3>, 3>& l)
 /// placed, times a power of two that makes the larger body about as large as 1. A point is off by at most
 /// `position_error` in a coordinate, which is infinite where no bound is known.
 ///
-/// A local point p, off by 2 u (`Bvh8_elements::local_error`), is placed by L p, three products and two sums of entries
-/// of which fractions are rounded: 2 u + 3 u + u of a row's sum, taken as 8 u. B's is moved by D, which is off by its
-/// own error, and by a rounding of each of the product and the sum: 2 u (row's sum + |D|).
+/// A local point p, off by 2 u (`Bvh8_elements::local_error`), is placed by L p, whose entries are rounded where they
+/// are fractions. B's is moved by D, which is off by its own error, and the sum is rounded.
 class Common_frame {
  public:
   using Row = std::array<double, 3>;
@@ -62,9 +82,11 @@ class Common_frame {
     const double of_a = take(0, a, in_a.unit * to_common), of_b = take(1, b, in_b.unit * to_common);
     const double way = d.largest() * to_common;
     for (int i = 0; i < 3; ++i) offset_[i] = d[i] * to_common;
-    largest_ = maximum(of_a, of_b + way) * (1 + 16 * u);
+    largest_ = maximum(of_a, of_b + way) * (1 + sum_rounding);
     position_error_ =
-        maximum(8 * u * of_a, 8 * u * of_b + 2 * u * (of_b + way) + d.error() * to_common) * (1 + 16 * u) + 0x1p-300;
+        maximum(image_rounding * of_a, image_rounding * of_b + way_rounding * (of_b + way) + d.error() * to_common) *
+            (1 + sum_rounding) +
+        underflow;
   }
 
   /// Of a local point of a body, 0 or 1.
@@ -78,6 +100,17 @@ class Common_frame {
   }
 
   double position_error() const { return position_error_; }
+
+  /// What an image of a local point loses, a share of the sum of its row's magnitudes.
+  static constexpr double image_rounding = 8 * unit_roundoff<double>;
+  /// What the sum of an image and the offset loses, a share of the magnitudes of both.
+  static constexpr double way_rounding = 2 * unit_roundoff<double>;
+  /// What the sums and products that these bounds are made of lose, a share of themselves.
+  static constexpr double sum_rounding = 16 * unit_roundoff<double>;
+  /// Above what products of an image lose where they underflow.
+  static constexpr double underflow = 0x1p-300;
+  /// What rounded entries of fractions take from a map's least stretch, a share of the largest sum of a row.
+  static constexpr double entry_rounding = 4 * unit_roundoff<double>;
 
   /// At least the magnitude of every coordinate.
   double largest() const { return largest_; }
@@ -108,8 +141,8 @@ class Common_frame {
       for (int j = 0; j < 3; ++j) l[i][j] = pose[4 * i + j] * scale;
       largest = maximum(largest, std::abs(l[i][0]) + std::abs(l[i][1]) + std::abs(l[i][2]));
     }
-    // Entries that were fractions are off by u each: the map by u of its entries' norm, below 2 largest.
-    const double stretch = kernel::least_stretch(l) - (pose.is_rational() ? 4 * u * largest : 0);
+    // Entries that were fractions are off by u each: the map by u of the root of the sum of their squares.
+    const double stretch = kernel::least_stretch(l) - (pose.is_rational() ? entry_rounding * largest : 0);
     stretch_[body] = stretch > 0 ? stretch : 0;
     return largest;
   }

@@ -2,6 +2,7 @@
 #define TETRACONE_KERNEL_BOUND_CONE_CELLS_H
 
 #include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/number/products.h"
 
 #include <algorithm>
 #include <array>
@@ -68,12 +69,8 @@ inline int plane_side(const Local_point& a, const Local_point& b, const Local_po
   return side > plane_side_bound ? 1 : side < -plane_side_bound ? -1 : 0;
 }
 
-/// A triangle of a model, with its plane normal . x = offset: a component of the normal, of at most 8, is off by less
-/// than 2^-46, the offset by less than 2^-43.
-///
-/// A corner's difference is off by 2 `local_error` + 2^-53 <= 9 2^-53, a product of two of at most 2 by 4 times that and
-/// 2^-51 of rounding, a component, which rounds once more, by 2^-53 (72 + 8 + 8). The offset takes three times 2^-46 +
-/// 8 `local_error` and roundings of sums of at most 24.
+/// A triangle of a model, with its plane normal . x = offset: a component of the normal is off by at most
+/// `normal_error`, the offset by at most `offset_error`.
 struct Local_facet {
   Local_triangle corner;
   Local_point normal;
@@ -81,12 +78,17 @@ struct Local_facet {
 
   explicit Local_facet(const Local_triangle& triangle) : corner(triangle)
   {
-    const Local_point &a = corner[0], &b = corner[1], &c = corner[2];
-    for (int k = 0; k < 3; ++k) {
-      const int u = (k + 1) % 3, v = (k + 2) % 3;
-      normal[k] = (b[u] - a[u]) * (c[v] - a[v]) - (b[v] - a[v]) * (c[u] - a[u]);
-    }
-    offset = normal[0] * a[0] + normal[1] * a[1] + normal[2] * a[2];
+    normal = normal_of(corner);
+    offset = dot(normal, corner[0]);
+  }
+
+  /// Upper bounds of the errors of a component of the normal, and of the offset.
+  static constexpr double normal_error = 0x1p-46, offset_error = 0x1p-43;
+
+  template <class Number>
+  static std::array<Number, 3> normal_of(const std::array<std::array<Number, 3>, 3>& t)
+  {
+    return cross(difference(t[1], t[0]), difference(t[2], t[0]));
   }
 };
 
@@ -95,14 +97,60 @@ struct Local_facet {
 ///
 /// In an octant, with coordinates taken positive, r = x + y + z is linear and central projection (a, b, c) = n (x, y,
 /// z) / r maps triangles to triangles. Cell (i, j) is i <= a <= i + 1, j <= b <= j + 1 and c >= 0, and its *wide* cell
-/// reaches 2^-10 farther everywhere, across the sides of the octant too, r being the octant's. Every direction in local
-/// units of norm at least `core` is, with its error, within the wide cell that it is given: off by at most 2^-51 8 n /
-/// core <= 2^-18. What `for_cells` says of a cell holds for its wide cell. So a point may be moved by an infinitesimal,
-/// or have come out in the neighbour of its cell, and nothing of what is said becomes wrong.
+/// reaches `wide_margin` farther everywhere, across the sides of the octant too, r being the octant's. Every direction
+/// in local units of norm at least `core` is, with its error, within the wide cell that it is given. What `for_cells`
+/// says of a cell holds for its wide cell. So a point may be moved by an infinitesimal, or have come out in the
+/// neighbour of its cell, and nothing of what is said becomes wrong.
 class Cone_cells {
  public:
   static constexpr int most = 1 << 10;     ///< n at most
   static constexpr double core = 0x1p-20;  ///< nearer to the origin, nothing is said
+
+  /// How much farther a wide cell reaches: above what the lattice coordinates of a point are off by.
+  static constexpr double wide_margin = 0x1p-10;
+  /// By so much intervals of a, b and c are made wider: a wide cell's margin, and what clipped corners are off by.
+  static constexpr double lattice_margin = 0x1p-8;
+  /// By so much intervals of norms are made wider: what they and points are off by, and their rounding to float.
+  static constexpr double norm_margin = 0x1p-21;
+  /// How much an octant is widened that triangles are clipped to, and how far on the other side of its border a corner
+  /// may be of a triangle that reaches it so, both over n and the second for norms of up to 3.
+  static constexpr double widening = 0x1p-9, near_side = 0x1p-7;
+  /// Above the error of the norm where a plane meets a direction, both known in double.
+  static constexpr double plane_margin = 0x1p-24;
+  /// Where a plane's slope is less, it tells nothing.
+  static constexpr double least_slope = 0x1p-16;
+
+  /// a n / r of a point of coordinate a and norm r: its lattice coordinate.
+  template <class Number>
+  static Number on_lattice(const Number& coordinate, const Number& n, const Number& norm)
+  {
+    return coordinate * (n / norm);
+  }
+  /// A coordinate of a point of an edge.
+  template <class Number>
+  static Number on_edge(const Number& from, const Number& to, const Number& share)
+  {
+    return from + share * (to - from);
+  }
+  /// How g of a plane changes by a step of the lattice: by its components along a and c.
+  template <class Number>
+  static Number slope_of_step(const Number& along_a, const Number& along_c, const Number& n)
+  {
+    return (along_a - along_c) / n;
+  }
+  /// g at a place of the lattice, and by how much it differs over a cell that is made wider.
+  template <class Number>
+  static Number slope_at(const Number& along_c, const Number& per_a, const Number& a, const Number& per_b,
+                         const Number& b)
+  {
+    return along_c + per_a * a + per_b * b;
+  }
+  template <class Number>
+  static Number half_spread(const Number& per_a, const Number& per_b)
+  {
+    using std::abs;
+    return (abs(per_a) + abs(per_b)) * Number(0.5 + lattice_margin);
+  }
 
   /// Requires 1 <= n <= most.
   explicit Cone_cells(int n) : n_(n) {}
@@ -140,8 +188,7 @@ class Cone_cells {
   /// it does, then at norms strictly between low and high, and farther from them than any norm is off. False when the
   /// triangle may come nearer to the origin than `core`. Requires a model's points.
   ///
-  /// The triangle is clipped to the octant, a little widened. What is clipped is off by some 2^-50, from r >= core / 4
-  /// on by n 2^-50 8 / core <= 2^-17 in a, b and c.
+  /// The triangle is clipped to the octant, a little widened, and where r >= core / 4.
   template <class What>
   bool for_cells(const Local_facet& facet, const What& what) const
   {
@@ -149,15 +196,15 @@ class Cone_cells {
     unsigned reached[2] = {0, 0};  // axes on whose positive, negative side a corner is, or nearly
     for (const Local_point& p : facet.corner)
       for (int k = 0; k < 3; ++k) {
-        if (p[k] >= -0x1p-7 / n_) reached[0] |= 1u << k;
-        if (p[k] <= 0x1p-7 / n_) reached[1] |= 1u << k;
+        if (p[k] >= -near_side / n_) reached[0] |= 1u << k;
+        if (p[k] <= near_side / n_) reached[1] |= 1u << k;
       }
     for (unsigned octant = 0; octant < 8; ++octant) {
       if (((~octant & ~reached[0]) | (octant & ~reached[1])) & 7) continue;
       Polygon part = in_octant(facet.corner, octant);
-      const double widening = 0x1p-9 / n_;
+      const double wider = widening / n_;
       for (int k = 0; k < 3 && part.count > 0; ++k)
-        part.clip([&](const Local_point& p) { return p[k] + widening * (p[0] + p[1] + p[2]); });
+        part.clip([&](const Local_point& p) { return p[k] + wider * (p[0] + p[1] + p[2]); });
       for (int k = 0; k < part.count; ++k) is_beyond_core = is_beyond_core && norm(part.corner[k]) > 2 * core;
       if (!is_beyond_core) part.clip([](const Local_point& p) { return norm(p) - core / 4; });
       if (part.count > 0) place(octant, part, Plane(facet, octant, n_), what);
@@ -188,14 +235,11 @@ class Cone_cells {
         if ((at[k] >= 0) == (at[next] >= 0)) continue;
         const double share = at[k] / (at[k] - at[next]);
         Local_point& cut = left.corner[left.count++];
-        for (int c = 0; c < 3; ++c) cut[c] = corner[k][c] + share * (corner[next][c] - corner[k][c]);
+        for (int c = 0; c < 3; ++c) cut[c] = on_edge(corner[k][c], corner[next][c], share);
       }
       *this = left;
     }
   };
-
-  /// By so much intervals of a, b and c, and of norms, are made wider: of the latter, a quarter is for rounding to float.
-  static constexpr double lattice_margin = 0x1p-8, norm_margin = 0x1p-21;
 
   std::size_t octant_size() const { return std::size_t(n_) * std::size_t(n_ + 1) / 2; }
   std::size_t row(int i) const { return std::size_t(i) * std::size_t(2 * n_ - i + 1) / 2; }
@@ -227,35 +271,30 @@ class Cone_cells {
     return turned;
   }
 
-  /// The plane of a triangle in the coordinates of an octant: along a direction (a, b, c) / n it is at the norm D / g, g
-  /// linear in a and b, so that over a cell the norm is between those at its corners where g keeps its sign.
+  /// The plane of a triangle in the coordinates of an octant: along a direction (a, b, c) / n it is at the norm D / g,
+  /// g linear in a and b, so that over a cell the norm is between those at its corners where g keeps its sign.
   class Plane {
    public:
     Plane(const Local_facet& facet, unsigned octant, int n) : offset_(facet.offset)
     {
       const auto turned = [&](unsigned k) { return octant >> k & 1 ? -facet.normal[k] : facet.normal[k]; };
       along_c_ = turned(2);
-      per_a_ = (turned(0) - along_c_) / n;
-      per_b_ = (turned(1) - along_c_) / n;
-      half_spread_ = (std::abs(per_a_) + std::abs(per_b_)) * (0.5 + lattice_margin);
+      per_a_ = slope_of_step(turned(0), along_c_, double(n));
+      per_b_ = slope_of_step(turned(1), along_c_, double(n));
+      half_spread_ = half_spread(per_a_, per_b_);
     }
 
     /// Bounds the norms within wide cell (i, j), where all of it is faced.
-    ///
-    /// Errors: 2^-43 of D, and of g 3 2^-46 for the normal, at |a| + |b| + |c| <= 3 n, and less than 2^-45 for roundings
-    /// of terms that sum to 40 at most; so with |g| >= 2^-16 and a norm of at most 4 that of D / g is below 2^-25.
     void narrow(int i, int j, double& low, double& high) const
     {
-      const double middle = along_c_ + per_a_ * (i + 0.5) + per_b_ * (j + 0.5);
+      const double middle = slope_at(along_c_, per_a_, i + 0.5, per_b_, j + 0.5);
       const double side = middle > 0 ? 1 : -1, far = side * middle - half_spread_;
-      if (!(far >= 0x1p-16)) return;
+      if (!(far >= least_slope)) return;
       low = maximum(low, side * offset_ / (side * middle + half_spread_) - plane_margin);
       high = minimum(high, side * offset_ / far + plane_margin);
     }
 
    private:
-    static constexpr double plane_margin = 0x1p-24;
-
     double offset_, along_c_, per_a_, per_b_, half_spread_;
   };
 
@@ -265,8 +304,8 @@ class Cone_cells {
     double low[4], high[4];  // of a, b, c and r
     for (int k = 0; k < part.count; ++k) {
       const Local_point& p = part.corner[k];
-      const double r = norm(p), scale = n_ / r;
-      const double at[4] = {p[0] * scale, p[1] * scale, p[2] * scale, r};
+      const double r = norm(p), n = n_;
+      const double at[4] = {on_lattice(p[0], n, r), on_lattice(p[1], n, r), on_lattice(p[2], n, r), r};
       for (int c = 0; c < 4; ++c) {
         low[c] = k == 0 ? at[c] : minimum(low[c], at[c]);
         high[c] = k == 0 ? at[c] : maximum(high[c], at[c]);

@@ -58,35 +58,30 @@ class Cone_probe {
 
   /// Of corners of a model's triangles.
   ///
-  /// X: a shear is off by 2^-25 for being a float and by 2^-28 for p, which is off by 2^-51 over |p_z| >= core / 3; a
-  /// corner's coordinates by 2^-25 and 2^-51; the product, at most 1, is rounded by 2^-25 and the difference, at most 2,
-  /// by 2^-24. With |z| <= 1 that is less than 7 2^-25 in all, and `sheared_error`, E, is more. Y likewise.
+  /// X and Y are off by at most E, `sheared_error`: a shear by being a float and by p, which is off by `local_error`
+  /// over |p_z| >= core / 3. A determinant X Y' - Y X' of numbers of at most B <= 2 is off by less than t,
+  /// `turn_slack(B)`.
   ///
-  /// A determinant X Y' - Y X' of numbers computed to be at most B <= 2: 2 (2 B E + E^2) for E, and 2^-22 B^2 <= 2 B E
-  /// for its roundings; `turn_bound` (B + E), with 8 E for 6 E, is more, and what it is rounded by itself.
-  ///
-  /// The line meets the triangle's plane at z = p_z + D / S, with e the three determinants, S their sum and D the sum of
-  /// e_k (z_k - p_z), z_k of the corner opposite. A difference, at most Z <= 5, is off by 2^-25 for z_k, 2^-23 for p_z
-  /// and by its rounding, 2^-22: `height_error`, H, is more. With |e| <= L, off by t, D is off by 3 (t (Z + H) + L H) and
-  /// by 9 L Z 2^-24 of roundings: 4 (t (Z + H) + L (H + 2^-22 Z)) is more, and what it is rounded by itself. What
-  /// underflows is below E^2 by far.
+  /// The line meets the triangle's plane at z = p_z + D / S, with e the three determinants, S their sum and D the sum
+  /// of e_k (z_k - p_z), z_k of the corner opposite. A difference, at most Z <= 5, is off by at most `height_error`.
+  /// With |e| <= L, off by t, D is off by less than `plane_slack(t, L, Z)`.
   Views operator()(const Corners& w, const Corners& a, const Corners& b) const
   {
     const auto [wx, wy, wz] = sheared(w);
     const auto [ax, ay, az] = sheared(a);
     const auto [bx, by, bz] = sheared(b);
-    const Four_floats ab = ax * by - ay * bx, bw = bx * wy - by * wx, wa = wx * ay - wy * ax;
+    const Four_floats ab = turn(ax, ay, bx, by), bw = turn(bx, by, wx, wy), wa = turn(wx, wy, ax, ay);
     const Four_floats B = maximum_of_defined(magnitudes(wx), magnitudes(wy), magnitudes(ax), magnitudes(ay),
                                              magnitudes(bx), magnitudes(by));
-    const Four_floats t = turn_bound * (B + sheared_error);
+    const Four_floats t = turn_slack(B);
     const Four_ints some_left = (ab > t) | (bw > t) | (wa > t), some_right = (ab < -t) | (bw < -t) | (wa < -t);
     const Four_ints all_left = (ab > t) & (bw > t) & (wa > t), all_right = (ab < -t) & (bw < -t) & (wa < -t);
 
     const Four_floats w_above = wz - height_, a_above = az - height_, b_above = bz - height_;
-    const Four_floats D = ab * w_above + bw * a_above + wa * b_above;
+    const Four_floats D = sum_above(ab, w_above, bw, a_above, wa, b_above);
     const Four_floats L = maximum_of_defined(magnitudes(ab), magnitudes(bw), magnitudes(wa));
     const Four_floats Z = maximum_of_defined(magnitudes(w_above), magnitudes(a_above), magnitudes(b_above));
-    const Four_floats d = 4 * (t * (Z + height_error) + L * (height_error + 0x1p-22f * Z));
+    const Four_floats d = plane_slack(t, L, Z);
     const Four_ints is_certain = magnitudes(D) > d;
     const Four_ints left = all_left & is_certain, right = all_right & is_certain;
     // D / S has the sign of p_z where the plane is beyond p.
@@ -99,7 +94,37 @@ class Cone_probe {
     return {bits & 15, bits >> 4 & 15, bits >> 8 & 15, bits >> 12 & 15};
   }
 
+  /// What sheared coordinates and heights above the point are off by, and what determinants are off by, over B + E.
   static constexpr float sheared_error = 0x1p-22f, turn_bound = 8 * sheared_error, height_error = 0x1p-21f;
+  /// What D is off by, in units of t (Z + H) + L (H + `height_rounding` Z).
+  static constexpr float plane_factor = 4, height_rounding = 0x1p-22f;
+
+  template <class Floats, class Float>
+  static Floats sheared(const Floats& x, const Floats& z, const Float& shear)
+  {
+    return x - shear * z;
+  }
+  template <class Floats>
+  static Floats turn(const Floats& ax, const Floats& ay, const Floats& bx, const Floats& by)
+  {
+    return ax * by - ay * bx;
+  }
+  template <class Floats>
+  static Floats turn_slack(const Floats& B)
+  {
+    return turn_bound * (B + sheared_error);
+  }
+  template <class Floats>
+  static Floats sum_above(const Floats& ab, const Floats& w, const Floats& bw, const Floats& a, const Floats& wa,
+                          const Floats& b)
+  {
+    return ab * w + bw * a + wa * b;
+  }
+  template <class Floats>
+  static Floats plane_slack(const Floats& t, const Floats& L, const Floats& Z)
+  {
+    return plane_factor * (t * (Z + height_error) + L * (height_error + height_rounding * Z));
+  }
 
  private:
   /// X, Y and z of four corners.
@@ -113,7 +138,7 @@ class Cone_probe {
                                     __builtin_shufflevector(xy01, xy23, 2, 3, 6, 7),
                                     __builtin_shufflevector(z01, z23, 0, 1, 4, 5)};
     const Four_floats z = by_axis[z_];
-    return {by_axis[x_] - x_shear_ * z, by_axis[y_] - y_shear_ * z, z};
+    return {sheared(by_axis[x_], z, x_shear_), sheared(by_axis[y_], z, y_shear_), z};
   }
 
   std::size_t x_, y_, z_;  ///< axes, in cyclic order where p_z is positive

@@ -3,6 +3,7 @@
 
 #include "tetracone/kernel/bound/cone_cells.h"
 #include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/kernel/number/products.h"
 
 #include <array>
 #include <cmath>
@@ -17,13 +18,12 @@ class Cone_slab {
   /// Tells nothing.
   Cone_slab() = default;
 
-  /// Of triangles of a model, in the wide cell whose corners these are. It tells nothing where no plane faces all of the
-  /// cell.
+  /// Of triangles of a model, in the wide cell whose corners these are. It tells nothing where no plane faces all of
+  /// the cell.
   ///
   /// A triangle's part in the cell lies in the hull of its corners, and, where its plane faces all of the cell, of the
-  /// plane's points on the cell's corners. D is off by 2^-43 and g = N . direction by 2^-44: for g >= 2^-20 a point's
-  /// norm r = D / g, at most 4 where it counts, is off by less than 2^-21. Rounding n / w and d / w to float adds 2^-24
-  /// (4 + 4) / w over |x|_1 <= 4: `margin` is more than both.
+  /// plane's points on the cell's corners: at D / g, g = N . direction, times their ascent. `margin` is more than the
+  /// errors of these heights, of at most `highest`, and of n / w and d / w, rounded to float, over |x|_1 <= 4.
   Cone_slab(const Cone_cells::Corners& corners, std::span<const Local_facet> facets)
   {
     Local_point n{};
@@ -55,11 +55,12 @@ class Cone_slab {
     return int(at > 1) - int(at < -1);
   }
 
- private:
+  /// Above what heights of triangles and of points are off by.
   static constexpr double margin = 0x1p-19;
+  /// Where the slope g of a plane is less, or a height more, the plane tells nothing.
+  static constexpr double least_slope = 0x1p-20, highest = 4;
 
-  static double dot(const Local_point& a, const Local_point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
+ private:
   /// Heights of the plane's points on the corners of the cell, where there are such.
   static void narrow(const Local_facet& f, const Cone_cells::Corners& corners, const std::array<double, 4>& ascent,
                      double& least, double& most)
@@ -67,10 +68,10 @@ class Cone_slab {
     const double side = f.offset < 0 ? -1 : 1;
     std::array<double, 4> g, height;
     for (std::size_t c = 0; c < 4; ++c) g[c] = side * dot(f.normal, corners[c]);
-    if (!(minimum(g[0], g[1], g[2], g[3]) >= 0x1p-20)) return;
+    if (!(minimum(g[0], g[1], g[2], g[3]) >= least_slope)) return;
     for (std::size_t c = 0; c < 4; ++c) height[c] = side * f.offset / g[c] * ascent[c];
     const double high = maximum(height[0], height[1], height[2], height[3]);
-    if (!(high <= 4)) return;
+    if (!(high <= highest)) return;
     least = maximum(least, minimum(height[0], height[1], height[2], height[3]));
     most = minimum(most, high);
   }

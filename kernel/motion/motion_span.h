@@ -263,6 +263,13 @@ class Motion_span {
   /// About how far apart hulls must be to be told so, in the same units.
   double resolution() const { return error_ / landmark_[1].weight; }
 
+  /// Where a linear function is 0 that is `from` at 0 and `to` at 1, of opposite signs.
+  template <class Number>
+  static Number zero_between(const Number& from, const Number& to)
+  {
+    return from / (from - to);
+  }
+
   /// l = axis . L.
   template <class Number>
   static std::array<Number, 3> across(const std::array<Number, 3>& axis,
@@ -309,7 +316,7 @@ class Motion_span {
     {
       const double from = first - above, to = last - above;
       if (from > 0 && to > 0) return {1, 0};
-      const double share = from / (from - to);
+      const double share = zero_between(from, to);
       if (!(share >= 0 && share <= 1)) return {};
       if (from > 0) return {share - rounding_of_times, 1};
       if (to > 0) return {0, share + rounding_of_times};

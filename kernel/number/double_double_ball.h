@@ -28,6 +28,8 @@ struct Double_double_ball {
   static constexpr double u = unit_roundoff<double>;
   static constexpr double sum_rounding = 4 * u * u, product_rounding = 8 * u * u, of_radii = 1 + 16 * u,
                           underflow = 0x1p-1060;
+  /// What the high part loses of the whole number, and by its product with 1 less this: a share of itself.
+  static constexpr double high_rounding = 4 * u;
 
   /// The radius of a sum and of a product, by magnitudes and radii of both numbers and the magnitude of what is found.
   template <class Number>
@@ -61,7 +63,7 @@ struct Double_double_ball {
   }
 
   /// Whether the number is above 0 for certain.
-  bool is_positive() const { return middle.high * (1 - 4 * u) > radius; }
+  bool is_positive() const { return middle.high * (1 - high_rounding) > radius; }
 };
 
 /// The double nearest to top / sqrt(square), both positive, where it is certain: between the middles of neighbours.

@@ -36,7 +36,11 @@ struct Ball_hull {
 /// The distance height / sqrt(square), along a direction from A's feature to B's of |direction|^2 = square.
 struct Enclosed_distance {
   Double_double_ball height, square;
-  std::array<double, 3> direction;  ///< rounded: all coordinates together are off by at most 2^-51 of their magnitudes
+  std::array<double, 3> direction;  ///< rounded: the errors of all coordinates sum to at most `direction_error`
+
+  /// Upper bounds, as shares of the sum of the direction's magnitudes: of the radii that are let pass, and of all
+  /// errors of a direction, which are these radii and a rounding of each coordinate.
+  static constexpr double most_radii = 0x1p-52, direction_error = 0x1p-51;
 };
 
 namespace detail {
@@ -83,8 +87,8 @@ inline std::optional<Ball_vector> way_between(const Ball_hull& a, const Ball_hul
 
 }  // namespace detail
 
-/// Of two hulls, as `distance_of_hulls` takes them; nothing where enclosures do not tell that the nearest points of their
-/// affine hulls are within both, or how to direct what is between them.
+/// Of two hulls, as `distance_of_hulls` takes them; nothing where enclosures do not tell that the nearest points of
+/// their affine hulls are within both, or how to direct what is between them.
 inline std::optional<Enclosed_distance> enclosed_distance(const Ball_hull& a, const Ball_hull& b)
 {
   auto way = detail::way_between(a, b);
@@ -104,7 +108,7 @@ inline std::optional<Enclosed_distance> enclosed_distance(const Ball_hull& a, co
     magnitude += std::abs(found.direction[k]);
   }
   // The high parts are off by u each, and radii and magnitudes are rounded.
-  if (!(off < 0x1p-52 * magnitude)) return std::nullopt;
+  if (!(off < Enclosed_distance::most_radii * magnitude)) return std::nullopt;
   return found;
 }
 

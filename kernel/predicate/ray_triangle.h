@@ -54,12 +54,16 @@ class Ray_triangle {
   /// seven times each with its differences.
   static constexpr double side_rounding = 0x1p-46;
 
-  /// Of N and of t D, a share of S^2 M, S the largest component of an edge: N sums six products of at most S^2 M, rounded
-  /// eight times, D six of 2 S^2, seven times; and t is at most M where the ray meets the triangle, for |t d_k| <= M.
+  /// Of N and of t D, a share of S^2 M, S the largest component of an edge: N sums six products of at most S^2 M,
+  /// rounded eight times, D six of 2 S^2, seven times; and t is at most M where the ray meets the triangle, for |t d_k|
+  /// <= M.
   static constexpr double plane_rounding = 0x1p-45;
 
-  /// Requires corners within 2^250. Nothing underflows that counts beside the bounds; and where N is above its own, D is
-  /// more than N / M less its own.
+  /// What the ends of a time's enclosure lose: a difference or a sum, a quotient and a product, a share of themselves.
+  static constexpr double time_rounding = 0x1p-50;
+
+  /// Requires corners within 2^250. Nothing underflows that counts beside the bounds; and where N is above its own, D
+  /// is more than N / M less its own.
   Decision operator()(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
     const Vertex A = difference(a, origin_), B = difference(b, origin_), C = difference(c, origin_);
@@ -84,11 +88,11 @@ class Ray_triangle {
                  error = plane_rounding * S * S * M;
     if (N < -error) return {Meets::no};
     if (!(N > error)) return {};
-    return {Meets::yes, (N - error) / D * (1 - 0x1p-50), (N + error) / D * (1 + 0x1p-50)};
+    return {Meets::yes, (N - error) / D * (1 - time_rounding), (N + error) / D * (1 + time_rounding)};
   }
 
-  /// In double-double: of N a share of S^2 M, of D one of S^2, which six products of at most S^2 M and 2 S^2 lose; and of
-  /// the quotient, whose rest is off by some roundings in double-double, its correction by as many in double.
+  /// In double-double: of N a share of S^2 M, of D one of S^2, which six products of at most S^2 M and 2 S^2 lose; and
+  /// of the quotient, whose rest is off by some roundings in double-double, its correction by as many in double.
   static constexpr double height_rounding = 0x1p-97, slope_rounding = 0x1p-96, quotient_rounding = 0x1p-98;
 
   /// t of the ray as it was given, the double nearest to it, where double-double tells. Requires a ray that meets the

@@ -99,9 +99,9 @@ class Bvh8_distance {
     place(pose_a, pose_b);
     start_with_last();
     const double below = std::ldexp(kernel::nearest_double(limit), -frame_->exponent());
-    low_limit_ = below * (1 - 4 * kernel::unit_roundoff<double>)-smallest;
+    low_limit_ = below * (1 - limit_rounding) - smallest;
     if (is_within() || collision_.relation(pose_a, pose_b, question) != Relation::apart) return true;
-    high_ = kernel::minimum(high_, below * (1 + 4 * kernel::unit_roundoff<double>)+smallest);
+    high_ = kernel::minimum(high_, below * (1 + limit_rounding) + smallest);
     search();
     if (is_within()) return true;
     if constexpr (!is_exact) return nearest_ <= below;
@@ -110,6 +110,15 @@ class Bvh8_distance {
     const Candidate best = settle(kernel::Nearest_points::are_not_asked_for);
     return kernel::Rational(best.exact->top()) <= of_space(best.exact->bottom()) * limit * limit;
   }
+
+  /// What a limit in common units loses on either side, a share of itself: rounded, multiplied and added to.
+  static constexpr double limit_rounding = 4 * kernel::unit_roundoff<double>;
+  /// Above what a limit or a distance loses where it underflows: the least double, times 2^200.
+  static constexpr double smallest = 0x1p-800;
+  /// What a distance loses on either side that is computed from its exact square, a share of itself.
+  static constexpr double distance_rounding = 8 * kernel::unit_roundoff<double>;
+  /// Below that a square tells no lower bound; and above its root, with what underflows.
+  static constexpr double least_square = 0x1p-1000, most_unseen = 0x1p-490;
 
   Query_statistics counts() const
   {
@@ -125,7 +134,6 @@ class Bvh8_distance {
 
  private:
   using Box = Index;
-  static constexpr double smallest = 0x1p-900;  ///< for what underflows
 
   struct Leaf_element {
     Box box;
@@ -229,9 +237,9 @@ class Bvh8_distance {
           kernel::Rational(kernel::Rational(pair.exact->top()) / of_space(pair.exact->bottom())));
       const double distance = std::ldexp(std::sqrt(square), -frame_->exponent());
       pair.gap.nearest = distance;
-      if (square > 0x1p-1000 && distance <= std::numeric_limits<double>::max())
-        pair.gap.low = distance * (1 - 8 * kernel::unit_roundoff<double>)-smallest;
-      pair.gap.high = distance * (1 + 8 * kernel::unit_roundoff<double>)+std::ldexp(0x1p-490, -frame_->exponent());
+      if (square > least_square && distance <= std::numeric_limits<double>::max())
+        pair.gap.low = distance * (1 - distance_rounding) - smallest;
+      pair.gap.high = distance * (1 + distance_rounding) + std::ldexp(most_unseen, -frame_->exponent());
     }
     if (pair.gap.low > high_) return;
     if (pair.gap.nearest < nearest_) {

@@ -92,6 +92,13 @@ class Bvh8_front {
   }
   static constexpr double most_error = 0x1p-26;
 
+  /// By how much the least stretch of B's exact map is below the length of its first computed column, a share of that: the
+  /// map is a similarity but for `Relative_frame::similarity_defect`, and columns are off by what `most_error` lets pass.
+  static constexpr double stretch_loss = 0x1p-20;
+
+  /// What a gap of leaves loses by being rounded to float, and along an axis whose length is rounded: a share of itself.
+  static constexpr double leaf_gap_rounding = 0x1p-20;
+
   /// Bodies that stray by more in a pose are set on a new course: a share of what they go on theirs, and as much as those
   /// at rest may seem to.
   static constexpr double most_strayed = 0.25, most_at_rest = 0x1p-30;
@@ -192,13 +199,12 @@ class Bvh8_front {
   /// Of openings that cost so much, and the pairs of leaves.
   double cost(double opened) const { return opened + Front_policy::of_elements * double(leaf_pairs_); }
 
-  /// At most the distances in A's local units over those in the units of either body: the exact map's columns differ
-  /// from the computed ones by 2 sqrt(3) of its error at most, and are as long as the first but for 2^-22.
+  /// With lower bounds of the distances in A's local units over those in the units of either body.
   Certifying certifying(const Both_trees& trees)
   {
     const kernel::Placement of_a(*trees.into[0]);
     return {{{*trees.into[0], of_a, course_.reversed(of_a)}, {*trees.into[1], at_, course_}},
-            {1, at_.scale * (1 - 0x1p-20)},
+            {1, at_.scale * (1 - stretch_loss)},
             &entries_};
   }
 
@@ -250,7 +256,7 @@ class Bvh8_front {
                               Certificate& certificate)
   {
     if (!(found.gap > 0) || found.axis == kernel::Double_vector{}) return 0;
-    certificate.gaps.gap[0] = float(found.gap * (1 - 0x1p-20));
+    certificate.gaps.gap[0] = float(found.gap * (1 - leaf_gap_rounding));
     for (int k = 0; k < 3; ++k) certificate.gaps.axis[k][0] = float(found.axis[k]);
     const kernel::Obb8& boxes = trees.nodes[1][box_b / 8].boxes;
     kernel::carry_now(units.carrier[1], boxes, int(box_b % 8), certificate.carried);

@@ -18,6 +18,9 @@ struct Element_gap {
   kernel::Double_vector axis{};
 };
 
+/// Above the sum of the magnitudes of a row of a similarity, in units of its scale: rows are as long as columns.
+inline constexpr double row_of_similarity = 2;
+
 /// Of elements of A and B, `frame` from B's local units to A's, a similarity. Of whole faces nothing is known.
 inline Element_gap element_gap(const Bvh8& tree_a, const Element& a, const Bvh8& tree_b, const Element& b,
                                const kernel::Relative_frame& frame)
@@ -29,10 +32,9 @@ inline Element_gap element_gap(const Bvh8& tree_a, const Element& a, const Bvh8&
     in_a[k] = {p[0], p[1], p[2]};
     in_b[k] = frame(std::array{q[0], q[1], q[2]});
   }
-  // Of a similarity, rows are as long as columns: their sums are below twice that.
   const auto& offset = frame.offset();
-  const double largest =
-      1 + 2 * frame.scale() + kernel::maximum(std::abs(offset[0]), std::abs(offset[1]), std::abs(offset[2]));
+  const double largest = 1 + row_of_similarity * frame.scale() +
+                         kernel::maximum(std::abs(offset[0]), std::abs(offset[1]), std::abs(offset[2]));
   const double error = Bvh8_elements::local_error + frame.error(Bvh8_elements::local_error);
   const kernel::Triangle_gap found = kernel::triangle_gap(in_a, in_b, error, largest);
   Element_gap gap{found.low, found.direction};

@@ -46,6 +46,9 @@ class Front_entries {
   /// Beyond that, floats tell what bodies have gone and strayed too coarsely, in local units.
   static constexpr double most_gone = 1;
 
+  /// What is left of a gap where it is stored: less than it by more than four roundings in float take.
+  static constexpr float shrink = 1 - 0x1p-20f;
+
   /// Of what is to be asked the next time, whatever moves.
   static constexpr float at_once = -1;
 
@@ -161,8 +164,6 @@ class Front_entries {
   }
 
  private:
-  static constexpr float shrink = 1 - 0x1p-20f;
-
   double gone_by(double rate) const { return rate * steps_ + strayed_; }
 
   std::size_t count_ = 0;

@@ -19,15 +19,15 @@ namespace tetracone::tetratree {
 ///
 /// In the span's common coordinates the reference places local points p of A at R_0 p and q of B at R_1 q + r: two
 /// similarities near the middle of the span, of doubles, taken as they are. Coefficient i of the span, over its weight,
-/// places them at C_0i p and C_1i q + c_i: with the mean of the first and the last and half their difference, and x_i from
-/// -1 to 1 in equal steps, that is, but for a rest,
+/// places them at C_0i p and C_1i q + c_i: with the mean of the first and the last and half their difference, and x_i
+/// from -1 to 1 in equal steps, that is, but for a rest,
 ///
 ///     C_ki = R_k + M_k + x_i H_k,   c_i = r + m + x_i h.
 ///
-/// The place at a time is a mean of the coefficients', each with its share of the weights that are not negative, and the
-/// mean of the x_i is the time from -1 to 1, x, where the weights are equal, and else off by at most their range over the
-/// least: a mean of (x_i - x) w_i is that of (x_i - x) (w_i - w), w in the middle. So n . (q - p) at the time x, images
-/// of points, along |n| <= 1, is that in the reference and
+/// The place at a time is a mean of the coefficients', each with its share of the weights that are not negative, and
+/// the mean of the x_i is the time from -1 to 1, x, where the weights are equal, and else off by at most their range
+/// over the least: a mean of (x_i - x) w_i is that of (x_i - x) (w_i - w), w in the middle. So n . (q - p) at the time
+/// x, images of points, along |n| <= 1, is that in the reference and
 ///
 ///     n . (M_1 q + m - M_0 p) + x n . (H_1 q + h - H_0 p),
 ///
@@ -67,9 +67,8 @@ class Span_reference {
   /// Whether the reference tells anything.
   bool is_certifiable() const { return is_certifiable_; }
 
-  /// Writes the test of a node of body `body` against box `lane` of a node of the other. `apex`: where a triangle lies in
-  /// that box. The reference must stay until it is made, and it tells nothing where the
-  /// reference does not.
+  /// Writes the test of a node of body `body` against box `lane` of a node of the other. `apex`: where a triangle lies
+  /// in that box. The reference must stay until it is made, and it tells nothing where the reference does not.
   void ask(kernel::Sweep_test& test, std::size_t body, const kernel::Obb8& boxes, const kernel::Obb8& from, int lane,
            float apex, const kernel::Known_times& known) const
   {
@@ -81,6 +80,14 @@ class Span_reference {
     test.sweep = &sweep_[body];
     test.known = known;
   }
+
+  /// Above twice |n|_1 of a direction of length 1, with what the sums of coefficients lose.
+  static constexpr double errors_along = 4;
+  /// Above what R_k^T over the square of its scale, which takes differences into local units, differs from the inverse
+  /// of R_k: a share.
+  static constexpr double direction_error = 0x1p-19;
+  /// Above the length of every local point of a box: of a centre and a radius.
+  static constexpr double most_local = 4;
 
   /// What gaps lose wherever bodies are, in common units.
   double rest() const { return rest_; }
@@ -114,9 +121,9 @@ class Span_reference {
     return m;
   }
 
-  /// Errors of coefficients along n, |n|_1 < 1.8, over the least weight, are given twice. A direction as computed is off
-  /// by 2^-21 of itself, since R_k is a similarity but for 2^-24, and moves n . d by as much of |d|: of d all that leads
-  /// from the reference to a coefficient. |p| < `most_local` of all points of boxes.
+  /// A mean of coefficients is off by as much as the line between the first and the last is, along n in A's or B's
+  /// units. A direction as computed moves n . d by a share of |d|, where d is all that leads from the reference to a
+  /// coefficient.
   void find_sweep(const kernel::Motion_span& span, const Vertex& offset)
   {
     const std::size_t last = span.size() - 1;
@@ -143,8 +150,9 @@ class Span_reference {
       const double share = double(i) / double(last);
       rest = kernel::maximum(rest, norm(sum(over_weight(i), 1, sum(first, 1 - share, end, share), -1)));
     }
-    rest_ = 4 * span.error() / least_weight + (rest + (most_weight - least_weight) / least_weight * norm(half)) +
-            0x1p-20 * (2 * (norm(middle) + norm(half) + rest));
+    rest_ = errors_along * span.error() / least_weight +
+            (rest + (most_weight - least_weight) / least_weight * norm(half)) +
+            direction_error * (norm(middle) + norm(half) + rest);
     is_certifiable_ = least_weight > 0 && rest_ < 1;
     for (std::size_t k = 0; k < 2; ++k)
       sweep_[k] = {seen_from(k, middle), seen_from(k, half), rest_ / scale_[k] * (1 + kernel::few_roundings)};
@@ -190,7 +198,6 @@ class Span_reference {
   }
 
   static constexpr double most_bent = 0.125;
-  static constexpr double most_local = 4;  ///< above twice sqrt(3): a centre and a radius
 
   std::array<kernel::Box_map, 2> into_;  // of body k into the other's frame
   std::array<kernel::Box_sweep, 2> sweep_;

@@ -126,14 +126,15 @@ inline World_box world_box(const Body_extent& extent, const kernel::Pose& pose)
   return box;
 }
 
-/// A box about the placed body by how far the body itself reaches along each axis: unit h(M_i) from its local origin. A
-/// direction is rounded to float, which moves h by as much of |M_i|_1, since |p_k| <= 1 locally; its norm is a rounded
-/// sum. Beyond `Local_scale::is_in_range` nothing is known; within it, absolute errors are below 2^-1075 times 2^202.
+/// What a direction that is rounded to float takes from a reach, a share of its |.|_1 as a rounded sum: |p_k| <= 1 locally.
+inline constexpr float slack_of_direction = 4 * kernel::unit_roundoff<float>;
+
+/// A box about the placed body by how far the body itself reaches along each axis: unit h(M_i) from its local origin.
+/// Beyond `Local_scale::is_in_range` nothing is known; within it, absolute errors are below 2^-1075 times 2^202.
 ///
 /// `table` is the body's, `scale` its tree's.
 inline World_box world_box(Support_table& table, const kernel::Local_scale& scale, const kernel::Pose& pose)
 {
-  constexpr float slack_of_direction = 4 * kernel::unit_roundoff<float>;
   static_assert(placed_underflow >= 0x1p-1074 * 0x1p201);
   if (!scale.is_in_range()) return {};
   World_box box;

@@ -15,6 +15,11 @@
 
 namespace tetracone::tetratree {
 
+/// What sums lose, as shares of themselves: of extents, to the distance of a box's farthest point; of an extent that is
+/// rounded to float; and of a centre's distance and the extents in float, to a box's reach in float.
+inline constexpr double turned_radius_rounding = 0x1p-20, turned_extent_rounding = 0x1p-22,
+                        turned_reach_rounding = 0x1p-20;
+
 /// The box of a model, turned with a body: what bounds a long thin body better than a box along the world's axes.
 ///
 /// The placed body lies in {c + sum_j s_j a_j, |s_j| <= e_j}, of axes of length 1 whose pairs are at right angles but for
@@ -26,7 +31,7 @@ struct Turned_box {
   bool is_known = false;
 
   /// At least the distance of any point of the box from its centre.
-  double radius() const { return (extent[0] + extent[1] + extent[2]) * (1 + 0x1p-20); }
+  double radius() const { return (extent[0] + extent[1] + extent[2]) * (1 + turned_radius_rounding); }
 };
 
 /// What axes that are not quite at right angles, and are rounded to float, take away from a box, a share of the sum of its
@@ -87,10 +92,11 @@ inline std::array<double, kernel::lanes> turned_gaps(const Turned_box& one, std:
     }
     for (int j = 0; j < 3; ++j) {
       for (int k = 0; k < 3; ++k) boxes.axis[j][k][lane] = float(box.axis[j][k]);
-      boxes.extent[j][lane] = float((box.extent[j] * per_unit + turned_centre_rounding * off) * (1 + 0x1p-22));
+      boxes.extent[j][lane] =
+          float((box.extent[j] * per_unit + turned_centre_rounding * off) * (1 + turned_extent_rounding));
       sum += boxes.extent[j][lane];
     }
-    boxes.reach = kernel::maximum(boxes.reach, float((std::sqrt(square) + sum) * (1 + 0x1p-20)));
+    boxes.reach = kernel::maximum(boxes.reach, float((std::sqrt(square) + sum) * (1 + turned_reach_rounding)));
   };
   kernel::Obb8 boxes{}, alone{};
   set(alone, 0, one);
@@ -100,7 +106,7 @@ inline std::array<double, kernel::lanes> turned_gaps(const Turned_box& one, std:
   kernel::Certified_gaps gaps;
   kernel::certified_gaps(boxes, in_place, alone, 0, kernel::no_apex, gaps);
   for (std::size_t k = 0; k < others.size(); ++k)
-    if (one.is_known && others[k].is_known && boxes.reach <= 2) apart[k] = double(gaps.gap[k]) * unit * (1 - 0x1p-20);
+    if (one.is_known && others[k].is_known && boxes.reach <= 2) apart[k] = double(gaps.gap[k]) * unit;
   return apart;
 }
 

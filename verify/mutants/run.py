@@ -2,21 +2,32 @@
 """Plants each error of mutants.json in a copy of the headers and asks probe.cpp whether it is noticed; or, where the list names one, a test
 of verify/test: of headers whose errors are hidden from all answers by what stands behind them.
 
-usage: run.py BUILD [--out FOLDER] [--only WORD] [--jobs N]
+usage: run.py BUILD [--out FOLDER] [--only WORD] [--jobs N] [--csv FILE]
 
 BUILD is a built tree with the target `mutant_cases`, which writes the cases and their truths. A mutant is killed when the probe finds a
-wrong answer, or the test fails, or either does not end. Exit status 1 when one survives, or when one does not compile: an error of the
-list. Of a mutant that names `units`, these sources of the library, the mutated one and what calls it, are compiled
-with the test from the mutated copy, and those of verify by the mutated headers; else what the library has compiled is right.
-The results are kept in FOLDER (default BUILD/mutants) and not computed again: what was stopped goes on; remove the folder to begin anew.
-N mutants (default: the number of cores) are tried at a time.
+wrong answer, or the test fails, or either does not end. A mutant with the field `harmless` survives, for the reason that the field gives.
+Exit status 1 when another one survives, when a harmless one is killed, or when one does not compile: an error of the list.
+Of a mutant that names `units`, these sources of the library, the mutated one and what calls it, are compiled with the test from the mutated
+copy, and those of verify by the mutated headers; else what the library has compiled is right.
+
+Each result is kept in FOLDER (default BUILD/mutants) as soon as it is known, with the digests of all files that its judge has compiled and
+of the objects of the library that it was linked with. It counts as long as these are the same: what was stopped goes on, and after a change
+those are judged again whose judge has compiled what has changed. N mutants (default: the number of cores) are tried at a time.
+
+FILE gets a row a mutant, in the list's order, when all of the list was judged: when, from which version and commit, by what, and what was
+found. On two cores the list takes about an hour.
 """
 import argparse
+import collections
 import concurrent.futures
+import csv
+import datetime
 import hashlib
+import io
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -28,12 +39,17 @@ SOURCE = HERE.parent.parent
 HEADERS = ("kernel", "covering", "tetratree")
 COMPILE = ["-std=c++20", "-O1", "-frounding-math", "-ffp-contract=off", "-DCGAL_USE_GMPXX=1"]
 LINK = ["-lhwy", "-lgmpxx", "-lgmp", "-lmpfr"]
-TEST = ["-Wno-psabi", "-DCGAL_NO_CDT_2_WARNING", "-DBOOST_TEST_DYN_LINK", "-DBOOST_TEST_MODULE=mutant", "-lboost_unit_test_framework", "-ltbb"]
+TEST = ["-Wno-psabi", "-DCGAL_NO_CDT_2_WARNING", "-DBOOST_TEST_DYN_LINK", "-DBOOST_TEST_MODULE=mutant"]
+LINK_TEST = ["-lboost_unit_test_framework", "-ltbb"]
 SECONDS = 600  # a probe of right headers takes some 60
 # What no mutant changes, and is half of a compilation: precompiled once.
 OUTSIDE = ("CGAL/Exact_predicates_exact_constructions_kernel.h", "CGAL/Exact_predicates_inexact_constructions_kernel.h", "CGAL/Interval_nt.h",
            "CGAL/Mpzf.h", "CGAL/Simple_cartesian.h", "CGAL/gmpxx.h", "Eigen/Eigenvalues", "Eigen/Geometry", "algorithm", "functional",
            "iostream", "map", "optional", "string", "vector")
+
+
+def digest_of(data):
+    return hashlib.sha256(data).hexdigest()[:16]
 
 
 def planted(text, mutant):
@@ -51,8 +67,8 @@ def copy_tree(folder):
         shutil.copy(SOURCE / "verify" / "cases" / name, folder / "verify" / "cases" / name)
 
 
-def test_source(mutant):
-    return SOURCE / "verify" / "test" / f"{mutant['test']}.cpp" if "test" in mutant else None
+def judge_of(mutant):
+    return f"verify/test/{mutant['test']}.cpp" if "test" in mutant else "verify/mutants/probe.cpp"
 
 
 def compiler():
@@ -61,34 +77,104 @@ def compiler():
 
 def precompiled(out, eigen):
     """The options that include OUTSIDE, precompiled in the folder `out`; none where the compiler is not GCC, which alone looks for NAME.gch."""
-    if "Free Software Foundation" not in subprocess.run([compiler(), "--version"], capture_output=True, text=True).stdout:
+    version = subprocess.run([compiler(), "--version"], capture_output=True, text=True).stdout
+    if "Free Software Foundation" not in version:
         return []
-    header = out / "outside.h"
-    header.write_text("".join(f"#include <{name}>\n" for name in OUTSIDE))
-    subprocess.run([compiler(), *COMPILE, f"-I{eigen}", str(header), "-o", f"{header}.gch"], check=True)
+    text = "".join(f"#include <{name}>\n" for name in OUTSIDE)
+    header = out / f"outside_{digest_of(repr((version, COMPILE, text)).encode())}.h"
+    if not header.with_suffix(".h.gch").exists():
+        header.write_text(text)
+        subprocess.run([compiler(), *COMPILE, f"-I{eigen}", str(header), "-o", f"{header}.new"], check=True)
+        pathlib.Path(f"{header}.new").rename(f"{header}.gch")
     return ["-include", str(header)]
 
 
-def probe(folder, cases, options, test, build, units=()):
-    """What the probe, or the test if it is not None, says of the headers in `folder`: "killed: ...", "survived" or "does not compile: ..."."""
-    program = folder / "probe"
+class Sources:
+    """Digests of the files of the project and of the objects of its libraries, as they are now."""
+
+    def __init__(self, build):
+        self.build, self.files, self.members = build, {}, None
+        self.lock = threading.Lock()
+
+    def file(self, name):
+        with self.lock:
+            if name not in self.files:
+                path = SOURCE / name
+                self.files[name] = digest_of(path.read_bytes()) if path.is_file() else None
+            return self.files[name]
+
+    def object(self, name):
+        """Of a member of an archive, "libtetracone.a(body.cpp.o)"."""
+        with self.lock:
+            if name not in self.files:
+                archive, member = re.fullmatch(r"(.*)\((.*)\)", name).groups()
+                read = subprocess.run(["ar", "p", str(self.build / archive), member], capture_output=True)
+                self.files[name] = digest_of(read.stdout) if read.returncode == 0 else None
+            return self.files[name]
+
+    def are_as(self, used):
+        return all((self.object(name) if name.endswith(")") else self.file(name)) == digest for name, digest in used.items())
+
+    def used(self, folder, dependencies, trace):
+        """The project's files that a compilation from `folder` has read, and the objects that it was linked with, with their digests."""
+        found = {}
+        for path in dependencies:
+            path = pathlib.Path(os.path.normpath(path))
+            if path.is_relative_to(folder / "tetracone"):
+                name = str(path.relative_to(folder / "tetracone"))
+            elif path.is_relative_to(folder):
+                name = str(path.relative_to(folder))
+            elif path.is_relative_to(SOURCE):
+                name = str(path.relative_to(SOURCE))
+            else:
+                continue
+            if self.file(name) is not None:
+                found[name] = self.file(name)
+        for line in trace.splitlines():
+            match = re.match(r"\(?(.*/)?(lib(?:truths|tetracone\w*)\.a)[(:)]*([^():]+\.o)\)?$", line.strip())
+            if match:
+                name = f"{match[2]}({match[3]})"
+                found[name] = self.object(name)
+        return found
+
+
+def build_probe(folder, options, mutant, build):
+    """Compiles and links what judges the headers in `folder`. Returns the error or None, the files that were read, and the linker's trace."""
+    test, units = "test" in mutant, mutant.get("units", ())
+    libraries = [str(build / name) for name in ("libtruths.a", "libtetracone_repair.a", "libtetracone.a")] if test else []
+    sources = [SOURCE / judge_of(mutant), *(SOURCE / unit if unit.startswith("verify/") else folder / "tetracone" / unit for unit in units)]
+    more = [f"-I{SOURCE}", f'-DTETRACONE_SOURCE_DIR="{SOURCE}"', *TEST] if test else []
+    objects, read = [], []
+    for number, source in enumerate(sources):
+        made = folder / f"unit_{number}.o"
+        built = subprocess.run([compiler(), *COMPILE, *options, f"-I{folder}", *more, "-MD", "-c", str(source), "-o", str(made)],
+                               capture_output=True, text=True)
+        if built.returncode != 0:
+            return next((line for line in built.stderr.splitlines() if "error" in line), "?"), [], ""
+        objects.append(str(made))
+        read += made.with_suffix(".d").read_text().replace("\\\n", " ").split()[1:]
     # What is no header is the built one, but for the units: what is defined first counts.
-    libraries = [str(build / name) for name in ("libtruths.a", "libtetracone_repair.a", "libtetracone.a")]
-    sources = [str(SOURCE / unit if unit.startswith("verify/") else folder / "tetracone" / unit) for unit in units] + (["-Wl,--allow-multiple-definition"] if units else [])
-    source, more = (test, [f"-I{SOURCE}", f'-DTETRACONE_SOURCE_DIR="{SOURCE}"', *sources, *libraries, *TEST]) if test else (HERE / "probe.cpp", [])
-    built = subprocess.run([compiler(), *COMPILE, *options, f"-I{folder}", str(source), *more, *LINK, "-o", str(program)],
-                           capture_output=True, text=True)
-    if built.returncode != 0:
-        return "does not compile: " + next((line for line in built.stderr.splitlines() if "error" in line), "?")
+    linked = subprocess.run([compiler(), *objects, "-Wl,--trace", *(["-Wl,--allow-multiple-definition"] if units else []), *libraries,
+                             *(LINK_TEST if test else []), *LINK, "-o", str(folder / "probe")], capture_output=True, text=True)
+    if linked.returncode != 0:
+        return next((line for line in linked.stderr.splitlines() if "undefined" in line or "error" in line), "?"), [], ""
+    return None, read, linked.stdout
+
+
+def asked(folder, cases, mutant):
+    """What the judge says: "killed" and by what, or "survived"."""
     try:
-        run = subprocess.run([str(program)] if test else [str(program), str(cases)], capture_output=True, text=True, timeout=SECONDS,
-                             env={**os.environ, "BOOST_TEST_COLOR_OUTPUT": "0"})
+        run = subprocess.run([str(folder / "probe")] if "test" in mutant else [str(folder / "probe"), str(cases)], capture_output=True,
+                             text=True, errors="replace", timeout=SECONDS, env={**os.environ, "BOOST_TEST_COLOR_OUTPUT": "0"})
     except subprocess.TimeoutExpired:
-        return "killed: does not end"
+        return "killed", "does not end"
     if run.returncode == 0:
-        return "survived"
-    lines = (run.stdout + run.stderr).strip().splitlines()
-    return "killed: " + (lines[-1] if lines else f"ends with {run.returncode}")
+        return "survived", ""
+    lines = [line.strip() for line in (run.stdout + run.stderr).splitlines() if line.strip()]
+    if "test" not in mutant:
+        return "killed", lines[-1] if lines else f"ends with {run.returncode}"
+    case = next((match[1] for line in lines if (match := re.search(r'error: in "([^"]+)"', line))), None)
+    return "killed", case or (lines[-1] if lines else f"ends with {run.returncode}")
 
 
 def eigen_folder():
@@ -96,9 +182,42 @@ def eigen_folder():
     return flags[0][2:] if flags else "/usr/include/eigen3"
 
 
-def write(path, results):
-    path.with_suffix(".new").write_text(json.dumps(results, indent=2) + "\n")
-    path.with_suffix(".new").rename(path)
+def write(path, text):
+    new = path.with_name(path.name + ".new")
+    new.write_text(text)
+    new.rename(path)
+
+
+def version():
+    return re.search(r"project\(tetracone VERSION (\S+)", (SOURCE / "CMakeLists.txt").read_text())[1]
+
+
+def commit():
+    """The commit of the sources, with a + where they differ from it; empty where there is no repository."""
+    def git(*words):
+        return subprocess.run(["git", "-C", str(SOURCE), *words], capture_output=True, text=True).stdout.strip()
+    at = git("rev-parse", "--short=10", "HEAD")
+    return at + ("+" if at and git("status", "--porcelain", "--untracked-files=no") else "")
+
+
+def write_cases(cases, program):
+    if not program.exists():
+        sys.exit(f"{program}: not there; expected a build folder with the target mutant_cases built")
+    run = subprocess.run([str(program)], capture_output=True, text=True)
+    if run.returncode != 0:
+        sys.exit(f"{program}: failed; expected the cases that it writes")
+    write(cases, run.stdout)
+
+
+def table(mutants, found):
+    text = io.StringIO()
+    rows = csv.writer(text, lineterminator="\n")
+    rows.writerow(("date", "version", "commit", "file", "name", "judge", "outcome", "by"))
+    for mutant, result in zip(mutants, found):
+        harmless = "harmless" in mutant and result["outcome"] == "survived"
+        rows.writerow((result["date"], result["version"], result["commit"], mutant["file"], mutant["name"], judge_of(mutant),
+                       "harmless" if harmless else result["outcome"], mutant["harmless"] if harmless else result["by"]))
+    return text.getvalue()
 
 
 def main():
@@ -107,58 +226,70 @@ def main():
     parser.add_argument("--out", type=pathlib.Path)
     parser.add_argument("--only", default="", help="mutants whose name has this word")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--csv", type=pathlib.Path, help="where all results are written, of the whole list")
     args = parser.parse_args()
-    out = args.out or args.build / "mutants"
+    if args.csv and args.only:
+        parser.error("--csv: expected no --only: the table is of the whole list")
+    out = (args.out or args.build / "mutants").resolve()
     out.mkdir(parents=True, exist_ok=True)
 
-    cases, program = out / "cases.txt", args.build / "verify" / "mutant_cases"
-    if not cases.exists():
-        if not program.exists():
-            sys.exit(f"{program}: not there; expected a build folder with the target mutant_cases built")
-        with open(cases.with_suffix(".new"), "w") as file:
-            if subprocess.run([str(program)], stdout=file).returncode != 0:
-                sys.exit(f"{program}: failed; expected the cases that it writes")
-        cases.with_suffix(".new").rename(cases)
-
-    # A result counts for the headers, the proofs of their constants, the cases and the probe that it was found with.
-    digest = hashlib.sha256(cases.read_bytes() + (HERE / "probe.cpp").read_bytes())
-    for name in (*HEADERS, "verify/proofs"):
-        for header in sorted((SOURCE / name).rglob("*.[chi]*")):
-            digest.update(header.read_bytes())
-    results_file = out / "results.json"
-    results = json.loads(results_file.read_text()) if results_file.exists() else {}
-
-    options = [f"-I{eigen_folder()}", *precompiled(out, eigen_folder())]
     mutants = [m for m in json.loads((HERE / "mutants.json").read_text()) if args.only in m["name"]]
     for mutant in mutants:
         planted((SOURCE / mutant["file"]).read_text(), mutant)
+
+    cases, program = out / "cases.txt", args.build / "verify" / "mutant_cases"
+    asks_probe = any("test" not in m for m in mutants)
+    if asks_probe and not (cases.exists() and (not program.exists() or program.stat().st_mtime <= cases.stat().st_mtime)):
+        write_cases(cases, program)
+    digest_of_cases = digest_of(cases.read_bytes()) if asks_probe else ""
+
+    results_file, sources, this = out / "results.json", Sources(args.build), {"version": version(), "commit": commit()}
+    results = json.loads(results_file.read_text()) if results_file.exists() else {}
+    options = [f"-I{eigen_folder()}", *precompiled(out, eigen_folder())]
     judges = list(dict.fromkeys((m.get("test"), tuple(m.get("units", ()))) for m in mutants))  # None is the probe
     unplanted = [{"name": f"none, by {test or 'the probe'}", "file": None, **({"test": test} if test else {}), **({"units": units} if units else {})}
                  for test, units in judges]
     unwritten = threading.Lock()
 
     def result(mutant):
-        test = test_source(mutant)
-        key = hashlib.sha256((digest.hexdigest() + json.dumps(mutant, sort_keys=True)).encode() + (test.read_bytes() if test else b"")).hexdigest()
-        if key not in results:
-            folder = out / f"tree-{key[:16]}"
-            copy_tree(folder)
-            if mutant["file"]:
-                path = folder / "tetracone" / mutant["file"]
-                path.write_text(planted(path.read_text(), mutant))
-            found = probe(folder, cases, options, test, args.build, mutant.get("units", ()))
-            shutil.rmtree(folder)
+        what = {name: mutant.get(name) for name in ("file", "old", "new", "test", "units")}
+        key = digest_of((json.dumps(what, sort_keys=True) + ("" if "test" in mutant else digest_of_cases)).encode())
+        if key in results and sources.are_as(results[key].get("used", {"": ""})):
+            return results[key]
+        start, folder = time.monotonic(), out / f"tree-{key}"
+        copy_tree(folder)
+        if mutant["file"]:
+            path = folder / "tetracone" / mutant["file"]
+            path.write_text(planted(path.read_text(), mutant))
+        error, read, trace = build_probe(folder, options, mutant, args.build)
+        outcome, by = ("does not compile", error) if error else asked(folder, cases, mutant)
+        found = {"outcome": outcome, "by": by, "date": datetime.date.today().isoformat(), **this, "seconds": round(time.monotonic() - start),
+                 "name": mutant["name"], "used": sources.used(folder, read, trace)}
+        shutil.rmtree(folder)
+        if not error:
             with unwritten:
                 results[key] = found
-                write(results_file, results)
-        return results[key]
+                write(results_file, json.dumps(results, indent=1) + "\n")
+        return found
 
-    bad, start = 0, time.monotonic()
+    def is_expected(mutant, outcome):
+        return outcome == ("killed" if mutant["file"] and "harmless" not in mutant else "survived")
+
+    bad, found, start = 0, [], time.monotonic()
     with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
-        for mutant, found in zip(unplanted + mutants, pool.map(result, unplanted + mutants)):
-            print(f"{mutant['name']:70}  {found}", flush=True)
-            bad += not found.startswith("killed" if mutant["file"] else "survived")
-    print(f"{len(mutants)} mutants, {bad} not killed or judged by what fails without them; {time.monotonic() - start:.0f} s")
+        for mutant, of in zip(unplanted + mutants, pool.map(result, unplanted + mutants)):
+            found.append(of)
+            is_right = is_expected(mutant, of["outcome"])
+            bad += not is_right
+            said = f"harmless: {mutant['harmless']}" if is_right and "harmless" in mutant else f"{of['outcome']}{': ' if of['by'] else ''}{of['by']}"
+            print(f"{mutant['name']:70}  {said}{'' if is_right else '  <- expected otherwise'}", flush=True)
+    found = found[len(unplanted):]
+    count = collections.Counter("harmless" if "harmless" in m and r["outcome"] == "survived" else r["outcome"] for m, r in zip(mutants, found))
+    seconds = sum(r["seconds"] for r in found)
+    print(f"{len(mutants)} mutants: {', '.join(f'{n} {what}' for what, n in sorted(count.items()))}; {bad} not as expected, judges without an "
+          f"error included; {time.monotonic() - start:.0f} s, {seconds / max(1, len(found)):.0f} s a mutant when it was judged")
+    if args.csv and count["does not compile"] == 0:
+        write(args.csv, table(mutants, found))
     return 1 if bad else 0
 
 

@@ -148,6 +148,10 @@ inline Proved_bounds motion_proofs()
   const Rounding_count difference_of_ranges = (kernel::dot(axis, row) + reach) + reach;
   add("few_roundings, of moving boxes", "kernel/motion/motion_span.h", kernel::few_roundings,
       1 / difference_of_ranges.least(roundoff) * bound - 1, 18.6);
+  // A quotient of at most 1, and what joins it with this.
+  const Rounding_count zero = kernel::Motion_span::zero_between(Rounding_count(), Rounding_count());
+  add("Motion_span::rounding_of_times", "kernel/motion/motion_span.h", kernel::Motion_span::rounding_of_times,
+      1 / (zero * Rounding_count()).least(roundoff) - 1, 2.67);
   // Or of points that are placed before.
   const Rounding_count coordinate = kernel::dot(row, point) + entry_of_map,
                        difference_of_points =

@@ -14,9 +14,10 @@ using kernel::Rational;
 struct Proved_bound {
   std::string name, file;
   Rational in_code, proved;
-  double unit;     ///< in which both are told: u, u^2, or 1
-  double loosest;  ///< in_code over proved is at most this: what is larger was changed without a reason
-  std::string by;  ///< "gappa", or "rationals" or "intervals" where the argument is none of rounding
+  double unit;             ///< in which both are told: u, u^2, or 1
+  double loosest;          ///< in_code over proved is at most this: what is larger was changed without a reason
+  std::string by;          ///< "gappa", or "rationals" or "intervals" where the argument is none of rounding
+  std::string proof = {};  ///< the file of the proof
 };
 
 using Proved_bounds = std::vector<Proved_bound>;

@@ -50,12 +50,16 @@ inline Proved_bounds ray_proofs()
   add("Ray_triangle::side_rounding", Ray::side_rounding, of_direction * few, u, 1.61);
   add("Ray_triangle::plane_rounding", Ray::plane_rounding, (of_corner + of_direction) * few, u, 2.04);
 
+  // A difference or a sum, a quotient and a product.
+  const Rational u_exact(u), less = (1 - u_exact) * (1 - u_exact) * (1 - u_exact);
+  add("Ray_triangle::time_rounding", Ray::time_rounding, 1 / less - 1, u, 2.67, "rationals");
+
   const auto wide = [](const auto& in) { return detail::determinant_of_differences<0>(in); };
   const Rational of_products = sum(slice_errors<Relative_double_double>(wide, slices_of_determinant()));
   add("Ray_triangle::height_rounding", Ray::height_rounding, of_products * few, u * u, 3.89);
   add("Ray_triangle::slope_rounding", Ray::slope_rounding, 2 * of_products * few, u * u, 3.89);
-  // Of the rest N - q D, below 4 u of N: the product by 7 u^2 of N, the sum by 3 u^2 of the rest; its high part, that of
-  // D and their quotient by u each of the rest; the correction and the error by u.
+  // Of the rest N - q D, below 4 u of N: the product by 7 u^2 of N, the sum by 3 u^2 of the rest; its high part, that
+  // of D and their quotient by u each of the rest; the correction and the error by u.
   add("Ray_triangle::quotient_rounding", Ray::quotient_rounding, Rational(u * u) * (7 + 4 * 5) * few, u * u, 9.49,
       "rationals");
   return bounds;

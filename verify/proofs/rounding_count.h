@@ -31,6 +31,9 @@ class Rounding_count {
     assert(a.count_ == 0 && b.count_ == 0);
     return a + b;
   }
+  friend Rounding_count operator+(const Rounding_count& a, float) { return a + Rounding_count(); }
+  friend Rounding_count operator+(float, const Rounding_count& b) { return Rounding_count() + b; }
+  friend Rounding_count operator*(float, const Rounding_count& b) { return Rounding_count() * b; }
   friend Rounding_count operator/(float, const Rounding_count& b) { return Rounding_count() * b; }
   friend Rounding_count operator/(const Rounding_count& a, const Rounding_count& b) { return a * b; }
   friend Rounding_count entry(const Rounding_count& a) { return Rounding_count::of(a.count_ + 1); }

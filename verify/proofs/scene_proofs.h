@@ -226,6 +226,23 @@ inline Proved_bounds scene_proofs()
       1 / ((one - u) * (one - u) * (one - most({of_gap[3], of_gap[4], of_low[2], of_high[2]}) - u)) - 1, u, 2.67,
       "gappa");
 
+  // A direction's entries are rounded to float, of a fraction once before; its norm is a sum by two steps. The sum of
+  // both slacks is rounded.
+  add("slack_of_direction", extent, tetratree::slack_of_direction,
+      (Rational(of_float) + 2 * Rational(u)) * once_in_float * once_in_float * once_in_float +
+          Rational(of_float) * Rational(double(tetratree::Support_table::slack + tetratree::slack_of_direction)),
+      of_float, 4.01);
+
+  // Points are centres and sums of axes, whose lengths are off by a root of a sum, a quotient, and half of three sums.
+  const Rounding_count one_extent, of_radius = one_extent + one_extent + one_extent, of_axis = of_radius * one_extent;
+  add("turned_radius_rounding", turned, tetratree::turned_radius_rounding,
+      1 / (of_radius * of_axis).least(Rational(u)) - 1, u, 1.44e9);
+  // A product, a sum and a product, and then a float. Of a reach, centres are rounded to float too.
+  add("turned_extent_rounding", turned, tetratree::turned_extent_rounding,
+      Rational(of_float) * once_in_float + 8 * Rational(u), of_float, 4.01);
+  add("turned_reach_rounding", turned, tetratree::turned_reach_rounding,
+      2 * Rational(of_float) * once_in_float + 8 * Rational(u), of_float, 8.01);
+
   // Points of a box of axes a_j and one of these rounded differ by s_j (a_j - a'_j), and each is off by `of_float` in
   // length; centres likewise. Along axes that are orthonormal but for the least.
   add("turned_rounding", turned, tetratree::turned_rounding, Rational(of_float) * once_in_float, of_float, 16.1);

@@ -77,6 +77,7 @@ const std::set<std::pair<std::string, std::string>> ways_within = {{"kernel/pred
                                                                    {"verify/campaign", "verify/integer_truth"},
                                                                    {"verify/campaign", "verify/subjects"},
                                                                    {"verify/campaign", "verify/relations"},
+                                                                   {"verify/searches", "verify/proofs"},
                                                                    {"verify/python", "verify/cases"},
                                                                    {"verify/python", "verify/families"},
                                                                    {"verify/python", "verify/truth"},

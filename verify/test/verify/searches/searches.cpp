@@ -1,4 +1,4 @@
-#include "verify/proofs/searches.h"
+#include "verify/searches/searches.h"
 
 #include "verify/proofs/all_proofs.h"
 #include "verify/test/support/proofs.h"

@@ -1,4 +1,4 @@
-#include "verify/proofs/searches.h"
+#include "verify/searches/searches.h"
 
 #include "tetracone/kernel/bound/origin_offset.h"
 #include "tetracone/kernel/bound/relative_frame.h"

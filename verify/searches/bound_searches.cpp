@@ -1,4 +1,4 @@
-#include "verify/proofs/searches.h"
+#include "verify/searches/searches.h"
 
 #include "tetracone/kernel/bound/bounds.h"
 #include "tetracone/kernel/bound/cone_coordinates.h"

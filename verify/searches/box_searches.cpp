@@ -1,4 +1,4 @@
-#include "verify/proofs/searches.h"
+#include "verify/searches/searches.h"
 
 #include "tetracone/kernel/bound/obb8_gap.h"
 #include "verify/proofs/box_test.h"

@@ -1,8 +1,8 @@
-#ifndef TETRACONE_VERIFY_PROOFS_SEARCHES_H
-#define TETRACONE_VERIFY_PROOFS_SEARCHES_H
+#ifndef TETRACONE_VERIFY_SEARCHES_SEARCHES_H
+#define TETRACONE_VERIFY_SEARCHES_SEARCHES_H
 
 #include "tetracone/kernel/number/floating_point.h"
-#include "verify/proofs/tracked.h"
+#include "verify/searches/tracked.h"
 
 #include <algorithm>
 #include <array>

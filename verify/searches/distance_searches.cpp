@@ -2,7 +2,7 @@
 
 #include "verify/proofs/distance_proofs.h"
 #include "verify/proofs/ray_proofs.h"
-#include "verify/proofs/searches.h"
+#include "verify/searches/searches.h"
 
 #include <algorithm>
 #include <array>

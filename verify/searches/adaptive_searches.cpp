@@ -1,4 +1,4 @@
-#include "verify/proofs/searches.h"
+#include "verify/searches/searches.h"
 
 #include "tetracone/kernel/number/double_double.h"
 #include "tetracone/kernel/number/products.h"

@@ -1,0 +1,156 @@
+#ifndef TETRACONE_VERIFY_PROOFS_NEAREST_PROOFS_H
+#define TETRACONE_VERIFY_PROOFS_NEAREST_PROOFS_H
+
+#include "tetracone/kernel/bound/common_frame.h"
+#include "tetracone/kernel/bound/triangle_distance.h"
+#include "tetracone/kernel/number/double_double_ball.h"
+#include "tetracone/kernel/number/products.h"
+#include "tetracone/kernel/predicate/enclosed_distance.h"
+#include "tetracone/tetratree/fast/bvh8_distance.h"
+#include "tetracone/tetratree/fast/element_gap.h"
+#include "verify/proofs/adaptive_proofs.h"
+#include "verify/proofs/near_orthonormal.h"
+#include "verify/proofs/proved_bound.h"
+#include "verify/proofs/range_number.h"
+#include "verify/proofs/rounding_count.h"
+#include "verify/proofs/slices.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+/// The constants by which the nearest pair of elements is found: the common frame of two bodies, limits and distances
+/// in it, and directions that decide without exact numbers.
+namespace tetracone::verify::proofs {
+
+namespace detail {
+
+/// A coordinate of the image of a local point by a map of fractions: inputs a row, the point, which is off by two
+/// roundings, and its true value.
+template <class Number>
+Number image_in_common(const std::vector<Number>& in)
+{
+  const std::array<Number, 3> row = {entry(in[0]), entry(in[1]), entry(in[2])},
+                              point = {entry(entry(in[3])), entry(entry(in[4])), entry(entry(in[5]))};
+  return kernel::dot(row, point);
+}
+
+/// A row of L^T L less a share of the sum of squares, all terms taken positive: inputs three columns.
+template <class Number>
+Number row_of_gram(const std::vector<Number>& in)
+{
+  return kernel::least_stretch_bound::row_of_gram(triple(in, 0), triple(in, 3), triple(in, 6));
+}
+
+}  // namespace detail
+
+inline Proved_bounds nearest_proofs()
+{
+  using Ball = kernel::Double_double_ball;
+  using Count = Rounding_count;
+  using Distance = tetratree::Bvh8_distance<>;
+  using Enclosed = kernel::Enclosed_distance;
+  using Frame = kernel::Common_frame;
+  namespace stretch = kernel::least_stretch_bound;
+  const double unit = kernel::unit_roundoff<double>;
+  const Rational u(unit), up = 1 + u, down = 1 - u, similarity(kernel::Relative_frame::similarity_defect);
+  const auto power = [](const Rational& x, int n) {
+    Rational all = 1;
+    for (int k = 0; k < n; ++k) all *= x;
+    return all;
+  };
+  Proved_bounds bounds;
+  const auto add = [&](const std::string& name, const std::string& file, double in_code, const Rational& proved,
+                       double in_units, double loosest, const std::string& by = "rationals") {
+    bounds.push_back({name, file, Rational(in_code), proved, in_units, loosest, by});
+  };
+
+  const std::string of_frame = "kernel/bound/common_frame.h";
+  const std::vector<Slice> terms_of_image = {{1, 0, 0, 1, 0, 0}, {0, 1, 0, 0, 1, 0}, {0, 0, 1, 0, 0, 1}};
+  add("Common_frame::image_rounding", of_frame, Frame::image_rounding,
+      largest(slice_errors<Relative_64>([](const auto& in) { return detail::image_in_common(in); }, terms_of_image)),
+      unit, 1.34, "gappa");
+  // One sum, of what is itself off by less than 8 u.
+  add("Common_frame::way_rounding", of_frame, Frame::way_rounding, u * (1 + 8 * u), unit, 2.01);
+  // A row's sum, the sum with the way, products with shares, their sums, and the product with this.
+  const Count number, row = number + number + number, way = row + number,
+                      error = (number * row + number * way + number * number) * number;
+  add("Common_frame::sum_rounding", of_frame, Frame::sum_rounding,
+      1 / std::min(error.least(u), (way * number).least(u)) - 1, unit, 2.29);
+  // Three products of numbers of at most 1; and entries of a pose that are rounded where they underflow, times a unit
+  // and the power of two that leads to the frame, both at most 2^200.
+  using Double = Range_number<Double_range>;
+  const Double point(1), map_entry(1, Rational(0x1p-1074) / 2 * Rational(0x1p400));
+  add("Common_frame::underflow", of_frame, Frame::underflow,
+      kernel::dot(std::array{map_entry, map_entry, map_entry}, std::array{point, point, point}).lost(), 1, 2.57e112);
+  // The root of the sum of all squares is at most sqrt(3) times the largest sum of a row, which is rounded.
+  add("Common_frame::entry_rounding", of_frame, Frame::entry_rounding, root_3() * u / power(down, 4), unit, 2.32);
+
+  // An entry of a row is a sum of products, each of which is below half the squares of both columns. The first column's
+  // squares count thrice at most, as |x|^2 + |x| |y| + |x| |z| does 2 |x|^2 + (|y|^2 + |z|^2) / 2; and what is left is
+  // rounded, with the sum of squares.
+  std::vector<Slice> squares, products;
+  for (std::size_t k = 0; k < 3; ++k) {
+    Slice square(9, 0), second(9, 0), third(9, 0);
+    square[k] = second[k] = second[3 + k] = third[k] = third[6 + k] = 1;
+    squares.push_back(square);
+    products.push_back(second);
+    products.push_back(third);
+  }
+  Rational of_row = 0;
+  for (const auto& slices : {squares, products}) {
+    // Of a product, the square of the first column is in the slice too.
+    for (const Rational& lost :
+         slice_errors<Relative_64>([](const auto& in) { return detail::row_of_gram(in); }, slices))
+      of_row = std::max(of_row, lost);
+  }
+  const Count sum_of_squares =
+      kernel::dot(std::array{number, number, number}, std::array{number, number, number}) + number + number;
+  add("row_rounding of least_stretch", of_frame, stretch::row_rounding,
+      (2 * of_row + u) / (sum_of_squares * number).least(u), unit, 2.14, "gappa");
+  add("root_rounding of least_stretch", of_frame, stretch::root_rounding, 1 - power(1 / up, 3), unit, 1.34);
+  // The volume is a difference, and doubled; a sum of squares, a quotient and a product.
+  add("quotient_rounding of least_stretch", of_frame, stretch::quotient_rounding,
+      1 - power(down, sum_of_squares.count()) / power(up, 3), unit, 4.01);
+
+  // Rows of a similarity, but for its defect, are as long as columns.
+  add("row_of_similarity", "tetratree/fast/element_gap.h", tetratree::row_of_similarity,
+      root_3() * (1 + 3 * similarity), 1, 1.16);
+
+  // A limit is rounded, multiplied and added to, on either side.
+  const std::string of_distance = "tetratree/fast/bvh8_distance.h";
+  add("Bvh8_distance::limit_rounding", of_distance, Distance::limit_rounding,
+      std::max(Rational(1 - 1 / power(up, 3)), Rational(1 / power(down, 3) - 1)), unit, 1.34);
+  // A square is rounded, which counts half in its root; the root, a product and a sum.
+  add("Bvh8_distance::distance_rounding", of_distance, Distance::distance_rounding,
+      std::max(Rational(1 - 1 / power(up, 4)), Rational(1 / power(down, 4) - 1)), unit, 2.01);
+  // What underflows in space, times the power of two that leads to the frame, below 2^200; and once more there.
+  const Rational half_of_least = Rational(0x1p-1074) / 2;
+  add("Bvh8_distance::smallest", of_distance, Distance::smallest, half_of_least * Rational(0x1p200) + 2 * half_of_least,
+      1, 3.8e22);
+  // The root of `least_square`, or of it and what underflows in it.
+  const Rational root(0x1p-500 + 0x1p-540);
+  const Rational square = Rational(Distance::least_square) + half_of_least;
+  add("Bvh8_distance::most_unseen", of_distance, Distance::most_unseen,
+      square <= root * root ? Rational(root * power(up, 4)) : Rational(1), 1, 1024.1);
+
+  // The low part is below u of the high one; a product with a number less than 1.
+  add("Double_double_ball::high_rounding", "kernel/number/double_double_ball.h", Ball::high_rounding, 1 - down / up,
+      unit, 2.01);
+  // Radii that are let pass, by two sums of magnitudes and a product, two sums of their own, and a rounding of each.
+  const std::string of_directions = "kernel/predicate/enclosed_distance.h";
+  add("Enclosed_distance::direction_error", of_directions, Enclosed::direction_error,
+      Rational(Enclosed::most_radii) / power(down, 6) + u / down, unit, 1.34);
+  // n . (x - p) over |n|_1: both points are off, `slack` gives 4 of `position_error`; and of their difference, of at
+  // most 2 `largest`, the direction's error, one rounding of the difference, and of a product and two sums, and those
+  // of `slack` itself.
+  namespace td = kernel::triangle_distance;
+  add("triangle_distance::point_rounding, of directions", "kernel/bound/triangle_distance.h", 4 * td::point_rounding,
+      2 * (Rational(Enclosed::direction_error) + 4 * u) / power(down, 12), unit, 4.01);
+  return bounds;
+}
+
+}  // namespace tetracone::verify::proofs
+
+#endif

@@ -1,0 +1,127 @@
+#ifndef TETRACONE_VERIFY_PROOFS_OTHER_CONSTANTS_H
+#define TETRACONE_VERIFY_PROOFS_OTHER_CONSTANTS_H
+
+#include <vector>
+
+namespace tetracone::verify::proofs {
+
+/// Why a constant has no row of its own among the proofs.
+enum class Constant_kind {
+  unit,    ///< it is a property of a number type
+  choice,  ///< it decides how fast an answer is found, and never which
+  gate,    ///< what is beyond it is told nothing: the code tests it, and proofs take it as given
+  term,    ///< it stands in the proof of another constant, which the reason names
+  tested,  ///< a test beside the proofs checks it, which the reason names
+  by_hand  ///< it is an error bound that no machine checks
+};
+
+/// A constant of the package that no proof is about: its name, or the literal that stands in an expression.
+struct Other_constant {
+  const char *file, *name;
+  Constant_kind kind;
+  const char* reason;
+};
+
+/// All of them: a test finds every other one that has no proof.
+inline std::vector<Other_constant> other_constants()
+{
+  using enum Constant_kind;
+  return {
+      {"kernel/number/floating_point.h", "unit_roundoff", unit, "half the distance from 1 to the next number"},
+      {"kernel/number/floating_point.h", "0x1p-30", unit, "a factor whose square tells fused products"},
+      {"kernel/number/floating_point.h", "0x1p-60", unit, "a summand that tells whether sums are rounded"},
+      {"tetratree/fast/bvh8_cuts.h", "last", unit, "a count as a float"},
+
+      {"kernel/bound/relative_motion.h", "least_step", choice, "steps are multiples of it, exactly"},
+      {"kernel/bound/triangle_distance.h", "0x1p-40", choice, "where the search for nearer points ends"},
+      {"tetratree/fast/bvh8_builder.h", "steep", choice, "cost of a tree"},
+      {"tetratree/fast/bvh8_builder.h", "reach_of_bins", choice, "cost of a tree"},
+      {"tetratree/fast/bvh8_front.h", "most_strayed", choice, "when a new course is set"},
+      {"tetratree/fast/bvh8_front.h", "most_at_rest", choice, "when a new course is set"},
+      {"tetratree/fast/bvh8_motion.h", "share_of_size", choice, "when a span of time is halved"},
+      {"tetratree/fast/bvh8_motion.h", "share_of_leaves", choice, "when a span of time is halved"},
+      {"tetratree/fast/bvh8_treelet.h", "opening_cost", choice, "cost of a tree"},
+      {"tetratree/fast/bvh8_treelet.h", "no_surface", choice, "cost of a tree"},
+      {"tetratree/fast/front_entries.h", "at_once", choice, "a mark: what is to be asked the next time"},
+      {"tetratree/fast/front_policy.h", "of_elements", choice, "cost of a front"},
+      {"tetratree/fast/front_policy.h", "of_check", choice, "cost of a front"},
+      {"tetratree/fast/front_policy.h", "of_certified", choice, "cost of a front"},
+      {"tetratree/fast/front_policy.h", "of_pose", choice, "cost of a front"},
+      {"tetratree/fast/front_policy.h", "making", choice, "cost of a front"},
+      {"tetratree/fast/front_policy.h", "too_many", choice, "cost of a front"},
+      {"tetratree/fast/front_policy.h", "pays_below", choice, "cost of a front"},
+      {"tetratree/fast/separating_direction.h", "hopeless", choice, "when a search for a plane is given up"},
+      {"tetratree/scene/box_tree.h", "nodes_a_build", choice, "when a tree of boxes is built anew"},
+      {"tetratree/scene/scene_data.cpp", "steps_ahead", choice, "how wide kept boxes are"},
+      {"tetratree/scene/scene_data.cpp", "most_room", choice, "how wide kept boxes are"},
+      {"tetratree/scene/scene_data.cpp", "places_ahead", choice, "how wide kept boxes are"},
+      {"tetratree/scene/scene_data.cpp", "most_room_ahead", choice, "how wide kept boxes are"},
+      {"tetratree/scene/scene_data.cpp", "first_room_of_long", choice, "how wide kept boxes are"},
+      {"tetratree/scene/scene_data.cpp", "soon", choice, "when kept boxes are made anew"},
+      {"tetratree/scene/scene_data.cpp", "most_grown", choice, "when kept boxes are made anew"},
+      {"tetratree/scene/scene_models.cpp", "pairs_a_face_of_trees", choice, "when trees are made"},
+      {"tetratree/scene/scene_pairs.cpp", "little", choice, "when a pair is asked for a certificate"},
+
+      {"kernel/bound/bounds.h", "separation_gate", gate, "larger boxes are not told apart"},
+      {"kernel/bound/cone_cells.h", "core", gate, "nearer to the origin no cell is asked"},
+      {"kernel/bound/cone_cells.h", "least_slope", gate, "a plane of less slope tells nothing"},
+      {"kernel/bound/cone_lattice.h", "room", gate, "an origin is clamped to it"},
+      {"kernel/bound/cone_slab.h", "least_slope", gate, "a plane of less slope tells nothing"},
+      {"kernel/bound/cone_slab.h", "highest", gate, "a plane of greater heights tells nothing"},
+      {"kernel/bound/obb8.h", "no_apex", gate, "a mark: no triangle lies in the box"},
+      {"kernel/bound/obb8_gap.h", "most_gap_slack", gate, "with more slack no gap is certified"},
+      {"kernel/bound/obb8_ray.h", "length", gate, "no ray meets a body beyond it"},
+      {"kernel/bound/obb8_ray.h", "farthest", gate, "rays from beyond it are asked without boxes"},
+      {"kernel/bound/relative_frame.h", "similarity_defect", gate, "maps of more defect are no similarities"},
+      {"kernel/bound/relative_frame.h", "most_residual", gate, "inverses with more residual are not used"},
+      {"kernel/bound/relative_motion.h", "most_steps", gate, "after more steps a new course is set"},
+      {"kernel/number/floating_point.h", "magnitude_gate", gate, "beyond it no sign is decided in rounded numbers"},
+      {"tetratree/fast/bvh8_distance.h", "least_square", gate, "a square below it tells no lower bound"},
+      {"tetratree/fast/bvh8_front.h", "most_error", gate, "maps with more error are not certified"},
+      {"tetratree/fast/front_entries.h", "most_gone", gate, "after more motion a new course is set"},
+      {"tetratree/fast/span_reference.h", "most_bent", gate, "maps farther from a similarity are not certified"},
+      {"tetratree/locator/point_locator.h", "farthest", gate, "points beyond it are outside"},
+      {"tetratree/scene/turned_box.h", "most_skewed", gate, "axes that are more skewed make no box"},
+      {"kernel/bound/obb8_distance_simd.inl", "0x1p-100f", gate, "smaller numerators or squares tell nothing"},
+
+      {"kernel/bound/obb8.h", "axis_defect", term, "of boxes' axes, which are checked when stored: axis_defect_factor"},
+      {"kernel/bound/obb8_ray.h", "least_step", term, "Local_ray::slack"},
+      {"kernel/predicate/enclosed_distance.h", "most_radii", term, "Enclosed_distance::direction_error"},
+      {"kernel/number/floating_point.h", "underflow_slack", tested, "verify/test/verify/proofs/bound_proofs.cpp"},
+
+      {"kernel/bound/relative_frame.h", "underflow", by_hand,
+       "products of numbers within is_in_range lose 2^-1075 each, times factors of at most 2^700"},
+      {"kernel/bound/cone_coordinates.h", "64 * unit_roundoff<B>", by_hand,
+       "lengths are products and quotients of fewer than 64 rounded numbers"},
+      {"kernel/bound/obb8_gap_simd.inl", "0x1p-20", by_hand,
+       "an upper bound of a double times a float, each rounded once: 2^-23 is enough"},
+      {"kernel/bound/obb8_sweep.h", "0x1p-120", by_hand,
+       "eighth powers of singular values underflow below 2^-134, where their root is below 2^-130"},
+      {"kernel/bound/obb8_distance_simd.inl", "0x1p-20f", by_hand,
+       "three sums and two products in float: five roundings of 2^-24"},
+      {"kernel/motion/motion_span.h", "0x1p-90", by_hand,
+       "seven sums in double-double, each off by 3 u^2 of the terms: 24 u^2 is below 2^-101"},
+      {"tetratree/fast/separating_direction.h", "0x1p-40", by_hand,
+       "a root, a quotient and two products in double: five roundings of 2^-53"},
+      {"tetratree/fast/bvh8_motion.h", "0x1p-20", by_hand, "a window's end as a float: one rounding of 2^-24"},
+      {"tetratree/fast/bvh8_motion.h", "0x1p-40f", by_hand,
+       "a share of a window's end near 0, where a float has no relative error of 2^-24"},
+      {"tetratree/fast/bvh8_distance.h", "0x1p-100f", by_hand, "what a limit in float loses by underflow: 2^-150"},
+      {"tetratree/fast/bvh8_rays.h", "0x1p-14", by_hand,
+       "entries of boxes are off by Local_ray::slack, 2^-16, and times by less than as much"},
+      {"tetratree/scene/body_extent.h", "placed_underflow", by_hand, "what products of a placed box underflow by"},
+      {"tetratree/scene/body_extent.h", "0x1p-50", by_hand, "two differences and a product in double: 3 of 2^-53"},
+      {"tetratree/scene/body_extent.h", "0x1p-500", by_hand, "the root of squares that underflow below 2^-1074"},
+      {"tetratree/scene/scene_data.cpp", "0x1p-51", by_hand, "a sum and a product in double: 2 of 2^-53"},
+      {"tetratree/scene/scene_pairs.cpp", "0x1p-51", by_hand, "a sum and a product in double: 2 of 2^-53"},
+      {"tetratree/scene/scene_pairs.cpp", "0x1p-46", by_hand, "a sum of three squares against a square, in double"},
+      {"tetratree/scene/scene_pairs.cpp", "0x1p-120", by_hand, "what a float of a vector loses by underflow: 2^-150"},
+      {"tetratree/scene/scene_pairs.cpp", "0x1p-23", by_hand, "a float's rounding of a vector, twice"},
+      {"tetratree/scene/world_box.h", "0x1p-50", by_hand,
+       "a difference, three sums and a product in double: 5 of 2^-53"},
+  };
+}
+
+}  // namespace tetracone::verify::proofs
+
+#endif

@@ -1,0 +1,106 @@
+#ifndef TETRACONE_VERIFY_PROOFS_REFERENCE_PROOFS_H
+#define TETRACONE_VERIFY_PROOFS_REFERENCE_PROOFS_H
+
+#include "tetracone/kernel/bound/obb8_gap.h"
+#include "tetracone/kernel/bound/obb8_sweep.h"
+#include "tetracone/kernel/bound/relative_frame.h"
+#include "tetracone/kernel/bound/relative_motion.h"
+#include "tetracone/kernel/motion/motion_span.h"
+#include "tetracone/tetratree/fast/bvh8_front.h"
+#include "tetracone/tetratree/fast/front_entries.h"
+#include "tetracone/tetratree/fast/span_reference.h"
+#include "verify/proofs/near_orthonormal.h"
+#include "verify/proofs/obb8_proofs.h"
+#include "verify/proofs/proved_bound.h"
+#include "verify/proofs/range_number.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+/// The constants by which what moves is compared with a reference: sweeps of boxes past one another, the reference of a
+/// span of time, and the front that a pair of bodies keeps.
+namespace tetracone::verify::proofs {
+
+inline Proved_bounds reference_proofs()
+{
+  using detail::Kind;
+  using Entries = tetratree::Front_entries;
+  using Front = tetratree::Bvh8_front;
+  using Reference = tetratree::Span_reference;
+  const double unit_of_float = kernel::unit_roundoff<float>;
+  const Rational u(kernel::unit_roundoff<double>), of_float(kernel::unit_roundoff<float>), defect(kernel::axis_defect),
+      similarity(kernel::Relative_frame::similarity_defect), few = 1 + Rational(0x1p-40);
+  const auto power = [](const Rational& x, int n) {
+    Rational all = 1;
+    for (int k = 0; k < n; ++k) all *= x;
+    return all;
+  };
+  Proved_bounds bounds;
+  const auto add = [&](const std::string& name, const std::string& file, double in_code, const Rational& proved,
+                       double unit, double loosest, const std::string& by = "rationals") {
+    bounds.push_back({name, file, Rational(in_code), proved, unit, loosest, by});
+  };
+
+  // A reach is the distance s less the gap g, and a side of it that plus or less s: s is off as often as twice, and g
+  // once. Each is off by at most what its terms' roundings are, in units of M, and the slack is `gap_rounding` of that.
+  // The reach and its two sums, of at most 3 M, are rounded once each.
+  Rational of_gap = 0;
+  for (const Kind kind : {Kind::own, Kind::other, Kind::across})
+    for (const Rational& share : detail::shares_of(Edges::carried, kind, defect, defect + 3 * of_float * few))
+      of_gap = std::max(of_gap, share);
+  const std::string of_sweeps = "kernel/bound/obb8_sweep.h";
+  add("slacks_of_sweep", of_sweeps, kernel::slacks_of_sweep,
+      (3 * of_gap + 3 * 3 * of_float) * few / Rational(kernel::gap_rounding), 1, 1.42, "gappa");
+
+  // A speed below v = `least_speed` is taken for v: where a reach, of either side, is more than v, the time is beyond
+  // the span, and where it is none, the gap is one that the loss alone brings, of which `radius_rounding` leaves a part
+  // that is more than v. In between is nothing: a loss is at least `least_loss`, and sums of floats of such sizes are 0
+  // or a multiple of the last digit of the smaller. The loss holds the span's error over the scale: the largest of a
+  // span's numbers is at least 1/2 before it is divided by a binomial, of at most 20, and a scale at most sqrt(3) over
+  // a weight.
+  const Rational least_loss = Rational(Reference::errors_along) * Rational(kernel::few_roundings) / (2 * 20) / 2,
+                 last_digit = least_loss * of_float * of_float,
+                 spare = least_loss * Rational(double(kernel::radius_rounding)) / 2;
+  add("least_speed, one over it", of_sweeps, 1 / double(kernel::least_speed), 1 / std::min(last_digit, spare), 1, 207);
+
+  // The square of a length loses what three of its squares do, and each coordinate what three products do, which count
+  // as often as their length: |x|^2 <= (|y| + l)^2 + m. The root of m is below 2^-74.
+  using Float = Range_number<Float_range>;
+  const Float none(0);
+  const Rational of_square = (none * none + none * none + none * none).lost(), root(0x1p-73),
+                 of_coordinates = 2 * (none * none + none * none + none * none).lost();
+  add("motion_underflow", "kernel/bound/relative_motion.h", kernel::motion_underflow,
+      of_square <= root * root ? Rational(root + of_coordinates) : Rational(1), 1, 8193);
+
+  // A gap that is stored: rounded, and when it is taken off, a product with steps, a sum and a difference.
+  add("Front_entries::shrink, taken from 1", "tetratree/fast/front_entries.h", 1 - double(Entries::shrink),
+      1 - power((1 - of_float) / (1 + of_float), 1) * power(1 - of_float, 3), unit_of_float, 3.21);
+
+  // M^T M is s^2 (I + E), |E_ij| <= d, s the length of the first column: |M x| >= s (1 - 3 d)^(1/2) |x|. An image of a
+  // coordinate's unit less that of the origin is off by twice the map's error in each coordinate: three columns, of
+  // three coordinates.
+  const std::string of_front = "tetratree/fast/bvh8_front.h";
+  const Rational of_error = 3 * 2 * Rational(Front::most_error);
+  add("Bvh8_front::stretch_loss", of_front, Front::stretch_loss,
+      (Rational(3, 2) * similarity * (1 + 8 * similarity) + of_error) * few, unit_of_float, 5.34);
+  // Rounded to float, after a product; along an axis whose length is off by 8 roundings.
+  add("Bvh8_front::leaf_gap_rounding", of_front, Front::leaf_gap_rounding, (of_float + 10 * u) * few, unit_of_float,
+      16.1);
+
+  // The line between two coefficients is off as a coefficient is: twice `Motion_span::error`, a share of |n|_1. Sums
+  // and quotients of coefficients, and their norms, lose 12 roundings of three placings, each below twice the span's
+  // terms, of which the error is `few_roundings`.
+  const std::string of_reference = "tetratree/fast/span_reference.h";
+  add("Span_reference::errors_along", of_reference, Reference::errors_along,
+      2 * root_3() * (1 + 3 * defect) + 12 * 3 * 2 * u / Rational(kernel::few_roundings), 1, 1.16);
+  // R^-1 - R^T / s^2 = ((I + E)^-1 - I) R^T / s^2, ||E|| <= 3 d.
+  add("Span_reference::direction_error", of_reference, Reference::direction_error,
+      3 * similarity / (1 - 3 * similarity) * (1 + 3 * similarity) * few, unit_of_float, 10.7);
+  add("Span_reference::most_local", of_reference, Reference::most_local, 2 * root_3() * (1 + 3 * defect), 1, 1.16);
+  return bounds;
+}
+
+}  // namespace tetracone::verify::proofs
+
+#endif
