@@ -126,13 +126,13 @@ def far_from_zero(campaign):
     rest = len(far) - len(at_ends) - len(placed)
     counts = f"Of {len(far):,} such answers of <i>double brute</i> above 2<sup>{FAR}</sup>, {len(placed):,} are nearer to contact than two " \
              f"ulps, {len(at_ends):,} are at the ends of the doubles' range, and {rest:,} neither." if far else ""
-    return ("<p class=note>The relative determinant is that of the exactly placed points. So it tells how hard a sign is to compute, and "
-            "not what placing has lost before: vertices placed in double are up to an ulp or so off, and bodies less than that from contact "
-            "are answered wrongly however large their determinants are. Such answers stand at the left of the right axis, which measures in "
-            "ulps. At the ends of the doubles' range (families " + ", ".join(f"<i>{f}</i>" for f in ENDS_OF_RANGE) + ") products overflow or "
-            "underflow, which neither axis measures; and a translation that cancels coordinates rounds by the ulps of numbers larger than "
-            "the placed ones. All pairs, <i>brute</i>, also ask faces of one plane that are far from each other, which are no near pair. "
-            f"{counts} Poses of doubles alone are drawn.</p>")
+    return ("<p class=note><b>Why double is wrong far from zero.</b> The left axis measures how hard a sign is to compute from exactly placed "
+            "points. It does not measure what placing loses: a kernel of doubles rounds each placed vertex by up to about an ulp. Bodies that are "
+            "nearer to contact than that may be answered wrongly, however large their determinants are. The right axis, in ulps, has them at "
+            "its left. Neither axis measures overflow and underflow, which occur at the ends of the doubles' range (families "
+            + ", ".join(f"<i>{f}</i>" for f in ENDS_OF_RANGE) + "). A translation that cancels coordinates rounds by the ulps of the larger "
+            "numbers that it cancels. The method <i>brute</i> also asks faces that lie in one plane far from each other, which are no near pair. "
+            f"{counts} Only poses of doubles are drawn.</p>")
 
 
 SWEEPS = (("far-from-origin", "translation from the origin", lambda x: f"2^{x:.0f}"),
