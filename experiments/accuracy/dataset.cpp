@@ -11,6 +11,7 @@
 #include "tetracone/covering/repair/repair.h"
 #include "tetracone/kernel/number/number.h"
 #include "verify/families/families.h"
+#include "verify/families/family_lines.h"
 #include "verify/integer_truth/distance_to_degeneracy.h"
 #include "verify/integer_truth/integer_truth.h"
 #include "verify/truth/cgal_truth.h"
@@ -107,6 +108,27 @@ void add_origin(Rows& rows, const verify::Origin& origin)
   rows.add("index", origin.index);
   rows.add("parameter", finite_or_text(origin.parameter));
   rows.add("seed", origin.seed);
+}
+
+/// The families of the cases: as CSV, and as a section of the README.
+struct Described_families {
+  std::string csv, markdown;
+};
+
+Described_families described_families()
+{
+  Csv_table table;
+  std::string text =
+      "\n## Families\n\nThe same as `families.csv`. The parameter of a case is in its row; the values are taken in "
+      "turn.\n\n"
+      "| family | what its cases have in common | parameter | values |\n|---|---|---|---|\n";
+  for (const verify::Family_line& line : verify::family_lines()) {
+    if (!verify::find_family(line.name)) continue;  // of other levels
+    const std::string name(line.name), what(line.what), parameter(line.parameter), values = sweep_text(line);
+    table.add(Csv_row().add("family", name).add("what", what).add("parameter", parameter).add("values", values));
+    text += "| `" + name + "` | " + what + " | " + parameter + " | " + values + " |\n";
+  }
+  return {table.text(), text};
 }
 
 void agree(bool same)
@@ -219,7 +241,9 @@ void export_dataset(const std::filesystem::path& out, std::uint64_t cases, std::
   kept.add("cases.csv", objects.csv());
   kept.add("cases.json", objects.json());
   kept.add("predicates.csv", predicates.csv());
-  kept.add("README.md", dataset_files::readme_md);
+  const Described_families described = described_families();
+  kept.add("families.csv", described.csv);
+  kept.add("README.md", std::string(dataset_files::readme_md) + described.markdown);
   kept.add("LICENSE", dataset_files::license);
   kept.add("tetracone_dataset.py", dataset_files::tetracone_dataset_py);
   kept.add("score.py", dataset_files::score_py);

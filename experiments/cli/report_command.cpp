@@ -34,15 +34,21 @@ struct Report_options {
   bool progress = false;
 };
 
-/// What a subject's answers mean where it is not ours: the question that it answers, its numbers, its source.
+/// What a subject's answers mean where it is not ours: the question that it knows, if it does not know both, and in
+/// words what it answers, its numbers, its source.
 std::string notes_as_csv(verify::Database& database)
 {
-  std::string csv = "level,subject,note\n";
-  const auto add = [&csv](const std::string& level, const std::string& subject, std::string note) {
+  std::string csv = "level,subject,knows,note\n";
+  const auto add = [&csv](const std::string& level, const std::string& subject, std::string note,
+                          const std::string& knows = "") {
     std::replace(note.begin(), note.end(), '"', '\'');
-    if (!note.empty()) csv += level + "," + subject + ",\"" + note + "\"\n";
+    if (!note.empty()) csv += level + "," + subject + "," + knows + ",\"" + note + "\"\n";
   };
-  for (const Peer& peer : peers()) add("object", peer.name, peer.note);
+  for (const Peer& peer : peers())
+    add("object", peer.name, peer.note,
+        peer.knows == verify::Knows::surfaces ? "surface"
+        : peer.knows == verify::Knows::solids ? "solid"
+                                              : "");
   for (const auto& subject : verify::moving_bodies_subjects()) add("motions", subject.name, subject.note);
   for (const Named_motion_peer& peer : motion_peers()) add("motions", peer.name, peer.note);
   verify::Database::Statement commands(database, "SELECT subject, command FROM command ORDER BY 1");

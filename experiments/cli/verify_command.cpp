@@ -11,6 +11,7 @@
 #include "verify/campaign/campaign.h"
 #include "verify/cases/case_file.h"
 #include "verify/families/distance_families.h"
+#include "verify/families/family_lines.h"
 #include "verify/families/moving_body_families.h"
 #include "verify/subjects/moving_bodies_subject.h"
 #include "verify/subjects/object_subject.h"
@@ -19,10 +20,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <iomanip>
 #include <iostream>
 #include <memory>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tetracone::experiments {
@@ -36,6 +39,7 @@ struct Verify_options {
   std::vector<std::string> families, subjects;
   Subject_options others;
   std::uint64_t cases = 0;
+  bool list = false;
   Campaign campaign;
 };
 
@@ -130,16 +134,28 @@ bool add_family(const std::string& name, Campaign& campaign)
 std::vector<std::string> all_families()
 {
   std::vector<std::string> names;
-  const auto add = [&](const auto& families) {
-    for (const auto& family : families) names.emplace_back(family.name);
-  };
-  add(verify::families());
-  add(verify::distance_families());
-  add(verify::point_families());
-  add(verify::ray_families());
-  add(verify::scene_families());
-  add(verify::moving_body_families());
+  for (const verify::Family_line& line : verify::family_lines()) names.emplace_back(line.name);
   return names;
+}
+
+/// Prints a paragraph of families for each set of levels that asks them.
+void print_families()
+{
+  std::string_view levels;
+  for (const verify::Family_line& line : verify::family_lines()) {
+    if (line.levels != levels) std::cout << (levels.empty() ? "" : "\n") << "Families of " << line.levels << ":\n";
+    levels = line.levels;
+    std::cout << "  " << std::left << std::setw(24) << line.name << line.what;
+    if (!line.parameter.empty())
+      std::cout << "\n"
+                << std::setw(28) << ""
+                << "parameter: " << line.parameter;
+    if (!line.sweep.empty()) std::cout << " (" << verify::sweep_text(line) << ")";
+    std::cout << "\n";
+  }
+  std::cout
+      << "\nThe level object also asks sequences, which have no name to choose them by: two bodies, frame by frame, in "
+         "an\nexact contact that is kept, met or just missed; --frames says how many.\n";
 }
 
 void choose_families(const Verify_options& options, Campaign& campaign)
@@ -242,6 +258,7 @@ std::string campaign_words(const CLI::App& command, const Verify_options& option
 
 void run_verify(const CLI::App& command, Verify_options options)
 {
+  if (options.list) return print_families();
   if (!options.check_subject.empty()) {
     require_command(options.check_subject, options.others.limit_ms());
     if (!check_subject(options.check_subject, options.others.limit_ms(), std::cout)) throw CLI::RuntimeError(1);
@@ -289,7 +306,10 @@ void add_verify_command(CLI::App& app)
       ->add_option("--shard", options->shard,
                    "i/n: every n-th batch from batch i; `tetracone merge` joins the databases")
       ->capture_default_str();
-  command->add_option("--family", options->families, "Only this family; may be given again")->allow_extra_args(false);
+  command
+      ->add_option("--family", options->families, "Only this family; may be given again; --list says what each one is")
+      ->allow_extra_args(false);
+  command->add_flag("--list", options->list, "No campaign: print the families of cases, and what each one is");
   command
       ->add_option("--subject", options->subjects,
                    "Only this subject, or a kernel with all its methods; may be given again")

@@ -54,40 +54,39 @@ const std::vector<Peer>& peers()
   static const std::vector<Peer> all = {
 #ifdef TETRACONE_WITH_FCL
       {"FCL OBBRSS", "FCL, BVHModel<OBBRSS>, one contact: surfaces only, so a solid inside a solid is missed; double",
-       false, prepare_fcl_obbrss},
+       verify::Knows::surfaces, prepare_fcl_obbrss},
       {"FCL AABB", "FCL, BVHModel<AABB>, one contact: surfaces only, so a solid inside a solid is missed; double",
-       false, prepare_fcl_aabb},
+       verify::Knows::surfaces, prepare_fcl_aabb},
 #endif
 #ifdef TETRACONE_WITH_BULLET
       {"Bullet GImpact",
        "Bullet, GImpact meshes, margin 0: surfaces only, so a solid inside a solid is missed; float, and near counts "
        "as touching",
-       false, prepare_bullet},
+       verify::Knows::surfaces, prepare_bullet},
 #endif
 #ifdef TETRACONE_WITH_ODE
       {"ODE trimesh",
        "ODE, trimesh against trimesh by OPCODE: surfaces only, so a solid inside a solid is missed; double, and near "
        "counts as touching",
-       false, prepare_ode},
+       verify::Knows::surfaces, prepare_ode},
 #endif
 #ifdef TETRACONE_WITH_CCD
       {"libccd GJK",
        "libccd, ccdGJKIntersect on the vertices, at most 100 iterations: convex solids only; double, with tolerances",
-       true, prepare_libccd_gjk},
+       verify::Knows::solids, prepare_libccd_gjk},
       {"libccd MPR",
        "libccd, ccdMPRIntersect on the vertices, at most 100 iterations: convex solids only; double, with tolerances",
-       true, prepare_libccd_mpr},
+       verify::Knows::solids, prepare_libccd_mpr},
 #endif
       {"CGAL RMCD EPICK",
        "CGAL, Rigid_triangle_mesh_collision_detection: manifold meshes; surfaces, and solids by inclusion; exact "
        "predicates on points "
        "that the motion has rounded",
-       false, prepare_cgal_epick},
+       verify::Knows::both, prepare_cgal_epick},
       {"CGAL RMCD EPECK",
        "CGAL, Rigid_triangle_mesh_collision_detection: manifold meshes; surfaces, and solids by inclusion; exact for a "
-       "pose of doubles, "
-       "and a rational pose is rounded to doubles first",
-       false, prepare_cgal_epeck},
+       "pose of doubles",
+       verify::Knows::both, prepare_cgal_epeck},
   };
   return all;
 }

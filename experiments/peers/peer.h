@@ -4,6 +4,7 @@
 #include "experiments/peers/prepared_pair.h"
 #include "tetracone/covering/polyhedron.h"
 #include "tetracone/kernel/number/pose.h"
+#include "verify/subjects/object_subject.h"
 
 #include <array>
 #include <memory>
@@ -30,8 +31,8 @@ bool is_rigid(const kernel::Pose& pose);
 /// A library with one of its ways to answer.
 struct Peer {
   std::string name;
-  std::string note;  ///< the question that it really answers, its number type and its tolerance
-  bool solids_only;  ///< it knows solids and no surfaces: `Question::surface` is not asked
+  std::string note;     ///< the question that it really answers, its number type and its tolerance
+  verify::Knows knows;  ///< `solids`: it is not asked of surfaces
 
   /// Null when the peer does not take such meshes.
   std::unique_ptr<Prepared_pair> (*prepare)(const Peer_mesh& a, const Peer_mesh& b);

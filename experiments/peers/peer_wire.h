@@ -14,8 +14,9 @@
 /// What goes between the program and a peer's worker, both the same program on the same machine. To the worker:
 ///   'm' and two polyhedra: those of the questions to come; 'q', a question and the doubles of two poses; 't', the
 ///   doubles of the poses from which and to which B moves, A at rest.
-/// From the worker, one byte each: `ready` when it has started, an answer for each 'q' and each 't'; after a `yes` to a
-/// 't' the double of the time.
+/// From the worker, one byte each: `ready` when it has started, an answer for each 'q' and each 't'. After `yes` and `no`
+/// two doubles follow, nanoseconds: what it took to make the models ready, 0 where they were, and to answer; after a
+/// `yes` to a 't' also the double of the time.
 namespace tetracone::experiments::wire {
 
 enum class Message : char { models = 'm', question = 'q', motion = 't' };

@@ -3,6 +3,7 @@
 #include "experiments/peers/fcl_motion.h"
 #include "experiments/peers/peer.h"
 #include "experiments/peers/peer_wire.h"
+#include "verify/subjects/spent.h"
 
 #include <CLI/CLI.hpp>
 
@@ -14,6 +15,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -87,32 +89,47 @@ class Bench {
     built_ = false;
   }
 
+  /// Sends the answer, and how long it took.
+  template <class Says>
+  void tell(const Says& says)
+  {
+    const wire::Answer told = ask(says);
+    answer(told);
+    if (told != wire::Answer::yes && told != wire::Answer::no) return;
+    answer(double(making_));
+    answer(double(asking_));
+  }
+
+ private:
   template <class Says>
   wire::Answer ask(const Says& says)
   {
     try {
-      if (!built_) build();
+      making_ = 0;
+      if (!built_) making_ = verify::timed([this] { return build(); }).second;
       if (!ready_) return wire::Answer::not_taken;
-      return says(*ready_) ? wire::Answer::yes : wire::Answer::no;
+      const auto [yes, asking] = verify::timed([&] { return says(*ready_); });
+      asking_ = asking;
+      return yes ? wire::Answer::yes : wire::Answer::no;
     } catch (const std::exception&) {
       built_ = false;
       return wire::Answer::failed;
     }
   }
 
- private:
-  void build()
+  bool build()
   {
     ready_.reset();
     const auto a = peer_mesh(a_), b = peer_mesh(b_);
     if (a && b) ready_ = make_(*a, *b);
-    built_ = true;
+    return built_ = true;
   }
 
   Make make_;
   covering::Polyhedron a_, b_;
   std::unique_ptr<Ready> ready_;
   bool built_ = false;
+  std::uint64_t making_ = 0, asking_ = 0;  // nanoseconds of the last answer
 };
 
 template <void (*misbehave)()>
@@ -138,8 +155,8 @@ std::optional<Peer> find_peer(const std::string& name)
 {
   for (const Peer& peer : peers())
     if (peer.name == name) return peer;
-  if (name == "crash") return Peer{name, "", false, Misbehaving<crash>::prepare};
-  if (name == "hang") return Peer{name, "", false, Misbehaving<hang>::prepare};
+  if (name == "crash") return Peer{name, "", verify::Knows::both, Misbehaving<crash>::prepare};
+  if (name == "hang") return Peer{name, "", verify::Knows::both, Misbehaving<hang>::prepare};
   return std::nullopt;
 }
 
@@ -193,9 +210,9 @@ void serve(const Peer& peer)
 {
   serve<Prepared_pair>(peer.prepare, [](auto& bench, const auto& read) {
     const auto asked = wire::take<wire::Asked>(read);
-    answer(bench.ask([&](Prepared_pair& pair) {
+    bench.tell([&](Prepared_pair& pair) {
       return pair.collide(kernel::Pose(asked.pose_a), kernel::Pose(asked.pose_b), asked.question);
-    }));
+    });
   });
 }
 
@@ -204,10 +221,10 @@ void serve(const Named_motion_peer& peer)
   serve<Motion_peer>(peer.make, [](auto& bench, const auto& read) {
     const auto asked = wire::take<wire::Asked_motion>(read);
     std::optional<double> time;
-    answer(bench.ask([&](Motion_peer& motion) {
+    bench.tell([&](Motion_peer& motion) {
       time = motion.first_contact(kernel::Pose(asked.from), kernel::Pose(asked.to));
       return time.has_value();
-    }));
+    });
     if (time) answer(*time);
   });
 }

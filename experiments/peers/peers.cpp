@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -22,16 +23,36 @@ using verify::Outcome;
 /// each case, which for a mesh of 10^5 is more than for all others of its family together.
 constexpr std::size_t most_faces = 30000;
 
+/// Asks, and takes what answers: the byte, and after `yes` and `no` the times. Without an answer by the deadline the
+/// process is ended.
+wire::Answer take_answer(std::unique_ptr<Peer_process>& process, const std::string& message,
+                         Peer_process::Deadline deadline, std::optional<verify::Spent>& spent)
+{
+  const auto byte = process->ask(message, deadline);
+  const auto answer = static_cast<wire::Answer>(byte.value_or(static_cast<char>(wire::Answer::failed)));
+  bool is_whole = byte.has_value();
+  if (answer == wire::Answer::yes || answer == wire::Answer::no) {
+    const auto making = process->take_double(deadline);
+    const auto asking = making ? process->take_double(deadline) : std::nullopt;
+    is_whole = asking.has_value();
+    if (is_whole) spent = verify::Spent{std::uint64_t(*making), std::uint64_t(*asking)};
+  }
+  if (!is_whole) process.reset();
+  return is_whole ? answer : wire::Answer::failed;
+}
+
 /// A peer at work in a child process.
 class Running_peer : public verify::Running_subject {
  public:
-  Running_peer(std::string program, std::string name, bool solids_only, std::chrono::milliseconds limit)
-      : program_(std::move(program)), name_(std::move(name)), solids_only_(solids_only), limit_(limit)
+  Running_peer(std::string program, std::string name, verify::Knows knows, std::chrono::milliseconds limit)
+      : program_(std::move(program)), name_(std::move(name)), knows_(knows), limit_(limit)
   {}
 
   Outcome operator()(const Object_case& c, kernel::Question question) override
   {
-    if (solids_only_ && question == kernel::Question::surface) return Outcome::not_asked;
+    spent_.reset();
+    if (knows_ == verify::Knows::solids && question == kernel::Question::surface) return Outcome::not_asked;
+    if (c.pose_a.is_rational() || c.pose_b.is_rational()) return Outcome::not_asked;
     if (!is_rigid(c.pose_a) || !is_rigid(c.pose_b)) return Outcome::not_asked;
     if (c.a->face_count() > most_faces || c.b->face_count() > most_faces) return Outcome::not_asked;
     if (!process_) {
@@ -48,9 +69,8 @@ class Running_peer : public verify::Running_subject {
     }
     wire::append(message_, wire::Message::question);
     wire::append(message_, wire::Asked{question, c.pose_a.entries(), c.pose_b.entries()});
-    const auto answer = process_->ask(message_, std::chrono::steady_clock::now() + limit_);
-    if (!answer) process_.reset();
-    switch (static_cast<wire::Answer>(answer.value_or(static_cast<char>(wire::Answer::failed)))) {
+    const auto deadline = std::chrono::steady_clock::now() + limit_;
+    switch (take_answer(process_, message_, deadline, spent_)) {
       case wire::Answer::no: return Outcome::no;
       case wire::Answer::yes: return Outcome::yes;
       case wire::Answer::not_taken: return Outcome::not_asked;
@@ -58,13 +78,17 @@ class Running_peer : public verify::Running_subject {
     }
   }
 
+  void forget() override { a_ = b_ = nullptr; }
+  std::optional<verify::Spent> spent() const override { return spent_; }
+
  private:
   std::string program_, name_;
-  bool solids_only_;
+  verify::Knows knows_;
   std::chrono::milliseconds limit_;
   std::unique_ptr<Peer_process> process_;
   std::shared_ptr<const covering::Polyhedron> a_, b_;  // what the process has
   std::string message_;
+  std::optional<verify::Spent> spent_;
 };
 
 constexpr std::chrono::seconds usual_limit(10);
@@ -88,18 +112,18 @@ class Running_motion_peer : public verify::Running_motion {
     wire::append(message, wire::Message::motion);
     wire::append(message, wire::Asked_motion{from->entries(), to->entries()});
     const auto deadline = std::chrono::steady_clock::now() + usual_limit;
-    const auto answer =
-        static_cast<wire::Answer>(process_->ask(message, deadline).value_or(static_cast<char>(wire::Answer::failed)));
-    if (answer == wire::Answer::no) return {Outcome::no};
+    std::optional<verify::Spent> spent;
+    const wire::Answer answer = take_answer(process_, message, deadline, spent);
+    if (answer == wire::Answer::no) return {Outcome::no, {0, 0}, spent};
     if (answer == wire::Answer::not_taken) return {Outcome::not_asked};
     const auto time = answer == wire::Answer::yes ? process_->take_double(deadline) : std::nullopt;
-    if (!time) process_.reset();
+    if (!time) process_.reset();  // it is no longer known what the next byte means
     if (!time || !(*time >= 0 && *time <= 1)) return {Outcome::failed};
-    return {Outcome::yes, {*time, *time}};
+    return {Outcome::yes, {*time, *time}, spent};
   }
 
  private:
-  /// The pose, where it is a shift by doubles.
+  /// The pose, where it is a shift by doubles; nothing for another one, and for one by fractions.
   static std::optional<kernel::Pose> shift(const std::vector<kernel::Rational>& numbers)
   {
     std::array<kernel::Rational, 12> entries = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
@@ -111,7 +135,7 @@ class Running_motion_peer : public verify::Running_motion {
       for (std::size_t k = 0; k < 3; ++k) entries[4 * k + 3] = numbers[4 + k];
     }
     const kernel::Pose pose(entries);
-    return pose.is_translation() ? std::optional(pose) : std::nullopt;
+    return pose.is_translation() && !pose.is_rational() ? std::optional(pose) : std::nullopt;
   }
 
   std::string program_, name_;
@@ -119,10 +143,10 @@ class Running_motion_peer : public verify::Running_motion {
 };
 
 verify::Object_subject subject(const std::string& program, const std::string& name, const std::string& note,
-                               bool solids_only, std::chrono::milliseconds limit)
+                               verify::Knows knows, std::chrono::milliseconds limit)
 {
-  return {name, false, note, std::nullopt,
-          [=] { return std::make_unique<Running_peer>(program, name, solids_only, limit); }};
+  return {name, false, note, std::nullopt, [=] { return std::make_unique<Running_peer>(program, name, knows, limit); },
+          "",   knows};
 }
 
 }  // namespace
@@ -131,8 +155,8 @@ verify::Object_subject peer_subject(const std::string& program, const std::strin
                                     std::chrono::milliseconds limit)
 {
   for (const Peer& peer : peers())
-    if (peer.name == name) return subject(program, name, peer.note, peer.solids_only, limit);
-  return subject(program, name, "", false, limit);  // for the worker to know
+    if (peer.name == name) return subject(program, name, peer.note, peer.knows, limit);
+  return subject(program, name, "", verify::Knows::both, limit);  // for the worker to know
 }
 
 std::vector<verify::Object_subject> peer_subjects(const std::string& program)

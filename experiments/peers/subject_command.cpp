@@ -26,6 +26,7 @@ class Running_command : public verify::Running_subject {
 
   Outcome operator()(const Object_case& c, kernel::Question question) override
   {
+    spent_.reset();
     const auto start = Clock::now();
     const bool is_new = !process_;
     if (is_new) {
@@ -43,6 +44,9 @@ class Running_command : public verify::Running_subject {
     return *outcome;
   }
 
+  /// Only what the program itself tells: our clock would add the pipe and the reading of lines.
+  std::optional<verify::Spent> spent() const override { return spent_; }
+
  private:
   std::optional<Outcome> ask(const Object_case& c, kernel::Question question, Clock::time_point deadline)
   {
@@ -56,7 +60,10 @@ class Running_command : public verify::Running_subject {
     lines += subject_lines::ask(++asks_, a, b, c.pose_a, c.pose_b, question);
     if (!process_->send(lines, deadline)) return std::nullopt;
     const auto line = process_->line(deadline);
-    return line ? subject_lines::read(*line, asks_).outcome : std::nullopt;
+    if (!line) return std::nullopt;
+    const subject_lines::Reply reply = subject_lines::read(*line, asks_);
+    if (reply.ns) spent_ = verify::Spent{{}, *reply.ns};
+    return reply.outcome;
   }
 
   /// The body's number; a line for it where the program does not have it.
@@ -75,6 +82,7 @@ class Running_command : public verify::Running_subject {
   std::unique_ptr<Command_process> process_;
   std::vector<std::pair<Body, std::uint64_t>> announced_;  // what the process has
   std::uint64_t models_ = 0, asks_ = 0;
+  std::optional<verify::Spent> spent_;
 };
 
 }  // namespace

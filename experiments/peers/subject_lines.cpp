@@ -71,17 +71,21 @@ std::string ask(std::uint64_t ask, std::uint64_t a, std::uint64_t b, const kerne
 Reply read(const std::string& line, std::uint64_t ask)
 {
   const std::string form = "{\"ask\": " + std::to_string(ask) + ", \"answer\": 0, 1 or null}";
-  const auto wrong = [&](const std::string& what) { return Reply{std::nullopt, what + "; expected " + form}; };
+  const auto wrong = [&](const std::string& what) { return Reply{std::nullopt, what + "; expected " + form, {}}; };
   const auto json = nlohmann::json::parse(line, nullptr, false);
   if (!json.is_object()) return wrong("the line " + shown(line) + " is no JSON object");
   const auto number = json.find("ask"), answer = json.find("answer");
   if (number == json.end() || !number->is_number_integer() || *number != ask)
     return wrong("the line " + shown(line) + " does not name this ask");
   if (answer == json.end()) return wrong("the line " + shown(line) + " has no answer");
-  if (answer->is_null()) return {verify::Outcome::not_asked, ""};
+  if (answer->is_null()) return {verify::Outcome::not_asked, "", {}};
   if (!answer->is_number_integer() || (*answer != 0 && *answer != 1))
     return wrong("the answer of " + shown(line) + " is neither 0, 1 nor null");
-  return {*answer == 1 ? verify::Outcome::yes : verify::Outcome::no, ""};
+  Reply reply{*answer == 1 ? verify::Outcome::yes : verify::Outcome::no, "", {}};
+  constexpr double longest = 1e18;  // 30 years: more is no time, and might be no integer of 64 bits
+  const auto ns = json.find("ns");
+  if (ns != json.end() && ns->is_number() && *ns >= 0.0 && *ns <= longest) reply.ns = std::uint64_t(ns->get<double>());
+  return reply;
 }
 
 }  // namespace tetracone::experiments::subject_lines

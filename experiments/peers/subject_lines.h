@@ -24,6 +24,7 @@ std::string ask(std::uint64_t ask, std::uint64_t a, std::uint64_t b, const kerne
 struct Reply {
   std::optional<verify::Outcome> outcome;  ///< yes, no, or not_asked where it declines; nothing for a wrong line
   std::string wrong;                       ///< what is wrong with the line, and what was expected
+  std::optional<std::uint64_t> ns;         ///< the time that it says it took; what is no number from 0 is none
 };
 
 /// Reads the line that answers this ask.

@@ -8,7 +8,9 @@ from report_data import distinct, read, wrong_in
 from report_page import Source, again
 
 EXACTLY, NOT_NEAR = -9999, 9999
-TABLES = ("errors", "subjects", "distance", "sweeps", "blame", "relations", "flips", "truth", "runs", "times", "needs", "notes")
+TABLES = ("errors", "poses", "subjects", "distance", "sweeps", "blame", "relations", "flips", "truth", "runs", "times", "needs", "notes",
+          "families", "wrong")
+DOUBLES, FRACTIONS = "doubles", "fractions"  # of poses
 EXACT = ("adaptive", "epeck", "rational")
 
 # Families by what they come near, for panels and scene types; a family's sweep may end in exact degeneracy.
@@ -24,6 +26,9 @@ REGIME = {family: regime for regime, families in {
     "nested": "nested nested-touching cavity-wall covering-elements covering-apex winding-axis"}.items() for family in families.split()}
 
 
+PANEL = {"random": "random coordinates"}  # where "random" is said of the study, it is of its motions
+
+
 def is_exact(subject):
     return subject.split(" ")[0] in EXACT and "sign-error" not in subject
 
@@ -32,6 +37,19 @@ class Campaign:
     def __init__(self, out):
         self.tables = {name: read(os.path.join(out, "tables", f"verify_{name}.csv")) for name in TABLES}
         self.compilers = read(os.path.join(out, "compilers.csv"))
+
+    def rows(self, level, poses=None, of_sequences=False):
+        """What was asked at a level, by family, subject, question and kind of poses; sequences of frames apart."""
+        return [r for r in self.tables["poses"] if r["level"] == level and r["poses"] == (poses or r["poses"]) and
+                r["family"].startswith("sequence ") == of_sequences]
+
+    def knows(self, subject):
+        """The only question that a library knows, surface or solid; nothing of one that knows both."""
+        return next((r["knows"] for r in self.tables["notes"] if (r["level"], r["subject"]) == ("object", subject)), "")
+
+    def is_known(self, row):
+        """Whether its subject knows its question: an answer to the other one is no error of the subject's own."""
+        return self.knows(row["subject"]) in ("", row["question"])
 
     def __bool__(self):
         return bool(self.tables["errors"])

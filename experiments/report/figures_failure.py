@@ -6,8 +6,8 @@ from collections import defaultdict
 
 import matplotlib.pyplot as plt
 
-from campaign_data import EXACTLY, NOT_NEAR, is_exact
-from report_data import distinct, method_of, percent, share, wilson, wrong_in
+from campaign_data import DOUBLES, EXACTLY, FRACTIONS, NOT_NEAR, REGIME, is_exact
+from report_data import by, distinct, method_of, percent, share, wilson, wrong_in
 from report_style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, SKY, VERMILION, WIDTH, label_ends
 
 # (subject, name, colour, dashes). Brute force has no tree to lose a pair in: its errors are those of the signs alone.
@@ -67,7 +67,7 @@ def binned(rows, subject, key):
     low, step, bins = LOW[key], STEP[key], defaultdict(lambda: [0, 0])
     for r in rows:
         b = int(r["bin"])
-        if r["subject"] != subject or r["axis"] != key or b == NOT_NEAR:
+        if r["subject"] != subject or r["axis"] != key or b == NOT_NEAR or r["poses"] != DOUBLES:
             continue
         b = low - APART[key] if b == EXACTLY else min(HIGH[key], max(low, step * math.floor(b / step)))
         bins[b][0] += round(float(r["rate"]) * int(r["n"]))
@@ -113,6 +113,28 @@ def by_distance(page, campaign):
     return page.figure("errors_by_distance", fig, source, data)
 
 
+ENDS_OF_RANGE = ("extreme-exponents", "exponent-gate", "wild")
+FAR = -40  # log2 of rho: rounding errors of determinants in double end below it
+
+
+def far_from_zero(campaign):
+    """Why double is wrong far to the right of the left axis: counts among the wrong answers that are kept one by one."""
+    far = [r for r in campaign.tables["wrong"] if (r["level"], r["subject"], r["question"]) == ("object", "double brute", "surface") and
+           FAR <= float(r["log2_rho"]) < math.inf]
+    at_ends = [r for r in far if r["family"] in ENDS_OF_RANGE]
+    placed = [r for r in far if r["family"] not in ENDS_OF_RANGE and float(r["log2_ulps"]) < 1]
+    rest = len(far) - len(at_ends) - len(placed)
+    counts = f"Of {len(far):,} such answers of <i>double brute</i> above 2<sup>{FAR}</sup>, {len(placed):,} are nearer to contact than two " \
+             f"ulps, {len(at_ends):,} are at the ends of the doubles' range, and {rest:,} neither." if far else ""
+    return ("<p class=note><b>Why double is wrong far from zero.</b> The left axis measures how hard a sign is to compute from exactly placed "
+            "points. It does not measure what placing loses: a kernel of doubles rounds each placed vertex by up to about an ulp. Bodies that are "
+            "nearer to contact than that may be answered wrongly, however large their determinants are. The right axis, in ulps, has them at "
+            "its left. Neither axis measures overflow and underflow, which occur at the ends of the doubles' range (families "
+            + ", ".join(f"<i>{f}</i>" for f in ENDS_OF_RANGE) + "). A translation that cancels coordinates rounds by the ulps of the larger "
+            "numbers that it cancels. The method <i>brute</i> also asks faces that lie in one plane far from each other, which are no near pair. "
+            f"{counts} Only poses of doubles are drawn.</p>")
+
+
 SWEEPS = (("far-from-origin", "translation from the origin", lambda x: f"2^{x:.0f}"),
           ("mixed-scales", "ratio of scales", lambda x: f"2^{x:.0f}"),
           ("sliver", "height of a sliver", lambda x: f"2^-{x:.0f}"))
@@ -154,45 +176,70 @@ def by_parameter(page, campaign):
     return page.figure("errors_by_parameter", fig, source, data)
 
 
-def subjects(page, campaign, level):
-    """A line a subject, a column a question."""
-    rows = [r for r in campaign.tables["subjects"] if r["level"] == level]
-    questions, cell, body = distinct(r["question"] for r in rows), {(r["subject"], r["question"]): r for r in rows}, []
+def share_with_kinds(rows):
+    """The share of wrong answers of these rows, with what they are; a dash where nothing was asked."""
+    total = {key: sum(int(r[key]) for r in rows) for key in ("n", "false_positives", "false_negatives", "failures")}
+    if total["n"] == 0:
+        return "–"
+    wrong = total["n"] and sum(map(wrong_in, rows))
+    text = share(wrong, total["n"])
+    if wrong:
+        failed = f", failed {total['failures']:,}" if total["failures"] else ""
+        text += f"<br><small>missed {total['false_negatives']:,}, invented {total['false_positives']:,}{failed}</small>"
+    return text
+
+
+def subjects(page, campaign, level, poses):
+    """A line a subject, a column a question, of families and of sequences; of poses of doubles, or of those with fractions."""
+    columns = [(question, of_sequences, group) for of_sequences in (False, True)
+               if (mine := [r for r in campaign.rows(level, poses, of_sequences) if int(r["n"])])
+               for question, group in by(mine, "question").items()]
+    rows = [r for *_, group in columns for r in group]
+    if not rows:
+        return ""
+    notes, body = campaign.notes(level), []
     for subject in distinct(r["subject"] for r in rows):
         cells = [html.escape(subject)]
-        for question in questions:
-            r = cell.get((subject, question))
-            if r is None or int(r["n"]) == 0:
-                cells.append("–")
-                continue
-            text = share(wrong_in(r), int(r["n"]))
-            if wrong_in(r):
-                text += f"<br><small>missed {r['false_negatives']}, invented {r['false_positives']}" + (f", failed {r['failures']}"
-                    if int(r["failures"]) else "") + "</small>"
+        for (question,), _, group in columns:
+            mine = [r for r in group if r["subject"] == subject]
+            text = share_with_kinds(mine)
+            if mine and not campaign.is_known(mine[0]):
+                text = f"<small>knows {campaign.knows(subject)}s alone:</small> {text}"
             cells.append(text)
-        body.append((is_exact(subject), cells))
-    source = campaign.source(f"How often is each subject wrong, over all families ({level} level)?", campaign.answers(rows))
-    head = ["subject"] + questions
-    if notes := campaign.notes(level):  # where a subject answers another question, its row says so
-        head.append("what it answers")
-        for (_, cells), subject in zip(body, distinct(r["subject"] for r in rows)):
-            cells.append(f"<small class=what>{html.escape(notes.get(subject, ''))}</small>")
-    return page.html_table(head, body, source, "tables/verify_subjects.csv")
+        body.append((is_exact(subject), cells + ([f"<small class=what>{html.escape(notes.get(subject, ''))}</small>"] if notes else [])))
+    source = campaign.source(f"How often is each subject wrong, by question ({level} level, poses of {poses})?", campaign.answers(rows))
+    head = ["subject"] + [question + (", frames in exact contact" if of_sequences else "") for (question,), of_sequences, _ in columns]
+    title = "Poses of doubles" if poses == DOUBLES else "Poses with fractions, which kernels of doubles round and libraries are not asked"
+    return f"<h3>{title}</h3>" + page.html_table(head + (["what it answers"] if notes else []), body, source, "tables/verify_poses.csv")
+
+
+def of_both_poses(page, campaign, level):
+    return "".join(subjects(page, campaign, level, poses) for poses in (DOUBLES, FRACTIONS))
 
 
 def families(page, campaign):
     """Object level: share of wrong answers by family, for one method of each kernel and the peers."""
-    rows = [r for r in campaign.tables["errors"] if r["level"] == "object" and not r["family"].startswith("sequence ")]
+    rows = [r for r in campaign.rows("object") if int(r["n"]) and campaign.is_known(r)]
     names = [s for s in distinct(r["subject"] for r in rows) if method_of(s) in ("tree", "peer")]
-    count, body = campaign.wrong_by(rows, "family", "subject"), []
-    for family in distinct(r["family"] for r in rows):
-        cells = [html.escape(family)]
+    count, body = campaign.wrong_by(rows, "family", "poses", "subject"), []
+    for family, poses in distinct((r["family"], r["poses"]) for r in rows):
+        cells = [html.escape(family) + (" <small>with fractions</small>" if poses == FRACTIONS else "")]
         for subject in names:
-            wrong, n = count[family, subject]
+            wrong, n = count[family, poses, subject]
             cells.append("–" if n == 0 else "0" if wrong == 0 else f"<b>{percent(wrong / n)}</b>")
         body.append((False, cells))
-    source = campaign.source("Which families does each subject get wrong, both questions together?", campaign.answers(rows))
-    return page.html_table(["family"] + [html.escape(s) for s in names], body, source, "tables/verify_errors.csv")
+    source = campaign.source("Which families does each subject get wrong, the questions that it knows together?", campaign.answers(rows))
+    return page.html_table(["family"] + [html.escape(s) for s in names], body, source, "tables/verify_poses.csv")
+
+
+def described_families(page, campaign):
+    """What each family is, from the program's own list."""
+    rows = campaign.tables["families"]
+    body = [(False, [html.escape(r["family"]), html.escape(r["levels"]), html.escape(r["what"]), html.escape(r["parameter"]),
+                     html.escape(r["sweep"]), REGIME.get(r["family"], "–") if "object" in r["levels"].split() else ""]) for r in rows]
+    source = campaign.source("What is each family of cases?", f"{len(rows)} families").about(command="build/tetracone verify --list")
+    return page.html_table(["family", "levels that ask it", "what its cases have in common", "parameter", "its values", "panel"], body, source,
+                           "tables/verify_families.csv", of_text=True)
 
 
 def sections(page, study, campaign):
@@ -203,21 +250,26 @@ def sections(page, study, campaign):
     yield page.section("distance", "Where methods fail: near zero",
                        "<p>The distance is that of the nearest of the signs which decide a case, in exact arithmetic; <i>exact</i> is "
                        "exact degeneracy. Bars are 95 % intervals; bins of fewer than ten cases are left out.</p>",
-                       by_distance(page, campaign))
+                       by_distance(page, campaign), far_from_zero(campaign))
     if drawn := by_parameter(page, campaign):
         yield page.section("parameters", "Where methods fail: far out, across scales, on slivers", drawn)
     yield page.section("campaign", "The campaign: every subject on every family",
                        f"<p>{cases:,} truths, each computed twice by formulations that share the polyhedron, the poses' entries and GMP alone, {known:,} of them also known by "
                        f"construction. {len(campaign.families('object')) or len(campaign.families('predicate'))} families, and sequences "
                        f"of frames in exact contact, sweep from far from degenerate to exactly degenerate.</p>",
-                       subjects(page, campaign, "object"))
-    if any(r["level"] == "predicate" for r in campaign.tables["subjects"]):
+                       of_both_poses(page, campaign, "object"))
+    if campaign.rows("predicate"):
         yield page.section("predicates", "Predicates", "<p>The same families as seven points, by predicate. Answers higher than the truth "
-                           "are invented, lower ones missed.</p>", subjects(page, campaign, "predicate"))
-    if any(r["level"] == "motions" for r in campaign.tables["subjects"]):
+                           "are invented, lower ones missed.</p>", of_both_poses(page, campaign, "predicate"))
+    if campaign.rows("motions"):
         yield page.section("motions", "Bodies in motion: who finds the first contact",
                            f"<p>{len(campaign.families('motions'))} families of two bodies in motion. <i>surface</i>, <i>solid</i>: whether they meet; <i>time</i>: "
                            "of those that meet and are said to, whether the first contact is told as it is, without any tolerance: the doubles about it, or of a subject that tells "
-                           "one time, one of these. Missed times are early ones, invented ones late.</p>", subjects(page, campaign, "motions"))
+                           "one time, one of these. Missed times are early ones, invented ones late.</p>", of_both_poses(page, campaign, "motions"))
     yield page.section("families", "Which family breaks whom",
-                       "<p>Peers answer the surface question whatever is asked, unless they say otherwise.</p>", families(page, campaign))
+                       "<p>Each subject is counted by the questions that it knows: a library of surfaces by those of surfaces. "
+                       "Cases whose poses have fractions are rows of their own.</p>", families(page, campaign))
+    if campaign.tables["families"]:
+        yield page.section("family-list", "What the families are",
+                           "<p>The generators of cases. A family's parameter takes its values in turn; the panel is where the charts of the "
+                           "campaign have it.</p>", described_families(page, campaign))

@@ -46,8 +46,8 @@ nav { font-size: 0.8rem; } nav a { margin-right: 0.8rem; white-space: nowrap; di
 """
 
 METHODS = (
-    ("Definitions", "Every coordinate and every entry of a pose is a double, taken as the rational that it is; the placed polyhedron is "
-     "the exact affine image. <i>surface</i> asks whether the two closed surfaces share a point, <i>solid</i> whether the two closed "
+    ("Definitions", "Every coordinate is a double and every entry of a pose a double or a fraction, taken as the rational that it is; the placed "
+     "polyhedron is the exact affine image. Fractions make exact rotations. <i>surface</i> asks whether the two closed surfaces share a point, <i>solid</i> whether the two closed "
      "solids do: touching counts, in a single point too; one inside the other collides as solids, one inside the other's cavity does not."),
     ("Truth", "An answer is right or wrong against the exact answer; there is no tolerance in the comparison. The campaign computes each "
      "truth twice, by formulations that share with each other and with what they judge the polyhedron, the exact entries of poses and GMP alone: CGAL's exact intersections over rationals, "
@@ -56,16 +56,21 @@ METHODS = (
     ("Subjects", "<i>tree</i> is the fast tree of oriented boxes, eight a node, with leaves and containment decided by the kernel; <i>tuned</i> is "
      "the tetra-tree tuned within its own parameters, with boxes in its leaves; <i>paper</i> has the choices of Jiménez and Segura 2008. "
      "Both look at all pairs once where their leaves would be asked about more. <i>brute</i> tests every edge against every face. Peers are other libraries as their users run them, each in a process of its own. A subject that does not take an input is not "
-     "asked; a crash or a missing answer is counted as wrong."),
+     "asked: a library of doubles no pose that has a fraction, since it would be judged by a pose that it was not given. Our rounding kernels "
+     "are asked all poses, since taking the nearest doubles is their definition; fractions stand apart. A library of surfaces is counted "
+     "by the surface question, and what it says of solids stands apart. A crash or a missing answer is counted as wrong."),
     ("Families", "A family is a generator from (seed, index); its parameter sweeps from far from degenerate to exactly degenerate. They "
-     "are grouped for the panels thus: {regimes}. Sequences are motions in exact contact, frame by frame, by dyadic steps or rational "
+     "are grouped for the panels thus: {regimes}. <i>random</i> is two things: the family <i>random</i>, of random coordinates, which is the "
+     "panel <i>random coordinates</i> of the campaign; and <i>random</i> motion, the trajectories of the study. Sequences are motions in exact contact, frame by frame, by dyadic steps or rational "
      "rotations."),
     ("Distance", "The relative determinant is |D| / P, with D the determinant nearest to zero of those that decide the case and P the sum "
      "of the absolute values of its products; in ulps it is the distance of the vertex from the plane, or of two lines, in units of the "
      "last place of the largest coordinate. Both are exact."),
     ("Statistics", "Shares are counts over cases with Wilson's 95 % interval; none in n is stated with its upper end, 3.84 / (n + 3.84). "
      "Times are means per workload, combined by the geometric mean; each query's time in the study is the fastest of up to five passes on "
-     "one core, the rational kernel asked every fourth pose. Times of the campaign are of one pass and include making the bodies ready."),
+     "one core, the rational kernel asked every fourth pose. Times of the campaign are of one pass, on bodies made anew for each question: what it takes to make them "
+     "ready and to ask are two columns. Those of a library are taken in its own process, without the pipe to it; those of somebody else's "
+     "program are what it tells of itself, else none is kept. Fast trees make their nodes while they are asked."),
     ("Threats to validity", "The families are chosen to be hard: a share over them is no forecast for any application, only what can be "
      "compared between subjects on equal cases. Cases of a family share their bodies at times, and frames of a sequence follow one "
      "another, so that answers are not independent and intervals are too narrow there. Degenerate cases are over-weighted by design. "
@@ -100,6 +105,8 @@ def sections(page, study, campaign):
     from campaign_data import REGIME
     regimes = "; ".join(f"<i>{regime}</i>: {', '.join(f for f, r in REGIME.items() if r == regime)}"
                         for regime in distinct(REGIME.values()))
+    if others := [r["family"] for r in campaign.tables["families"] if "object" in r["levels"].split() and r["family"] not in REGIME]:
+        regimes += f"; in no panel: {', '.join(others)}"
     yield page.section("methods", "Methods", *(f"<p><b>{title}.</b> {text.replace('{regimes}', regimes)}</p>" for title, text in METHODS))
     seeds = distinct([r["seed"] for r in study.rows] + [r["seed"] for r in campaign.tables["runs"]])
     yield page.section("cite", "How to cite", f"<p>Cite the software by its version, with the seed {', '.join(seeds)} of these numbers, "

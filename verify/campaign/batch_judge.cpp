@@ -69,7 +69,7 @@ class Predicate_batch : Working_batch<Predicate_subject> {
       const auto [value, ns] = timed([&] { return subjects_[s].answer(predicate, c); });
       if (!value) continue;  // another predicate's formulation
       const Findings::Answer answer{value, false};
-      found_.add_answer(subjects_[s].name, question, away, *truth, answer, ns);
+      found_.add_answer(subjects_[s].name, question, kind_of(c, away), *truth, answer, Spent{0, ns});
       if (*value != *truth && k < kept_one_by_one)
         found_.add_wrong(c.origin, subjects_[s].name, question, away, *truth, answer, {});
     }
@@ -173,10 +173,10 @@ class Object_batch : Working_batch<Object_subject> {
                     const Distance& away)
   {
     const Object_subject& subject = subjects_[s];
-    const auto [outcome, ns] = timed([&] { return (*running_[s])(c, question); });
-    const Findings::Answer answer = as_answer(outcome);
-    found_.add_answer(subject.name, name_of(question), away, truth, answer, ns);
-    answers_[{s, question}].push_back(answer.value.value_or(-1));
+    running_[s]->forget();
+    const Findings::Answer answer = as_answer((*running_[s])(c, question));
+    found_.add_answer(subject.name, name_of(question), kind_of(c, away), truth, answer, running_[s]->spent());
+    answers_[{s, question}].push_back(answer.not_asked ? std::nullopt : std::optional(answer.value.value_or(-1)));
     if (answer.not_asked || answer.value == int(truth)) return;
     const auto stage = subject.own && answer.value ? blame(*subject.own, c, question, truth) : std::nullopt;
     if (stage) found_.add_blame(subject.name, name_of(question), *stage);
@@ -199,15 +199,22 @@ class Object_batch : Working_batch<Object_subject> {
   {
     for (const auto& [asked, given] : answers_) {
       const auto& [s, question] = asked;
-      const std::vector<int>& right = truths_[question];
-      if (given.size() != right.size()) continue;  // asked before: counted before
-      found_.add_flips(subjects_[s].name, name_of(question), int(given.size()), differences(given, right),
-                       changes(given), changes(right));
+      if (given.size() != truths_[question].size()) continue;  // asked before: counted before
+      std::vector<int> answers, right;                         // of the frames that the subject takes
+      for (std::size_t k = 0; k < given.size(); ++k) {
+        if (!given[k]) continue;
+        answers.push_back(*given[k]);
+        right.push_back(truths_[question][k]);
+      }
+      if (answers.empty()) continue;
+      found_.add_flips(subjects_[s].name, name_of(question), int(answers.size()), differences(answers, right),
+                       changes(answers), changes(right));
     }
   }
 
   Running_subjects& running_;
-  std::map<std::pair<std::size_t, Question>, std::vector<int>> answers_;  // case after case, by subject and question
+  // Case after case, by subject and question; nothing for a case that was not asked, -1 for a failure.
+  std::map<std::pair<std::size_t, Question>, std::vector<std::optional<int>>> answers_;
   std::map<Question, std::vector<int>> truths_;
 };
 
@@ -244,10 +251,11 @@ class Feature_batch : Working_batch<Object_subject> {
     const Distance away = distance(c);
     for (std::size_t s = 0; s < subjects_.size(); ++s) {
       if (!wanted_.subject(s, k)) continue;
-      const auto [listed, ns] = timed([&] { return running_[s]->features(c); });
+      running_[s]->forget();
+      const Listed listed = running_[s]->features(c);
       Findings::Answer answer{{}, listed.outcome == Outcome::not_asked};
       if (listed.outcome == Outcome::yes) answer.value = as_number(listed.pairs, truth);
-      found_.add_answer(subjects_[s].name, question, away, int(truth.size()), answer, ns);
+      found_.add_answer(subjects_[s].name, question, kind_of(c, away), int(truth.size()), answer, running_[s]->spent());
       if (!answer.not_asked && answer.value != int(truth.size()) && k < kept_one_by_one)
         found_.add_wrong(c.origin, subjects_[s].name, question, away, int(truth.size()), answer, {});
       if (k % relation_stride == 0) try_swap(c, s);
@@ -299,10 +307,11 @@ class Contact_batch : Working_batch<Object_subject> {
     const Distance away = distance(c);
     for (std::size_t s = 0; s < subjects_.size(); ++s) {
       if (!wanted_.subject(s, k)) continue;
-      const auto [listed, ns] = timed([&] { return running_[s]->contacts(c); });
+      running_[s]->forget();
+      const Listed_contacts listed = running_[s]->contacts(c);
       Findings::Answer answer{{}, listed.outcome == Outcome::not_asked};
       if (listed.outcome == Outcome::yes) answer.value = as_number(listed.forms, truth);
-      found_.add_answer(subjects_[s].name, question, away, int(truth.size()), answer, ns);
+      found_.add_answer(subjects_[s].name, question, kind_of(c, away), int(truth.size()), answer, running_[s]->spent());
       if (!answer.not_asked && answer.value != int(truth.size()) && k < kept_one_by_one)
         found_.add_wrong(c.origin, subjects_[s].name, question, away, int(truth.size()), answer, {});
       if (listed.outcome == Outcome::yes && k % relation_stride == 0) try_relations(c, s, listed.forms);

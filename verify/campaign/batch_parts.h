@@ -4,9 +4,9 @@
 #include "verify/campaign/batches.h"
 #include "verify/campaign/findings.h"
 #include "verify/cases/random.h"
+#include "verify/subjects/spent.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -84,15 +84,11 @@ class Working_batch {
   Findings found_;
 };
 
-/// Calls what() and returns its result and the nanoseconds that it took.
-template <class What>
-auto timed(const What& what)
+/// What a case of two placed bodies, or of points under two poses, is counted by.
+template <class Case>
+Findings::Kind kind_of(const Case& c, const Distance& away)
 {
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
-  auto result = what();
-  return std::pair(std::move(result),
-                   std::uint64_t(std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - start).count()));
+  return {away, c.pose_a.is_rational() || c.pose_b.is_rational()};
 }
 
 inline std::string name_of(kernel::Question question) { return std::string(kernel::to_string(question)); }

@@ -96,7 +96,7 @@ constexpr const char* merge_attached = R"(
     CREATE TEMP TABLE renumbered AS SELECT there.id AS there, here.id AS here FROM other.run AS there
       JOIN main.run AS here USING (version, compiler, flags, processor, seed, real_meshes, again);
     INSERT INTO main.done SELECT * FROM other.done;
-    INSERT INTO main.tally SELECT here, level, family, subject, question, axis, bin, n, false_positives, false_negatives, failures, not_asked
+    INSERT INTO main.tally SELECT here, level, family, subject, question, poses, axis, bin, n, false_positives, false_negatives, failures, not_asked
       FROM other.tally JOIN renumbered ON run = there WHERE true ON CONFLICT DO UPDATE SET n = n + excluded.n,
       false_positives = false_positives + excluded.false_positives, false_negatives = false_negatives + excluded.false_negatives,
       failures = failures + excluded.failures, not_asked = not_asked + excluded.not_asked;
@@ -112,8 +112,8 @@ constexpr const char* merge_attached = R"(
       violated = violated + excluded.violated, not_applicable = not_applicable + excluded.not_applicable;
     INSERT INTO main.flips SELECT here, sequence, subject, question, frames, wrong, changes, true_changes
       FROM other.flips JOIN renumbered ON run = there WHERE true;
-    INSERT INTO main.time SELECT here, level, family, subject, question, n, nanoseconds FROM other.time JOIN renumbered ON run = there
-      WHERE true ON CONFLICT DO UPDATE SET n = n + excluded.n, nanoseconds = nanoseconds + excluded.nanoseconds;
+    INSERT INTO main.time SELECT here, level, family, subject, question, n, making, asking FROM other.time JOIN renumbered ON run = there
+      WHERE true ON CONFLICT DO UPDATE SET n = n + excluded.n, making = making + excluded.making, asking = asking + excluded.asking;
     DROP TABLE renumbered;
   )";
 
@@ -151,6 +151,7 @@ void require_campaign(const std::filesystem::path& file)
 {
   Database database(file, Database::Mode::read);
   require_tables(database);
+  require_columns_of_schema(database);
 }
 
 Database open_campaign(const std::filesystem::path& file)

@@ -85,7 +85,7 @@ void run_campaign(Database& database, const Campaign& campaign, const std::funct
 /// nothing, when the file is something else, or has the tables of another version.
 Database open_campaign(const std::filesystem::path& file);
 
-/// Throws covering::Input_error when the file is no database of a campaign.
+/// Throws covering::Input_error when the file is no database of a campaign, or has the tables of another version.
 void require_campaign(const std::filesystem::path& file);
 
 /// Adds to `into` what `from`, a shard of the same campaign, has; nothing where `into` has it all. Throws

@@ -15,7 +15,8 @@ namespace tetracone::verify {
 ///    (bins of log2 of the relative determinant) and 'ulps' (bins of log2 of the distance in ulps); `bin` is the floor,
 ///    exactly_degenerate where the distance is 0, not_near where no determinant was near. False positive: higher than
 ///    the truth; false negative: lower. not_asked: the subject does not take such input; failures: crash, hang or
-///    exception.
+///    exception. `poses` tells answers to poses of doubles from those to poses with a fraction, which kernels and
+///    libraries of doubles cannot be given.
 ///  At the levels 'features', 'contacts', 'rays' and 'scenes', there of a frame's pairs, an answer is a list. Its truth is how many elements it has; an
 ///  answer that lacks some is how many of them it has right, lower, and one with more is how many it has in all, higher.
 ///  At the level 'distances' an answer is how many of its statements are right, and the truth how many there are.
@@ -32,18 +33,21 @@ namespace tetracone::verify {
 ///  - words: what was asked for, by shard, and how many answers that is, the truth's included; the last row is the last
 ///  run's.
 ///  - command: what starts the subjects that are somebody else's programs.
-///  - time: nanoseconds, preparation included; of this machine and run.
+///  - time: nanoseconds of n answers, of this machine and run. making: until the bodies are ready, which are made anew
+///  for each question of the levels 'object', 'features', 'contacts' and 'distances'; asking: from then to the answer.
+///  Where making is NULL, asking includes it. Somebody else's program has a row where it tells its own time.
 inline constexpr int exactly_degenerate = -9999, not_near = 9999;
 inline constexpr std::uint64_t kept_one_by_one = 200;
+inline constexpr const char *of_doubles = "doubles", *with_fractions = "fractions";
 
 inline constexpr const char* campaign_schema = R"(
 CREATE TABLE IF NOT EXISTS run (id INTEGER PRIMARY KEY, version TEXT, compiler TEXT, flags TEXT, processor TEXT, seed INTEGER,
   real_meshes INTEGER, again TEXT, UNIQUE (version, compiler, flags, processor, seed, real_meshes, again));
 CREATE TABLE IF NOT EXISTS done (seed INTEGER, level TEXT, family TEXT, batch INTEGER, subject TEXT, cases INTEGER,
   PRIMARY KEY (seed, level, family, batch, subject)) WITHOUT ROWID;
-CREATE TABLE IF NOT EXISTS tally (run INTEGER, level TEXT, family TEXT, subject TEXT, question TEXT, axis TEXT, bin INTEGER,
+CREATE TABLE IF NOT EXISTS tally (run INTEGER, level TEXT, family TEXT, subject TEXT, question TEXT, poses TEXT, axis TEXT, bin INTEGER,
   n INTEGER, false_positives INTEGER, false_negatives INTEGER, failures INTEGER, not_asked INTEGER,
-  PRIMARY KEY (run, level, family, subject, question, axis, bin)) WITHOUT ROWID;
+  PRIMARY KEY (run, level, family, subject, question, poses, axis, bin)) WITHOUT ROWID;
 CREATE TABLE IF NOT EXISTS truth (run INTEGER, level TEXT, family TEXT, question TEXT, n INTEGER, positives INTEGER, by_construction INTEGER,
   PRIMARY KEY (run, level, family, question)) WITHOUT ROWID;
 CREATE TABLE IF NOT EXISTS wrong (run INTEGER, level TEXT, family TEXT, number INTEGER, parameter REAL, subject TEXT, question TEXT,
@@ -60,7 +64,7 @@ CREATE TABLE IF NOT EXISTS words (version TEXT, seed INTEGER, predicate_cases IN
   subjects TEXT, real_meshes INTEGER, shards INTEGER, shard INTEGER, answers INTEGER,
   UNIQUE (version, seed, predicate_cases, object_cases, feature_cases, probe_cases, frames, families, subjects, real_meshes, shards, shard));
 CREATE TABLE IF NOT EXISTS command (subject TEXT PRIMARY KEY, command TEXT) WITHOUT ROWID;
-CREATE TABLE IF NOT EXISTS time (run INTEGER, level TEXT, family TEXT, subject TEXT, question TEXT, n INTEGER, nanoseconds INTEGER,
+CREATE TABLE IF NOT EXISTS time (run INTEGER, level TEXT, family TEXT, subject TEXT, question TEXT, n INTEGER, making INTEGER, asking INTEGER,
   PRIMARY KEY (run, level, family, subject, question)) WITHOUT ROWID;
 )";
 

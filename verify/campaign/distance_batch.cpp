@@ -5,6 +5,7 @@
 #include "verify/campaign/campaign_schema.h"
 #include "verify/integer_truth/distance_to_degeneracy.h"
 #include "verify/relations/distance_relations.h"
+#include "verify/truth/cgal_truth.h"
 #include "verify/truth/distance_truth.h"
 
 #include <algorithm>
@@ -103,10 +104,13 @@ class Distance_batch : Working_batch<Object_subject> {
   void judge_answer(const Object_case& c, std::uint64_t k, std::size_t s, Question question, const Placed_body& a,
                     const Placed_body& b, const Rational& square, const Distance& away)
   {
-    const auto [told, ns] = timed([&] { return running_[s]->distance(c, question); });
+    running_[s]->forget();
+    const Told_distance told = running_[s]->distance(c, question);
+    const std::optional<Spent> spent =
+        running_[s]->spent();  // of this answer, not of those that `right_statements` asks
     Findings::Answer answer{{}, told.outcome == Outcome::not_asked};
     if (told.outcome == Outcome::yes) answer.value = right_statements(c, *running_[s], question, told, a, b, square);
-    found_.add_answer(subjects_[s].name, name_of(question), away, distance_statements, answer, ns);
+    found_.add_answer(subjects_[s].name, name_of(question), kind_of(c, away), distance_statements, answer, spent);
     if (!answer.not_asked && answer.value != distance_statements && k < kept_one_by_one)
       found_.add_wrong(c.origin, subjects_[s].name, name_of(question), away, distance_statements, answer, {});
     if (told.outcome == Outcome::yes && k % relation_stride == 0) try_relation(c, k, s, question, told);

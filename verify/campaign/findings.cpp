@@ -27,12 +27,12 @@ void Findings::add_truth(const std::string& question, bool positive, bool by_con
   truth.by_construction += by_construction;
 }
 
-void Findings::add_answer(const std::string& subject, const std::string& question, const Distance& distance, int truth,
-                          const Answer& answer, std::uint64_t nanoseconds)
+void Findings::add_answer(const std::string& subject, const std::string& question, const Kind& kind, int truth,
+                          const Answer& answer, const std::optional<Spent>& spent)
 {
   const Asked asked{subject, question};
-  for (const auto& [axis, log2] : {std::pair{on_rho, distance.log2_rho}, {on_ulps, distance.log2_ulps}}) {
-    Tally& tally = tally_[{asked, {axis, bin(log2)}}];
+  for (const auto& [axis, log2] : {std::pair{on_rho, kind.distance.log2_rho}, {on_ulps, kind.distance.log2_ulps}}) {
+    Tally& tally = tally_[{asked, {axis, bin(log2), kind.has_fractions}}];
     tally.not_asked += answer.not_asked;
     if (answer.not_asked) continue;
     ++tally.n;
@@ -40,10 +40,11 @@ void Findings::add_answer(const std::string& subject, const std::string& questio
     tally.false_positives += answer.value && *answer.value > truth;
     tally.false_negatives += answer.value && *answer.value < truth;
   }
-  if (answer.not_asked) return;
+  if (answer.not_asked || !spent) return;
   Time& time = time_[asked];
   ++time.n;
-  time.nanoseconds += std::int64_t(nanoseconds);
+  time.nanoseconds += std::int64_t(spent->asking);
+  if (spent->making) time.making = time.making.value_or(0) + std::int64_t(*spent->making);
 }
 
 void Findings::add_wrong(const Origin& origin, const std::string& subject, const std::string& question,
@@ -84,20 +85,22 @@ void Findings::store(Database& database, std::int64_t run, std::uint64_t seed, s
 
   Statement tally(
       database,
-      "INSERT INTO tally VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12) ON CONFLICT DO UPDATE SET "
+      "INSERT INTO tally VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13) ON CONFLICT DO UPDATE SET "
       "n = n + excluded.n, false_positives = false_positives + excluded.false_positives, "
       "false_negatives = false_negatives + excluded.false_negatives, failures = failures + excluded.failures, "
       "not_asked = not_asked + excluded.not_asked");
   for (const auto& [key, t] : tally_) {
     const auto& [asked, place] = key;
-    tally.run(run, level_, family_, asked.first, asked.second, place.first, place.second, t.n, t.false_positives,
-              t.false_negatives, t.failures, t.not_asked);
+    tally.run(run, level_, family_, asked.first, asked.second, place.has_fractions ? with_fractions : of_doubles,
+              place.axis, place.bin, t.n, t.false_positives, t.false_negatives, t.failures, t.not_asked);
   }
 
+  // Where no time of making is known, -1 stands for NULL.
   Statement time(database,
-                 "INSERT INTO time VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7) ON CONFLICT DO UPDATE SET n = n + excluded.n, "
-                 "nanoseconds = nanoseconds + excluded.nanoseconds");
-  for (const auto& [asked, t] : time_) time.run(run, level_, family_, asked.first, asked.second, t.n, t.nanoseconds);
+                 "INSERT INTO time VALUES (?1, ?2, ?3, ?4, ?5, ?6, nullif(?7, -1), ?8) ON CONFLICT DO UPDATE SET "
+                 "n = n + excluded.n, making = making + excluded.making, asking = asking + excluded.asking");
+  for (const auto& [asked, t] : time_)
+    time.run(run, level_, family_, asked.first, asked.second, t.n, t.making.value_or(-1), t.nanoseconds);
 
   Statement blame(database,
                   "INSERT INTO blame VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7) ON CONFLICT DO UPDATE SET n = n + excluded.n");

@@ -5,6 +5,7 @@
 #include "verify/cases/case.h"
 #include "verify/integer_truth/distance_to_degeneracy.h"
 #include "verify/subjects/blame.h"
+#include "verify/subjects/spent.h"
 
 #include <compare>
 #include <cstdint>
@@ -25,12 +26,19 @@ class Findings {
     bool not_asked = false;
   };
 
+  /// What a case is counted by.
+  struct Kind {
+    Distance distance;
+    bool has_fractions = false;  ///< an entry of its poses is no double
+  };
+
   /// The level is a `level_name`.
   Findings(std::string level, std::string family) : level_(std::move(level)), family_(std::move(family)) {}
 
   void add_truth(const std::string& question, bool positive, bool by_construction);
-  void add_answer(const std::string& subject, const std::string& question, const Distance& distance, int truth,
-                  const Answer& answer, std::uint64_t nanoseconds);
+  /// `spent`: nothing where it is not known how long the subject itself took.
+  void add_answer(const std::string& subject, const std::string& question, const Kind& kind, int truth,
+                  const Answer& answer, const std::optional<Spent>& spent);
   void add_wrong(const Origin& origin, const std::string& subject, const std::string& question,
                  const Distance& distance, int truth, const Answer& answer, std::optional<Stage> stage);
   void add_blame(const std::string& subject, const std::string& question, Stage stage);
@@ -58,6 +66,13 @@ class Findings {
   };
   struct Time {
     std::int64_t n = 0, nanoseconds = 0;
+    std::optional<std::int64_t> making;
+  };
+  struct Place {
+    std::string axis;
+    int bin;
+    bool has_fractions;
+    friend auto operator<=>(const Place&, const Place&) = default;
   };
   struct Flips {
     std::int64_t frames = 0, wrong = 0, changes = 0, true_changes = 0;
@@ -73,7 +88,7 @@ class Findings {
 
   std::string level_, family_;
   std::map<std::string, Truth> truth_;
-  std::map<std::pair<Asked, std::pair<const char*, int>>, Tally> tally_;  // on an axis, in a bin
+  std::map<std::pair<Asked, Place>, Tally> tally_;
   std::map<Asked, Time> time_;
   std::map<std::pair<Asked, std::string>, std::int64_t> blame_;
   std::map<std::tuple<std::string, std::string, std::string>, Tried> relation_;  // relation, subject, question

@@ -1,5 +1,6 @@
 #include "verify/campaign/motion_batch.h"
 
+#include "tetracone/kernel/number/number.h"
 #include "verify/campaign/batch_parts.h"
 #include "verify/campaign/campaign_schema.h"
 #include "verify/integer_truth/integer_truth.h"
@@ -7,6 +8,7 @@
 #include "verify/truth/cgal_truth.h"
 #include "verify/truth/moving_bodies_truth.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -73,19 +75,37 @@ class Motion_batch : Working_batch<Moving_bodies_subject> {
   void judge_answer(const Moving_bodies& c, const Origin& origin, std::size_t s, Question question,
                     const First_time& truth)
   {
-    const auto [told, ns] = timed([&] { return running_[s]->first_contact(c, question); });
+    const Told_contact told = running_[s]->first_contact(c, question);
     Findings::Answer answer{{}, told.outcome == Outcome::not_asked};
     if (told.outcome == Outcome::yes || told.outcome == Outcome::no) answer.value = told.outcome == Outcome::yes;
-    add(origin, s, name_of(question), truth.has_value(), answer, ns);
+    const Findings::Kind kind{unknown, has_fractions(c)};
+    const auto add = [&](const std::string& asked, int right, const Findings::Answer& given) {
+      found_.add_answer(subjects_[s].name, asked, kind, right, given, told.spent);
+      add_if_wrong(origin, s, asked, right, given);
+    };
+    add(name_of(question), truth.has_value(), answer);
     if (told.outcome == Outcome::yes && truth)
-      add(origin, s, name_of(question) + " time", 0, {place_in_time(told.time, *truth, subjects_[s].is_exact)}, ns);
+      add(name_of(question) + " time", 0, {place_in_time(told.time, *truth, subjects_[s].is_exact)});
   }
 
-  void add(const Origin& origin, std::size_t s, const std::string& question, int truth, const Findings::Answer& answer,
-           std::uint64_t ns)
+  /// True when a number of the motions is no double.
+  static bool has_fractions(const Moving_bodies& c)
   {
-    constexpr Distance unknown{HUGE_VAL, HUGE_VAL};
-    found_.add_answer(subjects_[s].name, question, unknown, truth, answer, ns);
+    const auto is_fraction = [](const kernel::Rational& number) {
+      const double nearest = kernel::nearest_double(number);
+      return !std::isfinite(nearest) || kernel::Rational(nearest) != number;
+    };
+    for (const Motion_ends* ends : {&c.motion_a, &c.motion_b})
+      for (const auto& numbers : *ends)
+        if (std::ranges::any_of(numbers, is_fraction)) return true;
+    return false;
+  }
+
+  static constexpr Distance unknown{HUGE_VAL, HUGE_VAL};
+
+  void add_if_wrong(const Origin& origin, std::size_t s, const std::string& question, int truth,
+                    const Findings::Answer& answer)
+  {
     if (!answer.not_asked && answer.value != truth && origin.index < kept_one_by_one)
       found_.add_wrong(origin, subjects_[s].name, question, unknown, truth, answer, {});
   }

@@ -76,7 +76,7 @@ class Probe_batch : protected Working_batch<Probe_subject> {
            std::optional<int> given, std::uint64_t ns)
   {
     const Findings::Answer answer{given, false};
-    found_.add_answer(subjects_[s].name, question, away, truth, answer, ns);
+    found_.add_answer(subjects_[s].name, question, {away}, truth, answer, Spent{{}, ns});
     if (given != truth && k < kept_one_by_one)
       found_.add_wrong(c.origin, subjects_[s].name, question, away, truth, answer, {});
   }

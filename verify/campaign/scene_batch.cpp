@@ -115,13 +115,19 @@ class Scene_batch : Working_batch<Scene_subject> {
     for (std::size_t f = 0; f < truth.size(); ++f) {
       const int right = int(truth[f].size());
       const Findings::Answer answer{told ? std::optional(as_number((*told)[f], truth[f])) : std::nullopt, false};
-      found_.add_answer(subjects_[s].name, name_of(c.question), away, right, answer, ns / truth.size());
+      const Findings::Kind kind{away, has_fractions(c.frames[f])};
+      found_.add_answer(subjects_[s].name, name_of(c.question), kind, right, answer, Spent{{}, ns / truth.size()});
       // Of a scene, the first frame that is wrong.
       if (is_right && answer.value != right && k < kept_one_by_one)
         found_.add_wrong(c.origin, subjects_[s].name, name_of(c.question), away, right, answer, {});
       is_right = is_right && answer.value == right;
     }
     if (told && k % relation_stride == 0) try_relations(c, s, *told);
+  }
+
+  static bool has_fractions(const Scene_case::Frame& frame)
+  {
+    return std::ranges::any_of(frame.bodies, [](const auto& body) { return body && body->pose.is_rational(); });
   }
 
   void try_relations(const Scene_case& c, std::size_t s, const Frames_of_pairs& given)

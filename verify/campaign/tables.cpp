@@ -2,10 +2,7 @@
 
 #include "tetracone/kernel/number/number.h"
 #include "verify/campaign/campaign_schema.h"
-#include "verify/families/distance_families.h"
-#include "verify/families/families.h"
-#include "verify/families/probe_families.h"
-#include "verify/families/scene_families.h"
+#include "verify/families/family_lines.h"
 
 #include <algorithm>
 #include <cassert>
@@ -25,6 +22,10 @@ constexpr Table all[] = {
      "sum(false_negatives) AS false_negatives, "
      "sum(failures) AS failures FROM tally WHERE axis = 'rho' GROUP BY level, family, subject, question ORDER BY 1, 2, "
      "3, 4"},
+    {"poses", "wrong answers as in errors, those to poses of doubles and those to poses with fractions apart",
+     "SELECT level, family, subject, question, poses, sum(n) AS n, sum(false_positives) AS false_positives, "
+     "sum(false_negatives) AS false_negatives, sum(failures) AS failures, sum(not_asked) AS not_asked FROM tally "
+     "WHERE axis = 'rho' GROUP BY level, family, subject, question, poses ORDER BY 1, 2, 3, 4, 5"},
     {"rates", "share of wrong answers by family, with Wilson's 95 % interval",
      "SELECT level, family, subject, question, sum(n) AS n, sum(not_asked) AS not_asked, "
      "sum(false_positives + false_negatives + failures) AS hits, sum(n) AS of_n FROM tally WHERE axis = 'rho' "
@@ -81,36 +82,36 @@ constexpr Table all[] = {
     {"wrong", "the wrong answers among the first cases of each family, one by one",
      "SELECT run, level, family, number, parameter, subject, question, truth, answer, log2_rho, log2_ulps, stage FROM "
      "wrong ORDER BY 1, 2, 3, 4, 6, 7"},
-    {"time", "mean nanoseconds an answer, preparation included",
-     "SELECT level, subject, question, sum(n) AS n, sum(nanoseconds) / sum(n) AS mean_nanoseconds FROM time GROUP BY "
-     "level, subject, question "
-     "ORDER BY 1, 2, 3"},
-    {"times", "mean nanoseconds an answer by family, preparation included",
-     "SELECT level, family, subject, question, sum(n) AS n, sum(nanoseconds) / sum(n) AS mean_nanoseconds FROM time "
-     "GROUP BY level, family, subject, question HAVING sum(n) > 0 ORDER BY 1, 2, 3, 4"},
+    {"time", "mean nanoseconds an answer: of making the bodies ready, empty where asking includes it, and of asking",
+     "SELECT level, subject, question, sum(n) AS n, sum(making) / sum(n) AS make_ns, sum(asking) / sum(n) AS ask_ns "
+     "FROM time GROUP BY level, subject, question ORDER BY 1, 2, 3"},
+    {"times", "the same by family",
+     "SELECT level, family, subject, question, sum(n) AS n, sum(making) / sum(n) AS make_ns, "
+     "sum(asking) / sum(n) AS ask_ns FROM time GROUP BY level, family, subject, question ORDER BY 1, 2, 3, 4"},
+    {"families", "the families of cases: which levels ask them, what they have in common, what their parameter means",
+     "SELECT levels, family, what, parameter, sweep FROM temp.family ORDER BY rowid"},
     {"commands", "subjects that are somebody else's programs, and what starts them",
      "SELECT subject, command FROM command ORDER BY 1"},
     {"runs", "what made the rows: version, compiler, flags, processor, seed, and the words that ask the same again",
      "SELECT id AS run, version, compiler, flags, processor, seed, real_meshes, again FROM run ORDER BY 1"},
 };
 
-/// temp.sweep: the parameter of each of these cases, which the database does not hold.
-void add_sweep(Database& database)
+/// Two tables that the database does not hold: temp.family has the families, temp.sweep the parameter of each case that
+/// is kept one by one.
+void add_families(Database& database)
 {
   database.run(
       "CREATE TEMP TABLE IF NOT EXISTS sweep (family TEXT, number INTEGER, parameter REAL, PRIMARY KEY (family, "
-      "number)) WITHOUT ROWID");
-  Database::Statement insert(database, "INSERT OR REPLACE INTO temp.sweep VALUES (?1, ?2, ?3)");
-  const auto add = [&](const auto& families) {
-    for (const auto& family : families)
-      for (std::uint64_t k = 0; k < kept_one_by_one; ++k)
-        insert.run(family.name, k, family.sweep[k % family.sweep.size()]);
-  };
-  add(families());
-  add(distance_families());
-  add(point_families());
-  add(ray_families());
-  add(scene_families());
+      "number)) WITHOUT ROWID;"
+      "DROP TABLE IF EXISTS temp.family;"
+      "CREATE TEMP TABLE family (levels TEXT, family TEXT, what TEXT, parameter TEXT, sweep TEXT)");
+  Database::Statement family(database, "INSERT INTO temp.family VALUES (?1, ?2, ?3, ?4, ?5)");
+  Database::Statement sweep(database, "INSERT OR REPLACE INTO temp.sweep VALUES (?1, ?2, ?3)");
+  for (const Family_line& line : family_lines()) {
+    family.run(line.levels, line.name, line.what, line.parameter, sweep_text(line));
+    for (std::uint64_t k = 0; k < kept_one_by_one && !line.sweep.empty(); ++k)
+      sweep.run(line.name, k, line.sweep[k % line.sweep.size()]);
+  }
 }
 
 /// A field of a CSV: quoted where it holds a comma or a quote.
@@ -138,7 +139,7 @@ std::string table_as_csv(Database& database, std::string_view name)
 {
   const auto table = std::find_if(std::begin(all), std::end(all), [&](const Table& t) { return t.name == name; });
   assert(table != std::end(all));
-  if (name == "sweeps") add_sweep(database);
+  if (name == "sweeps" || name == "families") add_families(database);
   Database::Statement rows(database, table->sql);
   const int columns = rows.columns();
   const bool has_rate = rows.name(columns - 1) == "of_n";

@@ -24,7 +24,7 @@ std::vector<Entry> entries()
 {
   return {
       {"random",
-       "uniform coordinates",
+       "uniform random coordinates, nothing on purpose near to anything; one pose each, no motion",
        "scale 2^s: s",
        {-40, -20, -4, 0, 4, 20, 40},
        predicate_family::random_points,

@@ -9,17 +9,32 @@
 #include <cmath>
 #include <cstddef>
 #include <exception>
+#include <memory>
 
 namespace tetracone::verify {
 namespace {
+
+std::unique_ptr<Query> query_of(const Moving_bodies& bodies, kernel::Question question)
+{
+  return std::make_unique<Query>(Body(bodies.a), Body(bodies.b), question);
+}
+
+std::optional<kernel::Time_bounds> contact_of(Query& query, const Moving_bodies& bodies)
+{
+  const auto first = query.first_contact(Motion(motion_of(bodies.motion_a)), Motion(motion_of(bodies.motion_b)));
+  if (!first) return std::nullopt;
+  return kernel::Time_bounds{first->lo, first->hi};
+}
 
 class By_first_contact : public Running_motion {
  public:
   Told_contact first_contact(const Moving_bodies& bodies, kernel::Question question) override
   {
     try {
-      const auto first = verify::first_contact(bodies, question);
-      return first ? Told_contact{Outcome::yes, *first} : Told_contact{Outcome::no};
+      const auto [query, making] = timed([&] { return query_of(bodies, question); });
+      const auto [first, asking] = timed([&] { return contact_of(*query, bodies); });
+      const Spent spent{making, asking};
+      return first ? Told_contact{Outcome::yes, *first, spent} : Told_contact{Outcome::no, {0, 0}, spent};
     } catch (const std::exception&) {
       return {Outcome::failed};
     }
@@ -52,20 +67,27 @@ class By_frames : public Running_motion {
   Told_contact first_contact(const Moving_bodies& bodies, kernel::Question question) override
   {
     try {
-      Query query(Body(bodies.a), Body(bodies.b), question);
-      for (int frame = 0; frame < frames_; ++frame) {
-        const double time = frame / (frames_ - 1.0);
-        const kernel::Pose a = rounded_pose(bodies.motion_a, time), b = rounded_pose(bodies.motion_b, time);
-        const bool is_flat = a.determinant_sign() == CGAL::ZERO || b.determinant_sign() == CGAL::ZERO;
-        if (!is_flat && query.collide(a, b)) return {Outcome::yes, {time, time}};
-      }
-      return {Outcome::no};
+      const auto [query, making] = timed([&] { return query_of(bodies, question); });
+      auto [told, asking] = timed([&] { return first_frame(*query, bodies); });
+      told.spent = Spent{making, asking};
+      return told;
     } catch (const std::exception&) {
       return {Outcome::failed};
     }
   }
 
  private:
+  Told_contact first_frame(Query& query, const Moving_bodies& bodies) const
+  {
+    for (int frame = 0; frame < frames_; ++frame) {
+      const double time = frame / (frames_ - 1.0);
+      const kernel::Pose a = rounded_pose(bodies.motion_a, time), b = rounded_pose(bodies.motion_b, time);
+      const bool is_flat = a.determinant_sign() == CGAL::ZERO || b.determinant_sign() == CGAL::ZERO;
+      if (!is_flat && query.collide(a, b)) return {Outcome::yes, {time, time}};
+    }
+    return {Outcome::no};
+  }
+
   int frames_;
 };
 
@@ -90,10 +112,7 @@ kernel::Body_motion motion_of(const Motion_ends& ends)
 
 std::optional<kernel::Time_bounds> first_contact(const Moving_bodies& bodies, kernel::Question question)
 {
-  Query query(Body(bodies.a), Body(bodies.b), question);
-  const auto first = query.first_contact(Motion(motion_of(bodies.motion_a)), Motion(motion_of(bodies.motion_b)));
-  if (!first) return std::nullopt;
-  return kernel::Time_bounds{first->lo, first->hi};
+  return contact_of(*query_of(bodies, question), bodies);
 }
 
 std::vector<Moving_bodies_subject> moving_bodies_subjects()

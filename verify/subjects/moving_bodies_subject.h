@@ -30,6 +30,7 @@ std::optional<kernel::Time_bounds> first_contact(const Moving_bodies& bodies, ke
 struct Told_contact {
   Outcome outcome = Outcome::not_asked;
   kernel::Time_bounds time{0, 0};  ///< yes: doubles about the time; twice the same of a subject that tells but one
+  std::optional<Spent> spent{};    ///< nothing where the subject gave no answer
 };
 
 /// A subject that is asked when moving bodies first meet, in one thread.

@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <exception>
 #include <iterator>
 #include <limits>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 namespace tetracone::verify {
@@ -53,12 +55,11 @@ class Own : public Running_subject {
 
   Outcome operator()(const Object_case& c, kernel::Question question) override
   {
+    spent_.reset();
     if (has_more(c, most_faces_asked())) return Outcome::not_asked;
     try {
-      prepare_for(c);
-      if (subject_.remembers)
-        for (const kernel::Pose& before : poses_before(c)) pair_->collide(c.pose_a, before, question);
-      return pair_->collide(c.pose_a, c.pose_b, question) ? Outcome::yes : Outcome::no;
+      make_ready(c, question, [&](const kernel::Pose& before) { pair_->collide(c.pose_a, before, question); });
+      return asked([&] { return pair_->collide(c.pose_a, c.pose_b, question) ? Outcome::yes : Outcome::no; });
     } catch (const std::exception&) {
       pair_.reset();
       return Outcome::failed;
@@ -67,10 +68,11 @@ class Own : public Running_subject {
 
   Listed features(const Object_case& c) override
   {
+    spent_.reset();
     if (has_more(c, most_faces)) return {};
     try {
-      prepare_for(c);
-      return {Outcome::yes, pair_->features(c.pose_a, c.pose_b)};
+      make_ready(c, kernel::Question::surface);
+      return {Outcome::yes, asked([&] { return pair_->features(c.pose_a, c.pose_b); })};
     } catch (const std::exception&) {
       pair_.reset();
       return {Outcome::failed, {}};
@@ -79,10 +81,12 @@ class Own : public Running_subject {
 
   Listed_contacts contacts(const Object_case& c) override
   {
+    spent_.reset();
     if (has_more(c, most_faces)) return {};
     try {
-      prepare_for(c);
-      return {Outcome::yes, contact_forms(pair_->contacts(c.pose_a, c.pose_b))};
+      make_ready(c, kernel::Question::surface);
+      const Contacts contacts = asked([&] { return pair_->contacts(c.pose_a, c.pose_b); });
+      return {Outcome::yes, contact_forms(contacts)};
     } catch (const std::exception&) {
       pair_.reset();
       return {Outcome::failed, {}};
@@ -91,14 +95,15 @@ class Own : public Running_subject {
 
   Told_distance distance(const Object_case& c, kernel::Question question) override
   {
+    spent_.reset();
     if (has_more(c, subject_.kernel == Kernel_name::rational ? most_faces_in_rationals : most_faces)) return {};
     try {
-      prepare_for(c);
+      make_ready(c, question, [&](const kernel::Pose& before) { pair_->query(question)->distance(c.pose_a, before); });
       Query& query = *pair_->query(question);
-      if (subject_.remembers)
-        for (const kernel::Pose& before : poses_before(c)) query.distance(c.pose_a, before);
-      Nearest nearest = query.nearest(c.pose_a, c.pose_b);
-      return {Outcome::yes, std::move(nearest), query.distance(c.pose_a, c.pose_b)};
+      return asked([&] {
+        Nearest nearest = query.nearest(c.pose_a, c.pose_b);
+        return Told_distance{Outcome::yes, std::move(nearest), query.distance(c.pose_a, c.pose_b)};
+      });
     } catch (const std::exception&) {
       pair_.reset();
       return {Outcome::failed, {}, 0};
@@ -108,13 +113,16 @@ class Own : public Running_subject {
   Outcome within(const Object_case& c, kernel::Question question, const std::string& limit) override
   {
     try {
-      prepare_for(c);
+      make_ready(c, question);
       return pair_->query(question)->within(c.pose_a, c.pose_b, limit) ? Outcome::yes : Outcome::no;
     } catch (const std::exception&) {
       pair_.reset();
       return Outcome::failed;
     }
   }
+
+  void forget() override { pair_.reset(); }
+  std::optional<Spent> spent() const override { return spent_; }
 
  private:
   static bool has_more(const Object_case& c, std::size_t faces)
@@ -129,15 +137,39 @@ class Own : public Running_subject {
     return largest ? std::numeric_limits<std::size_t>::max() : most_faces_of_trees;
   }
 
-  void prepare_for(const Object_case& c)
+  /// Makes the bodies and the question's query. A subject that remembers is then asked the poses before the case's, each
+  /// by `ask_before`.
+  template <class Ask>
+  void make_ready(const Object_case& c, kernel::Question question, const Ask& ask_before)
   {
-    if (pair_ && c.a == a_ && c.b == b_) return;
-    a_ = c.a;
-    b_ = c.b;
-    pair_ = prepare(subject_, *a_, *b_);
+    making_ = timed([&] {
+                if (!pair_ || c.a != a_ || c.b != b_) {
+                  a_ = c.a;
+                  b_ = c.b;
+                  pair_ = prepare(subject_, *a_, *b_);
+                }
+                pair_->query(question);
+                if (subject_.remembers) std::ranges::for_each(poses_before(c), ask_before);
+                return true;
+              }).second;
+  }
+  void make_ready(const Object_case& c, kernel::Question question)
+  {
+    make_ready(c, question, [](const kernel::Pose&) {});
+  }
+
+  /// What answer() returns; its time is the answer's.
+  template <class Answer>
+  std::invoke_result_t<Answer> asked(const Answer& answer)
+  {
+    auto [result, ns] = timed(answer);
+    spent_ = Spent{making_, ns};
+    return std::move(result);  // a structured binding is not moved by itself
   }
 
   Subject subject_;
+  std::uint64_t making_ = 0;
+  std::optional<Spent> spent_;
   std::shared_ptr<const covering::Polyhedron> a_, b_;
   std::unique_ptr<Prepared_pair> pair_;
 };

@@ -4,6 +4,7 @@
 #include "tetracone/kernel/predicate/contact.h"
 #include "tetracone/tetratree/door/nearest.h"
 #include "verify/cases/case.h"
+#include "verify/subjects/spent.h"
 #include "verify/subjects/subject.h"
 #include "verify/truth/contact_pieces.h"
 
@@ -74,7 +75,16 @@ class Running_subject {
 
   /// Whether they are at most as far as a decimal or fraction says.
   virtual Outcome within(const Object_case&, kernel::Question, const std::string&) { return Outcome::not_asked; }
+
+  /// The bodies of the next case are made ready anew, also where they are those of the last one.
+  virtual void forget() {}
+
+  /// The time of the last answer; nothing where the subject gave none, or does not know.
+  virtual std::optional<Spent> spent() const { return std::nullopt; }
 };
+
+/// The questions that a library knows. What it says to the other one is no error of its own.
+enum class Knows { both, surfaces, solids };
 
 /// Something that answers whether two placed polyhedra collide: a kernel with a method, or another library.
 struct Object_subject {
@@ -84,6 +94,7 @@ struct Object_subject {
   std::optional<Subject> own;  ///< the kernel and method; nothing for a peer
   std::function<std::unique_ptr<Running_subject>()> make;
   std::string command{};  ///< of somebody else's program: what starts it
+  Knows knows = Knows::both;
 };
 
 /// Our kernels with their methods; and of the adaptive kernel the fast tree that remembers the last pose, asked others

@@ -61,6 +61,16 @@ class Files(unittest.TestCase):
                 self.assertLess(max(map(max, triangles)), len(vertices))
         self.assertGreater(rational, 0)
 
+    def test_every_family_is_described(self):
+        with open(os.path.join(FOLDER, "families.csv"), newline="") as file:
+            families = {row["family"]: row for row in csv.DictReader(file)}
+        with open(os.path.join(FOLDER, "README.md"), encoding="utf-8") as file:
+            lines = file.read().split("## Families")[1].splitlines()
+        self.assertEqual(set(families), {case.family for case in dataset.cases()})
+        for name, row in families.items():
+            self.assertGreater(len(row["what"]), 5, name)
+            self.assertIn(f"| `{name}` | {row['what']} | {row['parameter']} | {row['values']} |", lines)
+
     def test_predicates_are_exact(self):
         seen = set()
         for case in dataset.predicates():

@@ -193,6 +193,30 @@ BOOST_AUTO_TEST_CASE(the_table_of_errors_has_the_columns_that_others_rely_on)
   BOOST_TEST(table.find("\nobject,random,double brute,solid,4,") != std::string::npos);
 }
 
+BOOST_AUTO_TEST_CASE(families_are_described_where_they_are_named)
+{
+  const Run list = run("verify --list");
+  BOOST_TEST(list.status == 0, list.error);
+  for (const std::string line :
+       {"Families of predicate object features contacts distances:", "Families of motions:",
+        "  sliver                  triangles of a tiny height", "parameter: height 2^-h: h (2 10 20 30 40 50)",
+        "  motion-rolling          a cube turns about an edge above a plate"})
+    BOOST_TEST(list.out.find(line) != std::string::npos, line);
+  BOOST_TEST(run("verify --help").out.find("--list") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_report_of_another_versions_database_is_refused_in_a_line)
+{
+  const Database_file db("older");
+  BOOST_TEST(run("verify --db " + db.path + " --cases 4 --family random --subject double").status == 0);
+  Database(db.path, Database::Mode::write).run("ALTER TABLE tally DROP COLUMN not_asked");
+  check_refused("report " + db.path, "no such column");
+  const Database_file times("older_times");
+  BOOST_TEST(run("verify --db " + times.path + " --cases 4 --family random --subject double").status == 0);
+  Database(times.path, Database::Mode::write).run("ALTER TABLE time DROP COLUMN making");
+  check_refused("report " + times.path, "another version of tetracone wrote it: table time (");
+}
+
 BOOST_AUTO_TEST_CASE(bad_words_are_one_line_and_status_2)
 {
   const Database_file db("bad");

@@ -23,6 +23,7 @@
 #include <ostream>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_peers)
@@ -81,6 +82,8 @@ BOOST_AUTO_TEST_CASE(every_peer_says_what_it_answers)
   BOOST_TEST(subjects.size() == experiments::peers().size());
   for (const Object_subject& s : subjects) {
     BOOST_TEST(!s.note.empty(), s.name);
+    BOOST_TEST((s.knows == verify::Knows::surfaces) == (s.note.find("surfaces only") != std::string::npos), s.name);
+    BOOST_TEST((s.knows == verify::Knows::solids) == (s.note.find("solids only") != std::string::npos), s.name);
     BOOST_TEST(!s.own, s.name);
     BOOST_TEST(!s.is_exact, s.name);
   }
@@ -163,7 +166,7 @@ BOOST_AUTO_TEST_CASE(only_rigid_poses_are_asked)
   const Pose mirrored(std::array<double, 12>{0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0});
   const Pose sheared(std::array<double, 12>{1, 0.5, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
   const Pose huge(std::array<double, 12>{1e200, 0, 0, 0, 0, 1e200, 0, 0, 0, 0, 1e200, 0});
-  const Pose turned = Pose::from_quaternion(3, 1, -2, 5, {kernel::Rational(1) / 3, 0, 0});  // rounded to doubles
+  const Pose turned = Pose::from_quaternion(3, 1, -2, 5, {kernel::Rational(1) / 3, 0, 0});
   for (const Pose& pose : {scaled, mirrored, sheared, huge}) {
     BOOST_TEST(ask("CGAL RMCD EPICK", two(verify::unit_cube(), verify::unit_cube(), pose), Question::solid) ==
                Outcome::not_asked);
@@ -171,9 +174,34 @@ BOOST_AUTO_TEST_CASE(only_rigid_poses_are_asked)
     c.pose_a = pose;
     BOOST_TEST(ask("CGAL RMCD EPICK", c, Question::solid) == Outcome::not_asked);
   }
-  for (const Object_subject& s : experiments::peer_subjects(program))
-    BOOST_TEST((*s.make())(two(verify::unit_cube(), verify::unit_cube(), turned), Question::solid) == Outcome::yes,
+  for (const Object_subject& s : experiments::peer_subjects(program)) {
+    const auto answering = s.make();
+    const Pose rounded(turned.entries());
+    BOOST_TEST((*answering)(two(verify::unit_cube(), verify::unit_cube(), rounded), Question::solid) == Outcome::yes,
                s.name);
+    // No double is a third: the peer would be asked another question than it is judged by.
+    Object_case c = two(verify::unit_cube(), verify::unit_cube(), turned);
+    BOOST_TEST((*answering)(c, Question::solid) == Outcome::not_asked, s.name);
+    BOOST_TEST(!answering->spent(), s.name);
+    std::swap(c.pose_a, c.pose_b);
+    BOOST_TEST((*answering)(c, Question::solid) == Outcome::not_asked, s.name);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_peer_tells_what_making_and_asking_took_without_the_pipe)
+{
+  const Object_case c = two(verify::torus_knot(200), verify::unit_cube());
+  for (const Object_subject& s : experiments::peer_subjects(program)) {
+    const auto answering = s.make();
+    if ((*answering)(c, Question::solid) == Outcome::not_asked) continue;  // no convex solid
+    BOOST_TEST_REQUIRE(answering->spent().has_value(), s.name);
+    BOOST_TEST(*answering->spent()->making > 0, s.name);
+    (*answering)(c, Question::solid);
+    BOOST_TEST(*answering->spent()->making == 0, s.name);
+    answering->forget();
+    (*answering)(c, Question::solid);
+    BOOST_TEST(*answering->spent()->making > 0, s.name);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(cgal_with_exact_constructions_is_right_where_rounded_motion_is_not)
@@ -220,7 +248,8 @@ BOOST_AUTO_TEST_CASE(peers_of_motions_are_asked_of_shifted_surfaces_alone)
   const auto cube = verify::unit_cube();
   const verify::Moving_bodies towards = {cube, cube, {shifted(0), shifted(0)}, {shifted(6), shifted(0)}},
                               away = {cube, cube, {shifted(0), shifted(0)}, {shifted(6), shifted(4)}};
-  verify::Moving_bodies both = towards, turned = towards;
+  verify::Moving_bodies both = towards, turned = towards, by_thirds = towards;
+  by_thirds.motion_b[1][7] = kernel::Rational(1) / 3;
   both.motion_a[1] = shifted(1);
   turned.motion_a = {Numbers{1, 0, 0, 0, 0, 0, 0}, Numbers{1, 0, 0, 0, 0, 0, 0}};
   turned.motion_b = {Numbers{1, 0, 0, 0, 6, 0, 0}, Numbers{1, 1, 0, 0, 0, 0, 0}};
@@ -237,6 +266,7 @@ BOOST_AUTO_TEST_CASE(peers_of_motions_are_asked_of_shifted_surfaces_alone)
     BOOST_TEST(peer->first_contact(away, Question::surface).outcome == Outcome::no, subject.name);
     BOOST_TEST(peer->first_contact(towards, Question::solid).outcome == Outcome::not_asked, subject.name);
     BOOST_TEST(peer->first_contact(both, Question::surface).outcome == Outcome::not_asked, subject.name);
+    BOOST_TEST(peer->first_contact(by_thirds, Question::surface).outcome == Outcome::not_asked, subject.name);
     BOOST_TEST(peer->first_contact(turned, Question::surface).outcome == Outcome::not_asked, subject.name);
     BOOST_TEST(peer->first_contact(by_quaternions, Question::surface).outcome == told.outcome, subject.name);
   }

@@ -70,6 +70,8 @@ for line in sys.stdin:
     elif mode == "twice":
         put({"ask": m["ask"], "answer": None})
         put({"ask": m["ask"], "answer": None})
+    elif x == 9: put({"ask": m["ask"], "answer": 1, "ns": 1234.5})
+    elif x == 10: put({"ask": m["ask"], "answer": 1, "ns": "soon"})
     else: put({"ask": m["ask"], "answer": 1 if x in (1, "1/3") else 0})
     if mode == "once": sys.exit(3)
 print("\n".join(held))
@@ -106,6 +108,19 @@ std::string checked(const std::string& mode)
 }
 
 }  // namespace
+
+BOOST_AUTO_TEST_CASE(its_time_is_what_it_tells_and_not_the_pipes)
+{
+  const auto mine = experiments::subject_command("mine", command(), 10s).make();
+  BOOST_TEST((*mine)(along(1), Question::surface) == Outcome::yes);
+  BOOST_TEST(!mine->spent());
+  BOOST_TEST((*mine)(along(9), Question::surface) == Outcome::yes);
+  BOOST_TEST_REQUIRE(mine->spent().has_value());
+  BOOST_TEST(mine->spent()->asking == 1234u);
+  BOOST_TEST(!mine->spent()->making);
+  BOOST_TEST((*mine)(along(10), Question::surface) == Outcome::yes);
+  BOOST_TEST(!mine->spent());
+}
 
 BOOST_AUTO_TEST_CASE(its_answers_are_taken_as_they_are)
 {

@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -39,11 +40,15 @@ Predicate_case points(tetracone::verify::Random& random, double)
   return {{grid(), grid(), grid(), grid()}, grid(), grid(), grid(), Pose(), Pose(), {}};
 }
 
-Object_case cubes(tetracone::verify::Random& random, double gap)
+Object_case cubes_apart(double gap)
 {
   static const auto cube = std::make_shared<const Polyhedron>(scenes::unit_cube());
-  const bool touch = random.bits() % 2 == 0;
-  return {cube, cube, Pose(), Pose::translation(touch ? 1 : 1 + gap, 0.25, 0), {}, touch, touch};
+  return {cube, cube, Pose(), Pose::translation(1 + gap, 0.25, 0), {}, gap == 0, gap == 0};
+}
+
+Object_case cubes(tetracone::verify::Random& random, double gap)
+{
+  return cubes_apart(random.bits() % 2 == 0 ? 0 : gap);
 }
 
 Object_case nonsense(tetracone::verify::Random& random, double gap)
@@ -53,8 +58,18 @@ Object_case nonsense(tetracone::verify::Random& random, double gap)
   return c;
 }
 
+/// Cubes that touch, every other case under poses with thirds.
+Object_case thirds(tetracone::verify::Random&, double third)
+{
+  Object_case c = cubes_apart(0);
+  const tetracone::kernel::Rational shift(third == 0 ? "1/4" : "1/3");
+  c.pose_a = c.pose_b = Pose::from_quaternion(1, 0, 0, 0, {shift, 0, 0});
+  return c;
+}
+
 const Family cheap{1, "cheap", "", "gap", {1, 0.5}, points, cubes};
 const Family cheap_too{2, "cheap-too", "", "gap", {0.25}, points, cubes};
+const Family turned{4, "turned", "", "third", {0, 1}, points, thirds};
 const Family lying{3, "lying", "", "gap", {1}, points, nonsense};
 
 class Says_no : public Running_subject {
@@ -68,6 +83,26 @@ class Fails : public Running_subject {
 class Declines : public Running_subject {
  public:
   Outcome operator()(const Object_case&, Question) override { return Outcome::not_asked; }
+};
+
+/// As a library of doubles: declines fractions, says no to the rest; 3 ns for making what it was made to forget, and 4
+/// to answer.
+class Of_doubles : public Running_subject {
+ public:
+  Outcome operator()(const Object_case& c, Question) override
+  {
+    spent_.reset();
+    if (c.pose_a.is_rational() || c.pose_b.is_rational()) return Outcome::not_asked;
+    spent_ = Spent{std::uint64_t(has_forgotten_ ? 3 : 0), 4};
+    has_forgotten_ = false;
+    return Outcome::no;
+  }
+  void forget() override { has_forgotten_ = true; }
+  std::optional<Spent> spent() const override { return spent_; }
+
+ private:
+  bool has_forgotten_ = false;
+  std::optional<Spent> spent_;
 };
 
 /// Right but for one pair, which it invents or leaves out.
@@ -88,6 +123,7 @@ class Lists : public Running_subject {
 };
 
 Object_subject says_no{"says no", false, "", {}, [] { return std::make_unique<Says_no>(); }};
+Object_subject of_doubles_alone{"of doubles", false, "", {}, [] { return std::make_unique<Of_doubles>(); }};
 Object_subject fails{"fails", false, "", {}, [] { return std::make_unique<Fails>(); }};
 Object_subject declines{"declines", false, "", {}, [] { return std::make_unique<Declines>(); }};
 
@@ -196,6 +232,67 @@ BOOST_AUTO_TEST_CASE(planted_answers_are_counted_as_what_they_are)
   BOOST_TEST_REQUIRE(axes.with().next());
   BOOST_TEST(axes.integer(0) == 0);
   BOOST_TEST(axes.integer(1) > 0);
+}
+
+BOOST_AUTO_TEST_CASE(poses_with_fractions_are_counted_apart)
+{
+  Results results("fractions");
+  Campaign campaign = small();
+  campaign.families = {&turned};
+  campaign.object_cases = 20;
+  campaign.predicate_cases = campaign.feature_cases = 0;
+  campaign.object_subjects = {says_no, of_doubles_alone};
+  results.with(campaign);
+  for (const char* question : {"surface", "solid"}) {
+    const std::string asked = std::string("question = '") + question + "' AND subject = ";
+    for (const char* poses : {"doubles", "fractions"})
+      BOOST_TEST(results.sum("n", asked + "'says no' AND poses = '" + poses + "'") == 10, poses);
+    BOOST_TEST(results.sum("n", asked + "'of doubles' AND poses = 'doubles'") == 10);
+    BOOST_TEST(results.sum("n", asked + "'of doubles' AND poses = 'fractions'") == 0);
+    BOOST_TEST(results.sum("not_asked", asked + "'of doubles' AND poses = 'fractions'") == 10);
+  }
+  BOOST_TEST(table_as_csv(results.database, "poses").find("object,turned,of doubles,solid,fractions,0,0,0,0,10\n") !=
+             std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(each_question_is_timed_on_bodies_made_for_it)
+{
+  Results results("timed");
+  Campaign campaign = small();
+  campaign.object_cases = 20;
+  campaign.predicate_cases = campaign.feature_cases = 0;
+  campaign.object_subjects = {object_subject(*Subject::parse("adaptive")), says_no, of_doubles_alone};
+  results.with(campaign);
+  const std::string times = table_as_csv(results.database, "time");
+  BOOST_TEST(times.starts_with("level,subject,question,n,make_ns,ask_ns\n"));
+  for (const char* question : {"surface", "solid"}) {
+    BOOST_TEST(times.find(std::string("object,of doubles,") + question + ",40,3,4\n") != std::string::npos, times);
+    const std::string where =
+        std::string(" FROM time WHERE subject = 'adaptive tree' AND question = '") + question + "'";
+    // Two bodies and a query take microseconds.
+    BOOST_TEST(number(results.database, "SELECT min(making / n)" + where) > 1000);
+    BOOST_TEST(number(results.database, "SELECT min(asking / n)" + where) > 0);
+  }
+  BOOST_TEST(times.find("says no") == std::string::npos, "it does not say what it took");
+}
+
+BOOST_AUTO_TEST_CASE(frames_that_a_subject_does_not_take_are_none_that_it_gets_wrong)
+{
+  Results results("frames");
+  Campaign campaign = small();
+  campaign.predicate_cases = campaign.object_cases = campaign.feature_cases = 0;
+  campaign.sequence_frames = 4;
+  campaign.object_subjects = {says_no, of_doubles_alone, declines};
+  results.with(campaign);
+  const auto count = [&](const std::string& what, const std::string& where) {
+    return number(results.database, "SELECT " + what + " FROM flips WHERE " + where);
+  };
+  BOOST_TEST(count("count(*)", "subject = 'declines'") == 0);
+  BOOST_TEST(count("count(*)", "subject = 'of doubles'") > 0);
+  BOOST_TEST(count("count(*)", "subject = 'of doubles' AND sequence LIKE '%, turned'") == 0);
+  BOOST_TEST(count("count(*)", "subject = 'says no' AND sequence LIKE '%, turned'") > 0);
+  BOOST_TEST(results.sum("n", "subject = 'of doubles'") == count("sum(frames)", "subject = 'of doubles'"));
+  BOOST_TEST(results.sum("false_negatives", "subject = 'of doubles'") == count("sum(wrong)", "subject = 'of doubles'"));
 }
 
 BOOST_AUTO_TEST_CASE(run_again_it_adds_nothing)
@@ -323,6 +420,7 @@ BOOST_AUTO_TEST_CASE(a_database_of_another_versions_tables_is_refused_with_these
            what.find("feature_cases") != std::string::npos;
   };
   BOOST_CHECK_EXCEPTION(open_campaign(results.file.path()), Input_error, says_what_differs);
+  BOOST_CHECK_EXCEPTION(require_campaign(results.file.path()), Input_error, says_what_differs);
   BOOST_CHECK_EXCEPTION(merge(into.database, results.file.path()), Input_error, says_what_differs);
   BOOST_CHECK_EXCEPTION(progress(results.database), Input_error, says_what_differs);
   BOOST_TEST((results.rows() == before));

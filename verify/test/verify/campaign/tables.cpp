@@ -46,12 +46,19 @@ BOOST_AUTO_TEST_CASE(tables_add_up_and_quote)
   database.run(campaign_schema);
   database.run(R"(
     INSERT INTO run VALUES (1, '1', 'c,d', 'f "g"', 'p', 7, 0, 'build/tetracone verify --subject double,brute');
-    INSERT INTO tally VALUES (1, 'object', 'f', 's', 'solid', 'rho', 0, 10, 1, 2, 1, 0);
-    INSERT INTO tally VALUES (1, 'object', 'f', 's', 'solid', 'rho', 1, 5, 0, 0, 0, 3);
-    INSERT INTO tally VALUES (1, 'object', 'f', 's', 'solid', 'ulps', 1, 15, 1, 2, 1, 3);
+    INSERT INTO tally VALUES (1, 'object', 'f', 's', 'solid', 'doubles', 'rho', 0, 10, 1, 2, 1, 0);
+    INSERT INTO tally VALUES (1, 'object', 'f', 's', 'solid', 'fractions', 'rho', 1, 5, 0, 0, 0, 3);
+    INSERT INTO tally VALUES (1, 'object', 'f', 's', 'solid', 'doubles', 'ulps', 1, 15, 1, 2, 1, 3);
   )");
   BOOST_TEST(table_as_csv(database, "errors") ==
              "level,family,subject,question,n,false_positives,false_negatives,failures\nobject,f,s,solid,15,1,2,1\n");
+  BOOST_TEST(table_as_csv(database, "poses") ==
+             "level,family,subject,question,poses,n,false_positives,false_negatives,failures,not_asked\n"
+             "object,f,s,solid,doubles,10,1,2,1,0\nobject,f,s,solid,fractions,5,0,0,0,3\n");
+  const std::string families = table_as_csv(database, "families");
+  BOOST_TEST(families.starts_with("levels,family,what,parameter,sweep\n"));
+  BOOST_TEST(families.find("\ndistances,parallel,cubes with parallel faces and edges,") != std::string::npos);
+  BOOST_TEST(table_as_csv(database, "families") == families);
   BOOST_TEST(table_as_csv(database, "runs") ==
              "run,version,compiler,flags,processor,seed,real_meshes,again\n1,1,\"c,d\",\"f "
              "\"\"g\"\"\",p,7,0,\"build/tetracone verify --subject double,brute\"\n");
@@ -71,8 +78,8 @@ BOOST_AUTO_TEST_CASE(a_sweep_has_all_cases_of_each_parameter)
   database.run(R"(
     INSERT INTO run VALUES (1, '1', 'c', 'f', 'p', 7, 0, 'build/tetracone verify --subject double,brute');
     INSERT INTO done VALUES (7, 'object', 'edge-in-face-plane', 0, 's', 4), (7, 'object', 'edge-in-face-plane', 1, 's', 2);
-    INSERT INTO tally VALUES (1, 'object', 'edge-in-face-plane', 's', 'solid', 'rho', 0, 4, 1, 0, 0, 0);
-    INSERT INTO tally VALUES (1, 'object', 'edge-in-face-plane', 's', 'solid', 'rho', 1, 2, 0, 0, 0, 0);
+    INSERT INTO tally VALUES (1, 'object', 'edge-in-face-plane', 's', 'solid', 'doubles', 'rho', 0, 4, 1, 0, 0, 0);
+    INSERT INTO tally VALUES (1, 'object', 'edge-in-face-plane', 's', 'solid', 'doubles', 'rho', 1, 2, 0, 0, 0, 0);
     INSERT INTO wrong VALUES (1, 'object', 'edge-in-face-plane', 5, 1, 's', 'solid', 0, 1, -3, 2, NULL);
   )");
   const std::string sweep = table_as_csv(database, "sweeps"), start = "object,edge-in-face-plane,";
@@ -93,8 +100,8 @@ BOOST_AUTO_TEST_CASE(a_sweep_leaves_out_what_was_not_asked_whole)
   database.run(R"(
     INSERT INTO run VALUES (1, '1', 'c', 'f', 'p', 7, 0, 'build/tetracone verify --subject double,brute');
     INSERT INTO done VALUES (7, 'object', 'edge-in-face-plane', 1, 't', 4), (7, 'object', 'edge-in-face-plane', 0, 'u', 4);
-    INSERT INTO tally VALUES (1, 'object', 'edge-in-face-plane', 't', 'solid', 'rho', 0, 4, 1, 0, 0, 0);
-    INSERT INTO tally VALUES (1, 'object', 'edge-in-face-plane', 'u', 'solid', 'rho', 0, 2, 0, 0, 0, 2);
+    INSERT INTO tally VALUES (1, 'object', 'edge-in-face-plane', 't', 'solid', 'doubles', 'rho', 0, 4, 1, 0, 0, 0);
+    INSERT INTO tally VALUES (1, 'object', 'edge-in-face-plane', 'u', 'solid', 'doubles', 'rho', 0, 2, 0, 0, 0, 2);
   )");
   BOOST_TEST(table_as_csv(database, "sweeps") == "level,family,parameter,subject,question,n,rate,low,high\n");
 }
@@ -106,10 +113,10 @@ BOOST_AUTO_TEST_CASE(needs_count_each_case_once)
   database.run(campaign_schema);
   // A peer that was not asked everything says nothing of the cases.
   database.run(R"(
-    INSERT INTO tally VALUES (1, 'object', 'f', 's', 'solid', 'rho', -9999, 10, 1, 2, 1, 0);
-    INSERT INTO tally VALUES (2, 'object', 'f', 's', 'solid', 'rho', -9999, 3, 0, 0, 0, 0);
-    INSERT INTO tally VALUES (1, 'object', 'f', 'peer', 'solid', 'rho', -9999, 7, 0, 0, 0, 3);
-    INSERT INTO tally VALUES (1, 'object', 'f', 's', 'solid', 'ulps', -9999, 99, 0, 0, 0, 0);
+    INSERT INTO tally VALUES (1, 'object', 'f', 's', 'solid', 'doubles', 'rho', -9999, 10, 1, 2, 1, 0);
+    INSERT INTO tally VALUES (2, 'object', 'f', 's', 'solid', 'doubles', 'rho', -9999, 3, 0, 0, 0, 0);
+    INSERT INTO tally VALUES (1, 'object', 'f', 'peer', 'solid', 'doubles', 'rho', -9999, 7, 0, 0, 0, 3);
+    INSERT INTO tally VALUES (1, 'object', 'f', 's', 'solid', 'doubles', 'ulps', -9999, 99, 0, 0, 0, 0);
   )");
   BOOST_TEST(table_as_csv(database, "needs") == "level,family,question,bin,n\nobject,f,solid,-9999,13\n");
 }

@@ -1,0 +1,27 @@
+#ifndef TETRACONE_VERIFY_FAMILIES_FAMILY_LINES_H
+#define TETRACONE_VERIFY_FAMILIES_FAMILY_LINES_H
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tetracone::verify {
+
+/// A family as lists and reports describe it.
+struct Family_line {
+  std::string_view levels;     ///< that ask its cases: names of `level_name`, a space between two
+  std::string_view name;       ///< what --family takes
+  std::string_view what;       ///< what its cases have in common
+  std::string_view parameter;  ///< what its parameter means; empty where there is none
+  std::vector<double> sweep;   ///< the values of the parameter, in turn
+};
+
+/// All families of all levels.
+std::vector<Family_line> family_lines();
+
+/// The different values of the sweep in their order, a space between two.
+std::string sweep_text(const Family_line& line);
+
+}  // namespace tetracone::verify
+
+#endif
