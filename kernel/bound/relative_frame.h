@@ -244,7 +244,7 @@ class Relative_frame {
     return similarity_ ? scale_ * (1 + 2 * similarity_defect) : std::sqrt(square + second + third);
   }
 
-  /// Far above what underflows within `Local_scale::is_in_range`.
+  /// Far above what underflows, the entries of fractions too, within `Local_scale::is_in_range`.
   static constexpr double underflow = 0x1p-300;
 
   std::array<Row, 3> linear_{};

@@ -25,7 +25,7 @@ inline constexpr double step_rounding = 0x1p-48;
 /// `reach_in_halves` <= 2 in what turns.
 inline constexpr double entry_underflow = 0x1p-1072;
 /// The products themselves, and roots of sums of squares that underflow: of at most 37 squares, 37^(1/2) e^(1/2).
-inline constexpr double placed_underflow = 0x1p-532;
+inline constexpr double placed_underflow = 0x1p-534;
 
 template <class Number>
 Number square_in_halves(const Number& vertex, const Number& centre, const Number& half)

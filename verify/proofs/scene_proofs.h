@@ -177,14 +177,15 @@ inline Proved_bounds scene_proofs()
   add("entry_underflow, over 2^-1075", extent, Rational(Rational(tetratree::entry_underflow) / one_loss).get_d(),
       growth * of_underflow / one_loss, 1, 1.16);
   add("placed_underflow", extent, tetratree::placed_underflow,
-      std::max(detail::lost_by_box(0, 0), detail::lost_by_step(0, 0)) * of_underflow, 0x1p-540, 7.5);
+      std::max(detail::lost_by_box(0, 0), detail::lost_by_step(0, 0)) * of_underflow, 0x1p-540, 1.63);
 
   // A certificate. What is between the places is off by a rounding to double and one to float, and later by one to
   // double of what it was then and of what has changed.
   const std::string certificates = "tetratree/scene/body_box.h";
   const Rational once_less = 1 - Rational(u), less_in_float = 1 - Rational(of_float);
   const Rational off_then = (1 + Rational(u)) * (1 + Rational(of_float)) - 1;
-  const Rounding_count of_between = tetratree::error_of_between(std::array<Rounding_count, 3>{});
+  const Rounding_count of_between =
+      tetratree::error_of_between(std::array{Rounding_count(), Rounding_count(), Rounding_count()});
   add("between_rounding", certificates, tetratree::between_rounding,
       (u + off_then) / (once_less * once_less * less_in_float) / of_between.least(u), of_float, 2.01);
   add("between_underflow", certificates, tetratree::between_underflow, 3 * Rational(0x1p-150) / of_between.least(u),

@@ -537,8 +537,8 @@ BOOST_AUTO_TEST_CASE(a_half_space_holds_its_body_where_a_row_of_the_map_is_denor
     std::array<Rational, 12> m{};
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
-        const Rational x = i == n % 3 ? scenes::integer(random, -9, 9) / Rational(3) / rationals::power(-tiny)
-                                      : scenes::real(random, -1, 1) * rationals::power(size);
+        const Rational x = i == n % 3 ? Rational(Rational(scenes::integer(random, -9, 9)) / 3 / rationals::power(-tiny))
+                                      : Rational(scenes::real(random, -1, 1) * rationals::power(size));
         m[4 * i + j] = is_double ? Rational(nearest_double(x)) : x;
       }
     const Pose pose(m);
