@@ -2,6 +2,8 @@
 #include "tetracone/kernel/number/pose.h"
 #include "tetracone/tetratree/door/tetracone.h"
 #include "verify/test/support/scenes.h"
+#include "verify/truth/brute_body.h"
+#include "verify/truth/distance_truth.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -12,6 +14,24 @@ BOOST_AUTO_TEST_SUITE(test_distances)
 
 using namespace tetracone;
 namespace scenes = tetracone::verify::scenes;
+
+BOOST_AUTO_TEST_CASE(the_distance_is_that_of_the_nearest_of_all_pairs)
+{
+  scenes::Random random(5);
+  for (int round = 0; round < 12; ++round) {
+    const auto a = scenes::blob(random, 4, 0.5, 1), b = scenes::blob(random, 3, 0.25, 1);
+    const kernel::Pose in_a = scenes::random_rotation(random),
+                       in_b = scenes::random_rotation(random, 5, {kernel::Rational(7, 3), 0, kernel::Rational(1, 7)});
+    const verify::Brute_body of_a(a), of_b(b);
+    const kernel::Rational square =
+        verify::squared_distance(verify::Placed_body(of_a, in_a), verify::Placed_body(of_b, in_b));
+    const Body body_a(a), body_b(b);
+    Query query(body_a, body_b, Question::surface);
+    const Nearest nearest = query.nearest(in_a, in_b);
+    BOOST_TEST(nearest.squared == kernel::exact_text(square));
+    BOOST_TEST(query.distance(in_a, in_b) == nearest.distance);
+  }
+}
 
 BOOST_AUTO_TEST_CASE(a_body_of_no_size_beside_the_other_has_leaves_still)
 {
