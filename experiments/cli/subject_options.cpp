@@ -1,6 +1,11 @@
 #include "experiments/cli/subject_options.h"
 
 #include "experiments/peers/subject_command.h"
+#include "verify/families/distance_families.h"
+#include "verify/families/families.h"
+#include "verify/families/moving_body_families.h"
+#include "verify/families/probe_families.h"
+#include "verify/families/scene_families.h"
 
 #include <cctype>
 #include <cmath>
@@ -24,7 +29,7 @@ void add_subject_options(CLI::App& command, Subject_options& options)
   command
       .add_option("--subject-command", options.commands,
                   "NAME=COMMAND: somebody else's method as one more subject, a program that speaks the protocol of "
-                  "experiments/subjects/README.md; may be given again. Asked whatever --subject says")
+                  "experiments/subjects/README.md; may be given again")
       ->allow_extra_args(false);
   command.add_option("--subject-limit", options.limit, "Seconds in which such a program must answer a question")
       ->capture_default_str()
@@ -57,6 +62,28 @@ std::vector<verify::Object_subject> command_subjects(const Subject_options& opti
     subjects.push_back(subject_command(name, command, options.limit_ms()));
   }
   return subjects;
+}
+
+std::vector<std::string> family_names()
+{
+  std::vector<std::string> names;
+  const auto add = [&](const auto& families) {
+    for (const auto& family : families) names.emplace_back(family.name);
+  };
+  add(verify::families());
+  add(verify::distance_families());
+  add(verify::point_families());
+  add(verify::ray_families());
+  add(verify::scene_families());
+  add(verify::moving_body_families());
+  return names;
+}
+
+void refuse_family(const std::string& name)
+{
+  std::string list;
+  for (const std::string& known : family_names()) list += (list.empty() ? "" : ", ") + known;
+  throw CLI::ValidationError("--family " + name, "expected one of " + list);
 }
 
 }  // namespace tetracone::experiments

@@ -49,7 +49,13 @@ class Running_peer : public verify::Running_subject {
     wire::append(message_, wire::Message::question);
     wire::append(message_, wire::Asked{question, c.pose_a.entries(), c.pose_b.entries()});
     const auto answer = process_->ask(message_, std::chrono::steady_clock::now() + limit_);
-    if (!answer) process_.reset();
+    if (!answer) {
+      failure_.how = process_->how_it_ended();
+      failure_.said = process_->last_error();
+      process_.reset();
+    } else {
+      failure_ = {"exception", ""};
+    }
     switch (static_cast<wire::Answer>(answer.value_or(static_cast<char>(wire::Answer::failed)))) {
       case wire::Answer::no: return Outcome::no;
       case wire::Answer::yes: return Outcome::yes;
@@ -58,6 +64,8 @@ class Running_peer : public verify::Running_subject {
     }
   }
 
+  verify::Failure failure() const override { return failure_; }
+
  private:
   std::string program_, name_;
   bool solids_only_;
@@ -65,6 +73,7 @@ class Running_peer : public verify::Running_subject {
   std::unique_ptr<Peer_process> process_;
   std::shared_ptr<const covering::Polyhedron> a_, b_;  // what the process has
   std::string message_;
+  verify::Failure failure_;
 };
 
 constexpr std::chrono::seconds usual_limit(10);

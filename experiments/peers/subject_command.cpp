@@ -32,8 +32,11 @@ class Running_command : public verify::Running_subject {
       process_ = std::make_unique<Command_process>(command_);
       announced_.clear();
     }
-    const auto outcome = ask(c, question, start + limit_ + (is_new ? start_ : Clock::duration::zero()));
+    const auto deadline = start + limit_ + (is_new ? start_ : Clock::duration::zero());
+    std::string wrong_line;
+    const auto outcome = ask(c, question, deadline, wrong_line);
     if (!outcome) {
+      tell_failure(wrong_line);
       process_.reset();
       // A program that does not start is not waited for as long each time.
       if (is_new) start_ = std::min(start_, std::max<Clock::duration>(start_ / 4, std::chrono::seconds(1)));
@@ -43,8 +46,26 @@ class Running_command : public verify::Running_subject {
     return *outcome;
   }
 
+  verify::Failure failure() const override { return failure_; }
+
  private:
-  std::optional<Outcome> ask(const Object_case& c, kernel::Question question, Clock::time_point deadline)
+  /// The process is about to go.
+  void tell_failure(const std::string& wrong_line)
+  {
+    // One that has closed its output ends at once or hangs.
+    const auto status = process_->end(Clock::now() + std::chrono::milliseconds(200));
+    failure_.said = process_->last_error();
+    if (!wrong_line.empty()) {
+      failure_.how = "wrong line";
+      failure_.said = wrong_line + (failure_.said.empty() ? "" : "; " + failure_.said);
+    } else {
+      failure_.how = status ? end_in_words(*status) : "silent";
+    }
+  }
+
+  /// Nothing for a failure; `wrong_line` says what is wrong where a line came.
+  std::optional<Outcome> ask(const Object_case& c, kernel::Question question, Clock::time_point deadline,
+                             std::string& wrong_line)
   {
     std::string lines;
     std::erase_if(announced_, [&](const auto& known) {
@@ -56,7 +77,10 @@ class Running_command : public verify::Running_subject {
     lines += subject_lines::ask(++asks_, a, b, c.pose_a, c.pose_b, question);
     if (!process_->send(lines, deadline)) return std::nullopt;
     const auto line = process_->line(deadline);
-    return line ? subject_lines::read(*line, asks_).outcome : std::nullopt;
+    if (!line) return std::nullopt;
+    subject_lines::Reply reply = subject_lines::read(*line, asks_);
+    wrong_line = std::move(reply.wrong);
+    return reply.outcome;
   }
 
   /// The body's number; a line for it where the program does not have it.
@@ -75,6 +99,7 @@ class Running_command : public verify::Running_subject {
   std::unique_ptr<Command_process> process_;
   std::vector<std::pair<Body, std::uint64_t>> announced_;  // what the process has
   std::uint64_t models_ = 0, asks_ = 0;
+  verify::Failure failure_;
 };
 
 }  // namespace

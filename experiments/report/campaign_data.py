@@ -7,7 +7,7 @@ from report_data import distinct, read, wrong_in
 from report_page import Source
 
 EXACTLY, NOT_NEAR = -9999, 9999
-TABLES = ("errors", "subjects", "distance", "sweeps", "blame", "relations", "flips", "truth", "runs", "times", "needs", "notes")
+TABLES = ("errors", "subjects", "distance", "sweeps", "blame", "relations", "flips", "truth", "runs", "times", "needs", "notes", "failures")
 EXACT = ("adaptive", "epeck", "rational")
 
 # Families by what they come near, for panels and scene types; a family's sweep may end in exact degeneracy.

@@ -195,6 +195,20 @@ def families(page, campaign):
     return page.html_table(["family"] + [html.escape(s) for s in names], body, source, "tables/verify_errors.csv")
 
 
+def failures(page, campaign):
+    """How subjects failed, over families and questions together, and what they said the first time; nothing where none did."""
+    count, said = defaultdict(int), {}
+    for r in campaign.tables["failures"]:
+        key = r["level"], r["subject"], r["how"]
+        count[key] += int(r["n"])
+        said.setdefault(key, r["said"])
+    if not count:
+        return ""
+    body = [(False, [*map(html.escape, key), f"{n:,}", f"<small>{html.escape(said[key])}</small>"]) for key, n in count.items()]
+    source = campaign.source("How did subjects fail, and what did they say last?", f"{sum(count.values()):,} failures")
+    return page.html_table(["level", "subject", "how", "failures", "last line of standard error"], body, source, "tables/verify_failures.csv")
+
+
 def sections(page, study, campaign):
     if not campaign:
         return
@@ -210,7 +224,7 @@ def sections(page, study, campaign):
                        f"<p>{cases:,} truths, each computed twice by formulations that share the polyhedron, the poses' entries and GMP alone, {known:,} of them also known by "
                        f"construction. {len(campaign.families('object')) or len(campaign.families('predicate'))} families, and sequences "
                        f"of frames in exact contact, sweep from far from degenerate to exactly degenerate.</p>",
-                       subjects(page, campaign, "object"))
+                       subjects(page, campaign, "object"), failures(page, campaign))
     if any(r["level"] == "predicate" for r in campaign.tables["subjects"]):
         yield page.section("predicates", "Predicates", "<p>The same families as seven points, by predicate. Answers higher than the truth "
                            "are invented, lower ones missed.</p>", subjects(page, campaign, "predicate"))

@@ -95,7 +95,7 @@ class Scene {
   void place(std::size_t body, const kernel::Pose& pose);
 
   /// The pairs of placed bodies that collide now, in order; decided anew as far as bodies have moved. Throws Error where
-  /// a model cannot be made or is open and asked for its solid, where the memory does not hold the models of one pair,
+  /// there are bodies and none is placed, where a model cannot be made or is open and asked for its solid, where the memory does not hold the models of one pair,
   /// and as `Query::collide`; asked again, it goes on where it was.
   const std::vector<Scene_pair>& pairs();
   /// Places all bodies, in the order of their numbers, removed ones left out, and asks. Throws Error for another count.

@@ -106,6 +106,8 @@ class Distance_batch : Working_batch<Object_subject> {
     const auto [told, ns] = timed([&] { return running_[s]->distance(c, question); });
     Findings::Answer answer{{}, told.outcome == Outcome::not_asked};
     if (told.outcome == Outcome::yes) answer.value = right_statements(c, *running_[s], question, told, a, b, square);
+    if (told.outcome == Outcome::failed)
+      found_.add_failure(subjects_[s].name, name_of(question), k, running_[s]->failure());
     found_.add_answer(subjects_[s].name, name_of(question), away, distance_statements, answer, ns);
     if (!answer.not_asked && answer.value != distance_statements && k < kept_one_by_one)
       found_.add_wrong(c.origin, subjects_[s].name, name_of(question), away, distance_statements, answer, {});

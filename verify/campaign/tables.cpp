@@ -88,6 +88,12 @@ constexpr Table all[] = {
     {"times", "mean nanoseconds an answer by family, preparation included",
      "SELECT level, family, subject, question, sum(n) AS n, sum(nanoseconds) / sum(n) AS mean_nanoseconds FROM time "
      "GROUP BY level, family, subject, question HAVING sum(n) > 0 ORDER BY 1, 2, 3, 4"},
+    {"failures",
+     "how subjects failed, by family and question, and what they said the first time: of a program its last line of "
+     "standard error",
+     "SELECT level, family, subject, question, how, sum(n) AS n, min(said) AS said FROM failure GROUP BY level, "
+     "family, "
+     "subject, question, how ORDER BY 1, 2, 3, 4, 5"},
     {"commands", "subjects that are somebody else's programs, and what starts them",
      "SELECT subject, command FROM command ORDER BY 1"},
     {"runs", "what made the rows: version, compiler, flags, processor and seed",
@@ -139,6 +145,10 @@ std::string table_as_csv(Database& database, std::string_view name)
   const auto table = std::find_if(std::begin(all), std::end(all), [&](const Table& t) { return t.name == name; });
   assert(table != std::end(all));
   if (name == "sweeps") add_sweep(database);
+  // Databases of older versions have no failures.
+  if (name == "failures" &&
+      !Database::Statement(database, "SELECT 1 FROM sqlite_master WHERE name = 'failure'").with().next())
+    return "level,family,subject,question,how,n,said\n";
   Database::Statement rows(database, table->sql);
   const int columns = rows.columns();
   const bool has_rate = rows.name(columns - 1) == "of_n";

@@ -27,6 +27,12 @@ enum class Outcome {
   failed      ///< crash, hang, exception
 };
 
+/// What a subject left that has failed.
+struct Failure {
+  std::string how;   ///< "status 3", "signal 11", "silent", "wrong line" or "exception"
+  std::string said;  ///< the last line of its standard error, and what is wrong with its line
+};
+
 /// What a subject lists of the features of two placed bodies.
 struct Listed {
   Outcome outcome = Outcome::not_asked;     ///< yes: it has listed
@@ -74,6 +80,9 @@ class Running_subject {
 
   /// Whether they are at most as far as a decimal or fraction says.
   virtual Outcome within(const Object_case&, kernel::Question, const std::string&) { return Outcome::not_asked; }
+
+  /// What the last answer left that was `failed`.
+  virtual Failure failure() const { return {"exception", ""}; }
 };
 
 /// Something that answers whether two placed polyhedra collide: a kernel with a method, or another library.
