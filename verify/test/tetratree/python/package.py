@@ -148,11 +148,11 @@ class Answers(Case):
         cube = Body(*CUBE)
         query = Query(cube, cube)
         start = np.array([[0.6, -0.8, 0, 3], [0.8, 0.6, 0, 0.25], [0, 0, 1, 0.25], [0, 0, 0, 1]])
-        end = np.array([[0, 1, 0, 1.25], [-1, 0, 0, 0.25], [0, 0, 1, 0.25], [0, 0, 0, 1]])
+        end = np.array([[0, 1, 0, 0.5], [-1, 0, 0, 0.25], [0, 0, 1, 0.25], [0, 0, 0, 1]])
         half = np.sqrt(0.5)
         lo, hi = query.motion(start, end, kind="rigid")
         # The quaternions of the matrices turn on the short way round: through the identity.
-        quaternions = [[2 / np.sqrt(5), 0, 0, 1 / np.sqrt(5), 3, 0.25, 0.25], [half, 0, 0, -half, 1.25, 0.25, 0.25]]
+        quaternions = [[2 / np.sqrt(5), 0, 0, 1 / np.sqrt(5), 3, 0.25, 0.25], [half, 0, 0, -half, 0.5, 0.25, 0.25]]
         np.testing.assert_allclose((lo, hi), query.motion(*quaternions, kind="rigid"), rtol=1e-12)
         self.assertTrue(0 < lo < 1)
         self.assertEqual(query.motion(start[None], end, kind="rigid").shape, (1, 2))
@@ -366,7 +366,7 @@ class Errors(Case):
         self.error("scene: body 0 has no pose; expected a placed body", scene.first_contacts, [IDENTITY] * 2)
         self.error("scene: 3 poses of 2 bodies; expected one a body", scene.first_contacts, [IDENTITY] * 3)
         self.error("motion: 2 poses at t = 0 and 3 at t = 1; expected as many, or one of either", scene.first_contacts,
-                   np.ones((3, 7)), np.ones((2, 7)), "rigid")
+                   np.ones((3, 7)), poses_0=np.ones((2, 7)), kind="rigid")
         with self.assertRaises(ValueError):  # what numpy's users catch
             Query(cube, cube, "both")
 
