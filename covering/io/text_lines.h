@@ -63,6 +63,9 @@ inline std::string as_text(const std::string& file, std::string bytes)
 /// The text of a file. Throws Input_error as `read_bytes` and `as_text` do.
 inline std::string read_text(const std::filesystem::path& file) { return as_text(file.native(), read_bytes(file)); }
 
+/// Whether the character separates words of a line.
+inline bool is_white(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+
 /// The unsigned decimal integer that `word` is, whole. Nothing when it is none or does not fit.
 inline std::optional<std::uint64_t> parse_count(std::string_view word)
 {
@@ -167,7 +170,6 @@ class Text_lines {
   void split(std::string_view line)
   {
     if (comment_ != '\0') line = line.substr(0, line.find(comment_));
-    const auto is_white = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; };
     for (std::size_t begin = 0, end = 0; begin < line.size(); begin = end) {
       while (begin < line.size() && is_white(line[begin])) ++begin;
       end = begin;

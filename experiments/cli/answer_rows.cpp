@@ -105,8 +105,9 @@ std::string answer_columns(const std::vector<std::string>& kernels, const std::v
     Json answers;
     if (format.csv) text += std::to_string(k);
     for (std::size_t i = 0; i < kernels.size(); ++i) {
-      answers[kernels[i]] = columns[i][k].answer;
-      text += (format.csv ? "," : i == 0 ? "" : " ") + std::to_string(columns[i][k].answer);
+      const Answer_row& row = columns[i][k];
+      answers[kernels[i]] = row.instead.empty() ? Json(row.answer) : Json();
+      text += (format.csv ? "," : i == 0 ? "" : " ") + (row.instead.empty() ? std::to_string(row.answer) : row.instead);
     }
     text += "\n";
     if (format.json) json.push_back({{"pose", k}, {"answers", answers}});

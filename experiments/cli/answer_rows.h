@@ -14,7 +14,8 @@ namespace tetracone::experiments {
 
 /// The answer of one pose, and what it took.
 struct Answer_row {
-  int answer = 0;  ///< 0 or 1; a predicate's may be -1; or a `kernel::Relation`
+  int answer = 0;       ///< 0 or 1; a predicate's may be -1; or a `kernel::Relation`
+  std::string instead;  ///< what stands in the place of an answer that was not given: `-` or `failed`
   double nanoseconds = std::numeric_limits<double>::infinity();
   tetratree::Query_statistics counts;
 };
@@ -29,7 +30,8 @@ struct Row_format {
 /// The answers of all poses, each its line.
 std::string answer_rows(const std::vector<Answer_row>& rows, const Row_format& format);
 
-/// The answers of several kernels side by side, one column of rows each.
+/// The answers of several kernels or programs side by side, one column of rows each; in JSON one that was not given is
+/// null.
 std::string answer_columns(const std::vector<std::string>& kernels, const std::vector<std::vector<Answer_row>>& columns,
                            const Row_format& format);
 

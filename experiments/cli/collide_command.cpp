@@ -2,6 +2,7 @@
 
 #include "experiments/cli/answer_rows.h"
 #include "experiments/cli/contact_rows.h"
+#include "experiments/cli/subject_options.h"
 #include "experiments/support/output_file.h"
 #include "experiments/support/progress.h"
 #include "experiments/support/scene_options.h"
@@ -33,6 +34,7 @@ struct Collide_options {
   Scene_names names;
   std::string csv, question = "solid", kernel = "adaptive", method = "tree", curves;
   std::vector<std::string> compare;
+  Subject_options others;
   bool features = false, contacts = false, exact = false, relation = false, json = false, time = false;
   int repeat = 1;
 
@@ -139,6 +141,30 @@ std::string contacts_of(verify::Prepared_pair& pair, const Scene& scene, const C
   return contact_rows(contacts, scene.a, scene.b, {options.json, !options.csv.empty(), options.exact});
 }
 
+/// The answers of somebody else's program. Each failure has a line on stderr and sets `failed`.
+std::vector<Answer_row> ask(const verify::Object_subject& subject, const Scene& scene, bool& failed)
+{
+  const auto running = subject.make();
+  verify::Object_case c;
+  c.a = std::make_shared<const covering::Polyhedron>(scene.a.polyhedron());
+  c.b = std::make_shared<const covering::Polyhedron>(scene.b.polyhedron());
+  std::vector<Answer_row> rows(scene.poses.count());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    c.pose_a = scene.poses.of_a(k);
+    c.pose_b = scene.poses.of_b(k);
+    const verify::Outcome outcome = (*running)(c, scene.question);
+    rows[k].answer = outcome == verify::Outcome::yes;
+    if (outcome == verify::Outcome::not_asked) rows[k].instead = "-";
+    if (outcome != verify::Outcome::failed) continue;
+    failed = true;
+    rows[k].instead = "failed";
+    const verify::Failure failure = running->failure();
+    std::cerr << subject.name << " failed on pose " << k << ", " << failure.how << (failure.said.empty() ? "" : ": ")
+              << failure.said << '\n';
+  }
+  return rows;
+}
+
 /// Requires what only some options go with.
 void require_contact_options(const Collide_options& options)
 {
@@ -158,6 +184,8 @@ void require_contact_options(const Collide_options& options)
   require(options.relation, !options.lists(), "--relation", "expected without --features and --contacts");
   require(options.relation, options.question == "solid", "--relation", "expected with --question solid");
   require(options.relation, options.compare.empty(), "--compare", "expected without --relation");
+  require(!options.others.commands.empty(), !options.lists() && !options.relation && !options.time, "--subject-command",
+          "expected without --features, --contacts, --relation and --time");
 }
 
 /// The answer of the subject of predicates that has the kernel's name.
@@ -207,7 +235,7 @@ void run_collide(const Collide_options& options, bool question_is_given)
   if (options.json && !options.csv.empty()) throw CLI::ValidationError("--json", "expected without --csv");
   if (options.repeat < 1) throw CLI::ValidationError("--repeat", "expected a number from 1");
   require_contact_options(options);
-  const std::vector<std::string> kernels = kernels_of(options);
+  std::vector<std::string> kernels = kernels_of(options);
   for (const std::string& output : {options.csv, options.curves})
     if (!output.empty()) options.names.refuse_as_output(output);
   if (!options.curves.empty() && !options.csv.empty() && is_same_file(options.curves, options.csv))
@@ -220,12 +248,14 @@ void run_collide(const Collide_options& options, bool question_is_given)
   }
   std::vector<std::vector<Answer_row>> columns;
   std::string text, curves;
+  bool failed = false;
   if (c && c->level == verify::Level::predicate) {
     for (const auto& [given, name] : {std::pair(question_is_given, "--question"),
                                       {options.features, "--features"},
                                       {options.contacts, "--contacts"},
                                       {options.relation, "--relation"},
                                       {options.time, "--time"},
+                                      {!options.others.commands.empty(), "--subject-command"},
                                       {options.method != "tree", "--method"}})
       if (given) throw CLI::ValidationError(name, "expected with bodies; " + options.names.a + " asks a predicate");
     for (const std::string& kernel : kernels) columns.push_back({answer_of(*c, kernel, options.names.a)});
@@ -252,15 +282,20 @@ void run_collide(const Collide_options& options, bool question_is_given)
       if (options.time) tell_first_query(*pair, scene, answers, ready);
       columns.push_back(answers.rows);
     }
+    for (const verify::Object_subject& command : command_subjects(options.others, verify::object_subjects())) {
+      columns.push_back(ask(command, scene, failed));
+      kernels.push_back(command.name);
+    }
   }
   if (!options.lists())
-    text = options.compare.empty() ? answer_rows(columns.front(), options.format())
-                                   : answer_columns(kernels, columns, options.format());
+    text = columns.size() == 1 ? answer_rows(columns.front(), options.format())
+                               : answer_columns(kernels, columns, options.format());
   if (options.csv.empty())
     std::cout << text;
   else
     write_whole(options.csv, text);
   if (!options.curves.empty()) write_whole(options.curves, curves);
+  if (failed) throw CLI::RuntimeError(1);
 }
 
 }  // namespace
@@ -287,6 +322,7 @@ void add_collide_command(CLI::App& app)
                    "CSV headed by name")
       ->delimiter(',')
       ->allow_extra_args(false);
+  add_subject_options(*command, options->others);
   command
       ->add_option("--method", options->method,
                    "tree: the kernel's fastest; paper: Jimenez & Segura's; brute: all pairs")
@@ -319,6 +355,8 @@ void add_collide_command(CLI::App& app)
       "A case file of a predicate prints that predicate's answer.\n"
       "With --compare double,float a line is `1 1 0`: the answers of adaptive (or of --kernel), double and float; CSV: "
       "pose,adaptive,double,float.\n"
+      "With --subject-command a column more: `-` where the program declines, `failed` where it crashes, hangs or sends "
+      "no answer; standard error then says how, and the exit status is 1.\n"
       "Example: tetracone collide cat.off house.poly --pose-b poses.txt --kernel epick --csv answers.csv --time");
   command->callback([options, question] { run_collide(*options, question->count() > 0); });
 }

@@ -23,8 +23,8 @@ namespace {
 
 struct Distance_options {
   Scene_names names;
-  std::string csv, within, certificate, question = "surface", kernel = "adaptive";
-  bool exact = false, time = false;
+  std::string csv, within, certificate, question = "solid", kernel = "adaptive";
+  bool exact = false, points = false, time = false;
   int repeat = 1;
 };
 
@@ -39,6 +39,16 @@ std::string exact_line(const Nearest& nearest, const std::array<Model_file, 2>& 
   return line + "\n";
 }
 
+/// The distance and the two points, each number as the double nearest to it.
+std::string points_line(const Nearest& nearest, const std::string& blank, const std::string& wide_blank)
+{
+  std::string line = kernel::shortest(nearest.distance);
+  for (const auto& point : nearest.point)
+    for (std::size_t k = 0; k < 3; ++k)
+      line += (k == 0 ? wide_blank : blank) + kernel::shortest(kernel::nearest_double(kernel::Rational(point[k])));
+  return line + "\n";
+}
+
 /// A line a pose, or a row of the table.
 class Asking {
  public:
@@ -50,9 +60,11 @@ class Asking {
   std::string text()
   {
     std::string text;
-    if (!options_.csv.empty())
-      text = std::string("pose,") + (options_.within.empty() ? "distance" : "within") +
-             (options_.time ? ",ns,bounding_tests,primitive_tests,exact_fallbacks\n" : "\n");
+    if (!options_.csv.empty()) {
+      text = std::string("pose,") + (options_.within.empty() ? "distance" : "within");
+      if (options_.points) text += ",x0,y0,z0,x1,y1,z1";
+      text += options_.time ? ",ns,bounding_tests,primitive_tests,exact_fallbacks\n" : "\n";
+    }
     std::vector<double> fastest(poses_.count(), std::numeric_limits<double>::infinity());
     const int passes = options_.time ? options_.repeat : 1;
     Progress progress("poses", poses_.count() * passes);
@@ -73,6 +85,8 @@ class Asking {
   {
     const kernel::Pose &a = poses_.of_a(k), &b = poses_.of_b(k);
     if (options_.exact) return exact_line(query_.nearest(a, b), models_);
+    if (options_.points)
+      return points_line(query_.nearest(a, b), options_.csv.empty() ? " " : ",", options_.csv.empty() ? "  " : ",");
     if (!options_.within.empty()) return query_.within(a, b, options_.within) ? "1\n" : "0\n";
     return kernel::shortest(query_.distance(a, b)) + "\n";
   }
@@ -103,6 +117,10 @@ void run_distance(const Distance_options& options)
     throw CLI::ValidationError("--kernel " + options.kernel, "expected adaptive, double or rational");
   if (options.exact && how->kernel == Kernel::double_)
     throw CLI::ValidationError("--exact", "expected --kernel adaptive or rational");
+  if (options.points && how->kernel == Kernel::double_)
+    throw CLI::ValidationError("--points", "expected --kernel adaptive or rational");
+  if (options.points && (options.exact || !options.within.empty()))
+    throw CLI::ValidationError("--points", "expected without --exact and --within");
   if (options.exact && !options.within.empty()) throw CLI::ValidationError("--exact", "expected without --within");
   if (options.exact && !options.csv.empty()) throw CLI::ValidationError("--exact", "expected without --csv");
   if (!options.within.empty() && !kernel::parse_number(options.within))
@@ -140,10 +158,14 @@ void add_distance_command(CLI::App& app)
   command->add_option("B", options->names.b, "Model")->required();
   command
       ->add_option("--question", options->question,
-                   "surface: of the surfaces; solid: of the solids, 0 where they collide")
+                   "solid: of the solids, 0 where they collide; surface: of the surfaces, which may be open")
       ->capture_default_str();
   command->add_flag("--exact", options->exact,
                     "The squared distance, then of A and of B the nearest point and what holds it, as fractions");
+  command->add_flag(
+      "--points", options->points,
+      "Behind the distance the nearest point of A and that of B, each coordinate as the double nearest to "
+      "it; of several such pairs one");
   command->add_option("--within", options->within,
                       "1 or 0: is the distance at most this, a decimal number (its double) or a fraction n/d");
   command->add_option("--kernel", options->kernel, "adaptive, double or rational")->capture_default_str();

@@ -44,6 +44,7 @@ struct Fuzz_options {
   double seconds = 60;
   std::uint64_t seed = 1;
   std::string subject;
+  std::vector<std::string> families;
   Subject_options others;
   std::filesystem::path out = "out/fuzz";
 };
@@ -99,6 +100,21 @@ std::set<std::string> chosen(const std::vector<std::string>& names, const std::s
   return some;
 }
 
+/// The families of these names, or all.
+std::vector<const Family*> chosen_families(const std::vector<std::string>& names)
+{
+  std::vector<const Family*> families;
+  for (const Family& family : verify::families())
+    if (names.empty() || std::ranges::find(names, family.name) != names.end()) families.push_back(&family);
+  const std::vector<std::string> all = family_names();
+  for (const std::string& name : names) {
+    if (verify::find_family(name)) continue;
+    if (std::ranges::find(all, name) == all.end()) refuse_family(name);
+    throw CLI::ValidationError("--family " + name, "fuzz asks no case of it; expected a family of pairs of bodies");
+  }
+  return families;
+}
+
 /// Letters, digits, dots; a '-' for anything else.
 std::string file_safe(std::string name)
 {
@@ -109,7 +125,10 @@ std::string file_safe(std::string name)
 
 class Fuzz {
  public:
-  explicit Fuzz(const Fuzz_options& options) : options_(options), progress_("seconds", std::size_t(options.seconds))
+  explicit Fuzz(const Fuzz_options& options)
+      : options_(options),
+        families_(chosen_families(options.families)),
+        progress_("seconds", std::size_t(options.seconds))
   {
     const auto commands = command_subjects(options.others, verify::object_subjects());
     std::vector<std::string> names;
@@ -132,7 +151,8 @@ class Fuzz {
   void run()
   {
     for (std::uint64_t round = 0;; ++round)
-      for (const Family& family : verify::families()) {
+      for (const Family* each_family : families_) {
+        const Family& family = *each_family;
         // Families before it in a round have not changed what this one draws.
         verify::Random random(verify::Random(options_.seed ^ (std::uint64_t(family.number) << 32)).bits() ^ round);
         if (!object_subjects_.empty()) {
@@ -207,9 +227,12 @@ class Fuzz {
         if (kind.empty() || !is_new(each.subject.name, c.origin.family, std::string(to_string(question)), kind))
           continue;
         ++mine.kinds;
+        const std::string left = answer == Outcome::failed ? in_words(each.answer->failure()) : "";
         const Object_case small =
             verify::shrink(c, question, verify::same_error(*each.answer, question, answer, truth), budget);
-        write(verify::case_file_of(small, question, each.subject, answer), name_, size(c) + " -> " + size(small));
+        verify::Case_file file = verify::case_file_of(small, question, each.subject, answer);
+        file.cause += left;
+        write(std::move(file), name_, size(c) + " -> " + size(small));
       }
     }
     return true;
@@ -240,6 +263,11 @@ class Fuzz {
             size(c) + " -> " + size(small));
     }
     return true;
+  }
+
+  static std::string in_words(const verify::Failure& failure)
+  {
+    return ", " + failure.how + (failure.said.empty() ? "" : ": " + failure.said);
   }
 
   static std::string size(const Object_case& c)
@@ -286,6 +314,7 @@ class Fuzz {
   }
 
   Fuzz_options options_;
+  std::vector<const Family*> families_;
   Progress progress_;
   std::size_t shown_ = 0;  // seconds
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
@@ -324,6 +353,8 @@ void add_fuzz_command(CLI::App& app)
   command->add_option(
       "--subject", options->subject,
       "Only this subject, or those whose names begin so; default: the trees of double, float, epick and adaptive");
+  command->add_option("--family", options->families, "Only this family of pairs of bodies; may be given again")
+      ->allow_extra_args(false);
   add_subject_options(*command, options->others);
   command->add_option("--out", options->out, "Folder of the case files")->capture_default_str();
   command->footer(

@@ -21,7 +21,7 @@ namespace {
 struct Motion_options {
   Motion_names names;
   std::string csv, question = "solid";
-  bool time = false, features = false;
+  bool time = false, features = false, first = false;
 };
 
 /// The contact with faces as the files have them.
@@ -34,10 +34,12 @@ std::optional<First_contact> named_as_in_file(std::optional<First_contact> first
   return first;
 }
 
-std::string line_of(const std::optional<First_contact>& first, bool features)
+/// `segment` stands behind the times, where it is told.
+std::string line_of(const std::optional<First_contact>& first, bool features, std::optional<std::size_t> segment = {})
 {
   if (!first) return "0\n";
   std::string line = "1 " + kernel::shortest(first->lo) + " " + kernel::shortest(first->hi);
+  if (segment) line += " " + std::to_string(*segment);
   if (features && first->holder)
     for (const Holder& holder : *first->holder) line += "  " + holder.text();
   return line + "\n";
@@ -71,8 +73,10 @@ std::string answers(const Motion_options& options, Query& query, const std::arra
     const double ns = watch.nanoseconds();
     const auto first = named_as_in_file(found, models);
     progress.step();
+    if (options.first && !first) continue;
     if (options.csv.empty()) {
-      text += line_of(first, options.features);
+      text += line_of(first, options.features, options.first ? std::optional(k) : std::nullopt);
+      if (options.first) return text;
       continue;
     }
     text += row_of(k, first, options.features);
@@ -81,8 +85,9 @@ std::string answers(const Motion_options& options, Query& query, const std::arra
       text += "," + std::to_string(static_cast<long long>(ns)) + "," + std::to_string(done.bounding_tests()) + "," +
               std::to_string(done.primitive_tests()) + "," + std::to_string(done.exact_fallbacks);
     text += "\n";
+    if (options.first) return text;
   }
-  return text;
+  return options.first && options.csv.empty() ? line_of(std::nullopt, false) : text;
 }
 
 void run_motion(const Motion_options& options)
@@ -90,6 +95,7 @@ void run_motion(const Motion_options& options)
   const auto question = kernel::parse_question(options.question);
   if (!question) throw CLI::ValidationError("--question " + options.question, "expected solid or surface");
   if (options.time && options.csv.empty()) throw CLI::ValidationError("--time", "expected --csv to hold the times");
+  if (options.first && options.names.path.empty()) throw CLI::ValidationError("--first", "expected with --path");
   if (!options.csv.empty()) options.names.refuse_as_output(options.csv);
   const Motion_pairs motions = read_motion_pairs(options.names);
   const bool solid = *question == Question::solid;
@@ -113,6 +119,13 @@ void add_motion_command(CLI::App& app)
   command->add_option("A", options->names.a, "Model: OFF, OBJ, PLY, STL, TetGen .poly or a saved body")->required();
   command->add_option("B", options->names.b, "Model")->required();
   options->names.add_options_to(*command);
+  command->add_option(
+      "--path", options->names.path,
+      "Poses of B, one after the other: a motion from each to the next, a line each, of times t in [0, 1] "
+      "within it. A stands at --pose-a0");
+  command->add_flag(
+      "--first", options->first,
+      "With --path: only the first motion with a contact, `1 LO HI K`, from pose K to pose K + 1, or `0`");
   options->names.models.add_to(*command);
   command
       ->add_option("--question", options->question,
@@ -125,7 +138,8 @@ void add_motion_command(CLI::App& app)
   command->add_flag("--time", options->time, "With --csv: nanoseconds and work of each motion");
   command->footer(
       "lo <= t <= hi are equal where t is a double, else neighbours. `1 0 0`: they collide as they start.\n"
-      "Example: tetracone motion cat.off house.poly --pose-b0 start.txt --pose-b1 end.txt");
+      "Example: tetracone motion cat.off house.poly --pose-b0 start.txt --pose-b1 end.txt\n"
+      "         tetracone motion house.poly gripper.stl --path path.txt --first");
   command->callback([options] { run_motion(*options); });
 }
 

@@ -1,6 +1,7 @@
 #include "experiments/cli/subject_options.h"
 
 #include "experiments/peers/subject_command.h"
+#include "verify/families/family_lines.h"
 
 #include <cctype>
 #include <cmath>
@@ -24,7 +25,7 @@ void add_subject_options(CLI::App& command, Subject_options& options)
   command
       .add_option("--subject-command", options.commands,
                   "NAME=COMMAND: somebody else's method as one more subject, a program that speaks the protocol of "
-                  "experiments/subjects/README.md; may be given again. Asked whatever --subject says")
+                  "experiments/subjects/README.md; may be given again")
       ->allow_extra_args(false);
   command.add_option("--subject-limit", options.limit, "Seconds in which such a program must answer a question")
       ->capture_default_str()
@@ -57,6 +58,20 @@ std::vector<verify::Object_subject> command_subjects(const Subject_options& opti
     subjects.push_back(subject_command(name, command, options.limit_ms()));
   }
   return subjects;
+}
+
+std::vector<std::string> family_names()
+{
+  std::vector<std::string> names;
+  for (const verify::Family_line& line : verify::family_lines()) names.emplace_back(line.name);
+  return names;
+}
+
+void refuse_family(const std::string& name)
+{
+  std::string list;
+  for (const std::string& known : family_names()) list += (list.empty() ? "" : ", ") + known;
+  throw CLI::ValidationError("--family " + name, "expected one of " + list);
 }
 
 }  // namespace tetracone::experiments

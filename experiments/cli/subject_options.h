@@ -11,7 +11,7 @@
 
 namespace tetracone::experiments {
 
-/// The words by which `verify` and `fuzz` are given somebody else's methods.
+/// The words by which `verify`, `fuzz` and `collide` are given somebody else's methods.
 struct Subject_options {
   std::vector<std::string> commands;  ///< NAME=COMMAND
   double limit = 10;                  ///< seconds for an answer
@@ -26,6 +26,12 @@ void add_subject_options(CLI::App& command, Subject_options& options);
 /// none, that comes twice, or that one of `others` begins with, and for what the shell cannot run.
 std::vector<verify::Object_subject> command_subjects(const Subject_options& options,
                                                      const std::vector<verify::Object_subject>& others);
+
+/// The names of all families of cases, of whatever level.
+std::vector<std::string> family_names();
+
+/// Throws CLI::ValidationError for a name of no family, with the list of all.
+[[noreturn]] void refuse_family(const std::string& name);
 
 }  // namespace tetracone::experiments
 

@@ -26,6 +26,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace tetracone::experiments {
@@ -131,13 +132,6 @@ bool add_family(const std::string& name, Campaign& campaign)
   return true;
 }
 
-std::vector<std::string> all_families()
-{
-  std::vector<std::string> names;
-  for (const verify::Family_line& line : verify::family_lines()) names.emplace_back(line.name);
-  return names;
-}
-
 /// Prints a paragraph of families for each set of levels that asks them.
 void print_families()
 {
@@ -160,12 +154,8 @@ void print_families()
 
 void choose_families(const Verify_options& options, Campaign& campaign)
 {
-  for (const std::string& name : options.families.empty() ? all_families() : options.families) {
-    if (add_family(name, campaign)) continue;
-    std::string list;
-    for (const std::string& known : all_families()) list += (list.empty() ? "" : ", ") + known;
-    throw CLI::ValidationError("--family " + name, "expected one of " + list);
-  }
+  for (const std::string& name : options.families.empty() ? family_names() : options.families)
+    if (!add_family(name, campaign)) refuse_family(name);
   if (!options.families.empty()) campaign.sequence_frames = 0;
 }
 
@@ -189,6 +179,69 @@ void choose_sizes(const Verify_options& options, Campaign& campaign)
   if (!is("object")) campaign.sequence_frames = 0;
 }
 
+/// What a campaign asks at one level: of no cases, no families or no subjects it is nothing.
+struct Asked_level {
+  std::string name;
+  std::set<std::string> families, subjects;
+};
+
+template <class Things>
+void add_names(std::set<std::string>& names, const Things& things)
+{
+  for (const auto& thing : things)
+    if constexpr (std::is_pointer_v<std::decay_t<decltype(thing)>>)
+      names.emplace(thing->name);
+    else
+      names.emplace(thing.name);
+}
+
+/// The levels at which somebody is asked something.
+std::vector<Asked_level> asked_levels(const Campaign& c)
+{
+  std::vector<Asked_level> levels;
+  const auto add = [&](const char* name, bool has_cases, const auto& subjects, const auto&... families) {
+    Asked_level level{name, {}, {}};
+    (add_names(level.families, families), ...);
+    add_names(level.subjects, subjects);
+    const bool has_sequences = level.name == "object" && c.sequence_frames != 0;
+    if (((has_cases && !level.families.empty()) || has_sequences) && !level.subjects.empty()) levels.push_back(level);
+  };
+  const bool lists = c.feature_cases != 0, probes = c.probe_cases != 0;
+  add("predicate", c.predicate_cases != 0, c.predicate_subjects, c.families);
+  add("object", c.object_cases != 0, c.object_subjects, c.families);
+  add("features", lists && c.lists_features, c.feature_subjects, c.families);
+  add("contacts", lists, c.contact_subjects, c.families);
+  add("distances", lists, c.distance_subjects, c.families, c.distance_families);
+  add("points", probes, c.point_subjects, c.point_families);
+  add("rays", probes, c.ray_subjects, c.ray_families);
+  add("scenes", lists, c.scene_subjects, c.scene_families);
+  add("motions", lists, c.motion_subjects, c.motion_families);
+  return levels;
+}
+
+/// Throws CLI::ValidationError where a family, a subject or a command that is named would be asked nothing.
+void refuse_idle_words(const Verify_options& options, const Campaign& campaign)
+{
+  const std::vector<Asked_level> levels = asked_levels(campaign);
+  const std::string at = options.level.empty() ? "these words ask" : "level " + options.level + " asks";
+  const auto require = [&](bool holds, const std::string& word, const char* what) {
+    if (!holds)
+      throw CLI::ValidationError(word, at + " no such " + what + "; expected another level, family or subject");
+  };
+  const auto has_subject = [&](const std::string& name) {
+    return std::ranges::any_of(levels, [&](const Asked_level& level) {
+      return std::ranges::any_of(level.subjects, [&](const std::string& asked) { return is_named(asked, name); });
+    });
+  };
+  for (const std::string& words : options.others.commands)
+    require(has_subject(words.substr(0, words.find('='))), "--subject-command " + words, "subject");
+  for (const std::string& name : options.subjects) require(has_subject(name), "--subject " + name, "subject");
+  for (const std::string& name : options.families)
+    require(std::ranges::any_of(levels, [&](const Asked_level& level) { return level.families.contains(name); }),
+            "--family " + name, "family");
+  if (levels.empty()) throw CLI::ValidationError("verify", at + " nothing; expected a level, families and subjects");
+}
+
 /// Keeps the case on which the truths disagree beside the database.
 [[noreturn]] void stop(const verify::Truths_disagree& found, const std::filesystem::path& db)
 {
@@ -208,6 +261,19 @@ void choose_sizes(const Verify_options& options, Campaign& campaign)
   write_whole(path, verify::to_json(file));
   std::cerr << path.native() << ": " << found.what() << '\n';
   throw CLI::RuntimeError(1);
+}
+
+/// A line for each way in which a subject failed, and what it said the first time.
+void print_failures(Database& database, const Campaign& campaign)
+{
+  Database::Statement rows(
+      database,
+      "SELECT level, subject, how, sum(n), min(said) FROM failure JOIN run ON run = id WHERE seed = "
+      "?1 GROUP BY level, subject, how ORDER BY level, subject, how");
+  for (rows.with(campaign.seed); rows.next();)
+    std::printf("%s %s failed %lld times, %s%s%s\n", rows.text(0).c_str(), rows.text(1).c_str(),
+                (long long)rows.integer(3), rows.text(2).c_str(), rows.text(4).empty() ? "" : ": ",
+                rows.text(4).c_str());
 }
 
 /// A line a subject, and whether an exact one was wrong.
@@ -244,6 +310,7 @@ bool print_summary(Database& database, const Campaign& campaign)
                 (long long)rows.integer(5), (long long)rows.integer(6),
                 exact.contains(name) ? wrong ? "  exact, and WRONG" : "  exact" : "");
   }
+  print_failures(database, campaign);
   return exact_was_wrong;
 }
 
@@ -269,6 +336,7 @@ void run_verify(const CLI::App& command, Verify_options options)
   choose_families(options, campaign);
   choose_sizes(options, campaign);
   choose_subjects(options, campaign);
+  refuse_idle_words(options, campaign);
   campaign.made_by = {TETRACONE_VERSION, compiler(), compiler_flags(), processor(), campaign_words(command, options)};
 
   const std::filesystem::path db = options.db;

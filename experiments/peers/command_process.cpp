@@ -59,15 +59,12 @@ void on_child(int) {}
   ::_exit(ended.si_code == CLD_EXITED ? ended.si_status : 128 + ended.si_status);
 }
 
-/// In the child of a fork.
-[[noreturn]] void become_guard(const char* command, int input, int output, Command_process::Errors errors)
+/// In the child of a fork. A negative `errors` leaves standard error as it is.
+[[noreturn]] void become_guard(const char* command, int input, int output, int errors)
 {
   ::dup2(input, STDIN_FILENO);
   ::dup2(output, STDOUT_FILENO);
-  if (errors == Command_process::Errors::dropped) {
-    const int nowhere = ::open("/dev/null", O_WRONLY);
-    ::dup2(nowhere, STDERR_FILENO);
-  }
+  if (errors >= 0) ::dup2(errors, STDERR_FILENO);
   ::closefrom(STDERR_FILENO + 1);
   const rlimit no_core = {0, 0};
   ::setrlimit(RLIMIT_CORE, &no_core);
@@ -94,12 +91,17 @@ Command_process::Command_process(const std::string& command, Errors errors)
     ::close(in[1]);
     refuse();
   }
+  if (errors == Errors::kept && !errors_.open()) {
+    for (const int file : {in[0], in[1], out[0], out[1]}) ::close(file);
+    refuse();
+  }
   their_input_ = in[0];
   input_ = in[1];
   output_ = out[0];
   guard_ = ::_Fork();
-  if (guard_ == 0) become_guard(command.c_str(), in[0], out[1], errors);
+  if (guard_ == 0) become_guard(command.c_str(), in[0], out[1], errors_.child_end());
   ::close(out[1]);
+  errors_.close_child_end();
   if (guard_ < 0) {
     for (const int file : {input_, output_, their_input_}) ::close(file);
     refuse();
@@ -123,9 +125,11 @@ bool Command_process::send(const std::string& text, Deadline deadline)
     if (part > 0) {
       sent += std::size_t(part);
     } else if (errno == EAGAIN) {
-      std::array<pollfd, 2> ends = {pollfd{input_, POLLOUT, 0}, {output_, 0, 0}};  // an end is told unasked
+      // That output ends is told unasked.
+      std::array<pollfd, 3> ends = {pollfd{input_, POLLOUT, 0}, {output_, 0, 0}, {errors_.descriptor(), POLLIN, 0}};
       const int left = milliseconds_to(deadline);
       if (left == 0 || (::poll(ends.data(), 2, left) < 0 && errno != EINTR) || ends[1].revents != 0) return false;
+      errors_.drain();
     } else if (errno != EINTR) {
       return false;
     }
@@ -156,9 +160,10 @@ bool Command_process::receive(Deadline deadline)
       return true;
     }
     if (got == 0 || (errno != EAGAIN && errno != EINTR)) return false;
-    pollfd output = {output_, POLLIN, 0};
+    std::array<pollfd, 2> ends = {pollfd{output_, POLLIN, 0}, {errors_.descriptor(), POLLIN, 0}};
     const int left = milliseconds_to(deadline);
-    if (left == 0 || (::poll(&output, 1, left) < 0 && errno != EINTR)) return false;
+    if (left == 0 || (::poll(ends.data(), ends.size(), left) < 0 && errno != EINTR)) return false;
+    errors_.drain();
   }
 }
 
@@ -180,6 +185,7 @@ std::optional<int> Command_process::end(Deadline deadline)
       return std::nullopt;
     else
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    errors_.drain();
   }
   return status_;
 }

@@ -1,6 +1,8 @@
 #ifndef TETRACONE_EXPERIMENTS_PEERS_COMMAND_PROCESS_H
 #define TETRACONE_EXPERIMENTS_PEERS_COMMAND_PROCESS_H
 
+#include "experiments/peers/error_tail.h"
+
 #include <sys/types.h>
 
 #include <chrono>
@@ -15,12 +17,12 @@ class Command_process {
  public:
   using Deadline = std::chrono::steady_clock::time_point;
 
-  /// Where its standard error goes: nowhere, or where the program's goes.
-  enum class Errors { dropped, shown };
+  /// Where its standard error goes: its last line is kept, or all goes where the program's goes.
+  enum class Errors { kept, shown };
 
   /// Throws std::runtime_error when no process can be started. That the shell finds no such program shows as an end
   /// with status 127.
-  explicit Command_process(const std::string& command, Errors errors = Errors::dropped);
+  explicit Command_process(const std::string& command, Errors errors = Errors::kept);
   ~Command_process();
   Command_process(const Command_process&) = delete;
   Command_process& operator=(const Command_process&) = delete;
@@ -34,6 +36,9 @@ class Command_process {
 
   /// What has come after the last line.
   const std::string& rest() const { return received_; }
+
+  /// The last line of its standard error so far, where that is kept (`Error_tail::last_line`).
+  std::string last_error() const { return errors_.last_line(); }
 
   /// The child reads the end of its input. Nothing can be sent any more.
   void close_input();
@@ -50,6 +55,7 @@ class Command_process {
   pid_t guard_ = -1;
   std::optional<int> status_;
   std::string received_;
+  Error_tail errors_;
 };
 
 }  // namespace tetracone::experiments

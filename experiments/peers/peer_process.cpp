@@ -15,21 +15,22 @@
 #include <csignal>
 #include <cstring>
 #include <stdexcept>
+#include <thread>
 
 namespace tetracone::experiments {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Starts it with `socket` as standard input and no other file of ours; what libraries print goes nowhere. An error
-/// number, or 0.
-int start(const std::string& program, const std::string& name, int socket, pid_t& child)
+/// Starts it with `socket` as standard input, `errors` as standard error and no other file of ours; what libraries print
+/// goes nowhere. An error number, or 0.
+int start(const std::string& program, const std::string& name, int socket, int errors, pid_t& child)
 {
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
   posix_spawn_file_actions_adddup2(&files, socket, STDIN_FILENO);
   posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_adddup2(&files, errors, STDERR_FILENO);
   posix_spawn_file_actions_addclosefrom_np(&files, STDERR_FILENO + 1);
   // The caller may have blocked signals; the worker needs them.
   posix_spawnattr_t attributes;
@@ -55,8 +56,9 @@ Peer_process::Peer_process(const std::string& program, const std::string& name)
   };
   std::array<int, 2> ends;
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) refuse(std::strerror(errno));
-  const int error = start(program, name, ends[1], child_);
+  const int error = errors_.open() ? start(program, name, ends[1], errors_.child_end(), child_) : errno;
   ::close(ends[1]);
+  errors_.close_child_end();
   if (error != 0) {
     ::close(ends[0]);
     refuse(std::strerror(error));
@@ -73,9 +75,26 @@ Peer_process::~Peer_process() { stop(); }
 void Peer_process::stop()
 {
   ::close(socket_);
+  if (child_ < 0) return;
   ::kill(child_, SIGKILL);
   while (::waitpid(child_, nullptr, 0) < 0 && errno == EINTR) {
   }
+}
+
+std::string Peer_process::how_it_ended()
+{
+  for (const auto deadline = Clock::now() + std::chrono::milliseconds(200); child_ >= 0;) {
+    int status = 0;
+    const bool has_ended = ::waitpid(child_, &status, WNOHANG) == child_;
+    errors_.drain();
+    if (has_ended) {
+      child_ = -1;
+      return end_in_words(WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status));
+    }
+    if (Clock::now() >= deadline) break;
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  return "silent";
 }
 
 std::optional<char> Peer_process::ask(const std::string& message, Deadline deadline)
@@ -120,14 +139,15 @@ std::optional<char> Peer_process::receive(Deadline deadline)
   return std::nullopt;
 }
 
-bool Peer_process::wait_for(short event, Deadline deadline) const
+bool Peer_process::wait_for(short event, Deadline deadline)
 {
   for (;;) {
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
     if (left <= 0) return false;
-    pollfd socket = {socket_, event, 0};
-    const int ready = ::poll(&socket, 1, static_cast<int>(left));
-    if (ready > 0) return true;
+    std::array<pollfd, 2> ends = {pollfd{socket_, event, 0}, {errors_.descriptor(), POLLIN, 0}};
+    const int ready = ::poll(ends.data(), ends.size(), static_cast<int>(left));
+    if (ready > 0) errors_.drain();
+    if (ready > 0 && ends[0].revents != 0) return true;
     if (ready < 0 && errno != EINTR) return false;
   }
 }

@@ -1,6 +1,8 @@
 #ifndef TETRACONE_EXPERIMENTS_PEERS_PEER_PROCESS_H
 #define TETRACONE_EXPERIMENTS_PEERS_PEER_PROCESS_H
 
+#include "experiments/peers/error_tail.h"
+
 #include <sys/types.h>
 
 #include <chrono>
@@ -9,7 +11,8 @@
 
 namespace tetracone::experiments {
 
-/// `program peer-worker NAME` as a child with a socket to it, killed when this goes. Not for two threads at a time.
+/// `program peer-worker NAME` as a child with a socket to it, killed when this goes. The last line of its standard error
+/// is kept. Not for two threads at a time.
 class Peer_process {
  public:
   using Deadline = std::chrono::steady_clock::time_point;
@@ -27,14 +30,21 @@ class Peer_process {
   /// The double that follows the answer; nothing as of `ask`.
   std::optional<double> take_double(Deadline deadline);
 
+  /// How the child ended, in words: "silent" where it is still there a moment later.
+  std::string how_it_ended();
+
+  /// The last line of its standard error (`Error_tail::last_line`).
+  std::string last_error() const { return errors_.last_line(); }
+
  private:
   void stop();
   bool send(const std::string& message, Deadline deadline);
   std::optional<char> receive(Deadline deadline);
-  bool wait_for(short event, Deadline deadline) const;
+  bool wait_for(short event, Deadline deadline);
 
   int socket_ = -1;
-  pid_t child_ = -1;
+  pid_t child_ = -1;  // negative once it has been waited for
+  Error_tail errors_;
 };
 
 }  // namespace tetracone::experiments

@@ -33,8 +33,11 @@ class Running_command : public verify::Running_subject {
       process_ = std::make_unique<Command_process>(command_);
       announced_.clear();
     }
-    const auto outcome = ask(c, question, start + limit_ + (is_new ? start_ : Clock::duration::zero()));
+    const auto deadline = start + limit_ + (is_new ? start_ : Clock::duration::zero());
+    std::string wrong_line;
+    const auto outcome = ask(c, question, deadline, wrong_line);
     if (!outcome) {
+      tell_failure(wrong_line);
       process_.reset();
       // A program that does not start is not waited for as long each time.
       if (is_new) start_ = std::min(start_, std::max<Clock::duration>(start_ / 4, std::chrono::seconds(1)));
@@ -46,9 +49,26 @@ class Running_command : public verify::Running_subject {
 
   /// Only what the program itself tells: our clock would add the pipe and the reading of lines.
   std::optional<verify::Spent> spent() const override { return spent_; }
+  verify::Failure failure() const override { return failure_; }
 
  private:
-  std::optional<Outcome> ask(const Object_case& c, kernel::Question question, Clock::time_point deadline)
+  /// The process is about to go.
+  void tell_failure(const std::string& wrong_line)
+  {
+    // One that has closed its output ends at once or hangs.
+    const auto status = process_->end(Clock::now() + std::chrono::milliseconds(200));
+    failure_.said = process_->last_error();
+    if (!wrong_line.empty()) {
+      failure_.how = "wrong line";
+      failure_.said = wrong_line + (failure_.said.empty() ? "" : "; " + failure_.said);
+    } else {
+      failure_.how = status ? end_in_words(*status) : "silent";
+    }
+  }
+
+  /// Nothing for a failure; `wrong_line` says what is wrong where a line came.
+  std::optional<Outcome> ask(const Object_case& c, kernel::Question question, Clock::time_point deadline,
+                             std::string& wrong_line)
   {
     std::string lines;
     std::erase_if(announced_, [&](const auto& known) {
@@ -61,8 +81,9 @@ class Running_command : public verify::Running_subject {
     if (!process_->send(lines, deadline)) return std::nullopt;
     const auto line = process_->line(deadline);
     if (!line) return std::nullopt;
-    const subject_lines::Reply reply = subject_lines::read(*line, asks_);
+    subject_lines::Reply reply = subject_lines::read(*line, asks_);
     if (reply.ns) spent_ = verify::Spent{{}, *reply.ns};
+    wrong_line = std::move(reply.wrong);
     return reply.outcome;
   }
 
@@ -83,6 +104,7 @@ class Running_command : public verify::Running_subject {
   std::vector<std::pair<Body, std::uint64_t>> announced_;  // what the process has
   std::uint64_t models_ = 0, asks_ = 0;
   std::optional<verify::Spent> spent_;
+  verify::Failure failure_;
 };
 
 }  // namespace

@@ -9,7 +9,7 @@ from report_page import Source, again
 
 EXACTLY, NOT_NEAR = -9999, 9999
 TABLES = ("errors", "poses", "subjects", "distance", "sweeps", "blame", "relations", "flips", "truth", "runs", "times", "needs", "notes",
-          "families", "wrong")
+          "families", "wrong", "failures")
 DOUBLES, FRACTIONS = "doubles", "fractions"  # of poses
 EXACT = ("adaptive", "epeck", "rational")
 

@@ -242,6 +242,20 @@ def described_families(page, campaign):
                            "tables/verify_families.csv", of_text=True)
 
 
+def failures(page, campaign):
+    """How subjects failed, over families and questions together, and what they said the first time; nothing where none did."""
+    count, said = defaultdict(int), {}
+    for r in campaign.tables["failures"]:
+        key = r["level"], r["subject"], r["how"]
+        count[key] += int(r["n"])
+        said.setdefault(key, r["said"])
+    if not count:
+        return ""
+    body = [(False, [*map(html.escape, key), f"{n:,}", f"<small>{html.escape(said[key])}</small>"]) for key, n in count.items()]
+    source = campaign.source("How did subjects fail, and what did they say last?", f"{sum(count.values()):,} failures")
+    return page.html_table(["level", "subject", "how", "failures", "last line of standard error"], body, source, "tables/verify_failures.csv")
+
+
 def sections(page, study, campaign):
     if not campaign:
         return
@@ -257,7 +271,7 @@ def sections(page, study, campaign):
                        f"<p>{cases:,} truths, each computed twice by formulations that share the polyhedron, the poses' entries and GMP alone, {known:,} of them also known by "
                        f"construction. {len(campaign.families('object')) or len(campaign.families('predicate'))} families, and sequences "
                        f"of frames in exact contact, sweep from far from degenerate to exactly degenerate.</p>",
-                       of_both_poses(page, campaign, "object"))
+                       of_both_poses(page, campaign, "object"), failures(page, campaign))
     if campaign.rows("predicate"):
         yield page.section("predicates", "Predicates", "<p>The same families as seven points, by predicate. Answers higher than the truth "
                            "are invented, lower ones missed.</p>", of_both_poses(page, campaign, "predicate"))

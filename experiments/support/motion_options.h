@@ -13,13 +13,14 @@
 
 namespace tetracone::experiments {
 
-/// How a user names motions of two models: the poses of each at t = 0 and at t = 1.
+/// How a user names motions of two models: the poses of each at t = 0 and at t = 1, or the poses of a path of B.
 struct Motion_names {
   std::string a, b, kind = "linear";
+  std::string path;                  ///< poses of B one after the other, while A stands at --pose-a0; empty: none
   std::array<std::string, 4> poses;  ///< --pose-a0, --pose-a1, --pose-b0, --pose-b1; empty: the identity
   Model_options models;
 
-  /// The options of poses and of their kind.
+  /// The options of poses and of their kind, without that of the path.
   void add_options_to(CLI::App& command);
 
   /// Whether a pose is named.
@@ -37,9 +38,10 @@ struct Motion_pairs {
   std::vector<Motion> a, b;
 };
 
-/// The motions of the files; one pose in a file serves all of the others. Throws covering::Input_error for bad files, for
-/// numbers of poses that do not go together, and for quaternions between which one is 0; CLI::ValidationError for a kind
-/// that is none.
+/// The motions of the files; one pose in a file serves all of the others. Of a path: from each pose to the next. A line
+/// on stderr says where the motion is that of a quaternion near a matrix. Throws covering::Input_error for bad files, for
+/// numbers of poses that do not go together, for a path of one pose, and for quaternions between which one is 0;
+/// CLI::ValidationError for a kind that is none.
 Motion_pairs read_motion_pairs(const Motion_names& names);
 
 }  // namespace tetracone::experiments

@@ -1,8 +1,8 @@
 #include "experiments/viewer/scene_data.h"
 
 #include "experiments/viewer/view_data.h"
+#include "tetracone/covering/covering.h"
 #include "tetracone/covering/io/input_error.h"
-#include "tetracone/covering/repair/repair.h"
 #include "tetracone/tetratree/scene/scene.h"
 #include "verify/cases/scene_file.h"
 
@@ -21,7 +21,7 @@ Json model_data(const covering::Polyhedron& polyhedron)
   Json vertices = Json::array(), triangles = Json::array();
   for (const auto& v : polyhedron.vertices)
     for (const double x : v) vertices.push_back(x);
-  for (const auto& t : covering::triangulate_faces(polyhedron))
+  for (const auto& t : drawn_triangles(polyhedron, covering::Covering(polyhedron)))
     for (const covering::Index v : t.corner) triangles.push_back(v);
   return {{"vertices", vertices}, {"triangles", triangles}};
 }

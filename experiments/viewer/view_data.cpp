@@ -21,9 +21,9 @@
 #include <cstdlib>
 #include <iostream>
 #include <optional>
-#include <set>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 namespace tetracone::experiments {
 namespace {
@@ -77,21 +77,12 @@ Json faces_data(const Polyhedron& polyhedron)
   return faces;
 }
 
-/// Face and corners of each triangle. A face that no triangulation covers is drawn by its covering's triangles, as one
-/// loop would be.
+/// Face and corners of each triangle.
 Json triangles_data(const Polyhedron& polyhedron, const covering::Covering& covering)
 {
   Json triangles = Json::array();
-  const auto add = [&](Index face, const std::array<Index, 3>& t) {
-    for (const Index i : {face, t[0], t[1], t[2]}) triangles.push_back(i);
-  };
-  std::set<Index> covered;
-  for (const auto& t : covering::triangulate_faces(polyhedron)) {
-    add(t.face, t.corner);
-    covered.insert(t.face);
-  }
-  for (const auto& t : covering.triangles())
-    if (!covered.contains(t.face)) add(t.face, t.corner);
+  for (const auto& t : drawn_triangles(polyhedron, covering))
+    for (const Index i : {t.face, t.corner[0], t.corner[1], t.corner[2]}) triangles.push_back(i);
   return triangles;
 }
 
@@ -330,6 +321,16 @@ Json case_data(const verify::Case_file& c)
 }
 
 }  // namespace
+
+std::vector<covering::Face_triangle> drawn_triangles(const Polyhedron& polyhedron, const covering::Covering& covering)
+{
+  std::vector<covering::Face_triangle> triangles = covering::triangulate_faces(polyhedron);
+  std::vector<bool> is_covered(polyhedron.face_count(), false);
+  for (const auto& t : triangles) is_covered[t.face] = true;
+  for (const auto& t : covering.triangles())
+    if (!is_covered[t.face]) triangles.push_back({t.face, t.corner});
+  return triangles;
+}
 
 std::string view_data(const View_scene& scene, const std::string& kernel, verify::Method method)
 {

@@ -2,10 +2,13 @@
 #define TETRACONE_EXPERIMENTS_VIEWER_VIEW_DATA_H
 
 #include "experiments/viewer/view_scene.h"
+#include "tetracone/covering/covering.h"
+#include "tetracone/covering/polyhedron.h"
 #include "verify/subjects/subject.h"
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace tetracone::experiments {
 
@@ -14,6 +17,11 @@ namespace tetracone::experiments {
 constexpr std::size_t most_detailed = 50'000, most_triangles = 1'000'000;
 /// Where the paper's query leaves more pairs of leaves, no features are looked for.
 constexpr std::size_t most_leaf_pairs = 100'000;
+
+/// Triangles to draw every face by: the face itself, or the triangles that cover it exactly. A face without such is drawn
+/// by the triangles of its covering. Requires planar faces and the polyhedron's own covering.
+std::vector<covering::Face_triangle> drawn_triangles(const covering::Polyhedron& polyhedron,
+                                                     const covering::Covering& covering);
 
 /// All that a page shows of a scene, as one line of JSON; experiments/viewer/page/bodies.js reads it. Vertices and
 /// poses are the shortest decimals of their (nearest) doubles, bounding volumes have six digits.

@@ -203,11 +203,11 @@ void Poses::require(std::size_t k) const
   try {
     (*this)(k);
   } catch (const Error& error) {
-    throw renamed(error, "pose:", name_of(k) + ":");
+    throw renamed(error, "pose:", name(k) + ":");
   }
 }
 
-std::string Poses::name_of(std::size_t k) const { return is_one_ ? name_ : name_ + "[" + std::to_string(k) + "]"; }
+std::string Poses::name(std::size_t k) const { return is_one_ ? name_ : name_ + "[" + std::to_string(k) + "]"; }
 
 Pose Poses::made(std::size_t k) const
 {

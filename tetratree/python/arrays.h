@@ -100,8 +100,10 @@ class Poses {
   /// Throws Error that names pose `k` where it is none.
   void require(std::size_t k) const;
 
+  /// What messages call pose `k`.
+  std::string name(std::size_t k) const;
+
  private:
-  std::string name_of(std::size_t k) const;
   Pose made(std::size_t k) const;
 
   std::string name_;

@@ -1,10 +1,13 @@
 #include "tetracone/tetratree/python/motions.h"
 
+#include "tetracone/kernel/motion/rotation_quaternion.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/tetratree/python/arrays.h"
 
 #include <array>
+#include <cstddef>
 #include <optional>
+#include <string>
 
 namespace tetracone::python {
 
@@ -58,6 +61,30 @@ class Rigid_poses {
   std::size_t count_ = 1;
 };
 
+/// By the quaternions of matrices that are rotations, the short way round. Throws Error for another matrix.
+Motion rigid_motion(const kernel::Pose& from, const kernel::Pose& to)
+{
+  std::array<kernel::Rigid_pose, 2> ends;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const kernel::Pose& pose = k == 0 ? from : to;
+    const auto rotation = kernel::rotation_quaternion(pose);
+    if (!rotation)
+      throw Error("motion: the 3x3 part at t = " + std::to_string(k) +
+                  " is no rotation; expected one to 1e-5 in each entry, or quaternions");
+    ends[k] = {rotation->quaternion, {pose.exact(3), pose.exact(7), pose.exact(11)}};
+  }
+  kernel::take_short_way(ends[0], ends[1]);
+  return Motion(kernel::Body_motion::rigid(ends[0], ends[1]).value());
+}
+
+/// Whether these are matrices: quaternions and translations have another shape.
+bool are_matrices(const py::object& values, const std::string& name)
+{
+  if (values.is_none()) return false;
+  const Numbers numbers(values, name);
+  return numbers.dimensions() >= 2 && numbers.extent(numbers.dimensions() - 1) == 4;
+}
+
 }  // namespace
 
 Motions::Motions(const py::object& from, const py::object& to, const std::string& kind, const std::string& body)
@@ -75,6 +102,17 @@ Motions::Motions(const py::object& from, const py::object& to, const std::string
       first.require(i);
       last.require(j);
       return Motion::linear(first(i), last(j));
+    });
+  } else if (kind == "rigid" && (are_matrices(from, start) || are_matrices(to, end))) {
+    const Poses first(from, start), last(to, end);
+    make(first, last, [&](std::size_t i, std::size_t j) {
+      first.require(i);
+      last.require(j);
+      try {
+        return rigid_motion(first(i).exact(), last(j).exact());
+      } catch (const Error& error) {
+        throw renamed(error, "motion:", first.name(i) + ", " + last.name(j) + ":");
+      }
     });
   } else if (kind == "rigid") {
     const Rigid_poses first(from, start), last(to, end);

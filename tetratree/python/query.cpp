@@ -101,6 +101,23 @@ struct Pose_pairs {
   std::size_t count;
 };
 
+/// Throws TypeError for poses of both bodies by position: C++ has those of A first, Python those of B.
+void require_keywords(const py::args& more, const std::string& call)
+{
+  if (!more.empty())
+    throw py::type_error("query: poses of both bodies by position, whose order was misread; expected " + call);
+}
+
+/// The method `name` of poses of B, and by keyword alone of A: answer(query, poses of B, poses of A).
+template <auto answer>
+auto of_poses(const char* name)
+{
+  return [name](Locked_query& self, const py::object& poses_b, const py::args& more, const py::object& poses_a) {
+    require_keywords(more, std::string(name) + "(poses_a=..., poses_b=...)");
+    return answer(self, poses_b, poses_a);
+  };
+}
+
 /// answer(k, what the query says of pair k) for all pairs. Throws Error that names a pose which is none.
 template <class Answer_of>
 void ask_all(Locked_query& self, const Pose_pairs& poses, const Answer_of& answer)
@@ -147,9 +164,10 @@ py::object collide(Locked_query& self, const py::object& poses_b, const py::obje
   return answers;
 }
 
-py::object motion(Locked_query& self, const py::object& poses_b0, const py::object& poses_b1,
+py::object motion(Locked_query& self, const py::object& poses_b0, const py::object& poses_b1, const py::args& more,
                   const py::object& poses_a0, const py::object& poses_a1, const std::string& kind)
 {
+  require_keywords(more, "motion(poses_a0=..., poses_a1=..., poses_b0=..., poses_b1=...)");
   const Motions of_a(poses_a0, poses_a1, kind, "a"), of_b(poses_b0, poses_b1, kind, "b");
   if (of_a.count() != of_b.count() && of_a.count() != 1 && of_b.count() != 1)
     throw Error("query: " + std::to_string(of_a.count()) + " motions of a and " + std::to_string(of_b.count()) +
@@ -201,8 +219,10 @@ py::object distance(Locked_query& self, const py::object& poses_b, const py::obj
                         [](Query& query, const Pose& a, const Pose& b) { return query.distance(a, b); });
 }
 
-py::object within(Locked_query& self, const py::object& limit, const py::object& poses_b, const py::object& poses_a)
+py::object within(Locked_query& self, const py::object& limit, const py::object& poses_b, const py::args& more,
+                  const py::object& poses_a)
 {
+  require_keywords(more, "within(limit, poses_a=..., poses_b=...)");
   const std::string most = exact_text(limit);
   return all_of<bool>(self, Pose_pairs(poses_b, poses_a),
                       [&](Query& query, const Pose& a, const Pose& b) { return query.within(a, b, most); });
@@ -353,18 +373,19 @@ array([ True,  True, False])
 )")
       .def(py::init(&made_query), py::arg("a"), py::arg("b"), py::arg("question") = "solid",
            py::arg("kernel") = "adaptive", py::arg("method") = "tree", py::arg("remember") = false)
-      .def("collide", &collide, poses_b, poses_a, R"(collide(poses_b, poses_a=None)
+      .def("collide", of_poses<&collide>("collide"), poses_b, poses_a, R"(collide(poses_b, *, poses_a=None)
 
 Whether the bodies collide: array (n,) of bool; of one pose of each, a bool.
 
-poses_b, poses_a: poses of either body as `Query` says; None is the identity.
+poses_b, poses_a: poses of either body as `Query` says; None is the identity. Poses of both are given by their
+keywords: collide(poses_a=..., poses_b=...). TypeError for two sets by position.
 
 >>> import tetracone
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 >>> tetracone.Query(a, a).collide([["1/3", 0, 0, "2/3"], [0, 1, 0, 0], [0, 0, 1, 0]])
 True
 )")
-      .def("relation", &relation, poses_b, poses_a, R"(relation(poses_b, poses_a=None)
+      .def("relation", of_poses<&relation>("relation"), poses_b, poses_a, R"(relation(poses_b, *, poses_a=None)
 
 How the bodies stand: array (n,) of "apart", "surfaces" where the surfaces meet, "a_in_b" or "b_in_a"; of one pose of
 each, a str. Arguments as of `collide`.
@@ -374,7 +395,7 @@ each, a str. Arguments as of `collide`.
 >>> tetracone.Query(a, a).relation([[0.25, 0, 0, 0.125], [0, 0.25, 0, 0.125], [0, 0, 0.25, 0.125]])
 'b_in_a'
 )")
-      .def("distance", &distance, poses_b, poses_a, R"(distance(poses_b, poses_a=None)
+      .def("distance", of_poses<&distance>("distance"), poses_b, poses_a, R"(distance(poses_b, *, poses_a=None)
 
 How far apart the bodies are, or of question "solid" the solids, which are 0 apart where they collide: array (n,) of
 float, each the double nearest to the exact distance; of one pose of each, a float. Arguments as of `collide`. Of the
@@ -385,7 +406,7 @@ kernels adaptive and rational are exact, double is what it is; Error for others.
 >>> tetracone.Query(a, a).distance([[1, 0, 0, 1], [0, 1, 0, 1], [0, 0, 1, 0]])
 0.7071067811865476
 )")
-      .def("within", &within, py::arg("limit"), poses_b, poses_a, R"(within(limit, poses_b, poses_a=None)
+      .def("within", &within, py::arg("limit"), poses_b, poses_a, R"(within(limit, poses_b, *, poses_a=None)
 
 Whether that distance is at most `limit`, a number, a fractions.Fraction or a text "n/d", decided exactly: array (n,) of
 bool; of one pose of each, a bool. Other arguments as of `collide`.
@@ -397,7 +418,7 @@ True
 )")
       .def("motion", &motion, py::arg("poses_b0"), py::arg("poses_b1"), py::arg("poses_a0") = py::none(),
            py::arg("poses_a1") = py::none(), py::arg("kind") = "linear",
-           R"(motion(poses_b0, poses_b1, poses_a0=None, poses_a1=None, kind="linear")
+           R"(motion(poses_b0, poses_b1, *, poses_a0=None, poses_a1=None, kind="linear")
 
 When the moving bodies first share a point, exactly: array (n, 2) of doubles lo <= t <= hi, equal where the time is that
 double, else neighbours; NaN where they never meet. Of one pose at each end, a tuple (lo, hi), or None.
@@ -405,6 +426,8 @@ double, else neighbours; NaN where they never meet. Of one pose at each end, a t
 poses_b0, poses_b1, poses_a0, poses_a1: poses of either body at t = 0 and at t = 1; None is the identity.
 kind: "linear", of poses as `Query` says: every point moves on a line, M(t) = (1-t) M0 + t M1; or "rigid", of arrays
 (n, 7), a quaternion w x y z of any length and a translation: a rotation at every t, by the quaternion (1-t) q0 + t q1.
+A rigid motion may also be given by matrices that are rotations, exactly or to 1e-5 in each entry. Each stands for its
+quaternion of length 1, rounded to doubles unless the matrix is a rotation exactly, and the motion takes the short way.
 
 Raises Error for quaternions between which one is 0, for a kernel that is not adaptive, and for a face without triangles
 that is not star-shaped.
@@ -417,7 +440,7 @@ that is not star-shaped.
 >>> query.motion([[1, 0, 0, 0, 2, 0, 0]], [1, 0, 0, 1, 2, 2, 0], kind="rigid")
 array([[nan, nan]])
 )")
-      .def("features", &features, poses_b, poses_a, R"(features(poses_b, poses_a=None)
+      .def("features", of_poses<&features>("features"), poses_b, poses_a, R"(features(poses_b, *, poses_a=None)
 
 All pairs of an edge of one body and a face of the other that share a point: for each pose a structured array of `body`
 (0: an edge of a and a face of b; 1: the other way round), `edge_from`, `edge_to` (the edge's vertices), `face` and
@@ -429,7 +452,7 @@ All pairs of an edge of one body and a face of the other that share a point: for
 >>> len(found), found[0]
 (18, (0, 0, 1, 0, 'vertex-vertex'))
 )")
-      .def("contacts", &contacts, poses_b, poses_a, R"(contacts(poses_b, poses_a=None)
+      .def("contacts", of_poses<&contacts>("contacts"), poses_b, poses_a, R"(contacts(poses_b, *, poses_a=None)
 
 All pairs of faces that share a point, and where: a `Contacts` for each pose; a list of n of them, of one pose of each
 the `Contacts`. Arguments as of `collide`. Raises Error for a kernel that rounds.

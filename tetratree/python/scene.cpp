@@ -141,9 +141,13 @@ py::array frame(Locked_scene& self, const py::object& of_poses)
 }
 
 /// Pairs and times.
-py::tuple first_contacts(Locked_scene& self, const py::object& poses_1, const py::object& poses_0,
+py::tuple first_contacts(Locked_scene& self, const py::object& poses_1, const py::args& more, const py::object& poses_0,
                          const py::str& of_kind)
 {
+  if (!more.empty())
+    throw py::type_error(
+        "scene: poses at both times by position, whose order was misread; expected first_contacts(poses_0=..., "
+        "poses_1=...)");
   const std::string kind = text_of(of_kind);
   std::vector<Scene_contact> found;
   if (poses_0.is_none() && kind == "linear") {
@@ -241,7 +245,10 @@ budget: seconds for a frame; what is not decided then is `undecided`. 0: no limi
           a, b, "ignore(a, b)\n\nThese two are not asked for.")
       .def("place", &place, py::arg("number"), py::arg("pose"),
            "place(number, pose)\n\nPlaces a body from now on: (3, 4) or (4, 4), as `Query` says.")
-      .def("pairs", &pairs, "pairs()\n\nThe pairs of placed bodies that collide now: (m, 2) uint32, in order.")
+      .def("pairs", &pairs,
+           "pairs()\n\nThe pairs of placed bodies that collide now: (m, 2) uint32, in order. Raises Error where there "
+           "are "
+           "bodies and none is placed.")
       .def("frame", &frame, py::arg("poses"),
            R"(frame(poses)
 
@@ -249,16 +256,16 @@ Places all bodies, (n, 3, 4) or (n, 4, 4) in the order of their numbers, and ret
 uint32, in order. Raises Error for another number of poses, and for a pose that is none.)")
       .def("first_contacts", &first_contacts, py::arg("poses_1"), py::arg("poses_0") = py::none(),
            py::arg("kind") = "linear",
-           R"(first_contacts(poses_1, poses_0=None, kind="linear")
+           R"(first_contacts(poses_1, *, poses_0=None, kind="linear")
 
 Which bodies meet while all of them move, and when first, exactly: pairs (m, 2) uint32 and times (m, 2), doubles
 lo <= t <= hi of t in [0, 1] as `Query.motion` has them. In order of (lo, hi, pair): that of the exact times, but for
 those between the same two doubles. The bodies stand where they stood.
 
 poses_1: the poses of all bodies at t = 1, in the order of their numbers.
-poses_0: those at t = 0; None: where the bodies stand, of a linear motion; of a rigid one the identity.
-kind: "linear", of poses as `frame` takes them, or "rigid", of arrays (n, 7), a quaternion and a translation, as
-`Query.motion` says.
+poses_0: those at t = 0, by keyword; None: where the bodies stand, of a linear motion; of a rigid one the identity.
+kind: "linear", of poses as `frame` takes them, or "rigid", of arrays (n, 7), a quaternion and a translation, or of
+matrices that are rotations, as `Query.motion` says.
 
 Raises Error for another number of poses, for a body that stands nowhere, and as `Query.motion`.
 

@@ -95,9 +95,9 @@ class Scene {
   /// Places a body by a pose of the templates. Requires det M != 0.
   void place(std::size_t body, const kernel::Pose& pose);
 
-  /// Returns the pairs of placed bodies that collide now, in order. Only what moved is decided anew. Throws Error where a
-  /// model cannot be made, where an open one is asked for its solid, where the memory does not hold the models of one
-  /// pair, and as `Query::collide`. Asked again, it goes on where it was.
+  /// Returns the pairs of placed bodies that collide now, in order. Only what moved is decided anew. Throws Error where there
+  /// are bodies and none is placed, where a model cannot be made, where an open one is asked for its solid, where the memory
+  /// does not hold the models of one pair, and as `Query::collide`. Asked again, it goes on where it was.
   const std::vector<Scene_pair>& pairs();
   /// Places all bodies and returns `pairs`. Poses are in the order of the bodies' numbers, removed bodies left out. Throws
   /// Error for another count, and as `pairs`.

@@ -198,6 +198,9 @@ std::vector<std::size_t> Scene_data::present(std::size_t count, const std::strin
 
 const std::vector<Scene_pair>& Scene_data::pairs()
 {
+  // No pair of bodies that stand nowhere is no answer.
+  if (std::ranges::any_of(bodies_, &Placed_body::is_there) && std::ranges::none_of(bodies_, &Placed_body::is_placed))
+    throw Error("scene: no body has a pose; expected a body that is placed before pairs are asked for");
   kernel::require_exact_arithmetic();
   kernel::require_sound_floating_point();
   deadline_.reset();

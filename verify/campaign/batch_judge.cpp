@@ -174,9 +174,11 @@ class Object_batch : Working_batch<Object_subject> {
   {
     const Object_subject& subject = subjects_[s];
     running_[s]->forget();
-    const Findings::Answer answer = as_answer((*running_[s])(c, question));
+    const Outcome outcome = (*running_[s])(c, question);
+    const Findings::Answer answer = as_answer(outcome);
     found_.add_answer(subject.name, name_of(question), kind_of(c, away), truth, answer, running_[s]->spent());
     answers_[{s, question}].push_back(answer.not_asked ? std::nullopt : std::optional(answer.value.value_or(-1)));
+    if (outcome == Outcome::failed) found_.add_failure(subject.name, name_of(question), k, running_[s]->failure());
     if (answer.not_asked || answer.value == int(truth)) return;
     const auto stage = subject.own && answer.value ? blame(*subject.own, c, question, truth) : std::nullopt;
     if (stage) found_.add_blame(subject.name, name_of(question), *stage);
@@ -255,6 +257,7 @@ class Feature_batch : Working_batch<Object_subject> {
       const Listed listed = running_[s]->features(c);
       Findings::Answer answer{{}, listed.outcome == Outcome::not_asked};
       if (listed.outcome == Outcome::yes) answer.value = as_number(listed.pairs, truth);
+      if (listed.outcome == Outcome::failed) found_.add_failure(subjects_[s].name, question, k, running_[s]->failure());
       found_.add_answer(subjects_[s].name, question, kind_of(c, away), int(truth.size()), answer, running_[s]->spent());
       if (!answer.not_asked && answer.value != int(truth.size()) && k < kept_one_by_one)
         found_.add_wrong(c.origin, subjects_[s].name, question, away, int(truth.size()), answer, {});
@@ -311,6 +314,7 @@ class Contact_batch : Working_batch<Object_subject> {
       const Listed_contacts listed = running_[s]->contacts(c);
       Findings::Answer answer{{}, listed.outcome == Outcome::not_asked};
       if (listed.outcome == Outcome::yes) answer.value = as_number(listed.forms, truth);
+      if (listed.outcome == Outcome::failed) found_.add_failure(subjects_[s].name, question, k, running_[s]->failure());
       found_.add_answer(subjects_[s].name, question, kind_of(c, away), int(truth.size()), answer, running_[s]->spent());
       if (!answer.not_asked && answer.value != int(truth.size()) && k < kept_one_by_one)
         found_.add_wrong(c.origin, subjects_[s].name, question, away, int(truth.size()), answer, {});

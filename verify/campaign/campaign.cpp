@@ -107,6 +107,9 @@ constexpr const char* merge_attached = R"(
       FROM other.wrong JOIN renumbered ON run = there WHERE true;
     INSERT INTO main.blame SELECT here, level, family, subject, question, stage, n FROM other.blame JOIN renumbered ON run = there
       WHERE true ON CONFLICT DO UPDATE SET n = n + excluded.n;
+    INSERT INTO main.failure SELECT here, level, family, subject, question, how, n, first, said FROM other.failure JOIN renumbered ON run = there
+      WHERE true ON CONFLICT DO UPDATE SET n = n + excluded.n, said = iif(excluded.first < first, excluded.said, said),
+      first = min(first, excluded.first);
     INSERT INTO main.relation SELECT here, level, family, relation, subject, question, tried, violated, not_applicable
       FROM other.relation JOIN renumbered ON run = there WHERE true ON CONFLICT DO UPDATE SET tried = tried + excluded.tried,
       violated = violated + excluded.violated, not_applicable = not_applicable + excluded.not_applicable;

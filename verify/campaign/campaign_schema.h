@@ -27,6 +27,8 @@ namespace tetracone::verify {
 ///    the answer of both truths; but at the level 'motions' the second does not decide all, and by_construction is how
 ///    many it does.
 ///  - wrong: the wrong answers among the first `kept_one_by_one` cases of each family, one by one.
+///  - failure: how subjects failed, how often, and what they said the first time, on the case of number `first`. Of a
+///    program that is its last line of standard error, which need not be the same in another run.
 ///  - blame: wrong answers of rounding trees by the stage of first divergence.
 ///  - relation: how often a metamorphic relation was tried, did not apply, and was violated.
 ///  - flips: how often the answer changed in a sequence of frames, and how often the truth did.
@@ -55,6 +57,8 @@ CREATE TABLE IF NOT EXISTS wrong (run INTEGER, level TEXT, family TEXT, number I
   PRIMARY KEY (run, level, family, number, subject, question)) WITHOUT ROWID;
 CREATE TABLE IF NOT EXISTS blame (run INTEGER, level TEXT, family TEXT, subject TEXT, question TEXT, stage TEXT, n INTEGER,
   PRIMARY KEY (run, level, family, subject, question, stage)) WITHOUT ROWID;
+CREATE TABLE IF NOT EXISTS failure (run INTEGER, level TEXT, family TEXT, subject TEXT, question TEXT, how TEXT, n INTEGER,
+  first INTEGER, said TEXT, PRIMARY KEY (run, level, family, subject, question, how)) WITHOUT ROWID;
 CREATE TABLE IF NOT EXISTS relation (run INTEGER, level TEXT, family TEXT, relation TEXT, subject TEXT, question TEXT,
   tried INTEGER, violated INTEGER, not_applicable INTEGER,
   PRIMARY KEY (run, level, family, relation, subject, question)) WITHOUT ROWID;

@@ -110,6 +110,8 @@ class Distance_batch : Working_batch<Object_subject> {
         running_[s]->spent();  // of this answer, not of those that `right_statements` asks
     Findings::Answer answer{{}, told.outcome == Outcome::not_asked};
     if (told.outcome == Outcome::yes) answer.value = right_statements(c, *running_[s], question, told, a, b, square);
+    if (told.outcome == Outcome::failed)
+      found_.add_failure(subjects_[s].name, name_of(question), k, running_[s]->failure());
     found_.add_answer(subjects_[s].name, name_of(question), kind_of(c, away), distance_statements, answer, spent);
     if (!answer.not_asked && answer.value != distance_statements && k < kept_one_by_one)
       found_.add_wrong(c.origin, subjects_[s].name, name_of(question), away, distance_statements, answer, {});

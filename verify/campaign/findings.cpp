@@ -53,6 +53,15 @@ void Findings::add_wrong(const Origin& origin, const std::string& subject, const
   wrong_.push_back({origin, subject, question, distance, truth, answer, stage ? to_string(*stage) : ""});
 }
 
+void Findings::add_failure(const std::string& subject, const std::string& question, std::uint64_t number,
+                           const Failure& failure)
+{
+  Failures& failures = failures_[{{subject, question}, failure.how}];
+  if (failures.n++ > 0) return;
+  failures.first = number;
+  failures.said = failure.said;
+}
+
 void Findings::add_blame(const std::string& subject, const std::string& question, Stage stage)
 {
   ++blame_[{{subject, question}, to_string(stage)}];
@@ -118,6 +127,13 @@ void Findings::store(Database& database, std::int64_t run, std::uint64_t seed, s
   Statement flips(database, "INSERT OR REPLACE INTO flips VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8)");
   for (const auto& [asked, f] : flips_)
     flips.run(run, family_, asked.first, asked.second, f.frames, f.wrong, f.changes, f.true_changes);
+
+  Statement failure(database,
+                    "INSERT INTO failure VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9) ON CONFLICT DO UPDATE SET "
+                    "n = n + excluded.n, said = iif(excluded.first < first, excluded.said, said), "
+                    "first = min(first, excluded.first)");
+  for (const auto& [key, f] : failures_)
+    failure.run(run, level_, family_, key.first.first, key.first.second, key.second, f.n, f.first, f.said);
 
   // A failure has no answer: NULL.
   Statement wrong(

@@ -5,6 +5,7 @@
 #include "verify/cases/case.h"
 #include "verify/integer_truth/distance_to_degeneracy.h"
 #include "verify/subjects/blame.h"
+#include "verify/subjects/object_subject.h"
 #include "verify/subjects/spent.h"
 
 #include <compare>
@@ -41,6 +42,9 @@ class Findings {
                   const Answer& answer, const std::optional<Spent>& spent);
   void add_wrong(const Origin& origin, const std::string& subject, const std::string& question,
                  const Distance& distance, int truth, const Answer& answer, std::optional<Stage> stage);
+  /// What a subject left that failed on a case of this number.
+  void add_failure(const std::string& subject, const std::string& question, std::uint64_t number,
+                   const Failure& failure);
   void add_blame(const std::string& subject, const std::string& question, Stage stage);
   void add_relation(const std::string& relation, const std::string& subject, const std::string& question,
                     bool applicable, bool violated);
@@ -77,6 +81,11 @@ class Findings {
   struct Flips {
     std::int64_t frames = 0, wrong = 0, changes = 0, true_changes = 0;
   };
+  struct Failures {
+    std::int64_t n = 0;
+    std::uint64_t first = 0;  // the number of the case
+    std::string said;         // then
+  };
   struct Wrong {
     Origin origin;
     std::string subject, question;
@@ -93,6 +102,7 @@ class Findings {
   std::map<std::pair<Asked, std::string>, std::int64_t> blame_;
   std::map<std::tuple<std::string, std::string, std::string>, Tried> relation_;  // relation, subject, question
   std::map<Asked, Flips> flips_;
+  std::map<std::pair<Asked, std::string>, Failures> failures_;  // how
   std::vector<Wrong> wrong_;
   std::map<std::string, std::uint64_t> done_;
 };

@@ -90,6 +90,12 @@ constexpr Table all[] = {
      "sum(asking) / sum(n) AS ask_ns FROM time GROUP BY level, family, subject, question ORDER BY 1, 2, 3, 4"},
     {"families", "the families of cases: which levels ask them, what they have in common, what their parameter means",
      "SELECT levels, family, what, parameter, sweep FROM temp.family ORDER BY rowid"},
+    {"failures",
+     "how subjects failed, by family and question, and what they said the first time: of a program its last line of "
+     "standard error",
+     "SELECT level, family, subject, question, how, sum(n) AS n, min(said) AS said FROM failure GROUP BY level, "
+     "family, "
+     "subject, question, how ORDER BY 1, 2, 3, 4, 5"},
     {"commands", "subjects that are somebody else's programs, and what starts them",
      "SELECT subject, command FROM command ORDER BY 1"},
     {"runs", "what made the rows: version, compiler, flags, processor, seed, and the words that ask the same again",
@@ -140,6 +146,10 @@ std::string table_as_csv(Database& database, std::string_view name)
   const auto table = std::find_if(std::begin(all), std::end(all), [&](const Table& t) { return t.name == name; });
   assert(table != std::end(all));
   if (name == "sweeps" || name == "families") add_families(database);
+  // Databases of older versions have no failures.
+  if (name == "failures" &&
+      !Database::Statement(database, "SELECT 1 FROM sqlite_master WHERE name = 'failure'").with().next())
+    return "level,family,subject,question,how,n,said\n";
   Database::Statement rows(database, table->sql);
   const int columns = rows.columns();
   const bool has_rate = rows.name(columns - 1) == "of_n";

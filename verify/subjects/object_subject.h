@@ -28,6 +28,12 @@ enum class Outcome {
   failed      ///< crash, hang, exception
 };
 
+/// What a subject left that has failed.
+struct Failure {
+  std::string how;   ///< "status 3", "signal 11", "silent", "wrong line" or "exception"
+  std::string said;  ///< the last line of its standard error, and what is wrong with its line
+};
+
 /// What a subject lists of the features of two placed bodies.
 struct Listed {
   Outcome outcome = Outcome::not_asked;     ///< yes: it has listed
@@ -81,6 +87,8 @@ class Running_subject {
 
   /// The time of the last answer; nothing where the subject gave none, or does not know.
   virtual std::optional<Spent> spent() const { return std::nullopt; }
+  /// What the last answer left that was `failed`.
+  virtual Failure failure() const { return {"exception", ""}; }
 };
 
 /// The questions that a library knows. What it says to the other one is no error of its own.

@@ -179,7 +179,7 @@ def judge(function, cases):
 
     >>> from tetracone import Query, verify
     >>> def exact(case):
-    ...     return Query(case.a, case.b, case.question).collide(case.pose_b, case.pose_a)
+    ...     return Query(case.a, case.b, case.question).collide(poses_a=case.pose_a, poses_b=case.pose_b)
     >>> print(verify.judge(exact, verify.cases("stacked", 10)))
     family   question   n  false_positives  false_negatives  failures
     stacked  solid     10                0                0         0

@@ -69,12 +69,29 @@ BOOST_AUTO_TEST_CASE(fractions_that_are_doubles_make_a_pose_of_doubles)
   BOOST_TEST(!poses_of("2/2 0 0 1/4  0 1 0 0  0 0 1 0\n")[0].is_rational());
 }
 
+BOOST_AUTO_TEST_CASE(a_matrix_of_four_rows_stands_on_one_line_or_on_four)
+{
+  const std::string rows = "0 -1 0 1/3\n1 0 0 2  # y\n\n0,0,1,0.5\n0 0 0 1\n";
+  const auto poses = poses_of("0 -1 0 1/3  1 0 0 2  0 0 1 0.5  0 0 0 1\n" + rows + identity + rows);
+  BOOST_REQUIRE(poses.size() == 4u);
+  const auto expected = poses_of("0 -1 0 1/3 1 0 0 2 0 0 1 0.5\n")[0];
+  for (const int k : {0, 1, 3}) BOOST_TEST((poses[k] == expected), k);
+  BOOST_TEST(poses[2].is_identity());
+  const std::string last = " the last row of a 4x4 matrix is another; expected 0 0 0 1";
+  BOOST_TEST(error_of(identity + "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 2\n") == ":2:" + last);
+  BOOST_TEST(error_of("1 0 0 0\n0 1 0 0\n0 0 1 0\n0 1/9 0 1\n") == ":4:" + last);
+  BOOST_TEST(error_of("1 0 0 0\n0 1 0 0\n0 0 1 0\n" + identity) == ":4: 12 numbers; expected 4, row 4 of a 4x4 matrix");
+  BOOST_TEST(error_of("1 0 0 0\n0 1 0 0\n") == ":2: the file ends here; expected row 3 of a 4x4 matrix");
+  BOOST_TEST(error_of("1 0 0 0\n0 1 0 0\n0 x 1 0\n").starts_with(":3: 'x' as number 2"));
+}
+
 BOOST_AUTO_TEST_CASE(the_first_thing_wrong_is_named_with_its_line)
 {
   BOOST_TEST(error_of("") == ": holds no pose; expected twelve numbers a line");
   BOOST_TEST(error_of("# nothing\n\n") == ": holds no pose; expected twelve numbers a line");
-  BOOST_TEST(error_of(identity + "1 2 3\n") == ":2: 3 numbers; expected 12, the rows of a 3x4 matrix");
-  BOOST_TEST(error_of("#\n1 0 0 0 0 1 0 0 0 0 1 0 0\n") == ":2: 13 numbers; expected 12, the rows of a 3x4 matrix");
+  BOOST_TEST(error_of(identity + "1 2 3\n") == ":2: 3 numbers; expected 12 or 16, the rows of a 3x4 or 4x4 matrix");
+  BOOST_TEST(error_of("#\n1 0 0 0 0 1 0 0 0 0 1 0 0\n") ==
+             ":2: 13 numbers; expected 12 or 16, the rows of a 3x4 or 4x4 matrix");
   BOOST_TEST(error_of("1 0 0 0 0 x 0 0 0 0 1 0\n") ==
              ":1: 'x' as number 6; expected a finite decimal number or a fraction n/d");
   for (const std::string& word : std::vector<std::string>{"nan", "inf", "-inf", "1e400", "1/0", "1.5/2", "0x1",

@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(line_numbers_count_old_line_ends)
 {
   const Temporary_file file("poses.txt", mark + "# one\r# two\r1 2 3\r");
   BOOST_TEST(error_of(file, [](const auto& path) { read_poses(path); }) ==
-             ":3: 3 numbers; expected 12, the rows of a 3x4 matrix");
+             ":3: 3 numbers; expected 12 or 16, the rows of a 3x4 or 4x4 matrix");
 }
 
 BOOST_AUTO_TEST_CASE(utf_16_is_named)

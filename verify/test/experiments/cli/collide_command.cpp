@@ -163,4 +163,42 @@ BOOST_AUTO_TEST_CASE(contacts_of_a_face_that_is_not_planar_are_all_told_once)
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_case_is_replayed_through_somebody_elses_program)
+{
+  // Says no; declines what is turned; dies where B is moved by more than 2.
+  const Temporary_file script("mine.py", R"(
+import json, sys
+for line in sys.stdin:
+    m = json.loads(line)
+    if "ask" not in m: continue
+    if isinstance(m["pose_b"][3], (int, float)) and m["pose_b"][3] > 2:
+        print("first", file=sys.stderr)
+        print("the pose is too far", file=sys.stderr)
+        sys.exit(7)
+    print(json.dumps({"ask": m["ask"], "answer": None if m["pose_b"][1] else 0}), flush=True)
+)");
+  const std::string command = " --subject-command 'mine=" TETRACONE_PYTHON " " + script.path().native() + "'";
+  const std::string file = source + "/verify/corpus/double-false-negative-pose-vertex-vertex.case.json";
+  const Run own = run("collide " + file), replayed = run("collide " + file + command);
+  BOOST_TEST(own.out == "1\n");
+  BOOST_TEST(replayed.status == 0, replayed.error);
+  BOOST_TEST((replayed.out == "1 0\n" || replayed.out == "1 -\n"), replayed.out);
+  const Temporary_file file_b("poses.txt", poses + "0 -1 0 0 1 0 0 0 0 0 1 0\n");
+  const std::string words = "collide " + cube + " " + cube + " --pose-b " + in_quotes(file_b.path());
+  const Run many = run(words + " --compare float" + command);
+  BOOST_TEST(many.out == "1 1 0\n0 1 0\n0 0 failed\n1 1 -\n");
+  BOOST_TEST(many.status == 1);
+  BOOST_TEST(many.error == "mine failed on pose 2, status 7: the pose is too far\n");
+  const Run table = run(words + command + " --csv /dev/stdout");
+  BOOST_TEST(table.out == "pose,adaptive,mine\n0,1,0\n1,0,0\n2,0,failed\n3,1,-\n");
+  const auto json = nlohmann::json::parse(run(words + command + " --json").out);
+  BOOST_TEST(json[2]["answers"]["mine"].is_null());
+  BOOST_TEST(json[0]["answers"]["mine"] == 0);
+  for (const char* also : {" --features", " --contacts", " --relation", " --time --json"})
+    check_refused(words + command + also, "--subject-command");
+  check_refused("collide " + source + "/verify/corpus/double-false-negative-orientation.case.json" + command,
+                "asks a predicate");
+  check_refused(words + " --subject-command mine=/nowhere/program", "expected a program that the shell can run");
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -58,10 +58,13 @@ Json certificate_of(const Files& files, const std::string& question)
 BOOST_AUTO_TEST_CASE(distances_are_told_rounded_exactly_and_as_limits)
 {
   const Files files;
-  BOOST_TEST(run(files.words()).out == "1.346291201783626\n4.17612260356422\n0\n0.25\n3.605551275463989\n");
-  BOOST_TEST(run(files.words() + " --question solid").out ==
-             "1.346291201783626\n4.17612260356422\n0\n0\n3.605551275463989\n");
-  BOOST_TEST(run(files.words() + " --within 1/4").out == "0\n0\n1\n1\n0\n");
+  // One cube is in the other: the surfaces are apart, the solids, which are asked unless it is said otherwise, are not.
+  const std::string surface = " --question surface";
+  BOOST_TEST(run(files.words() + surface).out == "1.346291201783626\n4.17612260356422\n0\n0.25\n3.605551275463989\n");
+  BOOST_TEST(run(files.words()).out == "1.346291201783626\n4.17612260356422\n0\n0\n3.605551275463989\n");
+  BOOST_TEST(run(files.words() + " --within 1/4" + surface).out == "0\n0\n1\n1\n0\n");
+  BOOST_TEST(run(files.words() + " --within 1/5").out == "0\n0\n1\n1\n0\n");
+  BOOST_TEST(run(files.words() + " --within 1/5" + surface).out == "0\n0\n1\n0\n0\n");
   BOOST_TEST(
       run(files.words() + " --exact")
           .out.starts_with(
@@ -110,11 +113,40 @@ BOOST_AUTO_TEST_CASE(a_distance_beyond_the_largest_double_is_rounded_as_ieee_754
   }
 }
 
+BOOST_AUTO_TEST_CASE(nearest_points_are_the_doubles_nearest_to_the_exact_ones)
+{
+  const Files files;
+  BOOST_TEST(run(files.words() + " --points")
+                 .out.starts_with("1.346291201783626  1 1 0.25  1.5 2.25 0.25\n"
+                                  "4.17612260356422  1 0.9333333333333333 1  2.2 "
+                                  "0.9333333333333333 5\n0  "));
+  const Temporary_file csv("points.csv", "");
+  BOOST_TEST(run(files.words() + " --points --csv " + in_quotes(csv.path())).status == 0);
+  std::ifstream in(csv.path());
+  std::string header, row;
+  std::getline(in, header);
+  std::getline(in, row);
+  BOOST_TEST(header == "pose,distance,x0,y0,z0,x1,y1,z1");
+  BOOST_TEST(row == "0,1.346291201783626,1,1,0.25,1.5,2.25,0.25");
+}
+
+BOOST_AUTO_TEST_CASE(an_open_surface_is_told_the_question_that_it_has)
+{
+  const Files files;
+  const Temporary_file open("open.off", "OFF\n3 1 0\n0 0 3\n1 0 3\n0 1 3\n3 0 1 2\n");
+  const std::string words = "distance " + in_quotes(files.cube.path()) + " " + in_quotes(open.path());
+  for (const char* also : {"", " --within 1", " --exact", " --points"})
+    check_refused(words + also, "an open surface has no solid");
+  check_refused(words, "expected a closed polyhedron, or --question surface");
+  BOOST_TEST(run(words + " --question surface").out == "2\n");
+}
+
 BOOST_AUTO_TEST_CASE(bad_use_is_refused)
 {
   const Files files;
-  for (const char* words : {"--within nan", "--within x", "--kernel epick", "--question both", "--time", "--repeat 0",
-                            "--exact --within 1", "--exact --kernel double"})
+  for (const char* words :
+       {"--within nan", "--within x", "--kernel epick", "--question both", "--time", "--repeat 0", "--exact --within 1",
+        "--exact --kernel double", "--points --exact", "--points --within 1", "--points --kernel double"})
     check_refused(files.words() + " " + words, "expected");
 }
 

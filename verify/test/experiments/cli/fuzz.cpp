@@ -145,4 +145,20 @@ BOOST_AUTO_TEST_CASE(bad_use_is_one_line)
   check_refused("collide " + in_quotes(bad.path()), ":2: /format is unknown");
 }
 
+BOOST_AUTO_TEST_CASE(one_family_is_fuzzed_alone_and_other_names_are_refused)
+{
+  const Temporary_folder folder("fuzz_family");
+  const std::string words = "fuzz --seconds 3 --subject double --out " + in_quotes(folder.path()) + " --family ";
+  const Run r = run(words + "vertex-on-face --family stacked");
+  BOOST_TEST(r.status == 0, r.error);
+  BOOST_REQUIRE(!files_of(folder.path()).empty());
+  for (const auto& path : files_of(folder.path())) {
+    const std::string family = verify::read_case(path).object ? verify::read_case(path).object->origin.family
+                                                              : verify::read_case(path).points->origin.family;
+    BOOST_TEST((family == "vertex-on-face" || family == "stacked"), path << ": " << family);
+  }
+  check_refused(words + "vertex-on-fase", "expected one of random, ");
+  check_refused(words + "point-on-face", "--family point-on-face");
+}
+
 BOOST_AUTO_TEST_SUITE_END()

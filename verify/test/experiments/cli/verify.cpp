@@ -149,7 +149,9 @@ import json, sys
 for line in sys.stdin:
     m = json.loads(line)
     if "ask" not in m: continue
-    if m["pose_b"][1] != 0: sys.exit(1)
+    if m["pose_b"][1] != 0:
+        print("no turned pose is taken", file=sys.stderr)
+        sys.exit(1)
     print(json.dumps({"ask": m["ask"], "answer": 0 if m["question"] == "surface" else None}), flush=True)
 )");
   const std::string command = TETRACONE_PYTHON " " + script.path().native();
@@ -166,6 +168,14 @@ for line in sys.stdin:
   BOOST_TEST_REQUIRE(sums.with().next());
   for (int k = 0; k < 4; ++k) BOOST_TEST(sums.integer(k) > 0, k);
   BOOST_TEST(sums.integer(0) + sums.integer(3) == 2 * 3 * 16);
+  // A crash is told with its last words, under the table and in one of its own.
+  BOOST_TEST(first.out.find("\nobject mine failed " + std::to_string(sums.integer(2)) +
+                            " times, status 1: no turned pose is taken\n") != std::string::npos,
+             first.out);
+  const std::string failures = run("report " + db.path + " --table failures").out;
+  BOOST_TEST(failures.starts_with("level,family,subject,question,how,n,said\nobject,"), failures);
+  BOOST_TEST(failures.find(",mine,surface,status 1,") != std::string::npos, failures);
+  BOOST_TEST(failures.find(",no turned pose is taken\n") != std::string::npos, failures);
   BOOST_TEST(run("report " + db.path + " --table relations").out.find(",mine,") != std::string::npos);
   BOOST_TEST(run("report " + db.path + " --table commands").out == "subject,command\nmine," + command + "\n");
   const std::string before = tables(db.path);
@@ -226,6 +236,16 @@ BOOST_AUTO_TEST_CASE(bad_words_are_one_line_and_status_2)
         std::string("--shard 1"), std::string("--shard -1/2"), std::string("--cases 0"), std::string("--cases x"),
         std::string("--level nothing"), std::string("--seed -1")})
     check_refused("verify --db " + db.path + " " + arguments);
+  // What would ask nothing, in whole or in a part that is named.
+  const std::string mine = "--subject-command 'mine=cat'";
+  for (const std::string& arguments :
+       {"--level predicate " + mine, "--level predicate --subject mine " + mine, "--level rays --cases 3 " + mine,
+        std::string("--level points --family sliver"), std::string("--level object --family scene-grid"),
+        std::string("--level scenes --family sliver"), std::string("--level predicate --subject 'double paper'"),
+        std::string("--level contacts --subject float")})
+    check_refused("verify --db " + db.path + " " + arguments);
+  check_refused("verify --db " + db.path + " --level predicate " + mine,
+                "level predicate asks no such subject; expected another level, family or subject");
   BOOST_TEST(!std::filesystem::exists(db.path));
   for (const std::string& arguments :
        {"verify --db " + text.path().native(), "report " + text.path().native(), "report " + db.path,

@@ -148,6 +148,15 @@ with tempfile.TemporaryDirectory(prefix="tetracone_view_") as name, Browser() as
                                  "frames": [row(1.5 if k % 2 else 0.05) for k in range(60)]}))
     scene = view(folder / "scene.html", cubes)
 
+    # Models whose faces are triangles, as those of every STL: two that collide and one apart.
+    (folder / "corner.stl").write_text("solid corner\n" + "".join(
+        "facet normal 0 0 0\nouter loop\n" + "".join(f"vertex {x} {y} {z}\n" for x, y, z in face) + "endloop\nendfacet\n"
+        for face in (((0, 0, 0), (0, 1, 0), (1, 0, 0)), ((0, 0, 0), (1, 0, 0), (0, 0, 1)), ((0, 0, 0), (0, 0, 1), (0, 1, 0)),
+                     ((1, 0, 0), (0, 1, 0), (0, 0, 1)))) + "endsolid corner\n")
+    (folder / "corners.scene.json").write_text(json.dumps({"models": {"corner": "corner.stl"}, "bodies": [{"model": "corner"}] * 3,
+                                                           "frames": [[[1, 0, 0, x, 0, 1, 0, 0, 0, 0, 1, 0] for x in (0, 0.5, 2)]]}))
+    corners = view(folder / "corners.html", folder / "corners.scene.json")
+
     # Every page loads without an error and draws something.
     for page in (case, predicate, alone, denormal):
         state = browser.state(page, "show=a,b,edges,features,contacts,left,covering,tetrahedra,spheres,hull")
@@ -238,6 +247,8 @@ with tempfile.TemporaryDirectory(prefix="tetracone_view_") as name, Browser() as
     apart, together = (browser.picture(scene, f"frame={k}") for k in (1, 0))
     check(hue(apart, "a") > 500 and hue(apart, "orange") == 0, "bodies that are apart are blue")
     check(hue(together, "orange") > 500 and hue(together, "a") == 0, "bodies that collide are orange")
+    drawn = browser.picture(corners)
+    check(hue(drawn, "a") > 500 and hue(drawn, "orange") > 500, "bodies of triangles are drawn")
     shown = browser.play(scene, 20)
     check(shown["errors"] == [] and shown["bodies"] == 200, f"the scene's page: {shown}")
     check(shown["drawn"] >= 20, f"{shown['drawn']} pictures while a scene of 200 bodies played")

@@ -61,10 +61,15 @@ for line in sys.stdin:
     if mode: x = 2 if mode not in ("column", "twice") else 0
     if x == 3: os.abort()
     elif x == 4: put("no JSON")
-    elif x == 5: time.sleep(60)
+    elif x == 5:
+        print("thinking", file=sys.stderr, flush=True)
+        time.sleep(60)
     elif x == 6: put({"ask": m["ask"] + 1, "answer": 1})
     elif x == 7: put({"ask": m["ask"], "answer": len(bodies) % 2})
     elif x == 8: put({"ask": m["ask"], "answer": True})
+    elif mode == "endless":
+        put({"ask": m["ask"], "answer": None})
+        while True: print("again", file=sys.stderr)
     elif x == 2 or mode in ("held", "forgetful", "banner", "once"): put({"ask": m["ask"], "answer": None})
     elif mode == "column": put({"ask": m["ask"], "answer": int(all(-1 <= a - b <= 1 for a, b in zip(m["pose_b"][9:], m["pose_a"][9:])))})
     elif mode == "twice":
@@ -147,6 +152,31 @@ BOOST_AUTO_TEST_CASE(what_goes_wrong_is_a_failure_and_the_next_question_is_answe
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_failure_keeps_how_the_program_ended_and_its_last_words)
+{
+  const auto left_by = [](const std::string& words) {
+    const auto running = experiments::subject_command("mine", words, 300ms).make();
+    BOOST_TEST((*running)(along(1), Question::surface) == Outcome::failed, words);
+    const verify::Failure failure = running->failure();
+    return failure.how + ": " + failure.said;
+  };
+  const std::string asked = "head -n 3 >/dev/null; ";
+  BOOST_TEST(left_by("echo first >&2; " + asked + "printf 'out of\\tmemory \\n\\n' >&2; exit 3") ==
+             "status 3: out of?memory");
+  BOOST_TEST(left_by(asked + "echo '\"quoted\", last' >&2; kill -11 $$") == "signal 11: \"quoted\", last");
+  BOOST_TEST(left_by("exit 0") == "status 0: ");
+  const std::string wrong = left_by("echo hm >&2; echo no JSON; exec sleep 60");
+  BOOST_TEST((wrong.starts_with("wrong line: ") && wrong.ends_with("; hm")), wrong);
+  // One who writes without end is silent all the same.
+  const auto running = experiments::subject_command("mine", command("endless"), 300ms).make();
+  BOOST_TEST((*running)(along(1), Question::surface) == Outcome::not_asked);
+  BOOST_TEST((*running)(along(1), Question::surface) == Outcome::failed);
+  BOOST_TEST(running->failure().how == "silent");
+  BOOST_TEST(std::string("again").starts_with(running->failure().said));
+  // More than a pipe holds, of which the last line counts.
+  BOOST_TEST(left_by("yes error | head -n 100000 >&2; echo at last >&2; exit 4") == "status 4: at last");
+}
+
 BOOST_AUTO_TEST_CASE(silence_past_the_limit_is_a_failure)
 {
   const auto running = experiments::subject_command("mine", command(), 300ms).make();
@@ -156,6 +186,8 @@ BOOST_AUTO_TEST_CASE(silence_past_the_limit_is_a_failure)
   const auto took = std::chrono::steady_clock::now() - start;
   BOOST_TEST((took >= 300ms));
   BOOST_TEST((took < 20s));
+  BOOST_TEST(running->failure().how == "silent");
+  BOOST_TEST(running->failure().said == "thinking");
   BOOST_TEST((*running)(along(1), Question::surface) == Outcome::yes);
 }
 

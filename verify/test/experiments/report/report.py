@@ -101,6 +101,8 @@ def campaign():
                for m, t in (("sliding on a floor", 0), ("rolling", 0), ("down onto a face", 1)) for s in ("double tree", "adaptive tree")],
         truth=[dict(level=l, family=f, question="surface", n=40, positives=20, by_construction=5) for l in ("object", "predicate")
                for f in ("random", "sliver")],
+        failures=[dict(level="object", family=f, subject="mine", question="surface", how="signal 11", n=n, said="out of <memory>")
+                  for f, n in (("random", 2), ("sliver", 5))],
         runs=[dict(MADE, run=k, real_meshes=1, again=words) for k, words in enumerate(CAMPAIGN)])
 
 
@@ -295,6 +297,9 @@ class Whole_report(unittest.TestCase):
         missed = [(list(line.get_xdata()), list(line.get_ydata())) for line in axes[1].get_lines()]
         self.assertEqual(missed, [([0, 1], [100, 10]), ([4], [0]), ([2], [20])])
         plt.close(figure)
+
+    def test_a_crash_is_told_with_its_last_words(self):
+        self.assertIn("<td>mine</td><td>signal 11</td><td>7</td><td><small>out of &lt;memory&gt;</small></td>", self.page)
 
     def test_budgets_say_what_was_wrong_and_demand_what_share_was_made(self):
         self.assertIn("160 pairs, 0 decided wrong, 0 farther apart than said", self.page)

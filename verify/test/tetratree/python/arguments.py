@@ -36,10 +36,10 @@ class Arrays(Case):
         for rows in (3, 4):
             for kind in ("f8", "i8", "?", "U3", object):
                 none = np.empty((0, rows, 4), kind)
-                for poses in ((none,), (none, None), (None, none), (none, none), (IDENTITY, none), (none, [IDENTITY])):
-                    self.assertEqual(self.query.collide(*poses).shape, (0,), kind)
-                    self.assertEqual(self.query.relation(*poses).shape, (0,), kind)
-                    self.assertEqual(self.query.features(*poses), [], kind)
+                for b, a in ((none, None), (None, none), (none, none), (IDENTITY, none), (none, [IDENTITY])):
+                    self.assertEqual(self.query.collide(b, poses_a=a).shape, (0,), kind)
+                    self.assertEqual(self.query.relation(poses_a=a, poses_b=b).shape, (0,), kind)
+                    self.assertEqual(self.query.features(b, poses_a=a), [], kind)
         for kind in ("f8", object):
             self.assertEqual(cube.inside(np.empty((0, 3), kind)).shape, (0,))
 

@@ -46,7 +46,14 @@ def random_poses(n, seed):
     return poses
 
 
-class Answers(unittest.TestCase):
+class Case(unittest.TestCase):
+    def error(self, line, function, *arguments, **options):
+        with self.assertRaises(Error) as raised:
+            function(*arguments, **options)
+        self.assertEqual(str(raised.exception), line)
+
+
+class Answers(Case):
     def program(self, *words):
         if not PROGRAM:
             self.skipTest("no program")
@@ -108,8 +115,51 @@ class Answers(unittest.TestCase):
         poses[0, :, :3] /= 4
         said = query.relation(poses)
         self.assertEqual(said.tolist(), ["b_in_a", "surfaces", "surfaces", "apart"])
-        self.assertEqual(query.relation(None, poses[0]), "a_in_b")
+        self.assertEqual(query.relation(None, poses_a=poses[0]), "a_in_b")
         self.assertEqual(Query(Body(*CUBE), Body(*CUBE), "surface").relation(poses[0]), "apart")
+
+    def test_poses_of_both_bodies_go_by_keyword(self):
+        cube = Body(*CUBE)
+        query, scene = Query(cube, cube), tetracone.Scene([cube] * 2)
+        small = np.diag([0.25, 0.25, 0.25, 1])[:3]
+        small[:, 3] = 0.25
+        self.assertEqual(query.relation(poses_a=small, poses_b=IDENTITY), "a_in_b")
+        self.assertEqual(query.relation(poses_b=small, poses_a=IDENTITY), "b_in_a")
+        for name in ("collide", "relation", "distance", "features", "contacts"):
+            with self.assertRaisesRegex(TypeError, rf"^query: poses of both .*; expected {name}\(poses_a=..., poses_b=...\)$"):
+                getattr(query, name)(small, IDENTITY)
+        with self.assertRaisesRegex(TypeError, r"expected within\(limit, poses_a=..., poses_b=...\)$"):
+            query.within(1, small, IDENTITY)
+        with self.assertRaisesRegex(TypeError, r"expected motion\(poses_a0=..., poses_a1=..., poses_b0=..., poses_b1=...\)$"):
+            query.motion(small, small, IDENTITY, IDENTITY)
+        with self.assertRaisesRegex(TypeError, r"expected first_contacts\(poses_0=..., poses_1=...\)$"):
+            scene.first_contacts([IDENTITY] * 2, [IDENTITY] * 2)
+
+    def test_bodies_that_stand_nowhere_have_no_pairs(self):
+        scene = tetracone.Scene([Body(*CUBE)] * 2)
+        self.error("scene: no body has a pose; expected a body that is placed before pairs are asked for", scene.pairs)
+        scene.place(0, IDENTITY)
+        self.assertEqual(scene.pairs().tolist(), [])
+        scene.place(1, IDENTITY)
+        self.assertEqual(scene.pairs().tolist(), [[0, 1]])
+        self.assertEqual(tetracone.Scene().pairs().tolist(), [])
+
+    def test_rigid_motions_of_matrices_are_those_of_their_quaternions(self):
+        cube = Body(*CUBE)
+        query = Query(cube, cube)
+        start = np.array([[0.6, -0.8, 0, 3], [0.8, 0.6, 0, 0.25], [0, 0, 1, 0.25], [0, 0, 0, 1]])
+        end = np.array([[0, 1, 0, 0.5], [-1, 0, 0, 0.25], [0, 0, 1, 0.25], [0, 0, 0, 1]])
+        half = np.sqrt(0.5)
+        lo, hi = query.motion(start, end, kind="rigid")
+        # The quaternions of the matrices turn on the short way round: through the identity.
+        quaternions = [[2 / np.sqrt(5), 0, 0, 1 / np.sqrt(5), 3, 0.25, 0.25], [half, 0, 0, -half, 0.5, 0.25, 0.25]]
+        np.testing.assert_allclose((lo, hi), query.motion(*quaternions, kind="rigid"), rtol=1e-12)
+        self.assertTrue(0 < lo < 1)
+        self.assertEqual(query.motion(start[None], end, kind="rigid").shape, (1, 2))
+        for wrong in (2 * start, np.diag([1, 1, -1, 1]), start + 1e-3 * np.eye(4, k=1)):
+            wrong[3] = [0, 0, 0, 1]
+            self.error("poses_b0, poses_b1: the 3x3 part at t = 1 is no rotation; expected one to 1e-5 in each entry, or quaternions",
+                       query.motion, start, wrong, kind="rigid")
 
     def test_first_contacts_of_a_scene_are_those_of_its_pairs(self):
         random, n = np.random.default_rng(8), 16
@@ -118,17 +168,17 @@ class Answers(unittest.TestCase):
         linear = [translations(*random.integers(-2, 3, (n, 3))) for _ in range(2)]
         rigid = [np.hstack([random.uniform(0.1, 1, (n, 4)), random.integers(-2, 3, (n, 3))]) for _ in range(2)]
         for kind, (start, end) in (("linear", linear), ("rigid", rigid)):
-            pairs, times = scene.first_contacts(end, start, kind=kind)
+            pairs, times = scene.first_contacts(end, poses_0=start, kind=kind)
             expected = []
             for a in range(n):
                 for b in range(a + 1, n):
-                    first = query.motion(start[b], end[b], start[a], end[a], kind=kind)
+                    first = query.motion(start[b], end[b], poses_a0=start[a], poses_a1=end[a], kind=kind)
                     expected += [(*first, a, b)] if first else []
             self.assertGreater(len(expected), 3)
             self.assertEqual([(*t, *p) for t, p in zip(times.tolist(), pairs.tolist())], sorted(expected))
         for number, pose in enumerate(linear[0]):
             scene.place(number, pose)
-        for placed, given in zip(scene.first_contacts(linear[1]), scene.first_contacts(linear[1], linear[0])):
+        for placed, given in zip(scene.first_contacts(linear[1]), scene.first_contacts(linear[1], poses_0=linear[0])):
             self.assertEqual(placed.tolist(), given.tolist())
 
     def test_a_hole_is_empty(self):
@@ -190,15 +240,15 @@ class Arrays(unittest.TestCase):
     def test_one_pose_of_either_goes_with_many_of_the_other(self):
         poses = random_poses(20, 5)
         one = poses[0]
-        both = self.query.collide(poses, np.repeat(one[None], 20, 0))
-        self.assertEqual(self.query.collide(poses, one).tolist(), both.tolist())
-        self.assertEqual(self.query.collide(poses, one[None]).tolist(), both.tolist())
-        self.assertEqual(self.query.collide(one, poses).tolist(), self.query.collide(np.repeat(one[None], 20, 0), poses).tolist())
+        both = self.query.collide(poses, poses_a=np.repeat(one[None], 20, 0))
+        self.assertEqual(self.query.collide(poses, poses_a=one).tolist(), both.tolist())
+        self.assertEqual(self.query.collide(poses, poses_a=one[None]).tolist(), both.tolist())
+        self.assertEqual(self.query.collide(one, poses_a=poses).tolist(), self.query.collide(np.repeat(one[None], 20, 0), poses_a=poses).tolist())
         self.assertIs(type(self.query.collide(one)), bool)
         self.assertIs(type(self.query.collide(None)), bool)
         self.assertEqual(self.query.collide(one[None]).shape, (1,))
         self.assertEqual(self.query.collide(np.zeros((0, 3, 4))).shape, (0,))
-        self.assertEqual(self.query.collide(np.zeros((0, 3, 4)), one[None]).shape, (0,))
+        self.assertEqual(self.query.collide(np.zeros((0, 3, 4)), poses_a=one[None]).shape, (0,))
 
     def test_numbers_that_are_no_doubles_are_exact(self):
         # Between 1 and the next double: apart in truth, touching when rounded.
@@ -219,10 +269,10 @@ class Arrays(unittest.TestCase):
         far = translations([1, 0, 0]).astype(object)
         far[0, 0, 3] = n + 2
         near = translations([n, 0, 0])
-        self.assertFalse(query.collide(far, near)[0])
+        self.assertFalse(query.collide(far, poses_a=near)[0])
         far[0, 0, 3] = n + 1
-        self.assertTrue(query.collide(far, near)[0])
-        self.assertTrue(query.collide(far.astype("i8"), near)[0])
+        self.assertTrue(query.collide(far, poses_a=near)[0])
+        self.assertTrue(query.collide(far.astype("i8"), poses_a=near)[0])
 
     def test_a_pose_of_four_rows_may_be_of_fractions(self):
         pose = np.array([[Fraction(1, 3), 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]], dtype=object)
@@ -232,11 +282,7 @@ class Arrays(unittest.TestCase):
             self.query.collide(pose)
 
 
-class Errors(unittest.TestCase):
-    def error(self, line, function, *arguments, **options):
-        with self.assertRaises(Error) as raised:
-            function(*arguments, **options)
-        self.assertEqual(str(raised.exception), line)
+class Errors(Case):
 
     def test_every_wrong_pose_is_named(self):
         cube = Body(*CUBE)
@@ -247,7 +293,7 @@ class Errors(unittest.TestCase):
             wrong = poses.copy()
             wrong[k, 2, 3] = value
             self.error(line, collide, wrong)
-            self.error(line.replace("_b", "_a"), collide, poses, wrong)
+            self.error(line.replace("_b", "_a"), collide, poses, poses_a=wrong)
             texts = "poses_b[%d]: entry 12 of 12 is '%s'; expected a finite decimal number or a fraction n/d" % (k, value)
             self.error(texts, collide, wrong.astype(object))
         flat = poses.copy()
@@ -261,7 +307,7 @@ class Errors(unittest.TestCase):
         shapes = "expected (n, 3, 4) or (n, 4, 4), or one pose (3, 4) or (4, 4)"
         for shape in ((), (12,), (3, 3), (2, 4, 3), (2, 2, 3, 4), (4, 5)):
             self.error(f"poses_b: an array of shape {shape}; {shapes}", collide, np.ones(shape))
-        self.error("query: 2 poses of a and 3 of b; expected as many, or one of either", collide, poses[:3], poses[:2])
+        self.error("query: 2 poses of a and 3 of b; expected as many, or one of either", collide, poses[:3], poses_a=poses[:2])
         self.error("poses_b: rows of different lengths; expected an array of numbers", collide, [[1, 2], [3]])
         self.error("poses_b: an array of complex128; expected numbers", collide, poses.astype(complex))
         self.error("poses_b: entry 1 of 12 is 'a dict'; expected a finite decimal number or a fraction n/d", collide,
@@ -320,7 +366,7 @@ class Errors(unittest.TestCase):
         self.error("scene: body 0 has no pose; expected a placed body", scene.first_contacts, [IDENTITY] * 2)
         self.error("scene: 3 poses of 2 bodies; expected one a body", scene.first_contacts, [IDENTITY] * 3)
         self.error("motion: 2 poses at t = 0 and 3 at t = 1; expected as many, or one of either", scene.first_contacts,
-                   np.ones((3, 7)), np.ones((2, 7)), "rigid")
+                   np.ones((3, 7)), poses_0=np.ones((2, 7)), kind="rigid")
         with self.assertRaises(ValueError):  # what numpy's users catch
             Query(cube, cube, "both")
 

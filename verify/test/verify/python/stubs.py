@@ -23,10 +23,10 @@ def stub_of(name):
 
 
 def parameters(function):
-    """Names and defaults of a definition."""
+    """Names and defaults of a definition; a name that is a keyword alone has a star."""
     a = function.args
-    names = [p.arg for p in a.posonlyargs + a.args]
-    defaults = [None] * (len(names) - len(a.defaults)) + [ast.literal_eval(d) for d in a.defaults]
+    names = [p.arg for p in a.posonlyargs + a.args] + ["*" + p.arg for p in a.kwonlyargs]
+    defaults = [None] * (len(a.posonlyargs + a.args) - len(a.defaults)) + [d and ast.literal_eval(d) for d in a.defaults + a.kw_defaults]
     return list(zip(names, defaults))
 
 
@@ -37,7 +37,7 @@ def real_parameters(function):
     except ValueError:
         line = function.__doc__.splitlines()[0]
         return parameters(ast.parse(f"def {line}: ...").body[0])
-    return [(p.name, None if p.default is p.empty else p.default) for p in given]
+    return [("*" * (p.kind is p.KEYWORD_ONLY) + p.name, None if p.default is p.empty else p.default) for p in given]
 
 
 def names_of(body):

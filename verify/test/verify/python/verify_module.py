@@ -18,7 +18,7 @@ from tetracone import Body, Error, Query, verify
 
 
 def by(kernel, method="tree"):
-    return lambda case: Query(case.a, case.b, case.question, kernel, method).collide(case.pose_b, case.pose_a)
+    return lambda case: Query(case.a, case.b, case.question, kernel, method).collide(poses_a=case.pose_a, poses_b=case.pose_b)
 
 
 class Harness(unittest.TestCase):
