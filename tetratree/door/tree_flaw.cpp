@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace tetracone::detail {
@@ -47,16 +48,21 @@ class Tree_check {
  public:
   Tree_check(const Bvh8_elements& elements, std::span<const Bvh8_node> nodes) : elements_(elements), nodes_(nodes)
   {
-    begin_.reserve(elements.count() + 1);
-    for (std::vector<double>& of_axis : at_) of_axis.reserve(3 * std::size_t(elements.count()));
-    for (Index e = 0; e < elements.count(); ++e) {
-      begin_.push_back(at_[0].size());
+    const Index count = elements.count();
+    of_elements_.reserve(count, 3 * std::size_t(count));
+    of_blocks_.reserve(count / block + 1, count);
+    std::vector<Index> seen_in(elements.model().vertices().size(), std::numeric_limits<Index>::max());
+    for (Index e = 0; e < count; ++e) {
+      of_elements_.begin();
+      if (e % block == 0) of_blocks_.begin();
       elements.for_vertices(elements[e], [&](Index v) {
         const Vector p = elements.local(v);
-        for (int k = 0; k < 3; ++k) at_[k].push_back(p[k]);
+        of_elements_.add(p);
+        if (std::exchange(seen_in[v], e / block) != e / block) of_blocks_.add(p);
       });
     }
-    begin_.push_back(at_[0].size());
+    of_elements_.begin();
+    of_blocks_.begin();
   }
 
   std::optional<std::string> flaw()
@@ -144,7 +150,7 @@ class Tree_check {
     if (!is_bounded || !(reach <= boxes.reach && boxes.reach <= 8 * most_coordinate))
       return at(n, lane) + " has a box of other numbers than boxes have";
     if (!kernel::is_nearly_orthonormal(axes)) return at(n, lane) + " has axes that are not orthonormal";
-    const Vector reached = largest(axes, Vector(centre[0], centre[1], centre[2]), begin_[first], begin_[last]);
+    const Vector reached = largest(axes, Vector(centre[0], centre[1], centre[2]), first, last);
     const double margin = defect_share * kernel::maximum(reached[0], reached[1], reached[2]) + position_share;
     for (int i = 0; i < 3; ++i)
       if (!(reached[i] + margin <= double(boxes.extent[i][lane])))
@@ -158,38 +164,80 @@ class Tree_check {
   {
     const kernel::Apex_code code = Bvh8_node::apex(nodes_[n].child[std::size_t(lane)]);
     if (code == 0) return true;
-    if (begin_[element + 1] - begin_[element] != 3) return false;
+    const std::size_t begin = of_elements_.begins[element];
+    if (of_elements_.begins[element + 1] - begin != 3) return false;
     std::array<Vector, 3> corners;
     for (std::size_t c = 0; c < 3; ++c)
-      for (int k = 0; k < 3; ++k) corners[c][k] = at_[k][begin_[element] + c];
+      for (int k = 0; k < 3; ++k) corners[c][k] = of_elements_.at[k][begin + c];
     const auto& origin = nodes_[n].boxes.origin;
     return kernel::Apex_box(nodes_[n].boxes, lane, Vector(origin[0], origin[1], origin[2])).holds(corners, code);
   }
 
-  /// max |a_i . (p - c)| of points first .. last, for each axis. Requires finite numbers.
-  Vector largest(const kernel::Matrix& axes, const Vector& centre, std::size_t first, std::size_t last) const
+  /// Points one group after the other, in local units: the corners of an element, or of a block of elements.
+  struct Points {
+    std::vector<std::size_t> begins;  // of each group, and behind the last
+    std::array<std::vector<double>, 3> at;
+
+    void reserve(std::size_t groups, std::size_t points)
+    {
+      begins.reserve(groups + 1);
+      for (std::vector<double>& of_axis : at) of_axis.reserve(points);
+    }
+    void begin() { begins.push_back(at[0].size()); }
+    void add(const Vector& p)
+    {
+      for (int k = 0; k < 3; ++k) at[std::size_t(k)].push_back(p[k]);
+    }
+  };
+
+  /// max |a_i . (p - c)| of the corners of elements first .. last, for each axis. Requires finite numbers.
+  Vector largest(const kernel::Matrix& axes, const Vector& centre, Index first, Index last) const
   {
-    std::array<Two_doubles, 3> most{};
-    const auto take = [&](const std::array<Two_doubles, 3>& p) {
-      const std::array<Two_doubles, 3> y{p[0] - centre[0], p[1] - centre[1], p[2] - centre[2]};
-      for (int i = 0; i < 3; ++i)
-        most[std::size_t(i)] = kernel::larger(
-            most[std::size_t(i)], kernel::magnitudes(axes(0, i) * y[0] + axes(1, i) * y[1] + axes(2, i) * y[2]));
-    };
-    std::size_t k = first;
-    for (; k + 2 <= last; k += 2)
-      take({kernel::two_from(&at_[0][k]), kernel::two_from(&at_[1][k]), kernel::two_from(&at_[2][k])});
-    if (k < last) take({kernel::two_times(at_[0][k]), kernel::two_times(at_[1][k]), kernel::two_times(at_[2][k])});
+    Largest most{axes, centre, {}};
+    const Index first_block = (first + block - 1) / block, last_block = last / block;
+    if (first_block < last_block) {
+      most.take(of_elements_, first, first_block * block);
+      most.take(of_blocks_, first_block, last_block);
+      most.take(of_elements_, last_block * block, last);
+    } else {
+      most.take(of_elements_, first, last);
+    }
     Vector result;
-    for (int i = 0; i < 3; ++i) result[i] = kernel::maximum(most[std::size_t(i)][0], most[std::size_t(i)][1]);
+    for (std::size_t i = 0; i < 3; ++i) result[int(i)] = kernel::maximum(most.most[i][0], most.most[i][1]);
     return result;
   }
+
+  /// The largest so far, of two points at a time.
+  struct Largest {
+    const kernel::Matrix& axes;
+    const Vector& centre;
+    std::array<Two_doubles, 3> most;
+
+    /// Groups first .. last.
+    void take(const Points& points, Index first, Index last)
+    {
+      std::size_t k = points.begins[first];
+      const std::size_t end = points.begins[last];
+      const auto& [x, y, z] = points.at;
+      for (; k + 2 <= end; k += 2) take({kernel::two_from(&x[k]), kernel::two_from(&y[k]), kernel::two_from(&z[k])});
+      if (k < end) take({kernel::two_times(x[k]), kernel::two_times(y[k]), kernel::two_times(z[k])});
+    }
+    void take(const std::array<Two_doubles, 3>& p)
+    {
+      const std::array<Two_doubles, 3> y{p[0] - centre[0], p[1] - centre[1], p[2] - centre[2]};
+      for (std::size_t i = 0; i < 3; ++i)
+        most[i] = kernel::larger(
+            most[i], kernel::magnitudes(axes.col(i)[0] * y[0] + axes.col(i)[1] * y[1] + axes.col(i)[2] * y[2]));
+    }
+  };
+
+  /// Elements of a block, which are near one another, share most corners: large boxes are asked about each once a block.
+  static constexpr Index block = 64;
 
   const Bvh8_elements& elements_;
   std::span<const Bvh8_node> nodes_;
   std::vector<Below> open_;
-  std::vector<std::size_t> begin_;         // of each element: where its corners begin
-  std::array<std::vector<double>, 3> at_;  // the corners of all elements, in local units
+  Points of_elements_, of_blocks_;
 };
 
 }  // namespace
