@@ -147,8 +147,8 @@ class Contact_plane {
   const Integer_form& height_over(int body, const Vertex& v) { return sum_at(body, v, Pair_motion::exponent_of(v)); }
 
   Times_before* times_;
-  int low_;  // the body whose vertices may be on the plane
-  CGAL::Sign sense_ = CGAL::ZERO;  // of heights of the other one
+  int low_;                                            // the body whose vertices may be on the plane
+  CGAL::Sign sense_ = CGAL::ZERO;                      // of heights of the other one
   std::array<std::array<Integer_form, 4>, 2> height_;  // of either body: x, y, z and 1
   std::array<std::vector<Coefficient>, 2> coefficient_;
   Integer_form sum_;  // kept, as `factor_`, for its memory

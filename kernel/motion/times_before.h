@@ -64,10 +64,7 @@ class Times_before {
   }
 
   /// The sign that it has at all of them. Zero where it has none, and where this does not tell.
-  CGAL::Sign sign(const Integer_form& form)
-  {
-    return sgn(form.at_start()) == 0 ? CGAL::ZERO : sign_after_start(form);
-  }
+  CGAL::Sign sign(const Integer_form& form) { return sgn(form.at_start()) == 0 ? CGAL::ZERO : sign_after_start(form); }
 
  private:
   /// False where a form is not G times a form without roots up to the end: that changes its sign in T's cell.

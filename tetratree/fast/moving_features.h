@@ -462,8 +462,9 @@ class Moving_feature_search {
       return;
     }
     ++stages_.by_roots;
-    std::optional<kernel::Time_root> time = exact_motion(features, motion())
-        .first_contact({kernel::Integer(static_cast<unsigned long>(span.m())), span.k()});
+    std::optional<kernel::Time_root> time =
+        exact_motion(features, motion())
+            .first_contact({kernel::Integer(static_cast<unsigned long>(span.m())), span.k()});
     if (!time || (best_ && !time->is_before(best_->time))) return;
     best_before_ = kernel::bounds_about(*time).hi;
     latest_ = span_->share_before(best_before_);
