@@ -287,6 +287,60 @@ Moving_bodies tiny_fractions(Random& random)
   return c;
 }
 
+/// A box from -1 to 1 along x and y, its top and its bottom cut into n x n squares of two triangles each.
+Polyhedron plate(int n, double low, double high)
+{
+  Polyhedron body;
+  for (const double z : {low, high})
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; j <= n; ++j) body.vertices.push_back({2.0 * i / n - 1, 2.0 * j / n - 1, z});
+  const auto number = [&](bool is_top, int i, int j) {
+    return static_cast<covering::Index>(((is_top ? n + 1 : 0) + i) * (n + 1) + j);
+  };
+  const auto add = [&](covering::Index p, covering::Index q, covering::Index r, covering::Index s) {
+    body.add_polygon({p, q, r});
+    body.add_polygon({p, r, s});
+  };
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      add(number(false, i, j), number(false, i, j + 1), number(false, i + 1, j + 1), number(false, i + 1, j));
+      add(number(true, i, j), number(true, i + 1, j), number(true, i + 1, j + 1), number(true, i, j + 1));
+    }
+  for (int k = 0; k < n; ++k) {
+    const auto wall = [&](const std::array<int, 2>& p, const std::array<int, 2>& q) {
+      add(number(false, p[0], p[1]), number(false, q[0], q[1]), number(true, q[0], q[1]), number(true, p[0], p[1]));
+    };
+    wall({k, 0}, {k + 1, 0});
+    wall({k + 1, n}, {k, n});
+    wall({0, k + 1}, {0, k});
+    wall({n, k}, {n, k + 1});
+  }
+  return body;
+}
+
+/// A plate of many triangles that lands on a box or on its like, flat or tilted by little: straight down, aslant, in
+/// stretched coordinates, or while it turns about the normal.
+Moving_bodies landings(Random& random)
+{
+  const int n = 1 + below(random, 3);
+  Moving_bodies c{below(random, 2) == 0 ? box({-2, -2, -1}, {2, 2, 0}) : plate(n, -0.25, 0), plate(n, 0, 0.25), {}, {}};
+  const double tilt = below(random, 3) == 0 ? std::ldexp(1, -10 - below(random, 40)) : 0;
+  const double x = sixteenth(random), y = sixteenth(random), up = 0.25 + below(random, 3) * 0.25,
+               down = below(random, 4) == 0 ? 0 : -0.0625 - below(random, 12) * 0.0625;
+  const int kind = below(random, 4);
+  if (kind == 3) {
+    c.motion_a = {rigid(1, 0, 0, 0, {0, 0, 0}), rigid(1, 0, 0, 0, {0, 0, 0})};
+    c.motion_b = {rigid(1, tilt, 0, 0, {x, y, up}), rigid(1, tilt, 0, sixteenth(random), {x, y, down})};
+    return c;
+  }
+  const double grown = kind == 2 ? 1 + below(random, 3) * 0.25 : 1, aside = kind == 1 ? sixteenth(random) : 0;
+  c.motion_a = {shifted({0, 0, 0}), shifted({0, 0, 0})};
+  c.motion_b = {shifted({x, y, up}), shifted({x + aside, y, down})};
+  for (const int k : {0, 5, 10}) c.motion_a[1][std::size_t(k)] = c.motion_b[1][std::size_t(k)] = grown;
+  c.motion_b[0][8] = c.motion_b[1][8] = tilt;
+  return c;
+}
+
 constexpr std::array of_bodies = {
     Moving_body_family{1, "motion-anywhere", "linear between nearly rigid poses", anywhere},
     Moving_body_family{2, "motion-one-turns", "rigid, the other body rests", one_turns},
@@ -304,6 +358,7 @@ constexpr std::array of_bodies = {
     Moving_body_family{14, "motion-tiny-fractions",
                        "those before, huge bodies under fractions that are rounded to denormals, or to 0",
                        tiny_fractions},
+    Moving_body_family{15, "motion-landings", "plates of many triangles land flat, or tilted by little", landings},
 };
 
 }  // namespace

@@ -68,4 +68,24 @@ BOOST_AUTO_TEST_CASE(common_divisors_have_the_common_roots)
   BOOST_TEST(same(form<4>({0, 6, -4, 0}).primitive(), form<2>({3, -2})));
 }
 
+BOOST_AUTO_TEST_CASE(a_quotient_is_found_where_the_form_is_a_divisor)
+{
+  // In v: (2v - 1) (v + 3), and what differs from it a little.
+  const Integer_form divisor = form<2>({-1, 2}), product = form<3>({-3, 5, 2});
+  const auto found = exact_quotient(product, divisor);
+  BOOST_REQUIRE(found.has_value());
+  BOOST_TEST(same(*found, form<2>({3, 1})));
+  BOOST_TEST(!exact_quotient(form<3>({-3, 5, 3}), divisor));
+  BOOST_TEST(!exact_quotient(form<3>({-3, 6, 2}), divisor));
+  BOOST_TEST(!exact_quotient(form<3>({-2, 5, 2}), divisor));
+  BOOST_TEST(!exact_quotient(form<1>({2}), divisor));
+}
+
+BOOST_AUTO_TEST_CASE(a_part_of_the_time_may_begin_and_end_at_any_dyadic_times)
+{
+  const Integer_form f = form<4>({3, -7, 5, 2}), part = f.between(1, 7, 3);
+  // At quarter k of the part: t = (4 + 6 k) / 32, the form times 8^3 at s + t = 4.
+  for (int k = 0; k <= 4; ++k) BOOST_TEST(part.at(4 - k, k) == f.at(28 - 6 * k, 4 + 6 * k));
+}
+
 BOOST_AUTO_TEST_SUITE_END()

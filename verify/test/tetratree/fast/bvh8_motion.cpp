@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <utility>
 
 BOOST_AUTO_TEST_SUITE(test_bvh8_motion)
 
@@ -231,6 +232,99 @@ BOOST_AUTO_TEST_CASE(faces_of_no_area_and_bodies_of_any_size_meet_too)
   const auto time = onto(rests, shift({0.25, 0.25, 2}, {0.25, 0.25, 0}));
   BOOST_REQUIRE(time.has_value());
   BOOST_TEST(bounds_about(time->time).lo == 0.5);
+}
+
+namespace {
+
+/// A box from -1 to 1 along x and y, with the top and the bottom cut into n x n squares of two triangles each.
+Polyhedron plate(Index n, double low, double high)
+{
+  Polyhedron body;
+  for (const double z : {low, high})
+    for (Index i = 0; i <= n; ++i)
+      for (Index j = 0; j <= n; ++j) body.vertices.push_back({2.0 * i / n - 1, 2.0 * j / n - 1, z});
+  const Index side = n + 1, top = side * side;
+  const auto add = [&](Index p, Index q, Index r, Index s) {
+    body.add_polygon({p, q, r});
+    body.add_polygon({p, r, s});
+  };
+  for (Index i = 0; i < n; ++i)
+    for (Index j = 0; j < n; ++j) {
+      const Index p = side * i + j;
+      add(p, p + 1, p + side + 1, p + side);
+      add(top + p, top + p + side, top + p + side + 1, top + p + 1);
+    }
+  for (Index k = 0; k < n; ++k) {
+    const auto wall = [&](Index p, Index q) { add(p, q, top + q, top + p); };
+    wall(side * k, side * (k + 1));
+    wall(side * (k + 1) + n, side * k + n);
+    wall(k + 1, k);
+    wall(side * n + k, side * n + k + 1);
+  }
+  return body;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(features_that_land_together_need_no_number_each)
+{
+  const Polyhedron table = scenes::triangulated(scenes::box({-4, -4, -1}, {4, 4, 0}));
+  const auto rigid = [](double turn, double x, const Rational& z) {
+    return tetracone::kernel::Rigid_pose{{1, 0, 0, turn}, {x, 0.125, z}};
+  };
+  const Body_motion still = Body_motion::rigid({}, {}).value();
+  for (const Index n : {4u, 16u}) {
+    const Bvh8 of_table(table), of_plate(plate(n, 0, 0.25)), of_like(plate(n, -0.25, 0));
+    Bvh8_motion onto_table(of_table, of_plate), onto_like(of_like, of_plate);
+    // At a dyadic time, at a third, while it slides, while it turns, and at the end.
+    const std::array<std::pair<Body_motion, double>, 6> motions = {
+        {{shift({0.25, 0.125, 1}, {0.25, 0.125, -1}), 0.5},
+         {shift({0.25, 0.125, 1}, {0.25, 0.125, -2}), 1.0 / 3},
+         {shift({0, 0.125, 1}, {1, -0.25, -2}), 1.0 / 3},
+         {Body_motion::rigid(rigid(0, 0.25, 1), rigid(0, 0.25, -2)).value(), 1.0 / 3},
+         {Body_motion::rigid(rigid(0, 0.25, 1), rigid(1, 0.25, -2)).value(), 1.0 / 3},
+         {shift({0.25, 0.125, 1}, {0.25, 0.125, 0}), 1}}};
+    for (const auto& [moves, time] : motions)
+      for (Bvh8_motion* motion : {&onto_table, &onto_like}) {
+        motion->clear_counts();
+        const auto found = (*motion)(moves.ends() ? rests : still, moves);
+        BOOST_REQUIRE(found.has_value());
+        const Time_bounds bounds = bounds_about(found->time);
+        BOOST_TEST((bounds.lo <= time && time <= bounds.hi));
+        BOOST_TEST(motion->stages().by_roots < 12u);
+        BOOST_TEST(motion->stages().by_signs < 24u);
+        BOOST_TEST((n < 16 || motion->stages().by_planes > 16u));
+      }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_reaches_beyond_the_plane_of_a_landing_is_met_first)
+{
+  // A post on the table, and a peg under the plate, each by a hair beyond the planes that land on one another.
+  for (const double beyond : {0.0, 0x1p-50, 0x1p-30, 0.125, -0x1p-30})
+    for (const bool is_below : {false, true}) {
+      const auto with = [](Polyhedron body, const Polyhedron& part) {
+        const auto first = Index(body.vertices.size());
+        body.vertices.insert(body.vertices.end(), part.vertices.begin(), part.vertices.end());
+        for (Index f = 0; f < part.face_count(); ++f)
+          body.add_polygon({first + part.loop(f, 0)[0], first + part.loop(f, 0)[1], first + part.loop(f, 0)[2]});
+        return body;
+      };
+      const auto post = [](double low, double high) {
+        return scenes::triangulated(scenes::box({0.25, 0.25, low}, {0.375, 0.5, high}));
+      };
+      Polyhedron below = plate(6, -0.25, 0), above = plate(6, 0, 0.25);
+      if (is_below)
+        below = with(below, post(-0.125, beyond));
+      else
+        above = with(above, post(-beyond, 0.125));
+      const Bvh8 a(below), b(above);
+      const auto found = Bvh8_motion(a, b)(rests, shift({0, 0, 1}, {0, 0, -2}));
+      BOOST_REQUIRE(found.has_value());
+      const Time_bounds bounds = bounds_about(found->time);
+      const Rational time = (Rational(1) - (beyond > 0 ? Rational(beyond) : Rational(0))) / 3;
+      BOOST_TEST((Rational(bounds.lo) <= time && time <= Rational(bounds.hi)));
+    }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,101 @@
+#include "tetracone/kernel/motion/contact_plane.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+#include <optional>
+
+BOOST_AUTO_TEST_SUITE(test_contact_plane)
+
+using namespace tetracone::kernel;
+
+namespace {
+
+Body_motion shift(const Vertex& from, const Vertex& to)
+{
+  return Body_motion::linear(Pose::translation(from[0], from[1], from[2]), Pose::translation(to[0], to[1], to[2]));
+}
+
+const Body_motion rests = shift({0, 0, 0}, {0, 0, 0});
+const std::array<Vertex, 4> on_face = {{{0.25, 0.25, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+const std::array<Vertex, 4> on_edge = {{{0, 0, 0}, {1, 0, 0}, {0.5, -1, 0}, {0.5, 1, 0}}};
+
+std::optional<Time_root> first_contact(const Pair_motion& motion, Moving_kind kind, int body,
+                                       const std::array<Vertex, 4>& corner)
+{
+  std::array<Form_vector, 4> points;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const int of = kind == Moving_kind::vertex_face ? (k == 0 ? body : 1 - body) : k < 2 ? 0 : 1;
+    points[k] = motion.image(of, corner[k], -10);
+  }
+  return Exact_motion(kind, points, motion.square()).first_contact();
+}
+
+/// A's points are at most at height 0, B's above it, until B's plane z = 0 comes to A's.
+void check_sides(Contact_plane& plane)
+{
+  BOOST_REQUIRE(plane.is_defined());
+  BOOST_TEST(plane.holds(0, {5, 7, 0}));
+  BOOST_TEST(plane.holds(0, {0.5, -7, -1}));
+  BOOST_TEST(!plane.holds(0, {0, 0, 0x1p-60}));
+  BOOST_TEST(!plane.holds(0, {0, 0, 4}));
+  BOOST_TEST(plane.holds(1, {9, -9, 0}));
+  BOOST_TEST(plane.holds(1, {0.125, 3, 0x1p-10}));
+  BOOST_TEST(plane.holds(1, {0, 0, 1}));
+  BOOST_TEST(!plane.holds(1, {0, 0, -0x1p-60}));
+  BOOST_TEST(!plane.holds(1, {0, 0, -0.5}));
+  plane.use_units({Motion_units{{0, 0, 0}, 1}, {{0, 0, 0}, 1}});
+  const auto box = [](double z) { return Moving_box{{0.25, 0.25, z}, {Vertex{0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.25}}}; };
+  BOOST_TEST(plane.holds(1, box(0.5)));
+  BOOST_TEST(!plane.holds(1, box(0.25)));
+  BOOST_TEST(!plane.holds(1, box(0)));
+  BOOST_TEST(plane.holds(0, box(-0.5)));
+  BOOST_TEST(!plane.holds(0, box(-0.25)));
+  BOOST_TEST(!plane.holds(0, box(0.5)));
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(a_plane_parts_what_lands_together_at_a_dyadic_time_and_at_a_third)
+{
+  for (const double down : {-1.0, -2.0})
+    for (const Moving_kind kind : {Moving_kind::vertex_face, Moving_kind::edge_edge}) {
+      const Pair_motion motion(rests, shift({0, 0, 1}, {0, 0, down}));
+      const auto& corner = kind == Moving_kind::vertex_face ? on_face : on_edge;
+      std::optional<Time_root> time = first_contact(motion, kind, 1, corner);
+      BOOST_REQUIRE(time.has_value());
+      BOOST_TEST(time->is_dyadic() == (down == -1));
+      Times_before times({0, 0}, *time);
+      Contact_plane plane(times.over(motion), times, kind, 1, corner);
+      check_sides(plane);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_plane_parts_what_lands_together_after_a_turn)
+{
+  // B turns about an axis above A, and comes down by a rotation alone or by both: its plane z = 0 lands flat.
+  const Body_motion still = Body_motion::rigid({}, {}).value();
+  const Body_motion turns = Body_motion::rigid({{1, 0, 0, 0}, {0, 0, 1}}, {{1, 0, 0, 1}, {0, 0, Rational(-2)}}).value();
+  const Pair_motion motion(still, turns);
+  const std::array<Vertex, 4> corner = {{{0, 0, 0}, {-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}};
+  std::optional<Time_root> time = first_contact(motion, Moving_kind::vertex_face, 1, corner);
+  BOOST_REQUIRE(time.has_value());
+  Times_before times({0, 0}, *time);
+  Contact_plane plane(times.over(motion), times, Moving_kind::vertex_face, 1, corner);
+  check_sides(plane);
+}
+
+BOOST_AUTO_TEST_CASE(parallel_edges_and_vertices_that_stay_in_the_plane_have_none)
+{
+  const Pair_motion motion(rests, shift({0, 0, 1}, {0, 0, -1}));
+  Time_root half(1, 1);
+  Times_before times({0, 0}, half);
+  const Contact_plane parallel(times.over(motion), times, Moving_kind::edge_edge, 0,
+                               {{{0, 0, 0}, {1, 0, 0}, {0.5, 0, 0}, {2, 0, 0}}});
+  BOOST_TEST(!parallel.is_defined());
+  const Contact_plane upright(times.over(motion), times, Moving_kind::vertex_face, 1,
+                              {{{0.5, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 0, -1}}});
+  BOOST_TEST(!upright.is_defined());
+}
+
+BOOST_AUTO_TEST_SUITE_END()
