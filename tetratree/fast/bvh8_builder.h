@@ -415,7 +415,7 @@ class Bvh8_builder {
   static constexpr Index most_seen = 32768,  ///< elements sampled for a spread or a cut
       most_fitted = 128,                     ///< elements sampled for the axes of a box
       most_by_corners = 256,                 ///< elements of a part up to which cuts bound corners, not centroids
-      fewest_in_cones = 64;                  ///< up to so many elements, no plane through the origin is tried
+      fewest_in_cones = 64;                  ///< up to this many elements, no plane through the origin is tried
   static constexpr double steep = 0.05,      ///< lower bound of the sines and cosines by which cones may cut a part
       reach_of_bins = 2.5;                   ///< half width of the bins, in standard deviations
 };

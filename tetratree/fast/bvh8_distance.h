@@ -617,7 +617,8 @@ class Bvh8_distance {
   std::array<std::array<Placed_triangle, slots>, 2> triangles_;
   std::vector<Candidate> candidates_;
   kernel::Double_vector along_{};                   // from A's point to B's, of the pair with the least upper bound
-  double high_ = 0, nearest_ = 0, low_limit_ = -1;  // bounds of the distance; a distance that is enough
+  double high_ = 0, nearest_ = 0, low_limit_ = -1;  // least upper bound of the distance; least computed distance; lower
+                                                    // bound of the limit, or -1
   std::optional<std::pair<Leaf_element, Leaf_element>> last_;  // the nearest pair in the last pose
   Query_statistics counts_;
 };

@@ -95,6 +95,7 @@ class Bvh8_front {
       if (!map->is_similarity() || !(map->frame().error() <= most_error * map->scale())) return false;
     return true;
   }
+  /// Upper bound of the error of a certifiable map, as a fraction of its scale.
   static constexpr double most_error = 0x1p-26;
 
   /// Upper bound of the relative difference by which the least stretch of B's exact map is below the length of its

@@ -68,7 +68,7 @@ class Span_reference {
   bool is_certifiable() const { return is_certifiable_; }
 
   /// Writes the test of a node of body `body` against box `lane` of a node of the other. `apex` says where a triangle
-  /// lies in that box. The reference must outlive the test. Requires `is_certifiable` for a meaningful result.
+  /// lies in that box. The reference must outlive the test, which is meaningless unless `is_certifiable`.
   void ask(kernel::Sweep_test& test, std::size_t body, const kernel::Obb8& boxes, const kernel::Obb8& from, int lane,
            float apex, const kernel::Known_times& known) const
   {
