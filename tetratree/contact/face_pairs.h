@@ -190,6 +190,7 @@ class Face_pairs {
     }
   }
 
+  /// Adds the common pieces of a pair, by exact signs and rationals.
   void add_contact(Body& a, const kernel::Pose& pose_a, Body& b, const kernel::Pose& pose_b, const Face_pair& pair,
                    Found_contacts& found)
   {
@@ -207,6 +208,7 @@ class Face_pairs {
     }
   }
 
+  /// Returns the piece of two triangles that signs have decided.
   static Found_piece piece(const Face_pair& pair, const kernel::Triangle_contact& contact)
   {
     const auto held = [&](auto edges_of) {
@@ -241,6 +243,7 @@ class Face_pairs {
     return first != kernel::ZERO && std::ranges::all_of(vertices, [&](Index v) { return side(v) == first; });
   }
 
+  /// Returns a face in rationals, from the cache if it is there.
   const kernel::Rational_face& exact_face(const Contact_faces& faces, int body, const kernel::Pose& pose, Index f)
   {
     const auto known = exact_faces_[body].find(f);

@@ -102,6 +102,7 @@ class Binned_cuts {
     }
   };
 
+  /// Number of bins.
   static constexpr std::size_t count = 64;
 
   Pencil pencil_;

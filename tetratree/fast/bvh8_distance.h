@@ -49,6 +49,7 @@ struct Nearest_pair {
 template <class K = kernel::Adaptive>
 class Bvh8_distance {
  public:
+  /// True when K's signs are exact, so that the answer is the double nearest to the distance.
   static constexpr bool is_exact = kernel::Kernel_traits<K>::exact_signs;
   /// False for the kernel that decides every pair of triangles exactly, without bounds in double.
   static constexpr bool is_filtered = !std::is_same_v<K, kernel::Rational_kernel>;
@@ -141,6 +142,7 @@ class Bvh8_distance {
  private:
   using Box = Index;
 
+  /// Element k of a leaf's box.
   struct Leaf_element {
     Box box;
     Index k;
@@ -177,6 +179,7 @@ class Bvh8_distance {
     }
   };
 
+  /// Places both bodies, and forgets the bounds of the last pose.
   void place(const Pose& pose_a, const Pose& pose_b)
   {
     const kernel::Local_scale &in_a = tree_[0]->scale(), &in_b = tree_[1]->scale();
@@ -199,6 +202,7 @@ class Bvh8_distance {
     low_limit_ = -1;
   }
 
+  /// Takes the upper bound of the pair that was nearest in the last pose.
   void start_with_last()
   {
     if (last_) compare(last_->first, last_->second);
@@ -210,6 +214,7 @@ class Bvh8_distance {
     return tree_[body]->element(leaf.box / 8, int(leaf.box % 8), leaf.k);
   }
 
+  /// Returns an element's placed triangle, from its slot if it is there.
   const kernel::Edged_triangle& triangle(int body, const Leaf_element& leaf, const Element& element)
   {
     Placed_triangle& slot = triangles_[std::size_t(body)][(leaf.box + leaf.k) % slots];
@@ -353,6 +358,7 @@ class Bvh8_distance {
       for (Index j = 0; j < tree_[1]->leaf_count(b / 8, int(b % 8)); ++j) compare({a, i}, {b, j});
   }
 
+  /// Returns the size of a root's box, in the unit of sizes, negative for a leaf.
   float size_of_root(int body) const
   {
     const Bvh8_node& node = tree_[body]->node(0);
@@ -420,6 +426,7 @@ class Bvh8_distance {
     }
   }
 
+  /// Returns an element in exact coordinates.
   kernel::Exact_face exact_face(int body, const Element& element)
   {
     kernel::Exact_face face;
@@ -518,6 +525,7 @@ class Bvh8_distance {
     std::swap(*first, candidates_.front());
   }
 
+  /// Returns enclosures of the corners that span a feature.
   kernel::Ball_hull enclosed_corners(int body, const Element& element, unsigned feature) const
   {
     kernel::Ball_hull hull;
@@ -564,6 +572,7 @@ class Bvh8_distance {
     return kernel::Rational(bottom * weight * weight);
   }
 
+  /// Returns the answer for a pair with its exact distance.
   Nearest_pair told(const Candidate& pair)
   {
     const kernel::Exact_distance& found = *pair.exact;
@@ -612,6 +621,7 @@ class Bvh8_distance {
   Pair_queue<Box_pair, 1> queue_;
   std::array<Opening, kernel::most_gap_tests> open_;
   std::array<kernel::Gap_test, kernel::most_gap_tests> tests_;
+  /// Cached triangles per body.
   static constexpr std::size_t slots = 64;
   std::uint64_t place_ = 0;  // the number of the present placement
   std::array<std::array<Placed_triangle, slots>, 2> triangles_;

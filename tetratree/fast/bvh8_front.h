@@ -25,23 +25,23 @@ namespace tetracone::tetratree {
 /// The memory of a pair of bodies from one pose to the next: the front of the last descent with certificates, the pair
 /// of leaves that met, and what decided. It changes speed, never an answer.
 ///
-/// The front covers all pairs of elements. An entry is either some lanes of a node and a box of the other body, with a
-/// lower bound of their gap, or a pair of leaves, with a lower bound of their distance. Gaps and motions are in A's
-/// local units; A stands still.
+/// The front covers all pairs of elements. An entry is either some lanes of a node and a box of the other body, or a
+/// pair of leaves. It has a lower bound of their gap. Gaps and motions are in A's local units; A stands still.
 ///
 /// Bodies mostly go on as they went. So the step between two poses gives B a course (`kernel::Course`), and later poses
 /// are multiples of that step. The stray is an upper bound of the distance between a point and where the course
 /// predicts it.
 ///
-/// A gap shrinks by three bounds. Along an axis fixed to A, a step shrinks it by at most the entry's rate; along any
-/// other, by at most the pace. The stray shrinks it further. An entry holds until these have used up its gap
-/// (`Front_entries`). Then only that entry is tested again, and if it is no longer apart, the descent goes on from
-/// there. A large stray sets B on a new course.
+/// A step takes at most the entry's rate off a gap along an axis fixed to A, and at most the pace off any distance. The
+/// stray takes more. An entry holds until these have used up its gap (`Front_entries`). Then only that entry is tested
+/// again, and if it is no longer apart, the descent goes on from there. A large stray sets B on a new course.
 ///
-/// Related work: Klosowski et al., "Efficient collision detection using bounding volume hierarchies of k-DOPs" (1998),
-/// generalised front tracking, which has no gaps; Mirtich's conservative advancement, which has no front; Basch, Guibas
-/// and Hershberger, "Data structures for mobile data" (1999), whose certificates require a course that is given and
-/// followed exactly.
+/// Related work:
+/// - Klosowski et al., "Efficient collision detection using bounding volume hierarchies of k-DOPs" (1998): generalised
+///   front tracking, which has no gaps.
+/// - Mirtich's conservative advancement, which has no front.
+/// - Basch, Guibas and Hershberger, "Data structures for mobile data" (1999): certificates that require a course that
+///   is given and followed exactly.
 ///
 /// Motions are bounded by the two relative maps alone (`kernel::stray_bound`), with their errors. If a map's error is
 /// unknown, or a map is no similarity, nothing is certified and each descent begins at the root. Descents also begin

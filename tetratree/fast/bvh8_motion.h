@@ -108,10 +108,15 @@ class Bvh8_motion {
     bool is_leaf(std::size_t body) const { return std::signbit(size[body]); }
     float extent(std::size_t body) const { return std::abs(size[body]); }
   };
+  /// Directions tried before the search for a plane ends.
   static constexpr int most_directions = 8;
-  static constexpr int most_in_vain = 16, vain_for_one = 8;
-  static constexpr std::array<unsigned, 2> one_in = {32, 8};  // of whole motions, and of parts
+  static constexpr int most_in_vain = 16,  // limit of `in_vain_`, at which spans are left out
+      vain_for_one = 8;                    // see `in_vain_`
+  /// Then one span of this many is searched: of whole motions, of parts.
+  static constexpr std::array<unsigned, 2> one_in = {32, 8};
+  /// Pairs opened in one round.
   static constexpr std::size_t most_openings = kernel::most_sweep_tests;
+  /// A span is halved at most this often.
   static constexpr unsigned most_halvings = 50;
   static constexpr float share_of_size = 0.04f;     // a larger fraction of a pair's size lost by its turning splits the
                                                     // span

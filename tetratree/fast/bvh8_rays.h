@@ -126,6 +126,7 @@ class Bvh8_rays {
     return tree_->model().vertices()[element.corner[std::size_t(k)]];
   }
 
+  /// Begins a ray. With `first_alone`, boxes beyond the first hit so far are not opened.
   void begin(const Ray& ray, bool first_alone)
   {
     ray_ = ray;
@@ -231,6 +232,7 @@ class Bvh8_rays {
     }
   }
 
+  /// Adds a hit, and lowers the limits by it.
   void add(Met met)
   {
     limit_ = kernel::minimum(limit_, met.high);
@@ -238,6 +240,7 @@ class Bvh8_rays {
     met_.push_back(std::move(met));
   }
 
+  /// Returns the exact t of the scaled direction, or nothing.
   std::optional<Rational> exact_t(Index face)
   {
     if (!exact_ray_) {
@@ -260,6 +263,7 @@ class Bvh8_rays {
     return result;
   }
 
+  /// Returns the first hit of a ray for which `advance` has returned false.
   std::optional<Ray_hit> first_met()
   {
     if (met_.empty()) return std::nullopt;

@@ -44,6 +44,7 @@ class Distance_cover {
  private:
   using Lane = std::pair<Index, int>;
 
+  /// Appends the elements below a lane.
   void collect(int body, Lane lane, std::vector<Element>& elements) const
   {
     const auto [n, k] = lane;
@@ -55,6 +56,7 @@ class Distance_cover {
     for (int part = 0; part < tree_[body]->node(child).boxes.lane_count; ++part) collect(body, {child, part}, elements);
   }
 
+  /// True when A's and B's elements are at least the distance apart along m, exactly.
   bool separates(const std::array<std::vector<Element>, 2>& elements, const kernel::Exact_vector& m)
   {
     bool any[2] = {false, false};
@@ -95,6 +97,8 @@ class Distance_cover {
     return face;
   }
 
+  /// Covers all pairs of elements below two lanes. It tries the direction of the nearest points, then that between the
+  /// middles, then opens the larger lane.
   void cover(Lane a, Lane b)
   {
     std::array<std::vector<Element>, 2> elements;

@@ -63,6 +63,7 @@ class Front_entries {
     strayed_ = (strayed_ + strayed) * (1 + kernel::few_roundings);
   }
 
+  /// Returns an upper bound of the distance that any point of B moves in a step of the course.
   double pace() const { return double(pace_); }
 
   /// True when a new course is needed: motion and stray on this one are too large for floats.

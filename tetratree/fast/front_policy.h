@@ -38,6 +38,7 @@ class Front_policy {
     --pause_left_;
     return false;
   }
+  /// Records a front and the cost of its descent.
   void made(double cost)
   {
     plain_ = cost + of_pose;
@@ -48,12 +49,14 @@ class Front_policy {
 
   /// True when following pays, given a lower bound of the openings that it needs.
   bool is_worth(std::size_t openings) const { return double(openings) <= too_many * plain_; }
+  /// Records the cost of following in a pose.
   void followed(double cost)
   {
     spent_ += cost + of_pose;
     recent_ = poses_ == 1 ? cost + of_pose : 0.75 * recent_ + 0.25 * (cost + of_pose);
     ++poses_;
   }
+  /// True when the front costs more than it saves, or than making it anew.
   bool is_worn() const
   {
     return recent_ > pays_below * plain_ || (poses_ >= fewest_poses && recent_ * double(poses_) > spent_);

@@ -69,18 +69,21 @@ inline kernel::Moving_box hull_of(const Bvh8_node& node, int lane)
 /// A cache of answers by number, which `forget` empties at once.
 class Kept_answers {
  public:
+  /// Empties the cache.
   void forget()
   {
     now_ += 2;
     if (now_ == 0) kept_.assign(kept_.size(), now_++);
   }
 
+  /// Returns answer n; nothing if it is not in the cache.
   std::optional<bool> at(std::size_t n) const
   {
     if (n >= kept_.size() || (kept_[n] | 1u) != (now_ | 1u)) return std::nullopt;
     return kept_[n] != now_;
   }
 
+  /// Stores answer n and returns it.
   bool keep(std::size_t n, bool answer)
   {
     if (n >= kept_.size()) kept_.resize(kernel::maximum(n + 1, 2 * kept_.size()));
@@ -100,6 +103,7 @@ class Parted_boxes {
   /// Both trees must outlive it.
   Parted_boxes(const Bvh8& a, const Bvh8& b) : tree_{&a, &b} {}
 
+  /// Takes another plane, and forgets all answers.
   void begin(kernel::Contact_plane plane)
   {
     plane_.emplace(std::move(plane));
@@ -117,6 +121,7 @@ class Parted_boxes {
     return of_box_[body].keep(box, find_whether_holds(body, box));
   }
 
+  /// True when the plane separates the vertex from the other body.
   bool holds_vertex(int body, Index v)
   {
     if (const auto known = of_vertex_[body].at(v)) return *known;
@@ -268,9 +273,11 @@ class Moving_feature_search {
 
   /// Making a plane costs about as much as comparing this many pairs of boxes.
   static constexpr std::size_t enough_for_a_plane = 64;
+  /// Planes kept at a time.
   static constexpr std::size_t most_planes = 4;
   /// Deciding two features costs more than this many tests of triangles; it is repeated after twice as many.
   static constexpr std::uint64_t enough_to_look_ahead = 64;
+  /// Pairs decided exactly each time.
   static constexpr std::uint64_t decided_ahead = 2;
 
   /// A pair of features that has been decided over a span. Triangles share corners and edges, so it may come again.
@@ -298,6 +305,7 @@ class Moving_feature_search {
     int feature = all;      ///< a vertex of A's or of B's triangle, or two edges
     bool is_sharp = false;  ///< the times of features come from axes at about these times
 
+    /// Value of `feature` for whole triangles; less than that is one of their 6 vertex-face and 9 edge-edge pairs.
     static constexpr int all = 15;
 
     double from() const { return in_span(part, times.from); }

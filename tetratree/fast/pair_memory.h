@@ -21,6 +21,7 @@ struct Pair_memory {
 
   /// True when descents cost so much that a front may pay.
   bool is_front_worth() const { return opened >= fewest_opened; }
+  /// Opened boxes from which on a front may pay.
   static constexpr std::uint32_t fewest_opened = 24;
 
   /// Allows a front for bodies that are near where they were asked last. For others it saves nothing, and is dropped.

@@ -37,6 +37,7 @@ class Pair_queue {
     steps_per_unit_ = range > 0x1p-60 && range < 0x1p60 ? float(steps / range) : 0;
   }
 
+  /// True when no pair is left. Finds the first step that has one.
   bool empty()
   {
     while (word_ + 1 < words && filled_[word_] == 0) ++word_;

@@ -60,6 +60,7 @@ class Point_locator {
   }
   Point_locator(const Point_locator&) = delete;
 
+  /// Returns the location of a point.
   Location locate(const covering::Vertex& point) const
   {
     return locate(local(point), [&] { return K::unmoved(point); });
@@ -97,6 +98,7 @@ class Point_locator {
     }
   }
 
+  /// Returns the location of a rational point.
   Location locate(const std::array<kernel::Rational, 3>& point) const
   {
     const kernel::Pose translation(
@@ -139,6 +141,7 @@ class Point_locator {
   };
 
   static constexpr Index none = covering::none;
+  /// Points that are interleaved.
   static constexpr std::size_t at_a_time = 64;
   static constexpr double farthest = 4;  ///< upper bound of a norm for which signs may be used
 
@@ -266,6 +269,7 @@ class Point_locator {
   }
 
   template <class Exact>
+  /// Returns the location of a point by triangles of a group, or by all.
   Location by_triangles(const Asked& asked, Index group, const Exact& exact) const
   {
     if (group == none) return locate_among_all(asked.at, exact);
@@ -306,6 +310,7 @@ class Point_locator {
   }
 
   template <class Exact>
+  /// Returns the location of a point by all triangles.
   Location locate_among_all(const kernel::Local_point& p, const Exact& exact) const
   {
     int winding = 0;
@@ -342,6 +347,7 @@ class Point_locator {
     return {.winding = covering::signed_inclusion<K>(p, model_->origin(), corner(0), corner(1), corner(2))};
   }
 
+  /// Builds the table; leaves the locator without one if triangles span too many cells.
   void make_table()
   {
     const auto count = Index(model_->covering().triangles().size());

@@ -67,6 +67,7 @@ class Placed_tree {
     return {frame_, hull_.towards(direction), body_.determinant_sign()};
   }
 
+  /// Returns a box about a placed edge.
   kernel::Box<B> edge_box(Index edge)
   {
     kernel::Box<B> box;
@@ -75,6 +76,7 @@ class Placed_tree {
     return box;
   }
 
+  /// Returns a box about a placed face.
   const kernel::Box<B>& face_box(Index face)
   {
     if (boxed_at_[face] != now_) {

@@ -181,6 +181,7 @@ class Tetra_tree {
     if (config_.boxes) boxes_.push_back(kernel::bound_box<B>(points));
   }
 
+  /// Makes the children of node n, unless it is a leaf.
   void make_children(Index n)
   {
     if (nodes_[n].is_leaf) return;
@@ -203,6 +204,7 @@ class Tetra_tree {
     nodes_[n].child_count = static_cast<Index>(nodes_.size()) - first;
   }
 
+  /// Sets the child's tetrahedra: those of the parent that meet its cone.
   void classify_into(Node<B>& child, const Node<B>& parent)
   {
     using Fixed = typename kernel::Kernel_traits<K>::Fixed;
@@ -223,6 +225,7 @@ class Tetra_tree {
     child.end = elements_.size();
   }
 
+  /// Sets the child's bounding volumes.
   void bound(Node<B>& child)
   {
     const auto points = vertices_of(child);
@@ -242,6 +245,7 @@ class Tetra_tree {
     child.volume = coordinates.volume(length);
   }
 
+  /// Sets a leaf's real edges and faces.
   void collect_leaf(Node<B>& leaf)
   {
     ++now_;
