@@ -62,7 +62,7 @@ class Bvh8 {
 
   kernel::Vector local(Index v) const { return elements_.local(v); }
 
-  /// Returns the support points that its support tables have found.
+  /// Returns the support values that its support tables have found.
   const Known_reaches& known_reaches() const { return known_reaches_; }
 
   const Bvh8_node* nodes() const { return nodes_.data(); }

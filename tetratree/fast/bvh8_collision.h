@@ -34,7 +34,6 @@ enum class Coherence {
   none,
   last_frame  ///< a `Bvh8_front`: the direction that separated the bodies and the pair of elements that met are tried
               ///< first in the next pose; exact kernels also keep the front of the descent
-              ///< in the next pose; and, in exact kernels, the front of the descent
 };
 
 /// Collision detection between two `Bvh8` over kernel K. Build once, ask for many poses.

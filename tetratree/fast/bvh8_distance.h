@@ -617,7 +617,7 @@ class Bvh8_distance {
   std::array<std::optional<kernel::Box_map>, 2> into_other_;
   std::array<float, 2> stretch_{};  // factor of lower bounds, from a body's local units
   std::array<float, 2> size_{};     // the factor of sizes, about equal
-  std::vector<Box_pair> rest_;      // what a dive leaves
+  std::vector<Box_pair> rest_;      // pairs that a dive leaves
   Pair_queue<Box_pair, 1> queue_;
   std::array<Opening, kernel::most_gap_tests> open_;
   std::array<kernel::Gap_test, kernel::most_gap_tests> tests_;

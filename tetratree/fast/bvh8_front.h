@@ -274,7 +274,7 @@ class Bvh8_front {
     return 1;
   }
 
-  /// Opens what is on the stack, until elements meet. True when they do.
+  /// Opens the pairs on the stack, until elements meet. True when they do.
   template <class Leaf_pair>
   bool descend(Pair_stack& stack, Both_trees& trees, const Certifying& units, const Bvh8& a, const Bvh8& b,
                const Leaf_pair& leaf_pair)
@@ -302,7 +302,7 @@ class Bvh8_front {
     return meet;
   }
 
-  /// Adds what is left on the stack to the front when elements meet, to be opened in the next pose.
+  /// Adds the pairs left on the stack to the front when elements meet, to be opened in the next pose.
   void keep_rest(Pair_stack& stack)
   {
     for (; !stack.empty(); stack.pop()) entries_.add({stack.box(0), stack.box(1), Front_entry::Kind::pair}, 0);

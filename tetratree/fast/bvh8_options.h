@@ -13,7 +13,6 @@ enum class Cuts {
                    ///< spread
   tetra_cones  ///< by the octants, then by the four children of a tetra-cone (JS08 Definition 4); the centroid decides
                ///< an element's cone
-               ///< in the cone of its centroid
 };
 
 /// What can be chosen about a `Bvh8`. The default is the fastest choice known; no choice changes an answer.

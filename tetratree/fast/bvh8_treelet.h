@@ -67,7 +67,7 @@ class Bvh8_treelet {
     std::uint8_t begin, end;
     std::uint8_t parts[2] = {0, 0};
     std::uint8_t lanes = 0;               // the cheapest number of lanes as a node
-    float surface = 0;                    // of the box along the axes, half
+    float surface = 0;                    // half the surface of the box along the axes
     std::array<float, 9> cost{};          // the least cost of all nodes below, by the number of lanes that the part
                                           // takes
     std::array<std::uint8_t, 9> first{};  // how many of these lanes belong to the first part

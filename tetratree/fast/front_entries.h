@@ -37,14 +37,14 @@ struct Certificate {
   kernel::Going_box going;  ///< B's box: the carried one, or one that holds the lanes' elements
 };
 
-/// The entries of a front, each with what is left of its gap.
+/// The entries of a front, each with its remaining gap.
 ///
 /// Bodies move in steps along a course and stray from it. Since its gap was found, an entry has lost its own rate times
 /// the number of steps, plus the stray. It expires when nothing is left, and is then asked again. An entry without a
 /// rate of its own uses the pace, an upper bound of the distance that any point moves in a step.
 class Front_entries {
  public:
-  /// Upper bound of the motion and stray since the course was set, in local units. Floats are too coarse beyond it.
+  /// Limit of the motion and stray since the course was set, in local units: floats are too coarse beyond it.
   static constexpr double most_gone = 1;
 
   /// A stored gap is multiplied by this, which covers the roundings in float of `expired` and `set_course`. Proved in
@@ -69,7 +69,7 @@ class Front_entries {
   /// True when a new course is needed: motion and stray on this one are too large for floats.
   bool has_gone_far() const { return !(gone_by(double(pace_)) <= most_gone && steps_ <= kernel::Course::most_steps); }
 
-  /// Sets a new course of the given pace. It stores what is left of each gap, and gives all entries the pace as their
+  /// Sets a new course of the given pace. It stores each remaining gap, and gives all entries the pace as their
   /// rate. Requires finite motion since the last course was set.
   void set_course(double pace)
   {
@@ -83,16 +83,16 @@ class Front_entries {
     steps_ = strayed_ = 0;
   }
 
-  /// Lower bound of what is left of a gap; not above 0 if nothing is left.
+  /// Lower bound of the remaining gap; not above 0 if it is used up.
   double gap(std::size_t k) const { return double(until_[k]) - gone_by(double(rate_[k])); }
 
-  /// Lower bound of what was left before the last `go_on`.
+  /// Lower bound of the remaining gap before the last `go_on`.
   double gap_before(std::size_t k) const
   {
     return double(until_[k]) - (double(rate_[k]) * steps_before_ + strayed_before_);
   }
 
-  /// Sets what is left of a gap now, in A's local units, and what it loses per step.
+  /// Sets the remaining gap now, in A's local units, and its loss per step.
   void set_gap(std::size_t k, double gap, double rate)
   {
     rate_[k] = float(rate) * kernel::rounded_up;

@@ -199,7 +199,7 @@ class Span_reference {
     return {along_axes(x.offset, away), rows[1 - body], rows[body]};
   }
 
-  /// Upper bound of a map's distance from its similarity, relative to its scale, above which the reference is not used.
+  /// Largest distance of a map from its similarity, relative to its scale, at which the reference is used.
   static constexpr double most_bent = 0.125;
 
   std::array<kernel::Box_map, 2> into_;  // from body k's units into the other's
