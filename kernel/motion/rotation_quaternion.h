@@ -2,6 +2,7 @@
 #define TETRACONE_KERNEL_MOTION_ROTATION_QUATERNION_H
 
 #include "tetracone/kernel/motion/body_motion.h"
+#include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
 
@@ -40,7 +41,7 @@ inline std::array<Rational, 9> rotation_of(const std::array<Rational, 4>& q)
 inline Rational largest_difference(const std::array<Rational, 9>& r, const std::array<Rational, 9>& m)
 {
   Rational largest = 0;
-  for (std::size_t k = 0; k < 9; ++k) largest = std::max(largest, Rational(abs(Rational(r[k] - m[k]))));
+  for (std::size_t k = 0; k < 9; ++k) largest = maximum(largest, Rational(abs(Rational(r[k] - m[k]))));
   return largest;
 }
 

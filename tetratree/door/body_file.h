@@ -25,7 +25,8 @@ void write_body_file(const Body_data& body, const std::filesystem::path& file);
 /// Reads a saved body. Nothing in the file is trusted: the vertices, faces and triangles are checked as `Body` checks
 /// them, the order is a permutation, the nodes are checked by `tree_flaw`. Throws Error as `read_body`.
 ///
-/// COST
+/// What this costs, as a share of the time of building the body (torus of 70,000 triangles, one thread): the checksum 1/20,
+/// what is derived anew 1/14, the check of the nodes 1/8. All of it is 1/3 with the memory that is taken.
 std::shared_ptr<const Body_data> read_body_file(const std::filesystem::path& file);
 
 }  // namespace tetracone::detail

@@ -114,20 +114,7 @@ class Parted_boxes {
   bool holds(int body, Index box)
   {
     if (const auto known = of_box_[body].at(box)) return *known;
-    const Bvh8_node& node = tree_[body]->node(box / 8);
-    const int lane = int(box % 8);
-    bool all = true;
-    if (plane_->holds(body, hull_of(node, lane))) {
-    } else if (node.is_leaf(lane)) {
-      for (Index k = 0; k < tree_[body]->leaf_count(box / 8, lane); ++k)
-        tree_[body]->for_vertices(tree_[body]->element(box / 8, lane, k),
-                                  [&](Index v) { all = all && holds_vertex(body, v); });
-    } else {
-      const Index child = tree_[body]->child(box / 8, lane);
-      const int lanes = tree_[body]->node(child).boxes.lane_count;
-      for (int k = 0; all && k < lanes; ++k) all = holds(body, 8 * child + Index(k));
-    }
-    return of_box_[body].keep(box, all);
+    return of_box_[body].keep(box, find_whether_holds(body, box));
   }
 
   bool holds_vertex(int body, Index v)
@@ -137,6 +124,28 @@ class Parted_boxes {
   }
 
  private:
+  bool find_whether_holds(int body, Index box)
+  {
+    const Bvh8& tree = *tree_[body];
+    const Bvh8_node& node = tree.node(box / 8);
+    const int lane = int(box % 8);
+    const auto are_all_vertices = [&](const auto& hold) {
+      bool all = true;
+      for (Index k = 0; k < tree.leaf_count(box / 8, lane); ++k)
+        tree.for_vertices(tree.element(box / 8, lane, k), [&](Index v) { all = all && hold(v); });
+      return all;
+    };
+    const auto as_last = [&](Index v) { return plane_->is_held_as_last(body, tree.model().vertices()[v]); };
+    if (node.is_leaf(lane) && are_all_vertices(as_last)) return true;
+    if (plane_->holds(body, hull_of(node, lane))) return true;
+    if (node.is_leaf(lane)) return are_all_vertices([&](Index v) { return holds_vertex(body, v); });
+    const Index child = tree.child(box / 8, lane);
+    const int lanes = tree.node(child).boxes.lane_count;
+    for (int k = 0; k < lanes; ++k)
+      if (!holds(body, 8 * child + Index(k))) return false;
+    return true;
+  }
+
   kernel::Motion_units units(int body) const { return {tree_[body]->scale().origin, tree_[body]->scale().unit}; }
 
   std::array<const Bvh8*, 2> tree_;
@@ -173,7 +182,8 @@ class Moving_feature_search {
     best_.reset();
     best_before_ = std::numeric_limits<double>::infinity();
     is_start_in_doubt_ = false;
-    enough_ = enough_to_look_ahead;
+    begun_at_ = counts_.triangle_tests;
+    enough_ = begun_at_ + enough_to_look_ahead;
     forget_planes();
   }
 
@@ -223,12 +233,12 @@ class Moving_feature_search {
     while (!candidates_.empty() && candidates_.front().from() <= share) decide_front();
   }
 
-  /// Where much waits for what may meet little earlier, and no contact is known yet: decides the first of it, since a
-  /// contact may rule out the others. Now and then, for it may be in vain.
+  /// Decides the first of what waits for others that may meet little earlier, where no contact is known yet: a contact
+  /// may rule out the others. Does so now and then only, since it may be in vain.
   void look_ahead()
   {
-    if (best_ || candidates_.size() < enough_) return;
-    enough_ *= 2;
+    if (best_ || counts_.triangle_tests < enough_) return;
+    enough_ += counts_.triangle_tests - begun_at_;
     const std::uint64_t until = counts_.exact_fallbacks + decided_ahead;
     while (!best_ && !candidates_.empty() && counts_.exact_fallbacks < until) decide_front();
   }
@@ -257,7 +267,8 @@ class Moving_feature_search {
   /// To make a plane takes about as long as to compare so many pairs of boxes.
   static constexpr std::size_t enough_for_a_plane = 64;
   static constexpr std::size_t most_planes = 4;
-  static constexpr std::size_t enough_to_look_ahead = 32;
+  /// To decide two features takes longer than so many tests of triangles, and is done again after twice as many.
+  static constexpr std::uint64_t enough_to_look_ahead = 64;
   static constexpr std::uint64_t decided_ahead = 2;
 
   /// A pair of features that has been decided over a span: triangles share corners and edges.
@@ -567,7 +578,7 @@ class Moving_feature_search {
   double latest_ = std::numeric_limits<double>::infinity();
   bool is_start_in_doubt_ = false;
   Motion_stages stages_;
-  std::size_t enough_ = enough_to_look_ahead;
+  std::uint64_t begun_at_ = 0, enough_ = 0;  // triangle tests at the beginning, and to look ahead
   // In the span until the first contact so far:
   std::optional<kernel::Times_before> times_before_;  // made, with the motion, when first needed
   std::optional<kernel::Pair_motion> motion_before_;
