@@ -12,11 +12,12 @@
 
 namespace tetracone::kernel {
 
-/// A real number: `middle`, but for at most `radius`, which is infinite or undefined where nothing is known.
+/// A real number that differs from `middle` by at most `radius`, which is infinite or undefined where nothing is known.
 ///
-/// A sum in double-double is off by 3 u^2 / (1 - 4 u) of itself, a product by 7 u^2 and, where parts underflow, by a few
-/// times 2^-1074; both are told by the high part, which is off by u of the whole. Where a sum's share underflows the sum
-/// is exact. What magnitudes and radii lose as they are computed is at most 16 u of a radius.
+/// A sum in double-double has a relative error of 3 u^2 / (1 - 4 u), a product one of 7 u^2. Where parts underflow, a
+/// few times 2^-1074 are added. Both errors are computed from the high part, whose relative error is u. Where a sum's
+/// error term underflows, the sum is exact. Magnitudes and radii lose at most 16 u of a radius as they are computed.
+/// The constants are proved in verify/proofs/distance_proofs.h and nearest_proofs.h.
 struct Double_double_ball {
   Double_double middle;
   double radius = 0;

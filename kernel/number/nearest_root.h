@@ -34,12 +34,12 @@ inline double nearest_root(const mpz_class& top, const mpz_class& bottom)
   return nearest_double(value);
 }
 
-/// Of a quotient of rationals.
+/// Returns the double nearest to the root of a quotient of rationals.
 inline double nearest_root(const Rational& top, const Rational& bottom)
 {
   return nearest_root(mpz_class(top.get_num() * bottom.get_den()), mpz_class(bottom.get_num() * top.get_den()));
 }
-/// Of a rational that is not negative.
+/// Returns the double nearest to the root of a rational that is not negative.
 inline double nearest_root(const Rational& square) { return nearest_root(square.get_num(), square.get_den()); }
 
 }  // namespace tetracone::kernel

@@ -68,8 +68,8 @@ inline std::optional<Rational> parse_fraction(std::string_view text)
   return Rational(decimal(numerator) / divisor);
 }
 
-/// The double nearest to `value`, ties to even, as IEEE 754 rounds: infinite from 2^1024 - 2^970 on, which is half a step
-/// beyond the largest double. `nearest_root` and `parse_double` round by the same rule.
+/// Returns the double nearest to `value`, ties to even, as IEEE 754 rounds. It is infinite from 2^1024 - 2^970 on,
+/// which is half a step beyond the largest double. `nearest_root` and `parse_double` round by the same rule.
 inline double nearest_double(const Rational& value)
 {
   // A rational's own conversion may truncate: it names a double at most one step off, and the candidates are compared
