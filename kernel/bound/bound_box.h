@@ -14,15 +14,16 @@ namespace tetracone::kernel {
 template <class B>
 using Bound_box = std::array<Bound_point<B>, 8>;
 
-/// How far the axes of such a box may be from orthonormal, in each product.
+/// Upper bound of the distance of an entry of A^T A from that of the identity, A the axes of such a box.
+/// `axis_defect_factor` is proved for it in verify/proofs/margin_proofs.h.
 inline constexpr double bound_box_defect = 0x1p-30;
 
-/// A box of little surface that holds all points, those of no finite box where numbers overflow: then no test tells it
-/// apart from another. Requires a point.
+/// Returns a box of little surface that holds all points. Where numbers overflow its corners are not finite, and no
+/// test tells it apart from another box. Requires a point.
 ///
-/// The axes are the columns of A, orthonormal but for a `bound_box_defect` d. A point c + y is c + A s with |s_i| <=
-/// |a_i . y| + `axis_defect_factor` d max_k |a_k . y|; roundings, those of the corners included, are below
-/// `few_roundings` of |y|_1 + |c|_1 in double. In float nothing is promised.
+/// The axes are the columns of A, which are orthonormal up to a `bound_box_defect` d. A point c + y is c + A s with
+/// |s_i| <= |a_i . y| + `axis_defect_factor` d max_k |a_k . y|. In double, all roundings, also of the corners, are
+/// below `few_roundings` times |y|_1 + |c|_1. In float nothing is guaranteed.
 template <class B>
 Bound_box<B> bound_box(std::span<const Bound_point<B>> points)
 {
@@ -44,8 +45,9 @@ Bound_box<B> bound_box(std::span<const Bound_point<B>> points)
   return corners;
 }
 
-/// True when the two placed boxes are found to share no point: along the normals of their faces and the cross products
-/// of their edges. `slack` is `projection_slack`; any axis is sound, whatever it was meant to be.
+/// True when the two placed boxes are found to share no point. The axes are the normals of their faces and the cross
+/// products of their edges. `slack` is `projection_slack`. The answer is sound for any axis, also for one that rounding
+/// has moved.
 template <class B>
 bool separated(const Bound_box<B>& a, const Bound_box<B>& b, B slack)
 {

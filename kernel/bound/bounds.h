@@ -13,9 +13,9 @@
 
 /// Bounding volumes and the tests that separate them, over a rounded number type B (double or float).
 ///
-/// Every test may only answer "separated" or "not known", and is written so that NaN and infinity mean "not known".
-/// With `sound` each comparison carries a slack that covers all rounding on the way (of the volume, of the pose, of the
-/// test), so that "separated" is a proof. Without it the arithmetic decides as it comes, as the paper's program does.
+/// Every test may only answer "separated" or "not known". It is written so that NaN and infinity mean "not known". With
+/// `sound` each comparison carries a slack that covers all rounding before it: of the volume, of the pose, and of the
+/// test. "Separated" is a proof then. Without `sound` there is no slack, as in the paper's program.
 namespace tetracone::kernel {
 
 template <class B>
@@ -33,14 +33,14 @@ B squared_length(const Bound_point<B>& a)
   return dot(a, a);
 }
 
-/// A vertex in the arithmetic of the bounds. Exact in double; float rounds it.
+/// Returns a vertex in the arithmetic of the bounds. The conversion is exact in double and rounds in float.
 template <class B>
 Bound_point<B> bound_point(const Vertex& v)
 {
   return {static_cast<B>(v[0]), static_cast<B>(v[1]), static_cast<B>(v[2])};
 }
 
-/// Sound tests separate nothing beyond this magnitude: up to it no expression here overflows.
+/// The largest magnitude at which sound tests separate anything. Up to it no expression here overflows.
 inline constexpr double separation_gate = 0x1p250;
 
 template <class B>
@@ -49,22 +49,27 @@ struct Ball {
   B radius = -1;  ///< negative: empty
 };
 
-/// A pose in the arithmetic of the bounds, and how far its images can be off.
+/// A pose in the arithmetic of the bounds, with an upper bound of the error of its images.
 ///
-/// All points that are placed lie in the cube |x|, |y|, |z| <= reach. With S = max_i sum_j |M_ij| * reach + |t_i|:
-/// placing rounds at most 4 times a term (4.001 u S), an entry that was a fraction once (1.001 u S), and a point of the
-/// cube that was itself computed in the model's frame at most 2 more (2.001 u S): `error` = 8 u S covers all, and
-/// `magnitude` = S (1 + 16 u) covers every coordinate. `stretch` bounds the factor by which M lengthens: ||M||^2 <= max
-/// row sum of |M^T M|.
+/// All points that are placed lie in the cube |x|, |y|, |z| <= reach. Let S = max_i sum_j |M_ij| * reach + |t_i|. Three
+/// things add to an image's error:
+/// - Placing rounds at most 4 times a term: 4.001 u S.
+/// - An entry that was a fraction has been rounded once: 1.001 u S.
+/// - A point of the cube that was itself computed in the model's frame has at most 2 more roundings: 2.001 u S.
+///
+/// `error` = 8 u S covers all three. `magnitude` = S (1 + 16 u) is an upper bound of every coordinate. `stretch` is an
+/// upper bound of the factor by which M lengthens, since ||M||^2 <= max row sum of |M^T M|.
 template <class B, bool sound>
 class Bound_frame {
  public:
   static constexpr B u = unit_roundoff<B>;
 
-  /// Shares of S, of the largest row sum's root, and of S again.
-  static constexpr B error_rounding = 8 * u, stretch_rounding = 32 * u, magnitude_rounding = 16 * u;
+  // Each is proved in verify/proofs/bound_proofs.h.
+  static constexpr B error_rounding = 8 * u,  ///< upper bound of an image's error, relative to S
+      stretch_rounding = 32 * u,              ///< upper bound of the relative error of the root of the largest row sum
+      magnitude_rounding = 16 * u;            ///< upper bound of the relative error of S as computed
 
-  /// S of one row.
+  /// Returns the term of S that one row gives.
   template <class Number>
   static Number reach_of_row(const Number& m0, const Number& m1, const Number& m2, const Number& t, const Number& reach)
   {
@@ -103,8 +108,8 @@ class Bound_frame {
     return {row(0), row(4), row(8)};
   }
 
-  /// A multiple of M^-1 v, by cofactors: the direction in the model's frame that the map turns into v, up to a positive
-  /// factor when multiplied by sign(det M). Rounded.
+  /// Returns a multiple of M^-1 v, by cofactors, rounded. Multiplied by sign(det M) it is the direction in the model's
+  /// frame that the map turns into v, up to a positive factor.
   Bound_point<B> pulled_back(const Bound_point<B>& v) const
   {
     if (identity_) return v;
@@ -132,19 +137,20 @@ class Bound_frame {
   bool identity_ = true;
 };
 
-/// A ball placed: centre moved, radius stretched. Sound: its radius grows by the error of the centre (sqrt(3) < 2
-/// coordinates).
+/// Returns the placed ball: its centre is moved, its radius stretched. A sound radius also grows by the error of the
+/// centre, which is sqrt(3) < 2 times that of a coordinate.
 template <class B, bool sound>
 Ball<B> placed(const Bound_frame<B, sound>& frame, const Ball<B>& ball)
 {
   return {frame(ball.centre), ball.radius * frame.stretch() + 2 * frame.error()};
 }
 
-/// What a sound comparison of balls allows for rounding: of squared distances, and of a radius that is computed.
+/// Upper bound of the relative error of a comparison of squared distances of balls: verify/proofs/bound_proofs.h.
 inline constexpr double ball_distance_rounding = 12 * unit_roundoff<double>,
-                        ball_radius_rounding = 6 * unit_roundoff<double>;
+                        /// Upper bound of the relative error of an enclosing ball's radius: the same file.
+    ball_radius_rounding = 6 * unit_roundoff<double>;
 
-/// The squared distance at which balls of these radii touch, and somewhat more.
+/// Returns an upper bound of the squared distance at which balls of these radii touch.
 template <class Number>
 Number touching_distance_2(const Number& a, const Number& b)
 {
@@ -161,7 +167,7 @@ bool separated(const Ball<B>& a, const Ball<B>& b)
   return distance_2 > radius * radius;
 }
 
-/// A ball about `centre` that holds all points: the largest distance, rounded up when sound.
+/// Returns a ball about `centre` that holds all points. Its radius is the largest distance, rounded up when sound.
 template <class B, bool sound>
 Ball<B> enclosing_ball(const Bound_point<B>& centre, std::span<const Bound_point<B>> points)
 {
@@ -172,7 +178,7 @@ Ball<B> enclosing_ball(const Bound_point<B>& centre, std::span<const Bound_point
   return {centre, radius};
 }
 
-/// The mean of the points. Requires at least one.
+/// Returns the mean of the points. Requires at least one.
 template <class B>
 Bound_point<B> centroid(std::span<const Bound_point<B>> points)
 {
@@ -182,8 +188,9 @@ Bound_point<B> centroid(std::span<const Bound_point<B>> points)
   return sum;
 }
 
-/// Near the centre of the smallest enclosing ball: walks from `start` towards the farthest point in shrinking steps
-/// (Badoiu & Clarkson 2003); after n steps the radius is within a factor 1 + O(1/sqrt n) of the smallest.
+/// Returns a point near the centre of the smallest enclosing ball (Badoiu & Clarkson 2003). It walks from `start`
+/// towards the farthest point in shrinking steps. After n steps the radius is within a factor 1 + O(1/sqrt n) of the
+/// smallest.
 template <class B>
 Bound_point<B> improved_centre(Bound_point<B> start, std::span<const Bound_point<B>> points, int steps)
 {
@@ -210,13 +217,14 @@ Bound_point<B> improved_centre(Bound_point<B> start, std::span<const Bound_point
 template <class B>
 using Bound_tetrahedron = std::array<Bound_point<B>, 4>;
 
-/// Of an interval between projections on an axis, a share of the larger magnitude and of |axis|_1: 3 roundings of each
-/// dot product and one of the difference.
+/// Upper bound of the rounding error of an interval between projections on an axis, relative to the larger magnitude
+/// times |axis|_1. It has 3 roundings of each dot product and one of the difference. Proved together with
+/// `error_rounding` of two frames: verify/proofs/bound_proofs.h.
 template <class B>
 inline constexpr B projection_rounding = 8 * unit_roundoff<B>;
 
-/// How much an interval of dot products with `axis` may be off, both bodies together, a unit of |axis|_1: the errors of
-/// the points and what is rounded.
+/// Returns an upper bound of the error of an interval of dot products with an axis, per unit of |axis|_1. It holds for
+/// both bodies together: the errors of their points, and rounding.
 template <class B, bool sound>
 B projection_slack(const Bound_frame<B, sound>& a, const Bound_frame<B, sound>& b)
 {
@@ -237,8 +245,8 @@ struct Projection {
   {}
 };
 
-/// True when the projections on `axis` are disjoint by more than slack * |axis|_1; never where any of these is
-/// undefined. Any axis is sound, whatever it was meant to be.
+/// True when the projections on `axis` are disjoint by more than slack * |axis|_1, and false where any of these is
+/// undefined. The answer is sound for any axis, also for one that rounding has moved.
 template <class B, class Interval>
 bool separated_along(const Bound_point<B>& axis, const Interval& a, const Interval& b, B slack)
 {
@@ -247,9 +255,10 @@ bool separated_along(const Bound_point<B>& axis, const Interval& a, const Interv
 }
 
 /// True when the two tetrahedra are found to share no point. The axes are the 8 face normals and, with `all_axes`, the
-/// 36 cross products of edges, with which the test is complete (separating axis theorem) up to rounding and slack. A
-/// corner of one that lies between the face and the opposite corner of the other along all four of its normals is
-/// inside it: then no axis is left to try.
+/// 36 cross products of edges. With these the test is complete (separating axis theorem) up to rounding and slack.
+///
+/// A corner of one may lie between the face and the opposite corner of the other along all four of its normals. Then it
+/// is inside the other, and no axis is left to try.
 template <class B>
 bool separated(const Bound_tetrahedron<B>& a, const Bound_tetrahedron<B>& b, bool all_axes, B slack)
 {
@@ -284,27 +293,30 @@ bool separated(const Bound_tetrahedron<B>& a, const Bound_tetrahedron<B>& b, boo
   return false;
 }
 
-/// A half-space that holds a body, in the body's frame: normal . (x - origin) <= offset for every point x of it.
+/// A half-space that holds a body, in the body's frame: normal . (x - origin) <= offset for every point x of the body.
 template <class B>
 struct Half_space {
   Bound_point<B> normal, origin;
   B offset;
 };
 
-/// A half-space placed with its body, asked which points of another body lie strictly beyond it.
+/// A half-space placed with its body, which tells the points of another body that lie strictly beyond it.
 ///
 /// With C the cofactors of M, N = C n: N . (Mx - MO) = det M (n . (x - O)), so |N . (y - y_O)| <= |det M| offset for
-/// every image y. N is a determinant with n, off by a share of its permanent A_i, and |y - y_O| <= 2 magnitude; det M
-/// is off by a share of its own permanent. `threshold` takes all of it, and the slack of a projection on N^ covers the
-/// points asked. What underflows, and a fraction's nearest double below 2^-1022, is off by an absolute e = 2^-1075
-/// before it is multiplied with other entries: see `absolute_error`.
+/// every image y. A component N_i is a determinant with n. Its error is a fraction of its permanent A_i, and |y - y_O|
+/// <= 2 magnitude. The error of det M is a fraction of its own permanent. `threshold` takes all of these, and the slack
+/// of a projection on N^ covers the points asked.
+///
+/// Products that underflow, and the nearest double below 2^-1022 of a fraction, have an absolute error e = 2^-1075
+/// before they are multiplied with other entries: see `absolute_error`.
 template <class B, bool sound>
 class Placed_half_space {
  public:
   static constexpr B u = unit_roundoff<B>;
 
-  /// Shares of the permanent times the offset, and of the cofactors' magnitudes times the coordinates'.
-  static constexpr B determinant_rounding = 16 * u, normal_rounding = 32 * u;
+  // Both are proved in verify/proofs/bound_proofs.h.
+  static constexpr B determinant_rounding = 16 * u,  ///< error of det M times the offset, over its permanent times that
+      normal_rounding = 32 * u;  ///< error of N . (y - y_O), over the cofactors' magnitudes times the coordinates'
 
   Placed_half_space(const Bound_frame<B, sound>& frame, const Half_space<B>& half_space, int determinant_sign)
   {
@@ -339,12 +351,13 @@ class Placed_half_space {
            absolute;
   }
 
-  /// 32 e, a factor of the terms of `absolute_error`.
+  /// A factor of the terms of `absolute_error`: 32 e.
   static constexpr double entry_underflow = 0x1p-1070;
 
-  /// Upper bound of the absolute errors of N . (y - y_O) and of det M times the offset, for entries up to `entry` and
-  /// |n|_1 = `normal`: a minor is off by (4 entry + 3) e, which N multiplies with n and then with a difference of points,
-  /// |y - y_O|_1 <= 6 magnitude; det M by (18 entry^2 + 9 entry + 3) e.
+  /// Returns an upper bound of the absolute errors of N . (y - y_O) and of det M times the offset, for entries up to
+  /// `entry` and |n|_1 = `normal`. A minor has an error of at most (4 entry + 3) e. N multiplies it with n and then
+  /// with a difference of points, |y - y_O|_1 <= 6 magnitude. The error of det M is at most (18 entry^2 + 9 entry + 3)
+  /// e.
   template <class Number>
   static Number absolute_error(const Number& entry, const Number& normal, const Number& offset, const Number& magnitude)
   {
@@ -352,7 +365,8 @@ class Placed_half_space {
     return Number(entry_underflow) * larger * ((one + normal) * magnitude + larger * offset) + Number(underflow_slack);
   }
 
-  /// The body's half-space ends before the point; `slack` is the `projection_slack` of the two bodies.
+  /// True when the point lies strictly beyond the body's half-space. `slack` is the `projection_slack` of the two
+  /// bodies.
   bool is_beyond(const Bound_point<B>& point, B slack) const
   {
     return dot(normal_, difference(point, origin_)) > threshold_ + slack * norm_1(normal_);
@@ -363,8 +377,8 @@ class Placed_half_space {
   B threshold_ = 0;
 };
 
-/// An axis-aligned box of placed points, grown by the error of the frame that placed them: of an edge, or of a face.
-/// One with an undefined bound meets every box on that side.
+/// An axis-aligned box of the placed points of an edge or of a face, grown by the error of the frame that placed them.
+/// A box with an undefined bound meets every box on that side.
 template <class B>
 struct Box {
   Bound_point<B> low, high;

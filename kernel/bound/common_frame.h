@@ -17,14 +17,16 @@ namespace least_stretch_bound {
 
 constexpr double u = unit_roundoff<double>;
 
-/// What a row of L^T L, its diagonal entry less the others, loses: a share of the sum of the squares of all entries.
+/// Upper bound of the error of a row of L^T L (its diagonal entry less the others), relative to the sum of the squares
+/// of all entries: verify/proofs/nearest_proofs.h.
 inline constexpr double row_rounding = 32 * u;
-/// What the root of such a row loses, a share of itself.
+/// Upper bound of the relative error of the root of such a row: verify/proofs/nearest_proofs.h.
 inline constexpr double root_rounding = 4 * u;
-/// What twice a volume over that sum loses, a share of itself.
+/// Upper bound of the relative error of twice a volume over that sum: verify/proofs/nearest_proofs.h.
 inline constexpr double quotient_rounding = 32 * u;
 
-/// A diagonal entry of L^T L less the others of its row: of a column and the two others.
+/// Returns a diagonal entry of L^T L less the other entries of its row. The arguments are the entry's column of L and
+/// the two others.
 template <class Number>
 Number row_of_gram(const std::array<Number, 3>& column, const std::array<Number, 3>& second,
                    const std::array<Number, 3>& third)
@@ -35,12 +37,13 @@ Number row_of_gram(const std::array<Number, 3>& column, const std::array<Number,
 
 }  // namespace least_stretch_bound
 
-/// A lower bound of the factor by which the linear map of these rows shortens a vector, all entries exact.
+/// Returns a lower bound of the factor by which the linear map of these rows shortens a vector, 0 where nothing is
+/// known. The entries are taken exactly.
 ///
-/// The least eigenvalue of L^T L is at least each diagonal entry less the others of its row (Gershgorin), which is
-/// close where L is nearly a similarity. Elsewhere the least singular value is |det L| over the product of the two
-/// others, which is at most half the sum of the squares of all. The determinant is off by `Pose::determinant_rounding`
-/// of its permanent. 0 where nothing is known.
+/// A lower bound of the least eigenvalue of L^T L is the smallest, over its rows, of the diagonal entry minus the
+/// others (Gershgorin). It is close where L is nearly a similarity. Elsewhere the least singular value is |det L| over
+/// the product of the two others, which is at most half the sum of the squares of all. The determinant's error is at
+/// most `Pose::determinant_rounding` of its permanent.
 inline double least_stretch(const std::array<std::array<double, 3>, 3>& l)
 {
   namespace bound = least_stretch_bound;
@@ -59,12 +62,13 @@ inline double least_stretch(const std::array<std::array<double, 3>, 3>& l)
   return maximum(by_rows, by_volume);
 }
 
-/// Two placed bodies in coordinates that are common to both, in double: those of space, from where A's local origin is
-/// placed, times a power of two that makes the larger body about as large as 1. A point is off by at most
-/// `position_error` in a coordinate, which is infinite where no bound is known.
+/// Two placed bodies in common coordinates, in double. These are the coordinates of space, relative to the place of A's
+/// local origin, times a power of two that makes the larger body about as large as 1. `position_error` bounds the error
+/// of a point's coordinate.
 ///
-/// A local point p, off by 2 u (`Bvh8_elements::local_error`), is placed by L p, whose entries are rounded where they
-/// are fractions. B's is moved by D, which is off by its own error, and the sum is rounded.
+/// A local point p, whose coordinates have an error of at most 2 u (`Bvh8_elements::local_error`), is placed by L p.
+/// The entries of L are rounded where they are fractions. B's points are moved by D, which has its own error, and the
+/// sum is rounded.
 class Common_frame {
  public:
   using Row = std::array<double, 3>;
@@ -89,7 +93,7 @@ class Common_frame {
         underflow;
   }
 
-  /// Of a local point of a body, 0 or 1.
+  /// Returns the common coordinates of a local point of body 0 (A) or 1 (B).
   Double_vector operator()(int body, const Double_vector& p) const
   {
     const auto& l = linear_[body];
@@ -99,26 +103,32 @@ class Common_frame {
     return at;
   }
 
+  /// Returns an upper bound of the error of a coordinate of a point; infinite where no bound is known.
   double position_error() const { return position_error_; }
 
-  /// What an image of a local point loses, a share of the sum of its row's magnitudes.
+  /// Upper bound of the error of a local point's image, relative to the sum of the magnitudes of its row:
+  /// verify/proofs/nearest_proofs.h.
   static constexpr double image_rounding = 8 * unit_roundoff<double>;
-  /// What the sum of an image and the offset loses, a share of the magnitudes of both.
+  /// Upper bound of the error of the sum of an image and the offset, relative to the magnitudes of both:
+  /// verify/proofs/nearest_proofs.h.
   static constexpr double way_rounding = 2 * unit_roundoff<double>;
-  /// What the sums and products that these bounds are made of lose, a share of themselves.
+  /// Upper bound of the relative error of the sums and products that make up these bounds:
+  /// verify/proofs/nearest_proofs.h.
   static constexpr double sum_rounding = 16 * unit_roundoff<double>;
-  /// Above what products of an image lose where they underflow.
+  /// Upper bound of the errors of an image by products that underflow: verify/proofs/nearest_proofs.h.
   static constexpr double underflow = 0x1p-300;
-  /// What rounded entries of fractions take from a map's least stretch, a share of the largest sum of a row.
+  /// Upper bound of the error of a map's least stretch by entries that are rounded fractions, relative to the largest
+  /// sum of a row: verify/proofs/nearest_proofs.h.
   static constexpr double entry_rounding = 4 * unit_roundoff<double>;
 
-  /// At least the magnitude of every coordinate.
+  /// Returns an upper bound of the magnitude of every coordinate.
   double largest() const { return largest_; }
 
-  /// At most the distance here of two points of a body that are 1 apart in its local units.
+  /// Returns a lower bound of the distance, in common coordinates, of two points of a body that are 1 apart in its
+  /// local units.
   double least_stretch(int body) const { return stretch_[body]; }
 
-  /// Distances in space are those here times 2^exponent.
+  /// Returns the exponent of the scale: a distance in space is the distance in common coordinates times 2^exponent.
   int exponent() const { return exponent_; }
 
  private:
@@ -141,7 +151,8 @@ class Common_frame {
       for (int j = 0; j < 3; ++j) l[i][j] = pose[4 * i + j] * scale;
       largest = maximum(largest, std::abs(l[i][0]) + std::abs(l[i][1]) + std::abs(l[i][2]));
     }
-    // Entries that were fractions are off by u each: the map by u of the root of the sum of their squares.
+    // Entries that were fractions have a relative error of u each. The map's error is u times the root of the sum of
+    // their squares.
     const double stretch = kernel::least_stretch(l) - (pose.is_rational() ? entry_rounding * largest : 0);
     stretch_[body] = stretch > 0 ? stretch : 0;
     return largest;

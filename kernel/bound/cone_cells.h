@@ -12,36 +12,39 @@
 
 namespace tetracone::kernel {
 
-/// A point in local units: relative to the origin of a covering, of coordinates |x| <= 1 where it is a model's, off by
-/// at most `local_error` in each.
+/// A point in local units, relative to the origin of a covering. A point of a model has coordinates |x| <= 1, with an
+/// error of at most `local_error` each.
 using Local_point = std::array<double, 3>;
 using Local_triangle = std::array<Local_point, 3>;
+/// Upper bound of the error of a local coordinate of a model: verify/proofs/cone_proofs.h.
 inline constexpr double local_error = 0x1p-51;
 
-/// |x| + |y| + |z|.
+/// Returns |x| + |y| + |z|.
 inline double octahedral_norm(const Local_point& p) { return std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]); }
 
-/// Signs about the origin in local units, by a filter: 0 is undecided. Points are a model's, but `p`, whose norm is at
-/// most 4.
+/// Upper bound of the error of `cone_determinant` in double (verify/proofs/distance_proofs.h). a and b are points of a
+/// model; the norm of p is at most 4.
 ///
-/// |det[a, b, p]| with |a_k|, |b_k| <= 1: the minors of a and b are at most 2, so the six products sum to at most 8 in
-/// absolute value, each rounded at most five times; errors of the coordinates add at most 8 e for a, 8 e for b and 6 e
-/// for p, e = `local_error`: below 2^-46 in all.
+/// For |a_k|, |b_k| <= 1 the minors of a and b are at most 2, so the six products sum to at most 8 in absolute value,
+/// each rounded at most five times. Errors of the coordinates add at most 8 e for a, 8 e for b and 6 e for p, e =
+/// `local_error`. The sum of all errors is below 2^-46.
 inline constexpr double cone_side_bound = 0x1p-44;
 template <class Number>
 Number cone_determinant(const std::array<Number, 3>& a, const std::array<Number, 3>& b, const std::array<Number, 3>& p)
 {
   return (a[1] * b[2] - a[2] * b[1]) * p[0] + (a[2] * b[0] - a[0] * b[2]) * p[1] + (a[0] * b[1] - a[1] * b[0]) * p[2];
 }
+/// Returns the sign of det[a, b, p], 0 where the filter is uncertain.
 inline int cone_side(const Local_point& a, const Local_point& b, const Local_point& p)
 {
   const double side = cone_determinant(a, b, p);
   return side > cone_side_bound ? 1 : side < -cone_side_bound ? -1 : 0;
 }
 
-/// Whether the line from the origin through p meets the triangle w a b within, by the same filter: how its edges turn
-/// about p, 1 or -1; 0 where it misses, `cone_undecided` where that is not certain.
+/// The answer of `cone_holds` where the filter is uncertain.
 inline constexpr int cone_undecided = 2;
+/// Returns how the edges of the triangle w a b turn about p, 1 or -1, where the line from the origin through p meets
+/// its interior. Returns 0 where the line misses it, and `cone_undecided` where the filter is uncertain.
 inline int cone_holds(const Local_point& w, const Local_point& a, const Local_point& b, const Local_point& p)
 {
   const double wa = cone_determinant(w, a, p), ab = cone_determinant(a, b, p), bw = cone_determinant(b, w, p);
@@ -50,9 +53,11 @@ inline int cone_holds(const Local_point& w, const Local_point& a, const Local_po
   return least > cone_side_bound ? 1 : most < -cone_side_bound ? -1 : cone_undecided;
 }
 
-/// The side of the plane a b c on which p lies, likewise. Differences are at most 2 among corners and those of p sum to
-/// at most 7: minors at most 8, products at most 56 in all, each rounded at most eight times with its differences;
-/// errors of the coordinates, 2 e in a difference, add at most 2 e (28 + 28 + 24): below 2^-43 in all.
+/// Upper bound of the error of `plane_determinant` in double: verify/proofs/distance_proofs.h.
+///
+/// Differences are at most 2 among corners, and those from p sum to at most 7. Minors are at most 8, products at most
+/// 56 in all, each rounded at most eight times with its differences. Errors of the coordinates, 2 e in a difference,
+/// add at most 2 e (28 + 28 + 24). The sum of all errors is below 2^-43.
 inline constexpr double plane_side_bound = 0x1p-42;
 template <class Number>
 Number plane_determinant(const std::array<Number, 3>& a, const std::array<Number, 3>& b, const std::array<Number, 3>& c,
@@ -63,14 +68,14 @@ Number plane_determinant(const std::array<Number, 3>& a, const std::array<Number
   return (by * cz - bz * cy) * (p[0] - a[0]) + (bz * cx - bx * cz) * (p[1] - a[1]) +
          (bx * cy - by * cx) * (p[2] - a[2]);
 }
+/// Returns the side of the plane a b c on which p lies, 0 where the filter is uncertain.
 inline int plane_side(const Local_point& a, const Local_point& b, const Local_point& c, const Local_point& p)
 {
   const double side = plane_determinant(a, b, c, p);
   return side > plane_side_bound ? 1 : side < -plane_side_bound ? -1 : 0;
 }
 
-/// A triangle of a model, with its plane normal . x = offset: a component of the normal is off by at most
-/// `normal_error`, the offset by at most `offset_error`.
+/// A triangle of a model, with its plane normal . x = offset.
 struct Local_facet {
   Local_triangle corner;
   Local_point normal;
@@ -82,8 +87,9 @@ struct Local_facet {
     offset = dot(normal, corner[0]);
   }
 
-  /// Upper bounds of the errors of a component of the normal, and of the offset.
-  static constexpr double normal_error = 0x1p-46, offset_error = 0x1p-43;
+  // Both are proved in verify/proofs/cone_proofs.h.
+  static constexpr double normal_error = 0x1p-46,  ///< upper bound of the error of a component of the normal
+      offset_error = 0x1p-43;                      ///< upper bound of the error of the offset
 
   template <class Number>
   static std::array<Number, 3> normal_of(const std::array<std::array<Number, 3>, 3>& t)
@@ -92,59 +98,65 @@ struct Local_facet {
   }
 };
 
-/// Cells of directions about an origin: each octant of the octahedron |x| + |y| + |z| = 1 has an n x n lattice, of
-/// which the half below its diagonal is used. JS08 section 2.1 halves the edges of the same octahedron.
+/// Cells of directions about an origin. Each octant of the octahedron |x| + |y| + |z| = 1 has an n x n lattice, whose
+/// half below the diagonal is used. (JS08 section 2.1 halves the edges of the same octahedron.)
 ///
-/// In an octant, with coordinates taken positive, r = x + y + z is linear and central projection (a, b, c) = n (x, y,
-/// z) / r maps triangles to triangles. Cell (i, j) is i <= a <= i + 1, j <= b <= j + 1 and c >= 0, and its *wide* cell
-/// reaches `wide_margin` farther everywhere, across the sides of the octant too, r being the octant's. Every direction
-/// in local units of norm at least `core` is, with its error, within the wide cell that it is given. What `for_cells`
-/// says of a cell holds for its wide cell. So a point may be moved by an infinitesimal, or have come out in the
-/// neighbour of its cell, and nothing of what is said becomes wrong.
+/// In an octant, coordinates are taken as positive. There r = x + y + z is linear, and central projection (a, b, c) = n
+/// (x, y, z) / r maps triangles to triangles. Cell (i, j) is i <= a <= i + 1, j <= b <= j + 1 and c >= 0. Its *wide*
+/// cell extends `wide_margin` farther on all sides, also across the sides of the octant, with r that of the octant.
+///
+/// A direction in local units whose norm is at least `core` lies, with its error, in the wide cell that it is given.
+/// All that `for_cells` states of a cell holds for its wide cell. So it stays true when a point is moved by an
+/// infinitesimal, or was assigned to the neighbour of its cell.
 class Cone_cells {
  public:
-  static constexpr int most = 1 << 10;     ///< n at most
-  static constexpr double core = 0x1p-20;  ///< nearer to the origin, nothing is said
+  static constexpr int most = 1 << 10;     ///< the largest n
+  static constexpr double core = 0x1p-20;  ///< least norm of a point for which cells answer
 
-  /// How much farther a wide cell reaches: above what the lattice coordinates of a point are off by.
+  /// The width by which a wide cell extends beyond its cell: an upper bound of the error of lattice coordinates
+  /// (verify/proofs/cone_proofs.h).
   static constexpr double wide_margin = 0x1p-10;
-  /// By so much intervals of a, b and c are made wider: a wide cell's margin, and what clipped corners are off by.
+  /// The width by which intervals of a, b and c are extended: `wide_margin`, and the error of clipped corners
+  /// (verify/proofs/cone_proofs.h).
   static constexpr double lattice_margin = 0x1p-8;
-  /// By so much intervals of norms are made wider: what they and points are off by, and their rounding to float.
+  /// The width by which intervals of norms are extended: the errors of norms and points, and their rounding to float
+  /// (verify/proofs/cone_proofs.h).
   static constexpr double norm_margin = 0x1p-21;
-  /// How much an octant is widened that triangles are clipped to, and how far on the other side of its border a corner
-  /// may be of a triangle that reaches it so, both over n and the second for norms of up to 3.
-  static constexpr double widening = 0x1p-9, near_side = 0x1p-7;
-  /// Above the error of the norm where a plane meets a direction, both known in double.
+  // Both are divided by n, and proved in verify/proofs/cone_proofs.h.
+  static constexpr double widening = 0x1p-9,  ///< widens the octant to which triangles are clipped
+      near_side = 0x1p-7;  ///< bounds how far a corner of a triangle in it is beyond its border, for norms of up to 3
+  /// Upper bound of the error of the norm at which a plane meets a direction, both known in double:
+  /// verify/proofs/cone_proofs.h.
   static constexpr double plane_margin = 0x1p-24;
-  /// Where a plane's slope is less, it tells nothing.
+  /// The least slope g of a plane that is used.
   static constexpr double least_slope = 0x1p-16;
 
-  /// a n / r of a point of coordinate a and norm r: its lattice coordinate.
+  /// Returns a lattice coordinate, n a / r, of a point of coordinate a and norm r.
   template <class Number>
   static Number on_lattice(const Number& coordinate, const Number& n, const Number& norm)
   {
     return coordinate * (n / norm);
   }
-  /// A coordinate of a point of an edge.
+  /// Returns a coordinate of a point of an edge.
   template <class Number>
   static Number on_edge(const Number& from, const Number& to, const Number& share)
   {
     return from + share * (to - from);
   }
-  /// How g of a plane changes by a step of the lattice: by its components along a and c.
+  /// Returns the change of a plane's g by a step of the lattice, from its components along a and c.
   template <class Number>
   static Number slope_of_step(const Number& along_a, const Number& along_c, const Number& n)
   {
     return (along_a - along_c) / n;
   }
-  /// g at a place of the lattice, and by how much it differs over a cell that is made wider.
+  /// Returns g at a point of the lattice.
   template <class Number>
   static Number slope_at(const Number& along_c, const Number& per_a, const Number& a, const Number& per_b,
                          const Number& b)
   {
     return along_c + per_a * a + per_b * b;
   }
+  /// Returns an upper bound of the change of g from the middle of a cell to any point of the widened cell.
   template <class Number>
   static Number half_spread(const Number& per_a, const Number& per_b)
   {
@@ -158,7 +170,7 @@ class Cone_cells {
   int n() const { return n_; }
   std::size_t count() const { return 8 * octant_size(); }
 
-  /// The cell of a point of this norm. Requires norm >= core.
+  /// Returns the cell of a point of this norm. Requires norm >= core.
   std::size_t cell(const Local_point& p, double norm) const
   {
     const double scale = n_ / norm;
@@ -168,7 +180,7 @@ class Cone_cells {
     return octant * octant_size() + row(i) + std::size_t(j);
   }
 
-  /// Directions of norm 1 whose hull holds a wide cell.
+  /// Directions of norm 1 whose convex hull holds a wide cell.
   using Corners = std::array<Local_point, 4>;
 
   /// Calls what(cell, direction, corners) for every cell in order, with a direction of norm 1 well within it.
@@ -184,11 +196,11 @@ class Cone_cells {
         }
   }
 
-  /// Calls what(cell, low, high) for each cell whose wide cell the triangle may meet at a norm of `core` or more: where
-  /// it does, then at norms strictly between low and high, and farther from them than any norm is off. False when the
+  /// Calls what(cell, low, high) for each cell whose wide cell the triangle may meet at a norm of `core` or more. All
+  /// norms at which it does are strictly between low and high, by more than the error of a norm. Returns false when the
   /// triangle may come nearer to the origin than `core`. Requires a model's points.
   ///
-  /// The triangle is clipped to the octant, a little widened, and where r >= core / 4.
+  /// The triangle is clipped to the octant, a little widened, and to r >= core / 4.
   template <class What>
   bool for_cells(const Local_facet& facet, const What& what) const
   {
@@ -217,7 +229,7 @@ class Cone_cells {
     std::array<Local_point, 16> corner;  // 7, and what rounding may add
     int count = 0;
 
-    /// What is left where the linear function is not negative.
+    /// Clips the polygon to the points where the linear function is not negative.
     template <class Function>
     void clip(const Function& value)
     {
@@ -244,13 +256,13 @@ class Cone_cells {
   std::size_t octant_size() const { return std::size_t(n_) * std::size_t(n_ + 1) / 2; }
   std::size_t row(int i) const { return std::size_t(i) * std::size_t(2 * n_ - i + 1) / 2; }
 
-  /// The direction (a, b, 1 - a - b) of an octant.
+  /// Returns the direction (a, b, 1 - a - b) of an octant.
   static Local_point turned(int octant, double a, double b)
   {
     return {octant & 1 ? -a : a, octant & 2 ? -b : b, octant & 4 ? a + b - 1 : 1 - a - b};
   }
 
-  /// Of cell (i, j). The half of it below the diagonal where that crosses it.
+  /// Returns the corners of cell (i, j), or of its half below the diagonal where the diagonal crosses it.
   Corners corners(int octant, int i, int j) const
   {
     const auto at = [&](double a, double b) { return turned(octant, a / n_, b / n_); };
@@ -271,8 +283,8 @@ class Cone_cells {
     return turned;
   }
 
-  /// The plane of a triangle in the coordinates of an octant: along a direction (a, b, c) / n it is at the norm D / g,
-  /// g linear in a and b, so that over a cell the norm is between those at its corners where g keeps its sign.
+  /// The plane of a triangle in the coordinates of an octant. Along a direction (a, b, c) / n it is at the norm D / g,
+  /// g linear in a and b. So the norm over a cell is between those at its corners, where g keeps its sign.
   class Plane {
    public:
     Plane(const Local_facet& facet, unsigned octant, int n) : offset_(facet.offset)
@@ -284,7 +296,7 @@ class Cone_cells {
       half_spread_ = half_spread(per_a_, per_b_);
     }
 
-    /// Bounds the norms within wide cell (i, j), where all of it is faced.
+    /// Narrows the bounds of the norms within wide cell (i, j), if the plane faces all of it.
     void narrow(int i, int j, double& low, double& high) const
     {
       const double middle = slope_at(along_c_, per_a_, i + 0.5, per_b_, j + 0.5);

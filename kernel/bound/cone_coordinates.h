@@ -13,19 +13,22 @@
 namespace tetracone::kernel {
 
 /// Coordinates of points along the rays of a cone: p = V0 + c_1 V_1 + c_2 V_2 + c_3 V_3, with V_i the vectors to
-/// lattice points. What a bounding tetrahedron asks of them is whether all points lie on V0's side of a plane that cuts
-/// ray i at length_i V_i: whether sum_i c_i / length_i <= 1, the sign of the barycentric coordinate at V0.
+/// lattice points. A bounding tetrahedron has a plane that cuts ray i at length_i V_i. All points must lie on V0's side
+/// of it: sum_i c_i / length_i <= 1, the sign of the barycentric coordinate at V0.
 ///
-/// Sound: c_i = ((p - V0) . N_i) / D with N_i, D exact (products of integers below 2^13), so only p - V0, the products,
-/// sums and the division round, shares of A_i = sum_k |p - V0|_k |N_ik| / D. Over the largest A_i of all points, sum_i
-/// `form_rounding` A_i / length_i covers the error of the whole form; `bounded_by` asks for that much more.
+/// Sound: c_i = ((p - V0) . N_i) / D with N_i, D exact (products of integers below 2^13). So only p - V0, the products,
+/// sums and the division round. Their errors are fractions of A_i = sum_k |p - V0|_k |N_ik| / D. With the largest A_i
+/// of all points, sum_i `form_rounding` A_i / length_i is an upper bound of the error of the whole form. `bounded_by`
+/// requires that much more.
 template <class B, bool sound>
 class Cone_coordinates {
  public:
-  /// Shares of the form's terms, and of 1, from which they are taken.
-  static constexpr B form_rounding = 16 * unit_roundoff<B>, one_rounding = 4 * unit_roundoff<B>;
+  // Both are proved in verify/proofs/bound_proofs.h.
+  static constexpr B form_rounding = 16 * unit_roundoff<B>,  ///< upper bound of the form's error, relative to its terms
+      one_rounding = 4 * unit_roundoff<B>;  ///< upper bound of the error of 1 less these errors, as computed
 
-  /// Of the distance from V0 to the plane through the unit points of the rays, a share of it.
+  /// Upper bound of the relative error of the distance from V0 to the plane through the unit points of the rays:
+  /// verify/proofs/margin_proofs.h.
   static constexpr double height_rounding = 0x1p-36;
 
   template <class Number>
@@ -34,21 +37,22 @@ class Cone_coordinates {
     return dot(p, normal) / scale;
   }
 
-  /// 1 on the plane that cuts the rays at these lengths.
+  /// Returns the form, which is 1 on the plane that cuts the rays at these lengths.
   template <class Number>
   static Number form(const std::array<Number, 3>& c, const std::array<Number, 3>& length)
   {
     return c[0] / length[0] + c[1] / length[1] + c[2] / length[2];
   }
 
-  /// What a form may be, less the shares of its coordinates' errors.
+  /// Returns the largest form that is accepted: 1 less the errors of the coordinates' terms.
   template <class Number>
   static Number allowed(const std::array<Number, 3>& shares)
   {
     return (((Number(1) - shares[0]) - shares[1]) - shares[2]) - Number(one_rounding);
   }
 
-  /// The points relative to the origin, each at most `radius` away. Requires det[V1, V2, V3] > 0.
+  /// Computes the coordinates of points, given relative to the origin, each at most `radius` away. Requires det[V1, V2,
+  /// V3] > 0.
   Cone_coordinates(const std::array<Direction, 3>& ray, B step, std::span<const Bound_point<B>> relative, B radius)
   {
     std::array<Bound_point<B>, 3> v;
@@ -69,7 +73,7 @@ class Cone_coordinates {
       }
       coordinates_.push_back(c);
     }
-    // The plane through the unit points of the rays has distance h from V0: rays of length radius / h keep it beyond
+    // The plane through the unit points of the rays has distance h from V0. Rays of length radius / h keep it beyond
     // all points.
     std::array<Bound_point<B>, 3> unit;
     for (int i = 0; i < 3; ++i)
@@ -80,6 +84,7 @@ class Cone_coordinates {
       isosceles_[i] = radius / height * (sound ? B(1 + height_rounding) : B(1)) / length_of_ray_[i];
   }
 
+  /// True when the plane that cuts the rays at these lengths has all points on V0's side.
   bool bounded_by(const std::array<B, 3>& length) const
   {
     const auto share = [&](int i) { return form_rounding * largest_[i] / length[i]; };
@@ -89,24 +94,24 @@ class Cone_coordinates {
     return true;
   }
 
-  /// Three edges of one length that bound every point within the radius.
+  /// Returns the lengths of three equal edges that bound every point within the radius.
   const std::array<B, 3>& isosceles() const { return isosceles_; }
 
-  /// The volume of the tetrahedron cut off at these lengths.
+  /// Returns the volume of the tetrahedron cut off at these lengths.
   B volume(const std::array<B, 3>& length) const { return volume_ * length[0] * length[1] * length[2]; }
 
-  /// Lengths that bound all points, of nearly the least volume: a pattern search over the two ratios of the lengths,
-  /// the third number following from the farthest point. No edge grows beyond 4 times the isosceles ones; `start`
-  /// bounds.
+  /// Returns lengths that bound all points, of nearly the least volume. A pattern search over the two ratios of the
+  /// lengths finds them; the third number follows from the farthest point. No edge grows beyond 4 times the isosceles
+  /// ones. Requires that `start` bounds the points.
   std::array<B, 3> least_volume(const std::array<B, 3>& start) const
   {
     const auto lengths = [this](B x, B y) {
-      // Lengths of the rays in the ratio e^x : e^y : e^(-x-y), scaled until the farthest point lies on the plane.
+      // The rays have lengths in the ratio e^x : e^y : e^(-x-y), scaled until the farthest point lies on the plane.
       std::array<B, 3> length = {std::exp(x) / length_of_ray_[0], std::exp(y) / length_of_ray_[1],
                                  std::exp(-x - y) / length_of_ray_[2]};
       B farthest = 0;
       for (const auto& c : coordinates_) farthest = maximum(farthest, form(c, length));
-      // As far as `bounded_by` asks, and not less: in a slender cone its allowance for rounding is many units.
+      // The allowance is that of `bounded_by`, not less: in a slender cone it is many units.
       for (int i = 0; i < 3; ++i)
         farthest += (sound ? form_rounding + unit_roundoff<B> : unit_roundoff<B>)*largest_[i] / length[i];
       for (B& l : length) l *= farthest * (1 + 64 * unit_roundoff<B>);
@@ -126,7 +131,7 @@ class Cone_coordinates {
           const B candidate_volume = volume(candidate);
           bool long_edge = false;
           for (int i = 0; i < 3; ++i) long_edge = long_edge || candidate[i] > 4 * isosceles_[i];
-          // Of no volume: no point is on the cone's side of V0, or it underflowed.
+          // A volume of 0 means that no point is on the cone's side of V0, or that it underflowed.
           if (candidate_volume > 0 && candidate_volume < best_volume && !long_edge && bounded_by(candidate)) {
             best = candidate;
             best_volume = candidate_volume;

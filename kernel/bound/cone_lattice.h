@@ -12,19 +12,16 @@
 
 namespace tetracone::kernel {
 
-/// A direction from the origin of a tetra-tree: an integer point of the octahedron |x| + |y| + |z| = lattice_size.
-/// The corners of the octahedron, halved `max_cone_depth` - 1 times, stay integer.
+/// A direction from the origin of a tetra-tree: an integer point of the octahedron |x| + |y| + |z| = lattice_size. The
+/// corners of the octahedron stay integer when edges are halved `max_cone_depth` - 1 times.
 using Direction = std::array<std::int32_t, 3>;
 inline constexpr int max_cone_depth = 12;
 inline constexpr std::int32_t lattice_size = 1 << max_cone_depth;
 
-/// Origin and step of a lattice of directions, chosen so that every point origin + step * direction is exact in double
-/// (and, for a model that lies about the coordinate origin, in float): the rays of all tetra-cones then run through
-/// points that no kernel rounds.
-///
-/// The origin is the centroid of the vertices, rounded to a multiple of step = 2^k. With e the extent and s the largest
-/// coordinate of the model, step >= 2^-18 e and step >= 2^-51 s; |origin| <= s and the lattice reaches 2^12 steps,
-/// so every sum is a multiple of step below 2^53 steps. (Any origin serves: definitions of the covering ask for none.)
+/// The origin is the centroid of the vertices, rounded to a multiple of step = 2^k. Let e be the extent and s the
+/// largest coordinate of the model. Then step >= 2^-18 e and step >= 2^-51 s. Since |origin| <= s and the lattice has a
+/// radius of 2^12 steps, every sum is a multiple of step below 2^53 steps. (Any origin serves: JS08's definitions of
+/// the covering ask for none.)
 struct Cone_lattice {
   Vertex origin{0, 0, 0};
   double step = 1;
@@ -35,6 +32,7 @@ struct Cone_lattice {
   }
 };
 
+/// Returns the lattice for a model of these vertices; the default one where there are none.
 inline Cone_lattice cone_lattice(std::span<const Vertex> vertices)
 {
   if (vertices.empty()) return {};

@@ -12,27 +12,30 @@
 
 namespace tetracone::kernel {
 
-/// A model's `Local_point`, rounded; 0 in the last lane.
+/// A model's `Local_point`, rounded to float; 0 in the last lane.
 using Rounded_point = Four_floats;
 inline Rounded_point rounded(const Local_point& p) { return Rounded_point{float(p[0]), float(p[1]), float(p[2]), 0}; }
 
-/// A point p against triangles as they are seen from the origin, by a filter in float, four at a time.
+/// A filter in float for a point p against triangles as they are seen from the origin, four at a time.
 ///
-/// The axis z along which p is largest is kept, the others are sheared so that the line from the origin through p
-/// becomes z's: (x, y, z) -> (X, Y, z) = (x - z p_x / p_z, y - z p_y / p_z, z). How an edge of the triangle turns about
-/// the line is the sign of one 2D determinant, of numbers as small as the triangle is beside the line.
+/// The axis z along which p is largest is kept. The others are sheared so that the line from the origin through p
+/// becomes the z axis: (x, y, z) -> (X, Y, z) = (x - z p_x / p_z, y - z p_y / p_z, z). How an edge of the triangle
+/// turns about the line is the sign of one 2D determinant. Its numbers are as small as the triangle is beside the line.
 class Cone_probe {
  public:
   /// One corner of each of four triangles.
   using Corners = std::array<Rounded_point, 4>;
 
-  /// What triangles w a b say of p, a bit each: which the line from the origin through p meets within, their edges
-  /// turning about p to the left (1, as by `cone_holds`) or to the right (-1); of which of these p is before the plane,
-  /// with the triangle on p's side of the origin; and which are uncertain. The others are missed.
+  /// The answers of four triangles w a b about p, a bit each. All other triangles are missed by the line from the
+  /// origin through p.
+  /// - `left`, `right`: the line meets the triangle's interior, and its edges turn about p to the left or to the right
+  /// (1 or -1 in `cone_holds`).
+  /// - `before`: p is before the plane of such a triangle, which lies on p's side of the origin.
+  /// - `undecided`: the filter is uncertain.
   struct Views {
     unsigned left, right, before, undecided;
 
-    /// Of triangle k, as `cone_holds` has it.
+    /// Returns the answer of triangle k in the form of `cone_holds`.
     int facing(unsigned k) const
     {
       return undecided >> k & 1 ? cone_undecided : int(left >> k & 1) - int(right >> k & 1);
@@ -45,7 +48,7 @@ class Cone_probe {
     assert(octahedral_norm(p) >= Cone_cells::core && octahedral_norm(p) <= 4);
     const double x = std::abs(p[0]), y = std::abs(p[1]), z = std::abs(p[2]);
     z_ = z >= x && z >= y ? 2 : y >= x ? 1 : 0;
-    // Axes in cyclic order as p sees them: it is seen from the other side where it points the other way.
+    // The axes are in cyclic order as seen from p. Where z points away from p, it is seen from the other side.
     const bool is_up = p[z_] > 0;
     const std::size_t next = z_ == 2 ? 0 : z_ + 1, last = z_ == 0 ? 2 : z_ - 1;
     x_ = is_up ? next : last;
@@ -56,15 +59,15 @@ class Cone_probe {
     height_ = float(p[z_]);
   }
 
-  /// Of corners of a model's triangles.
+  /// Returns the views of four triangles, by the corners of a model.
   ///
-  /// X and Y are off by at most E, `sheared_error`: a shear by being a float and by p, which is off by `local_error`
-  /// over |p_z| >= core / 3. A determinant X Y' - Y X' of numbers of at most B <= 2 is off by less than t,
-  /// `turn_slack(B)`.
+  /// The errors of X and Y are at most E, `sheared_error`. They come from the shear, which is rounded to float, and
+  /// from p, whose error is `local_error` over |p_z| >= core / 3. A determinant X Y' - Y X' of numbers of at most B <=
+  /// 2 has an error below t, `turn_slack(B)`.
   ///
-  /// The line meets the triangle's plane at z = p_z + D / S, with e the three determinants, S their sum and D the sum
-  /// of e_k (z_k - p_z), z_k of the corner opposite. A difference, at most Z <= 5, is off by at most `height_error`.
-  /// With |e| <= L, off by t, D is off by less than `plane_slack(t, L, Z)`.
+  /// The line meets the triangle's plane at z = p_z + D / S. S is the sum of the three determinants e_k, and D the sum
+  /// of e_k (z_k - p_z), with z_k of the corner opposite. The error of a difference, which is at most Z <= 5, is at
+  /// most `height_error`. With |e| <= L and an error of e of at most t, the error of D is below `plane_slack(t, L, Z)`.
   Views operator()(const Corners& w, const Corners& a, const Corners& b) const
   {
     const auto [wx, wy, wz] = sheared(w);
@@ -94,10 +97,12 @@ class Cone_probe {
     return {bits & 15, bits >> 4 & 15, bits >> 8 & 15, bits >> 12 & 15};
   }
 
-  /// What sheared coordinates and heights above the point are off by, and what determinants are off by, over B + E.
-  static constexpr float sheared_error = 0x1p-22f, turn_bound = 8 * sheared_error, height_error = 0x1p-21f;
-  /// What D is off by, in units of t (Z + H) + L (H + `height_rounding` Z).
-  static constexpr float plane_factor = 4, height_rounding = 0x1p-22f;
+  // All are proved in verify/proofs/cone_proofs.h.
+  static constexpr float sheared_error = 0x1p-22f,  ///< upper bound of the error of a sheared coordinate, E
+      turn_bound = 8 * sheared_error,               ///< upper bound of the error of a determinant, over B + E
+      height_error = 0x1p-21f;                      ///< upper bound of the error of a height above p, H
+  static constexpr float plane_factor = 4,          ///< error of D, over t (Z + H) + L (H + `height_rounding` Z)
+      height_rounding = 0x1p-22f;                   ///< relative rounding of the terms of D
 
   template <class Floats, class Float>
   static Floats sheared(const Floats& x, const Floats& z, const Float& shear)
@@ -127,7 +132,7 @@ class Cone_probe {
   }
 
  private:
-  /// X, Y and z of four corners.
+  /// Returns X, Y and z of four corners.
   std::array<Four_floats, 3> sheared(const Corners& p) const
   {
     const Four_floats xy01 = __builtin_shufflevector(p[0], p[1], 0, 4, 1, 5);

@@ -11,19 +11,20 @@
 
 namespace tetracone::kernel {
 
-/// A slab |n . x - d| <= 1 about what triangles have in a cell of directions, with n . x growing along each ray of the
-/// cell: what is beyond it on a ray is beyond all of them, and what is before it before all.
+/// A slab |n . x - d| <= 1 about the parts of triangles in a cell of directions, where n . x grows along each ray of
+/// the cell. A point beyond the slab on a ray is beyond all the triangles; a point before it is before all.
 class Cone_slab {
  public:
-  /// Tells nothing.
+  /// A slab that answers nothing: `side` is 0.
   Cone_slab() = default;
 
-  /// Of triangles of a model, in the wide cell whose corners these are. It tells nothing where no plane faces all of
-  /// the cell.
+  /// The slab of triangles of a model, in the wide cell with these corners. It answers nothing where no plane faces all
+  /// of the cell.
   ///
-  /// A triangle's part in the cell lies in the hull of its corners, and, where its plane faces all of the cell, of the
-  /// plane's points on the cell's corners: at D / g, g = N . direction, times their ascent. `margin` is more than the
-  /// errors of these heights, of at most `highest`, and of n / w and d / w, rounded to float, over |x|_1 <= 4.
+  /// A triangle's part in the cell lies in the hull of its corners. Where its plane faces all of the cell, the part
+  /// also lies in the hull of the plane's points on the cell's corners. These are at D / g, g = N . direction, times
+  /// their ascent. `margin` is an upper bound of the errors of these heights, which are at most `highest`. It covers
+  /// also the errors of n / w and d / w, rounded to float, over |x|_1 <= 4.
   Cone_slab(const Cone_cells::Corners& corners, std::span<const Local_facet> facets)
   {
     Local_point n{};
@@ -48,20 +49,20 @@ class Cone_slab {
     offset_ = float(0.5 * (high + low) / width);
   }
 
-  /// 1 beyond the slab, -1 before it, 0 where it does not tell. Requires a point of the cell of norm at most 4.
+  /// Returns 1 beyond the slab, -1 before it, 0 where it does not tell. Requires a point of the cell of norm at most 4.
   int side(const Local_point& p) const
   {
     const double at = normal_[0] * p[0] + normal_[1] * p[1] + normal_[2] * p[2] - offset_;
     return int(at > 1) - int(at < -1);
   }
 
-  /// Above what heights of triangles and of points are off by.
+  /// Upper bound of the errors of the heights of triangles and of points: verify/proofs/cone_proofs.h.
   static constexpr double margin = 0x1p-19;
-  /// Where the slope g of a plane is less, or a height more, the plane tells nothing.
-  static constexpr double least_slope = 0x1p-20, highest = 4;
+  static constexpr double least_slope = 0x1p-20,  ///< the least slope g of a plane that is used
+      highest = 4;                                ///< the largest height of a plane that is used
 
  private:
-  /// Heights of the plane's points on the corners of the cell, where there are such.
+  /// Narrows the bounds to the heights of the plane's points on the corners of the cell, where there are such.
   static void narrow(const Local_facet& f, const Cone_cells::Corners& corners, const std::array<double, 4>& ascent,
                      double& least, double& most)
   {

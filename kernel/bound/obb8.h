@@ -10,11 +10,10 @@
 #include <cstdint>
 #include <limits>
 
-/// Eight oriented boxes against one, at once.
+/// Comparisons of eight oriented boxes with one, at once.
 ///
-/// Boxes live in a body's local units, relative to the origin of their node, in float; every comparison carries a
-/// slack, so that a box that is said to be apart is apart in exact arithmetic. The comparison itself is in
-/// obb8_overlap.h.
+/// Boxes are in a body's local units, relative to the origin of their node, in float. Every comparison carries a slack,
+/// so that a box that is found apart is apart in exact arithmetic. The comparison itself is in obb8_overlap.h.
 namespace tetracone::kernel {
 
 inline constexpr std::size_t lanes = 8;
@@ -24,13 +23,13 @@ inline constexpr std::size_t lanes = 8;
 struct alignas(32) Obb8 {
   float centre[3][lanes], axis[3][3][lanes], extent[3][lanes];
   float origin[3];
-  float reach;           ///< |c|_2 + sum_i e_i of every lane is at most this, c relative to the origin
-  int lane_count;        ///< so many lanes hold a box, the first ones
+  float reach;           ///< upper bound of |c|_2 + sum_i e_i of every lane, c relative to the origin
+  int lane_count;        ///< number of lanes that hold a box, the first ones
   std::uint32_t marked;  ///< lanes, as bits, that mean something to whoever keeps the boxes
 };
 inline constexpr double axis_defect = 0x1p-21;
 
-/// Of box `lane`, in the body's local units.
+/// Returns the centre of box `lane`, in the body's local units.
 inline std::array<double, 3> centre_of(const Obb8& boxes, int lane)
 {
   std::array<double, 3> centre;
@@ -38,13 +37,13 @@ inline std::array<double, 3> centre_of(const Obb8& boxes, int lane)
   return centre;
 }
 
-/// A point's coordinates s along axes of that defect d are a_i . y but for 3 d (1 + 4 d) max_k |a_k . y|; the fourth
-/// takes what is rounded in double. And |a_i|_1 is below 2: what an error of each coordinate moves a point along an
-/// axis.
+/// A point's coordinates s along axes of defect d differ from a_i . y by at most 3 d (1 + 4 d) max_k |a_k . y|. The
+/// factor 4 covers that and rounding in double. |a_i|_1 is below 2: an error of each coordinate moves a point along an
+/// axis by at most this factor. Both are proved in verify/proofs/separation_proofs.h.
 inline constexpr double axis_defect_factor = 4, axis_norm_1 = 2;
 
-/// Where a triangle lies in its box: in the plane of axes 1 and 2, with corners (-e1, -e2), (e1, -e2) and (apex e1,
-/// e2), up to `apex_tolerance` (e1 + e2); kept in 16 bits, 0 for a box of something else.
+/// The place of a triangle in its box, in 16 bits; 0 for a box of something else. The triangle is in the plane of axes
+/// 1 and 2, with corners (-e1, -e2), (e1, -e2) and (apex e1, e2), up to `apex_tolerance` (e1 + e2).
 using Apex_code = std::uint16_t;
 inline constexpr float no_apex = 2;
 inline constexpr double apex_tolerance = 0x1p-15;
@@ -63,25 +62,28 @@ struct Single_box {
   float centre[3], extent[3], normal[3][3], slack, apex = no_apex;
 };
 
-/// What a comparison of boxes may be off by, a share of M = |t|_1 + reach + sum of extents, t the single box's centre
-/// relative to the node's origin and reach a bound on |c|_2 + sum_i e_i of every lane: roundings, and the axes' defect.
+/// Upper bound of the error of a comparison of boxes, relative to M: roundings, and the axes' defect
+/// (verify/proofs/obb8_proofs.h). M = |t|_1 + reach + sum of extents. t is the single box's centre relative to the
+/// node's origin, and reach an upper bound of |c|_2 + sum_i e_i of every lane.
 inline constexpr double box_rounding = 80 * 0x1p-24;
 
-/// The same of a box that a similarity carries, a share of reach + sum of extents: where |t|_2 is above that, the boxes
-/// are apart, whatever is computed. The edges are carried in float.
+/// Upper bound of that error for a box that a similarity carries, relative to reach + sum of extents
+/// (verify/proofs/obb8_proofs.h). Where |t|_2 is above that sum, the boxes are apart, whatever is computed. The edges
+/// are carried in float.
 inline constexpr double carried_box_rounding = 192 * 0x1p-24;
 
-/// Above the length of every axis tried in |.|_1: what an error of each coordinate of a point moves it along an axis.
+/// Upper bound of |axis|_1 of every axis tried. An error of each coordinate of a point moves it along an axis by at
+/// most this factor: verify/proofs/obb8_proofs.h.
 inline constexpr double position_factor = 8;
 
-/// A factor that takes the roundings of a bound made of a few floats.
+/// A factor that covers the roundings of a bound made of a few floats: verify/proofs/margin_proofs.h.
 inline constexpr float rounded_up = 1 + 0x1p-20f;
 
-/// Above what products of floats lose by underflow in a comparison.
+/// Upper bound of the error of a comparison by products of floats that underflow: verify/proofs/margin_proofs.h.
 inline constexpr float box_underflow = 0x1p-100f;
 
-/// The slack of a test among boxes of a node. `position_error` bounds how far, in one coordinate, any point of the
-/// single box is from where it belongs.
+/// Returns the slack of a test among boxes of a node. `position_error` is an upper bound of the error of a coordinate
+/// of any point of the single box.
 inline float obb8_slack(double m, double position_error)
 {
   return static_cast<float>(box_rounding * m + position_factor * position_error) * rounded_up + box_underflow;
@@ -94,7 +96,7 @@ class Box_map {
 
   explicit Box_map(const Relative_frame& frame) : frame_(frame) { make_ready(); }
 
-  /// From B's units to A's: see `Relative_frame`.
+  /// The map from B's local units to A's: see `Relative_frame`.
   Box_map(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b) : frame_(a, in_a, b, in_b)
   {
     make_ready();
@@ -108,20 +110,20 @@ class Box_map {
   const Relative_frame& frame() const { return frame_; }
   bool is_similarity() const { return frame_.is_similarity(); }
 
-  /// The factor by which a similarity lengthens.
+  /// Returns the factor by which a similarity lengthens.
   double scale() const { return frame_.scale(); }
 
-  /// Column j of the map over `scale`.
+  /// Returns column j of the map, divided by `scale`.
   const float* direction(int j) const { return direction_[j]; }
 
-  /// Column j of the map, j = 3 its offset.
+  /// Returns column j of the map; column 3 is its offset.
   const double* column(int j) const { return column_[j]; }
   float stretch() const { return stretch_; }
 
-  /// As `obb8_slack`, of a box that a similarity carries, wherever it is.
+  /// Returns the slack for a box that a similarity carries, wherever it is: see `obb8_slack`.
   float slack(float reach, float size) const { return float(carried_box_rounding) * (reach + size) + position_slack_; }
 
-  /// The whole single box, for any map.
+  /// Returns the single box, for any map.
   Single_box operator()(const Obb8& boxes, const Obb8& from, int lane) const
   {
     Single_box box;

@@ -11,39 +11,45 @@
 
 namespace tetracone::kernel {
 
-/// Lower bounds of the distances of eight boxes from one, in the local units of the eight, squared.
+/// Factor that covers the roundings of the root of a squared distance: 1.5 * 2^-20 and a few roundings
+/// (verify/proofs/obb8_distance_proofs.h).
 ///
-/// In the frame of a box's axes a_i the other box lies in an axis-parallel box: points of both differ along a_i by at
-/// least g_i = |a_i . t| - e_i - sum_j f_j |a_i . edge_j|, where that is positive, t from centre to centre. With axes
-/// of a defect d (`axis_defect`) |y|^2 >= (1 - 3 d) sum_i (a_i . y)^2. Of a similarity, the same in the frame of the
-/// single box, whose edges are orthonormal but for 2^-20: d, the map's tolerance 2^-24, and roundings.
-/// Both bounds hold, and the larger one is taken. Each is improved along the way n = sum_i +-g_i a_i that it found: the
-/// boxes differ along n by at least sum_i g_i (|t_i| - e_i) - sum_j f_j |sum_i +-g_i a_i . edge_j|, over |n| a bound too.
-/// `distance_shrink` is for the root: 1.5 * 2^-20, and a few roundings.
+/// The tests below find lower bounds of the squared distances of eight boxes from one, in the local units of the eight.
+/// In the frame of a box's axes a_i the other box lies in an axis-parallel box. Points of both differ along a_i by g_i
+/// = |a_i . t| - e_i - sum_j f_j |a_i . edge_j| or more, where that is positive, t from centre to centre. With axes of
+/// a defect d (`axis_defect`) |y|^2 >= (1 - 3 d) sum_i (a_i . y)^2. For a similarity, another bound holds in the frame
+/// of the single box, whose edges are orthonormal up to 2^-20. (That is d, the map's tolerance 2^-24, and roundings.)
+/// The larger bound is taken.
+///
+/// Each is improved along the vector n = sum_i +-g_i a_i that it found. A lower bound of the difference of the boxes
+/// along n is sum_i g_i (|t_i| - e_i) - sum_j f_j |sum_i +-g_i a_i . edge_j|. Divided by |n| it is a bound of the
+/// distance too.
 inline constexpr float distance_shrink = 1 - 0x1p-18f;
 
-/// What g_i may be off by, a share of M = |t|_1 + reach + sum of extents, beside the position's error: of t, 1 rounding
-/// of the double, 2 of the node's origin and centre; of each product with an axis 3, and 4 of an edge that was carried;
-/// of the three reaches 5 more, and 6 of sums along n, where each is times |g_i|. None is of more than sqrt(3) M: 64
-/// covers 32 of them, and the axes' defect, which is 8.
+/// Upper bound of the error of g_i, relative to M = |t|_1 + reach + sum of extents, beside the position's error
+/// (verify/proofs/obb8_distance_proofs.h). t has 1 rounding of the double and 2 of the node's origin and centre. Each
+/// product with an axis has 3, and 4 of an edge that was carried. The three extents along n have 5 more, and sums along
+/// n, where each is times |g_i|, have 6. No term is more than sqrt(3) M: 64 covers 32 of them, and the axes' defect,
+/// which is 8.
 inline constexpr double distance_rounding = 64 * 0x1p-24;
 
-/// What lower bounds are made of and held against.
+/// The parameters of lower bounds of gaps.
 struct Gap_question {
-  float stretch;  ///< at most the length of what is of length 1 in the units of the eight, times `distance_shrink`
-  float limit;    ///< boxes that are farther apart are not asked for
-  float known;    ///< none is nearer
-  float size;     ///< of a box: this times the sum of its extents
+  float stretch;  ///< lower bound of the length of a unit vector of the eight, in the asked units, times
+                  ///< `distance_shrink`
+  float limit;    ///< lanes farther apart than this are not wanted
+  float known;    ///< a lower bound that is known already
+  float size;     ///< the size of a box is this times the sum of its extents
 };
 
-/// What is known of the eight, a lane each.
+/// The gaps of the eight, a lane each.
 struct Eight_gaps {
   alignas(32) std::array<float, lanes> low;  ///< lower bounds of distances
-  std::array<float, lanes> size;             ///< at least the least normal number
-  std::array<float, lanes> between;          ///< of the centres, about, squared, where `stretch` is known
+  std::array<float, lanes> size;             ///< sizes of boxes, not below the least normal number
+  std::array<float, lanes> between;          ///< approximate squared distances of the centres, where `stretch` is known
 };
 
-/// The lanes of `boxes` against box `lane` of `from`, which `map` carries into their frame.
+/// A test of the lanes of `boxes` against box `lane` of `from`, which `map` carries into their frame.
 struct Gap_test {
   const Obb8* boxes;
   const Box_map* map;
@@ -51,15 +57,15 @@ struct Gap_test {
   int lane;
   Gap_question question;
 
-  // What is found.
+  // The results.
   unsigned nearer;  ///< lanes, as bits, that are not found farther than the limit
   Eight_gaps gaps;  ///< of lanes that hold nothing they may have any value
 };
 
-/// So many tests are made at once at most.
+/// The largest number of tests that are made at once.
 inline constexpr std::size_t most_gap_tests = 4;
 
-/// The size of a box by the sum of its extents, which a sign may be given.
+/// Returns the size of a box by the sum of its extents, not below the least normal number.
 inline float box_size(float sum, float factor)
 {
   const float size = sum * factor;
@@ -73,7 +79,7 @@ inline float box_size(float sum, float factor)
 
 namespace tetracone::kernel {
 
-/// Makes up to `most_gap_tests` tests, so that none need wait for what another brings.
+/// Makes up to `most_gap_tests` tests together, so that no test waits for the data of another.
 inline void find_gaps(Gap_test* tests, std::size_t count)
 {
   using Function = void(Gap_test*, std::size_t);

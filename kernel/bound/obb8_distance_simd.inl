@@ -11,24 +11,26 @@ namespace tetracone::kernel::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// What lower bounds may be off by is proved of these, run over other numbers than vectors (verify/proofs/).
+// The errors of lower bounds are proved from these functions, run over other numbers than vectors
+// (verify/proofs/obb8_distance_proofs.h).
 
-/// The way between the centres, less an extent, along an axis of a frame.
+/// Returns the distance of the centres along an axis of a frame, less an extent.
 template <class Floats>
 HWY_INLINE Floats room_along(const Floats& t, const Floats& e, const Floats& slack)
 {
   return Sub(Sub(Abs(t), e), slack);
 }
 
-/// The same less how far the other box reaches, of the extents `f` and edges with the components r along that axis.
+/// Returns that distance less the support of the other box, which has extents `f` and edges with components r along
+/// that axis.
 template <class Floats>
 HWY_INLINE Floats gap_of_room(const Floats& room, const Floats (&f)[3], const Floats (&r)[3])
 {
   return NegMulAdd(f[2], Abs(r[2]), NegMulAdd(f[1], Abs(r[1]), NegMulAdd(f[0], Abs(r[0]), room)));
 }
 
-/// The gap along a way of the components +-g_i along a frame's axes, times the way's length: there the other box itself
-/// reaches less far than the axis-parallel one about it.
+/// Returns the gap along a vector of components +-g_i along a frame's axes, times its length. Along it the support of
+/// the other box itself is smaller than that of the axis-parallel box about it.
 template <class Floats>
 HWY_INLINE Floats gap_of_way(const Floats (&g)[3], const Floats (&room)[3], const Floats (&way)[3],
                              const Floats (&f)[3], const Floats (&r)[3][3])
@@ -39,11 +41,11 @@ HWY_INLINE Floats gap_of_way(const Floats (&g)[3], const Floats (&room)[3], cons
   return gap;
 }
 
-/// The squared length of the way from a box to another along its axes i: with `t` the way between the centres, of the
-/// extents `e`, the other's edges j of extents `f` having components r[i][j].
+/// Returns a lower bound of the squared distance of a box from another, in the frame of its axes i. `t` leads from
+/// centre to centre, `e` are the extents. The other box has edges j of extents `f` with components r[i][j].
 ///
-/// First of the axis-parallel box about the other one: g_i = |t_i| - e_i - sum_j f_j |r_ij|, 0 where that is negative.
-/// Then along this way: the gap over the length.
+/// The first bound is that of the axis-parallel box about the other one: g_i = |t_i| - e_i - sum_j f_j |r_ij|, 0 where
+/// that is negative. The second is the gap along this vector, over its length.
 template <class Floats>
 HWY_INLINE Floats squared_way(const Floats (&t)[3], const Floats (&e)[3], const Floats (&f)[3], const Floats (&r)[3][3],
                               Floats slack)
@@ -57,17 +59,17 @@ HWY_INLINE Floats squared_way(const Floats (&t)[3], const Floats (&e)[3], const 
   }
   const Floats square = MulAdd(g[2], g[2], MulAdd(g[1], g[1], Mul(g[0], g[0])));
   const Floats gap = gap_of_way(g, room, way, f, r);
-  // Where neither is near underflow.
+  // Used where neither is near underflow.
   const Floats numerator = Mul(gap, Max(gap, zero));
   const auto is_sound = hn::Ge(hn::Min(numerator, square), hn::Set(hn::DFromV<Floats>(), 0x1p-100f));
   return Max(hn::IfThenElseZero(is_sound, hn::Div(numerator, square)), square);
 }
 
-/// Components along the axes i of the eight and, of a similarity, along the edges j of the single box.
+/// Components along the axes i of the eight and, for a similarity, along the edges j of the single box.
 template <class Floats>
 struct Ways_in_frames {
-  Floats t[3], r[3][3];  ///< of the way between the centres; of the edges
-  Floats s[3];           ///< of the way, along the edges
+  Floats t[3], r[3][3];  ///< t from centre to centre, r of the edges
+  Floats s[3];           ///< t along the edges
 };
 template <bool similarity, class Test>
 HWY_INLINE auto ways_in_frames(const Test& test)
@@ -95,7 +97,8 @@ HWY_INLINE auto ways_in_frames(const Test& test)
   return ways;
 }
 
-/// Lower bounds of squared distances of the test's lanes, but for the axes' defect. Undefined where its numbers are.
+/// Returns lower bounds of the squared distances of the test's lanes, up to the axes' defect. A lane is undefined where
+/// its numbers are.
 template <bool similarity, class Test>
 HWY_INLINE auto squared_gaps(const Test& test, const typename Test::Floats slack)
 {
@@ -112,7 +115,7 @@ HWY_INLINE auto squared_gaps(const Test& test, const typename Test::Floats slack
   return Max(own, squared_way(ways.s, f, e, turned, slack));
 }
 
-/// Of the other box as the test's map has carried it.
+/// Stores the gaps of the test's lanes, with the single box already carried.
 template <bool similarity>
 HWY_INLINE void store_gaps(Gap_test& test, const Single_box& box, float slack)
 {
@@ -124,7 +127,7 @@ HWY_INLINE void store_gaps(Gap_test& test, const Single_box& box, float slack)
   for (std::size_t first = 0; first < lanes; first += hn::Lanes(tag)) {
     const auto load = [&](const float* lane) HWY_ATTR { return hn::Load(tag, lane + first); };
     const auto square = squared_gaps<similarity>(One_test{boxes, box, first}, all(slack));
-    // What is infinite or undefined is no bound.
+    // An infinite or undefined value is no bound.
     const auto is_known = hn::Lt(square, all(0x1p120f));
     const auto low =
         Max(Mul(hn::Sqrt(hn::IfThenElseZero(is_known, square)), all(question.stretch)), all(question.known));
@@ -159,7 +162,7 @@ inline HWY_ATTR void find_gaps_simd(Gap_test* tests, std::size_t count)
       size = box[k].extent[0] + box[k].extent[1] + box[k].extent[2];
     }
     const float way = std::abs(box[k].centre[0]) + std::abs(box[k].centre[1]) + std::abs(box[k].centre[2]);
-    // The slacks of both maps have the position's error.
+    // Both slacks include the position's error.
     slack[k] = float(distance_rounding) * (way + boxes.reach + size) * (1 + 0x1p-20f) + box[k].slack;
   }
   for (std::size_t k = 0; k < count; ++k) {

@@ -9,70 +9,77 @@
 
 #include <cmath>
 
-/// Certified gaps of eight boxes and one that a similarity carries, each along an axis n as it is stored, of length 1 at
-/// most but for 2^-17: for all points q of the one and p of a lane n . (q - p) is at least the gap, and so is their
-/// distance.
+/// Certified gaps of eight boxes and one that a similarity carries. Each is along an axis n as it is stored, whose
+/// length is at most 1 + 2^-17. For all points q of the one and p of a lane, the gap is a lower bound of n . (q - p),
+/// and so of their distance.
 ///
-/// The comparison of obb8_overlap.h finds the axis of the largest gap. Its slack is enough to tell whether a gap is
-/// positive, since boxes whose centres are farther apart than both reach are apart, whatever is computed; how large one
-/// is depends on the distance of the centres too.
+/// The comparison of obb8_overlap.h finds the axis of the largest gap. Its slack suffices to tell whether a gap is
+/// positive: boxes whose centres are farther apart than the sum of their supports are apart, whatever is computed. The
+/// size of a gap also depends on the distance of the centres.
 namespace tetracone::kernel {
 
-/// What a gap may be off by, a share of M = |t|_1 + reach + sum of extents, t the single box's centre relative to the
-/// node's origin, beside the position's error. Boxes may be apart, so that each term counts by itself, the centres' way
-/// and both boxes' extents: none is off by more than 99 roundings, the axes' defect among them. The axis that is stored
-/// is off from the one that is compared along by 3 roundings of a coordinate, sqrt(3) times, and 7 of a component,
-/// three times by two rotations' norms: 26 of M, which no two points' distance is above. Along the sides of a triangle,
-/// which are given twice as much, these are 128 and 46.
+/// Upper bound of the error of a gap, relative to M, beside the position's error (verify/proofs/gap_proofs.h). M =
+/// |t|_1 + reach + sum of extents, t the single box's centre relative to the node's origin.
+///
+/// Boxes may be apart, so each term counts by itself: the distance of the centres and both boxes' extents. Each has at
+/// most 99 roundings, the axes' defect among them. The stored axis differs from the one that is compared along. It has
+/// 3 roundings of a coordinate, sqrt(3) times, and 7 of a component, three times by two rotations' norms. That is 26 of
+/// M, which is an upper bound of the distance of two points. Along the sides of a triangle, which have twice the slack,
+/// the counts are 128 and 46.
 inline constexpr double gap_rounding = 144 * 0x1p-24;
 
-/// What takes the length of an axis above 1 and the roundings of a gap: the axes' defect 3.5 times, and 46 roundings.
+/// Factor that covers the length of an axis above 1 and the roundings of a gap: the axes' defect 3.5 times, and 46
+/// roundings (verify/proofs/gap_proofs.h).
 inline constexpr float gap_shrink = 1 - 0x1p-17f;
 
-/// What a box's radius grows by: what its axes lack to be orthonormal, the length of a gap's axis above 1, and few
-/// roundings.
+/// Relative margin of a box's radius: the axes' defect, the length of a gap's axis above 1, and few roundings
+/// (verify/proofs/gap_proofs.h).
 inline constexpr float radius_rounding = 0x1p-16f;
 
-/// The slack of certified gaps, of a box that `carried` has placed: not finite where nothing is known.
+/// Returns the slack of certified gaps for a box that `carried` has placed; not finite where nothing is known.
 inline float gap_slack(const Single_box& box, float reach, float size)
 {
   const float way = std::abs(box.centre[0]) + std::abs(box.centre[1]) + std::abs(box.centre[2]);
   return box.slack + float(gap_rounding) * (way + reach + size) * rounded_up;
 }
 
-/// Above this slack no gap is certified: below, nothing overflows.
+/// The largest slack at which gaps are certified. Up to it nothing overflows.
 inline constexpr float most_gap_slack = 0x1p20f;
 
-/// Gaps of lanes, and their axes, which lead away from the lanes. Where a gap is not positive, nothing is known.
+/// Gaps of lanes, and their axes, which point away from the lanes. A gap that is not positive says nothing.
 struct alignas(32) Certified_gaps {
   float gap[lanes], axis[3][lanes];
 };
 
-/// Where a box was when gaps along axes were certified.
+/// The state of a box when gaps along axes were certified.
 ///
-/// A point of it is q = c + sum_j s_j h_j, |s_j| <= 1, c its centre and h_j its half edges. It has moved by
+/// A point of it is q = c + sum_j s_j h_j, |s_j| <= 1, with c its centre and h_j its half edges. It has moved since by
 ///
 ///     y + sum_j s_j (L_t - L_0) h_j,    y = p_t - p_0, p the centre's image,
 ///
-/// L_0 the map's linear part then and L_t now. So a gap g along n, which stands still in the frame of the eight, has
-/// become g + n . y - sum_j |n . (L_t h_j - L_0 h_j)|.
+/// L_0 the map's linear part then and L_t now. The axis n stands still in the frame of the eight. So a gap g along n
+/// has become g + n . y - sum_j |n . (L_t h_j - L_0 h_j)|.
 struct alignas(64) Carried_box {
   double image[4];        ///< of the centre, in double; the fourth is not used
   float edge[3][4];       ///< images of the half edges; the fourth is not used
   float centre[3];        ///< in the box's own local units
   float half_edge[3][3];  ///< there
 
-  /// Above what images then were off by, and how much they are for a map of the scale 1.
+  /// `error`: upper bound of the error of the images then. `rounding`: that part of it which is due to rounding, for a
+  /// map of scale 1.
   float error, rounding;
 
-  /// Of n . y in float, a share of |p_t - p_0|_1: n may have been rounded once, the way is, and products and sums by 3.
+  /// Upper bound of the error of n . y in float, relative to |p_t - p_0|_1 (verify/proofs/gap_proofs.h). n and y may
+  /// have been rounded once each; products and sums have 3 roundings.
   static constexpr double way_rounding = 16 * 0x1p-24;
 
-  /// Of n . (L_t h_j - L_0 h_j) in float, a share of (|L_t| + |L_0|) |h_j|, the sum over j included: columns, half edges
-  /// and n are rounded, images by 3, their difference once, products with n and the sums by 6.
+  /// Upper bound of the error of n . (L_t h_j - L_0 h_j) in float, relative to (|L_t| + |L_0|) |h_j|, the sum over j
+  /// included (verify/proofs/gap_proofs.h). Columns, half edges and n are rounded, images have 3 roundings, their
+  /// difference one, products with n and the sums 6.
   static constexpr double edge_rounding = 32 * 0x1p-24;
 
-  /// More than a sum of two coordinates of magnitude 2 at most loses, in three of them, and what underflows.
+  /// Upper bound of the error of three sums of two coordinates of magnitude at most 2, and of underflow:
+  /// verify/proofs/gap_proofs.h.
   static constexpr double centre_rounding = 0x1p-20;
 
   template <class Number>
@@ -82,7 +89,7 @@ struct alignas(64) Carried_box {
   }
 };
 
-/// A box that holds what goes on, in its own local units: all c + sum_j s_j h_j, |s_j| <= 1, as far as it has elements.
+/// A box about the elements that move on, in its own local units: all c + sum_j s_j h_j, |s_j| <= 1.
 struct Going_box {
   float centre[3], half_edge[3][3];
 
@@ -96,11 +103,11 @@ struct Going_box {
   }
 };
 
-/// A similarity made ready to carry boxes again, in the course of a motion. The map must outlive it.
+/// A similarity made ready to carry boxes again, for a motion on a course. The map must outlive it.
 ///
-/// A step of the course takes a point q to q + (V q + v): one of the box that is carried; or, where the eight go on
-/// instead, one of theirs the other way, see `Course::reversed`. Of points q = c + sum_j s_j h_j of a box that holds
-/// these it takes off a gap along n at most
+/// A step of the course takes a point q to q + (V q + v). q is a point of the carried box; or, where the eight move
+/// instead, a point of theirs with the inverse motion, see `Course::reversed`. Let q = c + sum_j s_j h_j be the points
+/// of a box that holds these. Then an upper bound of the loss of a gap along n is
 ///
 ///     sum_j |n . V h_j| - n . (V c + v).
 struct alignas(32) Carrier {
@@ -111,9 +118,10 @@ struct alignas(32) Carrier {
   double scale;
   float slack;  ///< of the rate of a gap
 
-  /// Of a rate in float, a share of the course's size: coordinates are |c_k| + sum_j |h_jk| at most, which is below 5,
-  /// since boxes of points |p_k| <= 1 are no longer than 2 sqrt(3). Columns, half edges, centres and n are rounded or off
-  /// by as much, images by 4, products with n and the sums by 6.
+  /// Upper bound of the error of a rate in float, relative to the course's size (verify/proofs/gap_proofs.h).
+  /// Coordinates are at most |c_k| + sum_j |h_jk|, which is below 5, since boxes of points |p_k| <= 1 are no longer
+  /// than 2 sqrt(3). Columns, half edges, centres and n have a rounding each or an equal error. Images have 4, products
+  /// with n and the sums 6.
   static constexpr double rate_rounding = 128 * 0x1p-24;
 
   Carrier(const Box_map& of, const Placement& placement, const Course& going)
@@ -128,7 +136,7 @@ struct alignas(32) Carrier {
   }
 };
 
-/// At most a gap, and how much of it a step of the course takes at most, as long as some is left.
+/// A lower bound of a gap, and an upper bound of the loss of it per step of the course, as long as it is positive.
 struct Gap_and_rate {
   double gap, rate;
 };
@@ -140,8 +148,9 @@ struct Gap_and_rate {
 
 namespace tetracone::kernel {
 
-/// Of the lanes of `boxes` and box `lane` of `from`, which `map`, a similarity, carries into their frame, in the local
-/// units of the eight; `apex` says where a triangle lies in that box. Lanes that hold nothing may have any value.
+/// Writes the certified gaps of the lanes of `boxes` and box `lane` of `from`, in the local units of the eight. `map`,
+/// a similarity, carries that box into their frame; `apex` is the place of a triangle in it. Lanes without a box may
+/// have any value.
 inline void certified_gaps(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane, float apex,
                            Certified_gaps& gaps)
 {
@@ -150,8 +159,8 @@ inline void certified_gaps(const Obb8& boxes, const Box_map& map, const Obb8& fr
   fastest(boxes, map, from, lane, apex, gaps);
 }
 
-/// Writes box `lane` of `from` as it is carried now. (Not returned: unoptimised, g++ 12 does not align a temporary of
-/// so many bytes.)
+/// Writes box `lane` of `from` as it is carried now. (It is not returned: unoptimised, g++ 12 does not align a
+/// temporary of this size.)
 inline void carry_now(const Carrier& carrier, const Obb8& from, int lane, Carried_box& box)
 {
   using Function = void(const Carrier&, const Obb8&, int, Carried_box&);
@@ -159,7 +168,8 @@ inline void carry_now(const Carrier& carrier, const Obb8& from, int lane, Carrie
   fastest(carrier, from, lane, box);
 }
 
-/// The least of these gaps of lanes, as bits, when the box is carried again, and what goes on is in `going`.
+/// Returns the least gap of the lanes `of_lanes`, a set of bits, when the box is carried again. `going` holds the
+/// elements that move on.
 inline Gap_and_rate least_gap_after(const Certified_gaps& gaps, unsigned of_lanes, const Carried_box& box,
                                     const Going_box& going, const Carrier& carrier)
 {

@@ -11,7 +11,7 @@ namespace tetracone::kernel::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A gap along an axis of the components n along the eight's axes.
+/// A gap along an axis, whose components along the eight's axes are n.
 template <class Floats>
 struct Gap_along {
   Floats gap, n0, n1, n2;
@@ -33,9 +33,9 @@ struct Gap_and_axis {
   }
 };
 
-// What a gap may be off by is proved of these, run over other numbers than vectors (verify/proofs/).
+// The error of a gap is proved from these functions, run over other numbers than vectors (verify/proofs/gap_proofs.h).
 
-/// Of the components n along the eight's axes, component k in the frame of their node.
+/// Returns component k, in the node's frame, of a vector with components n along the eight's axes.
 template <class Test, class Floats>
 HWY_INLINE Floats component_in_frame(const Test& test, int k, const Floats& n0, const Floats& n1, const Floats& n2)
 {
@@ -43,7 +43,8 @@ HWY_INLINE Floats component_in_frame(const Test& test, int k, const Floats& n0, 
                 MulAdd(n1, test.load(test.boxes.axis[1][k]), Mul(n0, test.load(test.boxes.axis[0][k]))));
 }
 
-/// The gap beyond a triangle's edge, in place of the centres' distance too, and its axis: the normal n over `length`.
+/// Returns the gap beyond a triangle's edge, which also stands for the centres' distance, and its axis: the normal n
+/// over `length`.
 template <class Kept, class Test, class Floats, class Number>
 HWY_INLINE auto gap_beyond(const Kept& kept, const Test& test, const Floats& beyond, const Number& length,
                            const Floats (&n)[3], const Number& slack)
@@ -53,7 +54,7 @@ HWY_INLINE auto gap_beyond(const Kept& kept, const Test& test, const Floats& bey
   return kept(gap, gap, Mul(n[0], shorter), Mul(n[1], shorter), Mul(n[2], shorter));
 }
 
-/// n . way.
+/// Returns n . way.
 template <class Floats>
 HWY_INLINE Floats along_axis(const Floats (&n)[3], const Floats (&way)[3])
 {
@@ -79,7 +80,7 @@ HWY_INLINE auto certify_gaps(const One_test& test, float slack, Certified_gaps& 
     best = Max(best, Max(side(sides.left, sides.left_length, sides.left_normal),
                          side(sides.right, sides.right_length, sides.right_normal)));
   }
-  // Away from the lane, the way the single box's centre lies.
+  // The axis points away from the lane, towards the single box's centre.
   const Floats along = MulAdd(edges.t2, best.n2, MulAdd(edges.t1, best.n1, Mul(edges.t0, best.n0)));
   const Floats outward = hn::CopySign(all(1), along), n0 = Mul(best.n0, outward), n1 = Mul(best.n1, outward),
                n2 = Mul(best.n2, outward);
@@ -107,7 +108,7 @@ inline HWY_ATTR void certified_gaps_simd(const Obb8& boxes, const Box_map& map, 
   }
 }
 
-/// The centre's image in double, coordinates k and on.
+/// Returns the centre's image in double, from coordinate k on.
 HWY_INLINE auto centre_image(const Carrier& carrier, const float (&centre)[3], std::size_t k)
 {
   constexpr hn::CappedTag<double, 4> doubles;
@@ -116,7 +117,7 @@ HWY_INLINE auto centre_image(const Carrier& carrier, const float (&centre)[3], s
   return hn::Add(hn::Add(hn::Add(column(3), term(0)), term(1)), term(2));
 }
 
-/// By columns, coordinates k and on.
+/// Returns the image of p by these columns, from coordinate k on.
 HWY_INLINE auto image_by(const float (*column)[4], const float (&p)[3], std::size_t k)
 {
   constexpr hn::CappedTag<float, 4> four;
@@ -192,7 +193,7 @@ HWY_INLINE Gap_and_rate least_gap_after(const Certified_gaps& gaps, unsigned of_
     least = hn::Min(least, hn::IfThenElse(is_one, gap, all(most_gap_slack)));
     share = Max(share, hn::IfThenElseZero(is_one, hn::Div(rate, gap)));
   }
-  // Vectors may have dropped what is undefined.
+  // A vector's minimum may have dropped an undefined value.
   if (!(loss <= most_gap_slack && carrier.slack <= most_gap_slack)) return {0, 0};
   const double found = double(hn::GetLane(hn::MinOfLanes(tag, least)));
   return {found, found * double(hn::GetLane(hn::MaxOfLanes(tag, share))) * (1 + 0x1p-20)};

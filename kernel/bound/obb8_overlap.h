@@ -11,8 +11,8 @@
 
 namespace tetracone::kernel {
 
-/// The lanes of `boxes` that are not found apart from the single box, as bits; lanes that hold nothing may be among
-/// them.
+/// Returns the lanes of `boxes` that are not found apart from the single box, as bits. Lanes that hold nothing may be
+/// among them.
 inline unsigned overlapping(const Obb8& boxes, const Single_box& box, bool similarity)
 {
   using Function = unsigned(const Obb8&, const Single_box&, bool);
@@ -20,8 +20,8 @@ inline unsigned overlapping(const Obb8& boxes, const Single_box& box, bool simil
   return fastest(boxes, box, similarity);
 }
 
-/// The lanes of `boxes` that are not found apart from box `lane` of `from`, which `map` carries into the frame of
-/// `boxes`.
+/// Returns the lanes of `boxes` that are not found apart from box `lane` of `from`, which `map` carries into the frame
+/// of `boxes`.
 inline unsigned overlapping(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane)
 {
   using Function = unsigned(const Obb8&, const Box_map&, const Obb8&, int);

@@ -11,8 +11,8 @@ namespace tetracone::kernel::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// The comparison is written over these alone, so that it is also done with other numbers than vectors: what it may be
-// off by is proved of it (verify/proofs/).
+// The comparison uses these operations alone, so that it also runs over other numbers than vectors. Its error is proved
+// that way (verify/proofs/obb8_proofs.h).
 using hn::Abs, hn::Add, hn::Gt, hn::Max, hn::Mul, hn::MulAdd, hn::Neg, hn::NegMulAdd, hn::Not, hn::Or, hn::Sub;
 
 /// As many of the eight lanes as the instruction set compares at once.
@@ -29,12 +29,12 @@ struct One_test {
   HWY_INLINE Floats load(const float* lane) const { return hn::Load(tag, lane + first); }
   HWY_INLINE Floats all(const float& x) const { return hn::Set(tag, x); }
 
-  /// Whether the single box holds a triangle to which it can be cut down. Below that width, products underflow.
+  /// True when the single box holds a triangle to which it can be cut down. Below that width, products underflow.
   HWY_INLINE bool holds_triangle() const { return box.apex != no_apex && box.extent[2] > 0x1p-41f; }
 };
 
-/// Along the axes 0, 1, 2 of the eight: the way t from their centres to the single box's, and the single box's edges 1
-/// and 2.
+/// Components along the axes 0, 1, 2 of the eight: t from their centres to the single box's, and the single box's edges
+/// 1 and 2.
 template <class Floats>
 struct Relative_edges {
   Floats t0, t1, t2;
@@ -42,8 +42,8 @@ struct Relative_edges {
   Floats r02, r12, r22;  ///< edge 2
 };
 
-/// How far lanes lie beyond the triangle's two other edges, along their normals, and the sums of these' coordinates along
-/// the single box's edges, at least their lengths.
+/// The distances of lanes beyond the triangle's two other edges, along these edges' normals. The lengths are the sums
+/// of the normals' coordinates along the single box's edges: upper bounds of their lengths.
 template <class Floats, class Number>
 struct Beyond_triangle {
   Floats left, right;
@@ -51,8 +51,8 @@ struct Beyond_triangle {
   Floats left_normal[3], right_normal[3];  ///< along the eight's axes
 };
 
-/// Of the lanes' boxes, of the extents e0, e1 and e2. The normals are (-base, left) and (base, right) along the single
-/// box's edges 1 and 2, no unit vectors.
+/// Returns the distances of the lanes' boxes, which have the extents e0, e1 and e2. The normals are (-base, left) and
+/// (base, right) along the single box's edges 1 and 2. They are no unit vectors.
 template <class Test, class Floats>
 HWY_INLINE auto beyond_triangle(const Test& test, const Relative_edges<Floats>& of, Floats e0, Floats e1, Floats e2)
 {
@@ -67,7 +67,7 @@ HWY_INLINE auto beyond_triangle(const Test& test, const Relative_edges<Floats>& 
   const auto beyond = [&](Floats distance, const Number& reach, const Floats(&n)[3]) HWY_ATTR {
     return NegMulAdd(e2, Abs(n[2]), NegMulAdd(e1, Abs(n[1]), NegMulAdd(e0, Abs(n[0]), Sub(distance, number(reach)))));
   };
-  // t leads from the eight to the single one: their centres are at (-d1, -d2) / (base, 1).
+  // t leads from the eight to the single box: their centres are at (-d1, -d2) / (base, 1).
   const Floats l = number(left), r = number(right);
   const Floats of_left[3] = {NegMulAdd(l, of.r02, b0), NegMulAdd(l, of.r12, b1), NegMulAdd(l, of.r22, b2)},
                of_right[3] = {MulAdd(r, of.r02, b0), MulAdd(r, of.r12, b1), MulAdd(r, of.r22, b2)};
@@ -79,15 +79,15 @@ HWY_INLINE auto beyond_triangle(const Test& test, const Relative_edges<Floats>& 
                                          {Neg(of_right[0]), Neg(of_right[1]), Neg(of_right[2])}};
 }
 
-/// The slack along a triangle's sides, over their normals' lengths: twice that of the other axes, for two more roundings
-/// a term, and the tolerance of the apex, twice, for the roundings of the extents.
+/// Returns the slack along a triangle's sides, relative to their normals' lengths. It is twice that of the other axes,
+/// for two more roundings a term. The apex's tolerance is added twice, for the roundings of the extents.
 template <class Box, class Number>
 HWY_INLINE Number side_slack(const Box& box, const Number& slack)
 {
   return Number(2) * slack + Number(2 * apex_tolerance) * (box.extent[1] + box.extent[2]);
 }
 
-/// The lanes whose box, of the extents e0, e1 and e2, lies beyond one of the triangle's two other edges.
+/// Returns the lanes whose box, with extents e0, e1 and e2, lies beyond one of the triangle's two other edges.
 template <class Test, class Floats>
 HWY_INLINE auto beside_triangle(const Test& test, const Relative_edges<Floats>& of, Floats e0, Floats e1, Floats e2)
 {
@@ -96,7 +96,8 @@ HWY_INLINE auto beside_triangle(const Test& test, const Relative_edges<Floats>& 
   return Or(Gt(sides.left, test.all(slack * sides.left_length)), Gt(sides.right, test.all(slack * sides.right_length)));
 }
 
-/// What is kept of an axis, of the components n along the eight's axes and the distance of the centres along it: the gap.
+/// A policy of `largest_gap` that keeps the gap alone. Its other arguments are the distance of the centres along the
+/// axis, and the axis' components n along the eight's axes.
 struct Gap_alone {
   template <class Floats>
   HWY_INLINE Floats operator()(Floats gap, Floats, Floats, Floats, Floats) const
@@ -105,14 +106,15 @@ struct Gap_alone {
   }
 };
 
-/// What is kept of an axis, and by what a triangle is compared.
+/// The kept part of the largest gap, and the edges for the comparison with a triangle.
 template <class Kept, class Floats>
 struct Largest_gap {
   Kept kept;
   Relative_edges<Floats> edges;
 };
 
-/// Along axis i of the eight: the way (x, y, z) between centres, and the single box's edges.
+/// Computes the components along axis i of the eight: t of the vector (x, y, z) between centres, and r of the single
+/// box's edges.
 template <class Test, class Floats>
 HWY_INLINE void along_own_axis(const Test& test, int i, Floats x, Floats y, Floats z, Floats& t, Floats& r0, Floats& r1,
                                Floats& r2)
@@ -128,7 +130,7 @@ HWY_INLINE void along_own_axis(const Test& test, int i, Floats x, Floats y, Floa
   r2 = dot(test.box.edge[2]);
 }
 
-/// For comparisons along all axes.
+/// A policy for comparisons along all axes.
 struct Undecided {
   template <class What>
   HWY_INLINE bool operator()(const What&) const
@@ -137,8 +139,9 @@ struct Undecided {
   }
 };
 
-/// Of the largest gap of the single box and each lane: separating axes are the normals of both and the 9 cross products
-/// of edges. A gap is |distance| minus both reaches. Where what is kept of the normals decides, no others are tried.
+/// Returns the kept part of the largest gap of the single box and each lane. The separating axes are the normals of
+/// both and the 9 cross products of edges. A gap is |distance| minus the supports of both. Where `decides` is true of
+/// the normals, no other axes are tried.
 template <bool similarity, class Test, class Kept, class Decides = Undecided>
 HWY_INLINE auto largest_gap(const Test& test, const Kept& kept, const Decides& decides = Decides())
 {
@@ -168,7 +171,7 @@ HWY_INLINE auto largest_gap(const Test& test, const Kept& kept, const Decides& d
                  Max(kept(own(t1, e1, s10, s11, s12), t1, zero, one, zero),
                      kept(own(t2, e2, s20, s21, s22), t2, zero, zero, one)));
 
-  // n_ij = a_i . normal_j, and its magnitude: of a similarity the edges themselves.
+  // n_ij = a_i . normal_j, and its magnitude. For a similarity the normals are the edges themselves.
   Floats n00 = s00, n01 = s01, n02 = s02, n10 = s10, n11 = s11, n12 = s12, n20 = s20, n21 = s21, n22 = s22;
   const auto other = [&](Floats m0, Floats m1, Floats m2, Floats reach, Floats s0, Floats s1, Floats s2) HWY_ATTR {
     const Floats distance = MulAdd(t2, m2, MulAdd(t1, m1, Mul(t0, m0)));
@@ -202,8 +205,8 @@ HWY_INLINE auto largest_gap(const Test& test, const Kept& kept, const Decides& d
   using Largest = Largest_gap<std::decay_t<decltype(gap)>, Floats>;
   if (decides(gap)) return Largest{gap, {t0, t1, t2, r01, r11, r21, r02, r12, r22}};
 
-  // a_i x edge_j has the components 0, -r[m][j], r[l][j] along a_i, a_l, a_m; edges k of the single box reach along it
-  // as a_i does along the box's normals.
+  // a_i x edge_j has the components 0, -r[m][j], r[l][j] along a_i, a_l, a_m. Edges k of the single box have the same
+  // support along it as a_i has along the box's normals.
   const auto crossed = [&](Floats tm, Floats rl, Floats tl, Floats rm, Floats el, Floats sm, Floats em, Floats sl,
                            Floats fk, Floats no, Floats fo, Floats nk, Floats m0, Floats m1, Floats m2) HWY_ATTR {
     const Floats distance = NegMulAdd(tl, rm, Mul(tm, rl));
@@ -222,8 +225,8 @@ HWY_INLINE auto largest_gap(const Test& test, const Kept& kept, const Decides& d
   return Largest{Max(Max(gap, across0), Max(across1, across2)), {t0, t1, t2, r01, r11, r21, r02, r12, r22}};
 }
 
-/// The lanes whose box is not found apart from the single box; with an infinite slack none is, whatever overflowed. Of a
-/// similarity, a single box that holds a triangle is cut down to it.
+/// Returns the lanes whose box is not found apart from the single box. With an infinite slack that is every lane,
+/// whatever overflowed. For a similarity, a single box that holds a triangle is cut down to it.
 template <bool similarity, class Test>
 HWY_INLINE auto together(const Test& test)
 {
@@ -237,7 +240,7 @@ HWY_INLINE auto together(const Test& test)
   return Not(apart);
 }
 
-/// The lanes whose box may meet the single box.
+/// Returns the lanes whose box may meet the single box.
 template <bool similarity>
 HWY_INLINE unsigned overlapping(const Obb8& boxes, const Single_box& box)
 {
@@ -250,22 +253,22 @@ HWY_INLINE unsigned overlapping(const Obb8& boxes, const Single_box& box)
   return found;
 }
 
-/// An axis (a0, a1, a2) turned by the columns of a rotation.
+/// Returns the axis (a0, a1, a2) turned by the columns of a rotation.
 template <class Floats>
 HWY_INLINE Floats carried_edge(Floats c0, Floats c1, Floats c2, Floats a0, Floats a1, Floats a2)
 {
   return MulAdd(c2, a2, MulAdd(c1, a1, Mul(c0, a0)));
 }
 
-/// A point (p0, p1, p2) by the columns of a map, the last its offset.
+/// Returns the image of the point (p0, p1, p2) by the columns of a map; the last is its offset.
 template <class Doubles>
 HWY_INLINE Doubles carried_point(Doubles c0, Doubles c1, Doubles c2, Doubles offset, Doubles p0, Doubles p1, Doubles p2)
 {
   return MulAdd(c2, p2, MulAdd(c1, p1, MulAdd(c0, p0, offset)));
 }
 
-/// Writes box `lane` of `from`, carried into the frame of `boxes` by a similarity. `size` is at least the sum of its
-/// extents there.
+/// Writes box `lane` of `from`, carried into the frame of `boxes` by a similarity. `size` is an upper bound of the sum
+/// of its extents there.
 HWY_INLINE void carry(const Obb8& boxes, const Box_map& map, const Obb8& from, int lane, float size, Single_box& box)
 {
   constexpr hn::CappedTag<float, 4> tag;

@@ -13,21 +13,22 @@
 
 namespace tetracone::kernel {
 
-/// A ray as boxes see it: o + s d in local units, d of length 1, from where it may first meet the body on.
+/// A ray in a body's local units, for boxes: o + s d, with d of length 1, starting where it may first meet the body.
 ///
-/// Its error: a coordinate of the origin, within `farthest`, is a difference rounded once. The direction is off by 4 u of
-/// it, by the root of its square and a quotient: over at most the root of 3 times `farthest`, by which the origin is
-/// moved along it, rounded twice more.
+/// `error` is made up as follows. A coordinate of the origin, within `farthest`, is a difference rounded once. The
+/// direction has an error of 4 u, by the root of its square and a quotient. The origin is moved along it by at most
+/// sqrt(3) times `farthest`, with two more roundings.
 struct Local_ray {
   std::array<double, 3> origin, direction;
-  double skipped;                             ///< length, from the ray's own origin to `origin`
-  static constexpr double length = 4;         ///< so far the ray may meet the body
-  static constexpr double farthest = 0x1p29;  ///< coordinates of the ray's own origin are at most this
-  static constexpr double error = 0x1p-20;    ///< above that of a coordinate (verify/proofs/)
+  double skipped;                             ///< the length from the ray's own origin to `origin`
+  static constexpr double length = 4;         ///< upper bound of the s at which the ray meets the body
+  static constexpr double farthest = 0x1p29;  ///< upper bound of the coordinates of the ray's own origin
+  static constexpr double error = 0x1p-20;    ///< upper bound of the error of a coordinate
+                                              ///< (verify/proofs/obb8_ray_proofs.h)
   static constexpr float slack = 0x1p-16f, least_step = 0x1p-30f;  ///< see `ray_lanes`
 
-  /// Of a ray in the model's units; nothing where it does not come near the body. Requires d of components of at most
-  /// 2, one of them at least 1, and `may_be_local`.
+  /// Returns the local ray of a ray in the model's units; nothing where it does not come near the body. Requires
+  /// `may_be_local`, and a d whose components are at most 2, one of them at least 1.
   static std::optional<Local_ray> of(const Local_scale& scale, const Vertex& origin, const Vertex& direction)
   {
     Local_ray ray{{}, direction, 0};
@@ -46,14 +47,14 @@ struct Local_ray {
     return ray;
   }
 
-  /// Where a coordinate is after a way along the direction.
+  /// Returns a coordinate moved along the direction.
   template <class Number>
   static Number farther(const Number& at, const Number& way, const Number& direction)
   {
     return at + way * direction;
   }
 
-  /// Whether the bounds on errors hold.
+  /// True when the bounds of errors hold.
   static bool may_be_local(const Local_scale& scale, const Vertex& origin)
   {
     if (!scale.is_in_range()) return false;
@@ -70,19 +71,21 @@ struct Local_ray {
 
 namespace tetracone::kernel {
 
-/// For each lane, where a ray may come in.
+/// For each lane, a lower bound of the s at which a ray comes in.
 using Lane_entries = std::array<float, lanes>;
 
-/// The lanes, as bits, whose boxes the ray may meet before s = `limit` at a point x of |x_k| <= 1; `nearest` becomes, in
-/// each lane, a number that is at most the s of any such point. Requires boxes of parts of a body in its local units:
-/// |a_i . (c - o)| + e_i <= sqrt(3), o the local origin, and their own origin within 1 in each coordinate.
+/// Returns the lanes, as bits, whose boxes the ray may meet before s = `limit` at a point x of |x_k| <= 1. `nearest`
+/// becomes, in each lane, a lower bound of the s of any such point. Requires boxes of parts of a body in its local
+/// units. That means |a_i . (c - o)| + e_i <= sqrt(3), o the local origin, and their own origin within 1 in each
+/// coordinate.
 ///
-/// By the axes' defect d, |a_i . (x - c)| <= e_i + d (e_0 + e_1 + e_2) of a point in the box, at most 3 sqrt(3) d more
-/// than e_i. The ray's point o + s d is off from x by Local_ray::error in a coordinate, and by sqrt(3) as much along an
-/// axis. In float, at = a_i . (o - c) is off by shares of the vectors' lengths, which are at most sqrt(8) + sqrt(3) and 3
-/// + sqrt(3), and s times the step along the axis by a share of Local_ray::length. A step below `least_step` becomes
-/// that, which moves the point along the axis by at most 2 `length` times it. Then the entry into the slab, times the
-/// step, is off by shares of |at| <= sqrt(8) + 3 and of the reach. The sum of all is below `slack` (verify/proofs/).
+/// By the axes' defect d, |a_i . (x - c)| <= e_i + d (e_0 + e_1 + e_2) for a point in the box, at most 3 sqrt(3) d more
+/// than e_i. The error of the ray's point o + s d is Local_ray::error in a coordinate, and sqrt(3) times that along an
+/// axis. In float, the error of at = a_i . (o - c) is a fraction of the vectors' lengths, which are at most sqrt(8) +
+/// sqrt(3) and 3 + sqrt(3). The error of s times the step along the axis is a fraction of Local_ray::length. A step
+/// below `least_step` is replaced by it, which moves the point along the axis by at most 2 `length` times it. Then the
+/// error of the entry into the slab, times the step, is a fraction of |at| <= sqrt(8) + 3 and of the extent. The sum of
+/// all is below `slack` (verify/proofs/obb8_ray_proofs.h).
 inline unsigned ray_lanes(const Obb8& boxes, const Local_ray& ray, double limit, Lane_entries& nearest)
 {
   using Function = unsigned(const Obb8&, const Local_ray&, double, float*);

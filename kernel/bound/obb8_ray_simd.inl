@@ -11,17 +11,18 @@ namespace tetracone::kernel::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// What is rounded is written over these alone, so that its error is proved of it (verify/proofs/).
+// The rounded arithmetic uses these operations alone. Its error is proved from it (verify/proofs/obb8_ray_proofs.h).
 using hn::Abs, hn::Add, hn::Mul, hn::MulAdd, hn::Neg, hn::Sub;
 
-/// The scalar product of an axis (u, v, w) and a vector (x, y, z).
+/// Returns the scalar product of an axis (u, v, w) and a vector (x, y, z).
 template <class Floats>
 HWY_INLINE Floats along_axis(Floats u, Floats v, Floats w, Floats x, Floats y, Floats z)
 {
   return MulAdd(w, z, MulAdd(v, y, Mul(u, x)));
 }
 
-/// Where a ray at `at` along an axis comes within `reach` of its 0, and leaves it, `inverse` the inverse of its step.
+/// Returns the s at which a ray enters or leaves the slab of half width `reach` about 0. The ray starts at `at` along
+/// the axis, and `inverse` is the inverse of its step.
 template <class Floats>
 HWY_INLINE Floats entry_of_slab(Floats at, Floats inverse, Floats reach)
 {

@@ -12,28 +12,29 @@
 #include <cmath>
 #include <cstddef>
 
-/// When eight boxes and one that moves past them may meet.
+/// The times at which eight boxes and one that moves past them may meet.
 ///
-/// Boxes that move on lines are apart along an axis before one time and after another, if at all: where the distance of
-/// their centres, linear in time, is more than both reach. Of the axes of the comparison of obb8_overlap.h in the middle
-/// of a span of time, all these times together leave the times at which they may meet: of boxes that do not turn, no
-/// others, since boxes that are apart at a time are so along one of these axes.
+/// Boxes that move on lines are apart along an axis before one time and after another, if at all. Then the distance of
+/// their centres, which is linear in time, is more than the sum of their supports. The axes are those of
+/// obb8_overlap.h, in the middle of a span of time. All their times together leave the times at which the boxes may
+/// meet. For boxes that do not turn no other times are left, since boxes that are apart at a time are so along one of
+/// these axes.
 namespace tetracone::kernel {
 
-/// What the way along an axis is off by in float, a share of the sum of the magnitudes of the sweep's terms: entries are
-/// off by 1 rounding, the way by 3 more, along the eight's axes by 3, its products with the axis and their sums by 3, of
-/// terms whose sum is at most sqrt(3) times that size.
+/// Upper bound of the error of the motion along an axis in float, relative to the sum of the magnitudes of the sweep's
+/// terms (verify/proofs/gap_proofs.h). Entries have 1 rounding, the motion 3 more and along the eight's axes 3. Its
+/// products with the axis and their sums have 3. The sum of these terms is at most sqrt(3) times that size.
 inline constexpr double sweep_rounding = 32 * 0x1p-24;
 
-/// A way, linear in two points: from p, of the eight's body, to q, of the single box's, each in its body's local units,
-/// `offset` + `single` q - `eight` p in the eight's frame and units.
+/// A vector that is linear in two points: `offset` + `single` q - `eight` p, in the eight's frame and units. p is a
+/// point of the eight's body, q one of the single box's, each in its body's local units.
 struct Point_way {
   using Rows = std::array<std::array<double, 3>, 3>;
 
   alignas(32) double offset[4] = {}, single[3][4] = {}, eight[3][4] = {};  ///< columns; of each, the fourth is 0
   float rounded_eight[3][4] = {};
-  double norm_of_single = 0, norm_of_eight = 0;  ///< at least the largest singular values
-  double size = 0;  ///< at least the sum of the magnitudes of all terms of points whose coordinates are at most 2
+  double norm_of_single = 0, norm_of_eight = 0;  ///< upper bounds of the largest singular values
+  double size = 0;  ///< upper bound of the sum of the magnitudes of all terms, for points with coordinates of at most 2
 
   Point_way() = default;
   Point_way(const std::array<double, 3>& shift, const Rows& of_single, const Rows& of_eight)
@@ -52,7 +53,8 @@ struct Point_way {
   }
 
  private:
-  /// The root of the sum of the singular values' eighth powers, with what underflows there.
+  /// Returns the eighth root of the sum of the singular values' eighth powers, an upper bound of the largest. 2^-120
+  /// covers underflow: eighth powers of singular values underflow below 2^-134, where their root is below 2^-130.
   static double norm(const Rows& m)
   {
     Rows square = m;
@@ -67,8 +69,9 @@ struct Point_way {
   }
 };
 
-/// How the single box's body moves against the eight's: at x in [-1, 1], the ends of a span of time, points have gone
-/// apart by `middle` + x `half` against where a similarity places them, but for `rest` at most, in any direction.
+/// The motion of the single box's body relative to the eight's. At x in [-1, 1], whose ends are those of the span,
+/// points have moved apart by `middle` + x `half`, relative to where a similarity places them. `rest` is an upper bound
+/// of the error, in any direction.
 struct Box_sweep {
   Point_way middle, half;
   double rest = 0;
@@ -78,17 +81,17 @@ struct Box_sweep {
 struct Known_times {
   float from = 0, until = 1;
 
-  /// How far from the middle of the span these are at most, a share of its half.
+  /// Returns the largest distance of these times from the middle of the span, as a fraction of its half.
   float farthest() const { return maximum(1 - 2 * from, 2 * until - 1); }
 };
 
-/// Of each lane: before and after these times, from 0 to 1 over the span, it is apart from the single box.
+/// For each lane, the times, from 0 to 1 over the span, before and after which it is apart from the single box.
 struct alignas(32) Near_times {
   float from[lanes], until[lanes];
 };
 
-/// The lanes of `boxes` against box `lane` of `from`, which `map`, a similarity, carries into their frame in the middle
-/// of the span.
+/// A test of the lanes of `boxes` against box `lane` of `from`, which `map`, a similarity, carries into their frame in
+/// the middle of the span.
 struct Sweep_test {
   const Obb8* boxes;
   const Box_map* map;
@@ -98,15 +101,15 @@ struct Sweep_test {
   const Box_sweep* sweep;
   Known_times known;
 
-  // What is found.
+  // The results.
   unsigned near;  ///< lanes, as bits, that may meet the single box
   Near_times times;
 };
 
-/// So many tests are made at once at most.
+/// The largest number of tests that are made at once.
 inline constexpr std::size_t most_sweep_tests = 4;
 
-/// About the distance of a lane's farthest point from its centre.
+/// Returns approximately the distance of a lane's farthest point from its centre.
 inline float radius_of(const Obb8& boxes, int lane)
 {
   float square = 0;
@@ -114,13 +117,15 @@ inline float radius_of(const Obb8& boxes, int lane)
   return std::sqrt(square);
 }
 
-/// A distance and what both boxes reach are each off by the slack of a gap at most: so many times that.
+/// Number of gap slacks in the slack of a sweep: the distance and the sum of the supports have an error of at most one
+/// each (verify/proofs/reference_proofs.h).
 inline constexpr float slacks_of_sweep = 3;
 
-/// Below that an axis' speed is taken for it.
+/// The least speed along an axis: a smaller one is replaced by it (verify/proofs/reference_proofs.h).
 inline constexpr float least_speed = 0x1p-100f;
 
-/// What times are off by, as shares of the span: a time is a quotient of sums, off by 4 roundings of itself.
+/// Upper bound of the error of a time, as a fraction of the span. A time is a quotient of sums, with 4 roundings
+/// (verify/proofs/gap_proofs.h).
 inline constexpr float time_rounding = 0x1p-21f;
 
 }  // namespace tetracone::kernel
@@ -130,7 +135,7 @@ inline constexpr float time_rounding = 0x1p-21f;
 
 namespace tetracone::kernel {
 
-/// Makes up to `most_sweep_tests` tests, so that none need wait for what another brings.
+/// Makes up to `most_sweep_tests` tests together, so that no test waits for the data of another.
 inline void find_near(Sweep_test* tests, std::size_t count)
 {
   using Function = void(Sweep_test*, std::size_t);

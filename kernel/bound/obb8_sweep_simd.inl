@@ -11,10 +11,10 @@ namespace tetracone::kernel::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// What the way along an axis may be off by is proved of this and `along_axis`, run over other numbers than vectors
-// (verify/proofs/).
+// The error of the motion along an axis is proved from this function and `along_axis`, run over other numbers than
+// vectors (verify/proofs/gap_proofs.h).
 
-/// a . (shift - bend centre) of an axis a of the eight.
+/// Returns a . (shift - bend centre) for an axis a of the eight.
 template <class Floats>
 HWY_INLINE Floats sweep_along(const Floats (&a)[3], const Floats (&centre)[3], const Floats (&shift)[3],
                               const Floats (&bend)[3][3])
@@ -27,20 +27,20 @@ HWY_INLINE Floats sweep_along(const Floats (&a)[3], const Floats (&centre)[3], c
   return along_axis(a, moved);
 }
 
-/// When boxes may meet, from -1 to 1 over the span: not before `from`, not after `until`.
+/// The times at which boxes may meet, from -1 to 1 over the span: not before `from`, not after `until`.
 template <class Floats>
 struct Times_near {
   Floats minus_from, until;
 };
 
-/// Of both axes together.
+/// Returns the times that are left by two axes together.
 template <class Floats>
 HWY_INLINE Times_near<Floats> Max(const Times_near<Floats>& a, const Times_near<Floats>& b)
 {
   return {hn::Min(a.minus_from, b.minus_from), hn::Min(a.until, b.until)};
 }
 
-/// What moves along an axis.
+/// The motion along an axis.
 struct Swept {
   using Floats = One_test::Floats;
   Floats sweep[3];  ///< along the eight's axes
@@ -56,8 +56,8 @@ struct Swept {
     return hn::Div(hn::Set(One_test::tag, 1.f), Max(Abs(speed), hn::Set(One_test::tag, least_speed)));
   }
 
-  /// Apart where the distance s + x v, of either sense, is beyond the reach r: of v > 0 up to -(r + s) / v, and from
-  /// (r - s) / v on.
+  /// Returns the times that an axis leaves. The boxes are apart where the distance s + x v, of either sign, is beyond
+  /// the sum r of the supports. For v > 0 that is up to -(r + s) / v, and from (r - s) / v on.
   HWY_INLINE Times_near<Floats> operator()(Floats gap, Floats distance, Floats n0, Floats n1, Floats n2) const
   {
     const Floats speed = along(n0, n1, n2), ahead = hn::Xor(distance, hn::And(speed, hn::SignBit(One_test::tag))),
@@ -66,7 +66,7 @@ struct Swept {
   }
 };
 
-/// The same along an axis that parts boxes on one side of it alone.
+/// The motion along an axis that separates boxes on one side of it only.
 struct Swept_beyond {
   using Floats = One_test::Floats;
   const Swept& swept;
@@ -80,15 +80,15 @@ struct Swept_beyond {
   }
 };
 
-/// The single box of a test, and what it takes from gaps.
+/// The single box of a test, and the losses of gaps.
 struct Swept_box {
   Single_box box;  ///< in the middle of the span
-  float way[4];    ///< how far its centre goes against the eight's origin, half way
+  float way[4];    ///< the motion of its centre relative to the eight's origin, in half the span
   float slack;
-  float loss, turn;  ///< what gaps lose, and times a lane's radius
+  float loss, turn;  ///< what gaps lose, and what they lose times a lane's radius
 };
 
-/// Of the lanes of `by`, those that are near; writes the times.
+/// Returns the lanes of `by` that are near, and writes the times.
 HWY_INLINE unsigned near_in_sweep(const One_test& by, const Swept_box& single, Sweep_test& test)
 {
   using Floats = One_test::Floats;
@@ -111,7 +111,7 @@ HWY_INLINE unsigned near_in_sweep(const One_test& by, const Swept_box& single, S
   const unsigned held = ((1u << by.boxes.lane_count) - 1) >> by.first;
   Floats from, until;
   const auto lanes_near = [&](const Times_near<Floats>& near) HWY_ATTR {
-    // Vectors may drop what is undefined: what is known comes second.
+    // A vector's maximum may drop an undefined value, so the known bound comes second.
     from = Max(NegMulAdd(half, near.minus_from, earlier), all(test.known.from));
     until = hn::Min(MulAdd(half, near.until, later), all(test.known.until));
     std::uint8_t bits[8];
@@ -134,7 +134,7 @@ HWY_INLINE unsigned near_in_sweep(const One_test& by, const Swept_box& single, S
   return lanes << by.first;
 }
 
-/// From the origin of the eight to the centre of box `lane` of `from`.
+/// Writes the vector from the origin of the eight to the centre of box `lane` of `from`.
 HWY_INLINE void way_between(const Point_way& way, const Obb8& from, int lane, const Obb8& boxes, float* found)
 {
   constexpr hn::CappedTag<double, 4> doubles;
@@ -150,7 +150,7 @@ HWY_INLINE void way_between(const Point_way& way, const Obb8& from, int lane, co
   }
 }
 
-/// False where nothing is bounded.
+/// Computes the single box of a test. Returns false where nothing is bounded.
 HWY_INLINE bool find_single_box(const Sweep_test& test, Swept_box& single)
 {
   const Obb8 &boxes = *test.boxes, &from = *test.from;
@@ -162,7 +162,8 @@ HWY_INLINE bool find_single_box(const Sweep_test& test, Swept_box& single)
   Single_box& box = single.box;
   carry(boxes, map, from, lane, size, box);
   box.apex = test.apex;
-  // Where it is in the middle of the span, of points at the origin of the eight: others differ by their reach.
+  // The box's place in the middle of the span, for points at the origin of the eight. For other points it differs by at
+  // most their distance from it.
   float moved[4];
   way_between(sweep.middle, from, lane, boxes, moved);
   way_between(sweep.half, from, lane, boxes, single.way);

@@ -26,7 +26,8 @@ struct Spread {
       : Spread(points.size(), [&](std::size_t k) -> const Vector& { return points[k]; })
   {}
 
-  /// Of point(0) .. point(count - 1). Requires count > 0. In one pass: about the first point, near which all are.
+  /// The spread of point(0) .. point(count - 1), in one pass about the first point, near which all are. Requires count
+  /// > 0.
   template <class Point>
   Spread(std::size_t count, const Point& point)
   {
@@ -53,8 +54,8 @@ struct Spread {
 
   double size() const { return covariance.trace(); }
 
-  /// Orthonormal columns, that of greatest spread the last; those of the identity where no direction is told from
-  /// another.
+  /// Returns orthonormal columns, with the direction of greatest spread last. Returns the identity where no direction
+  /// stands out.
   Matrix principal_axes() const
   {
     if (!(size() > 0)) return Matrix::identity();
@@ -73,7 +74,7 @@ struct Spread {
   }
 };
 
-/// A box about points: columns of `axes` orthonormal, up to rounding.
+/// A box about points. The columns of `axes` are orthonormal up to rounding.
 struct Oriented_box {
   Matrix axes;
   Vector centre, extent;
@@ -96,8 +97,8 @@ struct Oriented_box {
 
 namespace detail {
 
-/// Right-handed axes: the first is `first`, the second as near to `second` as can be. Requires that the squares
-/// of their lengths, times 1e-20, are no denormals.
+/// Returns right-handed axes: the first along `first`, the second as near to `second` as possible. Requires that the
+/// squares of their lengths, times 1e-20, are no denormals.
 inline Matrix axes_from(const Vector& first, const Vector& second)
 {
   Matrix axes;
@@ -115,7 +116,7 @@ inline Matrix axes_from(const Vector& first, const Vector& second)
   return axes;
 }
 
-/// The axes turned about axis `about` by the angle of this tangent.
+/// Returns the axes turned about axis `about` by the angle of this tangent.
 inline Matrix turned(const Matrix& axes, int about, double tangent)
 {
   const double c = 1 / std::sqrt(1 + tangent * tangent), s = tangent * c;
@@ -130,13 +131,13 @@ inline Matrix turned(const Matrix& axes, int about, double tangent)
 
 namespace detail {
 
-/// At most 512 of the points in float, about their mean and over the root of their spread, four at a time: what turning
-/// axes does to the surface of the box about them.
+/// A sample of at most 512 points, which tells how turning axes changes the surface of the box about them. They are in
+/// float, about their mean and over the root of their spread, four at a time.
 class Turned_points {
  public:
   Turned_points(std::span<const Vector> points, const Spread& spread, const Matrix& axes)
   {
-    // So near to one another that squares underflow: as good as a point.
+    // Points so near to one another that squares underflow count as one point.
     const double scale = spread.size() > 0x1p-900 ? 1 / std::sqrt(spread.size()) : 0;
     const Matrix to_axes = scale * axes.transpose();
     const std::size_t step = (points.size() + most - 1) / most;
@@ -149,7 +150,7 @@ class Turned_points {
     for (int i = 0; i < 3; ++i) length_[i] = turned(i, i, 1, 0)[0];
   }
 
-  /// Turns the axes, where that makes the surface smaller by more than float may be wrong about.
+  /// Turns the axes if that makes the surface smaller by more than the error of float.
   bool turn(int about, double tangent)
   {
     const int i = (about + 1) % 3, j = (about + 2) % 3;
@@ -179,7 +180,7 @@ class Turned_points {
     return v[0] < v[1] ? v[1] : v[0];
   }
 
-  /// How far the points reach along axes i and j when these are turned by the angle of this cosine and sine.
+  /// Returns the lengths of the points along axes i and j when these are turned by the angle of this cosine and sine.
   std::array<float, 2> turned(int i, int j, float c, float s) const
   {
     Four_floats low_x = four_times(std::numeric_limits<float>::infinity()), low_y = low_x, high_x = -low_x,
@@ -202,9 +203,9 @@ class Turned_points {
 
 }  // namespace detail
 
-/// The axes of a box of little surface about the points: from the eigenvectors of their covariance, turned about each
-/// axis in turn while that makes the surface smaller, by `rounds` rounds of halved angles. Of many points, some 500 tell
-/// how to turn. Requires a point.
+/// Returns the axes of a box of little surface about the points. It starts from the eigenvectors of their covariance.
+/// It turns them about each axis in turn while that makes the surface smaller, in `rounds` rounds of halved angles. A
+/// sample of some 500 points decides how to turn. Requires a point.
 inline Matrix fitted_axes(std::span<const Vector> points, int rounds)
 {
   const Spread spread(points);
@@ -228,7 +229,7 @@ inline Oriented_box fitted_box(std::span<const Vector> points, int rounds)
   return Oriented_box(fitted_axes(points, rounds), points);
 }
 
-/// The axes of a triangle: its normal, and along its longest edge.
+/// Returns the axes of a triangle: its normal, and the direction of its longest edge.
 inline Matrix triangle_axes(std::span<const Vector, 3> corners)
 {
   int longest = 0;
@@ -240,7 +241,7 @@ inline Matrix triangle_axes(std::span<const Vector, 3> corners)
       length = here;
     }
   }
-  // So small that squares of its sides' products would underflow: as good as a point.
+  // A triangle so small that squares of its sides' products would underflow counts as a point.
   if (!(length > 0x1p-400)) return Matrix::identity();
   const Vector edge = corners[(longest + 1) % 3] - corners[longest];
   const Vector normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
@@ -254,7 +255,7 @@ inline Oriented_box triangle_box(std::span<const Vector, 3> corners)
   return Oriented_box(triangle_axes(corners), corners);
 }
 
-/// Whether these columns, whose entries are floats, may be the axes of a lane's box: as `Obb8` asks.
+/// True when these columns, whose entries are floats, may be the axes of a lane's box: see `Obb8`.
 inline bool is_nearly_orthonormal(const Matrix& axes)
 {
   for (int i = 0; i < 3; ++i)
@@ -263,8 +264,8 @@ inline bool is_nearly_orthonormal(const Matrix& axes)
   return true;
 }
 
-/// A box that takes in one point after the other, to be written into a lane: its axes are those given, in float, or
-/// those of the identity where these are not orthonormal.
+/// A box that takes in one point after the other, to be written into a lane. Its axes are the given ones in float, or
+/// the identity where these are not orthonormal.
 class Lane_box {
  public:
   /// `about`: a point near those that come.
@@ -287,7 +288,7 @@ class Lane_box {
     sum_ = sum_ + s;
   }
 
-  /// What another one of the same axes and the same `about` has been given.
+  /// Adds the points of another box with the same axes and the same `about`.
   void add(const Lane_box& other)
   {
     low_ = smaller(low_, other.low_);
@@ -304,13 +305,13 @@ class Lane_box {
     return centre;
   }
 
-  /// Writes the box into a lane, relative to the node's origin, which is exact in float. `point_error` bounds how far a
-  /// coordinate of a point may be from the exact one. Requires a point.
+  /// Writes the box into a lane, relative to the node's origin, which is exact in float. `point_error` is an upper
+  /// bound of the error of a point's coordinate. Requires a point.
   ///
-  /// With axes a_i that are orthonormal but for a defect d, y = p - c is sum_i s_i a_i with |s_i| <= |a_i . y| + 3 d
-  /// max_k |a_k . y| (1 + 4 d). The sums below are of p - b and c - b, b the point `about`, each rounded 6 times in
-  /// double at most, far below `few_roundings` of |p - b|_1 + |c - b|_1; and |p - b|_1 is at most sqrt(3) (1 + 3 d)
-  /// times the sum of |a_i . (p - b)|. Where a point is no number, the sum of all is none, and no extent.
+  /// With axes a_i that are orthonormal up to a defect d, y = p - c is sum_i s_i a_i with |s_i| <= |a_i . y| + 3 d
+  /// max_k |a_k . y| (1 + 4 d). The sums below are of p - b and c - b, b the point `about`. Each has at most 6
+  /// roundings in double, far below `few_roundings` of |p - b|_1 + |c - b|_1. |p - b|_1 is at most sqrt(3) (1 + 3 d)
+  /// times the sum of |a_i . (p - b)|. If a point has a NaN, so has the sum of all, and the extent.
   void store(Obb8& boxes, int lane, const Vector& node_origin, double point_error) const
   {
     const Vector middle = centre();
@@ -334,7 +335,7 @@ class Lane_box {
   }
 
  private:
-  /// Along the three axes; the fourth is 0.
+  /// Three numbers, one per axis; the fourth is 0.
   struct Four {
     Two_doubles first{}, last{};
 
@@ -370,7 +371,7 @@ class Lane_box {
       high_ = -low_, sum_;
 };
 
-/// Writes the box of the axes of `box` about the points into a lane: see `Lane_box`. Requires a point.
+/// Writes into a lane the box about the points that has the axes of `box`: see `Lane_box`. Requires a point.
 inline void store_lane(Obb8& boxes, int lane, const Oriented_box& box, const Vector& node_origin,
                        std::span<const Vector> points, double point_error)
 {
@@ -379,7 +380,7 @@ inline void store_lane(Obb8& boxes, int lane, const Oriented_box& box, const Vec
   stored.store(boxes, lane, node_origin, point_error);
 }
 
-/// A lane's box, and how far points lie along its axes from its centre.
+/// A lane's box, and the coordinates of points along its axes from its centre.
 class Apex_box {
  public:
   Apex_box(const Obb8& boxes, int lane, const Vector& node_origin)
@@ -395,12 +396,13 @@ class Apex_box {
     return (p - centre_).dot(Vector(boxes_.axis[i][0][lane_], boxes_.axis[i][1][lane_], boxes_.axis[i][2][lane_]));
   }
 
-  /// Whether the triangle, which the box holds, lies where the code says; true for a code of 0, which says nothing.
+  /// True when the triangle, which the box holds, lies where the code says. A code of 0 says nothing: true.
   bool holds(std::span<const Vector, 3> corners, Apex_code code) const
   {
     if (code == 0) return true;
     if (!(e1_ > 0)) return false;
-    // Before the lines from (-e1, -e2) and from (e1, -e2) to the apex, each by its normal (x, y) and reach.
+    // The triangle is before the lines from (-e1, -e2) and from (e1, -e2) to the apex, each given by its normal (x, y)
+    // and its support.
     const double apex = apex_of(code), tolerance = apex_tolerance * (e1_ + e2_);
     std::array<std::array<double, 2>, 3> at;
     for (std::size_t k = 0; k < 3; ++k) at[k] = {along(1, corners[k]), along(2, corners[k])};
@@ -420,8 +422,8 @@ class Apex_box {
   Vector centre_;
 };
 
-/// Where the triangle lies in the lane that `store_lane` has written for it; 0 where it is not as `Apex_code` says,
-/// which is checked.
+/// Returns the code of the triangle in the lane that `store_lane` has written for it. Returns 0 where it is not as
+/// `Apex_code` says, which is checked.
 inline Apex_code apex_code(const Obb8& boxes, int lane, const Vector& node_origin, std::span<const Vector, 3> corners)
 {
   const Apex_box box(boxes, lane, node_origin);

@@ -13,14 +13,14 @@
 
 namespace tetracone::kernel {
 
-/// Where a body's local units are: p local is origin + unit * p in the model's coordinates. `unit` is a power of two
-/// and the body lies within |p_k| <= 1.
+/// The local units of a body: a local point p is origin + unit * p in the model's coordinates. `unit` is a power of
+/// two, and the body lies within |p_k| <= 1.
 struct Local_scale {
   Vertex origin{0, 0, 0};
   double unit = 1;
 
-  /// Within these bounds, what underflows of a pose's entries or of a product is far below all rounding; beyond,
-  /// nothing may be said.
+  /// True within bounds where the underflow of a pose's entries or of a product is far below all rounding. Beyond them
+  /// no test answers.
   bool is_in_range() const
   {
     return unit >= 0x1p-200 && unit <= 0x1p200 &&
@@ -28,8 +28,8 @@ struct Local_scale {
   }
 };
 
-/// Local units about the origin. The unit is a power of two, so that local coordinates are the model's but for the
-/// rounding of a difference. Halves, since a difference of the largest doubles overflows.
+/// Returns local units about the origin. The unit is a power of two, so that local coordinates are the model's up to
+/// the rounding of a difference. Halves are taken, since a difference of the largest doubles overflows.
 inline Local_scale local_scale(const Vertex& origin, std::span<const Vertex> vertices)
 {
   double half_reach = 0;
@@ -38,14 +38,14 @@ inline Local_scale local_scale(const Vertex& origin, std::span<const Vertex> ver
   return {origin, half_reach > 0 ? std::ldexp(1.0, std::clamp(std::ilogb(half_reach) + 2, -1000, 1023)) : 1};
 }
 
-/// x + y and x y, exactly, as a rounded result and its remainder.
+/// Return x + y and x y exactly, as a rounded result and its remainder.
 inline Double_double two_sum(double x, double y) { return Double_double::sum(x, y); }
 inline Double_double two_product(double x, double y) { return Double_double::product(x, y); }
 
-/// D = (M_b o_b + t_b) - (M_a o_a + t_a): from where A's local origin is placed to where B's is.
+/// D = (M_b o_b + t_b) - (M_a o_a + t_a): the vector from the place of A's local origin to that of B's.
 class Origin_offset {
  public:
-  // The parts of a component, of the terms p and q of A, r and s of B: a vector's lanes.
+  // The parts of a component, from the terms p and q of A, r and s of B. Each is a vector's lanes.
   template <class Lanes>
   [[gnu::always_inline]] static Lanes difference_in_parts(const Lanes& p, const Lanes& q, const Lanes& r,
                                                           const Lanes& s)
@@ -63,7 +63,7 @@ class Origin_offset {
     return parts[0] + parts[1];
   }
 
-  /// D in double.
+  /// Computes D in double.
   Origin_offset(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b)
   {
     const Two_doubles a_first = {in_a.origin[0], in_a.origin[1]}, a_last = {in_a.origin[2], 1};
@@ -83,16 +83,17 @@ class Origin_offset {
 
   static constexpr double u = unit_roundoff<double>;
 
-  /// The error of D in double, a share of its terms: 4 roundings of each, and one of a fraction's entry; the terms' own
-  /// are second order.
+  /// Upper bound of the error of D in double, relative to its terms (verify/proofs/frame_proofs.h): 4 roundings of
+  /// each, and one of a fraction's entry. The errors of the terms themselves are of second order.
   static constexpr double double_rounding = 5.1 * u;
 
-  /// The errors of D in double-double: a share of |D|, for the rounding of the result; one of its terms, for what the
-  /// sum of all remainders loses; and in its place another where entries are rounded fractions.
-  static constexpr double result_rounding = 4 * u, remainder_rounding = 0x1p-98, fraction_rounding = 2 * u;
+  // Upper bounds of the errors of D in double-double, proved in verify/proofs/frame_proofs.h.
+  static constexpr double result_rounding = 4 * u,  ///< rounding of the result, relative to |D|
+      remainder_rounding = 0x1p-98,                 ///< the sum of all remainders, relative to the terms of D
+      fraction_rounding = 2 * u;                    ///< in its place where entries are rounded fractions
 
-  /// A sum of numbers and products, of each of which the remainder is summed too (Ogita, Rump and Oishi, "Accurate sum
-  /// and dot product", SIAM J. Sci. Comput. 2005).
+  /// A sum of numbers and products whose remainders are summed too (Ogita, Rump and Oishi, "Accurate sum and dot
+  /// product", SIAM J. Sci. Comput. 2005).
   template <class Number>
   struct Compensated_sum {
     Number high{0}, low{0}, magnitude{0};
@@ -114,7 +115,7 @@ class Origin_offset {
     Number value() const { return high + low; }
   };
 
-  /// Component i of D.
+  /// Returns component i of D.
   template <class Number>
   static Compensated_sum<Number> compensated(const std::array<Number, 4>& row_a, const std::array<Number, 3>& origin_a,
                                              const std::array<Number, 4>& row_b, const std::array<Number, 3>& origin_b)
@@ -129,7 +130,7 @@ class Origin_offset {
     return sum;
   }
 
-  /// D in double-double.
+  /// Returns D in double-double.
   static Origin_offset in_double_double(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b)
   {
     Origin_offset d;
@@ -150,10 +151,10 @@ class Origin_offset {
   double operator[](int i) const { return value_[i]; }
   double largest() const { return largest_; }
 
-  /// Of one component.
+  /// Returns an upper bound of the error of a component.
   double error() const { return error_; }
 
-  /// The largest sum of magnitudes of the terms of a component.
+  /// Returns the largest sum of magnitudes of the terms of a component.
   double terms() const { return terms_; }
 
   Origin_offset operator-() const

@@ -13,21 +13,21 @@
 
 namespace tetracone::kernel {
 
-/// The map from the local units of one placed body to those of another, in double, with a bound on its error: p ->
-/// linear p + offset, every coordinate of the image of a point with |p_k| <= 1 within `error` of the exact one. `error`
-/// is infinite where no bound is known (a pose that is nearly flat, numbers near the ends of the doubles' range).
+/// The map from the local units of one placed body to those of another, in double: p -> linear p + offset. `error` is
+/// an upper bound of the error of every coordinate of the image of a point with |p_k| <= 1. It is infinite where no
+/// bound is known: for a pose that is nearly flat, and numbers near the ends of the doubles' range.
 class Relative_frame {
  public:
   using Row = std::array<double, 3>;
 
   Relative_frame() = default;
 
-  /// From B's units to A's: (M_a^-1 (M_b (o_b + u_b p) + t_b - t_a) - o_a) / u_a.
+  /// The map from B's local units to A's: (M_a^-1 (M_b (o_b + u_b p) + t_b - t_a) - o_a) / u_a.
   Relative_frame(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b)
       : Relative_frame(a, in_a, b, in_b, Origin_offset(a, in_a, b, in_b))
   {}
 
-  /// From B's units to A's, where D is known.
+  /// The map from B's local units to A's, where D is known.
   Relative_frame(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b, const Origin_offset& d)
   {
     if (!by_transpose(a, in_a, b, in_b, d)) by_inverse(a, in_a, b, in_b);
@@ -35,52 +35,56 @@ class Relative_frame {
 
   double error() const { return error_; }
 
-  /// How far the image of a point may be off that is itself off by `of_point` in a coordinate. The exact linear part L
-  /// is within 2 `error` of this one in a row's sum, so |L (p - q)| <= (norm + 2 error) of_point; 1.01 takes the second
-  /// term, for of_point below 2^-10, and what is rounded here.
+  /// Returns an upper bound of the error of the image of a point whose coordinates have an error of at most `of_point`.
+  /// The exact linear part L is within 2 `error` of this one in a row's sum, so |L (p - q)| <= (norm + 2 error)
+  /// of_point. The factor 1.01 covers the second term, for of_point below 2^-10, and the rounding here.
   double error(double of_point) const { return second_order * (error_ + of_point * norm(linear_)); }
 
   static constexpr double u = unit_roundoff<double>;
 
-  /// How far M^T M of a similarity may be from a multiple of I, a share of that; and I - X M from 0, where X inverts M.
-  static constexpr double similarity_defect = 0x1p-24, most_residual = 0x1p-20;
+  static constexpr double similarity_defect = 0x1p-24,  ///< largest relative distance of a similarity's M^T M from f I
+      most_residual = 0x1p-20;  ///< largest norm of I - X M at which X is taken for the inverse of M
 
-  /// |v|_1 <= sqrt(3) |v|_2, of the rows of f M^T, and what that loses by being computed.
+  /// Upper bound of |v|_1 / |v|_2 for the rows v of f M^T, sqrt(3), and of its rounding: verify/proofs/margin_proofs.h.
   static constexpr double root_of_3 = 1.7321;
 
-  /// For products of two errors, and what bounds lose by being computed.
+  /// Factor that covers products of two errors and the rounding of bounds: verify/proofs/frame_proofs.h.
   static constexpr double second_order = 1.01;
 
-  /// In the norm of I - f G: roundings of G's entries, with those of fractions, and of f.
+  /// Upper bound of the error of the norm of I - f G: roundings of G's entries, also those of fractions, and of f
+  /// (verify/proofs/frame_proofs.h).
   static constexpr double gram_rounding = 24 * u;
 
-  /// Of f M_a^T M_b and of f M_a^T D, and of the image that is made of them, shares of columns' lengths.
+  /// Upper bound of the errors of f M_a^T M_b, of f M_a^T D and of an image by these, relative to the columns' lengths:
+  /// verify/proofs/frame_proofs.h.
   static constexpr double transpose_rounding = 16 * u;
 
-  /// In I - X M_a, a share of the terms of an entry.
+  /// Upper bound of the error of an entry of I - X M_a, relative to its terms: verify/proofs/frame_proofs.h.
   static constexpr double residual_rounding = 6 * u;
 
-  /// Of X M_b and X D, and of the image that is made of them, shares of norms.
+  /// Upper bound of the errors of X M_b, of X D and of an image by these, relative to norms:
+  /// verify/proofs/frame_proofs.h.
   static constexpr double inverse_rounding = 10 * u;
 
-  /// Entry (i, j) of P^T Q, P and Q the linear parts of two poses' entries.
+  /// Returns entry (i, j) of P^T Q, P and Q the linear parts of two poses' entries.
   template <class Number>
   static Number product_of_columns(const std::array<Number, 12>& p, const std::array<Number, 12>& q, int i, int j)
   {
     return p[i] * q[j] + p[4 + i] * q[4 + j] + p[8 + i] * q[8 + j];
   }
 
-  /// `first` and the products of a row and a column, added one by one.
+  /// Returns `first` plus the products of a row and a column, added one by one.
   template <class Number>
   static Number product_sum(const Number& first, const std::array<Number, 3>& row, const std::array<Number, 3>& column)
   {
     return ((first + row[0] * column[0]) + row[1] * column[1]) + row[2] * column[2];
   }
 
-  /// linear = scale * (orthonormal columns but for `axis_defect`), with a scale that floats can carry, 2^-60 .. 2^60.
+  /// True when linear = scale * (columns orthonormal up to `axis_defect`), with a scale that floats can hold, 2^-60 ..
+  /// 2^60.
   bool is_similarity() const { return similarity_; }
 
-  /// The length of the first column: the factor by which a similarity lengthens.
+  /// Returns the length of the first column: the factor by which a similarity lengthens.
   double scale() const { return scale_; }
 
   const std::array<Row, 3>& linear() const { return linear_; }
@@ -96,7 +100,7 @@ class Relative_frame {
     return {row(0), row(1), row(2)};
   }
 
-  /// The linear part alone.
+  /// Returns the image of a vector by the linear part alone.
   template <class Number>
   Row direction(const std::array<Number, 3>& p) const
   {
@@ -105,13 +109,14 @@ class Relative_frame {
   }
 
  private:
-  /// Where M_a is a similarity but for `similarity_defect`: the inverse is X = f M_a^T with f = 1 / s^2, rounded, s the
-  /// length of its first column. Nothing is done where it is not, or numbers are near the ends of the range.
+  /// Computes the map where M_a is a similarity up to `similarity_defect`. The inverse is X = f M_a^T with f = 1 / s^2,
+  /// rounded, s the length of its first column. Returns false, and changes nothing, where M_a is none or numbers are
+  /// near the ends of the range.
   ///
-  /// With G = M_a^T M_a, rho = ||I - f G|| is what is computed, and `gram_rounding`. M_a^-1 = X + (I - X M_a) M_a^-1,
-  /// so rows of the linear part are off by rho of their sums, which are below three times the longest column c, and by
-  /// `transpose_rounding` of products |col_i M_a| |col_j M_b| f, which is (1 + 2^-23) times a column. Rows of X sum to
-  /// at most sqrt(3) / s. When D's error in double is too much, it is summed again in double-double.
+  /// With G = M_a^T M_a, rho = ||I - f G|| is its computed value plus `gram_rounding`. M_a^-1 = X + (I - X M_a) M_a^-1.
+  /// So the error of a row of the linear part is rho times its sum, which is below three times the longest column c. To
+  /// it comes `transpose_rounding` of products |col_i M_a| |col_j M_b| f, which is (1 + 2^-23) times a column. Rows of
+  /// X sum to at most sqrt(3) / s. When D's error in double is too large, D is summed again in double-double.
   bool by_transpose(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b, Origin_offset d)
   {
     const std::array<double, 12>&m = a.entries(), &n = b.entries();
@@ -128,12 +133,12 @@ class Relative_frame {
     }
     const double longest = decide_similarity(), relative = second_order * rho + transpose_rounding;
     const double error = relative * (3 * longest + shrink * d.largest()) + shrink * d.error();
-    // What is lost where entries of M_b are denormal is below 2^-300 then.
+    // The error by denormal entries of M_b is below 2^-300 then.
     accept(error, maximum(longest, 1 / longest, d.terms()), in_a, in_b);
     return true;
   }
 
-  /// How far G = M^T M is from s^2 I.
+  /// The distance of G = M^T M from s^2 I.
   struct Gram {
     double square;  ///< s^2, its first entry
     double defect;  ///< ||G - s^2 I||, the largest row sum
@@ -147,16 +152,16 @@ class Relative_frame {
     return {square, row};
   }
 
-  /// Takes over `error`, unless a number near the ends of the range may have overflowed or underflowed: `top` is the
-  /// largest that it was made of.
+  /// Stores `error`, unless a number near the ends of the range may have overflowed or underflowed. `top` is the
+  /// largest number that it was made of.
   void accept(double error, double top, const Local_scale& in_a, const Local_scale& in_b)
   {
     if (top <= 0x1p200 && in_a.is_in_range() && in_b.is_in_range() && error <= std::numeric_limits<double>::max())
       error_ = error * second_order + underflow;
   }
 
-  /// With X the inverse of M_a as computed and rho >= ||I - X M_a||: M_a^-1 differs from X by at most rho / (1 - rho)
-  /// ||X||. Norms are maxima of row sums.
+  /// Computes the map by X, the computed inverse of M_a. With rho an upper bound of ||I - X M_a||, M_a^-1 differs from
+  /// X by at most rho / (1 - rho) ||X||. Norms are maxima of row sums.
   void by_inverse(const Pose& a, const Local_scale& in_a, const Pose& b, const Local_scale& in_b)
   {
     std::array<Row, 3> inverse;
@@ -175,7 +180,7 @@ class Relative_frame {
     decide_similarity();
   }
 
-  /// The map of X, D and M_b: linear X M_b `scale`, offset X D / `unit`. Returns ||M_b||.
+  /// Stores the map of X, D and M_b: linear X M_b `scale`, offset X D / `unit`. Returns ||M_b||.
   double compose(const std::array<Row, 3>& x, const Pose& b, const Origin_offset& d, double scale, double unit)
   {
     double norm_b = 0;
@@ -211,7 +216,8 @@ class Relative_frame {
     return norm;
   }
 
-  /// At least ||I - X M_a||: as computed, and what the computation and a fraction's entry may be off by.
+  /// Returns an upper bound of ||I - X M_a||: its computed value plus the errors of the computation and of a fraction's
+  /// entry.
   static double residual_norm(const Pose& a, const std::array<Row, 3>& x)
   {
     double norm = 0;
@@ -229,7 +235,8 @@ class Relative_frame {
     return norm;
   }
 
-  /// Returns the length of the longest column or, of no similarity, a bound on it that is undefined where any entry is.
+  /// Returns an upper bound of the length of the longest column. If the map is no similarity, the bound is undefined
+  /// where any entry is.
   double decide_similarity()
   {
     const auto column = [this](int i, int j) {
@@ -244,7 +251,7 @@ class Relative_frame {
     return similarity_ ? scale_ * (1 + 2 * similarity_defect) : std::sqrt(square + second + third);
   }
 
-  /// Far above what underflows, the entries of fractions too, within `Local_scale::is_in_range`.
+  /// Upper bound of all underflow, also of the entries of fractions, within `Local_scale::is_in_range`.
   static constexpr double underflow = 0x1p-300;
 
   std::array<Row, 3> linear_{};

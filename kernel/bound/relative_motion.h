@@ -17,11 +17,11 @@ namespace tetracone::kernel {
 struct alignas(32) Body_box {
   using Row = std::array<double, 3>;
   float corner[3][lanes] = {};
-  float reach = 0;  ///< at least the magnitude of every coordinate of its points
+  float reach = 0;  ///< upper bound of the magnitude of every coordinate of its points
 
   Body_box() = default;
 
-  /// All c + sum_j s_j h_j with |s_j| <= 1, c the centre and h_j the half edges.
+  /// The box of all c + sum_j s_j h_j with |s_j| <= 1, c the centre and h_j the half edges.
   Body_box(const Row& centre, const std::array<Row, 3>& half_edge)
   {
     for (int k = 0; k < 3; ++k) {
@@ -45,11 +45,12 @@ struct alignas(32) Body_box {
   }
 };
 
-/// Where a body is in the frame of another: a `Box_map`, as far as its motion is concerned.
+/// The place of a body in the frame of another: the part of a `Box_map` that its motion needs.
 struct alignas(32) Placement {
-  double column[4][4];  ///< in double, the last the offset; of each the fourth is 0
+  double column[4][4];  ///< in double; the last is the offset, and the fourth entry of each is 0
   double scale;         ///< see `Relative_frame`
-  double error;         ///< at least how far an image by these columns is from the exact one; infinite where unknown
+  double error;         ///< upper bound of the distance between an image by these columns and the exact one; infinite
+                        ///< where unknown
 
   Placement() = default;
   explicit Placement(const Box_map& map) : scale(map.scale()), error(error_of(map))
@@ -58,11 +59,12 @@ struct alignas(32) Placement {
       for (int k = 0; k < 4; ++k) column[j][k] = map.column(j)[k];
   }
 
-  /// Above what an error of each coordinate of a point moves it along an axis.
+  /// Upper bound of the distance by which an error of 1 in each coordinate moves a point along an axis:
+  /// verify/proofs/gap_proofs.h.
   static constexpr double position_norm = 2;
 
-  /// Of an image in double: the map's, in three coordinates, and few roundings of terms that are at most the offset and
-  /// three times twice a column.
+  /// Returns the error of an image in double: the map's, in three coordinates, and few roundings. The rounded terms are
+  /// at most the offset and three times twice a column.
   static double error_of(const Box_map& map)
   {
     const double* offset = map.column(3);
@@ -71,15 +73,15 @@ struct alignas(32) Placement {
   }
 };
 
-/// A motion that goes on by the same step: each takes every point p of a body on by linear p + shift.
+/// A motion in equal steps. Each step moves every point p of a body by linear p + shift.
 struct alignas(32) Course {
-  float column[4][4] = {};  ///< of the linear part, and the shift; of each the fourth is 0
-  float size = 0;           ///< above the sum of all magnitudes
+  float column[4][4] = {};  ///< of the linear part, and the shift; the fourth entry of each is 0
+  float size = 0;           ///< upper bound of the sum of all magnitudes
 
-  /// None: of steps that take no point anywhere.
+  /// The course that moves no point.
   Course() = default;
 
-  /// By the step between two places, each entry rounded.
+  /// The course whose step leads from one place to the other, each entry rounded.
   Course(const Placement& before, const Placement& after)
   {
     float sum = 0;
@@ -91,9 +93,9 @@ struct alignas(32) Course {
     size = sum * rounded_up;
   }
 
-  /// How the other body seems to go, in the frame of the one that is on the course as it is now, where that one's own
-  /// points are; `other` is the other's place there, a similarity of which `error` is at most 2^-24 of `scale`. So much
-  /// columns are off at most, a share of the size, beside one rounding.
+  /// Returns the other body's course relative to this one, as seen in the frame of the body on this course as it is
+  /// now. `other` is the other's place there. It is a similarity whose `error` is at most 2^-24 of `scale`. The columns
+  /// have an error of at most that fraction of the size, beside one rounding.
   Course reversed(const Placement& other) const
   {
     Course course;
@@ -102,21 +104,22 @@ struct alignas(32) Course {
         course.column[j][k] =
             -float(other.column[0][k] * double(column[j][0]) + other.column[1][k] * double(column[j][1]) +
                    other.column[2][k] * double(column[j][2]));
-    // A similarity's image is at most sqrt(3) times as long in |.|_1, times the scale.
+    // The image by a similarity is at most sqrt(3) times as long in |.|_1, times the scale.
     course.size = size * float(other.scale) * 2;
     return course;
   }
 
-  /// Steps come in parts of that size, so that floats hold their sums, up to `most_steps` and one more.
+  /// Numbers of steps are multiples of `least_step`, so that floats hold their sums, up to `most_steps` + 1.
   static constexpr double least_step = 0x1p-10, most_steps = 0x1p12;
 };
 
-/// What bounds of motions lose in float, a share of the entries of a step, of which the linear ones count as often as
-/// the body reaches: they and corners are rounded, products and sums by 4. The length of what is computed is off by less
-/// than `rounded_up`.
+/// Upper bound of the rounding error of bounds of motions in float, relative to the entries of a step
+/// (verify/proofs/gap_proofs.h). The linear entries count times the largest coordinate of the body. They and the
+/// corners are rounded; products and sums have 4 roundings. The error of the length of the computed vector is covered
+/// by `rounded_up`.
 inline constexpr double motion_rounding = 16 * 0x1p-24;
 
-/// Above what a length loses where squares underflow.
+/// Upper bound of the error of a length whose squares underflow: verify/proofs/reference_proofs.h.
 inline constexpr double motion_underflow = 0x1p-60;
 
 }  // namespace tetracone::kernel
@@ -126,8 +129,8 @@ inline constexpr double motion_underflow = 0x1p-60;
 
 namespace tetracone::kernel {
 
-/// How many steps of the course the way between two places is most like, a multiple of `Course::least_step`; 0 where it
-/// leads elsewhere. Nothing is certain about it.
+/// Returns the number of steps of the course that the motion between two places is most like, a multiple of
+/// `Course::least_step`. Returns 0 where the motion leads elsewhere. The number is no bound of anything.
 inline double steps_along(const Course& course, const Placement& before, const Placement& after)
 {
   using Function = double(const Course&, const Placement&, const Placement&);
@@ -135,13 +138,13 @@ inline double steps_along(const Course& course, const Placement& before, const P
   return fastest(course, before, after);
 }
 
-/// At least how far any point p of the box with |p_k| <= 1 is from where so many steps of the course would have taken it
-/// when it has gone from its image under the exact map of the one place to that of the other. Infinite or undefined
-/// where nothing is known.
+/// Returns an upper bound, over all points p of the box with |p_k| <= 1, of the distance between the point's place
+/// after the motion and the one that `steps` steps of the course predict. The motion leads from its image under the
+/// exact map of `before` to the image under that of `after`. Infinite or undefined where nothing is known.
 ///
-/// In double, that is D p + d and what the images are off by, D and d the differences of columns, the course's taken
-/// off: these are rounded a few times in double, which is among the placements' errors too, and then to float. |D p + d|
-/// is convex, so that it is largest at a corner.
+/// In double, that is D p + d and the errors of the images. D and d are the differences of the columns less the
+/// course's. These are rounded a few times in double, which the placements' errors include, and then to float. |D p +
+/// d| is convex, so it is largest at a corner.
 inline double stray_bound(const Course& course, double steps, const Placement& before, const Placement& after,
                           const Body_box& box)
 {
@@ -150,7 +153,7 @@ inline double stray_bound(const Course& course, double steps, const Placement& b
   return fastest(course, steps, before, after, box);
 }
 
-/// At least how far a step of the course takes any point of the box.
+/// Returns an upper bound of the distance by which a step of the course moves any point of the box.
 inline double pace_bound(const Course& course, const Body_box& box)
 {
   using Function = double(const Course&, const Body_box&);

@@ -27,15 +27,16 @@ inline HWY_ATTR double steps_along_simd(const Course& course, const Placement& b
   return double(std::int64_t(steps / Course::least_step)) * Course::least_step;
 }
 
-/// A coordinate of how far a point goes, by a row of the linear part and the shift. What it may be off by is proved of
-/// it, run over other numbers than vectors (verify/proofs/).
+/// Returns a coordinate of a point's motion, by a row of the linear part and the shift. Its error is proved from this
+/// function, run over other numbers than vectors (verify/proofs/gap_proofs.h).
 template <class Floats>
 HWY_INLINE Floats gone(const Floats (&row)[3], const Floats& shift, const Floats (&point)[3])
 {
   return MulAdd(point[2], row[2], MulAdd(point[1], row[1], MulAdd(point[0], row[0], shift)));
 }
 
-/// At least how far any point of the box goes by these columns. Infinite or undefined where one is.
+/// Returns an upper bound of the distance by which these columns move any point of the box. Infinite or undefined where
+/// one is.
 HWY_INLINE double farthest(const float (&column)[4][4], const Body_box& box)
 {
   constexpr Float_tag tag;
@@ -58,7 +59,7 @@ HWY_INLINE double farthest(const float (&column)[4][4], const Body_box& box)
     sum = Add(sum, Add(size(0), Add(size(1), size(2))));
     shift = Add(shift, size(3));
   }
-  // Vectors may have dropped what is undefined; sums have not.
+  // A vector's maximum may have dropped an undefined value; the sums have not.
   const double size = double(hn::GetLane(hn::SumOfLanes(four, shift))) +
                       double(box.reach) * double(hn::GetLane(hn::SumOfLanes(four, sum)));
   return std::sqrt(double(hn::GetLane(hn::MaxOfLanes(tag, most)))) * double(rounded_up) + motion_rounding * size +

@@ -9,18 +9,19 @@
 #include <cmath>
 #include <cstddef>
 
-/// The distance of two triangles in double, enclosed.
+/// Bounds of the distance of two triangles, in double.
 ///
-/// Whatever leads to two points, one in each triangle, their distance is an upper bound; and along whatever direction n,
-/// the gap min n . b - max n . a over the corners is |n| times a lower bound. Of convex sets the two meet where the
-/// points are nearest and n leads from one to the other: so the search for them needs no error bound, the two bounds
-/// have one each.
+/// The distance of any two points, one in each triangle, is an upper bound. Along any direction n, the gap min n . b -
+/// max n . a over the corners is |n| times a lower bound. For convex sets the two bounds are equal where the points are
+/// nearest and n leads from one to the other. So the search for the points needs no error bound; the two bounds have
+/// one each.
 namespace tetracone::kernel {
 
 using Double_vector = std::array<double, 3>;
 using Double_triangle = std::array<Double_vector, 3>;
 
-/// A triangle, and its edges, a lane each, the fourth the first again: where they begin, and what leads to their ends.
+/// A triangle, and its edges, a lane each; the fourth is the first again. `at` is the start of an edge, `way` the
+/// vector to its end.
 struct alignas(32) Edged_triangle {
   double at[3][4] = {}, way[3][4] = {};
   Double_triangle corner{};
@@ -36,10 +37,10 @@ struct alignas(32) Edged_triangle {
   }
 };
 
-/// What is known of the distance of two triangles.
+/// Bounds of the distance of two triangles.
 struct Triangle_gap {
-  double low = 0;      ///< at most the distance
-  double high = 0;     ///< at least the distance
+  double low = 0;      ///< lower bound of the distance
+  double high = 0;     ///< upper bound of the distance
   double nearest = 0;  ///< the distance as computed
   unsigned of_a = 0;   ///< corners that span the feature that seems to hold A's nearest point, as bits
   unsigned of_b = 0;
@@ -50,23 +51,24 @@ namespace triangle_distance {
 
 constexpr double u = unit_roundoff<double>;
 
-/// Roundings of a length that is computed as the root of a sum of three squares, and of one more product: 4 u and
-/// second order.
+/// Upper bound of the relative error of a length that is computed as the root of a sum of three squares, and of one
+/// more product. These are 4 u and terms of second order (verify/proofs/distance_proofs.h).
 inline constexpr double length_rounding = 8 * u;
 
-/// Of a point in a triangle or a product with a direction, a share of the largest coordinate R.
+/// Upper bound of the error of a point in a triangle, or of a product with a direction, relative to the largest
+/// coordinate R (verify/proofs/distance_proofs.h).
 inline constexpr double point_rounding = 16 * u;
 
-/// What a distance of points may be off by, and what a gap over |n| may be off by: points are off by `position_error`
-/// in a coordinate, and then rounded. 4 is above 2 sqrt(3), the length of two errors in three coordinates; n has
-/// |n|_1 <= sqrt(3) |n|_2.
+/// Returns an upper bound of the errors of a distance of points and of a gap over |n|. Points have an error of at most
+/// `position_error` in a coordinate, and are then rounded. 4 is above 2 sqrt(3), the length of two errors in three
+/// coordinates. n has |n|_1 <= sqrt(3) |n|_2.
 template <class Number>
 Number slack(const Number& position_error, const Number& largest)
 {
   return Number(4) * (position_error + Number(point_rounding) * largest);
 }
 
-/// a + s (b - a) + t (c - a).
+/// Returns a + s (b - a) + r (c - a).
 template <class Number>
 std::array<Number, 3> point_in_triangle(const std::array<std::array<Number, 3>, 3>& t, const Number& s, const Number& r)
 {
@@ -74,7 +76,7 @@ std::array<Number, 3> point_in_triangle(const std::array<std::array<Number, 3>, 
   return {at(0), at(1), at(2)};
 }
 
-/// A lower bound of the distance from a gap along n, and the root of n . n as computed.
+/// Returns a lower bound of the distance from a gap along n, and from the root of n . n as computed.
 inline double below(double gap, double length, double slack)
 {
   const double low = gap / length * (1 - length_rounding) - slack;
@@ -88,7 +90,7 @@ struct Nearest {
   unsigned of_a = 0, of_b = 0;
 };
 
-/// For each edge of A the nearest of B, where on both the nearest points are, and their squared distance.
+/// For each edge of A: the nearest edge of B, the places of the nearest points on both, and their squared distance.
 struct alignas(32) Near_edges {
   double square[4], s[4], t[4], of_b[4];
 };
@@ -102,7 +104,7 @@ struct alignas(32) Near_edges {
 namespace tetracone::kernel {
 namespace triangle_distance {
 
-/// The nearest points of two edges.
+/// Returns the nearest points of the edges.
 inline Nearest nearest_on_edges(const Edged_triangle& a, const Edged_triangle& b)
 {
   using Function = void(const Edged_triangle&, const Edged_triangle&, Near_edges&);
@@ -124,8 +126,8 @@ inline Nearest nearest_on_edges(const Edged_triangle& a, const Edged_triangle& b
   return n;
 }
 
-/// Where all corners of `x` are on one side of the plane of `t`, and the nearest of them is over `t`: that corner, and
-/// the point below it.
+/// True when all corners of `x` are on one side of the plane of `t`, and the nearest of them is over `t`. Then it
+/// writes that corner and the point below it.
 inline bool over_triangle(const Double_triangle& x, const Double_triangle& t, Double_vector& corner,
                           Double_vector& foot, int& which)
 {
@@ -146,7 +148,7 @@ inline bool over_triangle(const Double_triangle& x, const Double_triangle& t, Do
   return true;
 }
 
-/// The least n . x of the corners.
+/// Returns the least n . x of the corners.
 inline double least_along(const Double_vector& n, const Double_triangle& t)
 {
   return minimum(dot(n, t[0]), dot(n, t[1]), dot(n, t[2]));
@@ -154,7 +156,7 @@ inline double least_along(const Double_vector& n, const Double_triangle& t)
 
 }  // namespace triangle_distance
 
-/// A lower bound of the distance: the gap along a direction; 0 where it tells nothing.
+/// Returns a lower bound of the distance, by the gap along a direction; 0 where that gives none.
 inline double least_gap(const Double_triangle& a, const Double_triangle& b, const Double_vector& n,
                         double position_error, double largest)
 {
@@ -166,10 +168,10 @@ inline double least_gap(const Double_triangle& a, const Double_triangle& b, cons
   return td::below(gap, length, td::slack(position_error, largest));
 }
 
-/// Whether x is before p along a direction that n is, but for 2^-51 |n|_1 in all coordinates together. x and p are at
-/// most `largest` and off by at most `position_error` in a coordinate: n . (x - p) is off by |n|_1 times 2
-/// `position_error` and, of 2 `largest`, 2^-51 for n and 5 u for roundings. Numbers near the ends of the doubles' range
-/// tell nothing.
+/// True when x is surely before p along a direction that differs from n by at most 2^-51 |n|_1 in all coordinates
+/// together. Coordinates of x and p are at most `largest` and have an error of at most `position_error`. The error of n
+/// . (x - p) is |n|_1 times 2 `position_error`, and of 2 `largest` 2^-51 for n and 5 u for roundings. False for numbers
+/// near the ends of the doubles' range.
 inline bool is_surely_before(const Double_vector& x, const Double_vector& p, const Double_vector& n,
                              double position_error, double largest)
 {
@@ -180,7 +182,7 @@ inline bool is_surely_before(const Double_vector& x, const Double_vector& p, con
 
 namespace triangle_distance {
 
-/// What two points, one in each triangle, tell.
+/// Returns the bounds that two points, one in each triangle, give.
 inline Triangle_gap gap_of(const Nearest& points, const Double_triangle& a, const Double_triangle& b,
                            double position_error, double largest)
 {
@@ -196,11 +198,12 @@ inline Triangle_gap gap_of(const Nearest& points, const Double_triangle& a, cons
 
 }  // namespace triangle_distance
 
-/// The distance of triangles whose coordinates are at most `largest` and off by at most `position_error`. Infinite or
-/// undefined errors give low = 0 and a high that is no bound to anything: infinite or undefined. Where it is above
-/// `limit`, bounds need not be near.
+/// Returns bounds of the distance of triangles whose coordinates are at most `largest` and have an error of at most
+/// `position_error`. Infinite or undefined errors give low = 0 and an infinite or undefined high. Where the distance is
+/// above `limit`, the bounds need not be close.
 ///
-/// The nearest points are on two edges, which both bounds then tell, or in a corner and inside the other triangle.
+/// The nearest points are on two edges, which both bounds then show, or one is a corner and the other inside the other
+/// triangle.
 inline Triangle_gap triangle_gap(const Edged_triangle& with_edges_a, const Edged_triangle& with_edges_b,
                                  double position_error, double largest, double limit = HUGE_VAL)
 {

@@ -9,7 +9,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace tetracone::kernel::HWY_NAMESPACE {
 
-/// The nearest points of an edge of A, a lane each, and of one of B. Without MulAdd: the same bits in all versions.
+/// Finds the nearest points of an edge of A, a lane each, and of one of B. It does without MulAdd, so that all versions
+/// give equal bits.
 inline HWY_ATTR void nearest_on_edges_simd(const Edged_triangle& a, const Edged_triangle& b,
                                            triangle_distance::Near_edges& near)
 {
@@ -22,7 +23,7 @@ inline HWY_ATTR void nearest_on_edges_simd(const Edged_triangle& a, const Edged_
   for (std::size_t lane = 0; lane < 4; lane += hn::Lanes(tag)) {
     const auto load = [&](const auto& lanes) HWY_ATTR { return hn::Load(tag, lanes + lane); };
     const auto zero = hn::Zero(tag), one = all(1);
-    // What is undefined is 0.
+    // An undefined value becomes 0.
     const auto clamped = [&](const auto& x)
                              HWY_ATTR { return IfThenElseZero(Gt(x, zero), IfThenElse(Lt(x, one), x, one)); };
     const auto x = load(a.at[0]), y = load(a.at[1]), z = load(a.at[2]), ex = load(a.way[0]), ey = load(a.way[1]),

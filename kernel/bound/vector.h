@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstddef>
 
-/// Points, directions and axes in rounded double. Of our own, since each expression of Eigen's is a type of its own,
-/// which every unit that includes it would instantiate: a third of what our headers took to compile.
+/// Points, directions and axes in rounded double. Eigen is not used for these: each of its expressions is a type that
+/// every unit instantiates, which took a third of the time to compile our headers.
 namespace tetracone::kernel {
 
 /// Three coordinates; 0 unless given.
@@ -18,10 +18,10 @@ struct Vector {
   constexpr Vector() = default;
   constexpr Vector(double x, double y, double z) : at{x, y, z} {}
 
-  /// The same number three times.
+  /// Returns the vector of three equal numbers.
   static constexpr Vector all(double x) { return {x, x, x}; }
 
-  /// Along axis i.
+  /// Returns the unit vector of axis i.
   static constexpr Vector unit(int i) { return {double(i == 0), double(i == 1), double(i == 2)}; }
 
   constexpr double operator[](std::size_t i) const { return at[i]; }
@@ -51,20 +51,20 @@ struct Vector {
   double norm_1() const { return absolute().sum(); }
   double norm_infinity() const { return maximum(std::abs(at[0]), std::abs(at[1]), std::abs(at[2])); }
 
-  /// Of length 1; as it is where its square underflows to 0.
+  /// Returns the vector scaled to length 1, or the vector itself where its square underflows to 0.
   Vector normalized() const
   {
     const double square = squared_norm();
     return square > 0 ? *this / std::sqrt(square) : *this;
   }
 
-  /// Each rounded to the nearest float.
+  /// Returns the vector with each coordinate rounded to the nearest float.
   constexpr Vector in_float() const { return {float(at[0]), float(at[1]), float(at[2])}; }
 
   Vector absolute() const { return {std::abs(at[0]), std::abs(at[1]), std::abs(at[2])}; }
 };
 
-/// Coordinate by coordinate the smaller and the larger; a's where one is NaN.
+/// Return, coordinate by coordinate, the smaller and the larger number; a's where one is NaN.
 constexpr Vector smaller(const Vector& a, const Vector& b)
 {
   return {b[0] < a[0] ? b[0] : a[0], b[1] < a[1] ? b[1] : a[1], b[2] < a[2] ? b[2] : a[2]};
@@ -111,7 +111,7 @@ struct Matrix {
   }
   friend constexpr bool operator==(const Matrix&, const Matrix&) = default;
 
-  /// How far an entry of A^T A is from that of the identity at most; NaN where one is.
+  /// Returns the largest distance of an entry of A^T A from that of the identity; NaN where one is.
   double orthonormal_defect() const
   {
     const Matrix defect = transpose() * *this - identity();

@@ -15,18 +15,18 @@
 
 namespace tetracone::kernel {
 
-/// A maximal piece of what faces p and q share.
+/// A maximal piece of the set that faces p and q share.
 struct Rational_piece {
   Piece kind;
   Feature in_p, in_q;
-  std::vector<std::vector<Rational_point>> loops;  ///< of a polygon its border; else one: a point, or two ends
+  std::vector<std::vector<Rational_point>> loops;  ///< the border of a polygon; else one loop: a point, or two ends
 };
 
 namespace detail {
 
-/// Two faces of one plane, cut into trapezoids. Coordinates are the plane's, sheared so that no edge is upright: its
-/// lines then cut the slabs between the x of corners and crossings from left to right, in an order that does not
-/// change within the slab, and winding numbers are summed from below.
+/// Two faces of one plane, cut into trapezoids. Coordinates are the plane's, sheared so that no edge is upright. Slabs
+/// lie between the x of neighbouring corners and crossings. Edges cross a slab from left to right in an order that does
+/// not change within it, and winding numbers are summed from below.
 class Coplanar_arrangement {
  public:
   Coplanar_arrangement(const Rational_face& p, const Rational_face& q) : faces_{&p, &q}, axis_(p.axis())
@@ -37,7 +37,8 @@ class Coplanar_arrangement {
     join_slabs();
   }
 
-  /// Polygons are the connected parts of the shared inside; segments and points are in none of them.
+  /// Returns the pieces. Polygons are the connected parts of the shared interior; segments and points are in none of
+  /// them.
   std::vector<Rational_piece> pieces()
   {
     std::vector<Rational_piece> pieces;
@@ -158,7 +159,7 @@ class Coplanar_arrangement {
   }
   void join(std::size_t a, std::size_t b) { parent_[root(a)] = root(b); }
 
-  /// Shared cells that share more than a corner.
+  /// Joins shared cells of neighbouring slabs that have more than a corner in common.
   void join_slabs()
   {
     for (std::size_t s = 0; s < slabs_.size(); ++s) {
@@ -212,7 +213,7 @@ class Coplanar_arrangement {
     return loops;
   }
 
-  /// Without the points where the border goes straight on.
+  /// Returns the loop without the points where the border goes straight on.
   static std::vector<Rational_point> corners(const std::vector<Rational_point>& loop)
   {
     std::vector<Rational_point> corners;
@@ -260,7 +261,7 @@ class Coplanar_arrangement {
     }
   }
 
-  /// Whether a polygon or segment holds the node.
+  /// True when a polygon or segment holds the node.
   bool is_held(const Rational& x, const Rational& y) const
   {
     const auto k = std::size_t(std::ranges::lower_bound(stops_, x) - stops_.begin());

@@ -13,7 +13,7 @@ namespace tetracone::kernel {
 template <class N>
 using Number_point = std::array<N, 3>;
 
-/// The image of a vertex under the twelve numbers of a pose.
+/// Returns the image of a vertex under the twelve numbers of a pose.
 template <class N>
 Number_point<N> image(const Vertex& x, const std::array<N, 12>& m)
 {
@@ -46,7 +46,7 @@ Number_point<N> along(const Number_point<N>& from, const Number_point<N>& step, 
   return {N(from[0] + share * step[0]), N(from[1] + share * step[1]), N(from[2] + share * step[2])};
 }
 
-/// Where edge `edge` of p goes through the plane of q.
+/// Returns the point where edge `edge` of p goes through the plane of q.
 template <class N>
 Number_point<N> edge_through_plane(const std::array<Number_point<N>, 3>& p, int edge,
                                    const std::array<Number_point<N>, 3>& q)
@@ -56,7 +56,7 @@ Number_point<N> edge_through_plane(const std::array<Number_point<N>, 3>& p, int 
   return along(from, whole, N(inner(normal, step(from, q[0])) / inner(normal, whole)));
 }
 
-/// Where two edges cross that are in one plane.
+/// Returns the point where two edges cross that are in one plane.
 template <class N>
 Number_point<N> edge_through_edge(const std::array<Number_point<N>, 3>& p, int edge_p,
                                   const std::array<Number_point<N>, 3>& q, int edge_q)
@@ -69,7 +69,7 @@ Number_point<N> edge_through_edge(const std::array<Number_point<N>, 3>& p, int e
 
 }  // namespace detail
 
-/// The corner of what triangles p and q share, from their corners.
+/// Returns a corner of the set that triangles p and q share, from their corners.
 template <class N>
 Number_point<N> corner_point(const std::array<Number_point<N>, 3>& p, const std::array<Number_point<N>, 3>& q,
                              const Triangle_contact::Corner& corner)

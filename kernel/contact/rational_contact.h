@@ -14,7 +14,7 @@ namespace tetracone::kernel {
 
 namespace detail {
 
-/// What two faces share on a line that holds all that they share.
+/// The set that two faces share, when all of it is on one line.
 class Line_contact {
  public:
   /// The line goes through `origin` along `direction`, which is not 0.
@@ -32,7 +32,7 @@ class Line_contact {
     stops_.erase(std::unique(stops_.begin(), stops_.end()), stops_.end());
   }
 
-  /// The pieces in the line's order. Between stops neither face begins or ends, nor do its edges.
+  /// Returns the pieces in the line's order. Between stops neither a face nor one of its edges begins or ends.
   std::vector<Rational_piece> operator()() const
   {
     std::vector<Rational_piece> pieces;
@@ -66,7 +66,7 @@ class Line_contact {
     return x;
   }
 
-  /// Where a closed segment meets the line: seen along it, the ends are in opposite directions.
+  /// Adds the points where a closed segment meets the line. Seen along it, the ends are in opposite directions.
   void add_meeting(const Rational_point& from, const Rational_point& to)
   {
     const Rational_point a = cross(difference(from, origin_), direction_),
@@ -77,7 +77,7 @@ class Line_contact {
     if (apart < 0 && is_zero(cross(a, b))) stops_.push_back(between(from, to, dot(a, a) / (dot(a, a) - apart)));
   }
 
-  /// What of the two faces holds a point of both.
+  /// Returns the features of the two faces that hold a common point; nothing for a point that is not in both.
   std::optional<std::pair<Feature, Feature>> shared(const Rational_point& x) const
   {
     const Feature of_p = p_.locate(x);
@@ -89,7 +89,7 @@ class Line_contact {
 
   static void widen(Rational_piece& piece, const std::pair<Feature, Feature>& by)
   {
-    // More than a point: a vertex does not hold it.
+    // The piece is more than a point, so a vertex does not hold it.
     piece.in_p = maximum(piece.in_p, by.first, Feature::edge);
     piece.in_q = maximum(piece.in_q, by.second, Feature::edge);
   }
@@ -102,8 +102,8 @@ class Line_contact {
 
 }  // namespace detail
 
-/// What two closed faces share, in maximal pieces: polygons where they are in one plane, then segments and points that
-/// no polygon holds. Faces may have holes, cross or touch themselves, and be degenerate.
+/// Returns the set that two closed faces share, in maximal pieces: polygons where they are in one plane, then segments
+/// and points that no polygon holds. Faces may have holes, cross or touch themselves, and be degenerate.
 inline std::vector<Rational_piece> face_contact(const Rational_face& p, const Rational_face& q)
 {
   if (!p.has_plane() || !q.has_plane()) {

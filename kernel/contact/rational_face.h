@@ -27,7 +27,7 @@ inline Rational_point cross(const Rational_point& a, const Rational_point& b)
           Rational(a[0] * b[1] - a[1] * b[0])};
 }
 inline bool is_zero(const Rational_point& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
-/// a + share (b - a).
+/// Returns a + share (b - a).
 inline Rational_point between(const Rational_point& a, const Rational_point& b, const Rational& share)
 {
   Rational_point p;
@@ -40,7 +40,7 @@ class Rational_face {
  public:
   using Edge = std::pair<Rational_point, Rational_point>;
 
-  /// Requires corners in one plane, and one edge at least.
+  /// The face of these edges. Requires corners in one plane, and at least one edge.
   explicit Rational_face(std::vector<Edge> edges) : edges_(std::move(edges))
   {
     for (const Edge& edge : edges_) {
@@ -53,14 +53,14 @@ class Rational_face {
   const std::vector<Edge>& edges() const { return edges_; }
   const Rational_point& origin() const { return edges_[0].first; }
   bool has_plane() const { return !is_zero(normal_); }
-  /// 0 without a plane.
+  /// Returns the normal; 0 for a face on one line.
   const Rational_point& normal() const { return normal_; }
-  /// A direction in the face; 0 for a point.
+  /// Returns a direction in the face; 0 for a point.
   const Rational_point& along() const { return along_; }
-  /// How far beyond the plane, in units of the normal.
+  /// Returns the signed distance of a point from the plane, in units of the normal.
   Rational beyond(const Rational_point& x) const { return dot(normal_, difference(x, origin())); }
 
-  /// What of the face holds a point; `none`: it is not in the face.
+  /// Returns the feature of the face that holds a point; `none` for a point that is not in the face.
   Feature locate(const Rational_point& x) const
   {
     Feature at = Feature::none;
@@ -73,7 +73,7 @@ class Rational_face {
     return winding(x) != 0 ? Feature::interior : Feature::none;
   }
 
-  /// The larger of the normal's coordinates: along it the face is seen as a face.
+  /// Returns the axis of the normal's largest coordinate: along it the face is seen as a face.
   int axis() const
   {
     int axis = 0;
@@ -83,7 +83,8 @@ class Rational_face {
   }
 
  private:
-  /// The winding number of the loops about a point of the plane that is on none of them: signed crossings of a ray.
+  /// Returns the winding number of the loops about a point of the plane that is on none of them: signed crossings of a
+  /// ray.
   int winding(const Rational_point& x) const
   {
     const int u = (axis() + 1) % 3, v = (axis() + 2) % 3;

@@ -18,7 +18,7 @@
 
 namespace tetracone::kernel {
 
-/// A rigid pose: x -> q x q* / |q|^2 + t, exactly, of a quaternion (w, x, y, z) of any length above 0.
+/// A rigid pose, exactly: x -> q x q* / |q|^2 + t, with a quaternion (w, x, y, z) of any length above 0.
 struct Rigid_pose {
   std::array<Rational, 4> quaternion = {1, 0, 0, 0};
   std::array<Rational, 3> translation = {0, 0, 0};
@@ -27,15 +27,15 @@ struct Rigid_pose {
 /// The motion of a body over t in [0, 1]: x -> (M(t) x + v(t)) / w(t), exactly.
 class Body_motion {
  public:
-  /// Entry k of the row-major 3x4 matrix (M, v), and w: forms with integer coefficients, each of a degree of its own; w
-  /// has no root in [0, 1].
+  /// Entry k of the row-major 3x4 matrix (M, v), and w. They are forms with integer coefficients, each with its own
+  /// degree. w has no root in [0, 1].
   struct Forms {
     std::array<Integer_form, 12> entry;
     Integer_form weight;
   };
 
-  /// M(t) = (1-t) M0 + t M1, and so the translation: every point on a line, at constant speed. Between the ends M(t) may
-  /// be singular: its image is taken as it is.
+  /// Returns the motion with M(t) = (1-t) M0 + t M1, and the translation likewise: every point moves on a line at
+  /// constant speed. Between the ends M(t) may be singular; its image is taken as it is.
   static Body_motion linear(const Pose& from, const Pose& to)
   {
     Body_motion motion;
@@ -43,8 +43,8 @@ class Body_motion {
     return motion;
   }
 
-  /// q(t) = (1-t) q0 + t q1, not normalised, and so the translation: a rotation at every t. Nothing where q(t) = 0 for
-  /// some t in [0, 1].
+  /// Returns the motion with q(t) = (1-t) q0 + t q1, not normalised, and the translation likewise: a rotation at every
+  /// t. Returns nothing where q(t) = 0 for some t in [0, 1].
   static std::optional<Body_motion> rigid(const Rigid_pose& from, const Rigid_pose& to)
   {
     Integer of_turn = 1, of_shift = 1;
@@ -64,7 +64,7 @@ class Body_motion {
       for (int j = 0; j < i; ++j) turns = turns || q0[i] * q1[j] != q0[j] * q1[i];
     if (!turns && sgn(along) <= 0) return std::nullopt;
 
-    // A rotation that stays is written by its first quaternion alone, a translation that stays likewise.
+    // A constant rotation is written by its first quaternion alone, and a constant translation by its first one.
     std::array<Integer_form, 4> q;
     for (int k = 0; k < 4; ++k) q[k] = turns ? Integer_form(std::array{q0[k], q1[k]}) : Integer_form(std::array{q0[k]});
     for (int k = 0; k < 3; ++k) shifts = shifts || from.translation[k] != to.translation[k];
@@ -90,7 +90,7 @@ class Body_motion {
     return motion;
   }
 
-  /// Where the body is at a time in [0, 1], exactly. Requires det M(t) != 0 to be used as a pose.
+  /// Returns the body's pose at a time in [0, 1], exactly. Requires det M(t) != 0 if it is used as a pose.
   Pose at(const Rational& time) const
   {
     if (ends_ && (sgn(time) == 0 || time == 1)) return (*ends_)[std::size_t(sgn(time))];
@@ -108,13 +108,13 @@ class Body_motion {
     return Pose(entries);
   }
 
-  /// Made anew at each call where the motion is linear.
+  /// Returns the forms. Where the motion is linear, each call makes them anew.
   Forms forms() const { return rigid_ ? *rigid_ : forms_between(*ends_); }
 
-  /// The poses at both ends of a linear motion.
+  /// Returns the poses at both ends of a linear motion; nothing for a rigid one.
   const std::optional<std::array<Pose, 2>>& ends() const { return ends_; }
 
-  /// Whether M(t) / w(t) is a rotation all the time.
+  /// True when M(t) / w(t) is a rotation all the time.
   bool is_rigid() const { return rigid_.has_value(); }
 
  private:
@@ -141,13 +141,13 @@ class Body_motion {
   std::optional<Forms> rigid_;
 };
 
-/// Two moving bodies in coordinates that are common to both: points are forms of one degree over one divisor, the
-/// product of both weights.
+/// Two moving bodies in common coordinates. Points are forms of one degree over one divisor, the product of both
+/// weights.
 ///
-/// Of two rigid motions the degree is at most 5, and the volume of four points, of degree 15, has the square of the
-/// divisor as a factor: in the frame of one body, a plane of it stands still, and the other's points are of degree 5 over
-/// the divisor; and of two edges the volume is d . R m' + m . R d' + (d, v, R d') with directions d and moments m in
-/// either body's own frame, which is of degree 5 over the divisor too.
+/// For two rigid motions the degree is at most 5. The volume of four points, of degree 15, has the square of the
+/// divisor as a factor, for this reason. In the frame of one body, a plane of it stands still, and the other body's
+/// points are of degree 5 over the divisor. For two edges the volume is d . R m' + m . R d' + (d, v, R d'), with
+/// directions d and moments m in either body's own frame. It is of degree 5 over the divisor too.
 class Pair_motion {
  public:
   Pair_motion(const Body_motion& a, const Body_motion& b)
@@ -167,10 +167,10 @@ class Pair_motion {
     if (a.is_rigid() && b.is_rigid()) square_ = (divisor_ * divisor_).primitive();
   }
 
-  /// The number of coefficients of each form.
+  /// Returns the number of coefficients of each form.
   std::size_t size() const { return size_; }
 
-  /// The motion from `from`/2^k to `to`/2^k alone, over times from 0 to 1. Requires 0 <= from < to <= 2^k.
+  /// Returns the motion from `from`/2^k to `to`/2^k alone, over times from 0 to 1. Requires 0 <= from < to <= 2^k.
   Pair_motion between(const Integer& from, const Integer& to, unsigned k) const
   {
     Pair_motion part = *this;
@@ -181,21 +181,22 @@ class Pair_motion {
     return part;
   }
 
-  /// Entry k of the row-major 3x4 matrix that places body 0 or 1, times the divisor.
+  /// Returns entry k of the row-major 3x4 matrix that places body 0 or 1, times the divisor.
   const Integer_form& entry(int body, int k) const { return entry_[body][k]; }
   const Integer_form& divisor() const { return divisor_; }
 
-  /// Of the volume of four points: see `Exact_motion`.
+  /// Returns a factor of the volume of four points: see `Exact_motion`.
   const Integer_form& square() const { return square_; }
 
-  /// At most the exponents of the coordinates, each an odd number times a power of two, and 0.
+  /// Returns a lower bound of 0 and the exponents of the coordinates, each of which is an odd number times a power of
+  /// two.
   static int exponent_of(const Vertex& v, int least = 0)
   {
     for (const double x : v) least = minimum(least, Odd_double(x).exponent);
     return least;
   }
 
-  /// A point of a body, times the divisor and 2^-least. Requires least <= exponent_of(v).
+  /// Returns a point of a body, times the divisor and 2^-least. Requires least <= exponent_of(v).
   Form_vector image(int body, const Vertex& v, int least) const
   {
     const std::array<Integer, 4> by = {Odd_double(v[0]).over(least), Odd_double(v[1]).over(least),

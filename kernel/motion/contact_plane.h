@@ -20,15 +20,15 @@
 
 namespace tetracone::kernel {
 
-/// A plane that moves with two features, and parts what is on its two sides until they meet.
+/// A plane that moves with two features, and separates what is on its two sides until they meet.
 ///
-/// It holds the triangle of a vertex and a triangle, or an edge of A and the direction of one of B. Its height over a
-/// point x is the volume n . (x - o) of `Exact_motion`, a form in time and affine in x. While all vertices of one hull
-/// have heights of one sign, and no vertex of another hull has such a height, the hulls share no point.
+/// It contains the triangle of a vertex and a triangle, or an edge of A and the direction of one of B. Its height over
+/// a point x is the volume n . (x - o) of `Exact_motion`, a form in time and affine in x. While all vertices of one
+/// hull have heights of one sign, and no vertex of another hull has such a height, the hulls share no point.
 class Contact_plane {
  public:
-  /// `body`: of the vertex, for kind vertex_face. `corner`: as the points of `Moving_pair`, by their bodies' coordinates.
-  /// `motion`: over `times`.
+  /// `body` is the body of the vertex, for kind vertex_face. `corner` has the points of `Moving_pair`, in their bodies'
+  /// coordinates. `motion` is over `times`.
   Contact_plane(const Pair_motion& motion, Times_before& times, Moving_kind kind, int body,
                 const std::array<Vertex, 4>& corner)
       : times_(&times), low_(kind == Moving_kind::vertex_face ? 1 - body : 0)
@@ -62,10 +62,10 @@ class Contact_plane {
     sense_ = times.sign(height_over(1 - low_, corner[is_face ? 0 : 2]));
   }
 
-  /// Whether it parts the two features themselves until they meet. Else it tells nothing.
+  /// True when the plane separates the two features themselves until they meet. Otherwise it answers nothing.
   bool is_defined() const { return sense_ != CGAL::ZERO; }
 
-  /// Makes `holds` of boxes ready for the bodies' local units.
+  /// Prepares `holds` for boxes in the bodies' local units.
   void use_units(const std::array<Motion_units, 2>& units)
   {
     for (int b = 0; b < 2; ++b) {
@@ -100,8 +100,8 @@ class Contact_plane {
     }
   }
 
-  /// Whether all of a box of a body, in local units, is on the body's side until the features meet: in double, by bounds
-  /// of each coefficient. Never true of what touches the plane. Requires `use_units`.
+  /// True when all of a box of a body, in local units, is on the body's side until the features meet. It is decided in
+  /// double, by bounds of each coefficient. Never true of a box that touches the plane. Requires `use_units`.
   bool holds(int body, const Moving_box& box) const
   {
     const bool is_positive = (body == low_) != (sense_ == CGAL::POSITIVE);
@@ -112,8 +112,8 @@ class Contact_plane {
     return true;
   }
 
-  /// Whether a vertex of a body is on the body's side until the features meet, exactly; of the body whose side is closed,
-  /// or on the plane. False also where that is not known.
+  /// True when a vertex of a body is on the body's side until the features meet, exactly. For the body whose side is
+  /// closed it may also be on the plane. False also where that is not known.
   bool holds(int body, const Vertex& v)
   {
     Told& last = last_[body];
@@ -126,31 +126,33 @@ class Contact_plane {
     return last.holds;
   }
 
-  /// Whether that is known without an integer: the last vertex asked about was held, and is as high.
+  /// True when that is known without an integer: the last vertex asked about was held, and has the same heights.
   bool is_held_as_last(int body, const Vertex& v) const
   {
     return last_[body].is_known && last_[body].holds && is_as_high(body, v, last_[body].vertex);
   }
 
  private:
-  /// Above the sum of magnitudes of coordinates of a local point, or of a box's centre and half-edges, along an axis.
+  /// Upper bound of the sum of the magnitudes of a local point's coordinates along an axis, also for a box's centre and
+  /// half-edges.
   static constexpr double most_in_box = 8;
 
-  /// A coefficient of the height, over a power of two: slope . l + at_origin at a local point l. Each number is truncated;
-  /// see `Motion_span::find_error` for the roundings of local points, of products and of sums: below 500 u of the terms.
+  /// A coefficient of the height, over a power of two: slope . l + at_origin at a local point l. Each number is
+  /// truncated. The roundings of local points, of products and of sums are below 500 u of the terms: see
+  /// `Motion_span::find_error`.
   struct Coefficient {
     Vertex slope;
     double at_origin, error;
   };
 
-  /// A vertex, and what was told of it.
+  /// A vertex, and the answer for it.
   struct Told {
     Vertex vertex;
     bool is_known = false, holds = false;
   };
 
-  /// Whether heights are the same all the time, since the vertices differ at most in coordinates that no height depends
-  /// on. So are vertices of a face whose plane is across an axis of its body.
+  /// True when two vertices have equal heights all the time, since they differ at most in coordinates that no height
+  /// depends on. So are vertices of a face whose plane is across an axis of its body.
   bool is_as_high(int body, const Vertex& v, const Vertex& w) const
   {
     bool same = true;
@@ -158,7 +160,8 @@ class Contact_plane {
     return same;
   }
 
-  /// The height over a point times 2^-least, by the form of the plane. Requires least <= exponent_of(v), and at most 0.
+  /// Returns the height over a point times 2^-least, by the form of the plane. Requires least <= exponent_of(v), and at
+  /// most 0.
   const Integer_form& sum_at(int body, const Vertex& v, int least)
   {
     sum_.clear(height_[body][3].size());

@@ -15,7 +15,7 @@
 
 namespace tetracone::kernel {
 
-/// The doubles about a time in [0, 1].
+/// Returns the doubles that enclose a time in [0, 1].
 inline Time_bounds bounds_about(const Time_root& time)
 {
   // Doubles from 0 up are ordered as their bits.
@@ -26,7 +26,7 @@ inline Time_bounds bounds_about(const Time_root& time)
     return x.odd == 0 ? time.compare(0, 0)
                       : time.compare(Integer(static_cast<long>(x.odd)), static_cast<unsigned>(-x.exponent));
   };
-  // From about the time on, in steps that become longer, until there is a double on either side.
+  // The search starts near the time and takes longer and longer steps, until there is a double on either side.
   const double about = time.about();
   std::int64_t lo = about > 0 && about < 1 ? std::bit_cast<std::int64_t>(about) : about > 0 ? most : least, hi = lo;
   const CGAL::Sign first = side(lo);
@@ -49,8 +49,8 @@ inline Time_bounds bounds_about(const Time_root& time)
   return Time_bounds{std::bit_cast<double>(lo), std::bit_cast<double>(hi)};
 }
 
-/// Whether the closed primitives share a point at some time in [0, 1]. Exact: doubles decide where they can, integers
-/// else. Requires finite coordinates, and sound floating point (`require_sound_floating_point`).
+/// True when the closed primitives share a point at some time in [0, 1]. It is exact: doubles decide where they can,
+/// integers elsewhere. Requires finite coordinates, and sound floating point (`require_sound_floating_point`).
 inline bool meet_in_motion(const Moving_pair& pair)
 {
   const Moving_contact filtered = filtered_contact(pair);
@@ -61,8 +61,8 @@ inline bool meet_in_motion(const Moving_pair& pair)
   return exact.first_contact().has_value();
 }
 
-/// The doubles about the first time at which the closed primitives share a point; nothing where they never do. Exact;
-/// requirements as of `meet_in_motion`.
+/// Returns the doubles that enclose the first time at which the closed primitives share a point; nothing where they
+/// never do. It is exact, and requires what `meet_in_motion` requires.
 inline std::optional<Time_bounds> first_contact_time(const Moving_pair& pair)
 {
   if (filtered_contact(pair) == Moving_contact::apart) return std::nullopt;

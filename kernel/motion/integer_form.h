@@ -19,8 +19,8 @@ using Integer = mpz_class;
 
 inline CGAL::Sign sign_of(const Integer& x) { return static_cast<CGAL::Sign>(sgn(x)); }
 
-/// A form in s = 1-t and t with integer coefficients: coefficient k is that of s^(n-k) t^k. Also the polynomial of these
-/// coefficients in v = t/s, which is positive for t in (0, 1).
+/// A form in s = 1-t and t with integer coefficients: coefficient k belongs to s^(n-k) t^k. It is also the polynomial
+/// with these coefficients in v = t/s, which is positive for t in (0, 1).
 class Integer_form {
  public:
   Integer_form() = default;
@@ -33,7 +33,7 @@ class Integer_form {
 
   void push_back(Integer coefficient) { coefficients_.push_back(std::move(coefficient)); }
 
-  /// The number of coefficients, one more than the degree; 0 for an empty form, which is zero.
+  /// Returns the number of coefficients, one more than the degree; 0 for an empty form, which is zero.
   std::size_t size() const { return coefficients_.size(); }
   const Integer& operator[](std::size_t k) const { return coefficients_[k]; }
 
@@ -69,7 +69,7 @@ class Integer_form {
   }
   friend Integer_form operator*(Integer_form f, const Integer& factor) { return f *= factor; }
 
-  /// Becomes the zero form of this size. Memory that it has is kept.
+  /// Makes this the zero form of this size, and keeps its memory.
   void clear(std::size_t size)
   {
     coefficients_.resize(size);
@@ -94,7 +94,8 @@ class Integer_form {
     return Integer_form(std::move(product));
   }
 
-  /// The same function of t, s + t = 1, as a form of `size` coefficients. Requires at least as many as there are.
+  /// Returns this function of t, with s + t = 1, as a form of `size` coefficients. Requires that `size` is not below
+  /// the present number.
   Integer_form raised_to(std::size_t size) const
   {
     Integer_form result = *this;
@@ -102,8 +103,8 @@ class Integer_form {
     return result;
   }
 
-  /// Changes of sign along the coefficients, zeros skipped: the roots in (0, 1), each as often as it is one, or an even
-  /// number more (Descartes).
+  /// Returns the number of changes of sign along the coefficients, zeros skipped. It is the number of roots in (0, 1)
+  /// with their multiplicities, or larger by an even number (Descartes).
   int variations() const
   {
     int count = 0, last = 0;
@@ -115,7 +116,8 @@ class Integer_form {
     return count;
   }
 
-  /// The sign just after t = 0 of a form that is not zero; in all of (0, 1) where it has no variations.
+  /// Returns the sign just after t = 0 of a form that is not zero. If it has no variations, that is its sign in all of
+  /// (0, 1).
   CGAL::Sign only_sign() const
   {
     for (const Integer& c : coefficients_)
@@ -123,7 +125,7 @@ class Integer_form {
     return CGAL::ZERO;
   }
 
-  /// The value at s : t, by Horner's scheme.
+  /// Returns the value at s : t, by Horner's scheme.
   Integer at(const Integer& s, const Integer& t) const
   {
     Integer sum = 0, power = 1;
@@ -134,7 +136,8 @@ class Integer_form {
     return sum;
   }
 
-  /// The same roots in (0, 1): without factors s and t, which have none there, and common divisors.
+  /// Returns a form with the roots of this one in (0, 1): without factors s and t, which have none there, and without
+  /// common divisors of the coefficients.
   Integer_form primitive() const
   {
     Integer_form result;
@@ -147,7 +150,7 @@ class Integer_form {
     return result;
   }
 
-  /// The form over the first half of its time, times 2^degree: s -> 2s + t, t -> t.
+  /// Returns the form over the first half of its time, times 2^degree: s -> 2s + t, t -> t.
   Integer_form first_half() const
   {
     Integer_form half = *this;
@@ -156,10 +159,10 @@ class Integer_form {
     return half;
   }
 
-  /// The form over the second half of its time, times 2^degree.
+  /// Returns the form over the second half of its time, times 2^degree.
   Integer_form second_half() const { return reversed().first_half().reversed(); }
 
-  /// The form with time reversed.
+  /// Returns the form with time reversed.
   Integer_form reversed() const
   {
     Integer_form result = *this;
@@ -167,10 +170,10 @@ class Integer_form {
     return result;
   }
 
-  /// The form over the times from m/2^k to (m+1)/2^k, times 2^(k degree). Requires 0 <= m < 2^k.
+  /// Returns the form over the times from m/2^k to (m+1)/2^k, times 2^(k degree). Requires 0 <= m < 2^k.
   Integer_form over(const Integer& m, unsigned k) const { return between(m, m + 1, k); }
 
-  /// The form over the times from `from`/2^k to `to`/2^k, times 2^(k degree). Requires 0 <= from < to <= 2^k.
+  /// Returns the form over the times from `from`/2^k to `to`/2^k, times 2^(k degree). Requires 0 <= from < to <= 2^k.
   Integer_form between(const Integer& from, const Integer& to, unsigned k) const
   {
     // s -> (N-from) s + (N-to) t and t -> from s + to t, by Horner's scheme in forms.
@@ -187,14 +190,14 @@ class Integer_form {
   }
 
  private:
-  /// s -> s + t.
+  /// Substitutes s + t for s.
   void shift()
   {
     for (std::size_t last = size() - 1; last > 0; --last)
       for (std::size_t k = 1; k <= last; ++k) coefficients_[k] += coefficients_[k - 1];
   }
 
-  /// Times x s + y t.
+  /// Multiplies the form by x s + y t.
   void multiply(const Integer& x, const Integer& y)
   {
     coefficients_.push_back(y * coefficients_.back());
@@ -205,8 +208,8 @@ class Integer_form {
   std::vector<Integer> coefficients_;
 };
 
-/// The primitive common divisor of the highest degree in v of primitive forms; of size 1 where they share no root.
-/// Requires that neither is zero.
+/// Returns the primitive common divisor of the highest degree in v of two primitive forms; it has size 1 where they
+/// share no root. Requires that neither is zero.
 inline Integer_form common_divisor(Integer_form f, Integer_form g)
 {
   // Euclid's algorithm with primitive pseudo-remainders.
@@ -228,7 +231,7 @@ inline Integer_form common_divisor(Integer_form f, Integer_form g)
   return g;
 }
 
-/// f / g in v where g divides f, else nothing. Requires that g is primitive and does not end in zero.
+/// Returns f / g in v where g divides f; nothing elsewhere. Requires that g is primitive and does not end in zero.
 inline std::optional<Integer_form> exact_quotient(const Integer_form& f, const Integer_form& g)
 {
   if (f.size() < g.size()) return std::nullopt;
@@ -246,7 +249,7 @@ inline std::optional<Integer_form> exact_quotient(const Integer_form& f, const I
   return Integer_form(std::move(found));
 }
 
-/// f / g in v. Requires that g is primitive, does not end in zero, and divides f.
+/// Returns f / g in v. Requires that g is primitive, does not end in zero, and divides f.
 inline Integer_form quotient(const Integer_form& f, const Integer_form& g)
 {
   std::optional<Integer_form> found = exact_quotient(f, g);
@@ -254,7 +257,7 @@ inline Integer_form quotient(const Integer_form& f, const Integer_form& g)
   return std::move(*found);
 }
 
-/// The primitive form with the roots of f in (0, 1), each once. Requires that f is not zero.
+/// Returns the primitive form with the roots of f in (0, 1), each once. Requires that f is not zero.
 inline Integer_form without_squares(const Integer_form& f)
 {
   const Integer_form p = f.primitive();

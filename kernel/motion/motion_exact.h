@@ -20,7 +20,7 @@ namespace tetracone::kernel {
 /// A moving point or vector: its three coordinates.
 using Form_vector = std::array<Integer_form, 3>;
 
-/// The component along `axis` of a x b.
+/// Returns the component along `axis` of a x b.
 inline Integer_form cross_form(const Form_vector& a, const Form_vector& b, std::size_t axis)
 {
   const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
@@ -29,20 +29,21 @@ inline Integer_form cross_form(const Form_vector& a, const Form_vector& b, std::
 
 /// The motion of a pair in integers, decided without rounding.
 ///
-/// The primitives meet at a time where their boxes overlap, the four points are coplanar, and their projections along
-/// each of the three axes meet in the plane. That is right for points in any position: one of the three projections is
-/// injective on a plane that holds them. In the plane, a point is in the closed triangle where no two of the three turns
-/// are of opposite sign, and in the triangle's box; closed segments meet where neither has both ends of the other
-/// strictly on one side, and their boxes overlap. The boxes decide where all turns vanish.
+/// The primitives meet at a time where three things hold: their boxes overlap, the four points are coplanar, and their
+/// projections along each of the three axes meet in the plane. That is right for points in any position, since one of
+/// the three projections is injective on a plane that contains them. In the plane, a point is in the closed triangle
+/// where no two of the three turns have opposite signs, and it is in the triangle's box. Closed segments meet where
+/// neither has both ends of the other strictly on one side, and their boxes overlap. The boxes decide where all turns
+/// vanish.
 ///
-/// The times of contact are a closed set, so its least one is the first that is asked about or a root: of the volume,
-/// where that is not zero all the time, else of one of the other forms.
+/// The times of contact are a closed set. So the first of them is the first time asked about or a root of the volume,
+/// if the volume is not zero all the time. Else it is a root of one of the other forms.
 class Exact_motion {
  public:
   explicit Exact_motion(const Moving_pair& pair) : Exact_motion(pair.kind, points_of(pair), Integer_form()) {}
 
-  /// Of points whose coordinates are forms of one degree, at least 1, over a common divisor that is a form without roots
-  /// in [0, 1]. `square`: a primitive one without such roots that divides the volume's numerator, or an empty one.
+  /// The motion of points whose coordinates are forms of one degree, at least 1, over a common divisor without roots in
+  /// [0, 1]. `square` is empty, or a primitive form without such roots that divides the volume's numerator.
   Exact_motion(Moving_kind kind, std::array<Form_vector, 4> points, const Integer_form& square)
       : kind_(kind), points_(std::move(points))
   {
@@ -59,8 +60,8 @@ class Exact_motion {
   /// True where the four points are coplanar all the time.
   bool is_coplanar() const { return volume_.is_zero(); }
 
-  /// Whether signs of forms tell that the primitives share no point at any of these times, over which their points are
-  /// given. Makes no root.
+  /// True when signs of forms tell that the primitives share no point at any of these times, over which their points
+  /// are given. It makes no root.
   bool is_apart(Times_before& times)
   {
     if (times.sign(volume_) != CGAL::ZERO) return true;
@@ -84,7 +85,8 @@ class Exact_motion {
     return false;
   }
 
-  /// Whether the pair meets, by the filter on exact forms that are rounded once. For what the filter on doubles leaves.
+  /// Returns whether the pair meets, by the filter on exact forms that are rounded once. It serves the pairs that the
+  /// filter on doubles left uncertain.
   Moving_contact rounded_contact()
   {
     motion_filter::Span span;
@@ -96,7 +98,7 @@ class Exact_motion {
     return motion_filter::decide(kind_, known, span, errors, motion_filter::halvings);
   }
 
-  /// The first time of contact in the closed cell; nothing where there is none.
+  /// Returns the first time of contact in the closed cell; nothing where there is none.
   std::optional<Time_root> first_contact(const Time_cell& cell = {})
   {
     const auto meets_at = [&](Time_root time) { return meets([&](const Integer_form& f) { return time.sign(f); }); };
@@ -130,7 +132,7 @@ class Exact_motion {
     return {start(0), end(0), start(1), end(1), start(2), end(2), start(3), end(3)};
   }
 
-  /// The form in doubles, times the power of two that takes its largest coefficient into [1/2, 1).
+  /// Returns the form in doubles, times the power of two that takes its largest coefficient into [1/2, 1).
   template <std::size_t N>
   static motion_filter::Scaled<N> rounded(const Integer_form& form, double& error)
   {
@@ -148,7 +150,7 @@ class Exact_motion {
     return motion_filter::scaled(coefficients);
   }
 
-  /// The turns n1, n2, n3 and, of two edges, their sum, along an axis; made when first asked for.
+  /// Returns the turns n1, n2, n3 and, for two edges, their sum, along an axis. They are made when first asked for.
   const std::array<Integer_form, 4>& turns(std::size_t axis)
   {
     if (!turns_[axis]) {
@@ -159,7 +161,7 @@ class Exact_motion {
     return *turns_[axis];
   }
 
-  /// Whether the primitives meet at the time at which `sign` tells the signs of forms, of the volume too.
+  /// True when the primitives meet at the time at which `sign` gives the signs of forms, also of the volume.
   template <class Sign_of>
   bool meets(const Sign_of& sign)
   {

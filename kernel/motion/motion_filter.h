@@ -11,39 +11,46 @@
 
 namespace tetracone::kernel {
 
-/// What a stage knows of a moving pair.
+/// The answer of a stage about a moving pair.
 enum class Moving_contact { apart, meet, uncertain };
 
-/// What is known of the volume of the four points before the filter looks at it; zero: all the time.
+/// The knowledge about the volume of the four points before the filter looks at it; `zero` means zero all the time.
 enum class Volume { unknown, zero };
 
 namespace motion_filter {
 
-/// How often [0, 1] is halved.
+/// The number of times that [0, 1] is halved.
 inline constexpr int halvings = 24;
 
-/// Bounds of the rounding errors of `Scaled` forms of differences, after up to `halvings` halvings, relative to the
-/// product of the extents of the axes that occur. The extent D of an axis is the largest |difference| along it as computed.
+/// Upper bounds of the rounding errors of `Scaled` forms of differences, after up to `halvings` halvings
+/// (verify/proofs/motion_proofs.h). They are relative to the product of the extents of the axes that occur. The extent
+/// D of an axis is the largest computed |difference| along it.
 ///
-/// Differences are off by u of themselves. A minor a_i b_j - a_j b_i is a difference of two products, each off by 3u:
-/// by 6u and its own rounding of at most 2u, together 8u, and at most 2 in magnitude. The middle coefficient of a cross
-/// product is the sum of two: 16u + 4u = 20u, at most 4; the others are doubled, 16u, at most 4. A halving takes two
-/// rounds of averages, each off by u of its result and averaging the errors before it: 8u.
-/// n1 + n2 + n3: three times that, and two sums of at most 8 and 12: 60u + 20u, 12 in magnitude, 24u a halving.
-/// Volume: a product n_i c_i is off by 8u + 4u of 2, for the middle minor 20u + 8u of 4; three of them, and two sums:
-/// 36u + 10u, at most 6, and 84u + 20u, at most 12. Inner coefficients add one of either: 150u + 18u, at most 18;
-/// outer ones are tripled: 138u + 18u. Three rounds of averages: 54u a halving.
-/// Each constant has a tenth or so beyond that, for terms in u^2 and for the rounding of the bound itself.
+/// Differences have a relative error of u. A minor a_i b_j - a_j b_i is a difference of two products, each with an
+/// error of 3u. With its own rounding of at most 2u that is 8u, and it is at most 2 in magnitude. The middle
+/// coefficient of a cross product is the sum of two: 16u + 4u = 20u, at most 4; the others are doubled, 16u, at most 4.
+/// A halving takes two rounds of averages, each with an error of u of its result, and averages the errors before it:
+/// 8u.
+///
+/// n1 + n2 + n3 (`sum_error`) has three times that, and two sums of at most 8 and 12: 60u + 20u, 12 in magnitude, 24u a
+/// halving.
+///
+/// Volume: a product n_i c_i has an error of 8u + 4u of 2, for the middle minor 20u + 8u of 4. Three of them and two
+/// sums give 36u + 10u, at most 6, and 84u + 20u, at most 12. Inner coefficients add one of either: 150u + 18u, at most
+/// 18. Outer ones are tripled: 138u + 18u. Three rounds of averages: 54u a halving.
+///
+/// Each constant has about a tenth beyond that, for terms in u^2 and for the rounding of the bound itself.
 inline constexpr double cross_error = (22 + 9 * halvings) * unit_roundoff<double>;
 inline constexpr double sum_error = (88 + 27 * halvings) * unit_roundoff<double>;
 inline constexpr double volume_error = (185 + 60 * halvings) * unit_roundoff<double>;
 
-/// The same of forms that are rounded once, each coefficient by less than 2u of itself, none beyond 1: outer
-/// coefficients are tripled at most, 6u + 3u; three rounds of averages, 9u a halving.
+/// Upper bound of the error of forms that are rounded once, each coefficient by less than 2u of itself, none beyond 1
+/// (verify/proofs/motion_proofs.h). Outer coefficients are tripled at most, 6u + 3u. Three rounds of averages add 9u a
+/// halving.
 inline constexpr double rounded_error = (10 + 10 * halvings) * unit_roundoff<double>;
 
-/// A form by its coefficients in Bernstein's basis, times its degree: averages of neighbours halve the time that it
-/// is over, and where all have one sign it has that sign.
+/// A form by its coefficients in Bernstein's basis, times its degree. Averages of neighbours halve the time that it is
+/// over. Where all coefficients have one sign, the form has that sign.
 template <std::size_t N, class Number = double>
 using Scaled = std::array<Number, N>;
 
@@ -115,8 +122,8 @@ inline Moving_contact projected(Moving_kind kind, const std::array<Scaled<3>, 4>
 inline Moving_contact decide(Moving_kind kind, Volume known, Span span, const Errors& errors, int halvings_left)
 {
   if (known == Volume::unknown && certain_sign(span.volume, errors.volume) != 0) return Moving_contact::apart;
-  // What is in a proper contact along one axis is in it in space, where the four points are coplanar: the projection
-  // of their plane is not flat.
+  // A proper contact along one axis is a contact in space, where the four points are coplanar: the projection of their
+  // plane is not flat.
   bool crosses = false;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Moving_contact seen = projected(kind, span.turns[axis], errors.turns[axis]);
@@ -133,7 +140,7 @@ inline Moving_contact decide(Moving_kind kind, Volume known, Span span, const Er
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (std::size_t k = 0; k < 4; ++k) second.turns[axis][k] = halve(span.turns[axis][k]);
   const Moving_contact before = decide(kind, known, span, errors, halvings_left - 1);
-  // What is uncertain once is decided exactly, unless there is a contact in the other half: that is seldom worth while.
+  // An uncertain half is decided exactly, unless there is a contact in the other half, which is rare.
   if (before != Moving_contact::apart) return before;
   return decide(kind, known, second, errors, halvings_left - 1);
 }

@@ -19,20 +19,21 @@
 
 namespace tetracone::kernel {
 
-/// An axis over its largest component: of a length that bounds take.
+/// Returns an axis divided by its largest component, so that bounds accept its length.
 inline Vertex scaled_to_one(const Vertex& v)
 {
   const double shrink = 1 / maximum(std::abs(v[0]), std::abs(v[1]), std::abs(v[2]));
   return {v[0] * shrink, v[1] * shrink, v[2] * shrink};
 }
 
-/// What of a body's local units the bounds need: a local point p is o + unit p in its own, unit a power of two.
+/// The part of a body's local units that the bounds need: a local point p is o + unit p in its own coordinates, unit a
+/// power of two.
 struct Motion_units {
   Vertex origin;
   double unit;
 };
 
-/// The least and the largest l . p of a box's points: centre + sum_k s_k half_edge[k], |s_k| <= 1.
+/// Returns the least and the largest l . p of a box's points: centre + sum_k s_k half_edge[k], |s_k| <= 1.
 template <class Number>
 std::array<Number, 2> range_of_box(const std::array<Number, 3>& l, const std::array<Number, 3>& centre,
                                    const std::array<std::array<Number, 3>, 3>& half_edge)
@@ -43,7 +44,7 @@ std::array<Number, 2> range_of_box(const std::array<Number, 3>& l, const std::ar
   return {at - reach, at + reach};
 }
 
-/// Such a box, in local units.
+/// A box of the points centre + sum_k s_k half_edge[k], |s_k| <= 1, in local units.
 struct Moving_box {
   Vertex centre;
   std::array<Vertex, 3> half_edge;
@@ -51,7 +52,7 @@ struct Moving_box {
   std::array<double, 2> range(const Vertex& l) const { return range_of_box(l, centre, half_edge); }
 };
 
-/// Times of a span, from 0 to 1 over it, at which bodies may meet: they are apart before and after.
+/// The times of a span, from 0 to 1 over it, at which bodies may meet. They are apart before and after.
 struct Time_window {
   double from = 0, until = 1;
 
@@ -63,27 +64,28 @@ struct Time_window {
   }
 };
 
-/// A span of time from m / 2^k to (m+1) / 2^k, and where two bodies are in it, in double.
+/// A span of time from m / 2^k to (m+1) / 2^k, with the motion of two bodies in it, in double.
 ///
-/// Points of both, in coordinates that are common to them and times their common divisor, are forms in time; by their
-/// coefficients in Bernstein's basis over the span they are sums with weights that are not negative. So where gaps of two
-/// hulls along an axis, one at each coefficient, are above a function that is linear in time, the hulls are apart while it
-/// is positive.
+/// Points of both, in common coordinates and times their common divisor, are forms in time. By their coefficients in
+/// Bernstein's basis over the span they are sums with weights that are not negative. Take the gaps of two hulls along
+/// an axis, one at each coefficient. Where a function that is linear in time lies below them, the hulls are apart while
+/// it is positive.
 class Motion_span {
  public:
   static constexpr std::size_t most_coefficients = 8;
 
-  /// What a time in the span may be off by, a share of it: a quotient of at most 1, of a difference of opposite signs.
+  /// Upper bound of the error of a time in the span, as a fraction of it: a quotient of at most 1, by a difference of
+  /// opposite signs (verify/proofs/motion_proofs.h).
   static constexpr double rounding_of_times = 0x1p-50;
 
-  /// The maps of both bodies' local points, B's with the offset from A's origin to its own.
+  /// The maps of both bodies' local points. B's has the offset from A's origin to its own.
   struct Maps {
     std::array<std::array<Vertex, 3>, 2> row;
     Vertex offset;
     double weight;
   };
 
-  /// All of the time.
+  /// The span that is all of the time.
   Motion_span(const Pair_motion& motion, const Motion_units& a, const Motion_units& b) : size_(motion.size())
   {
     assert(size_ <= most_coefficients);
@@ -93,7 +95,7 @@ class Motion_span {
     for (int i = 0; i < 3; ++i) offset[i] = to[i] - from[i];
     const std::array<long, 2> unit = {std::ilogb(a.unit), std::ilogb(b.unit)};
 
-    // Times one power of two that makes the largest of all at most 1: neither moves what is apart.
+    // One power of two scales all numbers so that the largest is at most 1. It changes no separation.
     long largest = LONG_MIN;
     const auto see = [&](const Integer_form& form, long exponent) {
       for (std::size_t i = 0; i < form.size(); ++i)
@@ -125,8 +127,8 @@ class Motion_span {
     find_landmarks();
   }
 
-  /// All of the time, where every point of both moves on a line between poses of doubles; nothing where these are
-  /// fractions, or near the ends of the doubles' range.
+  /// Returns the span that is all of the time, where every point of both moves on a line between poses of doubles.
+  /// Returns nothing where these are fractions, or near the ends of the doubles' range.
   static std::optional<Motion_span> of_lines(const std::array<Pose, 2>& a, const Motion_units& in_a,
                                              const std::array<Pose, 2>& b, const Motion_units& in_b)
   {
@@ -139,7 +141,7 @@ class Motion_span {
       Maps& maps = span.coefficient_[end];
       maps.weight = 1;
       for (int j = 0; j < 3; ++j) {
-        // Off by 24 u^2 of the terms, and by the rounding of the sum.
+        // The error is 24 u^2 of the terms, and the rounding of the sum.
         Double_double offset = Double_double::sum(of_b[4 * j + 3], -of_a[4 * j + 3]);
         double magnitude = std::abs(of_b[4 * j + 3]) + std::abs(of_a[4 * j + 3]);
         for (int k = 0; k < 3; ++k) {
@@ -165,7 +167,7 @@ class Motion_span {
     return span;
   }
 
-  /// The first or the second half.
+  /// Returns the first or the second half.
   Motion_span half(bool second) const
   {
     Motion_span half = *this;
@@ -186,14 +188,14 @@ class Motion_span {
   double start() const { return std::ldexp(double(m_), -int(k_)); }
   double middle() const { return std::ldexp(double(2 * m_ + 1), -int(k_) - 1); }
 
-  /// At least the share of the span that is before a time.
+  /// Returns an upper bound of the fraction of the span that is before a time.
   double share_before(double time) const { return std::ldexp(time - start(), int(k_)) + rounding_of_times; }
 
-  /// A few points of a body, as each coefficient of a span places them.
+  /// Points of a body, as each coefficient of a span places them.
   template <std::size_t n>
   using Points = std::array<std::array<Vertex, n>, most_coefficients>;
 
-  /// Local points of body 0 or 1.
+  /// Returns the placed local points of body 0 or 1.
   template <std::size_t n>
   Points<n> placed(int body, const std::array<Vertex, n>& local) const
   {
@@ -206,15 +208,15 @@ class Motion_span {
     return points;
   }
 
-  /// When the hulls of points, of A and of B, may meet as the axis tells. All the time along an axis so short or so long
-  /// that products may be lost.
+  /// Returns the times at which the hulls of points, of A and of B, may meet as the axis tells. Along an axis so short
+  /// or so long that products may be lost, that is all the time.
   template <std::size_t n, std::size_t m>
   Time_window near_along(const Vertex& axis, const Points<n>& a, const Points<m>& b) const
   {
     return near_by(axis, [&](std::size_t i) { return std::array{range(axis, a[i]), range(axis, b[i])}; });
   }
 
-  /// The same of boxes.
+  /// Returns the times at which two boxes may meet as the axis tells.
   Time_window near_along(const Vertex& axis, const Moving_box& a, const Moving_box& b) const
   {
     return near_by(axis, [&](std::size_t i) {
@@ -226,20 +228,20 @@ class Motion_span {
     });
   }
 
-  /// The maps of the span's i-th coefficient in Bernstein's basis, not over their weight, and how many there are.
+  /// Returns the maps of the span's i-th coefficient in Bernstein's basis, not divided by their weight.
   const Maps& coefficient(std::size_t i) const { return coefficient_[i]; }
   std::size_t size() const { return size_; }
 
-  /// At least the error of a difference of images in these, along an axis, a share of |axis|_1.
+  /// Returns an upper bound of the error of a difference of images in these, along an axis, relative to |axis|_1.
   double error() const { return error_; }
 
-  /// Where the bodies are in the middle of the span, over the divisor, and how far at the start and the end: not exact.
+  /// Returns the bodies' maps in the middle of the span, divided by the divisor. They are not exact.
   const Maps& at_middle() const { return landmark_[1]; }
 
-  /// About where the bodies are at such a share of the span, over the divisor.
+  /// Returns approximately the bodies' maps at this fraction of the span, divided by the divisor.
   Maps about(double share) const
   {
-    // The parabola through the start, the middle and the end.
+    // A parabola goes through the start, the middle and the end.
     const double first = (1 - share) * (1 - 2 * share), middle = 4 * share * (1 - share),
                  last = share * (2 * share - 1);
     const auto mean = [&](double x, double y, double z) { return first * x + middle * y + last * z; };
@@ -255,22 +257,22 @@ class Motion_span {
     return maps;
   }
 
-  /// About how far parts of a body that are 1 apart in its local units move against each other in the span, and how long
-  /// that is in common units.
+  /// Returns approximately the relative motion, in the span, of parts of a body that are 1 apart in its local units.
   double turn(int body) const { return turn_[body]; }
+  /// Returns approximately the length of a local unit of a body in common units.
   double scale(int body) const { return scale_[body]; }
 
-  /// About how far apart hulls must be to be told so, in the same units.
+  /// Returns approximately the least distance of hulls that bounds can detect, in common units.
   double resolution() const { return error_ / landmark_[1].weight; }
 
-  /// Where a linear function is 0 that is `from` at 0 and `to` at 1, of opposite signs.
+  /// Returns the zero of a linear function that is `from` at 0 and `to` at 1, of opposite signs.
   template <class Number>
   static Number zero_between(const Number& from, const Number& to)
   {
     return from / (from - to);
   }
 
-  /// l = axis . L.
+  /// Returns l = axis . L.
   template <class Number>
   static std::array<Number, 3> across(const std::array<Number, 3>& axis,
                                       const std::array<std::array<Number, 3>, 3>& row)
@@ -284,7 +286,7 @@ class Motion_span {
     return {dot(maps.row[body][0], v), dot(maps.row[body][1], v), dot(maps.row[body][2], v)};
   }
 
-  /// From a local point of A to one of B.
+  /// Returns the vector from a local point of A to one of B.
   static Vertex between(const Maps& maps, const Vertex& a, const Vertex& b)
   {
     const Vertex from = direction(maps, 0, a), to = direction(maps, 1, b);
@@ -305,13 +307,14 @@ class Motion_span {
     return range;
   }
 
-  /// A function that is linear in time, below a form. Roundings of its few sums are far below the error that is taken off.
+  /// A function that is linear in time, below a form. The roundings of its few sums are far below the error that is
+  /// subtracted.
   struct Line {
     double first, last, above = 0;
 
     void lower(double share, double gap) { above = maximum(above, first + (last - first) * share - gap); }
 
-    /// When it is not positive; all the time where that is not known.
+    /// Returns the times when it is not positive; all the time where they are not known.
     [[gnu::always_inline]] Time_window at_most_0() const
     {
       const double from = first - above, to = last - above;
@@ -324,8 +327,8 @@ class Motion_span {
     }
   };
 
-  /// When hulls may meet whose ranges along the axis at coefficient i are ranges(i): gaps of either sense, less the error,
-  /// are forms whose coefficients these are.
+  /// Returns the times at which hulls may meet whose ranges along the axis at coefficient i are ranges(i). Gaps of
+  /// either sense, less the error, are forms with these coefficients.
   template <class Ranges>
   Time_window near_by(const Vertex& axis, const Ranges& ranges) const
   {
@@ -365,12 +368,14 @@ class Motion_span {
     return z;
   }
 
-  /// The error of a difference of ranges, a share of |axis|_1. With u the unit roundoff and the largest terms of the whole
-  /// motion, which no half exceeds: a coefficient is off by 4 u of itself as it is rounded and divided, and by as many u
-  /// as averages were taken, 7 for each of 60 halvings at most; what underflows is below the slack. A local point has
-  /// coordinates of at most 1 and is off by 2 u in each; a box about such points has a centre and half-edges, a row's sum
-  /// of which is below 8. Products and sums with an axis, a centre and half-edges lose less than 40 u of their terms. So
-  /// less than 500 u of `terms`, and `few_roundings` is 8192 u.
+  /// Computes the error of a difference of ranges, relative to |axis|_1. The largest terms of the whole motion are
+  /// used, which no half exceeds. u is the unit roundoff.
+  ///
+  /// A coefficient has a relative error of 4 u, since it is rounded and divided. It has one u more for each average, 7
+  /// for each of 60 halvings at most. Underflow is below the slack. A local point has coordinates of at most 1, each
+  /// with an error of 2 u. A box about such points has a centre and half-edges whose rows sum to less than 8. Products
+  /// and sums with an axis, a centre and half-edges lose less than 40 u of their terms. The total is less than 500 u of
+  /// `terms`, and `few_roundings` is 8192 u.
   void find_error()
   {
     double offset = 0, linear = 0;
@@ -412,7 +417,7 @@ class Motion_span {
     return maps;
   }
 
-  /// Of a power of two, but for the weight.
+  /// Returns the maps times a power of two, except their weight.
   static Maps times(Maps maps, double factor)
   {
     for (int i = 0; i < 3; ++i) {

@@ -18,22 +18,22 @@ struct Time_cell {
   unsigned k = 0;
 };
 
-/// A time in [0, 1], exact: a dyadic number, or the root of a form in an open dyadic cell that holds no other root of
-/// it, and this one once.
+/// A time in [0, 1], exact: a dyadic number, or a simple root of a form in an open dyadic cell that holds no other root
+/// of it.
 class Time_root {
  public:
   /// The time m / 2^k.
   Time_root(Integer m, unsigned k) : exact_(true), m_(std::move(m)), k_(k) {}
 
-  /// The root of `form`, primitive, in the cell from m/2^k to (m+1)/2^k. `there` is the form over the cell. Requires one
-  /// variation of it.
+  /// The root of `form`, which is primitive, in the cell from m/2^k to (m+1)/2^k. `there` is the form over the cell.
+  /// Requires that it has one variation.
   Time_root(const Integer_form& form, Integer_form there, Integer m, unsigned k)
       : exact_(false), m_(std::move(m)), k_(k), form_(form), there_(std::move(there))
   {}
 
   bool is_dyadic() const { return exact_; }
 
-  /// The sign of this time less m / 2^k. Changes nothing.
+  /// Returns the sign of this time less m / 2^k. Changes nothing.
   CGAL::Sign compare(const Integer& m, unsigned k) const
   {
     const auto at = [&](const Integer& own) {
@@ -47,27 +47,27 @@ class Time_root {
     return there == CGAL::ZERO ? CGAL::ZERO : there == there_.only_sign() ? CGAL::POSITIVE : CGAL::NEGATIVE;
   }
 
-  /// The cell that holds this time, or begins with it where it is dyadic.
+  /// Returns the cell that holds this time, or begins with it where it is dyadic.
   Time_cell cell() const { return {m_, k_}; }
 
-  /// A cell as `cell()` tells, far within the first one where doubles lead there. May refine the cell.
+  /// Returns a cell like that of `cell()`, but far smaller where doubles find one. May refine the cell.
   Time_cell close_cell()
   {
     if (!exact_) refine_at_once();
     return cell();
   }
 
-  /// The form that it is a root of, primitive. Requires a time that is not dyadic.
+  /// Returns the primitive form that it is a root of. Requires a time that is not dyadic.
   const Integer_form& form() const { return form_; }
 
-  /// About this time: as near as doubles tell the form in its cell.
+  /// Returns approximately this time, as near as doubles give it from the form in its cell.
   double about() const
   {
     const double start = mpz_get_d(m_.get_mpz_t());
     return std::ldexp(exact_ ? start : start + about_in_cell(), -int(k_));
   }
 
-  /// The sign of g at this time. May refine the cell.
+  /// Returns the sign of g at this time. May refine the cell.
   CGAL::Sign sign(const Integer_form& g)
   {
     if (exact_) return sign_at_dyadic(g);
@@ -87,7 +87,7 @@ class Time_root {
     return cell.only_sign();
   }
 
-  /// Whether this time is before `other`. May refine both.
+  /// True when this time is before `other`. May refine both.
   bool is_before(Time_root& other)
   {
     if (!other.exact_) {
@@ -104,13 +104,13 @@ class Time_root {
     return sign(difference_from(other.m_, other.k_)) == CGAL::NEGATIVE;
   }
 
-  /// The linear form that is t - m/2^k up to a positive factor.
+  /// Returns the linear form that is t - m/2^k up to a positive factor.
   static Integer_form difference_from(const Integer& m, unsigned k)
   {
     return Integer_form(std::array<Integer, 2>{Integer(-m), Integer((Integer(1) << k) - m)});
   }
 
-  /// The value of a form at rest : x, where rest is 1 - x.
+  /// Returns the value of a form at rest : x, where rest is 1 - x.
   template <class Number>
   static Number value_at(const Number& x, const Number& rest, const std::vector<Number>& coefficients)
   {
@@ -122,19 +122,20 @@ class Time_root {
     return value;
   }
 
-  /// How far value_at is off in double, over the number of coefficients, at most `most_coefficients`, and the sum of
-  /// their magnitudes: coefficients are truncated, and x is off by 3 u. Proved in verify/proofs/motion_proofs.h; takes
-  /// what underflows, since the largest coefficient is at least 1/2.
+  /// Upper bound of the error of `value_at` in double, over the number of coefficients, at most `most_coefficients`,
+  /// and the sum of their magnitudes. Coefficients are truncated, and x has an error of 3 u. Proved in
+  /// verify/proofs/motion_proofs.h. It covers underflow, since the largest coefficient is at least 1/2.
   static constexpr double value_error = 0x1p-50;
   static constexpr std::size_t most_coefficients = 40;
 
  private:
   enum class Half { none, first, second };
 
-  /// So many halvings at once: an approximation is good enough for that, and few numbers are nearer.
+  /// The number of halvings made at once. An approximation is good enough for it, and few numbers are nearer.
   static constexpr unsigned halvings_at_once = 24;
 
-  /// A form in double, times a power of two that makes its largest coefficient at most 1: each coefficient is truncated.
+  /// Returns a form in double, times a power of two that makes its largest coefficient at most 1. Each coefficient is
+  /// truncated.
   static std::vector<double> rounded(const Integer_form& form)
   {
     std::vector<double> coefficients(form.size());
@@ -149,8 +150,8 @@ class Time_root {
     return coefficients;
   }
 
-  /// The sign of g all over the cell, as far as double tells: its value at the cell's middle, but for what the cell is
-  /// long, where the slope of s^(n-k) t^k is at most n, and for `value_error`.
+  /// Returns the sign of g in all of the cell, as far as double tells it. That is its value at the cell's middle, if
+  /// the cell's length and `value_error` cannot change it. The slope of s^(n-k) t^k is at most n.
   CGAL::Sign certain_sign(const Integer_form& g) const
   {
     if (g.size() > most_coefficients) return CGAL::ZERO;
@@ -163,7 +164,7 @@ class Time_root {
     return value > error ? CGAL::POSITIVE : value < -error ? CGAL::NEGATIVE : CGAL::ZERO;
   }
 
-  /// The root of a form of one variation, from 0 to 1, by bisection in double: whatever is lost by rounding.
+  /// Returns approximately the root of a form of one variation, from 0 to 1, by bisection in double.
   double about_in_cell() const
   {
     const std::vector<double> coefficients = rounded(there_);
@@ -176,7 +177,7 @@ class Time_root {
     return 0.5 * (low + high);
   }
 
-  /// Takes a cell far within this one, about an approximation, if the root is inside; not twice.
+  /// Replaces the cell by one far within it, about an approximation, if the root is inside. It does so once only.
   void refine_at_once()
   {
     if (is_refined_) return;
@@ -198,7 +199,7 @@ class Time_root {
            sign(difference_from(other.m_ + 1, other.k_)) == CGAL::NEGATIVE;
   }
 
-  /// Halves the cell; none where the root is its middle, and so dyadic.
+  /// Halves the cell. There is no half where the root is its middle, and so dyadic.
   Half refine()
   {
     Integer_form first = there_.first_half(), second = there_.second_half();
@@ -244,9 +245,9 @@ inline void isolate_within(const Integer_form& form, const Integer_form& cell, c
 
 }  // namespace detail
 
-/// The roots within a cell, without its ends, of a form that is not zero, each once, in order: by Descartes' rule of
-/// signs on halves of halves (Collins and Akritas 1976), which ends where no root is multiple. One variation tells of one
-/// root that is not.
+/// Returns the roots within a cell, without its ends, of a form that is not zero, each once, in order. It applies
+/// Descartes' rule of signs to nested halves (Collins and Akritas 1976), which ends where no root is multiple. One
+/// variation means one simple root.
 inline std::vector<Time_root> roots_within(const Integer_form& form, const Time_cell& cell = {})
 {
   std::vector<Time_root> found;

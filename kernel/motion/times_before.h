@@ -14,13 +14,14 @@ namespace tetracone::kernel {
 
 /// The times from a dyadic start up to a contact time T, without T, and the signs of forms at all of them.
 ///
-/// Features that land together have forms that vanish at T, and no algebraic number is made for each of them. Forms are
-/// given over the times from the start to a dyadic end, T or a little later. A form without variations there has one sign
-/// (Descartes). Where T is before the end, it is the only root of a form G there, and a form with the root T is G times a
-/// quotient: the signs of both are known by their variations. A form equal to G up to a factor is the plainest case.
+/// Features that land together have forms that vanish at T. No algebraic number is made for each of them. Forms are
+/// given over the times from the start to a dyadic end, T or a little later. A form without variations there has one
+/// sign (Descartes). Where T is before the end, it is the only root of a form G there. A form with the root T is G
+/// times a quotient, and the signs of both are known by their variations. A form equal to G up to a factor is the
+/// plainest case.
 class Times_before {
  public:
-  /// From the start of the cell. Requires that the time is after that. May refine the time.
+  /// The times from the start of the cell. Requires that the contact time is after that. May refine the contact time.
   Times_before(const Time_cell& from, Time_root& before)
   {
     const Time_cell cell = before.close_cell();
@@ -38,15 +39,15 @@ class Times_before {
     }
   }
 
-  /// An `Integer_form` or a `Pair_motion` from the start to the end, over times from 0 to 1.
+  /// Returns an `Integer_form` or a `Pair_motion` from the start to the end, over times from 0 to 1.
   template <class Timed>
   Timed over(const Timed& timed) const
   {
     return timed.between(first_, last_, k_);
   }
 
-  /// The sign that a form, given over these times, has at all of them but perhaps the start. Zero where it has none, and
-  /// where this does not tell.
+  /// Returns the sign that a form, given over these times, has at all of them except perhaps the start. Returns zero
+  /// where it has none, and where this does not tell.
   CGAL::Sign sign_after_start(const Integer_form& form)
   {
     if (form.variations() == 0) return form.only_sign();
@@ -63,11 +64,12 @@ class Times_before {
     return static_cast<CGAL::Sign>(rest->only_sign() * root_->only_sign());
   }
 
-  /// The sign that it has at all of them. Zero where it has none, and where this does not tell.
+  /// Returns the sign that it has at all of them. Returns zero where it has none, and where this does not tell.
   CGAL::Sign sign(const Integer_form& form) { return sgn(form.at_start()) == 0 ? CGAL::ZERO : sign_after_start(form); }
 
  private:
-  /// False where a form is not G times a form without roots up to the end: that changes its sign in T's cell.
+  /// False where a form is surely not G times a form without roots up to the end: such a product changes its sign in
+  /// T's cell.
   bool may_have_root(const Integer_form& form) const
   {
     return sgn(t_) == 0 || sgn(form.at(s_, t_)) * sgn(form.at_end()) < 0;

@@ -5,10 +5,11 @@
 
 namespace tetracone::kernel {
 
-/// An unevaluated sum of two doubles, |low| <= ulp(high) / 2: about 106 bits. Rounding to nearest is required; relative
-/// errors, with u = 2^-53, are those that Joldes, Muller and Popescu prove (Tight and rigorous error bounds for basic
-/// building blocks of double-word arithmetic, TOMS 2017), for results that neither overflow nor have parts that
-/// underflow.
+/// An unevaluated sum of two doubles, |low| <= ulp(high) / 2: about 106 bits. Rounding to nearest is required.
+///
+/// Relative errors, with u = 2^-53, are those that Joldes, Muller and Popescu prove (Tight and rigorous error bounds
+/// for basic building blocks of double-word arithmetic, TOMS 2017). They hold for results that do not overflow and have
+/// no parts that underflow.
 struct Double_double {
   double high = 0, low = 0;
 
@@ -16,7 +17,7 @@ struct Double_double {
   Double_double(double x) : high(x) {}
   Double_double(double h, double l) : high(h), low(l) {}
 
-  /// x + y and x y, exactly.
+  /// Return x + y and x y, exactly.
   static Double_double sum(double x, double y)
   {
     const double s = x + y, part = s - x;
@@ -28,7 +29,8 @@ struct Double_double {
     return {p, std::fma(x, y, -p)};
   }
 
-  /// Relative error at most 3 u^2 / (1 - 4 u), and none when the result is a double's worth (their AccurateDWPlusDW).
+  /// Returns the sum, with a relative error of at most 3 u^2 / (1 - 4 u), and of 0 when the result is a double (their
+  /// AccurateDWPlusDW).
   friend Double_double operator+(const Double_double& a, const Double_double& b)
   {
     const Double_double s = sum(a.high, b.high), t = sum(a.low, b.low);
@@ -40,8 +42,8 @@ struct Double_double {
     return a + Double_double(-b.high, -b.low);
   }
 
-  /// Relative error at most 7 u^2 (their DWTimesDW1); the tests of kernel/predicate/adaptive.h derive 7 u^2 / (1 -
-  /// u)^2.
+  /// Returns the product, with a relative error of at most 7 u^2 (their DWTimesDW1). The tests of
+  /// kernel/predicate/adaptive.h derive 7 u^2 / (1 - u)^2.
   friend Double_double operator*(const Double_double& a, const Double_double& b)
   {
     const Double_double c = product(a.high, b.high);
@@ -49,7 +51,7 @@ struct Double_double {
   }
 
  private:
-  /// x + y exactly where |x| >= |y| or x = 0.
+  /// Returns x + y, exactly where |x| >= |y| or x = 0.
   static Double_double ordered_sum(double x, double y)
   {
     const double s = x + y;

@@ -12,11 +12,12 @@
 
 namespace tetracone::kernel {
 
-/// A real number: `middle`, but for at most `radius`, which is infinite or undefined where nothing is known.
+/// A real number that differs from `middle` by at most `radius`, which is infinite or undefined where nothing is known.
 ///
-/// A sum in double-double is off by 3 u^2 / (1 - 4 u) of itself, a product by 7 u^2 and, where parts underflow, by a few
-/// times 2^-1074; both are told by the high part, which is off by u of the whole. Where a sum's share underflows the sum
-/// is exact. What magnitudes and radii lose as they are computed is at most 16 u of a radius.
+/// A sum in double-double has a relative error of 3 u^2 / (1 - 4 u), a product one of 7 u^2. Where parts underflow, a
+/// few times 2^-1074 are added. Both errors are computed from the high part, whose relative error is u. Where a sum's
+/// error term underflows, the sum is exact. Magnitudes and radii lose at most 16 u of a radius as they are computed.
+/// The constants are proved in verify/proofs/distance_proofs.h and nearest_proofs.h.
 struct Double_double_ball {
   Double_double middle;
   double radius = 0;
@@ -28,10 +29,12 @@ struct Double_double_ball {
   static constexpr double u = unit_roundoff<double>;
   static constexpr double sum_rounding = 4 * u * u, product_rounding = 8 * u * u, of_radii = 1 + 16 * u,
                           underflow = 0x1p-1060;
-  /// What the high part loses of the whole number, and by its product with 1 less this: a share of itself.
+  /// Upper bound of the relative error of the high part, and of its product with 1 less this:
+  /// verify/proofs/nearest_proofs.h.
   static constexpr double high_rounding = 4 * u;
 
-  /// The radius of a sum and of a product, by magnitudes and radii of both numbers and the magnitude of what is found.
+  /// Return the radius of a sum and of a product, by magnitudes and radii of both numbers and the magnitude of the
+  /// result.
   template <class Number>
   static Number radius_of_sum(const Number& x_radius, const Number& y_radius, const Number& sum)
   {
@@ -62,11 +65,12 @@ struct Double_double_ball {
                                        std::abs(product.high))};
   }
 
-  /// Whether the number is above 0 for certain.
+  /// True when the number is surely above 0.
   bool is_positive() const { return middle.high * (1 - high_rounding) > radius; }
 };
 
-/// The double nearest to top / sqrt(square), both positive, where it is certain: between the middles of neighbours.
+/// Returns the double nearest to top / sqrt(square), both positive, where it is certain: between the middles of
+/// neighbours.
 inline std::optional<double> nearest_over_root(const Double_double_ball& top, const Double_double_ball& square)
 {
   const Double_double_ball top_square = top * top;

@@ -5,8 +5,8 @@
 
 namespace tetracone {
 
-/// What a caller or a file has done wrong: `what()` is one line, "what is wrong; what was expected". Every exception of
-/// the library is one.
+/// An error of a caller or of a file. `what()` is one line, "what is wrong; what was expected". Every exception of the
+/// library is an Error.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -15,9 +15,9 @@
 #include <xmmintrin.h>
 #endif
 
-// Every sign of this library rests on IEEE double arithmetic rounded to nearest, evaluated as written. What clang does
-// not tell by a macro
-// (`-funsafe-math-optimizations` and its parts), `arithmetic_is_as_written` finds when a tree is made.
+// Every sign of this library rests on IEEE double arithmetic rounded to nearest, evaluated as written. Some options of
+// clang define no macro (`-funsafe-math-optimizations` and its parts). `arithmetic_is_as_written` detects them when a
+// tree is made.
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "tetracone cannot be compiled with -ffast-math or -ffinite-math-only: exact signs rest on what they break"
 #endif
@@ -31,23 +31,25 @@ static_assert(FLT_EVAL_METHOD == 0, "doubles must be rounded at every operation 
 
 namespace tetracone::kernel {
 
-/// Unit roundoff of the number type: half the distance from 1 to the next number.
+/// The unit roundoff of the number type: half the distance from 1 to the next number.
 template <class Number>
 inline constexpr Number unit_roundoff = std::numeric_limits<Number>::epsilon() / 2;
 
-/// Beyond this magnitude of a coordinate or of a pose's entry no sign is decided in rounded arithmetic: within it
-/// neither images nor determinants nor their bounds overflow.
+/// The largest magnitude of a coordinate or of a pose's entry at which signs are decided in rounded arithmetic. Up to
+/// it neither images nor determinants nor their bounds overflow.
 inline constexpr double magnitude_gate = 0x1p110;
 
-/// What bounds in double add for gradual underflow, which loses at most 2^-1075 a product: times the factors that
-/// follow, all within the gates, that stays far below.
+/// The term that bounds in double add for gradual underflow (verify/test/verify/proofs/bound_proofs.cpp). A product
+/// loses at most 2^-1075. Times the factors that follow, all within the gates, that stays far below.
 inline constexpr double underflow_slack = 0x1p-800;
 
-/// Above what 100 sums and products in double lose, one after the other: a share of their terms' magnitudes.
+/// Upper bound of the error of 100 successive sums and products in double, relative to their terms' magnitudes:
+/// verify/proofs/margin_proofs.h.
 inline constexpr double few_roundings = 0x1p-40;
 
-/// The largest and the least of the numbers as IEEE 754-2019 has them: NaN where any of them is. std::max and std::min
-/// keep NaN or drop it by the order of their arguments, and a bound that has dropped it lets pass what it should stop.
+/// Return the largest and the least of the numbers as IEEE 754-2019 defines them: NaN where any of them is. std::max
+/// and std::min keep NaN or drop it by the order of their arguments. A bound that has dropped it accepts values that it
+/// should reject.
 template <class Number, std::same_as<Number>... Numbers>
 [[gnu::always_inline]] inline Number maximum(Number first, Numbers... others)
 {
@@ -69,7 +71,7 @@ template <class Number, std::same_as<Number>... Numbers>
   return least;
 }
 
-/// The largest of numbers as the processor has it, in one instruction each, NaN kept or dropped: for a bound on a value
+/// Returns the largest of numbers by one instruction each, which may keep or drop NaN. It serves for a bound on a value
 /// that is itself undefined where one of these numbers is, and so decides nothing.
 template <class Number, std::same_as<Number>... Numbers>
 [[gnu::always_inline]] inline Number maximum_of_defined(Number first, Numbers... others)
@@ -79,8 +81,8 @@ template <class Number, std::same_as<Number>... Numbers>
 }
 
 /// True when the calling thread rounds to nearest and keeps denormals (neither flush-to-zero nor denormals-are-zero).
-/// Both are per thread and inherited by the threads it starts; a library linked with -ffast-math can change them at
-/// load. A few cycles.
+/// Both settings belong to a thread and are inherited by the threads it starts. A library linked with -ffast-math can
+/// change them at load. The check takes a few cycles.
 inline bool floating_point_is_sound()
 {
 #if defined(__x86_64__) && defined(__SSE2__)
@@ -98,9 +100,9 @@ inline bool floating_point_is_sound()
 #endif
 }
 
-/// True when the compiler evaluates sums, products and quotients as they are written, in the function that this is
-/// called from: what TwoSum finds is not folded to 0, a product is rounded before it is added to, and a quotient is no
-/// product with a reciprocal.
+/// True when the compiler evaluates sums, products and quotients as they are written, in the calling function. Then the
+/// remainder of TwoSum is not folded to 0, a product is rounded before it is added to, and a quotient is no product
+/// with a reciprocal.
 [[gnu::always_inline]] inline bool arithmetic_is_as_written()
 {
   volatile double one = 1, tiny = 0x1p-60;
@@ -118,14 +120,14 @@ inline bool floating_point_is_sound()
   return lost == 0x1p-60 && left == 0 && first == 1 && second == 1 && third == 1;
 }
 
-/// Thrown by what decides exactly, when floating point is not as it must be.
+/// Thrown by functions that decide exactly, when floating point is not as required.
 class Unsound_floating_point : public Error {
  public:
   using Error::Error;
 };
 
-/// Throws Unsound_floating_point when the calling thread's floating point is not sound. Asked by every query that
-/// decides exactly; a caller of single signs asks once a thread.
+/// Throws Unsound_floating_point when the calling thread's floating point is not sound. Every query that decides
+/// exactly calls it. A caller of single signs calls it once a thread.
 inline void require_sound_floating_point()
 {
   if (!floating_point_is_sound()) [[unlikely]]
@@ -134,8 +136,8 @@ inline void require_sound_floating_point()
         "expected the default environment, without which no answer is exact");
 }
 
-/// Throws Unsound_floating_point also when the calling function is compiled with flags that change the arithmetic.
-/// Asked where a model or a query object that decides exactly is made.
+/// Throws Unsound_floating_point also when the calling function is compiled with flags that change the arithmetic. It
+/// is called where a model or a query object that decides exactly is made.
 [[gnu::always_inline]] inline void require_exact_arithmetic()
 {
   require_sound_floating_point();

@@ -8,11 +8,11 @@
 
 namespace tetracone::kernel {
 
-/// The double nearest to sqrt(top / bottom), by the rule of `nearest_double`: infinite from 2^1024 - 2^970 on. Requires
-/// top >= 0 and bottom > 0, which may have a common factor.
+/// Returns the double nearest to sqrt(top / bottom), by the rule of `nearest_double`: infinite from 2^1024 - 2^970 on.
+/// Requires top >= 0 and bottom > 0, which may have a common factor.
 ///
-/// top / bottom is scaled by 4^k so that its integer root r has 62 or 63 bits. What the division and the root leave
-/// over tells whether r is the root itself or below it: one more bit, which rounding sees as it would see all others.
+/// top / bottom is scaled by 4^k so that its integer root r has 62 or 63 bits. The remainders of the division and the
+/// root tell whether r is the root itself or below it. That is one more bit, which rounds like all others.
 inline double nearest_root(const mpz_class& top, const mpz_class& bottom)
 {
   if (sgn(top) == 0) return 0;
@@ -34,12 +34,12 @@ inline double nearest_root(const mpz_class& top, const mpz_class& bottom)
   return nearest_double(value);
 }
 
-/// Of a quotient of rationals.
+/// Returns the double nearest to the root of a quotient of rationals.
 inline double nearest_root(const Rational& top, const Rational& bottom)
 {
   return nearest_root(mpz_class(top.get_num() * bottom.get_den()), mpz_class(bottom.get_num() * top.get_den()));
 }
-/// Of a rational that is not negative.
+/// Returns the double nearest to the root of a rational that is not negative.
 inline double nearest_root(const Rational& square) { return nearest_root(square.get_num(), square.get_den()); }
 
 }  // namespace tetracone::kernel

@@ -19,11 +19,11 @@
 
 namespace tetracone::kernel {
 
-/// Exact rational number: every double is one, and so is every fraction n/d of a pose. GMP's own, in lowest terms.
+/// An exact rational number, GMP's own, in lowest terms. Every double is one, and so is every fraction n/d of a pose.
 using Rational = mpq_class;
 
-/// The double nearest to the decimal number that `text` is, whole: "1e-400" is 0, denormals are kept.
-/// Nothing when `text` is not a decimal number, or its nearest double is not finite ("nan", "inf", "1e400").
+/// Returns the double nearest to the decimal number that is the whole of `text`: "1e-400" is 0, denormals are kept.
+/// Returns nothing when `text` is not a decimal number, or its nearest double is not finite ("nan", "inf", "1e400").
 inline std::optional<double> parse_double(std::string_view text)
 {
   if (text.starts_with('+')) {
@@ -35,14 +35,15 @@ inline std::optional<double> parse_double(std::string_view text)
   const auto [rest, error] = std::from_chars(text.data(), end, value);
   if (rest != end || error == std::errc::invalid_argument) return std::nullopt;
   if (error == std::errc::result_out_of_range) {
-    // Out of range is either end of it: from_chars leaves the value alone, strtod tells which end.
+    // The number may be out of range at either end: from_chars leaves the value alone, strtod tells which end.
     value = std::strtod(std::string(text).c_str(), nullptr);
   }
   if (!std::isfinite(value)) return std::nullopt;
   return value;
 }
 
-/// The exact rational of a fraction "n/d" of decimal integers, in lowest terms. Nothing when `text` is none, or d is 0.
+/// Returns the exact rational of a fraction "n/d" of decimal integers, in lowest terms. Returns nothing when `text` is
+/// none, or d is 0.
 inline std::optional<Rational> parse_fraction(std::string_view text)
 {
   const auto slash = text.find('/');
@@ -68,12 +69,12 @@ inline std::optional<Rational> parse_fraction(std::string_view text)
   return Rational(decimal(numerator) / divisor);
 }
 
-/// The double nearest to `value`, ties to even, as IEEE 754 rounds: infinite from 2^1024 - 2^970 on, which is half a step
-/// beyond the largest double. `nearest_root` and `parse_double` round by the same rule.
+/// Returns the double nearest to `value`, ties to even, as IEEE 754 rounds. It is infinite from 2^1024 - 2^970 on,
+/// which is half a step beyond the largest double. `nearest_root` and `parse_double` round by the same rule.
 inline double nearest_double(const Rational& value)
 {
-  // A rational's own conversion may truncate: it names a double at most one step off, and the candidates are compared
-  // exactly.
+  // A rational's own conversion may truncate. Its double is at most one step away from the nearest, and the candidates
+  // are compared exactly.
   const double start = value.get_d();
   if (!std::isfinite(start)) return start;
   constexpr double largest = std::numeric_limits<double>::max();
@@ -94,8 +95,8 @@ inline double nearest_double(const Rational& value)
   return best;
 }
 
-/// The number that `text` stands for: of a decimal its nearest double, of a fraction "n/d" itself. Nothing when it is
-/// neither, or its nearest double is not finite.
+/// Returns the number that `text` stands for: the nearest double of a decimal, or a fraction "n/d" itself. Returns
+/// nothing when it is neither, or its nearest double is not finite.
 inline std::optional<Rational> parse_number(std::string_view text)
 {
   const auto decimal = parse_double(text);
@@ -103,7 +104,7 @@ inline std::optional<Rational> parse_number(std::string_view text)
   return number && std::isfinite(nearest_double(*number)) ? number : std::nullopt;
 }
 
-/// The shortest decimal that reads back as exactly `value`.
+/// Returns the shortest decimal that reads back as exactly `value`.
 inline std::string shortest(double value)
 {
   std::array<char, 32> buffer{};
@@ -111,11 +112,11 @@ inline std::string shortest(double value)
   return {buffer.data(), result.ptr};
 }
 
-/// "n/d" in lowest terms, or "n" when the denominator is 1.
+/// Returns "n/d" in lowest terms, or "n" when the denominator is 1.
 inline std::string to_string(const Rational& value) { return value.get_str(); }
 
-/// What readers of poses take for exactly `value`: its shortest decimal where it is a double, else "n/d", an integer
-/// too.
+/// Returns a text that readers of poses take for exactly `value`: its shortest decimal where it is a double, else
+/// "n/d", also for an integer.
 inline std::string exact_text(const Rational& value)
 {
   const double nearest = nearest_double(value);

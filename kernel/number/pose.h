@@ -20,23 +20,24 @@ namespace tetracone::kernel {
 
 /// The affine map x -> M x + t that places a model, taken exactly.
 ///
-/// Twelve numbers, row-major 3x4: row i is (M_i0, M_i1, M_i2, t_i). Every entry stands for exactly the rational that it
-/// is; M need not be a rotation (in doubles it almost never is). A map that must be truly rigid has rational entries.
-/// What a kernel does with a pose is what its users get:
-///  - float, double, double-eps: the entries are rounded to the kernel's number type and so is every image;
-///  - EPICK: the entries are rounded to double, the image is computed and rounded in double, then decided exactly;
-///  - EPECK, rational, adaptive: the exact image of the exact entries.
+/// It has twelve numbers, row-major 3x4: row i is (M_i0, M_i1, M_i2, t_i). Every entry stands for exactly the rational
+/// that it is. M need not be a rotation (in doubles it almost never is). A map that must be truly rigid has rational
+/// entries. The kernel determines how exactly a pose is applied:
+/// - float, double, double-eps: the entries are rounded to the kernel's number type and so is every image;
+/// - EPICK: the entries are rounded to double, the image is computed and rounded in double, then decided exactly;
+/// - EPECK, rational, adaptive: the exact image of the exact entries.
+///
 /// Requires det M != 0 wherever a pose is used (see `determinant_sign`).
 class Pose {
  public:
   /// The identity.
   Pose() : entries_{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0} {}
 
-  /// Twelve finite doubles, row-major 3x4.
+  /// The map of twelve finite doubles, row-major 3x4.
   explicit Pose(const std::array<double, 12>& entries) : entries_(entries), is_translation_(is_unit(entries)) {}
 
-  /// Twelve rationals, row-major 3x4, each with a finite nearest double. Entries that are all doubles give the same
-  /// pose as the doubles.
+  /// The map of twelve rationals, row-major 3x4, each with a finite nearest double. Entries that are all doubles give
+  /// the same pose as the doubles.
   explicit Pose(const std::array<Rational, 12>& entries)
   {
     bool all_doubles = true;
@@ -65,7 +66,7 @@ class Pose {
     return Pose(std::array<double, 12>{1, 0, 0, x, 0, 1, 0, y, 0, 0, 1, z});
   }
 
-  /// The doubles of the matrix, taken exactly.
+  /// The map of a matrix of doubles, taken exactly.
   template <int mode, int options>
   static Pose from_eigen(const Eigen::Transform<double, 3, mode, options>& map)
   {
@@ -75,7 +76,7 @@ class Pose {
     return Pose(entries);
   }
 
-  /// The nearest double of each entry.
+  /// Returns the nearest double of each entry.
   template <class Map = Eigen::Affine3d>
   Map to_eigen() const
   {
@@ -85,8 +86,8 @@ class Pose {
     return map;
   }
 
-  /// Truly rigid: the rotation of the integer quaternion (w, x, y, z), then the translation t.
-  /// The entries are the rationals of R = N / (w^2 + x^2 + y^2 + z^2). Requires a quaternion that is not zero.
+  /// Returns a truly rigid map: the rotation of the integer quaternion (w, x, y, z), then the translation t. The
+  /// entries are the rationals of R = N / (w^2 + x^2 + y^2 + z^2). Requires a quaternion that is not zero.
   static Pose from_quaternion(int w, int x, int y, int z, const std::array<Rational, 3>& t = {0, 0, 0})
   {
     const long ww = long(w) * w, xx = long(x) * x, yy = long(y) * y, zz = long(z) * z;
@@ -105,30 +106,32 @@ class Pose {
     return Pose(entries);
   }
 
-  /// Entry `k` of the row-major 3x4 matrix, rounded to the nearest double; exact unless `is_rational()`.
+  /// Returns entry `k` of the row-major 3x4 matrix, rounded to the nearest double; exact unless `is_rational()`.
   double operator[](int k) const { return entries_[k]; }
   const std::array<double, 12>& entries() const { return entries_; }
 
   /// True when some entry is no double.
   bool is_rational() const { return fractions_ != nullptr; }
 
-  /// Entry `k` as a sum of two doubles: exact unless `is_rational()`, else off by at most 2^-106 of it, or by 2^-1074.
+  /// Returns entry `k` as a sum of two doubles. It is exact unless `is_rational()`; else its error is at most 2^-106 of
+  /// it, or 2^-1074.
   Double_double double_double(int k) const { return {entries_[k], fractions_ ? fractions_->lows[k] : 0}; }
 
-  /// Entry `k`, exactly.
+  /// Returns entry `k`, exactly.
   Rational exact(int k) const { return fractions_ ? fractions_->exact[k] : Rational(entries_[k]); }
 
-  /// The entries times `weight`, a positive integer, exactly: binary fractions, also where the entries are none.
+  /// Returns entry `k` times `weight`, a positive integer, exactly. It is a binary fraction, also where the entry is
+  /// none.
   CGAL::Mpzf whole(int k) const { return fractions_ ? fractions_->whole[k] : CGAL::Mpzf(entries_[k]); }
   CGAL::Mpzf weight() const { return fractions_ ? fractions_->weight : CGAL::Mpzf(1); }
 
   /// True when the map moves nothing: every image is the point itself, in every kernel.
   bool is_identity() const { return is_translation_ && entries_[3] == 0 && entries_[7] == 0 && entries_[11] == 0; }
 
-  /// True when M is the identity and t are doubles: an image is the vertex and t, added.
+  /// True when M is the identity and t are doubles: an image is the sum of the vertex and t.
   bool is_translation() const { return is_translation_; }
 
-  /// The sign of det M, exact. Zero: the map is flat and no pose.
+  /// Returns the sign of det M, exactly. Zero means that the map is flat and no pose.
   CGAL::Sign determinant_sign() const
   {
     double largest = 0;
@@ -148,8 +151,9 @@ class Pose {
     return CGAL::Sign(sgn(exactly));
   }
 
-  /// The error of a determinant of entries, a share of its permanent: 6 products of 3 entries, of at most 5 roundings
-  /// each and 3 more of entries that are rounded fractions, with what the permanent's own roundings take from it.
+  /// Upper bound of the error of a determinant of entries, relative to its permanent (verify/proofs/adaptive_proofs.h).
+  /// 6 products of 3 entries have at most 5 roundings each, and 3 more of entries that are rounded fractions. The
+  /// roundings of the permanent itself are included.
   static constexpr double determinant_rounding = 0x1p-49;
 
   template <class Number>

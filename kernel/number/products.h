@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-/// The expressions of three coordinates that stages, bounds and proofs share, over any number type: doubles, floats,
-/// double-double, and the numbers of verify/proofs/, which record what is computed. An error bound holds for the order
-/// of operations that is written here.
+/// The expressions of three coordinates that stages, bounds and proofs use alike, over any number type: doubles,
+/// floats, double-double, and the numbers of verify/proofs/, which record the computation. An error bound holds for the
+/// order of operations that is written here.
 namespace tetracone::kernel {
 
 template <class Number>
@@ -27,14 +27,14 @@ std::array<Number, 3> cross(const std::array<Number, 3>& a, const std::array<Num
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// det[b, c, d].
+/// Returns det[b, c, d].
 template <class Number>
 Number determinant(const std::array<Number, 3>& b, const std::array<Number, 3>& c, const std::array<Number, 3>& d)
 {
   return dot(cross(b, c), d);
 }
 
-/// The terms of det[b, c, d], all taken positive.
+/// Returns the permanent: the terms of det[b, c, d], all taken positive.
 template <class Number>
 Number permanent(const std::array<Number, 3>& b, const std::array<Number, 3>& c, const std::array<Number, 3>& d)
 {
@@ -43,14 +43,14 @@ Number permanent(const std::array<Number, 3>& b, const std::array<Number, 3>& c,
   return factor(1, 2) * abs(d[0]) + factor(2, 0) * abs(d[1]) + factor(0, 1) * abs(d[2]);
 }
 
-/// A component of b x c, of the two others of each.
+/// Returns a component of b x c, from the two other coordinates of each.
 template <class Number>
 Number cross_component(const Number& bi, const Number& bj, const Number& ci, const Number& cj)
 {
   return bi * cj - bj * ci;
 }
 
-/// The terms of a placed coordinate: of three entries of a row and the translation.
+/// Returns the terms of a placed coordinate, from three entries of a row and the translation.
 template <class Number>
 std::array<Number, 4> placed_terms(const Number& m0, const Number& m1, const Number& m2, const Number& t,
                                    const std::array<Number, 3>& p)
@@ -58,7 +58,7 @@ std::array<Number, 4> placed_terms(const Number& m0, const Number& m1, const Num
   return {m0 * p[0], m1 * p[1], m2 * p[2], t};
 }
 
-/// The sum of terms, from the left, and that of their magnitudes.
+/// Return the sum of terms, from the left, and the sum of their magnitudes.
 template <class Number>
 Number sum(const std::array<Number, 4>& terms)
 {

@@ -5,45 +5,51 @@
 
 #include <array>
 
-/// The error bounds of the adaptive kernel: every constant once, and every bound as it is computed, over any number
-/// type. u = 2^-53. Each is proved from these texts by verify/proofs/adaptive_proofs.h.
+/// The error bounds of the adaptive kernel. Every constant stands here once, and every bound as it is computed, over
+/// any number type. u = 2^-53. Each is proved from these texts by verify/proofs/adaptive_proofs.h.
 namespace tetracone::kernel::adaptive_bound {
 
 inline constexpr double u = unit_roundoff<double>;
 
-/// A placed coordinate is off by this share of S = |m0 x| + |m1 y| + |m2 z| + |t|: at most 4 roundings a term, and one
-/// of an entry that is a rounded fraction. S itself is computed with at most 4 roundings down.
+/// Upper bound of the error of a placed coordinate, relative to S = |m0 x| + |m1 y| + |m2 z| + |t|. It has at most 4
+/// roundings a term, and one of an entry that is a rounded fraction. S itself is computed with at most 4 roundings
+/// down.
 inline constexpr double image = 6 * u;
 
-/// A translated coordinate is off by this share of itself: one sum.
+/// Upper bound of the relative error of a translated coordinate: one sum.
 inline constexpr double translation = 1.001 * u;
 
-/// With computed differences of magnitudes m_k and exact ones within `error` of them, M_k = m_k + error: 46 roundings
-/// of Mx My Mz, which are 8 of four products and 7 of the two that are added last, and those of the bound.
+/// Upper bound of the error of a volume, relative to Mx My Mz. With computed differences of magnitudes m_k and exact
+/// ones within `error` of them, M_k = m_k + error. The 46 roundings are 8 of four products and 7 of the two that are
+/// added last, and those of the bound.
 inline constexpr double volume = 49 * u;
 
-/// Six products, in which three factors are replaced one after the other.
+/// Factor of the effect of the points' errors on a volume: six products, in which three factors are replaced one after
+/// the other.
 inline constexpr double volume_motion = 6.001;
 
-/// Two products of 2 differences, 1 product and 1 sum: 8 roundings of Mi Mj.
+/// Upper bound of the error of a component of a normal, relative to Mi Mj: two products of 2 differences, 1 product and
+/// 1 sum, which are 8 roundings.
 inline constexpr double normal = 9 * u;
 
-/// Two products, in which two factors are replaced.
+/// Factor of the effect of the points' errors on a component of a normal: two products, in which two factors are
+/// replaced.
 inline constexpr double normal_motion = 2.001;
 
-/// Above the errors of both points.
+/// Factor of the effect of both points' errors on a difference.
 inline constexpr double difference_motion = 1.001;
 
-/// Of an image in double-double: three products and three sums, and entries of fractions off by u^2.
+/// Upper bound of the error of an image in double-double: three products and three sums, and entries of fractions with
+/// an error of u^2.
 inline constexpr double double_double_image = 20 * u * u;
 
-/// Of a difference in double-double, a share of its high part.
+/// Upper bound of the error of a difference in double-double, relative to its high part.
 inline constexpr double double_double_difference = 3.02 * u * u;
 
-/// As `volume` and `normal`, in double-double: 23 u^2 on four products and 20 u^2 on two; 10 u^2 on each of two.
+/// `volume` and `normal` in double-double: 23 u^2 on four products and 20 u^2 on two; 10 u^2 on each of two.
 inline constexpr double double_double_volume = 146 * u * u, double_double_normal = 22 * u * u;
 
-/// The bounds of a placed coordinate, in double and in double-double, by the sum of its terms' magnitudes.
+/// Return the error bounds of a placed coordinate, in double and in double-double, by the sum of its terms' magnitudes.
 template <class Number>
 Number image_bound(const Number& magnitudes)
 {
@@ -55,22 +61,22 @@ Number double_double_image_bound(const Number& magnitudes)
   return Number(double_double_image) * magnitudes + Number(underflow_slack);
 }
 
-/// The bound of a difference of two images that are off by `error` together.
+/// Returns the error bound of a difference of two images whose errors sum to `error`.
 template <class Number>
 Number difference_bound(const Number& error)
 {
   return Number(difference_motion) * error;
 }
 
-/// How far a difference m of two images in double-double may be off, the images by `images` together.
+/// Returns the error bound of a difference m of two images in double-double whose errors sum to `images`.
 template <class Number>
 Number double_double_difference_error(const Number& images, const Number& m)
 {
   return images + Number(double_double_difference) * m;
 }
 
-/// The filter's bound of det[b-a, c-a, d-a], for differences of magnitudes m and points that are off by `error`
-/// together.
+/// Returns the filter's error bound of det[b-a, c-a, d-a], for differences of magnitudes m and points whose errors sum
+/// to `error`.
 template <class Number>
 Number volume_bound(const Number& mx, const Number& my, const Number& mz, const Number& error)
 {
@@ -79,7 +85,7 @@ Number volume_bound(const Number& mx, const Number& my, const Number& mz, const 
          Number(underflow_slack);
 }
 
-/// The filter's bound of a component of (b-a) x (c-a).
+/// Returns the filter's error bound of a component of (b-a) x (c-a).
 template <class Number>
 Number normal_bound(const Number& mi, const Number& mj, const Number& error)
 {
@@ -87,7 +93,7 @@ Number normal_bound(const Number& mi, const Number& mj, const Number& error)
          Number(underflow_slack);
 }
 
-/// The bounds of double-double, whose differences are rounded too: each axis has its own error.
+/// Return the error bounds of double-double. Its differences are rounded too, so each axis has its own error.
 template <class Number>
 Number double_double_volume_bound(const std::array<Number, 3>& m, const std::array<Number, 3>& error)
 {

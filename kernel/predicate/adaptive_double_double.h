@@ -12,12 +12,13 @@
 
 namespace tetracone::kernel {
 
-/// Double-double: the expression on images of twice the digits, decided when it is beyond its bound.
+/// The double-double stage: the expression on images of twice the digits. It decides when the value is beyond its
+/// bound.
 class Adaptive_double_double : public Adaptive_points {
  public:
-  // The expressions are the filter's, and so are the bounds but for their constants (adaptive_bounds.h): a difference
-  // of images is rounded too, so its error is that of both images and a share of itself. All bounds are computed in
-  // double and judge the high part, which is off by u of itself.
+  // The expressions are the filter's, and so are the bounds except for their constants (adaptive_bounds.h). A
+  // difference of images is rounded too, so its error is that of both images and a fraction of itself. All bounds are
+  // computed in double and judge the high part, whose relative error is u.
 
   /// An image of twice the digits.
   struct Double_double_image {
@@ -51,7 +52,7 @@ class Adaptive_double_double : public Adaptive_points {
     return image;
   }
 
-  /// The sign of det[b-a, c-a, d-a], or undecided.
+  /// Returns the sign of det[b-a, c-a, d-a], or undecided.
   static Decision double_double_volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
   {
     const std::array<Double_double_image, 4> p = {double_double_image(a), double_double_image(b),
@@ -68,7 +69,7 @@ class Adaptive_double_double : public Adaptive_points {
     return beyond(determinant(m[0], m[1], m[2]).high, adaptive_bound::double_double_volume_bound(largest, error));
   }
 
-  /// The sign of (b-a) x (c-a) in the component `axis`, or undecided.
+  /// Returns the sign of (b-a) x (c-a) in the component `axis`, or undecided.
   static Decision double_double_normal_sign(const Point_3& a, const Point_3& b, const Point_3& c, int axis)
   {
     const int i = (axis + 1) % 3, j = (axis + 2) % 3;
@@ -82,7 +83,7 @@ class Adaptive_double_double : public Adaptive_points {
     return beyond(cross_component(bi, bj, ci, cj).high, adaptive_bound::double_double_normal_bound(mi, mj, ei, ej));
   }
 
-  /// The sign of a[axis] - b[axis], or undecided.
+  /// Returns the sign of a[axis] - b[axis], or undecided.
   static Decision double_double_difference_sign(const Point_3& a, const Point_3& b, int axis)
   {
     const Double_double_image p = double_double_image(a), q = double_double_image(b);

@@ -15,8 +15,8 @@
 
 namespace tetracone::kernel {
 
-/// The exact stage: the expression over the exact images, in CGAL::Mpzf; poses of fractions are multiplied by their
-/// denominators. An image is found once a query for each vertex that asks for it.
+/// The exact stage: the expression over the exact images, in CGAL::Mpzf. Poses of fractions are multiplied by their
+/// denominators. An image is computed once in a query for each vertex that needs it.
 class Adaptive_exact : public Adaptive_points {
  public:
   static CGAL::Sign exact_volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
@@ -47,7 +47,8 @@ class Adaptive_exact : public Adaptive_points {
   }
 
  private:
-  /// The exact image times the weight of the pose: binary fractions. Kept in the point's slot, where it has one.
+  /// Returns the exact image times the weight of the pose, in binary fractions. It is kept in the point's slot, where
+  /// the point has one.
   static Exact_image exact_image(const Point_3& point)
   {
     if (point.slot != nullptr && *point.slot) return **point.slot;
@@ -64,7 +65,8 @@ class Adaptive_exact : public Adaptive_points {
     return image;
   }
 
-  // All images over one denominator, the product of the weights of the poses: a positive factor, which no sign sees.
+  // Calls with all images over one denominator, the product of the weights of the poses. It is a positive factor, which
+  // changes no sign.
   template <class Function, class... Points>
   static CGAL::Sign over_exact_images(const Function& function, const Points&... points)
   {

@@ -11,14 +11,15 @@
 
 namespace tetracone::kernel {
 
-/// The filter: the double expression on the images, decided when it is beyond the bound on all rounding.
+/// The filter stage: the expression in double on the images. It decides when the value is beyond the bound of all
+/// rounding.
 class Adaptive_filter : public Adaptive_points {
  public:
   // With a^ = fl(p^ - p0^) the computed differences, m_k >= |a^_jk| and d >= error(p) + error(p0), the exact difference
   // a satisfies |a_jk - a^_jk| <= u |a_jk| + d. The bounds are those of adaptive_bounds.h, which telescope the products
   // over the factors that d replaces. A comparison with an infinite or undefined bound is false: undecided.
 
-  /// The sign of det[b-a, c-a, d-a], or undecided.
+  /// Returns the sign of det[b-a, c-a, d-a], or undecided.
   static Decision filtered_volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
   {
     return filtered_volume_sign(a.image, b.image, c.image, d.image, a.error + maximum(b.error, c.error, d.error));
@@ -30,7 +31,7 @@ class Adaptive_filter : public Adaptive_points {
     return beyond(determinant(p, q, r), adaptive_bound::volume_bound(largest(0), largest(1), largest(2), error));
   }
 
-  /// The sign of (b-a) x (c-a) in the component `axis`, or undecided.
+  /// Returns the sign of (b-a) x (c-a) in the component `axis`, or undecided.
   static Decision filtered_normal_sign(const Point_3& a, const Point_3& b, const Point_3& c, int axis)
   {
     return filtered_normal_sign(a.image, b.image, c.image, axis, a.error + maximum(b.error, c.error));
@@ -44,7 +45,7 @@ class Adaptive_filter : public Adaptive_points {
     return beyond(cross_component(bi, bj, ci, cj), adaptive_bound::normal_bound(mi, mj, error));
   }
 
-  /// The sign of a[axis] - b[axis], or undecided.
+  /// Returns the sign of a[axis] - b[axis], or undecided.
   static Decision filtered_difference_sign(const Point_3& a, const Point_3& b, int axis)
   {
     const double error = a.error + b.error;

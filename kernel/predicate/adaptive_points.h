@@ -18,8 +18,8 @@
 
 namespace tetracone::kernel {
 
-/// Points of the adaptive kernel: a vertex and the pose that places it. Its image is never rounded, only approximated:
-/// `image` and `error` enclose it.
+/// The points of the adaptive kernel, each a vertex and the pose that places it. `image` and `error` enclose the exact
+/// image, which is never rounded itself.
 class Adaptive_points {
  public:
   using Exact_image = std::array<CGAL::Mpzf, 3>;
@@ -38,17 +38,17 @@ class Adaptive_points {
     double z() const { return image[2]; }
   };
 
-  /// `vertex` where it stands.
+  /// Returns `vertex` unmoved.
   static Point_3 unmoved(const Vertex& vertex)
   {
     return {vertex, magnitude(vertex) <= magnitude_gate ? 0 : std::numeric_limits<double>::infinity(), vertex, nullptr};
   }
 
-  /// `vertex` placed by `pose`, which must outlive the point.
+  /// Returns `vertex` placed by `pose`, which must outlive the point.
   ///
   /// Its error is `adaptive_bound::image` of the largest sum of its terms' magnitudes. A fraction that is rounded to a
-  /// denormal, or to 0, is off by 2^-1075 instead, which vertices within the gate keep far below `underflow_slack`;
-  /// beyond it the error is not known.
+  /// denormal, or to 0, has an error of 2^-1075 instead. For vertices within the gate that stays far below
+  /// `underflow_slack`; beyond it the error is not known.
   static Point_3 placed(const Vertex& vertex, const Pose& pose)
   {
     if (pose.is_translation()) return translated(vertex, pose);
@@ -64,8 +64,8 @@ class Adaptive_points {
     return point;
   }
 
-  /// The image under a pose that only translates: one sum a coordinate. Relative error u; exact where TwoSum's (Knuth)
-  /// remainder is 0.
+  /// Returns the image under a pose that only translates: one sum a coordinate. Its relative error is u; it is exact
+  /// where TwoSum's (Knuth) remainder is 0.
   static Point_3 translated(const Vertex& vertex, const Pose& pose)
   {
     Point_3 point{{}, 0, vertex, &pose};
@@ -86,14 +86,14 @@ class Adaptive_points {
   /// True when the two are one vertex under one pose. Unequal ones may still have the same image.
   static bool identical(const Point_3& a, const Point_3& b) { return a.pose == b.pose && a.vertex == b.vertex; }
 
-  /// Whether no image is rounded.
+  /// True when no image is rounded.
   template <class... Points>
   static bool are_exact(const Points&... points)
   {
     return ((points.error == 0) && ...);
   }
 
-  /// Whether the errors of all points are known.
+  /// True when the errors of all points are known.
   template <class... Points>
   static bool in_gate(const Points&... points)
   {
@@ -103,7 +103,7 @@ class Adaptive_points {
  protected:
   static double magnitude(const Vertex& v) { return maximum(std::abs(v[0]), std::abs(v[1]), std::abs(v[2])); }
 
-  /// The sign of what `value` approximates to `bound`, or undecided. NaN is undecided.
+  /// Returns the sign of the number that `value` approximates to within `bound`, or undecided. NaN is undecided.
   static Decision beyond(double value, double bound)
   {
     if (value > bound) return CGAL::POSITIVE;

@@ -20,7 +20,7 @@ enum class Contact {
   coplanar_overlap  ///< more than one common point, in the plane of the face
 };
 
-/// The name, in words joined by '-' or a blank.
+/// Returns the name, in words joined by '-' or a blank.
 constexpr std::string_view to_string(Contact contact)
 {
   switch (contact) {
@@ -44,7 +44,7 @@ struct Feature_pair {
   std::uint32_t face;       ///< the face's number
   Contact kind;             ///< how they meet
 
-  /// By the members, in their order.
+  /// Compares the members, in their order.
   friend auto operator<=>(const Feature_pair&, const Feature_pair&) = default;
 };
 

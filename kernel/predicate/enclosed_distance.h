@@ -13,8 +13,8 @@
 #include <optional>
 #include <utility>
 
-/// The distance of two features of triangles in double-double, enclosed: what face_distance.h finds in exact numbers,
-/// where enclosures tell the same.
+/// The distance of two features of triangles, enclosed in double-double. It is the answer of face_distance.h where the
+/// enclosures decide.
 namespace tetracone::kernel {
 
 using Ball_vector = std::array<Double_double_ball, 3>;
@@ -24,7 +24,7 @@ struct Ball_hull {
   std::array<Ball_vector, 3> corner;
   int count = 0;
 
-  /// The image of a vertex, enclosed.
+  /// Adds the enclosed image of a vertex.
   void add(const Vertex& vertex, const Pose& pose)
   {
     const auto image = Adaptive_double_double::double_double_image(Adaptive_points::placed(vertex, pose));
@@ -38,14 +38,14 @@ struct Enclosed_distance {
   Double_double_ball height, square;
   std::array<double, 3> direction;  ///< rounded: the errors of all coordinates sum to at most `direction_error`
 
-  /// Upper bounds, as shares of the sum of the direction's magnitudes: of the radii that are let pass, and of all
-  /// errors of a direction, which are these radii and a rounding of each coordinate.
-  static constexpr double most_radii = 0x1p-52, direction_error = 0x1p-51;
+  // Upper bounds relative to the sum of the direction's magnitudes: verify/proofs/nearest_proofs.h.
+  static constexpr double most_radii = 0x1p-52,  ///< of the radii that are accepted
+      direction_error = 0x1p-51;  ///< of all errors of a direction: these radii, and a rounding of each coordinate
 };
 
 namespace detail {
 
-/// From a point to the line of an edge; nothing unless the nearest point is within the edge for certain.
+/// Returns the vector from a point to the line of an edge; nothing unless the nearest point is surely within the edge.
 inline std::optional<Ball_vector> way_to_edge(const Ball_vector& x, const Ball_vector& a, const Ball_vector& b)
 {
   const Ball_vector e = difference(b, a), r = difference(x, a);
@@ -54,7 +54,7 @@ inline std::optional<Ball_vector> way_to_edge(const Ball_vector& x, const Ball_v
   return Ball_vector{e[0] * at - r[0] * length, e[1] * at - r[1] * length, e[2] * at - r[2] * length};
 }
 
-/// Across two edges; nothing unless the nearest points are within both for certain.
+/// Returns the vector across two edges; nothing unless the nearest points are surely within both.
 inline std::optional<Ball_vector> way_across_edges(const Ball_vector& a, const Ball_vector& b, const Ball_vector& c,
                                                    const Ball_vector& d)
 {
@@ -66,7 +66,7 @@ inline std::optional<Ball_vector> way_across_edges(const Ball_vector& a, const B
   return cross(e, f);
 }
 
-/// The normal of a triangle; nothing unless the point is over its inside for certain.
+/// Returns the normal of a triangle; nothing unless the point is surely over its interior.
 inline std::optional<Ball_vector> way_to_triangle(const Ball_vector& x, const std::array<Ball_vector, 3>& t)
 {
   const Ball_vector normal = cross(difference(t[1], t[0]), difference(t[2], t[0]));
@@ -87,8 +87,8 @@ inline std::optional<Ball_vector> way_between(const Ball_hull& a, const Ball_hul
 
 }  // namespace detail
 
-/// Of two hulls, as `distance_of_hulls` takes them; nothing where enclosures do not tell that the nearest points of
-/// their affine hulls are within both, or how to direct what is between them.
+/// Returns the distance of two hulls, as `distance_of_hulls` takes them. Returns nothing where the enclosures do not
+/// tell that the nearest points of their affine hulls are within both, or which way the vector between them points.
 inline std::optional<Enclosed_distance> enclosed_distance(const Ball_hull& a, const Ball_hull& b)
 {
   auto way = detail::way_between(a, b);
@@ -107,7 +107,7 @@ inline std::optional<Enclosed_distance> enclosed_distance(const Ball_hull& a, co
     off += (*way)[k].radius;
     magnitude += std::abs(found.direction[k]);
   }
-  // The high parts are off by u each, and radii and magnitudes are rounded.
+  // The high parts have a relative error of u each, and radii and magnitudes are rounded.
   if (!(off < Enclosed_distance::most_radii * magnitude)) return std::nullopt;
   return found;
 }

@@ -13,7 +13,7 @@ enum class Piece : std::uint8_t {
   polygon  ///< of coplanar faces
 };
 
-/// The name that tables have: a polygon is "coplanar".
+/// Returns the name that tables have: a polygon is "coplanar".
 constexpr std::string_view to_string(Piece piece)
 {
   switch (piece) {
@@ -24,10 +24,10 @@ constexpr std::string_view to_string(Piece piece)
   return "coplanar";
 }
 
-/// What of a face holds all of a piece: one vertex, its edges, or no less than the face.
+/// The part of a face that holds all of a piece: one vertex, its edges, or no less than the face.
 enum class Feature : std::uint8_t { none, vertex, edge, interior };
 
-/// The enumerator's own name.
+/// Returns the enumerator's own name.
 constexpr std::string_view to_string(Feature feature)
 {
   switch (feature) {

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-/// The distance of two faces, exactly: it is attained between a vertex and a face, a vertex and an edge, two vertices,
-/// or two edges, or faces cross and it is 0. Coordinates are binary fractions, those of both faces times one weight.
+/// The exact distance of two faces. It is attained between a vertex and a face, a vertex and an edge, two vertices, or
+/// two edges; or the faces cross and it is 0. Coordinates are binary fractions, for both faces times one weight.
 namespace tetracone::kernel {
 
 using Exact_number = CGAL::Mpzf;
@@ -45,7 +45,7 @@ struct Exact_distance {
     return x.top() * y.bottom() < y.top() * x.bottom();
   }
 
-  /// From B to A.
+  /// Returns the distance as seen from B.
   Exact_distance reversed() const { return {{-direction[0], -direction[1], -direction[2]}, -high, -low, on_b, on_a}; }
 };
 
@@ -57,7 +57,8 @@ inline Exact_vector sum(const Exact_vector& v, const Exact_vector& w)
   return {v[0] + w[0], v[1] + w[1], v[2] + w[2]};
 }
 
-/// Along a direction and from a point of A to one of B, with the direction turned so that B is beyond A.
+/// Returns the distance along a direction, from a point of A to one of B. The direction is turned so that B is beyond
+/// A.
 inline Exact_distance along(Exact_vector direction, const Exact_vector& a, const Exact_vector& b, Exact_point on_a,
                             Exact_point on_b)
 {
@@ -72,17 +73,17 @@ inline Exact_distance along(Exact_vector direction, const Exact_vector& a, const
 
 }  // namespace detail
 
-/// Of two points.
+/// Returns the distance of two points.
 inline Exact_distance distance_of_points(const Exact_vector& x, const Exact_vector& y)
 {
   return detail::along(difference(y, x), x, y, {x}, {y});
 }
 
-/// Whether the nearest points are asked for, or only the direction and how far the features reach along it.
+/// Tells whether the nearest points are asked for, or only the direction and the supports of the features along it.
 enum class Nearest_points { are_not_asked_for, are_asked_for };
 
-/// Of a point and a segment, where the nearest point of its line is on it; nothing elsewhere, and for one that is a
-/// point.
+/// Returns the distance of a point and a segment where the nearest point of its line is on it; nothing elsewhere, and
+/// for a segment that is a point.
 inline std::optional<Exact_distance> distance_to_edge(const Exact_vector& x, const Exact_vector& a,
                                                       const Exact_vector& b,
                                                       Nearest_points points = Nearest_points::are_asked_for)
@@ -95,7 +96,8 @@ inline std::optional<Exact_distance> distance_to_edge(const Exact_vector& x, con
   return detail::along(direction, x, a, {x}, {detail::sum(detail::scaled(a, left), detail::scaled(b, at)), length});
 }
 
-/// Of two segments, where the nearest points of their lines are on them; nothing elsewhere, and for parallel ones.
+/// Returns the distance of two segments where the nearest points of their lines are on them; nothing elsewhere, and for
+/// parallel ones.
 inline std::optional<Exact_distance> distance_of_edges(const Exact_vector& a, const Exact_vector& b,
                                                        const Exact_vector& c, const Exact_vector& d,
                                                        Nearest_points points = Nearest_points::are_asked_for)
@@ -112,7 +114,8 @@ inline std::optional<Exact_distance> distance_of_edges(const Exact_vector& a, co
                        {detail::sum(detail::scaled(c, t_left), detail::scaled(d, t)), weight});
 }
 
-/// Of a point and the plane through three: wherever the nearest point is. Nothing where the three are on a line.
+/// Returns the distance of a point and the plane through three, wherever the nearest point is. Returns nothing where
+/// the three are on a line.
 inline std::optional<Exact_distance> distance_to_plane(const Exact_vector& x, const std::array<Exact_vector, 3>& plane,
                                                        Nearest_points points = Nearest_points::are_asked_for)
 {
@@ -125,7 +128,7 @@ inline std::optional<Exact_distance> distance_to_plane(const Exact_vector& x, co
                        {difference(detail::scaled(x, weight), detail::scaled(normal, height)), weight});
 }
 
-/// Of a point and a triangle, where the nearest point of its plane is on it.
+/// Returns the distance of a point and a triangle where the nearest point of its plane is on it; nothing elsewhere.
 inline std::optional<Exact_distance> distance_to_triangle(const Exact_vector& x, const std::array<Exact_vector, 3>& t,
                                                           Nearest_points points = Nearest_points::are_asked_for)
 {
@@ -137,8 +140,8 @@ inline std::optional<Exact_distance> distance_to_triangle(const Exact_vector& x,
   return distance_to_plane(x, t, points);
 }
 
-/// A face in exact coordinates: directed edges of all loops and, of one that is on no line, three corners that span its
-/// plane.
+/// A face in exact coordinates: the directed edges of all loops and, if it is not on a line, three corners that span
+/// its plane.
 struct Exact_face {
   std::vector<std::array<Exact_vector, 2>> edges;
   std::optional<std::array<Exact_vector, 3>> plane;
@@ -146,8 +149,8 @@ struct Exact_face {
 
 namespace detail {
 
-/// The winding number of the loops about the line through x along `axis`, which leaves the plane on the side of its
-/// normal; any where the line meets a loop.
+/// Returns the winding number of the loops about the line through x along `axis`, which leaves the plane on the side of
+/// its normal. The number is arbitrary where the line meets a loop.
 inline int winding_about_line(const Exact_face& face, const Exact_vector& x, const Exact_vector& axis)
 {
   const Exact_vector start = difference(face.edges.front()[0], x);
@@ -174,7 +177,8 @@ inline void keep_nearer(std::optional<Exact_distance>& best, std::optional<Exact
   if (found && (!best || *found < *best)) best = std::move(found);
 }
 
-/// What the corners and edges of `a` give with the inside of `b`; `sign` -1: to be told from B to A.
+/// Keeps the least distance of the corners and edges of `a` from the interior of `b`. `turn`: the answer is to be given
+/// from B to A.
 inline void keep_nearer_inside(std::optional<Exact_distance>& best, const Exact_face& a, const Exact_face& b, bool turn)
 {
   if (!b.plane) return;
@@ -199,7 +203,7 @@ inline void keep_nearer_inside(std::optional<Exact_distance>& best, const Exact_
 
 }  // namespace detail
 
-/// The distance of two faces.
+/// Returns the distance of two faces.
 inline Exact_distance distance_of_faces(const Exact_face& a, const Exact_face& b)
 {
   std::optional<Exact_distance> best;
@@ -215,9 +219,9 @@ inline Exact_distance distance_of_faces(const Exact_face& a, const Exact_face& b
   return *best;
 }
 
-/// The distance of two hulls of one to three corners, where the nearest points of their affine hulls are on them and one
-/// is a corner, or both are edges: those that may be a triangle's features that hold its nearest points. Nothing
-/// elsewhere.
+/// Returns the distance of two hulls of one to three corners where the nearest points of their affine hulls are on
+/// them, and one is a corner or both are edges. Such hulls may be the features of triangles that hold their nearest
+/// points. Returns nothing elsewhere.
 inline std::optional<Exact_distance> distance_of_hulls(const std::vector<Exact_vector>& a,
                                                        const std::vector<Exact_vector>& b, Nearest_points points)
 {

@@ -20,14 +20,13 @@ using Epick = CGAL::Epick;
 using Epeck = CGAL::Epeck;
 using Rational_kernel = CGAL::Simple_cartesian<Rational>;
 
-/// What the algorithms must know of a kernel K beyond CGAL's own functors.
-///  - `exact_signs`: a sign of points that are given is the sign of the exact expression.
-///  - `exact_motion`: a placed point is the exact image, so that signs of placed points are exact too.
-///  - `Bound`: the number type of bounding volumes. Kernels with exact signs bound in double, rounded outward, so that
-///    no answer depends on a rounded bound; the rounding kernels bound in their own arithmetic, as it comes.
-///  - `Fixed`: the kernel that decides signs of points that no pose moves, when a model is prepared: K itself, or one
-///  whose answers
-///    are the same for less.
+/// The properties of a kernel K that the algorithms need beyond CGAL's own functors.
+/// - `exact_signs`: the sign of unmoved points is that of the exact expression.
+/// - `exact_motion`: a placed point is the exact image, so that signs of placed points are exact too.
+/// - `Bound`: the number type of bounding volumes. Kernels with exact signs bound in double, rounded outward, so that
+/// no answer depends on a rounded bound. The rounding kernels bound in their own arithmetic, without slack.
+/// - `Fixed`: the kernel for signs of points that no pose moves, when a model is prepared. It is K itself, or one that
+/// gives the same answers at less cost.
 template <class K>
 struct Kernel_traits {
   static constexpr bool exact_signs = true, exact_motion = true;

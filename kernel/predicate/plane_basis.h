@@ -12,9 +12,9 @@
 
 namespace tetracone::kernel {
 
-/// Three of `corners` that are not collinear, exactly; nothing when all are on one line. The triangle is a large one
-/// where double can tell, so that kernels that round keep its plane: the corner farthest from the first, and the corner
-/// that spans the largest area with both.
+/// Returns three of `corners` that are not collinear, exactly; nothing when all are on one line. The triangle is a
+/// large one where double can tell, so that kernels that round keep its plane. It has the corner farthest from the
+/// first, and the corner that spans the largest area with both.
 template <class Vertex_of>
 std::optional<std::array<std::size_t, 3>> plane_basis(std::size_t corner_count, const Vertex_of& vertex_of)
 {
@@ -50,7 +50,8 @@ std::optional<std::array<std::size_t, 3>> plane_basis(std::size_t corner_count, 
   }
   if (spans(0, farthest, widest)) return std::array<std::size_t, 3>{0, farthest, widest};
 
-  // Too thin, too small or too large for double: any corner off the first one, then any corner off their line.
+  // The face is too thin, too small or too large for double. Any corner off the first one serves, then any corner off
+  // their line.
   for (std::size_t j = 1; j < corner_count; ++j) {
     if (vertex_of(j) == vertex_of(0)) continue;
     for (std::size_t k = j + 1; k < corner_count; ++k)

@@ -6,17 +6,17 @@
 
 namespace tetracone::kernel {
 
-/// What is asked of two placed polyhedra.
+/// The question about two placed polyhedra.
 enum class Question {
   solid,  ///< do the two closed solids share a point? One inside the other collides, one inside the other's cavity does
           ///< not
   surface  ///< do the two closed surfaces share a point? Touching in a single point counts
 };
 
-/// "solid" or "surface".
+/// Returns "solid" or "surface".
 constexpr std::string_view to_string(Question question) { return question == Question::solid ? "solid" : "surface"; }
 
-/// The question of that name; nothing when there is none.
+/// Returns the question of that name; nothing when there is none.
 constexpr std::optional<Question> parse_question(std::string_view name)
 {
   if (name == "solid") return Question::solid;
@@ -24,15 +24,15 @@ constexpr std::optional<Question> parse_question(std::string_view name)
   return std::nullopt;
 }
 
-/// How two placed bodies stand to one another.
+/// The relation of two placed bodies.
 enum class Relation {
-  apart,     ///< no common point of what was asked
+  apart,     ///< no common point of the solids or surfaces asked about
   surfaces,  ///< the surfaces share a point
   a_in_b,    ///< solids: the surfaces share none, and a shell of A is inside B
   b_in_a     ///< solids: the other way round
 };
 
-/// The enumerator's own name.
+/// Returns the enumerator's own name.
 constexpr std::string_view to_string(Relation relation)
 {
   switch (relation) {

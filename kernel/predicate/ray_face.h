@@ -24,7 +24,8 @@ namespace detail {
 inline bool is_zero(const Rational_vector& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
 inline Rational_vector coordinates(const Point<Rational_kernel>& p) { return {p.x(), p.y(), p.z()}; }
 
-/// The least t >= 0 at which the ray meets the closed segment ab, which may be a point; nothing where it does not.
+/// Returns the least t >= 0 at which the ray meets the closed segment ab, which may be a point; nothing where it does
+/// not.
 inline std::optional<Rational> ray_segment(const Rational_ray& ray, const Rational_vector& a, const Rational_vector& b)
 {
   const Rational_vector along = difference(b, a), to_a = difference(a, ray.origin), &d = ray.direction;
@@ -45,8 +46,8 @@ inline std::optional<Rational> ray_segment(const Rational_ray& ray, const Ration
 
 }  // namespace detail
 
-/// The least t >= 0 at which the ray meets the closed planar face; nothing where it does not. The face's points are
-/// those of `segment_face`; it may be a segment or a point, and the ray may lie in its plane. Requires d != 0.
+/// Returns the least t >= 0 at which the ray meets the closed planar face; nothing where it does not. The face has the
+/// points that `segment_face` takes. It may be a segment or a point, and the ray may lie in its plane. Requires d != 0.
 template <Covered_face<Rational_kernel> Face>
 std::optional<Rational> ray_face(const Rational_ray& ray, const Face& face)
 {

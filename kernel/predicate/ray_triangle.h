@@ -18,9 +18,9 @@ namespace tetracone::kernel {
 /// A ray o + t d, t >= 0, against triangles: a filter in double, which answers uncertain rather than guess, and t
 /// rounded correctly by double-double.
 ///
-/// With A, B, C the corners less o and n = (B - A) x (C - A), t = N / D with N = n . A and D = n . d; the signs of d
-/// past the edges, det[d, A, B] and so on, sum to D. d is scaled by a power of two to components of at most 2, one of
-/// at least 1; what is written t below is that of the scaled d.
+/// Let A, B, C be the corners less o and n = (B - A) x (C - A). Then t = N / D with N = n . A and D = n . d. The signs
+/// of d past the edges, det[d, A, B] and so on, are of numbers whose sum is D. d is scaled by a power of two to
+/// components of at most 2, one of at least 1; below, t is that of the scaled d.
 class Ray_triangle {
  public:
   enum class Meets { no, yes, uncertain };
@@ -46,24 +46,26 @@ class Ray_triangle {
     }
   }
 
-  /// The direction, scaled, and the power of two that was taken from it.
+  /// Return the scaled direction, and the power of two that was taken from it.
   const Vertex& direction() const { return direction_; }
   int exponent() const { return exponent_; }
 
-  /// Of a sign past an edge, a share of M^2, M the largest |A_k|, |B_k|, |C_k|: six products of at most 2 M^2, rounded
-  /// seven times each with its differences.
+  /// Upper bound of the error of a determinant past an edge, relative to M^2, M the largest |A_k|, |B_k|, |C_k|
+  /// (verify/proofs/ray_proofs.h). It sums six products of at most 2 M^2, rounded seven times each with its
+  /// differences.
   static constexpr double side_rounding = 0x1p-46;
 
-  /// Of N and of t D, a share of S^2 M, S the largest component of an edge: N sums six products of at most S^2 M,
-  /// rounded eight times, D six of 2 S^2, seven times; and t is at most M where the ray meets the triangle, for |t d_k|
-  /// <= M.
+  /// Upper bound of the errors of N and of t D, relative to S^2 M, S the largest component of an edge
+  /// (verify/proofs/ray_proofs.h). N sums six products of at most S^2 M, rounded eight times; D six of 2 S^2, seven
+  /// times. t is at most M where the ray meets the triangle, for |t d_k| <= M.
   static constexpr double plane_rounding = 0x1p-45;
 
-  /// What the ends of a time's enclosure lose: a difference or a sum, a quotient and a product, a share of themselves.
+  /// Upper bound of the relative error of the ends of a time's enclosure: a difference or a sum, a quotient and a
+  /// product (verify/proofs/ray_proofs.h).
   static constexpr double time_rounding = 0x1p-50;
 
-  /// Requires corners within 2^250. Nothing underflows that counts beside the bounds; and where N is above its own, D
-  /// is more than N / M less its own.
+  /// Returns the decision about a triangle. Requires corners within 2^250. Underflow is negligible beside the bounds.
+  /// Where N is above its own bound, D is more than N / M less its own.
   Decision operator()(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
     const Vertex A = difference(a, origin_), B = difference(b, origin_), C = difference(c, origin_);
@@ -72,7 +74,7 @@ class Ray_triangle {
     const double limit = side_rounding * M * M;
     const double ab = determinant(A, B, direction_), bc = determinant(B, C, direction_),
                  ca = determinant(C, A, direction_);
-    // No branch but the last: each is a guess.
+    // There is no branch except the last, since each would be a guess.
     const bool some_left = (ab > limit) | (bc > limit) | (ca > limit),
                some_right = (ab < -limit) | (bc < -limit) | (ca < -limit);
     if (some_left & some_right) return {Meets::no};
@@ -91,12 +93,14 @@ class Ray_triangle {
     return {Meets::yes, (N - error) / D * (1 - time_rounding), (N + error) / D * (1 + time_rounding)};
   }
 
-  /// In double-double: of N a share of S^2 M, of D one of S^2, which six products of at most S^2 M and 2 S^2 lose; and
-  /// of the quotient, whose rest is off by some roundings in double-double, its correction by as many in double.
-  static constexpr double height_rounding = 0x1p-97, slope_rounding = 0x1p-96, quotient_rounding = 0x1p-98;
+  // Upper bounds of errors in double-double, proved in verify/proofs/ray_proofs.h.
+  static constexpr double height_rounding = 0x1p-97,  ///< of N, relative to S^2 M: six products of at most S^2 M
+      slope_rounding = 0x1p-96,                       ///< of D, relative to S^2: six products of at most 2 S^2
+      quotient_rounding =
+          0x1p-98;  ///< of the quotient: some roundings of its remainder, and its correction's in double
 
-  /// t of the ray as it was given, the double nearest to it, where double-double tells. Requires a ray that meets the
-  /// triangle's plane in one point. Differences of doubles are exact here.
+  /// Returns the double nearest to the t of the ray as it was given, where double-double decides it. Requires a ray
+  /// that meets the triangle's plane in one point. Differences of doubles are exact here.
   std::optional<double> rounded(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
     using Wide_vector = std::array<Double_double, 3>;
@@ -124,7 +128,8 @@ class Ray_triangle {
   }
 
  private:
-  /// Of a normal double, and back: `std::ilogb` and `std::ldexp` take longer than the filter's constructor else.
+  /// Return the exponent of a normal double, and a power of two. `std::ilogb` and `std::ldexp` would take longer than
+  /// the rest of the filter's constructor.
   static int exponent_of(double x) { return int(std::bit_cast<std::uint64_t>(x) >> 52) - 1023; }
   static double power_of_two(int exponent) { return std::bit_cast<double>(std::uint64_t(1023 + exponent) << 52); }
   static double largest(const Vertex& a) { return maximum_of_defined(std::abs(a[0]), std::abs(a[1]), std::abs(a[2])); }

@@ -156,8 +156,8 @@ Contact coplanar_contact(const Point<K>& p, const Point<K>& q, const Face& face)
   const bool p_inside = !p_on_loop && is_in_interior<K>(p, face, axis);
   if (segment_is_point) return p_inside ? Contact::vertex_face : kind;
   if (p_inside || (!q_on_loop && is_in_interior<K>(q, face, axis))) return Contact::coplanar_overlap;
-  // What is left touches the face in `kind` only: had pq gone in through that point, it would end inside or come out
-  // elsewhere.
+  // A remaining segment touches the face in `kind` only: had pq gone in through that point, it would end inside or come
+  // out elsewhere.
   return kind;
 }
 

@@ -14,14 +14,14 @@ namespace tetracone::kernel {
 /// The edges of a triangle that hold a point, as bits: edge k goes from corner k to the next. Two bits: their corner.
 using Edge_set = std::uint8_t;
 
-/// The edges at corner k.
+/// Returns the edges at corner k.
 constexpr Edge_set edges_at(int k) { return Edge_set(1 << k | 1 << (k + 2) % 3); }
 
-/// The corner at which two edges meet; requires two.
+/// Returns the corner at which two edges meet. Requires two edges.
 constexpr int corner_of(Edge_set edges) { return edges == edges_at(0) ? 0 : edges == edges_at(1) ? 1 : 2; }
 
-/// What two triangles share, a convex set, by the edges of either that hold its corners. So each corner is a vertex of
-/// one, or an edge of one through the other's inside, or two edges that cross.
+/// The convex set that two triangles share, by the edges of either that hold its corners. Each corner is a vertex of
+/// one, or the point where an edge of one goes through the interior of the other, or the crossing of two edges.
 struct Triangle_contact {
   /// A corner of the set.
   struct Corner {
@@ -35,7 +35,7 @@ struct Triangle_contact {
 
 namespace detail {
 
-/// What two triangles in different planes share, when each meets the other's plane.
+/// Finds the set that two triangles in different planes share, when each meets the other's plane.
 ///
 /// After Guigue and Devillers: p0 and q0 are each alone on the positive side of the other's plane. On the common line
 /// the triangles' intervals are [a2, a1] and [b1, b2], where edge p0 pi meets the line in ai, q0 qj in bj, and
@@ -59,13 +59,13 @@ Triangle_contact crossing_contact(const Corners<K>& p, const Corners<K>& q, cons
         return;
       }
     }
-    /// The edges that hold the end of the interval on the edge from corner 0 to i.
+    /// Returns the edges that hold the end of the interval on the edge from corner 0 to i.
     Edge_set end(int i, const std::array<Sign, 3>& side) const
     {
       if (side[corner[0]] == ZERO) return edges_at(corner[0]);
       return side[corner[i]] == ZERO ? edges_at(corner[i]) : Edge_set(edges_at(corner[0]) & edges_at(corner[i]));
     }
-    /// The edge in the other's plane, if there is one: it holds the whole interval.
+    /// Returns the edge in the other's plane, if there is one: it holds the whole interval.
     Edge_set whole(const std::array<Sign, 3>& side) const
     {
       const bool on_line = side[corner[1]] == ZERO && side[corner[2]] == ZERO;
@@ -109,8 +109,8 @@ Triangle_contact crossing_contact(const Corners<K>& p, const Corners<K>& q, cons
   return contact;
 }
 
-/// Of two triangles in one plane. The set's corners are the corners of either in the other, and the points where edges
-/// cross; the signs of the projection along `axis` tell all of them.
+/// The contact of two triangles in one plane. The set's corners are the corners of either in the other, and the points
+/// where edges cross. The signs of the projection along `axis` decide all of them.
 template <class K>
 class Coplanar_contact {
  public:
@@ -150,8 +150,8 @@ class Coplanar_contact {
     return Edge_set((side[0] == ZERO) | (side[1] == ZERO) << 1 | (side[2] == ZERO) << 2);
   }
 
-  /// Along the border, each corner after the one with which it shares an edge. An edge holds two corners at most, since
-  /// no three are on one line.
+  /// Puts the corners in order along the border, each after the one with which it shares an edge. An edge holds at most
+  /// two corners, since no three are on one line.
   static void put_in_order(Triangle_contact& contact)
   {
     auto& corners = contact.corners;
@@ -169,8 +169,8 @@ class Coplanar_contact {
 
 }  // namespace detail
 
-/// What two closed triangles share, by signs alone: exact when K's signs of these points are. Neither may be
-/// degenerate.
+/// Returns the set that two closed triangles share, by signs alone. It is exact when K's signs of these points are.
+/// Requires that neither is degenerate.
 template <class K>
 Triangle_contact triangle_contact(const Corners<K>& p, const Corners<K>& q)
 {

@@ -31,7 +31,7 @@ struct alignas(64) Triangles8 {
   }
 };
 
-/// What signs in double tell of eight pairs of triangles. Lanes that are in neither set are undecided.
+/// The answers of signs in double about eight pairs of triangles. Lanes that are in neither set are undecided.
 struct Triangle_contacts8 {
   unsigned apart = 0;     ///< lanes, as bits: the triangles share no point
   unsigned crossing = 0;  ///< lanes: they share a segment, and no corner of either is in the other's plane
@@ -39,7 +39,7 @@ struct Triangle_contacts8 {
   /// Edge sets, a byte each: of the segment's first end on p, on q, of its second on p, on q.
   alignas(64) std::uint64_t ends[Triangles8::count];
 
-  /// Of a lane in `crossing`: what `triangle_contact` says.
+  /// Returns the answer of `triangle_contact` for a lane in `crossing`.
   Triangle_contact contact(std::size_t lane) const
   {
     const auto part = [&](int place) { return Edge_set(ends[lane] >> place & 0xff); };
@@ -57,8 +57,8 @@ struct Triangle_contacts8 {
 
 namespace tetracone::kernel {
 
-/// Of triangle k of p under `pose_p` and of q under `pose_q`, for every lane k. Exact where it decides. Requires sound
-/// floating point.
+/// Decides triangle k of p under `pose_p` and triangle k of q under `pose_q`, for every lane k. Exact where it decides.
+/// Requires sound floating point.
 inline void triangle_contacts8(const Triangles8& p, const Pose& pose_p, const Triangles8& q, const Pose& pose_q,
                                Triangle_contacts8& found)
 {

@@ -95,7 +95,7 @@ HWY_INLINE Doubles volume_bound(const Placed& p, const Placed& q)
              all(underflow_slack));
 }
 
-/// A sign in each lane, or none where it is undecided. What is undefined is.
+/// A sign in each lane, or none where it is undecided. An undefined number is undecided.
 struct Sign {
   Mask positive, negative;
 
