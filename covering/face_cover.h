@@ -23,8 +23,8 @@ namespace tetracone::covering {
 /// Decides whether triangles cover exactly a face, in time linear in both but for the sorting of their sides. (Faces
 /// whose triangles run in both directions take a sweep.)
 ///
-/// A face is the points of its plane about which its loops wind, and the points of its loops. Triangles are these points
-/// exactly, where
+/// A face is the points of its plane about which its loops wind, and the points of its loops. Triangles are these
+/// points exactly, where
 /// (1) their corners are corners of the face, so that they lie in its plane;
 /// (2) no triangle has its corners on one line;
 /// (3) the directed sides of the triangles are the directed edges of the loops, except pairs of opposite ones;
@@ -34,11 +34,11 @@ namespace tetracone::covering {
 /// Proof. Directed edges add up to the winding number about any point off them, and opposite edges add up to 0. So by
 /// (3) the loops wind about a point off all edges as the triangles do: once for each triangle of one direction that
 /// holds the point, and once the other way for each of the other direction. By (5) only one kind holds it. Hence the
-/// number is 0 exactly where no triangle holds the point.
-/// A triangle adds no point: by (2) each of its points is a limit of inner ones, about which the loops wind. Off the
-/// loops, the winding number is constant nearby; so the loops wind about the point, or pass through it.
-/// The triangles lack no point: near a point that the loops wind about, all points off the edges are in triangles. These
-/// are closed and few, so one of them holds the point. The points of loops are in triangles by (4).
+/// number is 0 exactly where no triangle holds the point. A triangle adds no point: by (2) each of its points is a
+/// limit of inner ones, about which the loops wind. Off the loops, the winding number is constant nearby; so the loops
+/// wind about the point, or pass through it. The triangles lack no point: near a point that the loops wind about, all
+/// points off the edges are in triangles. These are closed and few, so one of them holds the point. The points of loops
+/// are in triangles by (4).
 class Face_cover {
  public:
   using Triangle = std::array<Index, 3>;
@@ -141,8 +141,8 @@ class Face_cover {
     return false;
   }
 
-  /// Whether triangle `t` lies beyond a side of triangle `s`, or touches it: of two convex sets without an inner point in
-  /// common, one has such a side.
+  /// Whether triangle `t` lies beyond a side of triangle `s`, or touches it: of two convex sets without an inner point
+  /// in common, one has such a side.
   bool is_beyond_side(std::span<const Triangle> triangles, std::size_t s, std::size_t t) const
   {
     for (std::size_t k = 0; k < 3; ++k)

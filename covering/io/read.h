@@ -35,9 +35,9 @@ Polyhedron read(const std::filesystem::path& path);
 /// Reads a model as `read` does, with notes of what was left out and of what is not as it is written.
 Read_model read_with_notes(const std::filesystem::path& path);
 
-/// Reads a model as `read_with_notes` does, and a second time by CGAL's reader, which takes several times as long. A note
-/// says where CGAL's reader refuses the file or finds other vertices or faces; the scan's are the ones returned. CGAL is
-/// not asked about dialects that it is known not to take, .poly, and files of more than 100,000,000 bytes.
+/// Reads a model as `read_with_notes` does, and a second time by CGAL's reader, which takes several times as long. A
+/// note says where CGAL's reader refuses the file or finds other vertices or faces; the scan's are the ones returned.
+/// CGAL is not asked about dialects that it is known not to take, .poly, and files of more than 100,000,000 bytes.
 Read_model read_model(const std::filesystem::path& path);
 
 }  // namespace tetracone::covering

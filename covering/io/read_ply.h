@@ -62,8 +62,8 @@ class Ply_body {
     return value;
   }
 
-  /// A floating-point number of the type. As text: the double nearest to the decimal, whatever the type, or nan where it
-  /// is not finite.
+  /// A floating-point number of the type. As text: the double nearest to the decimal, whatever the type, or nan where
+  /// it is not finite.
   double floating(Ply_type type, std::string_view name)
   {
     if (is_text()) {
@@ -232,12 +232,12 @@ inline Ply_parts find_ply_parts(const Text_lines& lines, const Ply_header& heade
 
 /// Scans a PLY file, text or binary of either byte order: the element `vertex` (or `vertices`) with the properties x, y
 /// and z, the element `face` (or `faces`) with the list vertex_indices (or vertex_index), and `tristrips` with such a
-/// list; properties in any order and of any type, other elements and properties are skipped. A decimal of a text file is
-/// the double nearest to it, also where the header calls it float (CGAL would round it to float first). A line of text
-/// may lack its last unused properties, with a note: VCGLIB promises colours that it does not write.
-/// CGAL is not asked about strips, indices that are neither int nor uint, coordinates or colours of integer or other
-/// types, the element `halfedge`, numbers that are not finite in what is unused, and headers with the format not in line
-/// 2 or with empty lines.
+/// list; properties in any order and of any type, other elements and properties are skipped. A decimal of a text file
+/// is the double nearest to it, also where the header calls it float (CGAL would round it to float first). A line of
+/// text may lack its last unused properties, with a note: VCGLIB promises colours that it does not write. CGAL is not
+/// asked about strips, indices that are neither int nor uint, coordinates or colours of integer or other types, the
+/// element `halfedge`, numbers that are not finite in what is unused, and headers with the format not in line 2 or with
+/// empty lines.
 inline Scan scan_ply(const std::string& file, std::string_view text)
 {
   std::string copied;

@@ -53,8 +53,9 @@ struct Ply_header {
   bool cgal_knows = true;
 };
 
-/// A PLY file as it is scanned: the lines of a header end in line feeds, also where the file has carriage returns alone.
-/// `copied` holds the bytes where they had to be changed, which those behind the header of a binary file never are.
+/// A PLY file as it is scanned: the lines of a header end in line feeds, also where the file has carriage returns
+/// alone. `copied` holds the bytes where they had to be changed, which those behind the header of a binary file never
+/// are.
 inline std::string_view with_line_feeds(std::string_view text, std::string& copied)
 {
   constexpr std::string_view end = "end_header";

@@ -55,8 +55,8 @@ inline kernel::Pose read_pose(Number_lines& lines, const std::string& expected)
   return pose;
 }
 
-/// The poses of a text file, each as `read_pose` has it. Throws Input_error as `read_pose` and `Number_lines`, and where
-/// the file holds no pose.
+/// The poses of a text file, each as `read_pose` has it. Throws Input_error as `read_pose` and `Number_lines`, and
+/// where the file holds no pose.
 inline std::vector<kernel::Pose> read_poses(const std::filesystem::path& file)
 {
   Number_lines lines(file);

@@ -95,7 +95,8 @@ inline bool is_number_word(std::string_view word)
   return rest == end && error != std::errc::invalid_argument && !word.starts_with('-');
 }
 
-/// Appends the point of the words `k`, `k`+1 and `k`+2. One whose numbers are not finite is legal while no face uses it.
+/// Appends the point of the words `k`, `k`+1 and `k`+2. One whose numbers are not finite is legal while no face uses
+/// it.
 inline void add_vertex(const Text_lines& lines, std::size_t k, std::vector<Vertex>& vertices, Unplaced_points& unplaced)
 {
   try {
@@ -115,7 +116,8 @@ inline void need_corners(const Text_lines& lines, std::uint64_t corners, std::ui
     lines.fail("a face of " + std::to_string(corners) + (corners == 1 ? " corner" : " corners"), "expected at least 3");
 }
 
-/// Appends a face. One of one or two corners has no area and bounds nothing: it is left out, `where()` says where it was.
+/// Appends a face. One of one or two corners has no area and bounds nothing: it is left out, `where()` says where it
+/// was.
 template <class Where>
 void add_face(Scan& scan, const std::vector<Index>& loop, const Where& where)
 {

@@ -37,8 +37,8 @@ struct Stl_layout {
   std::vector<std::string> notes;
 };
 
-/// The layout of a binary STL. The count may be 0, as by a writer that cannot go back to it: then the triangles go up to
-/// the end. Behind a triangle there may be as many bytes of attributes as its last two say. Behind the last triangle
+/// The layout of a binary STL. The count may be 0, as by a writer that cannot go back to it: then the triangles go up
+/// to the end. Behind a triangle there may be as many bytes of attributes as its last two say. Behind the last triangle
 /// there may be bytes that are no more triangles, as a line feed. Throws Input_error for any other size.
 inline Stl_layout layout_of_binary_stl(const std::string& file, std::string_view text)
 {
@@ -230,9 +230,9 @@ inline void scan_stl_facet(Stl_words& words, Scan& scan)
 
 /// Scans an STL text: `solid` blocks of `facet normal ... outer loop`, three `vertex`, `endloop`, `endfacet`, in any
 /// case of letters and on any lines; an `end` may stand apart (`end solid`), and a name may stick to `solid` and
-/// `endsolid`. Normals must be there; they and colours (`color` and numbers) are not used. Vertices are the three corners
-/// of each triangle, not merged.
-/// CGAL is not asked about other spellings than its own, and about names that hold a keyword.
+/// `endsolid`. Normals must be there; they and colours (`color` and numbers) are not used. Vertices are the three
+/// corners of each triangle, not merged. CGAL is not asked about other spellings than its own, and about names that
+/// hold a keyword.
 inline Scan scan_stl_text(const std::string& file, std::string_view text)
 {
   Scan scan;

@@ -101,8 +101,9 @@ struct Body_data {
   mutable std::map<std::type_index, std::shared_ptr<void>> models_;
 };
 
-/// The triangles of a body: those given, and fans of the faces that have none and that a fan covers. `name`: what messages
-/// begin with. Throws Error as `Body` does. Requires a polyhedron of loops and faces that are (`has_legal_loops`).
+/// The triangles of a body: those given, and fans of the faces that have none and that a fan covers. `name`: what
+/// messages begin with. Throws Error as `Body` does. Requires a polyhedron of loops and faces that are
+/// (`has_legal_loops`).
 std::vector<covering::Face_triangle> legal_triangles(const covering::Polyhedron& polyhedron,
                                                      std::vector<covering::Face_triangle> given,
                                                      const std::string& name);

@@ -13,8 +13,8 @@ namespace tetracone::detail {
 /// Throws Error for a kernel that follows no motion.
 void require_motion_kernel(const Query_options& options);
 
-/// The tree of a body that motions can follow. Throws Error, of `who`, where a face has no triangles and is not flat to a
-/// line: motions know no test for a face as a whole.
+/// The tree of a body that motions can follow. Throws Error, of `who`, where a face has no triangles and is not flat to
+/// a line: motions know no test for a face as a whole.
 const tetratree::Bvh8& triangulated_tree(const Body_data& body, const std::string& who);
 
 /// When two bodies that move first meet.

@@ -32,15 +32,16 @@ constexpr double defect_share = 3.5 * kernel::axis_defect;
 static_assert(defect_share > 3 * kernel::axis_defect * (1 + 4 * kernel::axis_defect) + 0x1p-46 &&
               defect_share < kernel::axis_defect_factor * kernel::axis_defect);
 
-/// Upper bound of what errors of coordinates move a point along an axis. A local coordinate is off by 2^-54, since it is
-/// a rounded difference below 1. A centre is off by 2^-53, since it is a rounded sum below 2. Together they move the point
-/// by the root of 3 times 3 2^-54 along an axis, which is below 1.5 2^-52. Stored extents have 2 2^-52.
+/// Upper bound of what errors of coordinates move a point along an axis. A local coordinate is off by 2^-54, since it
+/// is a rounded difference below 1. A centre is off by 2^-53, since it is a rounded sum below 2. Together they move the
+/// point by the root of 3 times 3 2^-54 along an axis, which is below 1.5 2^-52. Stored extents have 2 2^-52.
 constexpr double position_share = 1.5 * Bvh8_elements::local_error;
 static_assert(position_share > 1.7321 * 3 * 0x1p-54 &&
               position_share < kernel::axis_norm_1 * Bvh8_elements::local_error);
 
-/// Upper bound of the nodes one below the other: functions that call themselves from node to node stay within a stack. Cuts
-/// that take single elements off are by floats of centroids, of which an axis has some 150 scales; seven are a node's.
+/// Upper bound of the nodes one below the other: functions that call themselves from node to node stay within a stack.
+/// Cuts that take single elements off are by floats of centroids, of which an axis has some 150 scales; seven are a
+/// node's.
 constexpr int most_depth = 1000;
 
 /// Checks one node after the other.
@@ -231,7 +232,8 @@ class Tree_check {
     }
   };
 
-  /// Elements of a block, which are near one another, share most corners: large boxes are asked about each once a block.
+  /// Elements of a block, which are near one another, share most corners: large boxes are asked about each once a
+  /// block.
   static constexpr Index block = 64;
 
   const Bvh8_elements& elements_;

@@ -86,7 +86,8 @@ std::uint32_t vertex_number(const py::handle& corner, std::size_t face, std::siz
   return vertex_number(value, face, vertex_count);
 }
 
-/// The double that the door's reader of numbers makes of a text; nothing when it makes none, or a fraction that is none.
+/// The double that the door's reader of numbers makes of a text; nothing when it makes none, or a fraction that is
+/// none.
 std::optional<double> double_of(const std::string& text)
 {
   const auto number = kernel::parse_number(text);

@@ -15,8 +15,9 @@ namespace tetracone::python {
 class Motions {
  public:
   /// `kind`: "linear", of poses as `Poses` takes them, or "rigid", of arrays (n, 7) or (7,), a quaternion w x y z and a
-  /// translation, or of matrices that are rotations (`kernel::rotation_quaternion`). `body` is what messages call it, or nothing. Throws Error for poses that are none, with their place,
-  /// for counts that do not go together, for quaternions between which one is 0, and for another kind.
+  /// translation, or of matrices that are rotations (`kernel::rotation_quaternion`). `body` is what messages call it,
+  /// or nothing. Throws Error for poses that are none, with their place, for counts that do not go together, for
+  /// quaternions between which one is 0, and for another kind.
   Motions(const pybind11::object& from, const pybind11::object& to, const std::string& kind, const std::string& body);
 
   /// True for one pose at either end.
