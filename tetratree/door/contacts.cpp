@@ -33,7 +33,7 @@ std::array<N, 12> entries(const kernel::Pose& pose, const Number_of& number_of)
   return m;
 }
 
-/// Calls what(corner) for the corners of a piece of two triangles, over N.
+/// Calls what(corner) for the corners of the piece that two triangles share, over N.
 template <class N, class Number_of, class What>
 void for_corners(const Contacts_data& data, const tetratree::Found_piece& piece, const Number_of& number_of,
                  const What& what)

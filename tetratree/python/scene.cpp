@@ -29,12 +29,12 @@ namespace {
 
 using Bodies = std::vector<std::shared_ptr<Shared_body>>;
 
-/// A scene, its lock, and which bodies of Python are its models.
+/// A scene, its lock, and the Python bodies that are its models.
 class Locked_scene {
  public:
   explicit Locked_scene(const Scene_options& options) : scene_(options) {}
 
-  /// Calls what(scene) without the interpreter's lock.
+  /// Returns what(scene), called without the interpreter's lock.
   template <class What>
   auto alone(const What& what)
   {
@@ -101,7 +101,7 @@ std::shared_ptr<Locked_scene> made_scene(const Bodies& bodies, const py::str& of
   return scene;
 }
 
-/// (m, 2) of numbers of bodies.
+/// Returns an array (m, 2) of the bodies' numbers.
 template <class Pairs, class Pair_of>
 py::array pairs_of(const Pairs& pairs, const Pair_of& pair_of)
 {
@@ -140,7 +140,7 @@ py::array frame(Locked_scene& self, const py::object& of_poses)
   }
 }
 
-/// Pairs and times.
+/// Returns the pairs that meet, and their times.
 py::tuple first_contacts(Locked_scene& self, const py::object& poses_1, const py::args& more, const py::object& poses_0,
                          const py::str& of_kind)
 {
