@@ -99,13 +99,13 @@ class Face_cover {
 
   auto point(Index v) const { return Adaptive::unmoved(polyhedron_.vertices[v]); }
 
-  /// The turn of three corners in the projection of the face's plane.
+  /// Returns the turn of three corners in the projection of the face's plane.
   kernel::Sign turn(Index a, Index b, Index c) const
   {
     return kernel::normal_sign<Adaptive>(point(a), point(b), point(c), axis_);
   }
 
-  /// Each triangle's direction. Returns the number of one without area.
+  /// Finds each triangle's direction. Returns the number of one without area.
   std::optional<std::size_t> find_directions(std::span<const Triangle> triangles)
   {
     directions_.clear();
@@ -121,7 +121,8 @@ class Face_cover {
     return std::nullopt;
   }
 
-  /// Whether two of opposite directions do, by a sweep along a coordinate of the projection.
+  /// True when two triangles of opposite directions have area in common, by a sweep along a coordinate of the
+  /// projection.
   bool overlap(std::span<const Triangle> triangles) const
   {
     const auto reach = [&](std::size_t t) {
@@ -141,8 +142,8 @@ class Face_cover {
     return false;
   }
 
-  /// Whether triangle `t` lies beyond a side of triangle `s`, or touches it: of two convex sets without an inner point
-  /// in common, one has such a side.
+  /// True when triangle `t` lies beyond a side of triangle `s`, or touches it. One of two convex sets without a common
+  /// inner point has such a side.
   bool is_beyond_side(std::span<const Triangle> triangles, std::size_t s, std::size_t t) const
   {
     for (std::size_t k = 0; k < 3; ++k)
@@ -154,14 +155,14 @@ class Face_cover {
   }
 
   const Polyhedron& polyhedron_;
-  std::vector<Index> corner_of_;  // of each vertex: the last face that was seen to have it
+  std::vector<Index> corner_of_;  // of each vertex: the last face that was found to have it
   std::vector<Side> sides_;
   std::vector<kernel::Sign> directions_;
   bool is_of_both_directions_ = false;
   int axis_ = -1;  // along which the face is projected
 };
 
-/// What is wrong with the triangles of a face.
+/// A flaw of the triangles of a face.
 struct Cover_flaw {
   Index face;
   std::string wrong;

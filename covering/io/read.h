@@ -9,11 +9,11 @@
 
 namespace tetracone::covering {
 
-/// Vertices with exactly equal coordinates (-0.0 equals 0.0) become one, the first of them; faces and loops stay as
-/// they are.
+/// Returns the polyhedron with vertices of exactly equal coordinates (-0.0 equals 0.0) merged into the first of them.
+/// Faces and loops stay as they are.
 Polyhedron merge_equal_vertices(Polyhedron polyhedron);
 
-/// The suffix of a file's name, in small letters.
+/// Returns the suffix of a file's name, in small letters.
 std::string suffix_of(const std::filesystem::path& path);
 
 /// Reads a model: OFF, OBJ, PLY (text and binary), STL (text and binary) or TetGen .poly, by the suffix in any case of

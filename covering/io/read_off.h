@@ -12,7 +12,7 @@
 
 namespace tetracone::covering {
 
-/// Whether the line could be one more face: a count, and behind it an index below `vertices` for each corner.
+/// True when the line could be one more face: a count, and behind it an index below `vertices` for each corner.
 inline bool is_face_line(const Text_lines& lines, std::size_t vertices)
 {
   const auto corners = parse_count(lines.words()[0]);

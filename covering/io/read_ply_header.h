@@ -53,9 +53,9 @@ struct Ply_header {
   bool cgal_knows = true;
 };
 
-/// A PLY file as it is scanned: the lines of a header end in line feeds, also where the file has carriage returns
-/// alone. `copied` holds the bytes where they had to be changed, which those behind the header of a binary file never
-/// are.
+/// Returns a PLY file's text with line feeds at the ends of header lines, also where the file has carriage returns
+/// only. `copied` holds the bytes where they had to be changed. The bytes behind the header of a binary file are never
+/// changed.
 inline std::string_view with_line_feeds(std::string_view text, std::string& copied)
 {
   constexpr std::string_view end = "end_header";
@@ -68,7 +68,7 @@ inline std::string_view with_line_feeds(std::string_view text, std::string& copi
   return copied;
 }
 
-/// Whether a line of the header says that what follows it is binary.
+/// True when a line of the header says that binary data follow.
 inline bool is_binary_ply(std::string_view text)
 {
   text = text.substr(0, text.find("end_header"));

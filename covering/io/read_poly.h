@@ -56,8 +56,8 @@ inline Poly_nodes scan_poly_nodes(Text_lines& lines)
   return nodes;
 }
 
-/// The polyhedron with each hole loop turned against its face's outer loop, by the signs of their areas in the
-/// projection of the outer loop; a loop of area 0 stays. Adds the number of loops turned to `count`.
+/// Returns the polyhedron with each hole loop turned against its face's outer loop, by the signs of their areas in the
+/// projection of the outer loop. A loop of area 0 stays. Adds the number of loops turned to `count`.
 inline Polyhedron turn_hole_loops(const Polyhedron& polyhedron, std::size_t& count)
 {
   Polyhedron result;

@@ -35,7 +35,7 @@ void require_finite(const std::array<double, 3>& point, const Name& name)
       refuse_coordinate(name(), k, kernel::shortest(point[k]), "a finite number");
 }
 
-/// True when all coordinates are finite; without a branch for each, since there are many.
+/// True when all coordinates are finite. It has no branch for each, since there are many.
 bool all_finite(std::span<const std::array<double, 3>> points)
 {
   int all = 1;

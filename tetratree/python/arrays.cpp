@@ -97,7 +97,7 @@ std::optional<double> double_of(const std::string& text)
   return kernel::Rational(nearest) == *number ? std::optional(nearest) : std::nullopt;
 }
 
-/// True for a sequence of numbers. Texts and bytes are sequences too, but are not meant.
+/// True for a sequence that is neither a text nor bytes: both are sequences too.
 bool is_loop(const py::handle& value)
 {
   if (py::isinstance<py::str>(value) || py::isinstance<py::bytes>(value)) return false;

@@ -37,7 +37,8 @@ class Numbers {
 
   bool is_exact_text() const { return exact_; }
 
-  /// The address of the first double, and the bytes from one index to the next. Requires doubles.
+  /// Returns the address of the first double. `stride` returns the bytes from one index to the next. Both require
+  /// doubles.
   const char* data() const { return data_; }
   std::ptrdiff_t stride(std::size_t dimension) const { return strides_[dimension]; }
 

@@ -24,7 +24,7 @@ class Motions {
   /// which one is 0, and for another kind.
   Motions(const pybind11::object& from, const pybind11::object& to, const std::string& kind, const std::string& body);
 
-  /// True for one pose at either end.
+  /// True for one pose at both ends.
   bool is_one() const { return is_one_; }
   std::size_t count() const { return motions_.size(); }
 

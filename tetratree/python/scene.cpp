@@ -88,7 +88,7 @@ std::shared_ptr<Locked_scene> made_scene(const Bodies& bodies, const py::str& of
   if (!query) throw Error("scene: kernel '" + kernel + "'; expected " + kernel_names());
   if (!(budget >= 0 && budget <= 1e9)) throw Error("scene: budget; expected seconds from 0 to 10^9, 0 for no limit");
   if (threads > 1024) throw Error("scene: " + std::to_string(threads) + " threads; expected 1 to 1024, or 0 for all");
-  // A budget that is no whole nanosecond is one all the same.
+  // The budget is rounded up to whole nanoseconds, since 0 would be no limit.
   const auto scene = std::make_shared<Locked_scene>(
       Scene_options{.question = *asked,
                     .query = *query,
