@@ -246,8 +246,8 @@ class Covering {
     return Index(std::lower_bound(first + edge_begin_[edge[0]], first + edge_begin_[edge[0] + 1], edge) - first);
   }
 
-  /// Covers the faces in parts. Where each face has two triangles fewer than corners, the positions of the triangles
-  /// are known beforehand.
+  /// Covers the faces in parts. If every face has two triangles fewer than corners, the positions of its triangles
+  /// follow from the corners.
   void cover_faces(const Both& both)
   {
     const auto faces = Index(face_corner_begin_.size() - 1);

@@ -9,9 +9,9 @@ namespace tetracone::covering {
 
 /// Returns +1 or -1 when the tetrahedron O W A B of the covering holds p, by its sign, else 0.
 ///
-/// p is moved by the infinitesimal (e, e^2, e^3) first, so it lies on no plane of any tetrahedron. Then the sum of
-/// these over the covering is the winding number of the moved point, and of p itself when p lies on no face. (Weights
-/// of 1/2 on shared facets, as often proposed, are wrong where p lies on an inner edge of the covering.)
+/// p is moved by the infinitesimal (e, e^2, e^3) first, so it lies on no plane of any tetrahedron. The sum of these
+/// over the covering is the winding number of the moved point. It is also p's own when p lies on no face. (Weights of
+/// 1/2 on shared facets, as often proposed, are wrong where p lies on an inner edge of the covering.)
 template <class K>
 int signed_inclusion(const kernel::Point<K>& p, const kernel::Point<K>& o, const kernel::Point<K>& w,
                      const kernel::Point<K>& a, const kernel::Point<K>& b)

@@ -74,8 +74,8 @@ struct Off_plane {
 };
 
 /// Returns the largest distance of a corner of face `f` from the plane through three of its corners p, q, r. p is the
-/// first corner of the face, q the farthest from p, and r spans the largest triangle with p and q, each the first of
-/// equals. The plane is therefore spanned by a large triangle, exact, and depends on nothing but the face. Requires
+/// first corner of the face, and q is the farthest from p. r spans the largest triangle with p and q. Each is the first
+/// of equals. The plane is therefore spanned by a large triangle, exact, and depends on nothing but the face. Requires
 /// `Planarity::off_plane`.
 inline Off_plane deviation(const Polyhedron& polyhedron, Index f)
 {

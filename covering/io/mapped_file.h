@@ -20,7 +20,7 @@ namespace tetracone::covering {
 /// shorter.
 class Mapped_file {
  public:
-  /// Throws Input_error as `read_bytes`, and for what is no regular file.
+  /// Throws Input_error as `read_bytes`, and unless it is a regular file.
   explicit Mapped_file(const std::filesystem::path& file)
   {
     const auto fail = [&](const char* wrong, const char* expected) {

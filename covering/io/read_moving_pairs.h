@@ -67,11 +67,13 @@ inline double double_of_fraction(const Text_lines& lines, const std::string& num
 
 }  // namespace detail
 
-/// The queries of a file in the format of Wang et al., "A Large Scale Benchmark and an Inclusion-Based Algorithm for
-/// Continuous Collision Detection", 2021: eight lines a query, the four points at t = 0, then at t = 1, as in
-/// Moving_pair. A line has numerator and denominator of x, y and z, separated by commas, and 1 or 0 where it is known
-/// whether the primitives meet. Throws Input_error where a line is not so, a coordinate is no double, the lines of a
-/// query differ in what they say, or the file holds no query or ends within one.
+/// Returns the queries of a file in the format of Wang et al., "A Large Scale Benchmark and an Inclusion-Based
+/// Algorithm for Continuous Collision Detection", 2021. A query is eight lines: the four points at t = 0, then at t =
+/// 1, as in Moving_pair. A line has numerator and denominator of x, y and z, separated by commas. It ends in 1 or 0,
+/// which says whether the primitives meet.
+///
+/// Throws Input_error for another line, and for a coordinate that is no double. Throws it also where the lines of a
+/// query differ in their answers, and where the file holds no query or ends within one.
 inline std::vector<Moving_query> read_moving_pairs(const std::filesystem::path& file, kernel::Moving_kind kind)
 {
   const std::string text = read_text(file);

@@ -133,12 +133,17 @@ inline void add_obj_vertex(const Text_lines& lines, const std::vector<std::strin
   vertices.push_back(vertex);
 }
 
-/// Scans a Wavefront OBJ text: the statements `v` and `f`; a face stays the polygon it is, its indices count from 1 or
+/// Scans a Wavefront OBJ text: the statements `v` and `f`. A face stays a polygon. Its indices count from 1, or
 /// backwards from the last vertex before it. A line that ends in a backslash goes on in the next. Statements that draw
 /// something else (points, lines, curves, groups, materials) are skipped; unknown ones are refused. A first line of two
-/// counts, of vertices and of faces, is taken too (FCL's files have it), and must be right. CGAL is not asked about
-/// such a line, continued lines, white space other than blanks between corners, numbers that are not finite, and
-/// statements that it does not know (`fo`, `q`, `l`, `call`, `csh`, `maplib`, `mg`).
+/// counts, of vertices and of faces, is taken too (FCL's files have it), and must be right.
+///
+/// CGAL is not asked about these dialects:
+///
+/// - such a first line, and continued lines;
+/// - white space other than blanks between corners;
+/// - numbers that are not finite;
+/// - statements that it does not take (`fo`, `q`, `l`, `call`, `csh`, `maplib`, `mg`).
 inline Scan scan_obj(const std::string& file, std::string_view text)
 {
   constexpr std::array skipped = {

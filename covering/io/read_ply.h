@@ -230,14 +230,25 @@ inline Ply_parts find_ply_parts(const Text_lines& lines, const Ply_header& heade
   return parts;
 }
 
-/// Scans a PLY file, text or binary of either byte order: the element `vertex` (or `vertices`) with the properties x, y
-/// and z, the element `face` (or `faces`) with the list vertex_indices (or vertex_index), and `tristrips` with such a
-/// list; properties in any order and of any type, other elements and properties are skipped. A decimal of a text file
-/// is the double nearest to it, also where the header calls it float (CGAL would round it to float first). A line of
-/// text may lack its last unused properties, with a note: VCGLIB promises colours that it does not write. CGAL is not
-/// asked about strips, indices that are neither int nor uint, coordinates or colours of integer or other types, the
-/// element `halfedge`, numbers that are not finite in what is unused, and headers with the format not in line 2 or with
-/// empty lines.
+/// Scans a PLY file, text or binary of either byte order. Other elements and properties than these are skipped;
+/// properties may be in any order and of any type.
+///
+/// - element `vertex` (or `vertices`): the properties x, y and z.
+/// - element `face` (or `faces`): the list vertex_indices (or vertex_index).
+/// - element `tristrips`: such a list.
+///
+/// A decimal of a text file is read as the double nearest to it, also where the header calls it float. (CGAL would
+/// round it to float first.) A line of text may lack its last unused properties, with a note: VCGLIB promises colours
+/// that it does not write.
+///
+/// CGAL is not asked about these dialects:
+///
+/// - strips;
+/// - indices that are neither int nor uint;
+/// - coordinates or colours of integer or other types;
+/// - the element `halfedge`;
+/// - unused numbers that are not finite;
+/// - headers with empty lines, or with the format not in line 2.
 inline Scan scan_ply(const std::string& file, std::string_view text)
 {
   std::string copied;

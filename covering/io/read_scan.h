@@ -26,7 +26,7 @@ using kernel::parse_double;
 /// Points with coordinates that are not finite. They are legal where no face uses them.
 class Unplaced_points {
  public:
-  /// `error` says what is wrong, for the case that a face uses the vertex.
+  /// Adds a vertex; `error` is thrown if a face uses it.
   void add(Index vertex, const Input_error& error) { errors_.emplace_back(vertex, error); }
 
   /// Moves each of them to a vertex of a face, with a note. Throws the error of the first that a face uses.

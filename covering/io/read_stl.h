@@ -229,8 +229,8 @@ inline void scan_stl_facet(Stl_words& words, Scan& scan)
   scan.soup.add_polygon({first, first + 1, first + 2});
 }
 
-/// Scans an STL text: `solid` blocks of `facet normal ... outer loop`, three `vertex`, `endloop`, `endfacet`, in any
-/// case of letters and on any lines; an `end` may stand apart (`end solid`), and a name may stick to `solid` and
+/// Scans an STL text: `solid` blocks of `facet normal ... outer loop`, three `vertex`, `endloop`, `endfacet`. Letters
+/// may be of any case, and lines are free. An `end` may stand apart (`end solid`), and a name may stick to `solid` and
 /// `endsolid`. Normals must be there; they and colours (`color` and numbers) are not used. Vertices are the three
 /// corners of each triangle, not merged. CGAL is not asked about other spellings than its own, and about names that
 /// hold a keyword.

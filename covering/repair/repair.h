@@ -36,9 +36,10 @@ std::vector<Triangle> fan(const Polyhedron& polyhedron, Index f);
 
 }  // namespace repair
 
-/// Returns triangles that cover exactly each face of more than three corners, in its direction and as often as its
-/// winding number says, without new vertices. There are none for triangles, and for faces where that is not possible:
-/// where loops cross, pass through a corner, or have an edge that bounds nothing. Requires planar faces.
+/// Returns triangles that cover exactly each face of more than three corners, without new vertices. They have the
+/// face's direction, and cover it as often as its winding number says. There are none for triangles, and for faces
+/// where that is not possible: where loops cross, pass through a corner, or have an edge that bounds nothing. Requires
+/// planar faces.
 std::vector<Face_triangle> triangulate_faces(const Polyhedron& polyhedron);
 
 /// A polyhedron whose faces are all planar, and where they come from.
@@ -46,7 +47,7 @@ struct Triangulated {
   Polyhedron polyhedron;
   std::vector<Index> source;    ///< of each face: the face that it is, or is a triangle of
   std::vector<Index> replaced;  ///< faces that were replaced by triangles, ascending
-  std::vector<Index> fanned;    ///< those of them that had to be replaced by fans
+  std::vector<Index> fanned;    ///< faces among these that had to be replaced by fans
 };
 
 /// Replaces each face that is not exactly planar, and no other, by triangles with exactly its directed loop edges as

@@ -121,7 +121,7 @@ class Temporary_output {
   }
   Temporary_output(const Temporary_output&) = delete;
 
-  /// Writes bytes at `place`, behind what is written, with zeros between. Requires that `place` is a multiple of a
+  /// Writes bytes at `place`, behind all earlier ones, with zeros between. Requires that `place` is a multiple of a
   /// block.
   void append(std::uint64_t place, std::span<const std::byte> bytes)
   {

@@ -18,9 +18,10 @@ inline constexpr std::size_t place_of_checksum = 136;
 /// Writes the body and its fast tree. Requires that all nodes are made. Throws Error as `save_body`.
 ///
 /// The file is a header of fixed size and arrays, each at a multiple of 64 bytes. The nodes begin at the first byte of
-/// a page, to be used in place. The header holds the version of the format, the machine's order of bytes, the element
-/// size and count of each array, and a checksum of the file. The arrays are the vertices, the loops, the faces'
-/// triangles, the order of the tree's elements and its nodes. Nothing is written that can be derived from these.
+/// a page, to be used in place. The header holds the version of the format, the machine's order of bytes, and a
+/// checksum of the file. It also holds the element size and the count of each array. The arrays are the vertices, the
+/// loops, the faces' triangles, the order of the tree's elements and its nodes. Nothing is written that can be derived
+/// from these.
 void write_body_file(const Body_data& body, const std::filesystem::path& file);
 
 /// Returns a saved body. Nothing in the file is trusted: the vertices, faces and triangles are checked as `Body` checks

@@ -58,7 +58,7 @@ constexpr std::string_view to_string(Method method)
   return "brute";
 }
 
-/// Returns the method of that name, or nothing.
+/// Returns the method of this name, or nothing.
 std::optional<Method> parse_method(std::string_view name);
 
 /// What a query can be told besides its bodies and its question.

@@ -97,8 +97,9 @@ class Pose {
 /// legal. An open surface has no solid.
 class Body {
  public:
-  /// A body of this polyhedron. Throws Error for no face, an index out of range, a coordinate that is not finite, and a
-  /// face that is not exactly planar (with its deviation; tetracone/repair.h replaces such faces by triangles).
+  /// A body of this polyhedron. Throws Error for no face, an index out of range, and a coordinate that is not finite.
+  /// Throws it also for a face that is not exactly planar, with its deviation; tetracone/repair.h replaces such faces
+  /// by triangles.
   explicit Body(Polyhedron polyhedron);
 
   /// `triangles`: for some faces, triangles that cover exactly the face, in its direction (as tetracone/repair.h makes
@@ -217,8 +218,8 @@ class Query {
   /// speed, never the answer. Requires the memory of this pair (tetracone/tetratree/fast/pair_memory.h).
   Answer collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, tetratree::Pair_memory& memory);
 
-  /// Returns the answers for n poses of each body, for one of A and n of B, or for n of A and one of B. Throws Error
-  /// for other counts, and as above.
+  /// Returns the answers for n poses of each body. One pose of either body serves all n of the other. Throws Error for
+  /// other counts, and as above.
   std::vector<Answer> collide(std::span<const Pose> poses_a, std::span<const Pose> poses_b);
 
   /// Returns all pairs of an edge of one body and a face of the other that share a point, with the kind of contact,

@@ -85,7 +85,7 @@ class Tree_check {
   struct Below {
     Index first, last, parent;
     int lane;   // -1: of the root
-    int depth;  // of that node
+    int depth;  // of the node
   };
 
   static std::string at(Index n, int lane) { return "lane " + std::to_string(lane) + " of node " + std::to_string(n); }

@@ -112,7 +112,7 @@ class Poses {
   bool is_one_ = true;
   std::size_t count_ = 1, rows_ = 3;
   std::ptrdiff_t stride_ = 0;
-  const char* packed_ = nullptr;  // the numbers of pose 0 where those of each pose (3, 4) follow each other
+  const char* packed_ = nullptr;  // the numbers of pose 0 where each pose (3, 4) is contiguous
 };
 
 /// Returns the polyhedron of vertices (n, 3) and faces. Faces are an array (m, k) of vertex numbers, or a sequence. A

@@ -20,8 +20,8 @@ class Motions {
   /// - `kind` "rigid": arrays (n, 7) or (7,) of a quaternion w x y z and a translation, or matrices that are rotations
   ///   (`kernel::rotation_quaternion`).
   ///
-  /// Throws Error for anything but poses, with their place, for counts that do not go together, for quaternions between
-  /// which one is 0, and for another kind.
+  /// Throws Error for anything but poses, with their place, and for counts that do not go together. Throws it also for
+  /// quaternions between which one is 0, and for another kind.
   Motions(const pybind11::object& from, const pybind11::object& to, const std::string& kind, const std::string& body);
 
   /// True for one pose at both ends.

@@ -101,7 +101,7 @@ struct Pose_pairs {
   std::size_t count;
 };
 
-/// Throws TypeError for poses of both bodies by position: C++ has those of A first, Python those of B.
+/// Throws TypeError for poses of both bodies by position: C++ takes the poses of A first, Python the poses of B.
 void require_keywords(const py::args& more, const std::string& call)
 {
   if (!more.empty())

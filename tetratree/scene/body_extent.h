@@ -80,8 +80,8 @@ struct Body_extent {
 };
 
 /// Relative error of the bounds below, as a fraction of the sum of their terms' magnitudes
-/// (verify/proofs/scene_proofs.h). It covers four roundings of a sum of products, four of a second such sum, one of
-/// each entry of a fraction, and two of their sum. Absolute errors are `Body_extent::underflow`.
+/// (verify/proofs/scene_proofs.h). It covers four roundings of a sum of products and four of a second such sum. It also
+/// covers one rounding of each entry of a fraction, and two of the total. Absolute errors are `Body_extent::underflow`.
 inline constexpr double placed_rounding = 16 * kernel::unit_roundoff<double>;
 
 /// A coordinate of the image of a box, by a row m of a map and its translation t: `at` of the centre, `reach` from
@@ -127,8 +127,8 @@ inline World_box world_box(const Body_extent& extent, const kernel::Pose& pose)
   return box;
 }
 
-/// Error of a reach from a direction that is rounded to float, as a fraction of the direction's rounded |.|_1, since
-/// |p_k| <= 1 locally (verify/proofs/scene_proofs.h).
+/// Error of a reach from a direction that is rounded to float, as a fraction of the direction's rounded |.|_1. It
+/// suffices since |p_k| <= 1 locally (verify/proofs/scene_proofs.h).
 inline constexpr float slack_of_direction = 4 * kernel::unit_roundoff<float>;
 
 /// Returns a box about the placed body, by the reaches of the body along each axis: unit h(M_i) from its local origin.

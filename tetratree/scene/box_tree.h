@@ -142,7 +142,8 @@ class Box_tree {
     now.opened += opened;
   }
 
-  /// True when searches have opened so many more nodes than when the tree was new that a build would have cost less.
+  /// True when a rebuild would have cost less than the nodes that searches opened beyond their cost when the tree was
+  /// new.
   bool is_worn() const
   {
     if (worn_.count == 0) return false;

@@ -98,9 +98,13 @@ class Scene {
   /// Places a body by a pose of the templates. Requires det M != 0.
   void place(std::size_t body, const kernel::Pose& pose);
 
-  /// Returns the pairs of placed bodies that collide now, in order. Only what moved is decided anew. Throws Error where
-  /// there are bodies and none is placed, where a model cannot be made, where an open one is asked for its solid, where
-  /// the memory does not hold the models of one pair, and as `Query::collide`. Asked again, it goes on where it was.
+  /// Returns the pairs of placed bodies that collide now, in order. Only pairs of bodies that moved are decided anew,
+  /// and pairs that an exception or the budget left open. Throws Error as `Query::collide`, and
+  ///
+  /// - where there are bodies and none is placed;
+  /// - where a model cannot be made;
+  /// - where an open model is asked for its solid;
+  /// - where the memory does not hold the models of one pair.
   const std::vector<Scene_pair>& pairs();
   /// Places all bodies and returns `pairs`. Poses are in the order of the bodies' numbers, removed bodies left out.
   /// Throws Error for another count, and as `pairs`.
@@ -109,8 +113,8 @@ class Scene {
   /// Returns the pairs of bodies that meet while all of them move, each with its first contact, sorted by (lo, hi,
   /// pair). That is the order of the exact times, except between two equal doubles. There is one motion per body, in
   /// the order of their numbers, removed bodies left out. Only pairs whose swept boxes overlap are tested; no budget
-  /// bounds it. The bodies stay where they stood. Throws Error for another count, for another kernel than adaptive, as
-  /// `pairs`, and where a face of a near body is neither a triangle nor has triangles.
+  /// bounds it. The bodies stay where they stood. Throws Error as `pairs`, for another count, and for another kernel
+  /// than adaptive. Throws it also where a face of a near body is neither a triangle nor has triangles.
   std::vector<Scene_contact> first_contacts(std::span<const Motion> motions);
   /// Returns `first_contacts` of motions on lines, from where the bodies stand to these poses. Throws Error as above,
   /// and for a body that is not placed.

@@ -419,7 +419,7 @@ void Scene_data::find_near(const std::vector<Number>& bodies)
     for (std::size_t k = known.size(); k-- > 0;) {
       const auto near = known[k];
       if (seen_[near.other] == search)
-        seen_[near.other] = 0;  // known
+        seen_[near.other] = 0;  // a near pair already
       else
         part(near.pair);
     }

@@ -84,7 +84,7 @@ class Scene_data {
     bool has_moved = false, is_lost = false;       // since the last frame; by a step that has no bound
     bool is_tight = false, is_wide_tight = false;  // whether its box, and the wide one, were found by the model's tree
     bool is_out = false;                           // of its wide box, or its two boxes were found in different ways
-    bool is_turned = false;                        // whether its turned box is known
+    bool is_turned = false;                        // whether it has a turned box
   };
 
   /// The motion of a body since the last frame, rounded to float: of its centre, and what it has turned.
