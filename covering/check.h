@@ -84,6 +84,7 @@ inline bool is_manifold(const Polyhedron& polyhedron)
 /// The orientation of a closed surface, by the sign of its signed volume.
 enum class Orientation { outward, inward, flat, mixed, open };
 
+/// Returns the name of an orientation.
 constexpr std::string_view to_string(Orientation orientation)
 {
   switch (orientation) {

@@ -15,10 +15,11 @@
 
 namespace tetracone::covering {
 
+/// The planarity of a face.
 enum class Planarity {
   degenerate,  ///< all corners on one line or in one point
   planar,      ///< all corners exactly on one plane
-  off_plane
+  off_plane    ///< some corner off the plane of others
 };
 
 /// Returns the vertices of all loops of face `f`, in their order, each as often as loops name it.

@@ -171,6 +171,7 @@ struct Ply_parts {
   }
 };
 
+/// Returns the position of the element's property of this name; the count of properties if there is none.
 inline std::size_t find_property(const Ply_element& element, std::string_view name)
 {
   return static_cast<std::size_t>(std::ranges::find(element.properties, name, &Ply_property::name) -

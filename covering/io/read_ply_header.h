@@ -19,6 +19,7 @@ struct Ply_type {
   std::size_t bytes;
 };
 
+/// Returns the type of this name; nothing for another word.
 inline std::optional<Ply_type> ply_type(std::string_view word)
 {
   struct Name {
@@ -34,19 +35,22 @@ inline std::optional<Ply_type> ply_type(std::string_view word)
   return std::nullopt;
 }
 
+/// A property of an element: a scalar or a list.
 struct Ply_property {
   std::string name;
   Ply_type type;
-  std::optional<Ply_type> count;  ///< a list's type of its count
+  std::optional<Ply_type> count;  ///< the type of a list's count; nothing for a scalar
 };
 
+/// An element of a PLY header, with its properties.
 struct Ply_element {
   std::string name;
   std::size_t items;
-  std::size_t line;  ///< of the header
+  std::size_t line;  ///< its line in the header
   std::vector<Ply_property> properties;
 };
 
+/// The header of a PLY file.
 struct Ply_header {
   enum class Format { text, little_endian, big_endian } format = Format::text;
   std::vector<Ply_element> elements;

@@ -24,6 +24,7 @@ struct Poly_nodes {
   std::uint64_t first = 0;  ///< the index of the first one: 0 or 1
 };
 
+/// Reads the nodes from the next line on. Throws Input_error.
 inline Poly_nodes scan_poly_nodes(Text_lines& lines)
 {
   Poly_nodes nodes;

@@ -20,13 +20,13 @@ using covering::Index;
 using kernel::Feature;
 using kernel::Piece;
 
-/// A maximal piece of what a face of A and a face of B share.
+/// A maximal piece of the points that a face of A and a face of B share.
 struct Contact_piece {
   Index face_a;  ///< the face's number in A
   Index face_b;  ///< the face's number in B
   Piece kind;    ///< a point, a segment, or of faces in one plane a polygon
-  Feature in_a;  ///< what of face_a holds all of it: a vertex, its edges, or no less than the face
-  Feature in_b;  ///< what of face_b does
+  Feature in_a;  ///< the least feature of face_a that holds all of it: a vertex, its edges, or the face
+  Feature in_b;  ///< the least feature of face_b that does
 };
 
 /// Doubles that enclose a point's coordinates. Their distance is at most 2^-40 of the point's largest coordinate, or

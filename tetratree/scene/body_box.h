@@ -24,7 +24,7 @@ Number gap_along(const Number& between, const Number& low, const Number& high)
   return between + low - high;
 }
 
-/// Returns what a gap still is after both bodies have turned, less `slack`.
+/// Returns a gap less the rotation of both bodies and `slack`.
 template <class Number>
 Number less_turned(const Number& gap, const Number& turned, const Number& other_turned, const Number& slack)
 {
@@ -44,11 +44,10 @@ Number upper_side(const Number& place, const Number& high, const Number& grown)
   return place + high + grown;
 }
 
-/// A box about a body that moves with it. It is found at one pose, stored relative to the body's centre, and larger on
-/// every side by what the body has turned since.
+/// A box about a body that moves with it. It is found at one pose and stored relative to the body's centre. On every
+/// side it is larger by the growth of the body's `turned` since.
 ///
-/// The roundings of the centre, and of what has been turned, are added at use. The roundings of the box's own numbers
-/// are in them.
+/// The roundings of the centre, and of `turned`, are added at use. The roundings of the box's own numbers are in them.
 class alignas(32) Body_box {
  public:
   Body_box() = default;
@@ -122,7 +121,7 @@ class alignas(32) Body_box {
 
   std::array<float, 3> low_{-World_box::infinity, -World_box::infinity, -World_box::infinity},
       high_{World_box::infinity, World_box::infinity, World_box::infinity};
-  double turned_ = 0;  // what the body had turned then
+  double turned_ = 0;  // the body's `turned` then
 };
 
 /// The vector between the centres of two bodies when a certificate begins, rounded to float.
@@ -139,7 +138,7 @@ inline constexpr double certificate_rounding = 0x1p-46;
 
 /// Range of a certificate.
 ///
-/// - `least_left`: lower bound of what it must have left; below it squares would underflow.
+/// - `least_left`: lower bound of its remainder; below it squares would underflow.
 /// - `most_gap`: upper bound of the gap that it uses; above it squares would overflow.
 inline constexpr double least_left = 0x1p-500, most_gap = 0x1p500;
 static_assert(least_left * least_left * certificate_rounding >= 0x1p-1072 && most_gap * most_gap <= 0x1p1000);

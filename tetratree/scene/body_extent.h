@@ -27,6 +27,7 @@ inline constexpr double entry_underflow = 0x1p-1072;
 /// Absolute error by products, and by roots of sums of at most 37 squares that underflow: 37^(1/2) e^(1/2).
 inline constexpr double placed_underflow = 0x1p-534;
 
+/// Returns the square of a coordinate's distance from the centre, in units of half the extent.
 template <class Number>
 Number square_in_halves(const Number& vertex, const Number& centre, const Number& half)
 {
@@ -109,6 +110,7 @@ struct Placed_coordinate {
     return abs(x);
   }
 };
+/// Returns coordinate i of the image of the box of `extent`.
 inline Placed_coordinate<double> placed_coordinate(const Body_extent& extent, const kernel::Pose& pose, int i)
 {
   return {{pose[4 * i], pose[4 * i + 1], pose[4 * i + 2]}, pose[4 * i + 3], extent.centre, extent.half};
@@ -168,8 +170,8 @@ inline World_box world_box(Support_table& table, const kernel::Local_scale& scal
   return box;
 }
 
-/// The rounded centre of a body's box, and an upper bound of what its points have turned about it since the body was
-/// placed: the sum of its steps.
+/// The rounded centre of a body's box, and `turned`: an upper bound of how far its points have moved about the centre
+/// since the body was placed. It is the sum of its steps.
 struct alignas(32) Body_place {
   std::array<double, 3> at{};
   double turned = 0;
@@ -178,8 +180,8 @@ struct alignas(32) Body_place {
 /// A step of a body from one pose to the next.
 struct Body_step {
   std::array<double, 3> at;  ///< the centre's image under the next pose, rounded as by every step
-  /// Upper bound of |(q - at) - (p - at before)| for the images p and q of any point of the body; not finite where no
-  /// bound is known.
+  /// Upper bound of |(q - at) - (p - at before)| for the images p and q of any point of the body; not finite where
+  /// there is no bound.
   double turned;
 };
 

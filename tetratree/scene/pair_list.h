@@ -24,7 +24,7 @@ struct alignas(32) Near_bodies {
   bool is_open = false;         ///< to be asked in this frame
   bool by_brute_force = false;  ///< how they are to be asked
   bool is_listed = false;       ///< among the colliding pairs of the last answer
-  /// The pair stays apart while (what both bodies have turned) + (change of the vector between them) < limit.
+  /// The pair stays apart while (rotation of both bodies) + (change of the vector between them) < limit.
   double limit = -1;
 };
 
@@ -36,7 +36,7 @@ struct Near_pair {
 
 /// The memory of a pair whose trees have been asked. Few of the near pairs have one.
 struct Asked_pair {
-  double turned = -std::numeric_limits<double>::infinity();  ///< what both bodies had turned when they were asked last
+  double turned = -std::numeric_limits<double>::infinity();  ///< the rotation of both bodies when they were asked last
   std::array<float, 3> between = {};                         ///< the vector between their centres then
   Pair_memory memory = {};
   std::size_t memory_bytes = 0;  ///< as last counted

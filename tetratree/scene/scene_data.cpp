@@ -172,7 +172,7 @@ void Scene_data::place(std::size_t number, const kernel::Pose& pose)
   moved_.push_back(Number(number));
 }
 
-/// Updates a body's centre and what it has turned. Requires that its pose is still the old one.
+/// Updates a body's centre and its rotation. Requires that its pose is still the old one.
 void Scene_data::step(Number number, const kernel::Pose& to)
 {
   Placed_body& body = bodies_[number];

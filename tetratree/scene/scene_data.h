@@ -32,13 +32,13 @@ namespace tetracone::detail {
 
 /// The state of a `Scene`, and the work of a frame.
 ///
-/// A body has a box, and in the tree of boxes a wider one, in which it may move for some frames. Two bodies whose wide
-/// boxes meet are a near pair. A frame asks the near pairs that no certificate keeps, by stages: the boxes, boxes that
-/// are turned with the bodies, boxes found anew, the query of their models.
+/// A body has a box. In the tree of boxes it has a wider one, in which it may move for some frames. Two bodies whose
+/// wide boxes meet are a near pair. A frame asks the near pairs that no certificate keeps, by stages: the boxes, boxes
+/// that are turned with the bodies, boxes found anew, the query of their models.
 ///
-/// A certificate holds while bodies use up less than the gap that was between them. They use it up by what both have
-/// turned about their centres since, and by the change of the vector between their centres. What a body has turned is a
-/// sum of upper bounds, rounded up. Bodies that move alike therefore stay apart for many frames.
+/// A certificate holds while its use is less than the gap that was between the bodies. Its use is the rotation of both
+/// about their centres since, plus the change of the vector between their centres. The rotation `turned` is a sum of
+/// upper bounds, rounded up. Bodies that move alike therefore stay apart for many frames.
 class Scene_data {
  public:
   explicit Scene_data(const Scene_options& options);
@@ -87,7 +87,7 @@ class Scene_data {
     bool is_turned = false;                        // whether it has a turned box
   };
 
-  /// The motion of a body since the last frame, rounded to float: of its centre, and what it has turned.
+  /// The motion of a body since the last frame, rounded to float: of its centre, and its rotation.
   struct Step {
     std::array<float, 3> by{};
     float turned = 0;

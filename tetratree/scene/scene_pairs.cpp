@@ -76,7 +76,7 @@ void Scene_data::open_pair(Number number)
   open_.push_back(number);
 }
 
-/// Returns an upper bound of what both bodies have turned.
+/// Returns an upper bound of the rotation of both bodies, the sum of their `turned`.
 double Scene_data::turned(const Near_bodies& pair) const
 {
   return sum_above(places_[pair.body[0]].turned, places_[pair.body[1]].turned);
@@ -109,8 +109,8 @@ double Scene_data::gap(const Near_bodies& pair) const
   return boxes_[a].gap(places_[a], boxes_[b], places_[b]);
 }
 
-/// Begins the certificate of a pair that is asked: records the vector between its bodies, and what they have turned.
-/// Until `answer` the limit is at most what they have turned, so it proves nothing.
+/// Begins the certificate of a pair that is asked: records the vector between its bodies, and their rotation. Until
+/// `answer` the limit is at most their rotation, so it proves nothing.
 void Scene_data::begin(Near_bodies& pair)
 {
   const auto &a = places_[pair.body[0]], &b = places_[pair.body[1]];

@@ -22,6 +22,7 @@ inline float rounded_above(double x)
   const auto bits = std::bit_cast<std::int32_t>(nearest);
   return std::bit_cast<float>(bits + int(double(nearest) < x) * (1 | bits >> 31));
 }
+/// Returns the greatest float that is not above x; -infinity for NaN.
 inline float rounded_below(double x) { return -rounded_above(-x); }
 
 /// A closed box with sides along the world's axes. A body lies in its box, so bodies whose boxes share no point are
