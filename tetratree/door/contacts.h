@@ -25,8 +25,8 @@ struct Contact_piece {
   Index face_a;  ///< the face's number in A
   Index face_b;  ///< the face's number in B
   Piece kind;    ///< a point, a segment, or of faces in one plane a polygon
-  Feature in_a;  ///< the least feature of face_a that holds all of it: a vertex, its edges, or the face
-  Feature in_b;  ///< the least feature of face_b that does
+  Feature in_a;  ///< the least of these that holds all of it: a vertex of face_a, its edges, the face
+  Feature in_b;  ///< as in_a, for face_b
 };
 
 /// Doubles that enclose a point's coordinates. Their distance is at most 2^-40 of the point's largest coordinate, or
