@@ -51,8 +51,9 @@ class Talk {
   {
     const auto line = process_->line(deadline());
     if (!line) complain("no line");
-    const auto [outcome, wrong] = subject_lines::read(*line, ask);
-    if (!outcome) throw Wrong{wrong};
+    const subject_lines::Reply reply = subject_lines::read(*line, ask);
+    const auto& outcome = reply.outcome;
+    if (!outcome) throw Wrong{reply.wrong};
     starting_ = false;
     ++answers_;
     if (*outcome == Outcome::not_asked)

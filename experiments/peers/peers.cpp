@@ -23,6 +23,29 @@ using verify::Outcome;
 /// each case, which for a mesh of 10^5 is more than for all others of its family together.
 constexpr std::size_t most_faces = 30000;
 
+/// Asks, and takes what answers: the byte, and after `yes` and `no` the times. Without an answer by the deadline the
+/// process is ended, and `failure` says how.
+wire::Answer take_answer(std::unique_ptr<Peer_process>& process, const std::string& message,
+                         Peer_process::Deadline deadline, std::optional<verify::Spent>& spent, verify::Failure& failure)
+{
+  const auto byte = process->ask(message, deadline);
+  const auto answer = static_cast<wire::Answer>(byte.value_or(static_cast<char>(wire::Answer::failed)));
+  bool is_whole = byte.has_value();
+  if (answer == wire::Answer::yes || answer == wire::Answer::no) {
+    const auto making = process->take_double(deadline);
+    const auto asking = making ? process->take_double(deadline) : std::nullopt;
+    is_whole = asking.has_value();
+    if (is_whole) spent = verify::Spent{std::uint64_t(*making), std::uint64_t(*asking)};
+  }
+  if (is_whole) {
+    failure = {"exception", ""};
+    return answer;
+  }
+  failure = {process->how_it_ended(), process->last_error()};
+  process.reset();
+  return wire::Answer::failed;
+}
+
 /// A peer at work in a child process.
 class Running_peer : public verify::Running_subject {
  public:
@@ -51,7 +74,7 @@ class Running_peer : public verify::Running_subject {
     }
     wire::append(message_, wire::Message::question);
     wire::append(message_, wire::Asked{question, c.pose_a.entries(), c.pose_b.entries()});
-    switch (take_answer(std::chrono::steady_clock::now() + limit_)) {
+    switch (take_answer(process_, message_, std::chrono::steady_clock::now() + limit_, spent_, failure_)) {
       case wire::Answer::no: return Outcome::no;
       case wire::Answer::yes: return Outcome::yes;
       case wire::Answer::not_taken: return Outcome::not_asked;
@@ -64,29 +87,6 @@ class Running_peer : public verify::Running_subject {
   verify::Failure failure() const override { return failure_; }
 
  private:
-  /// Asks, and takes what answers: the byte, and after `yes` and `no` the times. Without an answer by the deadline the
-  /// process is ended.
-  wire::Answer take_answer(Peer_process::Deadline deadline)
-  {
-    const auto byte = process_->ask(message_, deadline);
-    const auto answer = static_cast<wire::Answer>(byte.value_or(static_cast<char>(wire::Answer::failed)));
-    bool is_whole = byte.has_value();
-    if (answer == wire::Answer::yes || answer == wire::Answer::no) {
-      const auto making = process_->take_double(deadline);
-      const auto asking = making ? process_->take_double(deadline) : std::nullopt;
-      is_whole = asking.has_value();
-      if (is_whole) spent_ = verify::Spent{std::uint64_t(*making), std::uint64_t(*asking)};
-    }
-    if (is_whole) {
-      failure_ = {"exception", ""};
-      return answer;
-    }
-    failure_.how = process_->how_it_ended();
-    failure_.said = process_->last_error();
-    process_.reset();
-    return wire::Answer::failed;
-  }
-
   std::string program_, name_;
   verify::Knows knows_;
   std::chrono::milliseconds limit_;
@@ -119,7 +119,8 @@ class Running_motion_peer : public verify::Running_motion {
     wire::append(message, wire::Asked_motion{from->entries(), to->entries()});
     const auto deadline = std::chrono::steady_clock::now() + usual_limit;
     std::optional<verify::Spent> spent;
-    const wire::Answer answer = take_answer(process_, message, deadline, spent);
+    verify::Failure failure;
+    const wire::Answer answer = take_answer(process_, message, deadline, spent, failure);
     if (answer == wire::Answer::no) return {Outcome::no, {0, 0}, spent};
     if (answer == wire::Answer::not_taken) return {Outcome::not_asked};
     const auto time = answer == wire::Answer::yes ? process_->take_double(deadline) : std::nullopt;

@@ -402,10 +402,12 @@ class Apex_box {
     if (!(e1_ > 0)) return false;
     // Before the lines from (-e1, -e2) and from (e1, -e2) to the apex, each by its normal (x, y) and reach.
     const double apex = apex_of(code), tolerance = apex_tolerance * (e1_ + e2_);
+    std::array<std::array<double, 2>, 3> at;
+    for (std::size_t k = 0; k < 3; ++k) at[k] = {along(1, corners[k]), along(2, corners[k])};
     for (const auto& [x, y, reach] : {std::array{-2 * e2_, e1_ * (1 + apex), e1_ * e2_ * (1 - apex)},
                                       std::array{2 * e2_, e1_ * (1 - apex), e1_ * e2_ * (1 + apex)}})
-      for (const Vector& p : corners)
-        if (!(x * along(1, p) + y * along(2, p) <= reach + tolerance * (std::abs(x) + y))) return false;
+      for (const auto& [along_1, along_2] : at)
+        if (!(x * along_1 + y * along_2 <= reach + tolerance * (std::abs(x) + y))) return false;
     return true;
   }
 

@@ -57,6 +57,7 @@ class Contact_plane {
           sum = i == 0 ? product : sum + product;
         }
         if (motion.square().size() > 0) sum = quotient(sum, motion.square());
+        if (j < 3) is_level_[b][j] = sum.is_zero();
       }
     sense_ = times.sign(height_over(1 - low_, corner[is_face ? 0 : 2]));
   }
@@ -115,9 +116,20 @@ class Contact_plane {
   /// or on the plane. False also where that is not known.
   bool holds(int body, const Vertex& v)
   {
-    const Integer_form& height = height_over(body, v);
-    if (body != low_) return times_->sign(height) == sense_;
-    return height.is_zero() || times_->sign_after_start(height) == -sense_;
+    Told& last = last_[body];
+    if (!last.is_known || !is_as_high(body, v, last.vertex)) {
+      const Integer_form& height = height_over(body, v);
+      const bool holds = body != low_ ? times_->sign(height) == sense_
+                                      : height.is_zero() || times_->sign_after_start(height) == -sense_;
+      last = {v, true, holds};
+    }
+    return last.holds;
+  }
+
+  /// Whether that is known without an integer: the last vertex asked about was held, and is as high.
+  bool is_held_as_last(int body, const Vertex& v) const
+  {
+    return last_[body].is_known && last_[body].holds && is_as_high(body, v, last_[body].vertex);
   }
 
  private:
@@ -131,13 +143,28 @@ class Contact_plane {
     double at_origin, error;
   };
 
+  /// A vertex, and what was told of it.
+  struct Told {
+    Vertex vertex;
+    bool is_known = false, holds = false;
+  };
+
+  /// Whether heights are the same all the time, since the vertices differ at most in coordinates that no height depends
+  /// on. So are vertices of a face whose plane is across an axis of its body.
+  bool is_as_high(int body, const Vertex& v, const Vertex& w) const
+  {
+    bool same = true;
+    for (int j = 0; j < 3; ++j) same = same && (is_level_[body][j] || v[j] == w[j]);
+    return same;
+  }
+
   /// The height over a point times 2^-least, by the form of the plane. Requires least <= exponent_of(v), and at most 0.
   const Integer_form& sum_at(int body, const Vertex& v, int least)
   {
     sum_.clear(height_[body][3].size());
     for (int j = 0; j < 4; ++j) {
       const Odd_double x(j < 3 ? v[j] : 1);
-      if (x.odd == 0) continue;
+      if (x.odd == 0 || (j < 3 && is_level_[body][j])) continue;
       factor_ = static_cast<long>(x.odd);
       factor_ <<= static_cast<unsigned>(x.exponent - least);
       sum_.add_product(height_[body][j], factor_);
@@ -150,6 +177,8 @@ class Contact_plane {
   int low_;                                            // the body whose vertices may be on the plane
   CGAL::Sign sense_ = CGAL::ZERO;                      // of heights of the other one
   std::array<std::array<Integer_form, 4>, 2> height_;  // of either body: x, y, z and 1
+  std::array<std::array<bool, 3>, 2> is_level_;        // where height_ is zero
+  std::array<Told, 2> last_;
   std::array<std::vector<Coefficient>, 2> coefficient_;
   Integer_form sum_;  // kept, as `factor_`, for its memory
   Integer factor_;

@@ -2,6 +2,7 @@
 #define TETRACONE_KERNEL_MOTION_ROTATION_QUATERNION_H
 
 #include "tetracone/kernel/motion/body_motion.h"
+#include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
 
@@ -40,7 +41,7 @@ inline std::array<Rational, 9> rotation_of(const std::array<Rational, 4>& q)
 inline Rational largest_difference(const std::array<Rational, 9>& r, const std::array<Rational, 9>& m)
 {
   Rational largest = 0;
-  for (std::size_t k = 0; k < 9; ++k) largest = std::max(largest, Rational(abs(Rational(r[k] - m[k]))));
+  for (std::size_t k = 0; k < 9; ++k) largest = maximum(largest, Rational(abs(Rational(r[k] - m[k]))));
   return largest;
 }
 
@@ -52,8 +53,8 @@ inline Rational largest_difference(const std::array<Rational, 9>& r, const std::
 inline std::optional<Rotation_quaternion> rotation_quaternion(const Pose& pose)
 {
   std::array<Rational, 9> m;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) m[std::size_t(3 * i + j)] = pose.exact(4 * i + j);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) m[3 * i + j] = pose.exact(int(4 * i + j));
   // Row k is 4 q_k q (Shepperd 1978). The diagonal sums to 4, so its largest entry is 1 or more and that row is not 0.
   const Rational wx = m[7] - m[5], wy = m[2] - m[6], wz = m[3] - m[1], xy = m[1] + m[3], xz = m[2] + m[6],
                  yz = m[5] + m[7];

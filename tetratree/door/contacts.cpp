@@ -10,8 +10,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -33,26 +35,70 @@ std::array<N, 12> entries(const kernel::Pose& pose, const Number_of& number_of)
   return m;
 }
 
-/// Calls what(corner) for the corners of the piece that two triangles share, over N.
+/// A vertex of triangle A or B, by its number there.
+struct Triangle_vertex {
+  bool is_of_b;
+  int number;
+};
+
+/// Returns the vertex that a corner of a piece is; nothing where it is only on edges or in faces.
+std::optional<Triangle_vertex> vertex_of(const kernel::Triangle_contact::Corner& corner)
+{
+  if (std::popcount(corner.on_p) == 2) return Triangle_vertex{false, int(kernel::corner_of(corner.on_p))};
+  if (std::popcount(corner.on_q) == 2) return Triangle_vertex{true, int(kernel::corner_of(corner.on_q))};
+  return std::nullopt;
+}
+
+/// Calls what(corner) for the corners of the piece that two triangles share, over N. Vertices that no corner needs are
+/// not placed.
 template <class N, class Number_of, class What>
 void for_corners(const Contacts_data& data, const tetratree::Found_piece& piece, const Number_of& number_of,
                  const What& what)
 {
-  const auto triangle = [&](const detail::Shared_body& body, const kernel::Pose& pose, Index face) {
-    const covering::Loop loop = body->polyhedron.loop(face, 0);
-    const auto vertex = [&](int k) { return body->polyhedron.vertices[loop[k]]; };
-    std::array<kernel::Number_point<N>, 3> t;
-    if (pose.is_identity()) {
-      for (int k = 0; k < 3; ++k)
-        for (int i = 0; i < 3; ++i) t[k][i] = N(vertex(k)[i]);
-    } else {
-      const auto m = entries<N>(pose, number_of);
-      for (int k = 0; k < 3; ++k) t[k] = kernel::image(vertex(k), m);
+  using Point = kernel::Number_point<N>;
+  const auto placed = [&](bool is_of_b, int first, int count) {
+    const covering::Polyhedron& body = (is_of_b ? data.b : data.a)->polyhedron;
+    const kernel::Pose& pose = is_of_b ? data.pose_b : data.pose_a;
+    const covering::Loop loop = body.loop(is_of_b ? piece.face_b : piece.face_a, 0);
+    std::array<Point, 3> points;
+    std::optional<std::array<N, 12>> m;
+    if (!pose.is_identity()) m = entries<N>(pose, number_of);
+    for (int k = first; k < first + count; ++k) {
+      const kernel::Vertex& vertex = body.vertices[loop[k]];
+      if (m)
+        points[k] = kernel::image(vertex, *m);
+      else
+        for (int i = 0; i < 3; ++i) points[k][i] = N(vertex[i]);
     }
-    return t;
+    return points;
   };
-  const auto p = triangle(data.a, data.pose_a, piece.face_a), q = triangle(data.b, data.pose_b, piece.face_b);
-  for (int k = 0; k < piece.by_signs.count; ++k) what(kernel::corner_point(p, q, piece.by_signs.corners[k]));
+  std::optional<std::array<std::array<Point, 3>, 2>> triangles;
+  for (int k = 0; k < piece.by_signs.count; ++k) {
+    const auto& corner = piece.by_signs.corners[k];
+    if (const auto vertex = vertex_of(corner)) {
+      what(placed(vertex->is_of_b, vertex->number, 1)[vertex->number]);
+    } else {
+      if (!triangles) triangles = {placed(false, 0, 3), placed(true, 0, 3)};
+      what(kernel::corner_point((*triangles)[0], (*triangles)[1], corner));
+    }
+  }
+}
+
+/// The corners of a piece of two triangles, where all are vertices of bodies that are not moved; else nothing.
+std::optional<std::vector<std::array<double, 3>>> unmoved_corners(const Contacts_data& data,
+                                                                  const tetratree::Found_piece& piece)
+{
+  if (piece.by_signs.count == 0) return std::nullopt;
+  std::vector<std::array<double, 3>> corners;
+  for (int k = 0; k < piece.by_signs.count; ++k) {
+    const auto vertex = vertex_of(piece.by_signs.corners[k]);
+    if (!vertex || !(vertex->is_of_b ? data.pose_b : data.pose_a).is_identity()) return std::nullopt;
+    const covering::Polyhedron& body = (vertex->is_of_b ? data.b : data.a)->polyhedron;
+    const covering::Loop loop = body.loop(vertex->is_of_b ? piece.face_b : piece.face_a, 0);
+    const kernel::Vertex& x = body.vertices[loop[vertex->number]];
+    corners.push_back({x[0] + 0.0, x[1] + 0.0, x[2] + 0.0});  // -0.0 is 0, as in rationals
+  }
+  return corners;
 }
 
 Enclosure enclosure(const Rational_point& x)
@@ -87,10 +133,13 @@ Loops exactly(const Contacts_data& data, std::size_t k)
   return loops;
 }
 
-std::array<double, 3> nearest(const Rational_point& x)
+double nearest(const Rational& x)
 {
-  return {kernel::nearest_double(x[0]), kernel::nearest_double(x[1]), kernel::nearest_double(x[2])};
+  const double about = x.get_d();
+  return std::isfinite(about) && x == Rational(about) ? about : kernel::nearest_double(x);
 }
+
+std::array<double, 3> nearest(const Rational_point& x) { return {nearest(x[0]), nearest(x[1]), nearest(x[2])}; }
 
 }  // namespace
 
@@ -144,6 +193,7 @@ std::vector<std::vector<std::array<std::string, 3>>> Contacts::exact_loops(std::
 
 std::vector<std::vector<std::array<double, 3>>> Contacts::nearest_loops(std::size_t k) const
 {
+  if (auto corners = unmoved_corners(*data_, data_->found.pieces[k])) return {std::move(*corners)};
   std::vector<std::vector<std::array<double, 3>>> loops;
   for (const auto& loop : exactly(*data_, k)) {
     loops.emplace_back();

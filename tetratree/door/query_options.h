@@ -24,15 +24,11 @@ inline constexpr std::array all_kernels = {TETRACONE_FOR_EACH_KERNEL(TETRACONE_K
 #undef TETRACONE_KERNEL
 
 /// True when every answer of the kernel is right by construction.
-constexpr bool is_exact(Kernel asked)
+constexpr bool is_exact(Kernel kernel)
 {
-  switch (asked) {
-#define TETRACONE_CASE(kernel, name, type, exact) \
-  case Kernel::kernel: return exact;
-    TETRACONE_FOR_EACH_KERNEL(TETRACONE_CASE)
-#undef TETRACONE_CASE
-  }
-  return false;
+#define TETRACONE_EXACT(enumerator, name, type, exact) (exact && kernel == Kernel::enumerator) ||
+  return TETRACONE_FOR_EACH_KERNEL(TETRACONE_EXACT) false;
+#undef TETRACONE_EXACT
 }
 
 /// The way in which a query finds its answer.

@@ -81,6 +81,8 @@ inline std::vector<Other_constant> other_constants()
       {"tetratree/fast/front_entries.h", "most_gone", gate, "after more motion a new course is set"},
       {"tetratree/fast/span_reference.h", "most_bent", gate, "maps farther from a similarity are not certified"},
       {"tetratree/locator/point_locator.h", "farthest", gate, "points beyond it are outside"},
+      {"tetratree/scene/body_box.h", "least_left", gate, "with less left a pair is asked"},
+      {"tetratree/scene/body_box.h", "most_gap", gate, "of a larger gap no more is kept"},
       {"tetratree/scene/turned_box.h", "most_skewed", gate, "axes that are more skewed make no box"},
       {"kernel/bound/obb8_distance_simd.inl", "0x1p-100f", gate, "smaller numerators or squares tell nothing"},
 
@@ -109,14 +111,7 @@ inline std::vector<Other_constant> other_constants()
       {"tetratree/fast/bvh8_distance.h", "0x1p-100f", by_hand, "what a limit in float loses by underflow: 2^-150"},
       {"tetratree/fast/bvh8_rays.h", "0x1p-14", by_hand,
        "entries of boxes are off by Local_ray::slack, 2^-16, and times by less than as much"},
-      {"tetratree/scene/body_extent.h", "placed_underflow", by_hand, "what products of a placed box underflow by"},
       {"tetratree/scene/body_extent.h", "0x1p-50", by_hand, "two differences and a product in double: 3 of 2^-53"},
-      {"tetratree/scene/body_extent.h", "0x1p-500", by_hand, "the root of squares that underflow below 2^-1074"},
-      {"tetratree/scene/scene_data.cpp", "0x1p-51", by_hand, "a sum and a product in double: 2 of 2^-53"},
-      {"tetratree/scene/scene_pairs.cpp", "0x1p-51", by_hand, "a sum and a product in double: 2 of 2^-53"},
-      {"tetratree/scene/scene_pairs.cpp", "0x1p-46", by_hand, "a sum of three squares against a square, in double"},
-      {"tetratree/scene/scene_pairs.cpp", "0x1p-120", by_hand, "what a float of a vector loses by underflow: 2^-150"},
-      {"tetratree/scene/scene_pairs.cpp", "0x1p-23", by_hand, "a float's rounding of a vector, twice"},
       {"tetratree/scene/world_box.h", "0x1p-50", by_hand,
        "a difference, three sums and a product in double: 5 of 2^-53"},
   };

@@ -1,5 +1,6 @@
 // The recipes of CONTRIBUTING.md, compiled and asked: what they show is here.
 
+#include "tetracone/tetratree/solver/contact_solver.inl"
 #include "tetracone/tetratree/solver/solvers.inl"
 #include "verify/cases/shape_generators.h"
 #include "verify/test/experiments/recipes/box_subject.h"
@@ -18,6 +19,9 @@
 
 // What CMake makes of a row of kernel_list.h.
 TETRACONE_INSTANTIATE_SOLVERS(, , Long_double, )
+template std::unique_ptr<tetracone::detail::Contact_solver>
+tetracone::detail::bvh8_contact_solver<tetracone::kernel::Long_double>(const Shared_body&, const Shared_body&,
+                                                                       const Query_options&);
 
 BOOST_AUTO_TEST_SUITE(test_recipes)
 
