@@ -56,7 +56,7 @@ class Running_command : public verify::Running_subject {
   void tell_failure(const std::string& wrong_line)
   {
     // One that has closed its output ends at once or hangs.
-    const auto status = process_->end(Clock::now() + std::chrono::milliseconds(200));
+    const auto status = process_->end(Clock::now() + std::chrono::seconds(1));
     failure_.said = process_->last_error();
     if (!wrong_line.empty()) {
       failure_.how = "wrong line";

@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(what_goes_wrong_is_a_failure_and_the_next_question_is_answe
 BOOST_AUTO_TEST_CASE(a_failure_keeps_how_the_program_ended_and_its_last_words)
 {
   const auto left_by = [](const std::string& words) {
-    const auto running = experiments::subject_command("mine", words, 300ms).make();
+    const auto running = experiments::subject_command("mine", words, 10s).make();  // all end by themselves
     BOOST_TEST((*running)(along(1), Question::surface) == Outcome::failed, words);
     const verify::Failure failure = running->failure();
     return failure.how + ": " + failure.said;
