@@ -17,14 +17,16 @@ namespace tetracone::tetratree {
 /// Relative error of a root of a sum of squares, with what it is multiplied by (verify/proofs/scene_proofs.h).
 inline constexpr double step_rounding = 0x1p-48;
 
-/// Absolute error of the bounds below by an entry that underflows, for each unit of |c_j| + half_j. Under 2^-1022 a
-/// product, and the nearest double of a fraction, have an error of at most 2^-1075 =: e, whatever their size.
+/// Absolute error of the bounds below by an entry that underflows, for each unit of |c_j| + half_j
+/// (verify/proofs/scene_proofs.h). Under 2^-1022 a product, and the nearest double of a fraction, have an error of at
+/// most 2^-1075 =: e, whatever their size.
 ///
 /// An entry's error is multiplied with |c_j| + half_j, the centre and half the extent of a body's box. A step between
 /// two poses has the largest error. It is 6 e in the centre's images, one for each pose in three rows, and 2 e sqrt(3)
-/// times `reach_in_halves` <= 2 in what turns.
+/// times `reach_in_halves` <= 2 in the rotation.
 inline constexpr double entry_underflow = 0x1p-1072;
-/// Absolute error by products, and by roots of sums of at most 37 squares that underflow: 37^(1/2) e^(1/2).
+/// Absolute error by products, and by roots of sums of at most 37 squares that underflow: 37^(1/2) e^(1/2)
+/// (verify/proofs/scene_proofs.h).
 inline constexpr double placed_underflow = 0x1p-534;
 
 /// Returns the square of a coordinate's distance from the centre, in units of half the extent.
