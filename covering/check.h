@@ -21,8 +21,8 @@
 
 namespace tetracone::covering {
 
-/// The faces of a polyhedron in connected shells: faces that share a vertex are in one shell. The faces of each shell
-/// ascend, the shells stand in the order of their first faces.
+/// Returns the faces of a polyhedron by connected shells; faces that share a vertex are in one shell. The faces of each
+/// shell ascend. The shells are in the order of their first faces.
 inline std::vector<std::vector<Index>> shell_faces(const Polyhedron& polyhedron)
 {
   Union_find sets(polyhedron.vertices.size());
@@ -33,7 +33,7 @@ inline std::vector<std::vector<Index>> shell_faces(const Polyhedron& polyhedron)
   return grouped_faces(polyhedron.face_count(), sets, some_vertex);
 }
 
-/// The connected shells, each a polyhedron of its own with only the vertices that it uses.
+/// Returns the connected shells, each a polyhedron of its own with only the vertices that it uses.
 inline std::vector<Polyhedron> shells(const Polyhedron& polyhedron)
 {
   std::vector<Polyhedron> result;
@@ -42,7 +42,7 @@ inline std::vector<Polyhedron> shells(const Polyhedron& polyhedron)
   return result;
 }
 
-/// True when the faces, glued along their edges, are a 2-manifold without border: every edge is used once in each
+/// True when the faces, glued along their edges, are a 2-manifold without border. Then every edge is used once in each
 /// direction, and the corners around each vertex form one cycle. Requires that every vertex is used.
 inline bool is_manifold(const Polyhedron& polyhedron)
 {
@@ -51,7 +51,7 @@ inline bool is_manifold(const Polyhedron& polyhedron)
   for_each_edge(uses,
                 [&](std::span<const Edge_use> edge) { manifold = manifold && edge.size() == 2 && surplus(edge) == 0; });
   if (!manifold) return false;
-  // Corner (a, v, b): from its outgoing edge (v, b) to the corner whose incoming edge is (b, v).
+  // Corner (a, v, b) leads from its outgoing edge (v, b) to the corner whose incoming edge is (b, v).
   struct Corner {
     Index from, vertex, to;
   };
@@ -81,9 +81,10 @@ inline bool is_manifold(const Polyhedron& polyhedron)
   return true;
 }
 
-/// The way a closed surface runs, by the sign of its signed volume.
+/// The orientation of a closed surface, by the sign of its signed volume.
 enum class Orientation { outward, inward, flat, mixed, open };
 
+/// Returns the name of an orientation.
 constexpr std::string_view to_string(Orientation orientation)
 {
   switch (orientation) {
@@ -96,12 +97,12 @@ constexpr std::string_view to_string(Orientation orientation)
   return "open";
 }
 
-/// What one connected shell is.
+/// The properties of one connected shell.
 struct Shell {
   std::size_t vertices = 0, edges = 0, faces = 0, hole_loops = 0;
   bool closed = false;
-  /// V - E + F - hole loops, of the surface that the faces make when they are glued along their edges; a face with h
-  /// hole loops counts 1 - h.
+  /// The Euler characteristic V - E + F - hole loops of the surface that the faces make when they are glued along their
+  /// edges. A face with h hole loops counts 1 - h.
   std::ptrdiff_t euler = 0;
   std::optional<std::size_t> genus;        ///< of a 2-manifold without border
   std::optional<kernel::Rational> volume;  ///< signed, of a closed shell
@@ -114,7 +115,7 @@ struct Open_edge {
   std::size_t uses, reverse_uses;
 };
 
-/// What a polyhedron is. Numbers of vertices and faces count from 0. Lists are complete, ascending.
+/// The properties of a polyhedron. Numbers of vertices and faces count from 0. Lists are complete and ascend.
 struct Check {
   std::size_t vertices = 0;
   std::size_t used_vertices = 0;
@@ -141,7 +142,7 @@ struct Check {
   std::vector<Index> isolated_vertices;                ///< vertices of no face
 };
 
-/// Counts of one shell, its genus, volume and orientation.
+/// Returns the counts of one shell, its genus, volume and orientation.
 inline Shell check_shell(const Polyhedron& shell)
 {
   Shell result;
@@ -191,7 +192,7 @@ inline void check_faces(const Polyhedron& polyhedron, Check& result)
     if (!used[v]) result.isolated_vertices.push_back(v);
 }
 
-/// The vertices with the coordinates of one before them, ascending.
+/// Returns the vertices with the coordinates of an earlier one, ascending.
 inline std::vector<Index> repeated_vertices(const std::vector<Vertex>& vertices)
 {
   std::vector<Index> order(vertices.size());
@@ -227,7 +228,7 @@ inline void check_edges(const Polyhedron& polyhedron, Check& result)
   std::ranges::sort(result.open_edges, {}, [](const Open_edge& edge) { return std::array{edge.from, edge.to}; });
 }
 
-/// What the shells have in common: `mixed` where they differ. Requires a shell.
+/// Returns the orientation that all shells have; `mixed` where they differ. Requires a shell.
 inline Orientation common_orientation(const std::vector<Shell>& shells)
 {
   const auto same = [&](const Shell& shell) { return shell.orientation == shells[0].orientation; };
@@ -236,8 +237,8 @@ inline Orientation common_orientation(const std::vector<Shell>& shells)
 
 }  // namespace detail
 
-/// Everything about a polyhedron that a user should know before asking for collisions. Exact; any polyhedron is legal
-/// here.
+/// Returns all properties of a polyhedron that a user should know before collision queries. Exact; any polyhedron is
+/// legal here.
 inline Check check(const Polyhedron& polyhedron)
 {
   Check result;

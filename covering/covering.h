@@ -36,10 +36,10 @@ struct Covering_triangle {
                                 ///< sides
 };
 
-/// So many of a body's faces, elements or corners, or fewer, are no work to share.
+/// The grain of parallel work: this many faces, elements or corners of a body, or fewer, are not shared among threads.
 inline constexpr Index most_in_part = 8192;
 
-/// What is done when it is called. Refers to what it is made of.
+/// A reference to a callable without arguments. The callable must outlive it.
 class Thing {
  public:
   template <std::invocable What>
@@ -53,8 +53,8 @@ class Thing {
   void (*call_)(const void*);
 };
 
-/// Does one thing, then another; or as way(one, other) does. Whoever has threads does both at once, and returns when
-/// both are done. Refers to `way`.
+/// A way to do two things: one after the other by default, else by way(one, other). A `way` with threads may do both at
+/// once; it returns when both are done. `way` must outlive this.
 class Both {
  public:
   Both() = default;
@@ -82,8 +82,8 @@ class Both {
   void (*call_)(const void*, const Thing&, const Thing&) = nullptr;
 };
 
-/// Calls what(begin, end) for parts of the numbers first .. last, each of `most` at most, which together are all: in
-/// turn, or at once where `both` does two things at once.
+/// Calls what(begin, end) for parts of the numbers first .. last, each of at most `most`, which together are all. The
+/// calls are in turn, or at once where `both` does two things at once.
 template <class What>
 void in_parts(Index first, Index last, const Both& both, const What& what, Index most = most_in_part)
 {
@@ -95,7 +95,7 @@ void in_parts(Index first, Index last, const Both& both, const What& what, Index
   both([&] { in_parts(first, middle, both, what, most); }, [&] { in_parts(middle, last, both, what, most); });
 }
 
-/// The sum of what(begin, end) over such parts: later ones are added to earlier ones, by `add`.
+/// Returns the sum of what(begin, end) over such parts. Later sums are added to earlier ones, by `add`.
 template <class What>
 auto sum_of_parts(Index first, Index last, const Both& both, const What& what) -> decltype(what(first, last))
 {
@@ -108,7 +108,7 @@ auto sum_of_parts(Index first, Index last, const Both& both, const What& what) -
   return *sum;
 }
 
-/// Sets nothing where nothing is told: memory is first touched by the threads that fill it.
+/// An allocator that leaves new elements uninitialised, so that the threads that fill memory are the first to touch it.
 template <class T>
 struct Unset : std::allocator<T> {
   template <class Other>
@@ -130,16 +130,17 @@ struct Unset : std::allocator<T> {
 template <class T>
 using Unset_vector = std::vector<T, Unset<T>>;
 
-/// The covering of a polyhedron: for each face the triangles that join the origin W of the face to its directed edges
-/// (JS08 Theorem 1, Definitions 1 and 2), with the polyhedron's real edges and its connected parts.
+/// The covering of a polyhedron, with its real edges and its connected parts. For each face it has the triangles that
+/// join the origin W of the face to its directed edges (JS08 Theorem 1, Definitions 1 and 2).
 ///
-/// W is the first corner of the face: exactly on its plane, where a rounded centroid is not, and a triangle becomes its
-/// own covering, one tetrahedron instead of three. (Departure from the paper, which proposes the centroid; Theorem 1
-/// allows any point.) Edges that end in W span no triangle; they are sides of the triangles beside them, and where a
-/// face has no such triangle a flat one carries them, so that each real edge is on some triangle of its face.
+/// W is the first corner of the face. It is exactly on the plane, where a rounded centroid is not, and a triangle
+/// becomes its own covering, one tetrahedron instead of three. (Departure from the paper, which proposes the centroid;
+/// Theorem 1 allows any point.) Edges that end in W span no triangle; they are sides of the triangles beside them.
+/// Where a face has no such triangle, a flat one carries them. Each real edge is therefore on some triangle of its
+/// face.
 class Covering {
  public:
-  /// The same by any `both`.
+  /// Computes the covering, by `both`, which does not change the result.
   explicit Covering(const Polyhedron& polyhedron, const Both& both = {})
   {
     both(
@@ -155,14 +156,15 @@ class Covering {
 
   std::span<const Covering_triangle> triangles() const { return triangles_; }
 
-  /// The real edges, undirected: pairs of vertex numbers, the smaller first, sorted, each once.
+  /// Returns the real edges, undirected: pairs of vertex numbers, the smaller first, sorted, each once.
   const std::vector<std::array<Index, 2>>& edges() const { return edges_; }
 
-  /// All directed edges of the loops of face `f`, loop after loop: `from(f)[k]` to `to(f)[k]`. from(f)[0] is W.
+  /// Returns the starts of the directed edges of the loops of face `f`, loop after loop. Edge k leads from `from(f)[k]`
+  /// to `to(f)[k]`. from(f)[0] is W.
   std::span<const Index> from(Index f) const { return part(from_, f); }
   std::span<const Index> to(Index f) const { return part(to_, f); }
 
-  /// Three vertices of the face that span its plane; nothing when all its corners are on one line.
+  /// Returns three vertices of the face that span its plane; nothing when all its corners are on one line.
   std::optional<std::array<Index, 3>> plane_basis(Index f) const
   {
     if (spanned_[f] == by_none) return std::nullopt;
@@ -171,12 +173,16 @@ class Covering {
     return std::array{corners[0], corners[spanned_[f] / 16], corners[spanned_[f] % 16]};
   }
 
-  /// A vertex of each connected part of the surface, at least: of each maximal set of loops connected through shared
-  /// vertices. Loops, not faces: a face of several loops need not be connected.
+  /// Returns at least one vertex of each connected part of the surface. A part is a maximal set of loops connected
+  /// through shared vertices. Loops count, not faces, since a face of several loops need not be connected.
   const std::vector<Index>& shell_vertices() const { return shell_vertices_; }
 
  private:
-  /// What spans the plane of a face: its first corner and two of the next fourteen, four bits each, or one of these.
+  /// Codes for a face's plane basis beside the usual one. The usual code names two of the next fourteen corners after
+  /// the first, four bits each.
+  ///
+  /// - `by_none`: all corners are on one line.
+  /// - `by_others`: other corners, in `plane_bases_`.
   static constexpr std::uint8_t by_none = 0, by_others = 255;
 
   std::span<const Index> part(const std::vector<Index>& of, Index f) const
@@ -204,7 +210,7 @@ class Covering {
     }
   }
 
-  /// By their first vertices in two passes: faster than sorting them all.
+  /// The edges are sorted by their first vertices in two passes, which is faster than sorting them all.
   void collect_edges(const Polyhedron& polyhedron)
   {
     const auto for_edges = [&](const auto& what) {
@@ -240,7 +246,8 @@ class Covering {
     return Index(std::lower_bound(first + edge_begin_[edge[0]], first + edge_begin_[edge[0] + 1], edge) - first);
   }
 
-  /// In parts where each face has two triangles fewer than corners, which so have their places.
+  /// Covers the faces in parts. If every face has two triangles fewer than corners, the positions of its triangles
+  /// follow from the corners.
   void cover_faces(const Both& both)
   {
     const auto faces = Index(face_corner_begin_.size() - 1);
@@ -272,16 +279,16 @@ class Covering {
       cover_face(f, neighbours, [&](const Covering_triangle& t) { triangles_.push_back(t); });
   }
 
-  /// Of the corner W along a face's edges, and whether a triangle has that side.
+  /// The neighbours of the corner W along a face's edges, each with whether a triangle has that side.
   using Neighbours = std::vector<std::pair<Index, bool>>;
 
-  /// Calls add(triangle) for each of the face. `neighbours` is for its use.
+  /// Calls add(triangle) for each triangle of the face. `neighbours` is scratch memory.
   template <class Add>
   void cover_face(Index f, Neighbours& neighbours, const Add& add) const
   {
     const std::size_t first = face_corner_begin_[f], last = face_corner_begin_[f + 1];
     const Index w = from_[first];
-    if (last - first == 3) {  // mostly; the rest gives the same
+    if (last - first == 3) {  // the usual case; the rest gives the same result
       const Index a = to_[first], b = to_[first + 1];
       if (a != w && b != w && a != b && to_[first + 2] == w) {
         add({f, {w, a, b}, {edge_number(w, a), edge_number(a, b), edge_number(b, w)}});
@@ -360,17 +367,17 @@ class Covering {
 
   Unset_vector<Covering_triangle> triangles_;
   std::vector<std::array<Index, 2>> edges_;
-  std::vector<Index> edge_begin_;  // while faces are covered: where each vertex's begin
+  std::vector<Index> edge_begin_;  // during construction: where the edges of each vertex begin
   std::vector<Index> from_, to_;
   std::vector<Index> face_corner_begin_;
   std::vector<std::uint8_t> spanned_;
-  std::unordered_map<Index, std::array<Index, 3>> plane_bases_;  // of faces by others of their corners
+  std::unordered_map<Index, std::array<Index, 3>> plane_bases_;  // of the faces with `by_others`
   std::vector<Index> shell_vertices_;
 };
 
-/// The signed volume, exactly: 1/6 of the sum of the determinants of the covering's tetrahedra (JS08 Theorem 1),
-/// positive for outward faces. Independent of every W, and of O when the polyhedron is closed; here O is the first
-/// vertex.
+/// Returns the signed volume, exactly, positive for outward faces. It is 1/6 of the sum of the determinants of the
+/// covering's tetrahedra (JS08 Theorem 1). It does not depend on any W, nor on O when the polyhedron is closed; here O
+/// is the first vertex.
 inline kernel::Rational volume(const Polyhedron& polyhedron)
 {
   kernel::Volume_sum sum;

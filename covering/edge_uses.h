@@ -19,7 +19,7 @@ struct Edge_use {
   bool forward;
 };
 
-/// Calls `visit(from, to)` for each directed edge of face `f`, over all its loops; a loop of one corner has the edge
+/// Calls `visit(from, to)` for each directed edge of face `f`, over all its loops. A loop of one corner has the edge
 /// (a, a).
 template <class Visit>
 void for_each_directed_edge(const Polyhedron& polyhedron, Index f, Visit visit)
@@ -30,8 +30,8 @@ void for_each_directed_edge(const Polyhedron& polyhedron, Index f, Visit visit)
   }
 }
 
-/// Sorts by (low, high, face): where vertices are not far more than uses, by the lower vertices in two passes, and then
-/// those of each, which is faster than sorting all.
+/// Sorts by (low, high, face). Where vertices are not far more than uses, it sorts by the lower vertices in two passes,
+/// and then within each. This is faster than sorting all.
 inline void sort_uses(std::vector<Edge_use>& uses, std::size_t vertices)
 {
   const auto is_before = [](const Edge_use& x, const Edge_use& y) {
@@ -53,7 +53,7 @@ inline void sort_uses(std::vector<Edge_use>& uses, std::size_t vertices)
   uses.swap(sorted);
 }
 
-/// All uses of all edges, sorted by (low, high, face). Edges (a, a) are left out: each is its own reverse.
+/// Returns all uses of all edges, sorted by (low, high, face). Edges (a, a) are left out: each is its own reverse.
 inline std::vector<Edge_use> edge_uses(const Polyhedron& polyhedron)
 {
   std::vector<Edge_use> uses;
@@ -65,7 +65,7 @@ inline std::vector<Edge_use> edge_uses(const Polyhedron& polyhedron)
   return uses;
 }
 
-/// Calls `visit(uses)` with the uses of each edge in turn; takes what `edge_uses` gives.
+/// Calls `visit(uses)` with the uses of each edge in turn. Requires the order of `edge_uses`.
 template <class Visit>
 void for_each_edge(std::span<const Edge_use> uses, Visit visit)
 {
@@ -75,7 +75,7 @@ void for_each_edge(std::span<const Edge_use> uses, Visit visit)
   }
 }
 
-/// How often an edge is used from low to high more than from high to low; 0 where its uses cancel.
+/// Returns how often an edge is used from low to high minus how often from high to low; 0 where its uses cancel.
 inline std::ptrdiff_t surplus(std::span<const Edge_use> uses)
 {
   const auto forward = std::ranges::count_if(uses, &Edge_use::forward);
@@ -85,7 +85,7 @@ inline std::ptrdiff_t surplus(std::span<const Edge_use> uses)
 /// True when over all loops every directed edge (a, b) occurs exactly as often as (b, a).
 inline bool is_closed(const Polyhedron& polyhedron)
 {
-  // Of each edge: how often its ends come in the order of their numbers, and how often not.
+  // The uses of an edge cancel when its ends come in the order of their numbers as often as not.
   const std::size_t vertices = polyhedron.vertices.size();
   bool is_legal = true;
   const auto for_edges = [&](const auto& what) {

@@ -20,25 +20,28 @@
 
 namespace tetracone::covering {
 
-/// Decides whether triangles cover exactly a face, in time linear in both but for the sorting of their sides. (Faces
-/// whose triangles run in both directions take a sweep.)
+/// Decides whether triangles cover exactly a face. The time is linear in both, except for the sorting of their sides.
+/// (Faces whose triangles run in both directions take a sweep.)
 ///
-/// A face is the points of its plane about which its loops wind, and the points of its loops. Triangles are these points
-/// exactly, where
-/// (1) their corners are corners of the face, so that they lie in its plane;
-/// (2) no triangle has its corners on one line;
-/// (3) the directed sides of the triangles are the directed edges of the loops, except pairs of opposite ones;
-/// (4) each edge of a loop is a side of a triangle;
-/// (5) two triangles of opposite directions have no area in common.
+/// A face is the points of its plane about which its loops wind, and the points of its loops. Triangles cover exactly
+/// these points if
+///
+/// - (1) their corners are corners of the face, so that they lie in its plane;
+/// - (2) no triangle has its corners on one line;
+/// - (3) the directed sides of the triangles are the directed edges of the loops, except pairs of opposite ones;
+/// - (4) each edge of a loop is a side of a triangle;
+/// - (5) two triangles of opposite directions have no area in common.
 ///
 /// Proof. Directed edges add up to the winding number about any point off them, and opposite edges add up to 0. So by
 /// (3) the loops wind about a point off all edges as the triangles do: once for each triangle of one direction that
 /// holds the point, and once the other way for each of the other direction. By (5) only one kind holds it. Hence the
 /// number is 0 exactly where no triangle holds the point.
-/// A triangle adds no point: by (2) each of its points is a limit of inner ones, about which the loops wind. Off the
-/// loops, the winding number is constant nearby; so the loops wind about the point, or pass through it.
-/// The triangles lack no point: near a point that the loops wind about, all points off the edges are in triangles. These
-/// are closed and few, so one of them holds the point. The points of loops are in triangles by (4).
+///
+/// The triangles add no point. By (2) each of their points is a limit of inner ones, about which the loops wind. Off
+/// the loops, the winding number is constant nearby; so the loops wind about the point, or pass through it.
+///
+/// The triangles lack no point. Near a point that the loops wind about, all points off the edges are in triangles.
+/// These are closed and finitely many, so one of them holds the point. The points of loops are in triangles by (4).
 class Face_cover {
  public:
   using Triangle = std::array<Index, 3>;
@@ -48,8 +51,8 @@ class Face_cover {
       : polyhedron_(polyhedron), corner_of_(polyhedron.vertices.size(), std::numeric_limits<Index>::max())
   {}
 
-  /// Returns what is wrong with these triangles of face `f`; nothing where they cover exactly the face. Requires a
-  /// planar face, and vertices that are there.
+  /// Returns the flaw of these triangles of face `f`; nothing where they cover exactly the face. Requires a planar
+  /// face, and vertices that exist.
   std::optional<std::string> flaw(Index f, std::span<const Triangle> triangles)
   {
     sides_.clear();
@@ -99,13 +102,13 @@ class Face_cover {
 
   auto point(Index v) const { return Adaptive::unmoved(polyhedron_.vertices[v]); }
 
-  /// The turn of three corners in the projection of the face's plane.
+  /// Returns the turn of three corners in the projection of the face's plane.
   kernel::Sign turn(Index a, Index b, Index c) const
   {
     return kernel::normal_sign<Adaptive>(point(a), point(b), point(c), axis_);
   }
 
-  /// Each triangle's direction. Returns the number of one without area.
+  /// Finds each triangle's direction. Returns the number of one without area.
   std::optional<std::size_t> find_directions(std::span<const Triangle> triangles)
   {
     directions_.clear();
@@ -121,7 +124,8 @@ class Face_cover {
     return std::nullopt;
   }
 
-  /// Whether two of opposite directions do, by a sweep along a coordinate of the projection.
+  /// True when two triangles of opposite directions have area in common, by a sweep along a coordinate of the
+  /// projection.
   bool overlap(std::span<const Triangle> triangles) const
   {
     const auto reach = [&](std::size_t t) {
@@ -141,8 +145,8 @@ class Face_cover {
     return false;
   }
 
-  /// Whether triangle `t` lies beyond a side of triangle `s`, or touches it: of two convex sets without an inner point in
-  /// common, one has such a side.
+  /// True when triangle `t` lies beyond a side of triangle `s`, or touches it. One of two convex sets without a common
+  /// inner point has such a side.
   bool is_beyond_side(std::span<const Triangle> triangles, std::size_t s, std::size_t t) const
   {
     for (std::size_t k = 0; k < 3; ++k)
@@ -154,21 +158,21 @@ class Face_cover {
   }
 
   const Polyhedron& polyhedron_;
-  std::vector<Index> corner_of_;  // of each vertex: the last face that was seen to have it
+  std::vector<Index> corner_of_;  // of each vertex: the last face that was found to have it
   std::vector<Side> sides_;
   std::vector<kernel::Sign> directions_;
   bool is_of_both_directions_ = false;
   int axis_ = -1;  // along which the face is projected
 };
 
-/// What is wrong with the triangles of a face.
+/// A flaw of the triangles of a face.
 struct Cover_flaw {
   Index face;
   std::string wrong;
 };
 
-/// Returns the first face that has triangles which do not cover exactly it. Requires planar faces, and faces and
-/// vertices that are there.
+/// Returns the first face whose triangles do not cover exactly it. Requires planar faces, and faces and vertices that
+/// exist.
 inline std::optional<Cover_flaw> cover_flaw(const Polyhedron& polyhedron, std::span<const Face_triangle> triangles)
 {
   if (triangles.empty()) return std::nullopt;

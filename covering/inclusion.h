@@ -7,25 +7,25 @@
 
 namespace tetracone::covering {
 
-/// Whether the tetrahedron O W A B of the covering holds p, and with which sign: +1 or -1 when it does, else 0.
+/// Returns +1 or -1 when the tetrahedron O W A B of the covering holds p, by its sign, else 0.
 ///
-/// p is moved by the infinitesimal (e, e^2, e^3) first, so it lies on no plane of any tetrahedron: then the sum of
-/// these over the covering is the winding number of the moved point, and of p itself when p lies on no face. (Weights
-/// of 1/2 on shared facets, as often proposed, are wrong where p lies on an inner edge of the covering.)
+/// p is moved by the infinitesimal (e, e^2, e^3) first, so it lies on no plane of any tetrahedron. The sum of these
+/// over the covering is the winding number of the moved point. It is also p's own when p lies on no face. (Weights of
+/// 1/2 on shared facets, as often proposed, are wrong where p lies on an inner edge of the covering.)
 template <class K>
 int signed_inclusion(const kernel::Point<K>& p, const kernel::Point<K>& o, const kernel::Point<K>& w,
                      const kernel::Point<K>& a, const kernel::Point<K>& b)
 {
   const kernel::Sign volume = kernel::volume_sign<K>(o, w, a, b);
   if (volume == kernel::ZERO) return 0;
-  // Coordinates at A, W, B and O: p must see each facet as the opposite corner does.
+  // The signs of the coordinates at A, W, B and O: p must see each facet as the opposite corner does.
   const bool inside =
       kernel::perturbed_side<K>(o, b, w, p) == volume && kernel::perturbed_side<K>(o, a, b, p) == volume &&
       kernel::perturbed_side<K>(o, w, a, p) == volume && kernel::perturbed_side<K>(w, a, b, p) == -volume;
   return inside ? static_cast<int>(volume) : 0;
 }
 
-/// The winding number about p of the placed polyhedron, as the signed sum over its covering (JS08 Theorem 1).
+/// Returns the winding number of the placed polyhedron about p, as the signed sum over its covering (JS08 Theorem 1).
 /// Requires p on no face and the polyhedron closed. `det M < 0` turns the sign of every shell.
 template <class K>
 int winding_number(const kernel::Point<K>& p, Placed_model<K>& body)
@@ -38,8 +38,8 @@ int winding_number(const kernel::Point<K>& p, Placed_model<K>& body)
   return winding;
 }
 
-/// Where p stands with regard to the placed solid: the surface first, then the winding number. Requires the polyhedron
-/// closed.
+/// Returns where p is relative to the placed solid, by the surface first, then the winding number. Requires the
+/// polyhedron closed.
 template <class K>
 Location locate(const kernel::Point<K>& p, Placed_model<K>& body)
 {

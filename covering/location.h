@@ -3,7 +3,7 @@
 
 namespace tetracone::covering {
 
-/// Where a point stands with regard to a solid.
+/// The position of a point relative to a solid.
 enum class Location { outside = -1, on_surface = 0, inside = 1 };
 
 }  // namespace tetracone::covering

@@ -20,25 +20,25 @@
 namespace tetracone::covering {
 
 /// A polyhedron as kernel K sees it: its covering, the origin O of the covering, and its vertices as points of K.
-/// Requires every face planar (see `repair.h`), for that is what the signs of a face mean. Throws
-/// kernel::Unsound_floating_point when K decides exactly and floating point is not as that needs it.
+/// Requires every face planar (see `repair.h`), since the signs of a face assume it. Throws
+/// kernel::Unsound_floating_point when K decides exactly and floating point is not as that requires.
 template <class K>
 class Model {
-  /// The adaptive kernel's points are thrice a vertex, and made of it by copying.
+  /// An adaptive kernel's point is three times the size of a vertex, and is made from it by copying, so it is not kept.
   static constexpr bool keeps_points = !std::is_same_v<K, kernel::Adaptive>;
 
  public:
-  /// A vertex as K sees it; a reference where it is kept so.
+  /// A vertex as K sees it; a reference where points are kept.
   using Point = std::conditional_t<keeps_points, const kernel::Point<K>&, kernel::Point<K>>;
 
-  /// The same by any `both`.
+  /// Makes the model, by `both`, which does not change the result.
   explicit Model(const Polyhedron& polyhedron, const Both& both = {}) : Model(Parts(polyhedron, both)) {}
 
   const std::vector<Vertex>& vertices() const { return vertices_; }
   const Covering& covering() const { return covering_; }
   std::size_t face_count() const { return face_count_; }
 
-  /// O, the origin of the covering and of all tetra-cones, and the directions about it.
+  /// Returns O, the origin of the covering and of all tetra-cones, with the directions about it.
   const kernel::Cone_lattice& lattice() const { return lattice_; }
   const kernel::Point<K>& origin() const { return origin_; }
 
@@ -51,7 +51,7 @@ class Model {
   }
 
  private:
-  /// What it is made of.
+  /// The members of a model, made by `both`.
   struct Parts {
     std::vector<Vertex> vertices;
     std::optional<Covering> covering;
@@ -93,8 +93,8 @@ class Model {
   std::vector<kernel::Point<K>> points_;
 };
 
-/// A model under a pose. Points are placed when they are first asked for, and once; memory is taken for those near ones
-/// that were asked for.
+/// A model under a pose. Points are placed on demand, each once; memory is taken by blocks of points that were asked
+/// for.
 template <class K>
 class Placed_model {
  public:
@@ -117,7 +117,7 @@ class Placed_model {
   const Model<K>& model() const { return *model_; }
   const kernel::Frame<K>& frame() const { return frame_; }
 
-  /// The sign of det M of the pose: NEGATIVE turns every tetrahedron over.
+  /// Returns the sign of det M of the pose: NEGATIVE reverses every tetrahedron.
   kernel::Sign determinant_sign() const { return determinant_sign_; }
 
   const Point& point(Index v)
@@ -201,7 +201,7 @@ class Model_face {
   Index face_;
 };
 
-/// How the closed segment pq and face `f` of a placed model meet.
+/// Returns how the closed segment pq and face `f` of a placed model meet.
 template <class K>
 kernel::Contact segment_face(const kernel::Point<K>& p, const kernel::Point<K>& q, Placed_model<K>& body, Index f)
 {

@@ -14,9 +14,9 @@
 
 namespace tetracone::covering {
 
-/// The faces of a polyhedron in groups: two faces are in one group where a chain of edges that are used exactly twice
-/// leads from one to the other (an edge with more uses does not say which of its faces go together). The faces of each
-/// group ascend, the groups stand in the order of their first faces.
+/// Returns the faces of a polyhedron in groups. Two faces are in one group where a chain of edges that are used exactly
+/// twice leads from one to the other. (An edge with more uses does not say which of its faces go together.) The faces
+/// of each group ascend. The groups are in the order of their first faces.
 inline std::vector<std::vector<Index>> edge_groups(const Polyhedron& polyhedron)
 {
   Union_find sets(polyhedron.face_count());
@@ -27,9 +27,9 @@ inline std::vector<std::vector<Index>> edge_groups(const Polyhedron& polyhedron)
   return grouped_faces(polyhedron.face_count(), sets, [](Index f) { return f; });
 }
 
-/// Which faces to turn so that the two uses of each edge that is used exactly twice run against each other:
-/// breadth-first from the first face of each group, which stays. Where a group cannot be oriented (a Moebius band) some
-/// edges stay as they are.
+/// Returns which faces to turn so that the two uses of each edge that is used exactly twice run against each other. The
+/// search is breadth-first from the first face of each group, which stays. Where a group cannot be oriented (a Moebius
+/// band), some edges stay as they are.
 inline std::vector<bool> turns_across_edges(const Polyhedron& polyhedron)
 {
   struct Neighbour {
@@ -73,8 +73,8 @@ inline void append_face(Polyhedron& to, const Polyhedron& from, Index f, bool tu
   to.add_face(loops);
 }
 
-/// The faces `faces` of a polyhedron, each turned round where `turned` says so, with only the vertices that they use,
-/// in their old order.
+/// Returns the faces `faces` of a polyhedron, each turned round where `turned` says so. It has only the vertices that
+/// they use, in their old order.
 inline Polyhedron part(const Polyhedron& polyhedron, const std::vector<Index>& faces, const std::vector<bool>& turned)
 {
   std::vector<Index> used;
@@ -138,8 +138,7 @@ inline Oriented apply_orientation(const Polyhedron& polyhedron, std::vector<bool
   return result;
 }
 
-/// Orients the faces across their edges, holes and all; see `apply_orientation` for what becomes of each group of
-/// faces.
+/// Orients the faces across their edges, including hole loops; see `apply_orientation` for the result for each group.
 inline Oriented orient_across_edges(const Polyhedron& polyhedron)
 {
   return apply_orientation(polyhedron, turns_across_edges(polyhedron));

@@ -15,13 +15,14 @@
 
 namespace tetracone::covering {
 
+/// The planarity of a face.
 enum class Planarity {
   degenerate,  ///< all corners on one line or in one point
   planar,      ///< all corners exactly on one plane
-  off_plane
+  off_plane    ///< some corner off the plane of others
 };
 
-/// The vertices of all loops of face `f`, in their order, as often as they stand there.
+/// Returns the vertices of all loops of face `f`, in their order, each as often as loops name it.
 inline std::vector<Index> corners(const Polyhedron& polyhedron, Index f)
 {
   std::vector<Index> result;
@@ -32,7 +33,7 @@ inline std::vector<Index> corners(const Polyhedron& polyhedron, Index f)
   return result;
 }
 
-/// Decided exactly (CGAL's filtered predicates), whatever the order of the corners.
+/// Returns the planarity of face `f`, exactly (CGAL's filtered predicates), whatever the order of the corners.
 inline Planarity planarity(const Polyhedron& polyhedron, Index f)
 {
   using K = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -54,7 +55,7 @@ inline Planarity planarity(const Polyhedron& polyhedron, Index f)
   return Planarity::planar;
 }
 
-/// The square root of a rational from 0, as a double; a square beyond the range of double does not hurt.
+/// Returns the square root of a rational >= 0 as a double. The rational may exceed the range of double.
 inline double square_root(kernel::Rational square)
 {
   if (square == 0) return 0;
@@ -65,7 +66,7 @@ inline double square_root(kernel::Rational square)
   return std::ldexp(std::sqrt(kernel::nearest_double(square)), exponent);
 }
 
-/// How far a face is from being planar.
+/// The deviation of a face from being planar.
 struct Off_plane {
   Index face;
   Index vertex;                       ///< the one farthest from the plane, the first of equals
@@ -73,9 +74,9 @@ struct Off_plane {
   double distance;                    ///< its square root, rounded
 };
 
-/// The largest distance of a corner of face `f` from the plane through three of its corners: p the first corner of the
-/// face, q the farthest from p, r the one that spans the largest triangle with p and q, each the first of equals. So
-/// the plane is spanned by a large triangle, exact, and depends on nothing but the face. Requires
+/// Returns the largest distance of a corner of face `f` from the plane through three of its corners p, q, r. p is the
+/// first corner of the face, and q is the farthest from p. r spans the largest triangle with p and q. Each is the first
+/// of equals. The plane is therefore spanned by a large triangle, exact, and depends on nothing but the face. Requires
 /// `Planarity::off_plane`.
 inline Off_plane deviation(const Polyhedron& polyhedron, Index f)
 {

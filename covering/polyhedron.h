@@ -18,16 +18,16 @@ namespace tetracone::covering {
 
 using kernel::Vertex;
 
-/// Number of a vertex or of a face of a polyhedron, from 0.
+/// The number of a vertex or of a face of a polyhedron, from 0.
 using Index = std::uint32_t;
 
 /// A closed loop of vertex numbers, each followed by the next and the last by the first.
 using Loop = std::span<const Index>;
 
-/// Vertices, and faces of one or more closed loops: the first loop of a face is its outer boundary, the others are its
-/// holes, which run the other way round. Nothing else is asked: open or closed, several shells, non-manifold,
-/// degenerate and repeated elements are all representable (see `check.h` for what a polyhedron is). Every coordinate is
-/// a finite double and is taken exactly.
+/// Vertices, and faces of one or more closed loops. The first loop of a face is its outer boundary. The others are its
+/// holes, which run the other way round. There is no other requirement: open or closed, several shells, non-manifold,
+/// degenerate and repeated elements are all representable (see `check.h`). Every coordinate is a finite double and is
+/// taken exactly.
 class Polyhedron {
  public:
   std::vector<Vertex> vertices;  ///< by their numbers; faces may leave some unused
@@ -57,7 +57,7 @@ class Polyhedron {
   /// Appends a face of one loop in braces: `add_polygon({0, 1, 2})`.
   void add_polygon(std::initializer_list<Index> loop) { add_polygon<std::initializer_list<Index>>(loop); }
 
-  /// Reserves memory for faces, of so many corners in all.
+  /// Reserves memory for faces with `corners` corners in all.
   void reserve_faces(std::size_t faces, std::size_t corners)
   {
     corners_.reserve(corners);
@@ -65,28 +65,28 @@ class Polyhedron {
     face_end_.reserve(faces);
   }
 
-  /// Gives each corner the number new_number(v) in place of v.
+  /// Replaces the number v of each corner by new_number(v).
   template <class New_number>
   void renumber(const New_number& new_number)
   {
     for (Index& v : corners_) v = new_number(v);
   }
 
-  /// Calls what(array) for each of the arrays that it is made of: they are kept in a file, or filled from one.
+  /// Calls what(array) for each of the arrays of the polyhedron, to save them in a file or to fill them from one.
   template <class What>
   void for_arrays(const What& what) const
   {
     for_arrays_of(*this, what);
   }
-  /// The same, where `what` may change them: to those of a polyhedron.
+  /// Same, where `what` may change the arrays. Requires that they are a polyhedron's afterwards.
   template <class What>
   void for_arrays(const What& what)
   {
     for_arrays_of(*this, what);
   }
 
-  /// Whether the arrays, where they come from a file, are loops and faces: no loop is empty, each face has a loop, and
-  /// numbers are enough for all. Corners may still name vertices that are not there.
+  /// True when the arrays, where they come from a file, are loops and faces: no loop is empty, each face has a loop,
+  /// and the numbers end where the arrays do. Corners may still name vertices that do not exist.
   bool has_legal_loops() const
   {
     const auto ascend_to = [](const std::vector<Index>& ends, std::size_t last) {
@@ -101,16 +101,16 @@ class Polyhedron {
            ascend_to(face_end_, loop_end_.size());
   }
 
-  /// The number of faces.
+  /// Returns the number of faces.
   std::size_t face_count() const { return face_end_.size(); }
 
-  /// The number of corners of all faces: a vertex counts as often as loops name it.
+  /// Returns the number of corners of all faces; a vertex counts as often as loops name it.
   std::size_t corner_count() const { return corners_.size(); }
 
-  /// The number of loops of face `f`: 1, and one more for each hole.
+  /// Returns the number of loops of face `f`: 1, and one more for each hole.
   std::size_t loop_count(Index f) const { return face_end_[f] - first_loop(f); }
 
-  /// Loop `k` of face `f`; loop 0 is the outer one.
+  /// Returns loop `k` of face `f`; loop 0 is the outer one.
   Loop loop(Index f, std::size_t k) const
   {
     assert(k < loop_count(f));
@@ -139,8 +139,8 @@ class Polyhedron {
   std::vector<Index> face_end_;  // face f is loops face_end_[f-1] .. face_end_[f]
 };
 
-/// Appends the vertices and the faces of `what`, which must be another polyhedron; with every loop turned round when
-/// `turned`.
+/// Appends the vertices and the faces of `what`, with every loop turned round when `turned`. Requires two different
+/// polyhedra.
 inline void append(Polyhedron& to, const Polyhedron& what, bool turned = false)
 {
   assert(&to != &what);

@@ -6,7 +6,7 @@
 
 namespace tetracone::covering {
 
-/// Twice the signed area of a loop in the projection along coordinate `axis`, exact.
+/// Returns twice the signed area of a loop in the projection along coordinate `axis`, exactly.
 inline kernel::Rational projected_area(const Polyhedron& polyhedron, Loop loop, int axis)
 {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -19,8 +19,8 @@ inline kernel::Rational projected_area(const Polyhedron& polyhedron, Loop loop, 
   return area;
 }
 
-/// The coordinate along which the projection of a loop has the largest area (the largest component of its Newell
-/// normal), the first of equals; exact.
+/// Returns the coordinate along which the projection of a loop has the largest area, the first of equals, exactly. It
+/// is the largest component of the loop's Newell normal.
 inline int projection_axis(const Polyhedron& polyhedron, Loop loop)
 {
   int best = 0;

@@ -9,9 +9,9 @@
 
 namespace tetracone::covering {
 
-/// The fan of triangles from the first corner of each face of one loop and more than three corners whose other corners
-/// go round it in one half-plane: as they do in every strictly convex face. These triangles cover exactly the face.
-/// Exact; nothing for other faces.
+/// Returns fans of triangles, from the first corner of each suitable face; nothing for the other faces. Exact. A face
+/// is suitable if it has one loop and more than three corners, and the other corners go round the first in one
+/// half-plane. Every strictly convex face is suitable. The triangles cover exactly the face.
 inline std::vector<Face_triangle> star_faces(const Polyhedron& polyhedron)
 {
   using kernel::Adaptive;

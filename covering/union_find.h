@@ -17,22 +17,22 @@ class Union_find {
 
   std::size_t size() const { return parent_.size(); }
 
-  /// The one member that stands for the set of `v`.
+  /// Returns the member that represents the set of `v`.
   Index root(Index v)
   {
     while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
     return v;
   }
 
-  /// Joins the sets of `a` and `b`; the root of `b` stands for both.
+  /// Joins the sets of `a` and `b`; the root of `b` represents both.
   void join(Index a, Index b) { parent_[root(a)] = root(b); }
 
  private:
   std::vector<Index> parent_;
 };
 
-/// The faces from 0 to `face_count` - 1 by the set of what `member` names of each. The faces of each group ascend, the
-/// groups stand in the order of their first faces.
+/// Returns the faces 0 .. `face_count` - 1 in groups, by the set of member(face). The faces of each group ascend. The
+/// groups are in the order of their first faces.
 template <class Member>
 std::vector<std::vector<Index>> grouped_faces(std::size_t face_count, Union_find& sets, const Member& member)
 {

@@ -12,15 +12,15 @@
 
 namespace tetracone::covering {
 
-/// All bytes of a file: mapped where the system can, else a copy, as of a pipe. A file that is made shorter while it is
-/// mapped ends the process by SIGBUS.
+/// All bytes of a file: mapped where the system can, else copied (from a pipe, for example). A file that is made
+/// shorter while it is mapped ends the process by SIGBUS.
 class File_bytes {
  public:
   /// Throws Input_error as `read_bytes`.
   explicit File_bytes(const std::filesystem::path& file)
   {
     if (std::filesystem::is_regular_file(status_to_read(file))) map(file);
-    // Of some files, as those of /proc, the system tells no size.
+    // The system reports no size for some files, such as those in /proc.
     if (bytes().empty()) copied_ = read_bytes(file);
   }
 
@@ -31,7 +31,7 @@ class File_bytes {
   {
     try {
       mapped_.emplace(file);
-    } catch (const Input_error&) {  // it is read, or is said then why not
+    } catch (const Input_error&) {  // reading it succeeds, or throws the reason
     }
     if (mapped_ && mapped_->bytes().empty()) mapped_.reset();
   }

@@ -9,8 +9,8 @@
 
 namespace tetracone::covering {
 
-/// What is wrong in a user's file. `what()` is one line, "file:line: what is wrong; what was expected"; line 0 stands
-/// for no line (a binary file, or the file as a whole) and is left out with its colon.
+/// An error in a user's file. `what()` is one line, "file:line: what is wrong; what was expected". Line 0 stands for no
+/// line (a binary file, or the file as a whole) and is left out with its colon.
 class Input_error : public Error {
  public:
   Input_error(std::string_view file, std::size_t line, std::string_view wrong, std::string_view expected)
@@ -30,7 +30,7 @@ class Input_error : public Error {
   }
 };
 
-/// A word of a file as a message shows it: in quotes, at most 40 bytes of it, a `?` for each byte that does not print.
+/// Returns a word of a file for a message: in quotes, at most 40 bytes of it, a `?` for each byte that does not print.
 inline std::string in_quotes(std::string_view word)
 {
   constexpr std::size_t longest = 40;

@@ -16,11 +16,11 @@
 
 namespace tetracone::covering {
 
-/// The bytes of a file, mapped to be read where the system keeps them. They are there as long as nobody makes the file
+/// The bytes of a file, mapped read-only where the system keeps them. They are valid as long as nobody makes the file
 /// shorter.
 class Mapped_file {
  public:
-  /// Throws Input_error as `read_bytes`, and for what is no regular file.
+  /// Throws Input_error as `read_bytes`, and unless it is a regular file.
   explicit Mapped_file(const std::filesystem::path& file)
   {
     const auto fail = [&](const char* wrong, const char* expected) {
@@ -47,8 +47,8 @@ class Mapped_file {
 
   std::string_view bytes() const { return {reinterpret_cast<const char*>(pages_), size_}; }
 
-  /// Gives away the pages from this byte on, the first of a page: to be unmapped by whoever takes them, and not to be
-  /// written. The file holds nothing from now on.
+  /// Gives away the pages from this byte on, which must be the first of a page. The taker unmaps them, and must not
+  /// write. The file is empty afterwards.
   void* release_from(std::size_t at)
   {
     assert(at < size_);

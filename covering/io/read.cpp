@@ -33,7 +33,7 @@ namespace tetracone::covering {
 
 namespace {
 
-/// The same for equal vertices: 0 is equal to -0.
+/// Returns a hash that is equal for equal vertices: 0 is equal to -0.
 std::uint64_t hash_of(const Vertex& vertex)
 {
   std::uint64_t hash = 0;
@@ -44,7 +44,7 @@ std::uint64_t hash_of(const Vertex& vertex)
   return hash;
 }
 
-/// Keeps each vertex once, where it was first, and returns its number of each.
+/// Keeps each vertex once, at its first position, and returns the new number of each.
 std::vector<Index> merge(std::vector<Vertex>& vertices)
 {
   constexpr Index none = std::numeric_limits<Index>::max();
@@ -85,7 +85,7 @@ struct Soup {
   std::vector<std::vector<std::size_t>> polygons;
 };
 
-/// The polygon soup that CGAL reads from the text; nothing where CGAL refuses it.
+/// Returns the polygon soup that CGAL reads from the text; nothing where CGAL refuses it.
 std::optional<Soup> read(const std::string& suffix, std::string_view text)
 try {
   std::istringstream in(std::string(text), std::ios::binary);
@@ -118,7 +118,8 @@ bool agrees(const Soup& soup, const Polyhedron& scanned, bool compare_coordinate
 /// The size of a file above which the scan's reading is not compared with CGAL's.
 constexpr std::size_t most_for_cgal = 100'000'000;
 
-/// What CGAL's reader says of the text that was scanned as `polyhedron`; empty where it reads the same.
+/// Returns a note of how CGAL's reader differs on the text that was scanned as `polyhedron`; empty where it reads the
+/// same.
 std::string note_of_cgal(const std::string& suffix, std::string_view text, const Scan& scan,
                          const Polyhedron& polyhedron)
 {
@@ -148,7 +149,7 @@ Read_model read_model(const std::filesystem::path& path, bool also_by_cgal)
   const std::string suffix = suffix_of(path);
   const std::string& file = path.native();
   const bool known = suffix == ".off" || suffix == ".obj" || suffix == ".ply" || suffix == ".stl" || suffix == ".poly";
-  // What is no file at all is said first.
+  // A missing file is reported before an unknown suffix.
   std::error_code ignored;
   if (!known && std::filesystem::is_regular_file(path, ignored))
     throw Input_error(file, 0, (suffix.empty() ? "no suffix" : "unknown suffix " + in_quotes(suffix)),

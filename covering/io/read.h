@@ -9,35 +9,41 @@
 
 namespace tetracone::covering {
 
-/// Vertices with exactly equal coordinates (-0.0 equals 0.0) become one, the first of them; faces and loops stay as
-/// they are.
+/// Returns the polyhedron with vertices of exactly equal coordinates (-0.0 equals 0.0) merged into the first of them.
+/// Faces and loops stay as they are.
 Polyhedron merge_equal_vertices(Polyhedron polyhedron);
 
-/// The suffix of a file's name, in small letters.
+/// Returns the suffix of a file's name, in small letters.
 std::string suffix_of(const std::filesystem::path& path);
 
-/// Reads a model: OFF, OBJ, PLY (text and binary), STL (text and binary) or TetGen .poly, by the suffix in any case of
-/// letters.
+/// Returns a model from a file: OFF, OBJ, PLY (text and binary), STL (text and binary) or TetGen .poly, by the suffix
+/// in any case of letters.
 ///
-///  - Polygons stay polygons. Nothing is merged but an STL file's exactly equal vertices (-0.0 equals 0.0).
-///  - Each coordinate is the double nearest to the file's decimal, by the standard's own conversion, or the binary
-///    file's number exactly.
-///  - OFF, OBJ, PLY and STL are read by `scan_off` and so on, .poly by `read_poly`.
-///  - Numbers that no face uses (normals, colours, points of no face) may be nan or infinite.
-///  - Faces of one or two corners, and what stands behind the last face of an OFF file or the last triangle of a binary
-///    STL, are left out; `read_with_notes` says so.
+/// - Polygons stay polygons. Nothing is merged except an STL file's exactly equal vertices (-0.0 equals 0.0).
+/// - Each coordinate is the double nearest to the file's decimal, by the standard's own conversion, or the binary
+///   file's number exactly.
+/// - OFF, OBJ, PLY and STL are read by `scan_off` and so on, .poly by `read_poly`.
+/// - Numbers that no face uses (normals, colours, points of no face) may be nan or infinite.
+/// - Faces of one or two corners are left out; `read_with_notes` says so.
+/// - So are the bytes behind the last face of an OFF file, and behind the last triangle of a binary STL.
 ///
-/// Throws Input_error at the first thing that is wrong: no file, an unknown suffix, a word that is no number, nan,
-/// infinity or overflow in a face's point, an index out of range, a face of no corners, missing data, more faces than
-/// the file counts, a count that the file cannot hold, no face at all.
+/// Throws Input_error at the first flaw:
+///
+/// - no file, or an unknown suffix;
+/// - a word that is no number;
+/// - nan, infinity or overflow in a face's point;
+/// - an index out of range;
+/// - a face of no corners, or no face at all;
+/// - missing data, or more faces than the file counts;
+/// - a count that the file cannot hold.
 Polyhedron read(const std::filesystem::path& path);
 
-/// Reads a model as `read` does, with notes of what was left out and of what is not as it is written.
+/// Returns a model as by `read`, with notes of everything that was left out or changed.
 Read_model read_with_notes(const std::filesystem::path& path);
 
-/// Reads a model as `read_with_notes` does, and a second time by CGAL's reader, which takes several times as long. A note
-/// says where CGAL's reader refuses the file or finds other vertices or faces; the scan's are the ones returned. CGAL is
-/// not asked about dialects that it is known not to take, .poly, and files of more than 100,000,000 bytes.
+/// Returns a model as by `read_with_notes`, and reads it a second time by CGAL's reader, which takes several times as
+/// long. A note says where CGAL's reader refuses the file or finds other vertices or faces; the scan's are returned.
+/// CGAL is not asked about dialects that it does not take, about .poly, and about files of more than 100,000,000 bytes.
 Read_model read_model(const std::filesystem::path& path);
 
 }  // namespace tetracone::covering

@@ -9,7 +9,7 @@
 
 namespace tetracone::covering {
 
-/// A polyhedron as a file gave it, and what was done on the way.
+/// A polyhedron as a file gave it, and the changes that reading made.
 struct Read_model {
   std::string name;  ///< the file's name without its folder
   Polyhedron polyhedron;

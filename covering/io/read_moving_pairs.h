@@ -16,15 +16,15 @@
 
 namespace tetracone::covering {
 
-/// A query of a file, the line that it begins at, and whether the file says that the primitives meet.
+/// A query of a file, the line at which it begins, and whether the file says that the primitives meet.
 struct Moving_query {
   kernel::Moving_pair pair;
   std::size_t line = 0;
   std::optional<bool> truth;
 };
 
-/// The kind that the folder of a file of queries is named after: `vertex-face` or `edge-edge`. Nothing where it is
-/// named otherwise.
+/// Returns the kind that the folder of a file of queries is named after: `vertex-face` or `edge-edge`. Nothing for
+/// another name.
 inline std::optional<kernel::Moving_kind> moving_kind_of(const std::filesystem::path& file)
 {
   const std::string folder = std::filesystem::absolute(file).lexically_normal().parent_path().filename().native();
@@ -35,7 +35,7 @@ inline std::optional<kernel::Moving_kind> moving_kind_of(const std::filesystem::
 
 namespace detail {
 
-/// The fields between the commas of the current line, without blanks around them.
+/// Returns the fields between the commas of the current line, without blanks around them.
 inline std::vector<std::string> comma_fields(const Text_lines& lines)
 {
   std::vector<std::string> fields(1);
@@ -53,7 +53,7 @@ inline std::vector<std::string> comma_fields(const Text_lines& lines)
   return fields;
 }
 
-/// The double that the fraction of two fields is; throws Input_error where it is none.
+/// Returns the double that equals the fraction of two fields. Throws Input_error where there is none.
 inline double double_of_fraction(const Text_lines& lines, const std::string& numerator, const std::string& denominator)
 {
   const std::string text = numerator + "/" + denominator;
@@ -67,11 +67,13 @@ inline double double_of_fraction(const Text_lines& lines, const std::string& num
 
 }  // namespace detail
 
-/// The queries of a file in the format of Wang et al., "A Large Scale Benchmark and an Inclusion-Based Algorithm for
-/// Continuous Collision Detection", 2021: eight lines a query, the four points at t = 0, then at t = 1, as in
-/// Moving_pair. A line has numerator and denominator of x, y and z, separated by commas, and 1 or 0 where it is known
-/// whether the primitives meet. Throws Input_error where a line is not so, a coordinate is no double, the lines of a
-/// query differ in what they say, or the file holds no query or ends within one.
+/// Returns the queries of a file in the format of Wang et al., "A Large Scale Benchmark and an Inclusion-Based
+/// Algorithm for Continuous Collision Detection", 2021. A query is eight lines: the four points at t = 0, then at t =
+/// 1, as in Moving_pair. A line has numerator and denominator of x, y and z, separated by commas. It ends in 1 or 0,
+/// which says whether the primitives meet.
+///
+/// Throws Input_error for another line, and for a coordinate that is no double. Throws it also where the lines of a
+/// query differ in their answers, and where the file holds no query or ends within one.
 inline std::vector<Moving_query> read_moving_pairs(const std::filesystem::path& file, kernel::Moving_kind kind)
 {
   const std::string text = read_text(file);

@@ -25,7 +25,7 @@ struct Number {
   kernel::Rational exact() const { return fraction ? *fraction : kernel::Rational(nearest); }
 };
 
-/// The text of a file of numbers and its name in messages. `-` is standard input, which is read once.
+/// The text of a file of numbers, and its name in messages. `-` is standard input, which is read once.
 class Number_text {
  public:
   /// Replaces each comma between two numbers of a line by a blank. Throws Input_error as `read_text`, for a comma that
@@ -82,7 +82,7 @@ class Number_text {
   std::string name_, text_;
 };
 
-/// The lines of a file of numbers, which white space or commas separate. '#' starts a comment, blank lines are skipped.
+/// The lines of a file of numbers separated by white space or commas. '#' starts a comment; blank lines are skipped.
 class Number_lines : private Number_text, public Text_lines {
  public:
   /// Throws Input_error as `Number_text`.
@@ -90,10 +90,10 @@ class Number_lines : private Number_text, public Text_lines {
   Number_lines(const Number_lines&) = delete;
   Number_lines& operator=(const Number_lines&) = delete;
 
-  /// How many numbers the current line has, for messages.
+  /// Returns the count of numbers on the current line, for messages.
   std::string found() const { return std::to_string(words().size()) + (words().size() == 1 ? " number" : " numbers"); }
 
-  /// Word `k` as a number; throws Input_error. A fraction beyond the largest double is refused as infinite.
+  /// Returns word `k` as a number. Throws Input_error. A fraction beyond the largest double is refused as infinite.
   Number number(std::size_t k) const
   {
     const std::string_view word = words()[k];
@@ -105,7 +105,7 @@ class Number_lines : private Number_text, public Text_lines {
     fail(in_quotes(word) + " as number " + std::to_string(k + 1), "expected a finite decimal number or a fraction n/d");
   }
 
-  /// The numbers of a line that must hold exactly `N`, `what` says which; throws Input_error.
+  /// Returns the numbers of a line that must hold exactly `N`, which messages call `what`. Throws Input_error.
   template <std::size_t N>
   std::array<Number, N> numbers(const std::string& what) const
   {

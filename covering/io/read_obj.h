@@ -14,8 +14,8 @@
 
 namespace tetracone::covering {
 
-/// The vertex number of a corner "v", "v/vt", "v/vt/vn" or "v//vn" of an OBJ face, as written (from 1, or negative).
-/// The other numbers must be integers or missing; they are not used.
+/// Returns the vertex number of a corner "v", "v/vt", "v/vt/vn" or "v//vn" of an OBJ face, as written (from 1, or
+/// negative). The other numbers must be integers or missing; they are not used.
 inline std::int64_t obj_corner(const Text_lines& lines, std::string_view corner)
 {
   const auto integer = [](std::string_view word, std::int64_t& value) {
@@ -37,8 +37,8 @@ inline std::int64_t obj_corner(const Text_lines& lines, std::string_view corner)
   lines.fail(in_quotes(corner) + " as corner of a face", "expected v, v/vt, v//vn or v/vt/vn in integers");
 }
 
-/// Whether the statement is one that the model is made of: `v`, or one of the names of a face, `f`, the old `fo`, and
-/// `q` of QOBJ.
+/// True when the model is made of the statement: `v`, or one of the names of a face, `f`, the old `fo`, and `q` of
+/// QOBJ.
 inline bool is_obj_geometry(std::string_view statement)
 {
   return statement == "v" || statement == "f" || statement == "fo" || statement == "q";
@@ -79,7 +79,7 @@ class Obj_statements {
 
   const std::vector<std::string>& words() const { return words_; }
 
-  /// Whether a line before ended in a backslash.
+  /// True when an earlier line ended in a backslash.
   bool continued() const { return continued_; }
 
   /// Vertices and faces behind a line of something else that ends in a backslash.
@@ -106,8 +106,8 @@ class Obj_statements {
   Left_out kept_;
 };
 
-/// The vertex of a statement `v`: x y z, then nothing, a weight, a colour, or both, which are not used. The weight is
-/// that of rational curves, not a homogeneous coordinate.
+/// Adds the vertex of a statement `v`: x y z, then nothing, a weight, a colour, or both, which are not used. The weight
+/// belongs to rational curves, and is no homogeneous coordinate.
 inline void add_obj_vertex(const Text_lines& lines, const std::vector<std::string>& words, Scan& scan)
 {
   const std::size_t numbers = words.size() - 1;
@@ -133,12 +133,17 @@ inline void add_obj_vertex(const Text_lines& lines, const std::vector<std::strin
   vertices.push_back(vertex);
 }
 
-/// Scans a Wavefront OBJ text: the statements `v` and `f`; a face stays the polygon it is, its indices count from 1 or
+/// Scans a Wavefront OBJ text: the statements `v` and `f`. A face stays a polygon. Its indices count from 1, or
 /// backwards from the last vertex before it. A line that ends in a backslash goes on in the next. Statements that draw
-/// something else (points, lines, curves, groups, materials) are skipped; unknown ones are refused.
-/// A first line of two counts, of vertices and of faces, is taken too (FCL's files have it), and must be right.
-/// CGAL is not asked about such a line, continued lines, white space other than blanks between corners, numbers that are
-/// not finite, and statements that it does not know (`fo`, `q`, `l`, `call`, `csh`, `maplib`, `mg`).
+/// something else (points, lines, curves, groups, materials) are skipped; unknown ones are refused. A first line of two
+/// counts, of vertices and of faces, is taken too (FCL's files have it), and must be right.
+///
+/// CGAL is not asked about these dialects:
+///
+/// - such a first line, and continued lines;
+/// - white space other than blanks between corners;
+/// - numbers that are not finite;
+/// - statements that it does not take (`fo`, `q`, `l`, `call`, `csh`, `maplib`, `mg`).
 inline Scan scan_obj(const std::string& file, std::string_view text)
 {
   constexpr std::array skipped = {

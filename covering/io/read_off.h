@@ -12,7 +12,7 @@
 
 namespace tetracone::covering {
 
-/// Whether the line could be one more face: a count, and behind it an index below `vertices` for each corner.
+/// True when the line could be one more face: a count, and behind it an index below `vertices` for each corner.
 inline bool is_face_line(const Text_lines& lines, std::size_t vertices)
 {
   const auto corners = parse_count(lines.words()[0]);
@@ -23,12 +23,22 @@ inline bool is_face_line(const Text_lines& lines, std::size_t vertices)
   });
 }
 
-/// Scans an OFF text: the keyword OFF, which may be absent, with ST, C and N before it in any order; then the counts of
-/// vertices, faces and (optionally) edges on one line, then a line a vertex and a line a face. '#' starts a comment
-/// anywhere. Colours, normals and texture coordinates are skipped. Lines behind the last face are left out, with a note,
-/// unless one could be a face.
-/// CGAL is not asked about colours and texture coordinates (it takes as many as the header lets it hope for), about a
-/// count line without edges, about counts that stick to the keyword, and about a file without the keyword.
+/// Scans an OFF text. '#' starts a comment anywhere. Its parts are, in order:
+///
+/// - the keyword OFF, which may be absent, with ST, C and N before it in any order;
+/// - the counts of vertices, faces and (optionally) edges on one line;
+/// - a line a vertex;
+/// - a line a face.
+///
+/// Colours, normals and texture coordinates are skipped. Lines behind the last face are left out, with a note, unless
+/// one could be a face.
+///
+/// CGAL is not asked about these dialects:
+///
+/// - colours and texture coordinates, since it takes as many as the header promises;
+/// - a count line without edges;
+/// - counts that stick to the keyword;
+/// - a file without the keyword.
 inline Scan scan_off(const std::string& file, std::string_view text)
 {
   Text_lines lines(file, text, '#');

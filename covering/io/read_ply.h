@@ -43,7 +43,7 @@ class Ply_body {
       lines_.fail(std::to_string(lines_.words().size()) + " numbers in " + what(), "expected " + std::to_string(word_));
   }
 
-  /// An integer of the type; it is in the type's range.
+  /// Returns an integer of the type, in the type's range.
   std::int64_t integer(Ply_type type, std::string_view name)
   {
     if (!is_text()) {
@@ -62,8 +62,8 @@ class Ply_body {
     return value;
   }
 
-  /// A floating-point number of the type. As text: the double nearest to the decimal, whatever the type, or nan where it
-  /// is not finite.
+  /// Returns a floating-point number of the type. In text it is the double nearest to the decimal, whatever the type,
+  /// or nan where it is not finite.
   double floating(Ply_type type, std::string_view name)
   {
     if (is_text()) {
@@ -77,7 +77,7 @@ class Ply_body {
     return type.bytes == 4 ? std::bit_cast<float>(static_cast<std::uint32_t>(bits)) : std::bit_cast<double>(bits);
   }
 
-  /// Whether the item's line of text has no more words.
+  /// True when the item's line of text has no more words.
   bool is_line_over() const { return is_text() && word_ == lines_.words().size(); }
 
   /// Refuses anything but white space behind the last item.
@@ -94,13 +94,13 @@ class Ply_body {
 
   std::size_t bytes_left() const { return is_text() ? text_.size() : text_.size() - at_; }
 
-  /// The item under way, as an error names it.
+  /// Returns the name of the current item for an error.
   std::string what() const { return element_->name + " " + std::to_string(item_); }
 
-  /// Where that is in the file, as a note names it.
+  /// Returns the position of the current item for a note.
   std::string where() const { return is_text() ? at_line(lines_) : what(); }
 
-  /// The error here; of a binary file without a line.
+  /// Returns an error at this position; without a line in a binary file.
   Input_error error(const std::string& wrong, const std::string& expected) const
   {
     return {lines_.file(), is_text() ? lines_.line() : 0, wrong, expected};
@@ -138,8 +138,8 @@ class Ply_body {
   std::size_t item_ = 0;
 };
 
-/// Appends the triangles of strips: each index makes one with the two before it, in turns of either direction, and -1
-/// ends a strip. A triangle that names a vertex twice only leads on, and is none.
+/// Appends the triangles of strips. Each index makes one with the two before it, in alternating directions, and -1 ends
+/// a strip. A triangle that names a vertex twice only continues the strip, and is left out.
 inline void add_triangle_strips(const std::vector<std::int64_t>& indices, Polyhedron& polyhedron)
 {
   std::size_t begin = 0;
@@ -153,16 +153,16 @@ inline void add_triangle_strips(const std::vector<std::int64_t>& indices, Polyhe
   }
 }
 
-/// What of a PLY file makes the model: the elements, and the places of their properties.
+/// The parts of a PLY file that make the model: the elements, and the positions of their properties.
 struct Ply_parts {
   const Ply_element* vertex = nullptr;
   const Ply_element* face = nullptr;    ///< absent where there are strips
   const Ply_element* strips = nullptr;  ///< absent in most files
   std::array<std::size_t, 3> axis{};    ///< x, y and z of a vertex
   std::size_t corners = 0;              ///< the list of vertices of a face
-  std::size_t strip = 0;                ///< and of strips
+  std::size_t strip = 0;                ///< the list of vertices of strips
 
-  /// How many properties of the element are read, the last of which is used.
+  /// Returns how many properties of the element are read; the last of them is used.
   std::size_t used_properties(const Ply_element& element) const
   {
     if (&element == vertex) return *std::max_element(axis.begin(), axis.end()) + 1;
@@ -171,13 +171,14 @@ struct Ply_parts {
   }
 };
 
+/// Returns the position of the element's property of this name; the count of properties if there is none.
 inline std::size_t find_property(const Ply_element& element, std::string_view name)
 {
   return static_cast<std::size_t>(std::ranges::find(element.properties, name, &Ply_property::name) -
                                   element.properties.begin());
 }
 
-/// The place of the element's list of vertices.
+/// Returns the position of the element's list of vertices.
 inline std::size_t find_corners(const std::string& file, const Ply_element& element)
 {
   std::size_t corners = find_property(element, "vertex_indices");
@@ -189,7 +190,7 @@ inline std::size_t find_corners(const std::string& file, const Ply_element& elem
   return corners;
 }
 
-/// Finds the parts; tells the scan what CGAL does not know of them.
+/// Finds the parts. Records in the scan what CGAL does not take.
 inline Ply_parts find_ply_parts(const Text_lines& lines, const Ply_header& header, Scan& scan)
 {
   const auto find = [&](const char* name, const char* other) -> const Ply_element* {
@@ -230,14 +231,25 @@ inline Ply_parts find_ply_parts(const Text_lines& lines, const Ply_header& heade
   return parts;
 }
 
-/// Scans a PLY file, text or binary of either byte order: the element `vertex` (or `vertices`) with the properties x, y
-/// and z, the element `face` (or `faces`) with the list vertex_indices (or vertex_index), and `tristrips` with such a
-/// list; properties in any order and of any type, other elements and properties are skipped. A decimal of a text file is
-/// the double nearest to it, also where the header calls it float (CGAL would round it to float first). A line of text
-/// may lack its last unused properties, with a note: VCGLIB promises colours that it does not write.
-/// CGAL is not asked about strips, indices that are neither int nor uint, coordinates or colours of integer or other
-/// types, the element `halfedge`, numbers that are not finite in what is unused, and headers with the format not in line
-/// 2 or with empty lines.
+/// Scans a PLY file, text or binary of either byte order. Other elements and properties than these are skipped;
+/// properties may be in any order and of any type.
+///
+/// - element `vertex` (or `vertices`): the properties x, y and z.
+/// - element `face` (or `faces`): the list vertex_indices (or vertex_index).
+/// - element `tristrips`: such a list.
+///
+/// A decimal of a text file is read as the double nearest to it, also where the header calls it float. (CGAL would
+/// round it to float first.) A line of text may lack its last unused properties, with a note: VCGLIB promises colours
+/// that it does not write.
+///
+/// CGAL is not asked about these dialects:
+///
+/// - strips;
+/// - indices that are neither int nor uint;
+/// - coordinates or colours of integer or other types;
+/// - the element `halfedge`;
+/// - unused numbers that are not finite;
+/// - headers with empty lines, or with the format not in line 2.
 inline Scan scan_ply(const std::string& file, std::string_view text)
 {
   std::string copied;

@@ -19,6 +19,7 @@ struct Ply_type {
   std::size_t bytes;
 };
 
+/// Returns the type of this name; nothing for another word.
 inline std::optional<Ply_type> ply_type(std::string_view word)
 {
   struct Name {
@@ -34,27 +35,31 @@ inline std::optional<Ply_type> ply_type(std::string_view word)
   return std::nullopt;
 }
 
+/// A property of an element: a scalar or a list.
 struct Ply_property {
   std::string name;
   Ply_type type;
-  std::optional<Ply_type> count;  ///< a list's type of its count
+  std::optional<Ply_type> count;  ///< the type of a list's count; nothing for a scalar
 };
 
+/// An element of a PLY header, with its properties.
 struct Ply_element {
   std::string name;
   std::size_t items;
-  std::size_t line;  ///< of the header
+  std::size_t line;  ///< its line in the header
   std::vector<Ply_property> properties;
 };
 
+/// The header of a PLY file.
 struct Ply_header {
   enum class Format { text, little_endian, big_endian } format = Format::text;
   std::vector<Ply_element> elements;
   bool cgal_knows = true;
 };
 
-/// A PLY file as it is scanned: the lines of a header end in line feeds, also where the file has carriage returns alone.
-/// `copied` holds the bytes where they had to be changed, which those behind the header of a binary file never are.
+/// Returns a PLY file's text with line feeds at the ends of header lines, also where the file has carriage returns
+/// only. `copied` holds the bytes where they had to be changed. The bytes behind the header of a binary file are never
+/// changed.
 inline std::string_view with_line_feeds(std::string_view text, std::string& copied)
 {
   constexpr std::string_view end = "end_header";
@@ -67,7 +72,7 @@ inline std::string_view with_line_feeds(std::string_view text, std::string& copi
   return copied;
 }
 
-/// Whether a line of the header says that what follows it is binary.
+/// True when a line of the header says that binary data follow.
 inline bool is_binary_ply(std::string_view text)
 {
   text = text.substr(0, text.find("end_header"));

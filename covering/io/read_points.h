@@ -13,7 +13,7 @@ namespace tetracone::covering {
 /// A point as its file gives it: each coordinate a double (`nearest`), or a fraction beside it.
 using Point_numbers = std::array<Number, 3>;
 
-/// The points of a text file: one a line, three numbers, decimals or fractions n/d. Throws Input_error as
+/// Returns the points of a text file: one a line, three numbers, decimals or fractions n/d. Throws Input_error as
 /// `Number_lines`, where a line holds another count of numbers, and where the file holds no point.
 inline std::vector<Point_numbers> read_points(const std::filesystem::path& file)
 {

@@ -24,6 +24,7 @@ struct Poly_nodes {
   std::uint64_t first = 0;  ///< the index of the first one: 0 or 1
 };
 
+/// Reads the nodes from the next line on. Throws Input_error.
 inline Poly_nodes scan_poly_nodes(Text_lines& lines)
 {
   Poly_nodes nodes;
@@ -56,8 +57,8 @@ inline Poly_nodes scan_poly_nodes(Text_lines& lines)
   return nodes;
 }
 
-/// The polyhedron with each hole loop turned against its face's outer loop, by the signs of their areas in the
-/// projection of the outer loop; a loop of area 0 stays. Adds the number of loops turned to `count`.
+/// Returns the polyhedron with each hole loop turned against its face's outer loop. The signs of their areas in the
+/// projection of the outer loop decide. A loop of area 0 stays. Adds the number of loops turned to `count`.
 inline Polyhedron turn_hole_loops(const Polyhedron& polyhedron, std::size_t& count)
 {
   Polyhedron result;
@@ -144,14 +145,17 @@ inline void scan_poly_facets(Text_lines& lines, const Poly_nodes& nodes, Read_mo
     model.notes.push_back("hole points of the volume are not used: only the facets' directions make a cavity");
 }
 
-/// Reads a TetGen .poly file: nodes (none: they are in the .node file beside it), facets of one or more polygons with a
-/// hole point for each but the first, which is the outer one, then hole points of the volume and regions, which are not
-/// used (a note says where there are hole points). Indices count from 0 or 1 as the first node says, '#' starts a
-/// comment.
+/// Returns the model of a TetGen .poly file. Indices count from 0 or 1 as the first node says; '#' starts a comment.
+/// Its parts are, in order:
 ///
-/// The format orders neither facets nor hole loops. Loops stand as given where the directed edges then cancel; else
-/// hole loops are turned against their outer loop, and, where that is not enough, facets are oriented across their
-/// edges (`orient_across_edges`). `Read_model::loops_turned` and `facets_turned` say that it was done.
+/// - nodes; if there are none, they are in the .node file beside it;
+/// - facets of one or more polygons, the first being the outer one, with a hole point for each other;
+/// - hole points of the volume, which are not used, with a note;
+/// - regions, which are not used.
+///
+/// The format orders neither facets nor hole loops. Loops stand as given where the directed edges then cancel.
+/// Otherwise hole loops are turned against their outer loop. Where that is not enough, facets are oriented across their
+/// edges (`orient_across_edges`). `Read_model::loops_turned` and `facets_turned` count both.
 inline Read_model read_poly(const std::filesystem::path& path, std::string_view text)
 {
   Read_model model;

@@ -13,9 +13,10 @@
 
 namespace tetracone::covering {
 
-/// The pose whose matrix begins on the current line: 12 numbers, row-major 3x4; 16, row-major 4x4; or a row of four on
-/// each of four lines. The last row of a 4x4 matrix is 0 0 0 1. The last line read is then the current one. Throws
-/// Input_error for other counts (`expected` says what a line may hold), another last row, and det M = 0, exactly.
+/// Returns the pose whose matrix begins on the current line; the last line read is then the current one. A matrix is 12
+/// numbers, row-major 3x4; 16, row-major 4x4; or a row of four on each of four lines. The last row of a 4x4 matrix is 0
+/// 0 0 1. Throws Input_error for other counts (`expected` says what a line may hold), another last row, and det M = 0,
+/// exactly.
 inline kernel::Pose read_pose(Number_lines& lines, const std::string& expected)
 {
   std::array<Number, 16> numbers;
@@ -55,8 +56,8 @@ inline kernel::Pose read_pose(Number_lines& lines, const std::string& expected)
   return pose;
 }
 
-/// The poses of a text file, each as `read_pose` has it. Throws Input_error as `read_pose` and `Number_lines`, and where
-/// the file holds no pose.
+/// Returns the poses of a text file, each as by `read_pose`. Throws Input_error as `read_pose` and `Number_lines`, and
+/// where the file holds no pose.
 inline std::vector<kernel::Pose> read_poses(const std::filesystem::path& file)
 {
   Number_lines lines(file);

@@ -10,9 +10,9 @@
 
 namespace tetracone::covering {
 
-/// The rays of a text file: one a line, six decimals, the origin and a direction other than 0. Throws Input_error as
-/// `Number_lines`, where a line holds another count of numbers, a number is no decimal, the direction is 0, or the file
-/// holds no ray.
+/// Returns the rays of a text file: one a line, six decimals, the origin and a direction other than 0. Throws
+/// Input_error as `Number_lines`. Throws it also where a line holds another count of numbers, a number is no decimal,
+/// the direction is 0, or the file holds no ray.
 inline std::vector<std::array<double, 6>> read_rays(const std::filesystem::path& file)
 {
   Number_lines lines(file);

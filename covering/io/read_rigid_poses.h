@@ -18,15 +18,15 @@ namespace tetracone::covering {
 struct Rigid_pose_line {
   kernel::Rigid_pose pose;
   std::size_t line = 0;
-  /// Of a matrix: by how much an entry differs from the quaternion's rotation at most. The sign of such a quaternion is
-  /// arbitrary.
+  /// Upper bound of the difference between an entry of a matrix and of the quaternion's rotation; set where the pose is
+  /// a matrix. The sign of such a quaternion is arbitrary.
   std::optional<double> matrix_error = {};
 };
 
-/// The rigid poses of a text file, one a line: seven numbers, `w x y z` of a quaternion of any length above 0 and the
-/// translation; or a matrix as `read_pose` takes it, which must be a rotation (`kernel::rotation_quaternion`). Numbers
-/// are decimals or fractions. Throws Input_error as `read_pose` and `Number_lines`, where the quaternion is 0 or the
-/// matrix no rotation, and where the file holds no pose.
+/// Returns the rigid poses of a text file, one a line. A pose is seven numbers, `w x y z` of a quaternion of any length
+/// above 0 and the translation. It may also be a matrix as `read_pose` takes it, which must be a rotation
+/// (`kernel::rotation_quaternion`). Numbers are decimals or fractions. Throws Input_error as `read_pose` and
+/// `Number_lines`, where the quaternion is 0 or the matrix no rotation, and where the file holds no pose.
 inline std::vector<Rigid_pose_line> read_rigid_poses(const std::filesystem::path& file)
 {
   Number_lines lines(file);

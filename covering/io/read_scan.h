@@ -23,14 +23,13 @@ using covering::parse_count;
 using covering::Text_lines;
 using kernel::parse_double;
 
-/// Points whose coordinates are no finite numbers: legal where no face uses them.
+/// Points with coordinates that are not finite. They are legal where no face uses them.
 class Unplaced_points {
  public:
-  /// `error` says what is wrong, for the case that a face uses the vertex.
+  /// Adds a vertex; `error` is thrown if a face uses it.
   void add(Index vertex, const Input_error& error) { errors_.emplace_back(vertex, error); }
 
-  /// Puts each of them where a vertex of a face is, with a note that says so. Throws the error of the first that a face
-  /// uses.
+  /// Moves each of them to a vertex of a face, with a note. Throws the error of the first that a face uses.
   void settle(Polyhedron& polyhedron, std::vector<std::string>& notes) const
   {
     if (errors_.empty() || polyhedron.face_count() == 0) return;
@@ -51,7 +50,7 @@ class Unplaced_points {
   std::vector<std::pair<Index, Input_error>> errors_;
 };
 
-/// Things of one kind that a reader did not take over: how many, and where the first one is.
+/// Things of one kind that a reader left out: their count, and the position of the first.
 class Left_out {
  public:
   void add(const std::string& where)
@@ -95,7 +94,7 @@ inline bool is_number_word(std::string_view word)
   return rest == end && error != std::errc::invalid_argument && !word.starts_with('-');
 }
 
-/// Appends the point of the words `k`, `k`+1 and `k`+2. One whose numbers are not finite is legal while no face uses it.
+/// Appends the point of the words `k`, `k`+1 and `k`+2. A point that is not finite is legal while no face uses it.
 inline void add_vertex(const Text_lines& lines, std::size_t k, std::vector<Vertex>& vertices, Unplaced_points& unplaced)
 {
   try {
@@ -115,7 +114,8 @@ inline void need_corners(const Text_lines& lines, std::uint64_t corners, std::ui
     lines.fail("a face of " + std::to_string(corners) + (corners == 1 ? " corner" : " corners"), "expected at least 3");
 }
 
-/// Appends a face. One of one or two corners has no area and bounds nothing: it is left out, `where()` says where it was.
+/// Appends a face. A face of one or two corners has no area and bounds nothing, so it is left out, and `where()` says
+/// where it was.
 template <class Where>
 void add_face(Scan& scan, const std::vector<Index>& loop, const Where& where)
 {
@@ -127,17 +127,18 @@ void add_face(Scan& scan, const std::vector<Index>& loop, const Where& where)
   scan.cgal_knows = false;
 }
 
-/// "line 7": the current one.
+/// Returns "line 7" for the current line.
 inline std::string at_line(const Text_lines& lines) { return "line " + std::to_string(lines.line()); }
 
-/// Says in notes what was left out, once all is read. Throws Input_error for a face's point that is not finite.
+/// Adds notes of everything that was left out, once all is read. Throws Input_error for a face's point that is not
+/// finite.
 inline void finish(Scan& scan)
 {
   scan.unplaced.settle(scan.soup, scan.notes);
   scan.short_faces.note("faces of one or two corners are left out, and faces are numbered without them", scan.notes);
 }
 
-/// Word `k` of the line as a vertex number below `vertices`.
+/// Returns word `k` of the line as a vertex number below `vertices`.
 inline Index vertex_index(const Text_lines& lines, std::size_t k, std::size_t vertices)
 {
   const std::uint64_t index = lines.count(k, "vertex index");

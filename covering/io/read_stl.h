@@ -16,7 +16,7 @@
 
 namespace tetracone::covering {
 
-/// The unsigned integer of `bytes` at `text[at]`, least significant byte first. Requires that many bytes.
+/// Returns the unsigned integer of `bytes` bytes at `text[at]`, least significant byte first. Requires that many bytes.
 inline std::uint64_t little_endian(std::string_view text, std::size_t at, std::size_t bytes)
 {
   std::uint64_t value = 0;
@@ -24,22 +24,23 @@ inline std::uint64_t little_endian(std::string_view text, std::size_t at, std::s
   return value;
 }
 
-/// Whether the size is the one that a binary STL file's count of triangles asks for.
+/// True when the size is right for a binary STL file with its count of triangles.
 inline bool has_size_of_binary_stl(std::string_view text)
 {
   return text.size() >= 84 && text.size() == 84 + 50 * little_endian(text, 80, 4);
 }
 
-/// Where the triangles of a binary STL begin, 50 bytes each, and what stands between and behind them.
+/// The positions of the triangles of a binary STL, 50 bytes each, and notes of the bytes between and behind them.
 struct Stl_layout {
   std::vector<std::size_t> begins;  ///< where they begin; none: one behind the other from byte 84 on
   std::uint64_t triangles = 0;
   std::vector<std::string> notes;
 };
 
-/// The layout of a binary STL. The count may be 0, as by a writer that cannot go back to it: then the triangles go up to
-/// the end. Behind a triangle there may be as many bytes of attributes as its last two say. Behind the last triangle
-/// there may be bytes that are no more triangles, as a line feed. Throws Input_error for any other size.
+/// Returns the layout of a binary STL. The count may be 0, as by a writer that cannot go back to it: then the triangles
+/// go up to the end. Each triangle may be followed by as many bytes of attributes as its last two bytes say. Behind the
+/// last triangle there may be bytes that are no more triangles, such as a line feed. Throws Input_error for any other
+/// size.
 inline Stl_layout layout_of_binary_stl(const std::string& file, std::string_view text)
 {
   if (text.size() < 84)
@@ -129,12 +130,12 @@ class Stl_words {
   {
     if (!next()) lines_.need_next(expected);
   }
-  /// The current word comes once more.
+  /// Makes the current word come once more.
   void keep() { is_kept_ = true; }
 
-  /// Whether the current word is a keyword, in any case of letters.
+  /// True when the current word is the keyword, in any case of letters.
   bool is(std::string_view keyword) { return begins_with(keyword) && word().size() == keyword.size(); }
-  /// Whether it begins with one.
+  /// True when the current word begins with the keyword.
   bool begins_with(std::string_view keyword)
   {
     const bool begins = std::ranges::equal(word().substr(0, keyword.size()), keyword,
@@ -143,7 +144,7 @@ class Stl_words {
     return begins;
   }
 
-  /// Goes to the end of a name, which is that of the line; a triangle may begin on it.
+  /// Goes to the end of a name, which is the end of the line; a triangle may begin on it.
   void skip_name()
   {
     const std::size_t words = lines_.words().size();
@@ -167,7 +168,7 @@ class Stl_words {
     lines_.fail(in_quotes(word()) + what, "expected " + expected);
   }
 
-  /// Whether all keywords so far are written as CGAL knows them.
+  /// True when all keywords so far are written as CGAL takes them.
   bool is_usual() const { return usual_; }
   void be_unusual() { usual_ = false; }
 
@@ -178,7 +179,7 @@ class Stl_words {
   bool usual_ = true;
 };
 
-/// Reads the keywords, or says which was expected.
+/// Reads the keywords. Throws Input_error with the one that was expected.
 inline void need_stl_keywords(Stl_words& words, std::initializer_list<std::string_view> keywords)
 {
   for (const std::string_view keyword : keywords) {
@@ -228,11 +229,11 @@ inline void scan_stl_facet(Stl_words& words, Scan& scan)
   scan.soup.add_polygon({first, first + 1, first + 2});
 }
 
-/// Scans an STL text: `solid` blocks of `facet normal ... outer loop`, three `vertex`, `endloop`, `endfacet`, in any
-/// case of letters and on any lines; an `end` may stand apart (`end solid`), and a name may stick to `solid` and
-/// `endsolid`. Normals must be there; they and colours (`color` and numbers) are not used. Vertices are the three corners
-/// of each triangle, not merged.
-/// CGAL is not asked about other spellings than its own, and about names that hold a keyword.
+/// Scans an STL text: `solid` blocks of `facet normal ... outer loop`, three `vertex`, `endloop`, `endfacet`. Letters
+/// may be of any case, and lines are free. An `end` may stand apart (`end solid`), and a name may stick to `solid` and
+/// `endsolid`. Normals must be there; they and colours (`color` and numbers) are not used. Vertices are the three
+/// corners of each triangle, not merged. CGAL is not asked about other spellings than its own, and about names that
+/// hold a keyword.
 inline Scan scan_stl_text(const std::string& file, std::string_view text)
 {
   Scan scan;
@@ -273,8 +274,8 @@ inline Scan scan_stl_text(const std::string& file, std::string_view text)
   return scan;
 }
 
-/// Whether the file is text: it begins with `solid` and holds no zero byte, and its size is not the one that a binary
-/// file's count of triangles asks for.
+/// True when the file is text: it begins with `solid` and holds no zero byte, and its size is not right for a binary
+/// file with its count of triangles.
 inline bool is_stl_text(std::string_view text)
 {
   if (has_size_of_binary_stl(text)) return false;

@@ -21,8 +21,8 @@
 
 namespace tetracone::covering {
 
-/// What a file is that can be read to its end, which a pipe can, too. Throws Input_error where there is no such file,
-/// and for a folder or a device.
+/// Returns the status of a file that can be read to its end; a pipe can, too. Throws Input_error where there is no such
+/// file, and for a folder or a device.
 inline std::filesystem::file_status status_to_read(const std::filesystem::path& file)
 {
   std::error_code error;
@@ -34,7 +34,7 @@ inline std::filesystem::file_status status_to_read(const std::filesystem::path& 
   return status;
 }
 
-/// All bytes of a file. Throws Input_error as `status_to_read`, and where it cannot be read.
+/// Returns all bytes of a file. Throws Input_error as `status_to_read`, and where it cannot be read.
 inline std::string read_bytes(const std::filesystem::path& file)
 {
   const auto status = status_to_read(file);
@@ -49,8 +49,8 @@ inline std::string read_bytes(const std::filesystem::path& file)
   return bytes;
 }
 
-/// A text as all readers here take it: without a UTF-8 byte order mark, and with line feeds where carriage returns
-/// alone end its lines. Throws Input_error for UTF-16.
+/// Returns a text as all readers here take it: without a UTF-8 byte order mark, and with line feeds where carriage
+/// returns alone end its lines. Throws Input_error for UTF-16.
 inline std::string as_text(const std::string& file, std::string bytes)
 {
   if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff"))
@@ -60,13 +60,13 @@ inline std::string as_text(const std::string& file, std::string bytes)
   return bytes;
 }
 
-/// The text of a file. Throws Input_error as `read_bytes` and `as_text` do.
+/// Returns the text of a file. Throws Input_error as `read_bytes` and `as_text` do.
 inline std::string read_text(const std::filesystem::path& file) { return as_text(file.native(), read_bytes(file)); }
 
-/// Whether the character separates words of a line.
+/// True when the character separates words of a line.
 inline bool is_white(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 
-/// The unsigned decimal integer that `word` is, whole. Nothing when it is none or does not fit.
+/// Returns the unsigned decimal integer that the whole of `word` is. Nothing when it is none or does not fit.
 inline std::optional<std::uint64_t> parse_count(std::string_view word)
 {
   std::uint64_t value = 0;
@@ -103,7 +103,8 @@ class Text_lines {
   {
     if (!next()) fail(line_ == 0 ? "the file is empty" : "the file ends here", expected);
   }
-  /// The same, of the next of several: `what`, this one's number and how many there should be.
+  /// Same, for the next of several things: `what` names them, `number` is the next one's number, and there should be
+  /// `count`.
   void need_next(std::string_view what, std::size_t number, std::size_t count)
   {
     if (next()) return;
@@ -114,7 +115,7 @@ class Text_lines {
   const std::string& file() const { return file_; }
   const std::vector<std::string_view>& words() const { return words_; }
 
-  /// Where the next line begins, in bytes from the start of the text.
+  /// Returns where the next line begins, in bytes from the start of the text.
   std::size_t offset() const { return rest_; }
   std::size_t bytes_left() const { return text_.size() - rest_; }
 
@@ -123,7 +124,7 @@ class Text_lines {
     throw Input_error(file_, line_, wrong, expected);
   }
 
-  /// Word `k` as a finite number, `what` names it: the double nearest to the decimal.
+  /// Returns word `k` as a finite number, the double nearest to the decimal. `what` names it.
   double number(std::size_t k, std::string_view what) const
   {
     if (k >= words_.size()) fail("the line ends before " + std::string(what), "expected a number");
@@ -132,13 +133,13 @@ class Text_lines {
     return *value;
   }
 
-  /// Words `k`, `k`+1 and `k`+2 as a point.
+  /// Returns words `k`, `k`+1 and `k`+2 as a point.
   kernel::Vertex point(std::size_t k) const
   {
     return {number(k, "coordinate x"), number(k + 1, "coordinate y"), number(k + 2, "coordinate z")};
   }
 
-  /// A word as an integer from 0, `what` names it.
+  /// Returns a word as an integer from 0; `what` names it.
   std::uint64_t count(std::string_view word, std::string_view what) const
   {
     const auto value = parse_count(word);
@@ -146,15 +147,15 @@ class Text_lines {
     return *value;
   }
 
-  /// Word `k` as an integer from 0, `what` names it.
+  /// Returns word `k` as an integer from 0; `what` names it.
   std::uint64_t count(std::size_t k, std::string_view what) const
   {
     if (k >= words_.size()) fail("the line ends before " + std::string(what), "expected an integer");
     return count(words_[k], what);
   }
 
-  /// A word as a count of things in the lines that follow, each on at least `bytes` bytes: fails where the text is too
-  /// short for them, so that a wrong count reserves no memory.
+  /// Returns a word as a count of things in the lines that follow, each on at least `bytes` bytes. Throws where the
+  /// text is too short for them, so that a wrong count reserves no memory.
   std::size_t count_ahead(std::string_view word, std::string_view what, std::size_t bytes) const
   {
     const std::uint64_t value = count(word, what);

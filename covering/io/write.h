@@ -18,16 +18,16 @@ namespace tetracone::covering {
 
 namespace write {
 
-/// "x y z", each the shortest decimal that reads back as exactly that double.
+/// Returns "x y z", each the shortest decimal that reads back as exactly that double.
 inline std::string coordinates(const Vertex& v)
 {
   return kernel::shortest(v[0]) + ' ' + kernel::shortest(v[1]) + ' ' + kernel::shortest(v[2]);
 }
 
-/// A point inside the simple polygon `loop`, rounded. Its lexicographically least corner c in the projection is
-/// convex: inside is the middle of the triangle of c and its neighbours, or, where other corners are in that
-/// triangle, the middle of c and the one of them that is farthest from the neighbours' line. Requires a loop of an
-/// area.
+/// Returns a point inside the simple polygon `loop`, rounded. Its lexicographically least corner c in the projection is
+/// convex. The point is the middle of the triangle of c and its neighbours, if that holds no other corner. Otherwise it
+/// is the middle of c and the corner in the triangle that is farthest from the neighbours' line. Requires a loop with
+/// an area.
 inline Vertex point_inside(const Polyhedron& polyhedron, Loop loop)
 {
   using Point = CGAL::Epick::Point_2;
@@ -57,8 +57,8 @@ inline Vertex point_inside(const Polyhedron& polyhedron, Loop loop)
 
 }  // namespace write
 
-/// The polyhedron as the text of an OFF file; `read` gives exactly the same vertices and faces.
-/// Requires faces of one loop each, for OFF cannot say a hole.
+/// Returns the polyhedron as the text of an OFF file; `read` gives exactly the same vertices and faces. Requires faces
+/// of one loop each, since OFF has no holes.
 inline std::string write_off(const Polyhedron& polyhedron)
 {
   std::string text =
@@ -74,9 +74,9 @@ inline std::string write_off(const Polyhedron& polyhedron)
   return text;
 }
 
-/// The polyhedron as the text of a TetGen .poly file: a facet a face, its outer loop first, and a point inside each
-/// hole loop. Of a closed polyhedron `read` gives exactly the same vertices and faces. Requires hole loops that are
-/// simple polygons.
+/// Returns the polyhedron as the text of a TetGen .poly file: a facet a face, its outer loop first, and a point inside
+/// each hole loop. `read` gives exactly the same vertices and faces if the polyhedron is closed. Requires hole loops
+/// that are simple polygons.
 inline std::string write_poly(const Polyhedron& polyhedron)
 {
   std::string text = std::to_string(polyhedron.vertices.size()) + " 3 0 0\n";

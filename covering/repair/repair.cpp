@@ -51,7 +51,7 @@ using Vertex_base = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
 using Face_base =
     CGAL::Constrained_triangulation_face_base_2<Kernel, CGAL::Triangulation_face_base_with_info_2<Label, Kernel>>;
 using Structure = CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>;
-// Where constraints cross, no triangulation is wanted: the tag makes the insertion throw.
+// The tag makes the insertion throw where constraints cross, since no triangulation is wanted there.
 using Triangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_tag>;
 
@@ -75,7 +75,7 @@ std::optional<std::vector<Triangle>> constrained_delaunay(const Polyhedron& poly
   }
   for_each_directed_edge(polyhedron, f, [&boundary](Index a, Index b) { add_edge(boundary, a, b); });
   try {
-    // Each edge once, for the tag takes a second time for a crossing; edges that cancel bound nothing.
+    // Each edge is inserted once, since the tag takes a second time for a crossing; edges that cancel bound nothing.
     for (const auto& [edge, uses] : boundary) triangulation.insert_constraint(handles[edge[0]], handles[edge[1]]);
   } catch (const Triangulation::Intersection_of_constraints_exception&) {
     return std::nullopt;
@@ -127,15 +127,15 @@ std::vector<Triangle> fan(const Polyhedron& polyhedron, Index f)
 
 namespace {
 
-/// Collects which polygons CGAL turned round.
+/// Collects the polygons that CGAL turned round.
 struct Turn_visitor : CGAL::Polygon_mesh_processing::Default_orientation_visitor {
   explicit Turn_visitor(std::vector<bool>& turns) : turned(turns) {}
   void polygon_orientation_reversed(std::size_t polygon) { turned[polygon] = !turned[polygon]; }
   std::vector<bool>& turned;
 };
 
-/// `turns_across_edges` by CGAL's orient_polygon_soup, which knows only single loops that visit a vertex once; the
-/// vertices that it duplicates are not taken over. Nothing where the polyhedron has other faces.
+/// Returns `turns_across_edges` by CGAL's orient_polygon_soup, which takes only single loops that visit a vertex once.
+/// The vertices that it duplicates are not taken over. Nothing where the polyhedron has other faces.
 std::optional<std::vector<bool>> turns_by_cgal(const Polyhedron& polyhedron)
 {
   std::vector<Kernel::Point_3> points(polyhedron.vertices.size());

@@ -125,7 +125,11 @@ Described_families described_families()
   for (const verify::Family_line& line : verify::family_lines()) {
     if (!verify::find_family(line.name)) continue;  // of other levels
     const std::string name(line.name), what(line.what), parameter(line.parameter), values = sweep_text(line);
-    table.add(Csv_row().add("family", name).add("what", what).add("parameter", parameter).add("values", values));
+    table.add(Csv_row()
+                  .add("family", name)
+                  .add_quoted("what", what)
+                  .add_quoted("parameter", parameter)
+                  .add("values", values));
     text += "| `" + name + "` | " + what + " | " + parameter + " | " + values + " |\n";
   }
   return {table.text(), text};

@@ -10,6 +10,7 @@
 #include "verify/cases/random.h"
 #include "verify/cases/shape_generators.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -171,6 +172,93 @@ covering::Polyhedron triangulated(const covering::Polyhedron& body)
   return result;
 }
 
+/// Seven numbers of a rigid pose.
+using Rigid = std::array<double, 7>;
+
+/// A motion, and the same of a body that is tilted by little.
+struct Landing {
+  const char* name;
+  Motion still;
+  std::array<Motion, 2> moves;
+};
+
+std::vector<Landing> ways_to_land()
+{
+  // Tilted by a thousandth about an axis that is aslant to all edges: one corner lands first.
+  const Rigid still = {1, 0, 0, 0, 0, 0, 0}, flat = {1, 0, 0, 0, 0.25, 0.125, 1},
+              tilted = {1, 0.0004, 0.0003, 0.0001, 0.25, 0.125, 1};
+  const auto pose_of = [](const Rigid& rigid) {
+    return kernel::Pose(kernel::Body_motion::rigid({{rigid[0], rigid[1], rigid[2], rigid[3]}, {}},
+                                                   {{rigid[0], rigid[1], rigid[2], rigid[3]}, {}})
+                            ->at(0)
+                            .entries());
+  };
+  const auto at = [](kernel::Pose pose, double z) {
+    std::array<double, 12> entries = pose.entries();
+    entries[3] = 0.25;
+    entries[7] = 0.125;
+    entries[11] = z;
+    return kernel::Pose(entries);
+  };
+  const auto falls = [&](const Rigid& from) {
+    const kernel::Pose turned = pose_of(from);
+    return Motion(kernel::Body_motion::linear(at(turned, 1), at(turned, -2)));
+  };
+  const auto sinks = [](Rigid from, double turn) {
+    Rigid to = from;
+    to[3] += turn;
+    to[6] = -2;
+    return Motion::rigid(from, to);
+  };
+  const Motion stays = Motion(kernel::Body_motion::linear(kernel::Pose(), kernel::Pose())),
+               stays_rigid = Motion::rigid(still, still);
+  return {{"linear", stays, {falls(flat), falls(tilted)}},
+          {"rigid", stays_rigid, {sinks(flat, 0), sinks(tilted, 0)}},
+          {"turning", stays_rigid, {sinks(flat, 1), sinks(tilted, 1)}}};
+}
+
+/// Plates of some 800, 3,200 and 20,000 triangles that land on a table and on their like, flat and tilted. Writes
+/// OUT/landings.csv, a row a pair of bodies and a way to move, with the least time of each motion.
+void run_landings(const std::filesystem::path& out, std::uint64_t seed)
+{
+  constexpr int repeats = 9;
+  Csv_table table;
+  for (const int n : {13, 27, 70}) {
+    const Body falling(verify::plate(n, 0, 0.0625));
+    for (const bool on_like : {false, true}) {
+      const Body below(on_like ? verify::plate(n, -0.0625, 0) : triangulated(verify::box({-2, -2, -1}, {2, 2, 0})));
+      falling.make_all();
+      below.make_all();
+      Query query(below, falling, Question::surface);
+      for (const Landing& landing : ways_to_land()) {
+        std::array<double, 2> least{};
+        std::array<std::optional<First_contact>, 2> first;
+        for (int repeat = 0; repeat < repeats; ++repeat)
+          for (std::size_t k = 0; k < 2; ++k) {
+            const Stopwatch watch;
+            first[k] = query.first_contact(landing.still, landing.moves[k]);
+            const double us = 1e-3 * watch.nanoseconds();
+            least[k] = repeat == 0 ? us : std::min(least[k], us);
+          }
+        table.add(Csv_row()
+                      .add("triangles", falling.polyhedron().face_count())
+                      .add("on", std::string(on_like ? "its like" : "a table"))
+                      .add("motion", std::string(landing.name))
+                      .add("flat_lo", first[0] ? first[0]->lo : -1)
+                      .add("tilted_lo", first[1] ? first[1]->lo : -1)
+                      .add("flat_us", least[0])
+                      .add("tilted_us", least[1])
+                      .add("flat_in_tilted", least[0] / least[1])
+                      .add_origin(seed));
+        std::printf("%6zu triangles on %-8s %-8s flat %9.1f us, tilted %9.1f us\n",
+                    std::size_t(falling.polyhedron().face_count()), on_like ? "its like" : "a table", landing.name,
+                    least[0], least[1]);
+      }
+    }
+  }
+  write_whole(out / "landings.csv", table.text());
+}
+
 }  // namespace
 
 void run_moving_bodies(const std::filesystem::path& out, int motions, std::uint64_t seed)
@@ -190,6 +278,7 @@ void run_moving_bodies(const std::filesystem::path& out, int motions, std::uint6
     for (double& x : v) x *= 0.125;
   run_course(table, throws("plate", triangulated(verify::box({-2, -2, 0}, {2, 2, 0.001})), small, motions, seed), seed);
   write_whole(out / "moving_bodies.csv", table.text());
+  run_landings(out, seed);
 }
 
 }  // namespace tetracone::experiments

@@ -45,12 +45,15 @@ class Csv_row {
         .add("processor", processor())
         .add_again();
   }
-  /// The words that make the row again, in quotes: they may hold commas.
-  Csv_row& add_again()
+  /// The words that make the row again.
+  Csv_row& add_again() { return add_quoted("again", again()); }
+  /// A text in quotes, which may hold commas.
+  Csv_row& add_quoted(const std::string& name, const std::string& text)
   {
-    header_ += ",again";
-    line_ += ",\"";
-    for (const char c : again()) line_ += c == '"' ? std::string("\"\"") : std::string(1, c);
+    const char* comma = header_.empty() ? "" : ",";
+    header_ += comma + name;
+    line_ += std::string(comma) + '"';
+    for (const char c : text) line_ += c == '"' ? std::string("\"\"") : std::string(1, c);
     line_ += '"';
     return *this;
   }

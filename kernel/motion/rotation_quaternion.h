@@ -53,8 +53,8 @@ inline Rational largest_difference(const std::array<Rational, 9>& r, const std::
 inline std::optional<Rotation_quaternion> rotation_quaternion(const Pose& pose)
 {
   std::array<Rational, 9> m;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) m[std::size_t(3 * i + j)] = pose.exact(4 * i + j);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) m[3 * i + j] = pose.exact(int(4 * i + j));
   // Row k is 4 q_k q (Shepperd 1978). The diagonal sums to 4, so its largest entry is 1 or more and that row is not 0.
   const Rational wx = m[7] - m[5], wy = m[2] - m[6], wz = m[3] - m[1], xy = m[1] + m[3], xz = m[2] + m[6],
                  yz = m[5] + m[7];

@@ -26,23 +26,23 @@ namespace tetracone::tetratree {
 
 using covering::Index;
 
-/// A piece of what two faces share, as a query finds it.
+/// A common piece of two faces, as a query finds it.
 struct Found_piece {
   Index face_a, face_b;
   kernel::Piece kind;
   kernel::Feature in_a, in_b;
-  kernel::Triangle_contact by_signs;  ///< of two triangles; count 0: the piece is kept in rationals
-  Index kept = 0;                     ///< its place there
+  kernel::Triangle_contact by_signs;  ///< for two triangles; count 0: the piece is stored in rationals
+  Index kept = 0;                     ///< its index in `Found_contacts::kept`
 };
 
-/// All pieces, by their faces.
+/// All pieces, and the points of those that are stored in rationals.
 struct Found_contacts {
   using Loops = std::vector<std::vector<kernel::Rational_point>>;
   std::vector<Found_piece> pieces;
   std::vector<Loops> kept;
 };
 
-/// A face of A and one of B, with their corners where they are triangles with a plane, of which the first is else none.
+/// A face of A and a face of B. Corners are set for a triangle with a plane; otherwise the first corner is none.
 struct Face_pair {
   using Corners = std::array<Index, 3>;
   Index face_a, face_b;
@@ -51,7 +51,7 @@ struct Face_pair {
   bool are_triangles() const { return (*corners_a)[0] != covering::none && (*corners_b)[0] != covering::none; }
 };
 
-/// A body's faces, as pairs of them are decided.
+/// A body's faces, prepared for tests of pairs.
 class Contact_faces {
  public:
   explicit Contact_faces(const covering::Polyhedron& polyhedron, const covering::Covering& covering)
@@ -76,10 +76,11 @@ class Contact_faces {
   }
 
   const covering::Polyhedron& polyhedron() const { return *polyhedron_; }
-  /// The corners of a triangle with a plane; of other faces none.
+  /// Returns the corners of a triangle with a plane; none for another face.
   const std::array<Index, 3>& triangle(Index f) const { return triangles_[f]; }
 
-  /// The edges of a face that no face before it has: vertices, the smaller number first. Every edge is some face's.
+  /// Returns the edges of a face that no earlier face has, as vertices, the smaller number first. Every edge belongs to
+  /// some face.
   std::span<const std::array<Index, 2>> owned_edges(Index f) const
   {
     return std::span(owned_).subspan(owned_begin_[f], owned_begin_[f + 1] - owned_begin_[f]);
@@ -87,12 +88,12 @@ class Contact_faces {
 
  private:
   const covering::Polyhedron* polyhedron_;
-  std::vector<std::array<Index, 3>> triangles_;  // of other faces none
+  std::vector<std::array<Index, 3>> triangles_;  // none for other faces
   std::vector<std::array<Index, 2>> owned_;
   std::vector<std::size_t> owned_begin_;
 };
 
-/// Decides pairs of faces of two placed bodies over K. What it is given must outlive it.
+/// The tests of pairs of faces of two placed bodies over K. Its arguments must outlive it.
 template <class K>
 class Face_pairs {
  public:
@@ -100,13 +101,13 @@ class Face_pairs {
 
   Face_pairs(const Contact_faces& a, const Contact_faces& b) : a_(a), b_(b) {}
 
-  /// Two faces, to be asked for.
+  /// Returns a pair of faces for the next functions.
   Face_pair pair(Index face_a, Index face_b) const
   {
     return {face_a, face_b, &a_.triangle(face_a), &b_.triangle(face_b)};
   }
 
-  /// Adds what the faces of each pair share, in their order. Requires an exact kernel.
+  /// Adds the common pieces of each pair, in the pairs' order. Requires an exact kernel.
   void add_contacts(Body& a, const kernel::Pose& pose_a, Body& b, const kernel::Pose& pose_b,
                     std::span<const Face_pair> pairs,
                     Found_contacts& found) requires(kernel::Kernel_traits<K>::exact_motion)
@@ -118,14 +119,14 @@ class Face_pairs {
       for (const Face_pair& pair : pairs) by_signs(pair);
   }
 
-  /// Forgets what is kept of the poses.
+  /// Forgets the exact faces of the last poses.
   void begin()
   {
     exact_faces_[0].clear();
     exact_faces_[1].clear();
   }
 
-  /// Adds the contacts of the edges that either face owns with the other.
+  /// Adds the contacts of the edges that either face owns with the other face.
   void add_features(Body& a, Body& b, const Face_pair& pair, std::vector<kernel::Feature_pair>& found) const
   {
     const auto [face_a, face_b, corners_a, corners_b] = pair;
@@ -151,7 +152,7 @@ class Face_pairs {
     return {&body.point(t[0]), &body.point(t[1]), &body.point(t[2])};
   }
 
-  /// Adds what signs in double tell, and calls undecided(pair) for the other pairs, in their order.
+  /// Adds the contacts that signs in double decide. Calls undecided(pair) for the other pairs, in their order.
   template <class Undecided>
   static void filter(const std::vector<kernel::Vertex>& a, const kernel::Pose& pose_a,
                      const std::vector<kernel::Vertex>& b, const kernel::Pose& pose_b, std::span<const Face_pair> pairs,
@@ -189,6 +190,7 @@ class Face_pairs {
     }
   }
 
+  /// Adds the common pieces of a pair, by exact signs and rationals.
   void add_contact(Body& a, const kernel::Pose& pose_a, Body& b, const kernel::Pose& pose_b, const Face_pair& pair,
                    Found_contacts& found)
   {
@@ -206,6 +208,7 @@ class Face_pairs {
     }
   }
 
+  /// Returns the piece of two triangles that signs have decided.
   static Found_piece piece(const Face_pair& pair, const kernel::Triangle_contact& contact)
   {
     const auto held = [&](auto edges_of) {
@@ -226,7 +229,7 @@ class Face_pairs {
             contact};
   }
 
-  /// Whether a face is strictly on one side of another's plane.
+  /// True when a face is strictly on one side of another's plane.
   static bool is_beside(Body& body, Index face, Body& other, Index plane)
   {
     const auto& basis = other.model().covering().plane_basis(plane);
@@ -240,6 +243,7 @@ class Face_pairs {
     return first != kernel::ZERO && std::ranges::all_of(vertices, [&](Index v) { return side(v) == first; });
   }
 
+  /// Returns a face in rationals, from the cache if it is there.
   const kernel::Rational_face& exact_face(const Contact_faces& faces, int body, const kernel::Pose& pose, Index f)
   {
     const auto known = exact_faces_[body].find(f);
@@ -257,7 +261,7 @@ class Face_pairs {
     return exact_faces_[body].emplace(f, kernel::Rational_face(std::move(edges))).first->second;
   }
 
-  /// The edges that a triangle owns against a triangle.
+  /// Adds contacts of the edges that a triangle owns with a triangle.
   static void add_edges(int number, const Contact_faces& faces, Body& body, Index owner,
                         const std::array<kernel::Sign, 3>& side, const kernel::Corners<K>& t, Index face,
                         std::vector<kernel::Feature_pair>& found)
@@ -271,7 +275,7 @@ class Face_pairs {
     }
   }
 
-  /// The edges that any face owns against any.
+  /// Adds contacts of the edges that any face owns with any face.
   static void add_edges(int number, const Contact_faces& faces, Body& body, Index owner, Body& other, Index face,
                         std::vector<kernel::Feature_pair>& found)
   {

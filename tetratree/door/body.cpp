@@ -24,7 +24,7 @@ namespace {
 
 using covering::Index;
 
-/// `name`: what messages begin with.
+/// Throws Error, in the name of `name`, for a polyhedron that is not legal.
 void require_legal(const Polyhedron& polyhedron, const std::string& name)
 {
   const auto fail = [&](const std::string& wrong, const std::string& expected) {
@@ -49,7 +49,7 @@ void require_legal(const Polyhedron& polyhedron, const std::string& name)
   }
 }
 
-/// Requires a legal polyhedron.
+/// Throws Error, in the name of `name`, for triangles that do not cover their faces. Requires a legal polyhedron.
 void require_legal(const Polyhedron& polyhedron, const std::vector<Face_triangle>& triangles, const std::string& name)
 {
   for (const Face_triangle& t : triangles) {
@@ -66,7 +66,7 @@ void require_legal(const Polyhedron& polyhedron, const std::vector<Face_triangle
                 "; expected triangles that cover exactly the face");
 }
 
-/// `given`, and fans of the faces that have none.
+/// Returns `given`, and the fans of the faces without given triangles.
 std::vector<Face_triangle> with_fans(const Polyhedron& polyhedron, std::vector<Face_triangle> given)
 {
   std::vector<bool> has_triangles(polyhedron.face_count(), false);
@@ -141,7 +141,7 @@ void Body::make_all(std::size_t threads) const
       what();
     };
   };
-  // Of its own: a thread that waits in it takes up no other work, which might ask this tree.
+  // An arena of its own: a thread that waits in it takes up no other work, which might ask this tree.
   tbb::task_arena arena{int(threads)};
   const auto both = [&](const auto& one, const auto& other) {
     arena.execute([&] { tbb::parallel_invoke(soundly(one), soundly(other)); });

@@ -21,13 +21,13 @@
 
 namespace tetracone::detail {
 
-/// What copies of a `Body` share. What is not yet here is made once, by the first thread that asks for it.
+/// The data that copies of a `Body` share. Parts are made on demand, once, by the first thread that needs them.
 struct Body_data {
   Body_data(covering::Polyhedron p, std::vector<covering::Face_triangle> t)
       : polyhedron(std::move(p)), triangles(std::move(t))
   {}
 
-  /// One that was saved: its fast tree is known.
+  /// A body that was saved, with its fast tree.
   Body_data(covering::Polyhedron p, std::vector<covering::Face_triangle> t, tetratree::Bvh8_elements elements,
             tetratree::Reserved_array<tetratree::Bvh8_node> nodes)
       : Body_data(std::move(p), std::move(t))
@@ -47,7 +47,7 @@ struct Body_data {
     return closed_;
   }
 
-  /// What it is made of is found by `both`.
+  /// Returns the fast tree; makes its root on first use. The model is computed by `both`.
   const tetratree::Bvh8& bvh8(const covering::Both& both = {}) const
   {
     std::call_once(bvh8_once_, [&] {
@@ -56,17 +56,17 @@ struct Body_data {
     });
     return *bvh8_;
   }
-  /// The same, or nothing where no query has asked for it yet.
+  /// Returns the fast tree; null where it has not been made.
   const tetratree::Bvh8* made_bvh8() const { return made_bvh8_.load(std::memory_order_acquire); }
 
-  /// Requires a closed polyhedron.
+  /// Returns the table for points in the solid. Requires a closed polyhedron.
   const tetratree::Point_locator& point_locator() const
   {
     std::call_once(point_locator_once_, [this] { point_locator_.emplace(bvh8().model()); });
     return *point_locator_;
   }
 
-  /// The polyhedron as K sees it, of which the fast tree has the adaptive kernel's.
+  /// Returns the polyhedron as K sees it. The fast tree holds the adaptive kernel's model.
   template <class K>
   const covering::Model<K>& model() const
   {
@@ -80,7 +80,7 @@ struct Body_data {
     }
   }
 
-  /// The tetra-tree over K of this config, `name`d so; all of its nodes are made.
+  /// Returns the tetra-tree over K with this config, cached under `name`; all of its nodes are made.
   template <class K>
   std::shared_ptr<tetratree::Tetra_tree<K>> tetra_tree(const std::string& name, const tetratree::Config& config) const
   {
@@ -101,13 +101,13 @@ struct Body_data {
   mutable std::map<std::type_index, std::shared_ptr<void>> models_;
 };
 
-/// The triangles of a body: those given, and fans of the faces that have none and that a fan covers. `name`: what messages
-/// begin with. Throws Error as `Body` does. Requires a polyhedron of loops and faces that are (`has_legal_loops`).
+/// Returns the triangles of a body: those given, and fans of the other faces that a fan covers. `name` begins messages.
+/// Throws Error as `Body` does. Requires a polyhedron with legal loops and faces (`has_legal_loops`).
 std::vector<covering::Face_triangle> legal_triangles(const covering::Polyhedron& polyhedron,
                                                      std::vector<covering::Face_triangle> given,
                                                      const std::string& name);
 
-/// Throws Error when the body is no solid: "WHO is open at ...; expected a closed surface for WHAT".
+/// Throws Error, "WHO is open at ...; expected a closed surface for WHAT", when the body has no solid.
 void require_solid(const Body_data& body, const std::string& who, const std::string& what);
 
 }  // namespace tetracone::detail

@@ -37,13 +37,14 @@ using covering::Input_error;
 using covering::Polyhedron;
 using tetratree::Bvh8_node;
 
-/// Another number for whatever changes in what arrays mean: in elements, in nodes, in how boxes are made.
+/// The version of the format. It changes whenever arrays change their meaning: in elements, in nodes, in how boxes are
+/// made.
 constexpr std::uint32_t format_version = 2;
 
-/// A multiple of the page of any machine.
+/// The alignment of the nodes in the file: a multiple of the page of any machine.
 constexpr std::size_t page = 65536;
 
-/// How many arrays a body is; the nodes are the last.
+/// The number of arrays of a body; the nodes are the last.
 constexpr std::size_t array_count = 7;
 
 struct Array {
@@ -55,7 +56,7 @@ struct Header {
   std::array<char, 16> magic;
   std::uint32_t version, byte_order;
   std::array<Array, array_count> arrays;
-  std::uint64_t checksum;  // of the file with 0 in its place
+  std::uint64_t checksum;  // of the file, with 0 in place of the checksum
   std::array<std::uint64_t, 6> nothing;
 };
 static_assert(sizeof(Header) % Checksum::block == 0 && offsetof(Header, checksum) == place_of_checksum);
@@ -68,7 +69,7 @@ constexpr Header header_of_this_machine{
     0,
     {}};
 
-/// Calls what(array) for each array, in the order of the file. `order`: that of the tree's elements.
+/// Calls what(array) for each array, in the order of the file. `order` is the order of the tree's elements.
 template <class What>
 void for_arrays(const Polyhedron& polyhedron, const std::vector<Face_triangle>& triangles,
                 const std::vector<Index>& order, const std::vector<Bvh8_node>& nodes, const What& what)
@@ -80,7 +81,7 @@ void for_arrays(const Polyhedron& polyhedron, const std::vector<Face_triangle>& 
   as_span(nodes);
 }
 
-/// The sizes and counts of the arrays of a body, whose nodes are these.
+/// Returns the sizes and counts of the arrays of a body with these nodes.
 std::array<Array, array_count> table(const Polyhedron& polyhedron, const std::vector<Face_triangle>& triangles,
                                      const std::vector<Index>& order, const std::vector<Bvh8_node>& nodes)
 {
@@ -94,7 +95,7 @@ std::array<Array, array_count> table(const Polyhedron& polyhedron, const std::ve
 
 std::uint64_t rounded_up(std::uint64_t bytes, std::uint64_t unit) { return (bytes + unit - 1) / unit * unit; }
 
-/// Where array k begins; where the file ends, for k = array_count.
+/// Returns the byte at which array k begins, or the file's size for k = array_count.
 std::uint64_t begin_of(const Header& header, std::size_t k)
 {
   std::uint64_t at = sizeof(Header);
@@ -104,7 +105,7 @@ std::uint64_t begin_of(const Header& header, std::size_t k)
   return k == array_count ? at : rounded_up(at, k + 1 == array_count ? page : Checksum::block);
 }
 
-/// A file under a temporary name, which becomes the file when all is written, or is removed.
+/// A file under a temporary name. It becomes the file when all is written; otherwise it is removed.
 class Temporary_output {
  public:
   explicit Temporary_output(const fs::path& file) : file_(file), temporary_(temporary_of(file))
@@ -120,7 +121,8 @@ class Temporary_output {
   }
   Temporary_output(const Temporary_output&) = delete;
 
-  /// Behind what is written, from this multiple of a block on.
+  /// Writes bytes at `place`, behind all earlier ones, with zeros between. Requires that `place` is a multiple of a
+  /// block.
   void append(std::uint64_t place, std::span<const std::byte> bytes)
   {
     const std::vector<std::byte> zeros(place - at_);
@@ -130,7 +132,7 @@ class Temporary_output {
     sum_.add(bytes);
     at_ = place + bytes.size();
   }
-  /// Over the first bytes.
+  /// Writes bytes over the start of the file.
   void overwrite(std::span<const std::byte> bytes)
   {
     out_.seekp(0);
@@ -146,7 +148,7 @@ class Temporary_output {
     is_done_ = true;
   }
 
-  /// Of all that is appended.
+  /// Returns the checksum of all that was appended.
   const Checksum& checksum() const { return sum_; }
 
  private:
@@ -178,7 +180,7 @@ class Temporary_output {
   bool is_done_ = false;
 };
 
-/// Throws Input_error unless the bytes are those of a file that was saved.
+/// Returns the header. Throws Input_error unless the bytes are a file that was saved.
 Header checked_header(const fs::path& file, std::string_view bytes)
 {
   const auto fail = [&](const std::string& wrong, const std::string& expected) {
@@ -273,7 +275,7 @@ std::shared_ptr<const Body_data> read_body_file(const fs::path& file)
   fill(order);
   tetratree::Bvh8_elements elements(polyhedron, triangles);
   if (!elements.put_in_order(order)) fail("has leaves that do not hold each triangle and each face once");
-  // Mapped pages, and in these a multiple of the largest page: aligned as nodes are.
+  // The nodes lie on mapped pages at a multiple of the largest page, so they are aligned.
   const std::uint64_t at = begin_of(header, k), count = header.arrays[k].count;
   const auto* const nodes = reinterpret_cast<const Bvh8_node*>(mapped.bytes().data() + at);
   if (const auto flaw = tree_flaw(elements, {nodes, count})) fail(*flaw);

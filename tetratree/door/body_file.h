@@ -9,24 +9,26 @@ namespace tetracone::detail {
 
 struct Body_data;
 
-/// Whether the name ends in .body, in any case of letters.
+/// True when the name ends in .body, in any case of letters.
 bool is_body_file(const std::filesystem::path& file);
 
-/// The byte of a saved body at which its checksum begins: the sum of the file with 0 in its place.
+/// The byte of a saved body at which its checksum begins. The checksum is of the file with 0 in its place.
 inline constexpr std::size_t place_of_checksum = 136;
 
-/// Writes the body and its fast tree: a header of fixed size, the arrays that they are made of, each from a multiple of
-/// 64 bytes on, and from the first byte of a page on the nodes, to be used where they are. The header says the version
-/// of the format, the machine's order of bytes, of each array its elements' size and count, and a checksum of all the
-/// file. The arrays are the vertices, the loops, the faces' triangles, the order of the tree's elements and its nodes:
-/// what can be derived of these is not written. Requires that all nodes are made. Throws Error as `save_body`.
+/// Writes the body and its fast tree. Requires that all nodes are made. Throws Error as `save_body`.
+///
+/// The file is a header of fixed size and arrays, each at a multiple of 64 bytes. The nodes begin at the first byte of
+/// a page, to be used in place. The header holds the version of the format, the machine's order of bytes, and a
+/// checksum of the file. It also holds the element size and the count of each array. The arrays are the vertices, the
+/// loops, the faces' triangles, the order of the tree's elements and its nodes. Nothing is written that can be derived
+/// from these.
 void write_body_file(const Body_data& body, const std::filesystem::path& file);
 
-/// Reads a saved body. Nothing in the file is trusted: the vertices, faces and triangles are checked as `Body` checks
-/// them, the order is a permutation, the nodes are checked by `tree_flaw`. Throws Error as `read_body`.
+/// Returns a saved body. Nothing in the file is trusted: the vertices, faces and triangles are checked as `Body` checks
+/// them, the order is a permutation, and the nodes are checked by `tree_flaw`. Throws Error as `read_body`.
 ///
-/// What this costs, as a share of the time of building the body (torus of 70,000 triangles, one thread): the checksum 1/20,
-/// what is derived anew 1/14, the check of the nodes 1/8. All of it is 1/3 with the memory that is taken.
+/// Its cost as a fraction of the time of building the body (torus of 70,000 triangles, one thread): the checksum 1/20,
+/// everything that is derived anew 1/14, the check of the nodes 1/8. All of it is 1/3, with the memory that is taken.
 std::shared_ptr<const Body_data> read_body_file(const std::filesystem::path& file);
 
 }  // namespace tetracone::detail

@@ -9,12 +9,12 @@
 
 namespace tetracone::detail {
 
-/// 64 bits that tell bytes from spoiled ones: of blocks of 64 bytes, word k of each goes to lane k, by steps that undo
-/// nothing. Bytes that differ in one word alone have different sums, always; others but for one chance in 2^64. As fast
-/// as memory; no protection against who means harm.
+/// A checksum of 64 bits. Word k of each block of 64 bytes goes to lane k, by steps that are one to one. Bytes that
+/// differ in one word only always have different sums; other changes go unnoticed with a chance of one in 2^64. It is
+/// as fast as memory, and no protection against malice.
 class Checksum {
  public:
-  /// Adds bytes, the last block filled up with 0.
+  /// Adds bytes; the last block is filled up with 0.
   void add(std::span<const std::byte> bytes)
   {
     for (; bytes.size() >= block; bytes = bytes.subspan(block)) add_block(bytes.data());
@@ -34,7 +34,7 @@ class Checksum {
   static constexpr std::size_t block = 64;
 
  private:
-  /// One to one in either, the other fixed.
+  /// Mixes a word into a sum; one to one in each while the other is fixed.
   static std::uint64_t mixed(std::uint64_t sum, std::uint64_t word)
   {
     sum = (sum ^ word) * 0x9e3779b97f4a7c15;

@@ -17,9 +17,10 @@ using detail::Contacts_data;
 using kernel::Rational;
 using kernel::Rational_point;
 
-/// The line of the points base + s direction, s being their coordinate along `axis`: the same however it is found.
+/// The line of the points base + s direction, where s is their coordinate along `axis`. It has one form, however it is
+/// found.
 struct Line {
-  std::size_t axis;  ///< the first along which the line moves
+  std::size_t axis;  ///< the first axis along which the line is not constant
   Rational_point direction, base;
 
   Line(const Rational_point& p, const Rational_point& q) : axis(0), direction{}, base{}
@@ -44,14 +45,14 @@ struct Line {
   }
 };
 
-/// Segments of one line, by where they begin and end.
+/// Segments of one line, as pairs (begin, end).
 using Spans = std::vector<std::pair<Rational, Rational>>;
 
-/// Points and which of them a segment joins, each pair once. Segments of one line that overlap, or end where the next
-/// begins, are one, cut where a segment of another line ends.
+/// Points, and the pairs of them that a segment joins, each once. Segments of one line that overlap, or end where the
+/// next begins, are joined. They are cut where a segment of another line ends.
 struct Graph {
   std::vector<Rational_point> points;
-  std::vector<std::set<std::size_t>> joined;  // with the point of that number
+  std::vector<std::set<std::size_t>> joined;  // the points that are joined with the point of that number
 
   explicit Graph(const Contacts_data& data)
   {
@@ -65,7 +66,7 @@ struct Graph {
       const Rational &s = p[line.axis], &t = q[line.axis];
       lines[line].push_back(s < t ? std::pair(s, t) : std::pair(t, s));
     }
-    std::map<Rational_point, int> lines_at;  // on which a segment ends there
+    std::map<Rational_point, int> lines_at;  // the number of lines with a segment that ends there
     for (auto& [line, spans] : lines) {
       std::sort(spans.begin(), spans.end());
       for (const Rational& s : ends_of(spans)) ++lines_at[line.at(s)];
@@ -86,7 +87,7 @@ struct Graph {
     return ends;
   }
 
-  /// Of the line's spans, in order of where they begin.
+  /// Joins the points along a line. Requires spans in the order of their begins.
   void join(const Line& line, const Spans& spans, const std::map<Rational_point, int>& lines_at)
   {
     const std::set<Rational> ends = ends_of(spans);

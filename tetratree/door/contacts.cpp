@@ -35,13 +35,13 @@ std::array<N, 12> entries(const kernel::Pose& pose, const Number_of& number_of)
   return m;
 }
 
-/// A corner of triangle A's or B's, of the number that it has there.
+/// A vertex of triangle A or B, by its number there.
 struct Triangle_vertex {
   bool is_of_b;
   int number;
 };
 
-/// The vertex that a corner of a piece is; nothing where it is on edges or in faces alone.
+/// Returns the vertex that a corner of a piece is; nothing where it is only on edges or in faces.
 std::optional<Triangle_vertex> vertex_of(const kernel::Triangle_contact::Corner& corner)
 {
   if (std::popcount(corner.on_p) == 2) return Triangle_vertex{false, int(kernel::corner_of(corner.on_p))};
@@ -49,7 +49,8 @@ std::optional<Triangle_vertex> vertex_of(const kernel::Triangle_contact::Corner&
   return std::nullopt;
 }
 
-/// Calls what(corner) for the corners of a piece of two triangles, over N. Vertices that no corner needs are not placed.
+/// Calls what(corner) for the corners of the piece that two triangles share, over N. Vertices that no corner needs are
+/// not placed.
 template <class N, class Number_of, class What>
 void for_corners(const Contacts_data& data, const tetratree::Found_piece& piece, const Number_of& number_of,
                  const What& what)

@@ -20,17 +20,17 @@ using covering::Index;
 using kernel::Feature;
 using kernel::Piece;
 
-/// A maximal piece of what a face of A and a face of B share.
+/// A maximal piece of the points that a face of A and a face of B share.
 struct Contact_piece {
   Index face_a;  ///< the face's number in A
   Index face_b;  ///< the face's number in B
   Piece kind;    ///< a point, a segment, or of faces in one plane a polygon
-  Feature in_a;  ///< what of face_a holds all of it: a vertex, its edges, or no less than the face
-  Feature in_b;  ///< what of face_b does
+  Feature in_a;  ///< the least of these that holds all of it: a vertex of face_a, its edges, the face
+  Feature in_b;  ///< as in_a, for face_b
 };
 
-/// Doubles that enclose a point's coordinates. Their distance is at most 2^-40 of the point's largest coordinate, or they
-/// are neighbours.
+/// Doubles that enclose a point's coordinates. Their distance is at most 2^-40 of the point's largest coordinate, or
+/// they are neighbours.
 struct Enclosure {
   std::array<double, 3> lower;  ///< lower[k] <= x_k
   std::array<double, 3> upper;  ///< x_k <= upper[k]
@@ -38,9 +38,9 @@ struct Enclosure {
 
 /// All pairs of faces of two placed bodies that share a point, each with the maximal pieces of what they share.
 ///
-/// Faces in different planes share points and segments. Faces in one plane share polygons, and points and segments that no
-/// polygon holds. Each piece is listed once. The list is empty exactly where the surfaces share no point. Copies are cheap.
-/// The place of a piece is computed when it is asked for. Any number of threads may ask at once.
+/// Faces in different planes share points and segments. Faces in one plane share polygons, and points and segments that
+/// no polygon holds. Each piece is listed once. The list is empty exactly where the surfaces share no point. Copies are
+/// cheap. The place of a piece is computed when it is asked for. Any number of threads may ask at once.
 class Contacts {
  public:
   /// Returns the number of pieces.
@@ -51,8 +51,8 @@ class Contacts {
   /// Returns piece k. Pieces are sorted by the face of A, then of B. Requires k < size().
   Contact_piece operator[](std::size_t k) const;
 
-  /// Returns where piece k is: a loop of one point, of the two ends of a segment, or the loops of a polygon's border. The
-  /// outer loop and the holes have no order. No three corners in a row are on one line. Requires k < size().
+  /// Returns where piece k is: a loop of one point, of the two ends of a segment, or the loops of a polygon's border.
+  /// The outer loop and the holes have no order. No three corners in a row are on one line. Requires k < size().
   std::vector<std::vector<Enclosure>> loops(std::size_t k) const;
 
   /// Returns `loops` exactly: fractions "n/d", or "n".

@@ -12,17 +12,17 @@
 
 namespace tetracone::detail {
 
-/// What copies of `Contacts` share: pieces as they were found, and what they are computed from.
+/// The data that copies of `Contacts` share: pieces as they were found, and their bodies and poses.
 struct Contacts_data {
   tetratree::Found_contacts found;
   Shared_body a, b;
   kernel::Pose pose_a, pose_b;
 };
 
-/// Where piece k is, exactly; see `Contacts::loops`.
+/// Returns where piece k is, exactly; see `Contacts::loops`.
 std::vector<std::vector<std::array<kernel::Rational, 3>>> rational_loops(const Contacts_data& contacts, std::size_t k);
 
-/// What answers queries for features and contacts by the fast tree.
+/// Answers queries for features and contacts by the fast tree.
 class Contact_solver {
  public:
   virtual ~Contact_solver() = default;
@@ -32,12 +32,12 @@ class Contact_solver {
   virtual void clear_statistics() = 0;
 };
 
-/// Over K. All kernels are one unit, apart from the booleans'.
+/// Makes the solver over K. All kernels share one unit, except the booleans'.
 template <class K>
 std::unique_ptr<Contact_solver> bvh8_contact_solver(const Shared_body& a, const Shared_body& b,
                                                     const Query_options& options);
 
-/// Throws Error: what is asked of kernels that round.
+/// Throws Error, for contacts that were asked of a kernel that rounds.
 [[noreturn]] void refuse_contacts();
 
 }  // namespace tetracone::detail

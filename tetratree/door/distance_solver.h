@@ -10,7 +10,7 @@
 
 namespace tetracone::detail {
 
-/// What answers how far apart bodies are: the fast tree over a kernel.
+/// Computes distances of two bodies by the fast tree over a kernel.
 class Distance_solver {
  public:
   virtual ~Distance_solver() = default;
@@ -23,7 +23,7 @@ class Distance_solver {
   virtual std::size_t bytes() const = 0;
 };
 
-/// Throws Error for a kernel that tells no distance.
+/// Makes the solver of these options. Throws Error for a kernel without distances.
 std::unique_ptr<Distance_solver> distance_solver(const std::shared_ptr<const Body_data>& a,
                                                  const std::shared_ptr<const Body_data>& b,
                                                  const Query_options& options);

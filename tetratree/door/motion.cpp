@@ -117,8 +117,8 @@ std::optional<First_contact> Query::first_contact(const Motion& a, const Motion&
   const auto meet_at_start = [&] {
     return d.solver->relation(a.exact().at(0), b.exact().at(0), d.question) != Relation::apart;
   };
-  // Where the surfaces alone are asked for, all of the motion mostly tells that they are apart at its start. It does not
-  // come before the start where it is costly to begin with, nor where it was needless the last time.
+  // Under `Question::surface` the search of the motion mostly shows that the bodies are apart at its start. The start
+  // is asked first where that search is costly to begin, and where it was needless the last time.
   const bool is_start_first = d.question == Question::solid || !a.exact().ends() || !b.exact().ends() ||
                               std::exchange(d.motion->began_in_contact, false);
   tetratree::Meeting found;

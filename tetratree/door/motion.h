@@ -18,13 +18,13 @@ class Body_motion;
 /// The motion of a body over t in [0, 1], taken exactly. Immutable; copies are cheap.
 class Motion {
  public:
-  /// Returns the motion in which every point moves on a line, at constant speed, from its image under `from` to its image
-  /// under `to`: M(t) = (1-t) M0 + t M1. Between them M(t) may be singular; then the image is flat.
+  /// Returns the motion in which every point moves on a line, at constant speed, from its image under `from` to its
+  /// image under `to`: M(t) = (1-t) M0 + t M1. Between them M(t) may be singular; then the image is flat.
   static Motion linear(const Pose& from, const Pose& to);
 
   /// Returns the motion that rotates by the quaternion q(t) = (1-t) q0 + t q1 and translates on a line. q(t) is not
-  /// normalised, so the angular velocity is not constant. An argument is w x y z of a quaternion of any length above 0, then
-  /// the translation. Throws Error for a number that is not finite, and where q(t) = 0 for some t.
+  /// normalised, so the angular velocity is not constant. An argument is w x y z of a quaternion of any length above 0,
+  /// then the translation. Throws Error for a number that is not finite, and where q(t) = 0 for some t.
   static Motion rigid(const std::array<double, 7>& from, const std::array<double, 7>& to);
 
   /// Returns `rigid` of decimals or fractions "n/d". Throws Error as `rigid`, and for a text that is no number.
@@ -44,8 +44,8 @@ struct First_contact {
   double lo;  ///< lo <= t; equal to hi where t is a double
   double hi;  ///< t <= hi, the next double after lo where they differ
 
-  /// A part of A and a part of B that meet then: a vertex and a face, or two edges. Where several pairs meet, it is one of
-  /// them. An edge may stand between two triangles of one face. Nothing where the bodies collide at t = 0.
+  /// A part of A and a part of B that meet then: a vertex and a face, or two edges. Where several pairs meet, it is one
+  /// of them. An edge may stand between two triangles of one face. Nothing where the bodies collide at t = 0.
   std::optional<std::array<Holder, 2>> holder;
 };
 

@@ -10,21 +10,21 @@
 
 namespace tetracone::detail {
 
-/// Throws Error for a kernel that follows no motion.
+/// Throws Error for a kernel that cannot follow motions.
 void require_motion_kernel(const Query_options& options);
 
-/// The tree of a body that motions can follow. Throws Error, of `who`, where a face has no triangles and is not flat to a
-/// line: motions know no test for a face as a whole.
+/// Returns the fast tree of a body that motions can follow. Throws Error, in the name of `who`, where a face has no
+/// triangles and is not on a line. Motions have no test for a face as a whole.
 const tetratree::Bvh8& triangulated_tree(const Body_data& body, const std::string& who);
 
-/// When two bodies that move first meet.
+/// Finds when two moving bodies first meet.
 struct Motion_solver {
   /// Throws Error as `triangulated_tree`.
   Motion_solver(const std::shared_ptr<const Body_data>& a, const std::shared_ptr<const Body_data>& b);
 
   std::shared_ptr<const Body_data> a, b;
   tetratree::Bvh8_motion motion;
-  bool began_in_contact = true;  // the last motion asked for; before the first one what costs little is asked first
+  bool began_in_contact = true;  // whether the last motion did; true at first, since the start costs little to ask
 };
 
 }  // namespace tetracone::detail

@@ -26,7 +26,7 @@ const tetratree::Point_locator& locator_of(const detail::Body_data& data)
   throw Error(point + ": " + "xyz"[k] + " is " + is + "; expected " + expected);
 }
 
-/// `name()`: what messages call the point.
+/// Throws Error, in the name of `name()`, for a coordinate that is not finite.
 template <class Name>
 void require_finite(const std::array<double, 3>& point, const Name& name)
 {
@@ -35,7 +35,7 @@ void require_finite(const std::array<double, 3>& point, const Name& name)
       refuse_coordinate(name(), k, kernel::shortest(point[k]), "a finite number");
 }
 
-/// Without a branch for each, for many.
+/// True when all coordinates are finite. It has no branch for each, since there are many.
 bool all_finite(std::span<const std::array<double, 3>> points)
 {
   int all = 1;
@@ -56,7 +56,7 @@ std::vector<Location> Body::inside(std::span<const std::array<double, 3>> points
 {
   const tetratree::Point_locator& locator = locator_of(*data_);
   std::vector<Location> answers(points.size());
-  // Few enough to be looked at twice while they are near.
+  // Few enough that they stay in the cache for the second pass.
   constexpr std::size_t at_a_time = 512;
   for (std::size_t first = 0; first < points.size(); first += at_a_time) {
     const std::size_t count = kernel::minimum(at_a_time, points.size() - first);

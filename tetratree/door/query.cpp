@@ -13,7 +13,7 @@
 namespace tetracone {
 namespace {
 
-/// Makes the roots of both fast trees, at once in two threads where that is worth a thread.
+/// Makes the roots of both fast trees, at once in two threads where the bodies are large enough.
 void make_roots(const detail::Body_data& a, const detail::Body_data& b)
 {
   constexpr std::size_t worth_a_thread = 100'000;  // faces: some tens of milliseconds

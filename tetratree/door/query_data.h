@@ -9,7 +9,7 @@
 
 namespace tetracone::detail {
 
-/// What a `Query` keeps.
+/// The state of a `Query`.
 struct Query_data {
   Question question;
   std::unique_ptr<Solver> solver;

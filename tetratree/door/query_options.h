@@ -15,7 +15,8 @@ using kernel::Tolerance;
 
 #define TETRACONE_ENUMERATOR(kernel, ...) kernel,
 #define TETRACONE_KERNEL(kernel, ...) Kernel::kernel,
-/// The arithmetic that decides: a row of `TETRACONE_FOR_EACH_KERNEL` each. `epick` rounds the images and is exact after that.
+/// The arithmetic that decides: a row of `TETRACONE_FOR_EACH_KERNEL` each. `epick` rounds the images and is exact after
+/// that.
 enum class Kernel { TETRACONE_FOR_EACH_KERNEL(TETRACONE_ENUMERATOR) };
 /// Every kernel, in the order of the list.
 inline constexpr std::array all_kernels = {TETRACONE_FOR_EACH_KERNEL(TETRACONE_KERNEL)};
@@ -23,15 +24,11 @@ inline constexpr std::array all_kernels = {TETRACONE_FOR_EACH_KERNEL(TETRACONE_K
 #undef TETRACONE_KERNEL
 
 /// True when every answer of the kernel is right by construction.
-constexpr bool is_exact(Kernel asked)
+constexpr bool is_exact(Kernel kernel)
 {
-  switch (asked) {
-#define TETRACONE_CASE(kernel, name, type, exact) \
-  case Kernel::kernel: return exact;
-    TETRACONE_FOR_EACH_KERNEL(TETRACONE_CASE)
-#undef TETRACONE_CASE
-  }
-  return false;
+#define TETRACONE_EXACT(enumerator, name, type, exact) (exact && kernel == Kernel::enumerator) ||
+  return TETRACONE_FOR_EACH_KERNEL(TETRACONE_EXACT) false;
+#undef TETRACONE_EXACT
 }
 
 /// The way in which a query finds its answer.
@@ -57,7 +54,7 @@ constexpr std::string_view to_string(Method method)
   return "brute";
 }
 
-/// Returns the method of that name, or nothing.
+/// Returns the method of this name, or nothing.
 std::optional<Method> parse_method(std::string_view name);
 
 /// What a query can be told besides its bodies and its question.
@@ -69,8 +66,8 @@ struct Query_options {
   bool remember = false;
 };
 
-/// Returns the kernel of a name that `kernel_names` lists, or nothing. Tolerances are double-eps=E and double-eps=rel:E with
-/// E >= 0 finite: a sign is zero up to E, absolute, or relative to the sum of its products.
+/// Returns the kernel of a name that `kernel_names` lists, or nothing. Tolerances are double-eps=E and double-eps=rel:E
+/// with E >= 0 finite: a sign is zero up to E, absolute, or relative to the sum of its products.
 std::optional<Query_options> parse_kernel(std::string_view name);
 
 /// Returns the name that `parse_kernel` reads.

@@ -1,7 +1,7 @@
 #ifndef TETRACONE_TETRATREE_DOOR_REPAIR_H
 #define TETRACONE_TETRATREE_DOOR_REPAIR_H
 
-// By parts of CGAL that are GPL, and so is what links this: tetracone::repair.
+// This uses parts of CGAL that are GPL, so whatever links tetracone::repair is GPL too.
 
 #include "tetracone/tetratree/door/tetracone.h"
 
@@ -10,22 +10,23 @@
 
 namespace tetracone {
 
-/// A polyhedron made legal, and what was done to it.
+/// A polyhedron made legal, and the changes.
 struct Repaired {
-  Polyhedron polyhedron;                  ///< what is legal now
-  std::vector<covering::Index> replaced;  ///< faces that were not planar, each now some triangles; numbers of before
-  bool turned = false;                    ///< faces were turned round so that the surface closes
+  Polyhedron polyhedron;  ///< legal
+  std::vector<covering::Index>
+      replaced;         ///< faces that were not planar, by their old numbers; each is now some triangles
+  bool turned = false;  ///< faces were turned round so that the surface closes
 };
 
-/// Replaces each face that is not exactly planar, that face alone, by triangles with the same edges; turns faces round
-/// where that alone closes an open surface.
+/// Returns the polyhedron made legal. Each face that is not exactly planar, and no other, is replaced by triangles with
+/// the same edges. Faces are turned round where that alone closes an open surface.
 Repaired repaired(Polyhedron polyhedron);
 
-/// The body with its polygons triangulated where that is possible without new vertices, which makes queries faster and
-/// changes no answer. Throws as `Body`.
+/// Returns the body with its polygons triangulated where that is possible without new vertices. It makes queries faster
+/// and changes no answer. Throws as `Body`.
 Body triangulated_body(Polyhedron polyhedron);
 
-/// Reads a model as `read_body` does, repaired and triangulated.
+/// Returns the model of a file, read as by `read_body`, repaired and triangulated.
 Body read_repaired_body(const std::filesystem::path& file);
 
 }  // namespace tetracone

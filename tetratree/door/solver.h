@@ -15,12 +15,12 @@ struct Found_contacts;
 
 namespace tetracone::detail {
 
-/// What answers a query: a tree of a kernel for each body.
+/// Answers queries by a tree of a kernel for each body.
 class Solver {
  public:
   virtual ~Solver() = default;
   virtual Relation relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question) = 0;
-  /// The same, with what is kept of these placed bodies, where the solver can use it.
+  /// Same, with the memory of these placed bodies, where the solver can use it.
   virtual Relation relation_by(tetratree::Pair_memory& /*memory*/, const kernel::Pose& pose_a,
                                const kernel::Pose& pose_b, Question question)
   {
@@ -28,7 +28,7 @@ class Solver {
   }
   virtual std::vector<Feature_pair> features(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
   virtual tetratree::Found_contacts contacts(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
-  /// Of the last relation, where it was `apart`.
+  /// Returns a lower bound of the distance after the last relation, if that was `apart`; 0 if none was computed.
   virtual double certified_gap() const { return 0; }
   virtual Query_statistics statistics() const = 0;
   virtual void clear_statistics() = 0;
@@ -38,14 +38,15 @@ class Solver {
 
 using Shared_body = std::shared_ptr<const Body_data>;
 
-/// Makes the solver that the options ask for. Throws Error for a kernel that is none.
+/// Makes the solver of these options. Throws Error for an unknown kernel.
 std::unique_ptr<Solver> make_solver(const Shared_body& a, const Shared_body& b, const Query_options& options);
 
-/// Makes the paper's tree over K, with the method's choices. Each kernel has a unit of its own, here and below.
+/// Makes the solver by the paper's tree over K, with the method's choices. Each kernel has a compiled unit of its own,
+/// here and below.
 template <class K>
 std::unique_ptr<Solver> tetra_tree_solver(const Shared_body& a, const Shared_body& b, const Query_options& options);
 
-/// Makes the fast tree, with leaves decided by K.
+/// Makes the solver by the fast tree, with leaves decided by K.
 template <class K>
 std::unique_ptr<Solver> bvh8_solver(const Shared_body& a, const Shared_body& b, const Query_options& options);
 

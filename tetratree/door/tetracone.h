@@ -25,8 +25,8 @@
 #include <utility>
 #include <vector>
 
-/// The library's interface, the door: it decides exactly whether two placed polyhedra collide. It is compiled, and needs the
-/// standard library alone. Templates for every kernel are under tetracone/kernel, tetracone/covering and
+/// The library's interface, the door: it decides exactly whether two placed polyhedra collide. It is compiled, and
+/// needs the standard library alone. Templates for every kernel are under tetracone/kernel, tetracone/covering and
 /// tetracone/tetratree.
 namespace tetracone {
 
@@ -56,18 +56,19 @@ using tetratree::Query_statistics;
 using tetratree::Ray;
 using tetratree::Ray_hit;
 
-/// The affine map x -> M x + t that places a body, taken exactly. M need not be a rotation. Immutable; copies are cheap.
+/// The affine map x -> M x + t that places a body, taken exactly. M need not be a rotation. Immutable; copies are
+/// cheap.
 class Pose {
  public:
   /// The identity.
   Pose();
 
-  /// The map of a row-major 3x4 array: row i is (M_i0, M_i1, M_i2, t_i). Throws Error for a number that is not finite, and
-  /// where det M = 0.
+  /// The map of a row-major 3x4 array: row i is (M_i0, M_i1, M_i2, t_i). Throws Error for a number that is not finite,
+  /// and where det M = 0.
   explicit Pose(const std::array<double, 12>& rows);
 
-  /// Returns the map of decimals or fractions "n/d", in which a rotation can be exact. Throws Error as for doubles, and for a
-  /// text that is no number.
+  /// Returns the map of decimals or fractions "n/d", in which a rotation can be exact. Throws Error as for doubles, and
+  /// for a text that is no number.
   static Pose from_text(const std::array<std::string, 12>& rows);
 
   /// Returns the map p -> p + (x, y, z). Throws Error for a number that is not finite.
@@ -89,15 +90,16 @@ class Pose {
   alignas(8) std::byte storage_[120];
 };
 
-/// A polyhedron that queries can be asked about. Immutable; copies share their data. Any number of threads may ask about it
-/// at once, also while its tree is still being made.
+/// A polyhedron that queries can be asked about. Immutable; copies share their data. Any number of threads may ask
+/// about it at once, also while its tree is still being made.
 ///
-/// Open and closed surfaces, several shells, cavities, non-manifold and degenerate elements, and faces with holes are legal.
-/// An open surface has no solid.
+/// Open and closed surfaces, several shells, cavities, non-manifold and degenerate elements, and faces with holes are
+/// legal. An open surface has no solid.
 class Body {
  public:
-  /// A body of this polyhedron. Throws Error for no face, an index out of range, a coordinate that is not finite, and a face
-  /// that is not exactly planar (with its deviation; tetracone/repair.h replaces such faces by triangles).
+  /// A body of this polyhedron. Throws Error for no face, an index out of range, and a coordinate that is not finite.
+  /// Throws it also for a face that is not exactly planar, with its deviation; tetracone/repair.h replaces such faces
+  /// by triangles.
   explicit Body(Polyhedron polyhedron);
 
   /// `triangles`: for some faces, triangles that cover exactly the face, in its direction (as tetracone/repair.h makes
@@ -120,27 +122,27 @@ class Body {
   /// True when every directed edge occurs as often as its reverse: then the body bounds a solid.
   bool is_closed() const;
 
-  /// Builds the whole fast tree now, with `threads` threads (0: all cores), instead of on demand. The tree does not depend on
-  /// their number. Other threads' queries wait for nodes meanwhile.
+  /// Builds the whole fast tree now, with `threads` threads (0: all cores), instead of on demand. The tree does not
+  /// depend on their number. Other threads' queries wait for nodes meanwhile.
   void make_all(std::size_t threads = 1) const;
 
-  /// Returns where the point is with regard to the solid, exactly, by its winding number. The first call makes the table that
-  /// answers all. Throws Error for an open surface, and for a coordinate that is not finite.
+  /// Returns where the point is with regard to the solid, exactly, by its winding number. The first call makes the
+  /// table that answers all. Throws Error for an open surface, and for a coordinate that is not finite.
   Location inside(const std::array<double, 3>& point) const;
 
   /// Returns the answers for many points. Throws as for one.
   std::vector<Location> inside(std::span<const std::array<double, 3>> points) const;
 
-  /// Returns the answer for a point of decimals or fractions "n/d". Throws Error as for doubles, and for a text that is no
-  /// number.
+  /// Returns the answer for a point of decimals or fractions "n/d". Throws Error as for doubles, and for a text that is
+  /// no number.
   Location inside_text(const std::array<std::string, 3>& point) const;
 
   /// Returns the bytes of the table that `inside` asks, which is made now if need be. Throws Error for an open surface.
   std::size_t inside_bytes() const;
 
-  /// Returns the first face that the ray meets: least t, exactly; at equal t the least face number. Nothing where it meets
-  /// none. A ray in a face's plane meets it where it first comes to the closed face. Throws Error for a number that is not
-  /// finite, and for a direction of 0.
+  /// Returns the first face that the ray meets: least t, exactly; at equal t the least face number. Nothing where it
+  /// meets none. A ray in a face's plane meets it where it first comes to the closed face. Throws Error for a number
+  /// that is not finite, and for a direction of 0.
   std::optional<Ray_hit> first_hit(const Ray& ray) const;
 
   /// Returns the first faces of many rays. Throws as for one.
@@ -160,20 +162,20 @@ class Body {
   std::shared_ptr<const detail::Body_data> data_;
 };
 
-/// Returns the body of a file: OFF, OBJ, PLY, STL, TetGen .poly, or a saved body (.body), by the suffix. Throws Error, "file:line:
-/// what is wrong; what was expected", for a file that is none of these, and as `Body` does.
+/// Returns the body of a file: OFF, OBJ, PLY, STL, TetGen .poly, or a saved body (.body), by the suffix. Throws Error,
+/// "file:line: what is wrong; what was expected", for a file that is none of these, and as `Body` does.
 ///
-/// A saved body has all nodes of its fast tree. The file is mapped, so that many processes share it. It may be removed or
-/// saved anew while it is in use, but not written into. A spoiled file, another version of the format, and a machine with
-/// other numbers are refused.
+/// A saved body has all nodes of its fast tree. The file is mapped, so that many processes share it. It may be removed
+/// or saved anew while it is in use, but not written into. A spoiled file, another version of the format, and a machine
+/// with other numbers are refused.
 ///
-/// Nothing in a saved body is trusted: all that can be derived is derived anew, and all else is checked, in one linear pass.
-/// A file is refused, or it answers as `Body` of its vertices, faces and triangles does.
+/// Nothing in a saved body is trusted: all that can be derived is derived anew, and all else is checked, in one linear
+/// pass. A file is refused, or it answers as `Body` of its vertices, faces and triangles does.
 Body read_body(const std::filesystem::path& file);
 
-/// Saves the body with its whole fast tree to a file *.body that `read_body` takes. Equal bodies give equal bytes. The file is
-/// written under a temporary name first, so that a reader sees the old file or the new one. Throws Error for another suffix,
-/// and for a file that cannot be written; then nothing is left behind.
+/// Saves the body with its whole fast tree to a file *.body that `read_body` takes. Equal bodies give equal bytes. The
+/// file is written under a temporary name first, so that a reader sees the old file or the new one. Throws Error for
+/// another suffix, and for a file that cannot be written; then nothing is left behind.
 void save_body(const Body& body, const std::filesystem::path& file);
 
 /// The answer for one pose of each body.
@@ -195,7 +197,8 @@ class Answer {
 /// Two bodies and a question, asked for many poses. A query keeps work from pose to pose and belongs to one thread.
 class Query {
  public:
-  /// A query that shares the bodies' data and may outlive them. Throws Error when an open surface is asked for its solid.
+  /// A query that shares the bodies' data and may outlive them. Throws Error when an open surface is asked for its
+  /// solid.
   Query(const Body& a, const Body& b, Question question = Question::solid, const Query_options& options = {});
 
   ~Query();
@@ -204,8 +207,8 @@ class Query {
   /// Moves; the query that is moved from throws Error when it is asked.
   Query& operator=(Query&&) noexcept;
 
-  /// Returns how the bodies stand under these poses. Throws Error when the thread's floating point is not as exact answers
-  /// need it, and for a query that has been moved from.
+  /// Returns how the bodies stand under these poses. Throws Error when the thread's floating point is not as exact
+  /// answers need it, and for a query that has been moved from.
   Answer collide(const Pose& pose_a, const Pose& pose_b);
 
   /// Returns the answer for poses of the templates (`exact`). Requires det M != 0.
@@ -215,11 +218,12 @@ class Query {
   /// speed, never the answer. Requires the memory of this pair (tetracone/tetratree/fast/pair_memory.h).
   Answer collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, tetratree::Pair_memory& memory);
 
-  /// Returns the answers for n poses of each body, for one of A and n of B, or for n of A and one of B. Throws Error for
+  /// Returns the answers for n poses of each body. One pose of either body serves all n of the other. Throws Error for
   /// other counts, and as above.
   std::vector<Answer> collide(std::span<const Pose> poses_a, std::span<const Pose> poses_b);
 
-  /// Returns all pairs of an edge of one body and a face of the other that share a point, with the kind of contact, sorted.
+  /// Returns all pairs of an edge of one body and a face of the other that share a point, with the kind of contact,
+  /// sorted.
   std::vector<Feature_pair> features(const Pose& pose_a, const Pose& pose_b);
   /// Same, for poses of the templates. Requires det M != 0.
   std::vector<Feature_pair> features(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
@@ -230,20 +234,20 @@ class Query {
   Contacts contacts(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
 
   /// Returns the double nearest to the exact distance of the solids, 0 where they collide, or of the surfaces under
-  /// `Question::surface`. The fast tree answers, whatever the method. The kernels adaptive and rational are exact, double
-  /// rounds. Throws Error for other kernels, and as `collide`.
+  /// `Question::surface`. The fast tree answers, whatever the method. The kernels adaptive and rational are exact,
+  /// double rounds. Throws Error for other kernels, and as `collide`.
   double distance(const Pose& pose_a, const Pose& pose_b);
   /// Same, for poses of the templates. Requires det M != 0.
   double distance(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
 
-  /// Returns the squared distance and two nearest points, exactly, and what holds them. Where several pairs are nearest, it is
-  /// one of them. Throws Error for a kernel that is not adaptive or rational, and as `collide`.
+  /// Returns the squared distance and two nearest points, exactly, and what holds them. Where several pairs are
+  /// nearest, it is one of them. Throws Error for a kernel that is not adaptive or rational, and as `collide`.
   Nearest nearest(const Pose& pose_a, const Pose& pose_b);
   /// Same, for poses of the templates. Requires det M != 0.
   Nearest nearest(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
 
-  /// True when the distance is at most `limit`, decided on squares, exactly; false for a negative limit. Throws Error for a
-  /// limit that is no number, and as `distance`.
+  /// True when the distance is at most `limit`, decided on squares, exactly; false for a negative limit. Throws Error
+  /// for a limit that is no number, and as `distance`.
   bool within(const Pose& pose_a, const Pose& pose_b, double limit);
   /// Same, for a decimal or a fraction "n/d".
   bool within(const Pose& pose_a, const Pose& pose_b, const std::string& limit);
@@ -253,10 +257,10 @@ class Query {
   /// Returns, after `apart`, a lower bound of the distance; 0 if the query did not compute one.
   double certified_gap() const;
 
-  /// Returns when the bodies first share a point while they move, exactly, or nothing. The questions differ at t = 0 alone:
-  /// solids that do not collide then first meet where their surfaces do. The fast tree answers. Requires that neither motion
-  /// begins with a singular M. Throws Error for a kernel that is not adaptive, for a body with a face that has no triangles,
-  /// and as `collide`.
+  /// Returns when the bodies first share a point while they move, exactly, or nothing. The questions differ at t = 0
+  /// alone: solids that do not collide then first meet where their surfaces do. The fast tree answers. Requires that
+  /// neither motion begins with a singular M. Throws Error for a kernel that is not adaptive, for a body with a face
+  /// that has no triangles, and as `collide`.
   std::optional<First_contact> first_contact(const Motion& a, const Motion& b);
 
   /// Returns the counts of work since the last `clear_statistics`.

@@ -22,28 +22,28 @@ using kernel::Vector;
 using tetratree::Bvh8_elements;
 using tetratree::Bvh8_node;
 
-/// Upper bound of coordinates of centres and origins, and of extents, in local units. The proofs of the bounds take 2
+/// Upper bound of coordinates of centres and origins, and of extents, in local units. The proofs of the bounds assume 2
 /// (verify/proofs/margin_proofs.h). Boxes of points within the unit cube have less: the root of 3, and roundings.
 constexpr double most_coordinate = 2;
 
-/// Upper bound of the share of max_k |a_k . y| by which an extent must exceed |a_i . y|. Axes of defect d need
-/// 3 d (1 + 4 d); half a d more takes all roundings here, which are below 2^-46. Stored extents have 4 d.
+/// Upper bound of the fraction of max_k |a_k . y| by which an extent must exceed |a_i . y|. Axes of defect d need 3 d
+/// (1 + 4 d). Half a d more covers all roundings here, which are below 2^-46. Stored extents have 4 d.
 constexpr double defect_share = 3.5 * kernel::axis_defect;
 static_assert(defect_share > 3 * kernel::axis_defect * (1 + 4 * kernel::axis_defect) + 0x1p-46 &&
               defect_share < kernel::axis_defect_factor * kernel::axis_defect);
 
-/// Upper bound of what errors of coordinates move a point along an axis. A local coordinate is off by 2^-54, since it is
-/// a rounded difference below 1. A centre is off by 2^-53, since it is a rounded sum below 2. Together they move the point
+/// Upper bound of the error of a point along an axis. A local coordinate has an error of 2^-54, since it is a rounded
+/// difference below 1. A centre has an error of 2^-53, since it is a rounded sum below 2. Together they move the point
 /// by the root of 3 times 3 2^-54 along an axis, which is below 1.5 2^-52. Stored extents have 2 2^-52.
 constexpr double position_share = 1.5 * Bvh8_elements::local_error;
 static_assert(position_share > 1.7321 * 3 * 0x1p-54 &&
               position_share < kernel::axis_norm_1 * Bvh8_elements::local_error);
 
-/// Upper bound of the nodes one below the other: functions that call themselves from node to node stay within a stack. Cuts
-/// that take single elements off are by floats of centroids, of which an axis has some 150 scales; seven are a node's.
+/// Upper bound of the depth of a tree, so that functions that recurse from node to node stay within a stack. Cuts that
+/// take single elements off are by floats of centroids. An axis has some 150 scales of floats, and a node takes seven.
 constexpr int most_depth = 1000;
 
-/// Checks one node after the other.
+/// Checks one node after the other, in the order of the file.
 class Tree_check {
  public:
   Tree_check(const Bvh8_elements& elements, std::span<const Bvh8_node> nodes) : elements_(elements), nodes_(nodes)
@@ -81,11 +81,11 @@ class Tree_check {
   }
 
  private:
-  /// What holds elements first .. last, and has its node after those before it.
+  /// The node, or leaf, of elements first .. last. Its node comes after the nodes of those before it.
   struct Below {
     Index first, last, parent;
     int lane;   // -1: of the root
-    int depth;  // of that node
+    int depth;  // of the node
   };
 
   static std::string at(Index n, int lane) { return "lane " + std::to_string(lane) + " of node " + std::to_string(n); }
@@ -96,7 +96,7 @@ class Tree_check {
   {
     const Bvh8_node& node = nodes_[n];
     const int lanes = node.boxes.lane_count;
-    // The root is one lane, and all others have two or more: there are no more nodes than elements.
+    // The root is one lane, and all other nodes have two or more, so there are no more nodes than elements.
     if (n == 0 ? lanes != 1 : lanes < 2 || lanes > int(kernel::lanes))
       return "node " + std::to_string(n) + " has " + std::to_string(lanes) + " lanes";
     if (below.depth > most_depth) return "node " + std::to_string(n) + " is below too many others";
@@ -173,7 +173,7 @@ class Tree_check {
     return kernel::Apex_box(nodes_[n].boxes, lane, Vector(origin[0], origin[1], origin[2])).holds(corners, code);
   }
 
-  /// Points one group after the other, in local units: the corners of an element, or of a block of elements.
+  /// Points in local units, one group after the other: the corners of an element, or of a block of elements.
   struct Points {
     std::vector<std::size_t> begins;  // of each group, and behind the last
     std::array<std::vector<double>, 3> at;
@@ -190,7 +190,7 @@ class Tree_check {
     }
   };
 
-  /// max |a_i . (p - c)| of the corners of elements first .. last, for each axis. Requires finite numbers.
+  /// Returns max |a_i . (p - c)| over the corners of elements first .. last, for each axis. Requires finite numbers.
   Vector largest(const kernel::Matrix& axes, const Vector& centre, Index first, Index last) const
   {
     Largest most{axes, centre, {}};
@@ -207,13 +207,13 @@ class Tree_check {
     return result;
   }
 
-  /// The largest so far, of two points at a time.
+  /// The largest values so far, by two points at a time.
   struct Largest {
     const kernel::Matrix& axes;
     const Vector& centre;
     std::array<Two_doubles, 3> most;
 
-    /// Groups first .. last.
+    /// Adds groups first .. last.
     void take(const Points& points, Index first, Index last)
     {
       std::size_t k = points.begins[first];
@@ -231,7 +231,8 @@ class Tree_check {
     }
   };
 
-  /// Elements of a block, which are near one another, share most corners: large boxes are asked about each once a block.
+  /// The elements of a block. They are near one another and share most corners, so large boxes are asked about each
+  /// corner once a block.
   static constexpr Index block = 64;
 
   const Bvh8_elements& elements_;

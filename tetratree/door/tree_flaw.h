@@ -10,13 +10,15 @@
 
 namespace tetracone::detail {
 
-/// Returns what is wrong with nodes that come from a file; nothing where they are a fast tree of these elements, in the
-/// order of `Bvh8::nodes_in_order`, by which every query answers exactly:
-///  - each node is below one lane of one node before it, and each element is in one leaf;
-///  - numbers are finite, and within the bounds that the proofs of queries take;
-///  - each box holds all corners of its elements, by the margin that `Obb8` asks for;
-///  - a leaf's apex says where its triangle lies;
-///  - lanes that hold nothing are 0.
+/// Returns the flaw of nodes that come from a file. Returns nothing where they are a fast tree of these elements, in
+/// the order of `Bvh8::nodes_in_order`, by which every query answers exactly:
+///
+/// - each node is below one lane of one node before it, and each element is in one leaf;
+/// - numbers are finite, and within the bounds that the proofs of queries assume;
+/// - each box holds all corners of its elements, by the margin that `Obb8` requires;
+/// - a leaf's apex says where its triangle lies;
+/// - lanes that hold nothing are 0.
+///
 /// Any bytes may stand in the nodes. Time: linear in the elements, times the tree's depth.
 std::optional<std::string> tree_flaw(const tetratree::Bvh8_elements& elements,
                                      std::span<const tetratree::Bvh8_node> nodes);

@@ -19,36 +19,37 @@
 
 namespace tetracone::tetratree {
 
-/// The fast tree: eight boxes a node, one element a leaf, which any kernel decides (`Bvh8_options` has other choices).
+/// The fast tree: a hierarchy of oriented boxes with eight boxes per node and one element per leaf. Any kernel may
+/// decide the elements; `Bvh8_options` has other choices of construction.
 ///
-/// It keeps of JS08 the covering and its origin, the pairwise descent of two trees and, as `Support_table`, the idea of
-/// the regular hull on the lattice of tetra-cones. It is no tetra-tree:
-///  - an element is in one part, not in every cone that it meets: nothing is tested twice;
-///  - parts come of cuts by cost, across the direction in which elements spread most; among the cuts tried are planes
-///    through the origin, the sides of cones, which part layers of the surface that lie behind one another;
-///  - the bounding volume is an oriented box, which is tight on a patch of surface where a tetrahedron from the origin
-///    is not;
-///  - nodes have eight parts, so that one box is compared with eight at once, in float, rounded outward.
-/// Faces are triangles, or are given as triangles with the polyhedron; others are leaves as a whole.
+/// The tree takes three ideas from JS08: the covering and its origin, the pairwise descent of two trees and, as
+/// `Support_table`, the regular hull on the lattice of tetra-cones. It is no tetra-tree:
+/// - An element is in one box, not in every cone that it meets, so no element is tested twice.
+/// - Boxes come of cuts by cost (SAH), across the direction in which elements spread most. Planes through the origin,
+///   the sides of cones, are among the cuts tried: they separate layers of the surface that lie behind one another.
+/// - The bounding volume is an oriented box, which is tight on a patch of surface. A tetrahedron from the origin is
+///   not.
+/// - A node has eight boxes, so that one box is compared with eight at once, in float, rounded outward.
 ///
-/// A node's children are made when a query first enters it, or all at once by `make_all`. Any number of threads may ask
-/// the tree while they are: a node is made under a lock and then published by its parent, so that the way down takes
-/// none.
+/// Faces are triangles, or are given as triangles with the polyhedron; any other face is one leaf.
+///
+/// A query makes a node when it first enters it; `make_all` makes all at once. Any number of threads may query the tree
+/// meanwhile. A node is made under a lock and then published by its parent, so that a descent takes no lock.
 class Bvh8 {
  public:
-  /// `triangles`: for each face that has some, triangles that cover exactly the face. Requires planar faces. The
-  /// same by any `both`.
+  /// Makes the root. `triangles` cover exactly each face that has some. Requires planar faces. `both` may run two works
+  /// at a time; the tree does not depend on it.
   explicit Bvh8(const covering::Polyhedron& polyhedron, std::span<const Face_triangle> triangles = {},
                 const Bvh8_options& options = {}, const covering::Both& both = {})
       : elements_(polyhedron, triangles, both),
         builder_(std::in_place, elements_, options, leaf_ends_, both),
         nodes_(elements_.count())
   {
-    // Of every node but the root at least two elements come apart: there are no more nodes than elements.
+    // A node other than the root parts at least two elements, so there are no more nodes than elements.
     if (!empty()) nodes_.push_back(builder_->root(both));
   }
 
-  /// A tree that was made before: its elements in the order of its leaves, and its nodes as `nodes_in_order` had them.
+  /// Restores a tree: its elements in the order of its leaves, and its nodes as `nodes_in_order` returned them.
   Bvh8(Bvh8_elements elements, Reserved_array<Bvh8_node> nodes)
       : elements_(std::move(elements)), nodes_(std::move(nodes))
   {}
@@ -61,13 +62,14 @@ class Bvh8 {
 
   kernel::Vector local(Index v) const { return elements_.local(v); }
 
-  /// What its support tables have found.
+  /// Returns the support values that its support tables have found.
   const Known_reaches& known_reaches() const { return known_reaches_; }
 
   const Bvh8_node* nodes() const { return nodes_.data(); }
   const Bvh8_node& node(Index n) const { return nodes_.data()[n]; }
 
-  /// The node of lane `lane` of node `n`, made now if it has to be. Requires a lane of more than one element.
+  /// Returns the node below lane `lane` of node `n`, and makes it if necessary. Requires a lane of more than one
+  /// element.
   Index child(Index n, int lane) const
   {
     Bvh8_node& parent = nodes_.data()[n];
@@ -79,7 +81,7 @@ class Bvh8 {
     return made;
   }
 
-  /// Asks the memory for a node before it is needed: trees are larger than the caches.
+  /// Prefetches a node before it is needed: trees are larger than the caches.
   void prefetch(Index n) const
   {
     const char* const bytes = reinterpret_cast<const char*>(&node(n));
@@ -87,7 +89,7 @@ class Bvh8 {
   }
 
   bool is_leaf(Index n, int lane) const { return node(n).is_leaf(lane); }
-  /// Element k of a leaf, and how many it holds: one, where the options don't say more.
+  /// Returns element k of a leaf. A leaf holds one element, unless the options say more.
   const Element& element(Index n, int lane, Index k = 0) const { return elements_[node(n).first[lane] + k]; }
   Index leaf_count(Index n, int lane) const
   {
@@ -104,15 +106,15 @@ class Bvh8 {
     elements_.for_vertices(element, what);
   }
 
-  /// Makes every node, and gives back what only the making needs.
+  /// Makes every node, and frees what only the construction needs.
   void make_all() const
   {
     make_all([](const auto& work) { work(); });
   }
 
-  /// The same, by `run(work)`, which calls work() from one thread or more at once and returns when all calls have. The
-  /// tree is the same whatever their number is. Queries that lack a node wait until all are there: none may be asked by
-  /// a thread that is within `run`. What one thread would have most of is made by `both`.
+  /// Makes every node, as above. `run(work)` calls work() from one thread or more at once, and returns when all calls
+  /// have returned; the tree does not depend on their number. A query that lacks a node waits until all are there, so
+  /// no query may run on a thread that is within `run`. `both` makes what would keep one thread longest.
   template <class Run>
   void make_all(const Run& run, const covering::Both& both = {}) const
   {
@@ -125,8 +127,8 @@ class Bvh8 {
     builder_.reset();
   }
 
-  /// All nodes, each before those below it and these in the order of lanes: the same bytes in whatever order they were
-  /// made. Requires `make_all`.
+  /// Returns all nodes, each before the nodes below it, and those in the order of lanes. The bytes do not depend on the
+  /// order in which nodes were made. Requires `make_all`.
   std::vector<Bvh8_node> nodes_in_order() const
   {
     std::vector<Bvh8_node> ordered;
@@ -135,10 +137,10 @@ class Bvh8 {
     return ordered;
   }
 
-  /// All elements, in the order of leaves. Requires `make_all`.
+  /// Returns all elements, in the order of leaves. Requires `make_all`.
   const Bvh8_elements& elements() const { return elements_; }
 
-  /// The cuts by which the nodes that there are were made here.
+  /// Returns the number of cuts that this object tried and made for its present nodes.
   Cut_counts cuts() const
   {
     const std::lock_guard lock(making_);
@@ -148,7 +150,7 @@ class Bvh8 {
   std::size_t node_count() const { return nodes_.size(); }
   std::size_t element_count() const { return elements_.count(); }
 
-  /// Without the model.
+  /// Returns the bytes held, except the model's.
   std::size_t bytes() const
   {
     const std::lock_guard lock(making_);
@@ -156,7 +158,7 @@ class Bvh8 {
            (builder_ ? builder_->bytes() : 0);
   }
 
-  /// Of the nodes alone, which are no part of the heap.
+  /// Returns the bytes of the nodes alone, which are not on the heap.
   std::size_t node_bytes() const { return nodes_.size() * sizeof(Bvh8_node); }
 
  private:
@@ -173,9 +175,9 @@ class Bvh8 {
   }
 
   mutable std::mutex making_;
-  mutable Bvh8_elements elements_;  // a leaf's are in their place before the leaf can be seen
+  mutable Bvh8_elements elements_;  // a leaf's elements are in place before the leaf can be seen
   mutable std::vector<Index> leaf_ends_;
-  mutable Cut_counts cuts_;  // of a builder that is gone
+  mutable Cut_counts cuts_;  // kept when the builder is gone
   mutable std::optional<Bvh8_builder> builder_;
   mutable Reserved_array<Bvh8_node> nodes_;
   Known_reaches known_reaches_;

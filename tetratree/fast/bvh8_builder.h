@@ -29,13 +29,13 @@
 
 namespace tetracone::tetratree {
 
-/// Makes the nodes of a `Bvh8`, in any order. Not thread-safe: `Bvh8` calls it under a lock, or makes a worker for each
-/// thread.
+/// Makes the nodes of a `Bvh8`, in any order. It is not thread-safe: `Bvh8` calls it under a lock, or makes a worker
+/// for each thread.
 class Bvh8_builder {
  public:
-  /// `elements` must outlive the builder. Their order becomes that of the leaves: a node's making changes its own range
-  /// of it alone. `leaf_ends`, where leaves may hold several elements: by where in the order a leaf begins, where it
-  /// ends. Centroids are found by `both`.
+  /// Prepares the construction, and computes centroids by `both`. `elements` must outlive the builder; their order
+  /// becomes the order of the leaves. Making a node changes only its own range of that order. `leaf_ends` is used when
+  /// leaves may hold several elements: it maps a leaf's first position in the order to its end.
   Bvh8_builder(Bvh8_elements& elements, const Bvh8_options& options, std::vector<Index>& leaf_ends,
                const covering::Both& both = {})
       : elements_(elements),
@@ -53,18 +53,18 @@ class Bvh8_builder {
     });
   }
 
-  /// One for another thread, which shares all but what is in use while a node is made, and counts its own cuts.
+  /// Returns a builder for another thread. It shares everything except its scratch memory, and counts its own cuts.
   Bvh8_builder worker() const { return {*this, true}; }
 
-  /// One lane that holds everything. Requires an element.
+  /// Returns a node of one lane that holds all elements. Requires at least one element.
   Bvh8_node root(const covering::Both& both = {})
   {
     const Bvh8_lane lane = lane_of(0, elements_.count(), corners_, both);
     return node_of(std::span(&lane, 1));
   }
 
-  /// Appends the node of elements first .. last to `nodes` and returns its number. Where they are few, all nodes below
-  /// it are appended, too. Requires more elements than a leaf holds. By `both`: the same by any.
+  /// Appends the node of elements first .. last to `nodes` and returns its number. For few elements it appends all
+  /// nodes below it, too. Requires more elements than a leaf holds. The result does not depend on `both`.
   template <class Nodes>
   Index make(Index first, Index last, Nodes& nodes, const covering::Both& both = {})
   {
@@ -77,7 +77,7 @@ class Bvh8_builder {
     return made;
   }
 
-  /// Appends that node and all below it to `nodes`, which must be empty.
+  /// Appends that node and all nodes below it to `nodes`, which must be empty.
   template <class Nodes>
   void make_all(Index first, Index last, Nodes& nodes)
   {
@@ -105,13 +105,13 @@ class Bvh8_builder {
     void add(const Count& other) { of += other.of; }
   };
 
-  /// No character, which the compiler would take for a part of anything.
+  /// A struct, not `char`: `char` may alias everything, which blocks vectorisation.
   struct Before {
     bool is;
   };
 
-  /// Of a part: across the direction in which it spreads most, and planes through the origin, where all elements let
-  /// these be tried.
+  /// The cuts tried for a part: across the direction in which it spreads most and, when every element allows it, by
+  /// planes through the origin.
   struct Tried_cuts {
     Binned_cuts planes;
     std::optional<Binned_cuts> cones;
@@ -190,8 +190,8 @@ class Bvh8_builder {
     return {c[0], c[1], c[2]};
   }
 
-  /// Elements first .. last of the order or, where they are more than `most`, one of each so many; which one is by
-  /// chance, for there may be an order in them.
+  /// A sample of elements first .. last of the order: all of them, or one of each group if there are more than `most`.
+  /// The element of a group is pseudo-random, for the order may be regular.
   class Some {
    public:
     Some(Index first, Index last, Index most)
@@ -210,8 +210,7 @@ class Bvh8_builder {
     Index first_, of_, count_;
   };
 
-  /// Elements first .. last of the order, and how far their centroids spread: along the columns of `axes`, the last one
-  /// the most.
+  /// Elements first .. last of the order, with the spread of their centroids along the columns of `axes`, least first.
   struct Part {
     Index first, last;
     double size;
@@ -229,13 +228,14 @@ class Bvh8_builder {
   bool is_leaf(Index first, Index last) const { return last - first <= options_.leaf_size; }
   bool is_leaf(const Part& part) const { return is_leaf(part.first, part.last); }
 
-  /// What does two things for so many elements.
+  /// Returns `both` where the elements are many enough to pay for it, else one that works in turn.
   static covering::Both both_of(Index count, const covering::Both& both)
   {
     return count > covering::most_in_part ? both : covering::Both();
   }
 
-  /// With `Cuts::tetra_cones`: the parts that cones hold; one part where these are not asked for, or do not part it.
+  /// Returns the parts that tetra-cones hold, for `Cuts::tetra_cones`. Returns one part for other cuts, or if one cone
+  /// holds all.
   std::vector<Part> parts_in_cones(Index first, Index last)
   {
     if (options_.cuts != Cuts::tetra_cones) return {part(first, last)};
@@ -253,7 +253,7 @@ class Bvh8_builder {
     return parts;
   }
 
-  /// Cuts the part in two, and returns where in the order: the boxes of both are small for what they hold. In the
+  /// Cuts the part in two at the least cost (SAH), and returns the position of the cut in the order. It cuts in the
   /// middle where all elements are in one place.
   Index split(const Part& part, const covering::Both& both)
   {
@@ -307,8 +307,8 @@ class Bvh8_builder {
     return cut == part.first || cut == part.last ? middle : cut;
   }
 
-  /// Elements of which `is_before` says so come first; returns where the others begin. The first of the others changes
-  /// places with the last that is before them, the second with the last but one, and so on.
+  /// Moves the elements for which `is_before` holds to the front; returns where the others begin. The first misplaced
+  /// element is swapped with the last, the second with the last but one, and so on.
   template <class Is_before>
   Index partition(Index first, Index last, const covering::Both& both, const Is_before& is_before)
   {
@@ -365,8 +365,8 @@ class Bvh8_builder {
     return options_.cuts == Cuts::through_origin || (options_.cuts == Cuts::least_cost && count > fewest_in_cones);
   }
 
-  /// Planes through the origin that cut the part where it spreads most, as seen from there; none where the origin is
-  /// too near.
+  /// Returns planes through the origin that cut the part where it spreads most, as seen from the origin. Returns
+  /// nothing where the origin is too near.
   std::optional<Pencil> cones_about(const Part& part) const
   {
     const Vector& mean = part.spread.mean;
@@ -377,7 +377,8 @@ class Bvh8_builder {
     return Pencil{across.normalized(), along};
   }
 
-  /// A lane of many elements has the axes that some of their corners tell. `corners` is for its use.
+  /// Returns the box of elements first .. last. Its axes come of a sample of corners where elements are many. `corners`
+  /// is scratch memory.
   Bvh8_lane lane_of(Index first, Index last, Corner_set& corners, const covering::Both& both)
   {
     if (is_leaf(first, last) && !leaf_ends_.empty()) leaf_ends_[first] = last;
@@ -395,7 +396,7 @@ class Bvh8_builder {
     lane.box = covering::sum_of_parts(first, last, both, [&](Index begin, Index end) {
       kernel::Lane_box box = lane.box;
       for (Index e = begin; e < end; ++e) for_corners(elements_[e], [&](const Vector& p) { box.add(p); });
-      return kernel::Lane_box(box);  // another one: so that what is added to stays in registers
+      return kernel::Lane_box(box);  // a copy, so that the box added to stays in registers
     });
     return lane;
   }
@@ -408,11 +409,15 @@ class Bvh8_builder {
   Bvh8_treelet treelet_;
   Corner_set corners_;
   std::vector<Bvh8_lane> lanes_;
-  std::vector<Before> is_before_;  // while elements are parted
+  std::vector<Before> is_before_;  // scratch of `partition`
   std::vector<Index> misplaced_;
 
-  static constexpr Index most_seen = 32768, most_fitted = 128, most_by_corners = 256, fewest_in_cones = 64;
-  static constexpr double steep = 0.05, reach_of_bins = 2.5;
+  static constexpr Index most_seen = 32768,  ///< elements sampled for a spread or a cut
+      most_fitted = 128,                     ///< elements sampled for the axes of a box
+      most_by_corners = 256,                 ///< elements of a part up to which cuts bound corners, not centroids
+      fewest_in_cones = 64;                  ///< up to this many elements, no plane through the origin is tried
+  static constexpr double steep = 0.05,      ///< lower bound of the sines and cosines by which cones may cut a part
+      reach_of_bins = 2.5;                   ///< half width of the bins, in standard deviations
 };
 
 }  // namespace tetracone::tetratree

@@ -29,22 +29,25 @@ using kernel::Pose;
 using kernel::Question;
 using kernel::Relation;
 
-/// What a query object keeps from one pose to the next.
+/// What a query object remembers from one pose to the next.
 enum class Coherence {
   none,
-  last_frame  ///< a `Bvh8_front`: the direction that separated the bodies and the pair of elements that met, tried first
-              ///< in the next pose; and, in exact kernels, the front of the descent
+  last_frame  ///< a `Bvh8_front`: the direction that separated the bodies and the pair of elements that met are tried
+              ///< first in the next pose; exact kernels also keep the front of the descent
 };
 
 /// Collision detection between two `Bvh8` over kernel K. Build once, ask for many poses.
 ///
-/// Stages, each of which may end a query: a plane between the bodies (`Separating_direction`); the descent of pairs of
-/// boxes, the larger one first, its eight parts against the other box, carried into their frame with a slack that
-/// covers all rounding and the pose's; pairs of elements, which the signs of K decide. So the answer is that of all
-/// elements against all elements, exact where these signs are. Of solids whose surfaces share no point,
-/// `Bvh8_containment` tells whether one holds the other.
+/// A query has three stages, each of which may end it:
+/// - a plane between the bodies (`Separating_direction`);
+/// - the descent of pairs of boxes: the larger box is opened, and its eight parts are tested against the other box.
+///   That box is carried into their frame with a slack that covers all rounding, the pose's included;
+/// - pairs of elements, which the signs of K decide.
 ///
-/// Both trees, and their models, must outlive the query object. Making it and every query throw
+/// So the answer equals testing all elements against all elements, and is exact where these signs are. For solids whose
+/// surfaces share no point, `Bvh8_containment` decides whether one holds the other.
+///
+/// Both trees, and their models, must outlive the query object. The constructor and every query throw
 /// kernel::Unsound_floating_point when floating point is not as exact answers need it.
 template <class K = kernel::Adaptive>
 class Bvh8_collision {
@@ -54,7 +57,7 @@ class Bvh8_collision {
       : Bvh8_collision(a, a.model(), b, b.model(), coherence)
   {}
 
-  /// `model_a`, `model_b`: of the trees' polyhedra.
+  /// `model_a` and `model_b` are the models of the trees' polyhedra.
   Bvh8_collision(const Bvh8& a, const covering::Model<K>& model_a, const Bvh8& b, const covering::Model<K>& model_b,
                  Coherence coherence = Coherence::none)
       : a_(a, model_a), b_(b, model_b), separating_direction_(a, b)
@@ -63,14 +66,14 @@ class Bvh8_collision {
     if (coherence == Coherence::last_frame) own_front_.emplace();
   }
 
-  /// Whether the two placed polyhedra collide. Requires det M != 0 of both poses, and closed polyhedra for
+  /// True when the two placed polyhedra collide. Requires det M != 0 of both poses, and closed polyhedra for
   /// `Question::solid`.
   bool operator()(const Pose& pose_a, const Pose& pose_b, Question question = Question::solid)
   {
     return relation(pose_a, pose_b, question) != Relation::apart;
   }
 
-  /// How they stand to one another. Requires the same.
+  /// Returns how the two placed polyhedra stand to one another. Requires as above.
   Relation relation(const Pose& pose_a, const Pose& pose_b, Question question = Question::solid)
   {
     if (own_front_) return relation(pose_a, pose_b, question, *own_front_);
@@ -81,7 +84,8 @@ class Bvh8_collision {
     return ask_trees(pose_a, pose_b, [&] { return relation_of_trees(question, nullptr); });
   }
 
-  /// The same, with what `front` keeps of this pair of placed bodies.
+  /// Returns the relation. `front` keeps what was learnt about this pair of placed bodies; it changes speed, never the
+  /// answer.
   Relation relation(const Pose& pose_a, const Pose& pose_b, Question question, Bvh8_front& front)
   {
     kernel::require_sound_floating_point();
@@ -92,8 +96,9 @@ class Bvh8_collision {
     return ask_trees(pose_a, pose_b, [&] { return relation_of_trees(question, &front); });
   }
 
-  /// The same, with what is kept of this pair of placed bodies: the leaves that met the last time, or a front, which is
-  /// made where the last descent says that it pays.
+  /// Returns the relation, when one query serves many pairs of these bodies. `memory` keeps the leaves of this pair
+  /// that met last, or a front, which is made when the last descent was costly enough. It changes speed, never the
+  /// answer.
   Relation relation(const Pose& pose_a, const Pose& pose_b, Question question, Pair_memory& memory)
   {
     if (memory.front) return relation(pose_a, pose_b, question, *memory.front);
@@ -123,7 +128,7 @@ class Bvh8_collision {
     });
   }
 
-  /// Calls what(element of A, element of B) for all pairs that the query does not discard: the descent alone.
+  /// Calls what(element of A, element of B) for each pair that the descent does not discard.
   template <class What>
   void for_element_pairs(const Pose& pose_a, const Pose& pose_b, const What& what)
   {
@@ -132,7 +137,7 @@ class Bvh8_collision {
     pose_a_ = &pose_a;
     pose_b_ = &pose_b;
     is_placed_ = false;
-    // One direction: who asks for all pairs has bodies that meet, mostly.
+    // One direction only: a caller who wants all pairs mostly has bodies that meet.
     if (a_.tree->empty() || b_.tree->empty() || separating_direction_(pose_a, pose_b, 1, false)) return;
     relate_frames();
     collect_leaves();
@@ -147,7 +152,7 @@ class Bvh8_collision {
       });
   }
 
-  /// The bodies at the poses that were asked last. Requires that the poses are still there.
+  /// Returns the bodies at the last pose that was asked. Requires that the caller's poses still exist.
   covering::Placed_model<K>& placed_a()
   {
     place();
@@ -159,17 +164,17 @@ class Bvh8_collision {
     return b_.placed;
   }
 
-  /// After `apart`: how far from one another the placed bodies were at least, by the plane between them; 0 where none
-  /// was found.
+  /// After `apart`: a lower bound of the distance of the placed bodies, by the plane between them. 0 if no plane was
+  /// found.
   double certified_gap() const { return is_plane_tried_ ? separating_direction_.gap() : 0; }
 
   const Query_statistics& counts() const { return counts_; }
   void clear_counts() { counts_ = {}; }
 
-  /// Of the tables of reach and the front; the trees have their own.
+  /// Returns the bytes of the support tables and the front; the trees count their own.
   std::size_t bytes() const { return separating_direction_.bytes() + (own_front_ ? own_front_->bytes() : 0); }
 
-  /// Whether fronts are kept: where leaves are decided by rounding, a certificate could change an answer.
+  /// True when fronts are kept. Where leaves are decided by rounding, a certificate could change an answer.
   static constexpr bool keeps_fronts = kernel::Kernel_traits<K>::exact_signs && kernel::Kernel_traits<K>::exact_motion;
 
  private:
@@ -178,19 +183,19 @@ class Bvh8_collision {
   using Placed = Placed_bvh8<K>;
   using Box = typename Placed::Box;
 
-  /// Tried before the search is given up.
+  /// Directions tried before the search for a plane ends.
   static constexpr int most_directions = 6;
 
   bool is_apart_by_plane(const Pose& pose_a, const Pose& pose_b, Bvh8_front& front)
   {
     is_plane_tried_ = true;
-    // The last direction is of the pair that was asked last: this one, where the object keeps its front.
+    // The last direction belongs to the pair that was asked last. That is this pair only if the object keeps its front.
     const bool is_apart = separating_direction_(pose_a, pose_b, most_directions, own_front_.has_value());
     front.set_plane_first(is_apart);
     return is_apart;
   }
 
-  /// What no plane has decided.
+  /// Answers a query that no plane has decided.
   template <class Ask>
   [[gnu::noinline]] Relation ask_trees(const Pose& pose_a, const Pose& pose_b, const Ask& ask)
   {
@@ -203,14 +208,14 @@ class Bvh8_collision {
     return answer;
   }
 
-  /// Of this thread, as far as K counts them.
+  /// Returns this thread's count of exact fallbacks, for a kernel that counts them.
   static std::uint64_t exact_fallbacks()
   {
     if constexpr (std::is_same_v<K, kernel::Adaptive>) return K::exact_fallbacks();
     return 0;
   }
 
-  /// `front`: null where nothing is kept.
+  /// `front` is null where nothing is kept.
   Relation relation_of_trees(Question question, Bvh8_front* front)
   {
     if (front && front->witness && leaves_meet(front->witness->first, front->witness->second))
@@ -225,7 +230,7 @@ class Bvh8_collision {
     return apart;
   }
 
-  /// Of bodies whose surfaces do not meet.
+  /// Returns the relation of bodies whose surfaces do not meet.
   Relation relation_of_apart(Question question)
   {
     if (question == Question::surface) return Relation::apart;
@@ -235,7 +240,7 @@ class Bvh8_collision {
                                            : Relation::apart;
   }
 
-  /// Whether surfaces meet; nothing where a plane separates the bodies.
+  /// True when surfaces meet; nothing where a plane separates the bodies.
   std::optional<bool> meet_by_front(Bvh8_front& front)
   {
     front.witness.reset();
@@ -258,7 +263,7 @@ class Bvh8_collision {
     return meet_by_trees(&front.witness);
   }
 
-  /// By a descent that certifies nothing. Writes the leaves that meet.
+  /// True when surfaces meet, by a descent that certifies nothing. Writes the leaves that meet to `witness`.
   bool meet_by_trees(std::optional<Bvh8_front::Boxes>* witness)
   {
     return descend_trees([&](Box box_a, Box box_b) {
@@ -286,7 +291,7 @@ class Bvh8_collision {
     is_placed_ = true;
   }
 
-  /// Whether meet(element of A, element of B) holds for some pair of elements of the two leaves.
+  /// True when meet(element of A, element of B) holds for some pair of elements of the two leaves.
   template <class Meet>
   bool any_pair(Box box_a, Box box_b, const Meet& meet)
   {
@@ -300,8 +305,8 @@ class Bvh8_collision {
     return any_pair(box_a, box_b, [this](const Element& a, const Element& b) { return elements_meet(a, b); });
   }
 
-  /// Of two leaves: whether elements meet, else how far all are apart at least. What is certified of triangles proves
-  /// that they do not; the signs of K decide about others.
+  /// Tells whether elements of two leaves meet, else a lower bound of the distance of any two. A positive certified gap
+  /// proves that triangles do not meet; the signs of K decide the others.
   Bvh8_front::Leaf_gap leaf_gap(Box box_a, Box box_b)
   {
     Bvh8_front::Leaf_gap all{false, std::numeric_limits<double>::infinity(), {}};
@@ -319,7 +324,7 @@ class Bvh8_collision {
     return all;
   }
 
-  /// Writes all pairs of leaves that are not discarded to `leaves_`.
+  /// Writes all pairs of leaves that the descent does not discard to `leaves_`.
   void collect_leaves()
   {
     Both_trees trees = both_trees();
@@ -336,7 +341,7 @@ class Bvh8_collision {
     count(trees);
   }
 
-  /// Whether meet_in(box of A, box of B) holds for some pair of leaves that is not discarded.
+  /// True when meet_in(box of A, box of B) holds for some pair of leaves that the descent does not discard.
   template <class Meet>
   bool descend_trees(const Meet& meet_in)
   {
@@ -356,14 +361,14 @@ class Bvh8_collision {
     return meet;
   }
 
-  /// Both roots.
+  /// Puts the pair of roots on the stack.
   void start(const Both_trees& trees)
   {
     stack_.clear();
     stack_.push(0, 0, a_.size() * trees.scale, b_.size());
   }
 
-  /// The children of the larger box of the top pair, which lacks them.
+  /// Makes the node below the larger box of the top pair, which lacks it.
   void make_child()
   {
     const int larger = first_is_larger(stack_.size(0), stack_.size(1)) ? 0 : 1;
@@ -373,8 +378,8 @@ class Bvh8_collision {
 
   Both_trees both_trees() const
   {
-    // Of a similarity it is between these. Else sizes tell no more than which box to open; but none may become 0 or
-    // undefined.
+    // A similarity's scale is within these limits. For another map sizes only choose which box to open; but none may
+    // become 0 or undefined.
     const double factor = a_.into_other.frame().scale();
     const float scale = factor >= 0x1p-60 && factor <= 0x1p60 ? float(factor) : 1;
     return {{a_.tree->nodes(), b_.tree->nodes()}, {&a_.into_other, &b_.into_other}, scale};
@@ -403,7 +408,7 @@ class Bvh8_collision {
     return kernel::triangles_meet<K>(a_.corners(a), b_.corners(b));
   }
 
-  /// The edges of an element against one, of which either is a whole face.
+  /// True when edges of one element meet the other; at least one of the two is a whole face.
   bool edges_meet(Placed& body, const Element& with_edges, Placed& other, const Element& face)
   {
     const auto meets = [&](const Point& p, const Point& q) {
@@ -429,12 +434,12 @@ class Bvh8_collision {
   Pair_stack stack_, next_level_;
   std::vector<Leaf_pair> leaves_;
   Query_statistics counts_;
-  std::optional<Bvh8_front> own_front_;  // where the object keeps one
+  std::optional<Bvh8_front> own_front_;  // used where the object keeps a front
 
   const Pose* pose_a_ = nullptr;
   const Pose* pose_b_ = nullptr;
-  bool is_placed_ = false;       // at these
-  bool is_plane_tried_ = false;  // between the bodies at these
+  bool is_placed_ = false;       // at these poses
+  bool is_plane_tried_ = false;  // for the bodies at these poses
 };
 
 }  // namespace tetracone::tetratree

@@ -11,8 +11,8 @@
 
 namespace tetracone::tetratree {
 
-/// All contacts of two `Bvh8` over kernel K, and all pairs of features: the descent of `Bvh8_collision` to its end,
-/// each pair of faces decided once. Takes what that takes.
+/// All contacts of two `Bvh8` over kernel K, and all pairs of features. It runs the descent of `Bvh8_collision` to its
+/// end, and decides each pair of faces once. Requires and throws as `Bvh8_collision`.
 template <class K = kernel::Adaptive>
 class Bvh8_contacts {
  public:
@@ -26,7 +26,8 @@ class Bvh8_contacts {
         one_element_b_(is_one_element(b, faces_b_))
   {}
 
-  /// What pairs of faces share, by faces. Requires det M != 0 of both poses, and an exact kernel.
+  /// Returns the common pieces of pairs of faces, sorted by faces. Requires det M != 0 of both poses, and an exact
+  /// kernel.
   Found_contacts contacts(const Pose& pose_a, const Pose& pose_b) requires(kernel::Kernel_traits<K>::exact_motion)
   {
     Found_contacts found;
@@ -34,7 +35,7 @@ class Bvh8_contacts {
     pairs_.begin();
     find_candidates(pose_a, pose_b);
     pairs_.add_contacts(collision_.placed_a(), pose_a, collision_.placed_b(), pose_b, candidates_, found);
-    // Pieces of one pair are kept in their order.
+    // The pieces of one pair keep their order.
     std::sort(found.pieces.begin(), found.pieces.end(), [](const Found_piece& one, const Found_piece& other) {
       const auto pair = [](const Found_piece& piece) { return std::uint64_t(piece.face_a) << 32 | piece.face_b; };
       return pair(one) != pair(other) ? pair(one) < pair(other) : one.kept < other.kept;
@@ -43,7 +44,7 @@ class Bvh8_contacts {
     return found;
   }
 
-  /// All pairs of an edge of one and a face of the other that share a point, sorted. Requires det M != 0.
+  /// Returns all pairs of an edge of one body and a face of the other that share a point, sorted. Requires det M != 0.
   std::vector<kernel::Feature_pair> features(const Pose& pose_a, const Pose& pose_b)
   {
     std::vector<kernel::Feature_pair> found;
@@ -58,7 +59,7 @@ class Bvh8_contacts {
   void clear_counts() { collision_.clear_counts(); }
 
  private:
-  /// Whether every face is one element, which the descent meets once.
+  /// True when every face is one element, which the descent meets once.
   static bool is_one_element(const Bvh8& tree, const Contact_faces& faces)
   {
     return tree.element_count() == faces.polyhedron().face_count();
@@ -83,7 +84,7 @@ class Bvh8_contacts {
   Face_pairs<K> pairs_;
   bool one_element_a_, one_element_b_;
   std::vector<Face_pair> candidates_;
-  std::size_t last_count_ = 0;  // of the last pose's pieces: the next one's are about as many
+  std::size_t last_count_ = 0;  // pieces of the last pose; the next one has about as many
 };
 
 }  // namespace tetracone::tetratree

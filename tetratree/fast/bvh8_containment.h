@@ -15,16 +15,16 @@
 
 namespace tetracone::tetratree {
 
-/// Whether a solid holds a shell of another body, through its `Bvh8`.
+/// Decides whether a solid holds a shell of another body, through its `Bvh8`.
 ///
-/// The winding number about a vertex is the signed sum over the covering (JS08 Theorem 1). Of its tetrahedra only those
-/// can count whose face is met by the ray from the vertex away from the covering's origin: these the tree finds, and
-/// the signs of K decide them.
+/// The winding number about a vertex is the signed sum over the covering (JS08 Theorem 1). A tetrahedron can count only
+/// if its face is met by the ray from the vertex away from the covering's origin. The tree finds these, and the signs
+/// of K decide them.
 template <class K = kernel::Adaptive>
 class Bvh8_containment {
  public:
-  /// Requires surfaces that share no point: then each shell is inside or outside as a whole, and one vertex of it
-  /// tells.
+  /// True when the holder holds a shell of the other body. Requires surfaces that share no point: then each shell is
+  /// inside or outside as a whole, and one vertex decides.
   bool operator()(Placed_bvh8<K>& holder, Placed_bvh8<K>& held, Query_statistics& counts)
   {
     for (const Index v : held.tree->model().covering().shell_vertices()) {
@@ -37,10 +37,12 @@ class Bvh8_containment {
     return false;
   }
 
-  /// Of a ray's box, a share of its end: centre, direction and extent are rounded to float.
+  /// Upper bound of the relative error of a ray's box, over its end: centre, direction and extent are rounded to float.
+  /// Proved in verify/proofs/separation_proofs.h.
   static constexpr double ray_rounding = 3 * 0x1p-24;
 
-  /// Beyond every point of the holder, which lies within |p_k| <= 1 of its origin, in its local units.
+  /// Upper bound of the distance of the holder's points from its origin, in its local units: |p_k| <= 1. Proved in
+  /// verify/proofs/margin_proofs.h.
   static constexpr double beyond_holder = 2;
 
  private:
@@ -49,16 +51,16 @@ class Bvh8_containment {
   using Row = kernel::Relative_frame::Row;
   using Face = covering::Placed_face<K>;
 
-  /// The vertex in the holder's local units.
+  /// Returns the vertex in the holder's local units.
   static Row image(const Placed& held, Index v)
   {
     const kernel::Vector at = held.tree->local(v);
     return held.into_other.frame()(Row{at[0], at[1], at[2]});
   }
 
-  /// Of the root's box, whatever is undefined. A point of it is c + sum_i s_i a_i with |s_i| <= e_i, so that with axes
-  /// of a defect d |a_i . (p - c)| <= e_i + 3 d (1 + 4 d) |p - c|_1; the fourth d takes the roundings. p is off by
-  /// `error` in a coordinate, and |a_i|_1 < 2.
+  /// True when p is surely outside the root's box, and false if anything is undefined. A point of the box is c + sum_i
+  /// s_i a_i with |s_i| <= e_i. With axes of defect d, |a_i . (p - c)| <= e_i + 3 d (1 + 4 d) |p - c|_1; the fourth d
+  /// covers the roundings. The error of a coordinate of p is at most `error`, and |a_i|_1 < 2.
   static bool is_outside(const kernel::Obb8& root, const Row& at, double error)
   {
     const Row from_centre = kernel::difference(at, kernel::centre_of(root, 0));
@@ -73,7 +75,7 @@ class Bvh8_containment {
     return false;
   }
 
-  /// `ray`: from the vertex away from the origin.
+  /// `ray` is a box about the ray from the vertex away from the origin.
   int winding_number(Placed& holder, Placed& held, Index v, const kernel::Single_box& ray, Query_statistics& counts)
   {
     const Point& p = held.placed.point(v);
@@ -119,12 +121,13 @@ class Bvh8_containment {
     return winding;
   }
 
-  /// A thin box about the part of the ray from the holder's origin through p that lies beyond p; where p is too near to
-  /// the origin to tell the direction, a box about everything. `error` is that of p's coordinates.
+  /// Returns a thin box about the part beyond p of the ray from the holder's origin through p. If p is too near to the
+  /// origin to give the direction, returns a box about everything. `error` bounds the error of p's coordinates.
   ///
-  /// The holder lies within `beyond_holder` of its origin, so what of the exact ray can meet it is s p*, with 1 <= s <=
-  /// end / |p| and p* the exact point: off by s `error` in a coordinate from s p on the box's axis. The axis is rounded
-  /// to float: by `end` times u for the centre, and half of that each for direction and extent. `slack` takes both.
+  /// The holder lies within `beyond_holder` of its origin. So the exact ray can meet it only at s p*, with 1 <= s <=
+  /// end / |p| and p* the exact point. A coordinate of s p* differs by at most s `error` from s p on the box's axis.
+  /// Rounding the axis to float adds `end` times u for the centre, and half of that each for direction and extent.
+  /// `slack` covers both.
   static kernel::Single_box beyond(const Row& p, double error)
   {
     const double length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);

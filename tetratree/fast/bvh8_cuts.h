@@ -11,37 +11,39 @@
 
 namespace tetracone::tetratree {
 
-/// Planes, one through every point: all across one direction or, of a cone, all through the origin and a line there.
+/// A pencil of planes: all across one direction or, for a cone, all through the origin and a line there. Each point has
+/// one plane.
 struct Pencil {
   kernel::Vector across;
-  std::optional<kernel::Vector> along;  ///< of a cone: into it
+  std::optional<kernel::Vector> along;  ///< for a cone: the direction into it
 
-  /// Where the point's plane is among them. Of a cone, for points before the origin.
+  /// Returns the parameter of the point's plane. Requires, for a cone, a point before the origin.
   float place(const kernel::Vector& p) const { return float(along ? across.dot(p) / along->dot(p) : across.dot(p)); }
 };
 
-/// A plane of a pencil, and what it costs to cut there.
+/// A plane of a pencil, and the cost of a cut there.
 struct Cut {
   Pencil pencil;
   float place = 0;
   double cost = std::numeric_limits<double>::infinity();
 };
 
-/// Finds where a pencil's planes cut points best, in two: so that the boxes of both sides along three axes have the
-/// least surface, each times the root of its count. (With the count itself, as for rays, or with lengths in place of
-/// surfaces, trees had more boxes to compare.) Points are counted in bins between planes, at whose sides cuts are tried.
+/// Finds the best cut of points by a pencil's planes. The cost is the sum, over both sides, of the surface of the box
+/// along three axes times the root of its count (SAH). With the count itself, as for rays, or with lengths in place of
+/// surfaces, trees had more boxes to compare. Points are counted in bins between planes; cuts are tried at the bins'
+/// sides.
 class Binned_cuts {
  public:
   using Four = kernel::Four_floats;  // along the axes; the fourth is 0
 
-  /// Most points are within `spread` of `middle`, those beyond are in the outermost bins. Requires spread > 0.
+  /// Most points lie within `spread` of `middle`; those beyond go to the outermost bins. Requires spread > 0.
   Binned_cuts(const Pencil& pencil, double middle, double spread)
       : pencil_(pencil), first_(float(middle - spread)), width_(float(2 * spread / count)), per_width_(1 / width_)
   {}
 
   const Pencil& pencil() const { return pencil_; }
 
-  /// What has its middle in `p`, between `low` and `high` along the axes.
+  /// Adds an element whose middle is `p`, between `low` and `high` along the axes.
   [[gnu::always_inline]] void add(const kernel::Vector& p, const Four& low, const Four& high)
   {
     const float bin = (pencil_.place(p) - first_) * per_width_;
@@ -52,14 +54,14 @@ class Binned_cuts {
     ++side.points;
   }
 
-  /// What another one of the same pencil and spread has been given.
+  /// Adds the elements of an object with the same pencil and spread.
   void add(const Binned_cuts& other)
   {
     for (std::size_t k = 0; k < count; ++k) bins_[k].add(other.bins_[k]);
   }
 
-  /// Where one side would have less than an eighth of the points, there is no cut: else elements that all reach
-  /// everywhere would be cut off one by one.
+  /// Returns the best cut. A side must have at least an eighth of the points: otherwise elements that span the whole
+  /// part would be cut off one by one.
   Cut best() const
   {
     std::array<double, count> cost_after;
@@ -100,6 +102,7 @@ class Binned_cuts {
     }
   };
 
+  /// Number of bins.
   static constexpr std::size_t count = 64;
 
   Pencil pencil_;

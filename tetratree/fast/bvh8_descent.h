@@ -14,8 +14,8 @@
 
 namespace tetracone::tetratree {
 
-/// Pairs of boxes, one of each body, that may meet, with their sizes: sums of extents, in the units of the second body,
-/// negative for a leaf. Box k of node n is 8 n + k.
+/// A stack of pairs of boxes, one of each body, that may meet. A size is a sum of extents, in the units of the second
+/// body, negative for a leaf. Box k of node n is 8 n + k.
 class Pair_stack {
  public:
   std::size_t count() const { return count_; }
@@ -35,7 +35,7 @@ class Pair_stack {
     ++count_;
   }
 
-  // For the descent, which writes whole vectors of lanes and then says how many of them count.
+  // These serve the descent, which writes whole vectors of lanes and then sets how many count.
   void reserve()
   {
     if (count_ + 5 * kernel::lanes <= box_[0].size()) return;
@@ -61,26 +61,26 @@ class Pair_stack {
   std::size_t count_ = 0;
 };
 
-/// A leaf's box of each body.
+/// A pair of leaves, one of each body.
 using Leaf_pair = std::array<std::uint32_t, 2>;
 
-/// Two bodies as a descent sees them.
+/// The two bodies of a descent.
 struct Both_trees {
   const Bvh8_node* nodes[2];
-  const kernel::Box_map* into[2];  ///< of body k: into the frame of the other
+  const kernel::Box_map* into[2];  ///< maps body k into the frame of the other
   float scale;                     ///< from the first body's units to the second's
 
-  std::uint64_t opened = 0, compared = 0;  ///< pairs opened so far, boxes compared
+  std::uint64_t opened = 0, compared = 0;  ///< pairs opened and boxes compared so far
 };
 
-/// Why a descent has stopped: nothing is left; the top pair is two leaves; the top pair's larger box has children that
-/// must be made first.
+/// Why a descent has stopped: nothing is left; the top pair is two leaves; or the larger box of the top pair has a node
+/// that must be made first.
 enum class Stop { nothing_left, leaves, no_child };
 
-/// So many pairs a descent opens by two a round at most.
+/// The number of openings after which a descent may open four pairs per round instead of two.
 constexpr std::uint64_t opened_by_two = 32;
 
-/// For each set of lanes, as bits: their numbers in order, then zeros.
+/// Maps a set of lanes, as bits, to their numbers in order, followed by zeros.
 inline constexpr auto lanes_in = [] {
   std::array<std::array<std::uint8_t, kernel::lanes>, 1 << kernel::lanes> lanes{};
   for (unsigned set = 0; set < lanes.size(); ++set)
@@ -89,7 +89,7 @@ inline constexpr auto lanes_in = [] {
   return lanes;
 }();
 
-/// For each set of lanes, as bits: the sign bit in these lanes.
+/// Maps a set of lanes, as bits, to the sign bit in these lanes.
 inline constexpr auto signs_in = [] {
   std::array<std::array<std::uint32_t, kernel::lanes>, 1 << kernel::lanes> signs{};
   for (unsigned set = 0; set < signs.size(); ++set)
@@ -97,7 +97,7 @@ inline constexpr auto signs_in = [] {
   return signs;
 }();
 
-/// Whether the first box of a pair is the larger one, which is opened.
+/// True when the first box of a pair is the larger one, which is opened.
 inline bool first_is_larger(float size_a, float size_b) { return size_a > size_b; }
 
 }  // namespace tetracone::tetratree
@@ -107,8 +107,8 @@ inline bool first_is_larger(float size_a, float size_b) { return size_a > size_b
 
 namespace tetracone::tetratree {
 
-/// Opens pairs, the top one first: the parts of its larger box against the other box, those that may meet pushed. Stops
-/// where the caller is needed.
+/// Opens pairs, the top one first: the parts of the larger box are tested against the other box, and those that may
+/// meet are pushed. Returns when the caller is needed.
 inline Stop descend(Pair_stack& stack, Both_trees& trees)
 {
   using Function = Stop(Pair_stack&, Both_trees&);
@@ -116,8 +116,8 @@ inline Stop descend(Pair_stack& stack, Both_trees& trees)
   return fastest(stack, trees);
 }
 
-/// Opens all pairs, level by level: those of `level`, the top one first, whose parts go to `next`, which is the next
-/// level. Pairs of leaves that it finds are added to `leaves`; it stops at one that it is given.
+/// Opens all pairs, level by level. It takes those of `level`, the top one first, and writes their parts to `next`, the
+/// next level. It adds pairs of leaves that it finds to `leaves`, and stops at one that it is given.
 inline Stop descend_to_leaves(Pair_stack& level, Pair_stack& next, Both_trees& trees, std::vector<Leaf_pair>& leaves)
 {
   using Function = Stop(Pair_stack&, Pair_stack&, Both_trees&, std::vector<Leaf_pair>&);

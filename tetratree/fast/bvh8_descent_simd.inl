@@ -15,8 +15,8 @@ namespace simd = kernel::HWY_NAMESPACE;
 /// A pair whose larger box is to be replaced by its parts.
 struct Opening {
   const Bvh8_node* node = nullptr;  // the parts
-  int body;                         // of the larger box
-  Stop stop = Stop::nothing_left;   // else: why it cannot be opened
+  int body;                         // the larger box's
+  Stop stop = Stop::nothing_left;   // why it cannot be opened, if so
   std::uint32_t box[2];
   float size[2];
 
@@ -38,7 +38,7 @@ struct Opening {
       node = trees.nodes[body] + child;
   }
 
-  /// Of a node, and a box of the other body.
+  /// Opens a node against a box of the other body.
   HWY_INLINE Opening(int of_body, std::uint32_t number, std::uint32_t other_box, const Both_trees& trees)
       : node(trees.nodes[of_body] + number), body(of_body)
   {
@@ -54,7 +54,7 @@ struct Opening {
 
   HWY_INLINE bool is_ready() const { return stop == Stop::nothing_left; }
 
-  /// The other box, in the frame of the parts.
+  /// Returns the other box, in the frame of the parts.
   template <bool similarity>
   HWY_INLINE kernel::Single_box single(const Both_trees& trees) const
   {
@@ -69,7 +69,7 @@ struct Opening {
   }
 };
 
-/// Writes the pairs of the parts in mask_at(first), lanes from `first` on, and the other box to the stack, from position
+/// Pushes the pairs of the other box and the parts in mask_at(first), lanes from `first` on. Writes from position
 /// `count` on; returns the position after them.
 template <class Mask_at>
 HWY_INLINE std::size_t push_parts(Pair_stack& stack, std::size_t count, const Opening& o, Both_trees& trees,
@@ -88,12 +88,13 @@ HWY_INLINE std::size_t push_parts(Pair_stack& stack, std::size_t count, const Op
     const auto id = hn::Add(hn::Set(ids, first_id + std::uint32_t(first)), hn::Iota(ids, 0));
     const auto signed_size =
         hn::Or(size, hn::BitCast(tag, hn::LoadU(ids, signs_in[o.node->boxes.marked].data() + first)));
-    // Whole vectors: a masked store would keep the next pop waiting.
+    // Whole vectors are stored: a masked store would delay the next pop.
 #if HWY_TARGET <= HWY_AVX3
     hn::StoreU(hn::Compress(id, hn::RebindMask(ids, mask)), ids, stack.boxes(o.body) + count);
     hn::StoreU(hn::Compress(signed_size, mask), tag, stack.sizes(o.body) + count);
 #else
-    // No instruction does it: Highway 1.0.3's Compress would copy its table, a kilobyte, to the stack each time.
+    // No single instruction does this. Compress of Highway 1.0.3 would copy its table, a kilobyte, to the stack each
+    // time.
     constexpr hn::RebindToSigned<simd::Float_tag> lane_numbers;
     std::uint8_t set[8];
     hn::StoreMaskBits(tag, mask, set);
@@ -111,7 +112,7 @@ HWY_INLINE std::size_t push_parts(Pair_stack& stack, std::size_t count, const Op
   return count;
 }
 
-/// The parts that may meet the other box. No lambda: those are not inlined.
+/// Selects the parts that may meet the other box. It is no lambda: lambdas are not inlined.
 template <bool similarity>
 struct Parts_together {
   const kernel::Obb8& boxes;
@@ -125,7 +126,7 @@ struct Parts_together {
   }
 };
 
-/// Keeps these.
+/// Pushes the parts that may meet the other box.
 template <bool similarity>
 struct Keep_together {
   HWY_INLINE std::size_t operator()(Pair_stack& stack, std::size_t count, const Opening& o,
@@ -135,7 +136,7 @@ struct Keep_together {
   }
 };
 
-/// Adds the pairs of the other box and of the parts in `set`, as bits, from part `first` on.
+/// Adds the pairs of the other box and the parts in `set`, as bits, from part `first` on.
 [[gnu::noinline]] inline HWY_ATTR void add_leaves(std::vector<Leaf_pair>& leaves, const Opening& o,
                                                   const Both_trees& trees, std::size_t first, unsigned set)
 {
@@ -147,7 +148,8 @@ struct Keep_together {
   }
 }
 
-/// The parts that may meet the other box, but for leaves where that is one: such pairs are added to `leaves`.
+/// Selects the parts that may meet the other box, except leaves if that box is a leaf. Pairs of leaves are added to
+/// `leaves`.
 template <bool similarity>
 struct Parts_without_leaves {
   Parts_together<similarity> together;
@@ -171,9 +173,9 @@ struct Parts_without_leaves {
   }
 };
 
-/// Four pairs a round where so many are ready, so that none need wait for what the one before it brings; else two, or
-/// one. At first two: bodies that meet are often known to after few openings, and what is opened beside these is in
-/// vain. `keep` writes the pairs that are left of one that was opened.
+/// Opens four pairs per round if that many are ready, so that their latencies overlap; else two, or one. The first
+/// rounds open at most two: bodies that meet are often decided after few openings, and further ones would be wasted.
+/// `keep` pushes the pairs that an opening leaves.
 template <bool similarity, class Keep>
 HWY_INLINE Stop descend_keeping(Pair_stack& stack, Both_trees& trees, Keep& keep)
 {
@@ -216,7 +218,7 @@ HWY_ATTR Stop descend(Pair_stack& stack, Both_trees& trees)
   return descend_keeping<similarity>(stack, trees, keep);
 }
 
-/// Asks the memory for the nodes that the pairs from position `first` on are to be opened by.
+/// Prefetches the nodes that will open the pairs from position `first` on.
 HWY_INLINE void prefetch_nodes(Pair_stack& stack, std::size_t first, const Both_trees& trees)
 {
   for (std::size_t k = first; k < stack.count(); ++k) {
@@ -227,7 +229,7 @@ HWY_INLINE void prefetch_nodes(Pair_stack& stack, std::size_t first, const Both_
   }
 }
 
-/// Level by level, four pairs a round: the nodes of a level are asked for while the one before it is opened.
+/// Opens level by level, four pairs per round. It prefetches the nodes of a level while it opens the level before.
 template <bool similarity>
 HWY_ATTR Stop descend_to_leaves(Pair_stack& level, Pair_stack& next, Both_trees& trees, std::vector<Leaf_pair>& leaves)
 {

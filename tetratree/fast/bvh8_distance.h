@@ -28,32 +28,33 @@ namespace tetracone::tetratree {
 
 /// The nearest points of two placed bodies, exactly.
 struct Nearest_pair {
-  kernel::Rational square;                               ///< of the distance
+  kernel::Rational square;                               ///< the distance squared
   std::array<std::array<kernel::Rational, 3>, 2> point;  ///< one in each body
-  std::array<std::optional<Index>, 2> face;              ///< that holds it; nothing: inside the solid
-  std::array<kernel::Rational, 3> direction;             ///< from A's to B's, of any length
+  std::array<std::optional<Index>, 2> face;              ///< the face that holds the point; nothing inside the solid
+  std::array<kernel::Rational, 3> direction;             ///< from A's point to B's, of any length
 };
 
 /// The distance of two placed `Bvh8` over kernel K. Build once, ask for many poses.
 ///
-/// Bodies that collide, which `Bvh8_collision` tells, are 0 apart. Of others pairs of boxes are opened, about the nearest
-/// first, while their lower bound is not above the least upper bound that a pair of triangles has given. Pairs
-/// of triangles are enclosed in double; of those that may be the nearest one is left almost always, whose distance is
-/// enclosed in double-double: where that does not tell the nearest double, or that no other pair is nearer, exact numbers
-/// do. The first upper bounds are those of the pair that was nearest in the last pose, and of the pair that the nearest
-/// parts lead to.
-/// Over a kernel that rounds, the least distance in double is the answer.
+/// Bodies that collide, which `Bvh8_collision` decides, have distance 0. For others, pairs of boxes are opened, roughly
+/// the nearest first, while their lower bound is not above the least upper bound of a pair of triangles. The first
+/// upper bounds come from the pair that was nearest in the last pose, and from the pair that the nearest boxes lead to.
 ///
-/// Both trees, and their models, must outlive the query object. Making it and every query throw
+/// Distances of triangles are enclosed in double. Almost always one pair is left that may be the nearest; its distance
+/// is enclosed in double-double. Exact numbers decide where that enclosure does not determine the nearest double, or
+/// does not prove that no other pair is nearer. Over a kernel that rounds, the least distance in double is the answer.
+///
+/// Both trees, and their models, must outlive the query object. The constructor and every query throw
 /// kernel::Unsound_floating_point when floating point is not as exact answers need it.
 template <class K = kernel::Adaptive>
 class Bvh8_distance {
  public:
+  /// True when K's signs are exact, so that the answer is the double nearest to the distance.
   static constexpr bool is_exact = kernel::Kernel_traits<K>::exact_signs;
-  /// Without bounds in double for pairs of triangles.
+  /// False for the kernel that decides every pair of triangles exactly, without bounds in double.
   static constexpr bool is_filtered = !std::is_same_v<K, kernel::Rational_kernel>;
 
-  /// `model_a`, `model_b`: of the trees' polyhedra.
+  /// `model_a` and `model_b` are the models of the trees' polyhedra.
   Bvh8_distance(const Bvh8& a, const covering::Model<K>& model_a, const Bvh8& b, const covering::Model<K>& model_b)
       : tree_{&a, &b},
         model_{&model_a, &model_b},
@@ -61,7 +62,8 @@ class Bvh8_distance {
         exact_{Exact_vertices(a.model().vertices()), Exact_vertices(b.model().vertices())}
   {}
 
-  /// The double nearest to the distance. Requires det M != 0 of both poses, and closed polyhedra for `Question::solid`.
+  /// Returns the double nearest to the distance. Requires det M != 0 of both poses, and closed polyhedra for
+  /// `Question::solid`.
   double operator()(const Pose& pose_a, const Pose& pose_b, Question question)
   {
     if (collision_.relation(pose_a, pose_b, question) != Relation::apart) return 0;
@@ -77,8 +79,8 @@ class Bvh8_distance {
     return kernel::nearest_root(kernel::Rational(best.exact->top()), of_space(best.exact->bottom()));
   }
 
-  /// The same with all that is to be known. Of several pairs of nearest points which one is told is a matter of the
-  /// trees alone. Requires an exact K.
+  /// Returns the nearest points, their faces and the exact distance. Which of several nearest pairs is returned depends
+  /// on the trees alone. Requires an exact K, and as above.
   Nearest_pair nearest(const Pose& pose_a, const Pose& pose_b, Question question)
   {
     static_assert(is_exact);
@@ -91,7 +93,7 @@ class Bvh8_distance {
     return told(settle(kernel::Nearest_points::are_asked_for));
   }
 
-  /// Whether the distance is at most `limit`. Requires the same.
+  /// True when the distance is at most `limit`. Requires as above.
   bool within(const Pose& pose_a, const Pose& pose_b, Question question, const kernel::Rational& limit)
   {
     kernel::require_sound_floating_point();
@@ -111,14 +113,19 @@ class Bvh8_distance {
     return kernel::Rational(best.exact->top()) <= of_space(best.exact->bottom()) * limit * limit;
   }
 
-  /// What a limit in common units loses on either side, a share of itself: rounded, multiplied and added to.
+  /// Upper bound of the relative error of a limit in common units: rounded, multiplied and added to. Proved in
+  /// verify/proofs/nearest_proofs.h.
   static constexpr double limit_rounding = 4 * kernel::unit_roundoff<double>;
-  /// Above what a limit or a distance loses where it underflows: the least double, times 2^200.
+  /// Upper bound of the loss by underflow of a limit or a distance: the least double, times 2^200. Proved in
+  /// verify/proofs/nearest_proofs.h.
   static constexpr double smallest = 0x1p-800;
-  /// What a distance loses on either side that is computed from its exact square, a share of itself.
+  /// Upper bound of the relative error of a distance that is computed from its exact square. Proved in
+  /// verify/proofs/nearest_proofs.h.
   static constexpr double distance_rounding = 8 * kernel::unit_roundoff<double>;
-  /// Below that a square tells no lower bound; and above its root, with what underflows.
-  static constexpr double least_square = 0x1p-1000, most_unseen = 0x1p-490;
+  /// A square up to this gives no lower bound.
+  static constexpr double
+      least_square = 0x1p-1000,
+      most_unseen = 0x1p-490;  ///< above its root and what underflows; proved in verify/proofs/nearest_proofs.h
 
   Query_statistics counts() const
   {
@@ -135,31 +142,32 @@ class Bvh8_distance {
  private:
   using Box = Index;
 
+  /// Element k of a leaf's box.
   struct Leaf_element {
     Box box;
     Index k;
   };
-  /// A pair of elements that may be the nearest.
+  /// A pair of elements that may be the nearest one.
   struct Candidate {
     Leaf_element a, b;
     kernel::Triangle_gap gap;
-    std::unique_ptr<kernel::Exact_distance> exact;  // where it was asked for
+    std::unique_ptr<kernel::Exact_distance> exact;  // null until it is needed
   };
 
-  /// A triangle where it is placed, of an element that a slot was last used for.
+  /// A placed triangle, cached for the element that last used its slot.
   struct Placed_triangle {
-    std::uint64_t place = 0;  // number of that
+    std::uint64_t place = 0;  // the number of the placement
     Leaf_element leaf{};
     kernel::Edged_triangle at;
   };
 
-  /// A pair of boxes of which one is replaced by its parts, those of a node.
+  /// A pair of boxes; one of them is replaced by the lanes of its node.
   struct Opening {
     Box_pair pair;
     int body;
     Index node;
 
-    /// Made of single numbers: what is written in parts and read as a whole would wait until it is stored.
+    /// Built from single numbers: a read of the whole right after writes of parts would stall on store forwarding.
     Box_pair part(const kernel::Eight_gaps& gaps, int lane, bool is_leaf) const
     {
       const float magnitude = gaps.size[std::size_t(lane)], size = is_leaf ? -magnitude : magnitude;
@@ -171,6 +179,7 @@ class Bvh8_distance {
     }
   };
 
+  /// Places both bodies, and forgets the bounds of the last pose.
   void place(const Pose& pose_a, const Pose& pose_b)
   {
     const kernel::Local_scale &in_a = tree_[0]->scale(), &in_b = tree_[1]->scale();
@@ -182,7 +191,7 @@ class Bvh8_distance {
     exact_[1].place(pose_b, pose_a);
     for (int body = 0; body < 2; ++body) {
       const double stretch = frame_->least_stretch(body);
-      // Of what is far smaller than the other body nothing is known: in float it might round upward.
+      // A body that is far smaller than the other gets no lower bound: in float it might round upward.
       stretch_[body] = stretch > 0x1p-60 ? float(stretch) * kernel::distance_shrink : 0;
       size_[body] = float(stretch) > 0 ? float(stretch) : 1;
     }
@@ -193,6 +202,7 @@ class Bvh8_distance {
     low_limit_ = -1;
   }
 
+  /// Takes the upper bound of the pair that was nearest in the last pose.
   void start_with_last()
   {
     if (last_) compare(last_->first, last_->second);
@@ -204,6 +214,7 @@ class Bvh8_distance {
     return tree_[body]->element(leaf.box / 8, int(leaf.box % 8), leaf.k);
   }
 
+  /// Returns an element's placed triangle, from its slot if it is there.
   const kernel::Edged_triangle& triangle(int body, const Leaf_element& leaf, const Element& element)
   {
     Placed_triangle& slot = triangles_[std::size_t(body)][(leaf.box + leaf.k) % slots];
@@ -219,7 +230,7 @@ class Bvh8_distance {
     return (*frame_)(body, {p[0], p[1], p[2]});
   }
 
-  /// Takes in a pair of elements.
+  /// Compares a pair of elements, and keeps it if it may be the nearest.
   void compare(const Leaf_element& a, const Leaf_element& b)
   {
     const Element &of_a = element(0, a), &of_b = element(1, b);
@@ -253,8 +264,8 @@ class Bvh8_distance {
     if constexpr (is_exact) candidates_.push_back(std::move(pair));
   }
 
-  /// Takes in all pairs of elements but those that are farther apart than another pair. Four pairs a round are opened
-  /// where so many are there, so that none need wait for what the one before it brings.
+  /// Finds all pairs of elements that may be the nearest. It opens up to four pairs per round, so that their memory
+  /// accesses overlap.
   void search()
   {
     Box_pair root{0, {size_of_root(0), size_of_root(1)}, {0, 0}};
@@ -294,8 +305,8 @@ class Bvh8_distance {
     }
   }
 
-  /// Opens pairs down to leaves: of the parts of the last ones those whose centres are nearest, since these lie near the
-  /// surfaces; and takes in the nearest leaves. The others are the rest.
+  /// Opens pairs down to leaves, and compares the nearest leaves. Each round follows the pairs whose centres are
+  /// nearest, since these lie near the surfaces. The other pairs go to `rest_`.
   void dive(const Box_pair& root)
   {
     std::array<Box_pair, kernel::most_gap_tests> best = {root};
@@ -338,7 +349,7 @@ class Bvh8_distance {
     if (leaves) compare_leaves(leaves->box[0], leaves->box[1]);
   }
 
-  /// Whether what is known decides that the limit holds: an unknown distance is within none.
+  /// True when the upper bound proves that the limit holds; an unknown distance is within no limit.
   bool is_within() const { return high_ <= low_limit_ && high_ < std::numeric_limits<double>::infinity(); }
 
   void compare_leaves(Box a, Box b)
@@ -347,6 +358,7 @@ class Bvh8_distance {
       for (Index j = 0; j < tree_[1]->leaf_count(b / 8, int(b % 8)); ++j) compare({a, i}, {b, j});
   }
 
+  /// Returns the size of a root's box, in the unit of sizes, negative for a leaf.
   float size_of_root(int body) const
   {
     const Bvh8_node& node = tree_[body]->node(0);
@@ -355,13 +367,13 @@ class Bvh8_distance {
     return node.is_leaf(0) ? -size : size;
   }
 
-  /// Not below the least upper bound.
+  /// Upper bound of the least upper bound, in float.
   float limit() const
   {
     return high_ < 0x1p100 ? float(high_) * kernel::rounded_up + 0x1p-100f : std::numeric_limits<float>::infinity();
   }
 
-  /// Asks for the node that the pair will need, if it is made.
+  /// Prefetches the node that the pair will need, if it is made.
   void fetch(const Box_pair& pair) const
   {
     if (pair.is_of_leaves()) return;
@@ -371,7 +383,7 @@ class Bvh8_distance {
     if (child >= 0) tree_[body]->prefetch(Index(child));
   }
 
-  /// Of this number: the larger box is opened.
+  /// Prepares opening `number`, of the larger box of the pair.
   void choose(std::size_t number, const Box_pair& pair)
   {
     Opening& opening = open_[number];
@@ -390,7 +402,7 @@ class Bvh8_distance {
     test.question = {stretch_[std::size_t(body)], 0, pair.low, size_[std::size_t(body)]};
   }
 
-  /// Of the first `count` openings.
+  /// Tests the parts of the first `count` openings.
   void compare_parts(std::size_t count)
   {
     const float nearest = limit();
@@ -414,6 +426,7 @@ class Bvh8_distance {
     }
   }
 
+  /// Returns an element in exact coordinates.
   kernel::Exact_face exact_face(int body, const Element& element)
   {
     kernel::Exact_face face;
@@ -438,7 +451,7 @@ class Bvh8_distance {
     return kernel::distance_of_faces(exact_face(0, a), exact_face(1, b));
   }
 
-  /// The exact images of the corners that span a feature of a triangle.
+  /// Returns the exact images of the corners that span a feature of a triangle.
   std::vector<kernel::Exact_vector> exact_corners(int body, const Element& element, unsigned feature)
   {
     std::vector<kernel::Exact_vector> corners;
@@ -447,7 +460,7 @@ class Bvh8_distance {
     return corners;
   }
 
-  /// By the features that the enclosure has found, where these are right.
+  /// Computes the exact distance of a pair, by the features that the enclosure has found if these are right.
   void find_exactly(Candidate& pair, kernel::Nearest_points points)
   {
     if (pair.exact) return;
@@ -462,7 +475,7 @@ class Bvh8_distance {
     pair.gap.of_a = pair.gap.of_b = 0;
   }
 
-  /// No point of the pair is nearer to one of the other body than those of `best`: the gap along its direction tells.
+  /// True when the gap of `best` along its direction proves that no point of the pair is nearer to the other body.
   bool is_behind(const Candidate& best, const Candidate& pair)
   {
     if (best.exact->is_zero()) return true;
@@ -474,8 +487,8 @@ class Bvh8_distance {
                      [&](Index v) { return kernel::dot(best.exact->direction, exact_[1](v)) >= best.exact->high; });
   }
 
-  /// Whether no corner of an element is beyond a feature of the nearest one along n, which is rounded; where doubles do
-  /// not tell, `is_exactly(vertex)` does. Corners of the feature are as far as it is.
+  /// True when no corner of an element is beyond a feature of the nearest element along n, which is rounded.
+  /// `is_exactly(vertex)` decides where doubles cannot. Corners of the feature are as far as it is.
   template <class Is_exactly>
   bool is_behind(int body, const Leaf_element& nearest, unsigned feature, const Leaf_element& leaf,
                  const kernel::Double_vector& n, const Is_exactly& is_exactly)
@@ -499,8 +512,8 @@ class Bvh8_distance {
     });
   }
 
-  /// Of the pairs that are left; of those as near, that of the fewest corners of B's feature, then A's last element, then
-  /// B's first: whatever order they were found in. Requires one.
+  /// Moves the nearest candidate to the front. Ties go to the fewest corners of B's feature, then A's last element,
+  /// then B's first, in whatever order candidates were found. Requires a candidate.
   void bring_nearest_first()
   {
     std::erase_if(candidates_, [this](const Candidate& c) { return c.gap.low > high_; });
@@ -512,6 +525,7 @@ class Bvh8_distance {
     std::swap(*first, candidates_.front());
   }
 
+  /// Returns enclosures of the corners that span a feature.
   kernel::Ball_hull enclosed_corners(int body, const Element& element, unsigned feature) const
   {
     kernel::Ball_hull hull;
@@ -520,8 +534,8 @@ class Bvh8_distance {
     return hull;
   }
 
-  /// The distance by the features of the first pair that is left, where enclosures tell that it is theirs, that no other
-  /// pair is nearer, and which double is the nearest to it.
+  /// Returns the distance by the features of the first candidate. Returns nothing unless enclosures prove that the
+  /// distance is theirs, that no other pair is nearer, and which double is nearest.
   std::optional<double> settle_by_enclosures()
   {
     const Candidate& best = candidates_.front();
@@ -538,7 +552,7 @@ class Bvh8_distance {
     return kernel::nearest_over_root(found->height, found->square);
   }
 
-  /// Of the pairs that are left the nearest one, with its distance. Requires that `bring_nearest_first` was asked.
+  /// Returns the nearest candidate, with its exact distance. Requires `bring_nearest_first` before.
   Candidate settle(kernel::Nearest_points points)
   {
     Candidate* best = &candidates_.front();
@@ -551,13 +565,14 @@ class Bvh8_distance {
     return std::move(*best);
   }
 
-  /// A divisor of squares in exact coordinates times the square of their weight.
+  /// Returns a divisor of squares in exact coordinates, times the square of their weight.
   kernel::Rational of_space(const kernel::Exact_number& bottom) const
   {
     const kernel::Exact_number weight = exact_[0].weight();
     return kernel::Rational(bottom * weight * weight);
   }
 
+  /// Returns the answer for a pair with its exact distance.
   Nearest_pair told(const Candidate& pair)
   {
     const kernel::Exact_distance& found = *pair.exact;
@@ -574,7 +589,7 @@ class Bvh8_distance {
     return nearest;
   }
 
-  /// Of a body with a shell in the other's solid, whose surfaces share no point: a vertex of that shell.
+  /// Returns a vertex of a shell that lies in the other's solid, for bodies whose surfaces share no point.
   Nearest_pair inside(int held)
   {
     std::array<covering::Placed_model<K>, 2> placed = {covering::Placed_model<K>(*model_[0]),
@@ -600,19 +615,21 @@ class Bvh8_distance {
   std::array<Exact_vertices, 2> exact_;
   std::optional<kernel::Common_frame> frame_;
   std::array<std::optional<kernel::Box_map>, 2> into_other_;
-  std::array<float, 2> stretch_{};  // of lower bounds, from a body's local units
-  std::array<float, 2> size_{};     // of sizes, about the same
-  std::vector<Box_pair> rest_;      // of a dive
+  std::array<float, 2> stretch_{};  // factor of lower bounds, from a body's local units
+  std::array<float, 2> size_{};     // the factor of sizes, about equal
+  std::vector<Box_pair> rest_;      // pairs that a dive leaves
   Pair_queue<Box_pair, 1> queue_;
   std::array<Opening, kernel::most_gap_tests> open_;
   std::array<kernel::Gap_test, kernel::most_gap_tests> tests_;
+  /// Cached triangles per body.
   static constexpr std::size_t slots = 64;
-  std::uint64_t place_ = 0;  // number of what was placed
+  std::uint64_t place_ = 0;  // the number of the present placement
   std::array<std::array<Placed_triangle, slots>, 2> triangles_;
   std::vector<Candidate> candidates_;
-  kernel::Double_vector along_{};                   // from A's to B's of the pair that has given the least upper bound
-  double high_ = 0, nearest_ = 0, low_limit_ = -1;  // of the distance; what is enough
-  std::optional<std::pair<Leaf_element, Leaf_element>> last_;  // the nearest in the last pose
+  kernel::Double_vector along_{};                   // from A's point to B's, of the pair with the least upper bound
+  double high_ = 0, nearest_ = 0, low_limit_ = -1;  // least upper bound of the distance; least computed distance; lower
+                                                    // bound of the limit, or -1
+  std::optional<std::pair<Leaf_element, Leaf_element>> last_;  // the nearest pair in the last pose
   Query_statistics counts_;
 };
 

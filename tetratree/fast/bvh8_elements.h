@@ -33,13 +33,12 @@ struct Element {
 
 using Elements = covering::Unset_vector<Element>;
 
-/// A body as its tree sees it: the model, its elements, and its local units.
+/// The body of a tree: the model, its elements, and its local units.
 class Bvh8_elements {
  public:
   using Adaptive = kernel::Adaptive;
 
-  /// `triangles`: for each face that has some, triangles that cover exactly the face. Requires planar faces.
-  /// The same by any `both`.
+  /// `triangles` cover exactly each face that has some. Requires planar faces. The result does not depend on `both`.
   Bvh8_elements(const covering::Polyhedron& polyhedron, std::span<const Face_triangle> triangles,
                 const covering::Both& both = {})
       : model_(polyhedron, both)
@@ -49,8 +48,8 @@ class Bvh8_elements {
     per_half_unit_ = 2 / scale_.unit;
   }
 
-  /// The permutation by which `put_in_order` gives the elements of a new object of this body the order that they have
-  /// here. `triangles`: those of the constructor.
+  /// Returns the permutation by which `put_in_order` gives the elements of a new object of this body the present order.
+  /// `triangles` are the constructor's.
   std::vector<Index> order_of(const covering::Polyhedron& polyhedron, std::span<const Face_triangle> triangles) const
   {
     const auto sorted = [](std::span<const Element> elements) {
@@ -66,7 +65,7 @@ class Bvh8_elements {
     return order;
   }
 
-  /// Makes element order[k] the k-th. False, and nothing is done, unless `order` is a permutation of all.
+  /// Makes element order[k] the k-th. False, without any change, unless `order` is a permutation of all elements.
   bool put_in_order(std::span<const Index> order)
   {
     if (order.size() != elements_.size()) return false;
@@ -86,16 +85,17 @@ class Bvh8_elements {
   Index count() const { return Index(elements_.size()); }
   const Element& operator[](Index e) const { return elements_[e]; }
 
-  /// All, whose order becomes that of the leaves.
+  /// Returns all elements; their order becomes the order of the leaves.
   std::span<Element> order() { return elements_; }
   std::span<const Element> order() const { return elements_; }
 
   std::size_t bytes() const { return elements_.capacity() * sizeof(Element); }
 
-  /// How far a coordinate of `local` may be off: one rounding of a difference, of at most 1.
+  /// Upper bound of the error of a coordinate of `local`: one rounding of a difference of at most 1. Proved in
+  /// verify/proofs/cone_proofs.h.
   static constexpr double local_error = 0x1p-52;
 
-  /// A vertex in local units, off by at most `local_error` in a coordinate.
+  /// Returns a vertex in local units; the error of a coordinate is at most `local_error`.
   kernel::Vector local(Index v) const
   {
     const auto& vertex = model_.vertices()[v];
@@ -115,7 +115,7 @@ class Bvh8_elements {
   }
 
  private:
-  /// The given triangles, and each face that has none, in the order of their numbers.
+  /// Returns the given triangles, and each face that has none, in the order of their numbers.
   Elements collected(const covering::Polyhedron& polyhedron, std::span<const Face_triangle> triangles,
                      const covering::Both& both) const
   {
@@ -139,7 +139,7 @@ class Bvh8_elements {
     return elements;
   }
 
-  /// A face for which no triangles are given.
+  /// Returns the element of a face for which no triangles are given.
   Element element_of(const covering::Polyhedron& polyhedron, Index f) const
   {
     if (!(polyhedron.is_triangle(f) && model_.covering().plane_basis(f)))

@@ -22,50 +22,56 @@
 
 namespace tetracone::tetratree {
 
-/// What a pair of bodies keeps from one pose to the next: the front of the last descent, with certificates; the pair of
-/// leaves that met; what decided. A query gives the same answers with it as without.
+/// The memory of a pair of bodies from one pose to the next: the front of the last descent with certificates, the pair
+/// of leaves that met, and what decided. It changes speed, never an answer.
 ///
-/// The front covers all pairs of elements: parts of a node that were apart from a box of the other body, by a gap at
-/// least; and pairs of leaves, by a lower bound of their distance. Gaps and motions are in A's local units, where A
-/// stands still.
+/// The front covers all pairs of elements. An entry is either some lanes of a node and a box of the other body, or a
+/// pair of leaves. It has a lower bound of their gap. Gaps and motions are in A's local units; A stands still.
 ///
-/// Bodies go on as they went, mostly. So B is on a course (`kernel::Course`), by the step between two poses: later poses
-/// are so many steps of it, and its points have strayed by so much at most from where these lead. A step takes at most a
-/// rate off a gap along an axis that stands still with A, and the pace off any distance; and what a point has strayed, it
-/// may be nearer. An entry holds until that has used up its gap (`Front_entries`). Then it alone is asked again, and what
-/// is no longer apart is opened, from there. Where B strays by much, it is set on a new course. Cf. Klosowski et al.,
-/// "Efficient collision detection using bounding volume hierarchies of k-DOPs" (1998), generalised front tracking, which
-/// has no gaps; Mirtich's conservative advancement, which has no front; Basch, Guibas and Hershberger, "Data structures
-/// for mobile data" (1999), whose certificates hold on a course alone, which must be known.
+/// Bodies mostly go on as they went. So the step between two poses gives B a course (`kernel::Course`), and later poses
+/// are multiples of that step. The stray is an upper bound of the distance between a point and where the course
+/// predicts it.
 ///
-/// Motions are bounded by the two relative maps alone (`kernel::stray_bound`), with their errors: where these are not
-/// known, or the maps are no similarities, nothing is certified, and descents begin at the root. Where steps are so
-/// large that the front does not pay (`Front_policy`), they do as well.
+/// A step takes at most the entry's rate off a gap along an axis fixed to A, and at most the pace off any distance. The
+/// stray takes more. An entry holds until these have used up its gap (`Front_entries`). Then only that entry is tested
+/// again, and if it is no longer apart, the descent goes on from there. A large stray sets B on a new course.
 ///
-/// One for a pair of placed bodies, whatever query object it is asked by: bodies of the same two trees, in the same
-/// order, may share that object and keep a front each. Not for two threads at a time.
+/// Related work:
+/// - Klosowski et al., "Efficient collision detection using bounding volume hierarchies of k-DOPs" (1998): generalised
+///   front tracking, which has no gaps.
+/// - Mirtich's conservative advancement, which has no front.
+/// - Basch, Guibas and Hershberger, "Data structures for mobile data" (1999): certificates that require a course that
+///   is given and followed exactly.
+///
+/// Motions are bounded by the two relative maps alone (`kernel::stray_bound`), with their errors. If a map's error is
+/// unknown, or a map is no similarity, nothing is certified and each descent begins at the root. Descents also begin
+/// there when steps are so large that the front does not pay (`Front_policy`).
+///
+/// A front belongs to one pair of placed bodies, whichever query object uses it. Pairs of the same two trees, in the
+/// same order, may share a query object and keep a front each. A front is not for two threads at a time.
 class Bvh8_front {
  public:
   /// A's box and B's.
   using Boxes = std::pair<Index, Index>;
 
-  /// What is known of a pair of leaves: that elements meet, or at most how far all are apart, in A's local units, 0
-  /// where that is not known; and along which axis, of length 1, from A's to B's, 0 where it is along several.
+  /// The result for a pair of leaves: elements meet, or `gap` is a lower bound of the distance of any two, in A's local
+  /// units; 0 if unknown. `axis` is the direction of the gap, of length 1, from A's to B's; 0 if several directions
+  /// were used.
   struct Leaf_gap {
     bool meet = false;
     double gap = 0;
     kernel::Double_vector axis{};
   };
 
-  /// Whether there is a front.
+  /// True when there is a front.
   bool holds() const { return holds_; }
   const Front_entries& entries() const { return entries_; }
 
-  /// At most how far the boxes of an entry are apart, in A's local units, in the pose that was asked last; not above 0
-  /// where nothing is known.
+  /// Lower bound of the gap of an entry, in A's local units, in the last pose that was asked. Not above 0 if nothing is
+  /// known.
   double gap(std::size_t k) const { return entries_.gap(k); }
 
-  /// Since the front was made.
+  /// Returns the number of poses since the front was made.
   std::size_t poses_followed() const { return poses_followed_; }
 
   std::size_t bytes() const { return entries_.bytes() + expired_.capacity() * sizeof(std::uint32_t); }
@@ -75,39 +81,41 @@ class Bvh8_front {
   /// The pair of leaves that met in the last pose, tried first in the next.
   std::optional<Boxes> witness;
 
-  /// Whether a plane between the bodies is to be tried before the front.
+  /// True when a plane between the bodies is to be tried before the front.
   bool is_plane_first() const { return is_plane_first_ || !holds_; }
   void set_plane_first(bool is_first) { is_plane_first_ = is_first; }
 
-  /// What was found of solids whose surfaces shared no point, where nothing has met since.
+  /// The relation of solids whose surfaces shared no point, if nothing has met since.
   std::optional<kernel::Relation> relation;
 
-  /// Whether gaps between bodies can be certified under these maps: similarities whose errors are far below all that
-  /// they move.
+  /// True when gaps can be certified under these maps: both are similarities, with errors far below what they move.
   static bool is_certifiable(const Both_trees& trees)
   {
     for (const kernel::Box_map* map : trees.into)
       if (!map->is_similarity() || !(map->frame().error() <= most_error * map->scale())) return false;
     return true;
   }
+  /// Upper bound of the error of a certifiable map, as a fraction of its scale.
   static constexpr double most_error = 0x1p-26;
 
-  /// By how much the least stretch of B's exact map is below the length of its first computed column, a share of that: the
-  /// map is a similarity but for `Relative_frame::similarity_defect`, and columns are off by what `most_error` lets pass.
+  /// Upper bound of the relative difference by which the least stretch of B's exact map is below the length of its
+  /// first computed column. The map is a similarity except for `Relative_frame::similarity_defect`, and the error of a
+  /// column is below `most_error`. Proved in verify/proofs/reference_proofs.h.
   static constexpr double stretch_loss = 0x1p-20;
 
-  /// What a gap of leaves loses by being rounded to float, and along an axis whose length is rounded: a share of itself.
+  /// Upper bound of the relative error of a leaf gap in float, the rounded length of its axis included. Proved in
+  /// verify/proofs/reference_proofs.h.
   static constexpr double leaf_gap_rounding = 0x1p-20;
 
-  /// Bodies that stray by more in a pose are set on a new course: a share of what they go on theirs, and as much as those
-  /// at rest may seem to.
-  static constexpr double most_strayed = 0.25, most_at_rest = 0x1p-30;
+  /// B keeps its course while stray <= most_strayed * motion along the course + most_at_rest.
+  static constexpr double most_strayed = 0.25,  ///< a fraction of the motion
+      most_at_rest = 0x1p-30;                   ///< the stray that bodies at rest may show, in local units
 
-  /// Whether the next descent from the root is to make a front.
+  /// True when the next descent from the root is to make a front.
   bool is_to_be_made() { return policy_.makes_front(); }
 
-  /// Descends from the root. True where leaf_pair(box of A, box of B), a Leaf_gap, finds elements that meet. Requires
-  /// `is_certifiable`.
+  /// Makes a front by a descent from the root. True when leaf_pair(box of A, box of B), a Leaf_gap, finds elements that
+  /// meet. Requires `is_certifiable`.
   template <class Leaf_pair>
   bool make(Pair_stack& stack, Both_trees& trees, const Bvh8& a, const Bvh8& b, const Leaf_pair& leaf_pair)
   {
@@ -127,7 +135,7 @@ class Bvh8_front {
     return meet;
   }
 
-  /// Brings the front to the present pose. True where elements meet; nothing where there is no front any more.
+  /// Brings the front to the present pose. True when elements meet; nothing when the front has been given up.
   template <class Leaf_pair>
   std::optional<bool> follow(Pair_stack& stack, Both_trees& trees, const Bvh8& a, const Bvh8& b,
                              const Leaf_pair& leaf_pair)
@@ -150,7 +158,7 @@ class Bvh8_front {
     stack.clear();
     leaf_pairs_ = 0;
     const std::uint64_t opened = trees.opened;
-    // From the last one on: where one is removed, the last takes its place.
+    // Backwards: a removed entry is replaced by the last one.
     open_again(stack, trees, units, expired_.data(), count, least_gap_);
     bool meet = false;
     for (std::size_t k = count; k-- > 0 && !meet;) meet = ask_again(stack, trees, units, expired_[k], leaf_pair);
@@ -160,16 +168,17 @@ class Bvh8_front {
       meet = descend(stack, trees, units, a, b, leaf_pair);
     policy_.followed(cost(Front_policy::of_certified * double(trees.opened - opened)) +
                      Front_policy::of_check * double(checked));
-    // On the way, straight, from the last pose to this one, t of it from 0 to 1, those asked again were apart before the
-    // step reached what was left, t step < left, and again where (1 - t) step < the new gap. Where these hold in turn
-    // for all t, no surface has passed the other: a shell that was inside is inside, and one outside outside.
+    // Consider the straight path from the last pose, t = 0, to this one, t = 1. An entry that was asked again is apart
+    // while t step < left, by its old gap, and while (1 - t) step < its new gap. If left + least_gap_ > step, one of
+    // these holds at every t. Then no surface has passed another: a shell that was inside is inside, and one outside is
+    // outside.
     if (meet || !(left + least_gap_ > *step)) relation.reset();
     return meet;
   }
 
  private:
-  /// Takes B to its present place: along the course that it is on, where that tells most of its way, else on a new one.
-  /// Returns at least how far a point of B has gone; nothing where that is not known or too far.
+  /// Moves B to its present pose: along its course if that predicts most of the motion, else on a new course. Returns
+  /// an upper bound of the distance that any point of B has moved; nothing if that is unknown or too large.
   std::optional<double> go_on(const Both_trees& trees)
   {
     const kernel::Placement now(*trees.into[1]);
@@ -196,10 +205,11 @@ class Bvh8_front {
     return std::nullopt;
   }
 
-  /// Of openings that cost so much, and the pairs of leaves.
+  /// Returns the cost of openings and of the pairs of leaves, in openings.
   double cost(double opened) const { return opened + Front_policy::of_elements * double(leaf_pairs_); }
 
-  /// With lower bounds of the distances in A's local units over those in the units of either body.
+  /// Returns the context of a certified descent. It multiplies gaps in either body's units by lower bounds of the
+  /// stretch into A's local units.
   Certifying certifying(const Both_trees& trees)
   {
     const kernel::Placement of_a(*trees.into[0]);
@@ -219,15 +229,15 @@ class Bvh8_front {
     stack.push(boxes.first, boxes.second, size(0, boxes.first) * trees.scale, size(1, boxes.second));
   }
 
-  /// Takes in what is known of an entry that was asked now.
+  /// Records the new gap of an entry that was asked in this pose.
   void renew(std::size_t k, double gap)
   {
     entries_.set_gap(k, gap);
     least_gap_ = kernel::minimum(least_gap_, gap);
   }
 
-  /// Removes what has no lanes left, and asks pairs of boxes again; what is to be opened is on the stack then. True where
-  /// elements meet.
+  /// Asks an expired entry again. An entry without lanes is removed; a pair of leaves is tested; another pair of boxes
+  /// goes onto the stack to be opened. True when elements meet.
   template <class Leaf_pair>
   bool ask_again(Pair_stack& stack, const Both_trees& trees, const Certifying& units, std::size_t k,
                  const Leaf_pair& leaf_pair)
@@ -264,7 +274,7 @@ class Bvh8_front {
     return 1;
   }
 
-  /// Opens what is on the stack, until elements meet.
+  /// Opens the pairs on the stack, until elements meet. True when they do.
   template <class Leaf_pair>
   bool descend(Pair_stack& stack, Both_trees& trees, const Certifying& units, const Bvh8& a, const Bvh8& b,
                const Leaf_pair& leaf_pair)
@@ -292,7 +302,7 @@ class Bvh8_front {
     return meet;
   }
 
-  /// What is left on the stack when elements meet, to be opened the next time.
+  /// Adds the pairs left on the stack to the front when elements meet, to be opened in the next pose.
   void keep_rest(Pair_stack& stack)
   {
     for (; !stack.empty(); stack.pop()) entries_.add({stack.box(0), stack.box(1), Front_entry::Kind::pair}, 0);
@@ -301,11 +311,11 @@ class Bvh8_front {
   bool holds_ = false, is_plane_first_ = true;
   Front_entries entries_;
   std::vector<std::uint32_t> expired_;
-  kernel::Body_box box_;   // of B
-  kernel::Placement at_;   // of B, when the front was last brought to a pose
-  kernel::Course course_;  // of B
+  kernel::Body_box box_;   // B's
+  kernel::Placement at_;   // B's, when the front was last brought to a pose
+  kernel::Course course_;  // B's
   std::size_t poses_followed_ = 0;
-  double least_gap_ = 0;  // of what was asked in this pose
+  double least_gap_ = 0;  // over the entries asked in this pose
   std::uint64_t leaf_pairs_ = 0;
   Front_policy policy_;
 };

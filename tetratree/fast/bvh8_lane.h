@@ -13,17 +13,17 @@
 
 namespace tetracone::tetratree {
 
-/// By so many rounds boxes are fitted to what they hold.
+/// Number of rounds by which a box's axes are fitted to the points.
 inline constexpr int fitting_rounds = 6;
 
-/// A part of a body that becomes a lane of a node: elements first .. last, and a box that has taken in their corners.
+/// A part of a body that becomes a lane of a node: elements first .. last, and a box that holds their corners.
 struct Bvh8_lane {
   Index first, last;
-  bool is_leaf, is_triangle;  // the second: a leaf of these corners
+  bool is_leaf, is_triangle;  // is_triangle: a leaf with these corners
   kernel::Lane_box box;
   std::array<kernel::Vector, 3> corners;
 
-  /// Of `points`, the corners of all elements.
+  /// Makes a lane from `points`, the corners of all its elements.
   Bvh8_lane(Index begin, Index end, bool leaf, std::span<const kernel::Vector> points)
       : Bvh8_lane(begin, end, leaf, axes_for(leaf, points), points[0])
   {
@@ -32,7 +32,7 @@ struct Bvh8_lane {
     if (is_triangle) corners = {points[0], points[1], points[2]};
   }
 
-  /// With a box of these axes that holds nothing yet, but will: points near `about`.
+  /// Makes a lane with an empty box of these axes; the points to be added lie near `about`.
   Bvh8_lane(Index begin, Index end, bool leaf, const kernel::Matrix& axes, const kernel::Vector& about)
       : first(begin), last(end), is_leaf(leaf), is_triangle(false), box(axes, about)
   {}
@@ -45,7 +45,7 @@ struct Bvh8_lane {
   }
 };
 
-/// A node of one to eight lanes, none of whose children are made.
+/// Returns a node of one to eight lanes, without children.
 inline Bvh8_node node_of(std::span<const Bvh8_lane> lanes)
 {
   using kernel::Vector;
@@ -57,7 +57,7 @@ inline Bvh8_node node_of(std::span<const Bvh8_lane> lanes)
     low = smaller(low, centre);
     high = larger(high, centre);
   }
-  // Exact in float, and so in double.
+  // The origin is exact in float, and so in double.
   Vector origin;
   for (int k = 0; k < 3; ++k) origin[k] = node.boxes.origin[k] = float(0.5 * (low[k] + high[k]));
   double reach = 0;

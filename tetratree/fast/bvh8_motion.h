@@ -24,7 +24,7 @@
 
 namespace tetracone::tetratree {
 
-/// Whether surfaces share a point at t = 0, and where they do not, how they first meet, if they ever do.
+/// The result of a search: whether surfaces share a point at t = 0 and, if not, how they first meet, if ever.
 struct Meeting {
   bool is_at_start = false;
   std::optional<First_meeting> first;
@@ -33,15 +33,18 @@ struct Meeting {
 /// The first contact of the surfaces of two moving `Bvh8`, exactly. Build once, ask for many motions.
 ///
 /// Surfaces that share no point at t = 0 first meet where a vertex of one meets a triangle of the other, or an edge an
-/// edge. A span of time in which one plane parts the bodies is done with. In another, pairs of boxes are opened in the
-/// order of the times from which on they may meet: by two similarities near all of the span (`Span_reference`) or, where
-/// there are none, by the span's own coefficients (`Motion_span`). Where these tell little, for the bodies turn too far in
-/// the span for the pair's size, it waits for the halves of the span in which it may meet; triangles are sooner compared
-/// in halves, in the same order, than boxes. Triangles are decided in integers, and what may meet only after the first
-/// contact found is left.
+/// edge.
 ///
-/// Both trees must outlive the query object. Making it and every query throw kernel::Unsound_floating_point when floating
-/// point is not as exact answers need it.
+/// A span of time is done when one plane separates the bodies in all of it. Otherwise pairs of boxes are opened, in the
+/// order of the times from which on they may meet. Those times come from two similarities near the whole span
+/// (`Span_reference`) or, if there are none, from the span's own coefficients (`Motion_span`).
+///
+/// A pair waits for the halves of the span if the bodies turn too far in it for the pair's size. Triangles are compared
+/// in halves sooner than boxes, in the same order. Triangles are decided in integers. A pair that may meet only after
+/// the first contact found so far is discarded.
+///
+/// Both trees must outlive the query object. The constructor and every query throw kernel::Unsound_floating_point when
+/// floating point is not as exact answers need it.
 class Bvh8_motion {
  public:
   /// Requires trees whose elements are triangles, or faces of corners on one line.
@@ -50,14 +53,14 @@ class Bvh8_motion {
     kernel::require_exact_arithmetic();
   }
 
-  /// Nothing where the surfaces never meet. Requires that they share no point at t = 0.
+  /// Returns the first contact; nothing if the surfaces never meet. Requires that they share no point at t = 0.
   std::optional<First_meeting> operator()(const kernel::Body_motion& a, const kernel::Body_motion& b)
   {
     return (*this)(a, b, [] { return false; }).first;
   }
 
-  /// Of surfaces that may share a point at t = 0: `meet_at_start()` tells whether they do. It is asked once, or not at
-  /// all where no two elements may meet then.
+  /// Returns the first contact of surfaces that may share a point at t = 0; `meet_at_start()` tells whether they do. It
+  /// is called at most once, and not at all if no two elements may meet then.
   Meeting operator()(const kernel::Body_motion& a, const kernel::Body_motion& b,
                      const std::function<bool()>& meet_at_start)
   {
@@ -78,7 +81,7 @@ class Bvh8_motion {
     all += features_.counts();
     return all;
   }
-  /// How many pairs each exact stage decided.
+  /// Returns how many pairs each exact stage decided.
   const Motion_stages& stages() const { return features_.stages(); }
   void clear_counts()
   {
@@ -87,7 +90,7 @@ class Bvh8_motion {
   }
 
  private:
-  using Box = Index;  // lane k of node n: 8 n + k
+  using Box = Index;  // box k of node n is 8 n + k
   using Vertex = kernel::Vertex;
 
   /// A box, with its axes.
@@ -95,8 +98,8 @@ class Bvh8_motion {
     kernel::Moving_box hull;
     std::array<Vertex, 3> axis;
   };
-  /// A box of each body, when they may meet, from 0 to 1 over a span, and the sums of their extents in local units,
-  /// negative of leaves.
+  /// A box of each body. `low` and `until` bound the times when they may meet, from 0 to 1 over a span. `size` is the
+  /// sum of extents in local units, negative for a leaf.
   struct Pair {
     float low, until;
     std::array<float, 2> size;
@@ -105,13 +108,19 @@ class Bvh8_motion {
     bool is_leaf(std::size_t body) const { return std::signbit(size[body]); }
     float extent(std::size_t body) const { return std::abs(size[body]); }
   };
+  /// Directions tried before the search for a plane ends.
   static constexpr int most_directions = 8;
-  static constexpr int most_in_vain = 16, vain_for_one = 8;
-  static constexpr std::array<unsigned, 2> one_in = {32, 8};  // of whole motions, and of parts
+  static constexpr int most_in_vain = 16,  // limit of `in_vain_`, at which spans are left out
+      vain_for_one = 8;                    // see `in_vain_`
+  /// Then one span of this many is searched: of whole motions, of parts.
+  static constexpr std::array<unsigned, 2> one_in = {32, 8};
+  /// Pairs opened in one round.
   static constexpr std::size_t most_openings = kernel::most_sweep_tests;
+  /// A span is halved at most this often.
   static constexpr unsigned most_halvings = 50;
-  static constexpr float share_of_size = 0.04f;     // so much of a pair may be lost by its turning
-  static constexpr float share_of_leaves = 0.002f;  // where so much is lost, leaves are met in halves
+  static constexpr float share_of_size = 0.04f;     // a larger fraction of a pair's size lost by its turning splits the
+                                                    // span
+  static constexpr float share_of_leaves = 0.002f;  // a larger fraction lost makes leaves meet in halves
 
   kernel::Motion_units units(int body) const { return {tree_[body]->scale().origin, tree_[body]->scale().unit}; }
 
@@ -142,8 +151,8 @@ class Bvh8_motion {
     return part;
   }
 
-  /// Whether a plane is found that parts the bodies in all of the span. Where the most of the last searches were in vain,
-  /// only one span in a few is searched.
+  /// True when a plane separates the bodies in all of the span. Where most recent searches failed, only one span in a
+  /// few is searched.
   bool is_parted(const kernel::Motion_span& span)
   {
     const std::size_t kind = span.k() > 0;
@@ -154,7 +163,7 @@ class Bvh8_motion {
     return is_found;
   }
 
-  /// Opens the pairs in a span of time, and then those that are left for its halves in these.
+  /// Opens the pairs in a span of time, and then the remaining ones in its halves.
   void search(const kernel::Motion_span& span, std::span<const Pair> pairs)
   {
     if (is_parted(span)) return;
@@ -199,7 +208,7 @@ class Bvh8_motion {
     }
   }
 
-  /// How far boxes of a span turn in it.
+  /// What boxes lose by turning in a span.
   struct Turning {
     std::array<float, 2> turn, scale;
     float rest, least;
@@ -209,12 +218,12 @@ class Bvh8_motion {
         : turn{float(span.turn(0)), float(span.turn(1))},
           scale{float(span.scale(0)), float(span.scale(1))},
           rest(reference.is_certifiable() ? float(reference.rest()) : 0),
-          // What is less than doubles tell apart is not worth another halving.
+          // A loss below what doubles can resolve is not worth another halving.
           least(float(8 * span.resolution())),
           has_halves(span.k() < most_halvings)
     {}
 
-    /// Whether they turn too far for such a share of their size.
+    /// True when the boxes' loss exceeds this fraction of their size.
     bool is_long(const Pair& pair, float share) const
     {
       const float a = pair.extent(0), b = pair.extent(1), lost = a * turn[0] + b * turn[1] + rest,
@@ -223,20 +232,20 @@ class Bvh8_motion {
     }
   };
 
-  /// The body whose box is to be opened: the larger one. Requires one that is no leaf.
+  /// Returns the body whose box is opened: the larger one. Requires a box that is no leaf.
   static int opens(const kernel::Motion_span& span, const Pair& pair)
   {
     return pair.is_leaf(0) || (!pair.is_leaf(1) && pair.extent(1) * span.scale(1) > pair.extent(0) * span.scale(0));
   }
 
-  /// The box of one body that is opened, and its node.
+  /// The opened box of one body, and its node.
   struct Opening {
     Pair pair;
     int body;
     Index node;
   };
 
-  /// Opens one of a pair that is not of leaves, as this number of openings: its parts are to be compared with the other.
+  /// Prepares opening `number` of a pair that is not of leaves: the parts of its larger box against the other box.
   void open(const kernel::Motion_span& span, const Span_reference& reference, const Pair& pair, std::size_t number)
   {
     const int body = opens(span, pair);
@@ -252,7 +261,7 @@ class Bvh8_motion {
                   known_times(pair));
   }
 
-  /// Compares the parts of the first `count` openings.
+  /// Tests the parts of the first `count` openings.
   void find_near(const kernel::Motion_span& span, const Span_reference& reference, std::size_t count)
   {
     counts_.pairs_visited += count;
@@ -261,17 +270,17 @@ class Bvh8_motion {
     for (std::size_t k = 0; k < count; ++k) find_near(span, opening_[k], test_[k]);
   }
 
-  /// Of a pair that has come from a longer span, those in this one.
+  /// Returns the times of a pair in this span; the pair may come from a longer one.
   static kernel::Known_times known_times(const Pair& pair)
   {
     return {kernel::maximum(pair.low, 0.f), kernel::minimum(pair.until, 1.f)};
   }
 
-  /// Queues the parts of all these that may meet the other box.
+  /// Queues the parts of the first `count` openings that may meet the other box.
   void push_near(std::size_t count)
   {
     static_assert(kernel::lanes * most_openings <= 32);
-    // In one loop, since how many an opening has cannot be foretold.
+    // One loop, since the count of an opening is unpredictable.
     std::uint32_t near = 0;
     for (std::size_t k = 0; k < count; ++k) near |= std::uint32_t(test_[k].near) << kernel::lanes * k;
     for (; near != 0; near &= near - 1) {
@@ -287,7 +296,7 @@ class Bvh8_motion {
     }
   }
 
-  /// Where there are no similarities near the span.
+  /// Tests the parts of an opening, when no similarities are near the span.
   void find_near(const kernel::Motion_span& span, const Opening& o, kernel::Sweep_test& test) const
   {
     const Part from = part(1 - o.body, o.pair.box[std::size_t(1 - o.body)]);
@@ -302,7 +311,7 @@ class Bvh8_motion {
     }
   }
 
-  /// In the half of the span in which they may meet first; they come again for the other.
+  /// Compares two leaves in the half in which they may meet first; queues them again for the other half.
   void meet_in_halves(const Pair& pair)
   {
     const double from = 2 * double(pair.low), until = 2 * double(pair.until);
@@ -332,7 +341,8 @@ class Bvh8_motion {
     if (meets_at_start_) features_.end();
   }
 
-  /// When boxes may meet: along the line of their centres, and the axes that part them in the middle of the span.
+  /// Returns when boxes may meet, by the line of their centres and the axes that separate them in the middle of the
+  /// span.
   static kernel::Time_window near_boxes(const kernel::Motion_span& span, const Part& a, const Part& b)
   {
     const auto& maps = span.at_middle();
@@ -356,7 +366,7 @@ class Bvh8_motion {
     return near;
   }
 
-  // Compared before what they find is queued: comparisons do not wait for one another.
+  // All are tested before their results are queued: the tests do not wait for one another.
   std::array<Opening, most_openings> opening_;
   std::array<kernel::Sweep_test, most_openings> test_;
   std::array<const Bvh8*, 2> tree_;
@@ -364,9 +374,9 @@ class Bvh8_motion {
   Moving_feature_search features_;
   Pair_queue<Pair, 64> queue_;
   Query_statistics counts_;
-  // Of whole motions, and of parts of them:
-  std::array<int, 2> in_vain_{};        // searches for a plane, less `vain_for_one` for each that found one
-  std::array<unsigned, 2> left_out_{};  // spans of the others
+  // For whole motions, and for parts of them:
+  std::array<int, 2> in_vain_{};        // failed searches for a plane, less `vain_for_one` for each success
+  std::array<unsigned, 2> left_out_{};  // spans that were not searched
   const std::function<bool()>* meet_at_start_ = nullptr;
   bool is_start_known_ = false, meets_at_start_ = false;
 };

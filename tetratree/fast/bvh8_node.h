@@ -11,27 +11,27 @@
 
 namespace tetracone::tetratree {
 
-/// Up to eight parts of a body, each in a box: see `Bvh8`.
+/// A node of a `Bvh8`: up to eight parts of a body, each in a box.
 struct alignas(64) Bvh8_node {
   kernel::Obb8 boxes;
-  std::array<std::int32_t, 8> child;   ///< of lane k: its node; or, negative, `not_made`; or, below these, a `leaf`,
-                                       ///< which holds one element and is marked
-  std::array<std::uint32_t, 8> first;  ///< lane k holds elements of the tree's order from first[k] on
+  std::array<std::int32_t, 8> child;   ///< lane k's node; if negative, `not_made` or, below these, `leaf`, which holds
+                                       ///< one element and is marked
+  std::array<std::uint32_t, 8> first;  ///< the position in the tree's order of lane k's first element
 
   bool is_leaf(int lane) const { return boxes.marked >> lane & 1; }
 
-  /// Whether the lane is a leaf or its node is there. For the thread that makes nodes.
+  /// True when the lane is a leaf or its node exists. Only for the thread that makes nodes.
   bool is_made(int lane) const { return is_leaf(lane) || child[std::size_t(lane)] >= 0; }
 
-  /// The code of a lane whose node another thread may be making; `publish` lets it see the node, and all that was
-  /// written before.
+  /// Returns the code of a lane whose node another thread may be making. A node that `publish` announced is visible,
+  /// with all that was written before.
   std::int32_t child_of(int lane) const { return __atomic_load_n(&child[std::size_t(lane)], __ATOMIC_ACQUIRE); }
   void publish(int lane, std::uint32_t made)
   {
     __atomic_store_n(&child[std::size_t(lane)], std::int32_t(made), __ATOMIC_RELEASE);
   }
 
-  /// The same, with 0 in all bytes that mean nothing.
+  /// Returns this node with 0 in all bytes that mean nothing.
   Bvh8_node without_padding() const
   {
     Bvh8_node node;
@@ -42,12 +42,12 @@ struct alignas(64) Bvh8_node {
     return node;
   }
 
-  /// A lane whose node is not made yet says where its elements end. Requires last <= most_elements.
+  /// The code of a lane whose node is not made says where its elements end. Requires last <= most_elements.
   static constexpr std::int32_t not_made(std::uint32_t last) { return -1 - std::int32_t(last); }
   static constexpr std::uint32_t last_of(std::int32_t code) { return std::uint32_t(-1 - code); }
   static constexpr std::uint32_t most_elements = 0x7ffeffff;
 
-  /// A leaf says where its triangle lies in its box.
+  /// The code of a leaf says where its triangle lies in its box.
   static constexpr std::int32_t leaf(kernel::Apex_code apex) { return first_leaf + apex; }
   static constexpr kernel::Apex_code apex(std::int32_t code) { return kernel::Apex_code(code - first_leaf); }
   static constexpr std::int32_t first_leaf = std::numeric_limits<std::int32_t>::min(), last_leaf = first_leaf + 0xffff;

@@ -19,18 +19,18 @@
 
 namespace tetracone::tetratree {
 
-/// Which faces a ray meets, and where, exactly, through a `Bvh8`.
+/// The faces that a ray meets, and where, exactly, through a `Bvh8`.
 ///
-/// The way down takes the nearer boxes first. A triangle is decided by a filter that encloses t; what that leaves
-/// uncertain, and faces that are not triangles, is decided in rationals. Those are asked too where two enclosures
-/// overlap, and where t cannot be rounded otherwise. One for a thread.
+/// The descent takes nearer boxes first. A filter that encloses t decides a triangle. Rationals decide uncertain
+/// triangles and faces that are not triangles. Rationals also decide where two enclosures overlap, and where an
+/// enclosure does not determine the double nearest to t. One object serves one thread.
 class Bvh8_rays {
  public:
-  /// The tree must outlive this.
+  /// The tree must outlive this object.
   explicit Bvh8_rays(const Bvh8& tree) : tree_(&tree) { open_.reserve(256); }
 
-  /// `first` of each ray. Some are on their way at once and take turns, a node each: what one needs of the memory comes
-  /// while others compute. Requires as `first`.
+  /// Returns `first` of each ray. Up to 16 rays take turns, a node each, so that memory accesses of some overlap with
+  /// computations of others. Requires as `first`.
   static std::vector<std::optional<Ray_hit>> first_of_each(const Bvh8& tree, std::span<const Ray> rays)
   {
     constexpr std::size_t at_once = 16;
@@ -49,7 +49,8 @@ class Bvh8_rays {
     return hits;
   }
 
-  /// The least t, and of the faces met there the first. Requires finite numbers and a direction that is not 0.
+  /// Returns the hit of least t; of several faces there, the one of least number. Requires finite numbers and a
+  /// direction that is not 0.
   std::optional<Ray_hit> first(const Ray& ray)
   {
     begin(ray, true);
@@ -57,7 +58,7 @@ class Bvh8_rays {
     return first_met();
   }
 
-  /// Every face met, by t, and of equal t by their numbers. Requires as `first`.
+  /// Returns every face that is met, by t, then by number. Requires as `first`.
   std::vector<Ray_hit> all(const Ray& ray)
   {
     begin(ray, false);
@@ -79,7 +80,7 @@ class Bvh8_rays {
  private:
   using Rational = kernel::Rational;
 
-  /// A face that the ray meets; t is that of the scaled direction.
+  /// A face that the ray meets; t refers to the scaled direction.
   struct Met {
     const Element* element;
     double low, high;
@@ -91,7 +92,7 @@ class Bvh8_rays {
     Index node;
   };
 
-  /// A face's corners in rationals, made when a face is decided so.
+  /// A face's corners in rationals, made when rationals decide the face.
   class Exact_face {
    public:
     using Point = kernel::Point<kernel::Rational_kernel>;
@@ -125,6 +126,7 @@ class Bvh8_rays {
     return tree_->model().vertices()[element.corner[std::size_t(k)]];
   }
 
+  /// Begins a ray. With `first_alone`, boxes beyond the first hit so far are not opened.
   void begin(const Ray& ray, bool first_alone)
   {
     ray_ = ray;
@@ -148,7 +150,7 @@ class Bvh8_rays {
     open_.push_back({0, 0});
   }
 
-  /// Opens one node, the nearest. False where none is left: then all leaves are decided.
+  /// Opens the nearest node. False if none is left; then all leaves are decided.
   bool advance()
   {
     decide_leaves();
@@ -162,10 +164,11 @@ class Bvh8_rays {
     return false;
   }
 
-  /// Whether what begins at s, in local units, is beyond the first face, where that alone is asked for.
+  /// True when what begins at s, in local units, is beyond the first face. The margin covers the errors of entries and
+  /// times, each at most 2^-16.
   bool is_beyond(float s) const { return s > farthest_ + 0x1p-14; }
 
-  /// Without a local ray, all lanes.
+  /// Opens a node. All its lanes are met if there is no local ray.
   void open_node(Index n)
   {
     const Bvh8_node& node = tree_->node(n);
@@ -178,7 +181,7 @@ class Bvh8_rays {
     for_bits(met & ~leaves_, [&](int lane) {
       const Index child = tree_->child(n, lane);
       open_.push_back({nearest_[std::size_t(lane)], child});
-      // The nearest last, to be opened first.
+      // The nearest is last, to be opened first.
       for (std::size_t k = open_.size() - 1; k > before && open_[k - 1].nearest < open_[k].nearest; --k)
         std::swap(open_[k - 1], open_[k]);
       tree_->prefetch(child);
@@ -190,7 +193,7 @@ class Bvh8_rays {
     });
   }
 
-  /// Of the node that was opened last.
+  /// Decides the leaves of the node that was opened last.
   void decide_leaves()
   {
     for_bits(leaves_, [&](int lane) {
@@ -218,7 +221,7 @@ class Bvh8_rays {
         return;
       }
     }
-    // The whole face, once.
+    // The whole face is decided once.
     if (std::find(decided_.begin(), decided_.end(), element.face) != decided_.end()) return;
     decided_.push_back(element.face);
     for (const Met& m : met_)
@@ -229,6 +232,7 @@ class Bvh8_rays {
     }
   }
 
+  /// Adds a hit, and lowers the limits by it.
   void add(Met met)
   {
     limit_ = kernel::minimum(limit_, met.high);
@@ -236,6 +240,7 @@ class Bvh8_rays {
     met_.push_back(std::move(met));
   }
 
+  /// Returns the exact t of the scaled direction, or nothing.
   std::optional<Rational> exact_t(Index face)
   {
     if (!exact_ray_) {
@@ -258,6 +263,7 @@ class Bvh8_rays {
     return result;
   }
 
+  /// Returns the first hit of a ray for which `advance` has returned false.
   std::optional<Ray_hit> first_met()
   {
     if (met_.empty()) return std::nullopt;
@@ -289,15 +295,15 @@ class Bvh8_rays {
   std::optional<kernel::Rational_ray> exact_ray_;
   std::optional<kernel::Local_ray> local_;
   double per_t_ = 0;     // from t to length in local units
-  double limit_ = 0;     // the first face is met no later
-  double farthest_ = 0;  // in local units: where the ray need not be followed farther
+  double limit_ = 0;     // upper bound of the first face's t
+  double farthest_ = 0;  // in local units: the ray need not be followed farther
   bool first_alone_ = false;
   std::vector<Met> met_;
   std::vector<Index> decided_;  // faces decided in rationals
   std::vector<Open> open_;
-  Index node_ = 0;                  // that was opened last
-  unsigned leaves_ = 0;             // of it, those that are met and not yet decided
-  kernel::Lane_entries nearest_{};  // of it
+  Index node_ = 0;                  // the node that was opened last
+  unsigned leaves_ = 0;             // its leaves that are met and not yet decided
+  kernel::Lane_entries nearest_{};  // where the ray enters its lanes
 };
 
 }  // namespace tetracone::tetratree

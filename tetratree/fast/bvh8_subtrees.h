@@ -15,17 +15,17 @@
 
 namespace tetracone::tetratree {
 
-/// Makes all nodes that a tree lacks, by any number of threads; the tree and the numbers of its nodes are the same
-/// whatever their number is.
+/// Makes all nodes that a tree lacks, by any number of threads. The tree and the numbers of its nodes do not depend on
+/// how many.
 ///
-/// `run(work)` calls work() from one thread or more at once, and returns when all calls have.
+/// `run(work)` calls work() from one thread or more at once, and returns when all calls have returned.
 class Bvh8_subtrees {
  public:
-  /// For the thread that may change the tree; others may read it.
+  /// The caller is the thread that may change the tree; other threads may read it.
   Bvh8_subtrees(Bvh8_builder& builder, Reserved_array<Bvh8_node>& nodes) : builder_(builder), nodes_(nodes) {}
 
-  /// Large parts' nodes, those of a level at once or, where one has most of the elements, one after the other by `both`;
-  /// then what is below them.
+  /// Makes the nodes of large parts level by level, then everything below. The nodes of a level are made at the same
+  /// time or, if one part has most of the elements, one after the other by `both`.
   template <class Run>
   void make(const Run& run, const covering::Both& both)
   {
@@ -45,13 +45,13 @@ class Bvh8_subtrees {
   }
 
  private:
-  /// A lane whose node is not there.
+  /// A lane whose node does not exist yet.
   struct Lane {
     Index node;
     int lane;
   };
 
-  /// Nodes of a subtree, by their numbers in it.
+  /// The nodes of a subtree, by their numbers in it.
   class Nodes {
    public:
     Index push_back(const Bvh8_node& node)
@@ -82,16 +82,16 @@ class Bvh8_subtrees {
     }
   }
 
-  /// What threads share while they make what is below some lanes.
+  /// The shared state of threads that make what is below some lanes.
   struct Round {
     std::vector<Lane> lanes;
     std::atomic<std::size_t> next = 0;
-    std::mutex lock;          // of what follows
-    std::vector<Nodes> made;  // below each lane, until it has its place
-    std::size_t placed = 0;   // so many lanes' have
+    std::mutex lock;          // guards what follows
+    std::vector<Nodes> made;  // subtrees of lanes that have no numbers yet
+    std::size_t placed = 0;   // number of lanes whose subtrees have numbers
   };
 
-  /// Whether one thread would have most of the work.
+  /// True when one thread would have most of the work.
   bool are_one_mostly(const std::vector<Lane>& lanes) const
   {
     Index largest = 0, all = 0;
@@ -111,7 +111,7 @@ class Bvh8_subtrees {
     }
   }
 
-  /// Of each lane, the node alone or all below it.
+  /// Makes for each lane its node alone, or all nodes below it.
   template <class Run>
   void make_subtrees(const Run& run, std::vector<Lane> lanes, bool alone)
   {
@@ -135,7 +135,7 @@ class Bvh8_subtrees {
     });
   }
 
-  /// Numbers are given in the order of the lanes: nodes wait for those of the lanes before theirs.
+  /// Numbers a subtree's nodes in the order of the lanes: it waits for the subtrees of earlier lanes.
   void place(Round& round, std::size_t k, Nodes made)
   {
     struct Placed {
@@ -164,7 +164,7 @@ class Bvh8_subtrees {
     }
   }
 
-  /// So many elements' nodes are made by one thread.
+  /// Up to this many elements, one thread makes all nodes.
   static constexpr Index most_together = 512;
 
   Bvh8_builder& builder_;

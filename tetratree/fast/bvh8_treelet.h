@@ -21,14 +21,14 @@
 
 namespace tetracone::tetratree {
 
-/// Makes the nodes of few elements at once, so that they are well filled: a binary tree by cuts of least cost, whose
-/// parts become lanes by dynamic programming (Ylitie, Karras and Laine, HPG 2017, section 3.1).
+/// Makes all nodes of a few elements at once, so that they are well filled. It builds a binary tree by cuts of least
+/// cost (SAH), whose parts become lanes by dynamic programming (Ylitie, Karras and Laine, HPG 2017, section 3.1).
 class Bvh8_treelet {
  public:
-  /// So many elements at most.
+  /// The largest number of elements of a treelet.
   static constexpr Index most = 64;
 
-  /// `leaf_ends`: see `Bvh8_builder`.
+  /// `leaf_ends` is as in `Bvh8_builder`.
   Bvh8_treelet(Bvh8_elements& elements, const Bvh8_options& options, std::vector<Index>& leaf_ends)
       : elements_(elements), options_(options), leaf_ends_(leaf_ends)
   {
@@ -36,7 +36,7 @@ class Bvh8_treelet {
   }
 
   /// Appends the nodes of elements first .. last to `nodes`, the top one first, and returns its number. Requires more
-  /// elements than a leaf holds, and `most` at most.
+  /// elements than a leaf holds, and at most `most`.
   template <class Nodes>
   Index make(Index first, Index last, Nodes& nodes)
   {
@@ -62,14 +62,15 @@ class Bvh8_treelet {
   using Four = kernel::Four_floats;  // the fourth is 0
   using Vector = kernel::Vector;
 
-  /// Elements begin .. end of the order, and where it is not a leaf the two parts that it is cut into.
+  /// Elements begin .. end of the order and, unless it is a leaf, the two parts that it is cut into.
   struct Part {
     std::uint8_t begin, end;
     std::uint8_t parts[2] = {0, 0};
-    std::uint8_t lanes = 0;               // as a node: so many, at the least cost
-    float surface = 0;                    // of the box along the axes
-    std::array<float, 9> cost{};          // as so many lanes of a node: of all nodes below it
-    std::array<std::uint8_t, 9> first{};  // so many of these are the first part's
+    std::uint8_t lanes = 0;               // the cheapest number of lanes as a node
+    float surface = 0;                    // half the surface of the box along the axes
+    std::array<float, 9> cost{};          // the least cost of all nodes below, by the number of lanes that the part
+                                          // takes
+    std::array<std::uint8_t, 9> first{};  // how many of these lanes belong to the first part
   };
 
   /// The bounds of elements along the axes.
@@ -90,11 +91,12 @@ class Bvh8_treelet {
 
   bool is_leaf(int v) const { return std::size_t(parts_[v].end - parts_[v].begin) <= options_.leaf_size; }
 
-  /// Elements' bounds in a frame of all corners' own: relative to their mean, over the root of their spread.
+  /// Finds the elements' bounds in the corners' principal frame: relative to their mean, divided by the root of their
+  /// spread.
   void see_elements()
   {
     const kernel::Spread spread(corners_.points());
-    // So near to one another that squares underflow: as good as one point.
+    // Squares underflow: the corners count as one point.
     const double scale = spread.size() > 0x1p-900 ? 1 / std::sqrt(spread.size()) : 0;
     const kernel::Matrix to_axes = scale * spread.principal_axes().transpose();
     at_.clear();
@@ -111,7 +113,7 @@ class Bvh8_treelet {
     }
   }
 
-  /// By the middles of their bounds.
+  /// Sorts elements along each axis, by the middles of their bounds.
   void sort_along_axes()
   {
     std::array<std::uint64_t, most> keys;
@@ -125,8 +127,8 @@ class Bvh8_treelet {
     }
   }
 
-  /// Cuts the part in two: of all cuts between two elements along an axis, that of the least surface of the boxes of
-  /// both sides, each times the root of its count.
+  /// Cuts a part in two between elements sorted along an axis. The best cut has the least sum, over both sides, of the
+  /// box's surface times the root of the count (SAH).
   void cut(int v)
   {
     const int begin = parts_[v].begin, end = parts_[v].end, count = end - begin;
@@ -139,7 +141,7 @@ class Bvh8_treelet {
       ++cuts_;
       float least = std::numeric_limits<float>::infinity();
       const int fewest =
-          kernel::maximum(1, count / 8);  // else elements that all reach everywhere would be cut off one by one
+          kernel::maximum(1, count / 8);  // otherwise elements that span the whole part would be cut off one by one
       for (int axis = 0; axis < 3; ++axis) {
         const auto& order = order_[axis];
         std::array<float, most> after;
@@ -169,7 +171,7 @@ class Bvh8_treelet {
     }
   }
 
-  /// What comes before the middle along the axis comes before it along the others, too.
+  /// Parts the orders of all axes: elements before the middle along `axis` come first along the others, too.
   void part_orders(int begin, int middle, int end, int axis)
   {
     for (int k = begin; k < end; ++k) is_before_[order_[axis][k]] = k < middle;
@@ -189,8 +191,8 @@ class Bvh8_treelet {
     }
   }
 
-  /// Of the part as 1 to 8 lanes, where its own parts' are known. A node costs as much as a box is large that holds it,
-  /// times what opening it takes and its lanes.
+  /// Finds the costs of a part as 1 to 8 lanes. Requires the costs of its own parts. A node costs the surface of its
+  /// box times (opening_cost + its number of lanes).
   void find_costs(int v)
   {
     constexpr float impossible = std::numeric_limits<float>::infinity();
@@ -241,7 +243,7 @@ class Bvh8_treelet {
     return made;
   }
 
-  /// Appends the parts that are the lanes where part `v` is so many lanes.
+  /// Appends the parts that are the lanes when part `v` takes `lanes` lanes.
   void list_lanes(int v, std::size_t lanes, std::array<int, kernel::lanes>& parts, std::size_t& count) const
   {
     if (lanes == 1) {
@@ -268,10 +270,10 @@ class Bvh8_treelet {
     return Bvh8_lane(first, last, is_leaf(v), points_);
   }
 
-  /// Of a node, over that of each of its lanes.
+  /// The cost of opening a node, in costs of one of its lanes.
   static constexpr float opening_cost = 10;
 
-  /// Added, so that what lies in a line is not for nothing.
+  /// A surface added to each, so that a flat box in a line costs something.
   static constexpr float no_surface = 1e-6f;
 
   Bvh8_elements& elements_;
@@ -283,12 +285,12 @@ class Bvh8_treelet {
   Corner_set corners_;
   std::vector<Four> at_;  // corners
   std::array<Bounds, most> bounds_;
-  std::array<std::array<std::uint8_t, most>, 3> order_{};  // along each axis, by parts; of element first_ + k: k
+  std::array<std::array<std::uint8_t, most>, 3> order_{};  // along each axis, by parts; k stands for element first_ + k
   std::array<bool, most> is_before_{};
   std::array<Part, 2 * most> parts_;
   int part_count_ = 0;
   std::array<float, most + 1> roots_{};
-  std::vector<int> seen_in_;  // of corners: the last part
+  std::vector<int> seen_in_;  // the last part that took each corner
   std::vector<Vector> points_;
   std::vector<Bvh8_lane> lanes_;
 };

@@ -11,8 +11,9 @@
 
 namespace tetracone::tetratree {
 
-/// The child of a tetra-cone that holds a point (JS08 Definition 4): 0, 1, 2 keep the first, second, third ray, 3 is
-/// the middle one. `weights`: of the cone's rays, whose sum times these is the point; becomes those of the child's.
+/// Returns the child of a tetra-cone that holds a point (JS08 Definition 4): 0, 1, 2 keep the first, second, third ray,
+/// 3 is the middle one. `weights` are the point's coordinates along the cone's rays; they become those along the
+/// child's.
 inline int child_cone_of(kernel::Vector& weights)
 {
   const double half = 0.5 * weights.sum();
@@ -24,13 +25,13 @@ inline int child_cone_of(kernel::Vector& weights)
     weights[k] *= 2;
     return i;
   }
-  weights = kernel::Vector::all(2 * half) - 2 * weights;  // of the midpoints across from each ray
+  weights = kernel::Vector::all(2 * half) - 2 * weights;  // along the midpoints across from each ray
   return 3;
 }
 
-/// Sorts elements by the octants or, where one octant holds all, by the children of the smallest tetra-cone that holds
-/// the centroids of all. `centroid(e)`: relative to the cones' origin. Returns where, in `elements`, parts begin; one
-/// part where the centroids lie behind one another.
+/// Sorts elements by the octants or, if one octant holds all, by the children of the smallest tetra-cone that holds all
+/// centroids. `centroid(e)` is relative to the cones' origin. Returns where parts begin in `elements`; one part if the
+/// centroids lie behind one another.
 template <class Centroid>
 std::vector<std::size_t> order_by_cones(std::span<covering::Index> elements, const Centroid& centroid)
 {

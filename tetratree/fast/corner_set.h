@@ -15,7 +15,7 @@ namespace tetracone::tetratree {
 /// The corners of a few elements, each once, in local units.
 class Corner_set {
  public:
-  /// Those of elements first .. last.
+  /// Collects the corners of elements first .. last.
   void gather(const Bvh8_elements& elements, Index first, Index last)
   {
     vertices_.clear();
@@ -30,14 +30,14 @@ class Corner_set {
 
   std::span<const kernel::Vector> points() const { return points_; }
 
-  /// The corners of the k-th element, by their numbers in `points`.
+  /// Returns the corners of the k-th element, as numbers into `points`.
   std::span<const std::uint32_t> of(std::size_t k) const
   {
     return std::span(vertices_).subspan(begins_[k], begins_[k + 1] - begins_[k]);
   }
 
  private:
-  /// By a table of twice as many places at least (linear probing).
+  /// Numbers the vertices by a hash table at most half full (linear probing).
   void number_vertices(const Bvh8_elements& elements)
   {
     const int bits = int(std::bit_width(vertices_.size())) + 1;

@@ -13,19 +13,19 @@
 
 namespace tetracone::tetratree {
 
-/// Elements of A, elements of B and a direction along which every one of the latter is beyond every one of the former by
-/// at least a distance: min m . b - max m . a >= d |m| over their corners.
+/// Elements of A, elements of B, and a direction m along which B's are beyond A's by at least the distance d: min m . b
+/// - max m . a >= d |m| over their corners.
 struct Separated_parts {
   std::array<std::vector<Element>, 2> elements;
   kernel::Exact_vector direction;
 };
 
-/// Proves that two placed bodies are at least a distance apart: every pair of their elements is in one of these parts.
+/// A proof that two placed bodies are at least a distance apart: every pair of their elements is in one of its parts.
 /// Requires elements that are triangles, or faces on a line.
 class Distance_cover {
  public:
-  /// `direction` leads from a point of A to one of B that are nearest. `square`, exactly, is that of the distance in the
-  /// coordinates of `Exact_vertices`, as a quotient; not 0. All must outlive this.
+  /// Builds the proof. `direction` leads from A to B between nearest points. `top` / `bottom` is the exact square of
+  /// the distance in the coordinates of `Exact_vertices`, not 0. The trees and poses must outlive this object.
   Distance_cover(const Bvh8& a, const kernel::Pose& pose_a, const Bvh8& b, const kernel::Pose& pose_b,
                  kernel::Exact_vector direction, kernel::Exact_number top, kernel::Exact_number bottom)
       : tree_{&a, &b},
@@ -44,6 +44,7 @@ class Distance_cover {
  private:
   using Lane = std::pair<Index, int>;
 
+  /// Appends the elements below a lane.
   void collect(int body, Lane lane, std::vector<Element>& elements) const
   {
     const auto [n, k] = lane;
@@ -55,6 +56,7 @@ class Distance_cover {
     for (int part = 0; part < tree_[body]->node(child).boxes.lane_count; ++part) collect(body, {child, part}, elements);
   }
 
+  /// True when A's and B's elements are at least the distance apart along m, exactly.
   bool separates(const std::array<std::vector<Element>, 2>& elements, const kernel::Exact_vector& m)
   {
     bool any[2] = {false, false};
@@ -70,7 +72,7 @@ class Distance_cover {
     return gap.sign() == CGAL::POSITIVE && gap * gap * bottom_ >= top_ * kernel::dot(m, m);
   }
 
-  /// The middle of the first corner's images, in double: what leads from one part to the other.
+  /// Returns the mean of the corners' images, in double.
   std::array<double, 3> middle(int body, const std::vector<Element>& elements)
   {
     std::array<double, 3> sum{};
@@ -95,6 +97,8 @@ class Distance_cover {
     return face;
   }
 
+  /// Covers all pairs of elements below two lanes. It tries the direction of the nearest points, then that between the
+  /// middles, then opens the larger lane.
   void cover(Lane a, Lane b)
   {
     std::array<std::vector<Element>, 2> elements;
@@ -106,7 +110,7 @@ class Distance_cover {
       return true;
     };
     if (keep(direction_)) return;
-    // 24 bits say enough.
+    // Float is precise enough for a direction to try.
     const auto from = middle(0, elements[0]), to = middle(1, elements[1]);
     kernel::Exact_vector between;
     bool is_finite = true;

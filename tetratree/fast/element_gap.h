@@ -11,17 +11,19 @@
 
 namespace tetracone::tetratree {
 
-/// A lower bound of the distance of two triangles, in A's local units, and an axis of length 1 along which they are as
-/// far apart, from A to B; 0 where nothing is known.
+/// A lower bound of the distance of two triangles, in A's local units, and an axis of length 1, from A to B, along
+/// which they are that far apart; 0 if unknown.
 struct Element_gap {
   double low = 0;
   kernel::Double_vector axis{};
 };
 
-/// Above the sum of the magnitudes of a row of a similarity, in units of its scale: rows are as long as columns.
+/// Upper bound of the sum of magnitudes of a row of a similarity, in units of its scale: rows are as long as columns.
+/// Proved in verify/proofs/nearest_proofs.h.
 inline constexpr double row_of_similarity = 2;
 
-/// Of elements of A and B, `frame` from B's local units to A's, a similarity. Of whole faces nothing is known.
+/// Returns the gap of an element of A and one of B, unknown for whole faces. Requires a similarity `frame`, from B's
+/// local units to A's.
 inline Element_gap element_gap(const Bvh8& tree_a, const Element& a, const Bvh8& tree_b, const Element& b,
                                const kernel::Relative_frame& frame)
 {

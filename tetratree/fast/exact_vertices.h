@@ -13,15 +13,15 @@
 
 namespace tetracone::tetratree {
 
-/// The exact images of a body's vertices, times a weight that two bodies share: each found when it is first asked for.
+/// The exact images of a body's vertices, times a weight that two bodies share. Each is computed on first use.
 class Exact_vertices {
  public:
-  /// The vertices must outlive this.
+  /// The vertices must outlive this object.
   explicit Exact_vertices(const std::vector<covering::Vertex>& vertices)
       : vertices_(&vertices), place_(vertices.size(), none)
   {}
 
-  /// `pose` places the body, `other` the one that shares the weight. Both must outlive their use here.
+  /// Sets the pose of the body; `other` places the body that shares the weight. Both must outlive their use here.
   void place(const kernel::Pose& pose, const kernel::Pose& other)
   {
     for (const std::uint32_t v : found_) place_[v] = none;
@@ -43,7 +43,7 @@ class Exact_vertices {
     return images_[place_[v]];
   }
 
-  /// By which images are multiplied.
+  /// Returns the factor of all images.
   kernel::Exact_number weight() const { return pose_->weight() * others_weight_; }
 
  private:
@@ -68,7 +68,8 @@ class Exact_vertices {
   kernel::Exact_number others_weight_ = 1;
   bool is_weighted_ = false, has_entries_ = false;
   std::array<kernel::Exact_number, 12> entry_;
-  std::vector<std::uint32_t> place_, found_;  // of each vertex, among the images; vertices that have one
+  std::vector<std::uint32_t> place_, found_;  // place_: the number of each vertex's image; found_: the vertices that
+                                              // have one
   std::deque<kernel::Exact_vector> images_;
 };
 

@@ -15,44 +15,46 @@
 
 namespace tetracone::tetratree {
 
-/// A part of the front of a descent: parts of a node that are apart from a box of the other body; or a pair of boxes.
+/// An entry of a front: lanes of a node that are apart from a box of the other body, or a pair of boxes.
 struct Front_entry {
   enum class Kind : std::uint8_t { node_of_a, node_of_b, pair };
 
   std::uint32_t first;   ///< the node, or A's box
   std::uint32_t second;  ///< the other body's box, or B's
   Kind kind;
-  std::uint8_t lanes = 0;  ///< of the certificate, as bits: the node's that are apart; of a pair 1, or 0: none
+  std::uint8_t lanes = 0;  ///< the certified ones, as bits: lanes of the node; for a pair 1, or 0 if it has no
+                           ///< certificate
 
-  /// Whose box is carried to the node, or to A's box.
+  /// Returns the body whose box is carried to the node, or to A's box.
   int carried_body() const { return kind == Kind::node_of_b ? 0 : 1; }
 };
 
-/// By how much, and along which axes, the lanes of an entry are apart from the box that is carried to them, in the local
+/// The gaps and axes by which an entry's lanes are apart from the box that is carried to them. Units are the local
 /// units of the body that it is carried to.
 struct Certificate {
   kernel::Certified_gaps gaps;
   kernel::Carried_box carried;
-  kernel::Going_box going;  ///< B's: the carried box, or one that holds the lanes' elements
+  kernel::Going_box going;  ///< B's box: the carried one, or one that holds the lanes' elements
 };
 
-/// The front's parts, each with how much of its gap is left.
+/// The entries of a front, each with its remaining gap.
 ///
-/// Bodies are on a course, step by step, and stray from it: so an entry loses of its gap its own rate times the steps
-/// since, and what bodies have strayed since. It holds as long as something is left; then it is to be asked again.
-/// Of an entry that has no rate of its own, it is the pace: as far as a point may go in a step, in whatever direction.
+/// Bodies move in steps along a course and stray from it. Since its gap was found, an entry has lost its own rate times
+/// the number of steps, plus the stray. It expires when nothing is left, and is then asked again. An entry without a
+/// rate of its own uses the pace, an upper bound of the distance that any point moves in a step.
 class Front_entries {
  public:
-  /// Beyond that, floats tell what bodies have gone and strayed too coarsely, in local units.
+  /// Limit of the motion and stray since the course was set, in local units: floats are too coarse beyond it.
   static constexpr double most_gone = 1;
 
-  /// What is left of a gap where it is stored: less than it by more than four roundings in float take.
+  /// A stored gap is multiplied by this, which covers the roundings in float of `expired` and `set_course`. Proved in
+  /// verify/proofs/reference_proofs.h.
   static constexpr float shrink = 1 - 0x1p-20f;
 
-  /// Of what is to be asked the next time, whatever moves.
+  /// The stored value of an entry that is asked in the next pose, however bodies move.
   static constexpr float at_once = -1;
 
-  /// Goes on, by a multiple of `Course::least_step`. Requires both to be no less than 0.
+  /// Moves by `steps`, a multiple of `Course::least_step`, and adds to the stray. Requires both to be at least 0.
   void go_on(double steps, double strayed)
   {
     steps_before_ = steps_;
@@ -61,13 +63,14 @@ class Front_entries {
     strayed_ = (strayed_ + strayed) * (1 + kernel::few_roundings);
   }
 
+  /// Returns an upper bound of the distance that any point of B moves in a step of the course.
   double pace() const { return double(pace_); }
 
-  /// Whether a new course is to be set, since bodies have gone or strayed too far on this one.
+  /// True when a new course is needed: motion and stray on this one are too large for floats.
   bool has_gone_far() const { return !(gone_by(double(pace_)) <= most_gone && steps_ <= kernel::Course::most_steps); }
 
-  /// Sets a new course, whose pace is given: what is left of gaps is taken down, and all entries have no rate of their
-  /// own. Requires `gone` to be finite.
+  /// Sets a new course of the given pace. It stores each remaining gap, and gives all entries the pace as their
+  /// rate. Requires finite motion since the last course was set.
   void set_course(double pace)
   {
     const float steps = float(steps_), strayed = strayed_as_float();
@@ -80,21 +83,21 @@ class Front_entries {
     steps_ = strayed_ = 0;
   }
 
-  /// At most what is left of a gap; not above 0 where that is nothing.
+  /// Lower bound of the remaining gap; not above 0 if it is used up.
   double gap(std::size_t k) const { return double(until_[k]) - gone_by(double(rate_[k])); }
 
-  /// Before they last went on.
+  /// Lower bound of the remaining gap before the last `go_on`.
   double gap_before(std::size_t k) const
   {
     return double(until_[k]) - (double(rate_[k]) * steps_before_ + strayed_before_);
   }
 
-  /// So much is left of a gap now, in A's local units, and it loses so much in a step.
+  /// Sets the remaining gap now, in A's local units, and its loss per step.
   void set_gap(std::size_t k, double gap, double rate)
   {
     rate_[k] = float(rate) * kernel::rounded_up;
-    // Of a positive sum: more than what is lost by rounding it, and in `expired` and `set_course`, 4 roundings. Below
-    // that the float would be a denormal.
+    // The sum is positive. `shrink` covers its rounding and those in `expired` and `set_course`, 4 in all. A gap below
+    // the limit would be a denormal float.
     const float untils[2] = {at_once, float((gap + gone_by(double(rate_[k]))) * double(shrink))};
     until_[k] = untils[gap > 0x1p-60];
   }
@@ -106,13 +109,13 @@ class Front_entries {
   Certificate& certificate(std::size_t k) { return certificates_[k]; }
   const Certificate& certificate(std::size_t k) const { return certificates_[k]; }
 
-  /// For `expired`.
+  /// Arrays and sums that `expired` reads.
   const float* until() const { return until_.data(); }
   const float* rates() const { return rate_.data(); }
   float steps() const { return float(steps_); }
   float strayed_as_float() const { return float(strayed_) * kernel::rounded_up; }
 
-  /// None, and bodies that are on no course.
+  /// Removes all entries and the course.
   void clear()
   {
     count_ = 0;
@@ -120,14 +123,14 @@ class Front_entries {
     pace_ = 0;
   }
 
-  /// The certificate of an entry that is asked soon.
+  /// Prefetches the certificate of an entry that is asked soon.
   void prefetch(std::size_t k) const
   {
     const auto* const bytes = reinterpret_cast<const char*>(&certificates_[k]);
     for (std::size_t at = 0; at < sizeof(Certificate); at += 64) __builtin_prefetch(bytes + at);
   }
 
-  /// Where the certificate of the next entry belongs, and then the entry itself.
+  /// Returns room for the next entry's certificate; `add` then adds that entry.
   Certificate& next()
   {
     if (count_ == entries_.size()) {
@@ -147,7 +150,7 @@ class Front_entries {
     ++count_;
   }
 
-  /// The last one takes its place.
+  /// Removes entry k; the last entry takes its number.
   void remove(std::size_t k)
   {
     --count_;
@@ -168,18 +171,18 @@ class Front_entries {
 
   std::size_t count_ = 0;
   double steps_ = 0, strayed_ = 0;                // since the course was set
-  double steps_before_ = 0, strayed_before_ = 0;  // before bodies last went on
+  double steps_before_ = 0, strayed_before_ = 0;  // before the last `go_on`
   float pace_ = 0;
   std::vector<Front_entry> entries_;
   std::vector<float> until_,
-      rate_;  // more than the rate times the steps, and what was strayed, while something is left
+      rate_;  // an entry holds while until > rate * steps + strayed
   std::vector<Certificate> certificates_;
 };
 
-/// Where certified descents write the front.
+/// The context of a certified descent, which writes the front.
 struct Certifying {
-  kernel::Carrier carrier[2];  ///< of body k into the other's frame, B on its course
-  double to_a[2];              ///< at most the least stretch from a body's local units to A's
+  kernel::Carrier carrier[2];  ///< carries boxes of body k into the other's frame, B on its course
+  double to_a[2];              ///< lower bounds of the least stretch from a body's local units to A's
   Front_entries* entries;
 };
 
@@ -190,8 +193,8 @@ struct Certifying {
 
 namespace tetracone::tetratree {
 
-/// Writes the numbers of the entries that have nothing left of their gap, in order, to `found`, which has room for 8 more
-/// than there are entries; returns how many.
+/// Writes the numbers of the expired entries to `found`, in order, and returns their count. Requires room in `found`
+/// for 8 more than all entries.
 inline std::size_t expired(const Front_entries& entries, std::uint32_t* found)
 {
   using Function = std::size_t(const Front_entries&, std::uint32_t*);
@@ -199,7 +202,7 @@ inline std::size_t expired(const Front_entries& entries, std::uint32_t* found)
   return fastest(entries, found);
 }
 
-/// As `descend`, of bodies whose maps are similarities, with everything that is found apart written to the front.
+/// Descends as `descend` does, and writes everything that is found apart to the front. Requires similarities.
 inline Stop descend_certified(Pair_stack& stack, Both_trees& trees, const Certifying& certifying)
 {
   using Function = Stop(Pair_stack&, Both_trees&, const Certifying&);
@@ -207,9 +210,9 @@ inline Stop descend_certified(Pair_stack& stack, Both_trees& trees, const Certif
   return fastest(stack, trees, certifying);
 }
 
-/// Of entries of the numbers in `asked`, those whose axes tell all their lanes apart stay in the front, with what is left
-/// of their gaps now and rates of their own; the others are left in `asked`, in order. Returns how many; takes the least
-/// gap into `least`.
+/// Tests the entries whose numbers are in `asked` along the axes of their certificates. An entry stays if all its lanes
+/// are apart: it gets its present gap and a rate of its own. Leaves the other numbers in `asked`, in order, and returns
+/// their count. Lowers `least` to the least gap.
 inline std::size_t keep_by_axes(const Certifying& certifying, std::uint32_t* asked, std::size_t count, double& least)
 {
   using Function = std::size_t(const Certifying&, std::uint32_t*, std::size_t, double&);
@@ -217,8 +220,8 @@ inline std::size_t keep_by_axes(const Certifying& certifying, std::uint32_t* ask
   return fastest(certifying, asked, count, least);
 }
 
-/// Asks the entries of the numbers in `asked` again that are of nodes: lanes that are no longer apart are pushed, and
-/// what is certified of the others takes their place; an entry may have no lanes then. Takes the least gap into `least`.
+/// Asks the node entries of `asked` again. Lanes that are no longer apart are pushed; the others are certified anew,
+/// and an entry may be left without lanes. Lowers `least` to the least gap.
 inline void open_again(Pair_stack& stack, Both_trees& trees, const Certifying& certifying, const std::uint32_t* asked,
                        std::size_t count, double& least)
 {

@@ -23,7 +23,7 @@ inline HWY_ATTR std::size_t expired_simd(const Front_entries& entries, std::uint
   for (; first + hn::Lanes(tag) <= count; first += hn::Lanes(tag)) {
     const auto left = hn::Sub(hn::LoadU(tag, until + first), hn::Mul(hn::LoadU(tag, rates + first), all_steps));
     const auto is_over = hn::Not(hn::Gt(left, limit));
-    // Of all lanes in the set, and then it counts how many these are.
+    // The numbers of the lanes in the mask are stored, then counted.
 #if HWY_TARGET <= HWY_AVX3
     constexpr hn::RebindToUnsigned<simd::Float_tag> numbers;
     const auto id = hn::Add(hn::Set(numbers, std::uint32_t(first)), hn::Iota(numbers, 0));
@@ -55,7 +55,7 @@ inline HWY_ATTR std::size_t keep_by_axes_simd(const Certifying& certifying, std:
     const int body = entry.carried_body();
     const kernel::Gap_and_rate now = simd::least_gap_after(certificate.gaps, entry.lanes, certificate.carried,
                                                            certificate.going, certifying.carrier[body]);
-    // Without branches, which could not be foreseen.
+    // Branchless, since the branches would be unpredictable.
     const bool stays = (entry.lanes != 0) & (now.gap > 0);
     const double to_a = certifying.to_a[1 - body], gaps[2] = {0, to_a * now.gap}, leasts[2] = {least, gaps[1]};
     entries.set_gap(number, gaps[stays], to_a * now.rate);
@@ -66,13 +66,13 @@ inline HWY_ATTR std::size_t keep_by_axes_simd(const Certifying& certifying, std:
   return left;
 }
 
-/// Lanes that were found apart, and the least of their gaps, in A's local units.
+/// The lanes that were found apart, and their least gap, in A's local units.
 struct Certified_lanes {
   unsigned apart = 0;
   double gap = 0;
 };
 
-/// The lanes that are asked for and not found apart. Certifies the others.
+/// Selects the lanes that are asked for and not found apart. Certifies the others.
 struct Parts_uncertified {
   const kernel::Obb8& boxes;
   const kernel::Single_box& box;
@@ -117,7 +117,7 @@ HWY_INLINE std::size_t push_uncertified(Pair_stack& stack, std::size_t count, co
   return count;
 }
 
-/// Keeps these, and writes what is certified to the front.
+/// Pushes the uncertified lanes, and writes the certified ones to the front.
 struct Keep_uncertified {
   const Certifying& certifying;
 

@@ -7,33 +7,38 @@
 
 namespace tetracone::tetratree {
 
-/// When a front is worth what it costs. A cost is in openings of a box by a descent that keeps nothing; nothing here
-/// changes an answer.
+/// Decides when a front is worth its cost. Costs are in openings of a box by a descent that keeps nothing. No answer
+/// depends on it.
 ///
-/// A front is made by a descent from the root and then followed, pose by pose. Coarse motion wears it: parts that were
-/// opened once stay open. As of a machine that wears, its least cost a pose is had by renewing it when the present cost
-/// is above the mean of all since it was new, its making included. Where that mean is no less than what descents cost
-/// that keep nothing, memory does not pay: descents keep nothing for a while, twice as long each time.
+/// A front is made by a descent from the root and then followed, pose by pose. Coarse motion degrades it: parts that
+/// were opened once stay open. The front is rebuilt when the present cost per pose exceeds its average since it was
+/// built, building included (the classic replacement rule). Where that average is no less than the cost of plain
+/// descents, memory does not pay. Then descents keep nothing for a while, which doubles each time.
 class Front_policy {
  public:
-  /// Of one pair of elements, of an entry's axes, of an opening that certifies, and of what every pose costs.
-  static constexpr double of_elements = 6, of_check = 0.3, of_certified = 2, of_pose = 4;
+  /// Costs, in openings.
+  static constexpr double of_elements = 6,  ///< one pair of elements
+      of_check = 0.3,                       ///< one entry tested along its axes
+      of_certified = 2,                     ///< one opening that certifies
+      of_pose = 4;                          ///< every pose
 
-  /// How much dearer a descent is that makes a front; the share of a plain descent that one that follows may cost for
-  /// certain before it is given up; below which mean memory pays; how many poses at most are asked without.
-  static constexpr double making = 1.8, too_many = 0.6, pays_below = 0.85;
-  static constexpr std::size_t longest_pause = 64;
+  /// Ratios to the cost of a plain descent.
+  static constexpr double making = 1.8,             ///< cost of the descent that makes a front
+      too_many = 0.6,                               ///< certain cost of following, above which the front is given up
+      pays_below = 0.85;                            ///< average cost per pose below which a front pays
+  static constexpr std::size_t longest_pause = 64;  ///< most poses asked without a front
 
-  /// Before a front is taken for worn by the mean.
+  /// Poses before the average may end a front.
   static constexpr std::size_t fewest_poses = 5;
 
-  /// Whether the next descent from the root is to make a front.
+  /// True when the next descent from the root is to make a front.
   bool makes_front()
   {
     if (pause_left_ == 0) return true;
     --pause_left_;
     return false;
   }
+  /// Records a front and the cost of its descent.
   void made(double cost)
   {
     plain_ = cost + of_pose;
@@ -42,20 +47,22 @@ class Front_policy {
     poses_ = 1;
   }
 
-  /// Whether to follow, where so many openings are needed for certain.
+  /// True when following pays, given a lower bound of the openings that it needs.
   bool is_worth(std::size_t openings) const { return double(openings) <= too_many * plain_; }
+  /// Records the cost of following in a pose.
   void followed(double cost)
   {
     spent_ += cost + of_pose;
     recent_ = poses_ == 1 ? cost + of_pose : 0.75 * recent_ + 0.25 * (cost + of_pose);
     ++poses_;
   }
+  /// True when the front costs more than it saves, or than making it anew.
   bool is_worn() const
   {
     return recent_ > pays_below * plain_ || (poses_ >= fewest_poses && recent_ * double(poses_) > spent_);
   }
 
-  /// The front is gone.
+  /// Records that the front is gone.
   void ended()
   {
     if (spent_ < pays_below * plain_ * double(poses_)) {

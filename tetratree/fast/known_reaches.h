@@ -10,15 +10,15 @@
 
 namespace tetracone::tetratree {
 
-/// How far a body reaches in the directions of a lattice, as far as some `Support_table` of it has asked. Safe for any
-/// number of threads at once.
+/// The support values of a body in the directions of a lattice, as far as its `Support_table`s have asked for them. Any
+/// number of threads may use it at once.
 class Known_reaches {
  public:
-  /// As many corners as the lattice of a `Support_table` has.
+  /// The number of corners of the lattice of a `Support_table`.
   static constexpr std::size_t corners = 8 * 18 * 18;
 
-  /// That of a corner; `find()` where it is not known yet, by two threads perhaps, which find the same. Requires that
-  /// these are finite.
+  /// Returns the value at a corner. Calls find() if it is unknown; two threads may both do so and find the same.
+  /// Requires finite values.
   template <class Find>
   float at(std::size_t corner, const Find& find) const
   {
@@ -41,7 +41,7 @@ class Known_reaches {
   using Reaches = std::array<std::atomic<float>, corners>;
 
   mutable std::once_flag made_;
-  mutable std::unique_ptr<Reaches> reaches_;  // made when first asked for
+  mutable std::unique_ptr<Reaches> reaches_;  // made on first use
   mutable std::atomic<std::size_t> bytes_ = 0;
 };
 

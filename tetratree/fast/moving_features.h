@@ -28,12 +28,12 @@
 
 namespace tetracone::tetratree {
 
-/// Where moving bodies first meet: a vertex and a triangle of a face, or two edges.
+/// The features by which moving bodies first meet: a vertex and a triangle of a face, or two edges.
 struct Moving_features {
   kernel::Moving_kind kind;
-  int body;                     ///< vertex_face: of the vertex
-  std::array<Index, 2> face;    ///< of A and of B, one that the feature belongs to
-  std::array<Index, 4> corner;  ///< vertex_face: the vertex, the triangle; edge_edge: A's edge, B's edge
+  int body;                     ///< for vertex_face: the vertex's body
+  std::array<Index, 2> face;    ///< a face of A and one of B that the features belong to
+  std::array<Index, 4> corner;  ///< for vertex_face: the vertex, the triangle; for edge_edge: A's edge, B's edge
 };
 
 /// The first contact of two bodies in motion.
@@ -42,10 +42,10 @@ struct First_meeting {
   Moving_features features;
 };
 
-/// Of a span of time.
+/// A part of a span of time.
 enum class Span_part { first_half, second_half, whole };
 
-/// The corners of an element, in local points.
+/// Returns the corners of an element, in local points.
 inline std::array<kernel::Vertex, 3> local_corners(const Bvh8& tree, const std::array<Index, 3>& corner)
 {
   std::array<kernel::Vertex, 3> corners;
@@ -56,7 +56,7 @@ inline std::array<kernel::Vertex, 3> local_corners(const Bvh8& tree, const std::
   return corners;
 }
 
-/// A box of a tree, with its axes times its extents.
+/// Returns a box of a tree, as its centre and its axes times its extents.
 inline kernel::Moving_box hull_of(const Bvh8_node& node, int lane)
 {
   kernel::Moving_box hull{kernel::centre_of(node.boxes, lane), {}};
@@ -66,21 +66,24 @@ inline kernel::Moving_box hull_of(const Bvh8_node& node, int lane)
   return hull;
 }
 
-/// Answers to a question about numbers, until all are forgotten.
+/// A cache of answers by number, which `forget` empties at once.
 class Kept_answers {
  public:
+  /// Empties the cache.
   void forget()
   {
     now_ += 2;
     if (now_ == 0) kept_.assign(kept_.size(), now_++);
   }
 
+  /// Returns answer n; nothing if it is not in the cache.
   std::optional<bool> at(std::size_t n) const
   {
     if (n >= kept_.size() || (kept_[n] | 1u) != (now_ | 1u)) return std::nullopt;
     return kept_[n] != now_;
   }
 
+  /// Stores answer n and returns it.
   bool keep(std::size_t n, bool answer)
   {
     if (n >= kept_.size()) kept_.resize(kernel::maximum(n + 1, 2 * kept_.size()));
@@ -93,13 +96,14 @@ class Kept_answers {
   std::uint32_t now_ = 2;
 };
 
-/// What of two bodies a plane parts until its features meet: whole boxes of the trees, each looked at once. A box that
-/// touches the plane is told by its vertices, exactly.
+/// The boxes of two bodies that a plane separates until its features meet. Each box is decided once. A box that touches
+/// the plane is decided by its vertices, exactly.
 class Parted_boxes {
  public:
   /// Both trees must outlive it.
   Parted_boxes(const Bvh8& a, const Bvh8& b) : tree_{&a, &b} {}
 
+  /// Takes another plane, and forgets all answers.
   void begin(kernel::Contact_plane plane)
   {
     plane_.emplace(std::move(plane));
@@ -110,13 +114,14 @@ class Parted_boxes {
     }
   }
 
-  /// Box k of node n is 8 n + k.
+  /// True when the plane separates the box from the other body. Box k of node n is 8 n + k.
   bool holds(int body, Index box)
   {
     if (const auto known = of_box_[body].at(box)) return *known;
     return of_box_[body].keep(box, find_whether_holds(body, box));
   }
 
+  /// True when the plane separates the vertex from the other body.
   bool holds_vertex(int body, Index v)
   {
     if (const auto known = of_vertex_[body].at(v)) return *known;
@@ -153,18 +158,19 @@ class Parted_boxes {
   std::array<Kept_answers, 2> of_box_, of_vertex_;
 };
 
-/// How many pairs were decided by each stage of a search for the first contact.
+/// Counts how many pairs each stage of a search for the first contact decided.
 struct Motion_stages {
-  std::uint64_t by_planes = 0;  ///< of boxes, triangles and features: a plane parts them until the first contact so far
-  std::uint64_t by_signs = 0;   ///< of features: signs of their forms tell that they are apart until then
-  std::uint64_t by_roots = 0;   ///< of features: by their first contact, an algebraic number
+  std::uint64_t by_planes = 0;  ///< boxes, triangles and features that a plane separates until the first contact so far
+  std::uint64_t by_signs = 0;   ///< features that signs of their forms prove apart until then
+  std::uint64_t by_roots = 0;   ///< features decided by their first contact, an algebraic number
 };
 
-/// The first contact of vertices and faces, and of edges, of the triangles that it is given: what the bounds of a span do
-/// not part waits, and is decided in integers, over the span alone, in the order of the times from which on it may meet.
+/// The first contact of vertices and faces, and of edges, among the triangles that it is given.
 ///
-/// Where bodies land face on face, many features meet at the first contact so far, which doubles cannot tell from before.
-/// They are told by planes through features that meet then, and else by signs of forms: see `kernel::Times_before`.
+/// A pair that the bounds of a span do not separate waits. It is decided in integers, over the span alone, in the order
+/// of the times from which on pairs may meet. Where bodies land face on face, many features meet at the first contact
+/// so far, and doubles cannot distinguish that time from an earlier one. Planes through features that meet then decide
+/// them, or else signs of forms: see `kernel::Times_before`.
 class Moving_feature_search {
  public:
   /// Both trees must outlive it.
@@ -172,7 +178,7 @@ class Moving_feature_search {
       : tree_{&a, &b}, planes_{Parted_boxes(a, b), Parted_boxes(a, b), Parted_boxes(a, b), Parted_boxes(a, b)}
   {}
 
-  /// Begins anew. Both motions must stay until the first contact is taken.
+  /// Begins a new search. Both motions must stay until the first contact is taken.
   void begin(const kernel::Body_motion& a, const kernel::Body_motion& b)
   {
     moving_ = {&a, &b};
@@ -187,18 +193,18 @@ class Moving_feature_search {
     forget_planes();
   }
 
-  /// Both motions, exactly; made when first asked for.
+  /// Returns both motions, exactly; made on first use.
   const kernel::Pair_motion& motion()
   {
     if (!motion_) motion_.emplace(*moving_[0], *moving_[1]);
     return *motion_;
   }
 
-  /// Not before the first contact so far; infinity where there is none.
+  /// Upper bound of the time of the first contact so far; infinite if there is none.
   double before() const { return best_before_; }
   std::optional<First_meeting> take_first() { return std::exchange(best_, std::nullopt); }
 
-  /// Looks at a span of time. It must stay until the next. Requires that all of the last one is decided.
+  /// Enters a span of time, which must stay until the next call. Requires that everything of the last span is decided.
   void enter(const kernel::Motion_span& span)
   {
     span_ = &span;
@@ -207,10 +213,11 @@ class Moving_feature_search {
     latest_ = span.share_before(best_before_);
   }
 
-  /// The first contact so far is not after such a share of the span.
+  /// Upper bound of the time of the first contact so far, as a fraction of the span.
   double latest() const { return latest_; }
 
-  /// Takes in two elements, which do not meet in a part of the span outside of these times, from 0 to 1 over it.
+  /// Adds two elements. Requires that within this part of the span they do not meet outside `times`, from 0 to 1 over
+  /// it.
   void meet(Span_part part, const kernel::Time_window& times, const Element& of_a, const Element& of_b)
   {
     for_triangles(0, of_a, [&](const Triangle& a) {
@@ -218,23 +225,23 @@ class Moving_feature_search {
     });
   }
 
-  /// Whether elements that were taken in may meet at t = 0; told once. All others are apart then.
+  /// True once after elements were added that may meet at t = 0. All others are apart then.
   bool is_start_in_doubt() { return std::exchange(is_start_in_doubt_, false); }
 
-  /// Leaves all that may meet later than a contact at t = 0.
+  /// Discards everything that may meet later than a contact at t = 0.
   void end() { best_before_ = latest_ = -std::numeric_limits<double>::infinity(); }
 
-  /// Whether anything waits to be decided.
+  /// True when anything waits to be decided.
   bool is_any_undecided() const { return !candidates_.empty(); }
 
-  /// Decides what may meet before such a share of the span.
+  /// Decides everything that may meet before this fraction of the span.
   void decide_until(double share)
   {
     while (!candidates_.empty() && candidates_.front().from() <= share) decide_front();
   }
 
-  /// Decides the first of what waits for others that may meet little earlier, where no contact is known yet: a contact
-  /// may rule out the others. Does so now and then only, since it may be in vain.
+  /// Decides the earliest waiting pairs ahead of time, if no contact is known yet: a contact may rule out the others.
+  /// It does so rarely, since it may be in vain.
   void look_ahead()
   {
     if (best_ || counts_.triangle_tests < enough_) return;
@@ -243,8 +250,8 @@ class Moving_feature_search {
     while (!best_ && !candidates_.empty() && counts_.exact_fallbacks < until) decide_front();
   }
 
-  /// Whether a plane is known to part boxes in the span until the first contact so far. Such planes are made when enough
-  /// boxes have been asked about. Box k of node n is 8 n + k.
+  /// True when a plane is known to separate boxes in the span until the first contact so far. A plane is made after
+  /// enough calls. Box k of node n is 8 n + k.
   bool are_parted(const std::array<Index, 2>& box)
   {
     if (!best_) return false;
@@ -264,14 +271,16 @@ class Moving_feature_search {
  private:
   using Vertex = kernel::Vertex;
 
-  /// To make a plane takes about as long as to compare so many pairs of boxes.
+  /// Making a plane costs about as much as comparing this many pairs of boxes.
   static constexpr std::size_t enough_for_a_plane = 64;
+  /// Planes kept at a time.
   static constexpr std::size_t most_planes = 4;
-  /// To decide two features takes longer than so many tests of triangles, and is done again after twice as many.
+  /// Deciding two features costs more than this many tests of triangles; it is repeated after twice as many.
   static constexpr std::uint64_t enough_to_look_ahead = 64;
+  /// Pairs decided exactly each time.
   static constexpr std::uint64_t decided_ahead = 2;
 
-  /// A pair of features that has been decided over a span: triangles share corners and edges.
+  /// A pair of features that has been decided over a span. Triangles share corners and edges, so it may come again.
   struct Decided {
     kernel::Moving_kind kind;
     int body;
@@ -281,7 +290,7 @@ class Moving_feature_search {
 
     auto operator<=>(const Decided&) const = default;
   };
-  /// A time of a part of the span as one of the whole.
+  /// Returns a time of a part of the span as a time of the whole.
   static double in_span(Span_part part, double time)
   {
     return part == Span_part::whole ? time : 0.5 * (time + double(part == Span_part::second_half));
@@ -294,8 +303,9 @@ class Moving_feature_search {
     std::array<Index, 2> face;
     std::array<std::array<Index, 3>, 2> corner;
     int feature = all;      ///< a vertex of A's or of B's triangle, or two edges
-    bool is_sharp = false;  ///< times of features are by axes of about these times
+    bool is_sharp = false;  ///< the times of features come from axes at about these times
 
+    /// Value of `feature` for whole triangles; less than that is one of their 6 vertex-face and 9 edge-edge pairs.
     static constexpr int all = 15;
 
     double from() const { return in_span(part, times.from); }
@@ -319,7 +329,7 @@ class Moving_feature_search {
     Index face;
   };
 
-  /// An element as triangles: one, or, of corners on one line, its edges.
+  /// Calls what(Triangle) for the triangles of an element. A face of corners on one line is given as its edges.
   template <class What>
   void for_triangles(int body, const Element& element, const What& what) const
   {
@@ -372,21 +382,21 @@ class Moving_feature_search {
     keep(both_may_meet);
   }
 
-  /// Body of corner k.
+  /// Returns the body of corner k.
   static int body_of(const Moving_features& features, int k)
   {
     if (features.kind == kernel::Moving_kind::vertex_face) return k == 0 ? features.body : 1 - features.body;
     return k < 2 ? 0 : 1;
   }
 
-  /// Whether no direction across both is told by doubles.
+  /// True when doubles determine no direction across both.
   static bool are_nearly_parallel(const Vertex& e, const Vertex& f)
   {
     const Vertex n = kernel::cross(e, f);
     return !(kernel::dot(n, n) > 0x1p-60 * kernel::dot(e, e) * kernel::dot(f, f));
   }
 
-  /// When the features may meet within these times of a span, by axes of the middle of them.
+  /// Returns when features may meet within the times `near`, by axes at the middle of these.
   kernel::Time_window near(const Moving_features& features, const kernel::Motion_span& span,
                            kernel::Time_window near) const
   {
@@ -412,7 +422,7 @@ class Moving_feature_search {
       std::array<Vertex, 2> sides = {side(0, 1), side(2, 3)};
       const auto of_a = span.placed(0, std::array{p[0], p[1]}), of_b = span.placed(1, std::array{p[2], p[3]});
       if (are_nearly_parallel(sides[0], sides[1])) {
-        // What parts parallel edges is an axis along them, or one that leads from one to the other.
+        // Parallel edges are separated by an axis along them, or one that leads from one to the other.
         near = common(near, span.near_along(kernel::scaled_to_one(sides[0]), of_a, of_b));
         sides[1] = side(0, 2);
       }
@@ -483,7 +493,7 @@ class Moving_feature_search {
     forget_planes();
   }
 
-  /// The vertices of features.
+  /// Returns the vertices of features.
   std::array<Vertex, 4> vertices(const Moving_features& features) const
   {
     std::array<Vertex, 4> v;
@@ -501,8 +511,8 @@ class Moving_feature_search {
     return kernel::Exact_motion(features.kind, std::move(points), motion.square());
   }
 
-  /// Whether signs of forms tell that features are apart in the span until the first contact so far. Tries their plane
-  /// too, each time that twice as many were asked about as the last time.
+  /// True when signs of forms prove that features are apart in the span until the first contact so far. It also tries
+  /// the features' plane, whenever the number of calls has doubled.
   bool are_apart_until_best(const Moving_features& features)
   {
     if (!is_any_time_left()) return true;
@@ -511,7 +521,7 @@ class Moving_feature_search {
     return exact_motion(features, *motion_before_).is_apart(*times_before_);
   }
 
-  /// Whether the span has times before the first contact so far; makes the motion until then ready. Requires one.
+  /// True when the span has times before the first contact so far; prepares the motion until then. Requires a contact.
   bool is_any_time_left()
   {
     if (times_before_) return true;
@@ -528,7 +538,7 @@ class Moving_feature_search {
     plane_count_ = asked_ = asked_features_ = 0;
   }
 
-  /// Adds the plane of features, where it parts them until the first contact so far.
+  /// Adds the plane of features, if it separates them until the first contact so far.
   void add_plane(const Moving_features& features)
   {
     if (plane_count_ == most_planes || !is_any_time_left()) return;
@@ -536,7 +546,7 @@ class Moving_feature_search {
     if (plane.is_defined()) planes_[plane_count_++].begin(std::move(plane));
   }
 
-  /// Whether a plane is known to part what may meet in the span until the first contact so far.
+  /// True when a plane is known to separate a candidate in the span until the first contact so far.
   bool are_parted(const Candidate& candidate)
   {
     if (candidate.feature == Candidate::all)
@@ -574,13 +584,13 @@ class Moving_feature_search {
   std::optional<First_meeting> best_;
   double best_before_ = std::numeric_limits<double>::infinity();
   const kernel::Motion_span* span_ = nullptr;
-  std::array<std::optional<kernel::Motion_span>, 2> half_;  // made when first asked for
+  std::array<std::optional<kernel::Motion_span>, 2> half_;  // made on first use
   double latest_ = std::numeric_limits<double>::infinity();
   bool is_start_in_doubt_ = false;
   Motion_stages stages_;
-  std::uint64_t begun_at_ = 0, enough_ = 0;  // triangle tests at the beginning, and to look ahead
+  std::uint64_t begun_at_ = 0, enough_ = 0;  // triangle tests at the beginning, and before looking ahead
   // In the span until the first contact so far:
-  std::optional<kernel::Times_before> times_before_;  // made, with the motion, when first needed
+  std::optional<kernel::Times_before> times_before_;  // made, with the motion, on first use
   std::optional<kernel::Pair_motion> motion_before_;
   std::array<Parted_boxes, most_planes> planes_;
   std::size_t plane_count_ = 0, asked_ = 0, asked_features_ = 0;

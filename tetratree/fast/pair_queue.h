@@ -9,8 +9,8 @@
 
 namespace tetracone::tetratree {
 
-/// Boxes, one of each body, with a lower bound of their distance; and their sizes, negative of leaves. Box k of node n
-/// is 8 n + k.
+/// A box of each body, a lower bound `low` of their distance, and their sizes, negative for leaves. Box k of node n is
+/// 8 n + k.
 struct Box_pair {
   float low;
   std::array<float, 2> size;
@@ -19,12 +19,13 @@ struct Box_pair {
   bool is_of_leaves() const { return size[0] < 0 && size[1] < 0; }
 };
 
-/// Pairs of boxes, about those of the least lower bound `low` first: by 64 times `words` steps of it, of one step the last
-/// one first. Neither end takes longer where there are many.
+/// A queue of pairs of boxes, roughly by their lower bound `low`. It has 64 times `words` steps; within a step the last
+/// pair comes first. Neither push nor pop takes longer for many pairs.
 template <class Pair, std::size_t words>
 class Pair_queue {
  public:
-  /// Steps are of lower bounds from `nearest` to `farthest`, or one for all.
+  /// Empties the queue. Its steps divide the lower bounds from `nearest` to `farthest`; there is one step if that range
+  /// is unusable.
   void clear(double nearest, double farthest)
   {
     pairs_.clear();
@@ -36,6 +37,7 @@ class Pair_queue {
     steps_per_unit_ = range > 0x1p-60 && range < 0x1p60 ? float(steps / range) : 0;
   }
 
+  /// True when no pair is left. Finds the first step that has one.
   bool empty()
   {
     while (word_ + 1 < words && filled_[word_] == 0) ++word_;
@@ -44,7 +46,7 @@ class Pair_queue {
 
   void push(const Pair& pair)
   {
-    // Without branches that no processor could foretell.
+    // Branchless, since the branches would be unpredictable.
     const float at = (pair.low - nearest_) * steps_per_unit_, above = at > 0 ? at : 0;
     const auto step = std::size_t(std::int32_t(above < steps - 1 ? above : float(steps - 1)));
     const std::size_t word = step / 64;
@@ -63,10 +65,11 @@ class Pair_queue {
     }
   }
 
-  /// Of all pairs, at most the lower bound, but for the rounding of its step. Requires that `empty` has just found one.
+  /// Lower bound of `low` over all pairs, except for the rounding of a step. Requires that `empty` has just returned
+  /// false, and more than one step.
   float lowest() const { return nearest_ + float(first_step()) / steps_per_unit_; }
 
-  /// Requires that `empty` has just found a pair.
+  /// Removes and returns a pair of the first step. Requires that `empty` has just returned false.
   Pair pop()
   {
     std::uint32_t& top = top_[first_step()];
@@ -86,14 +89,14 @@ class Pair_queue {
 
   struct Linked {
     Pair pair;
-    std::uint32_t next;  // in the same step, or unused
+    std::uint32_t next;  // the next in the same step, or the next unused
   };
   std::size_t first_step() const { return 64 * word_ + std::size_t(std::countr_zero(filled_[word_])); }
 
   std::vector<Linked> pairs_;
   std::array<std::uint32_t, steps> top_{};
   std::array<std::uint64_t, words> filled_{};  // steps that hold a pair
-  std::size_t word_ = 0;                       // no pair is in a word before
+  std::size_t word_ = 0;                       // no earlier word has a pair
   std::uint32_t free_ = none;
   float nearest_ = 0, steps_per_unit_ = 0;
 };

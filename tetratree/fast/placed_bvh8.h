@@ -10,7 +10,7 @@
 
 namespace tetracone::tetratree {
 
-/// A `Bvh8` under a pose, as a query over kernel K uses it. A box is lane k of node n, 8 n + k.
+/// A `Bvh8` under a pose, for a query over kernel K. Box k of node n is 8 n + k.
 template <class K = kernel::Adaptive>
 struct Placed_bvh8 {
   using Box = Index;
@@ -20,14 +20,14 @@ struct Placed_bvh8 {
   kernel::Box_map into_other;  ///< from this body's local units to the other's
 
   explicit Placed_bvh8(const Bvh8& t) requires std::is_same_v<K, kernel::Adaptive> : Placed_bvh8(t, t.model()) {}
-  /// `model`: of the tree's polyhedron.
+  /// `model` belongs to the tree's polyhedron.
   Placed_bvh8(const Bvh8& t, const covering::Model<K>& model) : tree(&t), placed(model) {}
 
-  /// Element k of a leaf.
+  /// Returns element k of a leaf.
   const Element& element(Box box, Index k = 0) const { return tree->element(box / 8, int(box % 8), k); }
   Index leaf_count(Box box) const { return tree->leaf_count(box / 8, int(box % 8)); }
 
-  /// The sum of the extents of the root's box, negative where it is a leaf.
+  /// Returns the sum of the extents of the root's box, negative for a leaf.
   float size() const
   {
     const auto& extent = tree->node(0).boxes.extent;

@@ -15,8 +15,8 @@
 
 namespace tetracone::tetratree {
 
-/// An array that grows and never moves: address space for `capacity` elements is reserved at once, memory taken page by
-/// page as it is written. One thread at a time may append, while others read what they know to be there.
+/// An array that grows and never moves. Address space for `capacity` elements is reserved at once; memory is taken page
+/// by page as it is written. One thread at a time may append, while others read elements that they know to exist.
 template <class T>
 class Reserved_array {
   static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
@@ -30,8 +30,8 @@ class Reserved_array {
     if (space == MAP_FAILED) throw std::bad_alloc();
     data_ = static_cast<T*>(space);
   }
-  /// Of so many elements that are there, at the beginning of pages that mmap gave: they become the array's. None may be
-  /// appended; where the pages are read only, none may be changed.
+  /// Takes over `count` elements at the beginning of pages that mmap returned. Nothing may be appended; on read-only
+  /// pages nothing may be changed.
   Reserved_array(T* pages, std::size_t count) : data_(pages), capacity_(count), size_(std::uint32_t(count)) {}
 
   Reserved_array(Reserved_array&& other) noexcept
@@ -46,7 +46,7 @@ class Reserved_array {
   T* data() const { return data_; }
   std::uint32_t size() const { return size_.load(std::memory_order_relaxed); }
 
-  /// Returns its number. Requires room.
+  /// Appends an element and returns its number. Requires room.
   std::uint32_t push_back(const T& element)
   {
     const std::uint32_t n = append(1);
@@ -54,7 +54,7 @@ class Reserved_array {
     return n;
   }
 
-  /// Tells the system that so many will be there at least, in order: it may take memory for them by larger pages.
+  /// Tells the system that at least `count` elements will come, in order, so that it may use larger pages.
   void expect(std::size_t count)
   {
     char* const first = reinterpret_cast<char*>(data_);
@@ -64,7 +64,7 @@ class Reserved_array {
       ::madvise(first + skipped, (bytes - skipped) / large_page * large_page, MADV_HUGEPAGE);
   }
 
-  /// Makes place for so many, to be written by the caller, and returns the number of the first. Requires room.
+  /// Reserves `count` elements, for the caller to write, and returns the number of the first. Requires room.
   std::uint32_t append(std::size_t count)
   {
     const std::uint32_t n = size();

@@ -17,21 +17,21 @@ namespace tetracone::tetratree {
 
 using kernel::Pose;
 
-/// The search for a plane between two bodies: JS08 Theorem 2, in whatever direction separates instead of that of one
-/// reference tetrahedron, and in constant time a direction. A direction m separates when B lies beyond A along it: min
-/// m . b > max m . a, by the support tables.
+/// The search for a plane between two bodies. It generalises JS08 Theorem 2 from the direction of one reference
+/// tetrahedron to any direction, at constant time per direction. A direction m separates when B lies beyond A along it:
+/// min m . b > max m . a, by the support tables.
 ///
-/// The first direction tried leads from A's origin to B's. One that fails is mirrored in the plane across the support
-/// points' difference (Chung and Wang, "Quick collision detection of polytopes in virtual environments", 1996), points
-/// of the tables in place of vertices; where bodies overlap far along it, the search is given up.
+/// The first direction leads from A's origin to B's. A direction that fails is mirrored in the plane across the
+/// difference of the support points (Chung and Wang, "Quick collision detection of polytopes in virtual environments",
+/// 1996). Points of the tables replace vertices. The search ends where bodies overlap far along the direction.
 class Separating_direction {
  public:
   Separating_direction(const Bvh8& a, const Bvh8& b)
       : Separating_direction(a, b, kernel::maximum(a.scale().unit, b.scale().unit))
   {}
 
-  /// True when the placed bodies are found to be apart, in at most `steps` > 0 directions; before these, where that is
-  /// asked for, in the one that told the bodies of the last call apart. Requires that both trees have a root.
+  /// True when the placed bodies are found apart, in at most `steps` > 0 directions. With `last_one_first`, the
+  /// direction that separated the bodies of the last call is tried before these. Requires that both trees have a root.
   bool operator()(const Pose& pose_a, const Pose& pose_b, int steps, bool last_one_first)
   {
     const Placed placed(a_, b_, pose_a, pose_b, slack_);
@@ -43,9 +43,9 @@ class Separating_direction {
     return were_apart_ = true;
   }
 
-  /// True when the moving bodies are found to be apart in all of the span, by one plane that stands still in it, found in
-  /// at most `steps` > 0 directions: what is apart along one direction at each coefficient is so all the time (see
-  /// `kernel::Motion_span`). No gap is told.
+  /// True when the moving bodies are found apart in all of the span, by one fixed plane, in at most `steps` > 0
+  /// directions. A direction that separates at each coefficient separates at all times (see `kernel::Motion_span`). It
+  /// gives no gap.
   bool operator()(const kernel::Motion_span& span, int steps)
   {
     last_gap_ = {};
@@ -61,8 +61,8 @@ class Separating_direction {
     return false;
   }
 
-  /// How far from one another the bodies of the last call were at least, along the direction found; 0 where none was.
-  /// That is (gap - slack) / |m|_2 in the larger unit.
+  /// Lower bound of the distance of the bodies of the last call, along the direction found; 0 if none was. It is (gap -
+  /// slack) / |m|_2 in the larger unit.
   double gap() const
   {
     if (!were_apart_) return 0;
@@ -75,11 +75,11 @@ class Separating_direction {
 
   std::size_t bytes() const { return a_.table.bytes() + b_.table.bytes(); }
 
-  /// Roundings, each times u of float or of double: of directions turned back, 4; of the distance along m, 5 of D as
-  /// rounded; of D in double, 5 of its terms.
+  /// Upper bound of the numbers of roundings, each of u of float or of double: 4 of directions turned back, 5 of the
+  /// rounded D, 5 of the terms of D in double. Proved in verify/proofs/separation_proofs.h.
   static constexpr double rounding = 6;
 
-  // The expressions, lane by lane.
+  // The expressions, lane by lane, for the proofs.
   template <class Lanes>
   [[gnu::always_inline]] static Lanes turned_back_by(const Lanes& m0, const Lanes& m1, const Lanes& m2,
                                                      const Lanes& row0, const Lanes& row1, const Lanes& row2)
@@ -103,12 +103,12 @@ class Separating_direction {
   using Doubles = kernel::Two_doubles;
   static constexpr float u = kernel::unit_roundoff<float>;
 
-  /// Where the origins are apart by no more than this share of the reach, the search is given up: four steps would have
-  /// found a plane in 39 more of 5,600 poses of contour trajectories, in 73 of 5,600 of circular ones.
+  /// The search ends where the origins are apart by at most this fraction of the reach. Four more steps would have
+  /// found a plane in 39 more of 5,600 poses of contour trajectories, and in 73 of 5,600 of circular ones.
   static constexpr float hopeless = 0.85f;
 
   struct Body {
-    /// `sign`: of its rows.
+    /// `sign` is the sign of its rows.
     Body(const Bvh8& t, double larger_unit, int sign) : table(t)
     {
       const kernel::Local_scale& units = t.scale();
@@ -118,7 +118,7 @@ class Separating_direction {
       scale = Floats{unit, unit, unit, float(sign * per_unit)};
     }
     Doubles origin[2];  // (o, 1)
-    Floats scale;       // of a pose's rows
+    Floats scale;       // factor of a pose's rows
     Support_table table;
   };
 
@@ -140,13 +140,13 @@ class Separating_direction {
 
   /// Both poses, in the larger unit of both bodies.
   struct Placed {
-    Floats row_a[3], row_b[3];  // unit M, and the translation in lane 3; those of B negated
+    Floats row_a[3], row_b[3];  // unit M, and the translation in lane 3; B's are negated
     Floats apart;               // D, from A's placed origin to B's
     float slack;                // of distances and directions turned back, times |m|_1
 
     Placed(const Body& a, const Body& b, const Pose& pose_a, const Pose& pose_b, Floats slack_of_rows)
     {
-      Doubles part[3];  // of D, in two parts
+      Doubles part[3];  // D in two parts
       for (int i = 0; i < 3; ++i) {
         const double *from_a = pose_a.entries().data() + 4 * i, *from_b = pose_b.entries().data() + 4 * i;
         const Doubles a_first = kernel::two_from(from_a), a_last = kernel::two_from(from_a + 2);
@@ -165,8 +165,8 @@ class Separating_direction {
                                    kernel::magnitudes(apart) * (float(rounding) * u))[0];
     }
 
-    /// Of local points as a span of time places them. `error`: see `kernel::Motion_span`; what is lost where a number
-    /// underflows as it is rounded is far below it.
+    /// Takes local points as a span of time places them. `error` is as in `kernel::Motion_span`; it far exceeds the
+    /// loss by underflow of a rounded number.
     Placed(const kernel::Motion_span::Maps& maps, double error)
     {
       float sum = 0;
@@ -183,7 +183,7 @@ class Separating_direction {
     }
   };
 
-  /// What a direction has shown.
+  /// The result of trying a direction.
   struct Attempt {
     bool is_defined = false;
     Support_table::Place at_a, at_b;
@@ -193,12 +193,12 @@ class Separating_direction {
     bool separates() const { return is_defined && gap > slack; }
   };
 
-  /// m leads from A to B. A reach that is not known yet separates nothing: it is infinite or undefined.
+  /// Tries the direction m, which leads from A to B. An unknown reach is infinite or undefined, and separates nothing.
   ///
-  /// The slack beside the tables', each of these times |m|_1: directions turned back are sums of three products of
-  /// rounded entries, off by 4 roundings and one of a fraction's entry, of the rows; the distance is such a sum of D,
-  /// rounded, off by 5 roundings of it; D itself is off by 5 in double of its terms, which are translations and at most
-  /// `farthest` times the rows.
+  /// The slack beside the tables' has these terms, each times |m|_1. A direction turned back is a sum of three products
+  /// of rounded entries: its error is 4 roundings of the rows, and one of a fraction's entry. The distance is such a
+  /// sum of the rounded D: its error is 5 roundings of it. The error of D itself is 5 roundings in double of its terms,
+  /// which are translations and at most `farthest` times the rows.
   [[gnu::always_inline]] Attempt attempt(const Placed& placed, Floats m) const
   {
     Attempt tried;
@@ -210,7 +210,7 @@ class Separating_direction {
     const Floats along_a = turned_back(placed.row_a), along_b = turned_back(placed.row_b), norm_a = norm(along_a),
                  norm_b = norm(along_b);
     const float norm_m = norm(m)[0];
-    // So that no product overflows, and what underflows is far below the slack; also what is undefined ends here.
+    // No product may overflow, and underflow must be far below the slack. An undefined value ends here, too.
     if (!(placed.slack < 1e8f && norm_m < 1e14f && norm_a[0] > 1e-15f && norm_b[0] > 1e-15f)) return tried;
     tried.is_defined = true;
     tried.at_a = Support_table::place(along_a, norm_a);
@@ -221,8 +221,8 @@ class Separating_direction {
     return tried;
   }
 
-  /// What is left to do after a first attempt that did not separate. Kept apart from it, so that what decides most
-  /// queries stays in registers.
+  /// Continues after a first attempt that did not separate. It is a function of its own, so that the first attempt,
+  /// which decides most queries, stays in registers.
   [[gnu::noinline]] bool search(const Placed& placed, Attempt tried, Floats m, int steps, bool last_one_first)
   {
     const auto separates = [&] {
@@ -244,19 +244,19 @@ class Separating_direction {
     return were_apart_;
   }
 
-  /// Whether bodies that a direction does not part overlap far along it.
+  /// True when bodies that a direction does not separate overlap far along it.
   static bool is_hopeless(const Placed& placed, const Attempt& tried, Floats m)
   {
     return !(kernel::sum_of_lanes(m * placed.apart)[0] > hopeless * kernel::sum_of_lanes(tried.reach)[0]);
   }
 
-  /// Where a direction does not part moving bodies.
+  /// A position of moving bodies at which a direction does not separate them.
   struct Failure {
     Placed placed;
     Attempt tried;
   };
 
-  /// The first of a span's coefficients at which the direction parts nothing, if there is one.
+  /// Returns the first of a span's coefficients at which the direction does not separate, if there is one.
   std::optional<Failure> failing(const kernel::Motion_span& span, Floats m)
   {
     for (std::size_t i = 0; i < span.size(); ++i) {
@@ -267,7 +267,7 @@ class Separating_direction {
     return std::nullopt;
   }
 
-  /// The attempt, made again where a reach was not known.
+  /// Returns the attempt, made again if a reach was unknown.
   Attempt with_known_reach(const Placed& placed, Floats m, Attempt tried)
   {
     if (!tried.is_defined || (a_.table.knows(tried.at_a) && b_.table.knows(tried.at_b))) return tried;
@@ -276,14 +276,14 @@ class Separating_direction {
     return attempt(placed, m);
   }
 
-  /// The next direction (Chung and Wang): m mirrored at the plane across w, which leads from A's farthest point along m
-  /// to B's farthest point against it.
+  /// Returns the next direction (Chung and Wang): m mirrored at the plane across w, which leads from A's farthest point
+  /// along m to B's farthest point against it.
   Floats mirrored(Floats m, const Attempt& tried, const Placed& placed) const
   {
     const Floats p = a_.table.point(tried.at_a), q = b_.table.point(tried.at_b);
-    Floats terms[3];  // in the lanes of part i: A's point less B's, each as seen from its own origin
+    Floats terms[3];  // in the lanes of part i: A's point minus B's, each relative to its own origin
     for (int i = 0; i < 3; ++i) terms[i] = placed.row_a[i] * p + placed.row_b[i] * q;
-    // Sums of the lanes of x and y at once: of neighbours, then of both pairs.
+    // Sums the lanes of x and y at once: neighbours first, then both pairs.
     const Floats even = __builtin_shufflevector(terms[0], terms[1], 0, 4, 2, 6),
                  odd = __builtin_shufflevector(terms[0], terms[1], 1, 5, 3, 7), pairs = even + odd;
     const Floats xy = pairs + __builtin_shufflevector(pairs, pairs, 2, 3, 0, 1);
@@ -293,9 +293,9 @@ class Separating_direction {
   }
 
   Body a_, b_;
-  Floats slack_ = Floats{} + std::numeric_limits<float>::quiet_NaN();  // of the rows, where units are in range
-  Floats last_{};                                                      // direction tried
-  bool were_apart_ = false;                                            // by it
+  Floats slack_ = Floats{} + std::numeric_limits<float>::quiet_NaN();  // of the rows, if units are in range
+  Floats last_{};                                                      // the last direction tried
+  bool were_apart_ = false;                                            // whether it separated
   std::array<float, 2> last_gap_{};                                    // along it, and its slack
   double larger_unit_;
 };

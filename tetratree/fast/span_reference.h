@@ -15,23 +15,23 @@
 
 namespace tetracone::tetratree {
 
-/// Two bodies in a span of time as two similarities that move on lines, and how far they are from that.
+/// Two bodies in a span of time as two similarities that move on lines, with a bound of the difference.
 ///
-/// In the span's common coordinates the reference places local points p of A at R_0 p and q of B at R_1 q + r: two
-/// similarities near the middle of the span, of doubles, taken as they are. Coefficient i of the span, over its weight,
-/// places them at C_0i p and C_1i q + c_i: with the mean of the first and the last and half their difference, and x_i
-/// from -1 to 1 in equal steps, that is, but for a rest,
+/// In the span's common coordinates the reference places local points p of A at R_0 p and q of B at R_1 q + r. Both are
+/// similarities near the middle of the span, with entries in double, taken as exact. Coefficient i of the span, divided
+/// by its weight, places them at C_0i p and C_1i q + c_i. Let M, m and H, h come from the mean and half the difference
+/// of the first and last coefficients, and let x_i go from -1 to 1 in equal steps. Then, except for a rest,
 ///
 ///     C_ki = R_k + M_k + x_i H_k,   c_i = r + m + x_i h.
 ///
-/// The place at a time is a mean of the coefficients', each with its share of the weights that are not negative, and
-/// the mean of the x_i is the time from -1 to 1, x, where the weights are equal, and else off by at most their range
-/// over the least: a mean of (x_i - x) w_i is that of (x_i - x) (w_i - w), w in the middle. So n . (q - p) at the time
-/// x, images of points, along |n| <= 1, is that in the reference and
+/// The position at a time is a weighted mean of the coefficients, with weights that are not negative. The mean of the
+/// x_i is the time x, from -1 to 1, if the weights are equal. Otherwise its error is at most their range over the
+/// least: a mean of (x_i - x) w_i equals that of (x_i - x) (w_i - w), w in the middle. So n . (q - p) of images at the
+/// time x, with |n| <= 1, is its value in the reference plus
 ///
 ///     n . (M_1 q + m - M_0 p) + x n . (H_1 q + h - H_0 p),
 ///
-/// but for the rest: what `kernel::find_near` asks for.
+/// except for the rest. `kernel::find_near` tests this.
 class Span_reference {
  public:
   using Vertex = kernel::Vertex;
@@ -59,16 +59,16 @@ class Span_reference {
         for (int j = 0; j < 3; ++j) direction_[k][i][j] = r[i][j] / scale_[k];
     }
     find_sweep(span, middle.offset);
-    // A map that is far from a similarity stays far from the reference in all of a span's parts.
+    // A map that is far from a similarity stays far from the reference in all parts of the span.
     for (std::size_t k = 0; k < 2; ++k) is_certifiable_ = is_certifiable_ && bent[k] <= most_bent * scale_[k];
     is_certifiable_ = is_certifiable_ && into_[0].is_similarity() && into_[1].is_similarity();
   }
 
-  /// Whether the reference tells anything.
+  /// True when the reference bounds the motion.
   bool is_certifiable() const { return is_certifiable_; }
 
-  /// Writes the test of a node of body `body` against box `lane` of a node of the other. `apex`: where a triangle lies
-  /// in that box. The reference must stay until it is made, and it tells nothing where the reference does not.
+  /// Writes the test of a node of body `body` against box `lane` of a node of the other. `apex` says where a triangle
+  /// lies in that box. The reference must outlive the test, which is meaningless unless `is_certifiable`.
   void ask(kernel::Sweep_test& test, std::size_t body, const kernel::Obb8& boxes, const kernel::Obb8& from, int lane,
            float apex, const kernel::Known_times& known) const
   {
@@ -81,15 +81,17 @@ class Span_reference {
     test.known = known;
   }
 
-  /// Above twice |n|_1 of a direction of length 1, with what the sums of coefficients lose.
+  /// Upper bound of twice |n|_1 of a direction of length 1, and of the error of sums of coefficients. Proved in
+  /// verify/proofs/reference_proofs.h.
   static constexpr double errors_along = 4;
-  /// Above what R_k^T over the square of its scale, which takes differences into local units, differs from the inverse
-  /// of R_k: a share.
+  /// Upper bound of the relative difference between R_k^T over the square of its scale, which maps differences into
+  /// local units, and the inverse of R_k. Proved in verify/proofs/reference_proofs.h.
   static constexpr double direction_error = 0x1p-19;
-  /// Above the length of every local point of a box: of a centre and a radius.
+  /// Upper bound of the length of every local point of a box: of a centre and a radius. Proved in
+  /// verify/proofs/reference_proofs.h.
   static constexpr double most_local = 4;
 
-  /// What gaps lose wherever bodies are, in common units.
+  /// Upper bound of what gaps lose to the rest, wherever bodies are, in common units.
   double rest() const { return rest_; }
 
  private:
@@ -103,8 +105,8 @@ class Span_reference {
     return {kernel::difference(x[0], y[0]), kernel::difference(x[1], y[1]), kernel::difference(x[2], y[2])};
   }
 
-  /// The similarity nearest to a map that is one almost, by Newton's iteration for the polar decomposition (Higham,
-  /// "Computing the polar decomposition", SIAM J. Sci. Stat. Comput. 1986).
+  /// Returns the similarity nearest to a map that almost is one, by Newton's iteration for the polar decomposition
+  /// (Higham, "Computing the polar decomposition", SIAM J. Sci. Stat. Comput. 1986).
   static Rows nearest_similarity(Rows m)
   {
     const double volume = dot(m[0], kernel::cross(m[1], m[2])), scale = std::cbrt(std::abs(volume));
@@ -121,9 +123,9 @@ class Span_reference {
     return m;
   }
 
-  /// A mean of coefficients is off by as much as the line between the first and the last is, along n in A's or B's
-  /// units. A direction as computed moves n . d by a share of |d|, where d is all that leads from the reference to a
-  /// coefficient.
+  /// Finds the sweeps and the rest. The error of a mean of coefficients is at most the error of the line between the
+  /// first and the last, along n in A's or B's units. A computed direction changes n . d by a fraction of |d|, where d
+  /// leads from the reference to a coefficient.
   void find_sweep(const kernel::Motion_span& span, const Vertex& offset)
   {
     const std::size_t last = span.size() - 1;
@@ -158,7 +160,7 @@ class Span_reference {
       sweep_[k] = {seen_from(k, middle), seen_from(k, half), rest_ / scale_[k] * (1 + kernel::few_roundings)};
   }
 
-  /// Maps of both bodies, B's with an offset.
+  /// The maps of both bodies; B's has an offset.
   struct Placing {
     std::array<Rows, 2> row;
     Vertex offset;
@@ -175,13 +177,13 @@ class Span_reference {
     return sum;
   }
 
-  /// Above how far it takes two points from one another.
+  /// Upper bound of the relative displacement of two points under these maps.
   static double norm(const Placing& x)
   {
     return std::sqrt(dot(x.offset, x.offset)) + most_local * (norm(x.row[0]) + norm(x.row[1]));
   }
 
-  /// Away from the body, along its own axes, in its units.
+  /// Returns the displacement away from the body, along its own axes, in its units.
   kernel::Point_way seen_from(std::size_t body, const Placing& x) const
   {
     const double per_unit = 1 / scale_[body], away = body == 0 ? per_unit : -per_unit;
@@ -197,15 +199,16 @@ class Span_reference {
     return {along_axes(x.offset, away), rows[1 - body], rows[body]};
   }
 
+  /// Largest distance of a map from its similarity, relative to its scale, at which the reference is used.
   static constexpr double most_bent = 0.125;
 
-  std::array<kernel::Box_map, 2> into_;  // of body k into the other's frame
+  std::array<kernel::Box_map, 2> into_;  // from body k's units into the other's
   std::array<kernel::Box_sweep, 2> sweep_;
   double rest_ = 0;
-  std::array<double, 2> scale_;  // the length of a column
-  std::array<Rows, 2> rotation_,
-      direction_;  // R_k; and over the length of a column: what is apart along a direction in
-                   // local units by g is so by g times that length along its image
+  std::array<double, 2> scale_;   // the length of a column
+  std::array<Rows, 2> rotation_,  // R_k
+      direction_;  // R_k over the length of a column: a gap g along a direction in local units is g times that length
+                   // along its image
   bool is_certifiable_ = true;
 };
 

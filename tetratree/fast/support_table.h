@@ -19,18 +19,18 @@
 
 namespace tetracone::tetratree {
 
-/// How far a body reaches in any direction: an upper bound of h(d) = max d . p over its points p, in local units, in
-/// constant time.
+/// The support function of a body: an upper bound of h(d) = max d . p over its points p, in local units, in constant
+/// time.
 ///
-/// h is sublinear: with h known in the directions of a lattice, h(d) is at most the sum of the values at the corners of
-/// the lattice cone that holds d, with d's barycentric weights in it. The lattice is flat, on the octahedron |x| + |y|
-/// + |z| = 1, and its cones are those that JS08 section 2.1 gets by halving edges, four times. This is what its regular
-/// hull (section 2.3.3) is made of, asked in the directions that a query needs. A value is found when a table of
-/// the tree is first asked for it, from the tree's boxes.
+/// h is sublinear. So h(d) is at most the sum of the values at the corners of the lattice cone that holds d, weighted
+/// by d's barycentric coordinates in it. The lattice is flat, on the octahedron |x| + |y| + |z| = 1. Its cones are
+/// those that JS08 section 2.1 gets by halving edges, four times. The regular hull (section 2.3.3) is made of these;
+/// here it is evaluated in the directions that a query needs. A value is computed from the tree's boxes when a table of
+/// the tree first asks for it.
 class Support_table {
  public:
-  /// Where a direction d is in the lattice: corner 0 is number `first`, 1 the next, 2 and 3 the two beside them in the
-  /// next row. Three of them have weights.
+  /// The position of a direction d in the lattice. Corner 0 is number `first`, 1 the next, 2 and 3 the two beside them
+  /// in the next row. Three of them have weights.
   struct Place {
     int first;
     kernel::Four_floats weight;
@@ -38,12 +38,13 @@ class Support_table {
     kernel::Four_floats at;   ///< n d / |d|_1
   };
 
-  /// For what is rounded between values and bound, a share of |d|_1: the place by 4 roundings a coordinate, and two of
-  /// three coordinates once more for the third, which moves h by no more, since |p_k| <= 1; the weights of corners of
-  /// |h| <= 18/16; products, sums, and the difference from a distance.
+  /// Upper bound of the roundings between values and result, as a fraction of |d|_1. It counts 4 roundings of each
+  /// coordinate of the position, and those of two coordinates once more for the third, which moves h by no more, since
+  /// |p_k| <= 1; the weights of corners of |h| <= 18/16; products, sums, and the difference from a distance. Proved in
+  /// verify/proofs/separation_proofs.h.
   static constexpr float slack = 40 * 0x1p-24f;
 
-  // The expressions, lane by lane: n d / |d|_1; the weight of corner 0; a corner's part of the reach.
+  // The expressions, lane by lane, for the proofs: n d / |d|_1; the weight of corner 0; a corner's part of the reach.
   template <class Lanes>
   [[gnu::always_inline]] static Lanes scaled(const Lanes& d, const Lanes& sum)
   {
@@ -60,8 +61,8 @@ class Support_table {
     return weight * (reach * sum);
   }
 
-  /// How far a box with these axes reaches in direction d, rounded: its extents are of points' coordinates along the
-  /// axes, so that nothing is added for what these lack of orthonormal ones.
+  /// Returns the reach of a box with these axes in direction d, rounded. Extents bound points' coordinates along the
+  /// axes, so nothing is added for axes that are not quite orthonormal.
   template <class Number>
   static Number reach_of_box(const std::array<Number, 3>& d, const std::array<Number, 3>& origin,
                              const std::array<Number, 3>& centre, const std::array<std::array<Number, 3>, 3>& axis,
@@ -72,34 +73,35 @@ class Support_table {
     return part(0) + part(1) + part(2);
   }
 
-  /// In a lattice of n steps, with corners one beyond the octant: their reach is at most 18 / 16.
+  /// The lattice has n steps, and corners one beyond the octant, whose reach is at most 18 / 16.
   static constexpr int n = 16, row = n + 2;
   static_assert(Known_reaches::corners == 8 * row * row);
 
-  /// Above what a reach in double may be off by: of a local coordinate, and of its product with a direction.
+  /// Upper bound of the error of a reach in double: of a local coordinate, and of its product with a direction. Proved
+  /// in verify/proofs/separation_proofs.h.
   static constexpr double reach_rounding = 6 * kernel::unit_roundoff<double>;
 
-  /// Above what a box's reach loses by being computed in float.
+  /// Upper bound of the error of a box's reach in float. Proved in verify/proofs/margin_proofs.h.
   static constexpr double box_reach_rounding = 0x1p-17;
 
-  /// `tree` must outlive the table, and its root be made.
+  /// `tree` must outlive the table, and its root must be made.
   explicit Support_table(const Bvh8& tree) : tree_(&tree), reach_(Known_reaches::corners, unknown) {}
 
-  /// Requires d[3] = 0, and |d|_1, in every lane of `sum`, in 1e-30 .. 1e30. Without branches that no processor could
-  /// foretell.
+  /// Returns the position of d. Requires d[3] = 0, and |d|_1, in every lane of `sum`, in 1e-30 .. 1e30. It is
+  /// branchless, since the branches would be unpredictable.
   [[gnu::always_inline]] static Place place(kernel::Four_floats d, kernel::Four_floats sum)
   {
     using kernel::Eight_shorts, kernel::Four_floats, kernel::Four_ints;
     const Four_floats at = scaled(d, sum), in_octant = kernel::magnitudes(at);
     const Four_ints whole = __builtin_convertvector(in_octant, Four_ints);
     const Four_floats part = in_octant - __builtin_convertvector(whole, Four_floats);
-    // In the triangle of corners 0, 1 and 2; where their weights would be below 0, in that of 3, 1 and 2.
+    // The triangle is that of corners 0, 1 and 2 or, if a weight would be below 0, that of 3, 1 and 2.
     const Four_floats rest = weight_of_first(kernel::repeated<1>(part), kernel::repeated<2>(part));
     const Four_ints beyond = reinterpret_cast<Four_ints>(rest) & kernel::is_negative(rest);
     constexpr std::int32_t sign_bit = std::numeric_limits<std::int32_t>::min();
     const Four_floats weight = __builtin_shufflevector(rest, part, 0, 5, 6, 7) +
                                reinterpret_cast<Four_floats>(beyond ^ Four_ints{sign_bit, 0, 0, sign_bit});
-    // Products of the low halves, all there is of numbers up to 16.
+    // Products of the low halves suffice for numbers up to 16.
     static_assert(std::endian::native == std::endian::little);
     const Four_ints corner =
         reinterpret_cast<Four_ints>(reinterpret_cast<Eight_shorts>(whole) * Eight_shorts{0, 0, 1, 0, row, 0, 0, 0});
@@ -107,15 +109,15 @@ class Support_table {
     return {kernel::sum_of_lanes(corner + octant)[0], weight, sum, at};
   }
 
-  /// That of -d: the corners opposite those of d, with the same weights.
+  /// Returns the position of -d: the corners opposite those of d, with the same weights.
   static Place opposite(const Place& p)
   {
     const int octant = p.first / (row * row);
     return {p.first + (7 - 2 * octant) * (row * row), p.weight, p.sum, -p.at};
   }
 
-  /// h(d) is at most the sum of these and `slack` |d|_1. Their sum is infinite or undefined where the reach of a corner
-  /// that has a weight is not known yet.
+  /// Returns terms whose sum plus `slack` |d|_1 is an upper bound of h(d). The sum is infinite or undefined if a corner
+  /// with a weight is unknown.
   kernel::Four_floats reach(const Place& p) const
   {
     const auto weighs = reinterpret_cast<kernel::Four_ints>(p.weight != 0.0f);
@@ -123,10 +125,10 @@ class Support_table {
     return weighted(p.weight, known, p.sum);
   }
 
-  /// Whether all three corners of the triangle that holds the direction are known.
+  /// True when all three corners of the triangle that holds the direction are known.
   bool knows(const Place& p) const { return kernel::sum_of_lanes(of_triangle(p, corners(p)))[0] < unknown; }
 
-  /// Finds what is not known of these corners.
+  /// Computes the unknown values at these corners.
   void find(const Place& p)
   {
     const int none_of = p.weight[3] > 0 ? 0 : 3;
@@ -137,12 +139,12 @@ class Support_table {
     }
   }
 
-  /// The point that reaches as far as the values say, exactly so far, in the directions of the three corners with
-  /// weights: about where the body's farthest is. Requires that the corners are known.
+  /// Returns the point whose products with the three weighted corners equal their values: an estimate of the body's
+  /// farthest point. Requires that the corners are known.
   ///
-  /// On the face of corners 0, 1 and 2 of its octant, a point (x, y, z) with the directions' signs taken off reaches
-  /// h_1 - h_0 = (y - x) / n and h_2 - h_0 = (z - x) / n; on that of 3, 1 and 2 the differences are those from 2 to 3
-  /// and from 1 to 3.
+  /// Take a point (x, y, z) with the directions' signs removed. On the face of corners 0, 1 and 2 of its octant it
+  /// satisfies h_1 - h_0 = (y - x) / n and h_2 - h_0 = (z - x) / n. On the face of 3, 1 and 2 the differences are those
+  /// from 2 to 3 and from 1 to 3.
   kernel::Four_floats point(const Place& p) const
   {
     using kernel::Four_floats, kernel::Four_ints;
@@ -159,7 +161,7 @@ class Support_table {
 
  private:
   /// Corner (n - i - j, i, j) / n of an octant has the number k = (octant row + j) row + i. The last of each row, and
-  /// the last rows, are corners beyond the octant, of no weight but by rounding.
+  /// the last rows, are corners beyond the octant; only rounding gives them a weight.
   static constexpr float unknown = std::numeric_limits<float>::infinity();
   static constexpr Index none = std::numeric_limits<Index>::max();
 
@@ -171,7 +173,7 @@ class Support_table {
     return reinterpret_cast<kernel::Four_floats>(kernel::Two_doubles{first, second});
   }
 
-  /// With 0 for the corner, 0 or 3, that is not of the triangle.
+  /// Returns h with 0 for the corner, 0 or 3, that the triangle lacks.
   static kernel::Four_floats of_triangle(const Place& p, kernel::Four_floats h)
   {
     const kernel::Four_ints is_beyond = kernel::repeated<3>(p.weight) > 0.0f;
@@ -179,7 +181,7 @@ class Support_table {
                           kernel::first_three(h));
   }
 
-  /// Of the corners of octants that are the same direction, the first one: a coordinate of 0 has no sign.
+  /// Returns the first of the corners of octants that are one direction: a coordinate of 0 has no sign.
   static int first_of(int k)
   {
     const int j = k / row % row, i = k % row, has_sign = int(n - i - j != 0) | int(i != 0) << 1 | int(j != 0) << 2;
@@ -188,13 +190,13 @@ class Support_table {
 
   static double signed_by(int negative, int k) { return negative ? -double(k) / n : double(k) / n; }
 
-  /// The best reach of a vertex in the direction of corner k: boxes in the order of the tree, those left out that reach
-  /// no farther than what is known. The vertex found last is mostly near, so that it is looked at first.
+  /// Returns an upper bound of h in the direction of corner k. It visits boxes in the order of the tree, except those
+  /// whose reach is not above the best so far. The vertex found last is mostly near, so it is tried first.
   float found(int k)
   {
     const int octant = k / (row * row), j = k / row % row, i = k % row;
     const kernel::Vector d(signed_by(octant & 1, n - i - j), signed_by(octant & 2, i), signed_by(octant & 4, j));
-    const std::array<float, 3> in_float = {float(d[0]), float(d[1]), float(d[2])};  // exactly
+    const std::array<float, 3> in_float = {float(d[0]), float(d[1]), float(d[2])};  // exact
     double best = farthest_ == none ? -4 : d.dot(tree_->local(farthest_));
     const auto look_at = [&](Index v) {
       const double at = d.dot(tree_->local(v));
@@ -218,7 +220,7 @@ class Support_table {
         for (Index e = 0; e < tree_->leaf_count(node, lane); ++e)
           tree_->for_vertices(tree_->element(node, lane, e), look_at);
       }
-      // The farthest last, to be opened first.
+      // The farthest is last, to be opened first.
       std::sort(open.begin() + std::ptrdiff_t(first), open.end());
       while (!open.empty() && open.back().first <= best) open.pop_back();
       if (open.empty()) break;
@@ -226,7 +228,7 @@ class Support_table {
     return std::nextafter(float(best + reach_rounding), unknown);
   }
 
-  /// How far a node's boxes reach, four at once. `d`: of floats.
+  /// Computes the reach of a node's boxes, four at once. The entries of `d` are floats.
   static void find_reach(const kernel::Obb8& boxes, const std::array<float, 3>& d,
                          std::array<float, kernel::lanes>& reach)
   {
@@ -247,7 +249,7 @@ class Support_table {
   }
 
   const Bvh8* tree_;
-  std::vector<float> reach_;  // h is at most this
+  std::vector<float> reach_;  // upper bounds of h
   std::vector<std::pair<double, Index>> open_;
   Index farthest_ = none;  // the vertex found last
 };

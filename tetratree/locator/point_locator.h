@@ -21,18 +21,19 @@
 
 namespace tetracone::tetratree {
 
-/// Where points stand with regard to a solid, exactly, by the directions of tetra-cones in one look-up.
+/// The location of points with regard to a solid, exactly, by the directions of tetra-cones in one look-up.
 ///
-/// A table over cells of directions about the covering's origin has, for each cell, the intervals of norm of the
-/// covering's triangles that its rays meet, merged to groups that no other overlaps. Between groups there is no
-/// surface, so that the winding number is constant, and kept. About a group's triangles lies a slab, beyond and before
-/// which the same holds. A point within it is decided by the signed inclusions (JS08 Theorem 1) of that group's
-/// triangles, added to the winding number beyond it: its ray outwards crosses no others before. Cells, intervals and
-/// slabs are rounded outward, and a triangle is decided by a filter first: what is uncertain goes to exact signs.
+/// A table covers cells of directions about the covering's origin. For each cell it has the intervals of norm of the
+/// covering's triangles that the cell's rays meet. Intervals that overlap are merged to groups, so that groups are
+/// disjoint. Between groups there is no surface; the winding number is constant there, and stored. A slab holds a
+/// group's triangles; before and beyond it the same is true. A point within the slab is decided by the signed
+/// inclusions (JS08 Theorem 1) of the group's triangles, added to the winding number beyond it: its ray outwards
+/// crosses no others before. Cells, intervals and slabs are rounded outward. A filter decides triangles first;
+/// uncertain ones go to exact signs.
 ///
-/// It keeps of JS08 section 2.2 that only tetrahedra that meet the cone of a point can hold it; cones are all of one
-/// level of its subdivision, and found by a division instead of signs. Nothing changes after construction: any number
-/// of threads may ask.
+/// The locator takes from JS08 section 2.2 that only tetrahedra that meet the cone of a point can hold it. All cones
+/// are of one level of its subdivision, and found by a division instead of signs. Nothing changes after construction,
+/// so any number of threads may use it.
 class Point_locator {
  public:
   using K = kernel::Adaptive;
@@ -41,7 +42,7 @@ class Point_locator {
   using Index = covering::Index;
   using Cone_cells = kernel::Cone_cells;
 
-  /// The model must be closed, and outlive this.
+  /// Builds the table. Requires a closed model, which must outlive this object.
   explicit Point_locator(const Model& model)
       : model_(&model),
         scale_(kernel::local_scale(model.lattice().origin, model.vertices())),
@@ -55,17 +56,18 @@ class Point_locator {
       for (const double x : p) is_local = is_local && std::abs(x) <= 1;
       vertices_.push_back(kernel::rounded(p));
     }
-    if (is_local) make_table();  // else coordinates are near the largest doubles
+    if (is_local) make_table();  // otherwise coordinates are near the largest doubles
   }
   Point_locator(const Point_locator&) = delete;
 
+  /// Returns the location of a point.
   Location locate(const covering::Vertex& point) const
   {
     return locate(local(point), [&] { return K::unmoved(point); });
   }
 
-  /// The same of many points, some at a time, so that none waits for what another one reads from memory. Requires as
-  /// many answers.
+  /// Returns the locations of many points. It interleaves them, so that memory accesses for some overlap with work on
+  /// others. Requires answers.size() == points.size().
   void locate(std::span<const covering::Vertex> points, std::span<Location> answers) const
   {
     std::array<Asked, at_a_time> asked;
@@ -96,6 +98,7 @@ class Point_locator {
     }
   }
 
+  /// Returns the location of a rational point.
   Location locate(const std::array<kernel::Rational, 3>& point) const
   {
     const kernel::Pose translation(
@@ -107,7 +110,7 @@ class Point_locator {
     return locate(at, [&] { return K::placed({0, 0, 0}, translation); });
   }
 
-  /// Without the model.
+  /// Returns the bytes held, except the model's.
   std::size_t bytes() const
   {
     return cell_groups_.capacity() * sizeof(Index) + groups_.capacity() * sizeof(Group) +
@@ -118,16 +121,16 @@ class Point_locator {
  private:
   /// Triangles of a cell, from entry `first` on, whose intervals overlap in a chain.
   struct Group {
-    float low, high;                ///< the norms of what of them is in the cell
-    kernel::Cone_slab slab;         ///< about the same parts
-    Index first;                    ///< where the next group's begin, this one's end
-    std::int32_t within_and_sheet;  ///< twice the one and, if so, the other
+    float low, high;                ///< bounds of the norms of the triangles' parts in the cell
+    kernel::Cone_slab slab;         ///< about these parts
+    Index first;                    ///< this group's first entry; the next group's first ends it
+    std::int32_t within_and_sheet;  ///< 2 * within() + is_sheet()
 
-    /// The winding number nearer to the origin, as far as the group before.
+    /// Returns the winding number on the origin's side, as far as the previous group.
     int within() const { return within_and_sheet >> 1; }
     bool is_sheet() const { return (within_and_sheet & 1) != 0; }
 
-    /// A norm of the group, in steps of 0 to 254: no larger norm gives less, whatever is rounded.
+    /// Returns a norm of the group in steps of 0 to 254; it is monotone in spite of rounding.
     double steps(double norm) const { return (norm - low) * (254 / (double(high) - low)); }
   };
 
@@ -138,30 +141,30 @@ class Point_locator {
   };
 
   static constexpr Index none = covering::none;
+  /// Points that are interleaved.
   static constexpr std::size_t at_a_time = 64;
-  static constexpr double farthest = 4;  ///< what signs ask of a norm
+  static constexpr double farthest = 4;  ///< upper bound of a norm for which signs may be used
 
-  /// A point that is asked about, and the cell that holds it; none far beyond the surface, in the core and without a
-  /// table.
+  /// A query point and the cell that holds it. It has no cell far beyond the surface, in the core, or without a table.
   struct Asked {
     kernel::Local_point at;
     double norm;
     Index cell;
   };
-  /// A point of several, by its number, that triangles decide: those of a group, or all.
+  /// A point, by its number, that triangles decide: those of a group, or all.
   struct Pending {
     std::size_t number;
     Index group, end;
   };
 
-  /// What one triangle says of a point.
+  /// The contribution of one triangle to a point.
   struct Seen {
-    int winding = 0;  ///< its part in the winding number
-    int facing = 0;   ///< where that is certain: how its edges turn about the ray through the point, or its reverse
-    bool on_face = false;  ///< the point is on its face
+    int winding = 0;       ///< its part of the winding number
+    int facing = 0;        ///< if certain: how its edges turn about the ray through the point, or its reverse
+    bool on_face = false;  ///< the point is on the triangle's face
   };
 
-  /// About two triangles a cell.
+  /// Returns the number of steps per edge for about two triangles per cell.
   static int cells_for(std::size_t triangles)
   {
     return std::clamp(int(std::sqrt(double(triangles) / 8)), 2, Cone_cells::most);
@@ -183,7 +186,7 @@ class Point_locator {
 
   static Location location(int winding) { return winding != 0 ? Location::inside : Location::outside; }
 
-  /// `exact()`: the point as K has it. `p` is infinite for points that are very far.
+  /// `exact()` returns the point in K. `p` is infinite for points that are very far.
   template <class Exact>
   Location locate(const kernel::Local_point& p, const Exact& exact) const
   {
@@ -196,15 +199,15 @@ class Point_locator {
 
   void ask(const kernel::Local_point& p, Asked& asked) const
   {
-    // One by one: what is written in parts and read as a whole waits for the memory.
+    // Stored one by one: a read of the whole right after writes of parts would stall on store forwarding.
     for (int k = 0; k < 3; ++k) asked.at[k] = p[k];
     const double norm = asked.norm = kernel::octahedral_norm(p);
     const bool has_cell = has_table_ && norm >= Cone_cells::core && norm <= farthest;
     asked.cell = has_cell ? Index(cells_.cell(p, norm)) : none;
   }
 
-  /// Whether no triangle is asked. If so, `at` is the answer; else `group` is that whose triangles decide, or none for
-  /// all.
+  /// True when no triangle is needed. Then `at` is the answer; else the triangles of `group` decide, or all if it is
+  /// none.
   bool decide(const Asked& asked, Location& at, Index& group) const
   {
     if (asked.cell == none) [[unlikely]] {
@@ -212,7 +215,8 @@ class Point_locator {
       return decide_without_cell(asked, at);
     }
     const Index first = cell_groups_[asked.cell], end = cell_groups_[asked.cell + 1];
-    // Without a branch, which would be a guess: the first three together, and both what the norm and what the slab says.
+    // Branchless, since a branch would be unpredictable: it tests the first three groups together, and both the norm
+    // and the slab.
     const auto is_passed = [&](Index g) { return Index((g + 1 < end) & (asked.norm > groups_[g].high)); };
     Index g = first + is_passed(first) + is_passed(first + 1) + is_passed(first + 2);
     if (end > first + 4) [[unlikely]]
@@ -235,13 +239,13 @@ class Point_locator {
     return true;
   }
 
-  /// The winding number beyond a group of the cell.
+  /// Returns the winding number beyond a group of the cell.
   int beyond(Index cell, Index g) const { return int(g + 1 < cell_groups_[cell + 1]) * groups_[g + 1].within(); }
 
-  /// The steps above which triangles of the group may reach as far as `norm`, which is within the group's.
+  /// Returns the steps above which triangles of the group may reach `norm`, a norm of the group.
   int least_height(const Group& of, double norm) const { return of.is_sheet() ? -1 : int(of.steps(norm)); }
 
-  /// What the triangles of groups, or the first of them, are made of.
+  /// Prefetches the first triangles of groups.
   void prefetch(std::span<Pending> pending) const
   {
     const auto& triangles = model_->covering().triangles();
@@ -265,6 +269,7 @@ class Point_locator {
   }
 
   template <class Exact>
+  /// Returns the location of a point by triangles of a group, or by all.
   Location by_triangles(const Asked& asked, Index group, const Exact& exact) const
   {
     if (group == none) return locate_among_all(asked.at, exact);
@@ -291,7 +296,7 @@ class Point_locator {
     return location(winding);
   }
 
-  /// What the next four triangles say, or those before `end`.
+  /// Returns the signs of the next four triangles, or of those before `end`.
   kernel::Cone_probe::Views view(const kernel::Cone_probe& probe, Index first, Index end) const
   {
     std::array<kernel::Cone_probe::Corners, 3> corners;
@@ -305,6 +310,7 @@ class Point_locator {
   }
 
   template <class Exact>
+  /// Returns the location of a point by all triangles.
   Location locate_among_all(const kernel::Local_point& p, const Exact& exact) const
   {
     int winding = 0;
@@ -316,7 +322,8 @@ class Point_locator {
     return location(winding);
   }
 
-  /// By a filter first: a face lies within its covering's triangles, so that p is on none of it where that is certain.
+  /// Decides a triangle, by a filter first. A face lies within its covering's triangles, so p is on none of it if the
+  /// filter is certain.
   template <class Exact>
   Seen see(Index t, const kernel::Local_point& p, const Exact& exact) const
   {
@@ -331,7 +338,7 @@ class Point_locator {
     return see_exactly(model_->covering().triangles()[t], exact());
   }
 
-  /// `covering::signed_inclusion` of p in the triangle's tetrahedron, where p is not on the face.
+  /// Returns `covering::signed_inclusion` of p in the triangle's tetrahedron, or that p is on the face.
   [[gnu::noinline]] Seen see_exactly(const covering::Covering_triangle& t, const K::Point_3& p) const
   {
     const auto corner = [&](int k) { return model_->point(t.corner[k]); };
@@ -340,13 +347,14 @@ class Point_locator {
     return {.winding = covering::signed_inclusion<K>(p, model_->origin(), corner(0), corner(1), corner(2))};
   }
 
+  /// Builds the table; leaves the locator without one if triangles span too many cells.
   void make_table()
   {
     const auto count = Index(model_->covering().triangles().size());
     std::vector<Found> found;
     found.reserve(8 * std::size_t(count));
     bool core_is_empty = true;
-    // Of bodies whose triangles span many cells, fewer cells; or none.
+    // Bodies whose triangles span many cells get fewer cells, or no table.
     const std::size_t most = 64 * std::size_t(count) + 65536;
     for (Index t = 0; t < count; ++t) {
       const auto add = [&](std::size_t cell, float low, float high) { found.push_back({Index(cell), t, low, high}); };
@@ -356,10 +364,10 @@ class Point_locator {
       cells_ = Cone_cells(kernel::maximum(cells_.n() / 2, 2));
       found.clear();
       core_is_empty = true;
-      t = Index(-1);  // the first is next
+      t = Index(-1);  // the loop restarts at triangle 0
     }
     const std::vector<Index> begin = sort_by_cells(found);
-    // All arrays as long as they will be: memory that is not there yet takes longer than all else.
+    // All arrays get their final capacity at once: page faults would take longer than everything else.
     std::size_t groups = 0;
     for (std::size_t cell = 0; cell < cells_.count(); ++cell)
       groups += group_count(found.data() + begin[cell], found.data() + begin[cell + 1]);
@@ -375,12 +383,12 @@ class Point_locator {
     });
     if (core_is_empty) core_ = cell_groups_.back() < groups_.size() ? groups_[cell_groups_.back()].within() : 0;
     cell_groups_.push_back(Index(groups_.size()));
-    // Of an empty last cell, what would be its first three are read.
+    // Queries of an empty last cell read three groups from its beginning.
     groups_.insert(groups_.end(), 3, {0, 0, {}, Index(entries_.size()), 0});
     has_table_ = true;
   }
 
-  /// Where each cell's begin; the last, where all end. In place: each is changed for that in whose place it belongs.
+  /// Sorts by cells, in place, by swaps. Returns where each cell begins, and as the last entry where all end.
   std::vector<Index> sort_by_cells(std::vector<Found>& found) const
   {
     std::vector<Index> begin(cells_.count() + 1, 0);
@@ -398,7 +406,7 @@ class Point_locator {
     return begin;
   }
 
-  /// How many groups a cell's triangles are; sorts them by their low ends.
+  /// Sorts a cell's triangles by their low ends; returns the number of their groups.
   static std::size_t group_count(Found* first, Found* last)
   {
     std::sort(first, last, [](const Found& x, const Found& y) { return x.low < y.low; });
@@ -425,8 +433,8 @@ class Point_locator {
     }
   }
 
-  /// The winding numbers of the cell's groups, which are those from `first` on: crossings of its ray, the farthest
-  /// first. `found`: the cell's triangles, in the groups' order; changes it. `facets` is for its use.
+  /// Computes the winding numbers of the cell's groups, which begin at `first`, by crossings of its ray, the farthest
+  /// first. `found` has the cell's triangles, in the groups' order; it is changed. `facets` is scratch memory.
   void sum_inwards(Index first, Found* found, const kernel::Local_point& direction, const Cone_cells::Corners& corners,
                    std::vector<kernel::Local_facet>& facets)
   {
@@ -453,7 +461,7 @@ class Point_locator {
           if (sign != 0) crossed = e + k;
         }
       }
-      std::swap(entries_[crossed], entries_[begin]);  // likely to be met by others
+      std::swap(entries_[crossed], entries_[begin]);  // other points likely meet it, too
       const bool sheet = is_sheet(winding - beyond, kernel::maximum(facing[0], facing[2]), int(facets.size()));
       groups_[g].slab = kernel::Cone_slab(corners, facets);
       groups_[g].within_and_sheet = 2 * winding + sheet;
@@ -462,7 +470,7 @@ class Point_locator {
     }
   }
 
-  /// The highest first.
+  /// Sorts a group's entries by height, the highest first.
   void order_by_heights(std::size_t g, std::span<Found> found)
   {
     std::sort(found.begin(), found.end(), [](const Found& x, const Found& y) { return x.high > y.high; });
@@ -473,28 +481,28 @@ class Point_locator {
     }
   }
 
-  /// A sheet is crossed by each ray of the cell once: crossings, which sum to one over the whole cell, are all of one
-  /// sign. So one triangle that a ray is certain to cross decides. None is seen edge-on: such a one might hold points
-  /// and count for nothing.
+  /// True when the group is a sheet: each ray of the cell crosses it once. The crossings sum to one over the whole cell
+  /// and are all of one sign. So one triangle that a ray surely crosses decides. No triangle is seen edge-on: such a
+  /// one might hold points and count for nothing.
   static bool is_sheet(int crossings, int most_of_one_sign, int count)
   {
     return std::abs(crossings) == 1 && most_of_one_sign == count;
   }
 
-  /// The sign of the triangle where the ray from the origin crosses it, moved by the same infinitesimal for all.
-  /// `facing`: how its edges turn about the ray, where that is known.
+  /// Returns the sign of the triangle if the ray from the origin crosses it, else 0. The ray is moved by the same
+  /// infinitesimal for all triangles. `facing` says how the triangle's edges turn about the ray, if that is known.
   int crossing(Index t, const kernel::Local_triangle& corner, int facing, const kernel::Local_point& direction) const
   {
     const auto& [w, a, b] = corner;
     if (facing == kernel::cone_undecided) facing = kernel::cone_holds(w, a, b, direction);
     if (facing == 0) return 0;
-    // Where the triangle's own sign is another, it is the opposite ray that crosses it.
+    // If the triangle's own sign differs, the opposite ray crosses it.
     const int volume = kernel::cone_side(w, a, b);
     if (facing != kernel::cone_undecided && volume != 0) return volume == facing ? facing : 0;
     return exact_crossing(model_->covering().triangles()[t], direction);
   }
 
-  /// The sides of the ray are those of its point at norm 1, moved with it.
+  /// The sides of the ray are those of its point at norm 1, which is moved with it.
   int exact_crossing(const covering::Covering_triangle& t, const kernel::Local_point& direction) const
   {
     const kernel::Pose to_origin = kernel::Pose::translation(scale_.origin[0], scale_.origin[1], scale_.origin[2]);

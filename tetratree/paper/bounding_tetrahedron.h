@@ -7,16 +7,17 @@
 
 namespace tetracone::tetratree {
 
-/// The bounding tetrahedron V0 V'1 V'2 V'3 of what lies in a tetra-cone (JS08 Definition 5): V'i on ray i, and every
-/// vertex of the classified tetrahedra on the same side of the plane V'1 V'2 V'3 as V0. Given by the shares `length[i]`
-/// = |V0 V'i| / |V0 Vi|.
+/// Returns the bounding tetrahedron V0 V'1 V'2 V'3 of what lies in a tetra-cone (JS08 Definition 5): V'i is on ray i,
+/// and every vertex of the classified tetrahedra is on the same side of the plane V'1 V'2 V'3 as V0. It is given by the
+/// fractions `length[i]` = |V0 V'i| / |V0 Vi|.
 ///
-/// `shortened`: an isosceles tetrahedron as long as the farthest vertex needs, then the loop of section 2.3.1: each
-/// edge in turn is shortened by a share; if the tetrahedron no longer bounds, it is lengthened again by a share; and
-/// kept if it bounds. `tightest`: the plane of least volume that bounds. Departures: the shares are 3 % and 1.5 % where
-/// Fig. 8 shows 10 % and 5 % (`Config::shorten_by`); the test "bounds" is the sign of the barycentric coordinate at V0
-/// of all vertices at once, as the largest of the linear forms sum_i c_i / length_i, where c are a vertex's coordinates
-/// along the rays.
+/// `shortened` begins with an isosceles tetrahedron as long as the farthest vertex needs. Then it runs the loop of
+/// section 2.3.1: each edge in turn is shortened by a fraction; if the tetrahedron no longer bounds, the edge is
+/// lengthened again by a fraction; and that is kept if it bounds. `tightest` takes the bounding plane of least volume.
+///
+/// Departures: the fractions are 3 % and 1.5 % where Fig. 8 shows 10 % and 5 % (`Config::shorten_by`). The test
+/// "bounds" is the sign of the barycentric coordinate at V0 of all vertices at once: the largest of the linear forms
+/// sum_i c_i / length_i, where c are a vertex's coordinates along the rays.
 template <class B, bool sound>
 std::array<B, 3> bounding_tetrahedron(const kernel::Cone_coordinates<B, sound>& vertices, const Config& config)
 {

@@ -8,20 +8,20 @@
 
 namespace tetracone::tetratree {
 
-/// Which of the paper's tests classified a tetrahedron in a tetra-cone.
+/// The paper's test that classified a tetrahedron in a tetra-cone.
 enum class Classified { no, vertex_in_cone, ray_in_tetrahedron, edge_crosses_border, flat };
 
-/// Whether the tetrahedron S = O A B C of the covering belongs to the tetra-cone T: whether the closed triangle A B C
-/// meets the closed cone (JS08 section 2.2.1, Fig. 6), by the paper's three tests in the paper's order, each by signs
-/// of 3x3 determinants:
-///  1. a vertex of A B C is inside T;
-///  2. a ray of T is inside the tetra-cone of S;
-///  3. an edge of A B C meets the border of T (two edges are enough: a triangle that the first two tests leave
-///  undecided
-///     meets T, if at all, with two of its edges at least).
-/// Exact kernels: the answer is the geometric one where O is off the plane of A B C. There S has a volume; where it is
-/// flat the rays of T tell nothing about it, and S is classified unless a side of T has all of A B C strictly outside:
-/// never too few, sometimes too many, which costs a test and changes no answer. (The paper does not mention flat
+/// Tells whether the tetrahedron S = O A B C of the covering belongs to the tetra-cone T: whether the closed triangle A
+/// B C meets the closed cone (JS08 section 2.2.1, Fig. 6). It runs the paper's three tests in the paper's order, each
+/// by signs of 3x3 determinants:
+/// 1. A vertex of A B C is inside T.
+/// 2. A ray of T is inside the tetra-cone of S.
+/// 3. An edge of A B C meets the border of T. Two edges are enough: a triangle that the first two tests leave undecided
+/// meets T, if at all, with at least two of its edges.
+///
+/// Exact kernels: the answer is the geometric one if O is off the plane of A B C. A flat S has no volume, so the rays
+/// of T decide nothing about it. It is classified unless a side of T has all of A B C strictly outside. That is never
+/// too few, and sometimes too many, which costs a test and changes no answer. (The paper does not mention flat
 /// tetrahedra.)
 template <class K>
 Classified classify(const Cone_points<K>& t, const Point<K>& a, const Point<K>& b, const Point<K>& c)
@@ -58,8 +58,8 @@ Classified classify(const Cone_points<K>& t, const Point<K>& a, const Point<K>& 
     if (inside) return Classified::ray_in_tetrahedron;
   }
 
-  // The edge from corner i to j crosses the plane through rays m = k+1 and n = k+2 at a point y; with i on the negative
-  // side, y = alpha m + beta n has alpha the sign of -[O i j n] and beta that of [O i j m].
+  // The edge from corner i to j crosses the plane through rays m = k+1 and n = k+2 at a point y. Let i be on the
+  // negative side. Then y = alpha m + beta n, where alpha has the sign of -[O i j n] and beta that of [O i j m].
   for (int i = 0; i < 2; ++i) {
     const int j = i + 1;
     for (int k = 0; k < 3; ++k) {

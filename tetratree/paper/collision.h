@@ -27,30 +27,37 @@ using kernel::Relation;
 
 /// Collision detection between two tetra-trees (JS08 Algorithm 1). Build once, ask for many poses.
 ///
-/// A query first takes the reference bounding tetrahedron of each body (Theorem 2), then descends both trees,
-/// discarding a pair of nodes by Theorem 2, by spheres and by bounding tetrahedra in this order, and tests the edges in
-/// one leaf against the faces in the other, both ways; real edges only, never inner ones of the covering.
+/// A query first takes the reference bounding tetrahedron of each body (Theorem 2), then descends both trees. It
+/// discards a pair of nodes by Theorem 2, by spheres and by bounding tetrahedra, in this order. It tests the edges in
+/// one leaf against the faces in the other, both ways: real edges only, never inner ones of the covering.
 ///
-/// Exact kernels: the answer is that of all edges against all faces. A point y where an edge e of A meets a face f of B
-/// lies in a leaf cone of each tree; e is on a covering triangle through y, which is classified in A's, and so is one
-/// of f through y in B's. What lies in a cone is held by its bounding tetrahedron and sphere, rounded outward; so this
-/// pair of leaves is never discarded. And two faces that share a point share one on an edge of either.
+/// Exact kernels: the answer equals testing all edges against all faces. Proof: a point y where an edge e of A meets a
+/// face f of B lies in a leaf cone of each tree. The edge e is on a covering triangle through y, which is classified in
+/// A's leaf; likewise f has a covering triangle through y in B's. Bounding tetrahedra and spheres are rounded outward
+/// and hold what lies in their cone, so this pair of leaves is never discarded. And two faces that share a point share
+/// one on an edge of either.
 ///
-/// Departures from the listing: the choice of the node to descend (see `Descent`); flags of Theorem 2 are decided when
-/// a node is descended, not set by a walk over the whole tree; Theorem 2 asks for V0 beyond the plane too, without
-/// which a body whose origin lies inside the hull could be discarded; pairs of nodes are compared along all 44 axes of
-/// two tetrahedra (`Config::all_axes`); the side of a vertex against a face is decided once for all edges at that
-/// vertex; nodes may have oriented boxes (`Config::boxes`); a query may give up the descent and look at each pair once
-/// (`Config::all_pairs_after`). `solid` and `features` are extensions that the paper names.
+/// Departures from the listing:
+/// - the choice of the node to descend (see `Descent`);
+/// - flags of Theorem 2 are decided when a node is descended, not set by a walk over the whole tree;
+/// - Theorem 2 also asks for V0 beyond the plane; otherwise a body whose origin lies inside the hull could be
+///   discarded;
+/// - pairs of nodes are compared along all 44 axes of two tetrahedra (`Config::all_axes`);
+/// - the side of a vertex against a face is decided once for all edges at that vertex;
+/// - nodes may have oriented boxes (`Config::boxes`);
+/// - a query may give up the descent and test each pair once (`Config::all_pairs_after`).
+///
+/// `solid` and `features` are extensions that the paper names.
 ///
 /// The config of the first tree decides how a query runs. Both trees must outlive the query object. Where K decides
-/// exactly, making it and every query throw kernel::Unsound_floating_point when floating point is not as that needs it.
+/// exactly, the constructor and every query throw kernel::Unsound_floating_point when floating point is not as that
+/// needs it.
 template <class K>
 class Collision {
  public:
-  /// So many pairs of an edge and a face take the time of comparing two nodes, for `Config::all_pairs_after`: 14 to 37
-  /// ns each against 110 to 140 ns, measured on models of 14 to 760 faces. Of none where K rounds: there the answers of
-  /// the descent itself are asked for, right or wrong.
+  /// Number of pairs of an edge and a face that take the time of comparing two nodes, for `Config::all_pairs_after`.
+  /// Measured on models of 14 to 760 faces: 14 to 37 ns per pair against 110 to 140 ns. It is 0 where K rounds: there
+  /// the answers of the descent itself are wanted, right or wrong.
   static constexpr std::size_t pairs_per_visit = Tetra_tree<K>::sound ? 8 : 0;
 
   Collision(Tetra_tree<K>& a, Tetra_tree<K>& b)
@@ -63,14 +70,14 @@ class Collision {
     if constexpr (sound) kernel::require_exact_arithmetic();
   }
 
-  /// Whether the two placed polyhedra collide. Requires det M != 0 of both poses, and closed polyhedra for
+  /// True when the two placed polyhedra collide. Requires det M != 0 of both poses, and closed polyhedra for
   /// `Question::solid`.
   bool operator()(const Pose& pose_a, const Pose& pose_b, Question question = Question::solid)
   {
     return relation(pose_a, pose_b, question) != Relation::apart;
   }
 
-  /// How they stand to one another. Requires the same.
+  /// Returns how the two placed polyhedra stand to one another. Requires as above.
   Relation relation(const Pose& pose_a, const Pose& pose_b, Question question = Question::solid)
   {
     const Fallbacks fallbacks(counts_);
@@ -81,8 +88,8 @@ class Collision {
     return holds_a_shell(a_, b_) ? Relation::b_in_a : holds_a_shell(b_, a_) ? Relation::a_in_b : Relation::apart;
   }
 
-  /// Calls leaf_test(node of A, node of B) for the pairs of leaves that the query does not discard, until one returns
-  /// true: the descent alone, with a leaf test of the caller's. Returns whether one did.
+  /// Calls leaf_test(node of A, node of B) for the pairs of leaves that the query does not discard, until one call
+  /// returns true. True when one did. This is the descent alone, with the caller's leaf test.
   template <class Leaf_test>
   bool any_leaf_pair(const Pose& pose_a, const Pose& pose_b, const Leaf_test& leaf_test)
   {
@@ -90,7 +97,8 @@ class Collision {
     return !roots_apart() && descend_from_roots(leaf_test);
   }
 
-  /// All pairs of an edge of one and a face of the other that share a point, with the kind of their contact, sorted.
+  /// Returns all pairs of an edge of one and a face of the other that share a point, with the kind of their contact,
+  /// sorted. Requires det M != 0 of both poses.
   std::vector<Feature_pair> features(const Pose& pose_a, const Pose& pose_b)
   {
     const Fallbacks fallbacks(counts_);
@@ -104,7 +112,7 @@ class Collision {
     return found;
   }
 
-  /// The choices by which queries run; those of the build have been made.
+  /// Returns the choices by which queries run; choices of the build have no more effect.
   Config& config() { return config_; }
 
   Placed_tree<K>& a() { return a_; }
@@ -161,14 +169,14 @@ class Collision {
            m[2] * (m[4] * m[9] - m[5] * m[8]);
   }
 
-  // The spheres of the whole bodies; where neither has a tree, nothing is discarded.
+  // Tests the spheres of the whole bodies. If neither has a tree, nothing is discarded.
   bool roots_apart()
   {
     const Node<B>&a = a_.tree().node(root), &b = b_.tree().node(root);
     return !(a.is_leaf && b.is_leaf) && spheres_apart(a, b);
   }
 
-  // Whether an edge of one and a face of the other share a point; with `features_`, after all of these are found.
+  // True when an edge of one body and a face of the other share a point. With `features_` it finds all of them first.
   bool surfaces_meet()
   {
     limit_ = config_.all_pairs_after * all_pairs_;
@@ -178,8 +186,8 @@ class Collision {
     return elements_meet(every_a.elements(), every_b.elements());
   }
 
-  // Counts work that takes the time of so many pairs of an edge and a face: true, which ends the descent, when all of
-  // them at once are the better way.
+  // Counts work that takes the time of `pairs` pairs of an edge and a face. True, which ends the descent, when testing
+  // all pairs at once is better.
   bool gives_up(std::size_t pairs)
   {
     pairs_seen_ += pairs;
@@ -197,7 +205,7 @@ class Collision {
     return descend(root, root, leaf_test);
   }
 
-  // The plane of `body` that faces `other`, when it can discard anything: when the other's V0, a vertex of all its
+  // Returns the plane of `body` that faces `other`, if it can discard anything: if the other's V0, a vertex of all its
   // bounding tetrahedra, is beyond it.
   Plane reference(const Body& body, const Body& other) const
   {
@@ -240,7 +248,7 @@ class Collision {
     return kernel::separated<B>(a_.box(na), b_.box(nb), slack_);
   }
 
-  // A pair of nodes: true when a contact was found and one is enough, or when the descent is given up.
+  // Compares a pair of nodes. True when a contact was found and one is enough, or when the descent is given up.
   template <class Leaf_test>
   bool visit(Index na, Index nb, const Leaf_test& leaf_test)
   {
@@ -285,7 +293,7 @@ class Collision {
     return false;
   }
 
-  // A pair of leaves, likewise.
+  // Compares a pair of leaves; returns as `visit`.
   bool leaves_meet(const Node<B>& a, const Node<B>& b)
   {
     ++counts_.leaf_pairs;
@@ -323,8 +331,8 @@ class Collision {
     return edges_meet_faces(a_, of_a.edges, b_, of_b.faces, 0) || edges_meet_faces(b_, of_b.edges, a_, of_a.faces, 1);
   }
 
-  // The side of a vertex against a face's plane, which most pairs need only to be told apart, is decided once for all
-  // edges at that vertex.
+  // Tests edges of one body against faces of the other. The side of a vertex against a face's plane alone decides most
+  // pairs. It is computed once for all edges at that vertex.
   bool edges_meet_faces(Body& body, std::span<const Index> edges, Body& other, std::span<const Index> faces,
                         int body_number)
   {
@@ -353,7 +361,7 @@ class Collision {
         const auto& [from, to] = ends[edges[k]];
         const kernel::Sign side_from = side(from), side_to = side(to);
         if (side_from == side_to && side_from != kernel::ZERO) continue;
-        if constexpr (sound) pairs_seen_ += placed.edge_count();  // which are looked at now, one by one
+        if constexpr (sound) pairs_seen_ += placed.edge_count();  // these are looked at now, one by one
         const kernel::Point<K>&p = body.body().point(from), &q = body.body().point(to);
         const Contact contact = is_triangle && !is_degenerate
                                     ? kernel::segment_triangle<K>(p, q, placed.plane_basis(0), placed.plane_basis(1),
@@ -367,7 +375,8 @@ class Collision {
     return false;
   }
 
-  // Requires surfaces that share no point: then each shell is inside or outside as a whole, and one vertex of it tells.
+  // True when the holder holds a shell of the other body. Requires surfaces that share no point: then each shell is
+  // inside or outside as a whole, and one vertex decides.
   bool holds_a_shell(Body& holder, Body& held)
   {
     for (const Index v : held.tree().model().covering().shell_vertices()) {
@@ -384,15 +393,15 @@ class Collision {
   std::vector<Feature_pair>* features_ = nullptr;
 
   struct Side {
-    std::uint64_t decided_at = 0;  // the face, by `face_now_`
+    std::uint64_t decided_at = 0;  // the face, as a value of `face_now_`
     kernel::Sign sign = kernel::ZERO;
   };
-  std::vector<Side> sides_;  // of the vertices of either body against the face at hand
+  std::vector<Side> sides_;  // sides of vertices of either body against the present face
   std::uint64_t face_now_ = 0;
-  std::vector<kernel::Box<B>> edge_boxes_;  // of the leaf at hand
-  const double all_pairs_;                  // of an edge and a face
-  std::size_t pairs_seen_ = 0;              // by this query, and what else takes the time of as many
-  double limit_ = 0;                        // of these, beyond which it gives up the descent
+  std::vector<kernel::Box<B>> edge_boxes_;  // of the present leaf
+  const double all_pairs_;                  // number of pairs of an edge and a face
+  std::size_t pairs_seen_ = 0;              // pairs that this query has taken the time of
+  double limit_ = 0;                        // upper limit of these, beyond which the descent is given up
   bool gave_up_ = false;
   Query_statistics counts_;
 };

@@ -26,56 +26,55 @@ enum class Descent {
   both           ///< both at once, as the listing in the appendix does
 };
 
-/// Everything that can be chosen about a tetra-tree and its queries. The default is the method as the paper lists it.
+/// The choices for a tetra-tree and its queries. The default is the method as the paper lists it.
 struct Config {
-  /// Deepest level of tetra-cones (the octants are level 1); 0 lets the tree be one list without cones. Default: so
-  /// many levels that a cone of the last one holds about one triangle of a star-shaped object ("adjusted to the number
-  /// of vertices").
+  /// The deepest level of tetra-cones; octants are level 1. 0 makes the tree one list without cones. The default is the
+  /// level at which a cone holds about one triangle of a star-shaped object ("adjusted to the number of vertices").
   static constexpr int by_size = -1;
   int depth = by_size;
 
-  /// A cone with at most so many tetrahedra is a leaf.
+  /// A cone with at most this many tetrahedra is a leaf.
   std::size_t leaf_size = 8;
 
-  /// Nodes are made when a query first enters their parent, instead of all at the start.
+  /// True: nodes are made when a query first enters their parent, instead of all at the start.
   bool on_demand = false;
 
   Far_plane far_plane = Far_plane::shortened;
-  /// The loop of `Far_plane::shortened`: rounds over the three edges, share by which an edge is shortened, and share by
-  /// which it is lengthened again when that was too much. Departure: JS08 Fig. 8 has 10 % and 5 %, and no number of
-  /// rounds; the study shows what either costs and saves, and what no round does.
+  /// The loop of `Far_plane::shortened`: rounds over the three edges, the fraction by which an edge is shortened, and
+  /// the fraction by which it is lengthened again when that was too much. Departure: JS08 Fig. 8 has 10 % and 5 %, and
+  /// gives no number of rounds. The study shows what either costs and saves, and what no round does.
   int shortening_rounds = 60;
   double shorten_by = 0.03, lengthen_by = 0.015;
 
   Sphere_centre sphere_centre = Sphere_centre::centroid;
 
-  /// Theorem 2: discard a bounding tetrahedron that lies beyond the plane of the other body's reference bounding
-  /// tetrahedron.
+  /// Theorem 2: a bounding tetrahedron that lies beyond the plane of the other body's reference bounding tetrahedron is
+  /// discarded.
   bool regular_hull = true;
 
-  /// Discard pairs of nodes by their bounding spheres, and by their bounding tetrahedra.
+  /// Pairs of nodes are discarded by their bounding spheres, and by their bounding tetrahedra.
   bool spheres = true;
   bool tetrahedra = true;
 
-  /// Discard them by oriented boxes about the vertices of what is classified in them. Not in the paper.
+  /// Pairs of nodes are discarded by oriented boxes about the vertices of what is classified in them. Not in the paper.
   bool boxes = false;
 
   Descent descent = Descent::larger_first;
 
-  /// Bounding tetrahedra are compared along all 44 axes, which is the whole test of two tetrahedra, or along their 8
+  /// Bounding tetrahedra are compared along all 44 axes, which is the complete test of two tetrahedra, or along their 8
   /// face normals only.
   bool all_axes = true;
 
   /// In leaves, edges and faces whose axis-aligned boxes are apart are not tested further. Not in the paper.
   bool leaf_boxes = false;
 
-  /// A query whose descent has taken the time of more than this share of all pairs of an edge and a face looks at each
-  /// pair once instead: an element that lies in many cones is listed in each, and tested in every pair of their leaves.
-  /// In exact kernels pairs of nodes count too, of which bodies of a few faces have nearly as many, and so do the edges
-  /// of a face whose plane an edge crosses. Infinite: never, as the paper lists it.
+  /// The fraction of all pairs of an edge and a face whose time a descent may take. Beyond it the query tests each pair
+  /// once instead: an element in many cones is listed in each, and tested in every pair of their leaves. In exact
+  /// kernels pairs of nodes count too, since bodies of a few faces have nearly as many of them. So do the edges of a
+  /// face whose plane an edge crosses. Infinite means never, as the paper lists it.
   double all_pairs_after = std::numeric_limits<double>::infinity();
 
-  /// The paper's method, never far slower than no tree at all.
+  /// Returns the paper's method, never far slower than no tree at all.
   static Config paper()
   {
     Config config;
@@ -83,7 +82,7 @@ struct Config {
     return config;
   }
 
-  /// The fastest choice known for the paper's structure, all within it but the boxes in leaves.
+  /// Returns the fastest choice known for the paper's structure; only the boxes in leaves are not the paper's.
   static Config fastest()
   {
     Config config;
@@ -95,7 +94,7 @@ struct Config {
     return config;
   }
 
-  /// No tree: every edge against every face.
+  /// Returns no tree: every edge against every face.
   static Config brute()
   {
     Config config;

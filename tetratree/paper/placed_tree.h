@@ -12,7 +12,7 @@
 
 namespace tetracone::tetratree {
 
-/// One body of a query: a tetra-tree under a pose. Vertices and boxes are placed when first asked for, and once a pose.
+/// A tetra-tree under a pose, one body of a query. Vertices and boxes are placed on first use, once per pose.
 template <class K>
 class Placed_tree {
  public:
@@ -58,7 +58,7 @@ class Placed_tree {
     return placed;
   }
 
-  /// The placed half-space of the hull's triangle that faces `point` (JS08 Definition 8).
+  /// Returns the placed half-space of the hull's triangle that faces `point` (JS08 Definition 8).
   kernel::Placed_half_space<B, sound> reference(const kernel::Bound_point<B>& point) const
   {
     auto direction = frame_.pulled_back(kernel::difference(point, origin()));
@@ -67,6 +67,7 @@ class Placed_tree {
     return {frame_, hull_.towards(direction), body_.determinant_sign()};
   }
 
+  /// Returns a box about a placed edge.
   kernel::Box<B> edge_box(Index edge)
   {
     kernel::Box<B> box;
@@ -75,6 +76,7 @@ class Placed_tree {
     return box;
   }
 
+  /// Returns a box about a placed face.
   const kernel::Box<B>& face_box(Index face)
   {
     if (boxed_at_[face] != now_) {
@@ -87,14 +89,14 @@ class Placed_tree {
     return face_box_[face];
   }
 
-  /// Whether the placed solid holds p. Requires p on no face, and the polyhedron closed.
+  /// True when the placed solid holds p. Requires p on no face, and a closed polyhedron.
   bool contains(const kernel::Point<K>& p)
   {
     const auto leaf = leaf_of(p);
     return leaf && winding_number(p, *leaf) != 0;
   }
 
-  /// Where p stands with regard to the placed solid. Requires the polyhedron closed.
+  /// Returns the location of p with regard to the placed solid. Requires a closed polyhedron.
   covering::Location locate(const kernel::Point<K>& p)
   {
     const auto leaf = leaf_of(p);
@@ -106,8 +108,8 @@ class Placed_tree {
   }
 
  private:
-  // The one leaf whose tetra-cone holds p moved by (e, e^2, e^3), which lies on no border of a cone; nothing where no
-  // tetrahedron meets that cone. Nodes on the way are made if they have to be.
+  // Returns the one leaf whose tetra-cone holds p moved by (e, e^2, e^3), which lies on no border of a cone. Returns
+  // nothing if no tetrahedron meets that cone. Makes nodes as it descends.
   std::optional<Index> leaf_of(const kernel::Point<K>& p)
   {
     Index n = Tetra_tree<K>::root();
@@ -122,8 +124,8 @@ class Placed_tree {
     return n;
   }
 
-  // The winding number about p moved likewise: the signed sum over the tetrahedra of the leaf, which are all that can
-  // hold it (JS08 section 2.2).
+  // Returns the winding number about p moved likewise. It is the signed sum over the tetrahedra of the leaf: no others
+  // can hold p (JS08 section 2.2).
   int winding_number(const kernel::Point<K>& p, Index leaf)
   {
     const auto& triangles = tree_.model().covering().triangles();

@@ -11,8 +11,8 @@
 
 namespace tetracone::tetratree {
 
-/// The tetra-cone of level `level` (octants are level 1) that holds a direction, by its coordinates along the rays.
-/// Rounded: near a border it may be the neighbour, which every use here allows.
+/// Returns the tetra-cone of level `level` (octants are level 1) that holds a direction, by its coordinates along the
+/// rays. Coordinates are rounded: near a border it may return the neighbour, which every use here allows.
 template <class B>
 Tetra_cone cone_towards(const kernel::Bound_point<B>& direction, int level)
 {
@@ -37,33 +37,35 @@ Tetra_cone cone_towards(const kernel::Bound_point<B>& direction, int level)
 }
 
 /// The regular hull of a polyhedron (JS08 Definition 7): the triangles V''1 V''2 V''3 of all cones of a level, every
-/// vertex at distance dmax from V0 on its ray. It holds all bounding tetrahedra, so the polyhedron lies in the
-/// half-space of each triangle, which is what Theorem 2 uses.
+/// vertex at distance dmax from V0 on its ray. It holds all bounding tetrahedra. So the polyhedron lies in the
+/// half-space of each triangle, which Theorem 2 uses.
 ///
 /// Sound form. The hull is convex for every full level that is used here (levels 1 to `deepest_convex_level`, proved by
-/// intervals in its test). Leaves lie at different depths; so dmax is the longest edge over *all* leaves, and the level
-/// is that of the deepest leaf: the rays of shallower cones are rays of that level too, hence every V'i is on a segment
+/// intervals in its test). Leaves lie at different depths, so dmax is the longest edge over *all* leaves, and the level
+/// is that of the deepest leaf. The rays of shallower cones are rays of that level too, hence every V'i is on a segment
 /// from V0 to a vertex of the hull. The paper's own words, "the bounding tetrahedra associated to a level", hold only
-/// where all leaves are at that level. Where the leaves are not known (nodes on demand), or the level is deeper, the
-/// plane is moved out to the sphere about V0 that holds all vertices.
+/// where all leaves are at that level. If the leaves are unknown (nodes on demand), or the level is deeper, the plane
+/// is moved out to the sphere about V0 that holds all vertices.
 template <class B, bool sound>
 class Regular_hull {
  public:
   static constexpr int deepest_convex_level = 8;
 
-  /// What the rounded normal may move the plane by, a share of its distance: at these levels edges of the unit vectors
-  /// are of some 2^-level, and rounded by 2^-52.
+  /// Upper bound of the plane's displacement by the rounded normal, relative to its distance. At these levels the edges
+  /// of the unit vectors have lengths of about 2^-level, and are rounded by 2^-52. Proved in
+  /// verify/proofs/margin_proofs.h.
   static constexpr double normal_rounding = 0x1p-42;
 
   Regular_hull() = default;
 
-  /// `longest_edge` is dmax, or negative when it is not known; `radius` bounds the distance of all vertices from V0.
+  /// `longest_edge` is dmax, or negative if unknown; `radius` is an upper bound of the distance of all vertices from
+  /// V0.
   Regular_hull(const kernel::Bound_point<B>& origin, int level, B longest_edge, B radius)
       : origin_(origin), level_(kernel::maximum(level, 1)), longest_edge_(longest_edge), radius_(radius)
   {}
 
-  /// The half-space of the reference bounding tetrahedron (Definition 8): of the hull's triangle in whose cone
-  /// `direction` lies.
+  /// Returns the half-space of the reference bounding tetrahedron (Definition 8): that of the hull's triangle whose
+  /// cone holds `direction`.
   kernel::Half_space<B> towards(const kernel::Bound_point<B>& direction) const
   {
     const Tetra_cone cone = cone_towards(direction, level_);

@@ -14,16 +14,17 @@ using kernel::Direction;
 using kernel::Point;
 using kernel::Sign;
 
-/// A tetra-cone: the region between three rays from the common origin V0 (JS08 Definition 3), closed. Its rays run
-/// through points of the tree's lattice of directions, which are exact in every kernel. Positively oriented: det[V1,
-/// V2, V3] > 0.
+/// A tetra-cone: the closed region between three rays from the common origin V0 (JS08 Definition 3). Its rays run
+/// through points of the tree's lattice of directions, which are exact in every kernel. It is positively oriented:
+/// det[V1, V2, V3] > 0.
 ///
-/// Departure from the paper: the corners of the octants are at distance lattice_size * step, not 1, and V0 is where the
-/// model has it, so that no vertex is translated and nothing is rounded.
+/// Departure from the paper: the corners of the octants are at distance lattice_size * step, not 1, and V0 is the
+/// model's origin. So no vertex is translated, and nothing is rounded.
 struct Tetra_cone {
   std::array<Direction, 3> ray;  ///< V1, V2, V3
 
-  /// The octant `k` (bit 0: x < 0, bit 1: y < 0, bit 2: z < 0); for k = 0 V1, V2, V3 are on z, x and y (JS08 Fig. 4).
+  /// Returns octant `k` (bit 0: x < 0, bit 1: y < 0, bit 2: z < 0). For k = 0, V1, V2, V3 are on z, x and y (JS08 Fig.
+  /// 4).
   static Tetra_cone octant(int k)
   {
     const auto sign = [k](int axis) { return (k >> axis) & 1 ? -kernel::lattice_size : kernel::lattice_size; };
@@ -32,8 +33,8 @@ struct Tetra_cone {
     return reflected ? Tetra_cone{z, y, x} : Tetra_cone{z, x, y};
   }
 
-  /// Child `k` of four, by the midpoints of the three edges (JS08 Definition 4): 0, 1, 2 keep V1, V2, V3; 3 is the
-  /// middle one.
+  /// Returns child `k` of four, by the midpoints of the three edges (JS08 Definition 4): 0, 1, 2 keep V1, V2, V3; 3 is
+  /// the middle one.
   Tetra_cone child(int k) const
   {
     const auto middle = [](const Direction& a, const Direction& b) {
@@ -50,7 +51,7 @@ struct Tetra_cone {
   }
 };
 
-/// A tetra-cone as points of K, where it stands or placed.
+/// A tetra-cone as points of K, in the body's coordinates or placed.
 template <class K>
 struct Cone_points {
   Point<K> v0, v1, v2, v3;

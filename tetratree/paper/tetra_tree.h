@@ -25,8 +25,8 @@ namespace tetracone::tetratree {
 using covering::Covering_triangle;
 using covering::Index;
 
-/// A node of a tetra-tree: a tetra-cone, what is classified in it, and what bounds it. The root is no cone but all of
-/// space.
+/// A node of a tetra-tree: a tetra-cone, the tetrahedra classified in it, and their bounds. The root is no cone but all
+/// of space.
 template <class B>
 struct Node {
   Tetra_cone cone{};
@@ -35,7 +35,7 @@ struct Node {
   kernel::Bound_tetrahedron<B> tetrahedron{};  ///< bounding tetrahedron V0 V'1 V'2 V'3 (Definition 5); none in the root
   B volume = 0;                                ///< of the bounding tetrahedron; infinite in the root
   bool is_leaf = true;
-  bool has_children = false;                   ///< false in a leaf, and where nobody has asked for them yet
+  bool has_children = false;                   ///< false in a leaf, and until a query asks for them
   Index first_child = 0, child_count = 0;      ///< cones in which nothing is classified have no node
   std::size_t begin = 0, end = 0;              ///< its tetrahedra
   std::size_t edges_begin = 0, edges_end = 0;  ///< in a leaf: the real edges on them
@@ -43,20 +43,21 @@ struct Node {
 };
 
 /// The tetra-tree of a polyhedron over kernel K (JS08 section 2.2, Definition 4): a tree of tetra-cones from one
-/// origin, eight octants and then four children each, and in every cone the tetrahedra of the covering that meet it,
-/// with a bounding tetrahedron and a bounding sphere each (section 2.3). The classification uses K's signs; the bounds
-/// are in K's bound arithmetic, rounded outward where K has exact signs.
+/// origin, eight octants and then four children each. Every cone has the tetrahedra of the covering that meet it, a
+/// bounding tetrahedron and a bounding sphere (section 2.3). The classification uses K's signs. The bounds are in K's
+/// bound arithmetic, rounded outward where K has exact signs.
 ///
-/// Departures from the paper: a cone in which nothing is classified has no node; nodes can be made on demand (see
-/// `Config`), and have oriented boxes on demand (`Config::boxes`); the regular hull is that of all leaves (see
-/// `Regular_hull`). A tree whose nodes are made on demand changes while it is asked: it belongs to one thread.
+/// Departures from the paper: a cone in which nothing is classified has no node. Nodes can be made on demand (see
+/// `Config`), and can have oriented boxes (`Config::boxes`). The regular hull is that of all leaves (see
+/// `Regular_hull`). A tree with nodes on demand changes during queries: it belongs to one thread.
 template <class K>
 class Tetra_tree {
  public:
   using B = typename kernel::Kernel_traits<K>::Bound;
   static constexpr bool sound = kernel::Kernel_traits<K>::exact_signs;
 
-  /// Requires faces that are planar; anything else may be wrong with the polyhedron that `check` can find. Not empty.
+  /// Builds the tree. Requires planar faces, and at least one; the polyhedron may have any other defect that `check`
+  /// can find.
   explicit Tetra_tree(const covering::Polyhedron& polyhedron, const Config& config = {})
       : model_(polyhedron),
         config_(config),
@@ -92,34 +93,35 @@ class Tetra_tree {
 
   static constexpr Index root() { return 0; }
   const Node<B>& node(Index n) const { return nodes_[n]; }
-  /// Its oriented box. Requires `Config::boxes`.
+  /// Returns a node's oriented box. Requires `Config::boxes`.
   const kernel::Bound_box<B>& box(Index n) const { return boxes_[n]; }
 
-  /// The nodes that exist: all, or with nodes on demand those that queries have made so far.
+  /// Returns the number of nodes that exist: all or, on demand, those that queries have made so far.
   std::size_t node_count() const { return nodes_.size(); }
 
-  /// Bytes of the tree, the model excluded.
+  /// Returns the bytes of the tree, except the model's.
   std::size_t bytes() const
   {
     return nodes_.capacity() * sizeof(Node<B>) + boxes_.capacity() * sizeof(kernel::Bound_box<B>) +
            (elements_.capacity() + edges_.capacity() + faces_.capacity()) * sizeof(Index);
   }
 
-  /// The children of a node that is no leaf, made now if they have not been; numbers first_child ... first_child +
-  /// child_count - 1.
+  /// Returns a node that is no leaf with its children, which are made if necessary. Their numbers are first_child ...
+  /// first_child + child_count - 1.
   const Node<B>& with_children(Index n)
   {
     if (!nodes_[n].has_children) make_children(n);
     return nodes_[n];
   }
 
-  /// The tetrahedra classified in a node, as numbers of triangles of the covering.
+  /// Returns the tetrahedra classified in a node, as numbers of triangles of the covering.
   std::span<const Index> elements(const Node<B>& node) const { return part(elements_, node.begin, node.end); }
-  /// The real edges and the faces classified in a leaf.
+  /// Returns the real edges classified in a leaf; `faces` returns the faces.
   std::span<const Index> edges(const Node<B>& leaf) const { return part(edges_, leaf.edges_begin, leaf.edges_end); }
   std::span<const Index> faces(const Node<B>& leaf) const { return part(faces_, leaf.faces_begin, leaf.faces_end); }
 
-  /// A bound on every coordinate of vertices and bounding tetrahedra: no edge of one is longer than 4 * sqrt(3) radii.
+  /// Upper bound of every coordinate of vertices and bounding tetrahedra: no edge of one is longer than 4 * sqrt(3)
+  /// radii.
   B reach() const
   {
     return kernel::maximum(std::abs(origin_[0]), std::abs(origin_[1]), std::abs(origin_[2])) + 8 * radius_;
@@ -127,7 +129,7 @@ class Tetra_tree {
 
   const kernel::Bound_point<B>& origin() const { return origin_; }
 
-  /// The regular hull of the tree as it is.
+  /// Returns the regular hull of the tree as it is.
   Regular_hull<B, sound> regular_hull() const
   {
     B longest = -1;
@@ -153,7 +155,7 @@ class Tetra_tree {
     return std::span(of).subspan(begin, end - begin);
   }
 
-  // Each vertex of the classified tetrahedra once, the origin excluded.
+  // Returns each vertex of the classified tetrahedra once, without the origin.
   std::vector<kernel::Bound_point<B>> vertices_of(const Node<B>& node)
   {
     std::vector<kernel::Bound_point<B>> points;
@@ -179,6 +181,7 @@ class Tetra_tree {
     if (config_.boxes) boxes_.push_back(kernel::bound_box<B>(points));
   }
 
+  /// Makes the children of node n, unless it is a leaf.
   void make_children(Index n)
   {
     if (nodes_[n].is_leaf) return;
@@ -201,6 +204,7 @@ class Tetra_tree {
     nodes_[n].child_count = static_cast<Index>(nodes_.size()) - first;
   }
 
+  /// Sets the child's tetrahedra: those of the parent that meet its cone.
   void classify_into(Node<B>& child, const Node<B>& parent)
   {
     using Fixed = typename kernel::Kernel_traits<K>::Fixed;
@@ -221,6 +225,7 @@ class Tetra_tree {
     child.end = elements_.size();
   }
 
+  /// Sets the child's bounding volumes.
   void bound(Node<B>& child)
   {
     const auto points = vertices_of(child);
@@ -240,6 +245,7 @@ class Tetra_tree {
     child.volume = coordinates.volume(length);
   }
 
+  /// Sets a leaf's real edges and faces.
   void collect_leaf(Node<B>& leaf)
   {
     ++now_;
@@ -265,7 +271,7 @@ class Tetra_tree {
   kernel::Bound_point<B> origin_;
   B radius_ = 0;  // of the sphere about the origin that holds every vertex
   std::vector<Node<B>> nodes_;
-  std::vector<kernel::Bound_box<B>> boxes_;      // of the nodes, where the config asks for them
+  std::vector<kernel::Bound_box<B>> boxes_;      // of the nodes, if the config asks for them
   std::vector<Index> elements_, edges_, faces_;  // of all nodes, one after the other
 
   // Marks of one pass over a node's elements: x is seen when seen_[x] == now_.

@@ -16,7 +16,8 @@ namespace py = pybind11;
 
 namespace {
 
-/// Whether an array, or one within lists of lists, has masked entries: numpy drops their mask.
+/// True when an array, or one within lists of lists, has masked entries. They are refused, since numpy drops their
+/// mask.
 bool has_masked(const py::handle& values, int depth = 3)
 {
   static const py::handle module = py::module_::import("numpy.ma").release();
@@ -40,7 +41,7 @@ py::array as_array(const py::handle& values, const std::string& name)
   }
 }
 
-/// Whether integers all are doubles.
+/// True when all integers are doubles.
 bool are_doubles(const py::array& integers)
 {
   if (integers.itemsize() <= 4 || integers.size() == 0) return true;
@@ -63,7 +64,7 @@ std::uint32_t vertex_number(Integer number, std::size_t face, std::size_t vertex
   return std::uint32_t(number);
 }
 
-/// Of Python or numpy: both say that they are integers.
+/// True for a truth value of Python or numpy: both claim to be integers.
 bool is_truth_value(const py::handle& value)
 {
   static const py::handle numpy_bool = py::object(py::dtype::of<bool>().attr("type")).release();
@@ -86,7 +87,8 @@ std::uint32_t vertex_number(const py::handle& corner, std::size_t face, std::siz
   return vertex_number(value, face, vertex_count);
 }
 
-/// The double that the door's reader of numbers makes of a text; nothing when it makes none, or a fraction that is none.
+/// Returns the double that the door's reader of numbers makes of a text. Returns nothing if it makes none, or a
+/// fraction that is no double.
 std::optional<double> double_of(const std::string& text)
 {
   const auto number = kernel::parse_number(text);
@@ -95,7 +97,7 @@ std::optional<double> double_of(const std::string& text)
   return kernel::Rational(nearest) == *number ? std::optional(nearest) : std::nullopt;
 }
 
-/// A text is a sequence too, and bytes are one of numbers: neither is meant.
+/// True for a sequence that is neither a text nor bytes: both are sequences too.
 bool is_loop(const py::handle& value)
 {
   if (py::isinstance<py::str>(value) || py::isinstance<py::bytes>(value)) return false;
@@ -128,7 +130,7 @@ std::vector<std::vector<std::uint32_t>> loops_of(const py::handle& face, std::si
   return loops;
 }
 
-/// Rows of an array of integers, each a polygon.
+/// Adds the rows of an array of integers, each as a polygon.
 template <std::integral Integer>
 void add_polygons(Polyhedron& polyhedron, const py::array& faces)
 {
@@ -156,7 +158,7 @@ Numbers::Numbers(const py::handle& values, std::string name) : name_(std::move(n
   const auto width = array_.itemsize();
   shape_.assign(array_.shape(), array_.shape() + array_.ndim());
   if (kind == 'b' || (kind == 'f' && width <= 8) || ((kind == 'i' || kind == 'u') && are_doubles(array_))) {
-    // Doubles of this machine are taken as they are.
+    // Doubles in this machine's order of bytes are taken as they are.
     if (!array_.dtype().is(py::dtype::of<double>())) array_ = py::array_t<double, py::array::forcecast>(array_);
     data_ = static_cast<const char*>(array_.data());
     strides_.assign(array_.strides(), array_.strides() + array_.ndim());

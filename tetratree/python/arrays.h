@@ -14,34 +14,35 @@
 #include <string_view>
 #include <vector>
 
-/// Arrays of Python as the door takes them. A number is never rounded on the way: what is no double is taken as a text.
+/// Python's arrays, converted for the door. No number is rounded on the way: a number that is no double becomes a text.
 namespace tetracone::python {
 
-/// The error with `to` for `from` where its line begins so.
+/// Returns the error with `to` in place of `from`, where its line begins with `from`.
 Error renamed(const Error& error, std::string_view from, const std::string& to);
 
-/// An array of doubles, read where it lies, or of exact numbers as texts: decimals, each the double nearest to it, and
-/// fractions "n/d".
+/// An array of doubles, read in place, or of exact numbers as texts. A decimal stands for the double nearest to it, a
+/// fraction "n/d" for itself.
 class Numbers {
  public:
-  /// `name` is what messages call it. Doubles are not copied, whatever their strides; other numbers that are doubles
-  /// become such; all others, as fractions.Fraction, large integers or texts, become texts. Throws Error for what is no
-  /// array of numbers, and for masked entries.
+  /// Takes an array, which messages call `name`. Doubles are not copied, whatever their strides. Other numbers that are
+  /// doubles become doubles. All others (fractions.Fraction, large integers, texts) become texts. Throws Error for
+  /// anything but an array of numbers, and for masked entries.
   Numbers(const pybind11::handle& values, std::string name);
 
   const std::string& name() const { return name_; }
   std::size_t dimensions() const { return shape_.size(); }
   std::size_t extent(std::size_t dimension) const { return shape_[dimension]; }
-  /// "(10, 3, 4)".
+  /// Returns the shape as a text, "(10, 3, 4)".
   std::string shape() const;
 
   bool is_exact_text() const { return exact_; }
 
-  /// The first double, and the bytes from one index to the next. Requires doubles.
+  /// Returns the address of the first double. `stride` returns the bytes from one index to the next. Both require
+  /// doubles.
   const char* data() const { return data_; }
   std::ptrdiff_t stride(std::size_t dimension) const { return strides_[dimension]; }
 
-  /// The double at these indices, of an array of as many dimensions. Requires doubles. Needs no interpreter's lock.
+  /// Returns the double at these indices, one for each dimension. Requires doubles. Needs no interpreter's lock.
   template <class... Indices>
   double number(Indices... indices) const
   {
@@ -50,7 +51,7 @@ class Numbers {
     return value;
   }
 
-  /// The text at these indices. Requires texts. Needs no interpreter's lock.
+  /// Returns the text at these indices. Requires texts. Needs no interpreter's lock.
   template <class... Indices>
   const std::string& text(Indices... indices) const
   {
@@ -86,7 +87,7 @@ class Poses {
   bool is_one() const { return is_one_; }
   std::size_t count() const { return count_; }
 
-  /// Pose `k`. Throws Error, which `require` repeats with its name. Needs no interpreter's lock.
+  /// Returns pose `k`. Throws Error, which `require` repeats with its name. Needs no interpreter's lock.
   Pose operator()(std::size_t k) const
   {
     if (packed_) [[likely]] {
@@ -97,10 +98,10 @@ class Poses {
     return numbers_ ? made(k) : Pose();
   }
 
-  /// Throws Error that names pose `k` where it is none.
+  /// Throws Error with the name of pose `k` where it is no pose.
   void require(std::size_t k) const;
 
-  /// What messages call pose `k`.
+  /// Returns the name of pose `k` in messages.
   std::string name(std::size_t k) const;
 
  private:
@@ -111,17 +112,18 @@ class Poses {
   bool is_one_ = true;
   std::size_t count_ = 1, rows_ = 3;
   std::ptrdiff_t stride_ = 0;
-  const char* packed_ = nullptr;  // the numbers of pose 0 where those of each pose (3, 4) follow each other
+  const char* packed_ = nullptr;  // the numbers of pose 0 where each pose (3, 4) is contiguous
 };
 
-/// The polyhedron of vertices (n, 3) and faces: an array (m, k) of vertex numbers, or a sequence of faces, each a
-/// sequence of numbers or of loops of numbers, the outer one first. Throws Error for what is none.
+/// Returns the polyhedron of vertices (n, 3) and faces. Faces are an array (m, k) of vertex numbers, or a sequence. A
+/// face in a sequence is a sequence of numbers, or of loops of numbers with the outer one first. Throws Error for
+/// anything else.
 Polyhedron polyhedron_of(const pybind11::handle& vertices, const pybind11::handle& faces);
 
-/// A list of faces, each a list of loops, each a tuple of vertex numbers.
+/// Returns a list of faces, each a list of loops, each a tuple of vertex numbers.
 pybind11::list faces_of(const Polyhedron& polyhedron);
 
-/// The vertices (n, 3), a read-only view of what `owner` keeps.
+/// Returns the vertices (n, 3), a read-only view of the memory of `owner`.
 pybind11::array vertices_of(const Polyhedron& polyhedron, const pybind11::handle& owner);
 
 }  // namespace tetracone::python

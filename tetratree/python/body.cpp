@@ -43,7 +43,7 @@ void save(const Shared_body& self, const py::object& path)
   save_body(self.body, name);
 }
 
-/// Arrays (n, 3), or one row (3,).
+/// An array (n, 3), or one row (3,).
 class Rows {
  public:
   Rows(const py::object& values, const std::string& name, const char* one) : name_(name), numbers_(values, name)
@@ -97,7 +97,7 @@ py::object inside(const Shared_body& self, const py::object& values)
   return answers;
 }
 
-/// Rays: as many directions as origins, or one of either.
+/// Rays of as many directions as origins; one of either serves all of the other.
 class Rays {
  public:
   Rays(const py::object& origins, const py::object& directions)
@@ -113,7 +113,7 @@ class Rays {
   bool is_one() const { return origins_.is_one() && directions_.is_one(); }
   std::size_t count() const { return origins_.is_one() ? directions_.count() : origins_.count(); }
 
-  /// What ask(ray k) answers. Throws Error with the ray's name.
+  /// Returns what ask(ray k) returns. Throws Error with the ray's name.
   template <class Ask>
   auto answer(std::size_t k, const Ask& ask) const
   {

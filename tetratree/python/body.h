@@ -10,17 +10,18 @@
 
 namespace tetracone::python {
 
-/// A body, which any number of threads may ask at once.
+/// A body that any number of threads may ask at once.
 struct Shared_body {
   explicit Shared_body(Body b) : body(std::move(b)) {}
 
-  /// What pybind11 calls for the object of `Body.__new__`, which nobody has made; others are made by make_shared.
+  /// Throws Error. pybind11 calls it for the object of `Body.__new__`, which nobody has made; others are made by
+  /// make_shared.
   static void* operator new(std::size_t) { throw Error("body: not made; expected Body(vertices, faces)"); }
 
   const Body body;
 };
 
-/// Adds `Body` and `read`.
+/// Adds `Body` and `read` to the module.
 void add_body(pybind11::module_& module);
 
 }  // namespace tetracone::python

@@ -20,7 +20,7 @@ namespace py = pybind11;
 
 namespace {
 
-/// `what(k, side)` for each piece: (n,) where `sides` is 1, else (n, 2).
+/// Returns an array of `what(k, side)` for each piece: (n,) if `sides` is 1, else (n, 2).
 template <class What>
 py::array piece_words(const Contacts& contacts, std::size_t sides, const What& what)
 {
@@ -57,7 +57,7 @@ py::array points(const std::vector<std::array<double, 3>>& of)
   return points;
 }
 
-/// Piece k, counted from the end where it is negative.
+/// Returns the number of piece k; a negative k counts from the end.
 std::size_t piece_number(const Contacts& contacts, std::ptrdiff_t k)
 {
   const auto n = std::ptrdiff_t(contacts.size());
@@ -91,7 +91,7 @@ py::list enclosures(const Contacts& contacts, std::ptrdiff_t k)
 py::list exact_loops(const Contacts& contacts, std::ptrdiff_t k)
 {
   const py::object make = py::module_::import("fractions").attr("Fraction");
-  // In base 16, of which Python reads any number of digits.
+  // Base 16, since Python reads any number of its digits.
   const auto integer = [](const mpz_class& x) {
     return py::reinterpret_steal<py::object>(PyLong_FromString(x.get_str(16).c_str(), nullptr, 16));
   };

@@ -5,7 +5,7 @@
 
 namespace tetracone::python {
 
-/// Adds `Contacts`, which queries make.
+/// Adds `Contacts`, which queries return, to the module.
 void add_contacts(pybind11::module_& module);
 
 }  // namespace tetracone::python

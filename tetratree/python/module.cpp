@@ -1,4 +1,4 @@
-// The door in Python, as the module tetracone._tetracone; the package `tetracone` beside it is what users import.
+// The door in Python, the module tetracone._tetracone. Users import the package `tetracone` beside it.
 
 #include "tetracone/tetratree/python/body.h"
 #include "tetracone/tetratree/python/contacts.h"

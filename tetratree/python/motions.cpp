@@ -23,7 +23,7 @@ std::size_t common_count(std::size_t from, std::size_t to, const std::string& bo
   return from == 1 ? to : from;
 }
 
-/// Quaternions and translations.
+/// Rigid poses as quaternions and translations.
 class Rigid_poses {
  public:
   Rigid_poses(const py::object& values, const std::string& name) : name_(name)
@@ -61,7 +61,8 @@ class Rigid_poses {
   std::size_t count_ = 1;
 };
 
-/// By the quaternions of matrices that are rotations, the short way round. Throws Error for another matrix.
+/// Returns the motion between the quaternions of two rotations, the short way round. Throws Error for a matrix that is
+/// no rotation.
 Motion rigid_motion(const kernel::Pose& from, const kernel::Pose& to)
 {
   std::array<kernel::Rigid_pose, 2> ends;
@@ -77,7 +78,7 @@ Motion rigid_motion(const kernel::Pose& from, const kernel::Pose& to)
   return Motion(kernel::Body_motion::rigid(ends[0], ends[1]).value());
 }
 
-/// Whether these are matrices: quaternions and translations have another shape.
+/// True when these are matrices, by their shape.
 bool are_matrices(const py::object& values, const std::string& name)
 {
   if (values.is_none()) return false;

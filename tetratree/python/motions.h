@@ -11,19 +11,24 @@
 
 namespace tetracone::python {
 
-/// The motions of a body, from poses at t = 0 to poses at t = 1: one of either serves all of the other.
+/// The motions of a body, from poses at t = 0 to poses at t = 1. One pose at one end serves all poses at the other.
 class Motions {
  public:
-  /// `kind`: "linear", of poses as `Poses` takes them, or "rigid", of arrays (n, 7) or (7,), a quaternion w x y z and a
-  /// translation, or of matrices that are rotations (`kernel::rotation_quaternion`). `body` is what messages call it, or nothing. Throws Error for poses that are none, with their place,
-  /// for counts that do not go together, for quaternions between which one is 0, and for another kind.
+  /// Takes the poses at both ends. Messages call the body `body`, or nothing.
+  ///
+  /// - `kind` "linear": poses as `Poses` takes them.
+  /// - `kind` "rigid": arrays (n, 7) or (7,) of a quaternion w x y z and a translation, or matrices that are rotations
+  ///   (`kernel::rotation_quaternion`).
+  ///
+  /// Throws Error for anything but poses, with their place, and for counts that do not go together. Throws it also for
+  /// quaternions between which one is 0, and for another kind.
   Motions(const pybind11::object& from, const pybind11::object& to, const std::string& kind, const std::string& body);
 
-  /// True for one pose at either end.
+  /// True for one pose at both ends.
   bool is_one() const { return is_one_; }
   std::size_t count() const { return motions_.size(); }
 
-  /// Motion `k`, or the only one.
+  /// Returns motion `k`, or the only one.
   const Motion& operator()(std::size_t k) const { return motions_[motions_.size() == 1 ? 0 : k]; }
 
  private:

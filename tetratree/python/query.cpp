@@ -28,18 +28,18 @@ namespace py = pybind11;
 
 namespace {
 
-/// A query, and the lock of what it keeps between poses: threads that share one wait for each other.
+/// A query with a lock, since it keeps work between poses: threads that share one wait for each other.
 struct Locked_query {
   explicit Locked_query(Query q) : query(std::move(q)) {}
 
-  /// As that of `Shared_body`.
+  /// Throws Error, as `Shared_body::operator new`.
   static void* operator new(std::size_t) { throw Error("query: not made; expected Query(a, b)"); }
 
   Query query;
   std::mutex lock;  // never waited for with the interpreter's lock
 };
 
-/// A word in an array of numpy's texts.
+/// A word in an array of numpy's fixed-length texts.
 template <std::size_t length>
 struct Word {
   std::array<char32_t, length> letters{};
@@ -85,7 +85,7 @@ py::array rows_of(const std::vector<Feature_pair>& features)
   return rows;
 }
 
-/// The poses of both bodies, and how many answers they want.
+/// The poses of both bodies, and the number of answers that they ask for.
 struct Pose_pairs {
   Pose_pairs(const py::object& poses_b, const py::object& poses_a) : a(poses_a, "poses_a"), b(poses_b, "poses_b")
   {
@@ -101,14 +101,15 @@ struct Pose_pairs {
   std::size_t count;
 };
 
-/// Throws TypeError for poses of both bodies by position: C++ has those of A first, Python those of B.
+/// Throws TypeError for poses of both bodies by position: C++ takes the poses of A first, Python the poses of B.
 void require_keywords(const py::args& more, const std::string& call)
 {
   if (!more.empty())
     throw py::type_error("query: poses of both bodies by position, whose order was misread; expected " + call);
 }
 
-/// The method `name` of poses of B, and by keyword alone of A: answer(query, poses of B, poses of A).
+/// Returns the method `name`, which takes poses of B, and by keyword only poses of A. It calls answer(query, poses of
+/// B, poses of A).
 template <auto answer>
 auto of_poses(const char* name)
 {
@@ -118,7 +119,7 @@ auto of_poses(const char* name)
   };
 }
 
-/// answer(k, what the query says of pair k) for all pairs. Throws Error that names a pose which is none.
+/// Calls answer(k, value of the query for pair k) for all pairs. Throws Error with the name of a pose that is none.
 template <class Answer_of>
 void ask_all(Locked_query& self, const Pose_pairs& poses, const Answer_of& answer)
 {
@@ -130,7 +131,7 @@ void ask_all(Locked_query& self, const Pose_pairs& poses, const Answer_of& answe
     });
   };
   try {
-    // One pose of a body is made once.
+    // A single pose of a body is made once.
     const Pose first_a = poses.a.count() == 1 ? poses.a(0) : Pose(),
                first_b = poses.b.count() == 1 ? poses.b(0) : Pose();
     if (poses.a.count() == 1 && poses.b.count() == 1)
@@ -201,7 +202,7 @@ py::object relation(Locked_query& self, const py::object& poses_b, const py::obj
   return answers;
 }
 
-/// answer(query, pose of a, pose of b) for all pairs, in an array of Value.
+/// Returns answer(query, pose of a, pose of b) for all pairs, in an array of Value.
 template <class Value, class Answer>
 py::object all_of(Locked_query& self, const Pose_pairs& poses, const Answer& answer_of)
 {
@@ -278,7 +279,7 @@ py::dict statistics(Locked_query& self)
   return counts;
 }
 
-/// Of the query, which no other thread is asking.
+/// Returns a method that calls `of` on the query while no other thread asks it.
 template <class Value>
 auto alone(Value (Query::*of)() const)
 {

@@ -5,7 +5,7 @@
 
 namespace tetracone::python {
 
-/// Adds `Query`, `kernels` and `methods`.
+/// Adds `Query`, `kernels` and `methods` to the module.
 void add_query(pybind11::module_& module);
 
 }  // namespace tetracone::python

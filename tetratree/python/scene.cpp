@@ -29,12 +29,12 @@ namespace {
 
 using Bodies = std::vector<std::shared_ptr<Shared_body>>;
 
-/// A scene, its lock, and which bodies of Python are its models.
+/// A scene, its lock, and the Python bodies that are its models.
 class Locked_scene {
  public:
   explicit Locked_scene(const Scene_options& options) : scene_(options) {}
 
-  /// Calls what(scene) without the interpreter's lock.
+  /// Returns what(scene), called without the interpreter's lock.
   template <class What>
   auto alone(const What& what)
   {
@@ -88,7 +88,7 @@ std::shared_ptr<Locked_scene> made_scene(const Bodies& bodies, const py::str& of
   if (!query) throw Error("scene: kernel '" + kernel + "'; expected " + kernel_names());
   if (!(budget >= 0 && budget <= 1e9)) throw Error("scene: budget; expected seconds from 0 to 10^9, 0 for no limit");
   if (threads > 1024) throw Error("scene: " + std::to_string(threads) + " threads; expected 1 to 1024, or 0 for all");
-  // A budget that is no whole nanosecond is one all the same.
+  // The budget is rounded up to whole nanoseconds, since 0 would be no limit.
   const auto scene = std::make_shared<Locked_scene>(
       Scene_options{.question = *asked,
                     .query = *query,
@@ -101,7 +101,7 @@ std::shared_ptr<Locked_scene> made_scene(const Bodies& bodies, const py::str& of
   return scene;
 }
 
-/// (m, 2) of numbers of bodies.
+/// Returns an array (m, 2) of the bodies' numbers.
 template <class Pairs, class Pair_of>
 py::array pairs_of(const Pairs& pairs, const Pair_of& pair_of)
 {
@@ -140,7 +140,7 @@ py::array frame(Locked_scene& self, const py::object& of_poses)
   }
 }
 
-/// Pairs and times.
+/// Returns the pairs that meet, and their times.
 py::tuple first_contacts(Locked_scene& self, const py::object& poses_1, const py::args& more, const py::object& poses_0,
                          const py::str& of_kind)
 {

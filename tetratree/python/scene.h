@@ -5,7 +5,7 @@
 
 namespace tetracone::python {
 
-/// Adds `Scene`.
+/// Adds `Scene` to the module.
 void add_scene(pybind11::module_& module);
 
 }  // namespace tetracone::python

@@ -26,7 +26,7 @@ std::string digits_of(const py::handle& integer)
   int overflow = 0;
   const long long value = PyLong_AsLongLongAndOverflow(number.ptr(), &overflow);
   if (overflow == 0) return std::to_string(value);
-  // Python refuses the decimal digits of long integers.
+  // The digits are hexadecimal, since Python refuses the decimal digits of long integers.
   std::string digits = py::str(py::reinterpret_steal<py::object>(PyNumber_ToBase(number.ptr(), 16)));
   digits.erase(digits.find("0x"), 2);
   return mpz_class(digits, 16).get_str();

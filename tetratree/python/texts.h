@@ -8,26 +8,28 @@
 #include <filesystem>
 #include <string>
 
-/// Texts of Python as the door takes them, and the door's as Python takes them.
+/// Python's texts converted for the door, and the door's for Python.
 namespace tetracone::python {
 
-/// A str in UTF-8; what has none, as a lone surrogate, is escaped.
+/// Returns a str in UTF-8. A character without UTF-8, such as a lone surrogate, is escaped.
 std::string text_of(const pybind11::handle& text);
 
-/// The name of the value's type.
+/// Returns the name of the value's type.
 std::string type_of(const pybind11::handle& value);
 
-/// The decimal digits of an integer of any length. Throws what Python throws for what is none.
+/// Returns the decimal digits of an integer of any length. Throws Python's error for anything else.
 std::string digits_of(const pybind11::handle& integer);
 
-/// What the door takes for exactly this number: a text itself, of a float its shortest decimal, else "n/d", with the
-/// denominator 1 too, since a decimal would be rounded. Of what is no number, what messages call it.
+/// Returns the text that the door reads as exactly this number. It is a text itself, the shortest decimal of a float,
+/// and else "n/d". The denominator 1 is written too, since a decimal would be rounded. A value that is no number gives
+/// its name in messages.
 std::string exact_text(const pybind11::handle& value);
 
-/// A file's name: str, bytes or os.PathLike, of any bytes but 0. Throws Error for a text that names no file.
+/// Returns a file's name from str, bytes or os.PathLike, of any bytes except 0. Throws Error for a text that names no
+/// file.
 std::filesystem::path path_of(const pybind11::handle& name);
 
-/// Sets Python's error of this class: one line, whatever bytes of files and texts it quotes.
+/// Sets Python's error of this class. It is one line, whatever bytes of files and texts it quotes.
 void set_error(const pybind11::handle& of_class, const Error& error);
 
 }  // namespace tetracone::python

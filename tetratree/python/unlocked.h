@@ -9,14 +9,14 @@
 
 namespace tetracone::python {
 
-/// The lock of what any number of threads may ask at once.
+/// A lock that does nothing, for objects that any number of threads may ask at once.
 struct No_lock {
   void lock() {}
   void unlock() {}
 };
 
-/// Calls each(0) .. each(count - 1) without the interpreter's lock and within `own`, which is never waited for with
-/// that lock. Ctrl-C is noticed ten times a second, and leaves as KeyboardInterrupt.
+/// Calls each(0) .. each(count - 1) without the interpreter's lock. It holds the lock `own`, and never waits for that
+/// while it holds the interpreter's. Ctrl-C is noticed ten times a second, and raises KeyboardInterrupt.
 template <class Lock, class Each>
 void for_each_unlocked(std::size_t count, Lock& own, const Each& each)
 {
@@ -24,12 +24,12 @@ void for_each_unlocked(std::size_t count, Lock& own, const Each& each)
   constexpr std::size_t chunk = 256;
   const pybind11::gil_scoped_release unlocked;
   std::unique_lock alone(own);
-  if (count == 1) return each(std::size_t(0));  // a clock costs a share of a query
+  if (count == 1) return each(std::size_t(0));  // reading a clock would cost a fraction of a query
   auto looked = Clock::now();
   for (std::size_t begin = 0; begin < count; begin += chunk) {
     for (std::size_t k = begin; k < count && k < begin + chunk; ++k) each(k);
     if (Clock::now() - looked < std::chrono::milliseconds(100)) continue;
-    alone.unlock();  // what handles a signal may ask the same query
+    alone.unlock();  // a signal handler may ask the same query
     {
       const pybind11::gil_scoped_acquire locked;
       if (PyErr_CheckSignals() != 0) throw pybind11::error_already_set();

@@ -12,39 +12,42 @@
 
 namespace tetracone::tetratree {
 
-/// What sums of a body's box may lose by rounding, a share of each of their terms.
+/// Relative error of the sums of a body's box, as a fraction of the sum of their terms' magnitudes
+/// (verify/proofs/scene_proofs.h).
 inline constexpr double body_box_rounding = 0x1p-49;
 
-/// Along an axis, from the upper side of a box to the lower side of another, whose place is `between` beyond the first's.
+/// Returns the gap along an axis, from the upper side of a box to the lower side of another. `between` is the other's
+/// centre minus the first's.
 template <class Number>
 Number gap_along(const Number& between, const Number& low, const Number& high)
 {
   return between + low - high;
 }
 
-/// What is left of a gap by what both bodies have turned, and by `slack`.
+/// Returns a gap less the rotation of both bodies and `slack`.
 template <class Number>
 Number less_turned(const Number& gap, const Number& turned, const Number& other_turned, const Number& slack)
 {
   return gap - turned - other_turned - slack;
 }
 
-/// A side of a box that has grown by so much, where its body is.
+/// Returns the lower side of a box that has grown by `grown`, with its body at `place`.
 template <class Number>
 Number lower_side(const Number& place, const Number& low, const Number& grown)
 {
   return place + low - grown;
 }
+/// Same, for the upper side.
 template <class Number>
 Number upper_side(const Number& place, const Number& high, const Number& grown)
 {
   return place + high + grown;
 }
 
-/// A box about a body, found at one of its poses, that goes with it: about the body's place, and on every side larger by
-/// what the body has turned since.
+/// A box about a body that moves with it. It is found at one pose and stored relative to the body's centre. On every
+/// side it is larger by the growth of the body's `turned` since.
 ///
-/// What is rounded of a place, and of what has been turned, is added; of the box's own numbers, it is in them.
+/// The roundings of the centre, and of `turned`, are added at use. The roundings of the box's own numbers are in them.
 class alignas(32) Body_box {
  public:
   Body_box() = default;
@@ -57,16 +60,16 @@ class alignas(32) Body_box {
     }
   }
 
-  /// Whether the body has not turned since.
+  /// True when the body has not turned since the box was found.
   bool is_new(const Body_place& place) const { return turned_ == place.turned; }
 
-  /// By how much it is larger on every side than it was found.
+  /// Returns by how much the box is larger on every side than when it was found.
   double grown(const Body_place& place) const
   {
     return since(place) + body_box_rounding * (std::abs(place.at[0]) + std::abs(place.at[1]) + std::abs(place.at[2]));
   }
 
-  /// About the body.
+  /// Returns a box about the body where it is now.
   World_box at(const Body_place& place) const
   {
     World_box box;
@@ -89,8 +92,8 @@ class alignas(32) Body_box {
     return is_in;
   }
 
-  /// At most how far the body is from another, along the axis on which their boxes are farthest apart; not above 0 where
-  /// they meet.
+  /// Returns a lower bound of the distance of two bodies, along the axis on which their boxes are farthest apart; not
+  /// above 0 where the boxes meet.
   double gap(const Body_place& place, const Body_box& other, const Body_place& other_place) const
   {
     double most = -std::numeric_limits<double>::infinity(), terms = 0;
@@ -105,7 +108,7 @@ class alignas(32) Body_box {
     return less_turned(most, since(place), other.since(other_place), body_box_rounding * terms);
   }
 
-  /// The longest edge.
+  /// Returns the longest edge of the box as it was found.
   double size() const
   {
     double longest = 0;
@@ -118,45 +121,52 @@ class alignas(32) Body_box {
 
   std::array<float, 3> low_{-World_box::infinity, -World_box::infinity, -World_box::infinity},
       high_{World_box::infinity, World_box::infinity, World_box::infinity};
-  double turned_ = 0;  // by the body then
+  double turned_ = 0;  // the body's `turned` then
 };
 
-/// What is between the places of two bodies when a certificate begins, rounded to float.
+/// The vector between the centres of two bodies when a certificate begins, rounded to float.
 using Between = std::array<float, 3>;
 
-/// Errors of what is between two places, then and later, along each axis: a share of its magnitude then, for the
-/// rounding to float and two to double; and 2^-150 where floats are denormal.
+/// Errors of the vector between two centres, then and later, along each axis.
+///
+/// - `between_rounding`: relative error, one rounding to float and two to double.
+/// - `between_underflow`: absolute error of three axes, 2^-150 along each, where floats are denormal.
 inline constexpr double between_rounding = 0x1p-23, between_underflow = 0x1p-147;
 
-/// What the comparison of squares of a certificate may lose, a share of them.
+/// Relative error of the comparison of squares in a certificate.
 inline constexpr double certificate_rounding = 0x1p-46;
 
-/// Certificates hold within these bounds of what is left of them: no square underflows or overflows.
+/// Range of a certificate.
+///
+/// - `least_left`: lower bound of its remainder; below it squares would underflow.
+/// - `most_gap`: upper bound of the gap that it uses; above it squares would overflow.
 inline constexpr double least_left = 0x1p-500, most_gap = 0x1p500;
 static_assert(least_left * least_left * certificate_rounding >= 0x1p-1072 && most_gap * most_gap <= 0x1p1000);
 
-/// By how much what is between two places has changed along an axis.
+/// Returns by how much the vector between two centres has changed along an axis.
 template <class Number>
 Number change_between(const Number& a, const Number& b, const Number& before)
 {
   return a - b - before;
 }
 
-/// Upper bound of the error of a certificate that begins with this.
+/// Returns an upper bound of the error of a certificate that begins with this vector.
 template <class Number>
 Number error_of_between(const std::array<Number, 3>& magnitudes)
 {
   return Number(between_rounding) * (magnitudes[0] + magnitudes[1] + magnitudes[2]) + Number(between_underflow);
 }
 
-/// Lower and upper bounds of a sum of two numbers that are not negative, of which one may be a difference: sum, product
-/// and difference are rounded. Sums of denormals are exact.
+/// Relative error of a sum of two numbers that are not negative, one of which may be a difference: sum, product and
+/// difference are rounded. Sums of denormals are exact.
 inline constexpr double sum_rounding = 0x1p-51;
+/// Returns an upper bound of such a sum.
 template <class Number>
 Number sum_above(const Number& x, const Number& y)
 {
   return (x + y) * Number(1 + sum_rounding);
 }
+/// Returns a lower bound of such a sum.
 template <class Number>
 Number sum_below(const Number& x, const Number& y)
 {

@@ -14,19 +14,20 @@
 
 namespace tetracone::tetratree {
 
-/// What roots of sums of squares may lose by rounding, and what is multiplied with them, a share of themselves.
+/// Relative error of a root of a sum of squares, with what it is multiplied by (verify/proofs/scene_proofs.h).
 inline constexpr double step_rounding = 0x1p-48;
 
-/// Absolute errors of the bounds below. Under 2^-1022 a product and the nearest double of a fraction are off by up to
-/// 2^-1075 =: e, whatever their size.
+/// Absolute error of the bounds below by an entry that underflows, for each unit of |c_j| + half_j. Under 2^-1022 a
+/// product, and the nearest double of a fraction, have an error of at most 2^-1075 =: e, whatever their size.
 ///
-/// An entry's error is multiplied with |c_j| + half_j, the centre and half the extent of a body's box. A step of two
-/// poses has the most of them: 6 e in the centre's images, one of each pose in three rows, and 2 e sqrt(3) times
-/// `reach_in_halves` <= 2 in what turns.
+/// An entry's error is multiplied with |c_j| + half_j, the centre and half the extent of a body's box. A step between
+/// two poses has the largest error. It is 6 e in the centre's images, one for each pose in three rows, and 2 e sqrt(3)
+/// times `reach_in_halves` <= 2 in what turns.
 inline constexpr double entry_underflow = 0x1p-1072;
-/// The products themselves, and roots of sums of squares that underflow: of at most 37 squares, 37^(1/2) e^(1/2).
+/// Absolute error by products, and by roots of sums of at most 37 squares that underflow: 37^(1/2) e^(1/2).
 inline constexpr double placed_underflow = 0x1p-534;
 
+/// Returns the square of a coordinate's distance from the centre, in units of half the extent.
 template <class Number>
 Number square_in_halves(const Number& vertex, const Number& centre, const Number& half)
 {
@@ -34,15 +35,16 @@ Number square_in_halves(const Number& vertex, const Number& centre, const Number
   return part * part;
 }
 
-/// A box about the vertices of a body where it was modelled: what bounds its place and its motion under any pose,
-/// before there is a tree.
+/// A box about the vertices of a model. It bounds where a body is, and its motion, under any pose, before there is a
+/// tree.
 struct Body_extent {
   std::array<double, 3> centre{}, half{};
-  /// At least the length of what vertices are from the centre, each coordinate in units of its half; of a ball 1, of
-  /// corners the root of 3.
+  /// Upper bound of the length of a vertex minus the centre, each coordinate in units of its half: 1 for a ball, the
+  /// root of 3 for corners.
   double reach_in_halves = 2;
-  /// Upper bound of the absolute error of a coordinate of an image, and of a step: `placed_underflow`, and
-  /// `entry_underflow` times the sum of |c_j| + half_j. It matters where poses undo coordinates near the largest double.
+  /// Upper bound of the absolute error of a coordinate of an image, and of a step. It is `placed_underflow`, plus
+  /// `entry_underflow` times the sum of |c_j| + half_j. It matters where poses undo coordinates near the largest
+  /// double.
   double underflow = placed_underflow;
 
   Body_extent() = default;
@@ -56,7 +58,7 @@ struct Body_extent {
         high = kernel::maximum(high, v[k]);
       }
       centre[k] = 0.5 * low + 0.5 * high;
-      // Each difference is off by one rounding.
+      // Each difference has one rounding.
       half[k] = kernel::maximum(high - centre[k], centre[k] - low) * (1 + 0x1p-50);
       underflow += entry_underflow * std::abs(centre[k]) + entry_underflow * half[k];
     }
@@ -71,20 +73,20 @@ struct Body_extent {
     if (most <= 3) reach_in_halves = std::sqrt(most) * (1 + step_rounding);
   }
 
-  /// Whether a box turned with the body bounds it much better than one along the world's axes.
+  /// True when a box turned with the body bounds it much better than one along the world's axes.
   bool is_long() const
   {
     return kernel::maximum(half[0], half[1], half[2]) >= 2 * kernel::minimum(half[0], half[1], half[2]);
   }
 };
 
-/// What the bounds below may lose by rounding, a share of the magnitudes of their terms: four roundings of a sum of
-/// products, as many of a second such sum, one of each entry of a fraction, two of what joins both. Absolute errors are
-/// `Body_extent::underflow`.
+/// Relative error of the bounds below, as a fraction of the sum of their terms' magnitudes
+/// (verify/proofs/scene_proofs.h). It covers four roundings of a sum of products and four of a second such sum. It also
+/// covers one rounding of each entry of a fraction, and two of the total. Absolute errors are `Body_extent::underflow`.
 inline constexpr double placed_rounding = 16 * kernel::unit_roundoff<double>;
 
-/// A coordinate of the image of a box, by a row m of a map and its translation t: of the centre, how far it reaches from
-/// there, and the magnitudes of all terms.
+/// A coordinate of the image of a box, by a row m of a map and its translation t: `at` of the centre, `reach` from
+/// there, and `terms`, the sum of the magnitudes of all terms.
 template <class Number>
 struct Placed_coordinate {
   Number at, reach, terms;
@@ -108,12 +110,13 @@ struct Placed_coordinate {
     return abs(x);
   }
 };
+/// Returns coordinate i of the image of the box of `extent`.
 inline Placed_coordinate<double> placed_coordinate(const Body_extent& extent, const kernel::Pose& pose, int i)
 {
   return {{pose[4 * i], pose[4 * i + 1], pose[4 * i + 2]}, pose[4 * i + 3], extent.centre, extent.half};
 }
 
-/// About the placed body: the image of the box of its model, |x_i - M_i c - t_i| <= sum_j |M_ij| half_j.
+/// Returns a box about the placed body, the image of its model's box: |x_i - M_i c - t_i| <= sum_j |M_ij| half_j.
 inline World_box world_box(const Body_extent& extent, const kernel::Pose& pose)
 {
   World_box box;
@@ -126,13 +129,14 @@ inline World_box world_box(const Body_extent& extent, const kernel::Pose& pose)
   return box;
 }
 
-/// What a direction that is rounded to float takes from a reach, a share of its |.|_1 as a rounded sum: |p_k| <= 1 locally.
+/// Error of a reach from a direction that is rounded to float, as a fraction of the direction's rounded |.|_1. It
+/// suffices since |p_k| <= 1 locally (verify/proofs/scene_proofs.h).
 inline constexpr float slack_of_direction = 4 * kernel::unit_roundoff<float>;
 
-/// A box about the placed body by how far the body itself reaches along each axis: unit h(M_i) from its local origin.
-/// Beyond `Local_scale::is_in_range` nothing is known; within it, absolute errors are below 2^-1075 times 2^202.
+/// Returns a box about the placed body, by the reaches of the body along each axis: unit h(M_i) from its local origin.
+/// Everything beyond `Local_scale::is_in_range`; within it, absolute errors are below 2^-1075 times 2^202.
 ///
-/// `table` is the body's, `scale` its tree's.
+/// `table` is of the body, `scale` of its tree.
 inline World_box world_box(Support_table& table, const kernel::Local_scale& scale, const kernel::Pose& pose)
 {
   static_assert(placed_underflow >= 0x1p-1074 * 0x1p201);
@@ -159,15 +163,15 @@ inline World_box world_box(Support_table& table, const kernel::Local_scale& scal
     const double slack = placed_rounding * terms + placed_underflow;
     const Support_table::Place place = Support_table::place(d, norm);
     const double up = reach(place), down = reach(Support_table::opposite(place));
-    // The sums' own roundings are shares of what they are made of.
+    // The roundings of these sums are relative to their operands.
     box.high[i] = rounded_above(at + up + slack + placed_rounding * (std::abs(at) + std::abs(up)));
     box.low[i] = rounded_below(at - down - slack - placed_rounding * (std::abs(at) + std::abs(down)));
   }
   return box;
 }
 
-/// Where the centre of a body's box is, rounded, and how far its points have turned about there since it was placed: the
-/// sum of its steps.
+/// The rounded centre of a body's box, and `turned`: an upper bound of how far its points have moved about the centre
+/// since the body was placed. It is the sum of its steps.
 struct alignas(32) Body_place {
   std::array<double, 3> at{};
   double turned = 0;
@@ -175,13 +179,14 @@ struct alignas(32) Body_place {
 
 /// A step of a body from one pose to the next.
 struct Body_step {
-  std::array<double, 3> at;  ///< where it leads: the centre's image, rounded as it always is
-  /// At least |(q - at) - (p - at before)| for the images p and q of any of the body's points; not finite where nothing is
-  /// known.
+  std::array<double, 3> at;  ///< the centre's image under the next pose, rounded as by every step
+  /// Upper bound of |(q - at) - (p - at before)| for the images p and q of any point of the body; not finite where
+  /// there is no bound.
   double turned;
 };
 
-/// What a row of two poses says of a step, in every arithmetic. Of its vectors of two the lanes sum up to what is meant.
+/// The contribution of one row of two poses to a step, in every arithmetic. Each member's value is the sum of its two
+/// lanes.
 template <class Two>
 struct Step_of_row {
   Two at;       ///< M'_i c + t'_i
@@ -189,8 +194,8 @@ struct Step_of_row {
   Two squares;  ///< sum_j (|dM_ij| half_j)^2
   Two terms;    ///< sum_j (|M_ij| + |M'_ij|) (|c_j| + half_j) + |t_i| + |t'_i|
 
-  /// Of rows (M_i0, M_i1), (M_i2, t_i) from one pose to the next; `centre` is (c_0, c_1), (c_2, 1), `half` (half_0,
-  /// half_1), (half_2, 0).
+  /// Takes rows (M_i0, M_i1), (M_i2, t_i) of one pose and of the next. `centre` is (c_0, c_1), (c_2, 1); `half` is
+  /// (half_0, half_1), (half_2, 0).
   Step_of_row(const std::array<Two, 2>& from, const std::array<Two, 2>& to, const std::array<Two, 2>& centre,
               const std::array<Two, 2>& half)
       : Step_of_row(to[0] * centre[0] + to[1] * centre[1],
@@ -215,8 +220,10 @@ struct Step_of_row {
   }
 };
 
-/// Of a point c + v, q - p = dM v + (the centres' change), and |dM v|^2 is at most sum_i (sum_j |dM_ij| half_j)^2, and at
-/// most reach_in_halves^2 sum_ij (|dM_ij| half_j)^2, by the inequality of Cauchy and Schwarz over j.
+/// Returns the step of a body from one pose to the next.
+///
+/// A point c + v moves by q - p = dM v + (the centres' change). |dM v|^2 is at most sum_i (sum_j |dM_ij| half_j)^2. It
+/// is also at most reach_in_halves^2 sum_ij (|dM_ij| half_j)^2, by the inequality of Cauchy and Schwarz over j.
 inline Body_step body_step(const Body_extent& extent, const kernel::Pose& from, const kernel::Pose& to)
 {
   using Two = kernel::Two_doubles;
@@ -240,8 +247,8 @@ inline Body_step body_step(const Body_extent& extent, const kernel::Pose& from, 
   }
   const double by_length = extent.reach_in_halves * extent.reach_in_halves * (squares[0] + squares[1]),
                square = by_length < square_of_turns ? by_length : square_of_turns;
-  // Both centres are off by placed_rounding of their terms, in each coordinate; entries of fractions are rounded in that
-  // too.
+  // Both centres have an error of placed_rounding times their terms in each coordinate. It includes the rounding of a
+  // fraction's entries.
   step.turned = std::sqrt(square) * (1 + step_rounding) + placed_rounding * (terms[0] + terms[1]) + extent.underflow;
   return step;
 }

@@ -19,19 +19,20 @@
 
 namespace tetracone::tetratree {
 
-/// Which of many boxes meet one another: a tree of eight boxes a node. Boxes change in place; the tree is made anew by
-/// what its age costs.
+/// A tree of boxes, eight a node, that finds all pairs that meet. Boxes change in place; the tree is rebuilt when
+/// searches in it have become too costly.
 class Box_tree {
  public:
   using Item = std::uint32_t;
 
-  /// A part of a search: two lanes of the tree whose boxes meet, each an item or a child; or all within a node.
+  /// A part of a search. It is two lanes of the tree whose boxes meet, each an item or a child; or all pairs within one
+  /// node.
   struct Part {
-    std::uint32_t first;  ///< `no_place`: the second is a node
-    std::uint32_t second;
+    std::uint32_t first;   ///< a lane; `no_place`: all pairs within the node `second`
+    std::uint32_t second;  ///< a lane, or a node
   };
 
-  /// Item i has boxes[i]; only those of `items` are in the tree.
+  /// Builds the tree of `items`; item i has boxes[i].
   void build(std::span<const World_box> boxes, std::span<const Item> items)
   {
     nodes_.clear();
@@ -46,7 +47,7 @@ class Box_tree {
   bool holds(Item item) const { return item < place_.size() && place_[item] != no_place; }
   std::size_t count() const { return count_; }
 
-  /// Gives an item of the tree another box.
+  /// Gives an item another box, and updates the boxes above it. Requires that the tree holds the item.
   void set(Item item, const World_box& box)
   {
     std::uint32_t place = place_[item];
@@ -66,7 +67,7 @@ class Box_tree {
     place_[item] = no_place;
   }
 
-  /// Gives every item of the tree its box of these.
+  /// Gives every item of the tree its box in `boxes`.
   void set_all(std::span<const World_box> boxes)
   {
     // A child's number is above its parent's.
@@ -78,7 +79,7 @@ class Box_tree {
       }
   }
 
-  /// Searches look for pairs of which one item at least is marked.
+  /// Marks an item. Searches find the pairs with at least one marked item.
   void mark(Item item)
   {
     for (std::uint32_t place = place_[item]; place != no_place && !is_marked(place); place = node_of(place).parent)
@@ -90,7 +91,8 @@ class Box_tree {
       if ((node_of(place).marked &= ~bit_of(place)) != 0) break;
   }
 
-  /// The search for all pairs, in `enough` parts or so where there are as many, in an order that is the tree's alone.
+  /// Returns a search for all pairs in parts: about `enough` of them if there are as many. Their order depends on the
+  /// tree only.
   std::vector<Part> parts(std::size_t enough) const
   {
     std::vector<Part> parts, opened;
@@ -109,8 +111,8 @@ class Box_tree {
     return parts;
   }
 
-  /// Calls what(item, item) for the pairs of this part whose boxes meet, each once; returns how many nodes were opened.
-  /// Any number of threads may search at once.
+  /// Calls what(item, item) for the pairs of this part whose boxes meet, each once. Returns the number of nodes that
+  /// were opened. Any number of threads may search at once.
   template <class What>
   std::size_t for_meeting(const Part& all, const What& what) const
   {
@@ -132,7 +134,7 @@ class Box_tree {
     return opened;
   }
 
-  /// Tells the tree what searches have cost: the first ones after a build are what later ones are compared with.
+  /// Records the cost of searches. The first ones after a build are the standard for later ones.
   void count_searches(std::size_t searches, std::size_t opened)
   {
     Searches& now = new_.count < count_ ? new_ : worn_;
@@ -140,8 +142,8 @@ class Box_tree {
     now.opened += opened;
   }
 
-  /// Whether searches have opened so many more nodes than they did when the tree was new that building it would have
-  /// cost less.
+  /// True when a rebuild would have cost less than the nodes that searches opened beyond their cost when the tree was
+  /// new.
   bool is_worn() const
   {
     if (worn_.count == 0) return false;
@@ -154,7 +156,7 @@ class Box_tree {
  private:
   static constexpr int lanes = 8;
   static constexpr std::uint32_t no_place = ~std::uint32_t(0);
-  static constexpr double nodes_a_build = 16;  // opened, in the time that building takes an item
+  static constexpr double nodes_a_build = 16;  // nodes that searches open in the time that a build takes for one item
   static constexpr World_box nothing{{World_box::infinity, World_box::infinity, World_box::infinity},
                                      {-World_box::infinity, -World_box::infinity, -World_box::infinity}};
 
@@ -162,7 +164,7 @@ class Box_tree {
     float low[3][lanes], high[3][lanes];
     std::int32_t child[lanes];  // a node, or ~item
     std::uint32_t used = 0;     // lanes that hold something, as bits
-    std::uint32_t marked = 0;   // those that are marked items, or hold some
+    std::uint32_t marked = 0;   // lanes that are marked items, or hold some
     std::uint32_t parent;       // lane k of node n is 8 n + k
 
     World_box box(int lane) const
@@ -181,7 +183,7 @@ class Box_tree {
         high[k][lane] = box.high[k];
       }
     }
-    /// The lanes whose boxes meet it, as bits.
+    /// Returns the lanes whose boxes meet this one, as bits.
     unsigned meeting(const World_box& box) const
     {
       using kernel::Four_floats, kernel::Four_ints;
@@ -207,14 +209,14 @@ class Box_tree {
   World_box box_at(std::uint32_t place) const { return node_of(place).box(lane_of(place)); }
   bool is_marked(std::uint32_t place) const { return (node_of(place).marked & bit_of(place)) != 0; }
 
-  /// Whether it is two items.
+  /// True when it is two items.
   bool is_pair(const Part& part) const
   {
     return part.first != no_place && child_at(part.first) < 0 && child_at(part.second) < 0;
   }
 
-  /// Calls push(smaller part) for those that have a marked item. Of two lanes, one that has a child is opened, the first
-  /// one first; it comes second then.
+  /// Calls push(part) for the smaller parts that have a marked item. It opens one lane that has a child, the first lane
+  /// if both have; the other lane comes first in the new parts.
   template <class Push>
   void open(const Part& part, const Push& push) const
   {
@@ -250,7 +252,7 @@ class Box_tree {
     }
     return all;
   }
-  /// Of eight numbers, none of which is undefined.
+  /// Returns the extreme of eight numbers by `of_two`. Requires that none is NaN.
   template <class Of_two>
   static float extreme(const float* numbers, const Of_two& of_two)
   {
@@ -262,7 +264,7 @@ class Box_tree {
     return of_two(two, __builtin_shufflevector(two, two, 1, 0, 3, 2))[0];
   }
 
-  /// An item while the tree is made, and where its box has its middle; 0 where that is at no finite place.
+  /// An item during the build, with the centre of its box; a coordinate is 0 where it is not finite.
   struct alignas(16) Centre {
     std::array<float, 3> at;
     Item item;
@@ -277,14 +279,14 @@ class Box_tree {
     return centre;
   }
 
-  /// The node of the items first .. last of `order`; its number. Nodes that hold items alone are full, but for the last
+  /// Makes the node of the items of `order`; returns its number. Nodes that hold only items are full, except the last
   /// one.
   std::uint32_t make(std::span<const World_box> boxes, std::span<Centre> order, std::uint32_t parent)
   {
     const auto number = std::uint32_t(nodes_.size());
     nodes_.emplace_back();
     nodes_[number].parent = parent;
-    std::array<std::size_t, lanes + 1> ends;  // of the parts, one a lane
+    std::array<std::size_t, lanes + 1> ends;  // of the ranges of items, one a lane
     ends[0] = 0;
     ends[lanes] = order.size();
     for (int step = lanes / 2; step > 0; step /= 2)
@@ -313,15 +315,15 @@ class Box_tree {
     return number;
   }
 
-  /// How many of so many items come first, where they are for twice so many lanes: half of them, in whole nodes where
-  /// there are nodes.
+  /// Returns how many of the items come first when they are split between two halves of `half_of_lanes` lanes each. It
+  /// is half of the items, in whole nodes where there are nodes.
   static std::size_t middle_of(std::size_t items, int half_of_lanes)
   {
     const std::size_t half = items - items / 2, in_node = items > 2 * std::size_t(half_of_lanes) ? lanes : 1;
     return kernel::minimum(items, (half + in_node - 1) / in_node * in_node);
   }
 
-  /// Brings the first `middle` of them to the front, along the axis on which they spread most.
+  /// Partitions `order` so that its first `middle` items come first along the axis on which they spread most.
   static void split(std::span<Centre> order, std::size_t middle)
   {
     kernel::Four_floats low = kernel::Four_floats{} + std::numeric_limits<float>::infinity(), high = -low;
@@ -338,7 +340,7 @@ class Box_tree {
   }
 
   Large_vector<Node> nodes_;
-  std::vector<std::uint32_t> place_;  // of each item, its lane
+  std::vector<std::uint32_t> place_;  // the lane of each item
   std::size_t count_ = 0;             // of items
 
   struct Searches {

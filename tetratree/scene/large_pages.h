@@ -12,8 +12,8 @@
 
 namespace tetracone::tetratree {
 
-/// Memory of vectors that stay: where they are large it is on larger pages, if the system has such. A scene's bodies are
-/// read in no order, and of small pages the processor knows the places of few.
+/// The allocator of long-lived vectors: large ones are on huge pages, if the system has them. A scene's bodies are read
+/// in no order, and the processor's translation buffer holds the addresses of few small pages.
 template <class T>
 struct On_large_pages {
   using value_type = T;
@@ -28,7 +28,7 @@ struct On_large_pages {
     if (count > most / sizeof(T)) throw std::bad_array_new_length();
     const std::size_t bytes = count * sizeof(T);
     if (bytes < page) return std::allocator<T>().allocate(count);
-    // From the first place at which a large page may begin; what is beside is given back.
+    // The memory starts at the first address at which a huge page may begin; the rest is given back.
     const std::size_t room = bytes + page;
     void* const space = ::mmap(nullptr, room, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (space == MAP_FAILED) throw std::bad_alloc();
@@ -54,7 +54,7 @@ struct On_large_pages {
   static constexpr std::size_t page = std::size_t(1) << 21, small_page = std::size_t(1) << 12,
                                most = std::numeric_limits<std::ptrdiff_t>::max() - page;
 
-  /// Of an allocation, in whole pages.
+  /// Returns the bytes of an allocation in whole pages.
   static std::size_t mapped(std::size_t bytes) { return (bytes + small_page - 1) / small_page * small_page; }
 };
 

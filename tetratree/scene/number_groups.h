@@ -11,10 +11,11 @@
 
 namespace tetracone::tetratree {
 
-/// Numbers in groups, one group after the other.
+/// Numbers in groups, stored one group after the other (a counting sort).
 class Number_groups {
  public:
-  /// for_all(put) calls put(group, number) for each number, in the same order whenever it is called.
+  /// Sorts numbers into groups. Requires that for_all(put) calls put(group, number) for each number, in the same order
+  /// at each call.
   template <class For_all>
   Number_groups(std::size_t groups, const For_all& for_all) : first_(groups + 1)
   {
@@ -32,7 +33,7 @@ class Number_groups {
   }
 
  private:
-  std::vector<std::uint32_t> first_;  // of each group, and where the last one ends
+  std::vector<std::uint32_t> first_;  // where each group begins, and where the last one ends
   Large_vector<std::uint32_t> numbers_;
 };
 

@@ -14,35 +14,36 @@
 
 namespace tetracone::tetratree {
 
-/// Two bodies that are near one another, the lesser number first, and until when they are apart: what frames read of
-/// all of them. Of a pair that is gone both numbers are 0.
+/// Two bodies that are near one another, the lesser number first, with the certificate of the pair. Frames read all of
+/// these. Both numbers are 0 in a pair that was removed.
 struct alignas(32) Near_bodies {
   std::uint32_t body[2] = {};
-  std::array<float, 3> between = {};  ///< from the second's place to the first's, about, when they were asked
-  bool collide = false;               ///< what they did then
-  bool is_open = false;               ///< to be asked
-  bool by_brute_force = false;        ///< how they are to be asked
-  bool is_listed = false;             ///< among the colliding pairs of the last answer
-  double limit =
-      -1;  ///< they are apart while what they have turned, and what is between them has changed, sum up to less
+  /// The vector from the second's centre to the first's when they were asked, rounded to float.
+  std::array<float, 3> between = {};
+  bool collide = false;         ///< whether they collided then
+  bool is_open = false;         ///< to be asked in this frame
+  bool by_brute_force = false;  ///< how they are to be asked
+  bool is_listed = false;       ///< among the colliding pairs of the last answer
+  /// The pair stays apart while (rotation of both bodies) + (change of the vector between them) < limit.
+  double limit = -1;
 };
 
-/// Where a pair is in other lists.
+/// The positions of a pair in other lists.
 struct Near_pair {
-  std::uint32_t place[2] = {};  ///< in the lists of either body
-  std::uint32_t asked = 0;      ///< where what is kept of its trees stands; 0: nothing is
+  std::uint32_t place[2] = {};  ///< in the lists of the first and of the second body
+  std::uint32_t asked = 0;      ///< index of its `Asked_pair`; 0: it has none
 };
 
-/// What is kept of a pair whose trees have been asked: few of those that are near are.
+/// The memory of a pair whose trees have been asked. Few of the near pairs have one.
 struct Asked_pair {
-  double turned = -std::numeric_limits<double>::infinity();  ///< by both bodies when they were asked last
-  std::array<float, 3> between = {};                         ///< them then
+  double turned = -std::numeric_limits<double>::infinity();  ///< the rotation of both bodies when they were asked last
+  std::array<float, 3> between = {};                         ///< the vector between their centres then
   Pair_memory memory = {};
-  std::size_t memory_bytes = 0;  ///< that are counted
+  std::size_t memory_bytes = 0;  ///< as last counted
 };
 
-/// The pairs of bodies that are near one another, each in the lists of both of its bodies. A pair keeps its number while
-/// it is there.
+/// The pairs of bodies that are near one another. Each is in the lists of both of its bodies, and keeps its number
+/// while it exists.
 class Pair_list {
  public:
   using Number = std::uint32_t;
@@ -57,7 +58,7 @@ class Pair_list {
   Near_bodies& bodies(Number pair) { return bodies_[pair]; }
   const Near_bodies& bodies(Number pair) const { return bodies_[pair]; }
 
-  /// What is kept of a pair's trees; made if there is nothing.
+  /// Returns the memory of a pair; makes it if there is none.
   Asked_pair& asked(Number number)
   {
     std::uint32_t& place = pairs_[number].asked;
@@ -71,21 +72,22 @@ class Pair_list {
     }
     return asked_[place];
   }
-  /// The same; null if there is nothing.
+  /// Returns the memory of a pair; null if there is none.
   Asked_pair* known_asked(Number number)
   {
     const std::uint32_t place = pairs_[number].asked;
     return place == 0 ? nullptr : &asked_[place];
   }
 
-  /// By number, also those that are gone.
+  /// Returns all pairs by number, including those that were removed.
   std::span<const Near_bodies> all_bodies() const { return bodies_; }
 
-  /// The pairs of a body.
+  /// Returns the pairs of a body.
   std::span<const Of_body> of(std::uint32_t body) const { return of_[body]; }
 
-  /// Tells the memory to bring the list of a body; or, where that has come, what changes when its pairs part.
+  /// Prefetches the list of a body.
   void fetch_list(std::uint32_t body) const { __builtin_prefetch(of_[body].data()); }
+  /// Prefetches what changes when the pairs of a body are removed. Requires that its list is in the cache.
   void fetch_pairs(std::uint32_t body) const
   {
     for (const Of_body& near : of_[body]) {
@@ -97,13 +99,13 @@ class Pair_list {
 
   void set_body_count(std::size_t bodies) { of_.resize(bodies); }
 
-  /// Takes memory for so many pairs at once, and for some more, as boxes with room for steps will find; or for those of
-  /// a body.
+  /// Reserves memory for `pairs` pairs and half as many more, since wide boxes will find some.
   void make_room(std::size_t pairs)
   {
     make_room(pairs_, pairs);
     make_room(bodies_, pairs);
   }
+  /// Same, for the pairs of one body.
   void make_room(std::uint32_t body, std::size_t pairs)
   {
     in_lists_ -= of_[body].capacity();
@@ -111,7 +113,7 @@ class Pair_list {
     in_lists_ += of_[body].capacity();
   }
 
-  /// Requires two bodies that are no pair yet.
+  /// Adds a pair; returns its number. Requires two bodies that are no pair yet.
   Number add(std::uint32_t a, std::uint32_t b)
   {
     if (free_.empty()) {
@@ -152,7 +154,7 @@ class Pair_list {
     free_.push_back(number);
   }
 
-  /// Drops what is kept of a pair's trees.
+  /// Drops the memory of a pair.
   void forget(Number number)
   {
     std::uint32_t& place = pairs_[number].asked;
@@ -163,7 +165,7 @@ class Pair_list {
     place = 0;
   }
 
-  /// Counts what is kept of a pair's trees, after it has changed.
+  /// Counts the bytes of a pair's memory anew, after it has changed.
   void count_memory(Number number)
   {
     Asked_pair& asked = this->asked(number);
@@ -171,7 +173,7 @@ class Pair_list {
     memory_bytes_ += asked.memory_bytes = asked.memory.bytes();
   }
 
-  /// Of all that is kept of trees, as it is counted.
+  /// Returns the bytes of all memories, as last counted.
   std::size_t memory_bytes() const { return memory_bytes_; }
 
   std::size_t bytes() const
@@ -189,12 +191,12 @@ class Pair_list {
   }
 
   Large_vector<Near_pair> pairs_;
-  Large_vector<Near_bodies> bodies_;                              // of each; apart, since frames read them all
+  Large_vector<Near_bodies> bodies_;  // of each pair; a list of its own, since frames read all of it
   Large_vector<Asked_pair> asked_ = Large_vector<Asked_pair>(1);  // the first stands for nothing
   std::vector<Number> free_;
   std::vector<std::uint32_t> free_asked_;
   std::vector<std::vector<Of_body>> of_;
-  std::size_t in_lists_ = 0;  // room in them
+  std::size_t in_lists_ = 0;  // the sum of their capacities
   std::size_t memory_bytes_ = 0;
 };
 

@@ -77,13 +77,16 @@ class Scene {
 
   /// Adds a model; returns its number, from 0.
   std::size_t add_model(const Body& body);
-  /// Adds a model that `make` makes when it is needed, and again when memory has taken it back; returns its number. Requires
-  /// that `make` makes equal bodies each time. `pairs` throws what `make` throws. `name` stands for the model in messages.
+  /// Adds a model that `make` makes when it is needed, and again when memory has taken it back; returns its number.
+  /// Requires that `make` makes equal bodies each time. `pairs` throws what `make` throws. `name` stands for the model
+  /// in messages.
   std::size_t add_model(std::function<Body()> make, const std::string& name);
 
-  /// Adds a body of a model, not placed yet; returns its number, from 0. Throws Error for a model's number out of range.
+  /// Adds a body of a model, not placed yet; returns its number, from 0. Throws Error for a model's number out of
+  /// range.
   std::size_t add_body(std::size_t model);
-  /// Takes a body out; its number is not used again. This and the next functions throw Error for a body that is not there.
+  /// Takes a body out; its number is not used again. This and the next functions throw Error for a body that is not
+  /// there.
   void remove_body(std::size_t body);
   /// Makes the body one of another model.
   void set_model(std::size_t body, std::size_t model);
@@ -95,22 +98,26 @@ class Scene {
   /// Places a body by a pose of the templates. Requires det M != 0.
   void place(std::size_t body, const kernel::Pose& pose);
 
-  /// Returns the pairs of placed bodies that collide now, in order. Only what moved is decided anew. Throws Error where there
-  /// are bodies and none is placed, where a model cannot be made, where an open one is asked for its solid, where the memory
-  /// does not hold the models of one pair, and as `Query::collide`. Asked again, it goes on where it was.
+  /// Returns the pairs of placed bodies that collide now, in order. Only pairs of bodies that moved are decided anew,
+  /// and pairs that an exception or the budget left open. Throws Error as `Query::collide`, and
+  ///
+  /// - where there are bodies and none is placed;
+  /// - where a model cannot be made;
+  /// - where an open model is asked for its solid;
+  /// - where the memory does not hold the models of one pair.
   const std::vector<Scene_pair>& pairs();
-  /// Places all bodies and returns `pairs`. Poses are in the order of the bodies' numbers, removed bodies left out. Throws
-  /// Error for another count, and as `pairs`.
+  /// Places all bodies and returns `pairs`. Poses are in the order of the bodies' numbers, removed bodies left out.
+  /// Throws Error for another count, and as `pairs`.
   const std::vector<Scene_pair>& frame(std::span<const Pose> poses);
 
-  /// Returns the pairs of bodies that meet while all of them move, each with its first contact, sorted by (lo, hi, pair).
-  /// That is the order of the exact times, except between two equal doubles. There is one motion per body, in the order of
-  /// their numbers, removed bodies left out. Only pairs whose swept boxes overlap are tested; no budget bounds it. The
-  /// bodies stay where they stood. Throws Error for another count, for another kernel than adaptive, as `pairs`, and where
-  /// a face of a near body is neither a triangle nor has triangles.
+  /// Returns the pairs of bodies that meet while all of them move, each with its first contact, sorted by (lo, hi,
+  /// pair). That is the order of the exact times, except between two equal doubles. There is one motion per body, in
+  /// the order of their numbers, removed bodies left out. Only pairs whose swept boxes overlap are tested; no budget
+  /// bounds it. The bodies stay where they stood. Throws Error as `pairs`, for another count, and for another kernel
+  /// than adaptive. Throws it also where a face of a near body is neither a triangle nor has triangles.
   std::vector<Scene_contact> first_contacts(std::span<const Motion> motions);
-  /// Returns `first_contacts` of motions on lines, from where the bodies stand to these poses. Throws Error as above, and
-  /// for a body that is not placed.
+  /// Returns `first_contacts` of motions on lines, from where the bodies stand to these poses. Throws Error as above,
+  /// and for a body that is not placed.
   std::vector<Scene_contact> first_contacts(std::span<const Pose> to);
 
   /// Returns the pairs that the budget left undecided in the last frame, in order.

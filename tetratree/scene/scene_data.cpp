@@ -22,30 +22,36 @@ std::uint64_t key_of(std::size_t a, std::size_t b)
   return std::uint64_t(kernel::minimum(a, b)) << 32 | kernel::maximum(a, b);
 }
 
-/// A wide box leaves room for so many steps like the last one, but not for more than that share of the body on every side;
-/// where the body moves faster, for so many steps of its place, but not for more than that share of it.
+/// The room that a wide box leaves its body.
+///
+/// - `steps_ahead`: the room on every side, in steps like the last one.
+/// - `most_room`: upper bound of that room, as a fraction of the body's size.
+/// - `places_ahead`: the room ahead of a body that moves faster, in steps of its centre.
+/// - `most_room_ahead`: upper bound of what this adds to the room on every side, as a fraction of the body's size.
 constexpr double steps_ahead = 8, most_room = 1.0 / 8, places_ahead = 4, most_room_ahead = 1.0 / 2;
 
-/// The room of new bodies is `most_room`, but for long ones, which have many others near them.
+/// The room of new long bodies, which have many others near them; other new bodies get `most_room`.
 constexpr double first_room_of_long = 1.0 / 16;
 
-/// Steps that are soon.
+/// The number of steps within which `is_out_soon` looks.
 constexpr double soon = 2;
 
-/// A body's box that has grown by more than that share of itself since it was found is found anew, before the wide one is.
+/// A box that has grown by more than this fraction of its size is found anew, before the wide one is.
 constexpr double most_grown = 1.0 / 32;
 
-/// Of new bodies, so many or more are looked at before trees are made of their models, for which so many pairs are a
-/// reason.
+/// When trees of the models of new bodies are made at once.
+///
+/// - `looked_at`: upper bound of the new bodies whose near pairs are counted.
+/// - `pairs_for_tree`: near pairs of a model that are a reason to make its tree.
 constexpr std::size_t looked_at = 1024, pairs_for_tree = 32;
 
-/// Above that share of all bodies, one in so many, boxes of all are brought up to date at once.
+/// When more than one in this many bodies has changed, the boxes of all are updated at once.
 constexpr std::size_t few_of_all = 8;
 
-/// So many bodies before one's near pairs are changed, the memory is told to bring its list; half as many, its pairs.
+/// Distance of the prefetch of a body's list of near pairs, in bodies; its pairs are prefetched at half of it.
 constexpr std::size_t lists_ahead = 8;
 
-/// Of a search, for threads to share.
+/// The parts of a search that threads share.
 constexpr std::size_t parts_of_search = 64;
 
 }  // namespace
@@ -97,14 +103,14 @@ std::size_t Scene_data::add_body(std::size_t model)
   return bodies_.size() - 1;
 }
 
-/// The two are near one another no more.
+/// Removes a pair that is no longer near.
 void Scene_data::part(Number pair)
 {
   if (near_.bodies(pair).is_listed) left_.push_back(pair_of(pair));
   near_.remove(pair);
 }
 
-/// Takes the body out of all that is known of near ones.
+/// Removes the body's near pairs, and takes it out of the tree.
 void Scene_data::leave(Number number)
 {
   Placed_body& body = bodies_[number];
@@ -157,7 +163,7 @@ void Scene_data::place(std::size_t number, const kernel::Pose& pose)
   Placed_body& body = there(number);
   kernel::Pose& known = poses_[number];
   if (body.is_placed && known == pose) return;
-  // Where the body is in the tree its extent is known, and its place is.
+  // A body in the tree has an extent and a centre.
   if (body.is_in_tree) step(Number(number), pose);
   known = pose;
   body.is_placed = true;
@@ -166,7 +172,7 @@ void Scene_data::place(std::size_t number, const kernel::Pose& pose)
   moved_.push_back(Number(number));
 }
 
-/// Brings a body's place up to date, before its pose is.
+/// Updates a body's centre and its rotation. Requires that its pose is still the old one.
 void Scene_data::step(Number number, const kernel::Pose& to)
 {
   Placed_body& body = bodies_[number];
@@ -176,7 +182,7 @@ void Scene_data::step(Number number, const kernel::Pose& to)
   if (!body.has_moved) step = {};
   for (std::size_t k = 0; k < 3; ++k) step.by[k] += float(at[k] - place.at[k]);
   place.at = at;
-  // Sums are rounded as they are bounded.
+  // `sum_above` is an upper bound only where doubles round to nearest.
   if (turned <= std::numeric_limits<double>::max() && kernel::floating_point_is_sound()) {
     step.turned += float(turned);
     place.turned = tetratree::sum_above(place.turned, turned);
@@ -198,7 +204,7 @@ std::vector<std::size_t> Scene_data::present(std::size_t count, const std::strin
 
 const std::vector<Scene_pair>& Scene_data::pairs()
 {
-  // No pair of bodies that stand nowhere is no answer.
+  // An empty answer would be wrong for bodies without poses.
   if (std::ranges::any_of(bodies_, &Placed_body::is_there) && std::ranges::none_of(bodies_, &Placed_body::is_placed))
     throw Error("scene: no body has a pose; expected a body that is placed before pairs are asked for");
   kernel::require_exact_arithmetic();
@@ -220,7 +226,7 @@ const std::vector<Scene_pair>& Scene_data::pairs()
 void Scene_data::move_bodies()
 {
   std::erase_if(moved_, [this](Number body) { return !bodies_[body].is_there; });
-  // All that can fail comes before anything is changed.
+  // All that can throw comes before anything is changed.
   look_at_models();
   std::vector<Number> out_of_their_boxes;
   for (const Number body : moved_)
@@ -231,14 +237,14 @@ void Scene_data::move_bodies()
   out_of_their_boxes.clear();
   for (const Number body : moved_)
     if (bodies_[body].is_out) out_of_their_boxes.push_back(body);
-  // One search for most of them costs less than two, each for half.
+  // One search for most of them costs less than two searches for half of them each.
   if (out_of_their_boxes.size() > moved_.size() / few_of_all)
     for (const Number body : moved_)
       if (!bodies_[body].is_out && is_out_soon(body)) out_of_their_boxes.push_back(body);
   widen(out_of_their_boxes);
 }
 
-/// Makes the models of bodies that have moved, where they are not made.
+/// Makes the missing models of bodies that have moved.
 void Scene_data::look_at_models()
 {
   known_models_.resize(models.count());
@@ -257,8 +263,8 @@ Scene_data::Known_model& Scene_data::known(Number number)
   return model;
 }
 
-/// Makes the trees of models of which many pairs of new bodies are near, which their pairs would need at once: so that
-/// their boxes are tight from the beginning.
+/// Makes the trees of models with many near pairs of new bodies. Their pairs would need the trees at once, and so their
+/// boxes are tight from the start.
 void Scene_data::make_trees(const std::vector<Number>& bodies)
 {
   const bool has_model_without =
@@ -287,8 +293,8 @@ void Scene_data::make_trees(const std::vector<Number>& bodies)
     }
 }
 
-/// Says whether a body that has moved is out of its wide box. Boxes of long bodies, which have many near them, are found
-/// where they are now, others where they are needed.
+/// Decides whether a body that has moved is out of its wide box. The boxes of long bodies, which have many near them,
+/// are found anew; others are found where they are needed.
 void Scene_data::move(Number number, Scene_worker& worker)
 {
   Placed_body& body = bodies_[number];
@@ -302,7 +308,7 @@ void Scene_data::move(Number number, Scene_worker& worker)
              boxes_[number].is_within(wide_[number], places_[number]))
     return;
   if (!body.is_in_tree) {
-    // Its first place, and how far it has turned does not matter.
+    // The body is new: its centre is set, and what it has turned does not matter.
     places_[number].at = tetratree::body_step(*known_models_[body.model].extent, poses_[number], poses_[number]).at;
     steps_[number] = {};
   }
@@ -313,7 +319,7 @@ void Scene_data::move(Number number, Scene_worker& worker)
                 !boxes_[number].is_within(wide_[number], places_[number]);
 }
 
-/// Whether a body will be out of its wide box soon, if it goes on as in the last frame.
+/// True when a body will be out of its wide box soon, if it goes on as in the last frame.
 bool Scene_data::is_out_soon(Number body) const
 {
   tetratree::Body_place place = places_[body];
@@ -322,7 +328,7 @@ bool Scene_data::is_out_soon(Number body) const
   return !boxes_[body].is_within(wide_[body], place);
 }
 
-/// Finds a body's box where it is.
+/// Finds a body's box at its present pose.
 void Scene_data::find_box(Number number, Scene_worker& worker)
 {
   Placed_body& body = bodies_[number];
@@ -330,7 +336,7 @@ void Scene_data::find_box(Number number, Scene_worker& worker)
   boxes_[number] = {worker.box(body.model, models.extent(body.model), poses_[number]), places_[number]};
 }
 
-/// Gives these bodies new wide boxes, and finds what is near them.
+/// Gives these bodies new wide boxes, and updates their near pairs.
 void Scene_data::widen(const std::vector<Number>& bodies)
 {
   if (bodies.empty()) return;
@@ -376,7 +382,7 @@ void Scene_data::build_boxes()
   tree_is_old_ = false;
 }
 
-/// Brings the near pairs of these bodies up to date.
+/// Updates the near pairs of these bodies.
 void Scene_data::find_near(const std::vector<Number>& bodies)
 {
   for (const Number body : bodies) tree_.mark(body);
@@ -413,7 +419,7 @@ void Scene_data::find_near(const std::vector<Number>& bodies)
     for (std::size_t k = known.size(); k-- > 0;) {
       const auto near = known[k];
       if (seen_[near.other] == search)
-        seen_[near.other] = 0;  // known
+        seen_[near.other] = 0;  // a near pair already
       else
         part(near.pair);
     }

@@ -30,13 +30,15 @@
 
 namespace tetracone::detail {
 
-/// What a `Scene` keeps.
+/// The state of a `Scene`, and the work of a frame.
 ///
-/// A body has a box about it, and in the tree of boxes a wider one, in which it may move for some frames. Two bodies
-/// whose wide boxes meet are a near pair. Of these a frame asks those that no certificate keeps: first the boxes, then
-/// boxes that are turned with the bodies, then boxes made tight, then the query of their models. How far a body has turned
-/// about its place is a sum of bounds, rounded up: while that of both has grown, and what is between their places has
-/// changed, by less than the gap that was between them, they are apart. Bodies that move alike do so for long.
+/// A body has a box. In the tree of boxes it has a wider one, in which it may move for some frames. Two bodies whose
+/// wide boxes meet are a near pair. A frame asks the near pairs that no certificate keeps, by stages: the boxes, boxes
+/// that are turned with the bodies, boxes found anew, the query of their models.
+///
+/// A certificate holds while its use is less than the gap that was between the bodies. Its use is the rotation of both
+/// about their centres since, plus the change of the vector between their centres. The rotation `turned` is a sum of
+/// upper bounds, rounded up. Bodies that move alike therefore stay apart for many frames.
 class Scene_data {
  public:
   explicit Scene_data(const Scene_options& options);
@@ -54,7 +56,7 @@ class Scene_data {
   const Frame_statistics& statistics() const { return statistics_; }
   std::vector<Scene_contact> first_contacts(std::span<const Motion> motions);
 
-  /// The numbers of the bodies that there are. Throws Error where that are not `count`, which are `what`.
+  /// Returns the numbers of the bodies that exist, ascending. Throws Error, about `what`, unless there are `count`.
   std::vector<std::size_t> present(std::size_t count, const std::string& what) const;
   const kernel::Pose& pose(std::size_t body)
   {
@@ -62,7 +64,7 @@ class Scene_data {
     return poses_[body];
   }
 
-  /// Calls what(query of their models, pose of a, pose of b).
+  /// Returns what(query of their models, pose of a, pose of b).
   template <class What>
   auto ask(std::size_t a, std::size_t b, const What& what)
   {
@@ -75,27 +77,27 @@ class Scene_data {
   using World_box = tetratree::World_box;
   using Near_bodies = tetratree::Near_bodies;
 
-  /// What a frame reads of bodies in the order of their pairs: few bytes.
+  /// The few bytes of a body that a frame reads in the order of the pairs.
   struct Placed_body {
     Number model;
     bool is_there = true, is_placed = false, is_in_tree = false;
-    bool has_moved = false, is_lost = false;       // since the last frame; by a step of which nothing is known
-    bool is_tight = false, is_wide_tight = false;  // whether its box, and the wide one, are by the model's tree
-    bool is_out = false;                           // of its wide box, or of what that was made by
-    bool is_turned = false;                        // whether its turned box is known
+    bool has_moved = false, is_lost = false;       // since the last frame; by a step that has no bound
+    bool is_tight = false, is_wide_tight = false;  // whether its box, and the wide one, were found by the model's tree
+    bool is_out = false;                           // of its wide box, or its two boxes were found in different ways
+    bool is_turned = false;                        // whether it has a turned box
   };
 
-  /// About how a body has moved since the frame before it was placed: its place, and what it has turned.
+  /// The motion of a body since the last frame, rounded to float: of its centre, and its rotation.
   struct Step {
     std::array<float, 3> by{};
     float turned = 0;
   };
 
-  /// What a frame asks of a model, for all of its bodies.
+  /// The properties of a model that a frame reads for all of its bodies.
   struct Known_model {
     const tetratree::Body_extent* extent = nullptr;
     bool has_tree = false, is_long = false;
-    std::uint64_t frame = 0;  // the last one that has asked
+    std::uint64_t frame = 0;  // the last frame that read them
   };
 
   Placed_body& there(std::size_t body);
@@ -105,7 +107,7 @@ class Scene_data {
   void part(Number pair);
   void leave(Number body);
 
-  /// Calls what(i, worker) for i < n, by all threads.
+  /// Calls what(i, worker) for i < n: on all threads with grain `at_least`, or on this thread if n < 2 at_least.
   template <class What>
   void for_each(std::size_t n, std::size_t at_least, const What& what)
   {
@@ -121,8 +123,9 @@ class Scene_data {
     });
   }
 
-  /// Calls what(first, last) for the pairs of two models at a time, which keeps to the memory; where that has no limit, for
-  /// all at once. models(pair): those of a pair, in the order of the pairs.
+  /// Calls what(first, last) for the pairs of two models at a time, and keeps to the memory after each. Calls it once
+  /// for all pairs where the memory has no limit. `models_of(pair)` returns the models of a pair. Requires pairs sorted
+  /// by them.
   template <class Pairs, class Models, class What>
   void for_each_models(Pairs& pairs, const Models& models_of, const What& what)
   {
@@ -179,34 +182,34 @@ class Scene_data {
   Scene_pair pair_of(Number pair) const { return {near_.bodies(pair).body[0], near_.bodies(pair).body[1]}; }
   std::pair<Number, Number> models_of(const Scene_pair& pair) const { return models_of(pair.a, pair.b); }
 
-  using Motions = std::vector<const Motion*>;  // of each body, null where it is not there
+  using Motions = std::vector<const Motion*>;  // one for each body; null where the body does not exist
   std::vector<Scene_pair> meeting_pairs(const Motions& motion_of);
   std::optional<First_contact> first_contact(const Scene_pair& pair, const Motions& motion_of, Scene_worker& worker);
 
   Scene_options options_;
   std::vector<Scene_worker> workers_;
-  std::optional<tbb::task_arena> arena_;  // of more than one thread
+  std::optional<tbb::task_arena> arena_;  // for more than one thread
 
   tetratree::Large_vector<Placed_body> bodies_;
-  tetratree::Large_vector<kernel::Pose> poses_;            // of each body, as what follows
-  tetratree::Large_vector<tetratree::Body_place> places_;  // by their poses
+  tetratree::Large_vector<kernel::Pose> poses_;            // of each body, as the next five
+  tetratree::Large_vector<tetratree::Body_place> places_;  // derived from the poses
   tetratree::Large_vector<Step> steps_;
   tetratree::Large_vector<tetratree::Body_box> boxes_;
-  tetratree::Large_vector<World_box> wide_;                // what the tree has
-  tetratree::Large_vector<tetratree::Turned_box> turned_;  // once one is long; known of long ones alone
+  tetratree::Large_vector<World_box> wide_;                // the boxes in the tree
+  tetratree::Large_vector<tetratree::Turned_box> turned_;  // empty until a body is long; set for long bodies only
   std::vector<Known_model> known_models_;
   tetratree::Box_tree tree_;
-  bool tree_is_old_ = false;  // there are bodies that it does not know
+  bool tree_is_old_ = false;  // it lacks bodies
   std::unordered_set<std::uint64_t> ignored_;
   tetratree::Pair_list near_;
-  bool memory_has_fronts_ = true;  // until they have been too much for it once
+  bool memory_has_fronts_ = true;  // false once fronts have exceeded the memory
   std::vector<Number> moved_, open_;
-  std::vector<std::uint64_t> seen_;  // of each body, the search that has seen it last
+  std::vector<std::uint64_t> seen_;  // the last search that found each body
   std::uint64_t search_ = 0;
 
   std::uint64_t frame_ = 0;
   std::optional<std::chrono::steady_clock::time_point> deadline_;
-  std::vector<Scene_pair> colliding_, left_;  // those that have left it
+  std::vector<Scene_pair> colliding_, left_;  // pairs that collided in the last answer and do no more
   std::vector<Undecided_pair> undecided_;
   Frame_statistics statistics_;
 };

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t bytes_of_point = sizeof(kernel::Point<kernel::Adaptive>);
 
-/// So many pairs of faces are asked in the time that it takes to make the trees of two bodies, for each face of them.
+/// The pairs of faces that are tested in the time that making the trees of two bodies takes for each of their faces.
 constexpr double pairs_a_face_of_trees = 65;
 
 struct Corners {
@@ -26,7 +26,7 @@ Corners corners_of(const Polyhedron& polyhedron)
   return all;
 }
 
-/// Of the polyhedron alone, and with the covering that the tree has, by their counts.
+/// Returns the bytes of the polyhedron alone, and with the covering that the tree has, computed from their counts.
 std::array<std::size_t, 2> bytes_beside_tree(const Body_data& body)
 {
   const std::size_t faces = body.polyhedron.face_count(), vertices = body.polyhedron.vertices.size();
@@ -41,7 +41,7 @@ std::array<std::size_t, 2> bytes_beside_tree(const Body_data& body)
   return {given, given + covered};
 }
 
-/// At most that of a query's images of the body's vertices, and of its table of reach.
+/// Returns an upper bound of the bytes of a query's images of the body's vertices, and of its table of reaches.
 std::size_t query_bytes(const Body& body)
 {
   return body.polyhedron().vertices.size() * (bytes_of_point + 2 * sizeof(std::uint64_t)) + Scene_worker::table_bytes;

@@ -19,7 +19,7 @@
 
 namespace tetracone::detail {
 
-/// The models of a scene: each is made when a body of it is first placed, and its tree when a query asks for it.
+/// The models of a scene. A model is made when a body of it is first placed, and its tree when a query asks for it.
 class Scene_models {
  public:
   using Number = std::uint32_t;
@@ -29,42 +29,43 @@ class Scene_models {
   std::size_t count() const { return models_.size(); }
   Number add(std::function<Body()> make, const std::string& name, bool is_kept);
 
-  /// The body, made now if it has to be. Throws what making it throws, and Error where it has no solid to be asked for.
+  /// Returns the body, made now if need be. Throws what making it throws, and Error where it is asked for its solid and
+  /// has none.
   const Body& body(Number model);
-  /// The same of a body that motions can follow. Throws Error also where a face has no triangles.
+  /// Same, for a body that motions can follow. Throws Error also where a face has no triangles.
   const Body& body_of_triangles(Number model);
   const tetratree::Body_extent& extent(Number model);
-  /// Its tree, or nothing where none has been made.
+  /// Returns the model's tree; null if none has been made.
   const tetratree::Bvh8* tree(Number model) const;
 
-  /// Whether a question about bodies of these models is to be asked of all pairs of their faces, since that costs less
-  /// than their trees, which are not there yet, and what such questions have cost so far does too. Counts the question.
+  /// True when a query about bodies of these models is to test all pairs of their faces. That is so while neither has a
+  /// tree and all such queries so far, this one included, cost less than making the trees. Counts the query.
   bool is_worth_no_tree(Number a, Number b);
 
   /// Marks a model as needed now.
   void use(Number model) { models_[model].used = ++now_; }
-  /// The model that has been used least recently, of those that can be given back and are not these two.
+  /// Returns the least recently used model that can be given back and is neither of these two.
   std::optional<Number> least_recently_used(Number not_this, Number nor_this) const;
-  /// Gives back a model: it is made again when it is needed.
+  /// Gives back a model; it is made again when it is needed.
   void give_back(Number model);
 
   const std::string& name(Number model) const { return models_[model].name; }
   std::size_t bytes(Number model) const;
   std::size_t bytes() const;
-  /// Of all trees, those given back included.
+  /// Returns the number of nodes of all trees, including trees that were given back.
   std::size_t nodes_made() const;
 
  private:
   struct Model {
     std::function<Body()> make;
     std::string name;
-    bool is_kept;                // by whoever gave it
-    bool has_triangles = false;  // where that is known
+    bool is_kept;                // by the caller, so that giving it back frees nothing
+    bool has_triangles = false;  // true once it has been checked
     std::optional<Body> body;
     std::optional<tetratree::Body_extent> extent;
-    std::array<std::size_t, 2> bytes_beside_tree{};  // before there is one, and after
-    double faces = 0;                                // as triangles
-    double pairs_left = 0;                           // that may be asked before a tree is made
+    std::array<std::size_t, 2> bytes_beside_tree{};  // before the tree is made, and after
+    double faces = 0;                                // counted as triangles
+    double pairs_left = 0;                           // pairs of faces that may be tested before a tree is made
     std::uint64_t used = 0;
   };
 
@@ -74,20 +75,21 @@ class Scene_models {
   std::size_t nodes_given_back_ = 0;
 };
 
-/// What one thread asks models with: a query for each pair of them, a table of reach for each.
+/// The queries and tables of reaches of one thread: a query for each pair of models, a table for each model.
 class Scene_worker {
  public:
   using Number = Scene_models::Number;
 
   Scene_worker(const Scene_models& models, const Scene_options& options) : models_(&models), options_(&options) {}
 
-  /// Requires bodies that are made. `method`: tree or brute; where the scene's options name another, it is that.
+  /// Returns the query of two models. Requires bodies that are made. `method` is tree or brute; if the scene's options
+  /// name another method, that one is used.
   Query& query(Scene_models& models, Number a, Number b, Method method = Method::tree);
 
-  /// The tightest that is known: by the tree where there is one.
+  /// Returns the tightest box that is available: by the tree where there is one, else by the extent.
   tetratree::World_box box(Number model, const tetratree::Body_extent& extent, const kernel::Pose& pose);
 
-  /// Drops what is about this model.
+  /// Drops the queries and the table of this model.
   void forget(Number model);
 
   std::size_t bytes() const;
@@ -101,7 +103,7 @@ class Scene_worker {
     std::size_t bytes;
     std::uint64_t used;
   };
-  /// Queries beyond that many bytes are dropped, and made again when they are needed.
+  /// Upper bound of the bytes of queries. Older queries are dropped, and made again when they are needed.
   static constexpr std::size_t most_query_bytes = std::size_t(1) << 28;
 
   const Scene_models* models_;

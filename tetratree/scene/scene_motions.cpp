@@ -49,13 +49,14 @@ std::vector<Scene_contact> Scene_data::first_contacts(std::span<const Motion> mo
   return contacts;
 }
 
-/// Those whose boxes about all of their motions meet, but for the ignored.
+/// Returns the pairs whose swept boxes meet, except the ignored ones.
 std::vector<Scene_pair> Scene_data::meeting_pairs(const Motions& motion_of)
 {
   std::vector<Number> moving;
   for (Number body = 0; body < motion_of.size(); ++body)
     if (motion_of[body]) moving.push_back(body);
-  for (const Number body : moving) models.extent(bodies_[body].model);  // what can fail does so by one thread
+  for (const Number body : moving)
+    models.extent(bodies_[body].model);  // makes the models here, since one thread must throw
   std::vector<World_box> swept(motion_of.size());
   for_each(moving.size(), 16, [&](std::size_t i, Scene_worker& worker) {
     const Number model = bodies_[moving[i]].model;

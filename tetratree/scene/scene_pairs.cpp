@@ -1,4 +1,4 @@
-// The near pairs of a scene: which a frame asks, and how.
+// The near pairs of a scene: which of them a frame asks, and how.
 
 #include "tetracone/kernel/number/floating_point.h"
 #include "tetracone/tetratree/door/body_data.h"
@@ -20,20 +20,25 @@ namespace {
 
 using tetratree::sum_above, tetratree::sum_below;
 
-/// Bodies that have moved by more than this share of the smaller one since they were asked get no front.
+/// A pair gets no front if its bodies have moved by more than this fraction of the smaller one since it was asked.
 constexpr double little = 1.0 / 64;
 
-/// So many pairs or bodies before one is asked, the memory is told to bring its poses, or boxes.
+/// Distance of the prefetch of poses, in pairs or bodies.
 constexpr std::size_t asked_ahead = 4;
+/// Distance of the prefetch of boxes, in pairs.
 constexpr std::ptrdiff_t boxes_ahead = 12;
+/// Distance of the prefetch of turned boxes, in rows of up to eight pairs.
 constexpr std::size_t rows_ahead = 2;
 
-/// What a front may take before it is made, and all of them.
+/// Bytes of fronts.
+///
+/// - `bytes_of_front`: estimate for a front before it is made.
+/// - `most_bytes_of_fronts`: upper bound for all fronts.
 constexpr std::size_t bytes_of_front = std::size_t(1) << 17, most_bytes_of_fronts = std::size_t(1) << 28;
 
 }  // namespace
 
-/// Opens the near pairs of bodies that have moved, but for those that are still apart.
+/// Opens the near pairs of bodies that have moved, except those whose certificate still holds.
 void Scene_data::open_pairs()
 {
   std::erase_if(open_, [this](Number pair) { return !near_.bodies(pair).is_open; });
@@ -71,13 +76,13 @@ void Scene_data::open_pair(Number number)
   open_.push_back(number);
 }
 
-/// What both bodies have turned, from above.
+/// Returns an upper bound of the rotation of both bodies, the sum of their `turned`.
 double Scene_data::turned(const Near_bodies& pair) const
 {
   return sum_above(places_[pair.body[0]].turned, places_[pair.body[1]].turned);
 }
 
-/// The square of how much what is between their places has changed, up to `error_of_between` and a few roundings.
+/// Returns the square of the change of the vector between their centres, up to `error_of_between` and a few roundings.
 double Scene_data::square_between(const Near_bodies& pair, const tetratree::Between& before) const
 {
   const auto &a = places_[pair.body[0]].at, &b = places_[pair.body[1]].at;
@@ -89,7 +94,7 @@ double Scene_data::square_between(const Near_bodies& pair, const tetratree::Betw
   return square;
 }
 
-/// Whether the certificate holds that they are.
+/// True when the certificate proves that they are apart.
 bool Scene_data::are_apart(const Near_bodies& pair) const
 {
   const double left = pair.limit - turned(pair);
@@ -97,15 +102,15 @@ bool Scene_data::are_apart(const Near_bodies& pair) const
          square_between(pair, pair.between) < left * left * (1 - tetratree::certificate_rounding);
 }
 
-/// At most their distance, by their boxes.
+/// Returns a lower bound of their distance, by their boxes.
 double Scene_data::gap(const Near_bodies& pair) const
 {
   const auto [a, b] = pair.body;
   return boxes_[a].gap(places_[a], boxes_[b], places_[b]);
 }
 
-/// Begins the certificate of a pair that is asked: what is between its bodies, and what they have turned. It holds for
-/// nothing yet, since they turn by more.
+/// Begins the certificate of a pair that is asked: records the vector between its bodies, and their rotation. Until
+/// `answer` the limit is at most their rotation, so it proves nothing.
 void Scene_data::begin(Near_bodies& pair)
 {
   const auto &a = places_[pair.body[0]], &b = places_[pair.body[1]];
@@ -113,8 +118,8 @@ void Scene_data::begin(Near_bodies& pair)
   pair.limit = sum_below(a.turned, b.turned);
 }
 
-/// `gap`: a lower bound of their distance where they do not collide. Requires a certificate that was begun, and nothing
-/// else of the bodies, which have left the caches since.
+/// Records the answer and completes the certificate. `gap` is a lower bound of their distance where they do not
+/// collide. Requires `begin`. It reads nothing else of the bodies, which have left the caches since.
 void Scene_data::answer(Number number, bool collide, double gap)
 {
   Near_bodies& pair = near_.bodies(number);
@@ -131,7 +136,7 @@ void Scene_data::answer(Number number, bool collide, double gap)
   pair.limit = known > error ? sum_below(pair.limit, known - error) : -1;
 }
 
-/// By the tree, which is made now if it has to be.
+/// Finds the body's box by the tree of its model, which is made now if need be.
 void Scene_data::tighten(Number number)
 {
   Placed_body& body = bodies_[number];
@@ -157,7 +162,7 @@ void Scene_data::ask_pairs()
       [this](auto first, auto last) { ask_models(first, last); });
 }
 
-/// Asks open pairs: their boxes, then their models.
+/// Asks open pairs, by their boxes first, then by their models.
 void Scene_data::ask_models(std::vector<Number>::iterator first, std::vector<Number>::iterator last)
 {
   std::vector<Number> meeting, with_old_boxes, candidates;
@@ -210,21 +215,21 @@ void Scene_data::ask_models(std::vector<Number>::iterator first, std::vector<Num
   }
 }
 
-/// Whether their boxes are worth no search: they are new, or the bodies collided, and mostly still do.
+/// True when boxes found anew would not help: they are new, or the bodies collided, and mostly still do.
 bool Scene_data::has_new_boxes(const Near_bodies& pair) const
 {
   const auto [a, b] = pair.body;
   return pair.collide || (boxes_[a].is_new(places_[a]) && boxes_[b].is_new(places_[b]));
 }
 
-/// Finds the boxes of these pairs' bodies where they are now.
+/// Finds the boxes of these pairs' bodies at their present poses.
 void Scene_data::find_boxes(const std::vector<Number>& pairs)
 {
   std::vector<Number> bodies;
   for (const Number pair : pairs)
     for (const Number body : near_.bodies(pair).body)
       if (!boxes_[body].is_new(places_[body]) && !bodies_[body].is_out) {
-        bodies_[body].is_out = true;  // as a mark
+        bodies_[body].is_out = true;  // marks it as listed, until the end
         bodies.push_back(body);
       }
   for_each(bodies.size(), 64, [&](std::size_t i, Scene_worker& worker) {
@@ -234,8 +239,7 @@ void Scene_data::find_boxes(const std::vector<Number>& pairs)
   for (const Number body : bodies) bodies_[body].is_out = false;
 }
 
-/// Says of pairs that are to be asked whether they may keep fronts: those that move little from frame to frame, while
-/// there is room.
+/// Decides which of the pairs may keep fronts: those that move little from frame to frame, while there is room.
 void Scene_data::allow_fronts(const std::vector<Number>& pairs)
 {
   std::size_t taken = near_.memory_bytes(), room = most_bytes_of_fronts;
@@ -254,7 +258,7 @@ void Scene_data::allow_fronts(const std::vector<Number>& pairs)
   }
 }
 
-/// Since they were asked so.
+/// True when both bodies have moved little since the trees of the pair were asked.
 bool Scene_data::moves_little(const Near_bodies& pair, const tetratree::Asked_pair& asked) const
 {
   const auto [a, b] = pair.body;
@@ -273,8 +277,8 @@ bool Scene_data::has_turned_box(const Near_bodies& pair) const
   return bodies_[pair.body[0]].is_turned || bodies_[pair.body[1]].is_turned;
 }
 
-/// Leaves the pairs, of a long body at least, that neither turned boxes nor others find apart: up to eight pairs of one
-/// body at a time. Turned boxes are first: where they are apart, they are so by much more.
+/// Removes from `all` the pairs with a long body that turned boxes, or else boxes, find apart. It asks up to eight
+/// pairs of one body at a time. Turned boxes come first: their gaps are mostly much larger.
 void Scene_data::ask_turned_boxes(std::vector<Number>& all)
 {
   const auto has_long = [this](Number pair) { return has_turned_box(near_.bodies(pair)); };
@@ -339,7 +343,7 @@ void Scene_data::ask_pair(Number number, Scene_worker& worker)
   answer(number, collide, collide ? 0 : query.certified_gap());
 }
 
-/// Drops fronts, and gives back models, until the memory holds what is left.
+/// Drops fronts, then gives back models, until the memory suffices.
 void Scene_data::keep_to_memory(Number model_a, Number model_b)
 {
   if (bytes() > options_.memory && near_.memory_bytes() > 0) {
@@ -353,7 +357,7 @@ void Scene_data::keep_to_memory(Number model_a, Number model_b)
                   models.name(model_a) + "', '" + models.name(model_b) +
                   "' and what is asked of them; expected at least " + std::to_string(bytes()));
     for (Scene_worker& worker : workers_) worker.forget(*least);
-    // A tree that is made anew has other numbers.
+    // A tree that is made anew numbers its nodes otherwise.
     for (Number body = 0; body < bodies_.size(); ++body)
       if (bodies_[body].model == *least) forget_pairs_of(body);
     models.give_back(*least);

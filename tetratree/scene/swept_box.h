@@ -6,10 +6,11 @@
 
 namespace tetracone::tetratree {
 
-/// About all places of a body in its motion, everything where nothing is known: the hull of box_of(pose) for the poses
-/// among whose images it stays. `box_of` gives a box about the body's image under a pose, which may be flat.
+/// Returns a box that holds the body at every time of its motion; everything where there is no bound. It is the hull of
+/// `box_of(pose)` over the control poses, whose hull holds the motion. `box_of` returns a box about the body's image
+/// under a pose, which may be singular.
 ///
-/// No bound of its own is needed: a box is convex, so one that holds a point's images holds their hull.
+/// No error bound of its own is needed: a box is convex, so one that holds a point's images holds their hull.
 template <class Box_of>
 World_box swept_box(const kernel::Body_motion& motion, const Box_of& box_of)
 {

@@ -15,33 +15,42 @@
 
 namespace tetracone::tetratree {
 
-/// What sums lose, as shares of themselves: of extents, to the distance of a box's farthest point; of an extent that is
-/// rounded to float; and of a centre's distance and the extents in float, to a box's reach in float.
+/// Relative errors of a turned box (verify/proofs/scene_proofs.h).
+///
+/// - `turned_radius_rounding`: of the distance of the farthest point from the centre, a sum of extents.
+/// - `turned_extent_rounding`: of an extent that is rounded to float.
+/// - `turned_reach_rounding`: of a box's reach in float, which is a centre's distance plus the extents in float.
 inline constexpr double turned_radius_rounding = 0x1p-20, turned_extent_rounding = 0x1p-22,
                         turned_reach_rounding = 0x1p-20;
 
-/// The box of a model, turned with a body: what bounds a long thin body better than a box along the world's axes.
+/// A model's box, turned with a body; it bounds a long thin body better than a box along the world's axes.
 ///
-/// The placed body lies in {c + sum_j s_j a_j, |s_j| <= e_j}, of axes of length 1 whose pairs are at right angles but for
-/// 2^-23. Of a pose that is no similarity, or near the ends of the doubles' range, nothing is known.
+/// The placed body lies in {c + sum_j s_j a_j, |s_j| <= e_j}. The axes have length 1 and are pairwise at right angles
+/// up to 2^-23. Nothing is known under a pose that is no similarity, and near the ends of the doubles' range.
 struct Turned_box {
   kernel::Vertex centre{};
   std::array<kernel::Vertex, 3> axis{};
   kernel::Vertex extent{};
   bool is_known = false;
 
-  /// At least the distance of any point of the box from its centre.
+  /// Returns an upper bound of the distance of any point of the box from its centre.
   double radius() const { return (extent[0] + extent[1] + extent[2]) * (1 + turned_radius_rounding); }
 };
 
-/// What axes that are not quite at right angles, and are rounded to float, take away from a box, a share of the sum of its
-/// extents; what a centre in float does, of its coordinates; and how far columns of a pose may be from right angles.
+/// Errors of axes and centres (verify/proofs/scene_proofs.h).
+///
+/// - `turned_rounding`: error of an extent as a fraction of the sum of extents, since axes are not quite at right
+///   angles and are rounded to float.
+/// - `turned_centre_rounding`: relative error of a centre in float.
+/// - `most_skewed`: upper bound of the cosine between two columns of a pose.
 inline constexpr double turned_rounding = 0x1p-20, turned_centre_rounding = 0x1p-22, most_skewed = 0x1p-24;
 
-/// The image of c + sum_j s_j half_j e_j is M c + t + sum_j s_j half_j m_j, m_j the columns of M, as long as extents over
-/// half. The centre is off by `placed_rounding` of its terms in each coordinate, along axes by less than twice that; a
-/// fraction's entries are rounded in that too. Columns are longer than 2^-101, so that an absolute error of 2^-1075 in
-/// their entries is far below `turned_rounding` of them.
+/// Returns the turned box of a body under a pose; unknown where the pose is no similarity.
+///
+/// The image of c + sum_j s_j half_j e_j is M c + t + sum_j s_j half_j m_j, where m_j are the columns of M. The extents
+/// are therefore half_j |m_j|. The centre has an error of `placed_rounding` times its terms in each coordinate, and of
+/// less than twice that along an axis. It includes the rounding of a fraction's entries. Columns are longer than
+/// 2^-101, so an absolute error of 2^-1075 in their entries is far below `turned_rounding` times them.
 inline Turned_box turned_box(const Body_extent& extent, const kernel::Pose& pose)
 {
   Turned_box box;
@@ -68,11 +77,12 @@ inline Turned_box turned_box(const Body_extent& extent, const kernel::Pose& pose
   return box;
 }
 
-/// At most how far a turned box is from each of up to eight others, in world units; not above 0 where nothing is known.
+/// Returns, for up to eight boxes, a lower bound of the distance from `one`, in world units; not above 0 where nothing
+/// is known.
 ///
-/// All are compared in float about the one's centre, in units in which none of them is farther than 1 where the boxes that
-/// hold them along the world's axes meet: those that are farther are told nothing of. A centre is rounded by 2^-24 of
-/// itself in each coordinate, along an axis by less than twice that.
+/// All are compared in float about the centre of `one`, in a unit of more than four radii. A box whose bounding box
+/// along the world's axes meets that of `one` is within 1. If one of the others reaches beyond 2, nothing is known of
+/// any. A centre has a relative error of 2^-24 in each coordinate, and of less than twice that along an axis.
 inline std::array<double, kernel::lanes> turned_gaps(const Turned_box& one, std::span<const Turned_box> others)
 {
   double radius = 0;

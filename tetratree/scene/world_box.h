@@ -11,21 +11,22 @@
 
 namespace tetracone::tetratree {
 
-/// The least float that is not below x; infinity of what is undefined.
+/// Returns the least float that is not below x; infinity for NaN.
 inline float rounded_above(double x)
 {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   if (!(x < std::numeric_limits<float>::max())) return infinity;
   const float nearest = float(x);
-  // Bits count up above 0, and down below; -0 is below nothing that it is nearest to. Without a branch, which no
-  // processor could foretell.
+  // Bits count up above 0, and down below; where the nearest float is -0, it is not below x. There is no branch, since
+  // no processor could predict it.
   const auto bits = std::bit_cast<std::int32_t>(nearest);
   return std::bit_cast<float>(bits + int(double(nearest) < x) * (1 | bits >> 31));
 }
+/// Returns the greatest float that is not above x; -infinity for NaN.
 inline float rounded_below(double x) { return -rounded_above(-x); }
 
-/// A box with sides along the world's axes. What is bounded by one lies in it, so that bodies whose boxes share no point
-/// are apart.
+/// A closed box with sides along the world's axes. A body lies in its box, so bodies whose boxes share no point are
+/// apart.
 struct World_box {
   static constexpr float infinity = std::numeric_limits<float>::infinity();
 
@@ -36,7 +37,7 @@ struct World_box {
     return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] && other.low[1] <= high[1] &&
            low[2] <= other.high[2] && other.low[2] <= high[2];
   }
-  /// True when it is less than everything on every side.
+  /// True when every side is finite.
   bool is_bounded() const
   {
     for (int k = 0; k < 3; ++k)
@@ -44,7 +45,7 @@ struct World_box {
     return true;
   }
 
-  /// Larger by `margin` >= 0 on every side, at least.
+  /// Returns a box that is larger by at least `margin` on every side. Requires margin >= 0.
   World_box grown(double margin) const
   {
     World_box larger;
@@ -55,7 +56,7 @@ struct World_box {
     return larger;
   }
 
-  /// The least about both.
+  /// Returns the least box about both.
   World_box joined(const World_box& other) const
   {
     World_box both;
@@ -66,7 +67,7 @@ struct World_box {
     return both;
   }
 
-  /// At least the distance of any point of the one from any of the other.
+  /// Returns an upper bound of the distance between any point of this box and any point of the other.
   double farthest(const World_box& other) const
   {
     double sum = 0;

@@ -64,7 +64,7 @@ class Bvh8_solver : public Solver {
   Shared_body a_, b_;
   Query_options options_;
   tetratree::Bvh8_collision<K> collision_;
-  std::unique_ptr<Contact_solver> of_contacts_;  // made when features or contacts are asked for
+  std::unique_ptr<Contact_solver> of_contacts_;  // made when features or contacts are first asked for
 };
 
 template <class K>

@@ -24,7 +24,7 @@ Exact_coordinates image_of(const kernel::Pose& pose, const kernel::Vertex& v)
   return image;
 }
 
-/// Of one that is no point.
+/// True when x is on the segment from p to q; false if p == q.
 bool is_on_segment(const Exact_coordinates& x, const Exact_coordinates& p, const Exact_coordinates& q)
 {
   const auto d = kernel::difference(q, p), r = kernel::difference(x, p);
@@ -34,7 +34,7 @@ bool is_on_segment(const Exact_coordinates& x, const Exact_coordinates& p, const
   return sgn(length) > 0 && sgn(along) >= 0 && along <= length;
 }
 
-/// The least part of the face that holds a point of it.
+/// Returns the smallest part of the face (vertex, edge or face) that holds its point x.
 Holder holder_in(const Polyhedron& polyhedron, const kernel::Pose& pose, Index f, const Exact_coordinates& x)
 {
   Holder holder{Holder::Kind::face, {f}};

@@ -9,8 +9,8 @@
 
 namespace tetracone {
 
-/// The choices of tetra-trees and their queries that the method stands for; of the fast tree, which has none, those of
-/// the tetra-tree that answers for it what it does not, features.
+/// Returns the choices for a method's tetra-trees and their queries. `Method::tree` has no tetra-tree; it gets those of
+/// `Method::tuned`.
 inline tetratree::Config config_of(Method method)
 {
   switch (method) {
@@ -22,7 +22,7 @@ inline tetratree::Config config_of(Method method)
   return tetratree::Config::brute();
 }
 
-/// Under which bodies keep the tetra-tree of these options, for all queries that ask alike.
+/// Returns the name under which bodies keep the tetra-tree of these options, for all queries with equal options.
 inline std::string tree_name(const Query_options& options)
 {
   return std::to_string(int(options.kernel)) + ' ' + std::to_string(int(options.method)) + ' ' +

@@ -53,7 +53,7 @@ class Tetra_tree_solver : public Solver {
  private:
   using Tree = tetratree::Tetra_tree<K>;
 
-  /// Of the pairs of faces in leaves that the descent does not discard, each once.
+  /// Returns the contacts of the pairs of faces in leaves that the descent does not discard; each pair is tested once.
   tetratree::Found_contacts leaves_contacts(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
   {
     std::set<std::pair<covering::Index, covering::Index>> candidates;
@@ -72,7 +72,7 @@ class Tetra_tree_solver : public Solver {
     return found;
   }
 
-  // The tolerance belongs to the thread, and the tree is built with it too.
+  // The tolerance belongs to the thread; the tree is built with it, too.
   static void use_tolerance(const Tolerance& tolerance) { kernel::Tolerant::tolerance() = tolerance; }
 
   static std::shared_ptr<Tree> tree(const Body_data& body, const Query_options& options)

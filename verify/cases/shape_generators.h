@@ -24,6 +24,10 @@ Polyhedron box(const Vertex& low, const Vertex& high);
 /// The box from (0, 0, 0) to (1, 1, 1).
 Polyhedron unit_cube();
 
+/// The box from (-1, -1, low) to (1, 1, high) in 4 n (n + 2) triangles: its top and its bottom are cut into n x n squares.
+/// Requires 0 < n and low < high.
+Polyhedron plate(int n, double low, double high);
+
 /// The box [-outer, outer]^3 without the box (-inner, inner)^3: two shells, the inner one reversed.
 /// Requires 0 < inner < outer.
 Polyhedron box_with_cavity(double outer, double inner);

@@ -21,7 +21,7 @@ tetracone::Body body_of(const std::vector<double>& coordinates, const std::vecto
   return tetracone::Body(std::move(polyhedron));
 }
 
-/// The pose of a row-major 4x4 matrix whose last row is 0 0 0 1. Of a column-major one, as Eigen's, take the transpose.
+/// The pose of a row-major 4x4 matrix whose last row is 0 0 0 1. A column-major one, as Eigen's, must be transposed.
 tetracone::Pose pose_of(const std::array<double, 16>& matrix)
 {
   std::array<double, 12> rows;

@@ -295,22 +295,17 @@ BOOST_AUTO_TEST_CASE(in_a_browser_pages_show_what_they_should)
 
 BOOST_AUTO_TEST_CASE(a_scene_has_triangles_of_every_face_of_its_models)
 {
-  // Faces that are triangles, a quadrilateral with a hole, and one whose loop runs twice through a corner.
+  // Faces that are triangles, polygons, one whose loop runs into it and back, which no triangles cover, and faces with
+  // holes.
   const Temporary_file stl("t.stl",
                            "solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
                            "endloop\nendfacet\nendsolid t\n"),
-      mixed("mixed.off", "OFF\n5 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n4 0 1 2 3\n3 0 1 4\n5 0 1 2 1 4\n");
-  const Temporary_file scene(
-      "drawn.scene.json",
-      Json{{"models", {{"t", stl.path().native()}, {"mixed", mixed.path().native()}, {"frame", models + "frame.poly"}}},
-           {"bodies", {{{"model", "t"}}, {{"model", "mixed"}}, {{"model", "frame"}}}},
-           {"frames",
-            {Json::array({{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0},
-                          {1, 0, 0, 5, 0, 1, 0, 0, 0, 0, 1, 0},
-                          {1, 0, 0, 9, 0, 1, 0, 0, 0, 0, 1, 0}})}}}
-          .dump());
+      mixed("mixed.off", "OFF\n5 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n4 0 1 2 3\n3 0 1 4\n5 0 1 2 1 3\n"),
+      scene("drawn.scene.json", R"({"models": {"t": ")" + stl.path().native() + R"(", "mixed": ")" +
+                                    mixed.path().native() + R"(", "frame": ")" + models + R"(frame.poly"},
+            "bodies": [{"model": "t"}, {"model": "mixed"}, {"model": "frame"}], "frames": [[
+            [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0], [1, 0, 0, 5, 0, 1, 0, 0, 0, 0, 1, 0], [1, 0, 0, 9, 0, 1, 0, 0, 0, 0, 1, 0]]]})");
   const Page page("--question surface " + in_quotes(scene.path()));
-  // By name: frame, mixed, t.
   std::vector<std::size_t> triangles;
   for (const Json& model : page.data["models"]) triangles.push_back(model["triangles"].size() / 3);
   std::ranges::sort(triangles);

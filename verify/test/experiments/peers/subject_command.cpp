@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(a_failure_keeps_how_the_program_ended_and_its_last_words)
     const verify::Failure failure = running->failure();
     return failure.how + ": " + failure.said;
   };
-  const std::string asked = "head -n 3 >/dev/null; ";
+  const std::string asked = "head -n 2 >/dev/null; ";  // a body and the question
   BOOST_TEST(left_by("echo first >&2; " + asked + "printf 'out of\\tmemory \\n\\n' >&2; exit 3") ==
              "status 3: out of?memory");
   BOOST_TEST(left_by(asked + "echo '\"quoted\", last' >&2; kill -11 $$") == "signal 11: \"quoted\", last");

@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(every_misuse_has_its_line)
   is(said([&] {
        Body(scenes::unit_cube(), {{0, {0, 1, 8}}});
      }),
-     "body: a triangle names vertex 8; expected a vertex's number");
+     "body: a triangle of face 0 names vertex 8; expected a vertex's number");
   is(said([&] { moved_from.collide(Pose(), Pose()); }), "query: moved from; expected one that still has its bodies");
   is(said([&] { query.collide(two, three); }), "query: 2 poses of a and 3 of b; expected as many, or one of either");
   is(said([&] { tetracone::read_body("no such file.off"); }),

@@ -1,6 +1,7 @@
 #include "tetracone/tetratree/fast/bvh8_motion.h"
 
 #include "tetracone/tetratree/fast/bvh8_collision.h"
+#include "verify/cases/shape_generators.h"
 #include "verify/test/support/scenes.h"
 
 #include <boost/test/unit_test.hpp>
@@ -234,38 +235,6 @@ BOOST_AUTO_TEST_CASE(faces_of_no_area_and_bodies_of_any_size_meet_too)
   BOOST_TEST(bounds_about(time->time).lo == 0.5);
 }
 
-namespace {
-
-/// A box from -1 to 1 along x and y, with the top and the bottom cut into n x n squares of two triangles each.
-Polyhedron plate(Index n, double low, double high)
-{
-  Polyhedron body;
-  for (const double z : {low, high})
-    for (Index i = 0; i <= n; ++i)
-      for (Index j = 0; j <= n; ++j) body.vertices.push_back({2.0 * i / n - 1, 2.0 * j / n - 1, z});
-  const Index side = n + 1, top = side * side;
-  const auto add = [&](Index p, Index q, Index r, Index s) {
-    body.add_polygon({p, q, r});
-    body.add_polygon({p, r, s});
-  };
-  for (Index i = 0; i < n; ++i)
-    for (Index j = 0; j < n; ++j) {
-      const Index p = side * i + j;
-      add(p, p + 1, p + side + 1, p + side);
-      add(top + p, top + p + side, top + p + side + 1, top + p + 1);
-    }
-  for (Index k = 0; k < n; ++k) {
-    const auto wall = [&](Index p, Index q) { add(p, q, top + q, top + p); };
-    wall(side * k, side * (k + 1));
-    wall(side * (k + 1) + n, side * k + n);
-    wall(k + 1, k);
-    wall(side * n + k, side * n + k + 1);
-  }
-  return body;
-}
-
-}  // namespace
-
 BOOST_AUTO_TEST_CASE(features_that_land_together_need_no_number_each)
 {
   const Polyhedron table = scenes::triangulated(scenes::box({-4, -4, -1}, {4, 4, 0}));
@@ -273,8 +242,9 @@ BOOST_AUTO_TEST_CASE(features_that_land_together_need_no_number_each)
     return tetracone::kernel::Rigid_pose{{1, 0, 0, turn}, {x, 0.125, z}};
   };
   const Body_motion still = Body_motion::rigid({}, {}).value();
-  for (const Index n : {4u, 16u}) {
-    const Bvh8 of_table(table), of_plate(plate(n, 0, 0.25)), of_like(plate(n, -0.25, 0));
+  for (const int n : {4, 16}) {
+    const Bvh8 of_table(table), of_plate(tetracone::verify::plate(n, 0, 0.25)),
+        of_like(tetracone::verify::plate(n, -0.25, 0));
     Bvh8_motion onto_table(of_table, of_plate), onto_like(of_like, of_plate);
     // At a dyadic time, at a third, while it slides, while it turns, and at the end.
     const std::array<std::pair<Body_motion, double>, 6> motions = {
@@ -313,7 +283,7 @@ BOOST_AUTO_TEST_CASE(what_reaches_beyond_the_plane_of_a_landing_is_met_first)
       const auto post = [](double low, double high) {
         return scenes::triangulated(scenes::box({0.25, 0.25, low}, {0.375, 0.5, high}));
       };
-      Polyhedron below = plate(6, -0.25, 0), above = plate(6, 0, 0.25);
+      Polyhedron below = tetracone::verify::plate(6, -0.25, 0), above = tetracone::verify::plate(6, 0, 0.25);
       if (is_below)
         below = with(below, post(-0.125, beyond));
       else
