@@ -101,6 +101,7 @@ class Bound_frame {
     stretch_ = identity_ ? 1 : std::sqrt(square) * (sound ? 1 + stretch_rounding : 1);
   }
 
+  /// Returns the image of a point, rounded.
   Bound_point<B> operator()(const Bound_point<B>& p) const
   {
     if (identity_) return p;
@@ -124,8 +125,11 @@ class Bound_frame {
     return result;
   }
 
+  /// Returns an upper bound of the error of a coordinate of an image.
   B error() const { return error_; }
+  /// Returns an upper bound of every coordinate of an image.
   B magnitude() const { return magnitude_; }
+  /// Returns an upper bound of the factor by which M lengthens.
   B stretch() const { return stretch_; }
   const std::array<B, 12>& entries() const { return m_; }
 

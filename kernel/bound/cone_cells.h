@@ -226,7 +226,7 @@ class Cone_cells {
 
  private:
   struct Polygon {
-    std::array<Local_point, 16> corner;  // 7, and what rounding may add
+    std::array<Local_point, 16> corner;  // 7, and those that rounding may add
     int count = 0;
 
     /// Clips the polygon to the points where the linear function is not negative.

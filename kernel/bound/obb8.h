@@ -18,15 +18,17 @@ namespace tetracone::kernel {
 
 inline constexpr std::size_t lanes = 8;
 
-/// Box k is {c + sum_i s_i a_i, |s_i| <= e_i} with centre c = origin + centre[.][k], nearly orthonormal axes a_i =
-/// axis[i][.][k] and e_i = extent[i][k]. "Nearly": a_i . a_j differs from 1 or 0 by at most `axis_defect`.
+/// Eight boxes, a lane each. Box k is {c + sum_i s_i a_i, |s_i| <= e_i}. Its centre is c = origin + centre[.][k], its
+/// axes are a_i = axis[i][.][k], and e_i = extent[i][k]. The axes are nearly orthonormal: a_i . a_j differs from 1 or 0
+/// by at most `axis_defect`.
 struct alignas(32) Obb8 {
   float centre[3][lanes], axis[3][3][lanes], extent[3][lanes];
   float origin[3];
   float reach;           ///< upper bound of |c|_2 + sum_i e_i of every lane, c relative to the origin
   int lane_count;        ///< number of lanes that hold a box, the first ones
-  std::uint32_t marked;  ///< lanes, as bits, that mean something to whoever keeps the boxes
+  std::uint32_t marked;  ///< lanes, as bits, that the keeper of the boxes has marked
 };
+/// Upper bound of the difference of a_i . a_j from 1 or 0 for the axes of a box.
 inline constexpr double axis_defect = 0x1p-21;
 
 /// Returns the centre of box `lane`, in the body's local units.
@@ -53,10 +55,11 @@ inline float apex_of(Apex_code code)
   return code == 0 ? no_apex : float(int(code) - apex_steps - 1) * (1 / float(apex_steps));
 }
 
-/// One box of the other body, carried into the frame of the eight and relative to their origin: a parallelepiped of
-/// centre c and half-edges extent[j] * edge[j], edge[j] of length nearly 1 where `slack` is finite; normal[j] =
-/// edge[j+1] x edge[j+2]. For a similarity the edges are nearly orthonormal, and normals are not used. `apex` says
-/// where in the box a triangle lies, if one does. `slack` bounds, for each axis tried, all rounding: see `obb8_slack`.
+/// A box of the other body, carried into the frame of the eight and relative to their origin. It is a parallelepiped
+/// with centre c and half-edges extent[j] * edge[j]. edge[j] has a length of nearly 1 where `slack` is finite;
+/// normal[j] = edge[j+1] x edge[j+2]. For a similarity the edges are nearly orthonormal, and normals are not used.
+/// `apex` is the place of a triangle in the box, if it holds one. `slack` is an upper bound of all rounding, for each
+/// axis tried: see `obb8_slack`.
 struct Single_box {
   alignas(16) float edge[3][4];  // the fourth is not used
   float centre[3], extent[3], normal[3][3], slack, apex = no_apex;

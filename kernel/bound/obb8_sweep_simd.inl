@@ -44,7 +44,7 @@ HWY_INLINE Times_near<Floats> Max(const Times_near<Floats>& a, const Times_near<
 struct Swept {
   using Floats = One_test::Floats;
   Floats sweep[3];  ///< along the eight's axes
-  Floats lost;      ///< what a gap loses
+  Floats lost;      ///< the loss of a gap
 
   HWY_INLINE Floats along(Floats n0, Floats n1, Floats n2) const
   {
@@ -85,7 +85,7 @@ struct Swept_box {
   Single_box box;  ///< in the middle of the span
   float way[4];    ///< the motion of its centre relative to the eight's origin, in half the span
   float slack;
-  float loss, turn;  ///< what gaps lose, and what they lose times a lane's radius
+  float loss, turn;  ///< the loss of gaps, and its part per unit of a lane's radius
 };
 
 /// Returns the lanes of `by` that are near, and writes the times.

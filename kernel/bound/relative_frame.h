@@ -33,6 +33,8 @@ class Relative_frame {
     if (!by_transpose(a, in_a, b, in_b, d)) by_inverse(a, in_a, b, in_b);
   }
 
+  /// Returns an upper bound of the error of a coordinate of an image of a point with |p_k| <= 1; infinite where none is
+  /// known.
   double error() const { return error_; }
 
   /// Returns an upper bound of the error of the image of a point whose coordinates have an error of at most `of_point`.

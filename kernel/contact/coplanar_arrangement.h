@@ -57,7 +57,7 @@ class Coplanar_arrangement {
     Rational y(const Rational& x) const { return y0 + (x - x0) / (x1 - x0) * (y1 - y0); }
     Rational_point point(const Rational& x) const { return between(from, to, (x - x0) / (x1 - x0)); }
   };
-  struct Curve {  // lines that coincide within a slab, and whether what is below and above it is shared
+  struct Curve {  // lines that coincide within a slab, and whether the cells below and above are shared
     Rational_point left, right;
     Rational y_left, y_right;
     std::array<bool, 2> on{};  // an edge of either face

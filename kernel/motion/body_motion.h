@@ -188,8 +188,8 @@ class Pair_motion {
   /// Returns a factor of the volume of four points: see `Exact_motion`.
   const Integer_form& square() const { return square_; }
 
-  /// Returns a lower bound of 0 and the exponents of the coordinates, each of which is an odd number times a power of
-  /// two.
+  /// Returns the least of `least` and the exponents of the coordinates. The exponent is that of the power of two that a
+  /// coordinate is an odd multiple of.
   static int exponent_of(const Vertex& v, int least = 0)
   {
     for (const double x : v) least = minimum(least, Odd_double(x).exponent);

@@ -20,7 +20,7 @@
 
 namespace tetracone::kernel {
 
-/// A plane that moves with two features, and separates what is on its two sides until they meet.
+/// A plane that moves with two features, and separates the points on its two sides until they meet.
 ///
 /// It contains the triangle of a vertex and a triangle, or an edge of A and the direction of one of B. Its height over
 /// a point x is the volume n . (x - o) of `Exact_motion`, a form in time and affine in x. While all vertices of one

@@ -97,13 +97,13 @@ struct Span {
   std::array<std::array<Scaled<3>, 4>, 3> turns;
 };
 
-/// Bounds of the errors of a span's forms and of all their halves.
+/// Upper bounds of the errors of a span's forms and of all their halves.
 struct Errors {
   double volume;
   std::array<std::array<double, 4>, 3> turns;
 };
 
-/// Whether the primitives, projected along `axis`, are apart or cross properly all the time of the span.
+/// Returns whether the primitives, projected along `axis`, are apart or cross properly all the time of the span.
 inline Moving_contact projected(Moving_kind kind, const std::array<Scaled<3>, 4>& n,
                                 const std::array<double, 4>& errors)
 {
@@ -203,8 +203,8 @@ inline bool apart_along_an_axis(const Moving_pair& pair)
   return false;
 }
 
-/// Whether the pair meets, in doubles with bounds of their errors, [0, 1] halved where a sign is not certain: apart and
-/// meet are proved.
+/// Returns whether the pair meets, in doubles with bounds of their errors. [0, 1] is halved where a sign is not
+/// certain. The answers apart and meet are proved.
 inline Moving_contact filtered_contact(const Moving_pair& pair)
 {
   if (apart_along_an_axis(pair)) return Moving_contact::apart;

@@ -6,11 +6,11 @@
 
 /// The polynomials in time whose signs tell whether two moving primitives meet, over any number type.
 ///
-/// A polynomial of degree n is a form in s = 1-t and t: its coefficient k is that of s^(n-k) t^k, so the first is its
-/// value at t = 0 and the last that at t = 1. With the differences a, b, c from the first of the four points to the
-/// others, all is made of three cross products, n1 = a x b, n2 = b x c, n3 = c x a: their components are the
-/// orientations of the points projected along an axis, n1 + n2 + n3 is that of the last three points, and n1 . c is the
-/// volume, zero where the four points are coplanar.
+/// A polynomial of degree n is a form in s = 1-t and t: its coefficient k belongs to s^(n-k) t^k, so the first is its
+/// value at t = 0 and the last its value at t = 1. Let a, b, c be the differences from the first of the four points to
+/// the others. Three cross products make up all forms: n1 = a x b, n2 = b x c, n3 = c x a. Their components are the
+/// orientations of the points projected along an axis. n1 + n2 + n3 gives the orientations of the last three points. n1
+/// . c is the volume, which is zero where the four points are coplanar.
 namespace tetracone::kernel {
 
 template <class Number>
@@ -24,7 +24,7 @@ using Cubic_form = std::array<Number, 4>;
 template <class Number>
 using Linear_vector = std::array<Linear_form<Number>, 3>;
 
-/// The component along an axis of a x b, of the two other coordinates i and j: a_i b_j - a_j b_i.
+/// Returns the component along an axis of a x b, from the two other coordinates i and j: a_i b_j - a_j b_i.
 template <class Number>
 Quadratic_form<Number> cross_form(const Linear_form<Number>& ai, const Linear_form<Number>& aj,
                                   const Linear_form<Number>& bi, const Linear_form<Number>& bj)
@@ -33,7 +33,7 @@ Quadratic_form<Number> cross_form(const Linear_form<Number>& ai, const Linear_fo
   return {part(0, 0), Number(part(0, 1) + part(1, 0)), part(1, 1)};
 }
 
-/// The component along `axis` of a x b.
+/// Returns the component along `axis` of a x b.
 template <class Number>
 Quadratic_form<Number> cross_form(const Linear_vector<Number>& a, const Linear_vector<Number>& b, std::size_t axis)
 {
@@ -41,7 +41,7 @@ Quadratic_form<Number> cross_form(const Linear_vector<Number>& a, const Linear_v
   return cross_form(a[i], a[j], b[i], b[j]);
 }
 
-/// n . c.
+/// Returns n . c.
 template <class Number>
 Cubic_form<Number> dot_form(const std::array<Quadratic_form<Number>, 3>& n, const Linear_vector<Number>& c)
 {

@@ -23,16 +23,16 @@ struct Moving_pair {
   std::array<Moving_point, 4> points;
 };
 
-/// Differences of points that tell whether the boxes of the two primitives overlap: each points[to] - points[from] is
-/// from a point of the first primitive to one of the second. The boxes are apart where along some axis all are positive
-/// or all are negative.
+/// The differences of points that tell whether the boxes of the two primitives overlap. Each, points[to] -
+/// points[from], leads from a point of the first primitive to one of the second. The boxes are apart where along some
+/// axis all are positive or all are negative.
 struct Between {
   std::size_t from, to;
 };
 inline constexpr std::array<Between, 3> vertex_face_differences = {{{0, 1}, {0, 2}, {0, 3}}};
 inline constexpr std::array<Between, 4> edge_edge_differences = {{{0, 2}, {0, 3}, {1, 2}, {1, 3}}};
 
-/// Calls `ask` with each such difference until it returns false; whether it never did.
+/// Calls `ask` with each such difference until it returns false. Returns true when it never did.
 template <class Ask>
 bool all_differences(Moving_kind kind, const Ask& ask)
 {

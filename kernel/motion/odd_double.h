@@ -22,7 +22,7 @@ struct Odd_double {
     exponent += zeros - 53;
   }
 
-  /// This over 2^least. Requires least <= exponent.
+  /// Returns the number divided by 2^least. Requires least <= exponent.
   mpz_class over(int least) const
   {
     static_assert(sizeof(long) == sizeof(std::int64_t));

@@ -20,12 +20,12 @@ struct Rotation_quaternion {
   double error;  ///< the largest difference of an entry from the quaternion's rotation, rounded to nearest; 0: none
 };
 
-/// How far an entry may be from that of a rotation. Matrices that were written with six digits are nearer.
+/// The largest difference of an entry from that of a rotation. Matrices that were written with six digits are nearer.
 constexpr double rotation_tolerance = 1e-5;
 
 namespace detail {
 
-/// Row-major, of a quaternion that is not 0.
+/// Returns the row-major rotation of a quaternion that is not 0.
 inline std::array<Rational, 9> rotation_of(const std::array<Rational, 4>& q)
 {
   const auto& [w, x, y, z] = q;
@@ -47,9 +47,9 @@ inline Rational largest_difference(const std::array<Rational, 9>& r, const std::
 
 }  // namespace detail
 
-/// The quaternion of the pose's 3x3 part. A matrix that is exactly a rotation gets an exact quaternion, though its
-/// length is rounded; another gets a quaternion of four doubles and the error that it has. Nothing where an entry would
-/// be off by more than `rotation_tolerance`.
+/// Returns the quaternion of the pose's 3x3 part. A matrix that is exactly a rotation gets an exact quaternion, though
+/// its length is rounded. Another one gets a quaternion of four doubles and its error. Returns nothing where an entry
+/// would have an error above `rotation_tolerance`.
 inline std::optional<Rotation_quaternion> rotation_quaternion(const Pose& pose)
 {
   std::array<Rational, 9> m;

@@ -3,7 +3,7 @@
 
 namespace tetracone::kernel {
 
-/// Doubles about a time: lo <= t <= hi. lo = hi where t is that double, else hi is the next double after lo.
+/// The doubles that enclose a time: lo <= t <= hi. lo = hi where t is that double; else hi is the next double after lo.
 struct Time_bounds {
   double lo, hi;
 };

@@ -34,13 +34,13 @@ class Adaptive : public Adaptive_filter,
  public:
   using Stage = Adaptive_stage;
 
-  /// The signs of the calling thread, by the stage that decided.
+  /// Returns the counts of the calling thread's signs, by the stage that decided.
   static Stage_counts& decided_by()
   {
     static thread_local Stage_counts counts;
     return counts;
   }
-  /// How often the calling thread needed the exact stage.
+  /// Returns the number of times that the calling thread needed the exact stage.
   static std::uint64_t exact_fallbacks() { return decided_by()[Stage::exact] + decided_by()[Stage::out_of_gate]; }
 
   static CGAL::Sign volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
@@ -59,8 +59,8 @@ class Adaptive : public Adaptive_filter,
     return unfiltered_difference_sign(a, b, axis);
   }
 
-  // The signs where the filter is known to be undecided. Out of line: the filter's callers are small then, and pay
-  // nothing for its being counted.
+  // The signs where the filter is undecided. They are out of line: so the filter's callers are small, and the counting
+  // costs them nothing.
 
   [[gnu::noinline]] static CGAL::Sign unfiltered_volume_sign(const Point_3& a, const Point_3& b, const Point_3& c,
                                                              const Point_3& d)
@@ -100,14 +100,14 @@ class Adaptive : public Adaptive_filter,
   }
 
  private:
-  /// `sign`, counted for the stage that decided it.
+  /// Returns `sign`, counted for the stage that decided it.
   static CGAL::Sign counted(Stage stage, CGAL::Sign sign)
   {
     ++decided_by()[stage];
     return sign;
   }
 
-  /// A stage and the function that asks it for a `Decision`.
+  /// A stage, and the function that returns its `Decision`.
   template <class Function>
   struct Asked {
     Stage stage;
@@ -116,7 +116,7 @@ class Adaptive : public Adaptive_filter,
   template <class Function>
   Asked(Stage, const Function&) -> Asked<Function>;
 
-  /// The sign by the first stage that decides, which is counted; undecided when none does.
+  /// Returns the sign by the first stage that decides, which is counted; undecided when none does.
   template <class First, class... Rest>
   [[gnu::always_inline]] static Decision first_decision(const Asked<First>& first, const Rest&... rest)
   {
@@ -125,7 +125,8 @@ class Adaptive : public Adaptive_filter,
     return std::nullopt;
   }
 
-  /// The sign by the stages that compute; beyond the magnitude gate by the exact one alone. `exact` always decides.
+  /// Returns the sign by the stages that compute; beyond the magnitude gate by the exact one alone. `exact` always
+  /// decides.
   template <class Grid, class Double_double, class Exact>
   [[gnu::always_inline]] static CGAL::Sign computed_sign(bool in_gate, const Grid& grid,
                                                          const Double_double& double_double, const Exact& exact)

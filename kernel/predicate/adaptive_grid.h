@@ -8,10 +8,11 @@
 
 namespace tetracone::kernel {
 
-/// The grid: the expression in integers of 128 bits, where images are exact and whole numbers of a common power of two.
+/// The grid stage: the expression in integers of 128 bits, where images are exact and whole multiples of a common power
+/// of two.
 class Adaptive_grid : public Adaptive_points {
  public:
-  /// Exact, where images are exact and on a common grid; or undecided.
+  /// Returns the sign, exactly, where images are exact and on a common grid; else undecided.
   static Decision int128_volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
   {
     return are_exact(a, b, c, d) ? kernel::int128_volume_sign(a.image, b.image, c.image, d.image) : std::nullopt;

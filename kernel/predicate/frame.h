@@ -9,7 +9,7 @@
 
 namespace tetracone::kernel {
 
-/// A vertex as a point of K: exact in every kernel but float, which rounds it.
+/// Returns a vertex as a point of K. It is exact in every kernel except float, which rounds it.
 template <class K>
 Point<K> point(const Vertex& vertex)
 {
@@ -27,12 +27,12 @@ inline Point<Float> point<Float>(const Vertex& vertex)
   return {static_cast<float>(vertex[0]), static_cast<float>(vertex[1]), static_cast<float>(vertex[2])};
 }
 
-/// A pose as kernel K applies it (see `Pose`): entries and images in K's number type, so rounded where K rounds.
+/// A pose as kernel K applies it (see `Pose`). Entries and images are in K's number type, so rounded where K rounds.
 /// The identity returns every point unchanged.
 template <class K>
 class Frame {
  public:
-  /// `pose` must outlive the frame and the points it places.
+  /// The frame of a pose, which must outlive the frame and the points it places.
   explicit Frame(const Pose& pose) : identity_(pose.is_identity())
   {
     for (int k = 0; k < 12; ++k) {

@@ -12,11 +12,11 @@
 #include <cstdint>
 #include <optional>
 
-/// Exact signs of points that lie on a common grid of 2^38 steps each way, by integers of 128 bits. So do most points
-/// of models made by hand, by CAD or from text, and these are the ones that meet exactly.
+/// Exact signs, by integers of 128 bits, of points that lie on a common grid of 2^38 steps each way. Most points of
+/// models made by hand, by CAD or from text lie on one, and these are the points that meet exactly.
 namespace tetracone::kernel {
 
-/// The coordinates as whole numbers of a common power of two, each below 2^38; nothing where that is not so.
+/// Returns the coordinates as whole multiples of a common power of two, each below 2^38; nothing where they are none.
 template <std::size_t count>
 std::optional<std::array<std::array<std::int64_t, 3>, count>> on_grid(const std::array<const Vertex*, count>& points)
 {
@@ -38,8 +38,8 @@ std::optional<std::array<std::array<std::int64_t, 3>, count>> on_grid(const std:
 
 __extension__ using Int128 = __int128;  // no ISO C++
 
-/// The sign of det[b-a, c-a, d-a], or nothing where the points are on no such grid. Differences are below 2^39, so
-/// their 2x2 minors below 2^79 and the sum of three products below 2^120.
+/// Returns the sign of det[b-a, c-a, d-a], or nothing where the points are on no such grid. Differences are below 2^39.
+/// So their 2x2 minors are below 2^79, and the sum of three products below 2^120.
 inline std::optional<CGAL::Sign> int128_volume_sign(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d)
 {
   const auto grid = on_grid<4>({&a, &b, &c, &d});
@@ -52,7 +52,7 @@ inline std::optional<CGAL::Sign> int128_volume_sign(const Vertex& a, const Verte
   return determinant > 0 ? CGAL::POSITIVE : determinant < 0 ? CGAL::NEGATIVE : CGAL::ZERO;
 }
 
-/// The sign of component `axis` of (b-a) x (c-a), on the same conditions.
+/// Returns the sign of component `axis` of (b-a) x (c-a), or nothing where the points are on no such grid.
 inline std::optional<CGAL::Sign> int128_normal_sign(const Vertex& a, const Vertex& b, const Vertex& c, int axis)
 {
   const auto grid = on_grid<3>({&a, &b, &c});

@@ -6,10 +6,11 @@
 
 namespace tetracone::kernel {
 
-/// Where a point of a line stands with regard to a closed segment of the same line.
+/// The place of a point of a line relative to a closed segment of the same line.
 enum class On_segment { outside, inside, first_end, second_end };
 
-/// Requires p collinear with a and b. A segment of two equal ends is their point.
+/// Returns the place of p relative to the closed segment ab. Requires p collinear with a and b. A segment of two equal
+/// ends is their point.
 template <class K>
 On_segment locate_on_segment(const Point<K>& p, const Point<K>& a, const Point<K>& b)
 {
@@ -23,10 +24,10 @@ On_segment locate_on_segment(const Point<K>& p, const Point<K>& a, const Point<K
   return coincide<K>(p, a) ? On_segment::first_end : On_segment::outside;
 }
 
-/// How the closed segments pq and ab meet. Either may be a point. By signs alone: coplanarity by `volume_sign`,
-/// crossing by `normal_sign` along an axis that keeps the common plane a plane, overlap of collinear segments by
-/// `difference_sign`. The two dimensions of the kind are those of pq and ab in either order: vertex_vertex,
-/// vertex_edge, edge_edge.
+/// Returns how the closed segments pq and ab meet. Either may be a point. It uses signs alone: coplanarity by
+/// `volume_sign`, crossing by `normal_sign` along an axis that keeps the common plane a plane, overlap of collinear
+/// segments by `difference_sign`. The kind has the dimensions of the elements of pq and ab in either order:
+/// vertex_vertex, vertex_edge, edge_edge.
 template <class K>
 Contact segment_segment(const Point<K>& p, const Point<K>& q, const Point<K>& a, const Point<K>& b)
 {

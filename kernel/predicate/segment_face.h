@@ -10,20 +10,19 @@
 
 /// Closed segment against closed face, by signs alone.
 ///
-/// Of the four known formulations of segment against triangle this is the paper family's own: five signs of tetrahedra
-/// (Segura & Feito, WSCG 2001), which are the signs of the barycentric coordinates of one end with regard to the
-/// tetrahedron of the other end and the triangle (Jimenez, Segura & Feito, CGTA 2010, cited as the detailed test in
-/// JS08 section 3). Chosen because
-///  - the sign [p, q, A, B] of an edge serves both triangles at that edge, so no crack opens between them in any
-///  kernel;
-///  - it extends to any planar face through its covering: a face is a signed sum of triangles W A B (JS08 Definition
-///  1), and the
-///    signs [p, q, W, A], [p, q, W, B], [p, q, A, B] say in which of them the crossing lies;
-///  - it needs no division and no point of intersection.
+/// There are four known formulations of segment against triangle. This is the paper family's own: five signs of
+/// tetrahedra (Segura & Feito, WSCG 2001). They are the signs of the barycentric coordinates of one end with regard to
+/// the tetrahedron of the other end and the triangle. (Jimenez, Segura & Feito, CGTA 2010, cited as the detailed test
+/// in JS08 section 3.) It was chosen for three reasons.
+/// - The sign [p, q, A, B] of an edge serves both triangles at that edge, so no crack opens between them in any kernel.
+/// - It extends to any planar face through its covering. A face is a signed sum of triangles W A B (JS08 Definition 1),
+/// and the signs [p, q, W, A], [p, q, W, B], [p, q, A, B] tell in which of them the crossing lies.
+/// - It needs no division and no point of intersection.
+///
 /// Pluecker coordinates give the same five determinants; CGAL's formulation decides the same signs in another order.
-/// Departures from the published tests: coplanar and degenerate positions are decided, not rejected, and the comparison
-/// of the three volumes with the fourth, published in ports with a wrong sign, is the exact sign of q against the
-/// plane.
+/// There are two departures from the published tests. Coplanar and degenerate positions are decided, not rejected. The
+/// comparison of the three volumes with the fourth, published in ports with a wrong sign, is the exact sign of q
+/// against the plane.
 namespace tetracone::kernel {
 
 /// A planar face as its covering sees it: directed edges (from, to) of all its loops, the origin W of its covering,
@@ -69,11 +68,11 @@ struct Triangle {
 
 namespace detail {
 
-/// The winding number of the face's loops about a point y of its plane that lies on no loop, as the signed count of the
-/// covering triangles W A B that hold y. `side(A)` is the sign of the turn W, y, A about y, `turn(A, B)` that of A, B
-/// about y, both as orientations of one side of the plane. A point on an inner edge W A of the covering is moved off
-/// it: a side of ZERO counts as POSITIVE for every triangle at that edge, which is what turning the ray from W through
-/// y by an infinitesimal does.
+/// Returns the winding number of the face's loops about a point y of its plane that lies on no loop. It is the signed
+/// count of the covering triangles W A B that hold y. `side(A)` is the sign of the turn W, y, A about y. `turn(A, B)`
+/// is the sign of the turn A, B about y. Both are orientations of one side of the plane. A point on an inner edge W A
+/// of the covering is moved off it: a side of ZERO counts as POSITIVE for every triangle at that edge. That is the
+/// effect of turning the ray from W through y by an infinitesimal.
 template <class K, Covered_face<K> Face, class Side, class Turn>
 int winding_in_plane(const Face& face, const Side& side, const Turn& turn)
 {
@@ -88,7 +87,8 @@ int winding_in_plane(const Face& face, const Side& side, const Turn& turn)
   return winding;
 }
 
-/// A point of the face's plane; `axis` keeps the plane a plane.
+/// True when p, a point of the face's plane, is in the face's interior. The projection along `axis` keeps the plane a
+/// plane.
 template <class K, Covered_face<K> Face>
 bool is_in_interior(const Point<K>& p, const Face& face, int axis)
 {
@@ -97,8 +97,9 @@ bool is_in_interior(const Point<K>& p, const Face& face, int axis)
   return winding_in_plane<K>(face, side, turn) != 0;
 }
 
-/// The segment pq lies on the face's plane, or the face on a line: the union of what pq shares with the loops and with
-/// the interior. One shared point is told from several by what it is: an end of pq, a corner, or a crossing of an edge.
+/// Returns the contact where the segment pq lies on the face's plane, or the face on a line. It is the union of the
+/// sets that pq shares with the loops and with the interior. One shared point is told from several by its kind: an end
+/// of pq, a corner, or a crossing of an edge.
 template <class K, Covered_face<K> Face>
 Contact coplanar_contact(const Point<K>& p, const Point<K>& q, const Face& face)
 {
@@ -163,11 +164,13 @@ Contact coplanar_contact(const Point<K>& p, const Point<K>& q, const Face& face)
 
 }  // namespace detail
 
-/// How the closed segment pq and a closed planar face meet. The face's points are those of its plane with non-zero
-/// winding number about its loops, and the loops themselves; the segment may be a point, the face a segment or a point.
-/// Exact when K's signs of these points are exact. In kernels that round, a face that is planar need not look so.
-/// `side_p` and `side_q` are the sides of p and q against the plane of the face's spanning triangle: a caller with many
-/// segments decides them once a vertex. Any for a degenerate face.
+/// Returns how the closed segment pq and a closed planar face meet. The face's points are those of its plane with
+/// non-zero winding number about its loops, and the loops themselves. The segment may be a point, the face a segment or
+/// a point. The answer is exact when K's signs of these points are exact. In kernels that round, a planar face need not
+/// look planar.
+///
+/// `side_p` and `side_q` are the sides of p and q against the plane of the face's spanning triangle; for a degenerate
+/// face they are arbitrary. A caller with many segments decides them once a vertex.
 template <class K, Covered_face<K> Face>
 Contact segment_face(const Point<K>& p, const Point<K>& q, const Face& face, Sign side_p, Sign side_q)
 {
@@ -209,10 +212,10 @@ Contact segment_face(const Point<K>& p, const Point<K>& q, const Face& face)
   return segment_face<K>(p, q, face, side(p), side(q));
 }
 
-/// How the closed segment pq and the closed triangle abc meet: `segment_face` of the face that is its own covering, in
-/// at most five signs where nothing degenerate is met. The signs are those of the barycentric coordinates of q in the
-/// tetrahedron p a b c: q is beyond the triangle from p when its coordinate at p is not positive while those at a, b, c
-/// are not negative. `side_p` and `side_q` are the sides of p and q against the plane a b c.
+/// Returns how the closed segment pq and the closed triangle abc meet. It is `segment_face` of the face that is its own
+/// covering, in at most five signs where nothing degenerate is met. The signs are those of the barycentric coordinates
+/// of q in the tetrahedron p a b c. q is beyond the triangle from p when its coordinate at p is not positive while
+/// those at a, b, c are not negative. `side_p` and `side_q` are the sides of p and q against the plane a b c.
 template <class K>
 Contact segment_triangle(const Point<K>& p, const Point<K>& q, const Point<K>& a, const Point<K>& b, const Point<K>& c,
                          Sign side_p, Sign side_q)

@@ -21,18 +21,20 @@ using CGAL::ZERO;
 template <class K>
 using Point = typename K::Point_3;
 
-/// The sign of det[b-a, c-a, d-a]: POSITIVE when d sees a, b, c counterclockwise from the side that (b-a) x (c-a)
-/// points to. (1) sign(b,a,c,d) = -sign(a,b,c,d) for each transposition of two arguments. (2) ZERO when two arguments
-/// are equal, or all four lie in one plane. (3) sign(Ma+t, ...) = sign(det M) sign(a, ...). Exact when K has exact
-/// signs; rounded, or within the tolerance, in the other kernels.
+/// Returns the sign of det[b-a, c-a, d-a]: POSITIVE when d sees a, b, c counterclockwise from the side that (b-a) x
+/// (c-a) points to. It is exact when K has exact signs; in the other kernels it is rounded, or within the tolerance.
+/// - (1) sign(b,a,c,d) = -sign(a,b,c,d) for each transposition of two arguments.
+/// - (2) It is ZERO when two arguments are equal, or all four lie in one plane.
+/// - (3) sign(Ma+t, ...) = sign(det M) sign(a, ...).
 template <class K>
 Sign volume_sign(const Point<K>& a, const Point<K>& b, const Point<K>& c, const Point<K>& d)
 {
   return typename K::Orientation_3()(a, b, c, d);
 }
 
-/// The sign of component `axis` (0, 1, 2 = x, y, z) of (b-a) x (c-a): the orientation of the triangle projected along
-/// it. (1) changes with every transposition; (2) ZERO on all three axes exactly when a, b, c are collinear or coincide.
+/// Returns the sign of component `axis` (0, 1, 2 = x, y, z) of (b-a) x (c-a): the orientation of the triangle projected
+/// along it. (1) It changes with every transposition. (2) It is ZERO on all three axes exactly when a, b, c are
+/// collinear or coincide.
 template <class K>
 Sign normal_sign(const Point<K>& a, const Point<K>& b, const Point<K>& c, int axis)
 {
@@ -43,7 +45,7 @@ Sign normal_sign(const Point<K>& a, const Point<K>& b, const Point<K>& c, int ax
   return typename K::Orientation_2()(projected(a), projected(b), projected(c));
 }
 
-/// The sign of a[axis] - b[axis].
+/// Returns the sign of a[axis] - b[axis].
 template <class K>
 Sign difference_sign(const Point<K>& a, const Point<K>& b, int axis)
 {
@@ -74,7 +76,8 @@ inline Sign difference_sign<Adaptive>(const Adaptive::Point_3& a, const Adaptive
 
 // --- Tolerant --------------------------------------------------------------------------------------------------------
 
-/// `value` is a sum of products whose absolute values sum to `permanent`.
+/// Returns the sign of `value`, or ZERO within the tolerance. `value` is a sum of products whose absolute values sum to
+/// `permanent`.
 inline Sign tolerant_sign(double value, double permanent)
 {
   const Tolerance& tolerance = Tolerant::tolerance();
@@ -121,8 +124,8 @@ bool coincide(const Point<K>& a, const Point<K>& b)
          difference_sign<K>(a, b, 2) == ZERO;
 }
 
-/// The first axis along which (b-a) x (c-a) is not zero, or -1 when a, b, c are collinear. Projection along that axis
-/// keeps the plane of a, b, c a plane.
+/// Returns the first axis along which (b-a) x (c-a) is not zero, or -1 when a, b, c are collinear. Projection along
+/// that axis keeps the plane of a, b, c a plane.
 template <class K>
 int projection_axis(const Point<K>& a, const Point<K>& b, const Point<K>& c)
 {
@@ -131,9 +134,10 @@ int projection_axis(const Point<K>& a, const Point<K>& b, const Point<K>& c)
   return -1;
 }
 
-/// The side of the plane a, b, c on which p lies after p has been moved by (e, e^2, e^3), e > 0 and infinitesimal: the
-/// first of volume_sign(a,b,c,p) and the three components of (b-a) x (c-a) that is not zero. ZERO only when a, b, c are
-/// collinear. One perturbation for every plane, so the answers of many planes belong to one and the same moved point.
+/// Returns the side of the plane a, b, c on which p lies after p has been moved by (e, e^2, e^3), e > 0 and
+/// infinitesimal. It is the first non-zero one of volume_sign(a,b,c,p) and the three components of (b-a) x (c-a). It is
+/// ZERO only when a, b, c are collinear. The perturbation is the same for every plane, so the answers of many planes
+/// belong to one moved point.
 template <class K>
 Sign perturbed_side(const Point<K>& a, const Point<K>& b, const Point<K>& c, const Point<K>& p)
 {

@@ -7,7 +7,7 @@
 
 namespace tetracone::kernel {
 
-/// Where a point stands with regard to a closed tetrahedron, and on which element of its boundary.
+/// The place of a point relative to a closed tetrahedron, with the kind of the element of its boundary that holds it.
 enum class In_tetrahedron { outside, vertex, edge, face, inside, flat };
 
 /// The signs of the barycentric coordinates of a point with regard to the tetrahedron v0 v1 v2 v3: coordinate i is the
@@ -17,7 +17,7 @@ struct Barycentric_signs {
   std::array<Sign, 4> coordinate;  ///< all ZERO when the tetrahedron is flat
   Sign volume;                     ///< of the tetrahedron: its orientation
 
-  /// The element that holds the point: one coordinate ZERO, a face; two, an edge; three, a vertex.
+  /// Returns the element that holds the point: a face for one coordinate ZERO, an edge for two, a vertex for three.
   In_tetrahedron feature() const
   {
     if (volume == ZERO) return In_tetrahedron::flat;

@@ -3,11 +3,11 @@
 
 namespace tetracone::kernel {
 
-/// When a computed value counts as zero: |value| <= absolute, or |value| <= relative * (the sum of the absolute values
-/// of the products it was summed from). Both zero: plain double.
+/// The tolerance within which a computed value counts as zero: |value| <= absolute, or |value| <= relative * (the sum
+/// of the absolute values of the products it was summed from). With both zero, it is plain double.
 struct Tolerance {
   double absolute = 0;  ///< in units of the value
-  double relative = 0;  ///< as a share of that sum
+  double relative = 0;  ///< as a fraction of that sum
 };
 
 }  // namespace tetracone::kernel

@@ -45,13 +45,13 @@ HWY_INLINE void swap_where(Mask mask, Vector& a, Vector& b)
   a = first;
 }
 
-/// Triangles and what their coordinates may be off by.
+/// Triangles, with an upper bound of the error of their coordinates.
 struct Placed {
   Vector corner[3];
   Doubles error;
 
-  /// As `Adaptive_points::placed` has them. The error is the bound of the corners' largest coordinates, whose sum of
-  /// terms is no less than a corner's, for rounding keeps order. An error that is not known is infinite.
+  /// Places triangles as `Adaptive_points::placed` does. The error is the bound of the corners' largest coordinates.
+  /// Their sum of terms is not below a corner's, since rounding keeps order. An error that is not known is infinite.
   HWY_INLINE Placed(const Triangles8& triangles, std::size_t lane, const Pose& pose)
   {
     const auto load = [&](int c, int k) HWY_ATTR { return hn::Load(Tag(), triangles.corner[c][k] + lane); };
@@ -78,8 +78,8 @@ struct Placed {
   }
 };
 
-/// `adaptive_bound::volume_bound` for every determinant of differences of these corners. The extent along an axis is no
-/// less than any computed difference, for rounding keeps order; each sign is of two points' errors.
+/// Returns `adaptive_bound::volume_bound` for every determinant of differences of these corners. The extent along an
+/// axis is not below any computed difference, since rounding keeps order. Each sign has the errors of two points.
 HWY_INLINE Doubles volume_bound(const Placed& p, const Placed& q)
 {
   const auto extent = [&](Doubles Vector::*k) HWY_ATTR {
@@ -132,8 +132,8 @@ struct Sides {
   {}
 };
 
-/// A triangle turned so that its first corner is alone on its side of a plane; means something where `sides` are
-/// decided and not all the same.
+/// A triangle turned so that its first corner is alone on its side of a plane. It is meaningful only if `sides` are
+/// decided and not all equal.
 struct Turned {
   Vector corner[3];
   Codes end[2];  // the edge from corner 0 to 1, to 2
@@ -174,8 +174,8 @@ HWY_INLINE unsigned bits_of(Mask mask)
 
 }  // namespace triangle_lanes
 
-/// The order of signs, and what they are of, is `triangle_contact`'s: see `detail::crossing_contact`. Without MulAdd:
-/// the same bits in all versions.
+/// Decides the lanes. The signs and their order are those of `triangle_contact`: see `detail::crossing_contact`. It
+/// does without MulAdd, so that all versions give equal bits.
 inline HWY_ATTR void triangle_contacts8_simd(const Triangles8& triangles_p, const Pose& pose_p,
                                              const Triangles8& triangles_q, const Pose& pose_q,
                                              Triangle_contacts8& found)

@@ -18,7 +18,7 @@ namespace tetracone::kernel {
 template <class K>
 using Corners = std::array<const Point<K>*, 3>;
 
-/// The sides of three points against the plane of a triangle: `volume_sign` of the triangle with each.
+/// Returns the sides of three points against the plane of a triangle: `volume_sign` of the triangle with each.
 template <class K>
 std::array<Sign, 3> sides(const Corners<K>& triangle, const Corners<K>& points)
 {
@@ -27,8 +27,8 @@ std::array<Sign, 3> sides(const Corners<K>& triangle, const Corners<K>& points)
   return side;
 }
 
-/// The filter's expression and bound (see `Adaptive`), with one normal and one bound for the three points; what it
-/// leaves undecided is decided one by one.
+/// Computes the filter's expression and bound (see `Adaptive`) with one normal and one bound for the three points. The
+/// points that it leaves undecided are decided one by one.
 template <>
 inline std::array<Sign, 3> sides<Adaptive>(const Corners<Adaptive>& triangle, const Corners<Adaptive>& points)
 {
@@ -67,8 +67,8 @@ inline bool all_strictly_beside(const std::array<Sign, 3>& side)
   return side[0] == side[1] && side[1] == side[2] && side[0] != ZERO;
 }
 
-/// Turns the triangle so that its first corner is alone on one closed side of the other's plane and the two others are
-/// on the other closed side, not all three in the plane. Returns the first corner's side; where it is in the plane, the
+/// Turns the triangle so that its first corner is alone on one closed side of the other's plane, and the two others are
+/// on the other closed side, not all three in the plane. Returns the first corner's side or, if it is in the plane, the
 /// opposite of the others'.
 template <class K>
 Sign turn_alone_first(Corners<K>& triangle, const std::array<Sign, 3>& side)
@@ -85,12 +85,13 @@ Sign turn_alone_first(Corners<K>& triangle, const std::array<Sign, 3>& side)
 
 }  // namespace detail
 
-/// Whether two closed triangles share a point. Exact when K's signs of these points are. Either may be degenerate.
+/// True when two closed triangles share a point: also when they only touch, in one point. Exact when K's signs of these
+/// points are. Either may be degenerate.
 ///
-/// Where each crosses the other's plane, both meet the planes' common line in intervals, and two signs of tetrahedra
-/// tell whether these overlap: after Guigue and Devillers (Journal of Graphics Tools 8, 2003). With p0 and q0 each
-/// alone on the positive side of the other plane, edges p0 p1 and q0 q1 bound the intervals at one end each, p0 p2 and
-/// q0 q2 at the other. Triangles in one plane, or without one, are decided edge by edge.
+/// If each crosses the other's plane, both meet the planes' common line in intervals. Two signs of tetrahedra tell
+/// whether these overlap (after Guigue and Devillers, Journal of Graphics Tools 8, 2003). p0 and q0 are each alone on
+/// the positive side of the other plane. Then edges p0 p1 and q0 q1 bound the intervals at one end each, p0 p2 and q0
+/// q2 at the other. Triangles in one plane, or without one, are decided edge by edge.
 template <class K>
 bool triangles_meet(Corners<K> p, Corners<K> q)
 {
