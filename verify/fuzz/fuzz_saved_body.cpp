@@ -43,9 +43,9 @@ std::vector<std::string> saved_bodies()
   for (const covering::Polyhedron& p :
        {verify::scenes::tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}), verify::scenes::unit_cube(),
         verify::scenes::cube_with_tunnel(), verify::scenes::blob(random, 1, 0.7, 1.3)}) {
-    const detail::Body_data body(p, detail::legal_triangles(p, {}, "body"));
+    const tetracone::detail::Body_data body(p, tetracone::detail::legal_triangles(p, {}, "body"));
     body.bvh8().make_all();
-    detail::write_body_file(body, file().path());
+    tetracone::detail::write_body_file(body, file().path());
     std::ifstream in(file().path(), std::ios::binary);
     all.emplace_back(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
   }
@@ -80,9 +80,9 @@ void tetracone::verify::fuzz_saved_body(const std::uint8_t* data, std::size_t si
   if (size == 0) return;
   const std::string bytes = changed(saved[data[0] % saved.size()], data + 1, size - 1);
   file().write(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
-  std::shared_ptr<const detail::Body_data> body;
+  std::shared_ptr<const tetracone::detail::Body_data> body;
   try {
-    body = detail::read_body_file(file().path());
+    body = tetracone::detail::read_body_file(file().path());
   } catch (const Error&) {
     return;
   }
@@ -94,7 +94,7 @@ void tetracone::verify::fuzz_saved_body(const std::uint8_t* data, std::size_t si
   const Brute_body truth(body->polyhedron);
   tetratree::Bvh8_collision first(body->bvh8(), fast_probe), second(fast_probe, body->bvh8());
   for (const double shift : {0.0, 0.75, -1.0, 1e3}) {
-    const Pose pose({0.8, -0.6, 0, shift, 0.6, 0.8, 0, 0.25 * shift, 0, 0, 1, 0});
+    const Pose pose(std::array<double, 12>{0.8, -0.6, 0, shift, 0.6, 0.8, 0, 0.25 * shift, 0, 0, 1, 0});
     for (const Question question : {Question::surface, Question::solid}) {
       if (question == Question::solid && !body->is_closed()) continue;
       const bool expected = collide(truth, Pose(), truth_of_probe, pose, question);

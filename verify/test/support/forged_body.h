@@ -17,10 +17,10 @@ namespace tetracone::verify {
 /// The bytes of a saved body that somebody has changed, with the checksum that is right for them.
 inline std::string forged(std::string bytes)
 {
-  constexpr std::size_t at = detail::place_of_checksum;
+  constexpr std::size_t at = tetracone::detail::place_of_checksum;
   if (bytes.size() < at + sizeof(std::uint64_t)) return bytes;
   std::memset(&bytes[at], 0, sizeof(std::uint64_t));
-  detail::Checksum sum;
+  tetracone::detail::Checksum sum;
   sum.add(std::as_bytes(std::span(bytes)));
   const std::uint64_t value = sum.value();
   std::memcpy(&bytes[at], &value, sizeof value);
