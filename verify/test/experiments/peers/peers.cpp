@@ -190,7 +190,7 @@ BOOST_AUTO_TEST_CASE(only_rigid_poses_are_asked)
 
 BOOST_AUTO_TEST_CASE(a_peer_tells_what_making_and_asking_took_without_the_pipe)
 {
-  const Object_case c = two(verify::torus_knot(200), verify::unit_cube());
+  const Object_case c = two(verify::torus_knot(640), verify::unit_cube());
   for (const Object_subject& s : experiments::peer_subjects(program)) {
     const auto answering = s.make();
     if ((*answering)(c, Question::solid) == Outcome::not_asked) continue;  // no convex solid
