@@ -6,7 +6,7 @@ from collections import defaultdict
 
 import matplotlib.pyplot as plt
 
-from campaign_data import DOUBLES, EXACTLY, FRACTIONS, NOT_NEAR, REGIME, is_exact
+from campaign_data import DOUBLES, EXACTLY, FRACTIONS, NOT_NEAR, PANEL, REGIME, is_exact
 from report_data import by, distinct, method_of, percent, share, wilson, wrong_in
 from report_style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, SKY, VERMILION, WIDTH, label_ends
 
@@ -236,7 +236,7 @@ def described_families(page, campaign):
     """What each family is, from the program's own list."""
     rows = campaign.tables["families"]
     body = [(False, [html.escape(r["family"]), html.escape(r["levels"]), html.escape(r["what"]), html.escape(r["parameter"]),
-                     html.escape(r["sweep"]), REGIME.get(r["family"], "–") if "object" in r["levels"].split() else ""]) for r in rows]
+                     html.escape(r["sweep"]), PANEL.get(REGIME.get(r["family"]), REGIME.get(r["family"], "–")) if "object" in r["levels"].split() else ""]) for r in rows]
     source = campaign.source("What is each family of cases?", f"{len(rows)} families").about(command="build/tetracone verify --list")
     return page.html_table(["family", "levels that ask it", "what its cases have in common", "parameter", "its values", "panel"], body, source,
                            "tables/verify_families.csv", of_text=True)

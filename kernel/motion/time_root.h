@@ -73,6 +73,7 @@ class Time_root {
     if (exact_) return sign_at_dyadic(g);
     if (g.is_zero()) return CGAL::ZERO;
     refine_at_once();
+    if (exact_) return sign_at_dyadic(g);
     if (const CGAL::Sign there = certain_sign(g); there != CGAL::ZERO) return there;
     Integer_form cell = g.over(m_, k_);
     if (cell.variations() == 0) return cell.only_sign();
@@ -177,7 +178,8 @@ class Time_root {
     return 0.5 * (low + high);
   }
 
-  /// Replaces the cell by one far within it, about an approximation, if the root is inside. It does so once only.
+  /// Replaces the cell by one far within it, about an approximation, if the root is inside, or by the root itself if it is
+  /// an end of that cell, and so dyadic. It does so once only.
   void refine_at_once()
   {
     if (is_refined_) return;
@@ -185,7 +187,14 @@ class Time_root {
     const Integer at(std::floor(std::ldexp(about_in_cell(), halvings_at_once)));
     const Integer m = (m_ << halvings_at_once) + at;
     const unsigned k = k_ + halvings_at_once;
-    if (compare(m, k) != CGAL::POSITIVE || compare(m + 1, k) != CGAL::NEGATIVE) return;
+    const CGAL::Sign after_start = compare(m, k), after_end = compare(m + 1, k);
+    exact_ = after_start == CGAL::ZERO || after_end == CGAL::ZERO;
+    if (exact_) {
+      m_ = after_start == CGAL::ZERO ? m : Integer(m + 1);
+      k_ = k;
+      return;
+    }
+    if (after_start != CGAL::POSITIVE || after_end != CGAL::NEGATIVE) return;
     there_ = form_.over(m, k);
     m_ = m;
     k_ = k;

@@ -39,9 +39,10 @@ constexpr Table all[] = {
     {"distance",
      "wrong answers by distance to degeneracy: floor of log2 of rho or of ulps; -9999 exactly degenerate, 9999 not "
      "near",
-     "SELECT level, subject, question, axis, bin, sum(n) AS n, sum(false_positives + false_negatives + failures) AS "
+     "SELECT level, subject, question, poses, axis, bin, sum(n) AS n, sum(false_positives + false_negatives + "
+     "failures) AS "
      "hits, sum(n) AS of_n "
-     "FROM tally GROUP BY level, subject, question, axis, bin ORDER BY 1, 2, 3, 4, 5"},
+     "FROM tally GROUP BY level, subject, question, poses, axis, bin ORDER BY 1, 2, 3, 4, 5, 6"},
     {"parameters", "wrong answers among the first cases of each family by its parameter",
      "SELECT level, family, parameter, subject, question, count(*) AS wrong FROM wrong GROUP BY 1, 2, 3, 4, 5 ORDER BY "
      "1, 2, 3, 4, 5"},

@@ -158,36 +158,6 @@ Polyhedron box(const Vertex& low, const Vertex& high)
   return Block({{x, y}, {u, y}, {u, v}, {x, v}}, level(z), level(w)).polyhedron();
 }
 
-Polyhedron plate(int n, double low, double high)
-{
-  Polyhedron body;
-  for (const double z : {low, high})
-    for (int i = 0; i <= n; ++i)
-      for (int j = 0; j <= n; ++j) body.vertices.push_back({2.0 * i / n - 1, 2.0 * j / n - 1, z});
-  const auto number = [&](bool is_top, int i, int j) {
-    return static_cast<Index>(((is_top ? n + 1 : 0) + i) * (n + 1) + j);
-  };
-  const auto add = [&](Index p, Index q, Index r, Index s) {
-    body.add_polygon({p, q, r});
-    body.add_polygon({p, r, s});
-  };
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) {
-      add(number(false, i, j), number(false, i, j + 1), number(false, i + 1, j + 1), number(false, i + 1, j));
-      add(number(true, i, j), number(true, i + 1, j), number(true, i + 1, j + 1), number(true, i, j + 1));
-    }
-  for (int k = 0; k < n; ++k) {
-    const auto wall = [&](const std::array<int, 2>& p, const std::array<int, 2>& q) {
-      add(number(false, p[0], p[1]), number(false, q[0], q[1]), number(true, q[0], q[1]), number(true, p[0], p[1]));
-    };
-    wall({k, 0}, {k + 1, 0});
-    wall({k + 1, n}, {k, n});
-    wall({0, k + 1}, {0, k});
-    wall({n, k}, {n, k + 1});
-  }
-  return body;
-}
-
 Polyhedron unit_cube() { return box({0, 0, 0}, {1, 1, 1}); }
 
 Polyhedron box_with_cavity(double outer, double inner)

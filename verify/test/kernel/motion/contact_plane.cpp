@@ -64,8 +64,8 @@ BOOST_AUTO_TEST_CASE(a_plane_parts_what_lands_together_at_a_dyadic_time_and_at_a
       const auto& corner = kind == Moving_kind::vertex_face ? on_face : on_edge;
       std::optional<Time_root> time = first_contact(motion, kind, 1, corner);
       BOOST_REQUIRE(time.has_value());
-      BOOST_TEST(time->is_dyadic() == (down == -1));
       Times_before times({0, 0}, *time);
+      BOOST_TEST(time->is_dyadic() == (down == -1));
       Contact_plane plane(times.over(motion), times, kind, 1, corner);
       check_sides(plane);
     }

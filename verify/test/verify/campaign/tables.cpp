@@ -55,6 +55,9 @@ BOOST_AUTO_TEST_CASE(tables_add_up_and_quote)
   BOOST_TEST(table_as_csv(database, "poses") ==
              "level,family,subject,question,poses,n,false_positives,false_negatives,failures,not_asked\n"
              "object,f,s,solid,doubles,10,1,2,1,0\nobject,f,s,solid,fractions,5,0,0,0,3\n");
+  BOOST_TEST(
+      table_as_csv(database, "distance")
+          .starts_with("level,subject,question,poses,axis,bin,n,rate,low,high\nobject,s,solid,doubles,rho,0,10,0.4,"));
   const std::string families = table_as_csv(database, "families");
   BOOST_TEST(families.starts_with("levels,family,what,parameter,sweep\n"));
   BOOST_TEST(families.find("\ndistances,parallel,cubes with parallel faces and edges,") != std::string::npos);
