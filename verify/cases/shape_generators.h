@@ -3,6 +3,7 @@
 
 #include "tetracone/covering/polyhedron.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -33,9 +34,9 @@ inline Polyhedron plate(int n, double low, double high)
     for (int i = 0; i <= n; ++i)
       for (int j = 0; j <= n; ++j) body.vertices.push_back({2.0 * i / n - 1, 2.0 * j / n - 1, z});
   const auto number = [&](bool is_top, int i, int j) {
-    return static_cast<Index>(((is_top ? n + 1 : 0) + i) * (n + 1) + j);
+    return static_cast<covering::Index>(((is_top ? n + 1 : 0) + i) * (n + 1) + j);
   };
-  const auto add = [&](Index p, Index q, Index r, Index s) {
+  const auto add = [&](covering::Index p, covering::Index q, covering::Index r, covering::Index s) {
     body.add_polygon({p, q, r});
     body.add_polygon({p, r, s});
   };
