@@ -16,9 +16,9 @@ namespace tetracone::verify {
 /// The truth's name among the subjects.
 inline constexpr const char* truth_name = "truth";
 
-/// What is asked of a case: its predicates, whether its bodies collide, which of their features meet, where their faces
-/// do, and how far apart they are; where its point is, and what its ray meets; which of its many bodies collide, and
-/// when two moving ones first meet.
+/// The question that a case is asked. For two bodies: its predicates, whether they collide, which features meet, where
+/// faces meet, how far apart they are. For a body: where its point is, and which faces its ray meets. For more: which
+/// of many bodies collide, and when two moving ones first meet.
 enum class Asked_for { predicates, collision, features, contacts, distances, points, rays, scenes, motions };
 
 /// The name of that in the database.

@@ -39,7 +39,7 @@ inline std::optional<double> exact_middle(double a, double b)
   return sum ? exact_scaled(*sum, -1) : std::nullopt;
 }
 
-/// The same coordinate by coordinate.
+/// Changes a vertex coordinate by coordinate, otherwise as above.
 template <class Change>
 std::optional<kernel::Vertex> each_coordinate(const Change& change)
 {

@@ -48,8 +48,8 @@ struct Moving_bodies_subject {
   std::function<std::unique_ptr<Running_motion>()> make;
 };
 
-/// The package's exact first contact, and its exact static questions at 10, 100 and 1000 times, evenly from the start to
-/// the end, in poses of doubles.
+/// The package's exact first contact, and its exact static questions at 10, 100 and 1000 times, evenly spaced from
+/// start to end, in poses of doubles.
 std::vector<Moving_bodies_subject> moving_bodies_subjects();
 
 }  // namespace tetracone::verify

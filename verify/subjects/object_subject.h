@@ -23,8 +23,8 @@ namespace tetracone::verify {
 enum class Outcome {
   no,
   yes,
-  not_asked,  ///< the subject does not take such input (a peer whose transforms are rigid, a pose that is not; all pairs
-              ///< of 10^5 faces)
+  not_asked,  ///< the subject does not take such input (a pose that is not rigid, for a peer whose transforms are;
+              ///< all pairs of 10^5 faces)
   failed      ///< crash, hang, exception
 };
 
@@ -53,8 +53,8 @@ struct Told_distance {
   double alone = 0;  ///< the distance, asked for without the rest
 };
 
-/// Of lists that are sorted, one as an answer: the number of elements of the truth that it has, and where it has all of
-/// them, of its own.
+/// Returns the value of an answer that is a list: its number of right elements or, where none is missing, its length.
+/// Requires sorted lists.
 template <class List>
 int as_number(const List& listed, const List& truth)
 {

@@ -40,12 +40,12 @@ struct Probe_subject {
   std::function<std::unique_ptr<Running_probe>()> make;
 };
 
-/// Of points: the library's `Body::inside` of bodies triangulated, whole and by fractions; and JS08's signed sums over
-/// the whole covering by some kernels.
+/// Subjects for points: the library's `Body::inside` of bodies triangulated, whole and placed by fractions; and JS08's
+/// signed sums over the whole covering by some kernels.
 std::vector<Probe_subject> point_subjects();
 
-/// Of rays: the library's `Body::hits` and `first_hit` of bodies triangulated and whole; and in double what the field
-/// does, Moeller and Trumbore's test of each triangle.
+/// Subjects for rays: the library's `Body::hits` and `first_hit` of bodies triangulated and whole; and, in double, the
+/// field's usual test of each triangle by Moeller and Trumbore.
 std::vector<Probe_subject> ray_subjects();
 
 }  // namespace tetracone::verify

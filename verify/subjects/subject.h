@@ -31,7 +31,7 @@ using Kernel_name = tetracone::Kernel;
 /// code with the others.
 using tetracone::Method;
 
-/// A way of answering: a kernel and a method. What is compared, timed and judged.
+/// A way of answering, which is compared, timed and judged: a kernel and a method.
 struct Subject {
   Kernel_name kernel = Kernel_name::adaptive;
   kernel::Tolerance tolerance;  ///< of double_eps
@@ -84,7 +84,7 @@ class Prepared_pair {
 
 std::unique_ptr<Prepared_pair> prepare(const Subject& subject, const covering::Polyhedron& a,
                                        const covering::Polyhedron& b);
-/// The same of bodies, by what is made of them.
+/// Prepares bodies likewise, from the trees that they already have.
 std::unique_ptr<Prepared_pair> prepare(const Subject& subject, const Body& a, const Body& b);
 
 }  // namespace tetracone::verify
