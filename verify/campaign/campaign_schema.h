@@ -71,8 +71,8 @@ CREATE TABLE IF NOT EXISTS time (run INTEGER, level TEXT, family TEXT, subject T
   PRIMARY KEY (run, level, family, subject, question)) WITHOUT ROWID;
 )";
 
-/// Throws covering::Input_error, with the table and its columns, where a table of the file has others than the schema:
-/// another version wrote it, and neither goes on with it nor takes shards from it.
+/// Throws covering::Input_error, with the table and its columns, when a table of the file has other columns than the
+/// schema. Another version wrote it; this one neither continues it nor merges shards from it.
 void require_columns_of_schema(Database& database);
 
 }  // namespace tetracone::verify

@@ -10,7 +10,7 @@
 
 namespace tetracone::verify {
 
-/// Subjects at work in one thread.
+/// Running subjects of one thread.
 using Running_subjects = std::vector<std::unique_ptr<Running_subject>>;
 
 /// Judges a batch of distances, of surfaces and of solids. A subject's answer makes `distance_statements` statements:

@@ -156,8 +156,8 @@ inline Proved_bounds bound_proofs()
   add("Cone_coordinates::form_rounding", Cone::form_rounding,
       largest(slice_errors<Relative_64>(form, terms_of_form)) * lost(absolute) + 3 * Rational(u) * 16 * Rational(u),
       2.01, "gappa", cone);
-  // 1 less the errors is rounded as IEEE 754 does: below 1 by half of u. Where the errors are larger, `form_rounding` has
-  // more slack than their rounding needs.
+  // 1 less the errors is rounded as IEEE 754 does: below 1 by half of u. Where the errors are larger, `form_rounding`
+  // has more slack than their rounding needs.
   const auto allowance = [](const auto& in) { return Cone::allowed(triple(in, 0)); };
   add("Cone_coordinates::one_rounding", Cone::one_rounding,
       error_within<Ieee_64>(allowance, {{0, 0.25}, {0, 0.25}, {0, 0.25}}), 2.01, "gappa", cone);

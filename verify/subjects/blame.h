@@ -9,8 +9,7 @@
 
 namespace tetracone::verify {
 
-/// The stages at which a tree in rounded arithmetic can leave the right answer, in the order in which a query goes
-/// through them.
+/// The stages at which a tree in rounded arithmetic can depart from the right answer, in the order of a query.
 enum class Stage {
   pose,
   classification,

@@ -14,26 +14,26 @@ namespace tetracone::verify {
 
 using tetratree::Ray_hit;
 
-/// What a subject says of a ray.
+/// A subject's answer for a ray.
 struct Told_hits {
   std::optional<Ray_hit> first;
   std::vector<Ray_hit> all;
 };
 
-/// A subject that is asked about points or rays, in one thread. Keeps what it has prepared for the body of the last
-/// case. Nothing for an answer: it failed.
+/// A running subject for points or rays, for one thread. It keeps what it prepared for the body of the last case.
+/// Nothing as an answer means that it failed.
 class Running_probe {
  public:
   virtual ~Running_probe() = default;
 
-  /// 1 inside, 0 on the surface, -1 outside. Requires a closed body.
+  /// Returns 1 inside, 0 on the surface, -1 outside. Requires a closed body.
   virtual std::optional<int> where(const Probe_case&) { return std::nullopt; }
 
-  /// Requires a direction that is not 0.
+  /// Returns the hits of the ray. Requires a direction that is not 0.
   virtual std::optional<Told_hits> hits(const Probe_case&) { return std::nullopt; }
 };
 
-/// Something that says where points are, or what rays meet.
+/// A method that answers where points are, or which faces rays meet.
 struct Probe_subject {
   std::string name;  ///< "adaptive locator", "double covering"
   bool is_exact = false;
