@@ -89,7 +89,7 @@ int true_sign(const Quadruple& q)
   return sign;
 }
 
-// What is asked: four points each.
+// Four random points per query.
 
 Quadruple random_points()
 {

@@ -65,7 +65,8 @@ std::vector<Judged> published(const std::filesystem::path& folder)
   return all;
 }
 
-/// The answers of a subject, and its microseconds of processor time a pair: of the fastest of some passes, of one where that takes long.
+/// Returns the answers of a subject and its microseconds of processor time per pair: the fastest of several passes, or
+/// of one pass where a pass takes long.
 std::pair<std::vector<bool>, double> timed_answers(const Motion_subject& subject, const std::vector<Moving_pair>& pairs)
 {
   std::vector<bool> answers(pairs.size());

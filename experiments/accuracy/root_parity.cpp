@@ -34,7 +34,7 @@ bool origin_on_segment(const Corner& a, const Corner& b)
   return sgn(dot(area, area)) == 0 && sgn(dot(a, b)) <= 0;
 }
 
-/// What is known of a ray from the origin and a piece of the boundary; `unlucky`: another ray is wanted.
+/// The result for a ray from the origin and a piece of the boundary; `unlucky`: another ray is needed.
 enum class Crossing { even, odd, at_origin, unlucky };
 
 Crossing operator+(Crossing x, Crossing y)
@@ -62,9 +62,9 @@ Crossing crossing(const Corner& ray, const Corner& a, const Corner& b, const Cor
   return ab == side && bc == side && ca == side ? Crossing::odd : Crossing::even;
 }
 
-/// A bilinear patch of corners a, b, c, d, in order around it. With the triangles of either diagonal it bounds a part of
-/// the tetrahedron of the corners, where the product of the barycentric coordinates of a and c is larger than that of
-/// those of b and d, or smaller.
+/// A bilinear patch with corners a, b, c, d in order around it. The patch and the triangles of one diagonal bound a
+/// part of the corners' tetrahedron. With alpha_k the barycentric coordinate of corner k, that part is where alpha_a
+/// alpha_c > alpha_b alpha_d; with the other diagonal, where it is less.
 Crossing crossing(const Corner& ray, const Corner& a, const Corner& b, const Corner& c, const Corner& d)
 {
   Rational of_a = determinant(b, c, d), of_b = -determinant(a, c, d), of_c = determinant(a, b, d),

@@ -43,7 +43,7 @@ struct Collide_options {
   Row_format format() const { return {json, !csv.empty(), time, relation}; }
 };
 
-/// What is asked: two models, or the bodies of a case file, and their poses.
+/// The input of one call: two models, or the bodies of a case file, and their poses.
 struct Scene {
   Model_file a, b;
   Pose_pairs poses;

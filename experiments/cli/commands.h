@@ -27,15 +27,16 @@ void add_distance_command(CLI::App& app);
 /// covering::Input_error for bad input.
 void add_inside_command(CLI::App& app);
 
-/// Adds `tetracone ray MODEL RAYS`: where rays meet a model's surface, exactly. Throws covering::Input_error for bad input.
+/// Adds `tetracone ray MODEL RAYS`: where rays meet a model's surface, exactly. Throws covering::Input_error for bad
+/// input.
 void add_ray_command(CLI::App& app);
 
 /// Adds `tetracone scene FILE`: the colliding pairs of many bodies, frame after frame. Throws covering::Input_error for
 /// bad input.
 void add_scene_command(CLI::App& app);
 
-/// Adds `tetracone motion A B`: when two moving models first meet, exactly, a line a motion. Throws covering::Input_error
-/// for bad input.
+/// Adds `tetracone motion A B`: when two moving models first meet, exactly, one line per motion. Throws
+/// covering::Input_error for bad input.
 void add_motion_command(CLI::App& app);
 
 /// Adds `tetracone ccd QUERIES.csv...`: whether a moving vertex and face, or two moving edges, meet: 1 or 0, a line a

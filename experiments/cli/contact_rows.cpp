@@ -70,7 +70,7 @@ bool is_split(const Model_file& model)
   return std::ranges::adjacent_find(model.source_face) != model.source_face.end();
 }
 
-/// The pieces of one pose, by faces of the files. Of a face that became several, those that hold the same are one.
+/// The contact pieces of one pose, by the faces of the files. Equal pieces of a face that was split are listed once.
 std::vector<std::pair<std::size_t, Contact_piece>> pieces_of(const Contacts& contacts, const Model_file& a,
                                                              const Model_file& b)
 {

@@ -8,10 +8,10 @@
 
 namespace tetracone::experiments {
 
-/// JSON from which experiments/support/check_certificate.py proves the distance of each pair of poses: both bodies, their
-/// faces as triangles, the two nearest points with what holds them, and parts of both that are at least as far apart
-/// along a direction each, which together have every pair of triangles. Throws Error for faces that cannot be
-/// triangulated without new vertices.
+/// Returns JSON from which experiments/support/check_certificate.py proves the distance of each pair of poses. It holds
+/// both bodies with their faces as triangles, and the two nearest points with the features that contain them. It also
+/// holds pairs of parts, each with a direction along which they are at least as far apart; together the parts cover
+/// every pair of triangles. Throws Error for faces that cannot be triangulated without new vertices.
 std::string distance_certificate(const covering::Polyhedron& a, const covering::Polyhedron& b, const Pose_pairs& poses,
                                  kernel::Question question);
 

@@ -61,8 +61,8 @@ bool is_met_once(const Ray& ray, const std::array<covering::Vertex, 3>& a, const
   return from_point && *from_point == 0;
 }
 
-/// The hits with faces as the file has them. A face that was replaced by triangles may be met several times; it is named
-/// once where two of its triangles are met in a point of their common edge.
+/// The hits, by the faces of the file. A ray may meet several triangles of a split face. Two of them met in one point
+/// of their common edge count as one hit.
 std::vector<Ray_hit> named_as_in_file(const Ray& ray, const std::vector<Ray_hit>& hits, const Model_file& model)
 {
   const auto corners = [&](covering::Index triangle) {

@@ -42,7 +42,7 @@ int finish(int status)
                   "; expected a file or a reader that takes all");
 }
 
-/// What is read may be mapped.
+/// Reports a file that is made shorter while it is read: input files may be mapped, and the read then ends in a signal.
 void say_that_a_file_has_shrunk()
 {
   std::signal(SIGBUS, [](int) {

@@ -19,7 +19,7 @@ using kernel::Question;
 using verify::Outcome;
 using Clock = std::chrono::steady_clock;
 
-/// What is wrong with the program, and what was expected.
+/// An error of the program, and the expected behaviour.
 struct Wrong {
   std::string what;
 };

@@ -30,8 +30,8 @@ class Command_process {
   /// False when the child ends or the deadline passes before all is sent.
   bool send(const std::string& text, Deadline deadline);
 
-  /// The next line of its output, without its end; nothing when the child ends or the deadline passes first. Of a line
-  /// longer than 65,536 bytes, what has come of it.
+  /// Returns the next line of its output, without its end; nothing when the child ends or the deadline passes first. A
+  /// line longer than 65,536 bytes is cut there.
   std::optional<std::string> line(Deadline deadline);
 
   /// What has come after the last line.

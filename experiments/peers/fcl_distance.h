@@ -11,14 +11,14 @@ namespace tetracone::experiments {
 class Distance_peer {
  public:
   virtual ~Distance_peer() = default;
-  /// Of their surfaces, in double; what it says of meshes that meet.
+  /// Returns the distance of the surfaces, in double; for meshes that meet, whatever the library returns.
   virtual double distance(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
 };
 
-/// FCL's, on trees of its oriented boxes with swept spheres, or of swept spheres alone; its own defaults. Null where the
+/// FCL's distance with its default settings, on trees of oriented boxes with swept spheres (OBBRSS). Null when the
 /// build has no FCL.
 std::unique_ptr<Distance_peer> fcl_obbrss_distance(const Peer_mesh& a, const Peer_mesh& b);
-/// The same.
+/// FCL's distance on trees of swept spheres alone (RSS), otherwise as above.
 std::unique_ptr<Distance_peer> fcl_rss_distance(const Peer_mesh& a, const Peer_mesh& b);
 
 }  // namespace tetracone::experiments

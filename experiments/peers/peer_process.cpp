@@ -22,8 +22,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Starts it with `socket` as standard input, `errors` as standard error and no other file of ours; what libraries print
-/// goes nowhere. An error number, or 0.
+/// Starts the program with `socket` as standard input, `errors` as standard error and no other open file of ours.
+/// Whatever libraries print is discarded. Returns an error number, or 0.
 int start(const std::string& program, const std::string& name, int socket, int errors, pid_t& child)
 {
   posix_spawn_file_actions_t files;

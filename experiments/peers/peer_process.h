@@ -11,8 +11,8 @@
 
 namespace tetracone::experiments {
 
-/// `program peer-worker NAME` as a child with a socket to it, killed when this goes. The last line of its standard error
-/// is kept. Not for two threads at a time.
+/// Runs `program peer-worker NAME` as a child process with a socket to it, and kills it on destruction. The last line
+/// of its standard error is kept. Not thread-safe.
 class Peer_process {
  public:
   using Deadline = std::chrono::steady_clock::time_point;

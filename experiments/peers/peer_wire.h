@@ -11,12 +11,14 @@
 #include <type_traits>
 #include <vector>
 
-/// What goes between the program and a peer's worker, both the same program on the same machine. To the worker:
-///   'm' and two polyhedra: those of the questions to come; 'q', a question and the doubles of two poses; 't', the
-///   doubles of the poses from which and to which B moves, A at rest.
-/// From the worker, one byte each: `ready` when it has started, an answer for each 'q' and each 't'. After `yes` and `no`
-/// two doubles follow, nanoseconds: what it took to make the models ready, 0 where they were, and to answer; after a
-/// `yes` to a 't' also the double of the time.
+/// The protocol between the program and a peer's worker, which are one program on one machine. Messages to the worker:
+///  - 'm' and two polyhedra: the bodies of the questions that follow;
+///  - 'q', a question, and the doubles of two poses;
+///  - 't' and the doubles of B's poses at the start and end of its motion; A rests.
+///
+/// The worker answers with single bytes: `ready` once it has started, and an answer for each 'q' and each 't'. After
+/// `yes` and `no` follow two doubles, nanoseconds: for preparing the models (0 if they were prepared) and for
+/// answering. After a `yes` to a 't' follows also the time of contact, a double.
 namespace tetracone::experiments::wire {
 
 enum class Message : char { models = 'm', question = 'q', motion = 't' };

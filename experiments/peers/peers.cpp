@@ -19,8 +19,9 @@ namespace {
 using verify::Object_case;
 using verify::Outcome;
 
-/// Of a body. Nothing but time speaks against more: FCL and CGAL take some 6 us a triangle to make it ready, anew for
-/// each case, which for a mesh of 10^5 is more than for all others of its family together.
+/// The largest number of faces of a body that peers are asked about. The limit is only for time: FCL and CGAL need some
+/// 6 us per triangle to prepare a body, anew for each case. For a mesh of 10^5 triangles that exceeds the time of all
+/// other cases of its family together.
 constexpr std::size_t most_faces = 30000;
 
 /// Asks, and takes what answers: the byte, and after `yes` and `no` the times. Without an answer by the deadline the

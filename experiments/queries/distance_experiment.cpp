@@ -138,8 +138,8 @@ void run_course(Csv_table& table, Distance_course course, int passes, std::uint6
   }
 }
 
-/// A cube's faces as triangles, and poses of another: it touches the first in a face, or is 2^-k away from it, somewhere
-/// beside it. So distances are known.
+/// A cube with triangulated faces, and poses of another cube. The second touches the first in a face or is 2^-k away
+/// from it, shifted sideways, so that the distance is known.
 Distance_course gaps(int frames, std::uint64_t seed)
 {
   Distance_course course{"gaps", {}, {}, {}};

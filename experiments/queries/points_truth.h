@@ -25,9 +25,9 @@ using Cgal_mesh = CGAL::Surface_mesh<Exact_predicates::Point_3>;
 using Cgal_tree =
     CGAL::AABB_tree<CGAL::AABB_traits<Exact_predicates, CGAL::AABB_face_graph_triangle_primitive<Cgal_mesh>>>;
 
-/// The truth of points for meshes of many triangles: signed crossings of the ray upwards, by CGAL's exact predicates,
-/// of the triangles that a grid over x and y has above and below. What is degenerate there is decided in rationals, by
-/// all pairs whose boxes meet.
+/// The truth for points and meshes of many triangles. It sums the signed crossings of the upward ray by CGAL's exact
+/// predicates, with the triangles that a grid over x and y finds above and below. Degenerate cases are decided in
+/// rationals, by all pairs whose boxes meet.
 class Column_truth {
  public:
   using Point = std::array<double, 3>;

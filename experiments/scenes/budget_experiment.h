@@ -7,11 +7,11 @@
 
 namespace tetracone::experiments {
 
-/// How much of a frame a budget decides: a thousand bodies of 760 triangles that wander, with budgets of 1/32 to 4 times
-/// the median time of a frame that is asked without one by a scene of its own. Each frame alone so, and all in a row by
-/// one scene, which goes on with what it left undecided. What is decided is judged by scenes without a budget; that
-/// undecided bodies are as near as is said, by their distance. Writes out/budget.csv, a row a budget and way of asking,
-/// of all frames but the first. Requires two frames at least.
+/// Measures how much of a frame a budget decides. A thousand wandering bodies of 760 triangles get budgets of 1/32 to 4
+/// times the median time of a frame without a budget, which another scene measures. Each frame is asked by itself, and
+/// then all frames in a row by one scene, which continues with the pairs that it left undecided. Scenes without a
+/// budget judge the decided pairs; the distance judges the bound of the undecided ones. Writes out/budget.csv, one row
+/// per budget and way of asking, over all frames except the first. Requires at least two frames.
 void run_budget(const std::filesystem::path& out, std::size_t frames, std::uint64_t seed);
 
 }  // namespace tetracone::experiments

@@ -47,7 +47,7 @@ struct Timed_scene {
   double ns = 0;
 };
 
-/// Of all bodies' trees, as far as they have been made.
+/// The sizes of all bodies' trees, as far as they have been built.
 struct Trees {
   explicit Trees(const std::vector<Body>& bodies)
   {

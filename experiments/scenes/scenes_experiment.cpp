@@ -120,7 +120,7 @@ class Boxes_of_cgal {
   std::size_t candidates_ = 0;
 };
 
-/// Of the pairs of very many bodies, those are judged whose lesser body is one in ten.
+/// True when pairs with this lesser body are judged: all of them up to 10,000 bodies, else one body in ten.
 bool is_judged(std::uint32_t lesser_body, std::size_t bodies) { return bodies <= 10000 || lesser_body % 10 == 0; }
 
 /// Every pair that is judged and whose outward-rounded boxes meet is decided in rationals where intervals are not
@@ -172,7 +172,7 @@ std::vector<Contestant> contestants(const Scene_workload& work, const std::vecto
   return all;
 }
 
-/// Of scenes of more than 10,000 bodies.
+/// The number of frames for scenes of more than 10,000 bodies.
 constexpr std::size_t frames_of_many = 5;
 
 /// The mean of all frames but the first, which makes things ready.

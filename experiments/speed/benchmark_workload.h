@@ -63,7 +63,7 @@ Race_course on_trajectory(const covering::Polyhedron& object, const std::string&
 Race_course stacked_boxes(int frames, std::uint64_t seed);
 /// A plate of n x n squares, one on the other, face on face.
 Race_course face_on_face(int squares, int frames, std::uint64_t seed);
-/// The same plates one ulp apart: nothing collides, and every pair that is near has to be decided.
+/// The plates of `face_on_face`, one ulp apart: nothing collides, and every near pair has to be decided.
 Race_course sliding_apart(int squares, int frames, std::uint64_t seed);
 /// A star-shaped shell in the same 3 % larger, turned and shifted by a little: two surfaces nearly parallel and close
 /// everywhere, nothing collides.

@@ -19,8 +19,8 @@ struct Build {
   std::size_t bytes = 0;               ///< growth of the heap, the contestant's copy of the meshes included
   double with_first_milliseconds = 0;  ///< where nodes are made on demand: built so, and asked the first hundred poses
   std::size_t nodes_after_one = 0, nodes_after_first = 0;
-  /// Of a contestant that is `clocked_cold`: to make it ready, on demand where it can be, and its first answer to the
-  /// surface question then; means over `Race::cold_poses` poses at most, each asked of bodies made anew.
+  /// For a `clocked_cold` contestant: milliseconds to prepare it (on demand where it can) and to answer the first
+  /// surface question then. Both are means over at most `Race::cold_poses` poses, each asked of newly made bodies.
   double first_build_milliseconds = 0, first_query_milliseconds = 0;
 };
 
@@ -31,8 +31,8 @@ struct Timing : Judged_answers {
   /// The mean of the fastest times of the poses that this contestant was asked: its own, the first's and FCL's. Ratios
   /// of contestants that were asked unequal poses are taken from these.
   double same_poses_ns = 0, first_same_poses_ns = 0, fcl_same_poses_ns = 0;
-  /// Of a contestant that is `clocked_cold`: the mean over `Race::cold_poses` poses, the caches emptied before each,
-  /// and of the fastest times in the same poses.
+  /// For a `clocked_cold` contestant: the mean over `Race::cold_poses` poses with the caches emptied before each, and
+  /// the mean of the fastest times in the same poses.
   double cold_ns = 0, warm_ns = 0;
   std::size_t passes = 0;              ///< each: clocked, without the clock, clocked again; a long one clocked alone
   tetratree::Query_statistics counts;  ///< work of one pass over the course, by its poses

@@ -31,7 +31,7 @@ struct Stratum {
   double weight = 1;
 };
 
-/// So many of these poses, evenly spread. Requires no more than there are.
+/// Returns `count` of these poses, evenly spread. Requires count <= of.size().
 inline Stratum spread_sample(const std::vector<std::size_t>& of, std::size_t count)
 {
   Stratum sample;
@@ -49,12 +49,12 @@ inline tetratree::Query_statistics weighted(const tetratree::Query_statistics& c
   return std::bit_cast<tetratree::Query_statistics>(fields);
 }
 
-/// The poses that one contestant is asked, pass by pass. Each pose is clocked for itself and its fastest time kept. The
+/// The poses that one contestant is asked, pass by pass. Each pose is timed separately and keeps its fastest time. The
 /// answers of the first pass are judged.
 ///
-/// A contestant that is not asked every pose is asked as many that collide as that do not, where there are so many: those
-/// that collide are few and take longest. Times are weighted to the course's share of both, so that each is an estimate
-/// of its value over the whole course.
+/// A contestant that is not asked every pose gets equally many colliding and separate poses, as far as there are
+/// enough: the colliding ones are few and take longest. Times are weighted by the fraction of each kind in the course.
+/// Each is therefore an estimate of its value over the whole course.
 class Timed_poses {
  public:
   /// One in `one_in` of the poses of `truth`, which must outlive this; all of them in their order where it is 1.

@@ -41,10 +41,10 @@ std::vector<kernel::Pose> contour_trajectory(const covering::Polyhedron& a, cons
                                              int frames, std::uint64_t seed, const Collides& collides,
                                              Turning turning = Turning::yes);
 
-/// A smooth walk: once round A on a wave over the sphere of directions, with no jitter, as bodies move in time. B keeps
-/// at least `clearance` of A's radius from touching in each of some hundred directions, and where the contour is steep it
-/// keeps farther: the way out and in is no steeper than the way round. Poses of more frames are on the same way. Asks
-/// some 10 to 30 times a direction.
+/// Returns a smooth walk: one turn round A on a wave over the sphere of directions, without jitter, as bodies move in
+/// time. In each of some hundred directions B keeps a clearance from touching of at least `clearance` times A's radius.
+/// Where the contour is steep it keeps farther away, so that its radial steps are no steeper than its steps around A.
+/// Poses of more frames lie on the same path. Calls `collides` some 10 to 30 times per direction.
 std::vector<kernel::Pose> smooth_walk(const covering::Polyhedron& a, const covering::Polyhedron& b, double ratio,
                                       int frames, double clearance, std::uint64_t seed, const Collides& collides);
 

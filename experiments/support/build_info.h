@@ -40,8 +40,8 @@ inline const std::string& processor()
   return name;
 }
 
-/// The words that make the rows of this process again, from the project's folder: `build/tetracone experiment NAME`, with
-/// all sizes. The command sets them before its first row.
+/// The command line that makes this process's rows again, from the project's folder: `build/tetracone experiment NAME`,
+/// with all sizes. The command sets it before its first row.
 inline std::string& again()
 {
   static std::string words;

@@ -38,10 +38,10 @@ struct Motion_pairs {
   std::vector<Motion> a, b;
 };
 
-/// The motions of the files; one pose in a file serves all of the others. Of a path: from each pose to the next. A line
-/// on stderr says where the motion is that of a quaternion near a matrix. Throws covering::Input_error for bad files, for
-/// numbers of poses that do not go together, for a path of one pose, and for quaternions between which one is 0;
-/// CLI::ValidationError for a kind that is none.
+/// Reads the motions of the files. A file with one pose is paired with every pose of the other file. A path moves from
+/// each pose to the next. A line on stderr reports that a matrix was replaced by the motion of a quaternion near it.
+/// Throws covering::Input_error for bad files, for numbers of poses that do not match, for a path of one pose, and for
+/// quaternions between which one is 0. Throws CLI::ValidationError for an unknown kind.
 Motion_pairs read_motion_pairs(const Motion_names& names);
 
 }  // namespace tetracone::experiments

@@ -14,9 +14,10 @@ struct Table_part {
   std::function<std::string()> make;  ///< a CSV with its header
 };
 
-/// Writes out/NAME.csv from its parts in order. Each part is kept in a folder under out/NAME/ as soon as it is made, and
-/// not made again. The folder is named by the version and by the words `again()`: started with the same words, this goes
-/// on where it was. Progress goes to stderr on a terminal. Throws covering::Input_error when `out` cannot be written.
+/// Writes out/NAME.csv from its parts in order. Each part is saved in a folder under out/NAME/ as soon as it is made,
+/// and is not made again. The folder's name encodes the version and the command line `again()`; the same command line
+/// therefore resumes the run. Progress goes to stderr on a terminal. Throws covering::Input_error when `out` cannot be
+/// written.
 void write_table(const std::filesystem::path& out, const std::string& name, const std::vector<Table_part>& parts);
 
 }  // namespace tetracone::experiments

@@ -172,7 +172,7 @@ Json features_data(const std::vector<Feature_pair>& exact, const std::vector<Fea
   const auto add = [&](const Feature_pair& f, int mark) {
     if (rows.size() < most_features) rows.push_back({f.body, f.edge_from, f.edge_to, f.face, int(f.kind), mark});
   };
-  // What is wrong first: the limit must not hide it.
+  // Wrong pairs come first, so that the limit does not hide them.
   for (const Feature_pair& f : found)
     if (without(exact, f)) add(f, 2);
   for (const Feature_pair& f : exact)
@@ -210,7 +210,7 @@ Json nearest_data(const Nearest& nearest)
   return row;
 }
 
-/// Of each ray its six numbers, and face and t of all that it meets.
+/// The six numbers of each ray, and the face and t of each hit.
 Json rays_data(const Polyhedron& polyhedron, const std::vector<std::array<double, 6>>& rays)
 {
   const Body body(polyhedron);

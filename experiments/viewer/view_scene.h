@@ -35,8 +35,8 @@ struct View_scene {
 /// input and CLI::ValidationError for names that do not go together.
 View_scene read_view_scene(const Scene_names& names, std::optional<kernel::Question> question);
 
-/// Reads a scene of one motion of two models, and follows it to the first contact. Times at which a linear motion is flat
-/// are left out. Throws as `read_view_scene`, and CLI::ValidationError for more than one motion.
+/// Reads a scene of one motion of two models, and follows it to the first contact. Times at which a linear motion is
+/// flat are left out. Throws as `read_view_scene`, and CLI::ValidationError for more than one motion.
 View_scene read_view_motion(const Motion_names& names, kernel::Question question);
 
 }  // namespace tetracone::experiments

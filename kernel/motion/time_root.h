@@ -178,8 +178,8 @@ class Time_root {
     return 0.5 * (low + high);
   }
 
-  /// Replaces the cell by one far within it, about an approximation, if the root is inside, or by the root itself if it is
-  /// an end of that cell, and so dyadic. It does so once only.
+  /// Replaces the cell by one far within it, about an approximation, if the root is inside. Replaces it by the root if
+  /// that is an end of the small cell, and so dyadic. It does so once only.
   void refine_at_once()
   {
     if (is_refined_) return;

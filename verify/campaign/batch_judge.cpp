@@ -286,7 +286,7 @@ Contact_forms true_contacts(const Object_case& c)
   return first;
 }
 
-/// A batch of cases whose contacts are asked for, at work. Of bodies of more than `most_faces` faces nobody is asked.
+/// Runs a batch of cases that ask for contacts. Subjects are not asked about bodies of more than `most_faces` faces.
 class Contact_batch : Working_batch<Object_subject> {
  public:
   Contact_batch(const Campaign& campaign, const Batch& batch, const Done& done, Running_subjects& running)

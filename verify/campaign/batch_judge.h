@@ -15,10 +15,10 @@ namespace tetracone::verify {
 /// Asks a campaign's subjects, and judges their answers by the truths.
 class Batch_judge {
  public:
-  /// `done`: what need not be asked again. Both are kept by reference.
+  /// `done` lists the cases that need not be asked again. Both are kept by reference.
   Batch_judge(const Campaign& campaign, const Done& done);
 
-  /// Judges one batch; from any number of threads at once. Throws Truths_disagree.
+  /// Judges one batch. Thread-safe. Throws Truths_disagree.
   Findings operator()(const Batch& batch);
 
  private:

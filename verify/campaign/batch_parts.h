@@ -13,13 +13,13 @@
 #include <utility>
 #include <vector>
 
-/// What judges of all levels have in common.
+/// The parts that judges of all levels have in common.
 namespace tetracone::verify {
 
-/// Each such case is tried with one relation, all of them in turn; lists, at once with all.
+/// Every such case is tried with one relation, each of them in turn; lists are tried with all relations at once.
 inline constexpr std::uint64_t relation_stride = 4;
 
-/// Subjects that have not been asked all cases of a batch before; the truth is one of them.
+/// The subjects that have not been asked all cases of a batch before; the truth is one of them.
 class Wanted {
  public:
   template <class Subject>
@@ -37,7 +37,7 @@ class Wanted {
     return std::ranges::any_of(next_, [k](std::uint64_t next) { return next <= k; });
   }
 
-  /// Records for each the cases asked now. Call when the batch is done.
+  /// Records the cases now asked of each subject. Call it when the batch is done.
   void add_done(Findings& found) const
   {
     for (std::size_t s = 0; s < names_.size(); ++s)
@@ -50,7 +50,7 @@ class Wanted {
   std::uint64_t last_;
 };
 
-/// A batch of a campaign at work: whom it asks, what is wanted of each, and what has been found.
+/// A running batch of a campaign: the subjects, the cases to ask each of them, and the findings.
 template <class Subject>
 class Working_batch {
  protected:
@@ -62,7 +62,7 @@ class Working_batch {
         found_(level_name(batch.what), batch.family_name())
   {}
 
-  /// Calls judge(k) for each case k of the batch that somebody has not been asked.
+  /// Calls judge(k) for each case k of the batch that some subject has not been asked.
   template <class Judge>
   void for_wanted(const Judge& judge)
   {
@@ -70,7 +70,7 @@ class Working_batch {
       if (wanted_.anyone(k)) judge(k);
   }
 
-  /// All that was found, and who has been asked. Call once, last.
+  /// Returns the findings and the numbers of asked cases. Call it once, last.
   Findings finish()
   {
     wanted_.add_done(found_);
@@ -84,7 +84,7 @@ class Working_batch {
   Findings found_;
 };
 
-/// What a case of two placed bodies, or of points under two poses, is counted by.
+/// The kind by which a case of two placed bodies, or of points under two poses, is counted.
 template <class Case>
 Findings::Kind kind_of(const Case& c, const Distance& away)
 {

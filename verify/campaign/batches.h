@@ -16,12 +16,12 @@ namespace tetracone::verify {
 /// The truth's name among the subjects.
 inline constexpr const char* truth_name = "truth";
 
-/// What is asked of a case: its predicates, whether its bodies collide, which of their features meet, where their faces
-/// do, and how far apart they are; where its point is, and what its ray meets; which of its many bodies collide, and
-/// when two moving ones first meet.
+/// The question that a case is asked. For two bodies: its predicates, whether they collide, which features meet, where
+/// faces meet, how far apart they are. For a body: where its point is, and which faces its ray meets. For more: which
+/// of many bodies collide, and when two moving ones first meet.
 enum class Asked_for { predicates, collision, features, contacts, distances, points, rays, scenes, motions };
 
-/// The name of that in the database.
+/// Returns the level's name in the database.
 constexpr const char* level_name(Asked_for what)
 {
   switch (what) {
@@ -38,7 +38,7 @@ constexpr const char* level_name(Asked_for what)
   return "motions";
 }
 
-/// Unit of work: the cases first to last - 1 of a family, or one sequence.
+/// The unit of work: the cases first to last - 1 of a family, or one sequence.
 struct Batch {
   Asked_for what;
   const Family* family;
@@ -55,16 +55,16 @@ struct Batch {
   }
 };
 
-/// The batches of this campaign's shard, in the order in which they are asked.
+/// Returns the batches of this campaign's shard, in the order in which they are asked.
 std::vector<Batch> batches(const Campaign& campaign, const std::vector<Sequence>& sequences);
 
-/// Answers of all subjects and of the truth to these batches.
+/// Returns the number of answers of all subjects and of the truth to these batches.
 std::uint64_t answer_count(const Campaign& campaign, const std::vector<Batch>& batches);
 
-/// The campaign's sequences of exact contact.
+/// Returns the campaign's sequences of exact contact.
 std::vector<Sequence> sequences_of(const Campaign& campaign);
 
-/// Cases of a seed that are in the database already, by batch and subject.
+/// The cases of a seed that are already in the database, by batch and subject.
 class Done {
  public:
   Done(Database& database, std::uint64_t seed)
@@ -75,7 +75,7 @@ class Done {
           std::uint64_t(rows.integer(4));
   }
 
-  /// The first case of the batch that the subject has not been asked.
+  /// Returns the first case of the batch that the subject has not been asked.
   std::uint64_t next(const Batch& batch, const std::string& subject) const
   {
     const auto found = cases_.find({level_name(batch.what), batch.family_name(), batch.number, subject});

@@ -24,25 +24,25 @@
 
 namespace tetracone::verify {
 
-/// What made a row.
+/// The origin of a row.
 struct Provenance {
   std::string version, compiler, flags, processor;
-  std::string again = {};  ///< the words that ask the whole campaign again, without its database
+  std::string again = {};  ///< the command line that repeats the whole campaign, without its database
 };
 
-/// Cases and the subjects that are asked them. Default sizes take a few minutes on two cores.
+/// The cases of a campaign and the subjects that are asked them. Default sizes take a few minutes on two cores.
 struct Campaign {
   std::uint64_t seed = 1;
-  std::uint64_t predicate_cases = 400, object_cases = 24, feature_cases = 6;  ///< per family; 0: not that level
+  std::uint64_t predicate_cases = 400, object_cases = 24, feature_cases = 6;  ///< per family; 0 skips the level
   std::uint64_t probe_cases = 64;                                             ///< per family of points and of rays
-  bool lists_features = true;  ///< of feature_cases: else only contacts, distances, scenes and motions are asked
+  bool lists_features = true;  ///< of feature_cases; if false, only contacts, distances, scenes and motions are asked
   int sequence_frames = 16;    ///< of each exact sequence; 0: none
   int shard = 0, shards = 1;   ///< this process does each `shards`-th batch, from `shard`
   std::vector<const Family*> families;
-  std::vector<const Family*> distance_families;  ///< of distances alone
+  std::vector<const Family*> distance_families;  ///< asked for distances only
   std::vector<const Probe_family*> point_families, ray_families;
   std::vector<const Scene_family*> scene_families;         ///< of feature_cases
-  std::vector<const Moving_body_family*> motion_families;  ///< the same
+  std::vector<const Moving_body_family*> motion_families;  ///< of feature_cases
   std::vector<Predicate_subject> predicate_subjects;
   std::vector<Object_subject> object_subjects, feature_subjects, contact_subjects, distance_subjects;
   std::vector<Probe_subject> point_subjects, ray_subjects;
@@ -51,8 +51,8 @@ struct Campaign {
   Provenance made_by;
 };
 
-/// The two truths, or a truth and what a family knows by construction, answer one case differently: one of them is
-/// wrong, and nothing that the campaign says could be trusted.
+/// Thrown when the two truths, or a truth and a family's known answer, differ for one case. One of them is wrong, and
+/// no result of the campaign could be trusted.
 class Truths_disagree : public std::runtime_error {
  public:
   Truths_disagree(const std::string& what, Object_case c, kernel::Question question)
@@ -71,26 +71,28 @@ class Truths_disagree : public std::runtime_error {
   Predicate predicate = Predicate::orientation;
 };
 
-/// How many cases the campaign has in all, those already in the database included.
+/// Returns the number of cases of the campaign, including those already in the database.
 std::uint64_t case_count(const Campaign& campaign);
 
-/// Judges all subjects on all cases, on all cores, and adds what it finds to the database (schema: campaign_schema.h).
-/// Resumes: cases of this seed that are in the database are not asked again, after a stop or a kill, with more cases or
-/// with other subjects. The rows depend on the campaign only, not on threads, shards or interruptions; the table `time`
-/// apart. `done` is called with the number of cases just done or found, from several threads, one at a time. Throws
-/// Truths_disagree; covering::Input_error when the database cannot be used, or knows a subject by another command.
+/// Judges all subjects on all cases, on all cores, and adds the findings to the database (schema: campaign_schema.h).
+/// It resumes: cases of this seed that are in the database are not asked again, after a stop or a kill, with more cases
+/// or with other subjects. The rows depend on the campaign only, not on threads, shards or interruptions, except in the
+/// table `time`. `done` is called with the number of cases just done or found, from several threads, one at a time.
+/// Throws Truths_disagree; covering::Input_error when the database cannot be used, or knows a subject by another
+/// command.
 void run_campaign(Database& database, const Campaign& campaign, const std::function<void(std::uint64_t)>& done);
 
-/// Opens a campaign's database to write; makes it when it is not there. Throws covering::Input_error, and changes
+/// Opens a campaign's database for writing; creates it if it does not exist. Throws covering::Input_error, and changes
 /// nothing, when the file is something else, or has the tables of another version.
 Database open_campaign(const std::filesystem::path& file);
 
 /// Throws covering::Input_error when the file is no database of a campaign, or has the tables of another version.
 void require_campaign(const std::filesystem::path& file);
 
-/// Adds to `into` what `from`, a shard of the same campaign, has; nothing where `into` has it all. Throws
-/// covering::Input_error, and changes nothing, when the two were not asked with the same words (campaign_words.h), when
-/// `from` has the tables of another version, or when `into` has a part of the shard: an earlier state of it.
+/// Adds the rows of `from`, a shard of the same campaign, to `into`; nothing if `into` has them all. Throws
+/// covering::Input_error, and changes nothing, when the two were made by different command lines (campaign_words.h) or
+/// when `from` has the tables of another version. It throws too when `into` has a part of the shard: an earlier state
+/// of it.
 void merge(Database& into, const std::filesystem::path& from);
 
 }  // namespace tetracone::verify

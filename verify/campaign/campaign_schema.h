@@ -8,36 +8,35 @@
 namespace tetracone::verify {
 
 /// The tables of a campaign's database. Every row names the `run` that made it: version, compiler, flags, processor,
-/// seed, and the words `again`, which ask the whole campaign once more.
+/// seed, and the command line `again`, which repeats the whole campaign.
 ///  - done: how many cases of a batch a subject has been asked; the subject 'truth' stands for the truths.
-///  - tally: answers by subject, question (or predicate) and distance to degeneracy. Each answer is counted once on
-///  each axis: 'rho'
-///    (bins of log2 of the relative determinant) and 'ulps' (bins of log2 of the distance in ulps); `bin` is the floor,
-///    exactly_degenerate where the distance is 0, not_near where no determinant was near. False positive: higher than
-///    the truth; false negative: lower. not_asked: the subject does not take such input; failures: crash, hang or
-///    exception. `poses` tells answers to poses of doubles from those to poses with a fraction, which kernels and
-///    libraries of doubles cannot be given.
-///  At the levels 'features', 'contacts', 'rays' and 'scenes', there of a frame's pairs, an answer is a list. Its truth is how many elements it has; an
-///  answer that lacks some is how many of them it has right, lower, and one with more is how many it has in all, higher.
-///  At the level 'distances' an answer is how many of its statements are right, and the truth how many there are.
-///  At the level 'motions' the questions 'surface' and 'solid' are whether bodies meet; 'surface time' and 'solid time',
-///  asked of those that meet by truth and answer, whether the time is the exact one, 0, earlier, -1, or later, 1.
-///  - truth: cases by question, how many of them have a positive answer, and how many were also known by construction.
-///  Each is
-///    the answer of both truths; but at the level 'motions' the second does not decide all, and by_construction is how
-///    many it does.
+///  - tally: answers by subject, question (or predicate) and distance to degeneracy.
+///    Each answer is counted once on each axis: 'rho' (bins of log2 of the relative determinant) and 'ulps' (bins of
+///    log2 of the distance in ulps). `bin` is the floor, exactly_degenerate where the distance is 0, not_near where no
+///    determinant was near. False positive: higher than the truth; false negative: lower. not_asked: the subject does
+///    not take such input; failures: crash, hang or exception. `poses` separates poses of doubles from poses with a
+///    fraction, which kernels and libraries of doubles cannot be given. At the levels 'features', 'contacts', 'rays'
+///    and 'scenes' (there for a frame's pairs) an answer is a list, and the truth is the list's length. An answer that
+///    lacks elements counts as its number of right ones, which is lower. An answer with more elements counts as its
+///    length, which is higher. At the level 'distances' an answer is its number of right statements, and the truth is
+///    the number of statements. At the level 'motions' the questions 'surface' and 'solid' are whether bodies meet.
+///    'surface time' and 'solid time' are asked where both truth and answer say that they meet: 0 for the exact time,
+///    -1 for an earlier, 1 for a later one.
+///  - truth: cases by question, with the number of positive answers and the number also known by construction.
+///    Each is the answer of both truths. At the level 'motions' the second truth does not decide all; there
+///    by_construction counts those that it decides.
 ///  - wrong: the wrong answers among the first `kept_one_by_one` cases of each family, one by one.
-///  - failure: how subjects failed, how often, and what they said the first time, on the case of number `first`. Of a
-///    program that is its last line of standard error, which need not be the same in another run.
+///  - failure: how subjects failed, how often, and their message the first time, on the case with the number `first`. A
+///    program's message is its last line of standard error, which may differ in another run.
 ///  - blame: wrong answers of rounding trees by the stage of first divergence.
 ///  - relation: how often a metamorphic relation was tried, did not apply, and was violated.
 ///  - flips: how often the answer changed in a sequence of frames, and how often the truth did.
-///  - words: what was asked for, by shard, and how many answers that is, the truth's included; the last row is the last
-///  run's.
-///  - command: what starts the subjects that are somebody else's programs.
-///  - time: nanoseconds of n answers, of this machine and run. making: until the bodies are ready, which are made anew
-///  for each question of the levels 'object', 'features', 'contacts' and 'distances'; asking: from then to the answer.
-///  Where making is NULL, asking includes it. Somebody else's program has a row where it tells its own time.
+///  - words: the questions asked, by shard, and the number of their answers, the truth's included; the last row is the
+///    last run's.
+///  - command: the command line of each subject that is an external program.
+///  - time: nanoseconds of n answers, on this machine in this run. making: until the bodies are ready, which are made
+///    anew for each question of the levels 'object', 'features', 'contacts' and 'distances'; asking: from then to the
+///    answer. Where making is NULL, asking includes it. An external program has a row where it reports its own time.
 inline constexpr int exactly_degenerate = -9999, not_near = 9999;
 inline constexpr std::uint64_t kept_one_by_one = 200;
 inline constexpr const char *of_doubles = "doubles", *with_fractions = "fractions";
@@ -72,8 +71,8 @@ CREATE TABLE IF NOT EXISTS time (run INTEGER, level TEXT, family TEXT, subject T
   PRIMARY KEY (run, level, family, subject, question)) WITHOUT ROWID;
 )";
 
-/// Throws covering::Input_error, with the table and its columns, where a table of the file has others than the schema:
-/// another version wrote it, and neither goes on with it nor takes shards from it.
+/// Throws covering::Input_error, with the table and its columns, when a table of the file has other columns than the
+/// schema. Another version wrote it; this one neither continues it nor merges shards from it.
 void require_columns_of_schema(Database& database);
 
 }  // namespace tetracone::verify

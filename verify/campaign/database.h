@@ -12,15 +12,15 @@ struct sqlite3_stmt;
 
 namespace tetracone::verify {
 
-/// An SQLite file. Not for two threads at a time.
-/// Every member throws covering::Input_error, with the file's name, when SQLite refuses.
+/// An SQLite file. Not thread-safe. Every member throws covering::Input_error, with the file's name, when SQLite
+/// refuses.
 class Database {
  public:
   enum class Mode { read, write };
 
-  /// Opens the file; `Mode::write` makes it when it is not there, in write-ahead mode, so that a killed process leaves
-  /// whole transactions only; it waits for another process that does the same. `Mode::read` needs no more than the file
-  /// itself. Throws too when the file is no database.
+  /// Opens the file. `Mode::write` creates it if needed, in write-ahead mode, so that a killed process leaves only
+  /// whole transactions; it waits for another process that does so too. `Mode::read` needs only the file itself. Throws
+  /// also when the file is no database.
   Database(const std::filesystem::path& file, Mode mode);
   ~Database();
   Database(const Database&) = delete;
@@ -58,7 +58,7 @@ class Database {
       return *this;
     }
 
-    /// The next row; false when there is none left.
+    /// Goes to the next row; false when there is none left.
     bool next();
 
     /// `with` for a statement without rows.

@@ -42,8 +42,8 @@ bool is_nearest_root(double x, const Rational& square)
   return low * low <= square && square <= high * high;
 }
 
-/// Whether what is named holds the point, by CGAL, of its exact image. Of a point in a solid's interior its distance
-/// is the proof.
+/// True when the named feature contains the exact image of the point, by CGAL. For a point inside a solid the distance
+/// itself is the proof.
 bool holds(const Placed_body& placed, const Holder& holder, const Coordinates& x)
 {
   const Exact::Point_3 p(x[0], x[1], x[2]);

@@ -18,31 +18,31 @@
 
 namespace tetracone::verify {
 
-/// Results of a batch of cases, stored in the database as one transaction. Names are those of its tables.
+/// The results of a batch of cases, stored in the database as one transaction. Names are those of its tables.
 class Findings {
  public:
-  /// The answer that the subject gave, if it gave one, and whether it did not take the question.
+  /// A subject's answer, if it gave one, and whether it does not take the question.
   struct Answer {
     std::optional<int> value;
     bool not_asked = false;
   };
 
-  /// What a case is counted by.
+  /// The properties by which a case is counted.
   struct Kind {
     Distance distance;
     bool has_fractions = false;  ///< an entry of its poses is no double
   };
 
-  /// The level is a `level_name`.
+  /// Requires a `level_name` as level.
   Findings(std::string level, std::string family) : level_(std::move(level)), family_(std::move(family)) {}
 
   void add_truth(const std::string& question, bool positive, bool by_construction);
-  /// `spent`: nothing where it is not known how long the subject itself took.
+  /// `spent`: nothing if the subject's own time is not known.
   void add_answer(const std::string& subject, const std::string& question, const Kind& kind, int truth,
                   const Answer& answer, const std::optional<Spent>& spent);
   void add_wrong(const Origin& origin, const std::string& subject, const std::string& question,
                  const Distance& distance, int truth, const Answer& answer, std::optional<Stage> stage);
-  /// What a subject left that failed on a case of this number.
+  /// Adds the traces of a subject that failed on the case with this number.
   void add_failure(const std::string& subject, const std::string& question, std::uint64_t number,
                    const Failure& failure);
   void add_blame(const std::string& subject, const std::string& question, Stage stage);
@@ -51,7 +51,7 @@ class Findings {
   void add_flips(const std::string& subject, const std::string& question, int frames, int wrong, int changes,
                  int true_changes);
 
-  /// `cases` more of the batch have been asked of the subject.
+  /// Records that the subject has been asked `cases` more cases of the batch.
   void add_done(const std::string& subject, std::uint64_t cases) { done_[subject] += cases; }
 
   /// Adds everything to the tables. Call within a transaction.

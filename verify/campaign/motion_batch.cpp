@@ -45,7 +45,7 @@ class Motion_batch : Working_batch<Moving_bodies_subject> {
   }
 
  private:
-  /// So many distances at most does the second truth find.
+  /// The largest number of distances that the second truth computes for one case.
   static constexpr int most_distances = 32;
 
   void judge(const Moving_bodies& c, const Origin& origin, std::uint64_t k)

@@ -10,12 +10,12 @@
 
 namespace tetracone::verify {
 
-/// Subjects of motions at work in one thread.
+/// Running subjects of motions of one thread.
 using Running_motions = std::vector<std::unique_ptr<Running_motion>>;
 
-/// Judges a batch of bodies in motion, of surfaces and of solids: whether they meet, and, of those that do and are told
-/// to, whether the time is the exact one (see campaign_schema.h). An exact subject's must be the doubles about it, the
-/// one time of another one of these. Throws Truths_disagree.
+/// Judges a batch of bodies in motion, of surfaces and of solids. It judges whether they meet and, where truth and
+/// answer say that they do, whether the time is the exact one (see campaign_schema.h). An exact subject must give the
+/// doubles around the time; another subject must give one of these. Throws Truths_disagree.
 Findings judge_motions(const Campaign& campaign, const Batch& batch, const Done& done, Running_motions& running);
 
 }  // namespace tetracone::verify

@@ -21,7 +21,7 @@ namespace {
 
 using kernel::Rational;
 
-/// Of a question whose answer is a list, one that is sorted.
+/// A sorted answer to a question whose answer is a list.
 using Hits = std::vector<std::pair<double, covering::Index>>;
 
 /// A point or ray is exactly degenerate, or not near to it.

@@ -10,13 +10,13 @@
 
 namespace tetracone::verify {
 
-/// Subjects of points or rays at work in one thread.
+/// Running subjects of points or rays of one thread.
 using Running_probes = std::vector<std::unique_ptr<Running_probe>>;
 
-/// Judges a batch of points: where each subject says that they are. Throws Truths_disagree.
+/// Judges a batch of points: where each subject places them. Throws Truths_disagree.
 Findings judge_points(const Campaign& campaign, const Batch& batch, const Done& done, Running_probes& running);
 
-/// Judges a batch of rays by three questions: the first face with its t, all of them with theirs, and all faces. An
+/// Judges a batch of rays by three questions: the first face with its t, all faces with their t, and all faces. An
 /// answer is a list. Throws Truths_disagree.
 Findings judge_rays(const Campaign& campaign, const Batch& batch, const Done& done, Running_probes& running);
 

@@ -117,7 +117,7 @@ class Scene_batch : Working_batch<Scene_subject> {
       const Findings::Answer answer{told ? std::optional(as_number((*told)[f], truth[f])) : std::nullopt, false};
       const Findings::Kind kind{away, has_fractions(c.frames[f])};
       found_.add_answer(subjects_[s].name, name_of(c.question), kind, right, answer, Spent{{}, ns / truth.size()});
-      // Of a scene, the first frame that is wrong.
+      // Only the first wrong frame of a scene is listed.
       if (is_right && answer.value != right && k < kept_one_by_one)
         found_.add_wrong(c.origin, subjects_[s].name, name_of(c.question), away, right, answer, {});
       is_right = is_right && answer.value == right;

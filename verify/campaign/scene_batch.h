@@ -10,11 +10,11 @@
 
 namespace tetracone::verify {
 
-/// Subjects of scenes at work in one thread.
+/// Running subjects of scenes of one thread.
 using Running_scenes = std::vector<std::unique_ptr<Running_scene>>;
 
-/// Judges a batch of scenes: the pairs of each frame, every pair of bodies by both truths. An answer is a frame's list.
-/// Throws Truths_disagree, with the two bodies.
+/// Judges a batch of scenes by the colliding pairs of each frame; both truths decide every pair of bodies. An answer is
+/// a frame's list. Throws Truths_disagree, with the two bodies.
 Findings judge_scenes(const Campaign& campaign, const Batch& batch, const Done& done, Running_scenes& running);
 
 }  // namespace tetracone::verify

@@ -11,10 +11,10 @@
 
 namespace tetracone::verify {
 
-/// The names of the tables that can be drawn from a campaign's database, each with what it says.
+/// Returns the names of the tables that can be made from a campaign's database, each with its description.
 const std::vector<std::pair<std::string_view, std::string_view>>& tables();
 
-/// One table as CSV, with its header line; the same database gives the same bytes. Requires a name of `tables()`.
+/// Returns one table as CSV, with its header line; equal databases give equal bytes. Requires a name of `tables()`.
 /// Throws covering::Input_error when the database is not one of a campaign.
 std::string table_as_csv(Database& database, std::string_view name);
 
@@ -23,8 +23,8 @@ struct Interval {
   double low, high;
 };
 
-/// Wilson's 95 % interval for `hits` of `n`; [0, 1] where n = 0. With no hits in n its upper end, 3.84 / (n + 3.84), is
-/// the bound that "none" stands for.
+/// Returns Wilson's 95 % interval for `hits` of `n`; [0, 1] when n = 0. For no hits in n its upper end is 3.84 / (n +
+/// 3.84): the upper bound of the rate behind "none".
 Interval wilson(std::int64_t hits, std::int64_t n);
 
 }  // namespace tetracone::verify

@@ -23,7 +23,7 @@ using kernel::Pose;
 using kernel::Question;
 using kernel::Vertex;
 
-/// Of the file's form, not of the program.
+/// The version of the file's form, not of the program.
 constexpr int format = 1;
 
 /// Infinite parameters: JSON has no number for them.
@@ -163,7 +163,7 @@ std::string list(std::size_t count, Text&& text, const std::string& open = "[", 
   return result + close;
 }
 
-/// The same with an element a line.
+/// As the list above, with one element per line.
 template <class Text>
 std::string lines(std::size_t count, const std::string& indent, Text&& text)
 {

@@ -48,7 +48,7 @@ bool is_case_name(const std::filesystem::path& path);
 /// an open surface asked for its solid.
 Case_file read_case(const std::filesystem::path& path);
 
-/// The same from a text; `name` stands for the file in messages.
+/// Reads a case from a text; `name` stands for the file in messages.
 Case_file parse_case(const std::string& text, const std::string& name);
 
 /// The file's text: a vertex, a face, a pose's row a line. Doubles are their shortest decimals, other rationals are

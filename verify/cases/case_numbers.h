@@ -28,7 +28,7 @@ Predicate_case with_numbers(const Predicate_case& c, const Case_numbers& numbers
 std::size_t bits(double x);
 std::size_t bits(const kernel::Rational& x);
 
-/// Of all coordinates, and of the entries of the poses that differ from the identity's.
+/// The bits of all coordinates, and of the entries of the poses that differ from the identity's.
 std::size_t bits(const Case_numbers& numbers);
 
 /// |x| = mantissa * 2^exponent with an odd mantissa; zeros for 0.

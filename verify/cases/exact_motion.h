@@ -39,7 +39,7 @@ inline std::optional<double> exact_middle(double a, double b)
   return sum ? exact_scaled(*sum, -1) : std::nullopt;
 }
 
-/// The same coordinate by coordinate.
+/// Returns the vertex with coordinates change(0), change(1), change(2); nothing when one of these is nothing.
 template <class Change>
 std::optional<kernel::Vertex> each_coordinate(const Change& change)
 {

@@ -9,8 +9,8 @@
 
 namespace tetracone::verify {
 
-/// The poses of a body at t = 0 and at t = 1: linear of 12 numbers each, row-major 3x4, or rigid of 7 each, a quaternion
-/// (w, x, y, z) and a translation. See `kernel::Body_motion`.
+/// The poses of a body at t = 0 and t = 1. Linear ones have 12 numbers each, row-major 3x4; rigid ones have 7 each, a
+/// quaternion (w, x, y, z) and a translation. See `kernel::Body_motion`.
 using Motion_ends = std::array<std::vector<kernel::Rational>, 2>;
 
 /// Two bodies in motion, both linear or both rigid. Every face is convex.

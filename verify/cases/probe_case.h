@@ -16,8 +16,8 @@ struct Probe_case {
   Origin origin;
 };
 
-/// The same as two bodies, for case files: the point is a face of one vertex, the ray one on the line to where it is at
-/// t = 1.
+/// The probe as two bodies, for case files: the point is a face of one vertex, the ray is the line from it to its
+/// position at t = 1.
 inline Object_case as_objects(const Probe_case& c)
 {
   covering::Polyhedron probe;

@@ -129,8 +129,8 @@ inline std::array<double, 2> turn(double turns)
   return {c * cosine - s * sine, c * sine + s * cosine};
 }
 
-/// Of the case `index` of a family, by its number or name: rounds of the generator's own seeding keep cases of other
-/// seeds, families and indices apart.
+/// The generator for case `index` of a family, given by its number or name. Rounds of the generator's own seeding
+/// separate the cases of different seeds, families and indices.
 inline Random random_of_case(std::uint64_t seed, std::uint64_t family, std::uint64_t index)
 {
   return Random(Random(Random(seed).bits() ^ family).bits() ^ index);

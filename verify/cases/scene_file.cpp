@@ -23,7 +23,7 @@ bool is_zero(const kernel::Rigid_pose& pose)
   return true;
 }
 
-/// Of seven numbers that are given as `number(k)`.
+/// A rigid pose from seven numbers, given as `number(k)`.
 template <class Number>
 kernel::Rigid_pose rigid_pose(const Number& number)
 {

@@ -23,9 +23,9 @@ bool is_scene_name(const std::filesystem::path& path);
 /// A scene file, open. What it says of models and bodies is read at once, a frame when it is asked for.
 class Scene_file {
  public:
-  /// Throws covering::Input_error, with the line, for whatever is not of the form: names that are missing, unknown or of
-  /// another type, bodies of no model, numbers out of range, a file of frames that is no whole number of frames. A pose
-  /// has 12 numbers, or 7 where it is rigid, a quaternion w x y z and a translation.
+  /// Throws covering::Input_error, with the line, for anything not of the form: missing or unknown names, wrong types,
+  /// bodies without a model, numbers out of range, a file of frames that is no whole number of frames. A pose has 12
+  /// numbers, or 7 if `is_rigid`: a quaternion w x y z and a translation.
   explicit Scene_file(const std::filesystem::path& path, bool is_rigid = false);
 
   struct Model {
@@ -33,7 +33,7 @@ class Scene_file {
     std::filesystem::path file;  ///< relative names are of the scene file's folder
   };
   const std::vector<Model>& models() const { return models_; }
-  /// Of each body, its model.
+  /// The model of each body.
   const std::vector<std::size_t>& bodies() const { return bodies_; }
   /// Pairs of bodies that are not asked for.
   const std::vector<std::array<std::size_t, 2>>& ignored() const { return ignored_; }
@@ -42,7 +42,7 @@ class Scene_file {
   /// The poses of a frame, one a body. Throws Input_error for numbers that are not finite and where det M = 0.
   /// Requires poses of 12 numbers.
   std::vector<kernel::Pose> frame(std::size_t k);
-  /// The same of rigid poses. Throws Input_error for numbers that are not finite and where a quaternion is 0.
+  /// Returns frame `k` as rigid poses. Throws Input_error for numbers that are not finite and for a quaternion of 0.
   std::vector<kernel::Rigid_pose> rigid_frame(std::size_t k);
 
   /// All files that it names, and itself.

@@ -25,8 +25,8 @@ Polyhedron box(const Vertex& low, const Vertex& high);
 /// The box from (0, 0, 0) to (1, 1, 1).
 Polyhedron unit_cube();
 
-/// The box from (-1, -1, low) to (1, 1, high) in 4 n (n + 2) triangles: its top and its bottom are cut into n x n squares.
-/// Requires 0 < n and low < high.
+/// Returns the box from (-1, -1, low) to (1, 1, high) in 4 n (n + 2) triangles. Its top and its bottom are cut into
+/// n x n squares. Requires 0 < n and low < high.
 inline Polyhedron plate(int n, double low, double high)
 {
   Polyhedron body;
@@ -79,7 +79,7 @@ Polyhedron complex_two();
 /// no manifold. Requires nx ny nz bits.
 Polyhedron voxel_solid(const std::vector<bool>& bits, int nx, int ny, int nz);
 
-// Triangle meshes of any size. The same for the same arguments on every machine.
+// Triangle meshes of any size. Equal arguments give equal meshes on every machine.
 
 /// A star-shaped body about 0 of radii between 0.5 and 1.5: 8 n^2 triangles, for the n that comes nearest.
 /// Requires at least 8 triangles.
@@ -89,8 +89,9 @@ Polyhedron blob(std::size_t triangles, std::uint64_t seed);
 /// 1. Requires at least 640 triangles; with fewer the tube would meet itself.
 Polyhedron torus_knot(std::size_t triangles);
 
-/// The same knot by a tube of about sqrt(triangles / 20) sides, which is rounder the more triangles there are, all of
-/// about one shape: one geometry at any size. Within two triangles a ring of the number asked. Requires at least 640.
+/// The torus knot as a tube of about sqrt(triangles / 20) sides, rounder with more triangles; all triangles have about
+/// one shape. The geometry is one at any size. The number of triangles differs from `triangles` by less than two per
+/// ring. Requires at least 640 triangles.
 Polyhedron round_torus_knot(std::size_t triangles);
 
 // Real meshes.
@@ -99,10 +100,10 @@ Polyhedron round_torus_knot(std::size_t triangles);
 /// caller without it says so and names the script. Throws Input_error for a file that cannot be read.
 std::optional<Polyhedron> demo_mesh(const std::filesystem::path& folder, const std::string& name);
 
-/// The mesh with exactly `faces` triangles left, by edge collapses in the order of Lindstrom and Turk's cost (CGAL's
-/// Surface_mesh_simplification). The same each time; closed and of the same genus. What comes out is a model of its
-/// own: it need not be free of self-intersections. Throws std::invalid_argument when the mesh is not a closed
-/// manifold of at least `faces` triangles, when `faces` is odd, or when no edge can be collapsed any more.
+/// Simplifies the mesh to exactly `faces` triangles by edge collapses in the order of Lindstrom and Turk's cost (CGAL's
+/// Surface_mesh_simplification). The result is deterministic, closed and of the same genus. It is a model of its own
+/// and may intersect itself. Throws std::invalid_argument when the mesh is not a closed manifold of at least `faces`
+/// triangles, when `faces` is odd, or when no further edge can be collapsed.
 Polyhedron decimate(const Polyhedron& mesh, std::size_t faces);
 
 /// The polyhedron moved and scaled, rounded, so that `centroid` is about 0 and `radius` about 1.

@@ -22,8 +22,8 @@ struct Family {
   Predicate_case (*predicate)(Random& random, double parameter);
   Object_case (*object)(Random& random, double parameter);
 
-  /// Case `index` of the family: its parameter is the sweep's value `index` modulo its length, everything else drawn
-  /// from (seed, number, level, index). The same on every machine, in any order.
+  /// Case `index` of the family. Its parameter is the sweep's value `index` modulo its length; everything else is drawn
+  /// from (seed, number, level, index). The case is equal on every machine and in any order of calls.
   Predicate_case predicate_case(std::uint64_t seed, std::uint64_t index) const;
   Object_case object_case(std::uint64_t seed, std::uint64_t index) const;
 };

@@ -19,7 +19,7 @@ struct Motion_family {
 
 std::span<const Motion_family> motion_families();
 
-/// Pair `index` of a family: even ones are vertex-face, odd ones edge-edge. The same on every machine.
+/// Pair `index` of a family: even ones are vertex-face, odd ones edge-edge. The pair is equal on every machine.
 kernel::Moving_pair motion_case(const Motion_family& family, std::uint64_t seed, std::uint64_t index);
 
 }  // namespace tetracone::verify

@@ -24,7 +24,7 @@ std::span<const Moving_body_family> moving_body_families();
 /// The family of this name; null when there is none.
 const Moving_body_family* find_moving_body_family(std::string_view name);
 
-/// Case `index` of a family. The same on every machine.
+/// Case `index` of a family. The case is equal on every machine.
 Moving_bodies moving_bodies_case(const Moving_body_family& family, std::uint64_t seed, std::uint64_t index);
 
 }  // namespace tetracone::verify

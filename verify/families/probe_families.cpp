@@ -384,7 +384,7 @@ std::vector<Probe_family> numbered(std::vector<Probe_family> families, int from)
 
 Probe_case Probe_family::probe_case(std::uint64_t seed, std::uint64_t index) const
 {
-  // Of the last case of this thread: making a body takes longer than placing a point.
+  // The body of this thread's last case is kept: making a body takes longer than placing a point.
   thread_local std::array<std::uint64_t, 3> of{};
   thread_local Probed_body body;
   const std::array<std::uint64_t, 3> asked = {seed, std::uint64_t(number), index / cases_a_body};

@@ -35,8 +35,8 @@ struct Probe_family {
 
   Probe (*make)(Random& random, const Probed_body& body, double parameter);
 
-  /// Case `index` of the family. `cases_a_body` cases in a row are about one body, of at most `most_faces` faces; those
-  /// about points are about a closed one. The same on every machine, in any order.
+  /// Case `index` of the family. `cases_a_body` consecutive cases share one body of at most `most_faces` faces, which
+  /// is closed for cases about points. The case is equal on every machine and in any order of calls.
   Probe_case probe_case(std::uint64_t seed, std::uint64_t index) const;
 
   static constexpr std::uint64_t cases_a_body = 16;

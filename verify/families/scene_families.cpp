@@ -29,7 +29,7 @@ class Play {
     made_.models.push_back(body);
     return made_.models.size() - 1;
   }
-  /// So many models of any kind.
+  /// Adds `count` models of any kind.
   void add_models(int count, const Shape& (*any)(Random&) = any_block)
   {
     for (int k = 0; k < count; ++k) add_model(any(random_).body);
@@ -378,8 +378,8 @@ Scene_case wild(Random& random, double size)
   });
 }
 
-/// Models with coordinates up to about 2^size, by one power of two or one of each axis, with their origins among them or
-/// far away; poses of fractions bring them back onto a grid, which is turned and far smaller.
+/// Models with coordinates up to about 2^size, scaled by one power of two or by one per axis, with their origins among
+/// the vertices or far away. Poses of fractions bring them back onto a grid that is turned and far smaller.
 Scene_case tiny_fractions(Random& random, double size)
 {
   Play play(random);

@@ -22,7 +22,7 @@ struct Scene_family {
   /// A scene of some frames; its question and its origin are not known yet.
   Scene_case (*make)(Random& random, double parameter);
 
-  /// Case `index` of the family, of either question. The same on every machine, in any order.
+  /// Case `index` of the family, for either question. The case is equal on every machine and in any order of calls.
   Scene_case scene_case(std::uint64_t seed, std::uint64_t index) const;
 };
 

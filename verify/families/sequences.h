@@ -18,9 +18,10 @@ struct Sequence {
                                ///< the motion tells
 };
 
-/// Slidings of faces, edges and vertices, rollings over edges, passages through contact, slidings an ulp apart, bodies
-/// in cavities and tunnels: each in the bodies' own frame, and under one true rotation of both. Frame to frame by
-/// dyadic steps or rational rotations. The same for the same seed and number of frames. Requires at least 3 frames.
+/// Slidings of faces, edges and vertices, rollings over edges, passages through contact, slidings an ulp apart, and
+/// bodies in cavities and tunnels. Each is given in the bodies' own frame and under one exact rotation of both. Frames
+/// advance by dyadic steps or rational rotations. Equal seeds and numbers of frames give equal sequences. Requires at
+/// least 3 frames.
 std::vector<Sequence> sequences(std::uint64_t seed, int frames);
 
 }  // namespace tetracone::verify

@@ -1,5 +1,5 @@
-// A saved body in which any words are changed, and the checksum is made right again: it is refused with an Error, or what
-// its tree answers is what all pairs of elements of its vertices and faces give in rational arithmetic.
+// Changes any words of a saved body and repairs its checksum. The result must be refused with an Error, or its tree
+// must answer as all pairs of elements of its vertices and faces do in rational arithmetic.
 
 #include "tetracone/kernel/number/error.h"
 #include "tetracone/tetratree/door/body_data.h"
@@ -52,7 +52,7 @@ std::vector<std::string> saved_bodies()
   return all;
 }
 
-/// Of a saved body: zeros between its arrays and its nodes, which mean nothing.
+/// The ends of the gap in a saved body between its arrays and its nodes: zeros without meaning.
 constexpr std::size_t arrays_end = 4096, nodes_begin = 65536;
 
 /// Each eleven bytes say what is changed: which word, of four bytes or eight, how, and by what.

@@ -16,7 +16,7 @@ namespace {
 
 using Quadruple = std::array<int, 4>;
 
-/// Of a positive number of any size.
+/// log2 of a positive number of any size.
 double log2_of(const Integer& x)
 {
   long exponent = 0;

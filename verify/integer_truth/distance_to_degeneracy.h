@@ -27,11 +27,11 @@ struct Distance {
 /// The largest coordinate is that of the points named.
 Distance distance(Predicate predicate, const Predicate_case& c);
 
-/// Over the pairs of an edge of the one and a face of the other body whose boxes, grown by 2^-20 of their longest side,
-/// meet: the ends of the edge against the face's plane and, where these are not strictly on one side of it, the edge's
-/// line against those of the face's edges. A face that spans no plane is exactly degenerate. Of each direction the
-/// first 2000 pairs, in the order of the faces and then of the edges. The largest coordinate is that of all placed
-/// vertices.
+/// The distance over pairs of an edge of one body and a face of the other whose boxes meet when grown by 2^-20 of their
+/// longest side. It takes the ends of the edge against the face's plane. Where they are not strictly on one side of it,
+/// it also takes the edge's line against the lines of the face's edges. A face that spans no plane is exactly
+/// degenerate. Only the first 2000 pairs of each direction are taken, in the order of the faces and then of the edges.
+/// The largest coordinate is taken over all placed vertices.
 Distance distance(const Object_case& c);
 
 }  // namespace tetracone::verify

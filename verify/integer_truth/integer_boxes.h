@@ -137,7 +137,7 @@ inline std::array<Element_boxes, 2> grown_boxes(const Integer_body& a, const Int
   std::array<std::vector<Integer>, 3> bounds;
   std::vector<int> bounds_of;  // of each element the number of its bounds, or -1 where it is away
   const auto add = [&](const Integer_body& body, const Integer_box& other) {
-    // Of each vertex and axis: is it below (-1), in (0) or above (1) the other body?
+    // For each vertex and axis: below (-1), in (0) or above (1) the other body.
     std::vector<std::array<int, 3>> place(body.vertex_count());
     for (Index v = 0; v < body.vertex_count(); ++v)
       for (int i = 0; i < 3; ++i) {

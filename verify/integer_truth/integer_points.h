@@ -34,7 +34,7 @@ struct Integer_points {
   std::vector<Integer_vector> points;
   Integer denominator = 1;
 
-  /// The same points over a multiple of the denominator.
+  /// Writes the points over `multiple`, a multiple of the denominator.
   void bring_to(const Integer& multiple)
   {
     const Integer factor = multiple / denominator;

@@ -151,7 +151,8 @@ int orientation(const Integer_vector& a, const Integer_vector& b, const Integer_
   return sign * sgn(m[3][3]);
 }
 
-/// Of the four faces of v as a closed surface: the object level's own answer, with the point as the other polyhedron.
+/// The position of p in the closed surface of the four faces of v: the object level's own answer, with p as the other
+/// polyhedron.
 int place_in_solid(const Predicate_case& c)
 {
   covering::Polyhedron faces, point;

@@ -20,8 +20,8 @@ class Probed_body {
   /// 1 inside, 0 on the surface, -1 outside. Requires a closed polyhedron.
   int where(const kernel::Vertex& point) const;
 
-  /// Of each face that from + t direction, t >= 0, meets, the least t with the face, in order. Requires a direction
-  /// that is not 0.
+  /// Returns every face that from + t direction meets with t >= 0, each with its least t, in order. Requires a
+  /// direction that is not 0.
   std::vector<std::pair<kernel::Rational, Index>> hits(const kernel::Vertex& from,
                                                        const kernel::Vertex& direction) const;
 

@@ -162,8 +162,8 @@ void write_wild(Random& random)
       write(*c.a, *c.b, c.pose_a, c.pose_b);
 }
 
-/// The same vertices in both bodies, under poses that differ by an ulp; and nearly flat tetrahedra, of which p is a
-/// corner, under one pose.
+/// Bodies with equal vertices under poses that differ by an ulp; and nearly flat tetrahedra with p as a corner, under
+/// one pose.
 void write_near(Random& random)
 {
   for (int round = 0; round < 200; ++round) {

@@ -42,9 +42,9 @@ inline Proved_bounds bound_proofs()
   add("Bound_frame::error_rounding", Frame::error_rounding, error, 1.15);
   add("Bound_frame::magnitude_rounding", Frame::magnitude_rounding, magnitude, 1.24);
 
-  // Of M^T M three entries a row, each a share of the longest column's square, which is no more than the largest row;
-  // two sums of a row and the slack's. The root halves all, the root's own rounding and what a ball's radius is made by
-  // are whole.
+  // A row of M^T M has three entries. The error of each is a fraction of the longest column's square, which is at most
+  // the largest row sum. The two sums of a row and the slack's sum are rounded too. The root halves these relative
+  // errors. Its own rounding and those of a ball's radius count in full.
   const auto of_columns = [](const auto& in) {
     auto entries = in;
     for (auto& x : entries) x = entry(x);
@@ -114,8 +114,8 @@ inline Proved_bounds bound_proofs()
           Rational(asked - Rational(kernel::projection_rounding<double>)),
       2.29);
 
-  // Absolute errors, over that of one product or entry, of whatever sizes: of entries, the normal, coordinates and the
-  // offset. What is below `underflow_slack` anyway is left out.
+  // Absolute errors relative to one product's or entry's underflow, for entries, normals, coordinates and offsets of
+  // any size. Parts below `underflow_slack` are left out.
   using Absolute = Range_number<Double_range>;
   Rational growth = 0;
   for (const double m : {0x1p-600, 0x1p-60, 1.0, 0x1p60, 0x1p500})
@@ -156,8 +156,8 @@ inline Proved_bounds bound_proofs()
   add("Cone_coordinates::form_rounding", Cone::form_rounding,
       largest(slice_errors<Relative_64>(form, terms_of_form)) * lost(absolute) + 3 * Rational(u) * 16 * Rational(u),
       2.01, "gappa", cone);
-  // What is left of 1, rounded as IEEE 754 does: below 1 by half of u. Where shares are more, `form_rounding` has more
-  // to spare than they are rounded.
+  // 1 less the errors is rounded as IEEE 754 does: below 1 by half of u. Where the errors are larger, `form_rounding`
+  // has more slack than their rounding needs.
   const auto allowance = [](const auto& in) { return Cone::allowed(triple(in, 0)); };
   add("Cone_coordinates::one_rounding", Cone::one_rounding,
       error_within<Ieee_64>(allowance, {{0, 0.25}, {0, 0.25}, {0, 0.25}}), 2.01, "gappa", cone);

@@ -106,8 +106,8 @@ inline Proved_bounds distance_proofs()
   bounds.push_back({"triangle_distance::point_rounding", of_triangles, Rational(td::point_rounding), point_rounding, u,
                     1.03, "gappa"});
 
-  // Balls of double-double: what is proved of its sums and products, told by the high part of the result. Magnitudes and
-  // radii are rounded on their way, a magnitude first as a high part.
+  // Balls of double-double: the proved errors of their sums and products, relative to the high part of the result.
+  // Magnitudes and radii are rounded on their way; a magnitude first becomes a high part.
   using Ball = kernel::Double_double_ball;
   const std::string of_balls = "kernel/number/double_double_ball.h";
   const Rational square(u * u);

@@ -186,8 +186,9 @@ inline Proved_bounds gap_proofs()
   add("Carried_box::way_rounding", Carried_box::way_rounding,
       largest(slice_errors<Relative_32>(moved, terms)) * length * computed, u, 3.21, "gappa");
 
-  // n . (L_t h - L_0 h): columns and half edges are rounded, images by |L| |h| with |L|'s norm at most sqrt(3) times the
-  // scale; their difference, of lengths that are at most |L_t h| + |L_0 h|, once; and three sums.
+  // The error of n . (L_t h - L_0 h). Columns and half edges are rounded. Their images are rounded relative to |L| |h|,
+  // with |L| at most sqrt(3) times the scale. Their difference, of length at most |L_t h| + |L_0 h|, is rounded once,
+  // and three sums follow.
   const auto image = [](const auto& in) {
     using Floats = Axis_number<std::decay_t<decltype(in[0])>, false>;
     const Floats columns[3] = {entry(in[0]), entry(in[1]), entry(in[2])}, p[3] = {in[3], in[4], in[5]};
@@ -197,11 +198,11 @@ inline Proved_bounds gap_proofs()
   add("Carried_box::edge_rounding", Carried_box::edge_rounding,
       (root_3() * of_image + 2 * roundoff + of_turn + 3 * roundoff) * length * computed, u, 2.02, "gappa");
 
-  // Of points of coordinates up to 5: the shift, and the half edges' rounding; and three sums.
+  // For points with coordinates up to 5: the roundings of the shift and of the half edges, and of three sums.
   add("Carrier::rate_rounding", kernel::Carrier::rate_rounding,
       5 * (of_image + 2 * roundoff + of_turn + 3 * roundoff) * length * computed, u, 1.98, "gappa");
 
-  // Of both, entries and corners are rounded.
+  // Entries and corners of both are rounded.
   const auto gone = [](const auto& in) {
     using Floats = Axis_number<std::decay_t<decltype(in[0])>, false>;
     const Floats row[3] = {entry(in[0]), entry(in[1]), entry(in[2])},
@@ -213,9 +214,9 @@ inline Proved_bounds gap_proofs()
   bounds.push_back({"motion_rounding", "kernel/bound/relative_motion.h", Rational(kernel::motion_rounding),
                     largest(slice_errors<Relative_32>(gone, goings)) * computed, u, 2.68, "gappa"});
 
-  // Coordinates of a sweep are rounded to float. Along an axis of components n along the eight's, the terms are products
-  // of n_i and coordinate k of axis i, whose magnitudes' sum over i is at most the product of both lengths; and the
-  // sums with the centres' distance keep what it is off by.
+  // Coordinates of a sweep are rounded to float. The axis has components n along the axes of the eight boxes. Its terms
+  // are products of n_i and coordinate k of axis i. The sum of their magnitudes over i is at most the product of both
+  // lengths. The sums with the centres' distance keep its error.
   std::vector<Slice> terms_of_sweep;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 3; ++k)

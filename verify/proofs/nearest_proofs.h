@@ -100,7 +100,7 @@ inline Proved_bounds nearest_proofs()
   }
   Rational of_row = 0;
   for (const auto& slices : {squares, products}) {
-    // Of a product, the square of the first column is in the slice too.
+    // A slice of a product also contains the square of the first column.
     for (const Rational& lost :
          slice_errors<Relative_64>([](const auto& in) { return detail::row_of_gram(in); }, slices))
       of_row = std::max(of_row, lost);

@@ -45,8 +45,9 @@ Number gap_of_way(const std::vector<Number>& in, Frame_of frame, const Number& n
   return kernel::HWY_NAMESPACE::gap_of_way(g, room, g, f, r).one();
 }
 
-/// What is rounded, a share of the sum of the way's components and of centres' distances and extents. A slice has one
-/// component of the way, the first, which is rounded most; and the entries that lead there from a term of the sum.
+/// The rounding error relative to the sum of the direction's components, the centres' distances and the extents. A
+/// slice has one component of the direction, the first, which has the most roundings, and the entries that lead there
+/// from a term of the sum.
 template <bool fused>
 Rational rounding_of_way(Frame_of frame)
 {

@@ -53,10 +53,11 @@ inline std::vector<Slice> slices_of_box(int scale, bool two_axes, Edges edges, b
   return slices;
 }
 
-/// What is rounded in the gap of each kind of axis, and of a triangle's sides: Gappa's, of single products of the
-/// inputs, times how many of these a gap has. All inputs but the scale are components of vectors of length about 1, so
-/// the sums of their products are at most 1 by Cauchy and Schwarz: for a normal of the single box, along which the
-/// centres' distance is a sum over all three of the eight's axes, 3; across two axes, 2.
+/// The rounding error of the gap for each kind of axis and for a triangle's sides. Gappa bounds it for single products
+/// of the inputs; the bound is multiplied by the number of products in a gap. All inputs except the scale are
+/// components of vectors of length about 1. By Cauchy and Schwarz, the sums of their products are therefore at most 1.
+/// The number is 3 for a normal of the single box, along which the centres' distance is a sum over all three axes of
+/// the eight boxes. It is 2 for a product of two axes.
 enum class Kind { own, other, across, triangle };
 
 template <bool fused>
@@ -169,9 +170,9 @@ inline Proved_bounds obb8_proofs()
   bounds.push_back({"box_rounding, rays of containment", file, Rational(kernel::box_rounding),
                     largest(Edges::given, Rational(2 * roundoff * computed)), u, 1.79, "gappa"});
 
-  // Axes with their defect, turned by directions of a similarity, orthonormal but for 2^-24. Of centres, what follows
-  // their difference is rounded together: boxes that meet are no farther apart than extents reach, and neither is the
-  // single centre from the node's origin than reach and extents together, else they are apart.
+  // Axes with their defect, turned by the directions of a similarity, which are orthonormal up to 2^-24. Roundings
+  // after the centres' difference are counted together: boxes that meet are no farther apart than their extents. For
+  // these, the single centre is no farther from the node's origin than reach and extents together.
   const auto carried = [&](Kind kind) {
     const auto share = detail::shares_of(Edges::carried, kind, defect, Rational(defect + 3 * roundoff * computed));
     return Rational((share[0] + std::max(share[2], share[3])) * computed);

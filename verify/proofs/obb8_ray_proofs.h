@@ -19,7 +19,7 @@ namespace tetracone::verify::proofs {
 
 namespace detail {
 
-/// What is rounded, a share of each vector's length or number, the larger of fused products and others.
+/// Rounding errors relative to each vector's length or number, the larger of those with fused products and without.
 struct Ray_shares {
   Rational from = 0, centre = 0, step = 0;  ///< of a scalar product with an axis
   Rational at = 0, reach = 0;               ///< of an entry, times the step

@@ -18,7 +18,8 @@ struct Double_range {
 struct Float_range {
   static Rational lost_by_product() { return Rational(0x1p-149) / 2; }
 };
-/// Of two doubles (kernel/number/double_double.h): the remainder of the high parts' product, and both mixed ones.
+/// Products of two doubles (kernel/number/double_double.h) lose at most the remainder of the high parts' product, and
+/// both mixed ones.
 struct Double_double_range {
   static Rational lost_by_product() { return 3 * Double_range::lost_by_product(); }
 };

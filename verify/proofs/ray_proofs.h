@@ -58,8 +58,9 @@ inline Proved_bounds ray_proofs()
   const Rational of_products = sum(slice_errors<Relative_double_double>(wide, slices_of_determinant()));
   add("Ray_triangle::height_rounding", Ray::height_rounding, of_products * few, u * u, 3.89);
   add("Ray_triangle::slope_rounding", Ray::slope_rounding, 2 * of_products * few, u * u, 3.89);
-  // Of the rest N - q D, below 4 u of N: the product by 7 u^2 of N, the sum by 3 u^2 of the rest; its high part, that
-  // of D and their quotient by u each of the rest; the correction and the error by u.
+  // The remainder N - q D is below 4 u N. Its product has an error of 7 u^2 of N, its sum 3 u^2 of the remainder. The
+  // high parts of the remainder and of D and their quotient add u of the remainder each; so do the correction and the
+  // error.
   add("Ray_triangle::quotient_rounding", Ray::quotient_rounding, Rational(u * u) * (7 + 4 * 5) * few, u * u, 9.49,
       "rationals");
   return bounds;

@@ -25,7 +25,7 @@ class Rounding_count {
   {
     return Rounding_count::of(a.count_ + b.count_ + 1);
   }
-  /// Of exact numbers alone: what is left of rounded ones knows no relative error.
+  /// Requires exact numbers: the difference of rounded ones has no bound of its relative error.
   friend Rounding_count operator-(const Rounding_count& a, const Rounding_count& b)
   {
     assert(a.count_ == 0 && b.count_ == 0);

@@ -53,7 +53,8 @@ tetratree::Step_of_row<Lanes<Number, 2>> step_of_row(std::vector<Number> in, boo
           {two(in[11], in[12]), two(in[13], Number(0))}};
 }
 
-/// What is enough as a share, of a root of what has lost so many roundings, with so many more after the root.
+/// Returns a sufficient relative error for the root of a square with the roundings of `of_square`, and `after` more
+/// roundings after the root.
 inline Rational lost_with_root(const Rounding_count& of_square, int after, const Rational& u)
 {
   Rational square = of_square.least(u);
@@ -179,8 +180,8 @@ inline Proved_bounds scene_proofs()
   add("placed_underflow", extent, tetratree::placed_underflow,
       std::max(detail::lost_by_box(0, 0), detail::lost_by_step(0, 0)) * of_underflow, 0x1p-540, 1.63);
 
-  // A certificate. What is between the places is off by a rounding to double and one to float, and later by one to
-  // double of what it was then and of what has changed.
+  // A certificate. The vector between the positions has the error of one rounding to double and one to float. Later it
+  // gets one to double, relative to its value then and to the change.
   const std::string certificates = "tetratree/scene/body_box.h";
   const Rational once_less = 1 - Rational(u), less_in_float = 1 - Rational(of_float);
   const Rational off_then = (1 + Rational(u)) * (1 + Rational(of_float)) - 1;
@@ -238,7 +239,7 @@ inline Proved_bounds scene_proofs()
   const Rounding_count one_extent, of_radius = one_extent + one_extent + one_extent, of_axis = of_radius * one_extent;
   add("turned_radius_rounding", turned, tetratree::turned_radius_rounding,
       1 / (of_radius * of_axis).least(Rational(u)) - 1, u, 1.44e9);
-  // A product, a sum and a product, and then a float. Of a reach, centres are rounded to float too.
+  // Roundings of a product, a sum and a product, and then to float. For a reach, centres are rounded to float too.
   add("turned_extent_rounding", turned, tetratree::turned_extent_rounding,
       Rational(of_float) * once_in_float + 8 * Rational(u), of_float, 4.01);
   add("turned_reach_rounding", turned, tetratree::turned_reach_rounding,

@@ -122,7 +122,7 @@ Verdict as_far_split(const Object_case& c, Question question, Running_subject& s
   return times_as_far(given, 1, twin, question, subject);
 }
 
-/// Of the surfaces: what is left of a body that loses a face is no nearer.
+/// Relation of the surfaces: a body that loses a face does not get nearer.
 Verdict a_face_less(const Object_case& c, Question question, Running_subject& subject, const Told_distance& given,
                     Random& random)
 {

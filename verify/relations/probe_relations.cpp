@@ -120,7 +120,7 @@ std::optional<Met> met(const Probe_case& c, Running_probe& subject)
   return met;
 }
 
-/// The same faces at the same t, those of the twin being parts of those of the case.
+/// Relation: the twin's ray meets the case's faces at equal t. The twin's faces are parts of the case's.
 Verdict same_hits(const Probe_case& c, const Changed_body& changed, Running_probe& subject)
 {
   const auto here = met(c, subject), there = met(about(c, changed.body), subject);

@@ -9,8 +9,8 @@
 
 namespace tetracone::verify {
 
-/// What must hold between what a subject says of a scene, which is given, and its answers to twins that were made without
-/// rounding.
+/// A relation between a subject's answers for a scene, which are given, and its answers for twins that were made
+/// without rounding.
 struct Scene_relation {
   using Check = Verdict(const Scene_case& c, Running_scene& subject, const Frames_of_pairs& given, Random& random);
 

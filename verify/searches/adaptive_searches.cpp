@@ -91,7 +91,7 @@ double double_double_difference(const Inputs& in)
   return off(difference, Rational(exactly(a) - exactly(b)), std::abs(difference.high));
 }
 
-/// Of rounded fractions: each entry is off by u^2 of itself.
+/// Rounded fractions as entries: each has a relative error of u^2.
 double double_double_image(const Inputs& in)
 {
   const std::array<double, 3> vertex = at(in, 8);
@@ -142,7 +142,7 @@ double normal_motion(const Inputs& in)
   return share(0, moved_by, error * (mj + error + mi));
 }
 
-/// Of one point by 1 and of the other by the rest.
+/// One point moves by up to `of_a` and the other by up to `of_b`, the given errors.
 double difference_motion(const Inputs& in)
 {
   const double of_a = std::abs(in[0]), of_b = std::abs(in[1]);

@@ -104,7 +104,7 @@ double projection(const Inputs& in)
   return ratio(gap.error(), most * (std::abs(in[0]) + std::abs(in[1]) + std::abs(in[2]))) / u;
 }
 
-/// Of rounded fractions the first `entries`.
+/// The first `entries` entries are rounded fractions.
 template <int entries, int times>
 double determinant(const Inputs& in)
 {

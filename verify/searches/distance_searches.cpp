@@ -17,7 +17,7 @@ namespace distance_search {
 using detail::u;
 using Number = Tracked<double>;
 
-/// Of a length: what its square is off by, halved.
+/// The relative error of a length: half the relative error of its square.
 double length(const Inputs& in)
 {
   const std::array<double, 3> d = detail::at(in, 0);
@@ -113,7 +113,7 @@ double side(const Inputs& in)
          detail::u;
 }
 
-/// Of N and of t D, t the largest.
+/// The error of N plus the error of t D, for the largest t.
 double plane(const Inputs& in)
 {
   const Ray_and_triangle all(in);

@@ -49,13 +49,13 @@ double compensated(const Inputs& in)
   return Rational(abs(Rational(parts - exact))).get_d() / sum.magnitude / (u * u);
 }
 
-/// Of D in double-double, the rounding of the result.
+/// The rounding of the result, a double from D in double-double.
 double result(const Inputs& in)
 {
   return share(in[0] + in[1], Rational(Rational(in[0]) + Rational(in[1])), std::abs(in[0] + in[1])) / u;
 }
 
-/// Of rounded fractions, and without the rounding of the result.
+/// The error for rounded fractions as entries, without the rounding of the result.
 double fraction(const Inputs& in)
 {
   using Offset = kernel::Origin_offset;

@@ -33,8 +33,8 @@ Searches box_searches();
 Searches distance_searches();
 Searches ray_searches();
 
-/// The worst error that a search by hill climbing finds for a constant, in its unit; negative where none looks for it.
-/// Truth is rational. The same seed finds the same.
+/// Returns the worst error that a search by hill climbing finds for a constant, in its unit; negative where no search
+/// exists. Truth is rational. Equal seeds find equal errors.
 double worst_found(const std::string& name, int steps, unsigned seed);
 
 /// Why no search looks for a constant's worst error; empty where one does.

@@ -23,7 +23,8 @@ std::string contact_of(const Object_case& c);
 /// A case file of the case with its truth, everyone who is wrong, and the cause: `subject` first, with the stage that
 /// is to blame where it is one of our rounding trees.
 Case_file case_file_of(const Object_case& c, kernel::Question question, const Object_subject& subject, Outcome answer);
-/// Of a list of features: the case asks for the surfaces, and the cause says how many pairs are missed and invented.
+/// For a list of features: the case asks for the surfaces, and the cause gives the numbers of missed and invented
+/// pairs.
 Case_file case_file_of(const Object_case& c, const Object_subject& subject, const Listed& listed);
 Case_file case_file_of(const Predicate_case& c, Predicate predicate, const Predicate_subject& subject, int answer);
 

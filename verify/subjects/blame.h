@@ -9,8 +9,7 @@
 
 namespace tetracone::verify {
 
-/// The stages at which a tree in rounded arithmetic can leave the right answer, in the order in which a query goes
-/// through them.
+/// The stages at which a tree in rounded arithmetic can depart from the right answer, in the order of a query.
 enum class Stage {
   pose,
   classification,
@@ -32,20 +31,22 @@ inline const char* to_string(Stage stage)
   return names[static_cast<std::size_t>(stage)];
 }
 
-/// The stage that made the subject's answer wrong: the query is run with its first stages the subject's own and the
-/// rest exact, with no stage of its own, with one, with two, ...; the stage with which the answer first differs from
-/// `truth` is to blame. What is exact is `Rounded_pair`, which shares no formulation with the subject: a wrong formula
-/// is blamed where it stands, as rounding is.
-///  - pose: the images of the vertices as the subject has them already give the wrong answer;
-///  - classification: no leaf pair of the subject's tree holds what meets;
-///  - bounding sphere, bounding tetrahedron, regular hull, and of the fast tree bounding box: the leaf pair that holds
-///    it is discarded. The fast tree's boxes and separating directions bound the bodies where they exactly are, and a
-/// box
-///    is to blame where only rounding has brought together what is in it. A separating direction never is: it ends a
-///    query only where the bodies are exactly apart, and then the answer is right;
-///  - leaf sign: the subject's own leaf tests go wrong on it; containment: its own sums over the covering do.
-/// The descent is followed to its end, where the subject itself may have given it up (`Config::all_pairs_after`).
-/// Nothing for exact subjects, and where the subject's answer is right after all.
+/// Returns the stage that made the subject's answer wrong. The query is run with the subject's own first stages and
+/// exact stages after them: with none of its own, with one, with two, and so on. The stage with which the answer first
+/// differs from `truth` is to blame. The exact stages are those of `Rounded_pair`, which shares no formulation with the
+/// subject. A wrong formula is therefore blamed where it stands, as rounding is.
+///  - pose: the subject's rounded images of the vertices already give the wrong answer;
+///  - classification: no leaf pair of the subject's tree contains the features that meet;
+///  - bounding sphere, bounding tetrahedron, regular hull, and for the fast tree bounding box: the leaf pair with these
+///    features is discarded;
+///  - leaf sign: the subject's own leaf tests are wrong about them;
+///  - containment: the subject's own sums over the covering are wrong.
+///
+/// The fast tree's boxes and separating directions bound the bodies where they exactly are. A box is to blame only
+/// where rounding alone has brought its contents together. A separating direction never is to blame: it ends a query
+/// only where the bodies are exactly apart, and that answer is right. The descent is followed to its end, where the
+/// subject itself may have given it up (`Config::all_pairs_after`). Returns nothing for exact subjects, and where the
+/// subject's answer is right after all.
 std::optional<Stage> blame(const Subject& subject, const Object_case& c, kernel::Question question, bool truth);
 
 }  // namespace tetracone::verify

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-/// Blame over the kernel: what runs is the subject's own, what judges is `Rounded_pair`.
+/// Blame over the kernel: the stages run are the subject's own, and `Rounded_pair` judges them.
 namespace tetracone::verify::detail {
 
 /// The images of a model's vertices as K has rounded them.
@@ -30,7 +30,7 @@ std::vector<kernel::Vertex> images(covering::Placed_model<K>& placed)
   return images;
 }
 
-/// The body with its faces as they are.
+/// The placed body with its original faces.
 template <class K>
 Rounded_body rounded_faces(const covering::Polyhedron& body, covering::Placed_model<K>& placed)
 {
@@ -40,7 +40,7 @@ Rounded_body rounded_faces(const covering::Polyhedron& body, covering::Placed_mo
   return result;
 }
 
-/// The elements of a fast tree as faces of a body, by number.
+/// The elements of a fast tree, numbered as faces of a body.
 class Rounded_elements {
  public:
   template <class K>
@@ -98,7 +98,7 @@ std::optional<Stage> blame_in_tetra_tree(const tetratree::Config& config, const 
   const Rounded_pair rounded(a, b, question);
   if (rounded.collide() != truth) return Stage::pose;
 
-  // From here on, discarding one thing more at a time.
+  // Below, each step lets the query discard by one test more.
   const auto edges_meet = [&](int body, Tree& with_edges, const Node& leaf, Tree& with_faces, const Node& other) {
     for (const Index e : with_edges.edges(leaf)) {
       const auto& [from, to] = with_edges.model().covering().edges()[e];
@@ -154,7 +154,7 @@ std::optional<Stage> blame_in_fast_tree(const Object_case& c, kernel::Question q
   return Stage::containment;
 }
 
-/// `blame` of a subject over K, which rounds to doubles or floats.
+/// `blame` for a subject over K, which rounds to doubles or floats.
 template <class K>
 std::optional<Stage> blame_in(Method method, const Object_case& c, kernel::Question question, bool truth)
 {

@@ -137,8 +137,8 @@ class Own : public Running_subject {
     return largest ? std::numeric_limits<std::size_t>::max() : most_faces_of_trees;
   }
 
-  /// Makes the bodies and the question's query. A subject that remembers is then asked the poses before the case's, each
-  /// by `ask_before`.
+  /// Prepares the bodies and the question's query. A subject that remembers is then asked the poses before the case's
+  /// pose, each by `ask_before`.
   template <class Ask>
   void make_ready(const Object_case& c, kernel::Question question, const Ask& ask_before)
   {

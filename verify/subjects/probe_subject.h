@@ -14,38 +14,38 @@ namespace tetracone::verify {
 
 using tetratree::Ray_hit;
 
-/// What a subject says of a ray.
+/// A subject's answer for a ray.
 struct Told_hits {
   std::optional<Ray_hit> first;
   std::vector<Ray_hit> all;
 };
 
-/// A subject that is asked about points or rays, in one thread. Keeps what it has prepared for the body of the last
-/// case. Nothing for an answer: it failed.
+/// A running subject for points or rays, for one thread. It keeps what it prepared for the body of the last case.
+/// Nothing as an answer means that it failed.
 class Running_probe {
  public:
   virtual ~Running_probe() = default;
 
-  /// 1 inside, 0 on the surface, -1 outside. Requires a closed body.
+  /// Returns 1 inside, 0 on the surface, -1 outside. Requires a closed body.
   virtual std::optional<int> where(const Probe_case&) { return std::nullopt; }
 
-  /// Requires a direction that is not 0.
+  /// Returns the hits of the ray. Requires a direction that is not 0.
   virtual std::optional<Told_hits> hits(const Probe_case&) { return std::nullopt; }
 };
 
-/// Something that says where points are, or what rays meet.
+/// A method that answers where points are, or which faces rays meet.
 struct Probe_subject {
   std::string name;  ///< "adaptive locator", "double covering"
   bool is_exact = false;
   std::function<std::unique_ptr<Running_probe>()> make;
 };
 
-/// Of points: the library's `Body::inside` of bodies triangulated, whole and by fractions; and JS08's signed sums over
-/// the whole covering by some kernels.
+/// Subjects for points: the library's `Body::inside` of bodies triangulated, whole and placed by fractions; and JS08's
+/// signed sums over the whole covering by some kernels.
 std::vector<Probe_subject> point_subjects();
 
-/// Of rays: the library's `Body::hits` and `first_hit` of bodies triangulated and whole; and in double what the field
-/// does, Moeller and Trumbore's test of each triangle.
+/// Subjects for rays: the library's `Body::hits` and `first_hit` of bodies triangulated and whole; and, in double, the
+/// field's usual test of each triangle by Moeller and Trumbore.
 std::vector<Probe_subject> ray_subjects();
 
 }  // namespace tetracone::verify

@@ -11,27 +11,27 @@
 
 namespace tetracone::verify {
 
-/// The pairs that collide, sorted, of each frame.
+/// The sorted pairs that collide in each frame.
 using Frames_of_pairs = std::vector<std::vector<Body_pair>>;
 
-/// A subject that is asked about scenes, in one thread.
+/// A running subject for scenes, for one thread.
 class Running_scene {
  public:
   virtual ~Running_scene() = default;
 
-  /// Nothing for an answer: it failed.
+  /// Returns the pairs of each frame; nothing if it failed.
   virtual std::optional<Frames_of_pairs> play(const Scene_case& c) = 0;
 };
 
-/// Something that says which of many bodies collide.
+/// A method that answers which of many bodies collide.
 struct Scene_subject {
   std::string name;  ///< "adaptive scene", "adaptive scene threads"
   bool is_exact = false;
   std::function<std::unique_ptr<Running_scene>()> make;
 };
 
-/// The library's `Scene`: alone, by two threads, with as little memory as will do, under a budget until nothing is
-/// undecided, and in double; and a `Query` for each pair of bodies, which remembers.
+/// Returns the subjects for scenes: the library's `Scene` on one thread, on two threads, with minimal memory, under a
+/// budget until nothing is undecided, and in double; and a remembering `Query` for each pair of bodies.
 std::vector<Scene_subject> scene_subjects();
 
 }  // namespace tetracone::verify

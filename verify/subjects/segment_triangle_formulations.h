@@ -6,9 +6,9 @@
 
 #include <array>
 
-/// Segment against triangle as others formulate it, each written again from its published mathematics over any number
-/// type. All answer whether the closed segment pq and the closed triangle abc share a point, but for the limits that
-/// each one states. Numbers with expression templates are welcome: no intermediate is `auto`.
+/// Segment against triangle as others formulate it. Each is written anew from its published mathematics, over any
+/// number type. All answer whether the closed segment pq and the closed triangle abc share a point, except for the
+/// limits stated at each one. Numbers with expression templates may be used: no intermediate is `auto`.
 namespace tetracone::verify::formulations {
 
 template <class Number>
@@ -32,10 +32,11 @@ Number dot(const Vector<Number>& a, const Vector<Number>& b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// Moeller & Trumbore, Fast, minimum storage ray-triangle intersection, JGT 2(1), 1997, both sides, the ray cut to a
-/// segment: Cramer's rule for (t, u, v) in p + t (q-p) = a + u (b-a) + v (c-a), after one division. The determinant
-/// counts as zero, and the segment as parallel, within `eps`, absolute. Limits: a parallel segment is never hit, so no
-/// coplanar one and no degenerate triangle is; u and v of an edge are computed otherwise by the triangle across it.
+/// Moeller & Trumbore, Fast, minimum storage ray-triangle intersection, JGT 2(1), 1997, for both sides, with the ray
+/// cut to a segment. It solves p + t (q-p) = a + u (b-a) + v (c-a) for (t, u, v) by Cramer's rule, after one division.
+/// The determinant counts as zero, and the segment as parallel, within the absolute `eps`. Limits: a parallel segment
+/// is never hit, and so no coplanar segment and no degenerate triangle is. Two triangles with a common edge compute its
+/// u and v differently.
 template <class Number>
 bool moeller_trumbore(const Vector<Number>& p, const Vector<Number>& q, const Vector<Number>& a,
                       const Vector<Number>& b, const Vector<Number>& c, const Number& eps)
@@ -55,9 +56,9 @@ bool moeller_trumbore(const Vector<Number>& p, const Vector<Number>& q, const Ve
   return t >= 0 && t <= 1;
 }
 
-/// Segura & Feito, Algorithms to test ray-triangle intersection: comparative study, WSCG 2001: the signs of five
-/// tetrahedra, [a b c p] and [a b c q] for the sides of the plane, [p q a b], [p q b c] and [p q c a] for the inside of
-/// the triangle. Limits: with both ends on the plane it says no.
+/// Segura & Feito, Algorithms to test ray-triangle intersection: comparative study, WSCG 2001. It takes the signs of
+/// five tetrahedra: [a b c p] and [a b c q] for the sides of the plane, [p q a b], [p q b c] and [p q c a] for the
+/// inside of the triangle. Limits: it answers no when both ends are on the plane.
 template <class Number>
 bool segura_feito(const Vector<Number>& p, const Vector<Number>& q, const Vector<Number>& a, const Vector<Number>& b,
                   const Vector<Number>& c)
@@ -73,7 +74,7 @@ bool segura_feito(const Vector<Number>& p, const Vector<Number>& q, const Vector
   return ab * bc >= 0 && bc * ca >= 0 && ab * ca >= 0;
 }
 
-/// What a transcription of `jimenez_segura_feito` makes of a first end on the plane.
+/// How a transcription of `jimenez_segura_feito` treats a first end on the plane.
 enum class First_end_on_plane {
   right,
   sign_error  ///< -s in place of s against t + u, as in several public ports: no segment that starts on the triangle's
@@ -81,10 +82,10 @@ enum class First_end_on_plane {
 };
 
 /// Jimenez, Segura & Feito, A robust segment/triangle intersection algorithm for interference tests, CGTA 43 (2010)
-/// 474-492: with c as origin, w, s, t, u are the signed volumes whose quotients are q's barycentric coordinates in the
-/// tetrahedron p a b c; each rejection is a comparison, without a division. A volume counts as zero within `eps`,
-/// absolute; the last comparison, with the sum of three volumes, has none. Limits: with both ends on the plane it says
-/// no.
+/// 474-492. With c as origin, the quotients of the signed volumes w, s, t, u are q's barycentric coordinates in the
+/// tetrahedron p a b c. Each rejection is a comparison without a division. A volume counts as zero within the absolute
+/// `eps`; the last comparison, with the sum of three volumes, has no tolerance. Limits: it answers no when both ends
+/// are on the plane.
 template <First_end_on_plane Transcription = First_end_on_plane::right, class Number>
 bool jimenez_segura_feito(const Vector<Number>& p, const Vector<Number>& q, const Vector<Number>& a,
                           const Vector<Number>& b, const Vector<Number>& c, const Number& eps)
@@ -120,8 +121,8 @@ bool jimenez_segura_feito(const Vector<Number>& p, const Vector<Number>& q, cons
   return false;
 }
 
-/// CGAL's do_intersect in kernel K. It asks for a proper segment and a proper triangle: a degenerate one, as K sees it,
-/// is passed on as the segment or the point that it is.
+/// CGAL's do_intersect in kernel K, which requires a proper segment and a proper triangle. If K sees one of them as
+/// degenerate, it is passed as the segment or point that it is.
 template <class K>
 bool cgal_do_intersect(const typename K::Point_3& p, const typename K::Point_3& q, const typename K::Point_3& a,
                        const typename K::Point_3& b, const typename K::Point_3& c)

@@ -10,11 +10,11 @@ namespace tetracone::verify {
 
 /// The nanoseconds of one answer.
 struct Spent {
-  std::optional<std::uint64_t> making;  ///< until the bodies are ready; nothing where `asking` includes that
+  std::optional<std::uint64_t> making;  ///< until the bodies are ready; nothing if `asking` includes it
   std::uint64_t asking = 0;             ///< from then to the answer
 };
 
-/// Calls what(). Returns its result and the nanoseconds that it took.
+/// Calls what(). Returns its result and the nanoseconds that the call took.
 template <class What>
 auto timed(const What& what)
 {

@@ -27,22 +27,23 @@ namespace tetracone::verify {
 
 using Kernel_name = tetracone::Kernel;
 
-/// How a subject finds its answer. `brute` with the rational kernel is the truth of `cgal_truth.h`, which shares no
-/// code with the others.
+/// The way in which a subject finds its answer. `brute` with the rational kernel is the truth of `cgal_truth.h`, which
+/// shares no code with the others.
 using tetracone::Method;
 
-/// A way of answering: a kernel and a method. What is compared, timed and judged.
+/// A way of answering, which is compared, timed and judged: a kernel and a method.
 struct Subject {
   Kernel_name kernel = Kernel_name::adaptive;
   kernel::Tolerance tolerance;  ///< of double_eps
   Method method = Method::tree;
-  bool remembers = false;    ///< of Method::tree: keeps from pose to pose what decided the last one
-  bool whole_faces = false;  ///< of Method::tree: faces as they are, which is what a body is without `repair`
+  bool remembers = false;    ///< Method::tree only: keeps from pose to pose the features that decided the last one
+  bool whole_faces = false;  ///< Method::tree only: leaves are original faces, as of a body without `repair`
 
-  /// The kernel by its name, as `parse_kernel` reads it. Nothing when there is none such.
+  /// Returns the subject for the kernel's name, as `parse_kernel` reads it; nothing for an unknown name.
   static std::optional<Subject> parse(std::string_view kernel, Method method = Method::tree);
 
-  /// "adaptive tree", "double-eps=1e-12 brute", "adaptive tree remembering", "adaptive tree whole-faces".
+  /// Returns a name like "adaptive tree", "double-eps=1e-12 brute", "adaptive tree remembering", "adaptive tree
+  /// whole-faces".
   std::string name() const;
   std::string kernel_name() const;
 
@@ -55,10 +56,11 @@ using tetracone::all_methods;
 using tetracone::parse_method;
 using tetracone::to_string;
 
-/// The tolerances with which a kernel is studied: an absolute and a relative one of `double_eps`, none of the others.
+/// Returns the tolerances with which a kernel is studied: an absolute and a relative one for `double_eps`, none for the
+/// others.
 std::vector<kernel::Tolerance> studied_tolerances(Kernel_name kernel);
 
-/// Two polyhedra made ready for one subject: built once, asked for many poses. Faces must be planar.
+/// Two polyhedra prepared for one subject: built once, asked for many poses. Requires planar faces.
 class Prepared_pair {
  public:
   virtual ~Prepared_pair() = default;
@@ -68,23 +70,23 @@ class Prepared_pair {
                                     kernel::Question question) = 0;
   virtual std::vector<kernel::Feature_pair> features(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
 
-  /// By an exact kernel; throws Error for others, and for the truth, which has no such list.
+  /// Lists the contacts by an exact kernel. Throws Error for other kernels, and for the truth, which has no such list.
   virtual Contacts contacts(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
 
-  /// The library's own query, which tells distances too; null for the truth.
+  /// Returns the library's own query, which also computes distances; null for the truth.
   virtual Query* query(kernel::Question) { return nullptr; }
 
-  /// Work since the last call; zero for a method that counts nothing.
+  /// Returns the work since the last call; zero for a method that counts nothing.
   virtual tetratree::Query_statistics take_counts() = 0;
 
-  /// Bytes of both trees, and the nodes in them.
+  /// Returns the bytes of both trees, and the number of their nodes.
   virtual std::size_t bytes() const = 0;
   virtual std::size_t node_count() const = 0;
 };
 
 std::unique_ptr<Prepared_pair> prepare(const Subject& subject, const covering::Polyhedron& a,
                                        const covering::Polyhedron& b);
-/// The same of bodies, by what is made of them.
+/// Prepares bodies likewise, from the trees that they already have.
 std::unique_ptr<Prepared_pair> prepare(const Subject& subject, const Body& a, const Body& b);
 
 }  // namespace tetracone::verify

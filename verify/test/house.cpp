@@ -11,7 +11,9 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -305,6 +307,72 @@ std::string code_of(const std::string& text)
     k = end;
   }
   return code;
+}
+
+/// A comment with its first line's number: lines of `//` that follow one another, joined, without their slashes.
+struct Comment {
+  std::size_t line;
+  std::string text;
+};
+
+Strings lines_of(const std::string& text)
+{
+  Strings lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+std::vector<Comment> comments(const std::string& text)
+{
+  std::vector<Comment> found;
+  const std::string code = code_of(text);
+  std::size_t begin = 0, number = 0, last = 0;
+  for (const std::string& line : lines_of(text)) {
+    ++number;
+    // A literal that holds slashes is a blank in the code too: a comment is blank from its slashes to the line's end.
+    const std::size_t at = line.find("//");
+    const bool is_comment = at != std::string::npos && code.compare(begin + at, 2, "  ") == 0 &&
+                            std::count(line.begin(), line.begin() + at, '"') % 2 == 0;
+    begin += line.size() + 1;
+    if (!is_comment) continue;
+    std::string words = line.substr(std::min(line.find_first_not_of("/<", at), line.size()));
+    words.erase(0, std::min(words.find_first_not_of(' '), words.size()));
+    const bool stands_alone = line.find_first_not_of(' ') == at;
+    if (stands_alone && last + 1 == number && !found.empty())
+      found.back().text += words.empty() ? ". " : " " + words;
+    else
+      found.push_back({number, words});
+    last = stands_alone ? number : 0;
+  }
+  return found;
+}
+
+/// Returns what a stranger stumbles over: sentences without a subject, bounds that are named inversely, and comment
+/// lines that are longer than code may be.
+Strings hard_english(const std::string& path, const std::string& text)
+{
+  constexpr std::size_t column_limit = 120;
+  Strings wrong;
+  const auto report = [&](std::size_t line, const std::string& what) {
+    wrong.push_back(path + ":" + std::to_string(line) + ": " + what);
+  };
+  static const std::regex head(R"((^|[.:] )(Of|The same|So many|What is) [^.]{0,40})"),
+      inverse(R"([Aa]t (least|most) (by )?(how|this far)|[Aa]t (least|most),? how)");
+  for (const Comment& comment : comments(text)) {
+    std::smatch found;
+    if (std::regex_search(comment.text, found, head))
+      report(comment.line, "begins without a subject: '" + found.str() + "'");
+    if (std::regex_search(comment.text, found, inverse))
+      report(comment.line, "'" + found.str() + "'; lower bound of, or upper bound of");
+  }
+  std::size_t number = 0;
+  for (const std::string& line : lines_of(text)) {
+    ++number;
+    if (line.find("//") != std::string::npos && line.size() > column_limit)
+      report(number, "is longer than 120 columns");
+  }
+  return wrong;
 }
 
 /// The end of what `text` opens at `begin`, one beyond the bracket that closes it.
@@ -631,6 +699,21 @@ BOOST_AUTO_TEST_CASE(no_vector_function_is_a_friend)
 {
   check_each_source(vector_friends);
   BOOST_TEST(vector_friends("kernel/bound/x_simd.inl", "friend HWY_INLINE V Max(V a, V b) { return a; }").size() == 1);
+}
+
+BOOST_AUTO_TEST_CASE(comments_are_plain_english)
+{
+  check_each_source(hard_english);
+  const auto count = [](const std::string& text) { return hard_english("kernel/x.h", text).size(); };
+  for (const std::string wrong :
+       {"/// Of two boxes, the larger.", "  // The same for three.", "/// Returns it. What is lost is little.",
+        "/// So many bytes.", "/// At least how far apart they are.", "/// The gap: at most how far\n/// they are.",
+        "int x;  ///< Of what was."})
+    BOOST_TEST(count(wrong) == 1, wrong);
+  BOOST_TEST(count("/// " + std::string(120, 'x')) == 1);
+  for (const std::string right : {"/// The lower bound of the distance of both.", "const char* text = \"// Of two\";",
+                                  "/// Offers the same.", "/// The sum of what is lost."})
+    BOOST_TEST(count(right) == 0, right);
 }
 
 BOOST_AUTO_TEST_CASE(no_comma_operator_stands_outside_the_header_of_a_for) { check_each_source(comma_operators); }

@@ -133,7 +133,7 @@ Rational squared_distance(const Placed_body& a, const Placed_body& b, Rational (
   std::optional<Rational> least;
   double enough = 0;
   for (const Pair& pair : pairs) {
-    // What is infinite, or below the squares that doubles hold, is no bound.
+    // An infinite value is no bound, nor is one below the squares that doubles can hold.
     if (least && pair.low > enough && pair.low > 0x1p-900 && pair.low < 0x1p1000) break;
     const Rational square = of(simplex(a, a.body().elements()[pair.i]), simplex(b, b.body().elements()[pair.j]));
     if (!least || square < *least) {

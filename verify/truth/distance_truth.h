@@ -24,7 +24,8 @@ Rational squared_distance_by_features(const Simplex& a, const Simplex& b);
 /// independent differences has one.
 Rational squared_distance_by_program(const Simplex& a, const Simplex& b);
 
-/// Of the surfaces, by all pairs of elements whose outward-rounded boxes are not farther apart than a pair found.
+/// The squared distance of the surfaces, by all pairs of elements whose outward-rounded boxes are not farther apart
+/// than a pair already found.
 Rational squared_distance(const Placed_body& a, const Placed_body& b,
                           Rational (*of)(const Simplex&, const Simplex&) = squared_distance_by_features);
 

@@ -100,8 +100,8 @@ int tarski_query(const Polynomial& f, const Polynomial& g)
   Polynomial derivative;
   for (std::size_t k = 1; k < f.size(); ++k) derivative.push_back(f[k] * static_cast<unsigned long>(k));
   Polynomial last = f, next = rest(derivative * g, f);
-  // f' g may be reduced by f: the sequence of f and f' g begins with f, f' g, -f where its degree is not below that of f,
-  // which is one change of sign at either end.
+  // f' g may be reduced modulo f. Where its degree is not below that of f, the sequence of f and f' g begins with f, f'
+  // g, -f, which is one change of sign at either end.
   int changes = 0;
   std::array<int, 2> signs = {sign_at(f, 0), sign_at(f, 1)};
   while (!next.empty()) {
@@ -124,8 +124,8 @@ struct Condition {
   std::vector<Polynomial> others;
 };
 
-/// 2^n times the number of roots of f in (0, 1) where the n polynomials from the k-th on are >= 0, each root weighted by
-/// the sign of `weight`.
+/// Returns 2^n times the number of roots of f in (0, 1) where the n polynomials from index k on are >= 0; each root
+/// counts with the sign of `weight`.
 int weighted_count(const Polynomial& f, const std::vector<Polynomial>& others, std::size_t k, const Polynomial& weight)
 {
   if (k == others.size()) return tarski_query(f, weight);
@@ -209,8 +209,8 @@ std::vector<Condition> contact(Moving_kind kind, const std::array<Moving_vector,
           on_segment(p[3], p[0], p[1])};
 }
 
-/// The points over a span of time that is written from 0 to 1, with integer coefficients. Contact does not change when an
-/// axis is scaled: each is.
+/// Returns the points over a span of time, rewritten to run from 0 to 1, with integer coefficients. Each axis is scaled
+/// by itself, which does not change contact.
 std::array<Moving_vector, 4> over_span(const std::array<Moving_coordinates, 4>& points, const Rational& from,
                                        const Rational& to)
 {

@@ -9,17 +9,19 @@
 
 #include <optional>
 
-/// When two moving bodies first meet, judged by two formulations that share nothing with what they judge, nor with each
-/// other but the exact poses.
+/// The first contact of two moving bodies, judged by two formulations. Neither shares anything with the code that it
+/// judges, nor with the other except the exact poses.
 namespace tetracone::verify {
 
-/// By features: whether `first` is what the definitions say of bodies that collide as `question` says. Static truth at
-/// t = 0; after it all vertices with all triangles of fans, and all edges with all edges, by `truly_meet_in_motion` of
-/// motion_truth.h: no contact before lo, one from there to hi. Points are found by products of quaternions.
+/// By features: true when `first` is the first contact by the definitions of `question`. It takes the static truth at t
+/// = 0. After that it takes all vertices with all triangles of fans and all edges with all edges, by
+/// `truly_meet_in_motion` of motion_truth.h: no contact before lo, one from lo to hi. Points are placed by products of
+/// quaternions.
 bool truly_first_by_features(const Moving_bodies& bodies, kernel::Question question,
                              const std::optional<kernel::Time_bounds>& first);
 
-/// The first contact itself, by features: `guess` where it is proved to be it, else found by halving, in much more time.
+/// The first contact itself, by features: `guess` if it is proved right, else found by halving, which takes much
+/// longer.
 std::optional<kernel::Time_bounds> true_first_contact(const Moving_bodies& bodies, kernel::Question question,
                                                       const std::optional<kernel::Time_bounds>& guess = std::nullopt);
 
@@ -28,10 +30,10 @@ Object_case at_start(const Moving_bodies& bodies, const Origin& origin = {});
 
 enum class Bracket { holds, violated, undecided };
 
-/// By distances: exact ones of the placed surfaces at rational times, and a bound on how fast a point moves, show that
-/// there is no contact until `first`, or until the end, and that the bodies are as near there as the doubles about it
-/// allow. Undecided where more than `most` distances would be needed, and where a linear motion's image is flat at a time that is
-/// looked at; within `end` of the time itself nothing is said.
+/// By distances: exact distances of the placed surfaces at rational times and an upper bound of the points' speed prove
+/// that there is no contact until `first`, or until the end. They also prove that the bodies are as near there as the
+/// neighbouring doubles allow. Undecided where more than `most` distances would be needed, and where a linear motion's
+/// image is flat at a time in question. Within `end` of the first contact itself nothing is proved.
 Bracket truly_first_by_distances(const Moving_bodies& bodies, kernel::Question question,
                                  const std::optional<kernel::Time_bounds>& first, int most = 200, double end = 0x1p-20);
 

@@ -8,8 +8,8 @@
 
 namespace tetracone::verify {
 
-/// Every face that a ray meets, by all of them in rationals: CGAL's intersections of the ray's line with the pieces that
-/// its triangulation makes of each face, and of these what is not behind the origin. (CGAL 5.5.1's own rays also meet
+/// Finds every face that a ray meets, by testing all of them in rationals: CGAL intersects the ray's line with each
+/// piece of the face's triangulation, and intersections behind the origin are dropped. (CGAL 5.5.1's own rays also meet
 /// triangles behind them, where they lie in one plane.)
 class Ray_truth {
  public:

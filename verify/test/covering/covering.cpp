@@ -346,8 +346,8 @@ BOOST_AUTO_TEST_CASE(two_threads_make_the_same_covering)
     {
       BOOST_TEST((bytes(Covering(body, tetracone::verify::At_once())) == bytes(Covering(body))));
     }
-  // Of several parts; then with faces of others than two triangles less than corners, and planes by others of their
-  // corners.
+  // A body of several parts; then also faces whose number of triangles is not their number of corners less two, and
+  // planes through other corners.
   scenes::Random random(4);
   Polyhedron large = scenes::blob(random, 6, 0.5, 1.5);
   BOOST_TEST(large.face_count() > 2 * most_in_part);

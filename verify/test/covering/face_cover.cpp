@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(each_flaw_is_named)
   BOOST_TEST(flaw(p, {{0, 1, 2}, {0, 2, 5}}) == "its triangle 0 2 5 has corner 5, which is not the face's");
   BOOST_TEST(flaw(p, {{0, 1, 2}, {0, 2, 3}, {0, 0, 1}}) == "its triangle 0 0 1 has no area");
   BOOST_TEST(flaw(p, {{0, 1, 2}, {0, 2, 3}, {0, 1, 2}, {2, 1, 0}}) == "triangles of opposite directions overlap");
-  // Of a fan that fills a notch, and its opposite.
+  // A fan that fills a notch, and its opposite.
   const Polyhedron notched = face({{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}}, {{0, 1, 2, 3, 4}});
   BOOST_TEST(flaw(notched, {{3, 0, 1}, {3, 1, 2}, {3, 4, 0}}) == "");
   BOOST_TEST(flaw(notched, {{0, 1, 2}, {0, 2, 4}, {2, 4, 3}}) == ends + "2 and 3");

@@ -143,7 +143,7 @@ BOOST_AUTO_TEST_CASE(volumes_known_from_elsewhere_are_met_exactly)
   BOOST_TEST((*check(read(data_folder() / "paper/polyA_32v_18f.poly")).volume == 592));
   BOOST_TEST(
       (*check(read(data_folder() / "paper/polyB_44v_29f.poly")).volume == tetracone::kernel::Rational(1295) / 2));
-  // The same boundary triangulated.
+  // The triangulated boundary is equal.
   for (const std::string name : {"paper/polyA_32v_18f", "paper/polyB_44v_29f"})
     BOOST_TEST((*check(read(data_folder() / (name + ".poly"))).volume ==
                 *check(read(data_folder() / (name + "_tri.off"))).volume));

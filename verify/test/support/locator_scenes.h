@@ -13,7 +13,8 @@
 /// Closed bodies, and points that stand degenerately to them.
 namespace tetracone::verify::scenes {
 
-/// So many times the cases of a usual test; from the environment, for long runs by hand: TETRACONE_ROUNDS.
+/// The factor by which long runs by hand multiply the cases of a usual test; from the environment variable
+/// TETRACONE_ROUNDS.
 inline int rounds()
 {
   const char* text = std::getenv("TETRACONE_ROUNDS");

@@ -11,7 +11,7 @@
 /// Boxes and bodies that are placed, at random and exactly.
 namespace tetracone::verify::scenes {
 
-/// Of coordinates up to `size`.
+/// A random vector with coordinates up to `size`.
 inline kernel::Vector vector(Random& random, double size = 1)
 {
   return size * kernel::Vector(real(random, -1, 1), real(random, -1, 1), real(random, -1, 1));
@@ -54,7 +54,7 @@ struct Placing {
 
   kernel::Box_map map() const { return {a, in_a, b, in_b}; }
 
-  /// Of a point in B's local units, in A's, exactly.
+  /// The exact image, in A's local units, of a point in B's local units.
   rationals::Vector image(const rationals::Vector& p) const
   {
     using kernel::Rational;

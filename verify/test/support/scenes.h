@@ -298,7 +298,7 @@ inline Polyhedron moved(Polyhedron body, double scale, const Vertex& shift = {0,
   return body;
 }
 
-/// The same body: vertices and faces in another order, loops begun elsewhere.
+/// The body with vertices and faces in another order and loops that begin elsewhere.
 inline Polyhedron shuffled(const Polyhedron& body, Random& random)
 {
   std::vector<Index> place(body.vertices.size()), order(body.face_count());

@@ -34,7 +34,7 @@ class Temporary_file {
   std::filesystem::path path_;
 };
 
-/// The same for a folder, which is not made yet; removed with all that it holds.
+/// A temporary folder, which is not made yet. Its destructor removes it with all that it contains.
 class Temporary_folder {
  public:
   explicit Temporary_folder(const std::string& name) : path_(temporary_path(name))

@@ -1,5 +1,5 @@
-// Of the kernels that no body is asked by in this test there is no solver: ThreadSanitizer would take half as long again to
-// instrument them.
+// Stubs for the kernels that this test never asks: with their solvers, ThreadSanitizer would take half as long again to
+// instrument the test.
 
 #include "tetracone/kernel/predicate/kernels.h"
 #include "tetracone/tetratree/door/solver.h"

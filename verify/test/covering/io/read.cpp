@@ -674,7 +674,7 @@ BOOST_AUTO_TEST_CASE(ply_takes_strips_wedges_and_carriage_returns)
     returns[header + (big ? 3 : 0)] = '\n';
     BOOST_TEST(read_text(".ply", returns).polyhedron.vertices[0][0] == std::bit_cast<float>(0x0au));
   }
-  // What is binary is said by the header's line alone.
+  // The header's format line alone decides whether a file is binary.
   std::string text = ascii_ply("double", "int");
   text.insert(text.find("element vertex"), "comment format binary_little_endian 1.0\n");
   std::replace(text.begin(), text.end(), '\n', '\r');

@@ -125,7 +125,7 @@ BOOST_AUTO_TEST_CASE(shards_merge_to_the_whole)
   BOOST_TEST(run("verify --shard 1/2 --db " + second.path + " " + campaign).status == 0);
   BOOST_TEST(run("merge " + merged.path + " " + first.path + " " + second.path).status == 0);
   BOOST_TEST((tables(merged.path) == undisturbed().all));
-  // The same again changes nothing, other words are refused.
+  // A repeated merge changes nothing; a merge with other words is refused.
   BOOST_TEST(run("merge " + merged.path + " " + first.path).status == 0);
   BOOST_TEST((tables(merged.path) == undisturbed().all));
   check_refused("merge " + merged.path + " " + whole, "shards: 1 instead of 2");

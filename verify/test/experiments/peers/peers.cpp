@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(every_peer_is_right_on_clear_overlap_and_clear_separation)
       Object_case c;
       c.a = c.b = cube;
       c.pose_a = rounded_rotation(turn, 3, 4, -5);
-      // Of one rotation, so that the cubes are as far apart, or as deep in each other, as their translation says.
+      // Both cubes have one rotation, so that their translation alone gives their distance or depth.
       const double apart = k % 2 == 0 ? 0.7 : 1.5;
       c.pose_b = rounded_rotation(turn, 3 + apart * turn[0][0], 4 + apart * turn[1][0], -5 + apart * turn[2][0]);
       for (const Question question : {Question::surface, Question::solid}) {

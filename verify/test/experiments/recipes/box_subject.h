@@ -29,7 +29,7 @@ class Boxes : public Running_subject {
   }
 };
 
-/// Boxes of the vertices placed in double: what a broad phase answers. Except for rounding, it is right when it says no.
+/// Answers by boxes of the vertices placed in double, as a broad phase does. Except for rounding, its "no" is right.
 inline Object_subject box_subject()
 {
   return {"boxes", false, "axis-parallel boxes of the vertices, in double: no surface is asked", std::nullopt,

@@ -12,8 +12,8 @@
 
 namespace tetracone::experiments {
 
-/// Asks of two unit cubes 2^-k apart: at which k does each kernel first say that they touch? Writes OUT/halvings.csv, a row
-/// a kernel. Throws covering::Input_error when `out` cannot be written.
+/// Finds, for two unit cubes 2^-k apart, the k at which each kernel first answers that they touch. Writes
+/// OUT/halvings.csv, one row per kernel. Throws covering::Input_error when `out` cannot be written.
 inline void run_halvings(const std::filesystem::path& out)
 {
   make_folder(out);

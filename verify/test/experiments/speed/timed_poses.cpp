@@ -15,7 +15,7 @@ using namespace tetracone::experiments;
 
 namespace {
 
-/// So many poses, of which these collide.
+/// The truth of `poses` poses, where those in `hits` collide.
 std::vector<char> truth_of(std::size_t poses, const std::set<std::size_t>& hits)
 {
   std::vector<char> truth(poses);

@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(a_seed_means_the_same_poses_each_time)
   BOOST_TEST(circle(1) != circle(2));
   BOOST_TEST(contour(1) == contour(1));
   BOOST_TEST(contour(1) != contour(2));
-  // The same on every machine, too.
+  // The trajectories are equal on every machine, too.
   BOOST_TEST(circle(1) == 2464733422047427051u);
   BOOST_TEST(contour(1) == 16816156988353229294u);
 }

@@ -80,7 +80,7 @@ Pose with_translation(const Pose& linear, const Vector& t)
   return Pose(entries);
 }
 
-/// The same but for the translation, which puts the image of b on y.
+/// The pose with another translation, which puts the image of b on y.
 Pose bringing(const Pose& pose, const Vector& b, const Vector& y)
 {
   return with_translation(pose, rationals::minus(y, rationals::image(with_translation(pose, {0, 0, 0}), b)));

@@ -17,8 +17,8 @@ using tetracone::verify::Random;
 
 namespace {
 
-/// What is true of exact points: how the triangle's edges turn about p, 0 where not all turn alike; and whether p is
-/// before its plane.
+/// The exact facts: the sense in which the triangle's edges turn about p, 0 where they do not all agree; and whether p
+/// is before its plane.
 struct Truth {
   int facing;
   bool is_before, is_on_plane;
@@ -46,7 +46,7 @@ Vector moved(Random& random, const Local_point& p)
   return exact;
 }
 
-/// What is said of a triangle, once with each corner as the first, and last of its reverse.
+/// The probe's answers for a triangle, once with each corner as the first, and last for its reverse.
 Cone_probe::Views views(const Local_triangle& t, const Local_point& p)
 {
   const std::array<Rounded_point, 3> c = {rounded(t[0]), rounded(t[1]), rounded(t[2])};
@@ -122,6 +122,7 @@ BOOST_AUTO_TEST_CASE(it_says_what_the_signs_in_double_say)
   BOOST_TEST(told > 1900);
 }
 
-// Planted and seen to fail: a turn's bound of a 512th, a height's of a 128th, what_is_certain_is_true_of_the_exact_points.
+// Planted and seen to fail in what_is_certain_is_true_of_the_exact_points: a turn's bound of a 512th, a height's of a
+// 128th.
 
 BOOST_AUTO_TEST_SUITE_END()

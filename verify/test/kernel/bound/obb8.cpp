@@ -208,7 +208,7 @@ BOOST_AUTO_TEST_CASE(slack_grows_with_each_of_its_causes_and_is_never_0)
   BOOST_TEST(std::isinf(obb8_slack(infinity, 0)));
   BOOST_TEST(std::isinf(obb8_slack(1e300, 0)));
 
-  // Of a map with no bound on its error, slack is infinite wherever the box is.
+  // For a map without a bound of its error, slack is infinite wherever the box is.
   const Box_map unknown{Relative_frame()};
   BOOST_TEST(std::isinf(unknown.slack(1, 1)));
   // The slack of a carried box does not ask for the distance.

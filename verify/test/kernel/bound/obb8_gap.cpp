@@ -225,7 +225,7 @@ BOOST_AUTO_TEST_CASE(boxes_are_as_far_apart_along_its_axis_as_a_gap_says_and_aft
             tightest_rate = std::min(tightest_rate,
                                      nearest_double(rationals::inner(exact_n, rationals::minus(then, p))) / left.gap);
         }
-      // The same if the lane goes on instead, the other way.
+      // The lane moves instead, in the opposite direction.
       const Gap_and_rate of_lane = left_after(found, 1u << lane, carried, Going_box(s.boxes, lane), carrier);
       wrong_after += of_lane.gap != left.gap;
       if (!(left.gap > 0 && of_lane.rate > 0)) continue;

@@ -227,7 +227,7 @@ struct Triangle {
   {
     return solid.centre + x * solid.extent[1] * solid.edges.col(1) + y * solid.extent[2] * solid.edges.col(2);
   }
-  /// Of a point at height y in [-1, 1]: where the two slanted sides are.
+  /// The positions of the two slanted sides at height y in [-1, 1].
   double left(double y) const { return -1 + (1 + apex) * (y + 1) / 2; }
   double right(double y) const { return 1 - (1 - apex) * (y + 1) / 2; }
 };

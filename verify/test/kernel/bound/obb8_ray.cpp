@@ -215,7 +215,7 @@ BOOST_AUTO_TEST_CASE(what_the_ray_meets_is_never_missed)
   BOOST_TEST(met > 1000);
   BOOST_TEST(touched > 500);
   BOOST_TEST(missed > 500);
-  // What is beyond the slack is seldom taken.
+  // Rays beyond the slack are seldom accepted.
   BOOST_TEST(beside > 1000);
   BOOST_TEST(found_beside < beside / 50);
   BOOST_TEST_MESSAGE(met << " met, " << touched << " touched, " << missed << " just missed, " << found_beside << " of "

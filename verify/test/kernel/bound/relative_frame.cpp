@@ -165,8 +165,8 @@ BOOST_AUTO_TEST_CASE(fractions_that_round_to_denormals_or_to_0_stay_within_the_e
 
 BOOST_AUTO_TEST_CASE(squares_that_overflow_make_no_similarity_and_no_bound)
 {
-  // Of columns (1, 0, 0), (0, h, h), (0, -h, h) in any order: entries of M^T M are infinity minus infinity. Such a pose
-  // lengthens its axes unlike, whatever is rounded: no similarity. The inverse has its own limits.
+  // Columns are (1, 0, 0), (0, h, h), (0, -h, h) in any order: entries of M^T M are infinity minus infinity. Such a
+  // pose scales its axes differently under any rounding: it is no similarity. The inverse has its own limits.
   for (const int exponent : {20, 300, 511, 512, 700, 1000})
     for (int turn = 0; turn < 3; ++turn) {
       const double h = std::ldexp(1.0, exponent);

@@ -19,7 +19,7 @@ namespace {
 
 Rational part(int n, int d) { return Rational(n) / d; }
 
-/// Of a short turn to nearly a whole one, by quaternions of unlike lengths.
+/// A turn, from short to nearly whole, by quaternions of different lengths.
 Body_motion any_turn(Random& random)
 {
   const auto small = [&] { return part(int(random.bits() % 17) - 8, 1 + int(random.bits() % 5)); };

@@ -38,7 +38,7 @@ BOOST_AUTO_TEST_CASE(an_exact_rotation_has_an_exact_quaternion_whatever_its_angl
     BOOST_REQUIRE(found);
     BOOST_TEST(found->error == 0);
     BOOST_TEST(std::abs(length(found->quaternion) - 1) < 1e-12);
-    // The same up to a factor.
+    // The quaternions are equal up to a factor.
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j) BOOST_TEST((found->quaternion[i] * q[j] == found->quaternion[j] * q[i]));
   }

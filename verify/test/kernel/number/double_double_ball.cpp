@@ -90,7 +90,7 @@ BOOST_AUTO_TEST_CASE(the_nearest_double_to_a_quotient_is_told_unless_two_are_as_
     const double x = real(random, 1, 2), above = std::nextafter(x, 3);
     wrong += nearest_over_root({Double_double::sum(x, (above - x) / 2), 0}, 1).has_value();
     wrong += nearest_over_root(x, 1) != std::optional(x) || nearest_over_root(x, 0.25) != std::optional(2 * x);
-    // What is not known well enough.
+    // A ball that is too wide has no nearest double.
     wrong += nearest_over_root({x, 0x1p-50}, 1).has_value();
   }
   // Powers of two have a nearer neighbour below.

@@ -20,7 +20,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity(),
                  undefined = std::numeric_limits<double>::quiet_NaN();
 
-/// Of every size, and what is at the ends of the ranges of both types.
+/// Numbers of every size, and those at the ends of the ranges of both types.
 std::vector<double> numbers(Random& random)
 {
   std::vector<double> all = {0.0,

@@ -260,8 +260,8 @@ class Forgery {
   const std::string& whole() const { return whole_; }
   const std::vector<std::size_t>& places() const { return places_; }
 
-  /// Reads the bytes with a right checksum: they are refused in one line, or answer as a body made anew of their vertices
-  /// and faces.
+  /// Reads the bytes with a right checksum. They must be refused in one line, or answer as a body made anew from their
+  /// vertices and faces.
   void ask(const std::string& bytes)
   {
     ++asked;

@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(the_border_of_faces_that_touch_is_one_curve_however_they_ar
 
 BOOST_AUTO_TEST_CASE(a_straight_line_is_cut_where_another_ends)
 {
-  // Two cubes side by side, through the bottom of a larger one: three ways from the one end of what they share to the other.
+  // Two cubes side by side, through the bottom of a larger one: three paths join the ends of their common segment.
   Polyhedron two = cube();
   for (covering::Index v = 0; v < 8; ++v)
     two.vertices.push_back({two.vertices[v][0] + 1, two.vertices[v][1], two.vertices[v][2]});

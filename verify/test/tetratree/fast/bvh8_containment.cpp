@@ -113,7 +113,7 @@ BOOST_AUTO_TEST_CASE(answers_are_those_of_the_whole_covering)
 
 BOOST_AUTO_TEST_CASE(a_vertex_at_the_coverings_origin_or_a_hair_off_it_is_decided)
 {
-  // The ray has no direction there. Of a body with a cavity about its origin, too.
+  // The ray has no direction there. The cases include a body with a cavity about its origin.
   Bvh8_containment<> containment;
   for (const Polyhedron& shape : {cube(3), cube_with_cavity(), turned(cube(3))}) {
     Body holder(shape);

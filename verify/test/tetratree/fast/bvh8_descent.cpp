@@ -252,7 +252,7 @@ BOOST_AUTO_TEST_CASE(children_that_are_made_on_the_way_change_nothing)
     Placed_bvh8 a(lazy_a), b(lazy_b);
     a.into_other = kernel::Box_map(scene.pose_b, lazy_b.scale(), scene.pose_a, lazy_a.scale());
     b.into_other = kernel::Box_map(scene.pose_a, lazy_a.scale(), scene.pose_b, lazy_b.scale());
-    // The same element may move in the order while its leaf is not yet made: compared by corners.
+    // An element may change its index while its leaf is not yet made: pairs are compared by corners.
     const auto by_corners = [](const Pairs& pairs) {
       std::vector<std::array<Index, 6>> all;
       for (const auto& [x, y] : pairs)

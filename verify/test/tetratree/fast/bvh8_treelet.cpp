@@ -40,7 +40,7 @@ struct Nodes {
   }
 };
 
-/// So many triangles, all in one place.
+/// A body of `count` triangles, all in one place.
 Polyhedron stacked(int count)
 {
   Polyhedron body;

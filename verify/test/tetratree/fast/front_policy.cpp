@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(a_front_that_does_not_wear_is_made_once)
 
 BOOST_AUTO_TEST_CASE(one_that_wears_is_renewed_at_about_the_least_cost)
 {
-  // Of n poses a front: (1.8 * 64 + 3 n + growth n^2 / 2) / n, least at n = sqrt(2 * 115 / growth).
+  // A front kept for n poses costs (1.8 * 64 + 3 n + growth n^2 / 2) / n per pose, least at n = sqrt(2 * 115 / growth).
   const Run run(10000, 60, 3, 0.1);
   BOOST_TEST(run.plain == 0u);
   const double best = 10000 * (3 + 2 * 115 / 48);

@@ -67,7 +67,7 @@ std::vector<std::unique_ptr<Body>> bodies()
   return all;
 }
 
-/// Of all vertices the one that reaches farthest.
+/// The vertex that reaches farthest in the direction.
 Index farthest(const Polyhedron& body, const Pose& pose, const kernel::Vector& direction)
 {
   const auto reach = [&](const Vertex& v) {

@@ -123,9 +123,9 @@ BOOST_AUTO_TEST_CASE(the_bound_is_above_the_farthest_vertex_and_not_far_above)
       const double exact = reach(tree, d), slack = double(Support_table::slack) * sum(d),
                    length = std::hypot(double(d[0]), double(d[1]), double(d[2]));
       below += double(found.bound) + slack < exact;
-      // With p the support of d, p_k of the corner d_k of its lattice triangle: h(d_k) - p . d_k <= (p_k - p) . (d_k -
-      // d), of which the first is at most twice the size and the second at most sqrt(2/3) / 16 |d|_1. Of a round body
-      // far less.
+      // Let p be the support of d, and p_k that of corner d_k of its lattice triangle. Then h(d_k) - p . d_k <= (p_k -
+      // p) . (d_k - d). The first factor is at most twice the size and the second at most sqrt(2/3) / 16 |d|_1. A round
+      // body stays far below this bound.
       const double above = double(found.bound) - slack - exact;
       far_above += above > (name == "sphere" ? 0.01 * size * length : 2 * size * std::sqrt(2.0 / 3) / 16 * sum(d));
       if (size > 0) loosest = kernel::maximum(loosest, above / (size * length));

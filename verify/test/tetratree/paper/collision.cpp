@@ -113,7 +113,7 @@ const Cases& grid_bodies()
   return cases;
 }
 
-/// The same bodies under poses of every kind.
+/// One pair of bodies under poses of every kind.
 const Cases& placed_bodies()
 {
   static const Cases cases = [] {

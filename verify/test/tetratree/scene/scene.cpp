@@ -195,7 +195,7 @@ BOOST_AUTO_TEST_CASE(a_frame_has_exactly_the_pairs_that_collide)
   check_walk({.question = Question::surface}, 24, 30);
   check_walk({.threads = 3}, 24, 30);
   check_walk({.query = {.kernel = Kernel::rational}}, 8, 6);
-  // So many that trees of their models are made before their boxes are.
+  // With this many bodies, the trees of their models are built before their boxes.
   check_walk({}, 48, 6);
   check_walk({.threads = 2}, 48, 6);
 }

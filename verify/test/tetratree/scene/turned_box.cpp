@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(near_the_ends_of_the_range_nothing_is_known)
   for (const double s : {1e-300, 1e-160, 1e160, 1e300}) BOOST_TEST(!tetratree::turned_box(unit, scaled(s)).is_known);
   BOOST_TEST(!tetratree::turned_box(unit, Pose::translation(1e200, 0, 0)).is_known);
 
-  // What is not known, and what is too far to be compared, is not found apart.
+  // Unknown boxes and boxes too far away to be compared are not found apart.
   const Turned_box near = tetratree::turned_box(unit, Pose()),
                    far = tetratree::turned_box(unit, Pose::translation(1e9, 0, 0)),
                    beside = tetratree::turned_box(unit, Pose::translation(2.5, 0, 0));

@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(a_sweep_leaves_out_what_was_not_asked_whole)
   const Temporary_file file("parts.db", "");
   Database database(file.path(), Database::Mode::write);
   database.run(campaign_schema);
-  // Of t a shard is missing, of u two cases were not asked: their parameters are unknown.
+  // Family t lacks a shard, and two cases of u were not asked: their parameters are unknown.
   database.run(R"(
     INSERT INTO run VALUES (1, '1', 'c', 'f', 'p', 7, 0, 'build/tetracone verify --subject double,brute');
     INSERT INTO done VALUES (7, 'object', 'edge-in-face-plane', 1, 't', 4), (7, 'object', 'edge-in-face-plane', 0, 'u', 4);

@@ -18,7 +18,7 @@ namespace {
 
 bool is_finite(const Vertex& v) { return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]); }
 
-/// Of `cases` cases at this value of the parameter, how many are on the surface.
+/// Returns how many of `cases` cases at this value of the parameter are on the surface.
 int on_surface(std::string_view name, double parameter, int cases)
 {
   const Probe_family& family = *find_probe_family(name);

@@ -28,7 +28,7 @@ long number_from(const char* variable, long otherwise)
   return text ? std::strtol(text, nullptr, 10) : otherwise;
 }
 
-/// What is asked of two bodies.
+/// The queries that two bodies are asked.
 class Asked {
  public:
   Asked(const covering::Polyhedron& a, const covering::Polyhedron& b, Question question)

@@ -154,7 +154,7 @@ BOOST_AUTO_TEST_CASE(a_predicate_is_degenerate_where_one_of_its_own_determinants
 
 BOOST_AUTO_TEST_CASE(each_predicate_has_its_determinants_and_no_others)
 {
-  // Of seven points exactly four are in one plane: all 35 choices. As they are counted: v0 v1 v2 v3 p q r.
+  // Exactly four of the seven points v0 v1 v2 v3 p q r, in this order, are in one plane: all 35 choices.
   const auto has = [](Predicate predicate, const std::array<int, 4>& four) {
     const auto among = [&](int low, int high) { return low <= four[0] && four[3] <= high; };
     switch (predicate) {

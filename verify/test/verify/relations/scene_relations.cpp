@@ -15,7 +15,7 @@ using namespace tetracone::verify;
 
 namespace {
 
-/// What is wrong with each frame of what the library's scene tells.
+/// A subject that spoils each frame of the library's scene.
 class Wrong : public Running_scene {
  public:
   using Spoil = void (*)(const Scene_case& c, Frames_of_pairs& told);

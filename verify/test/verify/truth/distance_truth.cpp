@@ -22,7 +22,8 @@ namespace {
 
 using Triangle = std::array<std::array<double, 3>, 3>;
 
-/// Of few integers, so that edges are parallel, triangles in one plane, touching or on a line; or of any numbers.
+/// A triangle of small integers, so that edges are parallel, and triangles coplanar, touching or degenerate to a line;
+/// or of any numbers.
 Triangle any_triangle(Random& random, int step)
 {
   Triangle t;
