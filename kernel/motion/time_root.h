@@ -73,6 +73,7 @@ class Time_root {
     if (exact_) return sign_at_dyadic(g);
     if (g.is_zero()) return CGAL::ZERO;
     refine_at_once();
+    if (exact_) return sign_at_dyadic(g);
     if (const CGAL::Sign there = certain_sign(g); there != CGAL::ZERO) return there;
     Integer_form cell = g.over(m_, k_);
     if (cell.variations() == 0) return cell.only_sign();
@@ -176,7 +177,7 @@ class Time_root {
     return 0.5 * (low + high);
   }
 
-  /// Takes a cell far within this one, about an approximation, if the root is inside; not twice.
+  /// Takes a cell far within this one, about an approximation, if the root is inside or is an end of it; not twice.
   void refine_at_once()
   {
     if (is_refined_) return;
@@ -184,9 +185,11 @@ class Time_root {
     const Integer at(std::floor(std::ldexp(about_in_cell(), halvings_at_once)));
     const Integer m = (m_ << halvings_at_once) + at;
     const unsigned k = k_ + halvings_at_once;
-    if (compare(m, k) != CGAL::POSITIVE || compare(m + 1, k) != CGAL::NEGATIVE) return;
-    there_ = form_.over(m, k);
-    m_ = m;
+    const CGAL::Sign from_start = compare(m, k), from_end = compare(m + 1, k);
+    if (from_start == CGAL::NEGATIVE || from_end == CGAL::POSITIVE) return;
+    exact_ = from_start == CGAL::ZERO || from_end == CGAL::ZERO;
+    if (!exact_) there_ = form_.over(m, k);
+    m_ = from_end == CGAL::ZERO ? Integer(m + 1) : m;
     k_ = k;
   }
 
