@@ -75,8 +75,7 @@ bool has_all(Database& into)
               .next();
 }
 
-/// Throws covering::Input_error when `into` and the attached database `from` both have a batch with cases of one
-/// subject.
+/// Throws covering::Input_error when `into` and the attached database `from` have the same batch for one subject.
 void refuse_common_batches(Database& into, const std::filesystem::path& from)
 {
   Database::Statement twice(into,
