@@ -13,7 +13,7 @@ using tetratree::Bvh8_options;
 using tetratree::Config;
 using tetratree::Cuts;
 
-/// The depth of the paper's default plus `more` levels.
+/// Returns the depth of the paper's default plus `more` levels.
 int depth(std::size_t triangles, int more)
 {
   return std::max(1, static_cast<int>(std::ceil(std::log2(double(triangles)) / 2)) + more);
@@ -26,7 +26,7 @@ Config changed(Config config, Change change)
   return config;
 }
 
-/// The names are the table's: `ablation_figure.py` knows them by their first word.
+/// The table `ablation_figure.py` recognises the names by their first word.
 std::vector<Contestant> contestants(std::size_t triangles, std::size_t one_in)
 {
   const Config as_published, tuned = changed(as_published, [](Config&c) { c.regular_hull = false; });
@@ -35,7 +35,7 @@ std::vector<Contestant> contestants(std::size_t triangles, std::size_t one_in)
     list.push_back(paper(name, config).every(one_in));
   };
 
-  // From the listing to the fast tree: each step keeps the ones before.
+  // Steps from the listing to the fast tree; each step keeps the steps before.
   Config config = as_published;
   config.descent = tetratree::Descent::both;
   add("step 1 listing of the appendix", config);
@@ -53,7 +53,7 @@ std::vector<Contestant> contestants(std::size_t triangles, std::size_t one_in)
   config.boxes = true;
   config.spheres = config.tetrahedra = false;
   list.push_back(paper_adaptive("step 8 boxes for spheres and tetrahedra", config).every(one_in));
-  // A node of octants has eight parts, one of a tetra-cone four: so have the nodes that are cut, at first.
+  // A node of octants has eight parts and a tetra-cone four; so do the nodes that are cut first.
   list.push_back(fast_as_chosen("step 9 each element in one cone", {.cuts = Cuts::tetra_cones, .leaf_size = 8}));
   list.push_back(
       fast_as_chosen("step 10 cuts through the origin", {.cuts = Cuts::through_origin, .parts = 4, .leaf_size = 8}));
@@ -61,7 +61,7 @@ std::vector<Contestant> contestants(std::size_t triangles, std::size_t one_in)
   list.push_back(fast_as_chosen("step 12 one element a leaf", {.parts = 4}));
   list.push_back(fast_as_chosen("step 13 eight a node", {}));
 
-  // One choice of the fast tree's at a time.
+  // The fast tree with one choice changed at a time.
   const auto add_fast = [&](const std::string& name, const Bvh8_options& options) {
     list.push_back(fast_as_chosen("fast " + name, options));
   };
@@ -73,7 +73,7 @@ std::vector<Contestant> contestants(std::size_t triangles, std::size_t one_in)
   add_fast("with two elements a leaf", {.leaf_size = 2});
   add_fast("with eight elements a leaf", {.leaf_size = 8});
 
-  // One choice of the paper's at a time. Two of them are thousands of times slower.
+  // The paper's tree with one choice changed at a time. Two of them are thousands of times slower.
   const std::size_t rare = 5;
   add("without spheres", changed(as_published, [](Config& c) { c.spheres = false; }));
   list.push_back(
@@ -93,7 +93,7 @@ std::vector<Contestant> contestants(std::size_t triangles, std::size_t one_in)
       changed(as_published, [](Config& c) { c.far_plane = tetratree::Far_plane::tightest; }));
   add("with boxes in leaves", changed(as_published, [](Config& c) { c.leaf_boxes = true; }));
 
-  // Within the paper's own parameters.
+  // These vary the paper's own parameters.
   for (const std::size_t leaf_size : {2, 4, 8, 16})
     for (const int more : {-1, 0, 1})
       add("tuned leaf " + std::to_string(leaf_size) + " depth " + (more > 0 ? "+" : "") + std::to_string(more),
@@ -111,7 +111,7 @@ void run_ablation(const Race_options& options)
   constexpr int passes = 5;
   const auto objects = std::make_shared<Race_objects>(options.models);
   std::vector<Table_part> parts;
-  // Without tetrahedra, one pose of 7172 takes 6 to 20 s: too long for who has little time.
+  // Without tetrahedra, one pose of 7172 triangles takes 6 to 20 s, which is too long for short runs.
   const std::size_t many = options.seconds_or(0.1) < 0.1 ? 3000 : 7172;
   for (const auto& [triangles, names] :
        {std::pair<std::size_t, std::vector<std::string>>{760, {"blob", "bunny"}}, {many, {"camel", "knot2"}}})

@@ -19,7 +19,7 @@ namespace {
 using kernel::Pose;
 using kernel::Question;
 
-/// Each face a polygon of triangles.
+/// Replaces each face by triangles.
 Polyhedron triangulated(const Polyhedron& polyhedron)
 {
   Polyhedron result;
@@ -60,7 +60,7 @@ Vertex turn_exactly(const Vertex& v)
 /// A multiple of 2^-10 in [-1, 1).
 double dyadic(Random& random) { return std::floor(1024 * random.symmetric()) / 1024; }
 
-/// The body, turned so that its faces lie along no axis, and itself on top of it, `height` up and shifted sideways by
+/// The turned body, whose faces are parallel to no axis, and a copy on top of it, `height` up and shifted sideways by
 /// up to `range`; with `lift`, one ulp more in a coordinate. All numbers are exact.
 Race_course slid(const std::string& scenario, const std::string& object, Polyhedron body, double range, double height,
                  bool lift, int frames, std::uint64_t seed)

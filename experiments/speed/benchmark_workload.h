@@ -15,8 +15,8 @@
 
 namespace tetracone::experiments {
 
-/// Two bodies, and poses of B that every contestant can take: A stays in its own frame, B's matrix is a rotation in
-/// doubles. A relative size is in B's vertices.
+/// Two bodies, and poses of B that every contestant can take: A stays in its own frame, and B's matrix is a rotation in
+/// doubles. A relative size is scaled into B's vertices.
 struct Race_course {
   std::string scenario;  ///< circular, contour, or a kind of near contact
   std::string object;    ///< both bodies are of this shape
@@ -25,23 +25,23 @@ struct Race_course {
   std::vector<kernel::Pose> poses_b;
   bool degenerate = false;
 
-  /// The file name of its rows.
+  /// Returns the file name of its rows.
   std::string name() const;
 };
 
-/// The share of the corners of faces whose tetrahedron with the centroid is positive: 1 when the body is star-shaped
+/// Returns the fraction of face corners whose tetrahedron with the centroid is positive: 1 when the body is star-shaped
 /// about it.
 double star_share(const covering::Polyhedron& polyhedron);
 
-/// Triangle meshes of a size by their name: "blob" (star-shaped) and "knot" (genus 1), generated, at any size; others
-/// are libcgal-demo's, decimated and normalised: "bunny", "dino", "camel" (on four legs), "anchor" (genus 4) and
-/// "elephant".
+/// Triangle meshes of a given size by their name. "blob" (star-shaped) and "knot" (genus 1) are generated at any size.
+/// The others are libcgal-demo's, decimated and normalised: "bunny", "dino", "camel" (on four legs), "anchor" (genus 4)
+/// and "elephant".
 class Race_objects {
  public:
   /// `models` is the folder that fetch_models.sh filled.
   explicit Race_objects(std::filesystem::path models) : models_(std::move(models)) {}
 
-  /// Made once. Throws covering::Input_error when the mesh is not there.
+  /// Returns the mesh, which is made once. Throws covering::Input_error when its file does not exist.
   const covering::Polyhedron& operator()(const std::string& name, std::size_t triangles);
 
  private:
@@ -49,24 +49,24 @@ class Race_objects {
   std::map<std::pair<std::string, std::size_t>, covering::Polyhedron> made_;
 };
 
-/// The object against itself, B 1 / ratio as large, on `trajectories` of JS08 section 4, "circular" or "contour", one
-/// after the other, `frames` poses each; where B does not turn, the scenario's name says so. Requires ratio a power of
-/// two.
+/// The object against itself, with B 1 / ratio as large, on `trajectories` consecutive trajectories of JS08 section 4,
+/// "circular" or "contour", of `frames` poses each. If B does not turn, the scenario's name tells it. Requires ratio a
+/// power of two.
 Race_course on_trajectory(const covering::Polyhedron& object, const std::string& name, const std::string& trajectory,
                           double ratio, int frames, std::uint64_t seed, int trajectories = 1,
                           Turning turning = Turning::yes);
 
-// Exactly degenerate contact: bodies turned so that no face lies along an axis, in poses whose doubles say it exactly.
-// Every answer takes the exact path.
+// Exactly degenerate contact: the bodies are turned so that no face is parallel to an axis, in poses whose doubles are
+// exact. Every answer takes the exact path.
 
-/// Cubes, one on the other, shifted sideways: they share a part of a face.
+/// A cube on another, shifted sideways: they share a part of a face.
 Race_course stacked_boxes(int frames, std::uint64_t seed);
-/// A plate of n x n squares, one on the other, face on face.
+/// A plate of n x n squares on another, face on face.
 Race_course face_on_face(int squares, int frames, std::uint64_t seed);
 /// The plates of `face_on_face`, one ulp apart: nothing collides, and every near pair has to be decided.
 Race_course sliding_apart(int squares, int frames, std::uint64_t seed);
-/// A star-shaped shell in the same 3 % larger, turned and shifted by a little: two surfaces nearly parallel and close
-/// everywhere, nothing collides.
+/// A star-shaped shell inside itself enlarged by 3 %, turned and shifted slightly: two surfaces nearly parallel and
+/// close everywhere; nothing collides.
 Race_course shell_in_shell(std::size_t triangles, int frames, std::uint64_t seed);
 
 }  // namespace tetracone::experiments

@@ -20,7 +20,7 @@ namespace {
 
 using kernel::Pose;
 
-/// 64 bits by the method of Fowler, Noll and Vo.
+/// A hash of 64 bits by the method of Fowler, Noll and Vo.
 class Hash {
  public:
   void add(std::uint64_t word)
@@ -54,12 +54,12 @@ class Hash {
   std::uint64_t value_ = 0xcbf29ce484222325;
 };
 
-/// Both bodies of a course made ready, the one that stays in place a copy a thread.
+/// Both bodies of a course, prepared; each thread has a copy of the one that rests.
 class Truth_teller {
  public:
   explicit Truth_teller(const Race_course& course) : course_(course), a_(course.a), b_(course.b) {}
 
-  /// Adds the truth of poses first .. last.
+  /// Adds the truth of poses first to last - 1.
   void tell(std::size_t first, std::size_t last, Course_truth& truth)
   {
     truth.surface.resize(last);

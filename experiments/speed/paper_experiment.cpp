@@ -13,7 +13,7 @@ namespace {
 
 using tetratree::Config;
 
-/// The names are the table's: `paper_figure.py` knows them by their first word.
+/// The table `paper_figure.py` recognises the names by their first word.
 std::vector<Contestant> contestants(std::size_t triangles, std::size_t one_in, Turning turning)
 {
   std::vector<Contestant> list = {fast(), peer("FCL OBBRSS")};

@@ -8,7 +8,7 @@
 namespace tetracone::experiments {
 namespace {
 
-/// Ours first. The slow ones see fewer poses.
+/// The contestants, ours first. Slow ones are asked fewer poses.
 std::vector<Contestant> contestants(std::size_t triangles, bool degenerate)
 {
   const std::size_t many = degenerate ? 20 : 1;

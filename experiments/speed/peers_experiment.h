@@ -5,9 +5,9 @@
 
 namespace tetracone::experiments {
 
-/// How fast are the fast tree and the paper's against FCL, CGAL, Bullet and ODE, in one run, poses shared and answers
-/// counted? Real meshes and generated ones on both trajectories at relative sizes 1:1 and 1:8, and near contact that is
-/// degenerate. Writes out/peers.csv, out/peers.svg and .pdf, and prints the means. `full`: 70000 triangles too.
+/// Measures the fast tree and the paper's against FCL, CGAL, Bullet and ODE in one run, with shared poses and judged
+/// answers. Real and generated meshes move on both trajectories at relative sizes 1:1 and 1:8, and in degenerate near
+/// contact. Writes out/peers.csv, out/peers.svg and .pdf, and prints the means. `full`: also 70000 triangles.
 void run_peers(const Race_options& options);
 
 }  // namespace tetracone::experiments

@@ -17,10 +17,10 @@ namespace {
 using kernel::Pose;
 using kernel::Question;
 
-/// A's pose in every frame: made once, outside the time of a query.
+/// A's pose in every frame, made once, outside the time of a query.
 const Pose unmoved;
 
-/// The shortest time that the clock tells between two readings.
+/// Returns the shortest time between two readings of the clock.
 double clock_ns()
 {
   static const double least = [] {
@@ -31,14 +31,14 @@ double clock_ns()
   return least;
 }
 
-/// The bytes of the heap that are in use.
+/// Returns the bytes of the heap in use.
 std::size_t heap()
 {
   const auto info = mallinfo2();
   return info.uordblks + info.hblkhd;
 }
 
-/// Numbers of poses, evenly spread over the course: `Race::cold_poses`, of a short course one in twenty.
+/// Returns the numbers of `Race::cold_poses` poses, evenly spread over the course; for a short course, one in twenty.
 std::vector<std::size_t> spread_poses(const Race_course& course)
 {
   const std::size_t all = course.poses_b.size(), count = std::min({Race::cold_poses, all / 20 + 1, all});
@@ -47,7 +47,7 @@ std::vector<std::size_t> spread_poses(const Race_course& course)
   return numbers;
 }
 
-/// Drives what was read before out of the processor's caches, as large as the system says that they are.
+/// Empties the processor's caches by reading as many bytes as the system reports as their size.
 void empty_caches()
 {
   constexpr std::size_t line = 64, least = std::size_t(64) << 20;
@@ -117,7 +117,7 @@ class Laps {
 
   const Timed_poses& poses() const { return poses_; }
 
-  /// Processor time of all laps.
+  /// Returns the processor time of all passes.
   double seconds() const { return seconds_; }
 
   void lap()
@@ -130,8 +130,8 @@ class Laps {
                                   timing_.counts += weighted(prepared_.pair->take_counts(), weight);
                               });
     ++timing_.passes;
-    // Fast queries: the mean is of a pass without the clock, whose own time matters. The poses are clocked again after
-    // it: the caches are no longer those that the contestant before has filled.
+    // For fast queries the mean is taken from a pass without the clock, whose own time matters. The poses are timed
+    // again after it, when the caches no longer hold the previous contestant's data.
     constexpr double long_ns = 1e8;
     if (mean * double(poses_.judged().poses) < long_ns) {
       mean = poses_.pass_without_clock([this](std::size_t k) { found_ += collide(k); });
@@ -141,7 +141,7 @@ class Laps {
     seconds_ += double(std::clock() - start) / CLOCKS_PER_SEC;
   }
 
-  /// After the laps: one pose at a time with nothing in the caches. Requires a contestant that is asked every pose.
+  /// Times one pose at a time with empty caches, after the passes. Requires a contestant that is asked every pose.
   void clock_cold()
   {
     const auto numbers = spread_poses(course_);

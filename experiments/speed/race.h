@@ -13,32 +13,32 @@
 
 namespace tetracone::experiments {
 
-/// What it took to make two bodies ready.
+/// The cost of preparing two bodies.
 struct Build {
-  double milliseconds = 0;             ///< the faster of two, where they are fast
+  double milliseconds = 0;             ///< the faster of two builds, if they are fast
   std::size_t bytes = 0;               ///< growth of the heap, the contestant's copy of the meshes included
-  double with_first_milliseconds = 0;  ///< where nodes are made on demand: built so, and asked the first hundred poses
+  double with_first_milliseconds = 0;  ///< if nodes are built on demand: building and asking the first hundred poses
   std::size_t nodes_after_one = 0, nodes_after_first = 0;
   /// For a `clocked_cold` contestant: milliseconds to prepare it (on demand where it can) and to answer the first
   /// surface question then. Both are means over at most `Race::cold_poses` poses, each asked of newly made bodies.
   double first_build_milliseconds = 0, first_query_milliseconds = 0;
 };
 
-/// How one contestant answered one question on a course: judged by the truth.
+/// One contestant's answers to one question on a course, judged by the truth.
 struct Timing : Judged_answers {
   double mean_ns = 0;                ///< over the course, in the fastest pass
-  double median_ns = 0, p99_ns = 0;  ///< over the course, the fastest time of each pose, less the clock's own
-  /// The mean of the fastest times of the poses that this contestant was asked: its own, the first's and FCL's. Ratios
-  /// of contestants that were asked unequal poses are taken from these.
+  double median_ns = 0, p99_ns = 0;  ///< over the course, of each pose's fastest time, less the clock's own
+  /// The means of the fastest times in the poses that this contestant was asked: its own, the first contestant's and
+  /// FCL's. Ratios of contestants that were asked different poses are computed from these.
   double same_poses_ns = 0, first_same_poses_ns = 0, fcl_same_poses_ns = 0;
   /// For a `clocked_cold` contestant: the mean over `Race::cold_poses` poses with the caches emptied before each, and
   /// the mean of the fastest times in the same poses.
   double cold_ns = 0, warm_ns = 0;
-  std::size_t passes = 0;              ///< each: clocked, without the clock, clocked again; a long one clocked alone
+  std::size_t passes = 0;  ///< each is timed, run without the clock, and timed again; a long one is timed once
   tetratree::Query_statistics counts;  ///< work of one pass over the course, by its poses
 };
 
-/// A contestant, ready for a course.
+/// A contestant, prepared for a course.
 struct Prepared_contestant {
   Contestant contestant;
   std::unique_ptr<Prepared_pair> pair;  ///< where that can be, on the trees of a contestant before it; null where the
@@ -46,20 +46,20 @@ struct Prepared_contestant {
   Build build;
 };
 
-/// Contestants on one course: made ready one after the other, asked in turn, pass by pass, so that what slows the
-/// machine for a while slows all.
+/// Contestants on one course. They are prepared one after the other and asked in turn, pass by pass, so that a
+/// temporary slowdown of the machine affects all.
 class Race {
  public:
   static constexpr std::size_t first_poses = 100, cold_poses = 16;
 
-  /// Both must outlive the race. The first contestant is the one that others are compared with: it must be asked every
-  /// pose; FCL must be asked every pose too, where it takes part.
+  /// Requires that both outlive the race. The others are compared with the first contestant, which must be asked every
+  /// pose; so must FCL, if it takes part.
   Race(const Race_course& course, const Course_truth& truth, const std::vector<Contestant>& contestants);
 
   const std::vector<Prepared_contestant>& contestants() const { return contestants_; }
 
-  /// Asks all contestants that know the question. After its first pass, one that has used `seconds` of processor time
-  /// rests. Nothing for one that was not asked.
+  /// Asks all contestants that know the question. After its first pass, a contestant that has used `seconds` of
+  /// processor time is asked no more. Returns nothing for one that was not asked.
   std::vector<std::optional<Timing>> run(kernel::Question question, int passes, double seconds);
 
  private:

@@ -5,9 +5,9 @@
 
 namespace tetracone::experiments {
 
-/// How do time per query, build and memory grow with the triangles, 10^3 to 10^5 (`full`: 10^6), of one geometry in the
-/// same poses? How much of the tree do queries make when nodes are made on demand? Writes out/scaling.csv,
-/// out/scaling.svg and .pdf, and prints the fitted exponents.
+/// Measures how time per query, build and memory grow with the number of triangles, 10^3 to 10^5 (`full`: 10^6), of one
+/// geometry in equal poses. It also measures the fraction of the tree that queries build when nodes are built on
+/// demand. Writes out/scaling.csv, out/scaling.svg and .pdf, and prints the fitted exponents.
 void run_scaling(const Race_options& options);
 
 }  // namespace tetracone::experiments

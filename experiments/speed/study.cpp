@@ -24,7 +24,7 @@ using kernel::Question;
 using verify::Method;
 using verify::Subject;
 
-/// A subject of the harness as a contestant makes it ready.
+/// A subject of the harness, prepared as a contestant.
 class Subject_pair : public Prepared_pair {
  public:
   explicit Subject_pair(std::unique_ptr<verify::Prepared_pair> pair) : pair_(std::move(pair)) {}
@@ -57,7 +57,7 @@ Contestant ours(const std::string& kernel, Method method, std::size_t one_in = 1
           .method = std::string(to_string(method))};
 }
 
-/// FCL, its B made as large as the poses of the workload say. It knows surfaces alone.
+/// FCL with B scaled as in the poses of the workload. It knows surfaces only.
 Contestant scaled_fcl(const Workload& workload)
 {
   return {.name = "FCL OBBRSS",
@@ -73,7 +73,8 @@ std::vector<Contestant> contestants(const Workload& workload)
   for (const char* kernel : {"float", "double", "double-eps=1e-12", "epick", "epeck", "adaptive"})
     list.push_back(ours(kernel, Method::tree));
   list.push_back(ours("rational", Method::tree, 4));
-  // One kernel by every method; of large bodies, where a pose takes a tenth of a second or a second, in fewer poses.
+  // One kernel is run with every method. For large bodies, where a pose takes a tenth of a second or a second, fewer
+  // poses are asked.
   const bool is_large = workload.a.face_count() * workload.b.face_count() > 1'000'000;
   for (const char* kernel : {"double", "adaptive"}) {
     list.push_back(ours(kernel, Method::tuned));
@@ -93,7 +94,7 @@ struct Judged {
   tetratree::Query_statistics counts;  ///< work of one pass
 };
 
-/// Nothing where the contestant does not take such bodies.
+/// Returns nothing if the contestant does not take such bodies.
 std::optional<Judged> judge(const Workload& workload, const Contestant& contestant, Question question,
                             const std::vector<char>& truth)
 {
@@ -114,7 +115,7 @@ std::optional<Judged> judge(const Workload& workload, const Contestant& contesta
                       });
     if (since_first.seconds() > enough_seconds) break;
   }
-  // Nodes made on demand are there now.
+  // By now, the nodes built on demand exist.
   result.bytes = pair->tree_bytes();
   result.nodes = pair->node_count();
   return result;

@@ -6,7 +6,7 @@
 
 namespace tetracone::experiments {
 
-/// What the study runs on.
+/// The options of the study.
 struct Study_options {
   std::filesystem::path out = "out";
   std::filesystem::path models;  ///< the folder that fetch_models.sh filled with libcgal-demo's meshes
@@ -15,12 +15,12 @@ struct Study_options {
   std::uint64_t seed = 1;
 };
 
-/// The robustness and time study: every subject on the trajectories of JS08 section 4 and on exactly degenerate
-/// contacts, its answers judged by the truth, its time measured. Writes out/study.csv, one row for each workload,
-/// question and subject.
+/// Runs the robustness and time study. Every subject is asked on the trajectories of JS08 section 4 and on exactly
+/// degenerate contacts; its answers are judged by the truth and its time is measured. Writes out/study.csv, one row for
+/// each workload, question and subject.
 ///
-/// Each workload's rows are kept under out/study/ as soon as they are there; started again with the same options, the
-/// study goes on after the last of them. Throws covering::Input_error when the models are not there or `out` cannot be
+/// Each workload's rows are saved under out/study/ as soon as they are made. Started again with equal options, the
+/// study continues after the last of them. Throws covering::Input_error when the models do not exist or `out` cannot be
 /// written.
 void run_study(const Study_options& options);
 

@@ -18,8 +18,8 @@
 namespace tetracone::experiments {
 namespace {
 
-/// Nanoseconds a query of `count` threads that ask the poses in turn, `rounds` times over, each by a query of its own;
-/// and how many of them hit.
+/// Nanoseconds per query when `count` threads ask the poses in turn, `rounds` times over, each with its own query; and
+/// the number of hits.
 struct Lap {
   double nanoseconds;
   long hits;
@@ -48,8 +48,8 @@ Lap lap(const Body& a, const Body& b, const std::vector<kernel::Pose>& poses, in
   return {watch.nanoseconds() / double(all), hits};
 }
 
-/// Nanoseconds a triangle of making a body from its arrays, all nodes included, by so many threads: the best of some
-/// passes.
+/// Returns nanoseconds per triangle of building a body from its arrays, with all nodes, by `count` threads: the best of
+/// some passes.
 double making(const covering::Polyhedron& object, int count)
 {
   double best = 0;

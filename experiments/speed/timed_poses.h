@@ -16,16 +16,16 @@
 
 namespace tetracone::experiments {
 
-/// Answers held against the truth, and the course that their poses are of.
+/// Answers compared with the truth, and the course of their poses.
 struct Judged_answers {
   std::size_t poses = 0, collisions = 0, false_positives = 0, false_negatives = 0;
   std::size_t course_poses = 0, course_collisions = 0;
 
-  /// How values of the course are found from these poses.
+  /// Returns how the course's values are estimated from these poses.
   const char* estimator() const { return poses == course_poses ? "every pose" : "hits and misses by their share"; }
 };
 
-/// Poses of one kind: each stands for `weight` poses of the course.
+/// Poses of one kind; each represents `weight` poses of the course.
 struct Stratum {
   std::vector<std::size_t> numbers;
   double weight = 1;
@@ -40,7 +40,7 @@ inline Stratum spread_sample(const std::vector<std::size_t>& of, std::size_t cou
   return sample;
 }
 
-/// The counts, each times the weight, rounded.
+/// Returns the counts, each times the weight, rounded.
 inline tetratree::Query_statistics weighted(const tetratree::Query_statistics& counts, double weight)
 {
   using Fields = std::array<std::uint64_t, sizeof(counts) / sizeof(std::uint64_t)>;
@@ -57,7 +57,7 @@ inline tetratree::Query_statistics weighted(const tetratree::Query_statistics& c
 /// Each is therefore an estimate of its value over the whole course.
 class Timed_poses {
  public:
-  /// One in `one_in` of the poses of `truth`, which must outlive this; all of them in their order where it is 1.
+  /// Takes one in `one_in` poses of `truth`, which must outlive this; if it is 1, all poses in their order.
   Timed_poses(const std::vector<char>& truth, std::size_t one_in) : truth_(truth), has_all_(one_in == 1)
   {
     std::vector<std::size_t> hits, others;  // all are others where none is left out
@@ -76,8 +76,9 @@ class Timed_poses {
   const std::vector<Stratum>& strata() const { return strata_; }
   const Judged_answers& judged() const { return judged_; }
 
-  /// One pass: `collide(k)` is the answer in pose k. `clock_ns`, what the clock itself takes, is subtracted from the
-  /// time of each pose. After each stratum `done` is called with its weight. Returns the course's mean in nanoseconds.
+  /// Runs one pass, in which `collide(k)` answers pose k. `clock_ns`, the clock's own time, is subtracted from the time
+  /// of each pose. After each stratum it calls `done` with the stratum's weight. Returns the course's mean in
+  /// nanoseconds.
   template <class Collide, class Done>
   double pass(const Collide& collide, double clock_ns, const Done& done)
   {
@@ -99,7 +100,7 @@ class Timed_poses {
     return total / double(truth_.size());
   }
 
-  /// One pass in which no pose is clocked for itself: the course's mean in nanoseconds.
+  /// Runs one pass without timing single poses. Returns the course's mean in nanoseconds.
   template <class Collide>
   double pass_without_clock(const Collide& collide) const
   {
@@ -112,7 +113,8 @@ class Timed_poses {
     return total / double(truth_.size());
   }
 
-  /// The course's mean of the fastest times, from the poses of `other`. Requires that these are all poses, or `*this`.
+  /// Returns the course's mean of the fastest times, from the poses of `other`. Requires that `*this` has all poses, or
+  /// is `other`.
   double mean_ns(const Timed_poses& other) const
   {
     double total = 0;
@@ -122,10 +124,10 @@ class Timed_poses {
     return total / double(truth_.size());
   }
 
-  /// The fastest time of each pose, in the order of `strata()`.
+  /// Returns the fastest time of each pose, in the order of `strata()`.
   const std::vector<double>& fastest_ns() const { return fastest_; }
 
-  /// The fastest time of a pose, such that `share` of the course's poses have a shorter one.
+  /// Returns the quantile of the fastest times: a fraction `share` of the course's poses has a shorter one.
   double quantile_ns(double share) const
   {
     std::vector<std::pair<double, double>> times;  // with the weight of each

@@ -20,7 +20,8 @@ using kernel::Pose;
 
 Vector sum(const Vector& a, double s, const Vector& b) { return {a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]}; }
 
-/// B in a random rotation and, where it turns, from there about a random axis, twice round in the whole trajectory.
+/// B in a random rotation. If it turns, it starts there and turns about a random axis, twice round in the whole
+/// trajectory.
 class Turning_body {
  public:
   Turning_body(const covering::Polyhedron& b, double ratio, Random& random, Turning turning)
@@ -31,7 +32,7 @@ class Turning_body {
         turns_(turning == Turning::yes)
   {}
 
-  /// B with its centroid at `position`, at `time` from 0 to 1.
+  /// Returns B's pose with its centroid at `position`, at `time` from 0 to 1.
   Pose pose(const Vector& position, double time) const
   {
     const auto [c, s] = turn(turns_ ? time : 0);  // cosine and sine of half the angle
@@ -60,11 +61,11 @@ class Turning_body {
   bool turns_;
 };
 
-/// How many frames are to collide, at least and at most.
+/// The smallest and the largest wanted number of colliding frames.
 struct Range {
   int low, high;
 
-  /// From `least` to `most` of the frames; where no whole number is there, `otherwise`.
+  /// Returns the range from `least` to `most` of the frames; `otherwise` if no whole number is in it.
   static Range of(int frames, double least, double most, int otherwise)
   {
     const Range range = {static_cast<int>(std::ceil(least * frames)), static_cast<int>(std::floor(most * frames))};
@@ -72,16 +73,16 @@ struct Range {
   }
 };
 
-/// All frames at one distance: near collides, far does not.
+/// All frames at one distance: a near frame collides, a far one does not.
 template <class At>
 class Frames {
  public:
-  /// `at(frame, distance)` is a pose.
+  /// Requires a function `at(frame, distance)` that returns a pose.
   Frames(int count, const At& at, const Collides& collides, Range range)
       : count_(count), at_(at), collides_(collides), range_(range)
   {}
 
-  /// How many collide at this distance; above the range, counting stops.
+  /// Returns the number of frames that collide at this distance; counting stops above the range.
   int colliding(double distance) const
   {
     int found = 0;
@@ -89,8 +90,9 @@ class Frames {
     return found;
   }
 
-  /// A distance between at which a number in range collides. Requires more than that at `near`, fewer at `far`, and
-  /// thus finds one, unless several frames begin to collide at the same number: then the far side of it, with fewer.
+  /// Returns a distance between the two at which a number in the range collides. Requires more collisions at `near` and
+  /// fewer at `far`. It fails only where several frames begin to collide at one double; then it returns the far side,
+  /// with fewer collisions.
   double between(double near, double far) const
   {
     for (;;) {
@@ -154,8 +156,8 @@ std::vector<Pose> circular_trajectory(const covering::Polyhedron& a, const cover
 
 namespace {
 
-/// The distance of the first collision on the way from `outside` to 0 in steps, at most `error` too far out; nothing
-/// where no step collides.
+/// Returns an upper bound of the distance of the first collision on the path from `outside` to 0 in steps, too large by
+/// at most `error`; nothing if no step collides.
 template <class Collides_at>
 std::optional<double> first_contact(double outside, double step, double error, const Collides_at& collides_at)
 {
@@ -185,7 +187,7 @@ std::vector<Pose> contour_trajectory(const covering::Polyhedron& a, const coveri
   const auto [w, x, y, z] = random.quaternion();
   const Rotation pole = rotation(w, x, y, z);
 
-  // Turns of a spiral whose neighbouring windings are as far apart as its neighbouring frames.
+  // The spiral's windings are as far apart as its consecutive frames.
   const double windings = std::sqrt(frames * std::numbers::pi) / 2;
   const auto time = [frames](int k) { return (k + 0.5) / frames; };
   const auto direction = [&](int k) {
@@ -213,7 +215,8 @@ std::vector<Pose> contour_trajectory(const covering::Polyhedron& a, const coveri
   const Range range = Range::of(frames, 0.055, 0.095, nearest);
   const Frames all(frames, at, collides, range);
 
-  // Two thirds of the jitter for a plane border; else that far out or in until the number is passed.
+  // For a plane border the distance is about two thirds of the jitter; otherwise it is moved out or in until the number
+  // is passed.
   double near = 0.625 * jitter, far = near;
   for (double stride = jitter / 4; all.colliding(near) < range.low && near > -size; stride *= 2) {
     far = near;

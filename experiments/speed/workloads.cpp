@@ -24,7 +24,7 @@ using kernel::Question;
 using kernel::Rational;
 using Shift = std::array<Rational, 3>;
 
-/// The four objects of the time study, each made once, when it is first asked for.
+/// The four objects of the time study, each made once on demand.
 class Objects {
  public:
   explicit Objects(std::filesystem::path models) : models_(std::move(models)) {}
@@ -65,9 +65,9 @@ Workload on_trajectory(Objects& objects, const std::string& trajectory, const st
 
 Pose rounded(const Pose& pose) { return Pose(pose.entries()); }
 
-/// Both bodies under one random rotation R, and B moved by a shift in A's frame: poses R and R o shift. Exact: R is the
-/// rotation of an integer quaternion and the contact in A's frame is kept exactly; else both poses are rounded to
-/// doubles first.
+/// Puts both bodies under one random rotation R and moves B by a shift in A's frame: poses R and R o shift. If `exact`,
+/// R is the rotation of an integer quaternion and the contact in A's frame is kept exactly. Otherwise both poses are
+/// rounded to doubles.
 void add_poses(Workload& w, Random& random, const Shift& shift, bool exact)
 {
   std::array<int, 4> q{0, 0, 0, 0};
@@ -102,7 +102,7 @@ Workload cubes(const std::string& scenario, const Shift& shift, bool exact, int 
   return w;
 }
 
-/// Two unit cubes face to face with a gap, or an overlap, of 2^-20 down to 2^-60: both answers in turn.
+/// Two unit cubes face to face, alternately with a gap and an overlap, of 2^-20 down to 2^-60.
 Workload cubes_with_gap(int rotations, Random random)
 {
   Workload w = degenerate("gap of 2^-20 to 2^-60", "cube", unit_cube(), "cube", unit_cube());
@@ -122,7 +122,7 @@ Workload nested(int rotations, Random random)
   return w;
 }
 
-/// A small cube in the cavity of a box: free, and touching the wall from inside, in turn.
+/// A small cube in the cavity of a box, alternately free and touching the wall from inside.
 Workload in_cavity(int rotations, Random random)
 {
   Workload w = degenerate("in a cavity", "box with cavity", box_with_cavity(0.5, 0.25), "small cube",
@@ -132,8 +132,8 @@ Workload in_cavity(int rotations, Random random)
   return w;
 }
 
-/// The complex polyhedra side by side: a vertex of A that is farthest along x on one of B that is farthest against it,
-/// or a hair off it, in turn.
+/// The complex polyhedra side by side: a vertex of A that is farthest along x, alternately on a vertex of B that is
+/// farthest against x and slightly off it.
 Workload stacked(Objects& objects, int rotations, Random random)
 {
   Workload w = degenerate("stacked", "complex-1", objects["complex-1"], "complex-2", objects["complex-2"]);
@@ -156,8 +156,8 @@ Workload stacked(Objects& objects, int rotations, Random random)
   return w;
 }
 
-/// The mesh against itself, extreme vertex on extreme vertex along a random direction, or off by 2^-50 along it, in
-/// turn.
+/// The mesh against itself, extreme vertex on extreme vertex along a random direction, alternately in contact and apart
+/// by at most 2^-50 in each coordinate.
 Workload vertex_on_vertex(Objects& objects, int rotations, Random random)
 {
   Workload w = degenerate("vertex on vertex", "cat-size", objects["cat-size"], "cat-size", objects["cat-size"]);

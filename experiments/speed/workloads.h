@@ -20,23 +20,23 @@ struct Workload {
   std::string scenario;  ///< circular, contour, or the kind of contact
   std::string a_name, b_name;
   covering::Polyhedron a, b;
-  double scale_b = 1;  ///< by how much the poses of B scale it: 1 / relative size, a power of two
-  std::vector<kernel::Pose> poses_a, poses_b;  ///< as many of A as of B, or one
+  double scale_b = 1;                          ///< the scale in the poses of B: 1 / relative size, a power of two
+  std::vector<kernel::Pose> poses_a, poses_b;  ///< as many for A as for B, or one
   std::vector<kernel::Question> questions;
 
   const kernel::Pose& pose_a(std::size_t k) const { return poses_a[poses_a.size() == 1 ? 0 : k]; }
 };
 
-/// A workload that is made when it is asked for.
+/// A workload that is made on demand.
 struct Named_workload {
   std::string name;  ///< a file name
   std::function<Workload()> make;
 };
 
-/// The workloads of the study: the four objects of JS08 Fig. 15 (two complex polyhedra, a mesh of the cat's size and
-/// one of the horse's) in all pairs on both trajectories of its section 4, the largest against itself at relative sizes
-/// 1:2 to 1:16, and scenarios of exactly degenerate contact, `rotations` poses each. `models` is the folder that
-/// fetch_models.sh filled. Throws covering::Input_error when a mesh is not there.
+/// Returns the workloads of the study. The four objects of JS08 Fig. 15 (two complex polyhedra, a mesh of the cat's
+/// size and one of the horse's) move in all pairs on both trajectories of its section 4. The largest moves against
+/// itself at relative sizes 1:2 to 1:16. Scenarios of exactly degenerate contact have `rotations` poses each. `models`
+/// is the folder that fetch_models.sh filled. Throws covering::Input_error when a mesh does not exist.
 std::vector<Named_workload> study_workloads(const std::filesystem::path& models, int frames, int rotations,
                                             std::uint64_t seed);
 

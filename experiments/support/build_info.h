@@ -7,7 +7,7 @@
 
 namespace tetracone::experiments {
 
-/// Without commas and quotes: a field of a CSV.
+/// Returns the text as a field of a CSV, with semicolons for commas and without quotes.
 inline std::string field(std::string text)
 {
   std::replace(text.begin(), text.end(), ',', ';');
@@ -27,7 +27,7 @@ inline std::string compiler()
 /// The flags that the program was built with.
 inline std::string compiler_flags() { return field(TETRACONE_FLAGS); }
 
-/// The processor's own name, where the system tells.
+/// Returns the processor's name, if the system gives it.
 inline const std::string& processor()
 {
   static const std::string name = [] {

@@ -11,7 +11,7 @@
 
 namespace tetracone::experiments {
 
-/// A row of a CSV with its header: each field with its name. Numbers are written to four digits, counts as they are.
+/// A row of a CSV with its header: each field has a name. Numbers are written with four digits, counts in full.
 class Csv_row {
  public:
   Csv_row& add(const std::string& name, const std::string& value)
@@ -28,15 +28,15 @@ class Csv_row {
     if (value == 0 || !std::isfinite(value)) return add(name, kernel::shortest(value));
     const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - 3);
     const double rounded = unit < 1 ? std::round(value / unit) / std::round(1 / unit) : std::round(value / unit) * unit;
-    // Near the ends of the doubles' range the unit, or its inverse, is none.
+    // Near the ends of the doubles' range, the unit or its inverse is not a double.
     return add(name, kernel::shortest(unit > 0 && std::isfinite(rounded) && rounded != 0 ? rounded : value));
   }
-  /// The shortest decimal that is read back as this double.
+  /// Adds the shortest decimal that is read back as this double.
   Csv_row& add_exact(const std::string& name, double value) { return add(name, kernel::shortest(value)); }
-  /// A field that this row has no value for.
+  /// Adds an empty field for a missing value.
   Csv_row& none(const std::string& name) { return add(name, std::string()); }
 
-  /// The program and the processor that made the row, and the words that make it again.
+  /// Adds the program and the processor that made the row, and the command line that makes it again.
   Csv_row& add_build()
   {
     return add("version", TETRACONE_VERSION)
@@ -45,9 +45,9 @@ class Csv_row {
         .add("processor", processor())
         .add_again();
   }
-  /// The words that make the row again.
+  /// Adds the command line that makes the row again.
   Csv_row& add_again() { return add_quoted("again", again()); }
-  /// A text in quotes, which may hold commas.
+  /// Adds a text in quotes, which may contain commas.
   Csv_row& add_quoted(const std::string& name, const std::string& text)
   {
     const char* comma = header_.empty() ? "" : ",";
@@ -57,7 +57,7 @@ class Csv_row {
     line_ += '"';
     return *this;
   }
-  /// The seed, and what `add_build` says.
+  /// Adds the seed and the fields of `add_build`.
   Csv_row& add_origin(std::uint64_t seed) { return add("seed", seed).add_build(); }
 
   std::string header() const { return header_ + '\n'; }
@@ -67,7 +67,7 @@ class Csv_row {
   std::string header_, line_;
 };
 
-/// A CSV of rows with the same names of fields.
+/// A CSV of rows with equal names of fields.
 class Csv_table {
  public:
   void add(const Csv_row& row)
@@ -76,7 +76,7 @@ class Csv_table {
     text_ += row.line();
   }
 
-  /// The header and all rows; nothing where there is no row.
+  /// Returns the header and all rows; empty when there is no row.
   const std::string& text() const { return text_; }
 
  private:

@@ -18,7 +18,7 @@ struct Ran {
   std::string errors;
 };
 
-/// Runs it in a shell: its output is ours, its errors are kept.
+/// Runs the command in a shell, with our standard output; its errors are kept.
 Ran run(const std::string& command)
 {
   std::cout.flush();
@@ -40,7 +40,8 @@ std::string last_line(std::string text)
   return text.substr(text.rfind('\n') + 1);
 }
 
-/// Where the script is: among the sources that the program was built from, else where it is installed with the program.
+/// Returns the path of the script: among the sources that the program was built from, else as installed with the
+/// program.
 std::filesystem::path script_path(const std::string& script)
 {
   namespace fs = std::filesystem;
@@ -66,7 +67,7 @@ void draw(const std::string& script, const std::filesystem::path& out)
     std::cerr << ran.errors;
     return;
   }
-  // A script that knows what is wrong says it in our way; Python's own last line is the error behind its trace.
+  // A script reports its own errors in our form; Python's own error is the last line, after its trace.
   const std::string last = last_line(ran.errors);
   if (last.find("; expected") != std::string::npos) throw std::runtime_error(last);
   throw std::runtime_error(script + " failed: " + (last.empty() ? "status " + std::to_string(ran.status) : last) +

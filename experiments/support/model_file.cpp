@@ -42,7 +42,7 @@ Model_file saved_model(const std::string& file)
   return {file, saved, all_faces(saved.polyhedron())};
 }
 
-/// What goes to stderr is added to `lines`.
+/// Appends the lines for stderr to `lines`.
 Model_file planar_model(const std::string& file, covering::Polyhedron polyhedron, bool strict, std::string& lines)
 {
   auto planar = covering::triangulate_non_planar(std::move(polyhedron));
@@ -56,7 +56,7 @@ Model_file planar_model(const std::string& file, covering::Polyhedron polyhedron
   return {file, triangulated_body(std::move(planar.polyhedron)), std::move(planar.source)};
 }
 
-/// As `load_model`, with what goes to stderr in `lines`.
+/// As `load_model`, with the lines for stderr in `lines`.
 Model_file load(const std::string& file, const Model_options& options, bool must_be_solid, std::string& lines)
 {
   const bool is_saved = detail::is_body_file(file);
@@ -73,7 +73,7 @@ Model_file load(const std::string& file, const Model_options& options, bool must
     return planar_model(file, std::move(polyhedron), options.strict, lines);
   };
   Model_file model = is_saved && !options.merge && !options.orient ? saved_model(file) : as_options_say();
-  // What replaces a face has its edges: it is open where the file is.
+  // Triangles that replace a face have its edges, so the model is open where the file is.
   if (must_be_solid && !model.body.is_closed()) refuse_open(file, model.polyhedron());
   return model;
 }

@@ -14,7 +14,7 @@ class App;
 
 namespace tetracone::experiments {
 
-/// What a user says about how models are taken.
+/// The user's options for reading models.
 struct Model_options {
   bool strict = false;  ///< refuse a face that is not exactly planar instead of replacing it by triangles
   bool orient = false;  ///< orient faces consistently first
@@ -23,30 +23,32 @@ struct Model_options {
   void add_to(CLI::App& command);
 };
 
-/// A model of a file, fit for a tree: every face is planar.
+/// A model of a file, prepared for a tree: every face is planar.
 struct Model_file {
   std::string file;
-  Body body;                                 ///< with what the file has of its tree, or triangulated
-  std::vector<covering::Index> source_face;  ///< the face of the file that each face is, or is a triangle of; ascending
+  Body body;  ///< with the nodes of its tree that the file has, or triangulated
+  std::vector<covering::Index>
+      source_face;  ///< for each face, the face of the file that it is, or is a triangle of; ascending
 
   const covering::Polyhedron& polyhedron() const { return body.polyhedron(); }
 };
 
-/// A holder that the body names, its face as the file has it: triangles that replace a face are that face.
+/// Returns the holder with its face as in the file: triangles that replace a face become that face.
 Holder named_as_in_file(Holder holder, const Model_file& model);
 
-/// What would close an open polyhedron, and the options that do it; or that merging and orientation would not.
+/// Returns a text with the options that would close an open polyhedron, or that merging and orientation would not.
 std::string what_closes(const covering::Polyhedron& polyhedron);
 
-/// A polyhedron that comes from no file of its own, with planar faces.
+/// Returns a model without a file of its own, from a polyhedron with planar faces.
 Model_file whole_model(const std::string& name, covering::Polyhedron polyhedron);
 
-/// Reads a model or a saved body, merged and oriented as the options say, its non-planar faces replaced by triangles.
-/// Lines on stderr say that, and what the reader left out. Throws covering::Input_error for an unreadable file, with
-/// `strict` for a non-planar face, and with `must_be_solid` for an open surface: what is open, and what would close it.
+/// Reads a model or a saved body, merged and oriented by the options, with its non-planar faces replaced by triangles.
+/// Lines on stderr report this, and the parts that the reader left out. Throws covering::Input_error for an unreadable
+/// file, with `strict` for a non-planar face, and with `must_be_solid` for an open surface: where it is open, and what
+/// would close it.
 Model_file load_model(const std::string& file, const Model_options& options, bool must_be_solid);
 
-/// Both, at the same time; their lines and errors come as one after the other.
+/// Loads both at the same time; their lines and errors come as if they were loaded one after the other.
 std::array<Model_file, 2> load_models(const std::string& a, const std::string& b, const Model_options& options,
                                       bool must_be_solid);
 

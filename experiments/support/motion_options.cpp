@@ -21,7 +21,7 @@ using covering::Input_error;
 using covering::Rigid_pose_line;
 using kernel::Body_motion;
 
-/// The poses of A, which stands, and those at both ends of the segments of B's path.
+/// The poses of A, which rests, and those at both ends of the segments of B's path.
 template <class Pose, class Read>
 std::array<std::vector<Pose>, 4> read_path(const Motion_names& names, const Read& read)
 {
@@ -36,7 +36,7 @@ std::array<std::vector<Pose>, 4> read_path(const Motion_names& names, const Read
   return {of_a, of_a, std::vector<Pose>(path.begin(), path.end() - 1), std::vector<Pose>(path.begin() + 1, path.end())};
 }
 
-/// The poses of a file; of none the identity.
+/// Reads the poses of all files; the identity for a missing one.
 template <class Pose, class Read>
 std::array<std::vector<Pose>, 4> read_all(const Motion_names& names, const Read& read)
 {
@@ -75,7 +75,7 @@ Motion_pairs pairs_of(const std::array<std::vector<Pose>, 4>& poses, const Make&
   return pairs;
 }
 
-/// Rigid poses; of matrices that are rotations but nearly, a line on stderr says so.
+/// Reads rigid poses. A line on stderr reports matrices that are only nearly rotations.
 std::vector<Rigid_pose_line> read_rigid(const std::string& file)
 {
   std::vector<Rigid_pose_line> poses = covering::read_rigid_poses(file);

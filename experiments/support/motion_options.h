@@ -13,17 +13,17 @@
 
 namespace tetracone::experiments {
 
-/// How a user names motions of two models: the poses of each at t = 0 and at t = 1, or the poses of a path of B.
+/// The user's options for motions of two models: the poses of each at t = 0 and t = 1, or the poses of a path of B.
 struct Motion_names {
   std::string a, b, kind = "linear";
-  std::string path;                  ///< poses of B one after the other, while A stands at --pose-a0; empty: none
+  std::string path;                  ///< consecutive poses of B, while A rests at --pose-a0; empty: none
   std::array<std::string, 4> poses;  ///< --pose-a0, --pose-a1, --pose-b0, --pose-b1; empty: the identity
   Model_options models;
 
-  /// The options of poses and of their kind, without that of the path.
+  /// Adds the options of poses and of their kind, without the option of the path.
   void add_options_to(CLI::App& command);
 
-  /// Whether a pose is named.
+  /// True when a pose is named.
   bool is_given() const
   {
     return std::ranges::any_of(poses, [](const std::string& file) { return !file.empty(); });

@@ -26,7 +26,7 @@ std::error_code write_all(int descriptor, std::string_view text)
   return {};
 }
 
-/// Opens with these flags, writes and closes.
+/// Opens the file with these flags, writes and closes it.
 std::error_code write_to(const fs::path& file, int flags, std::string_view text)
 {
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666);
@@ -36,7 +36,7 @@ std::error_code write_to(const fs::path& file, int flags, std::string_view text)
   return error;
 }
 
-/// Where a link leads, also where nothing is there yet.
+/// Returns the file to which a link leads, even if nothing exists there yet.
 fs::path followed(fs::path file)
 {
   std::error_code error;
@@ -45,10 +45,10 @@ fs::path followed(fs::path file)
   return file;
 }
 
-/// By way of a temporary file, which is removed when that fails.
+/// Replaces the file by way of a temporary one, which is removed if that fails.
 std::error_code replace(const fs::path& file, std::string_view text)
 {
-  // A rename asks no file's own permission.
+  // A rename does not check the permissions of the file itself.
   if (::access(file.c_str(), W_OK) != 0 && errno != ENOENT) return last_error();
   const fs::path temporary = file.native() + ".part" + std::to_string(getpid());
   std::error_code error = write_to(temporary, O_CREAT | O_TRUNC, text), ignored;
@@ -63,7 +63,7 @@ std::error_code write_somehow(const fs::path& file, std::string_view text)
   const fs::file_status status = fs::status(file, error);
   if (status.type() == fs::file_type::none) return error;
   if (!fs::exists(status)) return replace(followed(file), text);
-  // Renamed over, it would not be where the shell goes on to write.
+  // After a rename, the shell would go on writing to another file.
   if (fs::equivalent(file, "/proc/self/fd/1", error)) return write_all(STDOUT_FILENO, text);
   return fs::is_regular_file(status) ? replace(followed(file), text) : write_to(file, 0, text);
 }
@@ -100,7 +100,7 @@ void refuse_input(const fs::path& output, const std::vector<fs::path>& inputs)
 
 bool is_same_file(const fs::path& a, const fs::path& b)
 {
-  // weakly_canonical leaves a relative name of which nothing is there as it is.
+  // weakly_canonical leaves a relative name unchanged if no part of it exists.
   std::error_code none;
   const fs::path of_a = fs::weakly_canonical(fs::absolute(a, none), none);
   return !of_a.empty() && of_a == fs::weakly_canonical(fs::absolute(b, none), none);

@@ -7,20 +7,20 @@
 
 namespace tetracone::experiments {
 
-/// Makes a folder of results, where it is not there yet. Throws covering::Input_error when it cannot be made: before
+/// Makes a folder of results if it does not exist. Throws covering::Input_error when it cannot be made. Call it before
 /// the work, not after it.
 void make_folder(const std::filesystem::path& folder);
 
-/// Writes the whole file under a temporary name beside it, then renames: a reader sees the old file or the new one,
-/// never a part. Links are followed. A device or a FIFO, and the file that standard output already is, are written as
-/// they are. Throws covering::Input_error, with the system's reason, when it cannot be written; then nothing is left
+/// Writes the whole file under a temporary name beside it, then renames it: a reader sees the old file or the new one,
+/// never a part. Links are followed. A device, a FIFO, or the file that standard output already is, is written
+/// directly. Throws covering::Input_error, with the system's reason, when it cannot be written; then nothing is left
 /// behind.
 void write_whole(const std::filesystem::path& file, const std::string& text);
 
-/// Throws covering::Input_error when `output` is one of the files, under whatever name. Call before the work.
+/// Throws covering::Input_error when `output` is one of the files, under any name. Call it before the work.
 void refuse_input(const std::filesystem::path& output, const std::vector<std::filesystem::path>& inputs);
 
-/// Whether both names lead to one file, also where that file is not there yet.
+/// True when both names lead to one file, even if that file does not exist yet.
 bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
 }  // namespace tetracone::experiments

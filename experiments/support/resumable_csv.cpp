@@ -12,7 +12,7 @@
 namespace tetracone::experiments {
 namespace {
 
-/// The options of the words as a name of a folder: `race-frames-60-seed-1`.
+/// Returns the options of the command line as a folder's name: `race-frames-60-seed-1`.
 std::string folder_of_words()
 {
   constexpr std::string_view out = " --out out";  // the last word that is the same whatever the sizes are

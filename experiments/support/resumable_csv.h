@@ -8,7 +8,7 @@
 
 namespace tetracone::experiments {
 
-/// Some rows of a table, made when they are asked for.
+/// Some rows of a table, made on demand.
 struct Table_part {
   std::string name;                   ///< a file name
   std::function<std::string()> make;  ///< a CSV with its header

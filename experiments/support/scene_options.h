@@ -12,12 +12,12 @@
 
 namespace tetracone::experiments {
 
-/// How a user names a scene: one or two models with their poses, or a case file alone.
+/// The user's options for a scene: one or two models with their poses, or a case file alone.
 struct Scene_names {
   std::string a, b, poses_a, poses_b;
   Model_options models;
 
-  /// The options of models and poses. What A and B may be is the command's to say.
+  /// Adds the options of models and poses. The command itself defines what A and B may be.
   void add_options_to(CLI::App& command);
 
   /// Throws CLI::ValidationError when something is named beside a case file, which holds both bodies and poses.
@@ -27,7 +27,7 @@ struct Scene_names {
   void refuse_as_output(const std::filesystem::path& output) const;
 };
 
-/// The poses of two bodies, in pairs; one pose of either serves all of the other.
+/// The poses of two bodies, in pairs; a single pose of one body is paired with every pose of the other.
 struct Pose_pairs {
   std::vector<kernel::Pose> a, b;
 
@@ -36,8 +36,8 @@ struct Pose_pairs {
   const kernel::Pose& of_b(std::size_t k) const { return b[b.size() == 1 ? 0 : k]; }
 };
 
-/// The poses of both files, of a file that is not named the identity. Throws covering::Input_error for bad files, and
-/// for numbers of poses that do not go together.
+/// Reads the poses of both files; without a file, the identity. Throws covering::Input_error for bad files, and for
+/// numbers of poses that do not match.
 Pose_pairs read_pose_pairs(const Scene_names& names);
 
 }  // namespace tetracone::experiments

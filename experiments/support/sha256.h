@@ -11,11 +11,12 @@
 
 namespace tetracone::experiments {
 
-/// The SHA-256 of the bytes, in 64 hexadecimal digits, as `sha256sum` prints it (FIPS 180-4).
+/// Returns the SHA-256 of the bytes, in 64 hexadecimal digits, as `sha256sum` prints it (FIPS 180-4).
 inline std::string sha256(std::string_view bytes)
 {
   using Word = std::uint32_t;
-  // The first 32 bits of the fractional parts of the square roots of the first 8 primes, and of the cube roots of 64.
+  // The constants are the first 32 bits of the fractional parts of the square roots of the first 8 primes, and of the
+  // cube roots of the first 64.
   std::array<Word, 8> state{};
   std::array<Word, 64> constants{};
   const auto fraction = [](double x) { return Word((x - std::floor(x)) * 0x1p32); };

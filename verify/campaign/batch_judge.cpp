@@ -24,7 +24,8 @@ using kernel::Question;
 
 constexpr std::array questions = {Question::surface, Question::solid};
 
-/// Number of the relation that case k is tried with, modulo their count: each family begins with another one.
+/// Returns the number of the relation with which case k is tried, modulo the number of relations. Each family begins
+/// with another relation.
 std::size_t relation_turn(const Batch& batch, std::uint64_t k)
 {
   return k / relation_stride + std::size_t(batch.family->number);
@@ -39,7 +40,7 @@ std::optional<int> truth_of(const Predicate_case& c, Predicate predicate)
   return first;
 }
 
-/// A batch of predicate cases at work.
+/// A running batch of predicate cases.
 class Predicate_batch : Working_batch<Predicate_subject> {
  public:
   Predicate_batch(const Campaign& campaign, const Batch& batch, const Done& done)
@@ -125,7 +126,7 @@ int differences(const std::vector<int>& answers, const std::vector<int>& truths)
   return count;
 }
 
-/// A batch of object cases, or a sequence, at work.
+/// A running batch of object cases, or of a sequence.
 class Object_batch : Working_batch<Object_subject> {
  public:
   Object_batch(const Campaign& campaign, const Batch& batch, const Done& done, Running_subjects& running)
@@ -142,7 +143,7 @@ class Object_batch : Working_batch<Object_subject> {
   }
 
  private:
-  /// The truth of both questions of a case.
+  /// The truth of a case for both questions.
   using Truth = std::map<Question, bool>;
 
   void judge(const Object_case& c, std::uint64_t k)
@@ -196,7 +197,7 @@ class Object_batch : Working_batch<Object_subject> {
                         verdict != Verdict::not_applicable, verdict == Verdict::violated);
   }
 
-  /// Counts how often answers change along the sequence, and how often the truth does.
+  /// Counts the changes of answers along the sequence, and of the truth.
   void count_flips()
   {
     for (const auto& [asked, given] : answers_) {
@@ -215,7 +216,8 @@ class Object_batch : Working_batch<Object_subject> {
   }
 
   Running_subjects& running_;
-  // Case after case, by subject and question; nothing for a case that was not asked, -1 for a failure.
+  // The answers of all cases in order, by subject and question; nothing for a case that was not asked, -1 for a
+  // failure.
   std::map<std::pair<std::size_t, Question>, std::vector<std::optional<int>>> answers_;
   std::map<Question, std::vector<int>> truths_;
 };
@@ -232,7 +234,7 @@ Pairs true_features(const Object_case& c)
   return first;
 }
 
-/// A batch of cases whose features are asked for, at work.
+/// A running batch of cases that ask for features.
 class Feature_batch : Working_batch<Object_subject> {
  public:
   Feature_batch(const Campaign& campaign, const Batch& batch, const Done& done, Running_subjects& running)

@@ -46,7 +46,7 @@ std::int64_t run_number(Database& database, const Campaign& campaign)
   return id;
 }
 
-/// The database of another campaign, as `other`, while this lives.
+/// Attaches the database of another campaign, as `other`, for its own lifetime.
 class Attached {
  public:
   Attached(Database& database, const std::filesystem::path& other) : database_(database)
@@ -67,7 +67,7 @@ class Attached {
   Database& database_;
 };
 
-/// True when the attached database has no batch that `into` does not have, to the same case.
+/// True when `into` has every batch of the attached database, up to the same case.
 bool has_all(Database& into)
 {
   return !Database::Statement(into, "SELECT 1 FROM (SELECT * FROM other.done EXCEPT SELECT * FROM main.done) LIMIT 1")
@@ -75,8 +75,7 @@ bool has_all(Database& into)
               .next();
 }
 
-/// Throws covering::Input_error when `into` and the attached database `from` have a batch of the same cases and
-/// subject.
+/// Throws covering::Input_error when `into` and the attached database `from` have the same batch for one subject.
 void refuse_common_batches(Database& into, const std::filesystem::path& from)
 {
   Database::Statement twice(into,
@@ -89,7 +88,7 @@ void refuse_common_batches(Database& into, const std::filesystem::path& from)
                                 "expected each shard once, or a new file that takes all");
 }
 
-/// Adds all rows of the attached database, its runs renumbered.
+/// Adds all rows of the attached database, with its runs renumbered.
 constexpr const char* merge_attached = R"(
     INSERT OR IGNORE INTO run (version, compiler, flags, processor, seed, real_meshes, again)
       SELECT version, compiler, flags, processor, seed, real_meshes, again FROM other.run;

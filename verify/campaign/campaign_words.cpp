@@ -15,7 +15,7 @@
 namespace tetracone::verify {
 namespace {
 
-/// Names as a JSON array, which SQLite reads, in an order of their own.
+/// Returns the names as a sorted JSON array, which SQLite reads.
 std::string array_of(const std::set<std::string>& names) { return nlohmann::json(names).dump(); }
 
 std::string families_of(const Campaign& campaign)
@@ -46,7 +46,7 @@ std::string subjects_of(const Campaign& campaign)
   return array_of(names);
 }
 
-/// What shards have in common.
+/// The columns in which shards of one campaign agree.
 const std::string common =
     "version, seed, predicate_cases, object_cases, feature_cases, probe_cases, frames, families, subjects, "
     "real_meshes, shards";
@@ -54,7 +54,7 @@ constexpr std::array common_words = {"version",       "seed",        "predicate 
                                      "feature cases", "probe cases", "frames",          "families",
                                      "subjects",      "real meshes", "shards"};
 
-/// The first word in which a row of one differs from one of the other, shortened where it is a list.
+/// Returns the first column in which two rows differ, shortened if it is a list.
 std::string difference(const Database::Statement& one, const Database::Statement& other)
 {
   constexpr std::size_t enough = 60;
@@ -83,7 +83,7 @@ void record_words(Database& database, const Campaign& campaign, std::uint64_t an
                                   "expected the same command, or another name for '" + subject.command + "'");
     add.run(subject.name, subject.command);
   }
-  // Replaced rows are the last again.
+  // A replaced row becomes the last row.
   Database::Statement(database, "INSERT OR REPLACE INTO words (" + common +
                                     ", shard, answers) "
                                     "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13)")

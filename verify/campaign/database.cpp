@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::chrono::seconds longest_wait{60};
 
-/// The file as SQLite's URI that takes no lock and wants nothing beside the file: true where nobody can write it.
+/// The file as an SQLite URI that takes no lock and needs no files beside it. This is right only if nobody can write
+/// the file.
 std::string immutable(const std::filesystem::path& file)
 {
   constexpr std::string_view hex = "0123456789abcdef";
@@ -36,14 +37,14 @@ Database::Database(const std::filesystem::path& file, Mode mode) : file_(file)
 {
   if (mode == Mode::read) {
     open(file.native(), SQLITE_OPEN_READONLY);
-    // A write-ahead database wants files beside it also to be read. Without them nobody is writing it.
+    // A write-ahead database needs files beside it even for reading. If they do not exist, nobody is writing it.
     const int status = execute(database_.get(), "SELECT 1 FROM sqlite_master");
     if ((status == SQLITE_CANTOPEN || status == SQLITE_READONLY) && !std::filesystem::exists(file.native() + "-wal"))
       open(immutable(file), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
     return;
   }
   open(file.native(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
-  // SQLite itself does not wait for this one.
+  // SQLite itself does not wait for this lock.
   const auto start = std::chrono::steady_clock::now();
   while (execute(database_.get(), "PRAGMA journal_mode = WAL") == SQLITE_BUSY &&
          std::chrono::steady_clock::now() - start < longest_wait)

@@ -31,7 +31,7 @@ Rational square_of(const Coordinates& p, const Coordinates& q)
 
 double next_above(double x) { return std::min(std::nextafter(x, HUGE_VAL), std::numeric_limits<double>::max()); }
 
-/// Whether `x` is the double nearest to the root of `square`: no neighbour's middle is passed.
+/// True when `x` is the double nearest to the root of `square`: the root is not beyond the middle to either neighbour.
 bool is_nearest_root(double x, const Rational& square)
 {
   if (!(x >= 0)) return false;
@@ -60,7 +60,7 @@ bool holds(const Placed_body& placed, const Holder& holder, const Coordinates& x
   return detail::placed_face(placed, holder.number[0]).locate(p) != Place::outside;
 }
 
-/// A batch of cases whose distances are asked for, at work.
+/// A running batch of cases that ask for distances.
 class Distance_batch : Working_batch<Object_subject> {
  public:
   Distance_batch(const Campaign& campaign, const Batch& batch, const Done& done, Running_subjects& running)
@@ -77,7 +77,7 @@ class Distance_batch : Working_batch<Object_subject> {
   }
 
  private:
-  /// Bodies of fewer faces are judged by both truths.
+  /// Both truths judge bodies with fewer faces than this.
   static constexpr std::size_t few_faces = 12;
 
   void judge(const Object_case& c, std::uint64_t k)

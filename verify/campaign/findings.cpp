@@ -104,7 +104,7 @@ void Findings::store(Database& database, std::int64_t run, std::uint64_t seed, s
               place.axis, place.bin, t.n, t.false_positives, t.false_negatives, t.failures, t.not_asked);
   }
 
-  // Where no time of making is known, -1 stands for NULL.
+  // -1 stands for NULL where the time of making is unknown.
   Statement time(database,
                  "INSERT INTO time VALUES (?1, ?2, ?3, ?4, ?5, ?6, nullif(?7, -1), ?8) ON CONFLICT DO UPDATE SET "
                  "n = n + excluded.n, making = making + excluded.making, asking = asking + excluded.asking");

@@ -21,7 +21,7 @@ using kernel::Question;
 using kernel::Time_bounds;
 using First_time = std::optional<Time_bounds>;
 
-/// Before the time, at it or after it: -1, 0 or 1.
+/// Returns -1, 0 or 1 for a time before, at or after the true one.
 int place_in_time(const Time_bounds& told, const Time_bounds& truth, bool is_exact)
 {
   if (!is_exact && truth.lo <= told.lo && told.hi <= truth.hi) return 0;
@@ -29,7 +29,7 @@ int place_in_time(const Time_bounds& told, const Time_bounds& truth, bool is_exa
   return told.hi == truth.hi ? 0 : told.hi < truth.hi ? -1 : 1;
 }
 
-/// A batch of moving bodies, at work.
+/// A running batch of moving bodies.
 class Motion_batch : Working_batch<Moving_bodies_subject> {
  public:
   Motion_batch(const Campaign& campaign, const Batch& batch, const Done& done, Running_motions& running)

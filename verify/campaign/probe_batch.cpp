@@ -24,14 +24,14 @@ using kernel::Rational;
 /// A sorted answer to a question whose answer is a list.
 using Hits = std::vector<std::pair<double, covering::Index>>;
 
-/// A point or ray is exactly degenerate, or not near to it.
+/// The distance of a point or ray, which is exactly degenerate or not near to it.
 Distance distance(bool is_degenerate)
 {
   const double log2 = is_degenerate ? -HUGE_VAL : HUGE_VAL;
   return {log2, log2};
 }
 
-/// Truths of the body of the last case.
+/// The truths for the body of the last case.
 template <class First>
 class Truths {
  public:
@@ -51,7 +51,7 @@ class Truths {
   std::optional<integer_truth::Probed_body> second_;
 };
 
-/// What the batches of points and of rays share: asking(case, k) for each case, and relations.
+/// The common part of batches of points and of rays: it calls asking(case, k) for each case, and tries relations.
 class Probe_batch : protected Working_batch<Probe_subject> {
  public:
   Probe_batch(const Campaign& campaign, const Batch& batch, const Done& done,
@@ -71,7 +71,7 @@ class Probe_batch : protected Working_batch<Probe_subject> {
     return finish();
   }
 
-  /// Adds what subject `s` has answered to a question; nothing for a failure.
+  /// Adds the answer of subject `s` to a question; nothing for a failure.
   void add(const Probe_case& c, std::uint64_t k, std::size_t s, const char* question, const Distance& away, int truth,
            std::optional<int> given, std::uint64_t ns)
   {

@@ -17,7 +17,7 @@
 namespace tetracone::verify {
 namespace {
 
-/// The pairs of each frame, by both truths. A pair is decided anew when one of its bodies has changed.
+/// The colliding pairs of each frame, by both truths. A pair is decided anew when one of its bodies has changed.
 class True_pairs {
  public:
   explicit True_pairs(const Scene_case& c) : case_(c)
@@ -84,7 +84,7 @@ class True_pairs {
   std::map<Body_pair, bool> known_;
 };
 
-/// A batch of scenes at work.
+/// A running batch of scenes.
 class Scene_batch : Working_batch<Scene_subject> {
  public:
   Scene_batch(const Campaign& campaign, const Batch& batch, const Done& done, Running_scenes& running)

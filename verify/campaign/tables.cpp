@@ -15,7 +15,7 @@ struct Table {
   std::string_view name, what, sql;
 };
 
-// A query whose last two columns are called hits and of_n gives a table with the rate and its interval in their place.
+// Where a query's last two columns are called hits and of_n, the table has the rate and its interval in their place.
 constexpr Table all[] = {
     {"errors", "wrong answers of every subject by family and question",
      "SELECT level, family, subject, question, sum(n) AS n, sum(false_positives) AS false_positives, "
@@ -103,8 +103,8 @@ constexpr Table all[] = {
      "SELECT id AS run, version, compiler, flags, processor, seed, real_meshes, again FROM run ORDER BY 1"},
 };
 
-/// Two tables that the database does not hold: temp.family has the families, temp.sweep the parameter of each case that
-/// is kept one by one.
+/// Adds two tables that the database does not hold: temp.family with the families, and temp.sweep with the parameter of
+/// each case that is kept one by one.
 void add_families(Database& database)
 {
   database.run(
@@ -121,7 +121,7 @@ void add_families(Database& database)
   }
 }
 
-/// A field of a CSV: quoted where it holds a comma or a quote.
+/// A field of a CSV, quoted if it contains a comma or a quote.
 std::string field(const std::string& text)
 {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
@@ -178,7 +178,7 @@ Interval wilson(std::int64_t hits, std::int64_t n)
   const double p = double(hits) / double(n), scale = 1 / (1 + z2 / double(n));
   const double centre = (p + z2 / (2 * double(n))) * scale;
   const double half = std::sqrt(z2 * (p * (1 - p) / double(n) + z2 / (4 * double(n) * double(n)))) * scale;
-  // At the ends the two are equal but for rounding.
+  // At the ends of [0, 1], centre and half are equal up to rounding.
   return {hits == 0 ? 0 : std::max(0.0, centre - half), hits == n ? 1 : std::min(1.0, centre + half)};
 }
 

@@ -13,17 +13,17 @@
 
 namespace tetracone::verify {
 
-/// Level of a case: one predicate on a few points, or two polyhedra.
+/// The level of a case: one predicate on a few points, or two polyhedra.
 enum class Level { predicate, object };
 
-/// What made a case: enough to make it again.
+/// The origin of a case, from which it can be made again.
 struct Origin {
   std::string family;  ///< a name of `families()`
   std::uint64_t seed = 0, index = 0;
   double parameter = 0;
 };
 
-/// The predicates under study. Answers are small integers; closed sets, so touching counts.
+/// The predicates under study. Answers are small integers. Sets are closed, so touching counts.
 enum class Predicate {
   orientation,       ///< the sign of det[v1-p, v2-p, v3-p], which is minus that of [v1, v2, v3, p]: -1, 0 or 1
   tetra_cone,        ///< 1 when p is in the closed cone from v0 through v1, v2, v3 (for v0..v3 in one plane: not asked)
@@ -48,7 +48,7 @@ inline const char* to_string(Predicate predicate)
   return names[static_cast<std::size_t>(predicate)];
 }
 
-/// Seven points on which every predicate can be asked: v0 v1 v2 v3 of body A under pose_a and p q r of body B under
+/// Seven points on which every predicate can be asked: v0 v1 v2 v3 of body A under pose_a, and p q r of body B under
 /// pose_b.
 struct Predicate_case {
   std::array<kernel::Vertex, 4> v;
@@ -57,13 +57,13 @@ struct Predicate_case {
   Origin origin;
 };
 
-/// Two polyhedra under two poses. Faces are planar. Neighbouring cases of a family may share their polyhedra, so that a
-/// subject that prepares them does so once.
+/// Two polyhedra with planar faces under two poses. Neighbouring cases of a family may share their polyhedra, so that a
+/// subject prepares them only once.
 struct Object_case {
   std::shared_ptr<const covering::Polyhedron> a, b;
   kernel::Pose pose_a, pose_b;
   Origin origin;
-  std::optional<bool> surface, solid;  ///< the answers where the family knows them by construction
+  std::optional<bool> surface, solid;  ///< the answers, if the family knows them by construction
 
   std::optional<bool> known(kernel::Question question) const
   {

@@ -26,7 +26,7 @@ using kernel::Vertex;
 /// The version of the file's form, not of the program.
 constexpr int format = 1;
 
-/// Infinite parameters: JSON has no number for them.
+/// The text for an infinite parameter: JSON has no number for it.
 constexpr const char* infinite = "infinite";
 
 template <class Named, std::size_t N>
@@ -153,7 +153,7 @@ std::string in_json(const std::string& text)
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-/// "[x, y, z]" of what `text(k)` says.
+/// Returns "[x, y, z]" with the results of `text(k)`.
 template <class Text>
 std::string list(std::size_t count, Text&& text, const std::string& open = "[", const std::string& separator = ", ",
                  const std::string& close = "]")
@@ -163,7 +163,7 @@ std::string list(std::size_t count, Text&& text, const std::string& open = "[", 
   return result + close;
 }
 
-/// As the list above, with one element per line.
+/// Returns such a list with one element per line.
 template <class Text>
 std::string lines(std::size_t count, const std::string& indent, Text&& text)
 {
@@ -213,7 +213,7 @@ std::string text_of(const std::vector<Wrong>& wrong)
   for (const Wrong& each : wrong) {
     const std::string entry = "{\"subject\": " + in_json(each.subject) +
                               ", \"answer\": " + (each.answer ? std::to_string(*each.answer) : in_json("failed")) + "}";
-    // They are many where everyone is wrong: as many a line as there is room for.
+    // The list is long where every subject is wrong: each line is filled.
     if (width > 0) text += width + entry.size() > 120 ? (width = 0, ",\n    ") : ", ";
     text += entry;
     width += entry.size();

@@ -15,12 +15,12 @@ namespace tetracone::verify {
 /// A subject that answered a case wrong.
 struct Wrong {
   std::string subject;        ///< "double tree"
-  std::optional<int> answer;  ///< what it answered; nothing: it failed
+  std::optional<int> answer;  ///< its answer; nothing if it failed
 
   friend bool operator==(const Wrong&, const Wrong&) = default;
 };
 
-/// What a case file holds.
+/// The contents of a case file.
 struct Case_file {
   Level level = Level::object;
 
@@ -28,31 +28,32 @@ struct Case_file {
                                       ///< file knows
   kernel::Question question = kernel::Question::solid;
 
-  std::optional<Predicate> predicate;  ///< where level is predicate
+  std::optional<Predicate> predicate;  ///< if level is predicate
   std::optional<Predicate_case> points;
 
   int truth = 0;             ///< the right answer to the question or predicate
-  std::vector<Wrong> wrong;  ///< who was wrong when the file was made
+  std::vector<Wrong> wrong;  ///< the subjects that were wrong when the file was made
   std::string cause;         ///< why, in one line
   std::string version;       ///< of the program that made it
 
   const Origin& origin() const { return level == Level::object ? object->origin : points->origin; }
 };
 
-/// Whether a file's name says that it is a case file.
+/// True when the file's name is that of a case file.
 bool is_case_name(const std::filesystem::path& path);
 
-/// Reads a case file. Throws covering::Input_error, with the line, for whatever is not exactly of the form that
-/// `to_json` writes or cannot be asked: fields that are missing, unknown or of another type, numbers that are not
-/// finite, coordinates that are no doubles, vertex numbers out of range, faces that are not exactly planar, det M = 0,
-/// an open surface asked for its solid.
+/// Reads a case file. Throws covering::Input_error, with the line, for anything that is not exactly of the form that
+/// `to_json` writes, or cannot be asked. These are missing or unknown fields, wrong types, numbers that are not finite,
+/// coordinates that are no doubles, vertex numbers out of range, faces that are not exactly planar, det M = 0, and an
+/// open surface asked for its solid.
 Case_file read_case(const std::filesystem::path& path);
 
 /// Reads a case from a text; `name` stands for the file in messages.
 Case_file parse_case(const std::string& text, const std::string& name);
 
-/// The file's text: a vertex, a face, a pose's row a line. Doubles are their shortest decimals, other rationals are
-/// "n/d" strings, so that `parse_case` gives the same case again. Requires what `Case_file` says of its level.
+/// Returns the file's text, with one vertex, one face or one row of a pose per line. Doubles are their shortest
+/// decimals, other rationals are "n/d" strings, so that `parse_case` gives the same case again. Requires the members
+/// that `Case_file` prescribes for its level.
 std::string to_json(const Case_file& file);
 
 }  // namespace tetracone::verify

@@ -9,7 +9,7 @@
 
 namespace tetracone::verify {
 
-/// The numbers of a case of either level: the points of both bodies, in their frames, and the poses.
+/// The numbers of a case of either level: the points of both bodies in their own frames, and the poses.
 struct Case_numbers {
   std::array<std::vector<kernel::Vertex>, 2> points;
   std::array<kernel::Pose, 2> poses;
@@ -18,17 +18,17 @@ struct Case_numbers {
 Case_numbers numbers_of(const Object_case& c);
 Case_numbers numbers_of(const Predicate_case& c);
 
-/// The case with other numbers, as many as it has. Bodies whose points stay are shared with `c`; nothing is known about
-/// its answers.
+/// Returns the case with other numbers, equally many. Bodies whose points do not change are shared with `c`. The
+/// answers of the result are unknown.
 Object_case with_numbers(const Object_case& c, const Case_numbers& numbers);
 Predicate_case with_numbers(const Predicate_case& c, const Case_numbers& numbers);
 
-/// How long a number is: its binary digits from the first one to the last one that are set, and those of the exponent
-/// of the last. 0 for 0, 1 for 1, 2 for 3 and for 1/2; of a fraction, the digits of both parts.
+/// Returns the length of a number: its binary digits from the first to the last one that is set, plus the digits of the
+/// last one's exponent. It is 0 for 0, 1 for 1, 2 for 3 and for 1/2; for a fraction, the digits of both parts.
 std::size_t bits(double x);
 std::size_t bits(const kernel::Rational& x);
 
-/// The bits of all coordinates, and of the entries of the poses that differ from the identity's.
+/// Returns the total length of all coordinates, and of the entries of the poses that differ from the identity's.
 std::size_t bits(const Case_numbers& numbers);
 
 /// |x| = mantissa * 2^exponent with an odd mantissa; zeros for 0.

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <optional>
 
-/// Vectors and affine maps in rationals, for making cases whose degeneracy is exact.
+/// Vectors and affine maps in rationals, to make cases that are exactly degenerate.
 namespace tetracone::verify::object_family {
 
 using Exact_vector = std::array<kernel::Rational, 3>;
@@ -18,7 +18,7 @@ inline Exact_vector exact(const kernel::Vertex& v)
   return {kernel::Rational(v[0]), kernel::Rational(v[1]), kernel::Rational(v[2])};
 }
 
-/// The vertex at exactly `v`; nothing when some coordinate is no double.
+/// Returns the vertex at exactly `v`; nothing when some coordinate is no double.
 inline std::optional<kernel::Vertex> exactly(const Exact_vector& v)
 {
   kernel::Vertex vertex;
@@ -57,7 +57,8 @@ inline Exact_vector cross(const Exact_vector& a, const Exact_vector& b)
 }
 inline bool is_zero(const Exact_vector& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
 
-/// `a` times the power of two that brings its largest component into [1/2, 1). Requires a vector that is not zero.
+/// Returns `a` times the power of two that brings its largest component into [1/2, 1). Requires a vector that is not
+/// zero.
 inline Exact_vector scaled_to_one(const Exact_vector& a)
 {
   double largest = 0;
@@ -93,7 +94,7 @@ inline Exact_vector pulled_back(const kernel::Pose& pose, const Exact_vector& v)
   return result;
 }
 
-/// `first`, then `second`.
+/// Returns the map that applies `first`, then `second`.
 inline kernel::Pose composed(const kernel::Pose& second, const kernel::Pose& first)
 {
   std::array<kernel::Rational, 12> entries;
@@ -106,7 +107,7 @@ inline kernel::Pose composed(const kernel::Pose& second, const kernel::Pose& fir
   return kernel::Pose(entries);
 }
 
-/// `pose`, then the translation by `shift`.
+/// Returns the map that applies `pose`, then the translation by `shift`.
 inline kernel::Pose moved(const kernel::Pose& pose, const Exact_vector& shift)
 {
   std::array<kernel::Rational, 12> entries;

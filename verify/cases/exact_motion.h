@@ -11,7 +11,7 @@
 #include <cmath>
 #include <optional>
 
-/// Exact changes of points and poses: nothing where the result is no double.
+/// Exact changes of points and poses, which return nothing when the result is no double.
 namespace tetracone::verify {
 
 /// A number from 0 to `count` - 1. Requires count > 0.
@@ -19,7 +19,8 @@ inline std::size_t one_of(Random& random, std::size_t count) { return random.bit
 
 inline std::optional<double> exact_sum(double a, double b)
 {
-  // Knuth's two-sum: what the sum has lost. No larger exponent than the operands' and the sum's occurs in it.
+  // Knuth's two-sum gives the rounding error of the sum. Its intermediate exponents do not exceed the operands' and the
+  // sum's.
   const double sum = a + b;
   if (!std::isfinite(sum)) return std::nullopt;
   const double part = sum - a, lost = (a - (sum - part)) + (b - part);
@@ -100,8 +101,8 @@ inline Entries entries_of(const kernel::Pose& pose)
   return entries;
 }
 
-/// The pose of these entries; nothing when one is beyond the doubles' range, or when fractions are not allowed and one
-/// is no double.
+/// Returns the pose with these entries; nothing when one is beyond the doubles' range, or when fractions are not
+/// allowed and one is no double.
 inline std::optional<kernel::Pose> exact_pose(const Entries& entries, bool fractions_allowed)
 {
   for (const kernel::Rational& entry : entries)
@@ -110,7 +111,7 @@ inline std::optional<kernel::Pose> exact_pose(const Entries& entries, bool fract
   return pose.is_rational() && !fractions_allowed ? std::nullopt : std::optional(pose);
 }
 
-/// First the pose, then the permutation.
+/// Returns the map that applies the pose, then the permutation.
 inline kernel::Pose turned(const Signed_permutation& p, const kernel::Pose& pose)
 {
   const Entries m = entries_of(pose);
@@ -120,7 +121,7 @@ inline kernel::Pose turned(const Signed_permutation& p, const kernel::Pose& pose
   return kernel::Pose(result);
 }
 
-/// The pose that does to p(x) what `pose` does to x.
+/// Returns the pose that maps p(x) to the image of x under `pose`.
 inline kernel::Pose turned_back(const kernel::Pose& pose, const Signed_permutation& p)
 {
   const Entries m = entries_of(pose);
@@ -130,7 +131,7 @@ inline kernel::Pose turned_back(const kernel::Pose& pose, const Signed_permutati
   return kernel::Pose(result);
 }
 
-/// First the pose, then the translation by `d`. A pose of doubles stays one.
+/// Returns the map that applies the pose, then the translation by `d`. A pose of doubles stays one.
 inline std::optional<kernel::Pose> translated(const kernel::Pose& pose, const std::array<kernel::Rational, 3>& d)
 {
   Entries m = entries_of(pose);
@@ -138,7 +139,7 @@ inline std::optional<kernel::Pose> translated(const kernel::Pose& pose, const st
   return exact_pose(m, pose.is_rational());
 }
 
-/// The pose that does to x + d what `pose` does to x. A pose of doubles stays one.
+/// Returns the pose that maps x + d to the image of x under `pose`. A pose of doubles stays one.
 inline std::optional<kernel::Pose> translated_back(const kernel::Pose& pose, const kernel::Vertex& d)
 {
   std::array<kernel::Rational, 3> shift;
@@ -149,7 +150,7 @@ inline std::optional<kernel::Pose> translated_back(const kernel::Pose& pose, con
   return translated(pose, shift);
 }
 
-/// The inverse of `pose`, after `first`. Fractions only where one of the two has some.
+/// Returns the inverse of `pose`, applied after `first`. It has fractions only if one of the two has some.
 inline std::optional<kernel::Pose> seen_from(const kernel::Pose& pose, const kernel::Pose& first)
 {
   const Entries m = entries_of(pose), n = entries_of(first);
@@ -157,7 +158,7 @@ inline std::optional<kernel::Pose> seen_from(const kernel::Pose& pose, const ker
   kernel::Rational determinant = 0;
   for (int i = 0; i < 3; ++i) {
     const int p = (i + 1) % 3, q = (i + 2) % 3;
-    // Row i of the cofactors' transpose, which is the inverse but for the determinant.
+    // Row i of the cofactors' transpose, which is the inverse up to the factor 1 / determinant.
     std::array<kernel::Rational, 3> cofactor;
     for (int j = 0; j < 3; ++j) {
       const int k = (j + 1) % 3, l = (j + 2) % 3;
@@ -177,8 +178,8 @@ inline std::optional<kernel::Pose> seen_from(const kernel::Pose& pose, const ker
   return exact_pose(result, pose.is_rational() || first.is_rational());
 }
 
-/// The pose with its translation times 2^exponent: images of points scaled likewise are scaled. A pose of doubles stays
-/// one. Nothing when 2^exponent is no double.
+/// Returns the pose with its translation times 2^exponent: images of points that are scaled by it are scaled by it too.
+/// A pose of doubles stays one. Returns nothing when 2^exponent is no double.
 inline std::optional<kernel::Pose> scaled(const kernel::Pose& pose, int exponent)
 {
   const double power = std::ldexp(1.0, exponent);
@@ -188,7 +189,7 @@ inline std::optional<kernel::Pose> scaled(const kernel::Pose& pose, int exponent
   return exact_pose(m, pose.is_rational());
 }
 
-/// The image of a point.
+/// Returns the image of a point; nothing when it is no vertex of doubles.
 inline std::optional<kernel::Vertex> exact_image(const kernel::Pose& pose, const kernel::Vertex& v)
 {
   return object_family::exactly(object_family::image(pose, object_family::exact(v)));
@@ -197,7 +198,7 @@ inline std::optional<kernel::Vertex> exact_image(const kernel::Pose& pose, const
 /// The largest absolute coordinate.
 inline double magnitude(const kernel::Vertex& v) { return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}); }
 
-/// The ulp of the largest double about x, or of the smallest normal one.
+/// Returns the spacing of the doubles at x, at least the smallest denormal.
 inline double ulp(double x)
 {
   const int exponent = x == 0 ? -1022 : std::max(std::ilogb(x), -1022);

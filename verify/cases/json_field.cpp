@@ -16,7 +16,7 @@ std::size_t line_at(std::string_view text, std::size_t position)
 
 constexpr const char* blanks = " \t\r\n";
 
-/// Behind the string of JSON that begins at `at`.
+/// Returns the position behind the JSON string that begins at `at`.
 std::size_t behind_string(std::string_view text, std::size_t at)
 {
   for (++at; at < text.size() && text[at] != '"'; ++at)
@@ -24,14 +24,14 @@ std::size_t behind_string(std::string_view text, std::size_t at)
   return at + 1;
 }
 
-/// Finds where a value stands in a text that is JSON: the parsed value does not know.
+/// Finds the position of a value in a JSON text, which the parsed value does not know.
 class Walk {
  public:
   Walk(std::string_view text, std::size_t from) : text_(text), at_(from) { skip_blanks(); }
 
   std::size_t position() const { return at_; }
 
-  /// From the start of an object or array to its member; false when its name is written in another way.
+  /// Moves from the start of an object or array to its member; false when its name is spelt in another way.
   bool enter(const std::string& step)
   {
     const bool object = text_[at_++] == '{';
@@ -74,15 +74,15 @@ class Walk {
 
 std::size_t line_of(std::string_view text, const std::vector<std::string>& path)
 {
-  // What has members starts with a bracket; a byte order mark may stand before it.
+  // A text with members starts with a bracket, perhaps after a byte order mark.
   Walk walk(text, path.empty() ? 0 : text.find_first_of("{["));
   for (const std::string& step : path)
     if (!walk.enter(step)) break;
   return line_at(text, walk.position());
 }
 
-/// The place of a name that occurs twice in its object; nothing when all are different. The text must be JSON, which
-/// ends at its first zero byte for the parser.
+/// Returns the position of a name that occurs twice in its object; nothing when all differ. Requires JSON, which for
+/// the parser ends at its first zero byte.
 std::optional<std::size_t> repeated_name(std::string_view text)
 {
   std::vector<std::set<std::string>> names;  // of the objects and, empty, the arrays around
@@ -225,7 +225,7 @@ kernel::Rational Json_field::rational() const
 
 double Json_field::number() const
 {
-  // Not by way of a rational: -0.0 stays what it is.
+  // The value does not go through a rational, so that -0.0 stays -0.0.
   if (value_->is_number()) return value_->get<double>();
   const kernel::Rational exact = rational();
   const double nearest = kernel::nearest_double(exact);

@@ -18,7 +18,8 @@
 
 namespace tetracone::verify {
 
-/// A JSON text of a file, parsed. Throws covering::Input_error with the line where it is no JSON; `what` it should be.
+/// A parsed JSON text of a file. Throws covering::Input_error with the line if it is no JSON; `what` names the expected
+/// contents.
 struct Json_text {
   Json_text(std::string text, std::string file, const std::string& what);
 
@@ -26,40 +27,40 @@ struct Json_text {
   nlohmann::json root;
 };
 
-/// A value of a JSON text that knows its place: every way of taking it as something that it is not throws
-/// covering::Input_error with the line of the value and its path. Must not outlive the text.
+/// A value of a JSON text that knows its position. Taking it as something else than it is throws covering::Input_error
+/// with the line of the value and its path. Must not outlive the text.
 class Json_field {
  public:
   explicit Json_field(const Json_text& text) : text_(&text), value_(&text.root) {}
 
-  /// Throws Input_error at this value: what is wrong; what was expected.
+  /// Throws Input_error at this value with a fault and the expectation.
   [[noreturn]] void fail(std::string_view wrong, std::string_view expected) const;
 
-  /// The member of an object; it must be there.
+  /// Returns the member of an object; it must exist.
   Json_field member(const std::string& name) const;
   bool has(const std::string& name) const;
 
-  /// Fails unless this is an object of these members and no others (each may be missing).
+  /// Fails unless this is an object with these members and no others; each may be missing.
   void only(std::initializer_list<std::string_view> names) const;
 
-  /// The elements of an array: at least `least` of them, or exactly as many; `what` names them.
+  /// Returns the elements of an array, at least `least` or exactly `count`; `what` names them.
   std::vector<Json_field> items(std::size_t least, std::string_view what) const;
   std::vector<Json_field> exactly(std::size_t count, std::string_view what) const;
 
-  /// The members of an object, by their names, in their order; at least one.
+  /// Returns the members of an object with their names, in their order; at least one.
   std::vector<std::pair<std::string, Json_field>> members(std::string_view what) const;
 
-  /// A string of one line.
+  /// Returns a string of one line.
   std::string text() const;
   std::uint64_t unsigned_integer(std::uint64_t largest) const;
   int integer(int least, int largest) const;
 
-  /// A finite number, exactly: a decimal stands for its nearest double, a string "n/d" for itself.
+  /// Returns a finite number exactly: a decimal means its nearest double, a string "n/d" that fraction.
   kernel::Rational rational() const;
-  /// The same, where it has to be a double.
+  /// Returns such a number, which must be a double.
   double number() const;
 
-  /// The numbers, where this is an array of so many that are all no strings: what `number` would give of each, sooner.
+  /// Returns the numbers if this is an array of N numbers, none of them a string: the results of `number`, but faster.
   template <std::size_t N>
   std::optional<std::array<double, N>> plain_numbers() const
   {

@@ -6,10 +6,10 @@
 
 namespace tetracone::verify {
 
-/// A pose of three rows of four numbers. Throws covering::Input_error for anything else, and where det M = 0.
+/// Reads a pose of three rows of four numbers. Throws covering::Input_error for anything else, and for det M = 0.
 kernel::Pose pose_of_rows(const Json_field& field);
 
-/// A pose of twelve numbers, row after row. Throws the same.
+/// Reads a pose of twelve numbers, row after row. Throws as above.
 kernel::Pose pose_of_numbers(const Json_field& field);
 
 }  // namespace tetracone::verify

@@ -13,7 +13,7 @@ int integer(Random& random, int low, int high)
 
 Rational power_of_two(int k)
 {
-  // A double at a time: k may be beyond their range.
+  // The power is built from doubles, since 2^k may be beyond their range.
   Rational result = 1;
   for (; std::abs(k) > 1000; k -= k > 0 ? 1000 : -1000) result *= Rational(std::ldexp(1.0, k > 0 ? 1000 : -1000));
   return Rational(result * Rational(std::ldexp(1.0, k)));
@@ -213,7 +213,7 @@ Touching edge_across_edge(Random& random, const Shape& a, const Shape& b, const 
 {
   const auto between = [](const Exact_vector& d, const Exact_vector& m, const Exact_vector& n,
                           const Exact_vector& edge) {
-    // d, m and n are normal to the edge: d is a positive combination of m and n when it is on the way from m to n.
+    // d, m and n are normal to the edge. d is a positive combination of m and n if it lies between them.
     const Rational side = dot(cross(m, n), edge);
     return dot(cross(m, d), edge) * side > 0 && dot(cross(d, n), edge) * side > 0;
   };

@@ -10,9 +10,9 @@
 #include <optional>
 #include <vector>
 
-/// Exact contacts and their placing, from which the object families are made. Arguments of one call are evaluated in an
-/// order of the compiler's choice: at most one of them draws from `random`, here and in the families, so that a seed
-/// means the same cases everywhere. (What stands in braces is evaluated from left to right.)
+/// Exact contacts and their placing, from which the object families are made. The compiler chooses the order in which
+/// arguments of one call are evaluated. Therefore at most one of them draws from `random`, here and in the families, so
+/// that a seed gives the same cases everywhere. (Braced lists are evaluated from left to right.)
 namespace tetracone::verify::object_family {
 
 using kernel::Pose;
@@ -45,43 +45,43 @@ std::array<Pose, 2> shear_and_inverse(Random& random, int size);
 /// x -> diag(2^exponents) x. Requires powers with a finite nearest double.
 Pose stretch(const std::array<int, 3>& exponents);
 
-/// A similarity of fractions by about 2^exponent, its translation too: below the denormals, entries have the nearest
-/// double 0.
+/// A similarity by about 2^exponent with fractions as entries, its translation scaled too. Below the denormals, the
+/// nearest double of an entry is 0.
 Pose fraction_map(Random& random, int exponent);
 
 /// A map of any kind: a turn, reflection or shear between two stretches by up to 2^+-size along the axes, then perhaps
-/// a translation. Exact, and of rationals where the turn is.
+/// a translation. It is exact, and of rationals if the turn is.
 Pose wild_map(Random& random, int size);
 
-/// The map that both bodies of a case are put under at last. All but `rounded` keep a contact exactly.
+/// The map that is applied to both bodies of a case last. All except `rounded` keep a contact exactly.
 enum class Motion { identity, translation, permutation, rotation, similarity, shear, rounded };
 Motion exact_motion(Random& random);
 Pose motion(Random& random, Motion kind);
 
-/// How B may be turned against A: not, by signed permutations, or by rational rotations too.
+/// A turn of B against A: none, a signed permutation, or a rational rotation.
 Pose any_turn(Random& random);
 
 /// Two bodies in contact, in A's frame.
 struct Touching {
   Body a, b;
   Pose relative;           ///< of B
-  Exact_vector apart;      ///< the way on which B leaves A
+  Exact_vector apart;      ///< the direction in which B leaves A
   bool separated = false;  ///< all of A is on one side of a plane that is normal to `apart`, all of B on the other, and
                            ///< they share a point of it
 };
 
-/// `turn`, then the translation that puts the lowest vertex of B along `normal` on `point`: B is on the upper side of
-/// the plane.
+/// Applies `turn`, then the translation that puts the lowest vertex of B along `normal` on `point`: B is on the upper
+/// side of the plane.
 Pose resting(const covering::Polyhedron& b, const Pose& turn, const Exact_vector& point, const Exact_vector& normal);
 
-/// Vertex of B on an inner point of a hull triangle of A, at barycentric coordinates of `bits` bits.
+/// A vertex of B on an inner point of a hull triangle of A, at barycentric coordinates of `bits` bits.
 Touching vertex_on_face(Random& random, const Shape& a, const Body& b, const Pose& turn, int bits);
-/// Vertex of B on a hull edge of A at an odd multiple of 2^-bits. Requires a hull edge.
+/// A vertex of B on a hull edge of A at an odd multiple of 2^-bits. Requires a hull edge.
 Touching vertex_on_edge(Random& random, const Shape& a, const Body& b, const Pose& turn, int bits);
 /// The extreme vertices of both along a random direction.
 Touching vertex_on_vertex(Random& random, const Body& a, const Body& b, const Pose& turn);
-/// Two edges that cross at parameters of `bits` bits. On the hulls, unless dozens of tries find no such edges. `turn`
-/// is a similarity.
+/// Two edges that cross at parameters of `bits` bits. They lie on the hulls, unless dozens of tries find no such edges.
+/// Requires a similarity as `turn`.
 Touching edge_across_edge(Random& random, const Shape& a, const Shape& b, const Pose& turn, int bits);
 /// One of these, or B's lowest face, edge or vertex on A's face.
 Touching any_contact(Random& random, const Shape& a, const Shape& b, const Pose& turn);
@@ -92,26 +92,26 @@ Touching any_contact(Random& random, const Pose& turn);
 Exact_vector point_inside(Random& random, const Shape& shape, const Face_triangle& triangle, int bits);
 Exact_vector point_on(const Shape& shape, const Face_triangle& triangle, double s, double t);
 
-/// Mostly 0, else 2^-10 to 2^-60 apart or into one another.
+/// Returns mostly 0, else a gap or a penetration of 2^-10 to 2^-60.
 Rational any_gap(Random& random);
 
-/// A at the identity and B at `relative`, both then moved, and the two exchanged or not. No answer is known.
+/// Places A at the identity and B at `relative`, then moves both, and perhaps exchanges them. No answer is known.
 Object_case placed(Random& random, const Body& a, const Body& b, const Pose& relative, Motion kind);
 Object_case placed(Random& random, const Body& a, const Body& b, const Pose& relative, const Pose& common);
 
-/// The contact opened by `gap` along `apart` (negative: closed further), a length of about one times `gap`; its answers
-/// as far as known.
+/// Opens the contact by `gap` times a length of about one, along `apart`; a negative gap closes it further. Sets the
+/// answers as far as they are known.
 Object_case placed(Random& random, const Touching& contact, const Rational& gap, Motion kind);
 Object_case placed(Random& random, const Touching& contact, const Rational& gap, const Pose& common);
 /// Under any exact motion, and with `any_gap`.
 Object_case placed(Random& random, const Touching& contact, const Rational& gap);
 Object_case placed(Random& random, const Touching& contact);
 
-/// Both answers.
+/// Sets both answers.
 Object_case with_answer(Object_case c, std::optional<bool> surface, std::optional<bool> solid);
 Object_case with_answer(Object_case c, bool both);
 
-/// The case with all of its poses rounded to doubles; nothing is known any more where that changes one.
+/// Returns the case with all poses rounded to doubles. If that changes a pose, no answer is known any more.
 Object_case rounded_poses(Object_case c);
 
 }  // namespace tetracone::verify::object_family

@@ -8,7 +8,7 @@
 
 namespace tetracone::verify {
 
-/// A point beside one body, or the ray from it in a direction, in the body's own coordinates.
+/// A point near one body, or the ray from it in a direction, in the body's own coordinates.
 struct Probe_case {
   std::shared_ptr<const covering::Polyhedron> body;
   kernel::Vertex from{};

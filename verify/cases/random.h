@@ -28,9 +28,9 @@ inline Rotation rotation(double w, double x, double y, double z)
            {s * (x * z - w * y), s * (y * z + w * x), 1 - s * (x * x + y * y)}}};
 }
 
-/// Seeded random numbers: xoshiro256** by Blackman and Vigna, started by splitmix64. Only integer arithmetic, +, *, /
-/// and square roots, so that a seed means the same scene on every machine (the standard's distributions and libm
-/// don't).
+/// Seeded random numbers: xoshiro256** by Blackman and Vigna, started by splitmix64. It uses only integer arithmetic,
+/// +, *, / and square roots, so that a seed gives the same scene on every machine; the standard's distributions and
+/// libm do not.
 class Random {
  public:
   explicit Random(std::uint64_t seed)
@@ -71,7 +71,7 @@ class Random {
     }
   }
 
-  /// Uniform in the triangle, but for rounding.
+  /// Uniform in the triangle, up to rounding.
   Vector in_triangle(const std::array<Vector, 3>& t)
   {
     double a = unit(), b = unit();
@@ -94,7 +94,7 @@ class Random {
     }
   }
 
-  /// A quaternion (w, x, y, z) of length at most 1, its rotation uniform among all.
+  /// A quaternion (w, x, y, z) of length at most 1 whose rotation is uniform among all rotations.
   std::array<double, 4> quaternion()
   {
     for (;;) {
@@ -108,8 +108,8 @@ class Random {
   std::array<std::uint64_t, 4> state_;
 };
 
-/// (cos, sin) of `turns` whole turns, to about 1e-15; by its own series, for libm's last bits differ between machines.
-/// Requires |turns| < 2^31.
+/// (cos, sin) of `turns` whole turns, with an error of about 1e-15. It sums its own series, since libm's last bits
+/// differ between machines. Requires |turns| < 2^31.
 inline std::array<double, 2> turn(double turns)
 {
   constexpr double whole = 6.283185307179586;

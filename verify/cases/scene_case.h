@@ -26,8 +26,9 @@ struct Scene_case {
     friend bool operator==(const Standing&, const Standing&) = default;
   };
   struct Frame {
-    std::vector<std::optional<Standing>> bodies;  ///< by number; nothing where there is none, as many in every frame
-    std::vector<Body_pair> ignored;               ///< that are not asked for, now and in later frames
+    std::vector<std::optional<Standing>>
+        bodies;                      ///< by number, equally many in every frame; nothing for an absent body
+    std::vector<Body_pair> ignored;  ///< pairs that are not asked for, now and in later frames
   };
 
   std::vector<std::shared_ptr<const covering::Polyhedron>> models;

@@ -17,10 +17,10 @@
 /// Scene files, `*.scene.json`: many bodies over frames.
 namespace tetracone::verify {
 
-/// Whether a file's name says that it is a scene file.
+/// True when the file's name is that of a scene file.
 bool is_scene_name(const std::filesystem::path& path);
 
-/// A scene file, open. What it says of models and bodies is read at once, a frame when it is asked for.
+/// An open scene file. Its models and bodies are read at once, each frame on demand.
 class Scene_file {
  public:
   /// Throws covering::Input_error, with the line, for anything not of the form: missing or unknown names, wrong types,
@@ -39,13 +39,13 @@ class Scene_file {
   const std::vector<std::array<std::size_t, 2>>& ignored() const { return ignored_; }
 
   std::size_t frame_count() const { return frame_count_; }
-  /// The poses of a frame, one a body. Throws Input_error for numbers that are not finite and where det M = 0.
-  /// Requires poses of 12 numbers.
+  /// Returns the poses of frame `k`, one per body. Throws Input_error for numbers that are not finite and for det M =
+  /// 0. Requires poses of 12 numbers.
   std::vector<kernel::Pose> frame(std::size_t k);
   /// Returns frame `k` as rigid poses. Throws Input_error for numbers that are not finite and for a quaternion of 0.
   std::vector<kernel::Rigid_pose> rigid_frame(std::size_t k);
 
-  /// All files that it names, and itself.
+  /// Returns all files that it names, and itself.
   std::vector<std::filesystem::path> files() const;
 
  private:

@@ -110,7 +110,7 @@ class Block {
     }
   }
 
-  // Cuts `here` out of the face and joins it to `there` by walls; gives the corners of `there`.
+  // Cuts `here` out of the face and joins it to `there` by walls. Returns the corners of `there`.
   Corners join(Index face, const std::vector<Vertex>& here, const std::vector<Vertex>& there)
   {
     const Corners from = add(here), to = add(there);
@@ -295,7 +295,7 @@ Polyhedron blob(std::size_t triangles, std::uint64_t seed)
     };
     for (int i = 0; i < n; ++i)
       for (int j = 0; i + j < n; ++j) {
-        // In statements: they number the corners, and the order of arguments is the compiler's.
+        // These are statements, since they number the corners, and the compiler chooses the order of arguments.
         const Index above = at(i, j + 1), beside = at(i + 1, j), here = at(i, j);
         add(here, beside, above);
         if (i + j + 1 < n) add(beside, at(i + 1, j + 1), above);
@@ -310,7 +310,7 @@ namespace {
 Polyhedron tube_along_knot(Index rings, Index sides)
 {
   constexpr double thickness = 0.5, scale = 1 / 3.5;
-  // Three times round the tube of a torus of radii 2 and 1 while twice along it.
+  // The curve winds three times round the tube of a torus of radii 2 and 1 while it winds twice along it.
   const auto core = [](double along) -> Vector {
     const auto [c, s] = turn(2 * along);
     return {2 * c, 2 * s, 0};
@@ -385,7 +385,7 @@ Polyhedron decimate(const Polyhedron& polyhedron, std::size_t faces)
   }
   if (!CGAL::is_closed(mesh)) refuse("not closed");
 
-  // Each collapse takes 3 edges and 2 faces away, and 3 F = 2 E; the predicate stops below its number.
+  // Each collapse removes 3 edges and 2 faces, and 3 F = 2 E; the predicate stops below its number.
   simplification::edge_collapse(mesh, simplification::Count_stop_predicate<Mesh>(3 * faces / 2 + 1));
   mesh.collect_garbage();
   if (mesh.number_of_faces() != faces) refuse("no edge can be collapsed any more");

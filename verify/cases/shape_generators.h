@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-/// The objects of the experiments. All are closed, and outward unless said otherwise.
+/// The objects of the experiments. All are closed, and outward unless stated otherwise.
 namespace tetracone::verify {
 
 using covering::Polyhedron;
@@ -64,29 +64,29 @@ Polyhedron box_with_cavity(double outer, double inner);
 /// A box with a square tunnel from bottom to top: 16 vertices, 10 faces, two of them with a hole; genus 1.
 Polyhedron prism_with_tunnel();
 
-/// In place of the paper's "complex polyhedron" (JS08 Fig. 15a), with its counts, 32 vertices and 18 faces, and a
-/// shape of our own: a three-armed wedge with a square and a triangular tunnel. Genus 2; two faces of nine corners
+/// The replacement of the paper's "complex polyhedron" (JS08 Fig. 15a), with its counts, 32 vertices and 18 faces, and
+/// a shape of our own: a three-armed wedge with a square and a triangular tunnel. Genus 2; two faces of nine corners
 /// and two holes, not convex. Centred near 0, radius 1.1.
 Polyhedron complex_one();
 
-/// In place of the paper's "complex polyhedron II" (JS08 Fig. 15b), with its counts, 44 vertices and 29 faces, and a
-/// shape of our own: an L-shaped block with a slanted square tunnel, a triangular pit, an arrowhead (not convex) that
-/// stands out, a pyramid sunk and one raised. Genus 1; five faces with six holes. Centred near 0, radius 1.
+/// The replacement of the paper's "complex polyhedron II" (JS08 Fig. 15b), with its counts, 44 vertices and 29 faces,
+/// and a shape of our own. It is an L-shaped block with a slanted square tunnel, a triangular pit, an arrowhead boss
+/// (not convex), a sunk pyramid and a raised one. Genus 1; five faces with six holes. Centred near 0, radius 1.
 Polyhedron complex_two();
 
 /// The union of the unit cubes (x, y, z) + [0, 1]^3 for which bits[x + nx (y + ny z)] is set, as unit squares between
-/// a cube that is and one that is not. Cubes that touch only in an edge or a corner share its vertices: closed, but
-/// no manifold. Requires nx ny nz bits.
+/// set and unset cubes. Cubes that touch only in an edge or a corner share its vertices: the surface is closed, but no
+/// manifold. Requires nx ny nz bits.
 Polyhedron voxel_solid(const std::vector<bool>& bits, int nx, int ny, int nz);
 
 // Triangle meshes of any size. Equal arguments give equal meshes on every machine.
 
-/// A star-shaped body about 0 of radii between 0.5 and 1.5: 8 n^2 triangles, for the n that comes nearest.
-/// Requires at least 8 triangles.
+/// A star-shaped body about 0 with radii between 0.5 and 1.5, of 8 n^2 triangles, for the nearest n. Requires at least
+/// 8 triangles.
 Polyhedron blob(std::size_t triangles, std::uint64_t seed);
 
-/// A tube along the trefoil knot, far from star-shaped: 16 n triangles, for the n that comes nearest, radius 1. Genus
-/// 1. Requires at least 640 triangles; with fewer the tube would meet itself.
+/// A tube along the trefoil knot, far from star-shaped, of 16 n triangles for the nearest n, radius 1, genus 1.
+/// Requires at least 640 triangles; with fewer the tube would meet itself.
 Polyhedron torus_knot(std::size_t triangles);
 
 /// The torus knot as a tube of about sqrt(triangles / 20) sides, rounder with more triangles; all triangles have about
@@ -96,8 +96,8 @@ Polyhedron round_torus_knot(std::size_t triangles);
 
 // Real meshes.
 
-/// The mesh FOLDER/meshes/NAME.off of those that `fetch_models.sh FOLDER` brings; nothing when it is not there: a
-/// caller without it says so and names the script. Throws Input_error for a file that cannot be read.
+/// Returns the mesh FOLDER/meshes/NAME.off, one of those that `fetch_models.sh FOLDER` downloads; nothing when it does
+/// not exist. A caller without it reports that and names the script. Throws Input_error for a file that cannot be read.
 std::optional<Polyhedron> demo_mesh(const std::filesystem::path& folder, const std::string& name);
 
 /// Simplifies the mesh to exactly `faces` triangles by edge collapses in the order of Lindstrom and Turk's cost (CGAL's
@@ -106,19 +106,18 @@ std::optional<Polyhedron> demo_mesh(const std::filesystem::path& folder, const s
 /// triangles, when `faces` is odd, or when no further edge can be collapsed.
 Polyhedron decimate(const Polyhedron& mesh, std::size_t faces);
 
-/// The polyhedron moved and scaled, rounded, so that `centroid` is about 0 and `radius` about 1.
+/// Returns the polyhedron moved and scaled, with rounding, so that `centroid` is about 0 and `radius` about 1.
 Polyhedron normalised(const Polyhedron& polyhedron);
 
-/// The triangle mesh in place of the paper's cat (JS08 Fig. 15c), with its 760 faces: the Stanford bunny, decimated,
-/// normalised. And in place of its horse (Fig. 15d), with its 7172 faces: a dinosaur on four legs. Nothing when
-/// `demo_mesh` has none.
+/// The replacements of the paper's meshes; nothing when `demo_mesh` has none. For its cat (JS08 Fig. 15c) of 760 faces:
+/// the Stanford bunny, decimated and normalised. For its horse (Fig. 15d) of 7172 faces: a dinosaur on four legs.
 std::optional<Polyhedron> small_mesh(const std::filesystem::path& folder);
 std::optional<Polyhedron> large_mesh(const std::filesystem::path& folder);
 
-/// The mean of the vertices, rounded. Requires a vertex.
+/// Returns the mean of the vertices, rounded. Requires a vertex.
 Vertex centroid(const Polyhedron& polyhedron);
 
-/// The distance from the centroid to the farthest vertex, rounded.
+/// Returns the distance from the centroid to the farthest vertex, rounded.
 double radius(const Polyhedron& polyhedron);
 
 }  // namespace tetracone::verify

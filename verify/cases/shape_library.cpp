@@ -31,7 +31,7 @@ using covering::Polyhedron;
 using kernel::Rational;
 using kernel::Vertex;
 
-/// Newell's normal over all loops: exact, so normal to the plane of a planar face, and zero of a flat one.
+/// Newell's normal over all loops. It is exact, and so normal to the plane of a planar face and zero for a flat one.
 Exact_vector normal_of(const Polyhedron& body, Index f)
 {
   Exact_vector normal{0, 0, 0};
@@ -100,7 +100,7 @@ Polyhedron scaled(Polyhedron body, double scale)
   return body;
 }
 
-/// Coordinates to multiples of 2^-30: sums and differences of a few of them are doubles.
+/// Rounds coordinates to multiples of 2^-30, so that sums and differences of a few of them are doubles.
 Polyhedron snapped(Polyhedron body)
 {
   for (Vertex& v : body.vertices)
@@ -108,7 +108,7 @@ Polyhedron snapped(Polyhedron body)
   return body;
 }
 
-/// The ridge of a roof runs along x, below; it stands on its ridge.
+/// A roof that stands on its ridge, which runs along x.
 Polyhedron roof()
 {
   Polyhedron result;
@@ -168,8 +168,8 @@ Body shared(Polyhedron polyhedron) { return std::make_shared<const Polyhedron>(s
 
 std::vector<Index> lowest(const std::vector<Vertex>& vertices, const Exact_vector& direction)
 {
-  // Doubles find the candidates: each value errs by less than 2^-48 of the largest sum of absolute products. Beyond
-  // their range, all are.
+  // Doubles find the candidates: the error of each value is below 2^-48 of the largest sum of absolute products. Beyond
+  // the range of doubles, all vertices are candidates.
   std::vector<double> values;
   double least = HUGE_VAL, largest = 0;
   std::array<double, 3> d;

@@ -9,11 +9,11 @@
 #include <memory>
 #include <vector>
 
-/// The bodies of the object families, each made once: cases share them, and with them what a subject has prepared.
+/// The bodies of the object families. Each is made once: cases share it, and with it a subject's prepared trees.
 namespace tetracone::verify {
 
-/// Whether the meshes of `fetch_models.sh` are there, under .cache/models of the source folder. The cases of a seed
-/// depend on it: a campaign records it.
+/// True when the meshes of `fetch_models.sh` exist under .cache/models of the source folder. The cases of a seed depend
+/// on this; a campaign records it.
 bool real_meshes_available();
 
 }  // namespace tetracone::verify
@@ -29,14 +29,14 @@ struct Face_triangle {
   std::array<Index, 3> corners;
 };
 
-/// An edge between two faces that both support the body: a plane through it whose normal is any positive combination of
-/// theirs leaves the whole body on one side, and meets it in that edge alone.
+/// An edge between two faces that both support the body. Let a plane through the edge have any positive combination of
+/// their normals as normal. The plane leaves the whole body on one side, and meets it in this edge only.
 struct Hull_edge {
   Index from, to;
   std::array<Index, 2> faces;
 };
 
-/// A body with its features for contacts: where a plane may touch it.
+/// A body with the features where a plane may touch it.
 struct Shape {
   explicit Shape(Body body);
 
@@ -53,43 +53,43 @@ struct Shape {
   Exact_vector vertex(Index v) const { return exact(body->vertices[v]); }
 };
 
-/// Blocks of few flat faces, about 1 large, on a grid of 1/64: boxes, a tetrahedron, an octahedron, a roof, an L, an
+/// Blocks of few flat faces, of size about 1, on a grid of 1/64: boxes, a tetrahedron, an octahedron, a roof, an L, an
 /// arrowhead, faces with holes, a cavity, voxel solids with edges of four faces.
 const std::vector<Shape>& blocks();
 inline constexpr std::size_t unit_cube_block = 0, tetrahedron_block = 2, roof_block = 4, tunnel_block = 7,
                              complex_block = 8, cavity_block = 10;
 
-/// Small convex blocks and an L, about 1/8 large, that fit into the cavities and tunnels of the blocks.
+/// Small convex blocks and an L, of size about 1/8, that fit into the cavities and tunnels of the blocks.
 const std::vector<Shape>& pebbles();
 
-/// Triangle meshes of 72 to 200 triangles, about 1 large; the last is a knot of 640. With `real_meshes_available()`,
-/// decimated scans and parts among them; else generated bodies in their place.
+/// Triangle meshes of 72 to 200 triangles, of size about 1; the last is a knot of 640. With `real_meshes_available()`,
+/// some are decimated scans and parts; without, generated bodies replace them.
 const std::vector<Shape>& meshes();
 
-/// A block, or now and then a mesh.
+/// Returns a block, or sometimes a mesh.
 const Shape& any_shape(Random& random);
 const Shape& any_block(Random& random);
 const Shape& any_pebble(Random& random);
-/// A block whose hull is the block itself.
+/// Returns a block that is its own hull.
 const Shape& any_convex(Random& random);
 
-/// The shape's body with coordinate i of each vertex, x -> 2^exponents[i] x + shift, rounded; the same object for the
-/// same arguments. Requires that this keeps faces planar, as an exact result does.
+/// Returns the shape's body with coordinate i of each vertex mapped x -> 2^exponents[i] x + shift and rounded. Equal
+/// arguments return the same object. Requires that faces stay planar, as they do if the result is exact.
 Body moved_copy(const Shape& shape, const std::array<int, 3>& exponents, double shift = 0);
 inline Body moved_copy(const Shape& shape, int exponent, double shift = 0)
 {
   return moved_copy(shape, std::array{exponent, exponent, exponent}, shift);
 }
 
-/// All of `vertices` where the dot product with `direction` is least, exactly; ascending.
+/// Returns the vertices whose dot product with `direction` is least, exactly, in ascending order.
 std::vector<Index> lowest(const std::vector<kernel::Vertex>& vertices, const Exact_vector& direction);
 
 // Bodies of a single case.
 
-/// The tetrahedron, outward where it has a volume.
+/// Returns the tetrahedron, outward if it has a volume.
 Body tetrahedron(const std::array<kernel::Vertex, 4>& corners);
 
-/// The pyramid over a base that is exactly planar; outward where the base runs clockwise seen from the apex.
+/// Returns the pyramid over an exactly planar base, outward if the base runs clockwise seen from the apex.
 Body pyramid(const std::vector<kernel::Vertex>& base, const kernel::Vertex& apex);
 
 Body shared(covering::Polyhedron polyhedron);

@@ -21,7 +21,7 @@ std::array<Number, 3> triple(const std::vector<Number>& in, int first)
   return {in[first], in[first + 1], in[first + 2]};
 }
 
-/// Points whose differences from a first one, at 0, are the inputs.
+/// Points with one at 0, so that their differences from it are the inputs.
 template <class Number>
 std::array<std::array<Number, 3>, 3> differences(const std::vector<Number>& in)
 {
@@ -30,7 +30,7 @@ std::array<std::array<Number, 3>, 3> differences(const std::vector<Number>& in)
           kernel::difference(triple(in, 6), origin)};
 }
 
-/// A placed coordinate of entries that may be fractions: inputs m0 m1 m2 t x y z.
+/// A placed coordinate, with entries that may be fractions: inputs m0 m1 m2 t x y z.
 template <class Number>
 std::array<Number, 4> placed_terms(const std::vector<Number>& in)
 {
@@ -65,7 +65,8 @@ inline Proved_bounds adaptive_proofs()
     bounds.push_back({name, file, Rational(in_code), proved, unit, loosest, by});
   };
 
-  // An image: a share of the sum of the magnitudes of its terms, which is itself computed of rounded entries.
+  // An image: its error relative to the sum of the magnitudes of its terms, which is itself computed from rounded
+  // entries.
   const auto placed = [](const auto& in) { return kernel::sum(detail::placed_terms(in)); };
   const Rational image = largest(slice_errors<Relative_64>(placed, detail::slices_of_placed()));
   const std::vector<Count> counts(9);
@@ -78,7 +79,7 @@ inline Proved_bounds adaptive_proofs()
           detail::loss([&] { return count * count; }),
       u, 1.002);
 
-  // The filter: exact differences of images are within 1 / (1 - u) of computed ones, which m_k is.
+  // The filter: exact differences of images are at most 1 / (1 - u) times the computed ones, whose upper bound is m_k.
   const auto volume = [](const auto& in) {
     const auto p = detail::differences(in);
     return kernel::determinant(p[0], p[1], p[2]);
@@ -100,7 +101,8 @@ inline Proved_bounds adaptive_proofs()
   const Rational difference_loss = detail::loss([&] { return bound::difference_bound(count + count); });
   add("difference_motion", bound::difference_motion, grown * difference_loss, 1, 1.002, "rationals");
 
-  // Double-double: terms first those of the translation. The high part is off by u of itself, and bounds are in double.
+  // Double-double: the terms of the translation come first. The high part has a relative error of u, and bounds are in
+  // double.
   const auto placed_in_double_double = [](const auto& in) {
     const auto terms = detail::placed_terms(in);
     return kernel::sum(std::array{terms[3], terms[0], terms[1], terms[2]});
@@ -137,7 +139,7 @@ inline Proved_bounds adaptive_proofs()
   add("difference_motion in double-double", bound::difference_motion, grown * widened * difference_loss, 1, 1.002,
       "rationals");
 
-  // The sign of det M: a share of the permanent, of entries that may be rounded fractions.
+  // The sign of det M: its error relative to the permanent, for entries that may be rounded fractions.
   const auto of_entries = [](const auto& in) {
     auto entries = in;
     for (auto& x : entries) x = entry(x);

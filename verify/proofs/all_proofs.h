@@ -5,7 +5,7 @@
 
 namespace tetracone::verify::proofs {
 
-/// Every proof of a constant. Requires Gappa: throws std::runtime_error without it.
+/// Returns the proofs of all constants. Throws std::runtime_error without Gappa.
 Proved_bounds all_proofs();
 
 }  // namespace tetracone::verify::proofs

@@ -29,7 +29,7 @@ inline Proved_bounds bound_proofs()
     bounds.push_back({name, file, Rational(in_code), proved, u, loosest, by});
   };
 
-  // Points of the cube that were computed in the model's frame are off by two roundings themselves.
+  // Points of the cube that were computed in the model's frame have an error of two roundings themselves.
   const auto placed = [](const auto& in) {
     auto computed = in;
     for (int k = 4; k < 7; ++k) computed[k] = entry(entry(computed[k]));
@@ -56,7 +56,7 @@ inline Proved_bounds bound_proofs()
   const Rational roots = once * once * once * once;  // root, its factor, the radius' product and sum
   add("Bound_frame::stretch_rounding", Frame::stretch_rounding, Rational(squares * roots * roots - 1) / 2, 2.47);
 
-  // Squares of distances and radii, by the roundings on the longest way.
+  // Squares of distances and radii: the roundings on the longest path.
   const std::array<Count, 3> point;
   const Count distance = kernel::squared_length(kernel::difference(point, point));
   Rational most = 1;
@@ -66,8 +66,8 @@ inline Proved_bounds bound_proofs()
   const Rational radius = lost(distance + count) * once * once * once * once;
   add("ball_radius_rounding", kernel::ball_radius_rounding, Rational(radius - 1) / 2, 1.21, "rationals");
 
-  // Two dot products of points of at most the magnitude, and their difference; what the frames' errors have to spare
-  // covers the second order.
+  // Two dot products of points up to the magnitude, and their difference. The slack in the frames' errors covers the
+  // second order.
   const auto interval = [](const auto& in) {
     return kernel::dot(triple(in, 0), triple(in, 3)) - kernel::dot(triple(in, 0), triple(in, 6));
   };
@@ -85,8 +85,8 @@ inline Proved_bounds bound_proofs()
       kernel::projection_rounding<double> + 2 * Frame::error_rounding,
       projection + 2 * Rational(error * lost(allowance_of_interval)), 1.1);
 
-  // Shares of permanents, of entries that may be fractions; the normal's for points that are 2 magnitudes apart, and
-  // what a point's own projection rounds beyond the first order.
+  // Errors relative to permanents, for entries that may be fractions. The normal's error is for points that are 2
+  // magnitudes apart, plus the roundings of a point's own projection beyond the first order.
   const auto determinant = [](const auto& in) {
     return kernel::determinant(triple(in, 0), triple(in, 3), triple(in, 6));
   };
@@ -137,7 +137,7 @@ inline Proved_bounds bound_proofs()
                     Rational(Half_space::entry_underflow) / Double_range::lost_by_product(),
                     growth / Double_range::lost_by_product(), 1, 1.34, "rationals"});
 
-  // A coordinate along a ray, of a difference that is rounded; and its share of the form that a plane cuts at 1.
+  // A coordinate along a ray, from a rounded difference, and its term in the form that is 1 on a plane.
   using Cone = kernel::Cone_coordinates<double, true>;
   const auto form = [](const auto& in) {
     const auto zero = std::decay_t<decltype(in[0])>(0);

@@ -10,14 +10,14 @@
 /// The comparison of kernel/bound/obb8_overlap_simd.inl, run over other numbers than vectors.
 namespace tetracone::verify::proofs {
 
-/// How the single box's edges come to be.
+/// The source of the single box's edges.
 enum class Edges {
   given,    ///< floats: what the box is made of
   general,  ///< floats, and their cross products
   carried   ///< an axis in float, turned by directions in float
 };
 
-/// The comparison's inputs, of any number. `zero` is the apex: above the middle of its base.
+/// The comparison's inputs, of any number type. The apex is `zero`: above the middle of its base.
 template <class Number, bool fused>
 struct Box_test {
   using Floats = Axis_number<Number, fused>;
@@ -36,7 +36,8 @@ struct Box_test {
   Floats all(const Number& x) const { return x; }
   bool holds_triangle() const { return is_triangle; }
 
-  /// Where the inputs are in a slice: of the eight's axes, the single box's edges or its axes, the turning directions.
+  /// The positions of the inputs in a slice: axes of the eight boxes, edges or axes of the single box, turning
+  /// directions.
   enum Place {
     single_centre = 0,
     centre = 3,
@@ -78,7 +79,7 @@ struct Box_test {
   }
 };
 
-/// Every gap that is compared, and the components of its axis along the eight's axes.
+/// Every compared gap, and the components of its axis along the axes of the eight boxes.
 template <class Floats>
 struct All_gaps {
   std::vector<std::array<Floats, 4>> all;
@@ -99,8 +100,8 @@ struct Keep_all {
   }
 };
 
-/// The gaps of all axes tried, by the comparison itself: 3 of the eight's normals, 3 of the single box's, 9 across, and
-/// of a triangle 2 more.
+/// The gaps along all axes, by the comparison itself: 3 normals of the eight boxes, 3 of the single box, 9 cross
+/// products and, for a triangle, 2 more.
 template <class Number, bool fused>
 std::vector<Number> gaps_of(const Box_test<Number, fused>& test, Edges edges)
 {

@@ -8,8 +8,9 @@ namespace tetracone::verify::proofs {
 
 using kernel::Rational;
 
-/// The share of one input in a number of a compensated sum, bounded in exact rationals. `high` + `low` differ from the
-/// exact sum by what additions of remainders lose, which is counted: the results' own remainders are exact.
+/// The coefficient of one input in a number of a compensated sum, bounded in exact rationals. `high` + `low` differs
+/// from the exact sum by the rounding errors in adding remainders, which are counted; the remainders of the results are
+/// exact.
 class Remainder_share {
  public:
   explicit Remainder_share(double most = 0) : most_(most) {}
@@ -26,7 +27,7 @@ class Remainder_share {
   friend Remainder_share operator-(const Remainder_share& a) { return a; }
   friend Remainder_share abs(const Remainder_share& a) { return Remainder_share(a.most_, false); }
 
-  /// What additions of remainders have lost.
+  /// The rounding errors in adding remainders.
   static Rational& lost()
   {
     static thread_local Rational all = 0;

@@ -20,7 +20,8 @@ namespace tetracone::verify::proofs {
 
 namespace detail {
 
-/// What a determinant of sheared coordinates of at most B is off by, over B + E: the most for all B of at most 2.
+/// Returns the error of a determinant of sheared coordinates of at most B, relative to B + E: an upper bound over all B
+/// of at most 2.
 inline Rational turn_over_slack()
 {
   using Probe = kernel::Cone_probe;
@@ -36,7 +37,7 @@ inline Rational turn_over_slack()
   return worst;
 }
 
-/// D's error where determinants are of at most L and off by t, and heights of at most Z and off by H.
+/// Returns D's error for determinants of at most L with error t, and heights of at most Z with error H.
 inline Rational error_of_sum_above(const Rational& L, const Rational& t, const Rational& Z, const Rational& H)
 {
   using Float = Rounded_error<float, Rounds::by_share>;
@@ -44,11 +45,12 @@ inline Rational error_of_sum_above(const Rational& L, const Rational& t, const R
   return kernel::Cone_probe::sum_above(e, z, e, z, e, z).error;
 }
 
-/// The slope of a plane at a corner of a wide cell, as Cone_cells finds it: of a normal whose components are at most 8.
+/// Returns the error of the slope of a plane at a corner of a wide cell, computed as in Cone_cells, for a normal with
+/// components of at most 8.
 inline Rational error_of_slope()
 {
   using Cells = kernel::Cone_cells;
-  // Steps of the lattice are 1 / n of a direction's: here n is 1, since errors are shares of what is rounded.
+  // Steps of the lattice are 1 / n of a direction's. Here n is 1, since errors are relative to the rounded numbers.
   using Double = Rounded_error<double, Rounds::by_share>;
   const Double normal(Rational(8), Rational(kernel::Local_facet::normal_error)), place(Rational(1), Rational(0)),
       step = over_at_least_1(normal - normal);
@@ -75,8 +77,8 @@ inline Proved_bounds cone_proofs()
     bounds.push_back({name, std::string("kernel/bound/") + file, Rational(in_code), proved, 1, loosest, "rationals"});
   };
 
-  // Local coordinates are differences of halves, over half a unit, which are powers of two: of a model at most 1, and
-  // of a point at most 4. Halves lose what underflows, over a unit of at least 2^-1000.
+  // Local coordinates are differences of halves, over half a unit, a power of two: at most 1 for a model, and at most 4
+  // for a point. Halves lose their underflow, relative to a unit of at least 2^-1000.
   const Rational of_halves = 2 * Rational(0x1p-1074) / Rational(0x1p-1000);
   bounds.push_back({"Bvh8_elements::local_error", "tetratree/fast/bvh8_elements.h",
                     Rational(tetratree::Bvh8_elements::local_error), 2 * Double::rounding_of(Rational(0.5)) + of_halves,
@@ -92,8 +94,8 @@ inline Proved_bounds cone_proofs()
   add("Local_facet::offset_error", "cone_cells.h", Facet::offset_error,
       kernel::dot(std::array{facet_normal, facet_normal, facet_normal}, corner).error, 2);
 
-  // Lattice coordinates n x / r of a point of norm r >= `core`: x is off, and so is r, three times; a quotient and a
-  // product round. The third is what n leaves of both others. No coordinate is above n.
+  // Lattice coordinates n x / r of a point of norm r >= `core`: x has an error, r has three of it, and a quotient and a
+  // product are rounded. The third coordinate is n less the other two. No coordinate is above n.
   const Rational n(Cells::most), core(Cells::core);
   const auto on_lattice = [&](const Rational& of_coordinate, const Rational& least_norm) {
     const Count of_coordinates = Cells::on_lattice(Count(), Count(), Count() + Count() + Count());
@@ -102,9 +104,9 @@ inline Proved_bounds cone_proofs()
   };
   add("Cone_cells::wide_margin", "cone_cells.h", Cells::wide_margin, 2 * on_lattice(off, core), 258);
 
-  // A cut lies as far from the edge as its coordinates are rounded, and from the clip's border by what the function's
-  // values at both ends are off by, of at most 1 + 3 / 2^9, and by a rounding of the share; five cuts follow one
-  // another.
+  // The distance of a cut from the edge is the rounding of its coordinates. Its distance from the clip's border comes
+  // from the errors of the function's values at both ends, of at most 1 + 3 / 2^9, and from the rounding of the
+  // parameter. Five cuts follow one another.
   const Double exact(Rational(1), Rational(0));
   const Rational of_cut = Cells::on_edge(exact, exact, exact).error,
                  of_value = 2 * 4 * Double::rounding_of(Rational(2)) + 2 * Double::rounding_of(Rational(2)),
@@ -136,20 +138,20 @@ inline Proved_bounds cone_proofs()
       kernel::dot(std::array{facet_normal, facet_normal, facet_normal}, std::array{direction, direction, direction})
           .error;
   const Rational of_height = error_of_norm(Slab::highest, of_slope, Slab::least_slope) * in_wide_cell;
-  // The normal has |n_k| <= 1, but for its rounding: n / w over |x|_1 <= 4, and d / w, |d| <= 4, are floats. Points and
-  // corners are off, and sums of at most 8 are rounded in double.
+  // The normal has |n_k| <= 1 up to its rounding: n / w over |x|_1 <= 4, and d / w, |d| <= 4, are floats. Points and
+  // corners have errors, and sums of at most 8 are rounded in double.
   const Rational of_floats = (4 + Rational(Slab::highest)) * roundoff_of_float * more,
                  of_doubles = 2 * 3 * off + 16 * Double::rounding_of(Rational(16));
   add("Cone_slab::margin", "cone_slab.h", Slab::margin, of_height + of_floats + of_doubles, 2.37);
 
-  // A shear is a quotient of coordinates off by `local_error`, over one of at least a third of `core`, in double and
-  // then in float; it and a corner's coordinates are at most 1.
+  // A shear is a quotient of coordinates with error `local_error`, over one of at least a third of `core`, in double
+  // and then in float; it and a corner's coordinates are at most 1.
   const Rational of_quotient = 2 * off / (core / 3 - off) + Double::rounding_of(Rational(1));
   const Float shear = Float::rounded(Rational(1), of_quotient), coordinate = Float::rounded(Rational(1), off),
               sheared = Probe::sheared(coordinate, coordinate, shear);
   add("Cone_probe::sheared_error", "cone_probe.h", Probe::sheared_error, sheared.error, 1.32);
 
-  // What slacks lose themselves, of positive numbers.
+  // The slacks' own rounding, as sums of positive numbers.
   const Rational u(kernel::unit_roundoff<float>);
   const Count count;
   const Rational of_slack = 1 / Probe::turn_slack(count).least(u),
@@ -161,8 +163,9 @@ inline Proved_bounds cone_proofs()
   const Float height = Float::rounded(Rational(4), off), above = coordinate - height;
   add("Cone_probe::height_error", "cone_probe.h", Probe::height_error, above.error, 1.24);
 
-  // D's error is linear in L and t, and of each in Z: what holds for Z = 0 and the largest Z holds for all. By what is
-  // rounded, which L Z bounds; by t or L, with H. What underflows is beside the least t.
+  // D's error is linear in L and t, and in Z for each of them: a bound for Z = 0 and for the largest Z holds for all.
+  // One part is the rounding, which L Z bounds; the other comes from t or L, with H. Underflow is small against the
+  // least t.
   const Rational H(Probe::height_error), Z = above.most,
                                          least_t = Rational(Probe::turn_bound) * Rational(Probe::sheared_error),
                                          rounded = detail::error_of_sum_above(1, 0, 1, 0) * of_plane_slack;

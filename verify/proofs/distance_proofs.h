@@ -22,7 +22,8 @@ namespace tetracone::verify::proofs {
 
 namespace detail {
 
-/// A coordinate of a point of a triangle; an edge's, where the last is 0. Inputs: three coordinates, and two weights.
+/// A coordinate of a point of a triangle, or of an edge if the last input is 0. Inputs: three coordinates, and two
+/// weights.
 template <class Number>
 Number coordinate_in_triangle(const std::vector<Number>& in)
 {
@@ -68,8 +69,8 @@ inline Proved_bounds distance_proofs()
   Proved_bounds bounds;
   const std::string of_triangles = "kernel/bound/triangle_distance.h", of_cones = "kernel/bound/cone_cells.h";
 
-  // Lengths: roots of sums of squares, half of whose roundings count, and the root's own. `below` divides by one,
-  // multiplies and subtracts; `above` multiplies and adds, and its squares are of differences.
+  // Lengths are roots of sums of squares: half of the squares' roundings count, and the root's own in full. `below`
+  // divides by one, multiplies and subtracts. `above` multiplies and adds, and its squares are of differences.
   const std::array<Count, 3> point, way = kernel::difference(point, point);
   const int of_square = kernel::dot(point, point).count(), of_difference = kernel::dot(way, way).count();
   const Rational below = 1 - power(down, (of_square + 1) / 2 + 1) / power(up, 3),
@@ -121,13 +122,13 @@ inline Proved_bounds distance_proofs()
                                  Ball::radius_of_product(magnitude, radius, magnitude, radius, magnitude).count());
   bounds.push_back({"Double_double_ball::of_radii", of_balls, Rational(Ball::of_radii) - 1,
                     1 / power(down, of_radius) - 1, u, 2.3, "rationals"});
-  // A high part's remainder, both mixed products, and three products of radii.
+  // The remainder of the high parts' product, both mixed products, and three products of radii.
   bounds.push_back({"Double_double_ball::underflow", of_balls, Rational(Ball::underflow),
                     (Double_double_range::lost_by_product() + 3 * Double_range::lost_by_product()) * 2, 0x1p-1074, 2731,
                     "rationals"});
 
-  // Signs about the origin: of a model's coordinates, at most 1, and of a point whose norm is at most 4. What its
-  // coordinates are off by moves the determinants by their minors.
+  // Signs about the origin, for a model's coordinates of at most 1 and a point with a norm of at most 4. The errors of
+  // its coordinates change the determinants by their minors.
   const Range model{-1, 1}, far{-4, 4};
   const Rational off(kernel::local_error);
   const Rational of_cone = error_within<Ieee_64>([](const auto& in) { return detail::cone_side(in); },

@@ -41,7 +41,7 @@ inline std::vector<Slice> slices_of_offset()
   return slices;
 }
 
-/// What the sum of all remainders loses of a term, at most.
+/// Returns an upper bound of the error of the sum of all remainders, relative to a term.
 inline Rational remainder_loss()
 {
   Rational most = 0;
@@ -84,7 +84,8 @@ inline Proved_bounds frame_proofs()
   const Count most = Offset::sum_of_parts(Offset::terms_in_parts(terms[0], terms[1], terms[2], terms[3]));
   add("Origin_offset::double_rounding", Offset::double_rounding,
       largest(slice_errors<Relative_64>(offset, detail::slices_of_offset())) * lost(most * count), u, 1.03);
-  // The result rounds once; remainders lose the same whatever is summed, and of entries that are off by u, u more.
+  // The result rounds once. The error of the remainders does not depend on the terms; entries with a relative error of
+  // u add u.
   const Rational remainders = detail::remainder_loss() * lost(most * count);
   add("Origin_offset::result_rounding", Offset::result_rounding, roundoff * once * lost(count * count), u, 4.01,
       "rationals");
@@ -107,12 +108,12 @@ inline Proved_bounds frame_proofs()
   };
   const auto gram = [&](const auto& in) { return of_columns(in, true, false); };
   const Rational entry_of_gram = largest(slice_errors<Relative_64>(gram, terms_of_dot));
-  // Columns of a similarity but for its defect. Three entries a row, the quotient f, and the difference of squares,
-  // which is itself below twice the defect.
+  // Columns of a similarity up to its defect. Three entries per row are rounded, the quotient f, and the difference of
+  // squares, which is itself below twice the defect.
   const Rational defect(Frame::similarity_defect), columns = 1 + 2 * defect;
   add("Relative_frame::gram_rounding", Frame::gram_rounding,
       3 * entry_of_gram * columns * columns + roundoff * once + 16 * roundoff * defect, u, 1.51);
-  // An image is made of the entries by 4 roundings more: product, two sums, the offset.
+  // An image adds 4 roundings to those of the entries: product, two sums, the offset.
   const auto image_of = [](const auto& entry_of_map) {
     const auto zero = std::decay_t<decltype(entry_of_map)>(0), one = std::decay_t<decltype(entry_of_map)>(1);
     return kernel::sum(kernel::placed_terms(entry_of_map, zero, zero, zero, std::array{one, one, one}));
@@ -129,7 +130,7 @@ inline Proved_bounds frame_proofs()
       {1, 0, 0, 0, 0, 0, 0}, {0, 1, 0, 0, 1, 0, 0}, {0, 0, 1, 0, 0, 1, 0}, {0, 0, 0, 1, 0, 0, 1}};
   const std::array<Count, 3> three, entries = {entry(count), entry(count), entry(count)};
   const Count magnitude = Frame::product_sum(count, three, entries) * count + count + count + count;
-  // Sums of a row's entries round what is computed too, which is below `most_residual` of the residual's terms.
+  // Sums of a row's entries round also their computed part, which is below `most_residual` of the residual's terms.
   add("Relative_frame::residual_rounding", Frame::residual_rounding,
       largest(slice_errors<Relative_64>(residual, terms_of_residual)) * lost(magnitude) +
           4 * roundoff * Rational(Frame::most_residual),
@@ -142,7 +143,7 @@ inline Proved_bounds frame_proofs()
   add("Relative_frame::inverse_rounding", Frame::inverse_rounding,
       largest(slice_errors<Relative_64>(row, terms_of_dot)), u, 1.12);
 
-  // An image of a point that is off by d < 2^-10: (norm + 2 error) d + error <= (1 + 2 d) (error + norm d); rho / (1 -
+  // The image of a point with error d < 2^-10: (norm + 2 error) d + error <= (1 + 2 d) (error + norm d); rho / (1 -
   // rho) for rho < `most_residual`; and some 30 roundings of the bounds themselves.
   Rational roundings = 1;
   for (int k = 0; k < 30; ++k) roundings *= once;

@@ -18,12 +18,12 @@
 #include <string>
 #include <vector>
 
-/// The constants of kernel/bound/obb8_gap.h and obb8_sweep.h, from their *_simd.inl themselves.
+/// The constants of kernel/bound/obb8_gap.h and obb8_sweep.h, from the code of their *_simd.inl.
 namespace tetracone::verify::proofs {
 
 namespace detail {
 
-/// Inputs of the expressions below: those of a comparison, and three numbers more.
+/// Inputs of the expressions below: the inputs of a comparison, and three more numbers.
 inline constexpr std::size_t more = Place::end, gap_inputs = more + 3;
 
 template <bool fused, class Number>
@@ -39,7 +39,7 @@ Number component_of_axis(const std::vector<Number>& in)
   return kernel::HWY_NAMESPACE::largest_gap<true>(box_test<fused>(in, Edges::carried), Keep_all()).kept.all[3][1].one();
 }
 
-/// The first coordinate of an axis as it is stored; its components are the three numbers.
+/// The first coordinate of a stored axis; its components are the three numbers.
 template <bool fused, class Number>
 Number stored_coordinate(const std::vector<Number>& in)
 {
@@ -49,8 +49,8 @@ Number stored_coordinate(const std::vector<Number>& in)
       .one();
 }
 
-/// The gap beyond a triangle's edge, or the first component of its axis: the three numbers are by what the box lies
-/// beyond the edge's line, over the normal's length, and such components of the single box's edges 1 and 2.
+/// The gap beyond a triangle's edge, or the first component of its axis. The three numbers are the excess of the box
+/// over the edge's line, relative to the normal's length, and such components of the single box's edges 1 and 2.
 template <bool fused, bool is_axis, class Number>
 Number beyond_edge(const std::vector<Number>& in)
 {
@@ -72,7 +72,8 @@ struct Sweep_place {
   static constexpr std::size_t components = 0, centre = 3, shift = 6, bend = 9, axes = 18, end = 27;
 };
 
-/// The way along an axis of these components along the eight's axes; shift and bend are rounded to float.
+/// The displacement along an axis with these components along the axes of the eight boxes; shift and bend are rounded
+/// to float.
 template <class Numbers>
 auto way_of_sweep(const Numbers& in)
 {
@@ -92,7 +93,7 @@ auto way_of_sweep(const Numbers& in)
   return kernel::HWY_NAMESPACE::along_axis(n, sweep);
 }
 
-/// What a gap and its axis lose, in roundings of either way of products and sums.
+/// The errors of a gap and of its axis, with fused products and without.
 struct Losses_of_gap {
   Rational component = 0;  ///< of an axis' components, shares of an edge's length
   Rational stored = 0;     ///< of the stored axis' coordinates, shares of these components
@@ -119,8 +120,8 @@ Losses_of_gap losses_of_gap()
   }
   losses.component = most([](const auto& in) { return component_of_axis<fused>(in); }, components);
   losses.stored = most([](const auto& in) { return stored_coordinate<fused>(in); }, stored);
-  // Extents 1 and 2 are 1: the base is 2, what is left of the apex 1, and the normal's length 3, of which each counts a
-  // third at least.
+  // Extents 1 and 2 are 1: the base is 2, the rest of the apex 1, and the normal's length 3. Each of these contributes
+  // at least a third.
   const int one = Place::single_extent + 1, two = Place::single_extent + 2;
   losses.side = 3 * most([](const auto& in) { return beyond_edge<fused, true>(in); },
                          {slice({one, two, int(more) + 1}), slice({one, two, int(more) + 2})});
@@ -144,15 +145,16 @@ inline Proved_bounds gap_proofs()
     bounds.push_back({name, file, Rational(in_code), proved, unit, loosest, by});
   };
 
-  // How far a stored axis is, as a vector, from the one that the comparison's exact gap is along. A component is a sum
-  // over products of the entries of two rotations, of the eight's axes and of the directions; a stored coordinate one
-  // over the components.
+  // An upper bound of the distance, as vectors, between a stored axis and the axis of the comparison's exact gap. A
+  // component is a sum over products of the entries of two rotations: of the axes of the eight boxes and of the
+  // directions. A stored coordinate is a sum over the components.
   const detail::Losses_of_gap fused = detail::losses_of_gap<true>(), apart = detail::losses_of_gap<false>();
   const Rational component = std::max(fused.component, apart.component), stored = std::max(fused.stored, apart.stored),
                  side = std::max(fused.side, apart.side), beyond = std::max(fused.beyond, apart.beyond);
   const Rational off = (3 * component + root_3() * stored) * computed, off_along_side = off + side * computed;
 
-  // Gaps of boxes that are apart: each share counts, of M, which the distance of two of their points is below too.
+  // Gaps of boxes that are apart: every error counts, relative to M, which is also an upper bound of the distance of
+  // two of their points.
   const auto gap = [&](Kind kind) {
     Rational most = 0;
     for (const Rational& share : detail::shares_of(Edges::carried, kind, defect, defect + 3 * roundoff * computed))
@@ -176,7 +178,7 @@ inline Proved_bounds gap_proofs()
                      off_along_side;
   add("gap_shrink", 1 - double(kernel::gap_shrink), 1 - 1 / (length * times(1 + roundoff, 3)), u, 1.74, "gappa");
 
-  // n may be rounded, and the way is.
+  // n may be rounded, and the displacement is.
   const auto moved = [](const auto& in) {
     using Floats = Axis_number<std::decay_t<decltype(in[0])>, false>;
     const Floats n[3] = {entry(in[0]), entry(in[1]), entry(in[2])}, way[3] = {entry(in[3]), entry(in[4]), entry(in[5])};
@@ -234,7 +236,7 @@ inline Proved_bounds gap_proofs()
   bounds.push_back({"sweep_rounding", "kernel/bound/obb8_sweep.h", Rational(kernel::sweep_rounding),
                     of_sweep * length * norm * computed, u, 2.93, "gappa"});
 
-  // A time is a sum times the inverse of a speed, halved, and a sum again: half of the span's shares, at most 1.
+  // A time is a sum times the inverse of a speed, halved, plus a sum: half of the span's parameters, at most 1.
   bounds.push_back({"time_rounding", "kernel/bound/obb8_sweep.h", Rational(double(kernel::time_rounding)),
                     times(1 + roundoff, 4) - 1, u, 2.02, "rationals"});
 

@@ -23,7 +23,7 @@ namespace tetracone::verify::proofs {
 
 using kernel::Rational;
 
-/// What Gappa proves of an expression: low <= it <= high.
+/// The bounds that Gappa proves for an expression: low <= expression <= high.
 struct Enclosure {
   Rational low, high;
 
@@ -40,10 +40,10 @@ inline std::string gappa_number(double value)
   return mantissa == 0 ? "0" : std::to_string(mantissa) + "b" + std::to_string(exponent);
 }
 
-/// A script for Gappa: definitions, what is assumed of their variables, and expressions to enclose.
+/// A script for Gappa: definitions, assumptions about their variables, and expressions to enclose.
 class Gappa_script {
  public:
-  /// Returns the name of an expression, which is defined once: Gappa knows equal ones by one name.
+  /// Returns the name of an expression, which is defined once: Gappa identifies equal expressions by one name.
   std::string define(const std::string& expression)
   {
     std::string& name = defined_[expression];
@@ -64,21 +64,21 @@ class Gappa_script {
     return add("v", {name + " in [" + gappa_number(low) + ", " + gappa_number(high) + "]", true});
   }
 
-  /// Asks for an enclosure. Returns its place in what `prove` returns.
+  /// Asks for an enclosure. Returns its index in the result of `prove`.
   std::size_t ask(const std::string& expression)
   {
     goals_.push_back(define(expression));
     return goals_.size() - 1;
   }
 
-  /// Asks for enclosures of all that is defined: every intermediate result.
+  /// Asks for enclosures of all definitions: every intermediate result.
   void ask_for_everything()
   {
     for (std::size_t k = 0; k < lines_.size(); ++k)
       if (!lines_[k].is_variable) goals_.push_back("x" + std::to_string(k));
   }
 
-  /// The script, of what the goals are made of alone.
+  /// Returns the script, with only the definitions that the goals use.
   std::string text() const
   {
     std::vector<bool> is_needed(lines_.size(), false);
@@ -97,7 +97,8 @@ class Gappa_script {
     return definitions + "{ " + (assumptions.empty() ? "" : assumptions + " ->\n  ") + goals + " }\n";
   }
 
-  /// The enclosures asked for, as Gappa proves them. Throws std::runtime_error with what it says where it does not.
+  /// Returns the requested enclosures, as Gappa proves them. Throws std::runtime_error with Gappa's message when it
+  /// fails.
   std::vector<Enclosure> prove() const;
 
  private:
@@ -125,7 +126,7 @@ class Gappa_script {
   std::map<std::string, std::string> defined_;  // the names of expressions
 };
 
-/// Whether the program is there.
+/// True when the program gappa is installed.
 inline bool gappa_is_there() { return std::system("gappa --version > /dev/null 2>&1") == 0; }
 
 namespace detail {
@@ -155,7 +156,7 @@ inline std::string output_of(const std::string& command)
   return output;
 }
 
-/// Keeps a script in the folder that TETRACONE_KEEP_PROOFS names, where it names one: for check_with_coq.sh.
+/// Saves a script in the folder that TETRACONE_KEEP_PROOFS names, if it is set, for check_with_coq.sh.
 inline void keep(const std::string& script)
 {
   static int count = 0;
@@ -163,7 +164,7 @@ inline void keep(const std::string& script)
     std::ofstream(std::string(folder) + "/proof_" + std::to_string(count++) + ".g") << script;
 }
 
-/// A file of the system's folder for such, gone with the object.
+/// A file in the system's temporary folder, removed by the destructor.
 class Temporary_file {
  public:
   explicit Temporary_file(const std::string& text)
@@ -191,7 +192,7 @@ inline std::vector<Enclosure> Gappa_script::prove() const
   const std::string script = text();
   detail::keep(script);
   const detail::Temporary_file file(script);
-  // 200 bits: the squares of roundings are seen beside 1, in double-double too.
+  // 200 bits of precision keep squares of roundings visible beside 1, in double-double too.
   const std::string output = detail::output_of("gappa -Eprecision=200 " + file.name() + " 2>&1");
   std::map<std::string, Enclosure> found;
   for (const std::string& goal : goals_) {

@@ -6,7 +6,7 @@
 
 namespace tetracone::verify::proofs {
 
-/// A vector of numbers, as the compiler's vectors of kernel/simd/short_vectors.h: operations are lane by lane.
+/// A vector of numbers, like the compiler's vectors of kernel/simd/short_vectors.h: operations act lane by lane.
 template <class Number, std::size_t n>
 struct Lanes {
   std::array<Number, n> lane;

@@ -19,7 +19,7 @@
 #include <array>
 #include <vector>
 
-/// Margins whose argument is one of geometry, or counts roundings: derived in exact rationals, or in intervals.
+/// Margins proved by geometry or by counting roundings: derived in exact rationals, or in intervals.
 namespace tetracone::verify::proofs {
 
 namespace detail {
@@ -27,13 +27,14 @@ namespace detail {
 using Interval = CGAL::Interval_nt<>;
 using Interval_vector = std::array<Interval, 3>;
 
-/// How far the plane through three unit vectors along rays lies off, in double: shares of its distance from V0.
+/// Upper bounds of the errors of the plane through three unit vectors along rays, computed in double, relative to its
+/// distance from V0.
 struct Plane_error {
   double normal = 0;  ///< of the normal, as it moves the plane
   double height = 0;  ///< of the distance itself
 };
 
-/// Unit vectors are integer vectors, whose squares are exact, over a rounded root: off by 2 roundings.
+/// Unit vectors are integer vectors, whose squares are exact, over a rounded root: their error is 2 roundings.
 inline Plane_error plane_error(const tetratree::Tetra_cone& cone)
 {
   const Interval u = kernel::unit_roundoff<double>, of_unit = 2 * u * (1 + u);
@@ -67,7 +68,7 @@ inline Plane_error plane_error(const tetratree::Tetra_cone& cone)
   return {(moved + dot).sup(), (moved + dot + off / sqrt(normal_2) + 4 * u).sup()};
 }
 
-/// The largest errors among the cones down to a level in the first octant; the others are its mirror images.
+/// Returns the largest errors among the cones down to a level in the first octant; the others are its mirror images.
 inline Plane_error largest_plane_error(int deepest)
 {
   Plane_error largest;
@@ -81,7 +82,7 @@ inline Plane_error largest_plane_error(int deepest)
   return largest;
 }
 
-/// What `together` of kernel/bound/obb8_overlap_simd.inl loses by underflow along its longest way: a coordinate along
+/// Returns the underflow of `together` of kernel/bound/obb8_overlap_simd.inl along its longest path: a coordinate along
 /// an axis, times another, times an extent. Centres and extents are in local units: at most 8.
 inline Rational underflow_of_boxes()
 {
@@ -117,12 +118,12 @@ inline Proved_bounds margin_proofs()
   };
 
   add("few_roundings", "kernel/number/floating_point.h", kernel::few_roundings, times(once, 100) - 1, u, 82);
-  // The way of a box's size: two sums, stretched, and the product with this; then the slack of a gap, by two sums and
-  // two products.
+  // A box's size is rounded by two sums and a stretch, and by the product with this; then the slack of a gap, by two
+  // sums and two products.
   add("rounded_up", "kernel/bound/obb8.h", kernel::rounded_up - 1, times(once_in_float, 8) - 1, of_float, 2.01);
   add("box_underflow", "kernel/bound/obb8.h", kernel::box_underflow, detail::underflow_of_boxes(), 0x1p-149, 2.86e12);
 
-  // The rows of X = f M^T: |col|_1 <= sqrt(3) |col|_2, a column as long as the first but for the defect of its square;
+  // The rows of X = f M^T: |col|_1 <= sqrt(3) |col|_2. A column is as long as the first up to the defect of its square;
   // a root, a quotient and two products round it.
   add("Relative_frame::root_of_3", "kernel/bound/relative_frame.h", Frame::root_of_3,
       root_3() * (1 + Rational(Frame::similarity_defect)) * times(once, 6), 1, 1.0001);
@@ -134,7 +135,7 @@ inline Proved_bounds margin_proofs()
           8 * Rational(of_float) * once_in_float,
       1, 1.75);
 
-  // s = (A^T A)^-1 A^T y of axes of that defect d: 3 d (1 + 4 d) of the largest, and the fourth d for what is rounded.
+  // s = (A^T A)^-1 A^T y for axes with that defect d: 3 d (1 + 4 d) of the largest entry; the fourth d is for rounding.
   const Rational d(kernel::bound_box_defect);
   add("bound_box_defect in bound_box", "kernel/bound/bound_box.h",
       kernel::axis_defect_factor * kernel::bound_box_defect, 3 * d / (1 - 3 * d), kernel::bound_box_defect, 1.34);

@@ -21,9 +21,8 @@ namespace tetracone::verify::proofs {
 
 namespace detail {
 
-/// A number computed in double: of what magnitude it is meant to be at most, and how far it may be off, in exact
-/// rationals. Run with these, an expression tells its own error for all inputs of such magnitudes, as CGAL's
-/// Static_filter_error does.
+/// A number computed in double: upper bounds of the exact number's magnitude and of the error, in exact rationals. An
+/// expression run with these gives its own error for all inputs of such magnitudes, like CGAL's Static_filter_error.
 struct Static_error {
   Rational most, error;
 
@@ -40,7 +39,7 @@ struct Static_error {
   {
     return rounded({Rational(a.most * b.most), Rational(a.error * b.most + b.error * a.most + a.error * b.error)});
   }
-  /// By a power of two: exactly.
+  /// Division by a power of two is exact.
   friend Static_error halved(const Static_error& a) { return {Rational(a.most / 2), Rational(a.error / 2)}; }
 
  private:
@@ -51,8 +50,8 @@ struct Static_error {
   }
 };
 
-/// The largest error of a form's coefficients after all halvings, whichever half is taken: each begins with the worst
-/// coefficient of the last.
+/// Returns the largest error of a form's coefficients after all halvings, whichever half is taken: each halving begins
+/// with the worst coefficient of the last.
 template <std::size_t N>
 Rational error_when_halved(kernel::motion_filter::Scaled<N, Static_error> form)
 {
@@ -72,8 +71,8 @@ Rational error_when_halved(kernel::motion_filter::Scaled<N, Static_error> form)
   return form[0].error;
 }
 
-/// The largest error of Time_root::value_at for a form of so many coefficients, over their number and the sum of their
-/// magnitudes: that of one coefficient alone, since each adds its own.
+/// Returns the largest error of Time_root::value_at for a form of `count` coefficients, relative to `count` and the sum
+/// of their magnitudes. This is the error for one coefficient alone, since each adds its own.
 inline Rational error_of_value(std::size_t count)
 {
   const Rational u(kernel::unit_roundoff<double>), once = 1 / (1 - u);
@@ -84,7 +83,7 @@ inline Rational error_of_value(std::size_t count)
     coefficients[k] = coefficient;
     worst = std::max(worst, kernel::Time_root::value_at(x, rest, coefficients).error);
   }
-  // What x is off, times the slope. The sum is of coefficients truncated; it, its products and the bound's sum are
+  // The error of x, times the slope. The sum is of truncated coefficients; it, its products and the bound's sum are
   // rounded too.
   Rational rounded = (worst + 3 * u * int(count - 1)) / int(count);
   for (std::size_t k = 0; k < count + 4; ++k) rounded *= once;
@@ -105,7 +104,7 @@ inline Proved_bounds motion_proofs()
     bounds.push_back({name, file, Rational(in_code), proved, u, loosest, "rationals"});
   };
 
-  // Differences, over the largest of their axis as computed; the bound is a product of up to three such.
+  // Differences, relative to the largest computed one of their axis; the bound is a product of up to three such.
   const Static_error difference(1, roundoff * once);
   const kernel::Linear_form<Static_error> form = {difference, difference};
   const kernel::Linear_vector<Static_error> vector = {form, form, form};
@@ -135,7 +134,8 @@ inline Proved_bounds motion_proofs()
     error_of_value = std::max(error_of_value, detail::error_of_value(count));
   add("Time_root::value_error", "kernel/motion/time_root.h", kernel::Time_root::value_error, error_of_value, 1.62);
 
-  // A coefficient of a span is truncated and divided, and then an average of averages; a local point is off by 2 u.
+  // A coefficient of a span is truncated and divided, and then an average of averages; a local point has an error of 2
+  // u.
   Rounding_count entry_of_map = entry(entry(entry(entry(Rounding_count()))));
   constexpr int most_halvings = 60, averages = int(kernel::Motion_span::most_coefficients) - 1;
   for (int k = 0; k < most_halvings * averages; ++k) entry_of_map = entry(entry_of_map);
@@ -148,11 +148,11 @@ inline Proved_bounds motion_proofs()
   const Rounding_count difference_of_ranges = (kernel::dot(axis, row) + reach) + reach;
   add("few_roundings, of moving boxes", "kernel/motion/motion_span.h", kernel::few_roundings,
       1 / difference_of_ranges.least(roundoff) * bound - 1, 18.6);
-  // A quotient of at most 1, and what joins it with this.
+  // A quotient of at most 1, and the operations that combine it with this.
   const Rounding_count zero = kernel::Motion_span::zero_between(Rounding_count(), Rounding_count());
   add("Motion_span::rounding_of_times", "kernel/motion/motion_span.h", kernel::Motion_span::rounding_of_times,
       1 / (zero * Rounding_count()).least(roundoff) - 1, 2.67);
-  // Or of points that are placed before.
+  // Otherwise the points are placed before.
   const Rounding_count coordinate = kernel::dot(row, point) + entry_of_map,
                        difference_of_points =
                            kernel::dot(axis, std::array{coordinate, coordinate, coordinate}) + axis[0];

@@ -7,12 +7,12 @@ namespace tetracone::verify::proofs {
 
 using kernel::Rational;
 
-/// Above the square roots of 2 and 3.
+/// Upper bounds of the square roots of 2 and 3.
 inline Rational root_2() { return Rational(14142136, 10000000); }
 inline Rational root_3() { return Rational(17320509, 10000000); }
 
-/// How far the cross product of two axes is from the third, or its opposite, where scalar products of axes differ from
-/// those of an orthonormal triple by at most d < 2^-10.
+/// Returns an upper bound of the distance of the cross product of two axes from the third, or from its opposite.
+/// Requires that scalar products of axes differ from those of an orthonormal triple by at most d < 2^-10.
 ///
 /// With E = A^T A - I, |E_ij| <= d and so ||E|| <= 3 d: a_l x a_m = det A A^-T e_i = det A A (I + E)^-1 e_i. There |A|
 /// <= 1 + 1.5 d, |(I + E)^-1 e_i - e_i| <= sqrt(3) d / (1 - 3 d), and det^2 = det(I + E) is between 1 - 3 d - 27 d^2

@@ -26,7 +26,7 @@ namespace tetracone::verify::proofs {
 
 namespace detail {
 
-/// A coordinate of the image of a local point by a map of fractions: inputs a row, the point, which is off by two
+/// A coordinate of the image of a local point by a map of fractions. Inputs: a row, the point with an error of two
 /// roundings, and its true value.
 template <class Number>
 Number image_in_common(const std::vector<Number>& in)
@@ -36,7 +36,7 @@ Number image_in_common(const std::vector<Number>& in)
   return kernel::dot(row, point);
 }
 
-/// A row of L^T L less a share of the sum of squares, all terms taken positive: inputs three columns.
+/// A row of L^T L less a multiple of the sum of squares, with all terms taken as positive. Inputs: three columns.
 template <class Number>
 Number row_of_gram(const std::vector<Number>& in)
 {
@@ -71,7 +71,7 @@ inline Proved_bounds nearest_proofs()
   add("Common_frame::image_rounding", of_frame, Frame::image_rounding,
       largest(slice_errors<Relative_64>([](const auto& in) { return detail::image_in_common(in); }, terms_of_image)),
       unit, 1.34, "gappa");
-  // One sum, of what is itself off by less than 8 u.
+  // One sum of a number whose own error is below 8 u.
   add("Common_frame::way_rounding", of_frame, Frame::way_rounding, u * (1 + 8 * u), unit, 2.01);
   // A row's sum, the sum with the way, products with shares, their sums, and the product with this.
   const Count number, row = number + number + number, way = row + number,
@@ -114,7 +114,7 @@ inline Proved_bounds nearest_proofs()
   add("quotient_rounding of least_stretch", of_frame, stretch::quotient_rounding,
       1 - power(down, sum_of_squares.count()) / power(up, 3), unit, 4.01);
 
-  // Rows of a similarity, but for its defect, are as long as columns.
+  // Rows of a similarity are as long as its columns, up to its defect.
   add("row_of_similarity", "tetratree/fast/element_gap.h", tetratree::row_of_similarity,
       root_3() * (1 + 3 * similarity), 1, 1.16);
 
@@ -125,11 +125,11 @@ inline Proved_bounds nearest_proofs()
   // A square is rounded, which counts half in its root; the root, a product and a sum.
   add("Bvh8_distance::distance_rounding", of_distance, Distance::distance_rounding,
       std::max(Rational(1 - 1 / power(up, 4)), Rational(1 / power(down, 4) - 1)), unit, 2.01);
-  // What underflows in space, times the power of two that leads to the frame, below 2^200; and once more there.
+  // The underflow in space, times the power of two that leads to the frame, below 2^200; and once more in the frame.
   const Rational half_of_least = Rational(0x1p-1074) / 2;
   add("Bvh8_distance::smallest", of_distance, Distance::smallest, half_of_least * Rational(0x1p200) + 2 * half_of_least,
       1, 3.8e22);
-  // The root of `least_square`, or of it and what underflows in it.
+  // The root of `least_square`, or of it plus its underflow.
   const Rational root(0x1p-500 + 0x1p-540);
   const Rational square = Rational(Distance::least_square) + half_of_least;
   add("Bvh8_distance::most_unseen", of_distance, Distance::most_unseen,
@@ -138,7 +138,7 @@ inline Proved_bounds nearest_proofs()
   // The low part is below u of the high one; a product with a number less than 1.
   add("Double_double_ball::high_rounding", "kernel/number/double_double_ball.h", Ball::high_rounding, 1 - down / up,
       unit, 2.01);
-  // Radii that are let pass, by two sums of magnitudes and a product, two sums of their own, and a rounding of each.
+  // Accepted radii, by two sums of magnitudes and a product, two sums of their own, and a rounding of each.
   const std::string of_directions = "kernel/predicate/enclosed_distance.h";
   add("Enclosed_distance::direction_error", of_directions, Enclosed::direction_error,
       Rational(Enclosed::most_radii) / power(down, 6) + u / down, unit, 1.34);

@@ -19,13 +19,13 @@ namespace tetracone::verify::proofs {
 
 namespace detail {
 
-/// Whose axes the frame's are in which a way between two boxes is sought.
+/// The box whose axes are the frame in which a direction between two boxes is sought.
 enum class Frame_of { eight, single_box };
 
-/// Inputs of an expression: those of a comparison, and the components of a way in the frame.
+/// Inputs of an expression: the inputs of a comparison, and the components of a direction in the frame.
 inline constexpr std::size_t way_in_frame = Box_test<double, true>::end, distance_inputs = way_in_frame + 3;
 
-/// The gap along a way, times its length, without slack, which is `none`.
+/// The gap along a direction, times its length, without slack, which is `none`.
 template <bool fused, class Number>
 Number gap_of_way(const std::vector<Number>& in, Frame_of frame, const Number& none)
 {
@@ -59,7 +59,7 @@ Rational rounding_of_way(Frame_of frame)
     for (const int place : places) slice[std::size_t(place)] = 1;
     slices.push_back(slice);
   };
-  // Along axis 0 of the eight, or along edge 0, which directions turn from its first coordinate.
+  // Along axis 0 of the eight boxes, or along edge 0, which the directions turn from its first coordinate.
   for (int k = 0; k < 3; ++k)
     for (const int centre : {Place::single_centre, Place::centre}) {
       if (frame == Frame_of::eight)

@@ -19,10 +19,11 @@ namespace tetracone::verify::proofs {
 
 namespace detail {
 
-/// The places of a slice's inputs, whatever the arithmetic.
+/// The positions of a slice's inputs, in any arithmetic.
 using Place = Box_test<Recorded<Exact>, true>;
 
-/// The error of an axis' gap, a share of each of: |single centre|, |centre|, sum of extents, sum of the single box's.
+/// The error of an axis' gap, by its four coefficients: of |single centre|, |centre|, the sum of extents, and the sum
+/// of the single box's extents.
 using Shares = std::array<Rational, 4>;
 
 template <class Arithmetic, bool fused>
@@ -106,12 +107,12 @@ std::array<Shares, 4> rounding_of_gaps(Edges edges, bool triangle)
   return shares;
 }
 
-/// What the eight's axes, off by `d` from orthonormal, and the single box's, off by `e`, change in the gap of boxes
-/// that share a point, over real numbers.
+/// Returns the change of the gap of boxes that share a point, over real numbers, when axes are not orthonormal: those
+/// of the eight boxes by `d`, those of the single box by `e`.
 ///
-/// Along its own normal a_i an axis is reached by others by d. Another's normal n is tried as A A^T n, which differs by
-/// 3 d; it reaches others' edges by e. Across, r_l a_m - r_m a_l, the eight reach sqrt(2) d more, and an edge b_k
-/// reaches (a_l x a_m) . (b_j x b_k) in place of a_i . b_o.
+/// Along its own normal a_i, the other axes' reach is d. Another box's normal n is tried as A A^T n, which differs by 3
+/// d; the other edges reach e along it. Across, r_l a_m - r_m a_l, the eight boxes reach sqrt(2) d more, and an edge
+/// b_k reaches (a_l x a_m) . (b_j x b_k) instead of a_i . b_o.
 inline Shares defect_of_gap(Kind kind, Edges edges, const Rational& d, const Rational& e)
 {
   const Rational none = 0, second_order = 1 + Rational(0x1p-10);
@@ -127,7 +128,7 @@ inline Shares defect_of_gap(Kind kind, Edges edges, const Rational& d, const Rat
   return {};
 }
 
-/// The shares of one kind of box, at most of all its gaps, both with fused products and without.
+/// Returns the coefficients of one kind of box, upper bounds over all its gaps, with fused products and without.
 inline Shares shares_of(Edges edges, Kind kind, const Rational& d, const Rational& e)
 {
   const bool triangle = kind == Kind::triangle;
@@ -143,7 +144,7 @@ inline Shares shares_of(Edges edges, Kind kind, const Rational& d, const Rationa
   const Shares defect = defect_of_gap(kind, edges, d, e);
   Shares sum;
   for (int k = 0; k < 4; ++k) sum[k] = longer * std::max(both[0][int(kind)][k], both[1][int(kind)][k]) + defect[k];
-  // Floats of edges in double: a point of the single box is off by as much along any axis.
+  // Edges in double are rounded to float: this is also the error of a point of the single box along any axis.
   if (edges == Edges::general) sum[3] += Rational(kernel::unit_roundoff<float>);
   return sum;
 }
@@ -182,7 +183,7 @@ inline Proved_bounds obb8_proofs()
   bounds.push_back({"twice carried_box_rounding, sides of a triangle", file, Rational(2 * kernel::carried_box_rounding),
                     carried(Kind::triangle), u, 2.13, "gappa"});
 
-  // |L|_1 <= sqrt(3) |L|_2 of every axis L, of length 1 but for the defect.
+  // |L|_1 <= sqrt(3) |L|_2 for every axis L, of length 1 up to the defect.
   bounds.push_back({"position_factor", file, Rational(kernel::position_factor), root_3() * (1 + 6 * defect) * computed,
                     1, 4.63, "rationals"});
   return bounds;

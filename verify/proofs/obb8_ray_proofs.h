@@ -41,7 +41,7 @@ void enlarge(Ray_shares& shares)
     return simd::along_axis(Floats(in[0]), Floats(in[1]), Floats(in[2]), direction(0), direction(1), direction(2))
         .one();
   };
-  // Inputs: the place along the axis, the step, the extent and the slack.
+  // Inputs: the position along the axis, the step, the extent and the slack.
   const auto enters = [](const auto& in) {
     using Number = std::decay_t<decltype(in[0])>;
     using Floats = Axis_number<Number, fused>;

@@ -5,7 +5,7 @@
 
 namespace tetracone::verify::proofs {
 
-/// Why a constant has no row of its own among the proofs.
+/// The reason why a constant has no row of its own among the proofs.
 enum class Constant_kind {
   unit,    ///< it is a property of a number type
   choice,  ///< it decides how fast an answer is found, and never which
@@ -15,14 +15,14 @@ enum class Constant_kind {
   by_hand  ///< it is an error bound that no machine checks
 };
 
-/// A constant of the package that no proof is about: its name, or the literal that stands in an expression.
+/// A constant of the package without a proof: its name, or the literal in an expression.
 struct Other_constant {
   const char *file, *name;
   Constant_kind kind;
   const char* reason;
 };
 
-/// All of them: a test finds every other one that has no proof.
+/// Returns all of them: a test finds every other constant without a proof.
 inline std::vector<Other_constant> other_constants()
 {
   using enum Constant_kind;

@@ -10,7 +10,7 @@ namespace tetracone::verify::proofs {
 
 using kernel::Rational;
 
-/// A constant of an error bound in the code, and the least that is proved to be enough, in the same unit.
+/// A constant of an error bound in the code, and the least value that is proved to be enough, in the same unit.
 struct Proved_bound {
   std::string name, file;
   Rational in_code, proved;

@@ -10,8 +10,7 @@ namespace tetracone::verify::proofs {
 
 using kernel::Rational;
 
-/// What a product loses at most where it underflows: half the least number, once for each product in it that is
-/// rounded.
+/// An upper bound of a product's underflow: half the least number for each rounded product in it.
 struct Double_range {
   static Rational lost_by_product() { return Rational(0x1p-1074) / 2; }
 };
@@ -24,9 +23,9 @@ struct Double_double_range {
   static Rational lost_by_product() { return 3 * Double_range::lost_by_product(); }
 };
 
-/// How large a number may be, and how much of it underflow may have taken on the way, in exact rationals. Sums lose
-/// nothing to gradual underflow. Run with these, an expression tells whether it overflows within a gate, and whether
-/// `underflow_slack` covers it.
+/// Upper bounds of a number's magnitude and of its error by underflow, in exact rationals. Sums lose nothing to gradual
+/// underflow. An expression run with these tells whether it overflows within a gate, and whether `underflow_slack`
+/// covers its underflow.
 template <class Range>
 class Range_number {
  public:
@@ -44,7 +43,7 @@ class Range_number {
                 Rational(a.lost_ * b.most_ + b.lost_ * a.most_ + a.lost_ * b.lost_ + Range::lost_by_product()));
   }
   friend Range_number abs(const Range_number& a) { return a; }
-  /// The nearest double of a fraction, which below 2^-1022 is off by as much as a product there.
+  /// The nearest double of a fraction, whose error below 2^-1022 is that of a product there.
   friend Range_number entry(const Range_number& a) { return {a.most_, Rational(a.lost_ + Range::lost_by_product())}; }
 
   const Rational& lost() const { return lost_; }
@@ -70,7 +69,7 @@ class Range_number {
   Rational most_, lost_;
 };
 
-/// What an expression of inputs of these magnitudes may come to, and lose.
+/// Upper bounds of an expression for inputs of these magnitudes: of its magnitude and of its underflow.
 struct Range_found {
   Rational largest, lost;
 };

@@ -17,7 +17,7 @@ namespace tetracone::verify::proofs {
 
 namespace detail {
 
-/// The determinant of so many differences, from a point at 0, and of what is exact.
+/// The determinant of vectors, `differences` of them from a point at 0 and the others exact.
 template <std::size_t differences, class Number>
 Number determinant_of_differences(const std::vector<Number>& in)
 {
@@ -33,7 +33,7 @@ inline Proved_bounds ray_proofs()
 {
   using Ray = kernel::Ray_triangle;
   const double u = kernel::unit_roundoff<double>;
-  // Magnitudes are those of rounded differences; a bound is three products of such at most.
+  // Magnitudes are of rounded differences; a bound is a product of at most three such.
   const Rational once = 1 / (1 - Rational(u)), few = once * once * once * once * once * once;
   Proved_bounds bounds;
   const auto add = [&](const std::string& name, double in_code, const Rational& proved, double unit, double loosest,

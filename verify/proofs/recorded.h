@@ -9,10 +9,10 @@
 
 namespace tetracone::verify::proofs {
 
-// Arithmetics: each writes the result of an operation, given its exact expression; `entry` is that of a pose, which may
-// stand for a fraction.
+// Arithmetics. Each writes the result of an operation, given its exact expression; `entry` is the result for an entry
+// of a pose, which may stand for a fraction.
 
-/// No rounding: what is meant.
+/// The exact arithmetic, without rounding.
 struct Exact {
   static std::string sum(Gappa_script&, const std::string& exact) { return exact; }
   static std::string product(Gappa_script&, const std::string& exact) { return exact; }
@@ -29,8 +29,8 @@ struct Ieee_32 {
   static std::string product(Gappa_script& script, const std::string& exact) { return sum(script, exact); }
 };
 
-/// The standard model (Higham, Accuracy and Stability, section 2.2), without underflow: each result is off by a factor
-/// 1 + e, |e| <= 2^-`digits`. It knows no scale, so a proof for inputs 1 is one for all.
+/// The standard model (Higham, Accuracy and Stability, section 2.2), without underflow: each result is multiplied by 1
+/// + e, |e| <= 2^-`digits`. It does not depend on scale, so a proof for inputs 1 holds for all.
 template <int digits>
 struct Relative {
   static std::string sum(Gappa_script& script, const std::string& exact)
@@ -60,8 +60,8 @@ struct Relative_double_double {
   }
 };
 
-/// A number that writes down what is computed with it: a template over its number type, run with these, writes its own
-/// script. A factor and a term 0 are known to be 0, which multiplies to nothing; a sum with it is rounded all the same.
+/// A number that records its computation: a template over its number type, run with these, writes its own script. A
+/// factor or a term 0 is known to be 0; a product with it is 0, but a sum with it is still rounded.
 template <class Arithmetic>
 class Recorded {
  public:

@@ -18,8 +18,8 @@
 #include <array>
 #include <string>
 
-/// The constants by which what moves is compared with a reference: sweeps of boxes past one another, the reference of a
-/// span of time, and the front that a pair of bodies keeps.
+/// The constants of comparisons of moving bodies with a reference: sweeps of boxes past one another, the reference of a
+/// span of time, and the front of a pair of bodies.
 namespace tetracone::verify::proofs {
 
 inline Proved_bounds reference_proofs()
@@ -73,7 +73,7 @@ inline Proved_bounds reference_proofs()
   add("motion_underflow", "kernel/bound/relative_motion.h", kernel::motion_underflow,
       of_square <= root * root ? Rational(root + of_coordinates) : Rational(1), 1, 8193);
 
-  // A gap that is stored: rounded, and when it is taken off, a product with steps, a sum and a difference.
+  // A stored gap is rounded; taking it off later rounds a product with steps, a sum and a difference.
   add("Front_entries::shrink, taken from 1", "tetratree/fast/front_entries.h", 1 - double(Entries::shrink),
       1 - power((1 - of_float) / (1 + of_float), 1) * power(1 - of_float, 3), unit_of_float, 3.21);
 
@@ -84,7 +84,7 @@ inline Proved_bounds reference_proofs()
   const Rational of_error = 3 * 2 * Rational(Front::most_error);
   add("Bvh8_front::stretch_loss", of_front, Front::stretch_loss,
       (Rational(3, 2) * similarity * (1 + 8 * similarity) + of_error) * few, unit_of_float, 5.34);
-  // Rounded to float, after a product; along an axis whose length is off by 8 roundings.
+  // The gap is rounded to float after a product, along an axis whose length has an error of 8 roundings.
   add("Bvh8_front::leaf_gap_rounding", of_front, Front::leaf_gap_rounding, (of_float + 10 * u) * few, unit_of_float,
       16.1);
 

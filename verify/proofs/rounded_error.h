@@ -12,12 +12,12 @@ namespace tetracone::verify::proofs {
 
 using kernel::Rational;
 
-/// How a rounding is bounded: by half the distance of the numbers next to the largest result, or by the unit roundoff
-/// of it, which makes errors proportional to magnitudes.
+/// The bound of a rounding: half the spacing of the numbers at the largest result, or the unit roundoff times it, which
+/// makes errors proportional to magnitudes.
 enum class Rounds { by_binade, by_share };
 
-/// A computed number: an upper bound of its magnitude, and one of the distance from what is meant, in exact rationals.
-/// An expression run with these tells its own error for all inputs of such magnitudes and errors, underflow included.
+/// A computed number: upper bounds of its magnitude and of its error, in exact rationals. An expression run with these
+/// gives its own error for all inputs of such magnitudes and errors, underflow included.
 template <class Float, Rounds rounds = Rounds::by_binade>
 struct Rounded_error {
   Rational most, error;
@@ -37,18 +37,18 @@ struct Rounded_error {
     return rounded(Rational(a.most * b.most),
                    Rational(a.error * b.most + b.error * a.most + a.error * b.error + least / 2));
   }
-  /// By a number that is exact and no less than 1: the quotient is no larger than what is divided.
+  /// Division by an exact number of at least 1: the quotient is no larger than the dividend.
   friend Rounded_error over_at_least_1(const Rounded_error& a) { return rounded(a.most, a.error); }
   friend Rounded_error abs(const Rounded_error& a) { return a; }
 
-  /// A number of at most this magnitude that is off by `error` before it is rounded.
+  /// Returns a number of at most this magnitude, with error `error` before it is rounded.
   static Rounded_error rounded(const Rational& most, const Rational& error)
   {
     const Rational loss = rounding_of(most);
     return {is_a_number(most) ? most : Rational(most + loss), Rational(error + loss)};
   }
 
-  /// An upper bound of what rounding a number of at most this magnitude takes.
+  /// Returns an upper bound of the rounding error of a number of at most this magnitude.
   static Rational rounding_of(const Rational& most)
   {
     const Rational u(kernel::unit_roundoff<Float>);
@@ -56,7 +56,7 @@ struct Rounded_error {
   }
 
  private:
-  /// The least power of two that is not below.
+  /// Returns the least power of two that is at least x.
   static Rational power_not_below(const Rational& x)
   {
     if (x == 0) return 0;

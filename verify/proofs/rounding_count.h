@@ -10,9 +10,9 @@ namespace tetracone::verify::proofs {
 
 using kernel::Rational;
 
-/// A computed number that is not negative, made by sums and products of such: it is at least (1 - u)^n of the exact one
-/// and at most (1 + u)^n, n the roundings on the longest way to it. An expression run with these tells what a bound
-/// loses by being computed itself.
+/// A computed number that is not negative, made by sums and products of such numbers. It is between (1 - u)^n and (1 +
+/// u)^n times the exact one, where n is the number of roundings on the longest path to it. An expression run with these
+/// gives the rounding error of a bound's own computation.
 class Rounding_count {
  public:
   explicit Rounding_count(double = 0) {}

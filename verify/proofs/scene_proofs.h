@@ -62,7 +62,8 @@ inline Rational lost_with_root(const Rounding_count& of_square, int after, const
   return (1 / square - 1) / 2;  // the root of 1 + x is at most 1 + x / 2
 }
 
-/// What a box of an image loses in absolute terms, whatever its entries, where |c_j| and half_j are of these sizes.
+/// Returns the absolute error by underflow of a box of an image, for any entries, where |c_j| and half_j have these
+/// sizes.
 inline Rational lost_by_box(double centre, double half)
 {
   using Absolute = Range_number<Double_range>;
@@ -73,8 +74,8 @@ inline Rational lost_by_box(double centre, double half)
   return (x.at - x.reach).lost() + Rational(tetratree::placed_rounding) * x.terms.lost();
 }
 
-/// What a step loses so: both centres in three rows, and what turns in a sum of squares over the rows, or in one of all
-/// entries that is lengthened by up to 2; beside them a root of squares that underflow.
+/// Returns the underflow of a step: of both centres in three rows, and of the turning part in a sum of squares over the
+/// rows, or in one of all entries that is lengthened by up to 2; and of a root of squares that underflow.
 inline Rational lost_by_step(double centre, double half)
 {
   using Absolute = Range_number<Double_range>;
@@ -93,7 +94,7 @@ inline Rational lost_by_step(double centre, double half)
          3 * Rational(tetratree::placed_rounding) * sum(row.terms).lost() + root;
 }
 
-/// How fast a loss grows with a size.
+/// Returns the growth of an error with a size.
 template <class Lost>
 Rational growth(const Lost& lost)
 {
@@ -124,7 +125,7 @@ inline Proved_bounds scene_proofs()
   terms.push_back({0, 0, 0, 1, 0, 0, 0, 0, 0, 0});
   const Rounding_count of_terms = detail::placed_by_entries(std::vector<Rounding_count>(10)).terms * Rounding_count();
   const Rational lost = 1 / of_terms.least(Rational(u));
-  // The difference with the slack is rounded beyond it, to the double below.
+  // The difference with the slack is rounded down to the next double.
   const auto low = [](const auto& in) {
     const auto x = detail::placed_by_entries(in);
     return x.at - x.reach;
@@ -235,7 +236,8 @@ inline Proved_bounds scene_proofs()
           Rational(of_float) * Rational(double(tetratree::Support_table::slack + tetratree::slack_of_direction)),
       of_float, 4.01);
 
-  // Points are centres and sums of axes, whose lengths are off by a root of a sum, a quotient, and half of three sums.
+  // Points are centres plus sums of axes, whose lengths have the errors of a root of a sum, a quotient, and half of
+  // three sums.
   const Rounding_count one_extent, of_radius = one_extent + one_extent + one_extent, of_axis = of_radius * one_extent;
   add("turned_radius_rounding", turned, tetratree::turned_radius_rounding,
       1 / (of_radius * of_axis).least(Rational(u)) - 1, u, 1.44e9);
@@ -245,8 +247,8 @@ inline Proved_bounds scene_proofs()
   add("turned_reach_rounding", turned, tetratree::turned_reach_rounding,
       2 * Rational(of_float) * once_in_float + 8 * Rational(u), of_float, 8.01);
 
-  // Points of a box of axes a_j and one of these rounded differ by s_j (a_j - a'_j), and each is off by `of_float` in
-  // length; centres likewise. Along axes that are orthonormal but for the least.
+  // A point of a box with axes a_j and its point with rounded axes differ by s_j (a_j - a'_j), each with an error of
+  // `of_float` in length; so do centres. The axes are orthonormal up to the least defect.
   add("turned_rounding", turned, tetratree::turned_rounding, Rational(of_float) * once_in_float, of_float, 16.1);
   add("turned_centre_rounding", turned, tetratree::turned_centre_rounding, Rational(of_float) * once_in_float, of_float,
       4.01);

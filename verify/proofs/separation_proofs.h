@@ -36,7 +36,7 @@ inline Proved_bounds separation_proofs()
                     largest(slice_errors<Relative_32>(turned, terms)) * once + 2 * Rational(of_double), u, 1.51,
                     "gappa"});
 
-  // The gap's part from D, which is rounded to float; and from the reach, which is the support tables'.
+  // The gap's part from D, which is rounded to float, and the part from the reach of the support tables.
   const auto gap = [&](const auto& in) {
     const auto zero = std::decay_t<decltype(in[0])>(0);
     const auto lane = [&](int k) { return Separating_direction::lanes_of_gap(in[k], entry(in[3 + k]), zero); };
@@ -60,7 +60,7 @@ inline Proved_bounds separation_proofs()
   bounds.push_back({"rounding of D in double", direction, Rational(Separating_direction::rounding * of_double),
                     largest(slice_errors<Relative_64>(offset, terms_of_offset)) * once, of_double, 1.21, "gappa"});
 
-  // The place of a direction in the lattice; 2 of 3 coordinates move the third as well.
+  // The position of a direction in the lattice; 2 of 3 coordinates move the third as well.
   const Rounding_count count, norm = sum_of_lanes(std::array{count, count, count, count});
   Rational place = 1 / Support_table::scaled(count, norm).least(roundoff) - 1;
   place *= 2;

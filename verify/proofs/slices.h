@@ -11,7 +11,7 @@
 
 namespace tetracone::verify::proofs {
 
-/// Inputs of an expression that pick one of its terms: 1 for the term's factors, 0 for all others.
+/// Inputs of an expression that select one of its terms: 1 for the term's factors, 0 for all others.
 using Slice = std::vector<double>;
 
 /// The n slices of a sum of n terms.
@@ -35,11 +35,11 @@ inline std::vector<Slice> slices_of_determinant()
   return slices;
 }
 
-/// The rounding error of each slice of an expression, as Gappa proves it in the standard model.
+/// Returns the rounding error of each slice of an expression, as Gappa proves it in the standard model.
 ///
-/// With the factors 1 + e of all roundings taken as they are, an expression that is a sum of products of its inputs,
-/// each input at most once in each, stays one: its error is the sum, over the products, of the product of the inputs
-/// times the slice's error. So errors are bounded by sums of magnitudes of products times what is returned, for inputs
+/// Keep the factors 1 + e of all roundings. An expression that is a sum of products of its inputs, each input at most
+/// once in each product, stays one. Its error is the sum, over the products, of the product of the inputs times the
+/// slice's error. Errors are therefore bounded by sums of magnitudes of products times the returned numbers, for inputs
 /// of every scale. `expression` is a template over std::vector<Recorded<...>>.
 template <class Arithmetic, class Expression>
 std::vector<Rational> slice_errors(const Expression& expression, const std::vector<Slice>& slices)
@@ -49,7 +49,7 @@ std::vector<Rational> slice_errors(const Expression& expression, const std::vect
     std::vector<Recorded<Arithmetic>> computed;
     std::vector<Recorded<Exact>> exact;
     for (const double input : slice) {
-      // Named, so that operations know their script; 0 is known to be 0.
+      // Inputs have names, so that operations know their script; 0 is known to be 0.
       const std::string name = input == 0 ? "0" : script.define(gappa_number(input));
       computed.emplace_back(script, name);
       exact.emplace_back(script, name);
@@ -61,12 +61,12 @@ std::vector<Rational> slice_errors(const Expression& expression, const std::vect
   return errors;
 }
 
-/// An interval that an input is in.
+/// The interval of an input.
 struct Range {
   double low, high;
 };
 
-/// The rounding error of an expression for inputs in these ranges, as Gappa proves it.
+/// Returns the rounding error of an expression for inputs in these ranges, as Gappa proves it.
 template <class Arithmetic, class Expression>
 Rational error_within(const Expression& expression, const std::vector<Range>& ranges)
 {
@@ -82,8 +82,8 @@ Rational error_within(const Expression& expression, const std::vector<Range>& ra
   return script.prove()[0].magnitude();
 }
 
-/// The largest magnitude of any intermediate result of an expression for inputs in these ranges, as Gappa proves it:
-/// whether it overflows, which Gappa's numbers do not.
+/// Returns the largest magnitude of any intermediate result of an expression for inputs in these ranges, as Gappa
+/// proves it. It shows whether the expression overflows, which Gappa's numbers do not.
 template <class Arithmetic, class Expression>
 Rational largest_result(const Expression& expression, const std::vector<Range>& ranges)
 {

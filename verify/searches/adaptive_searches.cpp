@@ -53,7 +53,7 @@ double pose_determinant(const Inputs& in)
          u;
 }
 
-/// High parts, and low parts of at most half their last digit.
+/// High parts, and low parts of at most half the high part's last digit.
 Double_double pair(const Inputs& in, std::size_t k)
 {
   return Double_double::sum(in[k], in[k] * in[k + in.size() / 2] * u / 2);

@@ -18,7 +18,7 @@ using Number = Tracked<double>;
 using Frame = kernel::Bound_frame<double, true>;
 using Direction = tetratree::Separating_direction;
 
-/// A coordinate of points that were themselves computed by 2 roundings, by entries that are rounded fractions.
+/// A coordinate of points with two roundings of their own, by entries that are rounded fractions.
 double image(const Inputs& in)
 {
   std::array<Number, 4> entry = tracked<double, 4>(in, 0);
@@ -46,7 +46,7 @@ double magnitude(const Inputs& in)
   return std::max(0.0, ratio(std::abs(image) - most, most)) / u;
 }
 
-/// The largest row sum of |M^T M| over what is computed, of entries that are rounded fractions; of its root, half.
+/// The largest row sum of |M^T M| over the computed one, for entries that are rounded fractions; halved for the root.
 double stretch(const Inputs& in)
 {
   std::array<std::array<Number, 3>, 3> column = {tracked<double>(in, 0), tracked<double>(in, 3),
@@ -170,7 +170,7 @@ double offset(const Inputs& in)
   return ratio((first + second).error(), terms) / u;
 }
 
-/// A direction of the lattice, and a coordinate that is off by its own rounding.
+/// A direction of the lattice, and a coordinate with the error of its own rounding.
 double reach(const Inputs& in)
 {
   const auto d = tracked<double>(in, 0);

@@ -18,7 +18,7 @@ namespace box_search {
 using detail::u_of_float;
 using Float = Tracked<float>;
 
-/// The inputs of a comparison: centres, extents, and of every frame of axes a quaternion.
+/// The inputs of a comparison: centres, extents, and a quaternion for each frame of axes.
 struct Boxes {
   enum Place {
     single_centre = 0,
@@ -42,7 +42,7 @@ struct Boxes {
     return {float(m[0][k] / norm), float(m[1][k] / norm), float(m[2][k] / norm)};
   }
 
-  /// An edge of any map: of length 1 too, but of a direction of its own.
+  /// An edge of any map: also of length 1, but with its own direction.
   static std::array<float, 3> slanted(const Inputs& in, int k)
   {
     const int first = edges + 2 * k;
@@ -97,7 +97,7 @@ double worst_of(const std::vector<Float>& in, Edges kind, bool triangle)
   return std::max(worst_of<true>(in, kind, triangle), worst_of<false>(in, kind, triangle));
 }
 
-/// Rounding alone; the axes' defects come beside it.
+/// Rounding errors only; the axes' defects are added separately.
 template <Edges kind>
 double any_boxes(const Inputs& in)
 {
@@ -106,7 +106,7 @@ double any_boxes(const Inputs& in)
   return detail::ratio(worst, boxes.norm_1_of_single_centre() + boxes.sum_of_extents()) / u_of_float;
 }
 
-/// Centres that are no farther apart than the boxes reach.
+/// Centres that are no farther apart than the reach of both boxes.
 template <bool triangle>
 double carried_boxes(const Inputs& in)
 {
@@ -126,7 +126,7 @@ struct Stored_gap {
   std::array<float, 3> axis;
 };
 
-/// Those of all axes, or of a triangle's two sides.
+/// The stored gaps of all axes, or of a triangle's two sides.
 template <bool fused>
 std::vector<Stored_gap> stored_gaps(const Box_test<Float, fused>& test, bool triangle)
 {
@@ -147,7 +147,7 @@ std::vector<Stored_gap> stored_gaps(const Box_test<Float, fused>& test, bool tri
   return gaps;
 }
 
-/// The gap along an axis, exactly, of boxes of edges that are not rounded. A triangle's leads from the other box.
+/// The exact gap along an axis, for boxes whose edges are not rounded. A triangle's axis leads from the other box.
 template <bool fused>
 Rational exact_gap(const Box_test<Float, fused>& test, const std::array<float, 3>& axis, bool triangle)
 {
@@ -168,7 +168,7 @@ Rational exact_gap(const Box_test<Float, fused>& test, const std::array<float, 3
   return Rational(abs(way) - reach);
 }
 
-/// By how much a gap is too large.
+/// The excess of a computed gap over the exact one.
 template <bool triangle>
 double certified_gaps(const Inputs& in)
 {
@@ -184,7 +184,7 @@ double certified_gaps(const Inputs& in)
   return detail::ratio(worst, boxes.norm_1_of_single_centre() + boxes.sum_of_extents()) / u_of_float;
 }
 
-/// By how much an axis as it is stored is longer than 1.
+/// The excess of a stored axis' length over 1.
 double stored_length(const Inputs& in)
 {
   Boxes boxes;
@@ -199,7 +199,7 @@ double stored_length(const Inputs& in)
   return longest / u_of_float;
 }
 
-/// n . way in float, of an n and a way that are rounded to it.
+/// n . displacement in float, both rounded to float.
 double way(const Inputs& in)
 {
   using Floats = Axis_number<Float, false>;
@@ -233,7 +233,7 @@ double sweep(const Inputs& in)
   return detail::ratio(detail::way_of_sweep(numbers).one().error(), std::sqrt(square) * size) / u_of_float;
 }
 
-/// The gap along a way in a frame: rounding alone.
+/// The gap along a direction in a frame: rounding errors only.
 double distances(const Inputs& in)
 {
   Boxes boxes;

@@ -28,7 +28,7 @@ double length(const Inputs& in)
   return Rational(abs(Rational(Rational(length) * Rational(length) / square - 1))).get_d() / 2 / u;
 }
 
-/// A point of a triangle, a share of the largest coordinate; of the slack it takes half the root of 3.
+/// The error of a point of a triangle, relative to the largest coordinate; it uses half the root of 3 of the slack.
 double point(const Inputs& in)
 {
   std::vector<Number> numbers;
@@ -43,7 +43,8 @@ double point(const Inputs& in)
   return detail::ratio(detail::coordinate_in_triangle(numbers).error(), largest) * std::sqrt(0.75) / u;
 }
 
-/// A model's coordinates, and last those of a point whose norm is at most 4; each is off by `local_error` at most.
+/// A model's coordinates, and last those of a point whose norm is at most 4; each has an error of at most
+/// `local_error`.
 template <std::size_t corners>
 std::vector<Number> local_points(const Inputs& in)
 {

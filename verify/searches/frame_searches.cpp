@@ -73,7 +73,7 @@ double fraction(const Inputs& in)
   return Rational(abs(Rational(Rational(sum.high) + Rational(sum.low) - meant))).get_d() / sum.magnitude / u;
 }
 
-/// The entries of a pose that turns, each off by a rounding: row by row, with no translation.
+/// The entries of a pose that turns, each with a rounding error: row by row, without translation.
 std::array<Number, 12> turning(const Inputs& in)
 {
   const double w = in[0], x = in[1], y = in[2], z = in[3], norm = w * w + x * x + y * y + z * z;
@@ -87,7 +87,7 @@ std::array<Number, 12> turning(const Inputs& in)
   return entries;
 }
 
-/// The row sums of I - f G, beyond those of what is computed of G - s^2 I.
+/// The row sums of I - f G, beyond those computed from G - s^2 I.
 double gram(const Inputs& in)
 {
   const auto m = turning(in);

@@ -140,7 +140,7 @@ double worst_found(const std::string& name, int steps, unsigned seed)
     for (double& x : in) x = uniform();
     return in;
   };
-  // Near 1 errors are the largest shares of what they are errors of; a step changes one number by ulps or anew.
+  // Relative errors are largest near 1; a step changes one number by ulps or draws it anew.
   Inputs best = start();
   double worst = search->second.share(best), all = worst;
   for (int step = 0, since = 0; step < steps; ++step, ++since) {

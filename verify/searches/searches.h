@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-/// Searches for the worst error that a constant must cover: each gives the error of inputs that hill climbing turns,
-/// in the constant's unit. Truth is rational.
+/// Searches for the worst error that a constant must cover. Each search returns the error for inputs that hill climbing
+/// changes, in the constant's unit. Truth is rational.
 namespace tetracone::verify::proofs {
 
 using Inputs = std::vector<double>;
@@ -37,7 +37,7 @@ Searches ray_searches();
 /// exists. Truth is rational. Equal seeds find equal errors.
 double worst_found(const std::string& name, int steps, unsigned seed);
 
-/// Why no search looks for a constant's worst error; empty where one does.
+/// Returns why no search exists for a constant's worst error; empty if one exists.
 std::string why_not_searched(const std::string& name);
 
 namespace detail {
@@ -50,7 +50,7 @@ inline std::array<Rational, 3> exactly(const std::array<double, 3>& v)
   return {Rational(v[0]), Rational(v[1]), Rational(v[2])};
 }
 
-/// |computed - exact| as a share of `scale`.
+/// |computed - exact| relative to `scale`.
 inline double share(double computed, const Rational& exact, double scale)
 {
   return scale > 0 ? Rational(abs(Rational(Rational(computed) - exact))).get_d() / scale : 0;
@@ -80,7 +80,7 @@ std::array<Tracked<Float>, n> tracked(const Inputs& in, int first)
   (std::make_index_sequence<n>());
 }
 
-/// A number that was rounded once, its error `e` of the largest.
+/// A number that was rounded once, with an error of `e` times the largest rounding.
 template <class Float>
 Tracked<Float> rounded_once(double x, double e)
 {

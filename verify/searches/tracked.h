@@ -10,7 +10,7 @@ namespace tetracone::verify::proofs {
 
 using kernel::Rational;
 
-/// A computed number, and what is meant by it, in exact rationals: an expression run with these tells its own error.
+/// A computed number and its exact value, in rationals: an expression run with these gives its own error.
 template <class Float>
 struct Tracked {
   Float computed;

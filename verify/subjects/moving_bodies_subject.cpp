@@ -41,7 +41,7 @@ class By_first_contact : public Running_motion {
   }
 };
 
-/// Where a body is at a time, in double.
+/// Returns a body's pose at a time, in double.
 kernel::Pose rounded_pose(const Motion_ends& ends, double time)
 {
   const auto at = [&](std::size_t k) {

@@ -18,7 +18,7 @@
 namespace tetracone::verify {
 namespace {
 
-/// The middle of the placed body's box, rounded.
+/// Returns the middle of the placed body's box, rounded.
 std::array<double, 3> middle(const covering::Polyhedron& body, const kernel::Pose& m)
 {
   std::array<double, 3> low, high;
@@ -33,8 +33,8 @@ std::array<double, 3> middle(const covering::Polyhedron& body, const kernel::Pos
   return {low[0] / 2 + high[0] / 2, low[1] / 2 + high[1] / 2, low[2] / 2 + high[2] / 2};
 }
 
-/// Poses of B from which a memory comes to the case's own pose: with its middle on A's, where surfaces as a rule meet,
-/// then a little off the case's pose, the way away from A. Only such as can be asked.
+/// Returns poses of B that fill a memory before the case's own pose. The first has B's middle on A's, where surfaces
+/// usually meet; the second is slightly off the case's pose, away from A. Poses that cannot be asked are left out.
 std::vector<kernel::Pose> poses_before(const Object_case& c)
 {
   const std::array<double, 3> of_a = middle(*c.a, c.pose_a), of_b = middle(*c.b, c.pose_b);
@@ -158,7 +158,7 @@ class Own : public Running_subject {
     make_ready(c, question, [](const kernel::Pose&) {});
   }
 
-  /// What answer() returns; its time is the answer's.
+  /// Returns answer() and records its time.
   template <class Answer>
   std::invoke_result_t<Answer> asked(const Answer& answer)
   {

@@ -21,11 +21,11 @@ namespace {
 
 using kernel::Point;
 
-// Arguments of templates by reference: clang before 18 takes no numbers in them.
+// These are template arguments by reference, since clang before 18 takes no floating-point ones.
 constexpr double eps_0 = 0, eps_1e_12 = 1e-12;
 constexpr kernel::Tolerance no_tolerance{}, absolute_1e_12{1e-12, 0}, relative_1e_12{0, 1e-12};
 
-/// The seven points as kernel K places them.
+/// The seven points, placed by kernel K.
 template <class K>
 struct Placed {
   explicit Placed(const Predicate_case& c)
@@ -41,7 +41,7 @@ struct Placed {
   Point<K> p, q, r;
 };
 
-/// The cone, positively oriented as the tree's are.
+/// The cone, positively oriented like the tree's cones.
 template <class K>
 tetratree::Cone_points<K> cone(const Placed<K>& x)
 {
@@ -54,7 +54,7 @@ tetratree::Cone_points<K> cone(const Placed<K>& x)
   return cone;
 }
 
-/// The covering's rule (`covering::locate`) for the four faces, with q as the origin.
+/// The covering's rule (`covering::locate`) for the four faces, with q as origin.
 template <class K>
 int locate(const Placed<K>& x)
 {
@@ -72,8 +72,8 @@ std::optional<int> ask(Predicate predicate, const Predicate_case& c)
   const Placed<K> x(c);
   const auto& v = x.v;
   switch (predicate) {
-    // det[v1-p, v2-p, v3-p] has the other sign than the side of p against the plane v1 v2 v3, which is what queries
-    // ask.
+    // det[v1-p, v2-p, v3-p] has the opposite sign of the side of p of the plane v1 v2 v3, which is the question of
+    // queries.
     case Predicate::orientation: return -kernel::volume_sign<K>(v[1], v[2], v[3], x.p);
     case Predicate::tetra_cone: {
       const auto t = cone(x);
@@ -103,7 +103,7 @@ std::optional<int> ours(Predicate predicate, const Predicate_case& c)
   }
 }
 
-/// Adds the kernel's own predicates: a kernel with a tolerance is two subjects.
+/// Adds the kernel's own predicates. A kernel with a tolerance makes two subjects.
 template <class K>
 void add_ours(std::vector<Predicate_subject>& subjects, const std::string& name, bool is_exact)
 {
@@ -120,7 +120,7 @@ void add_ours(std::vector<Predicate_subject>& subjects, const std::string& name,
 template <class Number>
 using Vector = formulations::Vector<Number>;
 
-/// A formulation as a subject: the points placed as kernel K does.
+/// A formulation as a subject, with the points placed by kernel K.
 template <class K,
           bool (*meet)(const Vector<typename K::FT>&, const Vector<typename K::FT>&, const Vector<typename K::FT>&,
                        const Vector<typename K::FT>&, const Vector<typename K::FT>&)>

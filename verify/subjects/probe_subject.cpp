@@ -16,7 +16,8 @@
 namespace tetracone::verify {
 namespace {
 
-/// Makes what answers about a body when another body is asked about; an exception is no answer.
+/// Keeps the prepared form of the last case's body and makes it anew for another body. An exception counts as no
+/// answer.
 template <class Ready>
 class Probing {
  public:
@@ -118,7 +119,7 @@ class By_tree : public Running_probe {
 };
 
 /// Moeller and Trumbore, Fast, minimum storage ray-triangle intersection (1997), in double without a tolerance. A ray
-/// in a triangle's plane meets nothing there.
+/// in a triangle's plane does not meet it.
 class By_moeller_trumbore : public Running_probe {
  public:
   std::optional<Told_hits> hits(const Probe_case& c) override
@@ -144,7 +145,7 @@ class By_moeller_trumbore : public Running_probe {
  private:
   using Vector = kernel::Vertex;
 
-  /// All triangles: those of the library leave triangular faces as they are.
+  /// All triangles of the body: the library's list leaves out faces that already are triangles.
   struct Triangles {
     explicit Triangles(const covering::Polyhedron& polyhedron) : triangles(covering::triangulate_faces(polyhedron))
     {
@@ -166,7 +167,7 @@ class By_moeller_trumbore : public Running_probe {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
   }
 
-  /// Negative or NaN: none.
+  /// Returns t of the crossing; negative or NaN if there is none.
   static double crossing(const Vector& o, const Vector& d, const Vector& a, const Vector& b, const Vector& c)
   {
     const Vector e = minus(b, a), f = minus(c, a), p = cross(d, f), s = minus(o, a), q = cross(s, e);

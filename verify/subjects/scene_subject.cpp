@@ -14,7 +14,7 @@
 namespace tetracone::verify {
 namespace {
 
-/// A scene of a case, whose numbers of bodies are others: one that comes again is a new one there.
+/// A scene that plays a case. Its numbers of bodies differ from the case's: a body that returns is a new one here.
 class Played {
  public:
   Played(const Scene_case& c, const Scene_options& options) : case_(c), scene_(options)
@@ -84,7 +84,7 @@ class By_scene : public Running_scene {
   {
     Scene_options options = options_;
     options.question = c.question;
-    // What does not hold the models of a pair is refused: then there is more.
+    // A memory that does not hold both models of a pair is refused; the next try has more.
     for (;; options.memory += options.memory / 4) try {
         return Played(c, options).all();
       } catch (const std::exception&) {

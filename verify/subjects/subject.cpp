@@ -9,7 +9,8 @@
 namespace tetracone::verify {
 namespace {
 
-/// By the library's own door. Each question is a query; that of solids is made when it is first asked.
+/// Answers by the library's own interface. Each question has its query; the query of solids is made when it is first
+/// needed.
 class Query_pair : public Prepared_pair {
  public:
   Query_pair(const Subject& subject, const Body& a, const Body& b)

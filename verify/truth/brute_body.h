@@ -13,19 +13,20 @@ namespace tetracone::verify {
 
 using covering::Index;
 
-/// A convex piece of a surface: the hull of one, two or three points that are not on one line, or not all the same.
+/// A convex piece of a surface: the hull of one point, of two different points, or of three points that are not on one
+/// line.
 struct Element {
-  std::array<Index, 3> corners;  ///< numbers of points; dimension + 1 of them mean something
+  std::array<Index, 3> corners;  ///< numbers of points; only dimension + 1 of them are used
   int dimension;                 ///< 0: point, 1: segment, 2: triangle
-  int winding;                   ///< of a triangle: the winding number of its face's loops about it, never 0; else 0
+  int winding;                   ///< for a triangle: the winding number of its face's loops about it, never 0; else 0
 };
 
-/// A polyhedron made ready for the truth: its surface as a set of exact points, segments and triangles.
+/// A polyhedron prepared for the truth: its surface as a set of exact points, segments and triangles.
 ///
-/// A face that is not a triangle is triangulated by CGAL's constrained Delaunay triangulation with exact intersections,
-/// on its projection along the largest component of its normal; triangles with non-zero winding number about the loops
-/// are kept, and of the loops whatever bounds no such triangle. The triangles, each as often as its winding number
-/// says, bound what the faces bound, so that winding numbers about the polyhedron can be counted on them.
+/// CGAL's constrained Delaunay triangulation with exact intersections triangulates each face that is not a triangle, on
+/// its projection along the largest component of its normal. Triangles whose winding number about the loops is not zero
+/// are kept, and those parts of the loops that bound no such triangle. The triangles, each counted with its winding
+/// number, bound the same set as the faces. Winding numbers about the polyhedron can therefore be counted on them.
 class Brute_body {
  public:
   /// Throws std::invalid_argument when a face is not exactly planar.
@@ -48,10 +49,10 @@ class Brute_body {
   /// Three corners of face `f` that are not on one line; nothing for a face on a line.
   const std::optional<std::array<Index, 3>>& base(Index f) const { return bases_[f]; }
 
-  /// Every directed edge occurs as often as its reverse: the polyhedron bounds a solid.
+  /// True when every directed edge occurs as often as its reverse: the polyhedron bounds a solid.
   bool is_closed() const { return closed_; }
 
-  /// One point of each connected part of the surface, at least.
+  /// Returns at least one point of each connected part of the surface.
   const std::vector<Index>& component_points() const { return component_points_; }
 
  private:
@@ -59,17 +60,18 @@ class Brute_body {
 
   std::optional<std::array<Index, 3>> base_corners(Index f, const Planar_face& face) const;
 
-  /// All edges of the loops of a face on a line.
+  /// Adds all edges of the loops of a face on a line.
   void add_loops(Index f, const Planar_face& face);
 
-  /// A loop that stays in one point is that point. False when it does not.
+  /// Adds a loop that consists of one point; false when it does not.
   bool add_lone_point(covering::Loop loop);
 
   void triangulate(Index f, const Planar_face& face);
 
   void find_edges();
 
-  /// Elements that share a point's number are connected; no more is needed, a part split in two is only asked twice.
+  /// Elements that share a point's number count as connected. This is enough: a part that is split in two is only asked
+  /// twice.
   void find_components();
 
   covering::Polyhedron polyhedron_;
@@ -82,7 +84,7 @@ class Brute_body {
   bool closed_ = true;
 };
 
-/// One face of a polyhedron as a body of its own, its vertices numbered anew.
+/// Returns one face of a polyhedron as a body of its own, with its vertices renumbered.
 covering::Polyhedron face_alone(const covering::Polyhedron& polyhedron, Index f);
 
 }  // namespace tetracone::verify

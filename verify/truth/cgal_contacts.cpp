@@ -26,7 +26,7 @@ using Shape_segment = Exact::Segment_3;
 
 Exact_point form_of(const Shape_point& p) { return {p.x(), p.y(), p.z()}; }
 
-/// A face of its own: its exact image in points, segments and triangles.
+/// One face by its exact image in points, segments and triangles.
 struct Contact_face {
   std::vector<std::vector<Shape_point>> elements;  // of one, two or three points
   std::vector<Shape_segment> edges;                // of the loops; one without length is a vertex
@@ -51,7 +51,7 @@ struct Contact_face {
   }
 };
 
-/// What elements of two faces share: convex parts by their corners, of one, two or more points.
+/// The intersections of elements of two faces: convex parts by their corners, of one, two or more points.
 class Parts {
  public:
   std::vector<Shape_point> points;
@@ -89,10 +89,10 @@ class Parts {
   void take(const std::vector<Shape_point>& polygon) { polygons.push_back(polygon); }
 };
 
-/// A part of a segment, in shares of it.
+/// A part of a segment, by the parameters of its ends in [0, 1].
 using Share = std::pair<Rational, Rational>;
 
-/// The share of `whole` that a segment on its line covers, if it is more than a point.
+/// Returns the part of `whole` that a segment on its line covers; nothing if that is a point or empty.
 std::optional<Share> covered(const Shape_segment& whole, const Shape_segment& by)
 {
   if (by.is_degenerate() || !CGAL::collinear(whole[0], whole[1], by[0]) || !CGAL::collinear(whole[0], whole[1], by[1]))
@@ -106,7 +106,7 @@ std::optional<Share> covered(const Shape_segment& whole, const Shape_segment& by
   return first < last ? std::optional(Share(first, last)) : std::nullopt;
 }
 
-/// The shares of a segment that none of these covers.
+/// Returns the parts of a segment that none of these covers.
 std::vector<Share> uncovered(std::vector<Share> shares)
 {
   std::sort(shares.begin(), shares.end());
@@ -150,7 +150,7 @@ std::vector<Shape_segment> border_of(const std::vector<Shape_point>& polygon)
   return border;
 }
 
-/// The part of `s` in a convex polygon of its plane, if it is more than a point.
+/// Returns the part of `s` in a convex polygon of its plane; nothing if that is a point or empty.
 std::optional<Share> covered(const Shape_segment& s, const std::vector<Shape_point>& polygon)
 {
   const auto normal = CGAL::cross_product(polygon[1] - polygon[0], polygon[2] - polygon[0]);
@@ -219,7 +219,8 @@ class Joined_parts {
   }
 
  private:
-  /// Parts that share more than a point of their borders are one polygon; its border is what no other part shares.
+  /// Joins parts that share more than a point of their borders into one polygon. Its border consists of the points that
+  /// no other part shares.
   void add_polygons(Contact_forms& forms) const
   {
     const std::size_t n = parts_.polygons.size();

@@ -6,8 +6,9 @@
 
 namespace tetracone::verify {
 
-/// All maximal pieces of what pairs of faces share, sorted: the truth. Faces are triangulated by CGAL, triangles are
-/// intersected by CGAL in rationals, and the parts of a pair of faces are joined. Requires det M != 0 and planar faces.
+/// Returns all maximal pieces of the intersections of faces, sorted: the truth. CGAL triangulates the faces and
+/// intersects the triangles in rationals; the parts of each pair of faces are then joined. Requires det M != 0 and
+/// planar faces.
 Contact_forms contacts(const Object_case& c);
 
 }  // namespace tetracone::verify

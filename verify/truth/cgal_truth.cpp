@@ -39,7 +39,7 @@ void for_pairs(std::vector<Box> a, std::vector<Box> b, Report&& report)
                            [&](const Box& x, const Box& y) { report(x.info(), y.info()); });
 }
 
-// The boxes of the elements that meet `near`.
+// Returns the boxes of the elements that meet `near`.
 std::vector<Box> element_boxes(const Placed_body& placed, const CGAL::Bbox_3& near)
 {
   std::vector<Box> boxes;
@@ -60,8 +60,8 @@ auto with_shape(const Placed_body& placed, const Element& element, What&& what)
   }
 }
 
-// How a ray from p through q meets the triangle: 0 not, +-1 through its inside, along or against its normal; nothing
-// when it may go through its border or in its plane. Requires p not on the triangle.
+// Returns how a ray from p through q meets the triangle: 0 not, +-1 through its inside, along or against its normal.
+// Returns nothing when it may go through its border or in its plane. Requires p not on the triangle.
 template <class K>
 std::optional<int> crossing(const typename K::Point_3& p, const typename K::Point_3& q,
                             const std::array<typename K::Point_3, 3>& triangle)
@@ -82,7 +82,7 @@ std::optional<int> crossing(const typename K::Point_3& p, const typename K::Poin
 
 bool is_nested(const Placed_body& a, const Placed_body& b) { return detail::contains(a, b) || detail::contains(b, a); }
 
-// The edges of one against the faces of the other.
+// Adds the pairs of edges of one body and faces of the other.
 void add_features(const Placed_body& with_edges, const Placed_body& with_faces, int body,
                   std::vector<Feature_pair>& features)
 {

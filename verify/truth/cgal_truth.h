@@ -10,9 +10,9 @@
 #include <array>
 #include <vector>
 
-/// The truth: rational arithmetic on all pairs of elements whose outward-rounded boxes meet. No tree of ours and no
-/// predicate of ours: triangulation, box pairs, intersection tests and orientations are CGAL's, a pair is decided in
-/// CGAL's intervals where these are certain and in rationals elsewhere.
+/// The truth: rational arithmetic on all pairs of elements whose outward-rounded boxes meet. It uses no tree and no
+/// predicate of ours: triangulation, box pairs, intersection tests and orientations are CGAL's. CGAL's intervals decide
+/// a pair where they are certain, rationals elsewhere.
 namespace tetracone::verify {
 
 using kernel::Feature_pair;
@@ -23,46 +23,47 @@ namespace detail {
 
 bool elements_meet(const Placed_body& a, const Element& x, const Placed_body& b, const Element& y);
 
-/// The winding number of the surface of `solid` about the image of `point` of `other`: signed crossings of a ray.
-/// Requires the image not on the surface.
-/// The rays' directions (1, s, s^2) are on a curve that meets every plane through 0 in at most two of them, so that
-/// after finitely many one runs through no edge and in no plane of a triangle.
+/// Returns the winding number of the surface of `solid` about the image of `point` of `other`, by signed crossings of a
+/// ray. Requires that the image is not on the surface. The rays' directions (1, s, s^2) lie on a curve that meets every
+/// plane through 0 in at most two of them. Therefore, after finitely many, a ray runs through no edge and in no plane
+/// of a triangle.
 int winding(const Placed_body& solid, const Placed_body& other, Index point);
 
 bool surfaces_meet(const Placed_body& a, const Placed_body& b);
 
-/// Some connected part of the surface of `inner` is in the solid of `outer`. Requires surfaces that share no point.
+/// True when some connected part of the surface of `inner` is in the solid of `outer`. Requires surfaces that share no
+/// point.
 bool contains(const Placed_body& outer, const Placed_body& inner);
 
 /// Throws std::invalid_argument when one of them is not closed.
 void require_closed(const Placed_body& a, const Placed_body& b);
 
-/// The exact image of a face.
+/// Returns the exact image of a face.
 Planar_face placed_face(const Placed_body& placed, Index f);
 
 }  // namespace detail
 
-/// Whether the two placed bodies share a point of their solids or surfaces. Touching counts.
-/// Throws std::invalid_argument when the question is `solid` and a body is not closed.
+/// True when the two placed bodies share a point of their solids or surfaces. Touching counts. Throws
+/// std::invalid_argument when the question is `solid` and a body is not closed.
 bool collide(const Placed_body& a, const Placed_body& b, Question question = Question::solid);
 
-/// Which of two placed bodies' surfaces and solids share a point.
+/// The answers for the surfaces and for the solids of two placed bodies.
 struct Both_answers {
   bool surface = false, solid = false;
 };
 
-/// Both questions at once. Throws std::invalid_argument when a body is not closed.
+/// Answers both questions at once. Throws std::invalid_argument when a body is not closed.
 Both_answers collide_both(const Placed_body& a, const Placed_body& b);
 
 /// Places the bodies and answers. Requires poses whose det M is not 0.
 bool collide(const Brute_body& a, const Pose& pose_a, const Brute_body& b, const Pose& pose_b,
              Question question = Question::solid);
 
-/// Where a point is: 1 inside the solid, 0 on the surface, -1 outside. Throws std::invalid_argument when the body is
+/// Returns 1 for a point inside the solid, 0 on the surface, -1 outside. Throws std::invalid_argument when the body is
 /// not closed.
 int inside(const Brute_body& body, const std::array<kernel::Rational, 3>& point);
 
-/// All pairs (edge of one body, face of the other) that share a point, in both directions, sorted and unique.
+/// Returns all pairs (edge of one body, face of the other) that share a point, in both directions, sorted and unique.
 std::vector<Feature_pair> features(const Placed_body& a, const Placed_body& b);
 
 /// Places the bodies and lists them. Requires poses whose det M is not 0.

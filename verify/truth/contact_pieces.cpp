@@ -22,7 +22,7 @@ Exact_segment in_order(const Exact_point& a, const Exact_point& b)
   return a < b ? Exact_segment(a, b) : Exact_segment(b, a);
 }
 
-/// Takes b into a where they are on one line and share a point. The order of points is that along any line.
+/// Extends a by b if they are on one line and share a point. Points are ordered as along any line.
 bool take_in(Exact_segment& a, const Exact_segment& b)
 {
   if (a.second < b.first || b.second < a.first) return false;
@@ -40,7 +40,7 @@ std::vector<Exact_segment> maximal_segments(std::vector<Exact_segment> segments)
 {
   std::vector<Exact_segment> maximal;
   for (Exact_segment& segment : segments) {
-    // What grows may reach others.
+    // A segment that grows may meet others.
     for (std::size_t k = 0; k < maximal.size();) {
       if (!take_in(segment, maximal[k])) {
         ++k;

@@ -112,7 +112,7 @@ Rational squared_distance(const Placed_body& a, const Placed_body& b, Rational (
     for (int k = 0; k <= element.dimension; ++k) corners.push_back(placed.image<Exact>(element.corners[k]));
     return corners;
   };
-  // Each rounding, of differences, squares and sums, loses less than 2^-50 of the result.
+  // Each rounding of differences, squares and sums has a relative error below 2^-50.
   const auto between = [](const CGAL::Bbox_3& x, const CGAL::Bbox_3& y) {
     double square = 0;
     for (int i = 0; i < 3; ++i) {

@@ -5,23 +5,23 @@
 
 #include <vector>
 
-/// Squared distances, exactly, by two formulations that share nothing with what they judge, nor with each other but the
-/// exact images of points.
+/// Exact squared distances by two formulations. Neither shares anything with the code that it judges, nor with the
+/// other except the exact images of points.
 namespace tetracone::verify {
 
 using kernel::Rational;
 
-/// The hull of one, two or three points, which are not on one line, or not the same.
+/// The hull of one point, of two different points, or of three points that are not on one line.
 using Simplex = std::vector<Exact::Point_3>;
 
-/// By features: the least of the squared distances of vertices to triangles and of edges, each CGAL's in rationals; 0
-/// where the two meet.
+/// The squared distance by features: the least over vertices against triangles and over edges, each computed by CGAL in
+/// rationals; 0 if the two meet.
 Rational squared_distance_by_features(const Simplex& a, const Simplex& b);
 
-/// As a convex quadratic program: min |sum x_i a_i - sum y_j b_j|^2 over convex weights. For each choice of corners
-/// that have weight, the conditions of Karush, Kuhn and Tucker are linear equations; a solution of them whose weights
-/// are not negative, and along whose difference no other corner is nearer, is the least. Some choice of affinely
-/// independent differences has one.
+/// The squared distance as a convex quadratic program: min |sum x_i a_i - sum y_j b_j|^2 over convex weights. For each
+/// choice of corners with weight, the conditions of Karush, Kuhn and Tucker are linear equations. A solution gives the
+/// minimum if its weights are not negative and no other corner is nearer along its difference. Some choice of affinely
+/// independent differences has such a solution.
 Rational squared_distance_by_program(const Simplex& a, const Simplex& b);
 
 /// The squared distance of the surfaces, by all pairs of elements whose outward-rounded boxes are not farther apart

@@ -11,7 +11,7 @@ namespace tetracone::verify {
 
 namespace {
 
-// The kind of contact in the one common point `p` of the edge and the face; none when it is not on the face.
+// Returns the kind of contact in the one common point `p` of the edge and the face; none when it is not on the face.
 Contact contact_in(const Exact::Point_3& p, const Exact::Point_3& from, const Exact::Point_3& to,
                    const Planar_face& face)
 {
@@ -25,8 +25,8 @@ Contact contact_in(const Exact::Point_3& p, const Exact::Point_3& from, const Ex
   return Contact::none;
 }
 
-// The ends of the edge and all ends of what it shares with a loop's edge, in the edge's order, each once.
-// Between two that follow one another, the edge is all in the face or all out of it.
+// Returns the ends of the edge and all ends of its intersections with the loops' edges, in the edge's order, each once.
+// Between two consecutive ones, the edge is entirely in the face or entirely out of it.
 std::vector<Exact::Point_3> find_cuts(const Exact::Segment_3& edge, const Planar_face& face)
 {
   std::vector<Exact::Point_3> cuts = {edge.source(), edge.target()};
@@ -63,7 +63,7 @@ Contact edge_face(const Exact::Point_3& from, const Exact::Point_3& to, const Pl
       return contact_in(*shape_in<Exact::Point_3>(shared), from, to, face);
     }
   }
-  // One plane, or a face on a line.
+  // The edge lies in the face's plane, or the face is on a line.
   const std::vector<Exact::Point_3> cuts = find_cuts({from, to}, face);
   for (std::size_t k = 1; k < cuts.size(); ++k)
     if (face.locate(CGAL::midpoint(cuts[k - 1], cuts[k])) != Place::outside) return Contact::coplanar_overlap;

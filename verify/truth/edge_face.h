@@ -8,7 +8,7 @@ namespace tetracone::verify {
 
 using kernel::Contact;
 
-/// How the closed edge between two points, which may be equal, and the face meet.
+/// Returns how the closed edge between two points, which may be equal, meets the face.
 Contact edge_face(const Exact::Point_3& from, const Exact::Point_3& to, const Planar_face& face);
 
 }  // namespace tetracone::verify

@@ -43,7 +43,7 @@ Polynomial plus(const Polynomial& p, const Polynomial& q, int factor = 1)
   return sum;
 }
 
-/// Divided by the common divisor of its coefficients.
+/// Returns p divided by the common divisor of its coefficients.
 Polynomial primitive(Polynomial p)
 {
   Integer divisor = 0;
@@ -53,7 +53,7 @@ Polynomial primitive(Polynomial p)
   return p;
 }
 
-/// The rest of p over q, times a positive number. Requires that q is not zero.
+/// Returns the remainder of p divided by q, times a positive number. Requires that q is not zero.
 Polynomial rest(Polynomial p, const Polynomial& q)
 {
   const Integer factor = abs(q.back());
@@ -94,7 +94,7 @@ Polynomial without_roots_at_ends(Polynomial f)
   return f;
 }
 
-/// The sum of the signs of g over the roots of f in (0, 1), each taken once. Requires f(0) and f(1) not zero.
+/// Returns the sum of the signs of g over the distinct roots of f in (0, 1). Requires f(0) and f(1) not zero.
 int tarski_query(const Polynomial& f, const Polynomial& g)
 {
   Polynomial derivative;
@@ -118,7 +118,7 @@ int tarski_query(const Polynomial& f, const Polynomial& g)
   return changes;
 }
 
-/// zero = 0, positive > 0 (which is nowhere negative) and every one of `others` >= 0.
+/// The condition zero = 0, positive > 0 (a polynomial that is nowhere negative), and others[k] >= 0 for all k.
 struct Condition {
   Polynomial zero, positive;
   std::vector<Polynomial> others;
@@ -135,7 +135,7 @@ int weighted_count(const Polynomial& f, const std::vector<Polynomial>& others, s
          weighted_count(f, others, k + 1, twice);
 }
 
-/// Whether the condition holds at a root of `candidates` in (0, 1).
+/// True when the condition holds at a root of `candidates` in (0, 1).
 bool holds_at_root(const Polynomial& candidates, const Condition& condition)
 {
   const Polynomial f = without_roots_at_ends(primitive(common_divisor(candidates, condition.zero)));
@@ -145,7 +145,7 @@ bool holds_at_root(const Polynomial& candidates, const Condition& condition)
   const Polynomial positive = rest(condition.positive, f);
   const int not_flat = tarski_query(f, positive);
   if (not_flat == 0) return false;
-  // What holds at every root is asked no more.
+  // Conditions that hold at every root need no further test.
   std::vector<Polynomial> in_question;
   for (const Polynomial& other : condition.others) {
     const Polynomial g = rest(other, f);
@@ -180,14 +180,14 @@ Moving_vector cross(const Moving_vector& p, const Moving_vector& q)
   return {part(1, 2), part(2, 0), part(0, 1)};
 }
 
-/// p is on the closed segment from a to b.
+/// The condition that p is on the closed segment from a to b.
 Condition on_segment(const Moving_vector& p, const Moving_vector& a, const Moving_vector& b)
 {
   const Moving_vector to_a = difference(a, p), to_b = difference(b, p), area = cross(to_a, to_b);
   return {dot(area, area), {1}, {plus({}, dot(to_a, to_b), -1)}};
 }
 
-/// The primitives share a point where one of these holds.
+/// Returns conditions of which at least one holds where the primitives share a point.
 std::vector<Condition> contact(Moving_kind kind, const std::array<Moving_vector, 4>& p)
 {
   if (kind == Moving_kind::vertex_face) {
@@ -219,7 +219,7 @@ std::array<Moving_vector, 4> over_span(const std::array<Moving_coordinates, 4>& 
     std::array<Time_polynomial, 4> parts;
     Integer denominators = 1, numerators = 0;
     for (std::size_t k = 0; k < 4; ++k) {
-      // By Horner's scheme at from + (to - from) t.
+      // Horner's scheme evaluates at from + (to - from) t.
       const Time_polynomial& p = points[k][axis];
       for (std::size_t c = p.size(); c-- > 0;) {
         parts[k].push_back(0);
@@ -254,7 +254,7 @@ std::array<Moving_coordinates, 4> coordinates_of(const Moving_pair& pair)
   return points;
 }
 
-/// Whether all coefficients of p in Bernstein's basis over [0, 1] are of one sign, and so p has no root there.
+/// True when all coefficients of p in Bernstein's basis over [0, 1] have one sign; then p has no root there.
 bool keeps_one_sign(const Polynomial& p)
 {
   const std::size_t degree = p.size() - 1;
@@ -273,7 +273,7 @@ bool keeps_one_sign(const Polynomial& p)
   return true;
 }
 
-/// That of points in one plane.
+/// Returns six times the volume of the four points' tetrahedron, which is zero when they are in one plane.
 Polynomial volume(const std::array<Moving_vector, 4>& p)
 {
   return dot(cross(difference(p[1], p[0]), difference(p[2], p[0])), difference(p[3], p[0]));
@@ -295,7 +295,8 @@ bool truly_meet_in_motion(kernel::Moving_kind kind, const std::array<Moving_coor
   const auto at_root_of = [&](const Polynomial& f) {
     return !f.empty() && std::ranges::any_of(conditions, [&](const Condition& c) { return holds_at_root(f, c); });
   };
-  // Contact is closed: its first time is an end, or a root of the volume, or, where that is zero, of something else.
+  // Contact is closed. Its first time is an end of the span or a root of the volume or, where the volume is zero, a
+  // root of another polynomial.
   if (!coplanar.empty()) return at_root_of(coplanar);
   for (const Condition& condition : conditions) {
     if (at_root_of(condition.zero) || at_root_of(condition.positive)) return true;

@@ -24,7 +24,7 @@ using covering::Index;
 using covering::Polyhedron;
 using kernel::Question;
 
-/// 1, i, j, k.
+/// A quaternion by its coefficients of 1, i, j, k, polynomials in time.
 using Quaternion = std::array<Time_polynomial, 4>;
 
 Time_polynomial sum(const Time_polynomial& p, const Time_polynomial& q, int sign = 1)
@@ -49,7 +49,7 @@ Quaternion product(const Quaternion& p, const Quaternion& q)
   Quaternion result;
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < 4; ++j) {
-      // i j = k and so on; a unit's square is -1.
+      // i j = k and its cyclic permutations are positive; a unit's square is -1.
       const bool negative = i != 0 && j != 0 && (i == j || (i % 3 + 1) != j);
       result[i ^ j] = sum(result[i ^ j], product(p[i], q[j]), negative ? -1 : 1);
     }
@@ -65,7 +65,7 @@ Time_polynomial at(const Time_polynomial& p, const Rational& t)
   return {value};
 }
 
-/// The quaternion as a function of time.
+/// Returns the motion's quaternion as a function of time.
 Quaternion turn_of(const Motion_ends& ends)
 {
   Quaternion q;
@@ -80,7 +80,7 @@ Time_polynomial norm(const Quaternion& q)
   return square;
 }
 
-/// The coordinates of a vertex, times `weight_of(ends)`.
+/// Returns the coordinates of a vertex, times `weight_of(ends)`.
 Moving_coordinates image(const Motion_ends& ends, const kernel::Vertex& v)
 {
   Moving_coordinates image;
@@ -131,7 +131,7 @@ bool collide_at_start(const Moving_bodies& bodies, Question question)
   return collide(a, pose_at(bodies.motion_a, 0), b, pose_at(bodies.motion_b, 0), question);
 }
 
-/// A body's triangles, by fans, its edges, and the coordinates of its vertices, times the weights of both bodies.
+/// A body's triangles (of fans), its edges, and the coordinates of its vertices, times the weights of both bodies.
 struct Features {
   Features(const Polyhedron& body, const Motion_ends& motion, const Time_polynomial& others_weight)
   {
@@ -164,7 +164,7 @@ struct Feature_pair {
   bool meets(const Time_span& span) const { return truly_meet_in_motion(kind, points, span); }
 };
 
-/// Calls is_it(pair) for all pairs, in turn, until it is. Returns whether it was of one.
+/// Calls is_it(pair) for all pairs in turn until it returns true. True when it did.
 template <class Is_it>
 bool any_pair(const Features& a, const Features& b, const Is_it& is_it)
 {
@@ -188,7 +188,8 @@ bool surfaces_meet(const Features& a, const Features& b, const Time_span& span)
 
 bool are_bounds(double lo, double hi) { return 0 <= lo && hi <= 1 && (lo == hi || hi == std::nextafter(lo, HUGE_VAL)); }
 
-/// Lower and upper bounds of the root of a number that is not negative, by the integer root of 128 bits of it.
+/// Returns a lower and an upper bound of the root of a number that is not negative, by the integer root of 128 bits of
+/// it.
 std::array<Rational, 2> root_bounds(const Rational& square)
 {
   if (square == 0) return {0, 0};
@@ -209,8 +210,8 @@ std::array<Rational, 2> root_bounds(const Rational& square)
 Rational root_above(const Rational& square) { return root_bounds(square)[1]; }
 Rational root_below(const Rational& square) { return root_bounds(square)[0]; }
 
-/// At least the speed of every point of the body at every time. A rotation by q turns by 2 |q x q'| / |q|^2, which is
-/// 2 |q0 x q1| / |q|^2: a point r off the axis is r times as fast.
+/// Returns an upper bound of the speed of every point of the body at every time. A rotation by q turns at the rate 2 |q
+/// x q'| / |q|^2 = 2 |q0 x q1| / |q|^2; a point at distance r from the axis moves r times as fast.
 Rational speed(const Polyhedron& body, const Motion_ends& ends)
 {
   const bool is_rigid = ends[0].size() == 7;
@@ -234,7 +235,7 @@ Rational speed(const Polyhedron& body, const Motion_ends& ends)
   }
   for (std::size_t k = 4; k < 7; ++k) shift += (ends[1][k] - ends[0][k]) * (ends[1][k] - ends[0][k]);
   const Rational area = first * second - along * along;
-  // The least |q(t)|^2, at an end or at the foot of the perpendicular.
+  // The least |q(t)|^2 is at an end or at the foot of the perpendicular from 0.
   Rational least = std::min(first, second);
   const Rational way = first + second - 2 * along;
   if (way > 0 && first - along > 0 && second - along > 0) least = std::min(least, Rational(area / way));
@@ -266,7 +267,7 @@ bool truly_first_by_features(const Moving_bodies& bodies, kernel::Question quest
   if (!moving_truth::are_bounds(lo, hi) || hi == 0) return false;
   if (lo > 0 && moving_truth::surfaces_meet(a, b, {0, lo, lo != hi})) return false;
   if (lo != hi) return moving_truth::surfaces_meet(a, b, {lo, hi, false});
-  // At one time alone: a span that ends there, where nothing is met before.
+  // The span ends at `lo`, and nothing meets before it: this tests the one time.
   return moving_truth::surfaces_meet(a, b, {0, lo, true});
 }
 
@@ -286,7 +287,7 @@ std::optional<kernel::Time_bounds> true_first_contact(const Moving_bodies& bodie
   const auto meet = [&](double from, double to, bool with_end) {
     return std::ranges::any_of(meeting, [&](const auto& pair) { return pair.meets({from, to, with_end}); });
   };
-  // The bits of doubles that are not negative are in the order of the doubles.
+  // The bits of non-negative doubles are in the order of the doubles.
   auto before = std::bit_cast<std::uint64_t>(0.0), until = std::bit_cast<std::uint64_t>(1.0);
   const auto time = [](std::uint64_t bits) { return std::bit_cast<double>(bits); };
   while (until - before > 1) {
@@ -320,7 +321,7 @@ Bracket truly_first_by_distances(const Moving_bodies& bodies, kernel::Question q
     if (*square == 0) return Bracket::violated;
     const Rational gap = moving_truth::root_below(*square);
     if (fastest == 0) break;
-    // Rounded down to a dyadic number: else its digits would grow.
+    // The step is rounded down to a dyadic number, else its digits would grow.
     const mpz_class units(Rational(gap / fastest * 0x1p60).get_num() / Rational(gap / fastest * 0x1p60).get_den());
     if (units == 0) return Bracket::undecided;
     time += Rational(units) / 0x1p60;

@@ -25,7 +25,7 @@ bool truly_first_by_features(const Moving_bodies& bodies, kernel::Question quest
 std::optional<kernel::Time_bounds> true_first_contact(const Moving_bodies& bodies, kernel::Question question,
                                                       const std::optional<kernel::Time_bounds>& guess = std::nullopt);
 
-/// The bodies as they stand at t = 0.
+/// Returns the bodies at t = 0.
 Object_case at_start(const Moving_bodies& bodies, const Origin& origin = {});
 
 enum class Bracket { holds, violated, undecided };

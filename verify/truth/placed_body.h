@@ -14,11 +14,12 @@
 
 namespace tetracone::verify {
 
-/// The kernel of the filter: every coordinate an interval that holds the exact one, rounding mode set by the user.
+/// The kernel of the filter: every coordinate is an interval that contains the exact one; the user sets the rounding
+/// mode.
 using Enclosing = CGAL::Simple_cartesian<CGAL::Interval_nt_advanced>;
 
-/// A body at a pose: the image of each of its points, enclosed in intervals at once and exact when it is asked for.
-/// Not for two threads at a time: exact images and boxes are kept.
+/// A body at a pose. The image of each point is enclosed in intervals at once, and computed exactly on demand. Not
+/// thread-safe, since exact images and boxes are cached.
 class Placed_body {
  public:
   /// Requires det M != 0, and the body to outlive this.
@@ -26,7 +27,7 @@ class Placed_body {
 
   const Brute_body& body() const { return *body_; }
 
-  /// The image of point `v` of the body; an Enclosing one only under upward rounding and where `is_enclosed()`.
+  /// Returns the image of point `v` of the body. An Enclosing image requires upward rounding and `is_enclosed()`.
   template <class K>
   const typename K::Point_3& image(Index v) const
   {
@@ -38,11 +39,11 @@ class Placed_body {
     }
   }
 
-  /// False when numbers are so large that intervals could overflow: then everything is decided exactly.
+  /// False when numbers are so large that intervals could overflow; then everything is decided exactly.
   bool is_enclosed() const { return enclosed_; }
 
-  /// The outward-rounded box of the images of `corners`. Finite: what is beyond a quarter of the doubles' range is
-  /// moved to its end, in order, so that boxes that meet still do.
+  /// Returns the outward-rounded box of the images of `corners`. It is finite: values beyond a quarter of the doubles'
+  /// range are moved to its end, in order, so that boxes that meet still do.
   template <class Corners>
   CGAL::Bbox_3 box(const Corners& corners) const
   {
@@ -53,7 +54,7 @@ class Placed_body {
 
   CGAL::Bbox_3 box(const Element& element) const { return box(element.corners); }
 
-  /// The boxes of all elements, in their order, and the box of all of them. Each made when it is first asked for.
+  /// Returns the boxes of all elements, in their order, and the box of all of them. Each is computed on demand.
   const std::vector<CGAL::Bbox_3>& element_boxes() const;
   const CGAL::Bbox_3& whole_box() const;
 
@@ -73,8 +74,8 @@ class Placed_body {
   mutable std::optional<CGAL::Bbox_3> whole_box_;
 };
 
-/// The exact value of a predicate on images of two bodies: `predicate(kernel)` in interval arithmetic and, where that
-/// is not certain, in rational arithmetic.
+/// Returns the exact value of a predicate on images of two bodies: `predicate(kernel)` in interval arithmetic or, if
+/// that is not certain, in rational arithmetic.
 template <class Predicate>
 auto decide(const Placed_body& a, const Placed_body& b, Predicate&& predicate)
 {

@@ -75,7 +75,8 @@ int Planar_face::winding(const Point_2& p) const
     for (std::size_t k = 0; k < loop.size(); ++k) {
       const Point_2& from = loop[k];
       const Point_2& to = loop[(k + 1) % loop.size()];
-      // Half open: an end on the ray's line counts as below it, so a crossing in a corner counts once.
+      // The edges are half open: an end on the ray's line counts as below it, so that a crossing in a corner counts
+      // once.
       const bool from_above = from.y() > p.y(), to_above = to.y() > p.y();
       if (from_above == to_above) continue;
       const CGAL::Sign turn = CGAL::orientation(from, to, p);

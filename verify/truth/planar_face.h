@@ -11,14 +11,14 @@
 
 namespace tetracone::verify {
 
-/// The kernel of the truth: every coordinate a rational, every construction exact.
+/// The kernel of the truth: every coordinate is a rational, every construction exact.
 using Exact = CGAL::Simple_cartesian<kernel::Rational>;
 
-/// The element of a face whose relative interior holds a point.
+/// The element of a face whose relative interior contains a point.
 enum class Place { outside, face, edge, vertex };
 
-/// One face in rational arithmetic: closed loops of points.
-/// Its points are the loops themselves and the points of its plane with non-zero winding number about the loops.
+/// One face in rational arithmetic, as closed loops of points. Its points are the loops themselves, and the points of
+/// its plane whose winding number about the loops is not zero.
 class Planar_face {
  public:
   using Point_2 = Exact::Point_2;
@@ -35,20 +35,20 @@ class Planar_face {
   /// True when all corners are in one plane.
   bool is_planar() const;
 
-  /// The side of the face's plane that holds `p`. Requires a base.
+  /// Returns the side of the face's plane that contains `p`. Requires a base.
   CGAL::Sign side(const Point_3& p) const;
 
-  /// The element of the face that holds `p`.
+  /// Returns the element of the face that contains `p`.
   Place locate(const Point_3& p) const;
 
-  /// The point without its coordinate along the largest component of the face's normal. Requires a base.
+  /// Returns the point without its coordinate along the largest component of the face's normal. Requires a base.
   Point_2 project(const Point_3& p) const;
 
-  /// The point of the face's plane whose projection is `p`. Requires a base.
+  /// Returns the point of the face's plane whose projection is `p`. Requires a base.
   Point_3 lift(const Point_2& p) const;
 
-  /// The winding number of the projected loops about `p`: the signed crossings of the ray from p along the first axis.
-  /// Requires a base, and p on no loop.
+  /// Returns the winding number of the projected loops about `p`: the signed crossings of the ray from p along the
+  /// first axis. Requires a base, and p on no loop.
   int winding(const Point_2& p) const;
 
  private:

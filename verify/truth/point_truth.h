@@ -7,8 +7,8 @@
 
 namespace tetracone::verify {
 
-/// Where points stand to one body, by all of its elements in rationals: on one of them, else by signed crossings of a
-/// ray. Not for two threads at a time.
+/// The position of points relative to one body, by all of its elements in rationals: on one of them, else by signed
+/// crossings of a ray. Not thread-safe.
 class Point_truth {
  public:
   /// Requires a closed polyhedron. Throws as `Brute_body`.
@@ -17,7 +17,7 @@ class Point_truth {
   {}
   Point_truth(const Point_truth&) = delete;
 
-  /// 1 inside, 0 on the surface, -1 outside.
+  /// Returns 1 inside, 0 on the surface, -1 outside.
   int operator()(const std::array<kernel::Rational, 3>& p) const
   {
     const Placed_body moved(dot_, Pose({1, 0, 0, p[0], 0, 1, 0, p[1], 0, 0, 1, p[2]}));

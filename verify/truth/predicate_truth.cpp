@@ -24,7 +24,7 @@ using Segment = Exact::Segment_3;
 using Tetrahedron = Exact::Tetrahedron_3;
 using Triangle = Exact::Triangle_3;
 
-/// The seven points where their poses put them.
+/// The seven points, placed by their poses.
 struct Points {
   std::array<Point, 4> v;
   Point p, q, r;
@@ -44,7 +44,7 @@ struct Points {
   }
 };
 
-/// Shape spanned by any three or two corners: CGAL's own triangles and segments must not be degenerate.
+/// The shape spanned by any three or two corners: CGAL's own triangles and segments must not be degenerate.
 struct Simplex {
   int dimension;
   std::array<Point, 3> corner;  ///< dimension + 1 of them mean something
@@ -78,15 +78,15 @@ struct Simplex {
 
 bool coplanar(const Points& x) { return CGAL::coplanar(x.v[0], x.v[1], x.v[2], x.v[3]); }
 
-/// The side of the plane from whose positive side v1 v2 v3 are seen counterclockwise. There det[v1-p, v2-p, v3-p] is
-/// negative.
+/// Returns minus the side of p of the plane v1 v2 v3, whose positive side sees v1 v2 v3 counterclockwise. There
+/// det[v1-p, v2-p, v3-p] is negative.
 int orientation(const Points& x)
 {
   if (CGAL::collinear(x.v[1], x.v[2], x.v[3])) return 0;
   return -Plane(x.v[1], x.v[2], x.v[3]).oriented_side(x.p);
 }
 
-/// The ray from the apex through p runs through the triangle between the cone's own rays.
+/// True when the ray from the apex through p runs through the triangle between the cone's own rays.
 bool is_in_cone(const Points& x)
 {
   return x.p == x.v[0] || CGAL::do_intersect(Ray(x.v[0], x.p), Triangle(x.v[1], x.v[2], x.v[3]));
@@ -100,7 +100,8 @@ int place_in_solid(const Points& x)
   return -1;
 }
 
-/// Corners of the part of a convex polygon, which may be a segment or a point, on the closed positive side of a plane.
+/// Returns the corners of the part of a convex polygon, which may be a segment or a point, on the closed positive side
+/// of a plane.
 std::vector<Point> clipped(const std::vector<Point>& polygon, const Plane& plane)
 {
   std::vector<Point> kept;

@@ -13,7 +13,7 @@ namespace tetracone::verify {
 
 namespace {
 
-// Calls see(p) for the ends of what the line and the element share.
+// Calls see(p) for the ends of the intersection of the line and the element.
 template <class See>
 void meet(const Exact::Line_3& line, const Brute_body& face, const Element& element, const See& see)
 {

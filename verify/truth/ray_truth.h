@@ -16,7 +16,7 @@ class Ray_truth {
   /// Throws as `Brute_body`.
   explicit Ray_truth(const covering::Polyhedron& polyhedron);
 
-  /// The least t >= 0 for each face that o + t d meets, with the face, in order.
+  /// Returns the least t >= 0 for each face that o + t d meets, with the face, in order.
   std::vector<std::pair<kernel::Rational, Index>> operator()(const kernel::Vertex& o, const kernel::Vertex& d) const;
 
  private:
