@@ -26,7 +26,7 @@ inline constexpr std::array all_kernels = {TETRACONE_FOR_EACH_KERNEL(TETRACONE_K
 /// True when every answer of the kernel is right by construction.
 constexpr bool is_exact(Kernel kernel)
 {
-#define TETRACONE_EXACT(enumerator, name, type, exact) (exact && kernel == Kernel::enumerator) ||
+#define TETRACONE_EXACT(enumerator, name, type, exact) ((exact) && kernel == Kernel::enumerator) ||
   return TETRACONE_FOR_EACH_KERNEL(TETRACONE_EXACT) false;
 #undef TETRACONE_EXACT
 }

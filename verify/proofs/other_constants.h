@@ -74,6 +74,8 @@ inline std::vector<Other_constant> other_constants()
       {"kernel/bound/obb8_ray.h", "farthest", gate, "rays from beyond it are asked without boxes"},
       {"kernel/bound/relative_frame.h", "similarity_defect", gate, "maps of more defect are no similarities"},
       {"kernel/bound/relative_frame.h", "most_residual", gate, "inverses with more residual are not used"},
+      {"kernel/motion/rotation_quaternion.h", "rotation_tolerance", gate,
+       "matrices farther from rotations are refused"},
       {"kernel/bound/relative_motion.h", "most_steps", gate, "after more steps a new course is set"},
       {"kernel/number/floating_point.h", "magnitude_gate", gate, "beyond it no sign is decided in rounded numbers"},
       {"tetratree/fast/bvh8_distance.h", "least_square", gate, "a square below it tells no lower bound"},

@@ -37,8 +37,9 @@ inline std::string answers(const Body& body)
       tetrahedron.add_polygon(face);
     return Body(tetrahedron);
   }();
-  static const Pose poses[] = {Pose(), Pose::translation(0.75, 0, 0), Pose::translation(-1, 1.5, 0.125),
-                               Pose({0.8, -0.6, 0, 0.1, 0.6, 0.8, 0, -0.3, 0, 0, 1, 0.4})};
+  static const tetracone::Pose poses[] = {tetracone::Pose(), tetracone::Pose::translation(0.75, 0, 0),
+                                          tetracone::Pose::translation(-1, 1.5, 0.125),
+                                          tetracone::Pose({0.8, -0.6, 0, 0.1, 0.6, 0.8, 0, -0.3, 0, 0, 1, 0.4})};
   std::ostringstream text;
   text.precision(17);
   const auto told = [&](const auto& what) {
@@ -53,13 +54,13 @@ inline std::string answers(const Body& body)
   for (const Question question : {Question::surface, Question::solid}) {
     if (question == Question::solid && !body.is_closed()) continue;
     Query first(body, probe, question), second(probe, body, question);
-    for (const Pose& pose : poses) {
-      told([&] { return int(first.collide(Pose(), pose).relation()); });
-      told([&] { return int(second.collide(pose, Pose()).relation()); });
-      told([&] { return first.distance(Pose(), pose); });
-      told([&] { return first.within(Pose(), pose, 0.25); });
-      told([&] { return first.features(Pose(), pose).size(); });
-      told([&] { return first.contacts(Pose(), pose).size(); });
+    for (const tetracone::Pose& pose : poses) {
+      told([&] { return int(first.collide(tetracone::Pose(), pose).relation()); });
+      told([&] { return int(second.collide(pose, tetracone::Pose()).relation()); });
+      told([&] { return first.distance(tetracone::Pose(), pose); });
+      told([&] { return first.within(tetracone::Pose(), pose, 0.25); });
+      told([&] { return first.features(tetracone::Pose(), pose).size(); });
+      told([&] { return first.contacts(tetracone::Pose(), pose).size(); });
     }
   }
   for (const double x : {0.0, 0.125, 0.5, 0.9, 1.0}) {
