@@ -135,7 +135,7 @@ BOOST_AUTO_TEST_CASE(standard_input_is_read_once)
   const std::string cat = "cat " + in_quotes(poses.path()) + " | ";
   BOOST_TEST(run("collide " + cube + " " + cube + " --pose-b -", cat).out == "0\n1\n");
   BOOST_TEST(run("inside " + cube + " -", "printf '0.5,0.5,0.5\\n2 2 2\\n' | ").out == "1\n-1\n");
-  BOOST_TEST(run("ray " + cube + " -", "echo '-1 0.5 0.25 1 0 0' | ").out == "0 1\n");
+  BOOST_TEST(run("ray " + cube + " -", "echo '-1 0.5 0.25 1 0 0' | ").out == "5 1\n");
   const Run twice = run("collide " + cube + " " + cube + " --pose-a - --pose-b -", cat);
   BOOST_TEST(twice.status == 2);
   BOOST_TEST(twice.error == "standard input: is named twice; expected '-' once\n");
