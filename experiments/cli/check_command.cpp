@@ -36,7 +36,7 @@ struct Check_options {
   bool merge = false;
 };
 
-/// A model as `check` looks at it: read, then merged and oriented where the user says so.
+/// A model for `check`: read, then merged and oriented by the user's options.
 struct Checked {
   std::string file;
   Read_model model;
