@@ -61,7 +61,7 @@ bool is_named(const std::string& subject, const std::string& name)
   return subject == name || subject.starts_with(name + " ");
 }
 
-/// Those of the list that one of the names stands for. Marks the names that stood for one.
+/// Returns the members of the list that one of the names selects, and marks the names that selected one.
 template <class Subject>
 std::vector<Subject> chosen(const std::vector<Subject>& all, const std::vector<std::string>& names,
                             std::set<std::string>& known)
@@ -195,7 +195,7 @@ void add_names(std::set<std::string>& names, const Things& things)
       names.emplace(thing.name);
 }
 
-/// The levels at which somebody is asked something.
+/// Returns the levels at which some subject is asked.
 std::vector<Asked_level> asked_levels(const Campaign& c)
 {
   std::vector<Asked_level> levels;

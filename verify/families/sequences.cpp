@@ -56,8 +56,8 @@ std::vector<Motion_of_two> slidings(Random& random, int frames)
   };
   const auto along_floor = [frames](int k) { return vector(-1 + 2 * share(k, frames), 0.5 - share(k, frames) / 2, 0); };
 
-  // What stands on the floor: its lowest face, edge or vertex is on the plane in every frame, and never beyond the
-  // floor's border.
+  // Bodies that stand on the floor: the lowest face, edge or vertex is on the plane in every frame, and never beyond
+  // the floor's border.
   const Pose tilted = Pose::from_quaternion(2, 1, 0, 0),
              any = composed(Pose::from_quaternion(3, 1, -1, 1), rational_rotation(random, 3));
   for (const auto& [body, what] : {std::pair<std::size_t, const char*>{unit_cube_block, "cube"},

@@ -17,7 +17,7 @@ inline kernel::Vector vector(Random& random, double size = 1)
   return size * kernel::Vector(real(random, -1, 1), real(random, -1, 1), real(random, -1, 1));
 }
 
-/// What the matrix makes `v` of (Cramer's rule).
+/// Returns the solution x of m x = v (Cramer's rule).
 inline kernel::Vector solved(const kernel::Matrix& m, const kernel::Vector& v)
 {
   const kernel::Vector yz = m.col(1).cross(m.col(2)), zx = m.col(2).cross(m.col(0)), xy = m.col(0).cross(m.col(1));

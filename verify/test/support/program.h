@@ -18,7 +18,7 @@ namespace tetracone::verify {
 
 inline const std::string program = TETRACONE_PROGRAM;
 
-/// What a run of the program left.
+/// The results of a run of the program.
 struct Run {
   int status;
   std::string out, error;

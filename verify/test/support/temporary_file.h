@@ -51,7 +51,7 @@ class Temporary_folder {
   std::filesystem::path path_;
 };
 
-/// What `read` says of the file in the input error that it throws, behind the file's path: ":4: what is wrong; what was
+/// Returns the message of the input error that `read` throws, after the file's path: ":4: what is wrong; what was
 /// expected".
 template <class Read>
 std::string error_of(const Temporary_file& file, const Read& read)
