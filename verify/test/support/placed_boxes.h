@@ -8,7 +8,7 @@
 
 #include <array>
 
-/// Boxes and bodies that are placed, at random and exactly.
+/// Boxes and bodies, placed at random and exactly.
 namespace tetracone::verify::scenes {
 
 /// A random vector with coordinates up to `size`.
@@ -34,7 +34,7 @@ inline void set(kernel::Obb8& boxes, int lane, const kernel::Vector& centre, con
   }
 }
 
-/// A point of a box, exactly, by its shares of the extents.
+/// Returns the exact point of a box with these fractions of the extents as coordinates.
 inline rationals::Vector point(const kernel::Obb8& boxes, int lane, const std::array<double, 3>& share)
 {
   using kernel::Rational;

@@ -11,13 +11,13 @@
 
 namespace tetracone::verify {
 
-/// A place of this process in the system's folder for temporary files.
+/// Returns a path for this process in the system's folder for temporary files.
 inline std::filesystem::path temporary_path(const std::string& name)
 {
   return std::filesystem::temp_directory_path() / ("tetracone_" + std::to_string(::getpid()) + "_" + name);
 }
 
-/// A file at such a place, with these bytes; removed with this object.
+/// A file at such a path with these bytes. Its destructor removes it.
 class Temporary_file {
  public:
   Temporary_file(const std::string& name, const std::string& bytes) : path_(temporary_path(name))
