@@ -67,7 +67,7 @@ std::vector<Compiled_probe> builds()
   return all;
 }
 
-/// What the probe prints of one test: `subject,test,n,wrong`.
+/// One test's line of the probe: `subject,test,n,wrong`.
 struct Tested {
   std::string subject, test, n, wrong;
 };

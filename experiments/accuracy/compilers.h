@@ -5,11 +5,11 @@
 
 namespace tetracone::experiments {
 
-/// What flags do to signs: compiles compiler_probe.cpp with g++ and clang++, where they are installed, at -O0, -O2 and
-/// -O3, with and without contraction of products and sums, -march=native and -ffast-math, runs each and writes
-/// OUT/compilers.csv: one row for each compiler, flags, subject and test. A compiler that refuses, or a program that
-/// crashes, is a row of its own. Takes two minutes. Throws std::runtime_error when no compiler is there,
-/// covering::Input_error when `out` cannot be written.
+/// Measures the effect of compiler flags on signs. It compiles compiler_probe.cpp with g++ and clang++, where they are
+/// installed, at -O0, -O2 and -O3, with and without contraction of products and sums, -march=native and -ffast-math. It
+/// runs each program and writes OUT/compilers.csv: one row for each compiler, flags, subject and test. A compiler that
+/// refuses, or a program that crashes, is a row of its own. Takes two minutes. Throws std::runtime_error without a
+/// compiler, covering::Input_error when `out` cannot be written.
 void run_compilers(const std::filesystem::path& out);
 
 }  // namespace tetracone::experiments

@@ -9,9 +9,9 @@
 
 namespace tetracone::experiments {
 
-/// Double as a compiler makes it that may contract products and sums (-ffp-contract=fast where there is fused
-/// multiply-add): the second product of each difference is not rounded. A kernel under study, for pictures; everything
-/// but the signs is CGAL::Simple_cartesian<double>.
+/// Double arithmetic of a compiler that contracts products and sums (-ffp-contract=fast with fused multiply-add): the
+/// first product of each difference is not rounded. It is a kernel under study, for pictures; everything except the
+/// signs is CGAL::Simple_cartesian<double>.
 class Contracted
     : public CGAL::Type_equality_wrapper<CGAL::Cartesian_base_no_ref_count<double, Contracted>, Contracted> {
  public:

@@ -41,7 +41,7 @@ Json number(const kernel::Pose& pose, int k)
   return text.find('/') == std::string::npos ? Json(pose[k]) : Json(text);
 }
 
-/// JSON has no number for an infinite one.
+/// Returns a number in JSON, or a text for an infinite one, which JSON lacks.
 Json finite_or_text(double x)
 {
   if (std::isinf(x)) return x < 0 ? "-inf" : "inf";
@@ -69,7 +69,7 @@ covering::Polyhedron as_triangles(const covering::Polyhedron& polyhedron)
 /// Rows of a table, as CSV and as JSON.
 class Rows {
  public:
-  /// A value as JSON has it; CSV knows no strings, and 1 and 0 for true and false.
+  /// Adds a value in JSON's form; CSV has no strings, and 1 and 0 for true and false.
   void add(const std::string& column, const Json& value)
   {
     csv_row_.add(column, csv_of(value));

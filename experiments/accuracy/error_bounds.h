@@ -6,9 +6,10 @@
 
 namespace tetracone::experiments {
 
-/// Every constant of an error bound: what the code has, what is proved to be enough, and the worst that hill climbing
-/// of so many steps finds, or why nothing looks for it. Writes OUT/error_bounds.csv, a row a constant. Requires Gappa;
-/// throws std::runtime_error without it, covering::Input_error when `out` cannot be written.
+/// Lists every constant of an error bound with its value in the code, the value that is proved to be enough, and the
+/// worst error that hill climbing of `steps` steps finds, or why no search exists. Writes OUT/error_bounds.csv, one row
+/// per constant. Requires Gappa; throws std::runtime_error without it, covering::Input_error when `out` cannot be
+/// written.
 void run_error_bounds(const std::filesystem::path& out, int steps, std::uint64_t seed);
 
 }  // namespace tetracone::experiments

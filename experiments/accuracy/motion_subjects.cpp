@@ -30,8 +30,8 @@ std::array<std::array<Number, 3>, 4> points_at(const Moving_pair& pair, Number t
   return points;
 }
 
-/// Barycentric coordinates within [-slack, 1 + slack] and, where `distance` is not negative, planes or lines no further
-/// apart.
+/// True when barycentric coordinates are within [-slack, 1 + slack] and, if `distance` is not negative, the planes or
+/// lines are no farther apart than it.
 template <class Number>
 bool touch_at(const Moving_pair& pair, Number t, Number slack, Number distance)
 {

@@ -8,22 +8,23 @@
 
 namespace tetracone::experiments {
 
-/// A way to decide whether a moving vertex and face, or two moving edges, meet.
+/// A method that decides whether a moving vertex and face, or two moving edges, meet.
 struct Motion_subject {
   std::string_view name, what;
   bool (*meet)(const kernel::Moving_pair& pair);
 };
 
-/// Ours, and the field's, written from their descriptions:
-/// - double, float: the roots of the volume in [0, 1], then barycentric coordinates at each, as Provot (1997) proposed;
-/// - tolerance: the same in double, with 1e-6 of slack in coordinates and distance, ends and extrema of the volume
-///   looked at too (Bridson, Fedkiw, Anderson, "Robust Treatment of Collisions", 2002);
-/// - root-parity: Brochu, Edwards, Bridson, "Efficient Geometrically Exact Continuous Collision Detection", 2012: the
-///   crossings of a ray with the boundary of the image of the domain, odd or even. In rationals throughout, where the
-///   published one filters: its answers, not its speed;
-/// - inclusion: Wang et al., "A Large Scale Benchmark and an Inclusion-Based Algorithm for Continuous Collision
-///   Detection", 2021: bisection of the domain, boxes of the image grown by rounding; a box of at most 1e-6 about the
-///   origin is a contact, and so is what 2^15 boxes have not decided.
+/// Returns our methods and the field's, written from their descriptions:
+///  - double, float: the roots of the volume in [0, 1], then barycentric coordinates at each, as Provot (1997)
+///    proposed;
+///  - tolerance: as double, with a slack of 1e-6 in coordinates and distance, and with the ends and extrema of the
+///    volume tested too (Bridson, Fedkiw, Anderson, "Robust Treatment of Collisions", 2002);
+///  - root-parity: Brochu, Edwards, Bridson, "Efficient Geometrically Exact Continuous Collision Detection", 2012: the
+///    parity of a ray's crossings with the boundary of the image of the domain. It computes in rationals throughout,
+///    where the published method filters: it has that method's answers, not its speed;
+///  - inclusion: Wang et al., "A Large Scale Benchmark and an Inclusion-Based Algorithm for Continuous Collision
+///    Detection", 2021: bisection of the domain, with boxes of the image grown by rounding. A box of at most 1e-6 about
+///    the origin is a contact, and so is a pair that 2^15 boxes have not decided.
 std::span<const Motion_subject> motion_subjects();
 
 }  // namespace tetracone::experiments

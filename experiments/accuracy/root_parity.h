@@ -5,10 +5,11 @@
 
 namespace tetracone::experiments {
 
-/// Whether the moving primitives meet an odd number of times, by Brochu, Edwards and Bridson (2012): the differences of
-/// their points, over time and both primitives' parameters, are a body whose boundary is made of triangles and bilinear
-/// patches; a ray from the origin crosses it an odd number of times where an odd number of roots is within. An origin
-/// on the boundary is a contact. In rationals, without rounding. An even number of contacts is not noticed.
+/// True when the moving primitives meet an odd number of times, by Brochu, Edwards and Bridson (2012). The differences
+/// of their points, over time and both primitives' parameters, form a body whose boundary consists of triangles and
+/// bilinear patches. A ray from the origin crosses it an odd number of times if an odd number of roots is within. An
+/// origin on the boundary is a contact. It computes in rationals, without rounding. It does not notice an even number
+/// of contacts.
 bool meet_by_root_parity(const kernel::Moving_pair& pair);
 
 }  // namespace tetracone::experiments

@@ -39,7 +39,7 @@ using verify::Predicate_case;
 constexpr Vertex low{-12, -12, -12}, high{24, 24, 24}, side{18, 6, 12}, below{0, 0, 10};
 constexpr Vertex up{1.5, 1.5, 0.5}, right{3, 2, 0}, left{2, 3, 0};
 
-/// What turns everything.
+/// The rotation under which everything is.
 Pose turn() { return Pose::from_quaternion(3, 1, -1, 2); }
 
 /// The moving point: a column is the next double in x, a row the next in y.

@@ -27,16 +27,16 @@ using kernel::Question;
 using verify::object_family::composed;
 using verify::object_family::rational_rotation;
 
-/// Whether the bodies collide with the second at this place of its way.
+/// True when the bodies collide with the second at this position of its path.
 using Collides_at = std::function<bool(double)>;
 
-/// Places on the way: collision at `in`, none at `out_of`; both positive, neighbouring doubles when found.
+/// Positions on the path: collision at `in`, none at `out_of`; both positive, and neighbouring doubles once found.
 struct Threshold {
   double in, out_of;
 };
 
-/// The last place without contact before `bracket.in`, by bisection over doubles; both ends may answer alike: then the
-/// nearer end.
+/// Returns the last position without contact before `bracket.in`, by bisection over doubles. If both ends have one
+/// answer, it returns the nearer end.
 Threshold bisected(Threshold bracket, const Collides_at& collides)
 {
   auto in = std::bit_cast<std::int64_t>(bracket.in), out_of = std::bit_cast<std::int64_t>(bracket.out_of);
@@ -47,7 +47,7 @@ Threshold bisected(Threshold bracket, const Collides_at& collides)
   return {std::bit_cast<double>(in), std::bit_cast<double>(out_of)};
 }
 
-/// The first contact of the way from `far` inwards, within a sixty-fourth of it.
+/// Returns the first contact of the path from `far` inwards, within a sixty-fourth of it.
 std::optional<Threshold> first_contact(double far, const Collides_at& collides)
 {
   for (int k = 64; k > 1; --k)

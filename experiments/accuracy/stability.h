@@ -6,12 +6,12 @@
 
 namespace tetracone::experiments {
 
-/// The smallest change that matters: a body is moved straight at another, everything under one exact rotation, and
-/// between two neighbouring doubles of its way the exact answer changes. Each kernel's own answer changes elsewhere:
-/// how many doubles away? Writes OUT/stability.csv, one row for each motion, way and subject: the exact threshold (the
-/// last double without contact), and the distance of the subject's, in doubles and in ulps of the threshold. Takes a
-/// few seconds for 20 ways a motion. Throws std::logic_error when the truth by brute force denies an exact threshold;
-/// covering::Input_error when `out` cannot be written.
+/// Measures the smallest change that matters. A body moves straight at another, everything under one exact rotation,
+/// and the exact answer changes between two neighbouring doubles of its path. It counts how many doubles away each
+/// kernel's own answer changes. Writes OUT/stability.csv, one row for each motion, path and subject: the exact
+/// threshold (the last double without contact), and the distance of the subject's threshold, in doubles and in ulps of
+/// the exact one. Takes a few seconds for 20 paths per motion. Throws std::logic_error when the truth by brute force
+/// denies an exact threshold; covering::Input_error when `out` cannot be written.
 void run_stability(const std::filesystem::path& out, int ways, std::uint64_t seed);
 
 }  // namespace tetracone::experiments

@@ -15,7 +15,7 @@ namespace {
 using kernel::Feature_pair;
 using Json = nlohmann::ordered_json;
 
-/// `relation`: it is one.
+/// Returns the text of an answer, which is a relation if `relation`.
 std::string answer_text(int answer, bool relation)
 {
   return relation ? std::string(to_string(kernel::Relation(answer))) : std::to_string(answer);

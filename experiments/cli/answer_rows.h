@@ -12,7 +12,7 @@
 
 namespace tetracone::experiments {
 
-/// The answer of one pose, and what it took.
+/// The answer of one pose, and its cost.
 struct Answer_row {
   int answer = 0;       ///< 0 or 1; a predicate's may be -1; or a `kernel::Relation`
   std::string instead;  ///< what stands in the place of an answer that was not given: `-` or `failed`
@@ -20,25 +20,25 @@ struct Answer_row {
   tetratree::Query_statistics counts;
 };
 
-/// How answers are written.
+/// The format of answers.
 struct Row_format {
   bool json = false, csv = false;  ///< neither: answers alone, no header
   bool time = false;               ///< of JSON and CSV: nanoseconds and work too
   bool relation = false;           ///< answers are relations, and named
 };
 
-/// The answers of all poses, each its line.
+/// Returns the answers of all poses, one line each.
 std::string answer_rows(const std::vector<Answer_row>& rows, const Row_format& format);
 
-/// The answers of several kernels or programs side by side, one column of rows each; in JSON one that was not given is
+/// Returns the answers of several kernels or programs side by side, one column of rows each; in JSON a missing one is
 /// null.
 std::string answer_columns(const std::vector<std::string>& kernels, const std::vector<std::vector<Answer_row>>& columns,
                            const Row_format& format);
 
-/// A number in JSON, which has none for infinity: the string "inf" or "-inf".
+/// Returns a number in JSON; infinity, which JSON lacks, is the string "inf" or "-inf".
 nlohmann::ordered_json json_number(double x);
 
-/// The features of all poses, each its line: body 0 is an edge of A against a face of B, body 1 the other way round.
+/// Returns the features of all poses, one line each: body 0 is an edge of A against a face of B, body 1 the reverse.
 std::string feature_rows(const std::vector<std::vector<kernel::Feature_pair>>& features, const Row_format& format);
 
 }  // namespace tetracone::experiments

@@ -36,7 +36,7 @@ struct Check_options {
   bool merge = false;
 };
 
-/// A model as `check` looks at it: read, then merged and oriented where the user says so.
+/// A model for `check`: read, then merged and oriented by the user's options.
 struct Checked {
   std::string file;
   Read_model model;
@@ -266,7 +266,7 @@ void add_degenerate(Text_rows& rows, const Check& check)
                                      }));
 }
 
-/// What reading and the user's options have changed, and the reader's notes.
+/// Adds the changes by reading and by the user's options, and the reader's notes.
 void add_changes(Text_rows& rows, const Checked& checked)
 {
   if (checked.model.loops_turned != 0)

@@ -38,7 +38,7 @@ struct Collide_options {
   bool features = false, contacts = false, exact = false, relation = false, json = false, time = false;
   int repeat = 1;
 
-  /// Lists instead of answers, which need no solid.
+  /// True when lists are asked for instead of answers; they need no solid.
   bool lists() const { return features || contacts; }
   Row_format format() const { return {json, !csv.empty(), time, relation}; }
 };
@@ -77,7 +77,7 @@ struct Answers {
   double first_nanoseconds = 0;  // of the very first query, which may make what later ones find
 };
 
-/// `relation`: answers are how the bodies stand.
+/// Asks all poses. With `relation`, answers are the relations of the bodies.
 Answers ask(verify::Prepared_pair& pair, const Pose_pairs& poses, Question question, int passes, bool relation = false)
 {
   Answers answers{std::vector<Answer_row>(poses.count())};
@@ -97,7 +97,7 @@ Answers ask(verify::Prepared_pair& pair, const Pose_pairs& poses, Question quest
   return answers;
 }
 
-/// Says on stderr what the first query has paid for: the same pose is asked again.
+/// Reports on stderr the extra cost of the first query, by asking its pose again.
 void tell_first_query(verify::Prepared_pair& pair, const Scene& scene, const Answers& answers,
                       double ready_milliseconds)
 {
@@ -141,7 +141,7 @@ std::string contacts_of(verify::Prepared_pair& pair, const Scene& scene, const C
   return contact_rows(contacts, scene.a, scene.b, {options.json, !options.csv.empty(), options.exact});
 }
 
-/// The answers of somebody else's program. Each failure has a line on stderr and sets `failed`.
+/// Returns the answers of an external program. Each failure has a line on stderr and sets `failed`.
 std::vector<Answer_row> ask(const verify::Object_subject& subject, const Scene& scene, bool& failed)
 {
   const auto running = subject.make();
@@ -165,7 +165,7 @@ std::vector<Answer_row> ask(const verify::Object_subject& subject, const Scene& 
   return rows;
 }
 
-/// Requires what only some options go with.
+/// Throws CLI::ValidationError when given options exclude each other, or need another one.
 void require_contact_options(const Collide_options& options)
 {
   const auto require = [](bool given, bool holds, const char* name, const char* expected) {

@@ -10,7 +10,7 @@
 
 namespace tetracone::experiments {
 
-/// The word as a shell reads it, names of files in the project from the project's folder.
+/// Returns the word quoted for a shell; names of files in the project are relative to the project's folder.
 inline std::string shell_word(std::string word)
 {
   constexpr std::string_view project = TETRACONE_SOURCE_DIR "/";
@@ -24,8 +24,8 @@ inline std::string shell_word(std::string word)
   return quoted + "'";
 }
 
-/// The options that results depend on, as words that say the same again: those given, and those with a default value
-/// that `--help` shows. Requires a command that is parsed; `options` name some of its, such as `--seed`.
+/// Returns the options on which results depend, as a command line that repeats them: the given ones, and those with a
+/// default value that `--help` shows. Requires a parsed command; `options` name some of its options, such as `--seed`.
 inline std::string words_of(const CLI::App& command, const std::vector<std::string>& options)
 {
   std::string words;

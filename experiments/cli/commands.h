@@ -6,24 +6,25 @@
 /// The commands of the program, each defined in NAME_command.cpp.
 namespace tetracone::experiments {
 
-/// Adds `tetracone check MODEL...`: what each model is. Throws CLI::RuntimeError(1) when one is no closed polyhedron,
-/// and with --strict when one has a face that is not exactly planar; covering::Input_error for an unreadable file.
+/// Adds `tetracone check MODEL...`, which describes each model. Throws CLI::RuntimeError(1) when one is no closed
+/// polyhedron, and with --strict when one has a face that is not exactly planar; covering::Input_error for an
+/// unreadable file.
 void add_check_command(CLI::App& app);
 
-/// Adds `tetracone save MODEL --out FILE.body`: the model with its tree, to be taken wherever a model is. Throws
+/// Adds `tetracone save MODEL --out FILE.body`: the model with its tree, which is accepted wherever a model is. Throws
 /// covering::Input_error for bad input, and for a file that cannot be written.
 void add_save_command(CLI::App& app);
 
 /// Adds `tetracone collide A B` and `tetracone collide X.case.json`: whether two models, or the bodies of a case file,
-/// collide, one answer a pose. Throws covering::Input_error for bad input and CLI::ValidationError for options that do
-/// not go together.
+/// collide, one answer per pose. Throws covering::Input_error for bad input and CLI::ValidationError for options that
+/// exclude each other.
 void add_collide_command(CLI::App& app);
 
-/// Adds `tetracone distance A B`: the double nearest to the exact distance, a line a pose. Throws covering::Input_error
-/// for bad input.
+/// Adds `tetracone distance A B`: the double nearest to the exact distance, one line per pose. Throws
+/// covering::Input_error for bad input.
 void add_distance_command(CLI::App& app);
 
-/// Adds `tetracone inside MODEL POINTS`: 1 inside, 0 on the surface, -1 outside, a line a point. Exact. Throws
+/// Adds `tetracone inside MODEL POINTS`: 1 inside, 0 on the surface, -1 outside, exactly, one line per point. Throws
 /// covering::Input_error for bad input.
 void add_inside_command(CLI::App& app);
 
@@ -39,32 +40,33 @@ void add_scene_command(CLI::App& app);
 /// covering::Input_error for bad input.
 void add_motion_command(CLI::App& app);
 
-/// Adds `tetracone ccd QUERIES.csv...`: whether a moving vertex and face, or two moving edges, meet: 1 or 0, a line a
-/// query. Exact. Throws CLI::RuntimeError(1) where a file says otherwise, covering::Input_error for bad input.
+/// Adds `tetracone ccd QUERIES.csv...`: whether a moving vertex and face, or two moving edges, meet: 1 or 0, exactly,
+/// one line per query. Throws CLI::RuntimeError(1) when a file gives another answer, covering::Input_error for bad
+/// input.
 void add_ccd_command(CLI::App& app);
 
 /// Adds `tetracone verify`: a campaign, into a database. Throws CLI::RuntimeError(1) when an exact subject was wrong.
 void add_verify_command(CLI::App& app);
 
-/// Adds `tetracone merge`: the databases of a campaign's shards into one.
+/// Adds `tetracone merge`, which merges the databases of a campaign's shards into one.
 void add_merge_command(CLI::App& app);
 
-/// Adds `tetracone fuzz`: new wrong answers on fresh and mutated cases of all families, shrunk, each a case file.
-/// Throws CLI::RuntimeError(1) when an exact subject was wrong, CLI::ValidationError for an unknown subject,
-/// covering::Input_error for a folder that cannot be written.
+/// Adds `tetracone fuzz`, which finds new wrong answers on fresh and mutated cases of all families, shrinks them, and
+/// writes each as a case file. Throws CLI::RuntimeError(1) when an exact subject was wrong, CLI::ValidationError for an
+/// unknown subject, covering::Input_error for a folder that cannot be written.
 void add_fuzz_command(CLI::App& app);
 
-/// Adds `tetracone experiment NAME`: one question, its CSV and figure. `--list` names them with their time.
+/// Adds `tetracone experiment NAME`: one question, its CSV and figure. `--list` shows their names with their time.
 void add_experiment_command(CLI::App& app);
 
-/// `tetracone report`: the tables of a campaign's database, what is noted of other libraries and formulations, and the
+/// Adds `tetracone report`: the tables of a campaign's database, the notes on other libraries and formulations, and the
 /// page.
 void add_report_command(CLI::App& app);
 
-/// Adds `tetracone view A [B] --out FILE.html` and `tetracone view X.case.json --out FILE.html`: one page in 3D that
-/// needs no network and no other file, of the bodies, their poses and answers, and the paper's covering, tree and
-/// bounding volumes. Throws covering::Input_error for bad input and CLI::ValidationError for options that do not go
-/// together.
+/// Adds `tetracone view A [B] --out FILE.html` and `tetracone view X.case.json --out FILE.html`: one self-contained
+/// page in 3D, which needs no network. It shows the bodies, their poses and answers, and the paper's covering, tree and
+/// bounding volumes. Throws covering::Input_error for bad input and CLI::ValidationError for options that exclude each
+/// other.
 void add_view_command(CLI::App& app);
 
 }  // namespace tetracone::experiments

@@ -10,22 +10,22 @@
 
 namespace tetracone::experiments {
 
-/// How contacts are written.
+/// The format of contacts.
 struct Contact_format {
   bool json = false, csv = false;  ///< neither: blanks between words, no header
   bool exact = false;              ///< fractions "n/d" instead of the nearest doubles
 };
 
-/// The contacts of all poses: a line a piece, `pose,face_a,face_b,kind,x0,y0,z0,x1,y1,z1`, of a point twice, of a
-/// polygon, which is "coplanar", without coordinates; in JSON with the loops of all pieces and what of either face
-/// holds them. Faces are named as the files have them.
+/// Returns the contacts of all poses, one line per piece: `pose,face_a,face_b,kind,x0,y0,z0,x1,y1,z1`. A point is given
+/// twice; a polygon, which is "coplanar", has no coordinates. JSON adds the loops of all pieces and the features of
+/// either face that contain them. Faces have their numbers in the files.
 std::string contact_rows(const std::vector<Contacts>& contacts, const Model_file& a, const Model_file& b,
                          const Contact_format& format);
 
-/// The curves of one pose as lines of OBJ or of PLY, by the file's suffix.
+/// Returns the curves of one pose as lines of OBJ or of PLY, by the file's suffix.
 std::string curves_text(const std::vector<Contacts::Curve>& curves, const std::filesystem::path& file);
 
-/// Whether `curves_text` can write such a file.
+/// True when `curves_text` can write such a file.
 bool is_curve_file(const std::filesystem::path& file);
 
 }  // namespace tetracone::experiments

@@ -58,7 +58,7 @@ struct Tally {
   std::uint64_t asked = 0, false_positives = 0, false_negatives = 0, failures = 0, kinds = 0;
 
   std::uint64_t wrong() const { return false_positives + false_negatives + failures; }
-  /// Counts an answer, nothing for a failure, and says what it is; empty when it is right.
+  /// Counts an answer (nothing for a failure) and returns its kind of error; empty when it is right.
   std::string add(std::optional<int> answer, int truth)
   {
     ++asked;
@@ -81,7 +81,7 @@ bool is_default(const std::string& name)
   return std::find(kernels.begin(), kernels.end(), kernel) != kernels.end() && !name.ends_with(" brute");
 }
 
-/// Which names `wanted` stands for: itself and what goes on after a space, else what begins with it.
+/// Returns the names that `wanted` stands for: itself and its continuations after a space, else all that begin with it.
 std::set<std::string> chosen(const std::vector<std::string>& names, const std::string& wanted)
 {
   const auto those = [&](auto&& is_wanted) {

@@ -34,8 +34,8 @@ struct Report_options {
   bool progress = false;
 };
 
-/// What a subject's answers mean where it is not ours: the question that it knows, if it does not know both, and in
-/// words what it answers, its numbers, its source.
+/// Returns the notes on subjects that are not ours: the only question that a subject knows, if it does not know both,
+/// and in words its question, its numbers and its source.
 std::string notes_as_csv(verify::Database& database)
 {
   std::string csv = "level,subject,knows,note\n";

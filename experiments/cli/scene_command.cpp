@@ -30,7 +30,7 @@ struct Options {
   Model_options models;
 };
 
-/// What the frames have given so far, in the form that was asked for.
+/// The results of the frames so far, in the requested form.
 class Rows {
  public:
   explicit Rows(const Options& options) : options_(options)

@@ -11,7 +11,7 @@
 
 namespace tetracone::experiments {
 
-/// The words by which `verify`, `fuzz` and `collide` are given somebody else's methods.
+/// The options by which `verify`, `fuzz` and `collide` accept external methods.
 struct Subject_options {
   std::vector<std::string> commands;  ///< NAME=COMMAND
   double limit = 10;                  ///< seconds for an answer
@@ -22,12 +22,13 @@ struct Subject_options {
 /// Adds `--subject-command` and `--subject-limit`.
 void add_subject_options(CLI::App& command, Subject_options& options);
 
-/// The subjects of `--subject-command`, each asked one question by now. Throws CLI::ValidationError for a name that is
-/// none, that comes twice, or that one of `others` begins with, and for what the shell cannot run.
+/// Returns the subjects of `--subject-command`; each has already answered one question. Throws CLI::ValidationError for
+/// an invalid name, for one that is given twice or is the beginning of one of `others`, and for a command that the
+/// shell cannot run.
 std::vector<verify::Object_subject> command_subjects(const Subject_options& options,
                                                      const std::vector<verify::Object_subject>& others);
 
-/// The names of all families of cases, of whatever level.
+/// Returns the names of all families of cases, of all levels.
 std::vector<std::string> family_names();
 
 /// Throws CLI::ValidationError for a name of no family, with the list of all.

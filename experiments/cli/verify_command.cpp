@@ -61,7 +61,7 @@ bool is_named(const std::string& subject, const std::string& name)
   return subject == name || subject.starts_with(name + " ");
 }
 
-/// Those of the list that one of the names stands for. Marks the names that stood for one.
+/// Returns the members of the list that one of the names selects, and marks the names that selected one.
 template <class Subject>
 std::vector<Subject> chosen(const std::vector<Subject>& all, const std::vector<std::string>& names,
                             std::set<std::string>& known)
@@ -179,7 +179,7 @@ void choose_sizes(const Verify_options& options, Campaign& campaign)
   if (!is("object")) campaign.sequence_frames = 0;
 }
 
-/// What a campaign asks at one level: of no cases, no families or no subjects it is nothing.
+/// The questions of a campaign at one level; it has none without cases, families or subjects.
 struct Asked_level {
   std::string name;
   std::set<std::string> families, subjects;
@@ -195,7 +195,7 @@ void add_names(std::set<std::string>& names, const Things& things)
       names.emplace(thing.name);
 }
 
-/// The levels at which somebody is asked something.
+/// Returns the levels at which some subject is asked.
 std::vector<Asked_level> asked_levels(const Campaign& c)
 {
   std::vector<Asked_level> levels;
@@ -219,7 +219,7 @@ std::vector<Asked_level> asked_levels(const Campaign& c)
   return levels;
 }
 
-/// Throws CLI::ValidationError where a family, a subject or a command that is named would be asked nothing.
+/// Throws CLI::ValidationError when a named family, subject or command would be asked nothing.
 void refuse_idle_words(const Verify_options& options, const Campaign& campaign)
 {
   const std::vector<Asked_level> levels = asked_levels(campaign);
@@ -263,7 +263,7 @@ void refuse_idle_words(const Verify_options& options, const Campaign& campaign)
   throw CLI::RuntimeError(1);
 }
 
-/// A line for each way in which a subject failed, and what it said the first time.
+/// Prints a line for each way in which a subject failed, with its message the first time.
 void print_failures(Database& database, const Campaign& campaign)
 {
   Database::Statement rows(
@@ -276,7 +276,7 @@ void print_failures(Database& database, const Campaign& campaign)
                 rows.text(4).c_str());
 }
 
-/// A line a subject, and whether an exact one was wrong.
+/// Prints a line per subject. True when an exact one was wrong.
 bool print_summary(Database& database, const Campaign& campaign)
 {
   std::set<std::string> exact;
@@ -314,7 +314,7 @@ bool print_summary(Database& database, const Campaign& campaign)
   return exact_was_wrong;
 }
 
-/// The words of the campaign, its shards together, that fill the database `--db` again.
+/// Returns the command line of the whole campaign, all shards together, that fills the database `--db` again.
 std::string campaign_words(const CLI::App& command, const Verify_options& options)
 {
   std::vector<std::string> names = {"--cases",           "--seed",  "--family", "--subject",

@@ -7,10 +7,10 @@
 
 namespace tetracone::experiments {
 
-/// Whether the command's program follows the subject protocol (experiments/subjects/README.md), by talks with it of
-/// some questions each, whose right answers are clear. Writes a line a talk: `ok` or `WRONG`, and what was expected.
-/// Each answer must come within `limit`; all takes at most a minute. Throws std::runtime_error when no process can be
-/// started.
+/// True when the command's program follows the subject protocol (experiments/subjects/README.md). It has talks of some
+/// questions each with the program, whose right answers are clear. Writes one line per talk: `ok` or `WRONG`, and the
+/// expected answer. Each answer must come within `limit`; all talks take at most a minute. Throws std::runtime_error
+/// when no process can be started.
 bool check_subject(const std::string& command, std::chrono::milliseconds limit, std::ostream& out);
 
 }  // namespace tetracone::experiments

@@ -11,40 +11,40 @@
 
 namespace tetracone::experiments {
 
-/// A command of the shell as a child that is spoken to in lines, over pipes to its standard input and output. It and
-/// all that it started are killed when this goes, and when the program dies. Not for two threads at a time.
+/// A command of the shell as a child that exchanges lines over pipes to its standard input and output. The destructor
+/// kills it and all processes that it started; so does the end of the program. Not thread-safe.
 class Command_process {
  public:
   using Deadline = std::chrono::steady_clock::time_point;
 
-  /// Where its standard error goes: its last line is kept, or all goes where the program's goes.
+  /// The use of its standard error: its last line is kept, or all goes to the program's own.
   enum class Errors { kept, shown };
 
-  /// Throws std::runtime_error when no process can be started. That the shell finds no such program shows as an end
+  /// Throws std::runtime_error when no process can be started. If the shell does not find the program, the child ends
   /// with status 127.
   explicit Command_process(const std::string& command, Errors errors = Errors::kept);
   ~Command_process();
   Command_process(const Command_process&) = delete;
   Command_process& operator=(const Command_process&) = delete;
 
-  /// False when the child ends or the deadline passes before all is sent.
+  /// Sends the text; false when the child ends or the deadline passes before all is sent.
   bool send(const std::string& text, Deadline deadline);
 
   /// Returns the next line of its output, without its end; nothing when the child ends or the deadline passes first. A
   /// line longer than 65,536 bytes is cut there.
   std::optional<std::string> line(Deadline deadline);
 
-  /// What has come after the last line.
+  /// Returns the bytes received after the last line.
   const std::string& rest() const { return received_; }
 
-  /// The last line of its standard error so far, where that is kept (`Error_tail::last_line`).
+  /// Returns the last line of its standard error so far, if that is kept (`Error_tail::last_line`).
   std::string last_error() const { return errors_.last_line(); }
 
-  /// The child reads the end of its input. Nothing can be sent any more.
+  /// Closes the child's input. Nothing can be sent any more.
   void close_input();
 
-  /// How the child ended, as the shell tells it: its status, or 128 and the signal; nothing when it has not ended at
-  /// the deadline.
+  /// Returns how the child ended, as the shell reports it: its status, or 128 plus the signal; nothing when it has not
+  /// ended at the deadline.
   std::optional<int> end(Deadline deadline);
 
  private:

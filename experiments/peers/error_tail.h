@@ -12,8 +12,8 @@
 
 namespace tetracone::experiments {
 
-/// A pipe from the standard error of a child, of which the last line is kept. Whoever waits for the child polls the
-/// descriptor too and drains it: a child that fills the pipe waits.
+/// A pipe from the standard error of a child, which keeps the last line. The process that waits for the child must also
+/// poll the descriptor and drain it, since a child that fills the pipe waits.
 class Error_tail {
  public:
   Error_tail() = default;
@@ -25,7 +25,7 @@ class Error_tail {
   Error_tail(const Error_tail&) = delete;
   Error_tail& operator=(const Error_tail&) = delete;
 
-  /// False, with errno, where the system has no pipe.
+  /// Opens the pipe; false, with errno, when the system has none.
   bool open()
   {
     std::array<int, 2> ends;
@@ -36,14 +36,14 @@ class Error_tail {
     return true;
   }
 
-  /// The child's end, which the parent closes once the child has it.
+  /// Returns the child's end, which the parent closes once the child has it.
   int child_end() const { return theirs_; }
   void close_child_end() { close_end(theirs_); }
 
-  /// The end to poll; negative, which poll takes for none, once all has come.
+  /// Returns the end to poll; negative, which poll ignores, once all has come.
   int descriptor() const { return ours_; }
 
-  /// Takes what has come, or a part of much: one who writes without end does not keep the caller from its deadline.
+  /// Reads the bytes that have come, but not all of an endless stream, so that the caller keeps its deadline.
   void drain()
   {
     std::array<char, 4096> some;
@@ -56,7 +56,7 @@ class Error_tail {
     }
   }
 
-  /// The last line that is not blank, at most 200 characters of it; '?' for what cannot be printed.
+  /// Returns the last line that is not blank, at most 200 characters of it, with '?' for unprintable ones.
   std::string last_line() const
   {
     constexpr const char* white = " \t\r\n\v\f";
@@ -70,7 +70,7 @@ class Error_tail {
   }
 
  private:
-  /// Bytes. More than a line that anybody reads, and little for each of many children.
+  /// The number of bytes kept: more than a readable line, and little for each of many children.
   static constexpr std::size_t most_kept = 4096;
 
   static void close_end(int& end)
@@ -83,7 +83,7 @@ class Error_tail {
   std::string text_;
 };
 
-/// How a child ended, in words: "status 3", or "signal 11" for what the shell tells as 139.
+/// Returns how a child ended, in words: "status 3", or "signal 11" for the shell's status 139.
 inline std::string end_in_words(int status)
 {
   return status > 128 ? "signal " + std::to_string(status - 128) : "status " + std::to_string(status);

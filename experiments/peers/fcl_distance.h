@@ -7,7 +7,7 @@
 
 namespace tetracone::experiments {
 
-/// Another library's distance of two meshes, made ready once.
+/// Another library's distance of two meshes, prepared once.
 class Distance_peer {
  public:
   virtual ~Distance_peer() = default;

@@ -8,10 +8,10 @@
 
 namespace tetracone::experiments {
 
-/// FCL (Debian's package) on BVHModel<OBBRSS> of doubles, as its users run it: one contact, no cost. It answers the
-/// *surface* question, whatever is asked: it has no solids. Faces are triangulated; its transforms are rigid, so a pose
-/// must be a rotation times a power of two: the scale goes into the vertices of the body, exactly. Null when the
-/// program was built without FCL.
+/// FCL (Debian's package) on BVHModel<OBBRSS> of doubles, as its users run it: one contact, no cost. It always answers
+/// the *surface* question, since it has no solids. Faces are triangulated. Its transforms are rigid, so a pose must be
+/// a rotation times a power of two; the scale is applied to the body's vertices, exactly. Null when the program was
+/// built without FCL.
 std::unique_ptr<Prepared_pair> prepare_fcl(const covering::Polyhedron& a, const covering::Polyhedron& b,
                                            double scale_b);
 

@@ -102,7 +102,7 @@ class Ode_scene : public Scene_peer {
   std::vector<Pair> found_;
 };
 
-/// What ODE keeps for all, and a thread; again on the same thread it does nothing.
+/// Initialises ODE's data of the process and of the thread; a repeated call on one thread does nothing.
 bool is_ready()
 {
   static const bool ready = dInitODE2(0) != 0;

@@ -12,23 +12,24 @@
 #include <string>
 #include <vector>
 
-/// Other libraries, each behind one door: two triangle meshes made ready once, asked under many rigid poses.
+/// Other libraries with one interface: two triangle meshes are prepared once and asked under many rigid poses.
 namespace tetracone::experiments {
 
-/// A polyhedron as peers take it: triangles, and only the vertices that they use.
+/// A polyhedron in the form that peers take: triangles, and only the vertices that they use.
 struct Peer_mesh {
   std::vector<kernel::Vertex> vertices;
   std::vector<std::array<covering::Index, 3>> triangles;
 };
 
-/// The polyhedron's faces triangulated by constrained Delaunay triangulation, a degenerate face by a fan. Nothing where
-/// a face cannot be triangulated (its loops touch themselves or each other), or there is no triangle at all.
+/// Returns the polyhedron's faces triangulated by constrained Delaunay triangulation, a degenerate face by a fan.
+/// Nothing when a face cannot be triangulated (its loops touch themselves or each other), or there is no triangle at
+/// all.
 std::optional<Peer_mesh> peer_mesh(const covering::Polyhedron& polyhedron);
 
 /// True when the pose's doubles are a rotation and a translation: rows orthonormal to 1e-9, and no reflection.
 bool is_rigid(const kernel::Pose& pose);
 
-/// A library with one of its ways to answer.
+/// A library with one of its methods.
 struct Peer {
   std::string name;
   std::string note;     ///< the question that it really answers, its number type and its tolerance
@@ -38,7 +39,7 @@ struct Peer {
   std::unique_ptr<Prepared_pair> (*prepare)(const Peer_mesh& a, const Peer_mesh& b);
 };
 
-/// The peers that the program was built with; CGAL's are always there.
+/// Returns the peers that the program was built with; CGAL's always exist.
 const std::vector<Peer>& peers();
 
 // One adapter a file, NAME_peer.cpp, built where the library is installed.

@@ -17,23 +17,22 @@ class Peer_process {
  public:
   using Deadline = std::chrono::steady_clock::time_point;
 
-  /// Throws std::runtime_error when it cannot be started, or does not say in half a minute that it is ready.
+  /// Throws std::runtime_error when it cannot be started, or does not report within half a minute that it is ready.
   Peer_process(const std::string& program, const std::string& name);
   ~Peer_process();
   Peer_process(const Peer_process&) = delete;
   Peer_process& operator=(const Peer_process&) = delete;
 
-  /// Sends the message and waits for the byte that answers it; nothing when the child dies or the deadline passes
-  /// first.
+  /// Sends the message and returns the byte that answers it; nothing when the child dies or the deadline passes first.
   std::optional<char> ask(const std::string& message, Deadline deadline);
 
-  /// The double that follows the answer; nothing as of `ask`.
+  /// Returns the double that follows the answer; nothing as for `ask`.
   std::optional<double> take_double(Deadline deadline);
 
-  /// How the child ended, in words: "silent" where it is still there a moment later.
+  /// Returns how the child ended, in words; "silent" if it still runs a moment later.
   std::string how_it_ended();
 
-  /// The last line of its standard error (`Error_tail::last_line`).
+  /// Returns the last line of its standard error (`Error_tail::last_line`).
   std::string last_error() const { return errors_.last_line(); }
 
  private:

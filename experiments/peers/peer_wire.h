@@ -77,13 +77,13 @@ covering::Polyhedron take_polyhedron(const Read& read)
   return polyhedron;
 }
 
-/// What follows 'q'.
+/// The message after 'q'.
 struct Asked {
   kernel::Question question;
   std::array<double, 12> pose_a, pose_b;
 };
 
-/// What follows 't'.
+/// The message after 't'.
 struct Asked_motion {
   std::array<double, 12> from, to;
 };

@@ -75,7 +75,8 @@ void answer(const T& value)
   }
 }
 
-/// What one peer makes of the models last sent; built at the first question, so that building is within its time limit.
+/// A peer's prepared form of the models last sent. It is built at the first question, so that building is within its
+/// time limit.
 template <class Ready>
 class Bench {
  public:

@@ -7,10 +7,9 @@ class App;
 
 namespace tetracone::experiments {
 
-/// Adds the hidden `tetracone peer-worker NAME`, which the program starts itself: it answers for one peer what comes
-/// over the socket that is its standard input, and ends when that is closed, even in the midst of an answer. Besides
-/// the peers there are two for tests, which answer no to a solid question: to a surface question `crash` aborts and
-/// `hang` never answers.
+/// Adds the hidden `tetracone peer-worker NAME`, which the program starts itself. It answers for one peer the questions
+/// from the socket that is its standard input. It ends when that is closed, even during an answer. Two more peers exist
+/// for tests. They answer no to a solid question; to a surface question `crash` aborts and `hang` never answers.
 void add_peer_worker_command(CLI::App& app);
 
 }  // namespace tetracone::experiments

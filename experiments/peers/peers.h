@@ -17,7 +17,7 @@ namespace tetracone::experiments {
 /// take. Times are the peer's own, without the pipe. Throws std::runtime_error when `program` cannot be started.
 std::vector<verify::Object_subject> peer_subjects(const std::string& program);
 
-/// The peer of this name, with this limit for one question, the building of its trees included.
+/// Returns the peer of this name, with this time limit for one question, including the building of its trees.
 verify::Object_subject peer_subject(const std::string& program, const std::string& name,
                                     std::chrono::milliseconds limit = std::chrono::seconds(10));
 

@@ -21,7 +21,7 @@ namespace {
 
 using Face_pair = Fcl_contacts::Pair;
 
-/// Somebody who lists the contacts of a pose.
+/// A method that lists the contacts of a pose.
 struct Lister {
   std::string name;
   std::function<std::size_t(const kernel::Pose& pose_b)> list;

@@ -30,14 +30,14 @@ struct Distance_course {
   std::vector<double> exact;
 };
 
-/// How many doubles lie between two that are not negative.
+/// Returns the number of doubles between two that are not negative.
 double ulps_between(double x, double y)
 {
   const auto place = [](double z) { return std::bit_cast<std::int64_t>(z > 0 ? z : 0.0); };
   return double(std::abs(place(x) - place(y)));
 }
 
-/// The fastest time of each pose in nanoseconds, and what was said in the first pass.
+/// The fastest time of each pose in nanoseconds, and the answers of the first pass.
 struct Timed_distances {
   std::vector<double> fastest, answers;
 

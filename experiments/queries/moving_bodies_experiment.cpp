@@ -99,7 +99,7 @@ void run_course(Csv_table& table, const Motion_course& course, std::uint64_t see
         query.first_contact(Motion(rests), Motion(kernel::Body_motion::linear(course.ends[k][0], course.ends[k][1])));
     return first ? Told(first->lo) : std::nullopt;
   };
-  // What a query keeps of bodies is made before it is timed.
+  // The query's tables of the bodies are built before it is timed.
   for (std::size_t k = 0; k < course.ends.size(); ++k) {
     exactly(k);
     query.collide(still, course.ends[k][0]);

@@ -39,7 +39,7 @@ constexpr int passes = 5;
 /// Seconds of this process on a processor: others on the machine take none of them.
 double processor_time() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
-/// What one contestant does: made ready from a file, anew each time, then asked all at once, an answer each.
+/// A contestant: prepared from a file, anew each time, then asked all questions at once, with one answer each.
 struct Contestant {
   std::string name;
   std::function<void()> set_up;

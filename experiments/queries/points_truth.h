@@ -55,7 +55,7 @@ class Column_truth {
     dot_.emplace(origin);
   }
 
-  /// 1 inside, 0 on the surface, -1 outside.
+  /// Returns 1 inside, 0 on the surface, -1 outside.
   long operator()(const Point& p) const
   {
     for (int k = 0; k < 2; ++k)
@@ -88,7 +88,7 @@ class Column_truth {
  private:
   const Point& corner(covering::Index f, int k) const { return mesh_->vertices[mesh_->loop(f, 0)[std::size_t(k)]]; }
 
-  /// Grows with x, whatever is rounded.
+  /// Returns the grid's cell of x along an axis, which is monotone in x under rounding.
   int place(double x, int axis) const
   {
     return std::clamp(int((x - low_[axis]) / (high_[axis] - low_[axis]) * side_), 0, side_ - 1);
@@ -105,8 +105,8 @@ class Column_truth {
 
 inline constexpr long no_face = -1;
 
-/// The first of the faces that a ray meets, by CGAL's exact predicates, in rational t. Requires a ray in the plane of
-/// none of them.
+/// Returns the first face that a ray meets, by CGAL's exact predicates, with rational t. Requires a ray that lies in
+/// the plane of no face.
 template <class Faces>
 long first_of(const covering::Polyhedron& mesh, const tetratree::Ray& ray, const Faces& faces)
 {

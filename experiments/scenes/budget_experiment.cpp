@@ -18,7 +18,7 @@ namespace {
 
 using Scene_pairs = std::vector<Scene_pair>;
 
-/// What a scene says of all frames but the first.
+/// A scene's results for all frames except the first.
 struct Played {
   std::vector<Scene_pairs> pairs;  // of all frames
   std::vector<double> ns;

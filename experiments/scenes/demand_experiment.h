@@ -7,10 +7,10 @@
 
 namespace tetracone::experiments {
 
-/// How much of what could be made the frames of a scene ask for: 200 bodies of 7000 triangles, each of a model of its
-/// own, are drawn to the middle, so that more and more come near one another. Two scenes play the same frames, one that
-/// makes what is asked and one whose trees are made first. Writes out/demand.csv, a row a frame, of all that has been
-/// made, asked and spent up to it.
+/// Measures the fraction of all nodes and tables that the frames of a scene need. 200 bodies of 7000 triangles, each
+/// with its own model, are drawn to the middle, so that ever more come near one another. Two scenes play the same
+/// frames: one builds on demand, the other builds its trees first. Writes out/demand.csv, one row per frame, with the
+/// totals of nodes, questions and time so far.
 void run_demand(const std::filesystem::path& out, std::size_t frames, std::uint64_t seed);
 
 }  // namespace tetracone::experiments

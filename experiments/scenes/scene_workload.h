@@ -11,12 +11,12 @@
 
 namespace tetracone::experiments {
 
-/// Many bodies that move, made by a seed: the kinds of scenes of Broadmark (Serpa and Rodrigues, "Broadmark: A Testing
+/// Many moving bodies, made from a seed: the kinds of scenes of Broadmark (Serpa and Rodrigues, "Broadmark: A Testing
 /// Framework for Broad-Phase Collision Detection Algorithms", 2020), and two more.
-///  - brownian: each body wanders and turns by a little, about where it began;
-///  - fall: bodies fall freely, each from its height on, and begin again at the top;
+///  - brownian: each body wanders and turns slightly about its start;
+///  - fall: bodies fall freely, each from its own height, and begin again at the top;
 ///  - gravity: bodies are drawn to the middle, and go through it;
-///  - thin: long thin bodies turn where they are;
+///  - thin: long thin bodies turn in place;
 ///  - resting: one body in a hundred wanders, the others rest.
 struct Scene_workload {
   std::string kind, model;
@@ -25,8 +25,8 @@ struct Scene_workload {
   std::vector<std::vector<kernel::Pose>> frames;
 };
 
-/// `model`: convex (80 triangles), blob (760, star-shaped) or large (7000); thin scenes have models of their own.
-/// Bodies fill about a tenth of the space. Poses are rotations and translations, rounded.
+/// Makes a workload. `model` is convex (80 triangles), blob (760, star-shaped) or large (7000); thin scenes have their
+/// own models. Bodies fill about a tenth of the space. Poses are rotations and translations, rounded.
 Scene_workload scene_workload(const std::string& kind, const std::string& model, std::size_t bodies, std::size_t frames,
                               std::uint64_t seed);
 

@@ -10,13 +10,13 @@
 
 namespace tetracone::experiments {
 
-/// Poses of all bodies and frames: a page of more would be too large for a browser.
+/// The largest number of poses over all bodies and frames: a larger page would not fit a browser.
 constexpr std::size_t most_poses = 400'000;
 
-/// All that a page shows of a scene file, as one line of JSON; experiments/viewer/page/scene.js reads it: `models`, of
-/// each `vertices` and the corners of its `triangles`; of each of the `bodies` its model; `frames`, of each the poses;
-/// `pairs`, of each frame those that collide. Throws covering::Input_error for bad input, for more than `most_poses`
-/// and for models of more triangles than a page of two bodies takes.
+/// Returns all that a page shows of a scene file, as one line of JSON; experiments/viewer/page/scene.js reads it. It
+/// has `models`, each with `vertices` and the corners of its `triangles`; `bodies`, each by its model; `frames`, each
+/// with its poses; and `pairs`, the colliding ones of each frame. Throws covering::Input_error for bad input, for more
+/// than `most_poses` and for models of more triangles than a page of two bodies takes.
 std::string scene_data(const std::filesystem::path& file, kernel::Question question, const Model_options& models);
 
 }  // namespace tetracone::experiments

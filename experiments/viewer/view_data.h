@@ -12,10 +12,10 @@
 
 namespace tetracone::experiments {
 
-/// Triangles of all bodies. A page of more than `most_detailed` has no covering, nodes, hull or features; of more than
-/// `most_triangles` there is none. Both take time linear in the triangles.
+/// Limits of the triangles of all bodies. A page of more than `most_detailed` has no covering, nodes, hull or features;
+/// no page is made of more than `most_triangles`. Both take time linear in the triangles.
 constexpr std::size_t most_detailed = 50'000, most_triangles = 1'000'000;
-/// Where the paper's query leaves more pairs of leaves, no features are looked for.
+/// The largest number of pairs of leaves left by the paper's query for which features are computed.
 constexpr std::size_t most_leaf_pairs = 100'000;
 
 /// Returns the triangles by which every face is drawn: the face itself, or the triangles that cover it exactly. A face
@@ -36,8 +36,8 @@ std::vector<covering::Face_triangle> drawn_triangles(const covering::Polyhedron&
 ///  - `features`, for each pose: body, edge, face, kind of contact, and 0 if the subject finds it too, 1 if it misses
 ///    it, 2 if only it finds it;
 ///  - `left`, for each pose: the pairs of leaves of the two trees that the paper's query does not discard, as the
-///    leaves of A and those of B. A pose with more than `most_leaf_pairs` has none, and null as its
-///    number of features. A predicate's case has answers only;
+///    leaves of A and those of B. A pose with more than `most_leaf_pairs` has none, and null as its number of
+///    features. A predicate's case has answers only;
 ///  - `nearest`, for each pose: the distance, the two nearest points and the features that contain them;
 ///  - `contacts`, for each pose: where faces meet, as segments of six numbers; a polygon is given by its border;
 ///  - `motion`, for two moving bodies: the times of the poses; `first`: the doubles around the first contact;

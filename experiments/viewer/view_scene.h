@@ -13,7 +13,7 @@
 
 namespace tetracone::experiments {
 
-/// Two bodies in motion until they first meet, or to the end: the poses of the scene are theirs at these times.
+/// Two bodies in motion until they first meet, or to the end; the scene's poses are at these times.
 struct View_motion {
   std::vector<double> times;
   std::optional<First_contact> first;
@@ -30,9 +30,9 @@ struct View_scene {
   std::optional<View_motion> motion;
 };
 
-/// Reads a scene. The bodies of a predicate's case are the points, segments, triangles and tetrahedra that it is asked
-/// of. `question`: that of two bodies; nothing: solid, or the case file's own. Throws covering::Input_error for bad
-/// input and CLI::ValidationError for names that do not go together.
+/// Reads a scene. The bodies of a predicate's case are the points, segments, triangles and tetrahedra of the predicate.
+/// `question` is the question of two bodies; nothing means solid, or the case file's own. Throws covering::Input_error
+/// for bad input and CLI::ValidationError for names that exclude each other.
 View_scene read_view_scene(const Scene_names& names, std::optional<kernel::Question> question);
 
 /// Reads a scene of one motion of two models, and follows it to the first contact. Times at which a linear motion is

@@ -55,7 +55,7 @@ Object_case apart_across_edges(Random& random, double exponent)
   return placed(random, contact, power_of_two(int(exponent)));
 }
 
-/// Cubes with parallel faces and edges: all points of two faces, of two edges, or two vertices are the nearest.
+/// Cubes with parallel faces and edges. The nearest points are all points of two faces, of two edges, or two vertices.
 Object_case parallel(Random& random, double which)
 {
   const Shape& cube = blocks()[unit_cube_block];
@@ -66,7 +66,7 @@ Object_case parallel(Random& random, double which)
   return placed(random, cube.body, cube.body, moved(Pose(), shift), exact_motion(random));
 }
 
-/// A body and its mirror image beyond a plane: all points that are nearest to the plane are as near.
+/// A body and its mirror image beyond a plane: every point of the body nearest to the plane has the least distance.
 Object_case mirrored(Random& random, double exponent)
 {
   const Shape& a = any_shape(random);
@@ -108,7 +108,7 @@ Object_case far(Random& random, double exponent)
   return placed(random, contact, power_of_two(int(exponent)));
 }
 
-/// In a cavity, off its middle by 2^-k of its size: a body between walls that are nearly as near.
+/// A body in a cavity, off its middle by 2^-k of its size: opposite walls are nearly equally near.
 Object_case between_walls(Random& random, double k)
 {
   const Shape& outer = blocks()[cavity_block];
@@ -197,7 +197,7 @@ const std::vector<Family>& distance_families()
          nullptr,
          between_walls},
     };
-    // From where they were first numbered, so that families of pairs may still be added.
+    // Numbers start where these families were first numbered, so that families of pairs may still be added.
     int number = 49;
     for (Family& family : all) family.number = ++number;
     return all;

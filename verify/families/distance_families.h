@@ -8,11 +8,11 @@
 
 namespace tetracone::verify {
 
-/// Families of bodies apart, on the object level alone, on which distances are degenerate: many pairs of features are
-/// the nearest, or two that differ by a little; their numbers follow those of `families()`.
+/// Returns the families of separate bodies with degenerate distances, on the object level only: many pairs of features
+/// are nearest, or two that differ slightly. Their numbers follow those of `families()`.
 const std::vector<Family>& distance_families();
 
-/// The family of this name; null when there is none.
+/// Returns the family of this name; null when there is none.
 const Family* find_distance_family(std::string_view name);
 
 }  // namespace tetracone::verify

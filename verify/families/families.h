@@ -28,10 +28,10 @@ struct Family {
   Object_case object_case(std::uint64_t seed, std::uint64_t index) const;
 };
 
-/// All families, in the order of their numbers.
+/// Returns all families, in the order of their numbers.
 const std::vector<Family>& families();
 
-/// The family of this name; null when there is none.
+/// Returns the family of this name; null when there is none.
 const Family* find_family(std::string_view name);
 
 }  // namespace tetracone::verify

@@ -7,7 +7,7 @@
 
 namespace tetracone::verify {
 
-/// A family as lists and reports describe it.
+/// The description of a family in lists and reports.
 struct Family_line {
   std::string_view levels;     ///< that ask its cases: names of `level_name`, a space between two
   std::string_view name;       ///< what --family takes
@@ -16,10 +16,10 @@ struct Family_line {
   std::vector<double> sweep;   ///< the values of the parameter, in turn
 };
 
-/// All families of all levels.
+/// Returns all families of all levels.
 std::vector<Family_line> family_lines();
 
-/// The different values of the sweep in their order, a space between two.
+/// Returns the different values of the sweep in their order, separated by spaces.
 std::string sweep_text(const Family_line& line);
 
 }  // namespace tetracone::verify

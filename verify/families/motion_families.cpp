@@ -67,7 +67,7 @@ Moving_pair in_frame(const Frame& frame, Moving_pair pair)
   return pair;
 }
 
-/// In one case of three, with one coordinate moved to a neighbouring double.
+/// Moves one coordinate to a neighbouring double in one case of three.
 Moving_pair nudged(Random& random, Moving_pair pair)
 {
   if (below(random, 3) != 0) return pair;
@@ -120,7 +120,7 @@ Moving_pair coplanar(Random& random, Moving_kind kind)
   return in_frame(Frame(random), pair);
 }
 
-/// A contact at so many quarters of the time, of chosen points of both primitives, on their borders too.
+/// A contact at `quarter` quarters of the time, of chosen points of both primitives, on their borders too.
 Moving_pair touching(Random& random, Moving_kind kind, int quarter)
 {
   const auto grid = [&] { return integer(random, 64); };
@@ -203,7 +203,7 @@ Moving_pair any_but_scaled(Random& random, Moving_kind kind)
   return makes[static_cast<std::size_t>(below(random, makes.size()))](random, kind);
 }
 
-/// Each axis scaled by a power of two of its own: tiny and huge motions.
+/// Scales each axis by its own power of two: tiny and huge motions.
 Moving_pair scaled_axes(Random& random, Moving_kind kind)
 {
   Moving_pair pair = any_but_scaled(random, kind);

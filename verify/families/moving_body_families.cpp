@@ -76,7 +76,7 @@ Numbers turned(const Rotation& r, const Vector& t)
 
 Numbers rigid(double w, double x, double y, double z, const Vector& t) { return {w, x, y, z, t[0], t[1], t[2]}; }
 
-/// By one of three neighbours.
+/// Moves x to a neighbouring double, or leaves it.
 double nudged(Random& random, double x)
 {
   const int way = below(random, 3);
@@ -213,7 +213,7 @@ Moving_bodies at_end(Random& random)
   return c;
 }
 
-/// Those before with all lengths times a power of two, or with motions of a few ulps.
+/// The families above with all lengths times a power of two, or with motions of a few ulps.
 Moving_bodies tiny_and_huge(Random& random)
 {
   constexpr std::array makes = {anywhere, grazing, tunnelling, nested};
@@ -249,8 +249,8 @@ Rational fraction(Random& random, int exponent)
   return Rational(power_of_two(exponent) * (2 * below(random, 9) + 1) / 3);
 }
 
-/// Those before with each body's coordinates times a power of two that its poses undo by fractions, and all of space
-/// made smaller; quaternions of fractions that are rounded to denormals, or to 0.
+/// The families above with each body's coordinates times a power of two that its poses undo by fractions, and all of
+/// space shrunk; quaternions are of fractions that round to denormals, or to 0.
 Moving_bodies tiny_fractions(Random& random)
 {
   constexpr std::array makes = {anywhere, grazing,   double_contact, tunnelling, nested,   at_end,

@@ -21,7 +21,7 @@ struct Moving_body_family {
 
 std::span<const Moving_body_family> moving_body_families();
 
-/// The family of this name; null when there is none.
+/// Returns the family of this name; null when there is none.
 const Moving_body_family* find_moving_body_family(std::string_view name);
 
 /// Case `index` of a family. The case is equal on every machine.

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-/// Small configurations that have been answered wrongly somewhere: two tetrahedra each, no poses.
+/// Small configurations that some subject answered wrongly: two tetrahedra each, without poses.
 namespace tetracone::verify::object_family {
 
 struct Corpus_entry {

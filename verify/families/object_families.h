@@ -6,8 +6,8 @@
 
 #include <vector>
 
-/// The families' object level, each by the name that it has in `families()`, by theme: object_families_THEME.cpp.
-/// Random state and parameter in, all but `origin` out.
+/// The families' object level by theme, each generator with its name in `families()`: object_families_THEME.cpp.
+/// Generators take the random state and the parameter, and return everything except `origin`.
 namespace tetracone::verify::object_family {
 
 using Generator = Object_case(Random&, double);
@@ -33,7 +33,7 @@ Generator special_poses, true_rotation, shear, nearly_singular, drifted_rotation
 // motions: ends of sweeps, and the corpus
 Generator swept_contact, swept_primitives, corpus;
 
-/// Cases of `wild`, one after another on the same two bodies, for what a query keeps from pose to pose.
+/// Returns consecutive cases of `wild` on the same two bodies, to test what a query keeps from pose to pose.
 std::vector<Object_case> wild_run(Random& random, double parameter, int count);
 
 }  // namespace tetracone::verify::object_family

@@ -96,8 +96,9 @@ const std::vector<Scene>& scenes()
 
 }  // namespace
 
-/// B comes along a way from free to colliding in `parameter` bisections, each to a double; then the last free place or
-/// the first colliding one. A plane between the bodies tells on which side it is.
+/// B moves along a path, and `parameter` bisections, each rounded to double, narrow the interval from free to
+/// colliding. The case is the last free position or the first colliding one. A plane between the bodies tells on which
+/// side it is.
 Object_case swept_contact(Random& random, double parameter)
 {
   const Touching contact = any_separated(random);
@@ -137,7 +138,7 @@ Object_case swept_contact(Random& random, double parameter)
   return last_free ? with_answer(c, false) : c;
 }
 
-/// The ends of sweeps: at the place itself, a hair before it or behind it, or where the sweep began.
+/// The ends of sweeps: exactly at the contact, slightly before it or behind it, or at the sweep's start.
 Object_case swept_primitives(Random& random, double parameter)
 {
   const Scene& scene = scenes()[static_cast<int>(parameter)];
@@ -150,7 +151,7 @@ Object_case swept_primitives(Random& random, double parameter)
   return placed(random, scene.still.body, coming.body, moved(turn, shift), exact_motion(random));
 }
 
-/// One coordinate of an entry changed by so many ulps, its bodies turned as a whole; now and then B is a hair aside.
+/// Changes one coordinate of an entry by some ulps and turns its bodies as a whole; sometimes B is slightly aside.
 Object_case corpus(Random& random, double parameter)
 {
   Corpus_entry entry = object_corpus()[random.bits() % object_corpus().size()];

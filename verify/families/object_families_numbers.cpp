@@ -22,7 +22,7 @@ double of_bits(double x, int bits)
   return std::ldexp(std::floor(std::ldexp(mantissa, bits) + 0.5), exponent - bits);
 }
 
-/// The pose's translation, rounded to so many bits; its linear part to doubles.
+/// The pose with its translation rounded to `bits` bits, and its linear part to doubles.
 Pose with_translation_of_bits(const Pose& pose, int bits)
 {
   std::array<double, 12> entries = pose.entries();
@@ -32,7 +32,7 @@ Pose with_translation_of_bits(const Pose& pose, int bits)
 
 double ulp(double x) { return std::nextafter(std::abs(x), HUGE_VAL) - std::abs(x); }
 
-/// A motion that rounds nothing that is a double.
+/// A motion that keeps doubles exact.
 Motion motion_of_doubles(Random& random)
 {
   return std::array{Motion::identity, Motion::identity, Motion::permutation}[random.bits() % 3];
@@ -101,7 +101,7 @@ Object_case ulps_off_plane(Random& random, double parameter)
   return away ? with_answer(c, false) : c;
 }
 
-/// A coordinate of B's translation, changed by a share of it.
+/// Changes a coordinate of B's translation by a fraction of it.
 Object_case perturbed_zero(Random& random, double parameter)
 {
   const Touching contact = any_contact(random, any_turn(random));
@@ -175,7 +175,7 @@ Object_case decimal_grid(Random& random, double parameter)
   return with_answer(c, meet);
 }
 
-/// Contacts of floats, and B moved by one unit of the last of so many bits more.
+/// Exact contacts, or B moved by one unit of the last of 24 + `parameter` bits, which floats do not have.
 Object_case float_widened(Random& random, double parameter)
 {
   const int bits = 24 + static_cast<int>(parameter);

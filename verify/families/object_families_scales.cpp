@@ -52,7 +52,7 @@ Pose axis_turn(Random& random)
   return scaling(sign(0), sign(1), sign(2));
 }
 
-/// 0, or up to 8 of 2^exponent each way.
+/// Returns 0, or a multiple of 2^exponent of up to 8 in either direction.
 Rational few(Random& random, int exponent)
 {
   if (random.bits() % 2 == 0) return 0;
@@ -61,7 +61,7 @@ Rational few(Random& random, int exponent)
 
 }  // namespace
 
-/// Contacts moved away by their poses or with their vertices; off by a few ulps of there.
+/// Contacts moved far away by their poses or with their vertices, with an error of a few ulps there.
 Object_case far_from_origin(Random& random, double parameter)
 {
   const int f = static_cast<int>(parameter);

@@ -11,19 +11,19 @@
 
 namespace tetracone::verify {
 
-/// A body with what points and rays are placed by.
+/// A body with the data by which points and rays are placed.
 struct Probed_body {
   std::shared_ptr<const covering::Polyhedron> body;
   kernel::Vertex origin{};       ///< of its covering
   kernel::Vertex low{}, high{};  ///< its box
 };
 
-/// A point, and the direction of the ray from it; 0 where a point is all.
+/// A point, and the direction of the ray from it; 0 for a point alone.
 struct Probe {
   kernel::Vertex from{}, direction{};
 };
 
-/// A named generator of points, or of rays, that stand degenerately to a body: (seed, index) -> case.
+/// A named generator of points or rays in degenerate positions to a body: (seed, index) -> case.
 struct Probe_family {
   int number;                  ///< from 1, points and rays together
   std::string_view name;       ///< of lower-case words joined by '-'; the first is point or ray
@@ -43,13 +43,13 @@ struct Probe_family {
   static constexpr std::size_t most_faces = 300;
 };
 
-/// Those of points, in the order of their numbers.
+/// Returns the families of points, in the order of their numbers.
 const std::vector<Probe_family>& point_families();
 
-/// Those of rays, in the order of their numbers.
+/// Returns the families of rays, in the order of their numbers.
 const std::vector<Probe_family>& ray_families();
 
-/// The family of this name, of points or of rays; null when there is none.
+/// Returns the family of points or rays of this name; null when there is none.
 const Probe_family* find_probe_family(std::string_view name);
 
 }  // namespace tetracone::verify

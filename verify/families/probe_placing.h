@@ -11,8 +11,8 @@
 #include <cstddef>
 #include <limits>
 
-/// Points in, on and about a body, from which the families of points and rays are made. Constructed in rationals, and
-/// exact where doubles can have them. At most one argument of a call draws from `random`.
+/// Points in, on and near a body, from which the families of points and rays are made. They are constructed in
+/// rationals, and exact where doubles allow it. At most one argument of a call draws from `random`.
 namespace tetracone::verify::probe_family {
 
 using covering::Index;
@@ -21,10 +21,10 @@ using kernel::Vertex;
 using object_family::exact;
 using object_family::Exact_vector;
 
-/// From `low` to `high`.
+/// Returns an integer from `low` to `high`.
 inline int integer(Random& random, int low, int high) { return low + int(one_of(random, std::size_t(high - low + 1))); }
 
-/// The vertex nearest to `v`; what is beyond the doubles is the largest.
+/// Returns the vertex nearest to `v`; a coordinate beyond the doubles becomes the largest double.
 inline Vertex nearest(const Exact_vector& v)
 {
   Vertex rounded = object_family::rounded(v);
@@ -39,7 +39,7 @@ inline double share(Random& random, int bits)
   return std::ldexp(1 + double(random.bits() % ((std::uint64_t(1) << bits) - 1)), -bits);
 }
 
-/// A corner of a face and the two after it in its loop.
+/// Returns a corner of a face and the two after it in its loop.
 inline std::array<Vertex, 3> any_corners(Random& random, const Probed_body& of)
 {
   const covering::Polyhedron& body = *of.body;
@@ -81,14 +81,14 @@ inline Vertex on_face(Random& random, const Probed_body& body, int bits)
   return nearest(spanned(corners, Rational(s), Rational(t)));
 }
 
-/// 0: a vertex, 1: a point of an edge, 2: of a face.
+/// Returns a vertex for dimension 0, a point of an edge for 1, of a face for 2.
 inline Vertex on_surface(Random& random, const Probed_body& body, int dimension)
 {
   if (dimension == 0) return any_corners(random, body)[0];
   return dimension == 1 ? on_edge(random, body, 3) : on_face(random, body, 3);
 }
 
-/// One coordinate or all, each `ulps` doubles higher or lower; not beyond the largest.
+/// Moves one coordinate or all, each `ulps` doubles up or down, but not beyond the largest double.
 inline Vertex next_to(Random& random, Vertex p, int ulps)
 {
   const std::size_t only = one_of(random, 4);
@@ -100,7 +100,7 @@ inline Vertex next_to(Random& random, Vertex p, int ulps)
   return p;
 }
 
-/// In the box, grown by a tenth: any doubles, or where each side is cut in `parts`.
+/// A point in the body's box, grown by a tenth: of any doubles, or on a grid that divides each side into `parts`.
 inline Vertex anywhere(Random& random, const Probed_body& body, int parts)
 {
   Vertex p;
@@ -112,7 +112,7 @@ inline Vertex anywhere(Random& random, const Probed_body& body, int parts)
   return p;
 }
 
-/// Each coordinate that of some vertex: on planes and lines of bodies that stand along the axes.
+/// A point with coordinates of vertices: on planes and lines of bodies that are parallel to the axes.
 inline Vertex of_coordinates(Random& random, const Probed_body& body)
 {
   Vertex p;

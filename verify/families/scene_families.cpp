@@ -19,7 +19,7 @@ using namespace object_family;
 
 constexpr int frame_count = 8;
 
-/// A scene as it is played: what stands now, and the frames so far.
+/// A scene during its making: the present bodies, and the frames so far.
 class Play {
  public:
   explicit Play(Random& random) : random_(random) {}
@@ -36,7 +36,7 @@ class Play {
   }
   std::size_t any_model() { return one_below(made_.models.size()); }
 
-  /// A body of a model, which is there from now on. Returns its number.
+  /// Adds a body of a model, which exists from now on. Returns its number.
   std::size_t add_body(std::size_t model, const Pose& pose)
   {
     now_.bodies.push_back(Scene_case::Standing{model, pose});
@@ -51,7 +51,7 @@ class Play {
   std::size_t one_below(std::size_t count) { return random_.bits() % count; }
   bool one_in(std::size_t count) { return one_below(count) == 0; }
 
-  /// change(number of the frame) comes before each frame but the first.
+  /// Calls change(frame number) before each frame except the first.
   template <class Change>
   Scene_case frames(const Change& change)
   {
@@ -96,7 +96,7 @@ void drift(Random& random, Rigid& rigid, double by)
   for (double& q : rigid.turn) q += by * random.symmetric();
 }
 
-/// Bodies in a cube, as many as are given, each of any model.
+/// Adds `count` bodies of any models in a cube.
 std::vector<Rigid> add_rigid_bodies(Random& random, Play& play, int count, double size)
 {
   std::vector<Rigid> all;
@@ -219,7 +219,7 @@ void add_grid_bodies(Random& random, Play& play, int count)
   }
 }
 
-/// One coordinate of a pose moved by so many ulps of 1.
+/// Moves one coordinate of a pose by `ulps` ulps of 1.
 Pose nudged(Random& random, const Pose& pose, double ulps)
 {
   Exact_vector shift{0, 0, 0};
@@ -227,7 +227,7 @@ Pose nudged(Random& random, const Pose& pose, double ulps)
   return moved(pose, shift);
 }
 
-/// Exactly touching, or beside it by so many ulps.
+/// Bodies that touch exactly, or are `ulps` ulps apart.
 Scene_case on_a_grid(Random& random, double ulps)
 {
   Play play(random);
@@ -298,7 +298,7 @@ Scene_case changing_models(Random& random, double moves)
   });
 }
 
-/// Pairs are ignored as time goes on, so many a frame.
+/// A scene in which `pairs` more pairs are ignored in each frame.
 Scene_case ignoring(Random& random, double pairs)
 {
   Play play(random);

@@ -10,8 +10,8 @@
 
 namespace tetracone::verify {
 
-/// A named generator of scenes: (seed, index) -> case. What frames have in common is what a scene keeps from one to the
-/// next; what they have not is what it must forget.
+/// A named generator of scenes: (seed, index) -> case. A scene keeps the common part of consecutive frames, and must
+/// forget the rest.
 struct Scene_family {
   int number;                  ///< from 1
   std::string_view name;       ///< of lower-case words joined by '-'; the first is scene
@@ -19,17 +19,17 @@ struct Scene_family {
   std::string_view parameter;  ///< what the parameter means
   std::vector<double> sweep;   ///< the values that the parameter takes in turn
 
-  /// A scene of some frames; its question and its origin are not known yet.
+  /// Makes a scene of some frames, without its question and origin.
   Scene_case (*make)(Random& random, double parameter);
 
   /// Case `index` of the family, for either question. The case is equal on every machine and in any order of calls.
   Scene_case scene_case(std::uint64_t seed, std::uint64_t index) const;
 };
 
-/// All of them, in the order of their numbers.
+/// Returns all of them, in the order of their numbers.
 const std::vector<Scene_family>& scene_families();
 
-/// The family of this name; null when there is none.
+/// Returns the family of this name; null when there is none.
 const Scene_family* find_scene_family(std::string_view name);
 
 }  // namespace tetracone::verify

@@ -13,7 +13,7 @@ namespace {
 
 using namespace object_family;
 
-/// Where B is in frame k, in A's frame.
+/// B's pose in frame k, in A's frame.
 using Track = std::function<Pose(int k)>;
 
 /// A motion before it is turned, with the answers that hold in every frame, if any.
@@ -25,7 +25,7 @@ struct Motion_of_two {
   std::optional<int> changes;
 };
 
-/// Shares of a way for `frames` frames: multiples of a power of two in [0, 1].
+/// Returns the fraction of a path in frame k of `frames`: a multiple of a power of two in [0, 1].
 double share(int k, int frames)
 {
   double step = 1;
@@ -40,7 +40,8 @@ const Shape& block(std::size_t k) { return blocks()[k]; }
 
 Body a_box(const kernel::Vertex& low, const kernel::Vertex& high) { return shared(box(low, high)); }
 
-/// Standing on its lowest face, edge or vertex after `turn`, on the point of the plane z = height.
+/// Returns the pose in which B stands, after `turn`, with its lowest face, edge or vertex on the point of the plane z =
+/// height.
 Pose standing(const Body& b, const Pose& turn, const Exact_vector& point)
 {
   return resting(*b, turn, point, vector(0, 0, 1));
@@ -56,8 +57,8 @@ std::vector<Motion_of_two> slidings(Random& random, int frames)
   };
   const auto along_floor = [frames](int k) { return vector(-1 + 2 * share(k, frames), 0.5 - share(k, frames) / 2, 0); };
 
-  // What stands on the floor: its lowest face, edge or vertex is on the plane in every frame, and never beyond the
-  // floor's border.
+  // Bodies that stand on the floor: the lowest face, edge or vertex is on the plane in every frame, and never beyond
+  // the floor's border.
   const Pose tilted = Pose::from_quaternion(2, 1, 0, 0),
              any = composed(Pose::from_quaternion(3, 1, -1, 1), rational_rotation(random, 3));
   for (const auto& [body, what] : {std::pair<std::size_t, const char*>{unit_cube_block, "cube"},
@@ -125,7 +126,8 @@ std::vector<Motion_of_two> rollings(int frames)
   return list;
 }
 
-/// Through contact from free to deep: the answer changes once. And past each other an ulp away: it never does.
+/// Passages through contact from free to deep, where the answer changes once; and past each other an ulp away, where it
+/// never changes.
 std::vector<Motion_of_two> passages(Random& random, int frames)
 {
   const Body cube = block(unit_cube_block).body;
@@ -169,7 +171,7 @@ std::vector<Motion_of_two> passages(Random& random, int frames)
   return list;
 }
 
-/// In a cavity and in a tunnel: along the wall, an ulp off it, and of exactly the tunnel's width.
+/// Bodies in a cavity and in a tunnel: along the wall, an ulp off it, and of exactly the tunnel's width.
 std::vector<Motion_of_two> enclosures(Random& random, int frames)
 {
   std::vector<Motion_of_two> list;

@@ -8,7 +8,7 @@
 
 namespace tetracone::verify {
 
-/// Doubles from bytes: raw ones below `limit`, or small numbers, which meet more often. Zeros where the bytes end.
+/// Doubles from bytes: raw ones below `limit`, or small numbers, which meet more often. Zeros follow the last byte.
 class Doubles {
  public:
   Doubles(const std::uint8_t* data, std::size_t size, double limit) : data_(data), size_(size), limit_(limit) {}

@@ -1,4 +1,4 @@
-// A case file of any bytes: read or refused with Input_error; what is read is written and read again as the same.
+// Reads a case file of any bytes. It must be refused with Input_error, or be written and read again as an equal case.
 
 #include "tetracone/covering/io/input_error.h"
 #include "verify/cases/case_file.h"

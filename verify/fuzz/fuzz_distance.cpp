@@ -1,5 +1,5 @@
-// Two small bodies and up to four pairs of poses from raw bytes: their distances, the nearest points and what is within
-// a limit are what all pairs of elements give in rational arithmetic.
+// Makes two small bodies and up to four pairs of poses from raw bytes. Their distances, nearest points and limits must
+// be those of all pairs of elements in rational arithmetic.
 
 #include "tetracone/tetratree/fast/bvh8_distance.h"
 #include "verify/fuzz/doubles.h"

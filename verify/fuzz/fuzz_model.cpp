@@ -1,5 +1,5 @@
-// A model file of any bytes: read, checked and repaired, or refused with Input_error; nothing else. The environment's
-// FORMAT is the suffix.
+// Reads a model file of any bytes. It must be checked and repaired, or refused with Input_error; nothing else. The
+// environment variable FORMAT is the suffix.
 
 #include "tetracone/covering/check.h"
 #include "tetracone/covering/covering.h"
@@ -32,7 +32,7 @@ void tetracone::verify::fuzz_model(const std::uint8_t* data, std::size_t size)
   const covering::Check check = covering::check(polyhedron);
   const auto repaired = covering::triangulate_non_planar(polyhedron);
   const auto oriented = covering::orient(polyhedron);
-  // What was said must hold: repair leaves planar faces only, and keeps what was closed closed.
+  // The contract of repair: it leaves only planar faces, and keeps a closed body closed.
   if (!covering::triangulate_non_planar(repaired.polyhedron).replaced.empty()) std::abort();
   if (covering::is_closed(polyhedron) && !covering::is_closed(repaired.polyhedron)) std::abort();
   if (covering::is_closed(polyhedron) != check.open_edges.empty()) std::abort();

@@ -1,5 +1,5 @@
-// A small body and up to eight points and rays from raw bytes: where the locator says that they are, and what the tree
-// says that they meet, is what all pairs of elements give in rational arithmetic.
+// Makes a small body and up to eight points and rays from raw bytes. The locator's positions and the tree's hits must
+// be those of all pairs of elements in rational arithmetic.
 
 #include "tetracone/tetratree/fast/bvh8_rays.h"
 #include "tetracone/tetratree/locator/point_locator.h"

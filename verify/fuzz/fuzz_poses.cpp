@@ -1,4 +1,4 @@
-// A file of poses, or of points, of any bytes: read or refused with Input_error; nothing else.
+// Reads a file of poses, or of points, of any bytes. It must be read or refused with Input_error; nothing else.
 
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/io/read_points.h"

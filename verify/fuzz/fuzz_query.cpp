@@ -1,6 +1,6 @@
-// Two small bodies and up to eight pairs of poses from raw bytes: what the fast tree and the paper's tree answer, with
-// and without the memory of the last pose, is what all pairs of elements give in rational arithmetic; and no box of a
-// scene parts bodies that meet.
+// Makes two small bodies and up to eight pairs of poses from raw bytes. The answers of the fast tree and the paper's
+// tree, with and without the memory of the last pose, must be those of all pairs of elements in rational arithmetic. No
+// box of a scene may separate bodies that meet.
 
 #include "tetracone/kernel/predicate/kernels.h"
 #include "tetracone/tetratree/fast/bvh8_collision.h"
@@ -23,7 +23,7 @@ using kernel::Question;
 
 namespace {
 
-/// What a scene keeps of a body that is placed for the first time, and where it went next.
+/// A scene's data of a body that is placed for the first time, and its next position.
 struct In_a_scene {
   tetratree::Body_extent extent;
   tetratree::Support_table table;

@@ -34,8 +34,8 @@ const verify::Scratch_file& file()
   return scratch;
 }
 
-/// As `save_body` writes them: a tetrahedron, a cube of polygons, a cube with a tunnel, whose faces have holes, and 32
-/// triangles.
+/// Bodies as `save_body` writes them: a tetrahedron, a cube of polygons, a cube with a tunnel, whose faces have holes,
+/// and 32 triangles.
 std::vector<std::string> saved_bodies()
 {
   verify::scenes::Random random(1);
@@ -55,7 +55,8 @@ std::vector<std::string> saved_bodies()
 /// The ends of the gap in a saved body between its arrays and its nodes: zeros without meaning.
 constexpr std::size_t arrays_end = 4096, nodes_begin = 65536;
 
-/// Each eleven bytes say what is changed: which word, of four bytes or eight, how, and by what.
+/// Applies the changes. Eleven bytes select each one: the word, its length of four bytes or eight, the operation, and
+/// the operand.
 std::string changed(std::string bytes, const std::uint8_t* data, std::size_t size)
 {
   for (; size >= 11; data += 11, size -= 11) {

@@ -1,5 +1,5 @@
-// Any five points and two poses: every sign of the adaptive kernel is that of rational arithmetic, and so is what a
-// segment and a triangle have in common.
+// Makes any five points and two poses. Every sign of the adaptive kernel must be that of rational arithmetic, and so
+// must the contact of a segment and a triangle.
 
 #include "tetracone/kernel/predicate/frame.h"
 #include "tetracone/kernel/predicate/segment_face.h"

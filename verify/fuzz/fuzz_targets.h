@@ -7,7 +7,7 @@
 
 namespace tetracone::verify {
 
-// What libFuzzer asks of any bytes, one of these a run: each aborts where something that must hold does not.
+// The targets of libFuzzer, one of which is run with any bytes. Each aborts when a required property does not hold.
 void fuzz_case(const std::uint8_t* data, std::size_t size);
 void fuzz_distance(const std::uint8_t* data, std::size_t size);
 void fuzz_model(const std::uint8_t* data, std::size_t size);

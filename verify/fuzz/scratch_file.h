@@ -10,8 +10,8 @@
 
 namespace tetracone::verify {
 
-/// A file of this process in memory where there is such a folder, for readers that want a path. Removed with this
-/// object.
+/// A file of this process, in memory if there is such a folder, for readers that need a path. The destructor removes
+/// it.
 class Scratch_file {
  public:
   explicit Scratch_file(const std::string& suffix)

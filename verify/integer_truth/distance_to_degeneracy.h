@@ -5,9 +5,9 @@
 
 namespace tetracone::verify {
 
-/// Distance of a case from degeneracy, in exact arithmetic: the least over the determinants D whose signs decide it, of
-/// each measure by itself. No magnitude of coordinates overflows or underflows it; a logarithm is right to some 1e-12.
-/// Minus infinity: exactly degenerate. Plus infinity: no determinant was needed.
+/// The distance of a case from degeneracy, in exact arithmetic: for each measure the least over the determinants D
+/// whose signs decide it. Coordinates of any magnitude neither overflow nor underflow it; a logarithm has an error of
+/// some 1e-12. Minus infinity: exactly degenerate. Plus infinity: no determinant was needed.
 struct Distance {
   double log2_rho;   ///< log2 of |D| / P, P the sum of the absolute values of the products of D's differences: rounding
                      ///< errs below some u
@@ -15,16 +15,17 @@ struct Distance {
                      ///< largest coordinate
 };
 
-/// The determinants of a predicate, [a b c x] being the side of x against the plane of a, b, c, and differences being
-/// taken to x:
+/// The distance over the determinants of a predicate. [a b c x] is the side of x of the plane of a, b, c; differences
+/// are taken to x.
 ///  - orientation: [v1 v2 v3 p];
 ///  - tetra-cone: its volume [v1 v2 v3 v0], and p against its three planes; tetrahedron: against its four;
-///  - segment-triangle: p and q against the plane of v1 v2 v3, and the line pq against the three edges' lines;
+///  - segment-triangle: p and q against the plane of v1 v2 v3, and the line pq against the lines of the three edges;
 ///  - solid: p and the covering's origin q against the four planes, p against the six inner ones, through q and an
-///  edge;
+///    edge;
 ///  - classification: the two volumes, p q r against the cone's planes, and v1 v2 v3 against the planes through v0 and
-///  the edges of p q r.
-/// The largest coordinate is that of the points named.
+///    the edges of p q r.
+///
+/// The largest coordinate is taken over the named points.
 Distance distance(Predicate predicate, const Predicate_case& c);
 
 /// The distance over pairs of an edge of one body and a face of the other whose boxes meet when grown by 2^-20 of their

@@ -16,7 +16,7 @@ namespace tetracone::verify {
 
 using covering::Index;
 
-/// Loops of a face seen along an axis, about a point y.
+/// The turns of a face's loops about a point y, seen along an axis.
 struct Turns {
   bool on_loop = false;  ///< y is on a loop
   int winding = 0;       ///< about y, or where y is on a loop, about y moved by (e, e^2), e > 0 and infinitesimal
@@ -28,7 +28,7 @@ class Integer_body {
  public:
   using Edge = std::pair<Index, Index>;
 
-  /// The points are the images of the polyhedron's vertices. Requires that the polyhedron outlives this.
+  /// Requires the images of the polyhedron's vertices as points, and that the polyhedron outlives this.
   Integer_body(const covering::Polyhedron& polyhedron, std::vector<Integer_vector> points)
       : polyhedron_(&polyhedron), points_(std::move(points))
   {
@@ -42,7 +42,7 @@ class Integer_body {
   Index vertex_count() const { return Index(points_.size()); }
   Index face_count() const { return Index(polyhedron_->face_count()); }
 
-  /// Edges of the loops without direction, each once. That of a loop of one vertex goes from it to itself.
+  /// Returns the undirected edges of the loops, each once. A loop of one vertex has an edge from that vertex to itself.
   const std::vector<Edge>& edges() const { return edges_; }
 
   /// Calls what(from, to) for all directed edges of a face.
@@ -55,7 +55,7 @@ class Integer_body {
     }
   }
 
-  /// The corners of all loops of a face.
+  /// Returns the corners of all loops of a face.
   std::vector<Index> corners(Index f) const
   {
     std::vector<Index> corners;
@@ -63,11 +63,11 @@ class Integer_body {
     return corners;
   }
 
-  /// A corner of the face, on its plane.
+  /// Returns a corner of the face, on its plane.
   const Integer_vector& corner(Index f) const { return points_[polyhedron_->loop(f, 0)[0]]; }
 
-  /// A normal of the face's plane; nothing when all its corners are on one line. It is the area vector of the loops
-  /// where that is not zero, as it is for loops that cancel one another.
+  /// Returns a normal of the face's plane; nothing when all its corners are on one line. It is the area vector of the
+  /// loops unless that is zero, as it is for loops that cancel one another.
   std::optional<Integer_vector> normal(Index f) const
   {
     Integer_vector area;
@@ -86,7 +86,7 @@ class Integer_body {
     return is_zero(n) ? std::nullopt : std::optional(n);
   }
 
-  /// The face's loops seen along an axis about y = x / w, w > 0.
+  /// Returns the turns of the face's loops about y = x / w, w > 0, seen along an axis.
   Turns turns(Index f, int axis, const Integer_vector& x, const Integer& w) const
   {
     const int i = (axis + 1) % 3, j = (axis + 2) % 3;
@@ -95,9 +95,10 @@ class Integer_body {
     });
   }
 
-  /// The face's loops seen in a plane, where `about(v)` is vertex v as seen from y: by the quadrants about y that their
-  /// corners are in. An edge turns by the quadrants between its ends; between opposite ones the side of y tells which
-  /// way. A coordinate equal to y's counts as less, which is what moving y by (e, e^2) does; so does an edge through y.
+  /// Returns the turns of the face's loops in a plane, where `about(v)` is vertex v relative to y. It counts the
+  /// quadrants about y that contain their corners. An edge turns by the quadrants between its ends. Between opposite
+  /// ones the side of y decides the direction. A coordinate equal to y's counts as less, as if y were moved by (e,
+  /// e^2); so does an edge through y.
   template <class About>
   Turns turns(Index f, const About& about) const
   {
@@ -129,9 +130,9 @@ class Integer_body {
     return result;
   }
 
-  /// One vertex of each part of the surface that hangs together by edges. Loops of a face are parts of their own unless
-  /// they share a vertex. Every point of a face is connected within it to one of its loops, so that no part of the
-  /// surface is left out.
+  /// Returns one vertex of each part of the surface that edges connect. Loops of a face are separate parts unless they
+  /// share a vertex. Every point of a face is connected within it to one of its loops, so no part of the surface is
+  /// left out.
   std::vector<Index> part_vertices() const
   {
     std::vector<Index> parent(points_.size());

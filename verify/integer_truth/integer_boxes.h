@@ -13,7 +13,8 @@
 
 namespace tetracone::verify {
 
-/// A closed box. A bound is its rank among all bounds on its axis: ranks compare as the integers do, and cost an int.
+/// A closed box. A bound is its rank among all bounds on its axis: ranks compare like the integers, at the cost of an
+/// int.
 struct Rank_box {
   std::array<int, 3> low, high;
 
@@ -30,7 +31,7 @@ struct Element_boxes {
   std::vector<Rank_box> vertices, edges, faces;
 };
 
-/// The place of each of `count` values among the different ones.
+/// Returns the rank of each of `count` values among the different ones.
 template <class Value>
 std::vector<int> ranks(std::size_t count, const Value& value)
 {
@@ -62,7 +63,7 @@ inline Element_boxes element_boxes_from(const Integer_body& body, std::vector<Ra
   return {std::move(vertices), std::move(edges), take(body.face_count())};
 }
 
-/// The boxes of two bodies over one denominator.
+/// Returns the boxes of two bodies over one denominator.
 inline std::array<Element_boxes, 2> element_boxes(const Integer_body& a, const Integer_body& b)
 {
   std::array<std::vector<int>, 3> rank;  // of all vertices
@@ -88,7 +89,7 @@ inline std::array<Element_boxes, 2> element_boxes(const Integer_body& a, const I
   return {of(a, 0), of(b, a.vertex_count())};
 }
 
-/// Integers in a box.
+/// A box of integers.
 struct Integer_box {
   Integer_vector low, high;
 
@@ -110,7 +111,7 @@ struct Integer_box {
     return side;
   }
 
-  /// In units of 2^-growth, so that growing by `side` stays in integers.
+  /// Grows the box in units of 2^-growth, so that growing by `side` stays in integers.
   void grow(int growth, const Integer& side)
   {
     for (int i = 0; i < 3; ++i) {
@@ -120,8 +121,8 @@ struct Integer_box {
   }
 };
 
-/// The boxes of two bodies over one denominator, each grown by 2^-growth of its longest side. Those of elements that
-/// are not even near the other body's box meet nothing, whatever is where they are.
+/// Returns the boxes of two bodies over one denominator, each grown by 2^-growth of its longest side. The boxes of
+/// elements that are not near the other body's box meet nothing, whatever lies there.
 inline std::array<Element_boxes, 2> grown_boxes(const Integer_body& a, const Integer_body& b, int growth)
 {
   const auto whole = [](const Integer_body& body) {
@@ -175,8 +176,8 @@ inline std::array<Element_boxes, 2> grown_boxes(const Integer_body& a, const Int
   return {element_boxes_from(a, boxes.begin()), element_boxes_from(b, boxes.begin() + std::ptrdiff_t(of_a))};
 }
 
-/// The numbers of the boxes of either list that meet, (of the first, of the second), in order. By a sweep along the
-/// first axis, so that lists of 10^5 boxes are no matter.
+/// Returns the numbers of the boxes that meet, (of the first list, of the second), in order. It sweeps along the first
+/// axis, so that lists of 10^5 boxes are fast.
 inline std::vector<std::pair<Index, Index>> meeting_boxes(const std::vector<Rank_box>& a,
                                                           const std::vector<Rank_box>& b)
 {

@@ -10,15 +10,16 @@
 #include <utility>
 #include <vector>
 
-/// Where segments, faces and solids of integers meet: what the second truth and the judge of rounded images decide by.
+/// The intersections of segments, faces and solids of integers, by which the second truth and the judge of rounded
+/// images decide.
 namespace tetracone::verify::integer_truth {
 
-/// What two closed segments share, on the first one from 0 to 1.
+/// The intersection of two closed segments, by parameters from 0 to 1 on the first one.
 struct Shared {
   mpq_class first, last;  ///< equal for one point
 };
 
-/// What the closed segments ab and cd share; nothing where they share no point. Either may be a point.
+/// Returns the intersection of the closed segments ab and cd; nothing if they share no point. Either may be a point.
 inline std::optional<Shared> shared(const Integer_vector& a, const Integer_vector& b, const Integer_vector& c,
                                     const Integer_vector& d)
 {
@@ -39,7 +40,7 @@ inline std::optional<Shared> shared(const Integer_vector& a, const Integer_vecto
   const Integer_vector& along = is_zero(u) ? v : u;
   if (!is_zero(cross(w, along))) return std::nullopt;
   if (is_zero(along)) return is_zero(w) ? std::optional(Shared{0, 0}) : std::nullopt;
-  // On one line: as intervals of it, counted from a.
+  // The segments are on one line: they are intervals of it, measured from a.
   const Integer end_u = dot(u, along), start_v = dot(w, along), end_v = start_v + dot(v, along);
   const auto [low_v, high_v] = std::minmax(start_v, end_v);
   const Integer low = std::max(low_v, Integer(0)), high = std::min(high_v, end_u);
@@ -57,7 +58,7 @@ inline int projection_axis(const Integer_vector& n)
   return axis;
 }
 
-/// The point x / w of the face's plane, w > 0, is on the face.
+/// True when the point x / w of the face's plane, w > 0, is on the face.
 inline bool is_on_face(const Integer_body& body, Index f, const Integer_vector& n, const Integer_vector& x,
                        const Integer& w)
 {
@@ -65,7 +66,7 @@ inline bool is_on_face(const Integer_body& body, Index f, const Integer_vector& 
   return turns.on_loop || turns.winding != 0;
 }
 
-/// The closed segment ab and a loop of the face share a point.
+/// True when the closed segment ab and a loop of the face share a point.
 inline bool meets_loops(const Integer_vector& a, const Integer_vector& b, const Integer_body& body, Index f)
 {
   bool meets = false;
@@ -73,11 +74,12 @@ inline bool meets_loops(const Integer_vector& a, const Integer_vector& b, const 
   return meets;
 }
 
-/// The winding number about a point off the surface: the faces above it, each as often as its loops wind about the
-/// point, seen from above. The point is moved by (e, e^2, 0), so that the ray along +z meets no loop. So small a move
-/// changes no winding number off the surface, nor the side of a plane that does not hold the point; and the loops of a
-/// face whose plane holds it wind neither about it, for it is not on the face, nor about any point near it, so that it
-/// does not matter on which side they are counted. Vertical faces are seen as lines and wind about nothing.
+/// Returns the winding number about a point off the surface. It sums over the faces above the point the winding numbers
+/// of their loops about it, seen from above. The point is moved by (e, e^2, 0), so that the ray along +z meets no loop.
+/// Such a small move changes no winding number off the surface, nor the side of a plane that does not contain the
+/// point. The loops of a face whose plane contains the point do not wind about it, since it is not on the face, nor
+/// about any point near it. It does not matter on which side they are counted. Vertical faces are seen as lines and
+/// have winding number 0.
 inline int winding(const Integer_body& body, const std::vector<Rank_box>& face_boxes, const Integer_vector& p,
                    const Rank_box& at)
 {
@@ -96,8 +98,8 @@ inline int winding(const Integer_body& body, const std::vector<Rank_box>& face_b
   return sum;
 }
 
-/// Some part of the one surface is in the other's solid. Requires surfaces that share no point: then the winding number
-/// is the same about all points of a part.
+/// True when some part of one surface is in the other's solid. Requires surfaces that share no point: then the winding
+/// number is constant on each part.
 inline bool contains(const Integer_body& outer, const std::vector<Rank_box>& face_boxes, const Integer_body& inner,
                      const std::vector<Rank_box>& vertex_boxes)
 {

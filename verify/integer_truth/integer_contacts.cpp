@@ -73,8 +73,7 @@ class Side {
                                                                                         : Feature::none;
   }
 
-  /// Whether the face's inside is next to a point of its plane in this direction, and but for the direction itself,
-  /// next to it in the other one.
+  /// True when the face contains the point `place` + e direction + e^2 other of its plane for all small e > 0.
   bool is_beside(const Place& place, const Integer_vector& direction, const Integer_vector& other) const
   {
     return body_

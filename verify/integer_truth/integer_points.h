@@ -11,8 +11,8 @@
 #include <span>
 #include <vector>
 
-/// Placed points in the integers of GMP: what the second truth and the distance to degeneracy compute with. No number
-/// type, predicate or construction of CGAL's; poses and vertices are only read.
+/// Placed points in the integers of GMP, with which the second truth and the distance to degeneracy compute. They use
+/// no number type, predicate or construction of CGAL's; poses and vertices are only read.
 namespace tetracone::verify {
 
 using Integer = mpz_class;
@@ -44,8 +44,8 @@ struct Integer_points {
   }
 };
 
-/// The images of model points under a pose. The denominator is the least common one of the pose's entries, times a
-/// power of two.
+/// Returns the images of model points under a pose. The denominator is the least common one of the pose's entries,
+/// times a power of two.
 inline Integer_points placed(std::span<const kernel::Vertex> vertices, const kernel::Pose& pose)
 {
   std::array<mpq_class, 12> entries;
@@ -79,7 +79,7 @@ inline Integer_points placed(std::span<const kernel::Vertex> vertices, const ker
   return images;
 }
 
-/// Both over one denominator.
+/// Brings both over one denominator.
 inline void bring_together(Integer_points& a, Integer_points& b)
 {
   const Integer common = lcm(a.denominator, b.denominator);

@@ -9,8 +9,9 @@
 #include <utility>
 #include <vector>
 
-/// The predicates on integers: hulls and cones meet where a system of linear equations has a non-negative solution,
-/// which elimination decides. No signs of orientations but where one is asked for, or says that nothing is asked.
+/// The predicates on integers. Hulls and cones meet if a system of linear equations has a non-negative solution, which
+/// elimination decides. Signs of orientations are used only if the predicate is one, or to decide that a case is not
+/// asked.
 namespace tetracone::verify::integer_truth {
 namespace {
 

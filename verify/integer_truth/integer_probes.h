@@ -10,14 +10,14 @@
 
 namespace tetracone::verify::integer_truth {
 
-/// The second truth of points and rays: all faces of one body in integers. Faces are not triangulated; a point's place
-/// in a face is counted by quadrants, and in the solid by the faces above it.
+/// The second truth of points and rays: all faces of one body in integers. Faces are not triangulated. Quadrants give a
+/// point's position in a face, and the faces above it its position in the solid.
 class Probed_body {
  public:
   /// Requires planar faces, and that the polyhedron outlives this.
   explicit Probed_body(const covering::Polyhedron& polyhedron);
 
-  /// 1 inside, 0 on the surface, -1 outside. Requires a closed polyhedron.
+  /// Returns 1 inside, 0 on the surface, -1 outside. Requires a closed polyhedron.
   int where(const kernel::Vertex& point) const;
 
   /// Returns every face that from + t direction meets with t >= 0, each with its least t, in order. Requires a

@@ -7,17 +7,17 @@
 #include <optional>
 
 /// The second truth: integers of GMP and nothing else. Every placed coordinate is an integer over one common
-/// denominator, which changes no sign. Shares neither arithmetic nor formulation with `cgal_truth.h` and
-/// `predicate_truth.h`, which are CGAL's, nor with the subjects: faces are never triangulated, a point's place in loops
-/// is counted by quadrants and in solids by faces above it, and hulls and cones meet where a system of linear equations
-/// has a non-negative solution.
+/// denominator, which changes no sign. It shares neither arithmetic nor formulation with `cgal_truth.h` and
+/// `predicate_truth.h`, which are CGAL's, nor with the subjects. Faces are never triangulated. Quadrants give a point's
+/// position in loops, and the faces above it its position in solids. Hulls and cones meet if a system of linear
+/// equations has a non-negative solution.
 namespace tetracone::verify::integer_truth {
 
-/// Whether the two placed polyhedra collide. Requires det M != 0, planar faces, and closed polyhedra for
+/// True when the two placed polyhedra collide. Requires det M != 0, planar faces, and closed polyhedra for
 /// `Question::solid`.
 bool collide(const Object_case& c, kernel::Question question);
 
-/// The answer to a predicate; nothing where `Predicate` says that it is not asked.
+/// Returns the answer to a predicate; nothing if `Predicate` states that the case is not asked.
 std::optional<int> answer(Predicate predicate, const Predicate_case& c);
 
 }  // namespace tetracone::verify::integer_truth

@@ -75,7 +75,7 @@ covering::Polyhedron octahedron()
   return scenes::blob(random, 0, 1, 1);
 }
 
-/// A triangle and its back: closed, and nothing but a piece of a plane.
+/// A triangle and its back: a closed body that is only a piece of a plane.
 covering::Polyhedron flat(const Vertex& a, const Vertex& b, const Vertex& c)
 {
   covering::Polyhedron body;
@@ -131,7 +131,7 @@ void write_touching(Random& random)
   }
 }
 
-/// Two cubes far from one another, of which the other body holds one.
+/// A body of two cubes far from each other, and another body that contains one of them.
 void write_one_shell_inside()
 {
   for (const bool first : {true, false}) {
@@ -190,7 +190,7 @@ void write_near(Random& random)
 
 }  // namespace
 
-/// cases PREDICATE_CASES OBJECT_CASES: so many of each family.
+/// Usage: cases PREDICATE_CASES OBJECT_CASES, the numbers of cases of each family.
 int main(int argc, char** argv)
 {
   const int predicate_cases = argc > 1 ? std::atoi(argv[1]) : 10, object_cases = argc > 2 ? std::atoi(argv[2]) : 2;

@@ -152,7 +152,7 @@ void judge(const char* subject, const tetratree::Config& config, const covering:
     wrong(std::string(subject) + ", solid in case " + std::to_string(number));
 }
 
-/// The fast tree, asked twice: the second time it begins with what it kept.
+/// The fast tree is asked twice: the second time it begins with its memory of the first.
 void judge_bvh8(const covering::Polyhedron& a, const covering::Polyhedron& b, const Pose& pose_a, const Pose& pose_b,
                 int surface, int solid, int number)
 {
@@ -255,8 +255,8 @@ void judge_double_doubles(int rounds)
   }
 }
 
-/// The double-double stage: decides nothing within its proved error, nothing wrongly, nothing of points out of the
-/// gate.
+/// The double-double stage decides nothing within its proved error, nothing wrongly, and nothing about points outside
+/// the gate.
 void judge_double_double_stage(int rounds)
 {
   const auto silent = [](const Adaptive::Decision& decision, const char* what) {

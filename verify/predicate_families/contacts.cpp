@@ -31,7 +31,7 @@ Predicate_case vertex_on_vertex(Random& random, double pose)
 
 namespace {
 
-/// A vertex in the simplex of the first `corners` of v1 v2 v3, at coordinates of so many bits.
+/// A vertex in the simplex of the first `corners` of v1 v2 v3, at coordinates of `bits` bits.
 Predicate_case vertex_on_element(Random& random, int corners, int bits)
 {
   return settled([&] {

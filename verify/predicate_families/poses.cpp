@@ -34,8 +34,8 @@ Pose half_turn(int axis)
   return Pose(entries);
 }
 
-/// A map of determinant +-2^-d: its third row is, but for 2^-d, a sum of the first two. Before and after it, axes
-/// permuted.
+/// A map of determinant +-2^-d: its third row is a sum of the first two up to 2^-d. Axes are permuted before and after
+/// it.
 Pose nearly_flat(Random& random, int d, bool mirrored)
 {
   const double u = integer(random, -1, 1), w = integer(random, -1, 1), l = integer(random, -1, 1),

@@ -5,8 +5,9 @@
 
 namespace tetracone::verify {
 
-/// Small cases on which signs in double are wrong: v0 v1 v2 v3 p q r, three coordinates each, poses the identity. Found
-/// among the families, shrunk towards few digits. Behind each: a predicate, its true answer, and that of double.
+/// Small cases on which signs in double are wrong: v0 v1 v2 v3 p q r with three coordinates each, and identity poses.
+/// They were found among the families and shrunk towards few digits. Each is followed by a predicate, its true answer,
+/// and the answer of double.
 inline constexpr std::array<std::array<double, 21>, 20> predicate_corpus = {{
     {0, 0, 0, 0.8, 0.8, 1.2, 0, 0, 0, -0.4, 0.8, 0, -0.1, 0.8, 0.3, 1, 1, 0, 0, 1, -1},             // orientation 0: -1
     {0, 0, 0, 1.2, -1.2, -0.4, 0, -0.4, -1.6, 0.4, -0.8, 1.2, 0.5, -0.7, -1.7, 1, 1, 0, 0, 1, -1},  // orientation -1: 0

@@ -4,8 +4,8 @@
 #include "verify/cases/case.h"
 #include "verify/cases/random.h"
 
-/// The families' predicate level, each by the name that it has in `families()`. Random state and parameter in, all but
-/// `origin` out.
+/// The families' predicate level, each generator with its name in `families()`. Generators take the random state and
+/// the parameter, and return everything except `origin`.
 namespace tetracone::verify::predicate_family {
 
 // predicate_families_planes.cpp: four points in a plane, or nearly so

@@ -13,15 +13,15 @@
 #include <utility>
 #include <vector>
 
-/// Bodies made of another body, of the same surface or of one that is known exactly: what relations ask about.
+/// Bodies made from another body, with the same surface or an exactly known one, for relations.
 namespace tetracone::verify {
 
-/// A body made of another, and of which of its faces each face is a part.
+/// A body made from another, and for each face the face of which it is a part.
 struct Changed_body {
   covering::Polyhedron body;
   std::vector<covering::Index> of_face;
 
-  /// Adds a face that is `f` of the other, or a part of it.
+  /// Adds a face that is `f` of the other body, or a part of it.
   template <class Loops>
   void add(covering::Index f, const Loops& loops)
   {
@@ -46,7 +46,7 @@ void shuffle(Sequence& sequence, Random& random)
   for (std::size_t k = sequence.size(); k > 1; --k) std::swap(sequence[k - 1], sequence[one_of(random, k)]);
 }
 
-/// Vertices, faces and the first corners of loops in any order.
+/// Puts vertices, faces and the first corners of loops into any order.
 inline Changed_body reordered(const covering::Polyhedron& what, Random& random)
 {
   std::vector<covering::Index> place(what.vertices.size()), order(what.face_count());
@@ -68,7 +68,7 @@ inline Changed_body reordered(const covering::Polyhedron& what, Random& random)
   return result;
 }
 
-/// All loops the other way round.
+/// Reverses all loops.
 inline Changed_body wound_backwards(const covering::Polyhedron& what)
 {
   Changed_body result;
@@ -81,7 +81,8 @@ inline Changed_body wound_backwards(const covering::Polyhedron& what)
   return result;
 }
 
-/// Each triangle in three at an inner point that doubles can have; closed where it was. Nothing where none has one.
+/// Splits each triangle into three at an inner point of doubles; closed if it was. Nothing if no triangle has such a
+/// point.
 inline std::optional<Changed_body> split_inside(const covering::Polyhedron& what)
 {
   Changed_body result;
@@ -105,7 +106,7 @@ inline std::optional<Changed_body> split_inside(const covering::Polyhedron& what
   return changed ? std::optional(std::move(result)) : std::nullopt;
 }
 
-/// The body with change(v) for each vertex v; nothing where one has no double.
+/// Returns the body with change(v) for each vertex v; nothing when one is no vertex of doubles.
 template <class Change>
 std::optional<covering::Polyhedron> with_vertices(const covering::Polyhedron& what, const Change& change)
 {

@@ -45,7 +45,7 @@ Exact_point mapped(const Exact_point& x)
   return image;
 }
 
-/// Nothing where an entry would be beyond the doubles.
+/// Returns the mapped pose; nothing when an entry would be beyond the doubles.
 std::optional<kernel::Pose> mapped(const kernel::Pose& pose)
 {
   std::array<Rational, 12> entries;

@@ -8,7 +8,8 @@
 
 namespace tetracone::verify {
 
-/// What must hold between a subject's contacts of a case, which are given, and its other answers and those to twins.
+/// A relation between a subject's contacts for a case, which are given, and its other answers and its answers for
+/// twins.
 struct Contact_relation {
   using Check = Verdict(const Object_case& c, Running_subject& subject, const Contact_forms& given);
 
@@ -16,7 +17,7 @@ struct Contact_relation {
   Check* check;
 };
 
-/// All of them.
+/// Returns all of them.
 const std::array<Contact_relation, 4>& contact_relations();
 
 }  // namespace tetracone::verify

@@ -19,7 +19,7 @@ using covering::Polyhedron;
 using kernel::Question;
 using kernel::Rational;
 
-/// The squared distance of a twin is `factor` times the case's.
+/// Relation: the squared distance of a twin is `factor` times the case's.
 Verdict times_as_far(const Told_distance& given, const Rational& factor, const Object_case& twin, Question question,
                      Running_subject& subject)
 {
@@ -43,7 +43,7 @@ Verdict as_far_swapped(const Object_case& c, Question question, Running_subject&
   return times_as_far(given, 1, twin, question, subject);
 }
 
-/// Both poses, then a permutation of the axes, and everything `factor` times as large.
+/// Relation: both poses are followed by a permutation of the axes and a scaling by `factor`.
 Verdict moved_together(const Object_case& c, Question question, Running_subject& subject, const Told_distance& given,
                        const Signed_permutation& p, const Rational& factor, const object_family::Exact_vector& shift)
 {
@@ -83,8 +83,8 @@ Verdict as_large_as_far(const Object_case& c, Question question, Running_subject
   return moved_together(c, question, subject, given, {}, factor, {0, 0, 0});
 }
 
-/// B goes a share of the way to A's nearest point: by the triangle inequality no pair of points comes nearer than the
-/// rest of the way, and the nearest points are as near.
+/// Relation: B moves a fraction of the way to A's nearest point. By the triangle inequality no pair of points comes
+/// nearer than the rest of the way, and the nearest points are that near.
 Verdict approached(const Object_case& c, Question question, Running_subject& subject, const Told_distance& given,
                    Random& random)
 {

@@ -8,8 +8,7 @@
 
 namespace tetracone::verify {
 
-/// What must hold between what a subject says of a case's distance, which is given, and its other answers and those to
-/// twins.
+/// A relation between a subject's distance for a case, which is given, and its other answers and its answers for twins.
 struct Distance_relation {
   using Check = Verdict(const Object_case& c, kernel::Question question, Running_subject& subject,
                         const Told_distance& given, Random& random);
@@ -18,7 +17,7 @@ struct Distance_relation {
   Check* check;
 };
 
-/// All of them.
+/// Returns all of them.
 std::span<const Distance_relation> distance_relations();
 
 }  // namespace tetracone::verify

@@ -10,12 +10,12 @@
 #include <string_view>
 #include <vector>
 
-/// What must hold between a subject's answers to a case and to twins of it that were made without any rounding: errors
-/// that show without knowing a right answer. A twin is made in rational arithmetic or by operations on doubles that are
-/// checked to be exact; where it would have to be rounded, the relation does not apply.
+/// Relations between a subject's answers for a case and for twins of it that were made without rounding. They show
+/// errors without a known right answer. A twin is made in rational arithmetic or by operations on doubles that are
+/// checked to be exact; if it would have to be rounded, the relation does not apply.
 ///
 /// The numbers R1 to R13 are parts of the relations' names. R12 (signs in vectors equal scalar ones) is no relation of
-/// cases: the tests of kernel/bound and tetratree/fast hold each version of the vectors against scalar arithmetic.
+/// cases: the tests of kernel/bound and tetratree/fast compare each version of the vectors with scalar arithmetic.
 namespace tetracone::verify {
 
 enum class Verdict { holds, violated, not_applicable };
@@ -25,8 +25,8 @@ inline const char* to_string(Verdict verdict)
   return verdict == Verdict::holds ? "holds" : verdict == Verdict::violated ? "violated" : "not applicable";
 }
 
-/// A relation of one level. Its check draws the twins from the random state; an answer that the subject does not give,
-/// to the case or to a twin, makes it not applicable.
+/// A relation of one level. Its check draws the twins from the random state. It is not applicable if the subject does
+/// not answer the case or a twin.
 struct Relation {
   using Object_check = Verdict(const Object_case& c, kernel::Question question, Running_subject& subject,
                                Random& random);
@@ -47,15 +47,15 @@ struct Relation {
   Predicate_check* of_predicate = nullptr;
 };
 
-/// All relations, those of predicates first, each level in the order of the numbers.
+/// Returns all relations, those of predicates first, each level in the order of the numbers.
 const std::vector<Relation>& relations();
 
-/// Those of one level.
+/// Returns the relations of one level.
 std::vector<Relation> predicate_relations();
 std::vector<Relation> object_relations();
 
-/// Asks the subject about the case and its twins. Requires a relation of the level, and what `Running_subject` and
-/// `Predicate` require.
+/// Asks the subject about the case and its twins. Requires a relation of the level, and the preconditions of
+/// `Running_subject` and `Predicate`.
 Verdict check(const Relation& relation, const Object_case& c, kernel::Question question, Running_subject& subject,
               Random& random);
 Verdict check(const Relation& relation, const Predicate_case& c, Predicate predicate, const Predicate_subject& subject,

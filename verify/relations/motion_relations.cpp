@@ -86,7 +86,7 @@ Verdict translated(const Moving_pair& pair, Random& random)
                  meet_in_motion(pair) == meet_in_motion(twin));
 }
 
-/// The first contact of a motion is that of its first half, else that of its second.
+/// Relation: the first contact of a motion is that of its first half or, without one, that of its second half.
 Verdict split(const Moving_pair& pair, Random&)
 {
   Moving_pair before = pair, after = pair;

@@ -10,7 +10,7 @@
 
 namespace tetracone::verify {
 
-/// What must hold between the first contact times of a moving pair and of twins made of it without rounding.
+/// A relation between the first contact times of a moving pair and of twins that were made without rounding.
 struct Motion_relation {
   std::string_view name, what;
   Verdict (*check)(const kernel::Moving_pair& pair, Random& random);

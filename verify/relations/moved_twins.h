@@ -12,10 +12,10 @@
 #include <optional>
 #include <vector>
 
-/// Motions of a case's poses that relations of both levels make.
+/// Motions of a case's poses, for relations of both levels.
 namespace tetracone::verify {
 
-/// The largest absolute coordinate of a translation.
+/// Returns the largest absolute coordinate of a translation.
 inline double largest_translation(const kernel::Pose& a, const kernel::Pose& b)
 {
   double largest = 0;
@@ -24,7 +24,7 @@ inline double largest_translation(const kernel::Pose& a, const kernel::Pose& b)
   return largest;
 }
 
-/// The pose translated by `length` along an axis; nothing where that is not exact.
+/// Returns the pose translated by `length` along an axis; nothing when that is not exact.
 inline std::optional<kernel::Pose> translated_along(const kernel::Pose& pose, int axis, const kernel::Rational& length)
 {
   std::array<kernel::Rational, 3> d{0, 0, 0};
@@ -32,8 +32,8 @@ inline std::optional<kernel::Pose> translated_along(const kernel::Pose& pose, in
   return translated(pose, d);
 }
 
-/// Moves both poses by `p` and then by a translation of up to 2^24 ulps of `scale` along each axis on which both take
-/// it exactly. False when nothing has moved.
+/// Moves both poses by `p` and then by a translation of up to 2^24 ulps of `scale` along each axis on which it is exact
+/// for both. False when nothing has moved.
 template <class Case>
 bool move_together(Case& c, const Signed_permutation& p, double scale, Random& random)
 {
@@ -52,7 +52,8 @@ bool move_together(Case& c, const Signed_permutation& p, double scale, Random& r
   return changed;
 }
 
-/// The poses of B at -2, ..., 2 steps along an axis, those that are exact; a step is 1, 4 or 2^24 ulps of `scale`.
+/// Returns the exact ones among the poses of B at -2, ..., 2 steps along an axis; a step is 1, 4 or 2^24 ulps of
+/// `scale`.
 inline std::vector<kernel::Pose> poses_along_axis(const kernel::Pose& pose, double scale, Random& random)
 {
   const int axis = one_of(random, 3);

@@ -17,7 +17,7 @@ using kernel::Time_bounds;
 using First = std::optional<Time_bounds>;
 using Numbers = std::vector<Rational>;
 
-/// The subject does not tell.
+/// Thrown when the subject gives no answer.
 struct Untold {};
 
 First first_of(const Moving_bodies& bodies, Running_motion& subject)
@@ -78,7 +78,7 @@ Verdict split(const Moving_bodies& bodies, Running_motion& subject, Random& rand
   return verdict(in_whole(part.lo) <= Rational(whole->hi) && Rational(whole->lo) <= in_whole(part.hi));
 }
 
-/// Both bodies carried along by one more motion: a fixed turn, and a translation in time.
+/// Relation: both bodies take part in one more motion, a fixed turn and a translation in time.
 Verdict common_motion(const Moving_bodies& bodies, Running_motion& subject, Random& random)
 {
   const auto small = [&] { return Rational(long(random.bits() % 9) - 4); };

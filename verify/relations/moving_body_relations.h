@@ -11,8 +11,8 @@
 
 namespace tetracone::verify {
 
-/// What must hold between the first contacts that a subject tells of the surfaces of moving bodies and of twins made of
-/// them without rounding; an answer that it does not give makes the relation not applicable.
+/// A relation between a subject's first contacts of the surfaces of moving bodies and of twins that were made without
+/// rounding. It is not applicable if the subject gives no answer.
 struct Moving_body_relation {
   std::string_view name, what;
   Verdict (*check)(const Moving_bodies& bodies, Running_motion& subject, Random& random);

@@ -50,7 +50,8 @@ struct Body {
 };
 Body body(Object_case& c, std::size_t which) { return which == 0 ? Body{c.a, c.pose_a} : Body{c.b, c.pose_b}; }
 
-/// The polyhedron with the vertices of `what` and the faces that change(loops of face, add) adds for each of its faces.
+/// Returns the polyhedron with the vertices of `what` and the faces that change(loops of face, add) adds for each of
+/// its faces.
 template <class Change>
 Polyhedron with_faces(std::vector<Vertex> vertices, const Polyhedron& what, const Change& change)
 {
@@ -175,7 +176,8 @@ std::optional<Polyhedron> with_split_edge(const Polyhedron& what, Random& random
   return std::nullopt;
 }
 
-/// b and d are on either side of the line through a and c, all in one plane: then abcd is the triangles abc and acd.
+/// True when b and d are on different sides of the line through a and c, all in one plane: then abcd is the union of
+/// the triangles abc and acd.
 bool is_diagonal(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& d)
 {
   for (int axis = 0; axis < 3; ++axis) {
@@ -253,8 +255,8 @@ Corners corners_of(const Polyhedron& what)
   return box;
 }
 
-/// The body with a tetrahedron more: anywhere about it, or, as winding numbers of shells in one another add up, beside
-/// its box.
+/// Returns the body with one more tetrahedron: anywhere about it or, because winding numbers of nested shells add up
+/// and may cancel, beside its box.
 std::optional<Polyhedron> with_tetrahedron(const Polyhedron& what, bool beside, Random& random)
 {
   const Corners box = corners_of(what);

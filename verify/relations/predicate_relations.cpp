@@ -39,7 +39,8 @@ bool is_asked(Predicate predicate, const Predicate_case& c)
   }
 }
 
-/// The subject's answer; nothing where `Predicate` says that it is not asked, whatever the subject makes of that.
+/// Returns the subject's answer; nothing when `Predicate` states that the case is not asked, whatever the subject
+/// answers.
 Answer ask(const Predicate_subject& subject, Predicate predicate, const Predicate_case& c)
 {
   return is_asked(predicate, c) ? subject.answer(predicate, c) : std::nullopt;
@@ -47,7 +48,7 @@ Answer ask(const Predicate_subject& subject, Predicate predicate, const Predicat
 
 Verdict verdict(bool holds) { return holds ? Verdict::holds : Verdict::violated; }
 
-/// Orientation times `sign`, everything else as it is: what an affine map of all points does to an answer.
+/// Returns the answer after an affine map of all points: an orientation times `sign`, any other answer unchanged.
 Answer turned_over(Predicate predicate, Answer answer, int sign)
 {
   return answer && predicate == Predicate::orientation ? Answer(*answer * sign) : answer;

@@ -157,7 +157,7 @@ Verdict ray_mapped(const Probe_case& c, Running_probe& subject, Random& random)
   return *here == *there ? Verdict::holds : Verdict::violated;
 }
 
-/// A direction 2^k as long: t is 2^-k as large, where that is no denormal or infinite number.
+/// Relation: for a direction 2^k times as long, t is 2^-k times as large, unless that is denormal or infinite.
 Verdict ray_of_other_length(const Probe_case& c, Running_probe& subject, Random& random)
 {
   const int exponent = int(one_of(random, 121)) - 60;
@@ -179,7 +179,7 @@ Verdict ray_of_other_length(const Probe_case& c, Running_probe& subject, Random&
   return Verdict::holds;
 }
 
-/// Back from where it is at t = k: what lies between is met both ways.
+/// Relation: a ray back from the position at t = k meets the faces in between, too.
 Verdict ray_reversed(const Probe_case& c, Running_probe& subject, Random& random)
 {
   const int exponent = int(one_of(random, 5));
@@ -204,7 +204,7 @@ Verdict ray_reversed(const Probe_case& c, Running_probe& subject, Random& random
   return Verdict::holds;
 }
 
-/// A later start on the ray: what comes after it is met as before.
+/// Relation: a ray that starts later meets the faces after its start as before.
 Verdict ray_started_later(const Probe_case& c, Running_probe& subject, Random& random)
 {
   const int exponent = int(one_of(random, 5)) - 2;
@@ -223,7 +223,7 @@ Verdict ray_started_later(const Probe_case& c, Running_probe& subject, Random& r
   return Verdict::holds;
 }
 
-/// The first is the first of all, and these are in order.
+/// Relation: the first hit is the first of all hits, which are in order.
 Verdict ray_first(const Probe_case& c, Running_probe& subject, Random&)
 {
   const auto told = subject.hits(c);

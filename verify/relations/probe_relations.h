@@ -9,16 +9,16 @@
 
 namespace tetracone::verify {
 
-/// What must hold between a subject's answers to a point or a ray and to twins of it that were made without rounding.
+/// A relation between a subject's answers for a point or a ray and for twins that were made without rounding.
 struct Probe_relation {
   std::string_view name, what;
   Verdict (*check)(const Probe_case& c, Running_probe& subject, Random& random);
 };
 
-/// Those of points.
+/// Returns the relations of points.
 std::span<const Probe_relation> point_relations();
 
-/// Those of rays.
+/// Returns the relations of rays.
 std::span<const Probe_relation> ray_relations();
 
 }  // namespace tetracone::verify

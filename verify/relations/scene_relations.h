@@ -18,7 +18,7 @@ struct Scene_relation {
   Check* check;
 };
 
-/// All of them.
+/// Returns all of them.
 std::span<const Scene_relation> scene_relations();
 
 }  // namespace tetracone::verify

@@ -6,10 +6,9 @@
 
 namespace tetracone::verify {
 
-/// The case with one to three small changes, each one of these: a coordinate or an entry of a pose moved by some ulps,
-/// the bodies swapped, a point moved to where the other body has one. Faces that are bent by it are triangulated, what
-/// was closed stays closed; nothing is known about the answers. The case as it is where the changes would flatten a
-/// pose.
+/// Returns the case with one to three small changes: a coordinate or an entry of a pose moved by some ulps, the bodies
+/// swapped, or a point moved to a point of the other body. Faces that become bent are triangulated; a closed body stays
+/// closed. The answers are unknown. Returns the case unchanged if the changes would make det M = 0.
 Object_case mutated(const Object_case& c, Random& random);
 Predicate_case mutated(const Predicate_case& c, Random& random);
 

@@ -21,7 +21,7 @@ using covering::Index;
 using covering::Polyhedron;
 using kernel::Question;
 
-/// What a shrink has spent of its budget: questions and time.
+/// The spent part of a shrink's budget: questions and time.
 class Spending {
  public:
   struct Over {};

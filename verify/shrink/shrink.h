@@ -12,10 +12,10 @@
 #include <memory>
 #include <optional>
 
-/// Makes a case that shows something as small as it can be made while it still shows it (delta debugging).
+/// Shrinks a case as far as possible while it still shows an error (delta debugging).
 namespace tetracone::verify {
 
-/// Complexity of a case, compared lexicographically.
+/// The complexity of a case, compared lexicographically.
 struct Case_size {
   std::size_t corners = 0, vertices = 0;  ///< of all faces of both bodies; of a predicate's points always the same
   std::size_t bits = 0;  ///< of the coordinates, and of the entries of the poses that differ from the identity's
@@ -26,7 +26,7 @@ Case_size size_of(const Object_case& c);
 Case_size size_of(const Predicate_case& c);
 std::size_t face_count(const Object_case& c);
 
-/// Where shrinking stops, done or not.
+/// The limits at which shrinking stops, finished or not.
 struct Shrink_budget {
   std::size_t evaluations = 20000;  ///< of `still_wrong`
   double seconds = 3;
@@ -35,28 +35,29 @@ struct Shrink_budget {
 using Object_check = std::function<bool(const Object_case&)>;
 using Predicate_check = std::function<bool(const Predicate_case&)>;
 
-/// The smallest case found for which `still_wrong` holds, not larger than `c`. Steps: drop faces, shells, loops and
-/// corners; replace vertices by others; take a body's triangles for its polygons, or a tetrahedron for the body; then
-/// simpler poses, coordinates of fewer bits, exact translations and scalings; over and over while anything helps.
-/// `still_wrong` is asked only of cases with planar faces, det M != 0, at least a face in each body and, for
-/// `Question::solid`, closed bodies. Where a body has no degenerate face before, it has none later; for
-/// `Question::solid` neither does its volume become 0. Requires such a `c`, for which it holds.
+/// Returns the smallest case found for which `still_wrong` holds, not larger than `c`. It drops faces, shells, loops
+/// and corners, replaces vertices by others, and takes a body's triangles for its polygons, or a tetrahedron for the
+/// body. Then it tries simpler poses, coordinates of fewer bits, exact translations and scalings. It repeats all steps
+/// while any helps. `still_wrong` is asked only of cases with planar faces, det M != 0, at least one face in each body
+/// and, for `Question::solid`, closed bodies. A body without degenerate faces gets none; for `Question::solid` its
+/// volume does not become 0 either. Requires such a `c`, for which it holds.
 Object_case shrink(Object_case c, kernel::Question question, const Object_check& still_wrong,
                    const Shrink_budget& budget = {});
 Predicate_case shrink(const Predicate_case& c, const Predicate_check& still_wrong, const Shrink_budget& budget = {});
 
-/// The answer to an object case by `cgal_truth.h`.
+/// Returns the answer to an object case by `cgal_truth.h`.
 bool true_answer(const Object_case& c, kernel::Question question);
 
-/// That a subject answers just this, or fails, where the truth is just that: wrong in the same way. The subject must
-/// outlive it.
+/// Returns a check that a subject gives this answer, or fails, where the truth is this: it is wrong in the same way.
+/// The subject must outlive the check.
 Object_check same_error(Running_subject& subject, kernel::Question question, Outcome answer, bool truth);
 
-/// That a subject lists some pair of features that is none, or misses one: as before, if both, the missed one counts.
+/// Returns a check that a subject lists a pair of features that does not meet, or misses one. If the original did both,
+/// the missed pair counts.
 Object_check same_error_of_features(Running_subject& subject, bool misses);
 
-/// The same, as it was in `c`: where the triangles and the segment that the predicate takes are not degenerate there,
-/// neither are they later.
+/// Returns such a check for a predicate. If the triangles and the segment of the predicate are not degenerate in `c`,
+/// they must not become so.
 Predicate_check same_error(const Predicate_subject& subject, Predicate predicate, const Predicate_case& c, int answer,
                            int truth);
 

@@ -9,14 +9,14 @@
 
 namespace tetracone::verify {
 
-/// Tries to make a polyhedron smaller in every way that keeps it closed where the question is `solid`: fewer faces,
-/// loops, corners, vertices. Whatever `accept` accepts is kept. `accept` is asked of smaller polyhedra only; some may
-/// have faces that are not planar.
+/// Tries every way to make a polyhedron smaller that keeps it closed if the question is `solid`: fewer faces, loops,
+/// corners, vertices. It keeps every change that `accept` accepts. `accept` is asked of smaller polyhedra only; some
+/// may have faces that are not planar.
 void shrink_faces(covering::Polyhedron polyhedron, kernel::Question question,
                   const std::function<bool(const covering::Polyhedron&)>& accept);
 
-/// The polyhedron with fans of triangles, one for each loop, for each face that is no triangle: the same boundary, but
-/// another surface where a face is not convex. Nothing where all faces are triangles.
+/// Returns the polyhedron with a fan of triangles for each loop of each face that is no triangle. The boundary is
+/// unchanged, but the surface differs where a face is not convex. Nothing if all faces are triangles.
 std::optional<covering::Polyhedron> fanned(const covering::Polyhedron& polyhedron);
 
 }  // namespace tetracone::verify

@@ -7,8 +7,8 @@
 
 namespace tetracone::verify {
 
-/// Tries everything that makes the numbers simpler, and keeps whatever `accept` accepts. True when it accepted
-/// something. `accept` is asked of numbers with fewer `bits` only; all are finite, det M may be 0.
+/// Tries every simplification of the numbers, and keeps those that `accept` accepts. True when it accepted one.
+/// `accept` is asked only of numbers with fewer `bits`; all are finite, det M may be 0.
 bool simplify(Case_numbers& numbers, const std::function<bool(const Case_numbers&)>& accept);
 
 }  // namespace tetracone::verify

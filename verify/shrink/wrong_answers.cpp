@@ -16,7 +16,7 @@ namespace {
 
 using kernel::Question;
 
-/// What an answer that is no answer stands for.
+/// Returns the kind of error of an answer.
 std::string direction(std::optional<int> answer, int truth)
 {
   return !answer ? "fails" : *answer > truth ? "false positive" : "false negative";

@@ -9,19 +9,19 @@
 #include <string>
 #include <vector>
 
-/// Subjects that answer a case wrong, and the cause, as a case file records them.
+/// The subjects that answer a case wrong, and the cause, as a case file records them.
 namespace tetracone::verify {
 
-/// Our own subjects, of all kernels and methods, that answer the question wrong.
+/// Returns our own subjects, of all kernels and methods, that answer the question wrong.
 std::vector<Wrong> wrong_answers(const Object_case& c, kernel::Question question, bool truth);
 std::vector<Wrong> wrong_answers(const Predicate_case& c, Predicate predicate, int truth);
 
-/// Relative position of the two placed bodies: "vertex-face" and the like, after the most special kind among all
-/// contacts; "nested" where only the solids share a point, "apart" where nothing does.
+/// Returns the relative position of the two placed bodies: "vertex-face" and the like, by the most special kind among
+/// all contacts; "nested" if only the solids share a point, "apart" if nothing does.
 std::string contact_of(const Object_case& c);
 
-/// A case file of the case with its truth, everyone who is wrong, and the cause: `subject` first, with the stage that
-/// is to blame where it is one of our rounding trees.
+/// Returns a case file of the case with its truth, all wrong subjects, and the cause. `subject` comes first, with the
+/// stage to blame if it is one of our rounding trees.
 Case_file case_file_of(const Object_case& c, kernel::Question question, const Object_subject& subject, Outcome answer);
 /// For a list of features: the case asks for the surfaces, and the cause gives the numbers of missed and invented
 /// pairs.

@@ -29,7 +29,7 @@ using Strings = std::vector<std::string>;
 const fs::path root = TETRACONE_SOURCE_DIR;
 // Each may include those before it.
 const Strings folders = {"kernel", "covering", "tetratree", "verify", "experiments"};
-// Those that are the package: their headers are included as "tetracone/FOLDER/...".
+// The folders of the package: their headers are included as "tetracone/FOLDER/...".
 constexpr std::size_t package_folders = 3;
 
 // Rooms that may include each other, from where to where; a folder's own files count as the room of its name.
@@ -155,7 +155,7 @@ std::string room_of(const std::string& path) { return path.substr(0, path.rfind(
 /// A file of ours as an include names it, without the package's prefix.
 std::string without_prefix(const std::string& file) { return file.starts_with("tetracone/") ? file.substr(10) : file; }
 
-/// How far left a file stands: 0 in kernel. Tests test every folder.
+/// The rank of a file's folder: 0 for kernel. Tests may include every folder.
 std::size_t rank_of(const std::string& path)
 {
   if (path.starts_with("verify/test/") || path.starts_with("verify/mutants/") || path.starts_with("verify/fuzz/"))

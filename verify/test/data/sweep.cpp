@@ -39,7 +39,7 @@ std::vector<fs::path> model_files()
   return files;
 }
 
-/// What a model must be, after vertices with equal coordinates are merged. Genus -1: none.
+/// The required properties of a model, after vertices with equal coordinates are merged. Genus -1: none.
 struct Known {
   std::string file;
   std::size_t vertices, faces, shells;

@@ -5,7 +5,7 @@
 
 namespace tetracone::verify {
 
-/// Two things at once, by a thread each: for what `covering::Both` refers to.
+/// Runs two functions at once, each in its own thread, for `covering::Both`.
 struct At_once {
   template <class One, class Other>
   void operator()(const One& one, const Other& other) const

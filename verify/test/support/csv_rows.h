@@ -10,7 +10,7 @@
 
 namespace tetracone::verify {
 
-/// The rows of a CSV, each field by its column's name. Requires fields without quotes.
+/// Returns the rows of a CSV, each field by its column's name. Requires fields without quotes.
 inline std::vector<std::map<std::string, std::string>> csv_rows(const std::filesystem::path& file)
 {
   const auto fields = [](const std::string& line) {

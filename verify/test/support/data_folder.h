@@ -7,14 +7,14 @@
 
 namespace tetracone::verify::scenes {
 
-/// The folder of real data, which is not part of the project.
+/// Returns the folder of real data, which is not part of the project.
 inline std::filesystem::path data_folder()
 {
   const char* const named = std::getenv("TETRACONE_DATA");
   return named ? std::filesystem::path(named) : std::filesystem::path(TETRACONE_SOURCE_DIR) / ".." / "shared" / "data";
 }
 
-/// True, with a word about it, where the data are not there.
+/// True, with a message, when the data do not exist.
 inline bool without_data()
 {
   if (std::filesystem::is_directory(data_folder())) return false;

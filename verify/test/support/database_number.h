@@ -8,7 +8,7 @@
 
 namespace tetracone::verify {
 
-/// The one number that a query gives.
+/// Returns the only number of a query's result.
 inline std::int64_t number(Database& database, const std::string& query)
 {
   Database::Statement row(database, query);
@@ -16,7 +16,8 @@ inline std::int64_t number(Database& database, const std::string& query)
   return row.integer(0);
 }
 
-/// The sum of a column of the table of errors, or of an expression of them, over the rows where this holds.
+/// Returns the sum of a column of the table tally, or of an expression of columns, over the rows where the condition
+/// holds.
 inline std::int64_t tally(Database& database, const std::string& what, const std::string& where)
 {
   return number(database, "SELECT sum(" + what + ") FROM tally WHERE axis = 'rho' AND " + where);

@@ -7,7 +7,7 @@
 
 namespace tetracone::verify {
 
-/// A campaign without cases, families and subjects, for a test to add its own.
+/// Returns a campaign without cases, families and subjects, to which a test adds its own.
 inline Campaign empty_campaign(std::uint64_t seed)
 {
   Campaign campaign;

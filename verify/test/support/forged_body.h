@@ -14,7 +14,7 @@
 
 namespace tetracone::verify {
 
-/// The bytes of a saved body that somebody has changed, with the checksum that is right for them.
+/// Returns the bytes of a changed saved body with the checksum that is right for them.
 inline std::string forged(std::string bytes)
 {
   constexpr std::size_t at = tetracone::detail::place_of_checksum;
@@ -27,7 +27,8 @@ inline std::string forged(std::string bytes)
   return bytes;
 }
 
-/// What the body says of poses, points and rays, as a text: bodies of the same vertices and faces say the same.
+/// Returns the body's answers about poses, points and rays, as a text. Bodies of equal vertices and faces give equal
+/// texts.
 inline std::string answers(const Body& body)
 {
   static const Body probe = [] {

@@ -9,7 +9,7 @@
 
 namespace tetracone::verify {
 
-/// The calling thread's floating point as it was, at the end of the scope.
+/// Restores the calling thread's floating-point environment at the end of the scope.
 class Keep_environment {
  public:
   Keep_environment() { std::fegetenv(&environment_); }
@@ -20,8 +20,8 @@ class Keep_environment {
   std::fenv_t environment_;
 };
 
-/// Calls `ask` in every environment that is not sound: three directed roundings and, where there are such flags,
-/// flush-to-zero and denormals-are-zero. Returns in how many it did not throw an Exception.
+/// Calls `ask` in every environment that is not sound: three directed roundings and, if such flags exist, flush-to-zero
+/// and denormals-are-zero. Returns the number of environments in which it did not throw an Exception.
 template <class Exception, class Ask>
 int not_refused(const Ask& ask)
 {

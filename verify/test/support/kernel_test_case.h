@@ -9,7 +9,7 @@
 
 namespace tetracone::verify {
 
-/// Calls `test<K>()` for each kernel of a tuple; what fails says over which.
+/// Calls `test<K>()` for each kernel of a tuple; failures name the kernel.
 template <class... Kernels, class Test>
 void over_each(const std::tuple<Kernels...>*, const Test& test)
 {
@@ -21,8 +21,8 @@ void over_each(const std::tuple<Kernels...>*, const Test& test)
 
 }  // namespace tetracone::verify
 
-/// A test case whose body is run over each kernel K of a std::tuple. BOOST_AUTO_TEST_CASE_TEMPLATE, which makes each a
-/// case of its own, took a third of a unit's compilation.
+/// A test case whose body runs over each kernel K of a std::tuple. BOOST_AUTO_TEST_CASE_TEMPLATE, which makes each a
+/// separate case, took a third of a unit's compilation.
 #define KERNEL_TEST_CASE(test, K, Kernels)                                                                   \
   template <class K>                                                                                         \
   static void test##_over();                                                                                 \

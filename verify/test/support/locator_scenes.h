@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-/// Closed bodies, and points that stand degenerately to them.
+/// Closed bodies, and points in degenerate positions to them.
 namespace tetracone::verify::scenes {
 
 /// The factor by which long runs by hand multiply the cases of a usual test; from the environment variable
@@ -27,7 +27,7 @@ inline Polyhedron joined(Polyhedron body, const Polyhedron& other)
   return body;
 }
 
-/// Faces on a line and in a point, each with its reverse, beside a cube.
+/// Returns faces on a line and in a point, each with its reverse, beside a cube.
 inline Polyhedron with_flat_faces()
 {
   Polyhedron body = cube(1);
@@ -39,8 +39,8 @@ inline Polyhedron with_flat_faces()
   return body;
 }
 
-/// Names and bodies: convex, of holes, cavities, tunnels, overlapping and repeated shells, inward ones, of no manifold,
-/// with the origin of the covering on faces, edges and vertices, far from 0, tiny, huge.
+/// Returns bodies with names: convex, with holes, cavities, tunnels, overlapping and repeated shells, inward and
+/// non-manifold ones; some have the covering's origin on faces, edges or vertices, or are far from 0, tiny or huge.
 inline std::vector<std::pair<std::string, Polyhedron>> locator_bodies(Random& random)
 {
   const Polyhedron round = triangulated(torus(9, 7));
@@ -74,9 +74,9 @@ inline std::vector<std::pair<std::string, Polyhedron>> locator_bodies(Random& ra
   return bodies;
 }
 
-/// A point in, on or about the body: random ones; vertices, points of edges and faces, the origin; points in line with
-/// the origin and one of these; borders of cells of a lattice of directions about it; far ones. A third of them moved
-/// by an ulp or a few.
+/// Returns a point in, on or near the body. It is random, a vertex, a point of an edge or face, or the origin; or on a
+/// line through the origin and one of these, on a border of cells of a lattice of directions about it, or far away. A
+/// third of the points are moved by an ulp or a few.
 inline Vertex degenerate_point(Random& random, const Polyhedron& body, const Vertex& origin)
 {
   const Vertex& first = body.vertices[0];

@@ -8,7 +8,7 @@
 
 #include <array>
 
-/// Boxes and bodies that are placed, at random and exactly.
+/// Boxes and bodies, placed at random and exactly.
 namespace tetracone::verify::scenes {
 
 /// A random vector with coordinates up to `size`.
@@ -17,7 +17,7 @@ inline kernel::Vector vector(Random& random, double size = 1)
   return size * kernel::Vector(real(random, -1, 1), real(random, -1, 1), real(random, -1, 1));
 }
 
-/// What the matrix makes `v` of (Cramer's rule).
+/// Returns the solution x of m x = v (Cramer's rule).
 inline kernel::Vector solved(const kernel::Matrix& m, const kernel::Vector& v)
 {
   const kernel::Vector yz = m.col(1).cross(m.col(2)), zx = m.col(2).cross(m.col(0)), xy = m.col(0).cross(m.col(1));
@@ -34,7 +34,7 @@ inline void set(kernel::Obb8& boxes, int lane, const kernel::Vector& centre, con
   }
 }
 
-/// A point of a box, exactly, by its shares of the extents.
+/// Returns the exact point of a box with these fractions of the extents as coordinates.
 inline rationals::Vector point(const kernel::Obb8& boxes, int lane, const std::array<double, 3>& share)
 {
   using kernel::Rational;

@@ -13,12 +13,12 @@
 #include <iterator>
 #include <string>
 
-/// The program `tetracone`, run as its users run it.
+/// Runs the program `tetracone` as its users do.
 namespace tetracone::verify {
 
 inline const std::string program = TETRACONE_PROGRAM;
 
-/// What a run of the program left.
+/// The results of a run of the program.
 struct Run {
   int status;
   std::string out, error;
@@ -26,8 +26,8 @@ struct Run {
 
 inline std::string in_quotes(const std::filesystem::path& path) { return "'" + path.native() + "'"; }
 
-/// Runs the program with these words, in the shell's quoting, and what the shell does before. A test that it does not
-/// leave by itself fails.
+/// Runs the program with these words, in the shell's quoting, after the shell's commands `before`. Fails the test if
+/// the program does not exit by itself.
 inline Run run(const std::string& words, const std::string& before = "")
 {
   const Temporary_file error("stderr", "");
@@ -45,7 +45,7 @@ inline Run run(const std::string& words, const std::string& before = "")
   return result;
 }
 
-/// Status 2, nothing on standard output, one line on standard error, in which `says` stands.
+/// Checks for status 2, an empty standard output, and one line on standard error that contains `says`.
 inline void check_refused(const std::string& words, const std::string& says = "")
 {
   const Run r = run(words);

@@ -10,7 +10,7 @@
 
 namespace tetracone::verify::proofs {
 
-/// Says so where Gappa is not installed; ctest takes the line for a skipped test.
+/// True, with a message, when Gappa is not installed; ctest takes the message for a skipped test.
 inline bool skipped_without_gappa()
 {
   if (gappa_is_there()) return false;
@@ -18,7 +18,7 @@ inline bool skipped_without_gappa()
   return true;
 }
 
-/// Each constant is at least what is proved, and no larger than it is known to be.
+/// Checks that each constant is at least the proved value, and at most the recorded factor above it.
 inline void check_proved(const Proved_bounds& bounds)
 {
   BOOST_TEST(!bounds.empty());
@@ -30,7 +30,7 @@ inline void check_proved(const Proved_bounds& bounds)
                                                            << bound.by << " proves to be enough");
     BOOST_TEST(proved > 0);
     BOOST_TEST(in_code <= bound.loosest * proved, bound.name << " is loose: " << in_code << ", proved " << proved);
-    // A limit that would let a fiftieth more pass is none.
+    // The recorded factor must be within a fiftieth of the present one, else it limits nothing.
     BOOST_TEST(bound.loosest * proved < 1.02 * in_code, bound.name << " may be " << bound.loosest * proved);
   }
 }

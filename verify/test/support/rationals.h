@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-/// Plain rational geometry for tests: what the code under test is compared with. No predicate of the library is used.
+/// Plain rational geometry, with which tests compare the code. It uses no predicate of the library.
 namespace tetracone::verify::rationals {
 
 using covering::Index;
@@ -63,13 +63,13 @@ inline Vector image(const Pose& pose, const Vector& p)
   return result;
 }
 
-/// p is on the closed segment ab.
+/// True when p is on the closed segment ab.
 inline bool is_on_segment(const Vector& p, const Vector& a, const Vector& b)
 {
   return is_zero(outer(minus(b, a), minus(p, a))) && inner(minus(p, a), minus(p, b)) <= 0;
 }
 
-/// A normal of the face's plane, of any sign; zero when its corners are on one line.
+/// Returns a normal of the face's plane, of any sign; zero when its corners are on one line.
 inline Vector normal(const Polyhedron& polyhedron, Index f)
 {
   const Vector a = exactly(polyhedron.vertices[polyhedron.loop(f, 0)[0]]);
@@ -97,7 +97,8 @@ inline bool is_on_loops(const Polyhedron& polyhedron, Index f, const Vector& p)
   return false;
 }
 
-/// The winding number of the face's loops about a point of its plane off the loops, seen from where `n` points to.
+/// Returns the winding number of the face's loops about a point of its plane off the loops, seen from the side to which
+/// `n` points.
 inline int winding_in_plane(const Polyhedron& polyhedron, Index f, const Vector& n, const Vector& p)
 {
   int drop = 0;
@@ -119,7 +120,7 @@ inline int winding_in_plane(const Polyhedron& polyhedron, Index f, const Vector&
   return winding * sign(n[drop]);
 }
 
-/// p is on the closed face.
+/// True when p is on the closed face.
 inline bool is_on_face(const Polyhedron& polyhedron, Index f, const Vector& p)
 {
   if (is_on_loops(polyhedron, f, p)) return true;
@@ -135,8 +136,8 @@ inline bool is_on_surface(const Polyhedron& polyhedron, const Vector& p)
   return false;
 }
 
-/// The winding number of the polyhedron about p: signed crossings of a ray, another one where it meets a loop.
-/// Requires p off the surface.
+/// Returns the winding number of the polyhedron about p, by signed crossings of a ray; a ray that meets a loop is
+/// replaced by another. Requires p off the surface.
 inline int winding_number(const Polyhedron& polyhedron, const Vector& p)
 {
   std::mt19937 random(7);
@@ -161,7 +162,8 @@ inline int winding_number(const Polyhedron& polyhedron, const Vector& p)
   }
 }
 
-/// Six times the volume by the divergence theorem, triangle fans of every loop about the loop's own first corner.
+/// Returns six times the volume by the divergence theorem, with triangle fans of every loop about the loop's own first
+/// corner.
 inline Rational six_volumes(const Polyhedron& polyhedron)
 {
   Rational sum = 0;

@@ -7,7 +7,7 @@
 
 namespace tetracone::verify {
 
-/// What the Error says that `ask` throws; empty when there is none.
+/// Returns the message of the Error that `ask` throws; empty when there is none.
 template <class Ask>
 std::string said(const Ask& ask)
 {

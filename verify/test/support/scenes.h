@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-/// Small bodies and poses for tests. Faces are outward unless said otherwise, coordinates small integers.
+/// Small bodies and poses for tests. Faces are outward unless stated otherwise; coordinates are small integers.
 namespace tetracone::verify::scenes {
 
 using covering::append;
@@ -44,7 +44,7 @@ inline Vertex real_vertex(Random& random, double radius)
   return {real(random, -radius, radius), real(random, -radius, radius), real(random, -radius, radius)};
 }
 
-/// The faces the other way round.
+/// Returns the body with its faces reversed.
 inline Polyhedron turned(const Polyhedron& what)
 {
   Polyhedron result;
@@ -66,7 +66,7 @@ inline Polyhedron box(const Vertex& low, const Vertex& high)
 inline Polyhedron unit_cube() { return box({0, 0, 0}, {1, 1, 1}); }
 inline Polyhedron cube(double half) { return box({-half, -half, -half}, {half, half, half}); }
 
-/// Every loop as a fan of triangles: for bodies whose faces are convex and have no holes.
+/// Returns every loop as a fan of triangles. Requires convex faces without holes.
 inline Polyhedron triangulated(const Polyhedron& body)
 {
   Polyhedron result;
@@ -86,7 +86,7 @@ inline Polyhedron tetrahedron(const Vertex& a, const Vertex& b, const Vertex& c,
   return result;
 }
 
-/// `inner` as a cavity of `outer`.
+/// Returns `outer` with `inner` as a cavity.
 inline Polyhedron with_cavity(Polyhedron outer, const Polyhedron& inner)
 {
   append(outer, inner, true);
@@ -94,7 +94,7 @@ inline Polyhedron with_cavity(Polyhedron outer, const Polyhedron& inner)
 }
 inline Polyhedron cube_with_cavity() { return with_cavity(cube(3), cube(2)); }
 
-/// The only loop of a face the other way round, its vertices numbered from `first`.
+/// Returns the only loop of a face reversed, with its vertices numbered from `first`.
 inline std::vector<Index> reversed_loop(const Polyhedron& body, Index f, Index first)
 {
   std::vector<Index> loop;
@@ -176,8 +176,8 @@ inline Polyhedron star_prism()
   return prism({{3, 0}, {1, 1}, {0, 3}, {-1, 1}, {-3, 0}, {-1, -1}, {0, -3}, {1, -1}}, 2);
 }
 
-/// Cells of the grid n x n x n as one solid, one square for each side between a full and an empty cell. Vertices are
-/// shared.
+/// Cells of the grid n x n x n as one solid, with one square for each side between a full and an empty cell. Vertices
+/// are shared.
 struct Voxels {
   int n;
   std::vector<bool> full;
@@ -223,7 +223,8 @@ struct Voxels {
     return result;
   }
 
-  /// 1 inside, 0 on the surface, -1 outside the closed solid, of the point (x, y, z) / 2: from the cells that hold it.
+  /// Returns 1 inside, 0 on the surface, -1 outside the closed solid, for the point (x, y, z) / 2, by the cells that
+  /// contain it.
   int where(int x, int y, int z) const
   {
     // Shifted right, a negative number is rounded down.
@@ -290,7 +291,7 @@ inline Polyhedron blob(Random& random, int divisions, double low, double high)
   return result;
 }
 
-/// Each coordinate times `scale`, plus `shift`. Exact where these are.
+/// Returns the body with each coordinate times `scale`, plus `shift`. The result is exact if these operations are.
 inline Polyhedron moved(Polyhedron body, double scale, const Vertex& shift = {0, 0, 0})
 {
   for (Vertex& v : body.vertices)
@@ -327,7 +328,7 @@ inline Pose translation(double x, double y, double z)
   return Pose(std::array<double, 12>{1, 0, 0, x, 0, 1, 0, y, 0, 0, 1, z});
 }
 
-/// Truly rigid: rational entries.
+/// A random rotation with rational entries, exactly rigid.
 inline Pose random_rotation(Random& random, int radius = 5, const std::array<Rational, 3>& t = {0, 0, 0})
 {
   for (;;) {
@@ -337,10 +338,10 @@ inline Pose random_rotation(Random& random, int radius = 5, const std::array<Rat
   }
 }
 
-/// Each entry as the nearest double.
+/// Rounds each entry to the nearest double.
 inline Pose rounded(const Pose& pose) { return Pose(pose.entries()); }
 
-/// `first`, then `second`; exact.
+/// Returns the map that applies `first`, then `second`, exactly.
 inline Pose composed(const Pose& second, const Pose& first)
 {
   std::array<Rational, 12> entries;
@@ -369,7 +370,7 @@ struct Named {
   Polyhedron body;
 };
 
-/// Closed bodies of every kind that a face and a shell can be.
+/// Returns closed bodies with every kind of face and shell.
 inline std::vector<Named> closed_bodies()
 {
   Random random(11);

@@ -7,7 +7,7 @@
 
 namespace tetracone::verify {
 
-/// Those of the versions that this processor has.
+/// Returns the versions that this processor supports.
 template <class Function>
 std::vector<Function*> versions_here(const std::vector<kernel::Simd_version<Function>>& versions)
 {

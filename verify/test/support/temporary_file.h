@@ -11,13 +11,13 @@
 
 namespace tetracone::verify {
 
-/// A place of this process in the system's folder for temporary files.
+/// Returns a path for this process in the system's folder for temporary files.
 inline std::filesystem::path temporary_path(const std::string& name)
 {
   return std::filesystem::temp_directory_path() / ("tetracone_" + std::to_string(::getpid()) + "_" + name);
 }
 
-/// A file at such a place, with these bytes; removed with this object.
+/// A file at such a path with these bytes. Its destructor removes it.
 class Temporary_file {
  public:
   Temporary_file(const std::string& name, const std::string& bytes) : path_(temporary_path(name))
@@ -51,7 +51,7 @@ class Temporary_folder {
   std::filesystem::path path_;
 };
 
-/// What `read` says of the file in the input error that it throws, behind the file's path: ":4: what is wrong; what was
+/// Returns the message of the input error that `read` throws, after the file's path: ":4: what is wrong; what was
 /// expected".
 template <class Read>
 std::string error_of(const Temporary_file& file, const Read& read)

@@ -8,7 +8,7 @@
 
 namespace tetracone::verify {
 
-/// Whether the point is in the box; a side that is not finite bounds nothing.
+/// True when the point is in the box; a side that is not finite bounds nothing.
 inline bool holds(const tetratree::World_box& box, const rationals::Vector& p)
 {
   using kernel::Rational;

@@ -292,7 +292,7 @@ BOOST_AUTO_TEST_CASE(off_takes_comments_blank_lines_colours_and_normals)
   BOOST_TEST(same(plain, read_text(".off", "NOFF\n4 4 6\n" + normals + tetrahedron_faces).polyhedron));
   const std::string textured = "0 0 0 0.5 0.5\n1 0 0 0 1\n0 1 0 1 0\n0 0 1 1 1\n";
   BOOST_TEST(same(plain, read_text(".off", "STOFF\n4 4 6\n" + textured + tetrahedron_faces).polyhedron));
-  // What CGAL's reader does not take.
+  // Files that CGAL's reader does not take.
   const Read_model stuck = read_text(".off", " \tOFF4 4 6\n" + tetrahedron_vertices + tetrahedron_faces);
   BOOST_TEST(same(plain, stuck.polyhedron));
   BOOST_TEST(stuck.notes.at(0) == note);
@@ -464,7 +464,7 @@ BOOST_AUTO_TEST_CASE(stl_refuses_what_it_cannot_mean)
       ":7"));
   BOOST_TEST(error_of(".stl", binary_stl(tetrahedron_triangles, 5)) ==
              ": binary STL of 5 triangles in 284 bytes; expected 334 bytes");
-  // What could be triangles is not left out.
+  // Faces that could be triangles are not left out.
   for (const std::uint32_t count : {1, 3})
     BOOST_TEST(error_of(".stl", binary_stl(tetrahedron_triangles, count)).starts_with(": binary STL of "));
   const std::string whole = binary_stl(tetrahedron_triangles, 4);

@@ -34,7 +34,7 @@ struct Files {
   }
 };
 
-/// What the checker says of a certificate: its status.
+/// Returns the checker's exit status for a certificate.
 int checked(const Json& certificate)
 {
   const Temporary_file file("certificate.json", certificate.dump());
@@ -192,7 +192,7 @@ BOOST_AUTO_TEST_CASE(a_certificate_is_proved_and_a_spoiled_one_refused)
       BOOST_TEST(checked(bad) != 0, question << ": " << what);
     }
   }
-  // What holds of the surfaces need not hold of the solids: one cube is in the other.
+  // A proof for the surfaces need not hold for the solids: one cube is in the other.
   Json inside = certificate_of(files, "surface");
   inside["question"] = "solid";
   BOOST_TEST(checked(inside) != 0);

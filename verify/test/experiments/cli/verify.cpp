@@ -236,7 +236,7 @@ BOOST_AUTO_TEST_CASE(bad_words_are_one_line_and_status_2)
         std::string("--shard 1"), std::string("--shard -1/2"), std::string("--cases 0"), std::string("--cases x"),
         std::string("--level nothing"), std::string("--seed -1")})
     check_refused("verify --db " + db.path + " " + arguments);
-  // What would ask nothing, in whole or in a part that is named.
+  // Command lines of which the whole, or a named part, would ask nothing.
   const std::string mine = "--subject-command 'mine=cat'";
   for (const std::string& arguments :
        {"--level predicate " + mine, "--level predicate --subject mine " + mine, "--level rays --cases 3 " + mine,

@@ -1,4 +1,4 @@
-// Runs small programs of Python as somebody else's methods.
+// Runs small Python programs as external methods.
 
 #include "experiments/peers/subject_command.h"
 
@@ -270,7 +270,7 @@ for line in sys.stdin:
 
 BOOST_AUTO_TEST_CASE(the_examples_follow_the_protocol)
 {
-  // Those in C++ are built where their libraries are.
+  // C++ subjects are built where their libraries are installed.
   const auto folder = std::filesystem::path(TETRACONE_PROGRAM).parent_path() / "subjects";
   const auto example = [](const std::string& name, const std::string& words, bool is_there) {
     if (!is_there) {

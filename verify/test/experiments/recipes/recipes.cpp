@@ -17,7 +17,7 @@
 #include <iterator>
 #include <string>
 
-// What CMake makes of a row of kernel_list.h.
+// The expansion that CMake makes from a row of kernel_list.h.
 TETRACONE_INSTANTIATE_SOLVERS(, , Long_double, )
 template std::unique_ptr<tetracone::detail::Contact_solver>
 tetracone::detail::bvh8_contact_solver<tetracone::kernel::Long_double>(const Shared_body&, const Shared_body&,

@@ -21,7 +21,8 @@ using kernel::Pose;
 
 namespace {
 
-/// The surface question about two objects, in double: fast, and right but for hair-thin cases that do not matter here.
+/// The surface question about two objects, in double: fast, and right except for hair-thin cases that do not matter
+/// here.
 struct Scene {
   Polyhedron a, b;
   std::shared_ptr<verify::Prepared_pair> pair;

@@ -119,7 +119,7 @@ BOOST_AUTO_TEST_CASE(bounded_by_says_yes_only_where_all_points_are_exactly_on_th
     const Case c(random, n);
     const auto coordinates = c.coordinates();
     for (int trial = 0; trial < 12; ++trial) {
-      // Lengths whose plane runs through the farthest point but for a few units in the last place.
+      // Lengths whose plane runs through the farthest point, up to a few units in the last place.
       Lengths length = coordinates.isosceles();
       if (!is_finite(length)) continue;
       for (double& l : length) l *= scenes::real(random, 0.2, 1);

@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(the_origin_is_the_centroid_but_for_a_step)
     rationals::Vector sum = {0, 0, 0};
     for (const Vertex& p : points) sum = rationals::plus(sum, rationals::exactly(p));
     for (int k = 0; k < 3; ++k) {
-      // The mean is summed in double: off by less than 30 ulps of the largest term.
+      // The mean is summed in double, with an error below 30 ulps of the largest term.
       const Rational allowed = Rational(lattice.step) + Rational(std::abs(offset) + 2) * Rational(0x1p-45);
       BOOST_TEST((abs(Rational(sum[k] / 30 - Rational(lattice.origin[k]))) <= allowed));
     }

@@ -38,7 +38,7 @@ Truth truth(const std::array<Vector, 3>& t, const Vector& p)
   return {facing, side == -facing, side == 0};
 }
 
-/// An exact point that is off by as much as a local one may be.
+/// An exact point, moved by the largest error of a local point.
 Vector moved(Random& random, const Local_point& p)
 {
   Vector exact = rationals::exactly(p);

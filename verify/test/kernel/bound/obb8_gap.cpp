@@ -80,7 +80,7 @@ std::array<double, 3> lowest_point(const Obb8& boxes, int lane, float apex, cons
   return best;
 }
 
-/// Directions as a map turns them, and so many steps of a course after it.
+/// Directions after a map turns them, and after `steps` further steps of a course.
 auto turned_by(const Box_map& map, const Course& course = {}, double steps = 0)
 {
   return [&map, course, steps](const std::array<double, 3>& v) {
@@ -91,7 +91,7 @@ auto turned_by(const Box_map& map, const Course& course = {}, double steps = 0)
   };
 }
 
-/// A point after so many steps of a course.
+/// A point after `steps` steps of a course.
 rationals::Vector on_course(rationals::Vector image, const rationals::Vector& q, const Course& course, double steps)
 {
   for (int i = 0; i < 3; ++i) {

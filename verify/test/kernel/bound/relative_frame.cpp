@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(no_image_is_farther_off_than_the_error_says)
 
 BOOST_AUTO_TEST_CASE(a_point_that_is_off_itself_has_an_image_off_by_no_more_than_the_error_of_both)
 {
-  // From 2^-40 to 2^40 as large: where B is the larger, what its point is off by is most of it.
+  // Sizes from 2^-40 to 2^40: where B is the larger, the error of its point is most of the whole error.
   Random random(14);
   double worst = 0;
   int known = 0;

@@ -32,7 +32,7 @@ Rational_face face_of(const std::vector<std::vector<Vertex>>& loops)
   return Rational_face(edges);
 }
 
-/// What signs say of two triangles: the corners of what they share, in order of their coordinates.
+/// The signs' answer about two triangles: the corners of their intersection, in order of their coordinates.
 struct By_signs {
   Points points;
   Feature in_p, in_q;

@@ -1027,8 +1027,8 @@ BOOST_AUTO_TEST_CASE(constants_of_the_normal_filter_are_no_less_than_derived)
 
 BOOST_AUTO_TEST_CASE(constant_of_the_placed_error_is_no_less_than_derived)
 {
-  // The variables are the products as computed, and the translation. An entry that is a rounded fraction is off by a
-  // roundoff of itself, or, as a denormal, by eta, which its vertex multiplies by at most the gate.
+  // The variables are the computed products, and the translation. A rounded fraction as entry has a relative error of
+  // one roundoff or, if denormal, an error of eta, which its vertex multiplies by at most the gate.
   for (const bool fractions : {false, true}) {
     std::array<Bounded, 4> terms;
     Polynomial largest_lost;
@@ -1057,14 +1057,14 @@ BOOST_AUTO_TEST_CASE(constant_of_the_placed_error_is_no_less_than_derived)
 
 BOOST_AUTO_TEST_CASE(constant_of_the_difference_filter_is_no_less_than_derived)
 {
-  // value > c (e + f), computed, must say value (1 - u) > e + f: the computed difference is off by a roundoff of
-  // itself.
+  // value > c (e + f), as computed, must imply value (1 - u) > e + f: the computed difference has a relative error of
+  // one roundoff.
   const Polynomial e = Polynomial::variable(0), f = Polynomial::variable(1);
   const auto bound = [&](const Rational& c) { return At_least(Polynomial(c)) * (At_least(e) + At_least(f)); };
   const Rational derived = 1 / Rational(bound(1).sure[{1, 0, 0, 0, 0}] * shrunk);
   BOOST_TEST_MESSAGE("difference: derived " << rounded_up(derived));
   BOOST_TEST((derived <= Rational(difference_motion)));
-  // What the product loses to underflow is less than what is left of an error that is not zero.
+  // The product's underflow is smaller than the rest of an error that is not zero.
   const Rational left =
       (Rational(difference_motion) - derived) * bound(1).sure[{1, 0, 0, 0, 0}] * Rational(underflow_slack);
   BOOST_TEST((at_the_gate(bound(Rational(difference_motion)).lost) < left));
@@ -1225,9 +1225,9 @@ BOOST_AUTO_TEST_CASE(constants_of_the_double_double_normal_sign_are_no_less_than
 
 BOOST_AUTO_TEST_CASE(constant_of_the_double_double_image_is_no_less_than_derived)
 {
-  // The variables are the products as they are, and the translation: of entries rounded to double, as the stage sums
-  // them. A fraction is the sum of two doubles but for u^2 of it, or but for 2^-1074 = 2 eta, which its vertex
-  // multiplies by at most the gate.
+  // The variables are the exact products, and the translation, for entries rounded to double, as the stage sums them. A
+  // fraction is the sum of two doubles up to u^2 of it, or up to 2^-1074 = 2 eta, which its vertex multiplies by at
+  // most the gate.
   for (const bool fractions : {false, true}) {
     std::array<Double_double_bounded, 4> terms;
     for (int k = 0; k < 4; ++k) {
@@ -1235,7 +1235,7 @@ BOOST_AUTO_TEST_CASE(constant_of_the_double_double_image_is_no_less_than_derived
       if (!fractions)
         terms[k] = {m, k < 3 ? Rational(2) * eta : Polynomial()};
       else {
-        // The value is the high part's but for u of it; the exact entry is off by u^2 of it.
+        // The value is the high part's up to a relative error of u; the exact entry has one of u^2.
         const Polynomial entry = grown * m, off = Rational(double_double_roundoff / shrunk) * entry +
                                                   Rational(2 * Rational(magnitude_gate)) * eta;
         terms[k] = {entry, off};
@@ -1262,7 +1262,8 @@ BOOST_AUTO_TEST_CASE(constant_of_the_double_double_image_is_no_less_than_derived
 
 BOOST_AUTO_TEST_CASE(constant_of_the_double_double_difference_is_no_less_than_derived)
 {
-  // high > c (e + f + d high), computed, must say high (1 - u) > e + f + what the difference of the images is off by.
+  // high > c (e + f + d high), as computed, must imply high (1 - u) > e + f + (the error of the difference of the
+  // images).
   const Polynomial e = Polynomial::variable(0), f = Polynomial::variable(1), high = Polynomial::variable(2);
   const Polynomial needed = of_high_part(e + f + difference_of_double_double_images(high, {}).error);
   const auto bound = [&](const Rational& c) {

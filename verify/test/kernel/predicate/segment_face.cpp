@@ -409,7 +409,7 @@ class Face_samples {
     return loop;
   }
 
-  /// Seen from its centre the corners go round once: simple but for touches.
+  /// Seen from its centre the corners go round once: the loop is simple except for touches.
   std::vector<Flat> star(int radius, const Flat& centre)
   {
     auto loop = polygon(3, 7, radius);

@@ -14,7 +14,7 @@ using Stage = Adaptive::Stage;
 
 namespace {
 
-/// What one sign adds to the counts.
+/// Returns the counts that one sign adds.
 template <class Ask>
 Stage_counts counted(const Ask& ask)
 {

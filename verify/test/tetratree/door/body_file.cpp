@@ -62,7 +62,7 @@ Body saved(const Body& body)
   return read_body(file.path());
 }
 
-/// What reading these bytes is refused with, behind the file's name; empty where it is not.
+/// Returns the message with which these bytes are refused, after the file's name; empty when they are not.
 std::string refusal(const std::filesystem::path& file, const std::string& bytes)
 {
   write(file, bytes);

@@ -122,7 +122,7 @@ BOOST_AUTO_TEST_CASE(cubes_face_on_face_share_a_polygon_and_its_border)
   const std::set<std::array<double, 3>> corners(loops[0].begin(), loops[0].end()),
       expected = {{1, 0.5, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0.5, 1}};
   BOOST_TEST((corners == expected));
-  // Those of the sides z = 0 and z = 1 meet in a segment: they touch along x = 1.
+  // The polygons of the sides z = 0 and z = 1 meet in a segment: they touch along x = 1.
   BOOST_TEST(count(contacts, Piece::polygon) == 1u);
 }
 

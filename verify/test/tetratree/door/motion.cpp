@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(rigid_motions_are_of_doubles_or_fractions)
   BOOST_REQUIRE(first.has_value());
   const std::array<std::string, 7> whole = {"1", "0", "0", "0", "0", "0", "0"},
                                    scaled = {"1/3", "0", "0", "1/3", "0", "0", "0"};
-  // A quaternion's length changes how fast it turns, not how far.
+  // A quaternion's length changes the speed of its turn, but not the turn.
   const auto other = query.first_contact(Motion::rigid_from_text(whole, scaled), still);
   BOOST_REQUIRE(other.has_value());
   BOOST_TEST(other->lo > first->lo);

@@ -17,7 +17,7 @@ using namespace tetracone::verify::scenes;
 
 namespace {
 
-/// Calls work() by so many threads at once.
+/// Returns a function that calls work() by `count` threads at once.
 auto by_threads(int count)
 {
   return [count](const auto& work) {

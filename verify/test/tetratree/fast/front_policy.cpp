@@ -10,7 +10,8 @@ using tetracone::tetratree::Front_policy;
 
 namespace {
 
-/// A descent opens so many boxes; one that follows a front of an age, the poses since it was made, `growth` more each.
+/// A run of poses: a descent opens a fixed number of boxes. One that follows a front opens `growth` more for each pose
+/// since the front was made.
 struct Run {
   std::size_t made = 0, followed = 0, plain = 0;
   double cost = 0;

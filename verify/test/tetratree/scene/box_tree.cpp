@@ -28,7 +28,7 @@ World_box random_box(Random& random, float size)
 
 using Pairs = std::vector<std::pair<Box_tree::Item, Box_tree::Item>>;
 
-/// Those of which one item at least is marked, of the tree searched in so many parts.
+/// Returns the found pairs with at least one marked item, of the tree searched in `parts` parts.
 Pairs found(const Box_tree& tree, std::size_t parts)
 {
   Pairs pairs;

@@ -1,8 +1,8 @@
 #ifndef TETRACONE_VERIFY_TEST_THREADS_TBB_TASK_ARENA_H
 #define TETRACONE_VERIFY_TEST_THREADS_TBB_TASK_ARENA_H
 
-/// What a scene calls of oneTBB, by threads of the standard library: ThreadSanitizer sees no order that a library keeps
-/// which is not built with it.
+/// The part of oneTBB that a scene calls, by threads of the standard library. ThreadSanitizer cannot see the ordering
+/// inside a library that is not built with it.
 namespace tbb {
 
 namespace this_task_arena {

@@ -105,7 +105,7 @@ class Of_doubles : public Running_subject {
   std::optional<Spent> spent_;
 };
 
-/// Right but for one pair, which it invents or leaves out.
+/// Right except for one pair, which it invents or leaves out.
 template <bool invents>
 class Lists : public Running_subject {
  public:

@@ -22,7 +22,7 @@ using tetracone::kernel::Question;
 
 namespace {
 
-/// What the adaptive tree tells, but for one statement.
+/// The adaptive tree's answers, except for one statement.
 class Spoils : public Running_subject {
  public:
   using Spoil = void (*)(Told_distance& told);

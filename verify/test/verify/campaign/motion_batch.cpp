@@ -19,7 +19,7 @@ using tetracone::kernel::Question;
 
 namespace {
 
-/// What the package tells, but for one thing.
+/// The package's answers, except for one error.
 class Spoils_contact : public Running_motion {
  public:
   using Spoil = void (*)(Told_contact& told);

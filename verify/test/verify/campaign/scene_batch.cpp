@@ -20,7 +20,7 @@ using namespace tetracone::verify;
 
 namespace {
 
-/// What the library's scene tells, but for one error.
+/// The answers of the library's scene, except for one error.
 class Spoils : public Running_scene {
  public:
   using Spoil = void (*)(Frames_of_pairs& told);

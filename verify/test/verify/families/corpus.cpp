@@ -1,5 +1,5 @@
-// The corpus: each file's truth is what exact arithmetic says today, exact subjects are right about it, and those that
-// the file names are wrong as they were, but for exact ones, which have been mended.
+// The corpus. Each file's truth equals the exact answer of today, and exact subjects are right about it. The subjects
+// that the file names are still wrong in the recorded way, except for exact ones, which have been mended.
 
 #include "verify/cases/case_file.h"
 #include "verify/integer_truth/integer_truth.h"
@@ -39,7 +39,7 @@ std::vector<std::filesystem::path> corpus()
   return files;
 }
 
-/// What each subject answers: nothing for a failure. Subjects that are not asked are left out.
+/// The answer of each subject: nothing for a failure. Subjects that are not asked are left out.
 using Answers = std::map<std::string, std::optional<int>>;
 
 Answers answers(const Case_file& file, bool exact)

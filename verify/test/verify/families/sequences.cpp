@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(the_same_seed_makes_the_same_frames)
     }
 }
 
-// What the sequences are for: where contact is kept exactly, rounding lets the answer flicker.
+// The purpose of sequences: where contact is kept exactly, rounding lets the answer flicker.
 BOOST_AUTO_TEST_CASE(doubles_flicker_where_the_answer_is_constant)
 {
   int flips = 0;

@@ -59,7 +59,7 @@ void check_overflow(const std::string& name, const Expression& expression, std::
   BOOST_TEST((range_of<Double_range>(expression, std::vector<double>(inputs, most)).largest <= finite), name);
 }
 
-/// What an expression of points within the gate and its bound lose by underflow is within `underflow_slack`.
+/// The underflow of an expression of points within the gate, and of its bound, is within `underflow_slack`.
 template <class Range, class Expression, class Bound>
 void check_underflow(const std::string& name, const Expression& expression, std::size_t inputs, const Bound& its_bound,
                      std::size_t inputs_of_bound, double most)

@@ -75,7 +75,7 @@ Predicate_subject predicate_subject(const std::string& name,
   return {name, true, "", answer};
 }
 
-/// What a planted subject answers, given a case and the right answers.
+/// The answer of a planted subject, given a case and the right answers.
 using Truth = std::function<bool(const Object_case&, Question)>;
 using Planted = std::function<Outcome(const Object_case&, Question, const Truth&)>;
 
@@ -486,7 +486,7 @@ BOOST_AUTO_TEST_CASE(planted_errors_of_predicates_are_caught_by_the_relation_mea
   BOOST_TEST(violations(zero_is_positive, "R2 one frame") > 0);
   BOOST_TEST(violations(zero_is_positive, "R4 grassmann-pluecker") > 0);
   const auto first_end_in_plane_is_lost = [](Predicate predicate, Case c) -> std::optional<int> {
-    // What the published sign error does: see kernel/predicate/segment_face.h.
+    // The effect of the published sign error: see kernel/predicate/segment_face.h.
     if (predicate == Predicate::segment_triangle && right(Predicate::orientation, c) == 0) return 0;
     return right(predicate, c);
   };

@@ -23,7 +23,7 @@ using Random = tetracone::verify::scenes::Random;
 
 namespace {
 
-/// What may be true of a pair: it is apart, only the solids meet (one is in the other), or the surfaces meet.
+/// The possible positions of a pair: it is apart, only the solids meet (one is in the other), or the surfaces meet.
 enum class Meet { apart, nested, surface };
 
 std::ostream& operator<<(std::ostream& out, Meet meet)
