@@ -1,5 +1,7 @@
 #include "tetracone/kernel/motion/integer_form.h"
 
+#include "verify/test/support/integer_forms.h"
+
 #include <boost/test/unit_test.hpp>
 
 #include <array>
@@ -7,16 +9,9 @@
 BOOST_AUTO_TEST_SUITE(test_integer_form)
 
 using namespace tetracone::kernel;
+using tetracone::verify::form;
 
 namespace {
-
-template <std::size_t N>
-Integer_form form(const std::array<int, N>& coefficients)
-{
-  Integer_form f;
-  for (const int c : coefficients) f.push_back(c);
-  return f;
-}
 
 bool same(const Integer_form& f, const Integer_form& g)
 {

@@ -1,5 +1,7 @@
 #include "tetracone/kernel/motion/time_root.h"
 
+#include "verify/test/support/integer_forms.h"
+
 #include <boost/test/unit_test.hpp>
 
 #include <array>
@@ -11,16 +13,9 @@
 BOOST_AUTO_TEST_SUITE(test_time_root)
 
 using namespace tetracone::kernel;
+using tetracone::verify::form;
 
 namespace {
-
-template <std::size_t N>
-Integer_form form(const std::array<int, N>& coefficients)
-{
-  Integer_form f;
-  for (const int c : coefficients) f.push_back(c);
-  return f;
-}
 
 /// The linear form that is n t - m up to a positive factor: zero at m/n.
 Integer_form fraction(int m, int n) { return form<2>({-m, n - m}); }

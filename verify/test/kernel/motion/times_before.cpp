@@ -1,5 +1,7 @@
 #include "tetracone/kernel/motion/times_before.h"
 
+#include "verify/test/support/integer_forms.h"
+
 #include <boost/test/unit_test.hpp>
 
 #include <array>
@@ -9,16 +11,9 @@
 BOOST_AUTO_TEST_SUITE(test_times_before)
 
 using namespace tetracone::kernel;
+using tetracone::verify::form;
 
 namespace {
-
-template <std::size_t N>
-Integer_form form(const std::array<int, N>& coefficients)
-{
-  Integer_form f;
-  for (const int c : coefficients) f.push_back(c);
-  return f;
-}
 
 /// The linear form that is n t - m: zero at m/n.
 Integer_form zero_at(const Integer& m, const Integer& n) { return Integer_form(std::array<Integer, 2>{-m, n - m}); }
