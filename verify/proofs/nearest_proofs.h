@@ -55,11 +55,6 @@ inline Proved_bounds nearest_proofs()
   namespace stretch = kernel::least_stretch_bound;
   const double unit = kernel::unit_roundoff<double>;
   const Rational u(unit), up = 1 + u, down = 1 - u, similarity(kernel::Relative_frame::similarity_defect);
-  const auto power = [](const Rational& x, int n) {
-    Rational all = 1;
-    for (int k = 0; k < n; ++k) all *= x;
-    return all;
-  };
   Proved_bounds bounds;
   const auto add = [&](const std::string& name, const std::string& file, double in_code, const Rational& proved,
                        double in_units, double loosest, const std::string& by = "rationals") {

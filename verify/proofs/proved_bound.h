@@ -22,6 +22,14 @@ struct Proved_bound {
 
 using Proved_bounds = std::vector<Proved_bound>;
 
+/// Returns x to the power n, exactly. Requires n >= 0.
+inline Rational power(const Rational& x, int n)
+{
+  Rational all = 1;
+  for (int k = 0; k < n; ++k) all *= x;
+  return all;
+}
+
 }  // namespace tetracone::verify::proofs
 
 #endif

@@ -31,11 +31,6 @@ inline Proved_bounds reference_proofs()
   const double unit_of_float = kernel::unit_roundoff<float>;
   const Rational u(kernel::unit_roundoff<double>), of_float(kernel::unit_roundoff<float>), defect(kernel::axis_defect),
       similarity(kernel::Relative_frame::similarity_defect), few = 1 + Rational(0x1p-40);
-  const auto power = [](const Rational& x, int n) {
-    Rational all = 1;
-    for (int k = 0; k < n; ++k) all *= x;
-    return all;
-  };
   Proved_bounds bounds;
   const auto add = [&](const std::string& name, const std::string& file, double in_code, const Rational& proved,
                        double unit, double loosest, const std::string& by = "rationals") {
