@@ -5,7 +5,6 @@
 #include "verify/campaign/campaign_schema.h"
 #include "verify/integer_truth/integer_truth.h"
 #include "verify/relations/moving_body_relations.h"
-#include "verify/truth/cgal_truth.h"
 #include "verify/truth/moving_bodies_truth.h"
 
 #include <algorithm>
@@ -59,8 +58,7 @@ class Motion_batch : Working_batch<Moving_bodies_subject> {
       throw Truths_disagree("the two truths of a first contact disagree; the bodies at its start", start,
                             Question::surface);
     for (const Question question : {Question::surface, Question::solid}) {
-      const bool at_once =
-          verify::collide(Brute_body(*start.a), start.pose_a, Brute_body(*start.b), start.pose_b, question);
+      const bool at_once = truly_collide_at_start(c, question);
       if (at_once != integer_truth::collide(start, question))
         throw Truths_disagree("the two truths disagree", start, question);
       const First_time truth = at_once ? Time_bounds{0, 0} : of_surfaces;

@@ -11,7 +11,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -23,6 +25,73 @@ namespace {
 using covering::Index;
 using covering::Polyhedron;
 using kernel::Question;
+
+/// Returns k with 2^(k-1) < |x| < 2^(k+1), for a number that is not 0.
+long size_of(const Rational& x)
+{
+  return long(mpz_sizeinbase(x.get_num_mpz_t(), 2)) - long(mpz_sizeinbase(x.get_den_mpz_t(), 2));
+}
+
+/// Returns x times 2^doublings.
+Rational scaled(const Rational& x, long doublings)
+{
+  Rational y;
+  if (doublings >= 0)
+    mpq_mul_2exp(y.get_mpq_t(), x.get_mpq_t(), mp_bitcnt_t(doublings));
+  else
+    mpq_div_2exp(y.get_mpq_t(), x.get_mpq_t(), mp_bitcnt_t(-doublings));
+  return y;
+}
+
+/// Multiplies a body's coordinates by 2^-halvings. False, and nothing is done, where a double would lose digits.
+bool shrink(Polyhedron& body, int halvings)
+{
+  std::vector<kernel::Vertex> vertices = body.vertices;
+  for (std::size_t v = 0; v < vertices.size(); ++v)
+    for (std::size_t k = 0; k < 3; ++k) {
+      vertices[v][k] = std::ldexp(body.vertices[v][k], -halvings);
+      if (std::ldexp(vertices[v][k], halvings) != body.vertices[v][k]) return false;
+    }
+  body.vertices = std::move(vertices);
+  return true;
+}
+
+/// Returns the bodies in other units: lengths of each body, and of space, times powers of two. They meet at the same
+/// times. Near 1 fractions have few digits, and boxes of doubles separate what is apart.
+Moving_bodies near_unit(const Moving_bodies& bodies)
+{
+  Moving_bodies c = bodies;
+  const auto size_of_body = [](const Polyhedron& body) {
+    int size = std::numeric_limits<int>::min();
+    for (const kernel::Vertex& v : body.vertices)
+      for (const double x : v)
+        if (x != 0) size = std::max(size, std::ilogb(x));
+    return size == std::numeric_limits<int>::min() ? 0 : size;
+  };
+  const bool is_rigid = c.is_rigid();
+  std::array sizes = {size_of_body(c.a), size_of_body(c.b)};
+  // A rigid motion does not scale a body, so both bodies and space are scaled together.
+  if (is_rigid) sizes[0] = sizes[1] = std::max(sizes[0], sizes[1]);
+  if (!shrink(c.a, sizes[0]) || !shrink(c.b, sizes[1])) return bodies;
+  std::optional<long> largest;  // of all entries of linear motions
+  for (const auto& [motion, size] : {std::pair(&c.motion_a, sizes[0]), std::pair(&c.motion_b, sizes[1])}) {
+    std::optional<long> length;  // of the quaternions, which may have any
+    for (std::vector<Rational>& numbers : *motion)
+      for (std::size_t k = 0; k < numbers.size(); ++k) {
+        Rational& x = numbers[k];
+        if (is_rigid ? k >= 4 : k % 4 != 3) x = scaled(x, is_rigid ? -size : size);
+        if (x == 0) continue;
+        if (!is_rigid) largest = std::max(largest.value_or(size_of(x)), size_of(x));
+        if (is_rigid && k < 4) length = std::max(length.value_or(size_of(x)), size_of(x));
+      }
+    for (std::vector<Rational>& numbers : *motion)
+      for (std::size_t k = 0; length && k < 4; ++k) numbers[k] = scaled(numbers[k], -*length);
+  }
+  for (Motion_ends* motion : {&c.motion_a, &c.motion_b})
+    for (std::vector<Rational>& numbers : *motion)
+      for (Rational& x : numbers) x = scaled(x, -largest.value_or(0));
+  return c;
+}
 
 /// A quaternion by its coefficients of 1, i, j, k, polynomials in time.
 using Quaternion = std::array<Time_polynomial, 4>;
@@ -125,7 +194,7 @@ kernel::Pose pose_at(const Motion_ends& ends, const Rational& time)
   return kernel::Pose(entries);
 }
 
-bool collide_at_start(const Moving_bodies& bodies, Question question)
+bool near_unit_collide_at_start(const Moving_bodies& bodies, Question question)
 {
   const Brute_body a(bodies.a), b(bodies.b);
   return collide(a, pose_at(bodies.motion_a, 0), b, pose_at(bodies.motion_b, 0), question);
@@ -193,16 +262,7 @@ bool are_bounds(double lo, double hi) { return 0 <= lo && hi <= 1 && (lo == hi |
 std::array<Rational, 2> root_bounds(const Rational& square)
 {
   if (square == 0) return {0, 0};
-  const long bits = long(mpz_sizeinbase(square.get_num_mpz_t(), 2)) - long(mpz_sizeinbase(square.get_den_mpz_t(), 2));
-  const long halvings = (128 - bits) / 2;
-  const auto scaled = [](const Rational& x, long doublings) {
-    Rational y;
-    if (doublings >= 0)
-      mpq_mul_2exp(y.get_mpq_t(), x.get_mpq_t(), mp_bitcnt_t(doublings));
-    else
-      mpq_div_2exp(y.get_mpq_t(), x.get_mpq_t(), mp_bitcnt_t(-doublings));
-    return y;
-  };
+  const long halvings = (128 - size_of(square)) / 2;
   const Rational whole = scaled(square, 2 * halvings);
   const mpz_class root = sqrt(mpz_class(whole.get_num() / whole.get_den()));
   return {scaled(Rational(root), -halvings), scaled(Rational(root + 1), -halvings)};
@@ -256,10 +316,16 @@ Object_case at_start(const Moving_bodies& bodies, const Origin& origin)
           {}};
 }
 
-bool truly_first_by_features(const Moving_bodies& bodies, kernel::Question question,
+bool truly_collide_at_start(const Moving_bodies& bodies, kernel::Question question)
+{
+  return moving_truth::near_unit_collide_at_start(moving_truth::near_unit(bodies), question);
+}
+
+bool truly_first_by_features(const Moving_bodies& given, kernel::Question question,
                              const std::optional<kernel::Time_bounds>& first)
 {
-  if (moving_truth::collide_at_start(bodies, question)) return first && first->lo == 0 && first->hi == 0;
+  const Moving_bodies bodies = moving_truth::near_unit(given);
+  if (moving_truth::near_unit_collide_at_start(bodies, question)) return first && first->lo == 0 && first->hi == 0;
   const moving_truth::Features a(bodies.a, bodies.motion_a, moving_truth::weight_of(bodies.motion_b)),
       b(bodies.b, bodies.motion_b, moving_truth::weight_of(bodies.motion_a));
   if (!first) return !moving_truth::surfaces_meet(a, b, {});
@@ -271,11 +337,12 @@ bool truly_first_by_features(const Moving_bodies& bodies, kernel::Question quest
   return moving_truth::surfaces_meet(a, b, {0, lo, true});
 }
 
-std::optional<kernel::Time_bounds> true_first_contact(const Moving_bodies& bodies, kernel::Question question,
+std::optional<kernel::Time_bounds> true_first_contact(const Moving_bodies& given, kernel::Question question,
                                                       const std::optional<kernel::Time_bounds>& guess)
 {
+  const Moving_bodies bodies = moving_truth::near_unit(given);
   if (truly_first_by_features(bodies, question, guess)) return guess;
-  if (moving_truth::collide_at_start(bodies, question)) return kernel::Time_bounds{0, 0};
+  if (moving_truth::near_unit_collide_at_start(bodies, question)) return kernel::Time_bounds{0, 0};
   const moving_truth::Features a(bodies.a, bodies.motion_a, moving_truth::weight_of(bodies.motion_b)),
       b(bodies.b, bodies.motion_b, moving_truth::weight_of(bodies.motion_a));
   std::vector<moving_truth::Feature_pair> meeting;
@@ -298,11 +365,13 @@ std::optional<kernel::Time_bounds> true_first_contact(const Moving_bodies& bodie
   return kernel::Time_bounds{meet(lo, hi, false) ? lo : hi, hi};
 }
 
-Bracket truly_first_by_distances(const Moving_bodies& bodies, kernel::Question question,
+Bracket truly_first_by_distances(const Moving_bodies& given, kernel::Question question,
                                  const std::optional<kernel::Time_bounds>& first, int most, double end)
 {
+  const Moving_bodies bodies = moving_truth::near_unit(given);
   const auto judged = [](bool holds) { return holds ? Bracket::holds : Bracket::violated; };
-  if (moving_truth::collide_at_start(bodies, question)) return judged(first && first->lo == 0 && first->hi == 0);
+  if (moving_truth::near_unit_collide_at_start(bodies, question))
+    return judged(first && first->lo == 0 && first->hi == 0);
   if (first && (!moving_truth::are_bounds(first->lo, first->hi) || first->hi == 0)) return Bracket::violated;
   const Brute_body a(bodies.a), b(bodies.b);
   const auto square_at = [&](const Rational& time) -> std::optional<Rational> {

@@ -28,6 +28,9 @@ std::optional<kernel::Time_bounds> true_first_contact(const Moving_bodies& bodie
 /// Returns the bodies at t = 0.
 Object_case at_start(const Moving_bodies& bodies, const Origin& origin = {});
 
+/// True when they collide at t = 0.
+bool truly_collide_at_start(const Moving_bodies& bodies, kernel::Question question);
+
 enum class Bracket { holds, violated, undecided };
 
 /// By distances: exact distances of the placed surfaces at rational times and an upper bound of the points' speed prove
