@@ -3,9 +3,7 @@
 
 . "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-command -v clang-format > /dev/null || { echo "skipped: no clang-format; expected the package clang-format"; exit 77; }
-# Versions break lines differently: the sources have the form of one.
-[[ $(clang-format --version) == *"version 14."* ]] || { echo "skipped: $(clang-format --version); expected version 14, whose form the sources have"; exit 77; }
+need_version_14 clang-format
 cd "$root"
 mapfile -t sources < <(find kernel covering tetratree verify experiments -name '*.h' -o -name '*.cpp' -o -name '*.inl')
 if [[ ${1-} == -i ]]; then clang-format -i "${sources[@]}"; else clang-format --dry-run -Werror --ferror-limit=3 "${sources[@]}"; fi

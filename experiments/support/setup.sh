@@ -63,6 +63,14 @@ clang_runtime() { echo "libclang-rt-$(clang -dumpversion | cut -d . -f 1)-dev"; 
 # known_packages PACKAGE...: those that this release of Debian has. Apt knows them once it has installed something.
 known_packages() { local package; for package; do if apt-cache show "$package" > /dev/null 2>&1; then echo "$package"; fi; done; }
 
+# need_version_14 TOOL: ends with status 77, which skips a test, where clang's tool is not there, or of another version: each finds other things, and the
+# sources agree with one.
+need_version_14()
+{
+  command -v "$1" > /dev/null || { echo "skipped: no $1; expected the package $1"; exit 77; }
+  [[ $("$1" --version) == *"version 14."* ]] || { echo "skipped: $1 is not of version 14, with which the sources agree"; exit 77; }
+}
+
 # Whole gigabytes of memory that programs may still take.
 gigabytes_free() { awk '/^MemAvailable:/ { print int($2 / 1000000) }' /proc/meminfo; }
 
