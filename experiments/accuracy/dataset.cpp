@@ -66,7 +66,7 @@ covering::Polyhedron as_triangles(const covering::Polyhedron& polyhedron)
   return triangles;
 }
 
-/// Rows of a table, as CSV and as JSON.
+/// Rows of a table, as CSV and as JSON Lines.
 class Rows {
  public:
   /// Adds a value in JSON's form; CSV has no strings, and 1 and 0 for true and false.
@@ -77,11 +77,14 @@ class Rows {
   }
   void end()
   {
+    if (columns_.empty())
+      for (const auto& column : json_row_.items()) columns_.push_back(column.key());
     csv_.add(std::exchange(csv_row_, {}));
-    json_.push_back(std::exchange(json_row_, Json::object()));
+    json_lines_ += std::exchange(json_row_, Json::object()).dump() + "\n";
   }
+  const std::vector<std::string>& columns() const { return columns_; }
   const std::string& csv() const { return csv_.text(); }
-  std::string json() const { return json_.dump(0) + "\n"; }
+  const std::string& json_lines() const { return json_lines_; }
 
  private:
   static std::string csv_of(const Json& value)
@@ -93,7 +96,9 @@ class Rows {
 
   Csv_row csv_row_;
   Csv_table csv_;
-  Json json_row_ = Json::object(), json_ = Json::array();
+  Json json_row_ = Json::object();
+  std::string json_lines_;
+  std::vector<std::string> columns_;
 };
 
 void add_pose(Rows& rows, char body, const kernel::Pose& pose)
@@ -129,6 +134,40 @@ Described_families described_families()
     text += "| `" + name + "` | " + what + " | " + parameter + " | " + values + " |\n";
   }
   return {csv, text};
+}
+
+/// The fields of Croissant for the columns of TABLE.csv. `meanings` has type and description of each column; columns
+/// of poses and of points, which are many, by their first letter.
+Json fields(const std::string& table, const std::vector<std::string>& columns, const Json& meanings)
+{
+  Json all = Json::array();
+  for (const std::string& column : columns) {
+    const Json& meaning = meanings.at(meanings.contains(column) ? column : column.substr(0, 1));
+    all.push_back({{"@type", "cr:Field"},
+                   {"@id", table + "/" + column},
+                   {"name", column},
+                   {"description", meaning[1]},
+                   {"dataType", meaning[0]},
+                   {"source", {{"fileObject", {{"@id", table + ".csv"}}}, {"extract", {{"column", column}}}}}});
+  }
+  return all;
+}
+
+/// A section of the README: what each column means, those of one meaning together.
+std::string described_fields(const Json& tables)
+{
+  std::string text = "\n## Fields\n\n| file | column | meaning |\n|---|---|---|\n";
+  for (const Json& table : tables) {
+    const Json& fields = table["field"];
+    for (std::size_t first = 0, next; first < fields.size(); first = next) {
+      next = first + 1;
+      while (next < fields.size() && fields[next]["description"] == fields[first]["description"]) ++next;
+      text += "| `" + table["@id"].get<std::string>() + "` | `" + fields[first]["name"].get<std::string>() + "`";
+      if (next > first + 1) text += " .. `" + fields[next - 1]["name"].get<std::string>() + "`";
+      text += " | " + fields[first]["description"].get<std::string>() + " |\n";
+    }
+  }
+  return text;
 }
 
 void agree(bool same)
@@ -172,6 +211,9 @@ class Checked_folder {
     write_whole(folder_ / name, std::string(text));
     checksums_[name] = sha256(text);
   }
+
+  const std::string& sum(const std::string& name) const { return checksums_.at(name); }
+  std::uintmax_t size(const std::string& name) const { return std::filesystem::file_size(folder_ / name); }
 
   void write_sums() const
   {
@@ -239,11 +281,11 @@ void export_dataset(const std::filesystem::path& out, std::uint64_t cases, std::
     }
   Checked_folder kept(folder, meshes.checksums());
   kept.add("cases.csv", objects.csv());
-  kept.add("cases.json", objects.json());
+  kept.add("cases.jsonl", objects.json_lines());
   kept.add("predicates.csv", predicates.csv());
+  kept.add("predicates.jsonl", predicates.json_lines());
   const Described_families described = described_families();
   kept.add("families.csv", described.csv);
-  kept.add("README.md", std::string(dataset_files::readme_md) + described.markdown);
   kept.add("LICENSE", dataset_files::license);
   kept.add("tetracone_dataset.py", dataset_files::tetracone_dataset_py);
   kept.add("score.py", dataset_files::score_py);
@@ -257,6 +299,23 @@ void export_dataset(const std::filesystem::path& out, std::uint64_t cases, std::
                                 {"again", again()}}
                                    .dump(1) +
                                "\n");
+
+  Json croissant = Json::parse(dataset_files::croissant_json);
+  const Json meanings = croissant["columns"];
+  croissant.erase("columns");
+  croissant["version"] = TETRACONE_VERSION;
+  croissant["datePublished"] = dataset_files::date_released;
+  for (Json& file : croissant["distribution"])
+    if (file["@type"] == "cr:FileObject") {
+      const std::string name = file["contentUrl"];
+      file["contentSize"] = std::to_string(kept.size(name)) + " B";
+      file["sha256"] = kept.sum(name);
+    }
+  for (Json& table : croissant["recordSet"])
+    table["field"] = fields(table["@id"], (table["@id"] == "cases" ? objects : predicates).columns(), meanings);
+  kept.add("croissant.json", croissant.dump(1) + "\n");
+  kept.add("README.md",
+           std::string(dataset_files::readme_md) + described_fields(croissant["recordSet"]) + described.markdown);
   kept.write_sums();
 }
 

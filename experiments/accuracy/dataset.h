@@ -6,11 +6,12 @@
 
 namespace tetracone::experiments {
 
-/// Writes cases of all families with their truth, for other libraries. OUT/dataset/ holds cases.csv and cases.json (the
-/// same rows), the polyhedra as triangles in meshes/NAME.off, predicates.csv and families.csv. A README.md describes
-/// every column and every family; a reader and a scorer in Python come with example.py, which runs a toy library. The
-/// licence, the version and SHA256SUMS complete it. Every number is exact: decimals of doubles that read back as equal,
-/// or "n/d". `cases` is their number per family and level. Throws covering::Input_error when `out` cannot be written.
+/// Writes cases of all families with their truth, for other libraries. OUT/dataset/ holds cases and predicates, as
+/// JSON Lines and as CSV of the same rows, the polyhedra as triangles in meshes/NAME.off, and families.csv. README.md
+/// is the card: it describes every column and every family, as croissant.json does for programs. A reader and a scorer
+/// in Python come with example.py, which runs a toy library. The licence, the version and SHA256SUMS complete it.
+/// Every number is exact: decimals of doubles that read back as equal, or "n/d". `cases` is their number per family
+/// and level. Throws covering::Input_error when `out` cannot be written.
 void export_dataset(const std::filesystem::path& out, std::uint64_t cases, std::uint64_t seed);
 
 }  // namespace tetracone::experiments

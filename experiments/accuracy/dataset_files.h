@@ -6,7 +6,10 @@
 /// The files of experiments/accuracy/dataset/, which the program writes beside the cases.
 namespace tetracone::experiments::dataset_files {
 
-extern const std::string_view readme_md, license, tetracone_dataset_py, score_py, example_py;
+extern const std::string_view readme_md, license, tetracone_dataset_py, score_py, example_py, croissant_json;
+
+/// The date of this version, from CITATION.cff.
+extern const std::string_view date_released;
 
 }  // namespace tetracone::experiments::dataset_files
 

@@ -43,15 +43,16 @@ tetracone::Pose pose_of(const Json& row, char body)
 
 void answer(const std::filesystem::path& folder)
 {
-  std::ifstream file(folder / "cases.json");
-  if (!file) throw tetracone::Error((folder / "cases.json").string() + ": cannot be read; expected a dataset");
+  std::ifstream file(folder / "cases.jsonl");
+  if (!file) throw tetracone::Error((folder / "cases.jsonl").string() + ": cannot be read; expected a dataset");
   std::map<std::string, tetracone::Body> bodies;
   const auto body = [&](const std::string& name) -> const tetracone::Body& {
     if (const auto found = bodies.find(name); found != bodies.end()) return found->second;
     return bodies.emplace(name, tetracone::read_body(folder / "meshes" / name)).first->second;
   };
   std::size_t asked = 0, wrong = 0;
-  for (const Json& row : Json::parse(file)) {
+  for (std::string line; std::getline(file, line);) {
+    const Json row = Json::parse(line);
     const tetracone::Body &a = body(row.at("mesh_a")), &b = body(row.at("mesh_b"));
     const tetracone::Pose pose_a = pose_of(row, 'a'), pose_b = pose_of(row, 'b');
     std::cout << row.at("id").get<std::string>();

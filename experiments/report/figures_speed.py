@@ -148,7 +148,7 @@ def claim(study, campaign):
         points = {subject: count for (subject,), count in campaign.wrong_by(rows, "subject").items()}
     parts = [f"{name} {percent(points[subject][0] / points[subject][1])}" for subject, name in OTHERS
              if subject in points and points[subject][1]]
-    return text + (f" Of exactly degenerate contacts, others get wrong: {', '.join(parts)}." if parts else "")
+    return text + (f" In exactly degenerate contact others are wrong: {', '.join(parts)}." if parts else "")
 
 
 OTHERS = (("float tree", "our tree in float"), ("double tree", "our tree in double"), ("epick tree", "our tree over CGAL's EPICK"),

@@ -1,6 +1,5 @@
 """What the figures of the speed experiments share: their rows, means, and how a figure is kept."""
 
-import csv
 import math
 import os
 import sys
@@ -11,6 +10,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
 from report_data import geometric_mean, interval
+from report_data import read as read_csv
 from report_style import BLUE, GREEN, GREY, INK, ORANGE, PURPLE, SKY, VERMILION, box_of, set_style  # noqa: F401
 
 OURS, FCL, PAPER, PUBLISHED = "tetracone", "FCL OBBRSS", "tetra-tree tuned in double", "tetra-tree as published in double"
@@ -20,16 +20,18 @@ SHORT = {LAST_FRAME: "with last frame", IN_DOUBLE: "in double", FCL: "FCL", PAPE
 TEXT = {"scenario", "object", "question", "subject", "version", "compiler", "flags", "processor", "again", "fcl", "estimator"}
 
 
+def rows_of(folder, name):
+    """The rows of FOLDER/NAME.csv: numbers as numbers, None where a field is empty; no rows where there is no such file."""
+    return [{k: v if k in TEXT else float(v) if v else None for k, v in row.items()} for row in read_csv(os.path.join(folder, name + ".csv"))]
+
+
 def read(name):
-    """The folder given on the command line and the rows of FOLDER/NAME.csv: numbers as numbers, None where a field is empty."""
+    """The folder given on the command line and the rows of FOLDER/NAME.csv."""
     if len(sys.argv) != 2:
         sys.exit(f"usage: {os.path.basename(sys.argv[0])} OUT")
-    file = os.path.join(sys.argv[1], name + ".csv")
-    try:
-        with open(file, newline="") as f:
-            rows = [{k: v if k in TEXT else float(v) if v else None for k, v in row.items()} for row in csv.DictReader(f)]
-    except FileNotFoundError:
-        sys.exit(f"{file}: no such file; expected the results of tetracone experiment {name}")
+    rows = rows_of(sys.argv[1], name)
+    if not rows:
+        sys.exit(f"{os.path.join(sys.argv[1], name + '.csv')}: no such file; expected the results of tetracone experiment {name}")
     set_style()
     return sys.argv[1], rows
 

@@ -80,10 +80,12 @@ METHODS = (
 
 
 def bibtex(citation):
-    """The software's entry, from CITATION.cff."""
+    """The entries of the program and the dataset, from CITATION.cff, and of the paper."""
     title, version, year = citation["title"], citation["version"], citation["year"]
     return (f"@software{{tetracone,\n  title = {{{title}}},\n  author = {{{{{citation['author']}}}}},\n  version = {{{version}}},\n"
             f"  year = {{{year}}}\n}}\n\n"
+            f"@misc{{tetracone_dataset,\n  title = {{Collisions with exact truth}},\n  author = {{{{{citation['author']}}}}},\n  "
+            f"note = {{Dataset of version {version}, made by tetracone experiment dataset}},\n  year = {{{year}}}\n}}\n\n"
             "@article{jimenez2008collision,\n  title = {Collision detection between complex polyhedra},\n  author = {Jim{\\'e}nez, Juan J. "
             "and Segura, Rafael J.},\n  journal = {Computers \\& Graphics},\n  volume = {32},\n  number = {4},\n  pages = {402--411},\n  "
             "year = {2008},\n  doi = {10.1016/j.cag.2008.05.002}\n}")
@@ -111,7 +113,7 @@ def sections(page, study, campaign):
     seeds = distinct([r["seed"] for r in study.rows] + [r["seed"] for r in campaign.tables["runs"]])
     yield page.section("cite", "How to cite", f"<p>Cite the software by its version, with the seed {', '.join(seeds)} of these numbers, "
                        f"and the paper whose method it makes exact. The same entries are in "
-                       f"<code>CITATION.cff</code>.</p><pre>{html.escape(bibtex(citation()))}</pre>")
+                       f"<code>experiments/artifact/README.md</code>.</p><pre>{html.escape(bibtex(citation()))}</pre>")
 
 
 def frame(opening, sections):

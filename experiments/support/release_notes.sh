@@ -1,6 +1,5 @@
 #!/bin/bash
-# release_notes.sh [VERSION]: prints what CHANGELOG.md says of a version; without one, of what is not yet released. The message of a release's tag:
-#   git tag -a v0.2.0 --cleanup=whitespace -m 0.2.0 -m "$(experiments/support/release_notes.sh 0.2.0)"
+# release_notes.sh [VERSION]: prints what CHANGELOG.md says of a version; without one, of what is not yet released.
 
 set -euo pipefail
 changelog=$(dirname "${BASH_SOURCE[0]}")/../../CHANGELOG.md

@@ -12,7 +12,11 @@ fuzz_packages=(clang libjemalloc2)
 # For the tests of the sources' form, of error bounds, of the report, of the page in 3D, of the examples of subjects, of the Python package, its notebooks and the
 # Debian packages, which skip without them.
 test_packages=(clang-format clang-tidy gappa python3 python3-matplotlib python3-pil python3-selenium chromium chromium-driver libembree-dev
-  pybind11-dev python3-dev python3-numpy jupyter-nbconvert python3-ipykernel dpkg-dev)
+  python3-pip jupyter-nbconvert python3-ipykernel dpkg-dev)
+# For the Python package.
+python_packages=(pybind11-dev python3-dev python3-numpy)
+# What builds it for pip; Debian 12 has it among its backports alone.
+pip_packages=(python3-scikit-build-core)
 # For the study: the peers that it compares with, and the figures of its report.
 study_packages=(libfcl-dev libbullet-dev libode-dev libccd-dev python3 python3-matplotlib)
 
@@ -55,6 +59,17 @@ install_packages()
 
 # The package of the sanitizers' runtime for the clang that is there: its name has clang's version, which differs between releases of Debian.
 clang_runtime() { echo "libclang-rt-$(clang -dumpversion | cut -d . -f 1)-dev"; }
+
+# known_packages PACKAGE...: those that this release of Debian has. Apt knows them once it has installed something.
+known_packages() { local package; for package; do if apt-cache show "$package" > /dev/null 2>&1; then echo "$package"; fi; done; }
+
+# need_version_14 TOOL: ends with status 77, which skips a test, where clang's tool is not there, or of another version: each finds other things, and the
+# sources agree with one.
+need_version_14()
+{
+  command -v "$1" > /dev/null || { echo "skipped: no $1; expected the package $1"; exit 77; }
+  [[ $("$1" --version) == *"version 14."* ]] || { echo "skipped: $1 is not of version 14, with which the sources agree"; exit 77; }
+}
 
 # Whole gigabytes of memory that programs may still take.
 gigabytes_free() { awk '/^MemAvailable:/ { print int($2 / 1000000) }' /proc/meminfo; }

@@ -1,10 +1,10 @@
 #!/bin/bash
 # experiments/support/tidy.sh [FILE...]: clang-tidy, by the checks of .clang-tidy, on all headers of the package as one unit, and on these sources or, without
-# any, on those that the working tree changes, as many as two minutes allow. Exit status 1 where it finds something, 77 without clang-tidy.
+# any, on those that the working tree changes, as many as two minutes allow. Exit status 1 where it finds something, 77 without clang-tidy 14.
 
 . "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-command -v clang-tidy > /dev/null || { echo "skipped: no clang-tidy; expected the package clang-tidy"; exit 77; }
+need_version_14 clang-tidy
 cd "$root"
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT

@@ -450,7 +450,7 @@ All pairs of an edge of one body and a face of the other that share a point: for
 >>> import tetracone
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 >>> found = tetracone.Query(a, a).features([[1, 0, 0, 1], [0, 1, 0, 0], [0, 0, 1, 0]])
->>> len(found), found[0]
+>>> len(found), found[0].item()
 (18, (0, 0, 1, 0, 'vertex-vertex'))
 )")
       .def("contacts", of_poses<&contacts>("contacts"), poses_b, poses_a, R"(contacts(poses_b, *, poses_a=None)

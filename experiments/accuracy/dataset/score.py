@@ -17,12 +17,12 @@ class Error(Exception):
 def truths(folder):
     """{(id, question): (family, true answer)}, in order."""
     found = {}
-    for row in dataset.rows("cases.csv", folder):
+    for row in dataset.rows("cases.jsonl", folder):
         for question in ("surface", "solid"):
             found[row["id"], question] = row["family"], int(row[question])
-    for row in dataset.rows("predicates.csv", folder):
+    for row in dataset.rows("predicates.jsonl", folder):
         name = "solid-predicate" if row["predicate"] == "solid" else row["predicate"]
-        found[row["id"], name] = row["family"], int(row["truth"])
+        found[row["id"], name] = row["family"], row["truth"]
     return found
 
 

@@ -1,6 +1,5 @@
 """Reads the cases of the folder that this file is in, exactly. Needs Python's own library alone."""
 
-import csv
 import hashlib
 import json
 import os
@@ -21,13 +20,9 @@ class Error(Exception):
     """A file that is not as it was written: one line."""
 
 
-def number(text):
-    """The exact number of a decimal, which stands for the double nearest to it, or of a fraction n/d."""
-    return Fraction(text) if "/" in text else Fraction(float(text))
-
-
 def pose(row, body):
-    return tuple(tuple(number(row[f"{body}{i}{j}"]) for j in range(4)) for i in range(3))
+    """Exact: a number of JSON is a double, and a text is a fraction n/d."""
+    return tuple(tuple(Fraction(row[f"{body}{i}{j}"]) for j in range(4)) for i in range(3))
 
 
 def read_mesh(name, folder=FOLDER):
@@ -42,27 +37,28 @@ def read_mesh(name, folder=FOLDER):
 
 
 def rows(name, folder):
-    with open(os.path.join(folder, name), newline="", encoding="ascii") as file:
-        yield from csv.DictReader(file)
+    """The rows of a file of JSON Lines, as dictionaries."""
+    with open(os.path.join(folder, name), encoding="ascii") as file:
+        yield from map(json.loads, file)
 
 
 def cases(folder=FOLDER):
     """All cases of two polyhedra, in order. Cases that share a mesh share its tuples."""
     meshes = {}
-    for row in rows("cases.csv", folder):
+    for row in rows("cases.jsonl", folder):
         for name in (row["mesh_a"], row["mesh_b"]):
             if name not in meshes:
                 meshes[name] = read_mesh(name, folder)
-        yield Case(row["id"], row["family"], int(row["index"]), float(row["parameter"]), meshes[row["mesh_a"]], meshes[row["mesh_b"]],
-                   pose(row, "a"), pose(row, "b"), row["surface"] == "1", row["solid"] == "1", float(row["log2_rho"]), float(row["log2_ulps"]))
+        yield Case(row["id"], row["family"], row["index"], float(row["parameter"]), meshes[row["mesh_a"]], meshes[row["mesh_b"]],
+                   pose(row, "a"), pose(row, "b"), row["surface"], row["solid"], float(row["log2_rho"]), float(row["log2_ulps"]))
 
 
 def predicates(folder=FOLDER):
     """All cases of a predicate of seven points, in order."""
-    for row in rows("predicates.csv", folder):
-        points = tuple(tuple(float(row[name + axis]) for axis in "xyz") for name in ("v0", "v1", "v2", "v3", "p", "q", "r"))
-        yield Predicate(row["id"], row["family"], int(row["index"]), float(row["parameter"]), row["predicate"], points, pose(row, "a"),
-                        pose(row, "b"), int(row["truth"]), float(row["log2_rho"]), float(row["log2_ulps"]))
+    for row in rows("predicates.jsonl", folder):
+        points = tuple(tuple(row[name + axis] for axis in "xyz") for name in ("v0", "v1", "v2", "v3", "p", "q", "r"))
+        yield Predicate(row["id"], row["family"], row["index"], float(row["parameter"]), row["predicate"], points, pose(row, "a"),
+                        pose(row, "b"), row["truth"], float(row["log2_rho"]), float(row["log2_ulps"]))
 
 
 def about(folder=FOLDER):

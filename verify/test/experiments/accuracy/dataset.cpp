@@ -1,4 +1,4 @@
-// Runs `tetracone experiment dataset` itself: its rows as JSON and as CSV.
+// Runs `tetracone experiment dataset` itself: its rows as JSON Lines and as CSV.
 
 #include "experiments/accuracy/dataset.h"
 
@@ -17,19 +17,18 @@ using namespace tetracone::verify;
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
-BOOST_AUTO_TEST_CASE(rows_of_json_have_numbers_and_booleans)
+BOOST_AUTO_TEST_CASE(rows_of_json_lines_have_numbers_and_booleans)
 {
   const Temporary_folder folder("dataset");
   const Run r = run("experiment dataset --cases 1 --out " + in_quotes(folder.path()));
   BOOST_TEST_REQUIRE(r.status == 0, r.error);
-  std::ifstream in(folder.path() / "dataset" / "cases.json"), csv(folder.path() / "dataset" / "cases.csv");
-  const Json rows = Json::parse(in);
-  BOOST_TEST(rows.size() > 20u);
+  std::ifstream in(folder.path() / "dataset" / "cases.jsonl"), csv(folder.path() / "dataset" / "cases.csv");
   std::string line;
   std::getline(csv, line);
   BOOST_TEST(line.starts_with("id,family,index,parameter,seed,mesh_a,mesh_b,surface,solid,log2_rho,log2_ulps,a00,"));
-  int fractions = 0;
-  for (const Json& row : rows) {
+  int count = 0, fractions = 0;
+  for (std::string text; std::getline(in, text); ++count) {
+    const Json row = Json::parse(text);
     BOOST_TEST(row["surface"].is_boolean());
     BOOST_TEST(row["solid"].is_boolean());
     BOOST_TEST(row["index"].is_number_unsigned());
@@ -48,6 +47,7 @@ BOOST_AUTO_TEST_CASE(rows_of_json_have_numbers_and_booleans)
         std::string(row["surface"].get<bool>() ? ",1," : ",0,") + (row["solid"].get<bool>() ? "1," : "0,");
     BOOST_TEST(line.find(row["mesh_b"].get<std::string>() + truths) != std::string::npos, line);
   }
+  BOOST_TEST(count > 20);
   BOOST_TEST(fractions > 0);
 }
 

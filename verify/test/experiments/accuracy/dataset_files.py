@@ -2,6 +2,7 @@
 """Tests of the reader and the scorer that `tetracone experiment dataset` writes beside its cases."""
 
 import csv
+import hashlib
 import io
 import json
 import os
@@ -40,26 +41,59 @@ class Files(unittest.TestCase):
             status = score.main([name])
         return status, list(csv.DictReader(io.StringIO(out.getvalue()))), error.getvalue()
 
-    def test_cases_are_the_rows_of_the_json(self):
-        with open(os.path.join(FOLDER, "cases.json")) as file:
-            rows = json.load(file)
+    def table(self, name):
+        with open(os.path.join(FOLDER, name), newline="") as file:
+            return list(csv.DictReader(file))
+
+    def test_the_csv_has_the_rows_of_the_json_lines(self):
+        for name in ("cases", "predicates"):
+            rows = list(dataset.rows(f"{name}.jsonl", FOLDER))
+            table = self.table(f"{name}.csv")
+            self.assertEqual([list(row) for row in rows], [list(row) for row in table])
+            for row, line in zip(rows, table):
+                for column, value in row.items():
+                    self.assertEqual(line[column] if isinstance(value, str) else float(line[column]), value, row["id"])
+
+    def test_cases_are_exact_and_closed(self):
+        rows = list(dataset.rows("cases.jsonl", FOLDER))
         cases = list(dataset.cases())
         self.assertEqual(len(cases), 2 * dataset.about()["families"])
-        self.assertEqual([c.id for c in cases], [r["id"] for r in rows])
         rational = 0
         for case, row in zip(cases, rows):
-            self.assertEqual((case.surface, case.solid), (row["surface"], row["solid"]))
             for name, pose in (("a", case.pose_a), ("b", case.pose_b)):
                 for i in range(3):
                     for j in range(4):
-                        exact = Fraction(row[f"{name}{i}{j}"])
-                        self.assertEqual(pose[i][j], exact)
-                        rational += exact != float(exact)
+                        text = str(row[f"{name}{i}{j}"])
+                        self.assertEqual(pose[i][j], Fraction(text) if "/" in text else Fraction(float(text)))
+                        rational += "/" in text
             for vertices, triangles in (case.a, case.b):
                 edges = [(t[k], t[k - 2]) for t in triangles for k in range(3)]
                 self.assertEqual(sorted(edges), sorted((b, a) for a, b in edges))  # closed
                 self.assertLess(max(map(max, triangles)), len(vertices))
         self.assertGreater(rational, 0)
+
+    def test_croissant_describes_the_files_and_their_columns(self):
+        with open(os.path.join(FOLDER, "croissant.json")) as file:
+            croissant = json.load(file)
+        with open(os.path.join(FOLDER, "README.md"), encoding="utf-8") as file:
+            card = file.read().split("## Fields")[1].split("##")[0]
+        self.assertEqual((croissant["@type"], croissant["conformsTo"]), ("sc:Dataset", "http://mlcommons.org/croissant/1.0"))
+        self.assertEqual(croissant["version"], dataset.about()["version"])
+        self.assertRegex(croissant["datePublished"], r"^20\d\d-\d\d-\d\d$")
+        self.assertIn("publicdomain/zero/1.0", croissant["license"])
+        for key in ("@context", "name", "description", "url", "creator", "citeAs"):
+            self.assertTrue(croissant[key], key)
+        files = [entry for entry in croissant["distribution"] if entry["@type"] == "cr:FileObject"]
+        self.assertEqual({entry["contentUrl"] for entry in files}, {name for name in os.listdir(FOLDER) if name.endswith((".csv", ".jsonl"))})
+        for entry in files:
+            with open(os.path.join(FOLDER, entry["contentUrl"]), "rb") as file:
+                content = file.read()
+            self.assertEqual((entry["sha256"], entry["contentSize"]), (hashlib.sha256(content).hexdigest(), f"{len(content)} B"))
+        for records in croissant["recordSet"]:
+            for field, column in zip(records["field"], self.table(f'{records["@id"]}.csv')[0], strict=True):
+                self.assertEqual((field["@id"], field["source"]["extract"]["column"]), (f'{records["@id"]}/{column}', column))
+                self.assertEqual(field["source"]["fileObject"]["@id"], f'{records["@id"]}.csv')
+                self.assertIn(f'| {field["description"]} |', card)
 
     def test_every_family_is_described(self):
         with open(os.path.join(FOLDER, "families.csv"), newline="") as file:

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Commands that the documentation shows, against program and build: subcommands with their options, experiments, targets, and files of ours."""
 
+import json
 import os
 import re
 import shlex
@@ -16,7 +17,7 @@ if not PROGRAM:
     sys.exit(77)
 BUILD = os.path.dirname(PROGRAM)
 PAGES = ("README.md", "CONTRIBUTING.md", "kernel/README.md", "covering/README.md", "tetratree/README.md", "tetratree/python/README.md", "verify/README.md",
-         "experiments/README.md", "experiments/results/README.md", "experiments/subjects/README.md", "experiments/cluster/README.md",
+         "experiments/README.md", "experiments/artifact/README.md", "experiments/results/README.md", "experiments/subjects/README.md", "experiments/cluster/README.md",
          "verify/corpus/README.md", "tetratree/door/mainpage.md")
 # Words for what the reader chooses.
 NEW = {"NAME"}
@@ -56,6 +57,18 @@ def commands():
                     words = words[1:]
                 if words:
                     yield at, words, command
+
+
+def read(page):
+    with open(os.path.join(SOURCE, page), encoding="utf-8") as file:
+        return file.read()
+
+
+def rows_of(text):
+    """The cells of each row of the tables of a page, heads left out."""
+    lines = text.split("\n")
+    return [[cell.strip().replace("\\|", "|") for cell in re.split(r"(?<!\\)\|", line)[1:-1]] for line, below in zip(lines, lines[1:] + [""])
+            if line.startswith("|") and not line.startswith("|---") and not below.startswith("|---")]
 
 
 def said(*words):
@@ -130,12 +143,56 @@ class Documentation(unittest.TestCase):
             # Not the tests', and not the viewer's.
             self.assertEqual(set(shown), built_with - {"libboost-test-dev", "librapidcheck-dev", "libjs-three"}, page)
 
-    def test_the_version_to_find_is_this_one(self):
-        with open(os.path.join(SOURCE, "CMakeLists.txt")) as file:
-            version = re.search(r"project\(tetracone VERSION (\d+\.\d+)", file.read())[1]
+    def test_the_version_is_the_same_everywhere(self):
+        """It is written in CMakeLists.txt: what cannot read it there agrees with it."""
+        version = re.search(r"project\(tetracone VERSION (\d+\.\d+\.\d+) ", read("CMakeLists.txt"))[1]
+        citation = read("CITATION.cff")
+        date = re.search(r"^date-released: (\d{4}-\d\d-\d\d)$", citation, re.M)[1]
+        self.assertEqual(re.findall(r"^version: (.*)$", citation, re.M), [version])
+        self.assertEqual(json.loads(read(".zenodo.json"))["version"], version)
+        self.assertIn(f"\n## [{version}] - {date}\n", read("CHANGELOG.md"))
+        how = re.search(r"^regex = '(.*)'$", read("pyproject.toml"), re.M)[1]
+        self.assertEqual(re.search(how, read("CMakeLists.txt"))["value"], version)
         for page in ("README.md", "tetratree/door/mainpage.md"):
-            with open(os.path.join(SOURCE, page)) as file:
-                self.assertEqual(re.findall(r"find_package\(tetracone (\S+) REQUIRED\)", file.read()), [version], page)
+            self.assertEqual(re.findall(r"find_package\(tetracone (\S+) REQUIRED\)", read(page)), [version.rpartition(".")[0]], page)
+
+    def test_the_metadata_of_the_archive_are_those_of_the_citation(self):
+        of_program, references = read("CITATION.cff").split("\nreferences:\n")
+        value = dict(re.findall(r'^([a-z-]+): "?(.*?)"?$', of_program, re.M))
+        listed = {key: re.findall(r'^  - (?:name: )?"?(.*?)"?$', text, re.M) for key, text in re.findall(r"^([a-z]+):\n((?:  .*\n?)+)", of_program, re.M)}
+        archive = json.loads(read(".zenodo.json"))
+        self.assertEqual((archive["title"], archive["description"], archive["license"], archive["upload_type"]),
+                         (value["title"], value["abstract"], value["license"], value["type"]))
+        self.assertEqual([creator["name"] for creator in archive["creators"]], listed["authors"])
+        self.assertEqual(archive["keywords"], listed["keywords"])
+        self.assertEqual([entry["identifier"] for entry in archive["related_identifiers"]], re.findall(r"^    doi: (.*)$", references, re.M))
+        python = read("pyproject.toml")
+        self.assertIn(f'license = {{ text = "{value["license"]}" }}', python)
+        self.assertEqual(json.loads(re.search(r"^keywords = (.*)$", python, re.M)[1]), archive["keywords"])
+
+    def test_each_number_of_the_readme_has_a_row_for_reviewers(self):
+        rows = [row for row in rows_of(read("experiments/artifact/README.md")) if len(row) == 5]
+        claims = [row[0] for row in rows]
+        for name, *_ in rows_of(read("README.md").split("## How fast")[1].split("\n## ")[0]):
+            self.assertIn(name, claims)
+        # What writes the results, and says so.
+        written = said("report", "--help") + "".join(map(read, ("experiments/README.md", "reproduce", "experiments/artifact/figure", "experiments/machines/same_answers.sh")))
+        tests = 0
+        for claim, command, minutes, file, tolerance in rows:
+            with self.subTest(claim=claim):
+                words = shlex.split(command.strip("`"))
+                if command != "as above" and not words[0].startswith("build/"):
+                    self.assertTrue(os.access(os.path.join(SOURCE, words[0]), os.X_OK), words[0])
+                if words[:2] == ["./test", "-R"]:
+                    listed = subprocess.run(["ctest", "--test-dir", BUILD, "-N", "-R", words[2]], capture_output=True, text=True, check=True).stdout
+                    self.assertNotIn("Total Tests: 0", listed)
+                    tests += 1
+                for name in re.findall(r"`out/(?:\w+/)*(?:verify_)?(\w+)\.\w+`", file):
+                    self.assertRegex(written, rf"\b{name}\b")
+                self.assertTrue("`out/" in file or file == "its status", file)
+                self.assertGreater(int(minutes), 0)
+                self.assertTrue(tolerance)
+        self.assertGreater(tests, 1)
 
 
 if __name__ == "__main__":

@@ -21,6 +21,7 @@ except ImportError:
     sys.exit(77)
 import figures_motion  # noqa: E402
 import matplotlib.pyplot as plt  # noqa: E402
+import report_methods  # noqa: E402
 from report_data import share, wilson  # noqa: E402
 from report_page import Source  # noqa: E402
 
@@ -343,7 +344,7 @@ class Whole_report(unittest.TestCase):
         # 7 scenes of 50, and 5 questions of 240 in the campaign
         self.assertTrue(claim_of(self.page).startswith("Our exact methods: 0 wrong of 1,550 answers (95 %: below 0.25 %). "))
         self.assertIn(" 2 wrong of 1,550 answers ", claim_of(self.changed))
-        self.assertIn("Of exactly degenerate contacts, others get wrong: our tree in double 8 %, FCL 10 %.", claim_of(self.page))
+        self.assertIn("In exactly degenerate contact others are wrong: our tree in double 8 %, FCL 10 %.", claim_of(self.page))
         self.assertIn("wrong in 2 of 200 (1 %) random", verdict_of(self.changed, "adaptive tree"))
         self.assertIn("right in all 350 of the study", verdict_of(self.page, "adaptive tree"))
 
@@ -416,7 +417,10 @@ class Whole_report(unittest.TestCase):
             text = file.read()
         version = re.search(r"^version: (.*)$", text, re.MULTILINE).group(1)
         self.assertIn(f"version = {{{version}}}", self.page)
-        self.assertIn("@article{jimenez2008collision", self.page)
+        for entry in ("@software{tetracone,", "@misc{tetracone_dataset,", "@article{jimenez2008collision,"):
+            self.assertIn(entry, self.page)
+        with open(os.path.join(SOURCE, "..", "artifact", "README.md"), encoding="utf-8") as file:
+            self.assertIn(f"```bibtex\n{report_methods.bibtex(report_methods.citation())}\n```", file.read())
 
 
 class Parts(unittest.TestCase):
