@@ -9,9 +9,9 @@
 #include "experiments/support/stopwatch.h"
 #include "tetracone/covering/edge_uses.h"
 #include "tetracone/covering/io/input_error.h"
+#include "tetracone/tetratree/door/tetracone.h"
 #include "verify/cases/case_file.h"
 #include "verify/subjects/predicate_subject.h"
-#include "verify/subjects/subject.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -28,7 +28,6 @@ namespace {
 using kernel::Feature_pair;
 using kernel::Pose;
 using kernel::Question;
-using verify::Subject;
 
 struct Collide_options {
   Scene_names names;
@@ -44,13 +43,13 @@ struct Collide_options {
 };
 
 /// The input of one call: two models, or the bodies of a case file, and their poses.
-struct Scene {
+struct Placed_models {
   Model_file a, b;
   Pose_pairs poses;
   Question question;
 };
 
-Scene read_scene(const Collide_options& options, Question question)
+Placed_models read_models(const Collide_options& options, Question question)
 {
   if (options.names.b.empty())
     throw CLI::ValidationError("collide " + options.names.a,
@@ -61,7 +60,7 @@ Scene read_scene(const Collide_options& options, Question question)
   return {std::move(a), std::move(b), std::move(poses), question};
 }
 
-Scene scene_of(const verify::Object_case& c, const std::string& file, Question question, bool must_be_solid)
+Placed_models models_of(const verify::Object_case& c, const std::string& file, Question question, bool must_be_solid)
 {
   const auto body = [&](const covering::Polyhedron& polyhedron, const char* name) {
     if (must_be_solid && !covering::is_closed(polyhedron))
@@ -78,42 +77,42 @@ struct Answers {
 };
 
 /// Asks all poses. With `relation`, answers are the relations of the bodies.
-Answers ask(verify::Prepared_pair& pair, const Pose_pairs& poses, Question question, int passes, bool relation = false)
+Answers ask(Query& query, const Pose_pairs& poses, int passes, bool relation = false)
 {
   Answers answers{std::vector<Answer_row>(poses.count())};
   std::vector<Answer_row>& rows = answers.rows;
   Progress progress("poses", rows.size() * passes);
   for (int pass = 0; pass < passes; ++pass)
     for (std::size_t k = 0; k < rows.size(); ++k) {
+      query.clear_statistics();
       const Stopwatch watch;
-      rows[k].answer = relation ? int(pair.relation(poses.of_a(k), poses.of_b(k), question))
-                                : int(pair.collide(poses.of_a(k), poses.of_b(k), question));
+      const Answer answer = query.collide(poses.of_a(k), poses.of_b(k));
       const double ns = watch.nanoseconds();
+      rows[k].answer = relation ? int(answer.relation()) : int(bool(answer));
       if (pass == 0 && k == 0) answers.first_nanoseconds = ns;
       rows[k].nanoseconds = std::min(rows[k].nanoseconds, ns);
-      rows[k].counts = pair.take_counts();
+      rows[k].counts = query.statistics();
       progress.step();
     }
   return answers;
 }
 
 /// Reports on stderr the extra cost of the first query, by asking its pose again.
-void tell_first_query(verify::Prepared_pair& pair, const Scene& scene, const Answers& answers,
-                      double ready_milliseconds)
+void tell_first_query(Query& query, const Placed_models& scene, const Answers& answers, double ready_milliseconds)
 {
   if (answers.rows.empty()) return;
-  const double again = ask(pair, {{scene.poses.of_a(0)}, {scene.poses.of_b(0)}}, scene.question, 1).first_nanoseconds,
+  const double again = ask(query, {{scene.poses.of_a(0)}, {scene.poses.of_b(0)}}, 1).first_nanoseconds,
                first = answers.first_nanoseconds;
   std::fprintf(stderr, "first query: %.3g ms, of it trees %.3g ms; bodies made ready before it in %.3g ms\n",
                1e-6 * first, 1e-6 * std::max(0.0, first - again), ready_milliseconds);
 }
 
-std::string features_of(verify::Prepared_pair& pair, const Scene& scene, const Collide_options& options)
+std::string features_of(Query& query, const Placed_models& scene, const Collide_options& options)
 {
   std::vector<std::vector<Feature_pair>> features;
   Progress progress("poses", scene.poses.count());
   for (std::size_t k = 0; k < scene.poses.count(); ++k) {
-    auto found = pair.features(scene.poses.of_a(k), scene.poses.of_b(k));
+    auto found = query.features(scene.poses.of_a(k), scene.poses.of_b(k));
     // Faces are named as the file has them.
     for (Feature_pair& f : found) f.face = (f.body == 0 ? scene.b : scene.a).source_face[f.face];
     std::sort(found.begin(), found.end());
@@ -125,8 +124,7 @@ std::string features_of(verify::Prepared_pair& pair, const Scene& scene, const C
 }
 
 /// The curves, too, where they are asked for.
-std::string contacts_of(verify::Prepared_pair& pair, const Scene& scene, const Collide_options& options,
-                        std::string& curves)
+std::string contacts_of(Query& query, const Placed_models& scene, const Collide_options& options, std::string& curves)
 {
   if (!options.curves.empty() && scene.poses.count() != 1)
     throw CLI::ValidationError("--curves " + options.curves,
@@ -134,7 +132,7 @@ std::string contacts_of(verify::Prepared_pair& pair, const Scene& scene, const C
   std::vector<Contacts> contacts;
   Progress progress("poses", scene.poses.count());
   for (std::size_t k = 0; k < scene.poses.count(); ++k) {
-    contacts.push_back(pair.contacts(scene.poses.of_a(k), scene.poses.of_b(k)));
+    contacts.push_back(query.contacts(scene.poses.of_a(k), scene.poses.of_b(k)));
     progress.step();
   }
   if (!options.curves.empty()) curves = curves_text(contacts[0].curves(), options.curves);
@@ -142,7 +140,7 @@ std::string contacts_of(verify::Prepared_pair& pair, const Scene& scene, const C
 }
 
 /// Returns the answers of an external program. Each failure has a line on stderr and sets `failed`.
-std::vector<Answer_row> ask(const verify::Object_subject& subject, const Scene& scene, bool& failed)
+std::vector<Answer_row> ask(const verify::Object_subject& subject, const Placed_models& scene, bool& failed)
 {
   const auto running = subject.make();
   verify::Object_case c;
@@ -176,8 +174,6 @@ void require_contact_options(const Collide_options& options)
   require(options.contacts, !options.time, "--time", "expected without --contacts");
   require(options.contacts, options.compare.empty(), "--compare", "expected without --contacts");
   require(options.contacts, !rounds, "--contacts", "expected with an exact kernel: adaptive, epeck or rational");
-  require(options.contacts, options.kernel != "rational" || options.method != "brute", "--method",
-          "expected tree, tuned or paper, with --contacts and --kernel rational");
   require(options.exact, options.contacts, "--exact", "expected with --contacts");
   require(!options.curves.empty(), options.contacts, "--curves", "expected with --contacts");
   require(!options.curves.empty(), is_curve_file(options.curves), "--curves", "expected a file *.obj or *.ply");
@@ -224,7 +220,7 @@ std::vector<std::string> kernels_of(const Collide_options& options)
 void run_collide(const Collide_options& options, bool question_is_given)
 {
   auto question = kernel::parse_question(options.question);
-  const auto method = verify::parse_method(options.method);
+  const auto method = parse_method(options.method);
   if (!question) throw CLI::ValidationError("--question " + options.question, "expected solid or surface");
   if (!method) throw CLI::ValidationError("--method " + options.method, "expected tree, tuned, paper or brute");
   if (options.time && options.csv.empty() && !options.json)
@@ -260,26 +256,27 @@ void run_collide(const Collide_options& options, bool question_is_given)
       if (given) throw CLI::ValidationError(name, "expected with bodies; " + options.names.a + " asks a predicate");
     for (const std::string& kernel : kernels) columns.push_back({answer_of(*c, kernel, options.names.a)});
   } else {
-    std::vector<Subject> subjects;
+    std::vector<Query_options> ways;
     for (const std::string& kernel : kernels) {
-      const auto subject = Subject::parse(kernel, *method);
-      if (!subject) throw CLI::ValidationError("--kernel " + kernel, "expected " + kernel_names());
-      subjects.push_back(*subject);
+      const auto way = parse_kernel(kernel);
+      if (!way) throw CLI::ValidationError("--kernel " + kernel, "expected " + kernel_names());
+      ways.push_back(*way);
+      ways.back().method = *method;
     }
     if (c && !question_is_given && !options.relation) question = c->question;
     const bool solid = *question == Question::solid && !options.lists();
-    const Scene scene = c ? scene_of(*c->object, options.names.a, *question, solid) : read_scene(options, *question);
-    for (const Subject& subject : subjects) {
+    const Placed_models scene =
+        c ? models_of(*c->object, options.names.a, *question, solid) : read_models(options, *question);
+    for (const Query_options& way : ways) {
       const Stopwatch since;
-      const auto pair = verify::prepare(subject, scene.a.body, scene.b.body);
+      Query query(scene.a.body, scene.b.body, solid ? Question::solid : Question::surface, way);
       const double ready = since.milliseconds();
       if (options.lists()) {
-        text = options.features ? features_of(*pair, scene, options) : contacts_of(*pair, scene, options, curves);
+        text = options.features ? features_of(query, scene, options) : contacts_of(query, scene, options, curves);
         continue;
       }
-      const Answers answers =
-          ask(*pair, scene.poses, scene.question, options.time ? options.repeat : 1, options.relation);
-      if (options.time) tell_first_query(*pair, scene, answers, ready);
+      const Answers answers = ask(query, scene.poses, options.time ? options.repeat : 1, options.relation);
+      if (options.time) tell_first_query(query, scene, answers, ready);
       columns.push_back(answers.rows);
     }
     for (const verify::Object_subject& command : command_subjects(options.others, verify::object_subjects())) {

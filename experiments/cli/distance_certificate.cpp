@@ -3,7 +3,7 @@
 #include "tetracone/covering/repair/repair.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/tetratree/door/tetracone.h"
-#include "tetracone/tetratree/fast/distance_cover.h"
+#include "tetracone/tetratree/query/distance_cover.h"
 
 #include <nlohmann/json.hpp>
 

@@ -27,13 +27,9 @@ program=${TETRACONE_PROGRAM:-$root/build/tetracone}
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-mkdir -p "$out" "$work/include"
+mkdir -p "$out"
 out=$(cd "$out" && pwd)
 "$program" experiment dataset --cases "$cases" --out "$work" > /dev/null
-# Headers as an installed package has them.
-mkdir "$work/include/tetracone"
-ln -s "$root"/{kernel,covering,tetratree} "$work/include/tetracone/"
-printf '#include "tetracone/tetratree/door/tetracone.h"\n' > "$work/include/tetracone/tetracone.h"
 # The library as one unit.
 for source in "$root"/tetratree/{door,scene,solver}/*.cpp "$root"/tetratree/solver/solvers.inl "$root/covering/io/read.cpp"; do
   [[ $source == */repair.cpp ]] || printf '#include "%s"\n' "$source"
@@ -75,7 +71,7 @@ compile()
   local name=$1 compiler=$2
   shift 2
   command -v "$compiler" > /dev/null || { echo "$compiler: not installed, left out" >&2; return 1; }
-  "$compiler" -O2 -w -Wno-psabi -frounding-math -DCGAL_USE_GMPXX=1 "$@" -I "$work/include" -I "$root" -I "$root/verify/test/threads" -pthread -isystem /usr/include/eigen3 \
+  "$compiler" -O2 -w -Wno-psabi -frounding-math -DCGAL_USE_GMPXX=1 "$@" -I "$root/include" -I "$root" -I "$root/verify/test/threads" -pthread -isystem /usr/include/eigen3 \
     "$root/experiments/machines/answers.cpp" "$work/library.cpp" -lhwy -lgmp -lmpfr -o "$work/$name" ||
     fail "$compiler $*: did not compile"
 }

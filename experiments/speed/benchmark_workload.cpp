@@ -2,7 +2,7 @@
 
 #include "tetracone/covering/io/input_error.h"
 #include "tetracone/covering/repair/repair.h"
-#include "tetracone/tetratree/fast/bvh8_collision.h"
+#include "tetracone/tetratree/query/bvh8_collision.h"
 #include "verify/cases/random.h"
 #include "verify/cases/shape_generators.h"
 

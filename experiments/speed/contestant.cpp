@@ -3,8 +3,8 @@
 #include "experiments/peers/peer.h"
 #include "tetracone/kernel/predicate/kernels.h"
 #include "tetracone/tetratree/door/repair.h"
-#include "tetracone/tetratree/fast/bvh8_collision.h"
 #include "tetracone/tetratree/paper/collision.h"
+#include "tetracone/tetratree/query/bvh8_collision.h"
 
 #include <optional>
 

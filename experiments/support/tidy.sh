@@ -8,14 +8,12 @@ need_version_14 clang-tidy
 cd "$root"
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-mkdir "$scratch/tetracone"
-for folder in kernel covering tetratree; do ln -s "$root/$folder" "$scratch/tetracone/$folder"; done
 find kernel covering tetratree -name '*.h' -not -path 'tetratree/python/*' | LC_ALL=C sort | sed 's|.*|#include "tetracone/&"|' > "$scratch/headers.cpp"
 
 # tidy FILE: silent where nothing is found.
 tidy()
 {
-  with_fast_malloc clang-tidy --config-file=.clang-tidy --quiet "$1" -- -std=c++20 -frounding-math -I"$scratch" -I"$root" \
+  with_fast_malloc clang-tidy --config-file=.clang-tidy --quiet "$1" -- -std=c++20 -frounding-math -I"$root/include" -I"$root" \
     $(for library in eigen3 bullet; do pkg-config --cflags $library 2> /dev/null | sed 's/-I/-isystem /g'; done) -DHWY_COMPILE_ONLY_STATIC -DCGAL_USE_GMPXX=1 -DCGAL_DO_NOT_USE_BOOST_MP -DCGAL_NO_CDT_2_WARNING -DBOOST_TEST_DYN_LINK \
     -DTETRACONE_SOURCE_DIR='""' -DTETRACONE_PROGRAM='""' -DCGAL_INCLUDE='""' 2> "$scratch/errors" || { grep -v 'warnings generated' "$scratch/errors"; return 1; }
 }

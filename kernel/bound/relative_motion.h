@@ -14,15 +14,15 @@
 namespace tetracone::kernel {
 
 /// The corners of a box that holds a body, in its local units.
-struct alignas(32) Body_box {
+struct alignas(32) Box_corners {
   using Row = std::array<double, 3>;
   float corner[3][lanes] = {};
   float reach = 0;  ///< upper bound of the magnitude of every coordinate of its points
 
-  Body_box() = default;
+  Box_corners() = default;
 
   /// The box of all c + sum_j s_j h_j with |s_j| <= 1, c the centre and h_j the half edges.
-  Body_box(const Row& centre, const std::array<Row, 3>& half_edge)
+  Box_corners(const Row& centre, const std::array<Row, 3>& half_edge)
   {
     for (int k = 0; k < 3; ++k) {
       for (std::size_t lane = 0; lane < lanes; ++lane) {
@@ -36,12 +36,12 @@ struct alignas(32) Body_box {
     }
   }
 
-  explicit Body_box(const Obb8& boxes, int lane)
+  explicit Box_corners(const Obb8& boxes, int lane)
   {
     std::array<Row, 3> half_edge;
     for (int j = 0; j < 3; ++j)
       for (int k = 0; k < 3; ++k) half_edge[j][k] = double(boxes.extent[j][lane]) * double(boxes.axis[j][k][lane]);
-    *this = Body_box(centre_of(boxes, lane), half_edge);
+    *this = Box_corners(centre_of(boxes, lane), half_edge);
   }
 };
 
@@ -146,17 +146,17 @@ inline double steps_along(const Course& course, const Placement& before, const P
 /// course's. These are rounded a few times in double, which the placements' errors include, and then to float. |D p +
 /// d| is convex, so it is largest at a corner.
 inline double stray_bound(const Course& course, double steps, const Placement& before, const Placement& after,
-                          const Body_box& box)
+                          const Box_corners& box)
 {
-  using Function = double(const Course&, double, const Placement&, const Placement&, const Body_box&);
+  using Function = double(const Course&, double, const Placement&, const Placement&, const Box_corners&);
   static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(stray_bound_simd));
   return fastest(course, steps, before, after, box);
 }
 
 /// Returns an upper bound of the distance by which a step of the course moves any point of the box.
-inline double pace_bound(const Course& course, const Body_box& box)
+inline double pace_bound(const Course& course, const Box_corners& box)
 {
-  using Function = double(const Course&, const Body_box&);
+  using Function = double(const Course&, const Box_corners&);
   static Function* const fastest = fastest_version<Function>(TETRACONE_SIMD_VERSIONS(pace_bound_simd));
   return fastest(course, box);
 }

@@ -37,7 +37,7 @@ HWY_INLINE Floats gone(const Floats (&row)[3], const Floats& shift, const Floats
 
 /// Returns an upper bound of the distance by which these columns move any point of the box. Infinite or undefined where
 /// one is.
-HWY_INLINE double farthest(const float (&column)[4][4], const Body_box& box)
+HWY_INLINE double farthest(const float (&column)[4][4], const Box_corners& box)
 {
   constexpr Float_tag tag;
   constexpr hn::CappedTag<float, 4> four;
@@ -67,7 +67,7 @@ HWY_INLINE double farthest(const float (&column)[4][4], const Body_box& box)
 }
 
 inline HWY_ATTR double stray_bound_simd(const Course& course, double steps, const Placement& before,
-                                        const Placement& after, const Body_box& box)
+                                        const Placement& after, const Box_corners& box)
 {
   constexpr hn::CappedTag<double, 4> doubles;
   constexpr hn::Rebind<float, decltype(doubles)> narrow;
@@ -81,7 +81,7 @@ inline HWY_ATTR double stray_bound_simd(const Course& course, double steps, cons
   return farthest(rest, box) + (before.error + after.error);
 }
 
-inline HWY_ATTR double pace_bound_simd(const Course& course, const Body_box& box)
+inline HWY_ATTR double pace_bound_simd(const Course& course, const Box_corners& box)
 {
   return farthest(course.column, box);
 }

@@ -11,7 +11,10 @@ namespace {
 
 detail::Distance_solver& distance_of(detail::Query_data& data)
 {
-  if (!data.distance) data.distance = detail::distance_solver(data.a, data.b, data.options);
+  if (!data.distance) data.distance = detail::distance_solver(data.a, data.b, data.options.kernel);
+  if (!data.distance)
+    throw Error("query: kernel " + kernel_name(data.options.kernel, data.options.tolerance) +
+                " tells no distance; expected adaptive, double or rational");
   return *data.distance;
 }
 

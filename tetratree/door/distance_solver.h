@@ -23,10 +23,9 @@ class Distance_solver {
   virtual std::size_t bytes() const = 0;
 };
 
-/// Makes the solver of these options. Throws Error for a kernel without distances.
+/// Makes the solver of a kernel; null for one without distances.
 std::unique_ptr<Distance_solver> distance_solver(const std::shared_ptr<const Body_data>& a,
-                                                 const std::shared_ptr<const Body_data>& b,
-                                                 const Query_options& options);
+                                                 const std::shared_ptr<const Body_data>& b, Kernel kernel);
 
 }  // namespace tetracone::detail
 

@@ -58,23 +58,6 @@ void detail::require_motion_kernel(const Query_options& options)
                 " follows no motion; expected adaptive");
 }
 
-const tetratree::Bvh8& detail::triangulated_tree(const Body_data& body, const std::string& who)
-{
-  std::vector<bool> has_triangles(body.polyhedron.face_count(), false);
-  for (const Face_triangle& t : body.triangles) has_triangles[t.face] = true;
-  const tetratree::Bvh8& tree = body.bvh8();
-  for (covering::Index f = 0; f < body.polyhedron.face_count(); ++f)
-    if (!has_triangles[f] && !body.polyhedron.is_triangle(f) && tree.model().covering().plane_basis(f))
-      throw Error("motion: " + who + " has a face " + std::to_string(f) +
-                  " without triangles; expected a body of triangles (tetracone/repair.h makes them)");
-  return tree;
-}
-
-detail::Motion_solver::Motion_solver(const std::shared_ptr<const Body_data>& of_a,
-                                     const std::shared_ptr<const Body_data>& of_b)
-    : a(of_a), b(of_b), motion(triangulated_tree(*a, "body a"), triangulated_tree(*b, "body b"))
-{}
-
 Motion::Motion(kernel::Body_motion motion) : exact_(std::make_shared<const kernel::Body_motion>(std::move(motion))) {}
 
 Motion Motion::linear(const Pose& from, const Pose& to)
@@ -115,7 +98,7 @@ std::optional<First_contact> Query::first_contact(const Motion& a, const Motion&
   detail::require_motion_kernel(d.options);
   if (!d.motion) d.motion = std::make_unique<detail::Motion_solver>(d.a, d.b);
   const auto meet_at_start = [&] {
-    return d.solver->relation(a.exact().at(0), b.exact().at(0), d.question) != Relation::apart;
+    return d.solver->relation(a.exact().at(0), b.exact().at(0), d.question, nullptr) != Relation::apart;
   };
   // Under `Question::surface` the search of the motion mostly shows that the bodies are apart at its start. The start
   // is asked first where that search is costly to begin, and where it was needless the last time.

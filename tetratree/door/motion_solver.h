@@ -3,7 +3,7 @@
 
 #include "tetracone/tetratree/door/body_data.h"
 #include "tetracone/tetratree/door/query_options.h"
-#include "tetracone/tetratree/fast/bvh8_motion.h"
+#include "tetracone/tetratree/query/bvh8_motion.h"
 
 #include <memory>
 #include <string>
@@ -17,7 +17,7 @@ void require_motion_kernel(const Query_options& options);
 /// triangles and is not on a line. Motions have no test for a face as a whole.
 const tetratree::Bvh8& triangulated_tree(const Body_data& body, const std::string& who);
 
-/// Finds when two moving bodies first meet.
+/// Finds when two moving bodies first meet. Compiled in solver/, as `triangulated_tree` is.
 struct Motion_solver {
   /// Throws Error as `triangulated_tree`.
   Motion_solver(const std::shared_ptr<const Body_data>& a, const std::shared_ptr<const Body_data>& b);

@@ -54,13 +54,13 @@ Answer Query::collide(const Pose& pose_a, const Pose& pose_b) { return collide(p
 Answer Query::collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b)
 {
   detail::Query_data& d = data();
-  return Answer(d.solver->relation(pose_a, pose_b, d.question));
+  return Answer(d.solver->relation(pose_a, pose_b, d.question, nullptr));
 }
 
 Answer Query::collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, tetratree::Pair_memory& memory)
 {
   detail::Query_data& d = data();
-  return Answer(d.solver->relation_by(memory, pose_a, pose_b, d.question));
+  return Answer(d.solver->relation(pose_a, pose_b, d.question, &memory));
 }
 
 std::vector<Answer> Query::collide(std::span<const Pose> poses_a, std::span<const Pose> poses_b)

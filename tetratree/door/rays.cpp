@@ -2,7 +2,7 @@
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/tetratree/door/body_data.h"
 #include "tetracone/tetratree/door/tetracone.h"
-#include "tetracone/tetratree/fast/bvh8_rays.h"
+#include "tetracone/tetratree/query/bvh8_rays.h"
 
 #include <cmath>
 #include <string>

@@ -19,13 +19,9 @@ namespace tetracone::detail {
 class Solver {
  public:
   virtual ~Solver() = default;
-  virtual Relation relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question) = 0;
-  /// Same, with the memory of these placed bodies, where the solver can use it.
-  virtual Relation relation_by(tetratree::Pair_memory& /*memory*/, const kernel::Pose& pose_a,
-                               const kernel::Pose& pose_b, Question question)
-  {
-    return relation(pose_a, pose_b, question);
-  }
+  /// Returns how the placed bodies stand. `memory` is of these placed bodies, or null; a solver may leave it unused.
+  virtual Relation relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question,
+                            tetratree::Pair_memory* memory) = 0;
   virtual std::vector<Feature_pair> features(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
   virtual tetratree::Found_contacts contacts(const kernel::Pose& pose_a, const kernel::Pose& pose_b) = 0;
   /// Returns a lower bound of the distance after the last relation, if that was `apart`; 0 if none was computed.

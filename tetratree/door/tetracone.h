@@ -215,7 +215,7 @@ class Query {
   Answer collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
 
   /// Same, when one query serves many pairs of these bodies. `memory` keeps what was learnt about this pair; it changes
-  /// speed, never the answer. Requires the memory of this pair (tetracone/tetratree/fast/pair_memory.h).
+  /// speed, never the answer. Requires the memory of this pair (tetracone/tetratree/memory/pair_memory.h).
   Answer collide(const kernel::Pose& pose_a, const kernel::Pose& pose_b, tetratree::Pair_memory& memory);
 
   /// Returns the answers for n poses of each body. One pose of either body serves all n of the other. Throws Error for

@@ -2,6 +2,7 @@
 #define TETRACONE_TETRATREE_FAST_BVH8_H
 
 #include "tetracone/kernel/number/floating_point.h"
+#include "tetracone/tetratree/fast/box_id.h"
 #include "tetracone/tetratree/fast/bvh8_builder.h"
 #include "tetracone/tetratree/fast/bvh8_elements.h"
 #include "tetracone/tetratree/fast/bvh8_node.h"
@@ -67,12 +68,13 @@ class Bvh8 {
 
   const Bvh8_node* nodes() const { return nodes_.data(); }
   const Bvh8_node& node(Index n) const { return nodes_.data()[n]; }
+  const Bvh8_node& node_of(Box_id box) const { return node(box.node()); }
 
-  /// Returns the node below lane `lane` of node `n`, and makes it if necessary. Requires a lane of more than one
-  /// element.
-  Index child(Index n, int lane) const
+  /// Returns the node below a box, and makes it if necessary. Requires a box of more than one element.
+  Index child(Box_id box) const
   {
-    Bvh8_node& parent = nodes_.data()[n];
+    Bvh8_node& parent = nodes_.data()[box.node()];
+    const int lane = box.lane();
     if (const auto known = parent.child_of(lane); known >= 0) return Index(known);
     const std::lock_guard lock(making_);
     if (const auto known = parent.child_of(lane); known >= 0) return Index(known);
@@ -88,14 +90,14 @@ class Bvh8 {
     for (std::size_t k = 0; k < sizeof(Bvh8_node); k += 64) __builtin_prefetch(bytes + k);
   }
 
-  bool is_leaf(Index n, int lane) const { return node(n).is_leaf(lane); }
+  bool is_leaf(Box_id box) const { return node_of(box).is_leaf(box.lane()); }
   /// Returns element k of a leaf. A leaf holds one element, unless the options say more.
-  const Element& element(Index n, int lane, Index k = 0) const { return elements_[node(n).first[lane] + k]; }
-  Index leaf_count(Index n, int lane) const
+  const Element& element(Box_id box, Index k = 0) const { return elements_[node_of(box).first[box.lane()] + k]; }
+  Index leaf_count(Box_id box) const
   {
     if (leaf_ends_.empty()) [[likely]]
       return 1;
-    const Index first = node(n).first[lane];
+    const Index first = node_of(box).first[box.lane()];
     return leaf_ends_[first] - first;
   }
 
@@ -167,8 +169,8 @@ class Bvh8 {
     const auto number = Index(ordered.size());
     ordered.push_back(node(n).without_padding());
     for (int lane = 0; lane < node(n).boxes.lane_count; ++lane)
-      if (!is_leaf(n, lane)) {
-        const Index below = append_in_order(child(n, lane), ordered);
+      if (!is_leaf({n, lane})) {
+        const Index below = append_in_order(child({n, lane}), ordered);
         ordered[number].child[std::size_t(lane)] = std::int32_t(below);
       }
     return number;

@@ -2,9 +2,9 @@
 #define TETRACONE_TETRATREE_FAST_BVH8_CUTS_H
 
 #include "tetracone/kernel/bound/oriented_box.h"
+#include "tetracone/tetratree/fast/surface_area_heuristic.h"
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -28,13 +28,11 @@ struct Cut {
   double cost = std::numeric_limits<double>::infinity();
 };
 
-/// Finds the best cut of points by a pencil's planes. The cost is the sum, over both sides, of the surface of the box
-/// along three axes times the root of its count (SAH). With the count itself, as for rays, or with lengths in place of
-/// surfaces, trees had more boxes to compare. Points are counted in bins between planes; cuts are tried at the bins'
-/// sides.
+/// Finds the best cut of points by a pencil's planes, by the surface area heuristic (`sah_weight`). Points are counted
+/// in bins between planes; cuts are tried at the bins' sides.
 class Binned_cuts {
  public:
-  using Four = kernel::Four_floats;  // along the axes; the fourth is 0
+  using Four = Axis_bounds::Four;
 
   /// Most points lie within `spread` of `middle`; those beyond go to the outermost bins. Requires spread > 0.
   Binned_cuts(const Pencil& pencil, double middle, double spread)
@@ -49,8 +47,7 @@ class Binned_cuts {
     const float bin = (pencil_.place(p) - first_) * per_width_;
     constexpr float last = float(count - 1);
     Side& side = bins_[bin > 0 ? std::size_t(bin < last ? bin : last) : 0];
-    side.low = kernel::smaller(side.low, low);
-    side.high = kernel::larger(side.high, high);
+    side.bounds.add(low, high);
     ++side.points;
   }
 
@@ -85,21 +82,15 @@ class Binned_cuts {
 
  private:
   struct Side {
-    Four low = kernel::four_times(std::numeric_limits<float>::infinity()), high = -low;
+    Axis_bounds bounds;
     int points = 0;
 
     void add(const Side& other)
     {
-      low = kernel::smaller(low, other.low);
-      high = kernel::larger(high, other.high);
+      bounds.add(other.bounds);
       points += other.points;
     }
-    double cost() const
-    {
-      if (points == 0) return 0;
-      const Four e = high - low;
-      return std::sqrt(double(points)) * (e[0] * e[1] + e[1] * e[2] + e[2] * e[0]);
-    }
+    double cost() const { return points == 0 ? 0 : sah_cost(sah_weight(points), bounds); }
   };
 
   /// Number of bins.

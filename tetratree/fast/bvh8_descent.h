@@ -3,6 +3,7 @@
 
 #include "tetracone/kernel/bound/obb8_overlap.h"
 #include "tetracone/kernel/simd/simd.h"
+#include "tetracone/tetratree/fast/box_id.h"
 #include "tetracone/tetratree/fast/bvh8_node.h"
 
 #include <array>
@@ -14,22 +15,28 @@
 
 namespace tetracone::tetratree {
 
-/// A stack of pairs of boxes, one of each body, that may meet. A size is a sum of extents, in the units of the second
-/// body, negative for a leaf. Box k of node n is 8 n + k.
+/// True when the first box of a pair is the larger one, which is opened.
+inline bool first_is_larger(float size_a, float size_b) { return size_a > size_b; }
+
+/// A stack of pairs of boxes, one of each body, that may meet. A size is a `Bvh8_node::signed_size`, in the
+/// units of the second body.
 class Pair_stack {
  public:
   std::size_t count() const { return count_; }
   bool empty() const { return count_ == 0; }
-  std::uint32_t box(int body) const { return box_[body][count_ - 1]; }
+  Box_id box(int body) const { return Box_id::from_number(box_[body][count_ - 1]); }
+  Box_ids boxes() const { return {box(0), box(1)}; }
+  /// Returns the body whose box is larger, which is opened.
+  int larger_body() const { return first_is_larger(size(0), size(1)) ? 0 : 1; }
   float size(int body) const { return size_[body][count_ - 1]; }
 
   void clear() { count_ = 0; }
   void pop() { --count_; }
-  void push(std::uint32_t a, std::uint32_t b, float size_a, float size_b)
+  void push(const Box_ids& boxes, float size_a, float size_b)
   {
     reserve();
-    box_[0][count_] = a;
-    box_[1][count_] = b;
+    box_[0][count_] = boxes[0].number();
+    box_[1][count_] = boxes[1].number();
     size_[0][count_] = size_a;
     size_[1][count_] = size_b;
     ++count_;
@@ -44,7 +51,7 @@ class Pair_stack {
       size_[body].resize(2 * count_ + 256);
     }
   }
-  std::uint32_t* boxes(int body) { return box_[body].data(); }
+  std::uint32_t* numbers(int body) { return box_[body].data(); }
   float* sizes(int body) { return size_[body].data(); }
   void set_count(std::size_t count) { count_ = count; }
 
@@ -61,14 +68,18 @@ class Pair_stack {
   std::size_t count_ = 0;
 };
 
-/// A pair of leaves, one of each body.
-using Leaf_pair = std::array<std::uint32_t, 2>;
-
 /// The two bodies of a descent.
 struct Both_trees {
   const Bvh8_node* nodes[2];
   const kernel::Box_map* into[2];  ///< maps body k into the frame of the other
   float scale;                     ///< from the first body's units to the second's
+
+  const Bvh8_node& node_of(int body, Box_id box) const { return nodes[body][box.node()]; }
+  /// Returns the size of a box in the units of the second body.
+  float size(int body, Box_id box) const
+  {
+    return node_of(body, box).signed_size(box.lane()) * (body == 0 ? scale : 1.0f);
+  }
 
   std::uint64_t opened = 0, compared = 0;  ///< pairs opened and boxes compared so far
 };
@@ -97,9 +108,6 @@ inline constexpr auto signs_in = [] {
   return signs;
 }();
 
-/// True when the first box of a pair is the larger one, which is opened.
-inline bool first_is_larger(float size_a, float size_b) { return size_a > size_b; }
-
 }  // namespace tetracone::tetratree
 
 #define TETRACONE_SIMD_FILE "tetracone/tetratree/fast/bvh8_descent_simd.inl"
@@ -118,9 +126,9 @@ inline Stop descend(Pair_stack& stack, Both_trees& trees)
 
 /// Opens all pairs, level by level. It takes those of `level`, the top one first, and writes their parts to `next`, the
 /// next level. It adds pairs of leaves that it finds to `leaves`, and stops at one that it is given.
-inline Stop descend_to_leaves(Pair_stack& level, Pair_stack& next, Both_trees& trees, std::vector<Leaf_pair>& leaves)
+inline Stop descend_to_leaves(Pair_stack& level, Pair_stack& next, Both_trees& trees, std::vector<Box_ids>& leaves)
 {
-  using Function = Stop(Pair_stack&, Pair_stack&, Both_trees&, std::vector<Leaf_pair>&);
+  using Function = Stop(Pair_stack&, Pair_stack&, Both_trees&, std::vector<Box_ids>&);
   static Function* const fastest = kernel::fastest_version<Function>(TETRACONE_SIMD_VERSIONS(descend_to_leaves_simd));
   return fastest(level, next, trees, leaves);
 }

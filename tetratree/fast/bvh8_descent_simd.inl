@@ -17,13 +17,13 @@ struct Opening {
   const Bvh8_node* node = nullptr;  // the parts
   int body;                         // the larger box's
   Stop stop = Stop::nothing_left;   // why it cannot be opened, if so
-  std::uint32_t box[2];
+  Box_id box[2];
   float size[2];
 
   HWY_INLINE Opening(Pair_stack& stack, std::size_t position, const Both_trees& trees)
   {
     for (int k = 0; k < 2; ++k) {
-      box[k] = stack.boxes(k)[position];
+      box[k] = Box_id::from_number(stack.numbers(k)[position]);
       size[k] = stack.sizes(k)[position];
     }
     body = first_is_larger(size[0], size[1]) ? 0 : 1;
@@ -31,7 +31,7 @@ struct Opening {
       stop = Stop::leaves;
       return;
     }
-    const std::int32_t child = trees.nodes[body][box[body] / 8].child_of(int(box[body] % 8));
+    const std::int32_t child = trees.node_of(body, box[body]).child_of(box[body].lane());
     if (child < 0)
       stop = Stop::no_child;
     else
@@ -39,27 +39,25 @@ struct Opening {
   }
 
   /// Opens a node against a box of the other body.
-  HWY_INLINE Opening(int of_body, std::uint32_t number, std::uint32_t other_box, const Both_trees& trees)
+  HWY_INLINE Opening(int of_body, std::uint32_t number, Box_id other_box, const Both_trees& trees)
       : node(trees.nodes[of_body] + number), body(of_body)
   {
-    const int other = 1 - body, lane = int(other_box % 8);
-    const Bvh8_node& from = trees.nodes[other][other_box / 8];
-    const auto& extent = from.boxes.extent;
-    const float sum = extent[0][lane] + (extent[1][lane] + extent[2][lane]);
-    box[body] = 0;
-    size[body] = 0;
+    const int other = 1 - body;
     box[other] = other_box;
-    size[other] = (from.is_leaf(lane) ? -sum : sum) * (other == 0 ? trees.scale : 1.0f);
+    size[body] = 0;
+    size[other] = trees.size(other, other_box);
   }
 
   HWY_INLINE bool is_ready() const { return stop == Stop::nothing_left; }
+
+  HWY_INLINE Box_id first_part(const Both_trees& trees) const { return {std::uint32_t(node - trees.nodes[body]), 0}; }
 
   /// Returns the other box, in the frame of the parts.
   template <bool similarity>
   HWY_INLINE kernel::Single_box single(const Both_trees& trees) const
   {
-    const int other = 1 - body, lane = int(box[other] % 8);
-    const Bvh8_node& from = trees.nodes[other][box[other] / 8];
+    const int other = 1 - body, lane = box[other].lane();
+    const Bvh8_node& from = trees.node_of(other, box[other]);
     if constexpr (!similarity) return (*trees.into[other])(node->boxes, from.boxes, lane);
     const float magnitude = size[other] < 0 ? -size[other] : size[other];
     kernel::Single_box single = simd::carried(node->boxes, *trees.into[other], from.boxes, lane,
@@ -79,7 +77,7 @@ HWY_INLINE std::size_t push_parts(Pair_stack& stack, std::size_t count, const Op
   constexpr hn::RebindToUnsigned<simd::Float_tag> ids;
   const int other = 1 - o.body;
   const kernel::Obb8& boxes = o.node->boxes;
-  const std::uint32_t first_id = std::uint32_t(o.node - trees.nodes[o.body]) * 8;
+  const std::uint32_t first_id = o.first_part(trees).number();
   for (std::size_t first = 0; first < kernel::lanes; first += hn::Lanes(tag)) {
     const auto mask = mask_at(first);
     const auto extent = [&](int i) HWY_ATTR { return hn::Load(tag, boxes.extent[i] + first); };
@@ -90,7 +88,7 @@ HWY_INLINE std::size_t push_parts(Pair_stack& stack, std::size_t count, const Op
         hn::Or(size, hn::BitCast(tag, hn::LoadU(ids, signs_in[o.node->boxes.marked].data() + first)));
     // Whole vectors are stored: a masked store would delay the next pop.
 #if HWY_TARGET <= HWY_AVX3
-    hn::StoreU(hn::Compress(id, hn::RebindMask(ids, mask)), ids, stack.boxes(o.body) + count);
+    hn::StoreU(hn::Compress(id, hn::RebindMask(ids, mask)), ids, stack.numbers(o.body) + count);
     hn::StoreU(hn::Compress(signed_size, mask), tag, stack.sizes(o.body) + count);
 #else
     // No single instruction does this. Compress of Highway 1.0.3 would copy its table, a kilobyte, to the stack each
@@ -100,10 +98,10 @@ HWY_INLINE std::size_t push_parts(Pair_stack& stack, std::size_t count, const Op
     hn::StoreMaskBits(tag, mask, set);
     const auto moved =
         hn::PromoteTo(lane_numbers, hn::LoadU(hn::Rebind<std::uint8_t, simd::Float_tag>(), lanes_in[set[0]].data()));
-    hn::StoreU(hn::TableLookupLanes(id, hn::IndicesFromVec(ids, moved)), ids, stack.boxes(o.body) + count);
+    hn::StoreU(hn::TableLookupLanes(id, hn::IndicesFromVec(ids, moved)), ids, stack.numbers(o.body) + count);
     hn::StoreU(hn::TableLookupLanes(signed_size, hn::IndicesFromVec(tag, moved)), tag, stack.sizes(o.body) + count);
 #endif
-    hn::StoreU(hn::Set(ids, o.box[other]), ids, stack.boxes(other) + count);
+    hn::StoreU(hn::Set(ids, o.box[other].number()), ids, stack.numbers(other) + count);
     hn::StoreU(hn::Set(tag, o.size[other]), tag, stack.sizes(other) + count);
     count += hn::CountTrue(tag, mask);
   }
@@ -137,13 +135,12 @@ struct Keep_together {
 };
 
 /// Adds the pairs of the other box and the parts in `set`, as bits, from part `first` on.
-[[gnu::noinline]] inline HWY_ATTR void add_leaves(std::vector<Leaf_pair>& leaves, const Opening& o,
+[[gnu::noinline]] inline HWY_ATTR void add_leaves(std::vector<Box_ids>& leaves, const Opening& o,
                                                   const Both_trees& trees, std::size_t first, unsigned set)
 {
-  const std::uint32_t first_id = std::uint32_t(o.node - trees.nodes[o.body]) * 8 + std::uint32_t(first);
-  Leaf_pair pair{o.box[0], o.box[1]};
+  Box_ids pair{o.box[0], o.box[1]};
   for (; set != 0; set &= set - 1) {
-    pair[std::size_t(o.body)] = first_id + std::uint32_t(std::countr_zero(set));
+    pair[std::size_t(o.body)] = {o.first_part(trees).node(), int(first) + std::countr_zero(set)};
     leaves.push_back(pair);
   }
 }
@@ -153,7 +150,7 @@ struct Keep_together {
 template <bool similarity>
 struct Parts_without_leaves {
   Parts_together<similarity> together;
-  std::vector<Leaf_pair>& leaves;
+  std::vector<Box_ids>& leaves;
   const Opening& opening;
   const Both_trees& trees;
   unsigned paired;  // leaves that make pairs of leaves, as bits
@@ -231,7 +228,7 @@ HWY_INLINE void prefetch_nodes(Pair_stack& stack, std::size_t first, const Both_
 
 /// Opens level by level, four pairs per round. It prefetches the nodes of a level while it opens the level before.
 template <bool similarity>
-HWY_ATTR Stop descend_to_leaves(Pair_stack& level, Pair_stack& next, Both_trees& trees, std::vector<Leaf_pair>& leaves)
+HWY_ATTR Stop descend_to_leaves(Pair_stack& level, Pair_stack& next, Both_trees& trees, std::vector<Box_ids>& leaves)
 {
   constexpr std::size_t most = 4;
   for (;; level.swap(next)) {
@@ -271,7 +268,7 @@ inline HWY_ATTR Stop descend_simd(Pair_stack& stack, Both_trees& trees)
 }
 
 inline HWY_ATTR Stop descend_to_leaves_simd(Pair_stack& level, Pair_stack& next, Both_trees& trees,
-                                            std::vector<Leaf_pair>& leaves)
+                                            std::vector<Box_ids>& leaves)
 {
   return are_similarities(trees) ? descend_to_leaves<true>(level, next, trees, leaves)
                                  : descend_to_leaves<false>(level, next, trees, leaves);

@@ -20,6 +20,13 @@ struct alignas(64) Bvh8_node {
 
   bool is_leaf(int lane) const { return boxes.marked >> lane & 1; }
 
+  /// Returns the sum of a box's extents, negative for a leaf.
+  float signed_size(int lane) const
+  {
+    const float size = boxes.extent[0][lane] + (boxes.extent[1][lane] + boxes.extent[2][lane]);
+    return is_leaf(lane) ? -size : size;
+  }
+
   /// True when the lane is a leaf or its node exists. Only for the thread that makes nodes.
   bool is_made(int lane) const { return is_leaf(lane) || child[std::size_t(lane)] >= 0; }
 

@@ -7,6 +7,7 @@
 #include "tetracone/tetratree/fast/bvh8_node.h"
 #include "tetracone/tetratree/fast/bvh8_options.h"
 #include "tetracone/tetratree/fast/corner_set.h"
+#include "tetracone/tetratree/fast/surface_area_heuristic.h"
 
 #include <algorithm>
 #include <array>
@@ -22,7 +23,7 @@
 namespace tetracone::tetratree {
 
 /// Makes all nodes of a few elements at once, so that they are well filled. It builds a binary tree by cuts of least
-/// cost (SAH), whose parts become lanes by dynamic programming (Ylitie, Karras and Laine, HPG 2017, section 3.1).
+/// cost (`sah_weight`), whose parts become lanes by dynamic programming (Ylitie, Karras and Laine, HPG 2017, section 3.1).
 class Bvh8_treelet {
  public:
   /// The largest number of elements of a treelet.
@@ -32,7 +33,7 @@ class Bvh8_treelet {
   Bvh8_treelet(Bvh8_elements& elements, const Bvh8_options& options, std::vector<Index>& leaf_ends)
       : elements_(elements), options_(options), leaf_ends_(leaf_ends)
   {
-    for (Index k = 0; k <= most; ++k) roots_[k] = std::sqrt(float(k));
+    for (Index k = 0; k <= most; ++k) weights_[k] = float(sah_weight(int(k)));
   }
 
   /// Appends the nodes of elements first .. last to `nodes`, the top one first, and returns its number. Requires more
@@ -59,7 +60,7 @@ class Bvh8_treelet {
   std::size_t cuts() const { return cuts_; }
 
  private:
-  using Four = kernel::Four_floats;  // the fourth is 0
+  using Four = Axis_bounds::Four;
   using Vector = kernel::Vector;
 
   /// Elements begin .. end of the order and, unless it is a leaf, the two parts that it is cut into.
@@ -71,22 +72,6 @@ class Bvh8_treelet {
     std::array<float, 9> cost{};          // the least cost of all nodes below, by the number of lanes that the part
                                           // takes
     std::array<std::uint8_t, 9> first{};  // how many of these lanes belong to the first part
-  };
-
-  /// The bounds of elements along the axes.
-  struct Bounds {
-    Four low = kernel::four_times(std::numeric_limits<float>::infinity()), high = -low;
-
-    void add(const Bounds& other)
-    {
-      low = kernel::smaller(low, other.low);
-      high = kernel::larger(high, other.high);
-    }
-    float surface() const
-    {
-      const Four e = high - low;
-      return e[0] * e[1] + e[1] * e[2] + e[2] * e[0];
-    }
   };
 
   bool is_leaf(int v) const { return std::size_t(parts_[v].end - parts_[v].begin) <= options_.leaf_size; }
@@ -105,11 +90,8 @@ class Bvh8_treelet {
       at_.push_back(Four{float(s[0]), float(s[1]), float(s[2]), 0});
     }
     for (Index k = 0; k < count_; ++k) {
-      bounds_[k] = Bounds();
-      for (const std::uint32_t c : corners_.of(k)) {
-        bounds_[k].low = kernel::smaller(bounds_[k].low, at_[c]);
-        bounds_[k].high = kernel::larger(bounds_[k].high, at_[c]);
-      }
+      bounds_[k] = Axis_bounds();
+      for (const std::uint32_t c : corners_.of(k)) bounds_[k].add(at_[c], at_[c]);
     }
   }
 
@@ -127,16 +109,15 @@ class Bvh8_treelet {
     }
   }
 
-  /// Cuts a part in two between elements sorted along an axis. The best cut has the least sum, over both sides, of the
-  /// box's surface times the root of the count (SAH).
+  /// Cuts a part in two between elements sorted along an axis, at the least cost (SAH).
   void cut(int v)
   {
     const int begin = parts_[v].begin, end = parts_[v].end, count = end - begin;
     int best_axis = 0, middle = begin + count / 2;
     if (count == 2) {
-      Bounds both = bounds_[order_[0][begin]];
+      Axis_bounds both = bounds_[order_[0][begin]];
       both.add(bounds_[order_[0][begin + 1]]);
-      parts_[v].surface = both.surface();
+      parts_[v].surface = both.half_surface();
     } else {
       ++cuts_;
       float least = std::numeric_limits<float>::infinity();
@@ -145,16 +126,16 @@ class Bvh8_treelet {
       for (int axis = 0; axis < 3; ++axis) {
         const auto& order = order_[axis];
         std::array<float, most> after;
-        Bounds high;
+        Axis_bounds high;
         for (int k = end; k-- > begin;) {
           high.add(bounds_[order[k]]);
-          after[k] = roots_[end - k] * high.surface();
+          after[k] = sah_cost(weights_[end - k], high);
         }
-        parts_[v].surface = high.surface();
-        Bounds low;
+        parts_[v].surface = high.half_surface();
+        Axis_bounds low;
         for (int k = begin + 1; k < end; ++k) {
           low.add(bounds_[order[k - 1]]);
-          const float cost = roots_[k - begin] * low.surface() + after[k];
+          const float cost = sah_cost(weights_[k - begin], low) + after[k];
           if (cost < least && k - begin >= fewest && end - k >= fewest) {
             least = cost;
             best_axis = axis;
@@ -284,13 +265,13 @@ class Bvh8_treelet {
   Index first_ = 0, count_ = 0;
   Corner_set corners_;
   std::vector<Four> at_;  // corners
-  std::array<Bounds, most> bounds_;
+  std::array<Axis_bounds, most> bounds_;
   std::array<std::array<std::uint8_t, most>, 3> order_{};  // along each axis, by parts; k stands for element first_ + k
   std::array<bool, most> is_before_{};
   std::array<Part, 2 * most> parts_;
   int part_count_ = 0;
-  std::array<float, most + 1> roots_{};
-  std::vector<int> seen_in_;  // the last part that took each corner
+  std::array<float, most + 1> weights_{};  // see `sah_weight`
+  std::vector<int> seen_in_;               // the last part that took each corner
   std::vector<Vector> points_;
   std::vector<Bvh8_lane> lanes_;
 };

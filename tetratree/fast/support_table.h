@@ -204,21 +204,21 @@ class Support_table {
       best = at;
       farthest_ = v;
     };
-    std::vector<std::pair<double, Index>>& open = open_;
+    std::vector<std::pair<double, Box_id>>& open = open_;
     Index node = 0;
-    for (open.clear();; node = tree_->child(open.back().second / 8, int(open.back().second % 8)), open.pop_back()) {
+    for (open.clear();; node = tree_->child(open.back().second), open.pop_back()) {
       const std::size_t first = open.size();
       std::array<float, kernel::lanes> reach;
       find_reach(tree_->node(node).boxes, in_float, reach);
       for (int lane = 0; lane < tree_->node(node).boxes.lane_count; ++lane) {
         const double bound = double(reach[std::size_t(lane)]) + box_reach_rounding;
         if (bound <= best) continue;
-        if (!tree_->is_leaf(node, lane)) {
-          open.push_back({bound, 8 * node + Index(lane)});
+        const Box_id box(node, lane);
+        if (!tree_->is_leaf(box)) {
+          open.push_back({bound, box});
           continue;
         }
-        for (Index e = 0; e < tree_->leaf_count(node, lane); ++e)
-          tree_->for_vertices(tree_->element(node, lane, e), look_at);
+        for (Index e = 0; e < tree_->leaf_count(box); ++e) tree_->for_vertices(tree_->element(box, e), look_at);
       }
       // The farthest is last, to be opened first.
       std::sort(open.begin() + std::ptrdiff_t(first), open.end());
@@ -250,7 +250,7 @@ class Support_table {
 
   const Bvh8* tree_;
   std::vector<float> reach_;  // upper bounds of h
-  std::vector<std::pair<double, Index>> open_;
+  std::vector<std::pair<double, Box_id>> open_;
   Index farthest_ = none;  // the vertex found last
 };
 

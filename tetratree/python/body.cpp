@@ -22,21 +22,21 @@ namespace py = pybind11;
 
 namespace {
 
-std::shared_ptr<Shared_body> made(const py::object& vertices, const py::object& faces)
+std::shared_ptr<Python_body> made(const py::object& vertices, const py::object& faces)
 {
   Polyhedron polyhedron = polyhedron_of(vertices, faces);
   const py::gil_scoped_release unlocked;
-  return std::make_shared<Shared_body>(Body(std::move(polyhedron)));
+  return std::make_shared<Python_body>(Body(std::move(polyhedron)));
 }
 
-std::shared_ptr<Shared_body> read(const py::object& path)
+std::shared_ptr<Python_body> read(const py::object& path)
 {
   const std::filesystem::path name = path_of(path);
   const py::gil_scoped_release unlocked;
-  return std::make_shared<Shared_body>(read_body(name));
+  return std::make_shared<Python_body>(read_body(name));
 }
 
-void save(const Shared_body& self, const py::object& path)
+void save(const Python_body& self, const py::object& path)
 {
   const std::filesystem::path name = path_of(path);
   const py::gil_scoped_release unlocked;
@@ -75,7 +75,7 @@ class Rows {
   std::size_t count_;
 };
 
-py::object inside(const Shared_body& self, const py::object& values)
+py::object inside(const Python_body& self, const py::object& values)
 {
   const Rows points(values, "points", "point");
   py::array_t<std::int8_t> answers(static_cast<py::ssize_t>(points.count()));
@@ -128,7 +128,7 @@ class Rays {
   Rows origins_, directions_;
 };
 
-py::object first_hit(const Shared_body& self, const py::object& origins, const py::object& directions)
+py::object first_hit(const Python_body& self, const py::object& origins, const py::object& directions)
 {
   const Rays rays(origins, directions);
   const auto count = static_cast<py::ssize_t>(rays.count());
@@ -146,7 +146,7 @@ py::object first_hit(const Shared_body& self, const py::object& origins, const p
   return py::make_tuple(faces, ts);
 }
 
-py::tuple hits(const Shared_body& self, const py::object& origins, const py::object& directions)
+py::tuple hits(const Python_body& self, const py::object& origins, const py::object& directions)
 {
   const Rays rays(origins, directions);
   std::vector<std::int64_t> ray_of, faces;
@@ -170,7 +170,7 @@ py::tuple hits(const Shared_body& self, const py::object& origins, const py::obj
 
 void add_body(py::module_& module)
 {
-  py::class_<Shared_body, std::shared_ptr<Shared_body>>(module, "Body", R"(Body(vertices, faces)
+  py::class_<Python_body, std::shared_ptr<Python_body>>(module, "Body", R"(Body(vertices, faces)
 
 A polyhedron that queries can be asked about. Immutable, and shared by any number of threads.
 
@@ -230,7 +230,7 @@ origins, directions: as first_hit -> arrays (m,) of int64, int64 and float64. Ra
 (array([0, 0]), array([0, 3]), array([1. , 1.5]))
 )")
       .def(
-          "make_all", [](const Shared_body& self, std::size_t threads) { self.body.make_all(threads); },
+          "make_all", [](const Python_body& self, std::size_t threads) { self.body.make_all(threads); },
           py::arg("threads") = 1, py::call_guard<py::gil_scoped_release>(),
           R"(make_all(threads=1)
 
@@ -253,17 +253,17 @@ is built again. Raises Error for another suffix, and for a file that cannot be w
 Body(3 vertices, 1 faces, open)
 )")
       .def_property_readonly(
-          "is_closed", [](const Shared_body& self) { return self.body.is_closed(); },
+          "is_closed", [](const Python_body& self) { return self.body.is_closed(); },
           "True when every directed edge occurs as often as its reverse: then the body bounds a solid.")
       .def_property_readonly(
           "vertices",
-          [](const py::object& self) { return vertices_of(self.cast<const Shared_body&>().body.polyhedron(), self); },
+          [](const py::object& self) { return vertices_of(self.cast<const Python_body&>().body.polyhedron(), self); },
           "The vertices: array (n, 3) of doubles, a read-only view.")
       .def_property_readonly(
-          "faces", [](const Shared_body& self) { return faces_of(self.body.polyhedron()); },
+          "faces", [](const Python_body& self) { return faces_of(self.body.polyhedron()); },
           "The faces: a list of faces, each a list of loops, each a tuple of vertex numbers.")
       .def("__repr__",
-           [](const Shared_body& self) {
+           [](const Python_body& self) {
              const Polyhedron& p = self.body.polyhedron();
              return "Body(" + std::to_string(p.vertices.size()) + " vertices, " + std::to_string(p.face_count()) +
                     " faces, " + (self.body.is_closed() ? "closed)" : "open)");

@@ -11,8 +11,8 @@
 namespace tetracone::python {
 
 /// A body that any number of threads may ask at once.
-struct Shared_body {
-  explicit Shared_body(Body b) : body(std::move(b)) {}
+struct Python_body {
+  explicit Python_body(Body b) : body(std::move(b)) {}
 
   /// Throws Error. pybind11 calls it for the object of `Body.__new__`, which nobody has made; others are made by
   /// make_shared.

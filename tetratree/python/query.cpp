@@ -32,7 +32,7 @@ namespace {
 struct Locked_query {
   explicit Locked_query(Query q) : query(std::move(q)) {}
 
-  /// Throws Error, as `Shared_body::operator new`.
+  /// Throws Error, as `Python_body::operator new`.
   static void* operator new(std::size_t) { throw Error("query: not made; expected Query(a, b)"); }
 
   Query query;
@@ -165,10 +165,11 @@ py::object collide(Locked_query& self, const py::object& poses_b, const py::obje
   return answers;
 }
 
-py::object motion(Locked_query& self, const py::object& poses_b0, const py::object& poses_b1, const py::args& more,
-                  const py::object& poses_a0, const py::object& poses_a1, const std::string& kind)
+py::object first_contact(Locked_query& self, const py::object& poses_b0, const py::object& poses_b1,
+                         const py::args& more, const py::object& poses_a0, const py::object& poses_a1,
+                         const std::string& kind)
 {
-  require_keywords(more, "motion(poses_a0=..., poses_a1=..., poses_b0=..., poses_b1=...)");
+  require_keywords(more, "first_contact(poses_a0=..., poses_a1=..., poses_b0=..., poses_b1=...)");
   const Motions of_a(poses_a0, poses_a1, kind, "a"), of_b(poses_b0, poses_b1, kind, "b");
   if (of_a.count() != of_b.count() && of_a.count() != 1 && of_b.count() != 1)
     throw Error("query: " + std::to_string(of_a.count()) + " motions of a and " + std::to_string(of_b.count()) +
@@ -319,7 +320,7 @@ py::tuple tuple_of(const auto& names)
   return list;
 }
 
-std::shared_ptr<Locked_query> made_query(const Shared_body& a, const Shared_body& b, const py::str& of_question,
+std::shared_ptr<Locked_query> made_query(const Python_body& a, const Python_body& b, const py::str& of_question,
                                          const py::str& of_kernel, const py::str& of_method, bool remember)
 {
   const std::string question = text_of(of_question), kernel = text_of(of_kernel), method = text_of(of_method);
@@ -344,6 +345,9 @@ void add_query(py::module_& module)
 
   const auto poses_b = py::arg("poses_b");
   const auto poses_a = py::arg("poses_a") = py::none();
+  const auto poses_b0 = py::arg("poses_b0"), poses_b1 = py::arg("poses_b1");
+  const auto poses_a0 = py::arg("poses_a0") = py::none(), poses_a1 = py::arg("poses_a1") = py::none(),
+             kind = py::arg("kind") = "linear";
   py::class_<Locked_query, std::shared_ptr<Locked_query>>(
       module, "Query",
       R"(Query(a, b, question="solid", kernel="adaptive", method="tree", remember=False)
@@ -417,9 +421,8 @@ bool; of one pose of each, a bool. Other arguments as of `collide`.
 >>> tetracone.Query(a, a).within("1/3", [[1, 0, 0, "4/3"], [0, 1, 0, 0], [0, 0, 1, 0]])
 True
 )")
-      .def("motion", &motion, py::arg("poses_b0"), py::arg("poses_b1"), py::arg("poses_a0") = py::none(),
-           py::arg("poses_a1") = py::none(), py::arg("kind") = "linear",
-           R"(motion(poses_b0, poses_b1, *, poses_a0=None, poses_a1=None, kind="linear")
+      .def("first_contact", &first_contact, poses_b0, poses_b1, poses_a0, poses_a1, kind,
+           R"(first_contact(poses_b0, poses_b1, *, poses_a0=None, poses_a1=None, kind="linear")
 
 When the moving bodies first share a point, exactly: array (n, 2) of doubles lo <= t <= hi, equal where the time is that
 double, else neighbours; NaN where they never meet. Of one pose at each end, a tuple (lo, hi), or None.
@@ -436,10 +439,15 @@ that is not star-shaped.
 >>> import tetracone
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 >>> query = tetracone.Query(a, a)
->>> query.motion([[1, 0, 0, 3], [0, 1, 0, 0.25], [0, 0, 1, 0.25]], [[1, 0, 0, -3], [0, 1, 0, 0.25], [0, 0, 1, 0.25]])
+>>> query.first_contact([[1, 0, 0, 3], [0, 1, 0, 0.25], [0, 0, 1, 0.25]], [[1, 0, 0, -3], [0, 1, 0, 0.25], [0, 0, 1, 0.25]])
 (0.41666666666666663, 0.4166666666666667)
->>> query.motion([[1, 0, 0, 0, 2, 0, 0]], [1, 0, 0, 1, 2, 2, 0], kind="rigid")
+>>> query.first_contact([[1, 0, 0, 0, 2, 0, 0]], [1, 0, 0, 1, 2, 2, 0], kind="rigid")
 array([[nan, nan]])
+)")
+      .def("motion", &first_contact, poses_b0, poses_b1, poses_a0, poses_a1, kind,
+           R"(motion(poses_b0, poses_b1, *, poses_a0=None, poses_a1=None, kind="linear")
+
+The old name of `first_contact`, kept for one version.
 )")
       .def("features", of_poses<&features>("features"), poses_b, poses_a, R"(features(poses_b, *, poses_a=None)
 

@@ -27,7 +27,7 @@ namespace py = pybind11;
 
 namespace {
 
-using Bodies = std::vector<std::shared_ptr<Shared_body>>;
+using Bodies = std::vector<std::shared_ptr<Python_body>>;
 
 /// A scene, its lock, and the Python bodies that are its models.
 class Locked_scene {
@@ -43,7 +43,7 @@ class Locked_scene {
     return what(scene_);
   }
 
-  std::size_t add(const std::shared_ptr<Shared_body>& body)
+  std::size_t add(const std::shared_ptr<Python_body>& body)
   {
     return alone([&](Scene& scene) {
       ++count_;
@@ -57,7 +57,7 @@ class Locked_scene {
       --count_;
     });
   }
-  void replace(std::size_t number, const std::shared_ptr<Shared_body>& body)
+  void replace(std::size_t number, const std::shared_ptr<Python_body>& body)
   {
     alone([&](Scene& scene) { scene.set_model(number, model_of(scene, body)); });
   }
@@ -65,7 +65,7 @@ class Locked_scene {
   std::size_t count() const { return count_; }
 
  private:
-  std::size_t model_of(Scene& scene, const std::shared_ptr<Shared_body>& body)
+  std::size_t model_of(Scene& scene, const std::shared_ptr<Python_body>& body)
   {
     const auto [known, is_new] = models_.try_emplace(body, 0);
     if (is_new) known->second = scene.add_model(body->body);
@@ -73,7 +73,7 @@ class Locked_scene {
   }
 
   Scene scene_;
-  std::map<std::shared_ptr<Shared_body>, std::size_t> models_;
+  std::map<std::shared_ptr<Python_body>, std::size_t> models_;
   std::size_t count_ = 0;
   std::mutex lock_;  // never waited for with the interpreter's lock
 };
@@ -259,15 +259,15 @@ uint32, in order. Raises Error for another number of poses, and for a pose that 
            R"(first_contacts(poses_1, *, poses_0=None, kind="linear")
 
 Which bodies meet while all of them move, and when first, exactly: pairs (m, 2) uint32 and times (m, 2), doubles
-lo <= t <= hi of t in [0, 1] as `Query.motion` has them. In order of (lo, hi, pair): that of the exact times, but for
+lo <= t <= hi of t in [0, 1] as `Query.first_contact` has them. In order of (lo, hi, pair): that of the exact times, but for
 those between the same two doubles. The bodies stand where they stood.
 
 poses_1: the poses of all bodies at t = 1, in the order of their numbers.
 poses_0: those at t = 0, by keyword; None: where the bodies stand, of a linear motion; of a rigid one the identity.
 kind: "linear", of poses as `frame` takes them, or "rigid", of arrays (n, 7), a quaternion and a translation, or of
-matrices that are rotations, as `Query.motion` says.
+matrices that are rotations, as `Query.first_contact` says.
 
-Raises Error for another number of poses, for a body that stands nowhere, and as `Query.motion`.
+Raises Error for another number of poses, for a body that stands nowhere, and as `Query.first_contact`.
 
 >>> import numpy as np, tetracone
 >>> a = tetracone.Body([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])

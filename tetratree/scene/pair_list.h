@@ -1,7 +1,8 @@
 #ifndef TETRACONE_TETRATREE_SCENE_PAIR_LIST_H
 #define TETRACONE_TETRATREE_SCENE_PAIR_LIST_H
 
-#include "tetracone/tetratree/fast/pair_memory.h"
+#include "tetracone/tetratree/memory/pair_certificate.h"
+#include "tetracone/tetratree/memory/pair_memory.h"
 #include "tetracone/tetratree/scene/large_pages.h"
 
 #include <array>
@@ -14,18 +15,22 @@
 
 namespace tetracone::tetratree {
 
+/// Whether a near pair is to be asked in this frame, and how its query is.
+enum class Pair_stage : std::uint8_t { answered, open, open_for_brute_force };
+
 /// Two bodies that are near one another, the lesser number first, with the certificate of the pair. Frames read all of
 /// these. Both numbers are 0 in a pair that was removed.
 struct alignas(32) Near_bodies {
   std::uint32_t body[2] = {};
   /// The vector from the second's centre to the first's when they were asked, rounded to float.
-  std::array<float, 3> between = {};
-  bool collide = false;         ///< whether they collided then
-  bool is_open = false;         ///< to be asked in this frame
-  bool by_brute_force = false;  ///< how they are to be asked
-  bool is_listed = false;       ///< among the colliding pairs of the last answer
+  Between between = {};
+  Pair_stage stage = Pair_stage::answered;
+  bool collide = false;    ///< whether they collided then
+  bool is_listed = false;  ///< among the colliding pairs of the last answer
   /// The pair stays apart while (rotation of both bodies) + (change of the vector between them) < limit.
   double limit = -1;
+
+  bool is_open() const { return stage != Pair_stage::answered; }
 };
 
 /// The positions of a pair in other lists.
@@ -37,7 +42,7 @@ struct Near_pair {
 /// The memory of a pair whose trees have been asked. Few of the near pairs have one.
 struct Asked_pair {
   double turned = -std::numeric_limits<double>::infinity();  ///< the rotation of both bodies when they were asked last
-  std::array<float, 3> between = {};                         ///< the vector between their centres then
+  Between between = {};                                      ///< the vector between their centres then
   Pair_memory memory = {};
   std::size_t memory_bytes = 0;  ///< as last counted
 };

@@ -16,12 +16,12 @@ Scene& Scene::operator=(Scene&&) noexcept = default;
 
 std::size_t Scene::add_model(const Body& body)
 {
-  const std::string name = "model " + std::to_string(data_->models.count());
-  return data_->models.add([body] { return body; }, name, true);
+  const std::string name = "model " + std::to_string(data_->models().count());
+  return data_->models().add([body] { return body; }, name, true);
 }
 std::size_t Scene::add_model(std::function<Body()> make, const std::string& name)
 {
-  return data_->models.add(std::move(make), name, false);
+  return data_->models().add(std::move(make), name, false);
 }
 
 std::size_t Scene::add_body(std::size_t model) { return data_->add_body(model); }

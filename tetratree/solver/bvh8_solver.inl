@@ -5,7 +5,7 @@
 #include "tetracone/kernel/predicate/tolerant.h"
 #include "tetracone/tetratree/door/contacts_data.h"
 #include "tetracone/tetratree/door/solver.h"
-#include "tetracone/tetratree/fast/bvh8_collision.h"
+#include "tetracone/tetratree/query/bvh8_collision.h"
 
 namespace tetracone::detail {
 
@@ -20,13 +20,8 @@ class Bvh8_solver : public Solver {
                    options.remember ? tetratree::Coherence::last_frame : tetratree::Coherence::none)
   {}
 
-  Relation relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question) override
-  {
-    if constexpr (std::is_same_v<K, kernel::Tolerant>) kernel::Tolerant::tolerance() = options_.tolerance;
-    return collision_.relation(pose_a, pose_b, question);
-  }
-  Relation relation_by(tetratree::Pair_memory& memory, const kernel::Pose& pose_a, const kernel::Pose& pose_b,
-                       Question question) override
+  Relation relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question,
+                    tetratree::Pair_memory* memory) override
   {
     if constexpr (std::is_same_v<K, kernel::Tolerant>) kernel::Tolerant::tolerance() = options_.tolerance;
     return collision_.relation(pose_a, pose_b, question, memory);

@@ -4,7 +4,7 @@
 
 #include "tetracone/kernel/predicate/kernels.h"
 #include "tetracone/tetratree/door/contacts_data.h"
-#include "tetracone/tetratree/fast/bvh8_contacts.h"
+#include "tetracone/tetratree/query/bvh8_contacts.h"
 
 #include <memory>
 #include <type_traits>

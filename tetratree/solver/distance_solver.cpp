@@ -2,7 +2,7 @@
 
 #include "tetracone/kernel/predicate/kernels.h"
 #include "tetracone/tetratree/door/nearest.h"
-#include "tetracone/tetratree/fast/bvh8_distance.h"
+#include "tetracone/tetratree/query/bvh8_distance.h"
 
 #include <array>
 #include <cmath>
@@ -77,8 +77,7 @@ class Bvh8_distance_solver : public Distance_solver {
       }
       return nearest;
     } else {
-      throw Error("query: kernel " + kernel_name(Kernel::double_) +
-                  " knows no exact points; expected adaptive or rational");
+      throw Error("query: kernel double knows no exact points; expected adaptive or rational");
     }
   }
   bool within(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question, const Rational& limit) override
@@ -97,17 +96,14 @@ class Bvh8_distance_solver : public Distance_solver {
 }  // namespace
 
 std::unique_ptr<Distance_solver> distance_solver(const std::shared_ptr<const Body_data>& a,
-                                                 const std::shared_ptr<const Body_data>& b,
-                                                 const Query_options& options)
+                                                 const std::shared_ptr<const Body_data>& b, Kernel kernel)
 {
-  switch (options.kernel) {
+  switch (kernel) {
     case Kernel::adaptive: return std::make_unique<Bvh8_distance_solver<kernel::Adaptive>>(a, b);
     case Kernel::double_: return std::make_unique<Bvh8_distance_solver<kernel::Double>>(a, b);
     case Kernel::rational: return std::make_unique<Bvh8_distance_solver<kernel::Rational_kernel>>(a, b);
-    default: break;
+    default: return nullptr;
   }
-  throw Error("query: kernel " + kernel_name(options.kernel, options.tolerance) +
-              " tells no distance; expected adaptive, double or rational");
 }
 
 }  // namespace tetracone::detail

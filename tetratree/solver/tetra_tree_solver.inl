@@ -28,7 +28,8 @@ class Tetra_tree_solver : public Solver {
         collision_(*a_, *b_)
   {}
 
-  Relation relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question) override
+  Relation relation(const kernel::Pose& pose_a, const kernel::Pose& pose_b, Question question,
+                    tetratree::Pair_memory*) override
   {
     use_tolerance(tolerance_);
     return collision_.relation(pose_a, pose_b, question);

@@ -1,7 +1,7 @@
 // Makes two small bodies and up to four pairs of poses from raw bytes. Their distances, nearest points and limits must
 // be those of all pairs of elements in rational arithmetic.
 
-#include "tetracone/tetratree/fast/bvh8_distance.h"
+#include "tetracone/tetratree/query/bvh8_distance.h"
 #include "verify/fuzz/doubles.h"
 #include "verify/fuzz/fuzz_body.h"
 #include "verify/fuzz/fuzz_targets.h"

@@ -1,8 +1,8 @@
 // Makes a small body and up to eight points and rays from raw bytes. The locator's positions and the tree's hits must
 // be those of all pairs of elements in rational arithmetic.
 
-#include "tetracone/tetratree/fast/bvh8_rays.h"
 #include "tetracone/tetratree/locator/point_locator.h"
+#include "tetracone/tetratree/query/bvh8_rays.h"
 #include "verify/fuzz/doubles.h"
 #include "verify/fuzz/fuzz_body.h"
 #include "verify/fuzz/fuzz_targets.h"

@@ -3,8 +3,8 @@
 // box of a scene may separate bodies that meet.
 
 #include "tetracone/kernel/predicate/kernels.h"
-#include "tetracone/tetratree/fast/bvh8_collision.h"
 #include "tetracone/tetratree/paper/collision.h"
+#include "tetracone/tetratree/query/bvh8_collision.h"
 #include "tetracone/tetratree/scene/body_box.h"
 #include "tetracone/tetratree/scene/turned_box.h"
 #include "verify/fuzz/doubles.h"

@@ -4,7 +4,7 @@
 #include "tetracone/kernel/number/error.h"
 #include "tetracone/tetratree/door/body_data.h"
 #include "tetracone/tetratree/door/body_file.h"
-#include "tetracone/tetratree/fast/bvh8_collision.h"
+#include "tetracone/tetratree/query/bvh8_collision.h"
 #include "verify/fuzz/fuzz_targets.h"
 #include "verify/fuzz/scratch_file.h"
 #include "verify/test/support/forged_body.h"

@@ -6,8 +6,8 @@
 #include "tetracone/kernel/predicate/adaptive.h"
 #include "tetracone/kernel/predicate/segment_face.h"
 #include "tetracone/kernel/predicate/tetrahedron.h"
-#include "tetracone/tetratree/fast/bvh8_collision.h"
 #include "tetracone/tetratree/paper/collision.h"
+#include "tetracone/tetratree/query/bvh8_collision.h"
 #include "verify/cases/case.h"
 #include "verify/cases/random.h"
 

@@ -4,9 +4,9 @@
 #include "tetracone/kernel/bound/bound_box.h"
 #include "tetracone/kernel/bound/cone_coordinates.h"
 #include "tetracone/kernel/bound/obb8.h"
-#include "tetracone/tetratree/fast/bvh8_containment.h"
 #include "tetracone/tetratree/fast/support_table.h"
 #include "tetracone/tetratree/paper/regular_hull.h"
+#include "tetracone/tetratree/query/bvh8_containment.h"
 #include "verify/proofs/adaptive_proofs.h"
 #include "verify/proofs/near_orthonormal.h"
 #include "verify/proofs/proved_bound.h"
@@ -167,7 +167,7 @@ inline Proved_bounds margin_proofs()
       deeper * Rational(plane.height) + 8 * Rational(u), 1, 1.8, "intervals");
 
   // |p|_2 <= sqrt(3) of points with |p_k| <= 1.
-  add("Bvh8_containment::beyond_holder", "tetratree/fast/bvh8_containment.h", Containment::beyond_holder, root_3(), 1,
+  add("Bvh8_containment::beyond_holder", "tetratree/query/bvh8_containment.h", Containment::beyond_holder, root_3(), 1,
       1.16);
   return bounds;
 }

@@ -6,8 +6,8 @@
 #include "tetracone/kernel/number/double_double_ball.h"
 #include "tetracone/kernel/number/products.h"
 #include "tetracone/kernel/predicate/enclosed_distance.h"
-#include "tetracone/tetratree/fast/bvh8_distance.h"
-#include "tetracone/tetratree/fast/element_gap.h"
+#include "tetracone/tetratree/memory/element_gap.h"
+#include "tetracone/tetratree/query/bvh8_distance.h"
 #include "verify/proofs/adaptive_proofs.h"
 #include "verify/proofs/near_orthonormal.h"
 #include "verify/proofs/proved_bound.h"
@@ -110,11 +110,11 @@ inline Proved_bounds nearest_proofs()
       1 - power(down, sum_of_squares.count()) / power(up, 3), unit, 4.01);
 
   // Rows of a similarity are as long as its columns, up to its defect.
-  add("row_of_similarity", "tetratree/fast/element_gap.h", tetratree::row_of_similarity,
+  add("row_of_similarity", "tetratree/memory/element_gap.h", tetratree::row_of_similarity,
       root_3() * (1 + 3 * similarity), 1, 1.16);
 
   // A limit is rounded, multiplied and added to, on either side.
-  const std::string of_distance = "tetratree/fast/bvh8_distance.h";
+  const std::string of_distance = "tetratree/query/bvh8_distance.h";
   add("Bvh8_distance::limit_rounding", of_distance, Distance::limit_rounding,
       std::max(Rational(1 - 1 / power(up, 3)), Rational(1 / power(down, 3) - 1)), unit, 1.34);
   // A square is rounded, which counts half in its root; the root, a product and a sum.

@@ -6,9 +6,9 @@
 #include "tetracone/kernel/bound/relative_frame.h"
 #include "tetracone/kernel/bound/relative_motion.h"
 #include "tetracone/kernel/motion/motion_span.h"
-#include "tetracone/tetratree/fast/bvh8_front.h"
-#include "tetracone/tetratree/fast/front_entries.h"
-#include "tetracone/tetratree/fast/span_reference.h"
+#include "tetracone/tetratree/memory/bvh8_front.h"
+#include "tetracone/tetratree/memory/front_entries.h"
+#include "tetracone/tetratree/query/span_reference.h"
 #include "verify/proofs/near_orthonormal.h"
 #include "verify/proofs/obb8_proofs.h"
 #include "verify/proofs/proved_bound.h"
@@ -69,13 +69,13 @@ inline Proved_bounds reference_proofs()
       of_square <= root * root ? Rational(root + of_coordinates) : Rational(1), 1, 8193);
 
   // A stored gap is rounded; taking it off later rounds a product with steps, a sum and a difference.
-  add("Front_entries::shrink, taken from 1", "tetratree/fast/front_entries.h", 1 - double(Entries::shrink),
+  add("Front_entries::shrink, taken from 1", "tetratree/memory/front_entries.h", 1 - double(Entries::shrink),
       1 - power((1 - of_float) / (1 + of_float), 1) * power(1 - of_float, 3), unit_of_float, 3.21);
 
   // M^T M is s^2 (I + E), |E_ij| <= d, s the length of the first column: |M x| >= s (1 - 3 d)^(1/2) |x|. An image of a
   // coordinate's unit less that of the origin is off by twice the map's error in each coordinate: three columns, of
   // three coordinates.
-  const std::string of_front = "tetratree/fast/bvh8_front.h";
+  const std::string of_front = "tetratree/memory/bvh8_front.h";
   const Rational of_error = 3 * 2 * Rational(Front::most_error);
   add("Bvh8_front::stretch_loss", of_front, Front::stretch_loss,
       (Rational(3, 2) * similarity * (1 + 8 * similarity) + of_error) * few, unit_of_float, 5.34);
@@ -86,7 +86,7 @@ inline Proved_bounds reference_proofs()
   // The line between two coefficients is off as a coefficient is: twice `Motion_span::error`, a share of |n|_1. Sums
   // and quotients of coefficients, and their norms, lose 12 roundings of three placings, each below twice the span's
   // terms, of which the error is `few_roundings`.
-  const std::string of_reference = "tetratree/fast/span_reference.h";
+  const std::string of_reference = "tetratree/query/span_reference.h";
   add("Span_reference::errors_along", of_reference, Reference::errors_along,
       2 * root_3() * (1 + 3 * defect) + 12 * 3 * 2 * u / Rational(kernel::few_roundings), 1, 1.16);
   // R^-1 - R^T / s^2 = ((I + E)^-1 - I) R^T / s^2, ||E|| <= 3 d.

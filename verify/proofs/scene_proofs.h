@@ -2,6 +2,7 @@
 #define TETRACONE_VERIFY_PROOFS_SCENE_PROOFS_H
 
 #include "tetracone/kernel/bound/obb8.h"
+#include "tetracone/tetratree/memory/pair_certificate.h"
 #include "tetracone/tetratree/scene/body_box.h"
 #include "tetracone/tetratree/scene/body_extent.h"
 #include "tetracone/tetratree/scene/turned_box.h"
@@ -183,7 +184,7 @@ inline Proved_bounds scene_proofs()
 
   // A certificate. The vector between the positions has the error of one rounding to double and one to float. Later it
   // gets one to double, relative to its value then and to the change.
-  const std::string certificates = "tetratree/scene/body_box.h";
+  const std::string certificates = "tetratree/memory/pair_certificate.h";
   const Rational once_less = 1 - Rational(u), less_in_float = 1 - Rational(of_float);
   const Rational off_then = (1 + Rational(u)) * (1 + Rational(of_float)) - 1;
   const Rounding_count of_between =

@@ -2,10 +2,10 @@
 #define TETRACONE_VERIFY_PROOFS_SEPARATION_PROOFS_H
 
 #include "tetracone/kernel/bound/oriented_box.h"
-#include "tetracone/tetratree/fast/bvh8_containment.h"
 #include "tetracone/tetratree/fast/bvh8_elements.h"
 #include "tetracone/tetratree/fast/separating_direction.h"
 #include "tetracone/tetratree/fast/support_table.h"
+#include "tetracone/tetratree/query/bvh8_containment.h"
 #include "verify/proofs/adaptive_proofs.h"
 #include "verify/proofs/near_orthonormal.h"
 #include "verify/proofs/proved_bound.h"
@@ -23,7 +23,7 @@ inline Proved_bounds separation_proofs()
   const double u = kernel::unit_roundoff<float>, of_double = kernel::unit_roundoff<double>;
   const Rational roundoff(u), once = 1 + 2 * roundoff, defect(kernel::axis_defect);
   const std::string direction = "tetratree/fast/separating_direction.h", table = "tetratree/fast/support_table.h",
-                    containment = "tetratree/fast/bvh8_containment.h", box = "kernel/bound/obb8.h";
+                    containment = "tetratree/query/bvh8_containment.h", box = "kernel/bound/obb8.h";
   Proved_bounds bounds;
   const auto sum_of_lanes = [](const auto& v) { return (v[0] + v[1]) + (v[2] + v[3]); };
 

@@ -2,8 +2,8 @@
 #define TETRACONE_VERIFY_SUBJECTS_BLAME_STAGES_H
 
 #include "tetracone/covering/repair/repair.h"
-#include "tetracone/tetratree/fast/bvh8_collision.h"
 #include "tetracone/tetratree/paper/collision.h"
+#include "tetracone/tetratree/query/bvh8_collision.h"
 #include "tetracone/tetratree/solver/method_config.h"
 #include "verify/integer_truth/rounded_pair.h"
 #include "verify/subjects/blame.h"

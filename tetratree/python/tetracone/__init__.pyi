@@ -60,6 +60,15 @@ class Query:
     def relation(self, poses_b: Union[Numbers, None], *, poses_a: Union[Numbers, None] = None) -> Union[npt.NDArray[np.str_], Relation]: ...
     def distance(self, poses_b: Union[Numbers, None], *, poses_a: Union[Numbers, None] = None) -> Union[npt.NDArray[np.float64], float]: ...
     def within(self, limit: object, poses_b: Union[Numbers, None], *, poses_a: Union[Numbers, None] = None) -> Union[npt.NDArray[np.bool_], bool]: ...
+    def first_contact(
+        self,
+        poses_b0: Union[Numbers, None],
+        poses_b1: Union[Numbers, None],
+        *,
+        poses_a0: Union[Numbers, None] = None,
+        poses_a1: Union[Numbers, None] = None,
+        kind: Literal["linear", "rigid"] = "linear",
+    ) -> Union[npt.NDArray[np.float64], tuple[float, float], None]: ...
     def motion(
         self,
         poses_b0: Union[Numbers, None],

@@ -14,8 +14,8 @@
 
 namespace tetracone::kernel {
 
-using Stray_bound = double(const Course&, double, const Placement&, const Placement&, const Body_box&);
-using Pace_bound = double(const Course&, const Body_box&);
+using Stray_bound = double(const Course&, double, const Placement&, const Placement&, const Box_corners&);
+using Pace_bound = double(const Course&, const Box_corners&);
 using Steps_along = double(const Course&, const Placement&, const Placement&);
 
 std::vector<Stray_bound*> stray_bounds()
@@ -45,7 +45,7 @@ using scenes::real;
 
 namespace {
 
-Body_box unit_box() { return Body_box({0, 0, 0}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}); }
+Box_corners unit_box() { return Box_corners({0, 0, 0}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}); }
 
 Pose turned(const Pose& pose, double angle, const std::array<double, 3>& shift)
 {
@@ -119,7 +119,7 @@ BOOST_AUTO_TEST_CASE(no_point_of_the_box_strays_farther_from_a_course_than_the_b
     const std::array<double, 3> centre = scenes::real_vertex(random, 0.4);
     std::array<std::array<double, 3>, 3> half_edge;
     for (auto& edge : half_edge) edge = scenes::real_vertex(random, k % 7 == 0 ? 0 : 0.2);
-    const Body_box box(centre, half_edge);
+    const Box_corners box(centre, half_edge);
     double farthest = 0, farthest_on_course = 0;
     const auto bounds = stray_bounds();
     const double bound = bounds[std::size_t(k) % bounds.size()](course, steps, before, after, box),

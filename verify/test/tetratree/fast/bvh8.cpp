@@ -50,13 +50,13 @@ BOOST_AUTO_TEST_CASE(every_element_is_in_one_leaf_and_in_all_boxes_above_it)
       // The elements under a lane are checked against its box, and each leaf is counted.
       const std::function<std::vector<Index>(Index, int)> visit = [&](Index n, int lane) {
         std::vector<Index> corners;
-        if (tree.is_leaf(n, lane)) {
-          leaves += tree.leaf_count(n, lane);
-          BOOST_TEST(tree.leaf_count(n, lane) <= options.leaf_size);
-          for (Index k = 0; k < tree.leaf_count(n, lane); ++k)
-            tree.for_vertices(tree.element(n, lane, k), [&](Index v) { corners.push_back(v); });
+        if (tree.is_leaf({n, lane})) {
+          leaves += tree.leaf_count({n, lane});
+          BOOST_TEST(tree.leaf_count({n, lane}) <= options.leaf_size);
+          for (Index k = 0; k < tree.leaf_count({n, lane}); ++k)
+            tree.for_vertices(tree.element({n, lane}, k), [&](Index v) { corners.push_back(v); });
         } else {
-          const Index child = tree.child(n, lane);
+          const Index child = tree.child({n, lane});
           for (int k = 0; k < tree.node(child).boxes.lane_count; ++k)
             for (const Index v : visit(child, k)) corners.push_back(v);
         }
@@ -122,9 +122,9 @@ BOOST_AUTO_TEST_CASE(nodes_are_made_when_they_are_entered)
   BOOST_TEST(all > body.face_count() / 8);
   whole.make_all();
   BOOST_TEST(whole.node_count() == all);
-  lazy.child(0, 0);
+  lazy.child({});
   BOOST_TEST(lazy.node_count() == 2u);
-  BOOST_TEST(lazy.child(0, 0) == 1u);
+  BOOST_TEST(lazy.child({}) == 1u);
   BOOST_TEST(lazy.node_count() == 2u);
   BOOST_TEST(whole.bytes() < 400 * body.face_count());
 }
@@ -159,7 +159,7 @@ int depth_of(Bvh8& tree, Index n)
 {
   int deepest = 0;
   for (int lane = 0; lane < tree.node(n).boxes.lane_count; ++lane)
-    if (!tree.is_leaf(n, lane)) deepest = std::max(deepest, depth_of(tree, tree.child(n, lane)));
+    if (!tree.is_leaf({n, lane})) deepest = std::max(deepest, depth_of(tree, tree.child({n, lane})));
   return deepest + 1;
 }
 

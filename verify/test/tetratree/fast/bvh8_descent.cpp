@@ -1,7 +1,7 @@
 #include "tetracone/tetratree/fast/bvh8_descent.h"
 
 #include "tetracone/covering/repair/repair.h"
-#include "tetracone/tetratree/fast/placed_bvh8.h"
+#include "tetracone/tetratree/query/placed_bvh8.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/simd_versions.h"
 
@@ -17,7 +17,7 @@
 namespace tetracone::tetratree {
 
 using Stopping = Stop(Pair_stack&, Both_trees&);
-using To_leaves = Stop(Pair_stack&, Pair_stack&, Both_trees&, std::vector<Leaf_pair>&);
+using To_leaves = Stop(Pair_stack&, Pair_stack&, Both_trees&, std::vector<Box_ids>&);
 
 /// Goes on; what it finds of leaves it may add.
 using Descend = std::function<To_leaves>;
@@ -26,7 +26,7 @@ using Descend = std::function<To_leaves>;
 Descend stopping(Stopping* descend)
 {
   return
-      [=](Pair_stack& stack, Pair_stack&, Both_trees& trees, std::vector<Leaf_pair>&) { return descend(stack, trees); };
+      [=](Pair_stack& stack, Pair_stack&, Both_trees& trees, std::vector<Box_ids>&) { return descend(stack, trees); };
 }
 
 /// All versions of both descents.
@@ -66,18 +66,16 @@ Descended descended(const Descend& descend, Placed_bvh8<>& a, Placed_bvh8<>& b)
   const float scale = factor >= 0x1p-60 && factor <= 0x1p60 ? float(factor) : 1;
   Descended result{{}, 0, 0, {{a.tree->nodes(), b.tree->nodes()}, {&a.into_other, &b.into_other}, scale}};
   Pair_stack stack, next;
-  stack.push(0, 0, a.size() * scale, b.size());
-  std::vector<Leaf_pair> leaves;
+  stack.push({}, a.size() * scale, b.size());
+  std::vector<Box_ids> leaves;
   for (Stop stop; (stop = descend(stack, next, result.trees, leaves)) != Stop::nothing_left;) {
-    const std::uint32_t box_a = stack.box(0), box_b = stack.box(1);
     if (stop == Stop::leaves) {
+      leaves.push_back(stack.boxes());
       stack.pop();
-      leaves.push_back({box_a, box_b});
       continue;
     }
     const bool first = first_is_larger(stack.size(0), stack.size(1));
-    const std::uint32_t box = first ? box_a : box_b;
-    (first ? a : b).tree->child(box / 8, int(box % 8));
+    (first ? a : b).tree->child(stack.box(first ? 0 : 1));
     ++result.made;
     result.trees.nodes[0] = a.tree->nodes();
     result.trees.nodes[1] = b.tree->nodes();
@@ -99,7 +97,7 @@ Pairs meeting(const Polyhedron& p, const Pose& pose_a, Placed_bvh8<>& a, const P
     body->tree->make_all();
     for (Index n = 0; n < body->tree->node_count(); ++n)
       for (int lane = 0; lane < body->tree->node(n).boxes.lane_count; ++lane)
-        if (body->tree->is_leaf(n, lane)) elements->push_back(&body->tree->element(n, lane));
+        if (body->tree->is_leaf({n, lane})) elements->push_back(&body->tree->element({n, lane}));
     BOOST_TEST(elements->size() == count);
   }
   for (const Element* x : of_a)
@@ -283,7 +281,7 @@ BOOST_AUTO_TEST_CASE(a_pair_of_leaves_is_handed_back_at_once_and_an_empty_stack_
   Both_trees trees{{tree.nodes(), tree.nodes()}, {&a.into_other, &b.into_other}, 1};
   Pair_stack stack;
   BOOST_TEST((descend(stack, trees) == Stop::nothing_left));
-  stack.push(0, 0, a.size(), b.size());
+  stack.push({}, a.size(), b.size());
   BOOST_TEST((descend(stack, trees) == Stop::leaves));
   BOOST_TEST(stack.count() == 1u);
   BOOST_TEST(trees.opened == 0u);
@@ -291,14 +289,16 @@ BOOST_AUTO_TEST_CASE(a_pair_of_leaves_is_handed_back_at_once_and_an_empty_stack_
 
 BOOST_AUTO_TEST_CASE(the_stack_keeps_pairs_in_order_however_many)
 {
+  const auto box = [](std::uint32_t number) { return Box_id::from_number(number); };
   Pair_stack stack;
-  for (std::uint32_t k = 0; k < 5000; ++k) stack.push(k, 2 * k, float(k), -float(k));
+  for (std::uint32_t k = 0; k < 5000; ++k) stack.push({box(k), box(2 * k)}, float(k), -float(k));
   for (std::uint32_t k = 5000; k-- > 0; stack.pop()) {
     BOOST_TEST_REQUIRE(stack.count() == k + 1);
-    BOOST_TEST((stack.box(0) == k && stack.box(1) == 2 * k && stack.size(0) == float(k) && stack.size(1) == -float(k)));
+    BOOST_TEST((stack.box(0) == box(k) && stack.box(1) == box(2 * k) && stack.size(0) == float(k) &&
+                stack.size(1) == -float(k)));
   }
   BOOST_TEST(stack.empty());
-  stack.push(1, 2, 3, 4);
+  stack.push({box(1), box(2)}, 3, 4);
   stack.clear();
   BOOST_TEST(stack.empty());
 }

@@ -34,7 +34,7 @@ int differing_nodes(const Bvh8& a, const Bvh8& b)
   for (Index n = 0; n < a.node_count(); ++n) {
     differing += std::memcmp(&a.node(n), &b.node(n), sizeof(Bvh8_node)) != 0;
     for (int lane = 0; lane < a.node(n).boxes.lane_count; ++lane)
-      if (a.is_leaf(n, lane)) differing += a.element(n, lane).face != b.element(n, lane).face;
+      if (a.is_leaf({n, lane})) differing += a.element({n, lane}).face != b.element({n, lane}).face;
   }
   return differing;
 }
@@ -87,10 +87,10 @@ BOOST_AUTO_TEST_CASE(what_queries_have_made_stays)
   const Polyhedron body = blob(random, 5, 0.5, 1.5);
   const Bvh8 whole(body), partly(body);
   whole.make_all();
-  const Index top = partly.child(0, 0), below = partly.child(top, 3);
+  const Index top = partly.child({}), below = partly.child({top, 3});
   const Bvh8_node kept = partly.node(below);
   partly.make_all(by_threads(2));
-  BOOST_TEST(partly.child(top, 3) == below);
+  BOOST_TEST(partly.child({top, 3}) == below);
   BOOST_TEST(std::memcmp(&partly.node(below).boxes, &kept.boxes, sizeof(kept.boxes)) == 0);
   BOOST_TEST(partly.node_count() == whole.node_count());
   BOOST_TEST(partly.cuts().all == whole.cuts().all);

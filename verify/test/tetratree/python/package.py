@@ -130,8 +130,8 @@ class Answers(Case):
                 getattr(query, name)(small, IDENTITY)
         with self.assertRaisesRegex(TypeError, r"expected within\(limit, poses_a=..., poses_b=...\)$"):
             query.within(1, small, IDENTITY)
-        with self.assertRaisesRegex(TypeError, r"expected motion\(poses_a0=..., poses_a1=..., poses_b0=..., poses_b1=...\)$"):
-            query.motion(small, small, IDENTITY, IDENTITY)
+        with self.assertRaisesRegex(TypeError, r"expected first_contact\(poses_a0=..., poses_a1=..., poses_b0=..., poses_b1=...\)$"):
+            query.first_contact(small, small, IDENTITY, IDENTITY)
         with self.assertRaisesRegex(TypeError, r"expected first_contacts\(poses_0=..., poses_1=...\)$"):
             scene.first_contacts([IDENTITY] * 2, [IDENTITY] * 2)
 
@@ -150,16 +150,16 @@ class Answers(Case):
         start = np.array([[0.6, -0.8, 0, 3], [0.8, 0.6, 0, 0.25], [0, 0, 1, 0.25], [0, 0, 0, 1]])
         end = np.array([[0, 1, 0, 0.5], [-1, 0, 0, 0.25], [0, 0, 1, 0.25], [0, 0, 0, 1]])
         half = np.sqrt(0.5)
-        lo, hi = query.motion(start, end, kind="rigid")
+        lo, hi = query.first_contact(start, end, kind="rigid")
         # The quaternions of the matrices turn on the short way round: through the identity.
         quaternions = [[2 / np.sqrt(5), 0, 0, 1 / np.sqrt(5), 3, 0.25, 0.25], [half, 0, 0, -half, 0.5, 0.25, 0.25]]
         np.testing.assert_allclose((lo, hi), query.motion(*quaternions, kind="rigid"), rtol=1e-12)
         self.assertTrue(0 < lo < 1)
-        self.assertEqual(query.motion(start[None], end, kind="rigid").shape, (1, 2))
+        self.assertEqual(query.first_contact(start[None], end, kind="rigid").shape, (1, 2))
         for wrong in (2 * start, np.diag([1, 1, -1, 1]), start + 1e-3 * np.eye(4, k=1)):
             wrong[3] = [0, 0, 0, 1]
             self.error("poses_b0, poses_b1: the 3x3 part at t = 1 is no rotation; expected one to 1e-5 in each entry, or quaternions",
-                       query.motion, start, wrong, kind="rigid")
+                       query.first_contact, start, wrong, kind="rigid")
 
     def test_first_contacts_of_a_scene_are_those_of_its_pairs(self):
         random, n = np.random.default_rng(8), 16
@@ -172,7 +172,7 @@ class Answers(Case):
             expected = []
             for a in range(n):
                 for b in range(a + 1, n):
-                    first = query.motion(start[b], end[b], poses_a0=start[a], poses_a1=end[a], kind=kind)
+                    first = query.first_contact(start[b], end[b], poses_a0=start[a], poses_a1=end[a], kind=kind)
                     expected += [(*first, a, b)] if first else []
             self.assertGreater(len(expected), 3)
             self.assertEqual([(*t, *p) for t, p in zip(times.tolist(), pairs.tolist())], sorted(expected))

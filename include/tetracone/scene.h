@@ -1,0 +1,1 @@
+#include "tetracone/tetratree/scene/scene.h"

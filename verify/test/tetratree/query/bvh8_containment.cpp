@@ -1,0 +1,180 @@
+#include "tetracone/tetratree/query/bvh8_containment.h"
+
+#include "tetracone/covering/repair/repair.h"
+#include "verify/test/support/scenes.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_bvh8_containment)
+
+using namespace tetracone::tetratree;
+namespace covering = tetracone::covering;
+namespace kernel = tetracone::kernel;
+using namespace tetracone::verify::scenes;
+using kernel::Adaptive;
+
+namespace {
+
+Polyhedron dot(const Vertex& at)
+{
+  Polyhedron point;
+  point.vertices = {at};
+  point.add_polygon({0});
+  return point;
+}
+
+/// Both ways of making a tree: whole faces, and triangles.
+struct Body {
+  explicit Body(const Polyhedron& p) : whole(p), triangles(p, covering::triangulate_faces(p)) {}
+  Bvh8 whole, triangles;
+};
+
+struct Placed_pair {
+  Placed_pair(Bvh8& holder_tree, const Pose& of_holder, Bvh8& held_tree, const Pose& of_held)
+      : pose_holder(of_holder), pose_held(of_held), holder(holder_tree), held(held_tree)
+  {
+    holder.placed.place(pose_holder);
+    held.placed.place(pose_held);
+    holder.into_other = kernel::Box_map(pose_held, held_tree.scale(), pose_holder, holder_tree.scale());
+    held.into_other = kernel::Box_map(pose_holder, holder_tree.scale(), pose_held, held_tree.scale());
+  }
+  Pose pose_holder, pose_held;
+  Placed_bvh8<> holder, held;
+};
+
+/// By the whole covering: some shell's vertex has a winding number that is not 0.
+bool truth(Placed_pair& pair)
+{
+  for (const Index v : pair.held.tree->model().covering().shell_vertices())
+    if (covering::winding_number<Adaptive>(pair.held.placed.point(v), pair.holder.placed) != 0) return true;
+  return false;
+}
+
+/// Some shell's vertex is on the surface: then what is asked is not defined.
+bool touches(Placed_pair& pair)
+{
+  for (const Index v : pair.held.tree->model().covering().shell_vertices())
+    if (covering::locate<Adaptive>(pair.held.placed.point(v), pair.holder.placed) == covering::Location::on_surface)
+      return true;
+  return false;
+}
+
+Polyhedron many_shells(Random& random, int count)
+{
+  Polyhedron result;
+  for (int k = 0; k < count; ++k) append(result, moved(unit_cube(), 0.25, grid_vertex(random, 6)));
+  return result;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(answers_are_those_of_the_whole_covering)
+{
+  Random random(1);
+  std::vector<Polyhedron> shapes;
+  for (const auto& [name, body] : closed_bodies()) shapes.push_back(body);
+  shapes.push_back(blob(random, 3, 1, 3));
+  shapes.push_back(torus(12, 7));
+  shapes.push_back(many_shells(random, 20));
+  std::vector<std::unique_ptr<Body>> holders, others;
+  for (const Polyhedron& shape : shapes) holders.push_back(std::make_unique<Body>(shape));
+  others.push_back(std::make_unique<Body>(dot({0, 0, 0})));
+  others.push_back(std::make_unique<Body>(dot({0.25, 0.5, 1})));
+  others.push_back(std::make_unique<Body>(moved(many_shells(random, 3), 0.5)));
+  others.push_back(std::make_unique<Body>(cube(0.125)));
+
+  Bvh8_containment<> containment;
+  int wrong = 0, yes = 0, no = 0;
+  for (const auto& holder : holders)
+    for (const auto& other : others)
+      for (int k = 0; k < 40; ++k) {
+        const std::array<Rational, 3> t = {Rational(integer(random, -6, 6)) / 2, Rational(integer(random, -6, 6)) / 2,
+                                           Rational(integer(random, -6, 6)) / 2};
+        const Pose in = k % 3 == 0 ? Pose() : k % 3 == 1 ? random_rotation(random, 4) : random_affine(random, 2);
+        const Pose at = k % 2 == 0 ? composed(in, random_rotation(random, 4, t)) : random_rotation(random, 4, t);
+        for (Bvh8* tree : {&holder->whole, &holder->triangles}) {
+          Placed_pair pair(*tree, in, other->whole, at);
+          if (touches(pair)) continue;
+          Query_statistics counts;
+          const bool expected = truth(pair);
+          wrong += containment(pair.holder, pair.held, counts) != expected;
+          ++(expected ? yes : no);
+        }
+      }
+  BOOST_TEST(wrong == 0);
+  BOOST_TEST(yes > 1000);
+  BOOST_TEST(no > 1000);
+}
+
+BOOST_AUTO_TEST_CASE(a_vertex_at_the_coverings_origin_or_a_hair_off_it_is_decided)
+{
+  // The ray has no direction there. The cases include a body with a cavity about its origin.
+  Bvh8_containment<> containment;
+  for (const Polyhedron& shape : {cube(3), cube_with_cavity(), turned(cube(3))}) {
+    Body holder(shape);
+    const Vertex origin = holder.whole.model().lattice().origin;
+    for (const double off : {0.0, 0x1p-1074, 0x1p-300, 0x1p-60, 0x1p-30, -0x1p-21, -0x1p-19, 0x1p-10})
+      for (const Pose& pose : {Pose(), Pose::from_quaternion(1, 2, 3, 4),
+                               Pose(std::array<double, 12>{-2, 0, 0, 0, 0, 1, 0.5, 0, 0, 0, 1, 0})}) {
+        Body held(dot({origin[0] + off, origin[1] - off, origin[2]}));
+        for (Bvh8* tree : {&holder.whole, &holder.triangles}) {
+          Placed_pair pair(*tree, pose, held.whole, pose);
+          Query_statistics counts;
+          BOOST_TEST(containment(pair.holder, pair.held, counts) == truth(pair));
+          BOOST_TEST(counts.inclusion_tests == 1u);
+        }
+      }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_is_outside_of_the_box_is_not_looked_for)
+{
+  Body holder(cube_with_tunnel()), held(unit_cube());
+  Bvh8_containment<> containment;
+  Placed_pair far(holder.triangles, Pose(), held.triangles, translation(100, 0, 0)),
+      inside(holder.triangles, Pose(), held.triangles, translation(-2.75, -2.75, -2.75));
+  Query_statistics of_far, of_inside;
+  BOOST_TEST(!containment(far.holder, far.held, of_far));
+  BOOST_TEST(of_far.inclusion_tests == 0u);
+  BOOST_TEST(containment(inside.holder, inside.held, of_inside));
+  BOOST_TEST(of_inside.inclusion_tests == 1u);
+  BOOST_TEST(of_inside.box_tests > 0u);
+}
+
+BOOST_AUTO_TEST_CASE(a_ray_meets_few_of_many_faces)
+{
+  Random random(2);
+  Bvh8 blob_tree(blob(random, 5, 1, 1.1));
+  Body held(cube(0.125));
+  blob_tree.make_all();
+  Bvh8_containment<> containment;
+  Query_statistics counts;
+  for (int k = 0; k < 20; ++k) {
+    Placed_pair pair(blob_tree, Pose(), held.triangles,
+                     random_rotation(random, 5, {Rational(1) / 3, Rational(1) / 5, 0}));
+    BOOST_TEST(containment(pair.holder, pair.held, counts));
+  }
+  BOOST_TEST(counts.inclusion_tests == 20u);
+  BOOST_TEST(counts.box_tests < 20u * blob_tree.element_count() / 4);
+}
+
+BOOST_AUTO_TEST_CASE(where_no_bound_is_known_all_faces_are_asked)
+{
+  Body holder(cube(3)), held(cube(1));
+  Bvh8_containment<> containment;
+  Query_statistics counts;
+  for (const double size : {0x1p-300, 0x1p300}) {
+    const Pose pose(std::array<double, 12>{size, 0, 0, 0, 0, size, 0, 0, 0, 0, size, 0});
+    Placed_pair pair(holder.triangles, pose, held.triangles, pose);
+    BOOST_TEST(containment(pair.holder, pair.held, counts));
+    Placed_pair other_way(held.triangles, pose, holder.triangles, pose);
+    BOOST_TEST(!containment(other_way.holder, other_way.held, counts));
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
