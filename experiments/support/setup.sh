@@ -6,7 +6,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 # To build the program and its tests.
 build_packages=(g++ cmake ninja-build libcgal-dev libgmp-dev libmpfr-dev libeigen3-dev libhwy-dev libboost-dev libboost-test-dev
   libcli11-dev nlohmann-json3-dev libsqlite3-dev libtbb-dev
-  librapidcheck-dev libjs-three)
+  libjs-three)
 # For the fuzz targets, and what clang is faster by; its runtime is a package of its own: clang_runtime.
 fuzz_packages=(clang libjemalloc2)
 # For the tests of the sources' form, of error bounds, of the report, of the page in 3D, of the examples of subjects, of the Python package, its notebooks and the

@@ -249,12 +249,6 @@ inline Matrix triangle_axes(std::span<const Vector, 3> corners)
   return detail::axes_from(normal, edge);
 }
 
-/// The box of these axes.
-inline Oriented_box triangle_box(std::span<const Vector, 3> corners)
-{
-  return Oriented_box(triangle_axes(corners), corners);
-}
-
 /// True when these columns, whose entries are floats, may be the axes of a lane's box: see `Obb8`.
 inline bool is_nearly_orthonormal(const Matrix& axes)
 {
@@ -371,15 +365,6 @@ class Lane_box {
       high_ = -low_, sum_;
 };
 
-/// Writes into a lane the box about the points that has the axes of `box`: see `Lane_box`. Requires a point.
-inline void store_lane(Obb8& boxes, int lane, const Oriented_box& box, const Vector& node_origin,
-                       std::span<const Vector> points, double point_error)
-{
-  Lane_box stored(box.axes, points.front());
-  for (const Vector& p : points) stored.add(p);
-  stored.store(boxes, lane, node_origin, point_error);
-}
-
 /// A lane's box, and the coordinates of points along its axes from its centre.
 class Apex_box {
  public:
@@ -422,7 +407,7 @@ class Apex_box {
   Vector centre_;
 };
 
-/// Returns the code of the triangle in the lane that `store_lane` has written for it. Returns 0 where it is not as
+/// Returns the code of the triangle in the lane that `Lane_box` has written for it. Returns 0 where it is not as
 /// `Apex_code` says, which is checked.
 inline Apex_code apex_code(const Obb8& boxes, int lane, const Vector& node_origin, std::span<const Vector, 3> corners)
 {

@@ -7,6 +7,8 @@
 #include "verify/test/support/scenes.h"
 
 #include <array>
+#include <cmath>
+#include <span>
 
 /// Boxes and bodies, placed at random and exactly.
 namespace tetracone::verify::scenes {
@@ -32,6 +34,60 @@ inline void set(kernel::Obb8& boxes, int lane, const kernel::Vector& centre, con
     boxes.extent[i][lane] = float(extent[i]);
     for (int k = 0; k < 3; ++k) boxes.axis[i][k][lane] = float(axes(k, i));
   }
+}
+
+inline kernel::Matrix random_axes(Random& random) { return kernel::detail::axes_from(vector(random), vector(random)); }
+
+/// Some are flat, as of a triangle.
+inline kernel::Vector random_extents(Random& random)
+{
+  kernel::Vector e(real(random, 0, 1), real(random, 0, 1), real(random, 0, 1));
+  if (random() % 3 == 0) e[int(random() % 3)] = 0;
+  return e;
+}
+
+/// A box; its edges are columns of length about 1.
+struct Solid {
+  kernel::Vector centre;
+  kernel::Matrix edges;
+  kernel::Vector extent;
+
+  /// To what floats hold.
+  void round()
+  {
+    centre = centre.in_float();
+    edges = edges.in_float();
+    extent = extent.in_float();
+  }
+  /// Returns the corner that reaches farthest along the direction.
+  kernel::Vector corner(const kernel::Vector& direction) const
+  {
+    kernel::Vector at = centre;
+    for (int i = 0; i < 3; ++i) at += (direction.dot(edges.col(i)) < 0 ? -extent[i] : extent[i]) * edges.col(i);
+    return at;
+  }
+};
+
+/// Sets the lane, and the reach of all lanes that were set.
+inline void set(kernel::Obb8& boxes, int lane, const Solid& s)
+{
+  set(boxes, lane, s.centre, s.edges, s.extent);
+  boxes.reach = kernel::maximum(boxes.reach, float(s.extent.sum() + s.centre.norm()) * 1.000001f);
+}
+
+/// The box about the triangle along its axes.
+inline kernel::Oriented_box triangle_box(std::span<const kernel::Vector, 3> corners)
+{
+  return kernel::Oriented_box(kernel::triangle_axes(corners), corners);
+}
+
+/// Writes the box of these axes about the points into a lane.
+inline void store_lane(kernel::Obb8& boxes, int lane, const kernel::Matrix& axes, const kernel::Vector& node_origin,
+                       std::span<const kernel::Vector> points)
+{
+  kernel::Lane_box stored(axes, points.front());
+  for (const kernel::Vector& p : points) stored.add(p);
+  stored.store(boxes, lane, node_origin, 0);
 }
 
 /// Returns the exact point of a box with these fractions of the extents as coordinates.
@@ -73,6 +129,58 @@ struct Placing {
     return v;
   }
 };
+
+/// The pose of a body of `factor` times the size.
+inline Pose scaled(const Pose& pose, double factor)
+{
+  auto entries = pose.entries();
+  for (int k = 0; k < 12; ++k)
+    if (k % 4 != 3) entries[k] *= factor;
+  return Pose(entries);
+}
+
+/// Moves both bodies as far away, with their poses rounded.
+inline void move_far(Placing& p, double distance)
+{
+  for (Pose* const pose : {&p.a, &p.b}) {
+    auto entries = pose->entries();
+    for (int i = 0; i < 3; ++i) entries[4 * i + 3] += distance * (i + 1);
+    *pose = Pose(entries);
+  }
+}
+
+/// Two bodies at random, their local units of unlike sizes.
+inline Placing random_placing(Random& random)
+{
+  Placing p;
+  p.a = rounded(random_rotation(random));
+  p.b = random_rotation(random);
+  for (kernel::Local_scale* const units : {&p.in_a, &p.in_b})
+    *units = {real_vertex(random, 2), std::ldexp(1.0, integer(random, -3, 3))};
+  return p;
+}
+
+/// Sets all lanes to boxes of at most this size, as near to one another.
+inline void set_near(kernel::Obb8& boxes, Random& random, double size)
+{
+  for (int lane = 0; lane < int(kernel::lanes); ++lane)
+    set(boxes, lane,
+        {vector(random, 2 * size), random_axes(random),
+         size * kernel::Vector(real(random, 0, 1), real(random, 0, 1), real(random, 0, 1))});
+  boxes.lane_count = int(kernel::lanes);
+}
+
+/// Sets a lane to a box of at most this size; or, where `apex` is set, to that of a triangle.
+inline void set_single(kernel::Obb8& boxes, int lane, Random& random, double size, float* apex)
+{
+  kernel::Vector extent = size * kernel::Vector(real(random, 0, 1), real(random, 0, 1), real(random, 0, 1));
+  if (apex) {
+    extent[0] = 0;
+    *apex = float(real(random, -1, 1));
+  }
+  for (float& x : boxes.origin) x = float(real(random, -0.25, 0.25));
+  set(boxes, lane, vector(random, 0.4), random_axes(random), extent);
+}
 
 }  // namespace tetracone::verify::scenes
 

@@ -1,6 +1,7 @@
 #ifndef TETRACONE_VERIFY_TEST_SUPPORT_SCENES_H
 #define TETRACONE_VERIFY_TEST_SUPPORT_SCENES_H
 
+#include "tetracone/covering/orient.h"
 #include "tetracone/covering/polyhedron.h"
 #include "tetracone/kernel/number/number.h"
 #include "tetracone/kernel/number/pose.h"
@@ -21,6 +22,7 @@
 namespace tetracone::verify::scenes {
 
 using covering::append;
+using covering::append_face;
 using covering::Index;
 using covering::Polyhedron;
 using kernel::Pose;
@@ -50,6 +52,21 @@ inline Polyhedron turned(const Polyhedron& what)
   Polyhedron result;
   append(result, what, true);
   return result;
+}
+
+/// Returns the body without the faces of which `goes(number)` is true.
+template <class Goes>
+Polyhedron without(const Polyhedron& body, const Goes& goes)
+{
+  Polyhedron result;
+  result.vertices = body.vertices;
+  for (Index f = 0; f < body.face_count(); ++f)
+    if (!goes(f)) append_face(result, body, f, false);
+  return result;
+}
+inline Polyhedron without_last_face(const Polyhedron& body)
+{
+  return without(body, [&](Index f) { return f + 1 == body.face_count(); });
 }
 
 /// Six squares. Vertex k has x, y, z high where bit 0, 1, 2 of k is set.

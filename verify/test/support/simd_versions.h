@@ -3,6 +3,7 @@
 
 #include "tetracone/kernel/simd/simd.h"
 
+#include <type_traits>
 #include <vector>
 
 namespace tetracone::verify {
@@ -18,5 +19,10 @@ std::vector<Function*> versions_here(const std::vector<kernel::Simd_version<Func
 }
 
 }  // namespace tetracone::verify
+
+/// Those of a function of this unit, by its name.
+#define TETRACONE_VERSIONS_HERE(function)                                                               \
+  ::tetracone::verify::versions_here<std::remove_reference_t<decltype(HWY_STATIC_DISPATCH(function))>>( \
+      TETRACONE_SIMD_VERSIONS(function))
 
 #endif

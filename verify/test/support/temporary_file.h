@@ -66,6 +66,13 @@ std::string error_of(const Temporary_file& file, const Read& read)
   return "no error";
 }
 
+/// Of a file with this text.
+template <class Read>
+std::string error_of(const std::string& text, const Read& read)
+{
+  return error_of(Temporary_file("read.txt", text), read);
+}
+
 }  // namespace tetracone::verify
 
 #endif

@@ -5,10 +5,10 @@
 #include "tetracone/tetratree/scene/scene.h"
 
 #include "verify/cases/random.h"
+#include "verify/test/support/scenes.h"
 
 #include <array>
 #include <atomic>
-#include <cmath>
 #include <cstdio>
 #include <thread>
 #include <vector>
@@ -16,34 +16,6 @@
 using namespace tetracone;
 
 namespace {
-
-/// A closed surface about 0, its radius waving: 2 n^2 triangles about.
-Polyhedron waves(int n, double height)
-{
-  Polyhedron body;
-  const auto point = [&](double u, double v) {
-    const auto [cos_u, sin_u] = verify::turn(u);
-    const auto [cos_v, sin_v] = verify::turn(v);
-    const auto [wave, unused] = verify::turn(5 * u + 2 * v);
-    const double r = 1 + height * wave;
-    body.vertices.push_back({r * cos_u * sin_v, r * sin_u * sin_v, r * cos_v});
-  };
-  point(0, 0);
-  for (int i = 1; i < n; ++i)
-    for (int k = 0; k < n; ++k) point(double(k) / n, 0.5 * i / n);
-  point(0, 0.5);
-  const auto at = [n](int i, int k) { return std::uint32_t(1 + (i - 1) * n + (k + n) % n); };
-  const auto last = std::uint32_t(body.vertices.size() - 1);
-  for (int k = 0; k < n; ++k) {
-    body.add_polygon({0, at(1, k), at(1, k + 1)});
-    body.add_polygon({last, at(n - 1, k + 1), at(n - 1, k)});
-    for (int i = 1; i + 1 < n; ++i) {
-      body.add_polygon({at(i, k), at(i + 1, k), at(i + 1, k + 1)});
-      body.add_polygon({at(i, k), at(i + 1, k + 1), at(i, k + 1)});
-    }
-  }
-  return body;
-}
 
 /// How many frames of a scene four threads answer in another way than one.
 long differing_frames(const Body& body)
@@ -69,10 +41,12 @@ long differing_frames(const Body& body)
 int main()
 {
   verify::Random random(1);
+  verify::scenes::Random of_bodies(1);
+  const auto blob = [&](int divisions) { return Body(verify::scenes::blob(of_bodies, divisions, 0.8, 1.2)); };
   long wrong = 0, hits = 0;
   std::atomic<long> strays = 0;
   for (int round = 0; round < 3; ++round) {
-    const Body a(waves(24, 0.2)), b(waves(20, 0.3));
+    const Body a = blob(4), b = blob(3);
     std::vector<Pose> poses;
     for (int k = 0; k < 80; ++k) {
       const auto [x, y, z] = random.in_ball();
@@ -96,12 +70,12 @@ int main()
     for (const Answer& answer : answers[0]) hits += bool(answer);
   }
   // So large that what it is made of is shared by threads, while another one asks.
-  const Body large(waves(100, 0.2));
+  const Body large = blob(6);
   std::thread asking([&] { strays += large.first_hit({{0, 0, 9}, {0, 0, -1}}).has_value() ? 0 : 1; });
   large.make_all(3);
   asking.join();
   wrong += strays;
-  wrong += differing_frames(Body(waves(12, 0.3)));
+  wrong += differing_frames(blob(3));
   std::printf("%ld answers differ, %ld hits\n", wrong, hits);
   return wrong == 0 && hits > 10 && hits < 230 ? 0 : 1;
 }

@@ -70,6 +70,15 @@ const std::string tetrahedron_vertices = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
 const std::string tetrahedron_faces = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
 const std::string tetrahedron_off = "OFF\n4 4 6\n" + tetrahedron_vertices + tetrahedron_faces;
 
+/// Reads what must be the tetrahedron of `tetrahedron_off`.
+Read_model read_tetrahedron(const std::string& suffix, const std::string& text)
+{
+  static const Polyhedron plain = read_text(".off", tetrahedron_off).polyhedron;
+  const Read_model model = read_text(suffix, text);
+  BOOST_TEST(same(plain, model.polyhedron), text);
+  return model;
+}
+
 std::string binary_stl(const std::vector<std::array<float, 9>>& triangles, std::uint32_t count)
 {
   std::string text = "solid, says this binary file";
@@ -240,10 +249,8 @@ BOOST_AUTO_TEST_CASE(counts_beyond_the_file_are_refused_without_reserving_for_th
 BOOST_AUTO_TEST_CASE(faces_of_one_or_two_corners_are_left_out_with_a_note)
 {
   const std::string left_out = "faces of one or two corners are left out, and faces are numbered without them: ";
-  const Polyhedron plain = read_text(".off", tetrahedron_off).polyhedron;
   const auto take = [&](const std::string& suffix, const std::string& text, const std::string& count) {
-    const Read_model model = read_text(suffix, text);
-    BOOST_TEST(same(plain, model.polyhedron), text);
+    const Read_model model = read_tetrahedron(suffix, text);
     BOOST_TEST(model.notes.at(0) == left_out + count, text);
   };
   take(".off", "OFF\n4 6 6\n" + tetrahedron_vertices + "2 0 1\n1 3 255 0 0\n" + tetrahedron_faces,
@@ -278,25 +285,23 @@ BOOST_AUTO_TEST_CASE(models_without_a_face_are_refused)
 
 BOOST_AUTO_TEST_CASE(off_takes_comments_blank_lines_colours_and_normals)
 {
-  const Polyhedron plain = read_text(".off", tetrahedron_off).polyhedron;
   const std::string commented = "# first\n\n  OFF # keyword\n# counts\n4 4 6 # here\n\n" + tetrahedron_vertices +
                                 "# faces\n" + tetrahedron_faces + "\n# end\n";
-  BOOST_TEST(same(plain, read_text(".off", commented).polyhedron));
+  read_tetrahedron(".off", commented);
   BOOST_TEST(read_text(".off", commented).notes.empty());
-  BOOST_TEST(same(plain, read_text(".off", "OFF 4 4 0\r\n" + tetrahedron_vertices + tetrahedron_faces).polyhedron));
+  read_tetrahedron(".off", "OFF 4 4 0\r\n" + tetrahedron_vertices + tetrahedron_faces);
   const std::string tail = tetrahedron_vertices + "3 0 2 1 0.5 0.5 0.5\n3 0 1 3 255 0 0\n3 1 2 3 7\n3 2 0 3\n";
-  BOOST_TEST(same(plain, read_text(".off", "OFF\n4 4 6\n" + tail).polyhedron));
+  read_tetrahedron(".off", "OFF\n4 4 6\n" + tail);
   const std::string coloured = "0 0 0 255 0 0\n1 0 0 0.5 0 0 1\n0 1 0\n0 0 1 3\n";
-  BOOST_TEST(same(plain, read_text(".off", "COFF\n4 4 6\n" + coloured + tetrahedron_faces).polyhedron));
+  read_tetrahedron(".off", "COFF\n4 4 6\n" + coloured + tetrahedron_faces);
   const std::string normals = "0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n0 0 1 0 0 1\n";
-  BOOST_TEST(same(plain, read_text(".off", "NOFF\n4 4 6\n" + normals + tetrahedron_faces).polyhedron));
+  read_tetrahedron(".off", "NOFF\n4 4 6\n" + normals + tetrahedron_faces);
   const std::string textured = "0 0 0 0.5 0.5\n1 0 0 0 1\n0 1 0 1 0\n0 0 1 1 1\n";
-  BOOST_TEST(same(plain, read_text(".off", "STOFF\n4 4 6\n" + textured + tetrahedron_faces).polyhedron));
+  read_tetrahedron(".off", "STOFF\n4 4 6\n" + textured + tetrahedron_faces);
   // Files that CGAL's reader does not take.
-  const Read_model stuck = read_text(".off", " \tOFF4 4 6\n" + tetrahedron_vertices + tetrahedron_faces);
-  BOOST_TEST(same(plain, stuck.polyhedron));
+  const Read_model stuck = read_tetrahedron(".off", " \tOFF4 4 6\n" + tetrahedron_vertices + tetrahedron_faces);
   BOOST_TEST(stuck.notes.at(0) == note);
-  BOOST_TEST(same(plain, read_text(".off", "OFF\n4 4\n" + tetrahedron_vertices + tetrahedron_faces).polyhedron));
+  read_tetrahedron(".off", "OFF\n4 4\n" + tetrahedron_vertices + tetrahedron_faces);
 }
 
 BOOST_AUTO_TEST_CASE(off_refuses_what_it_cannot_mean)
@@ -322,23 +327,18 @@ BOOST_AUTO_TEST_CASE(obj_takes_negative_indices_and_every_form_of_corner)
   const std::string vertices =
       "# tetrahedron\nmtllib a.mtl\no thing\nv 0 0 0\nv 1 0 0 1\nv 0 1 0 0.5 0.5 0.5\nv 0 0 1\nvt 0 0\nvn 0 0 1\ng "
       "1\ns off\nusemtl\n";
-  const Polyhedron plain = read_text(".off", tetrahedron_off).polyhedron;
   for (const std::string faces : {"f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n",
                                   "f 1/1 3/1 2/1\nf 1/1/1 2/1/1 4/1/1\nf 2//1 3//1 4//1 # last\nf 3/ 1// 4/1/\n",
                                   "f -4 -2 -3\nf -4 -3 -1\nf -3/-1/-1 -2/-1/-1 -1/-1/-1\nf 3 -4 4\n"}) {
-    const Read_model model = read_text(".obj", vertices + faces);
-    BOOST_TEST(same(plain, model.polyhedron), faces);
+    const Read_model model = read_tetrahedron(".obj", vertices + faces);
     BOOST_TEST(model.notes.empty(), faces);
   }
   for (const std::string faces : {"f 1\t3\t2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n", "f 1 \\\n3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n",
                                   "l 1 2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"}) {
-    const Read_model model = read_text(".obj", vertices + faces);
-    BOOST_TEST(same(plain, model.polyhedron), faces);
+    const Read_model model = read_tetrahedron(".obj", vertices + faces);
     BOOST_TEST(model.notes.at(0) == note, faces);
   }
-  BOOST_TEST(same(
-      plain,
-      read_text(".obj", "4 4\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n").polyhedron));
+  read_tetrahedron(".obj", "4 4\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
 }
 
 BOOST_AUTO_TEST_CASE(obj_refuses_what_it_cannot_mean)
@@ -474,23 +474,19 @@ BOOST_AUTO_TEST_CASE(stl_refuses_what_it_cannot_mean)
 
 BOOST_AUTO_TEST_CASE(obj_loses_nothing_behind_a_backslash)
 {
-  const Polyhedron plain = read_text(".off", tetrahedron_off).polyhedron;
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n", last = "v 0 0 1\n", faces = "f 1 3 2\nf 1 2 4\nf 2 3 4\n";
   for (const std::string statement :
        {"g C:\\parts\\", "o C:\\parts\\", "usemtl C:\\parts \\", "mtllib a\\", "s off\\", "vn 0 0 1\\", "vt 0 0 \\",
         "l 1 2 \\", "g a \\\n\n", "g a \\\nb c\\", "vn 0 0 \\\n1 \\", "csh -e ls \\"}) {
-    const Read_model face = read_text(".obj", vertices + last + faces + statement + "\nf 3 1 4\n");
-    BOOST_TEST(same(plain, face.polyhedron), statement);
+    const Read_model face = read_tetrahedron(".obj", vertices + last + faces + statement + "\nf 3 1 4\n");
     BOOST_TEST(face.notes.at(0).find(
                    "lines behind one that ends in a backslash are read as statements of their own: 1 (") == 0u,
                statement);
-    const Read_model vertex = read_text(".obj", vertices + statement + "\n" + last + faces + "f 3 1 4\n");
-    BOOST_TEST(same(plain, vertex.polyhedron), statement);
+    read_tetrahedron(".obj", vertices + statement + "\n" + last + faces + "f 3 1 4\n");
   }
   // Names and numbers go on; a name may end the file.
   for (const std::string more : {"g a \\\nb c\n", "vn 0 0 \\\n 1\n", "# C:\\parts\\\n", "g a # C:\\\n", ""}) {
-    const Read_model model = read_text(".obj", vertices + last + faces + more + "f 3 1 \\\n 4\ng C:\\parts\\");
-    BOOST_TEST(same(plain, model.polyhedron), more);
+    const Read_model model = read_tetrahedron(".obj", vertices + last + faces + more + "f 3 1 \\\n 4\ng C:\\parts\\");
     BOOST_TEST(model.notes.size() == 1u, more);  // that CGAL is not asked
   }
   // A vertex or a face goes on in whatever follows.
@@ -501,13 +497,12 @@ BOOST_AUTO_TEST_CASE(obj_loses_nothing_behind_a_backslash)
 
 BOOST_AUTO_TEST_CASE(numbers_that_no_face_uses_need_not_be_finite)
 {
-  const Polyhedron plain = read_text(".off", tetrahedron_off).polyhedron;
   const std::string faces = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n", rest = "v 1 0 0\nv 0 1 0\nv 0 0 1\n";
   for (const std::string word :
        {"nan", "NaN", "-nan", "-nan(ind)", "inf", "-Infinity", "1e999", "-1.#IND", "1.#QNAN0", "1.#INF00"}) {
     for (const std::string& vertex : {"v 0 0 0 " + word, "v 0 0 0 " + word + " 0 0", "v 0 0 0 1 0 0 " + word,
                                       "vt " + word + "\nvn 0 0 " + word + "\nv 0 0 0"})
-      BOOST_TEST(same(plain, read_text(".obj", vertex + "\n" + rest + faces).polyhedron), vertex);
+      read_tetrahedron(".obj", vertex + "\n" + rest + faces);
     // A point of no face; one of a face is refused with its line, be it the last of the file.
     const std::string note_of_point =
         "points of no face whose coordinates are no finite numbers, each taken to be at vertex ";
@@ -527,10 +522,8 @@ BOOST_AUTO_TEST_CASE(numbers_that_no_face_uses_need_not_be_finite)
     ply.replace(ply.find("vertex 4"), 8, "vertex 5").insert(ply.find("3 0 2 1"), "0 0 " + word + "\n");
     BOOST_TEST(read_text(".ply", ply).notes.at(0) == note_of_point + "0: 1 (the first: vertex 4)", word);
     BOOST_TEST(fails_at(error_of(".ply", ply.replace(ply.rfind("3 2 0 3"), 7, "3 2 0 4")), ":14"), word);
-    BOOST_TEST(same(plain, read_text(".off", "NOFF\n4 4 6\n0 0 0 0 0 " + word +
-                                                 "\n1 0 0 0 0 1\n0 1 0 0 0 1\n0 0 1 0 0 1\n" + tetrahedron_faces)
-                               .polyhedron),
-               word);
+    read_tetrahedron(
+        ".off", "NOFF\n4 4 6\n0 0 0 0 0 " + word + "\n1 0 0 0 0 1\n0 1 0 0 0 1\n0 0 1 0 0 1\n" + tetrahedron_faces);
     const Read_model poly =
         read_text(".poly", "5 3 1\n1 0 0 0 " + word + "\n2 1 0 0 1\n3 0 1 0 1\n4 0 0 1 1\n5 0 " + word +
                                " 0 1\n4 0\n1\n3 1 3 2\n1\n3 1 2 4\n1\n3 2 3 4\n1\n3 3 1 4\n0\n");
@@ -549,17 +542,14 @@ BOOST_AUTO_TEST_CASE(numbers_that_no_face_uses_need_not_be_finite)
 
 BOOST_AUTO_TEST_CASE(off_takes_every_order_of_its_prefixes_no_keyword_and_lines_behind_the_last_face)
 {
-  const Polyhedron plain = read_text(".off", tetrahedron_off).polyhedron;
   const std::string vertices =
       "0 0 0 1 2 3 4 0 0 1 0 0\n1 0 0 1 2 3 4 0 0 1 0 0\n0 1 0 1 2 3 4 0 0 1 0 0\n0 0 1 1 2 3 4 0 0 "
       "1 0 0\n";
   for (const std::string keyword : {"NCSTOFF", "STCNOFF", "NCOFF", "CNOFF", "NSTOFF", "CSTOFF"})
-    BOOST_TEST(same(plain, read_text(".off", keyword + "\n4 4 6\n" + vertices + tetrahedron_faces).polyhedron),
-               keyword);
-  BOOST_TEST(same(plain, read_text(".off", "4 4 6\n" + tetrahedron_vertices + tetrahedron_faces).polyhedron));
+    read_tetrahedron(".off", keyword + "\n4 4 6\n" + vertices + tetrahedron_faces);
+  read_tetrahedron(".off", "4 4 6\n" + tetrahedron_vertices + tetrahedron_faces);
   for (const std::string line : {"0.5 0.5 0.5", "7", "end", "3 0 1 9", "3 0 1"}) {
-    const Read_model model = read_text(".off", tetrahedron_off + line + "\n");
-    BOOST_TEST(same(plain, model.polyhedron), line);
+    const Read_model model = read_tetrahedron(".off", tetrahedron_off + line + "\n");
     BOOST_TEST(model.notes.at(0) == "lines behind the last face are left out: 1 (the first: line 11)", line);
   }
   for (const std::string line : {"3 0 1 2", "2 0 1", "3 0 1 2 255 0 0", "x\n4 0 1 2 3"})
@@ -655,13 +645,11 @@ BOOST_AUTO_TEST_CASE(ply_takes_strips_wedges_and_carriage_returns)
                              "texcoord\nproperty int texnumber\nproperty uchar red\nproperty list uchar float "
                              "color\nend_header\n" +
                              points;
-  const Polyhedron plain = read_text(".off", tetrahedron_off).polyhedron;
   for (const std::string more : {" 9 0 0 0 1 1 1 nan 1 1", "", " 9 0 0 0"}) {
     std::string text = wedges;
     for (const std::string face : {"3 0 2 1", "3 0 1 3", "3 1 2 3", "3 2 0 3"})
       text += face + " 6 0 0 1 1 0 1 2 255" + more + "\n";
-    const Read_model model = read_text(".ply", text);
-    BOOST_TEST(same(plain, model.polyhedron), more);
+    const Read_model model = read_tetrahedron(".ply", text);
     BOOST_TEST(model.notes.at(0).starts_with("lines that lack") == !more.ends_with("nan 1 1"), more);
   }
   // The header's lines may end in carriage returns alone, and a coordinate's first byte may be a line feed.
@@ -694,11 +682,9 @@ BOOST_AUTO_TEST_CASE(spellings_of_other_programs_are_the_same_tetrahedron)
 
 BOOST_AUTO_TEST_CASE(obj_takes_comments_in_lines_and_the_other_names_of_faces)
 {
-  const Polyhedron plain = read_text(".off", tetrahedron_off).polyhedron;
-  const Read_model model = read_text(".obj",
-                                     "v 0 0 0#origin\nv 1 0 0 # x\nv 0 1 0\nv 0 0 1\n#\nf 1 3 2#\nfo 1 2 4\nf 2 3 "
-                                     "4# last\nf 3 1 4\nusemtl a#b\n");
-  BOOST_TEST(same(plain, model.polyhedron));
+  read_tetrahedron(".obj",
+                   "v 0 0 0#origin\nv 1 0 0 # x\nv 0 1 0\nv 0 0 1\n#\nf 1 3 2#\nfo 1 2 4\nf 2 3 "
+                   "4# last\nf 3 1 4\nusemtl a#b\n");
   BOOST_TEST(read_text(".obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nq 1 2 3 4\n").polyhedron.loop(0, 0).size() == 4u);
 }
 

@@ -15,17 +15,7 @@ using tetracone::verify::Temporary_file;
 
 namespace {
 
-/// The error's message behind the file's path.
-std::string error_of(const std::string& text)
-{
-  const Temporary_file file("numbers.txt", text);
-  try {
-    read_points(file.path());
-  } catch (const Input_error& error) {
-    return std::string(error.what()).substr(file.path().native().size());
-  }
-  return "no error";
-}
+std::string error_of(const std::string& text) { return tetracone::verify::error_of(text, read_points); }
 
 }  // namespace
 

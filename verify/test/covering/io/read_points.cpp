@@ -14,10 +14,7 @@ using tetracone::verify::Temporary_file;
 
 namespace {
 
-std::string error_of(const std::string& text)
-{
-  return tetracone::verify::error_of(Temporary_file("points.txt", text), [](const auto& path) { read_points(path); });
-}
+std::string error_of(const std::string& text) { return tetracone::verify::error_of(text, read_points); }
 
 }  // namespace
 

@@ -22,20 +22,7 @@ std::vector<Pose> poses_of(const std::string& text)
   return read_poses(file.path());
 }
 
-/// The error's message behind the file's path.
-std::string error_of(const std::string& text)
-{
-  const Temporary_file file("poses.txt", text);
-  try {
-    read_poses(file.path());
-  } catch (const Input_error& error) {
-    const std::string message = error.what();
-    BOOST_TEST(message.starts_with(file.path().native()));
-    BOOST_TEST(message.find('\n') == std::string::npos);
-    return message.substr(file.path().native().size());
-  }
-  return "no error";
-}
+std::string error_of(const std::string& text) { return tetracone::verify::error_of(text, read_poses); }
 
 }  // namespace
 

@@ -8,22 +8,12 @@
 
 BOOST_AUTO_TEST_SUITE(test_read_rigid_poses)
 
-using tetracone::covering::Input_error;
 using tetracone::covering::read_rigid_poses;
 using tetracone::verify::Temporary_file;
 
 namespace {
 
-std::string error_of(const std::string& text)
-{
-  const Temporary_file file("rigid", text);
-  try {
-    read_rigid_poses(file.path());
-  } catch (const Input_error& error) {
-    return error.what();
-  }
-  return "";
-}
+std::string error_of(const std::string& text) { return tetracone::verify::error_of(text, read_rigid_poses); }
 
 }  // namespace
 

@@ -141,7 +141,7 @@ class Documentation(unittest.TestCase):
         for page in ("README.md", "tetratree/door/mainpage.md"):
             (shown,) = (words[2:] for at, words, command in commands() if at.startswith(page) and words[:2] == ["apt-get", "install"] and "g++" in words)
             # Not the tests', and not the viewer's.
-            self.assertEqual(set(shown), built_with - {"libboost-test-dev", "librapidcheck-dev", "libjs-three"}, page)
+            self.assertEqual(set(shown), built_with - {"libboost-test-dev", "libjs-three"}, page)
 
     def test_the_version_is_the_same_everywhere(self):
         """It is written in CMakeLists.txt: what cannot read it there agrees with it."""

@@ -9,8 +9,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <string>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_bounds)
@@ -29,83 +27,12 @@ constexpr double infinity = std::numeric_limits<double>::infinity(),
 using Frame = Bound_frame<double, true>;
 using Points = std::vector<Vertex>;
 
-/// Maps of every kind that a pose can be: the linear part, no translation, entries of magnitude about 2^scale.
-Pose linear_map(Random& random, int kind, int scale)
-{
-  std::array<Rational, 12> entries;
-  entries.fill(0);
-  const auto set = [&](int i, int j, const Rational& x) { entries[4 * i + j] = x; };
-  const auto rotation = [&] {
-    const Pose pose = scenes::random_rotation(random);
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) set(i, j, pose.exact(4 * i + j));
-  };
-  const auto any_numbers = [&] {
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) set(i, j, scenes::real(random, -1, 1));
-  };
-  switch (kind % 6) {
-    case 0: rotation(); break;  // rational
-    case 1:
-      rotation();
-      for (Rational& x : entries) x = nearest_double(x);
-      break;
-    case 2: any_numbers(); break;
-    case 3:  // nearly flat: the third row is nearly the first
-      any_numbers();
-      for (int j = 0; j < 3; ++j) set(2, j, entries[j] + entries[8 + j] * Rational(0x1p-40));
-      break;
-    case 4:  // sheared and reflected
-      set(0, 0, -1);
-      set(1, 1, 1);
-      set(2, 2, 1);
-      set(0, 1, scenes::integer(random, -1'000'000, 1'000'000));
-      break;
-    case 5:  // three very different scales
-      for (int j = 0; j < 3; ++j) set(j, j, std::ldexp(scenes::real(random, 0.5, 1), scenes::integer(random, -40, 40)));
-      break;
-  }
-  for (Rational& x : entries)
-    x *= scale >= 0 ? Rational(std::ldexp(1.0, scale)) : Rational(1) / Rational(std::ldexp(1.0, -scale));
-  // Nothing may be finer than a double, unless it is a fraction on purpose.
-  if (kind % 6 != 0)
-    for (Rational& x : entries) x = nearest_double(x);
-  return Pose(entries);
-}
-
-Pose with_translation(const Pose& linear, const Vector& t)
-{
-  std::array<Rational, 12> entries;
-  for (int k = 0; k < 12; ++k) entries[k] = k % 4 == 3 ? t[k / 4] : linear.exact(k);
-  return Pose(entries);
-}
-
-/// The pose with another translation, which puts the image of b on y.
-Pose bringing(const Pose& pose, const Vector& b, const Vector& y)
-{
-  return with_translation(pose, rationals::minus(y, rationals::image(with_translation(pose, {0, 0, 0}), b)));
-}
-
 double reach_of(const Points& points)
 {
   double reach = 0;
   for (const Vertex& p : points)
     for (const double x : p) reach = maximum(reach, std::abs(x));
   return reach;
-}
-
-/// A body and a pose, for tests that must hold at every scale: coordinates of about 2^body, images of about 2^image.
-struct Scales {
-  int body, linear;
-};
-std::vector<Scales> scales()
-{
-  std::vector<Scales> result = {{0, 0}, {0, 100}, {0, -100}, {100, -100}, {-100, 100}};
-  // The ends: where squares, cofactors and determinants overflow or underflow, in the body, the map or the image.
-  for (const int body : {-1060, -1000, -700, -450, -300, 150, 235, 245, 260, 400, 900})
-    for (const int image : {-1000, -600, -450, -300, -270, -100, 0, 100, 200, 240, 260, 600})
-      if (std::abs(image - body) < 960 && image < 900) result.push_back({body, image - body});
-  return result;
 }
 
 Points random_points(Random& random, int count, int scale)
@@ -118,112 +45,9 @@ Points random_points(Random& random, int count, int scale)
   return points;
 }
 
-template <class Body>
-auto farthest(const Body& points, const Pose& pose, const Vector& direction)
-{
-  return *std::max_element(points.begin(), points.end(), [&](const Vertex& p, const Vertex& q) {
-    return rationals::inner(direction, rationals::image(pose, rationals::exactly(p))) <
-           rationals::inner(direction, rationals::image(pose, rationals::exactly(q)));
-  });
-}
-
-/// Two bodies placed so that they touch: the farthest point of A along a direction is the nearest of B.
-struct Touching {
-  Points a, b;
-  Pose pose_a, pose_b;
-  Vector direction;
-  Vertex contact_a, contact_b;
-};
-
-bool is_usable(const Pose& pose)
-{
-  for (int k = 0; k < 12; ++k)
-    if (!std::isfinite(pose[k])) return false;
-  return pose.determinant_sign() != CGAL::ZERO;
-}
-
-std::optional<Touching> touching(Random& random, const Scales& scale, int kind, int count)
-{
-  Touching t;
-  t.a = random_points(random, count, scale.body);
-  t.b = random_points(random, count, scale.body);
-  const Vector far = rationals::times(kind % 3 == 0 ? Rational(1'000'003) : Rational(0), rationals::exactly(t.a[0]));
-  t.pose_a = with_translation(linear_map(random, kind, scale.linear), far);
-  const Pose linear_b = linear_map(random, kind % 7 == 0 ? kind + 1 : kind, scale.linear);
-  if (!is_usable(t.pose_a) || !is_usable(linear_b)) return std::nullopt;
-  t.direction = rationals::exactly(scenes::real_vertex(random, 1));
-  t.contact_a = farthest(t.a, t.pose_a, t.direction);
-  t.contact_b = farthest(t.b, linear_b, rationals::times(-1, t.direction));
-  t.pose_b =
-      bringing(linear_b, rationals::exactly(t.contact_b), rationals::image(t.pose_a, rationals::exactly(t.contact_a)));
-  if (!is_usable(t.pose_b)) return std::nullopt;
-  return t;
-}
-
-Bound_tetrahedron<double> placed_tetrahedron(const Frame& frame, const Points& points)
-{
-  return {frame(points[0]), frame(points[1]), frame(points[2]), frame(points[3])};
-}
-
-/// The least double that is not below.
-double rounded_up(const Rational& value)
-{
-  const double nearest = nearest_double(value);
-  return Rational(nearest) < value ? std::nextafter(nearest, infinity) : nearest;
-}
-
 }  // namespace
 
 // --- frames --------------------------------------------------------------------------------------------------------
-
-BOOST_AUTO_TEST_CASE(images_are_within_the_error_and_the_magnitude_of_their_frame)
-{
-  Random random(1);
-  int wrong = 0, bounded = 0;
-  for (const Scales& scale : scales())
-    for (int kind = 0; kind < 12; ++kind) {
-      const auto t = touching(random, scale, kind, 6);
-      if (!t) continue;
-      const Frame frame(t->pose_b, reach_of(t->b));
-      if (!std::isfinite(frame.error())) continue;
-      ++bounded;
-      for (const Vertex& p : t->b) {
-        const Vector exact = rationals::image(t->pose_b, rationals::exactly(p));
-        const auto image = frame(p);
-        for (int k = 0; k < 3; ++k) {
-          wrong += !(abs(Rational(exact[k] - Rational(image[k]))) <= Rational(frame.error()));
-          wrong += !(abs(exact[k]) <= Rational(frame.magnitude()) + Rational(underflow_slack));
-        }
-      }
-    }
-  BOOST_TEST(wrong == 0);
-  BOOST_TEST(bounded > 400);
-}
-
-BOOST_AUTO_TEST_CASE(stretch_bounds_the_length_of_every_image_of_a_unit_vector)
-{
-  Random random(2);
-  int wrong = 0;
-  for (const int scale : {0, 0, 0, 0, -300, 300, -500, 480, -530, -700, -1000})
-    for (int kind = 0; kind < 30; ++kind) {
-      const Pose pose = linear_map(random, kind, scale);
-      if (!is_usable(pose)) continue;
-      const Frame frame(pose, 1);
-      // The vector most lengthened, by the power method, is the hardest.
-      Eigen::Matrix3d m = pose.to_eigen().linear();
-      m /= m.cwiseAbs().maxCoeff();
-      const Vertex start = scenes::real_vertex(random, 1);
-      Eigen::Vector3d v(start[0], start[1], start[2]);
-      for (int n = 0; n < 30; ++n) v = (m.transpose() * (m * v)).normalized();
-      const Vector x = rationals::exactly({v[0], v[1], v[2]}), y = rationals::image(pose, x);
-      if (!std::isfinite(frame.stretch())) continue;
-      const Rational stretch = frame.stretch();
-      wrong += !(rationals::inner(y, y) <= stretch * stretch * rationals::inner(x, x));
-      // And not much more than needed: a factor sqrt(3) at most where nothing underflows.
-      if (scale == 0) wrong += !(stretch * stretch * rationals::inner(x, x) <= Rational(3.1) * rationals::inner(y, y));
-    }
-  BOOST_TEST(wrong == 0);
-}
 
 BOOST_AUTO_TEST_CASE(beyond_the_gate_the_error_is_infinite)
 {
@@ -306,36 +130,6 @@ BOOST_AUTO_TEST_CASE(an_improved_centre_has_no_larger_ball_and_comes_near_the_sm
   BOOST_TEST((enclosing_ball<double, true>(improved_centre<double>(start, rod, 24), rod).radius < 1.1));
 }
 
-BOOST_AUTO_TEST_CASE(balls_of_bodies_that_touch_are_never_separated)
-{
-  Random random(6);
-  int wrong = 0, tried = 0;
-  for (const Scales& scale : scales())
-    for (int kind = 0; kind < 24; ++kind) {
-      auto t = touching(random, scale, kind, 1 + kind % 4);
-      if (!t) continue;
-      if (kind % 4 == 1) {
-        // Two points and the middle between them; B the same mirrored: the two balls touch from outside, in one point.
-        for (int k = 0; k < 3; ++k) {
-          t->b[0][k] = -t->a[0][k];
-          t->b[1][k] = -t->a[1][k];
-        }
-        t->pose_b =
-            bringing(t->pose_a, rationals::exactly(t->b[0]), rationals::image(t->pose_a, rationals::exactly(t->a[0])));
-        if (!is_usable(t->pose_b)) continue;
-      }
-      ++tried;
-      const auto ball = [](const Points& points, const Pose& pose) {
-        const double reach = reach_of(points);
-        return placed(Frame(pose, reach), enclosing_ball<double, true>(centroid<double>(points), points));
-      };
-      wrong += separated<double, true>(ball(t->a, t->pose_a), ball(t->b, t->pose_b));
-      wrong += separated<double, true>(ball(t->b, t->pose_b), ball(t->a, t->pose_a));
-    }
-  BOOST_TEST(wrong == 0);
-  BOOST_TEST(tried > 1500);
-}
-
 BOOST_AUTO_TEST_CASE(balls_apart_by_a_margin_are_separated_and_rounding_alone_decides_without_sound)
 {
   const Ball<double> a{{0, 0, 0}, 1};
@@ -364,95 +158,22 @@ BOOST_AUTO_TEST_CASE(undefined_balls_are_never_separated)
 
 // --- tetrahedra ----------------------------------------------------------------------------------------------------
 
-BOOST_AUTO_TEST_CASE(tetrahedra_that_touch_are_never_separated)
-{
-  Random random(7);
-  int wrong = 0, tried = 0;
-  for (const Scales& scale : scales())
-    for (int kind = 0; kind < 24; ++kind) {
-      const auto t = touching(random, scale, kind, 4);
-      if (!t) continue;
-      ++tried;
-      const Frame a(t->pose_a, reach_of(t->a)), b(t->pose_b, reach_of(t->b));
-      const double slack = projection_slack(a, b);
-      const auto x = placed_tetrahedron(a, t->a), y = placed_tetrahedron(b, t->b);
-      wrong += separated<double>(x, y, true, slack) || separated<double>(y, x, true, slack) ||
-               separated<double>(x, y, false, slack);
-      // The axis along which they touch, rounded, and any other.
-      const auto& d = t->direction;
-      const Bound_point<double> axis = {nearest_double(d[0]), nearest_double(d[1]), nearest_double(d[2])};
-      wrong += separated_along<double>(axis, Projection<double>(axis, x), Projection<double>(axis, y), slack);
-    }
-  BOOST_TEST(wrong == 0);
-  BOOST_TEST(tried > 1500);
-}
-
-BOOST_AUTO_TEST_CASE(a_vertex_on_a_face_and_an_edge_on_an_edge_are_never_separated)
-{
-  Random random(8);
-  int wrong = 0, tried = 0;
-  for (int n = 0; n < 3000; ++n) {
-    const int scale = n % 3 == 0 ? 0 : scenes::integer(random, -200, 200);
-    Points a = random_points(random, 4, scale), b = random_points(random, 4, scale);
-    if (n % 5 == 0)  // slivers
-      for (int k = 0; k < 3; ++k) a[3][k] = a[0][k] + (a[1][k] - a[0][k]) / 2 + (a[2][k] - a[3][k]) * 0x1p-30;
-    const Pose pose_a = with_translation(linear_map(random, n, scenes::integer(random, -20, 20)),
-                                         rationals::exactly(random_points(random, 1, scale + (n % 4) * 20)[0]));
-    Pose linear_b = linear_map(random, n / 6, scenes::integer(random, -20, 20));
-    if (!is_usable(pose_a) || !is_usable(linear_b)) continue;
-    const auto place = [](const Pose& pose, const Vertex& v) { return rationals::image(pose, rationals::exactly(v)); };
-    const auto edge = [&](const Pose& pose, const Points& p, int i, int j) {
-      return rationals::minus(place(pose, p[j]), place(pose, p[i]));
-    };
-    Vector normal, y, contact_b;
-    const Rational s = Rational(n % 8) / Rational(8), r = Rational((n / 8) % 8) / Rational(8);
-    if (n % 2 == 0) {
-      // A point of the face 0 1 2 of A, and the vertex of B that is farthest against its normal.
-      normal = rationals::outer(edge(pose_a, a, 0, 1), edge(pose_a, a, 0, 2));
-      if (rationals::inner(normal, edge(pose_a, a, 0, 3)) > 0) normal = rationals::times(-1, normal);
-      y = rationals::plus(place(pose_a, a[0]), rationals::plus(rationals::times(s * (1 - r), edge(pose_a, a, 0, 1)),
-                                                               rationals::times(r, edge(pose_a, a, 0, 2))));
-      contact_b = rationals::exactly(farthest(b, linear_b, rationals::times(-1, normal)));
-    } else {
-      // A point of the edge 0 1 of A on one of the edge 0 1 of B; the rest of each on its own side of both, if it may
-      // be.
-      normal = rationals::outer(edge(pose_a, a, 0, 1), edge(linear_b, b, 0, 1));
-      const auto side = [&](const Pose& pose, const Points& p, int i) {
-        return rationals::sign(rationals::inner(normal, edge(pose, p, 0, i)));
-      };
-      if (side(pose_a, a, 2) * side(pose_a, a, 3) < 0) std::swap(a[1], a[2]);
-      y = rationals::plus(place(pose_a, a[0]), rationals::times(s, edge(pose_a, a, 0, 1)));
-      contact_b =
-          rationals::plus(rationals::exactly(b[0]),
-                          rationals::times(r, rationals::minus(rationals::exactly(b[1]), rationals::exactly(b[0]))));
-    }
-    const Pose pose_b = bringing(linear_b, contact_b, y);
-    if (!is_usable(pose_b)) continue;
-    ++tried;
-    const Frame frame_a(pose_a, reach_of(a)), frame_b(pose_b, reach_of(b));
-    const double slack = projection_slack(frame_a, frame_b);
-    const auto p = placed_tetrahedron(frame_a, a), q = placed_tetrahedron(frame_b, b);
-    wrong += separated<double>(p, q, true, slack) || separated<double>(q, p, true, slack);
-  }
-  BOOST_TEST(wrong == 0);
-  BOOST_TEST(tried > 2500);
-}
-
 BOOST_AUTO_TEST_CASE(all_axes_find_all_tetrahedra_that_are_apart_by_a_margin_and_face_normals_only_some)
 {
   Random random(9);
   int missed = 0, missed_by_faces = 0;
   for (int n = 0; n < 3000; ++n) {
     Points a = random_points(random, 4, 0), b = random_points(random, 4, 0);
-    const Pose pose_a = scenes::rounded(scenes::random_rotation(random)),
-               linear_b = scenes::rounded(scenes::random_rotation(random));
-    const Vector direction = rationals::exactly(scenes::real_vertex(random, 1));
-    const Vector y = rationals::image(pose_a, rationals::exactly(farthest(a, pose_a, direction)));
-    const Vector near = rationals::exactly(farthest(b, linear_b, rationals::times(-1, direction)));
-    const Pose pose_b = bringing(linear_b, near, rationals::plus(y, rationals::times(Rational(0x1p-7), direction)));
-    const Frame frame_a(pose_a, reach_of(a)), frame_b(pose_b, reach_of(b));
+    const Vertex d = scenes::real_vertex(random, 1);
+    const auto along = [&d](const Vertex& p, const Vertex& q) { return dot(d, p) < dot(d, q); };
+    const double way =
+        (dot(d, *std::ranges::max_element(a, along)) - dot(d, *std::ranges::min_element(b, along))) / dot(d, d) +
+        0x1p-7;
+    for (Vertex& p : b)
+      for (int k = 0; k < 3; ++k) p[k] += way * d[k];
+    const Frame frame_a(Pose(), reach_of(a)), frame_b(Pose(), reach_of(b));
     const double slack = projection_slack(frame_a, frame_b);
-    const auto p = placed_tetrahedron(frame_a, a), q = placed_tetrahedron(frame_b, b);
+    const Bound_tetrahedron<double> p{a[0], a[1], a[2], a[3]}, q{b[0], b[1], b[2], b[3]};
     missed += !separated<double>(p, q, true, slack);
     missed_by_faces += !separated<double>(p, q, false, slack);
   }
@@ -478,92 +199,6 @@ BOOST_AUTO_TEST_CASE(undefined_tetrahedra_are_never_separated)
 }
 
 // --- half-spaces ---------------------------------------------------------------------------------------------------
-
-BOOST_AUTO_TEST_CASE(a_point_of_the_body_is_never_beyond_its_half_space)
-{
-  Random random(10);
-  int wrong = 0, tried = 0, found = 0, apart = 0;
-  for (const Scales& scale : scales())
-    for (int kind = 0; kind < 24; ++kind) {
-      const auto t = touching(random, scale, kind, 4);
-      if (!t) continue;
-      // The tightest half-space of A with a normal of about unit length, in A's own frame.
-      Half_space<double> half_space{scenes::real_vertex(random, 1), random_points(random, 1, scale.body)[0], 0};
-      if (kind % 4 == 0) half_space.origin = t->a[0];
-      Rational offset = 0;  // not negative, as that of a body about its origin
-      Vertex contact = half_space.origin;
-      for (const Vertex& p : t->a) {
-        const Rational d =
-            rationals::inner(rationals::exactly(half_space.normal),
-                             rationals::minus(rationals::exactly(p), rationals::exactly(half_space.origin)));
-        if (d > offset) {
-          offset = d;
-          contact = p;
-        }
-      }
-      half_space.offset = rounded_up(offset);
-      const double reach = maximum(reach_of(t->a), reach_of({half_space.origin}));
-      const Pose pose_b =
-          bringing(t->pose_b, rationals::exactly(t->b[0]), rationals::image(t->pose_a, rationals::exactly(contact)));
-      if (!is_usable(pose_b)) continue;
-      ++tried;
-      const Frame frame_a(t->pose_a, reach), frame_b(pose_b, reach_of(t->b));
-      const Placed_half_space<double, true> plane(frame_a, half_space, t->pose_a.determinant_sign());
-      wrong += plane.is_beyond(frame_b(t->b[0]), projection_slack(frame_a, frame_b));
-      if (scale.body != 0 || scale.linear != 0 || kind % 6 > 2) continue;
-      // Beyond by a margin: found.
-      const Vector beyond = rationals::image(
-          t->pose_a, rationals::plus(rationals::exactly(contact),
-                                     rationals::times(Rational(0.01), rationals::exactly(half_space.normal))));
-      const Pose pose_c = bringing(t->pose_b, rationals::exactly(t->b[0]), beyond);
-      const Frame frame_c(pose_c, reach_of(t->b));
-      ++apart;
-      found += plane.is_beyond(frame_c(t->b[0]), projection_slack(frame_a, frame_c));
-    }
-  BOOST_TEST(wrong == 0);
-  BOOST_TEST(tried > 1500);
-  BOOST_TEST(found == apart);
-  BOOST_TEST(apart > 0);
-}
-
-BOOST_AUTO_TEST_CASE(a_half_space_holds_its_body_where_a_row_of_the_map_is_denormal)
-{
-  Random random(13);
-  int beyond = 0, tried = 0;
-  for (int n = 0; n < 4000; ++n) {
-    // Two rows of one size and one far below it, of fractions or of doubles.
-    const int size = std::array{0, 100, 200, 230}[std::size_t(n % 4)], tiny = -scenes::integer(random, 1040, 1076);
-    const bool is_double = n % 8 >= 4;
-    std::array<Rational, 12> m{};
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) {
-        const Rational x = i == n % 3 ? Rational(Rational(scenes::integer(random, -9, 9)) / 3 / rationals::power(-tiny))
-                                      : Rational(scenes::real(random, -1, 1) * rationals::power(size));
-        m[4 * i + j] = is_double ? Rational(nearest_double(x)) : x;
-      }
-    const Pose pose(m);
-    if (pose.determinant_sign() == CGAL::ZERO) continue;
-    const Points body = random_points(random, 6, is_double && n % 16 >= 12 ? 240 - size : 0);
-    Half_space<double> half_space{scenes::real_vertex(random, n % 16 >= 12 ? 0x1p450 : 1), body[0], 0};
-    Vertex contact = half_space.origin;
-    Rational offset = 0;
-    for (const Vertex& p : body) {
-      const Rational d = rationals::inner(rationals::exactly(half_space.normal),
-                                          rationals::minus(rationals::exactly(p), rationals::exactly(body[0])));
-      if (d <= offset) continue;
-      offset = d;
-      contact = p;
-    }
-    half_space.offset = rounded_up(offset);
-    const Frame frame(pose, reach_of(body));
-    if (!(frame.error() < infinity)) continue;
-    ++tried;
-    const Placed_half_space<double, true> plane(frame, half_space, pose.determinant_sign());
-    beyond += plane.is_beyond(frame(contact), projection_slack(frame, frame));
-  }
-  BOOST_TEST(beyond == 0);
-  BOOST_TEST(tried > 2000);
-}
 
 BOOST_AUTO_TEST_CASE(a_half_space_turns_with_a_reflection)
 {
@@ -595,29 +230,6 @@ BOOST_AUTO_TEST_CASE(nothing_is_beyond_an_undefined_half_space)
 }
 
 // --- boxes ---------------------------------------------------------------------------------------------------------
-
-BOOST_AUTO_TEST_CASE(boxes_of_bodies_that_touch_meet)
-{
-  Random random(11);
-  int wrong = 0, tried = 0;
-  for (const Scales& scale : scales())
-    for (int kind = 0; kind < 24; ++kind) {
-      const auto t = touching(random, scale, kind, 1 + kind % 3);
-      if (!t) continue;
-      ++tried;
-      const auto box = [](const Points& points, const Pose& pose) {
-        const Frame frame(pose, reach_of(points));
-        Box<double> box;
-        for (const Vertex& p : points) box.add(frame(p));
-        box.grow(frame.error());
-        return box;
-      };
-      const Box<double> a = box(t->a, t->pose_a), b = box(t->b, t->pose_b);
-      wrong += !a.meets(b) || !b.meets(a);
-    }
-  BOOST_TEST(wrong == 0);
-  BOOST_TEST(tried > 1500);
-}
 
 BOOST_AUTO_TEST_CASE(boxes_that_touch_in_a_corner_meet_and_boxes_apart_do_not)
 {
@@ -651,11 +263,5 @@ BOOST_AUTO_TEST_CASE(an_undefined_box_meets_everything)
       BOOST_TEST(small.meets(box));
     }
 }
-
-// Planted and seen to fail: all slack and all margins left out, in ten tests: images_..., stretch_...,
-// an_enclosing_ball_..., and each ..._are_never_separated, a_point_of_the_body_is_never_beyond_its_half_space and
-// boxes_of_bodies_that_touch_meet. Found by these tests: squares and cofactors that underflow (2^-800 is the slack
-// now, not 2^-900), squares of a pose that overflow to both signs (the stretch was 0), and boxes of coordinates that
-// overflow (infinity minus infinity met nothing).
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -30,22 +30,12 @@ namespace {
 /// Similarities, shears, reflections; far from the origin; bodies of unlike units.
 Placing placing(Random& random, int kind)
 {
-  Placing p;
-  p.in_a = {scenes::real_vertex(random, 2), std::ldexp(1.0, integer(random, -3, 3))};
-  p.in_b = {scenes::real_vertex(random, 2), std::ldexp(1.0, integer(random, -3, 3))};
+  Placing p = scenes::random_placing(random);
   p.a = kind % 2 == 0 ? scenes::random_rotation(random, 5, {Rational(1) / 3, 0, 1})
                       : scenes::rounded(scenes::random_rotation(random, 5));
   p.b = scenes::rounded(scenes::random_rotation(random, 5, {1, 0, Rational(1) / 7}));
   if (kind % 3 == 1) p.b = scenes::random_affine(random, 2);
-  if (kind % 3 == 2) {  // both far away, where the translations cancel
-    auto far_a = scenes::rounded(p.a).entries(), far_b = p.b.entries();
-    for (int i = 0; i < 3; ++i) {
-      far_a[4 * i + 3] += 0x1p30 * (i + 1);
-      far_b[4 * i + 3] += 0x1p30 * (i + 1);
-    }
-    p.a = Pose(far_a);
-    p.b = Pose(far_b);
-  }
+  if (kind % 3 == 2) scenes::move_far(p, 0x1p30);  // where the translations cancel
   return p;
 }
 
@@ -67,7 +57,7 @@ void set_lane(Obb8& boxes, int lane, Random& random)
   std::vector<Vector> points;
   for (int k = 0; k < 6; ++k) points.push_back(vector(random, 0.5));
   const Vector origin(boxes.origin[0], boxes.origin[1], boxes.origin[2]);
-  store_lane(boxes, lane, fitted_box(points, 1), origin, points, 0);
+  scenes::store_lane(boxes, lane, fitted_box(points, 1).axes, origin, points);
 }
 
 }  // namespace
@@ -138,7 +128,7 @@ BOOST_AUTO_TEST_CASE(edges_so_short_that_their_squares_underflow_have_length_1_o
       Obb8 from{}, boxes{};
       const std::vector<Vector> corners = {Vector(0.5, 0.25, 0.125), Vector(-0.5, -0.25, -0.125),
                                            Vector(0.5, -0.25, 0.125), Vector(-0.5, 0.25, -0.125)};
-      store_lane(from, 0, Oriented_box(Matrix::identity(), corners), Vector(), corners, 0);
+      scenes::store_lane(from, 0, Matrix::identity(), Vector(), corners);
       const Single_box box = map(boxes, from, 0);
       if (!std::isfinite(box.slack)) {
         ++unknown;

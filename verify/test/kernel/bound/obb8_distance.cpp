@@ -1,7 +1,7 @@
 #include "tetracone/kernel/bound/obb8_distance.h"
 
 #include "tetracone/kernel/bound/oriented_box.h"
-#include "verify/test/support/scenes.h"
+#include "verify/test/support/placed_boxes.h"
 #include "verify/test/support/simd_versions.h"
 
 #include <boost/test/unit_test.hpp>
@@ -18,60 +18,22 @@ using namespace tetracone::kernel;
 namespace scenes = tetracone::verify::scenes;
 using scenes::Random;
 using scenes::real;
+using scenes::set;
+using scenes::Solid;
+using scenes::vector;
 
 namespace {
 
 using Find = void(Gap_test*, std::size_t);
 
-std::vector<Find*> versions()
+inline auto versions() { return TETRACONE_VERSIONS_HERE(find_gaps_simd); }
+
+Solid any(Random& random)
 {
-  return tetracone::verify::versions_here<Find>(TETRACONE_SIMD_VERSIONS(find_gaps_simd));
+  Solid s{vector(random), scenes::random_axes(random), scenes::random_extents(random)};
+  s.round();
+  return s;
 }
-
-Vector vector(Random& random, double size)
-{
-  return size * Vector(real(random, -1, 1), real(random, -1, 1), real(random, -1, 1));
-}
-
-/// A box, its edges the columns.
-struct Solid {
-  Vector centre;
-  Matrix edges;
-  Vector extent;
-
-  static Solid any(Random& random)
-  {
-    Solid s{vector(random, 1), detail::axes_from(vector(random, 1), vector(random, 1)),
-            Vector(real(random, 0, 1), real(random, 0, 1), real(random, 0, 1))};
-    if (random() % 3 == 0) s.extent[int(random() % 3)] = 0;
-    s.round();
-    return s;
-  }
-  /// To what floats hold.
-  void round()
-  {
-    centre = centre.in_float();
-    edges = edges.in_float();
-    extent = extent.in_float();
-  }
-  Solid carried(const Matrix& map, const Vector& offset) const { return {map * centre + offset, map * edges, extent}; }
-  /// The corner that reaches farthest along the direction.
-  Vector corner(const Vector& direction) const
-  {
-    Vector at = centre;
-    for (int i = 0; i < 3; ++i) at += (direction.dot(edges.col(i)) < 0 ? -extent[i] : extent[i]) * edges.col(i);
-    return at;
-  }
-  void store(Obb8& boxes, int lane) const
-  {
-    for (int i = 0; i < 3; ++i) {
-      boxes.centre[i][lane] = float(centre[i]);
-      boxes.extent[i][lane] = float(extent[i]);
-      for (int k = 0; k < 3; ++k) boxes.axis[i][k][lane] = float(edges(k, i));
-    }
-    boxes.reach = maximum(boxes.reach, float(extent.sum() + centre.norm()) * 1.000001f);
-  }
-};
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
@@ -83,27 +45,27 @@ struct Scene {
 
   Scene(Random& random, bool similarity, double gap)
   {
-    Matrix map = real(random, 0.3, 2) * detail::axes_from(vector(random, 1), vector(random, 1));
+    Matrix map = real(random, 0.3, 2) * scenes::random_axes(random);
     if (!similarity) map.col(0) += 0.4 * map.col(1);
-    const Vector offset = vector(random, 1);
+    const Vector offset = vector(random);
     std::array<double, 12> entries;
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j) entries[std::size_t(4 * i + j)] = map(i, j);
       entries[std::size_t(4 * i + 3)] = offset[i];
     }
     pose = Pose(entries);
-    const Solid in_b = Solid::any(random), single = in_b.carried(map, offset);
+    const Solid in_b = any(random), single{map * in_b.centre + offset, map * in_b.edges, in_b.extent};
     from.lane_count = 1;
-    in_b.store(from, 0);
+    set(from, 0, in_b);
     boxes.lane_count = int(lanes);
     for (int lane = 0; lane < int(lanes); ++lane) {
-      Solid p = Solid::any(random);
+      Solid p = any(random);
       const int k = int(random() % 6);
       const Vector normal = k < 3 ? p.edges.col(k) : single.edges.col((k + 1) % 3).cross(single.edges.col((k + 2) % 3));
       const Vector n = normal.normalized();
       p.centre += single.corner(n) + gap * n - p.corner(-n);
       p.round();
-      p.store(boxes, lane);
+      set(boxes, lane, p);
       corners_apart[std::size_t(lane)] = (p.corner(-n) - single.corner(n)).norm();
     }
   }

@@ -16,19 +16,9 @@
 
 namespace tetracone::kernel {
 
-using Certify = void(const Obb8&, const Box_map&, const Obb8&, int, float, Certified_gaps&);
-using Least_after = Gap_and_rate(const Certified_gaps&, unsigned, const Carried_box&, const Going_box&, const Carrier&);
-
-std::vector<Certify*> certifying()
-{
-  return verify::versions_here<Certify>(TETRACONE_SIMD_VERSIONS(certified_gaps_simd));
-}
-using Carry = void(const Carrier&, const Obb8&, int, Carried_box&);
-std::vector<Carry*> carrying() { return verify::versions_here<Carry>(TETRACONE_SIMD_VERSIONS(carry_now_simd)); }
-std::vector<Least_after*> least_after()
-{
-  return verify::versions_here<Least_after>(TETRACONE_SIMD_VERSIONS(least_gap_after_simd));
-}
+inline auto certifying() { return TETRACONE_VERSIONS_HERE(certified_gaps_simd); }
+inline auto carrying() { return TETRACONE_VERSIONS_HERE(carry_now_simd); }
+inline auto least_after() { return TETRACONE_VERSIONS_HERE(least_gap_after_simd); }
 
 }  // namespace tetracone::kernel
 
@@ -114,43 +104,18 @@ Scene scene(Random& random, int kind)
 {
   Scene s;
   Placing& p = s.before;
-  p = {scenes::rounded(scenes::random_rotation(random)),
-       scenes::random_rotation(random),
-       {scenes::real_vertex(random, 2), std::ldexp(1.0, integer(random, -3, 3))},
-       {scenes::real_vertex(random, 2), std::ldexp(1.0, integer(random, -3, 3))}};
-  auto b = p.b.entries();
-  if (kind % 4 == 1)
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) b[4 * i + j] *= 1.7;
-  if (kind % 5 == 2) {
-    auto a = p.a.entries();
-    for (int i = 0; i < 3; ++i) {
-      a[4 * i + 3] += 0x1p33 * (i + 1);
-      b[4 * i + 3] += 0x1p33 * (i + 1);
-    }
-    p.a = Pose(a);
-  }
-  if (kind % 3 != 0) p.b = Pose(b);
+  p = scenes::random_placing(random);
+  if (kind % 4 == 1) p.b = scenes::scaled(p.b, 1.7);
+  if (kind % 5 == 2) scenes::move_far(p, 0x1p33);
+  if (kind % 3 == 1) p.b = scenes::rounded(p.b);
   s.lane = integer(random, 0, 7);
   const double small = kind % 7 < 2 ? 1e-3 : 0.3;
-  Vector extent = small * Vector(real(random, 0, 1), real(random, 0, 1), real(random, 0, 1));
-  if (kind % 2 == 0) {
-    extent[0] = 0;
-    s.apex = float(real(random, -1, 1));
-  }
-  for (int i = 0; i < 3; ++i) s.from.origin[i] = float(real(random, -0.25, 0.25));
-  set(s.from, s.lane, vector(random, 0.4), detail::axes_from(vector(random), vector(random)), extent);
+  scenes::set_single(s.from, s.lane, random, small, kind % 2 == 0 ? &s.apex : nullptr);
   rationals::Vector middle = p.image(point(s.from, s.lane, {0, 0, 0}));
   const double near = small * nearest_double(Rational(p.in_b.unit / p.in_a.unit)) * (kind % 4 == 1 ? 1.7 : 1);
   for (int i = 0; i < 3; ++i)
     s.boxes.origin[i] = float(nearest_double(middle[i]) + near * real(random, -1, 1) * (kind % 6 == 0 ? 300 : 2));
-  for (int other = 0; other < int(lanes); ++other) {
-    const Vector e = near * Vector(real(random, 0, 1), real(random, 0, 1), real(random, 0, 1));
-    const Vector centre = vector(random, 2 * near);
-    set(s.boxes, other, centre, detail::axes_from(vector(random), vector(random)), e);
-    s.boxes.reach = maximum(s.boxes.reach, float(e.sum() + centre.norm()) * 1.00001f);
-  }
-  s.boxes.lane_count = 8;
+  scenes::set_near(s.boxes, random, near);
 
   s.after = p;
   const double step = std::ldexp(near * p.in_a.unit, -integer(random, 0, 30));

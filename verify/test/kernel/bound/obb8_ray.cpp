@@ -17,12 +17,7 @@
 
 namespace tetracone::kernel {
 
-using Ray_lanes = unsigned(const Obb8&, const Local_ray&, double, float*);
-
-std::vector<Ray_lanes*> ray_versions()
-{
-  return verify::versions_here<Ray_lanes>(TETRACONE_SIMD_VERSIONS(ray_lanes_simd));
-}
+inline auto ray_versions() { return TETRACONE_VERSIONS_HERE(ray_lanes_simd); }
 
 }  // namespace tetracone::kernel
 

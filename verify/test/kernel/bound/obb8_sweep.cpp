@@ -15,9 +15,7 @@
 
 namespace tetracone::kernel {
 
-using Find = void(Sweep_test*, std::size_t);
-
-std::vector<Find*> find_versions() { return verify::versions_here<Find>(TETRACONE_SIMD_VERSIONS(find_near_simd)); }
+inline auto find_versions() { return TETRACONE_VERSIONS_HERE(find_near_simd); }
 
 }  // namespace tetracone::kernel
 
@@ -74,29 +72,14 @@ Sweep_test test(const Scene& s, const Box_map& map, const Box_sweep& sweep, cons
 Scene scene(Random& random, int kind, double away)
 {
   Scene s;
-  s.placing = {scenes::rounded(scenes::random_rotation(random)),
-               scenes::random_rotation(random),
-               {scenes::real_vertex(random, 2), std::ldexp(1.0, integer(random, -3, 3))},
-               {scenes::real_vertex(random, 2), std::ldexp(1.0, integer(random, -3, 3))}};
+  s.placing = scenes::random_placing(random);
   s.lane = integer(random, 0, 7);
   s.other = integer(random, 0, 7);
   const double small = kind % 7 < 2 ? 1e-3 : 0.1;
-  Vector extent = small * Vector(real(random, 0, 1), real(random, 0, 1), real(random, 0, 1));
-  if (kind % 2 == 0) {
-    extent[0] = 0;
-    s.apex = float(real(random, -1, 1));
-  }
-  for (int i = 0; i < 3; ++i) s.from.origin[i] = float(real(random, -0.25, 0.25));
-  set(s.from, s.other, vector(random, 0.4), detail::axes_from(vector(random), vector(random)), extent);
+  scenes::set_single(s.from, s.other, random, small, kind % 2 == 0 ? &s.apex : nullptr);
   const double near = small * s.placing.in_b.unit / s.placing.in_a.unit;
   for (int i = 0; i < 3; ++i) s.boxes.origin[i] = float(real(random, -0.25, 0.25));
-  for (int k = 0; k < int(lanes); ++k) {
-    const Vector e = near * Vector(real(random, 0, 1), real(random, 0, 1), real(random, 0, 1));
-    const Vector centre = vector(random, 2 * near);
-    set(s.boxes, k, centre, detail::axes_from(vector(random), vector(random)), e);
-    s.boxes.reach = maximum(s.boxes.reach, float(e.sum() + centre.norm()) * 1.00001f);
-  }
-  s.boxes.lane_count = lanes;
+  scenes::set_near(s.boxes, random, near);
 
   // The single box's corner that comes first, and the lane's, or any points of both.
   const double inside = 1 - 0x1p-20, length = std::exp2(real(random, -6, 4)) * near,
@@ -161,7 +144,7 @@ BOOST_AUTO_TEST_CASE(boxes_that_touch_at_a_time_are_near_at_it)
       const Known_times known = is_known ? Known_times{float(time * real(random, 0.9, 1)) - 0x1p-22f,
                                                        float(1 - (1 - time) * real(random, 0.9, 1)) + 0x1p-22f}
                                          : Known_times{};
-      for (Find* const find : find_versions()) {
+      for (const auto find : find_versions()) {
         Sweep_test asked_now = test(s, map, s.sweep, known);
         find(&asked_now, 1);
         const Near_times& times = asked_now.times;
@@ -191,7 +174,7 @@ BOOST_AUTO_TEST_CASE(several_tests_at_once_find_what_each_finds_alone)
   for (std::size_t k = 0; k < most_sweep_tests; ++k) scenes.push_back(scene(random, int(k), k % 2 == 0 ? 0 : 4));
   for (const Scene& s : scenes) maps.push_back(s.placing.map());
   maps[2] = Box_map();  // nothing is known of it
-  for (Find* const find : find_versions()) {
+  for (const auto find : find_versions()) {
     std::vector<Sweep_test> together;
     for (std::size_t k = 0; k < most_sweep_tests; ++k) together.push_back(test(scenes[k], maps[k], scenes[k].sweep));
     std::vector<Sweep_test> alone = together;
@@ -218,7 +201,7 @@ BOOST_AUTO_TEST_CASE(times_are_those_of_boxes_that_pass_by)
   const Box_map map(Pose(), units, Pose(), units);
   Box_sweep sweep;
   sweep.half = {{8, 0, 0}, {}, {}};
-  for (Find* const find : find_versions()) {
+  for (const auto find : find_versions()) {
     const auto found = [&](const Known_times& known) {
       Sweep_test test = {&boxes, &map, &from, 0, no_apex, &sweep, known, 0, {}};
       find(&test, 1);
@@ -246,7 +229,7 @@ BOOST_AUTO_TEST_CASE(what_is_infinite_undefined_or_no_similarity_is_near_all_the
   Placing no_similarity = s.placing;
   no_similarity.b = Pose(sheared);
   const double bad[] = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()};
-  for (Find* const find : find_versions()) {
+  for (const auto find : find_versions()) {
     const auto is_near = [&](const Box_map& map, const Box_sweep& sweep) {
       Sweep_test asked = test(s, map, sweep);
       find(&asked, 1);

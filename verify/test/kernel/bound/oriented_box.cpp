@@ -7,18 +7,19 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_oriented_box)
 
 using namespace tetracone::kernel;
 using tetracone::verify::scenes::solved;
+using tetracone::verify::scenes::store_lane;
+using tetracone::verify::scenes::triangle_box;
 
 namespace {
 
-using Random = std::mt19937_64;
-double real(Random& random) { return std::uniform_real_distribution<double>(-1, 1)(random); }
+using tetracone::verify::scenes::Random;
+double real(Random& random) { return tetracone::verify::scenes::real(random, -1, 1); }
 
 std::vector<Vector> points(Random& random, int count, int kind)
 {
@@ -48,7 +49,7 @@ BOOST_AUTO_TEST_CASE(a_stored_box_holds_its_points)
     const Vector origin(0.25f * float(real(random)), 0.5, -0.125);
     const Vector node_origin = origin.in_float();
     Obb8 boxes{};
-    store_lane(boxes, 5, box, node_origin, used, 0);
+    store_lane(boxes, 5, box.axes, node_origin, used);
     // Solved in double for the float axes: far more digits than the margin.
     Matrix axes;
     Vector centre, extent;
@@ -81,7 +82,7 @@ BOOST_AUTO_TEST_CASE(boxes_of_triangles_of_any_size_have_orthonormal_axes)
         ++tried;
         wrong += !(box.axes.orthonormal_defect() <= 1e-14);
         Obb8 boxes{};
-        store_lane(boxes, 0, box, Vector(), t, 0);
+        store_lane(boxes, 0, box.axes, Vector(), t);
         for (int i = 0; i < 3; ++i) wrong += !std::isfinite(boxes.extent[i][0]);
       }
     }
@@ -101,10 +102,10 @@ BOOST_AUTO_TEST_CASE(axes_that_are_not_orthonormal_are_not_stored)
     if (kind == 1) axes.col(2) = axes.col(0);
     if (kind == 2) axes = (1 + 0x1p-20) * axes;
     if (kind == 3) axes(1, 2) = nan;
-    if (kind == 4) axes = {{Vector::all(nan), Vector::all(nan), box.centre = Vector::all(nan)}};
+    if (kind == 4) axes = {{Vector::all(nan), Vector::all(nan), Vector::all(nan)}};
     if (kind == 5) axes.col(0) *= std::numeric_limits<double>::infinity();
     Obb8 boxes{};
-    store_lane(boxes, 2, box, Vector(), all, 0);
+    store_lane(boxes, 2, box.axes, Vector(), all);
     for (const Vector& p : all)
       for (int i = 0; i < 3; ++i) {
         double along = 0;
@@ -239,7 +240,7 @@ struct Lane {
   Lane(const Oriented_box& box, const std::array<Vector, 3>& corners)
       : node_origin((corners[0] + (corners[1] - corners[0]) * 3).in_float()), corners(corners)
   {
-    store_lane(boxes, 3, box, node_origin, corners, 0);
+    store_lane(boxes, 3, box.axes, node_origin, corners);
   }
   Apex_code code() const { return apex_code(boxes, 3, node_origin, corners); }
 

@@ -10,26 +10,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace tetracone::kernel {
 
-using Stray_bound = double(const Course&, double, const Placement&, const Placement&, const Box_corners&);
-using Pace_bound = double(const Course&, const Box_corners&);
-using Steps_along = double(const Course&, const Placement&, const Placement&);
-
-std::vector<Stray_bound*> stray_bounds()
-{
-  return verify::versions_here<Stray_bound>(TETRACONE_SIMD_VERSIONS(stray_bound_simd));
-}
-std::vector<Pace_bound*> pace_bounds()
-{
-  return verify::versions_here<Pace_bound>(TETRACONE_SIMD_VERSIONS(pace_bound_simd));
-}
-std::vector<Steps_along*> all_steps_along()
-{
-  return verify::versions_here<Steps_along>(TETRACONE_SIMD_VERSIONS(steps_along_simd));
-}
+inline auto stray_bounds() { return TETRACONE_VERSIONS_HERE(stray_bound_simd); }
+inline auto pace_bounds() { return TETRACONE_VERSIONS_HERE(pace_bound_simd); }
+inline auto all_steps_along() { return TETRACONE_VERSIONS_HERE(steps_along_simd); }
 
 }  // namespace tetracone::kernel
 
@@ -45,7 +33,7 @@ using scenes::real;
 
 namespace {
 
-Box_corners unit_box() { return Box_corners({0, 0, 0}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}); }
+Body_box unit_box() { return Body_box({0, 0, 0}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}); }
 
 Pose turned(const Pose& pose, double angle, const std::array<double, 3>& shift)
 {
@@ -64,20 +52,10 @@ Pose turned(const Pose& pose, double angle, const std::array<double, 3>& shift)
 /// fractions, and far from the origin.
 std::array<Placing, 2> step(Random& random, int kind)
 {
-  Placing p{scenes::random_rotation(random),
-            scenes::rounded(scenes::random_rotation(random, 7)),
-            {scenes::real_vertex(random, 2), std::ldexp(1.0, integer(random, -3, 3))},
-            {scenes::real_vertex(random, 2), std::ldexp(1.0, integer(random, -3, 3))}};
+  Placing p = scenes::random_placing(random);
+  std::swap(p.a, p.b);
   if (kind % 4 == 1) p.b = scenes::random_affine(random, 2);
-  if (kind % 5 == 1) {
-    auto a = p.a.entries(), b = p.b.entries();
-    for (int i = 0; i < 3; ++i) {
-      a[4 * i + 3] += 0x1p30 * (i + 1);
-      b[4 * i + 3] += 0x1p30 * (i + 1);
-    }
-    p.a = Pose(a);
-    p.b = Pose(b);
-  }
+  if (kind % 5 == 1) scenes::move_far(p, 0x1p30);
   Placing q = p;
   const double size = std::ldexp(real(random, -1, 1), -integer(random, 0, 60));
   switch (kind % 6) {
@@ -85,13 +63,8 @@ std::array<Placing, 2> step(Random& random, int kind)
     case 1: q.b = turned(p.b, size, {0, 0, 0}); break;
     case 2: q.a = turned(p.a, size, {size, -size, 0}); break;
     case 3: q.b = scenes::random_rotation(random); break;
-    case 4: break;  // at rest
-    default: {      // grows
-      auto b = p.b.entries();
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) b[4 * i + j] *= 1 + size;
-      q.b = Pose(b);
-    }
+    case 4: break;                                 // at rest
+    default: q.b = scenes::scaled(p.b, 1 + size);  // grows
   }
   return {p, q};
 }
@@ -119,7 +92,7 @@ BOOST_AUTO_TEST_CASE(no_point_of_the_box_strays_farther_from_a_course_than_the_b
     const std::array<double, 3> centre = scenes::real_vertex(random, 0.4);
     std::array<std::array<double, 3>, 3> half_edge;
     for (auto& edge : half_edge) edge = scenes::real_vertex(random, k % 7 == 0 ? 0 : 0.2);
-    const Box_corners box(centre, half_edge);
+    const Body_box box(centre, half_edge);
     double farthest = 0, farthest_on_course = 0;
     const auto bounds = stray_bounds();
     const double bound = bounds[std::size_t(k) % bounds.size()](course, steps, before, after, box),

@@ -1,18 +1,22 @@
 #include "tetracone/kernel/predicate/frame.h"
 
 #include "verify/test/support/kernel_test_case.h"
+#include "verify/test/support/rationals.h"
+#include "verify/test/support/scenes.h"
 
 #include <boost/test/unit_test.hpp>
 
 #include <array>
 #include <cmath>
-#include <random>
 #include <tuple>
 #include <type_traits>
 
 BOOST_AUTO_TEST_SUITE(test_frame)
 
 using namespace tetracone::kernel;
+namespace rationals = tetracone::verify::rationals;
+namespace scenes = tetracone::verify::scenes;
+using scenes::Random;
 
 namespace {
 
@@ -33,48 +37,22 @@ std::array<Rational, 3> exactly(const Point<K>& p)
   return {number(p.x()), number(p.y()), number(p.z())};
 }
 
-std::array<Rational, 3> exact_image(const Pose& pose, const Vertex& v)
+rationals::Vector exact_image(const Pose& pose, const Vertex& v)
 {
-  std::array<Rational, 3> image;
-  for (int row = 0; row < 3; ++row) {
-    image[row] = pose.exact(4 * row + 3);
-    for (int column = 0; column < 3; ++column) image[row] += pose.exact(4 * row + column) * Rational(v[column]);
-  }
-  return image;
+  return rationals::image(pose, rationals::exactly(v));
 }
 
-class Random_motion {
- public:
-  explicit Random_motion(int seed) : random_(seed) {}
-  Vertex vertex() { return {real_(random_), real_(random_), real_(random_)}; }
-  Vertex small_integers() { return {double(entry_(random_)), double(entry_(random_)), double(entry_(random_))}; }
-  Pose doubles()
-  {
-    return any([this] { return real_(random_); });
-  }
-  Pose integers()
-  {
-    return any([this] { return double(entry_(random_)); });
-  }
-  Pose fractions()
-  {
-    return Pose::from_quaternion(entry_(random_) + 5, entry_(random_), entry_(random_), entry_(random_),
-                                 {Rational(entry_(random_)) / 7, entry_(random_), Rational(real_(random_))});
-  }
-
- private:
-  template <class Entry>
-  Pose any(const Entry& entry)
-  {
-    std::array<double, 12> entries;
-    for (double& e : entries) e = entry();
-    return Pose(entries);
-  }
-
-  std::mt19937 random_;
-  std::uniform_real_distribution<double> real_{-10, 10};
-  std::uniform_int_distribution<int> entry_{-4, 4};
-};
+/// Any entries, of which some make no similarity.
+Pose any_doubles(Random& random)
+{
+  std::array<double, 12> entries;
+  for (double& e : entries) e = scenes::real(random, -10, 10);
+  return Pose(entries);
+}
+Pose fractions(Random& random)
+{
+  return scenes::random_rotation(random, 4, {Rational(scenes::integer(random, -4, 4)) / 7, 1, Rational(0.1)});
+}
 
 }  // namespace
 
@@ -107,21 +85,21 @@ KERNEL_TEST_CASE(the_identity_returns_every_point_unchanged, K, Kernels)
 
 KERNEL_TEST_CASE(integer_poses_are_exact_in_every_kernel, K, Kernels)
 {
-  Random_motion random(1);
+  Random random(1);
   for (int n = 0; n < 500; ++n) {
-    const Pose pose = random.integers();
-    const Vertex v = random.small_integers();
+    const Pose pose = scenes::random_affine(random, 4);
+    const Vertex v = scenes::grid_vertex(random, 4);
     BOOST_TEST((exactly<K>(Frame<K>(pose)(point<K>(v))) == exact_image(pose, v)));
   }
 }
 
 KERNEL_TEST_CASE(exact_motion_decides_by_the_exact_image, K, Exact_motions)
 {
-  Random_motion random(2);
+  Random random(2);
   for (int n = 0; n < 600; ++n) {
-    const Pose pose = n % 2 == 0 ? random.doubles() : random.fractions();
+    const Pose pose = n % 2 == 0 ? any_doubles(random) : fractions(random);
     const Frame<K> frame(pose);
-    const Vertex v = random.vertex();
+    const Vertex v = scenes::real_vertex(random, 10);
     const auto image = exact_image(pose, v);
     const auto placed = frame(point<K>(v));
     if constexpr (std::is_same_v<K, Adaptive>) {
@@ -142,11 +120,11 @@ KERNEL_TEST_CASE(exact_motion_decides_by_the_exact_image, K, Exact_motions)
 
 KERNEL_TEST_CASE(rounded_motion_is_the_double_expression, K, Rounded_motions)
 {
-  Random_motion random(3);
+  Random random(3);
   int inexact = 0;
   for (int n = 0; n < 1'000; ++n) {
-    const Pose pose = n % 2 == 0 ? random.doubles() : random.fractions();
-    const Vertex v = random.vertex();
+    const Pose pose = n % 2 == 0 ? any_doubles(random) : fractions(random);
+    const Vertex v = scenes::real_vertex(random, 10);
     const auto placed = Frame<K>(pose)(point<K>(v));
     for (int i = 0; i < 3; ++i) {
       const double expected =
@@ -160,10 +138,10 @@ KERNEL_TEST_CASE(rounded_motion_is_the_double_expression, K, Rounded_motions)
 
 BOOST_AUTO_TEST_CASE(float_motion_is_the_float_expression)
 {
-  Random_motion random(4);
+  Random random(4);
   for (int n = 0; n < 1'000; ++n) {
-    const Pose pose = random.doubles();
-    const Vertex v = random.vertex();
+    const Pose pose = any_doubles(random);
+    const Vertex v = scenes::real_vertex(random, 10);
     const auto placed = Frame<Float>(pose)(point<Float>(v));
     for (int i = 0; i < 3; ++i) {
       const auto m = [&](int k) { return float(pose[4 * i + k]); };

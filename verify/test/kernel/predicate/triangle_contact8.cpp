@@ -23,12 +23,8 @@ using namespace tetracone::verify::scenes;
 namespace {
 
 using Corners8 = std::array<std::array<std::array<Vertex, 3>, Triangles8::count>, 2>;  // of p, of q
-using Filter = void(const Triangles8&, const Pose&, const Triangles8&, const Pose&, Triangle_contacts8&);
 
-std::vector<Filter*> versions()
-{
-  return tetracone::verify::versions_here<Filter>(TETRACONE_SIMD_VERSIONS(triangle_contacts8_simd));
-}
+inline auto versions() { return TETRACONE_VERSIONS_HERE(triangle_contacts8_simd); }
 
 /// The pairs of each version, and that all versions say the same.
 Triangle_contacts8 filtered(const Corners8& corners, const Pose& pose_p, const Pose& pose_q)
@@ -40,7 +36,7 @@ Triangle_contacts8 filtered(const Corners8& corners, const Pose& pose_p, const P
   }
   Triangle_contacts8 first;
   bool is_first = true;
-  for (Filter* filter : versions()) {
+  for (const auto filter : versions()) {
     Triangle_contacts8 found;
     filter(p, pose_p, q, pose_q, found);
     if (is_first) first = found;

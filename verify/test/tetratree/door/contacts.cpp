@@ -1,6 +1,7 @@
 #include "tetracone/tetratree/door/contacts.h"
 
 #include "tetracone/tetratree/door/tetracone.h"
+#include "verify/test/support/scenes.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -13,32 +14,9 @@
 BOOST_AUTO_TEST_SUITE(test_contacts)
 
 using namespace tetracone;
+namespace scenes = verify::scenes;
 
 namespace {
-
-Polyhedron cube()
-{
-  Polyhedron cube;
-  for (int k = 0; k < 8; ++k) cube.vertices.push_back({double(k >> 2 & 1), double(k >> 1 & 1), double(k & 1)});
-  for (const auto& face :
-       {std::vector<Index>{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}})
-    cube.add_polygon(face);
-  return cube;
-}
-
-/// The cube with each face as two triangles.
-Polyhedron triangulated_cube()
-{
-  const Polyhedron whole = cube();
-  Polyhedron triangles;
-  triangles.vertices = whole.vertices;
-  for (Index f = 0; f < whole.face_count(); ++f) {
-    const auto loop = whole.loop(f, 0);
-    triangles.add_polygon({loop[0], loop[1], loop[2]});
-    triangles.add_polygon({loop[0], loop[2], loop[3]});
-  }
-  return triangles;
-}
 
 std::size_t count(const Contacts& contacts, Piece kind)
 {
@@ -47,13 +25,13 @@ std::size_t count(const Contacts& contacts, Piece kind)
   return n;
 }
 
-using Strings = std::vector<std::string>;
+const Polyhedron cube = scenes::unit_cube(), triangulated_cube = scenes::triangulated(cube);
 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(cubes_that_overlap_meet_in_one_closed_curve)
 {
-  for (const Polyhedron& body : {cube(), triangulated_cube()}) {
+  for (const Polyhedron& body : {cube, triangulated_cube}) {
     Query query{Body(body), Body(body), Question::surface};
     const Contacts contacts = query.contacts(Pose(), Pose::translation(0.5, 0.25, 0.125));
     BOOST_TEST(count(contacts, Piece::segment) == contacts.size());
@@ -71,8 +49,8 @@ BOOST_AUTO_TEST_CASE(cubes_that_overlap_meet_in_one_closed_curve)
 
 BOOST_AUTO_TEST_CASE(the_border_of_faces_that_touch_is_one_curve_however_they_are_split)
 {
-  for (const Polyhedron& a : {cube(), triangulated_cube()})
-    for (const Polyhedron& b : {cube(), triangulated_cube()}) {
+  for (const Polyhedron& a : {cube, triangulated_cube})
+    for (const Polyhedron& b : {cube, triangulated_cube}) {
       Query query{Body(a), Body(b), Question::surface};
       const auto curves = query.contacts(Pose(), Pose::translation(1, 0.5, 0.25)).curves();
       BOOST_TEST_REQUIRE(curves.size() == 1u);
@@ -86,15 +64,9 @@ BOOST_AUTO_TEST_CASE(the_border_of_faces_that_touch_is_one_curve_however_they_ar
 BOOST_AUTO_TEST_CASE(a_straight_line_is_cut_where_another_ends)
 {
   // Two cubes side by side, through the bottom of a larger one: three paths join the ends of their common segment.
-  Polyhedron two = cube();
-  for (covering::Index v = 0; v < 8; ++v)
-    two.vertices.push_back({two.vertices[v][0] + 1, two.vertices[v][1], two.vertices[v][2]});
-  for (covering::Index f = 0; f < 6; ++f) {
-    std::vector<covering::Index> loop;
-    for (const covering::Index v : two.loop(f, 0)) loop.push_back(v + 8);
-    two.add_polygon(loop);
-  }
-  Query query{Body(two), Body(cube()), Question::surface};
+  Polyhedron two = cube;
+  append(two, scenes::box({1, 0, 0}, {2, 1, 1}));
+  Query query{Body(two), Body(cube), Question::surface};
   const auto curves = query.contacts(Pose(), Pose({4, 0, 0, -1, 0, 4, 0, -1, 0, 0, 4, 0.5})).curves();
   std::multiset<std::size_t> sizes;
   for (const auto& curve : curves) {
@@ -107,7 +79,7 @@ BOOST_AUTO_TEST_CASE(a_straight_line_is_cut_where_another_ends)
 
 BOOST_AUTO_TEST_CASE(cubes_face_on_face_share_a_polygon_and_its_border)
 {
-  Query query{Body(cube()), Body(cube()), Question::surface};
+  Query query{Body(cube), Body(cube), Question::surface};
   const Contacts contacts = query.contacts(Pose(), Pose::translation(1, 0.5, 0));
   const auto polygon = [&] {
     for (std::size_t k = 0; k < contacts.size(); ++k)
@@ -128,7 +100,7 @@ BOOST_AUTO_TEST_CASE(cubes_face_on_face_share_a_polygon_and_its_border)
 
 BOOST_AUTO_TEST_CASE(places_are_exact_enclosed_and_nearest)
 {
-  Query query{Body(triangulated_cube()), Body(triangulated_cube()), Question::surface};
+  Query query{Body(triangulated_cube), Body(triangulated_cube), Question::surface};
   const Pose moved = Pose::from_text({"1", "0", "0", "1/3", "0", "1", "1/7", "1/3", "0", "0", "1", "1/3"});
   const Contacts contacts = query.contacts(Pose(), moved);
   BOOST_TEST(!contacts.empty());
@@ -151,13 +123,13 @@ BOOST_AUTO_TEST_CASE(places_are_exact_enclosed_and_nearest)
 
 BOOST_AUTO_TEST_CASE(every_exact_kernel_and_method_lists_the_same_and_others_refuse)
 {
-  const Body body(cube());
+  const Body body(cube);
   const Pose touching = Pose::translation(1, 1, 0.25);
   const auto listed = [&](const char* kernel, Method method) {
     Query_options options = *parse_kernel(kernel);
     options.method = method;
     const Contacts contacts = Query(body, body, Question::surface, options).contacts(Pose(), touching);
-    std::vector<Strings> pieces;
+    std::vector<std::vector<std::string>> pieces;
     for (std::size_t k = 0; k < contacts.size(); ++k) {
       pieces.push_back({std::to_string(contacts[k].face_a), std::to_string(contacts[k].face_b),
                         std::string(to_string(contacts[k].kind)), std::string(to_string(contacts[k].in_a)),

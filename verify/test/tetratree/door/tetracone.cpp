@@ -6,7 +6,6 @@
 #include "verify/test/support/said.h"
 #include "verify/test/support/scenes.h"
 #include "verify/test/support/temporary_file.h"
-#include "verify/truth/cgal_truth.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -16,7 +15,6 @@
 #include <limits>
 #include <sstream>
 #include <string>
-#include <thread>
 #include <type_traits>
 #include <vector>
 
@@ -39,13 +37,7 @@ using verify::said;
 
 namespace {
 
-Polyhedron open_box()
-{
-  Polyhedron open = scenes::unit_cube(), result;
-  result.vertices = open.vertices;
-  for (std::uint32_t f = 0; f + 1 < open.face_count(); ++f) result.add_polygon(open.loop(f, 0));
-  return result;
-}
+Polyhedron open_box() { return scenes::without_last_face(scenes::unit_cube()); }
 
 Polyhedron with_corner(double x)
 {
@@ -65,8 +57,6 @@ Pose turned(const std::array<double, 9>& m)
 {
   return Pose(std::array<double, 12>{m[0], m[1], m[2], 0, m[3], m[4], m[5], 0, m[6], m[7], m[8], 0});
 }
-
-const std::vector<Kernel> exact_kernels = {Kernel::adaptive, Kernel::epeck, Kernel::rational};
 
 }  // namespace
 
@@ -182,31 +172,6 @@ BOOST_AUTO_TEST_CASE(triangles_that_do_not_cover_their_face_are_refused)
   BOOST_TEST(refusal({{6, half}}) == "body: a triangle of face 6 of 6; expected a face's number");
 }
 
-BOOST_AUTO_TEST_CASE(polygons_with_holes_are_served_with_and_without_the_parts_that_are_gpl)
-{
-  scenes::Random random(3);
-  const std::vector<Polyhedron> shapes = {scenes::cube_with_tunnel(), scenes::star_prism(), scenes::cube_with_cavity(),
-                                          scenes::unit_cube()};
-  int wrong = 0, yes = 0, no = 0;
-  for (const Polyhedron& p : shapes)
-    for (const Polyhedron& q : shapes) {
-      const verify::Brute_body truth_a(p), truth_b(q);
-      Query core((Body(p)), Body(q)), with_triangles(tetracone::triangulated_body(p), tetracone::triangulated_body(q));
-      for (int k = 0; k < 12; ++k) {
-        const auto pose =
-            k % 2 == 0 ? scenes::random_rotation(random, 3, {scenes::Rational(scenes::integer(random, -3, 3)), 1, 0})
-                       : scenes::translation(scenes::integer(random, -6, 6) / 2.0, 0.5, 0);
-        const bool truth = verify::collide(truth_a, tetracone::kernel::Pose(), truth_b, pose, Question::solid);
-        wrong += bool(core.collide(tetracone::kernel::Pose(), pose)) != truth;
-        wrong += bool(with_triangles.collide(tetracone::kernel::Pose(), pose)) != truth;
-        ++(truth ? yes : no);
-      }
-    }
-  BOOST_TEST(wrong == 0);
-  BOOST_TEST(yes > 30);
-  BOOST_TEST(no > 15);
-}
-
 BOOST_AUTO_TEST_CASE(many_poses_have_the_answers_of_each)
 {
   const Body a(scenes::cube_with_tunnel()), b(scenes::cube(0.5));
@@ -242,29 +207,6 @@ BOOST_AUTO_TEST_CASE(a_pose_of_fractions_is_taken_exactly)
   };
   BOOST_TEST(bool(query.collide(origin, beside("3/5", "4/5"))));
   BOOST_TEST(!query.collide(origin, beside("3000000000000000000000000000001/5000000000000000000000000000000", "4/5")));
-}
-
-BOOST_AUTO_TEST_CASE(threads_share_fresh_bodies)
-{
-  scenes::Random random(7);
-  for (int round = 0; round < 6; ++round) {
-    const Body a(scenes::blob(random, 5, 1, 1.2)), b(scenes::blob(random, 5, 1, 1.2));
-    std::vector<Pose> poses;
-    for (int k = 0; k < 60; ++k)
-      poses.push_back(
-          Pose::translation(scenes::real(random, -2.5, 2.5), scenes::real(random, -1, 1), scenes::real(random, -1, 1)));
-    std::vector<std::vector<bool>> answers(8);
-    std::vector<std::thread> threads;
-    for (auto& mine : answers)
-      threads.emplace_back([&] {
-        Query query(a, b);
-        for (const Pose& pose : poses) mine.push_back(bool(query.collide(Pose(), pose)));
-      });
-    for (std::thread& thread : threads) thread.join();
-    Query alone((Body(a.polyhedron())), Body(b.polyhedron()));
-    for (std::size_t k = 0; k < poses.size(); ++k)
-      for (const auto& mine : answers) BOOST_TEST(mine[k] == bool(alone.collide(Pose(), poses[k])));
-  }
 }
 
 BOOST_AUTO_TEST_CASE(what_repair_does_is_said)

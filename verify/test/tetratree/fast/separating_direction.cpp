@@ -161,33 +161,6 @@ BOOST_AUTO_TEST_CASE(bodies_that_touch_at_some_time_of_a_span_are_never_apart_in
   BOOST_TEST(a_hair > 100);
 }
 
-BOOST_AUTO_TEST_CASE(cubes_in_contact_by_face_edge_or_vertex_are_never_apart)
-{
-  Body a(unit_cube()), b(unit_cube());
-  Separating_direction separation(a.tree, b.tree);
-  Random random(3);
-  int told_apart = 0, beside = 0;
-  for (int k = 0; k < 900; ++k) {
-    const Pose rotation = k % 3 == 0 ? Pose() : k % 3 == 1 ? random_rotation(random, 9) : random_affine(random, 3);
-    const std::array<Rational, 3> shift = {1, k % 2 == 0 ? Rational(0) : Rational(1),
-                                           k % 4 == 0 ? Rational(1) / 3 : Rational(1)};
-    const auto moved_by = [&](const Rational& factor) {
-      std::array<Rational, 3> t;
-      for (int i = 0; i < 3; ++i) {
-        t[i] = 0;
-        for (int j = 0; j < 3; ++j) t[i] += factor * rotation.exact(4 * i + j) * shift[j];
-      }
-      return plus(rotation, t);
-    };
-    const int sign = k % 5 == 0 ? -1 : 1;
-    told_apart += told_apart_by(separation, Placed{moved_by(sign), rotation}, 20);
-    told_apart += told_apart_again(separation, Placed{moved_by(sign), rotation}, 20);
-    beside += told_apart_by(separation, Placed{moved_by(Rational(sign) * 9 / 8), rotation}, 20);
-  }
-  BOOST_TEST(told_apart == 0);
-  BOOST_TEST(beside > 600);
-}
-
 BOOST_AUTO_TEST_CASE(bodies_that_touch_where_placed_origins_are_hardly_known_are_never_apart)
 {
   // A's vertices are far from its model's origin, so that rounding may move it by a tenth of its size; B touches it
@@ -254,24 +227,6 @@ BOOST_AUTO_TEST_CASE(bodies_clearly_apart_are_told_apart)
   BOOST_TEST(missed == 0);
   BOOST_TEST(missed_again == 0);
   BOOST_TEST(tried == 1280);
-}
-
-BOOST_AUTO_TEST_CASE(a_stale_direction_stays_sound)
-{
-  // Asked in the direction of another pose, or in none at all.
-  Body a(unit_cube()), b(star_prism());
-  Random random(5);
-  int told_apart = 0, told = 0;
-  for (int k = 0; k < 400; ++k) {
-    Separating_direction separation(a.tree, b.tree);
-    const Pose inside = random_rotation(random, 5);  // about the origin, where both bodies are
-    if (k % 4 != 0)
-      told +=
-          told_apart_by(separation, Placed{translation(real(random, -20, 20), 9, real(random, -20, 20)), Pose()}, 4);
-    told_apart += told_apart_again(separation, Placed{inside, random_rotation(random, 5)}, 1 + k % 6);
-  }
-  BOOST_TEST(told_apart == 0);
-  BOOST_TEST(told > 200);
 }
 
 BOOST_AUTO_TEST_CASE(a_stale_direction_under_huge_poses_stays_sound)

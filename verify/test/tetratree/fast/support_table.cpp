@@ -247,17 +247,6 @@ BOOST_AUTO_TEST_CASE(asked_again_or_by_another_table_the_answer_is_the_same)
   BOOST_TEST(table.bytes() < 11000u);
 }
 
-BOOST_AUTO_TEST_CASE(the_bound_grows_with_the_direction)
-{
-  Random random(4);
-  Bvh8 tree(star_prism());
-  Support_table table(tree);
-  for (int k = 0; k < 500; ++k) {
-    const Direction d = direction(random, k), twice = {2 * d[0], 2 * d[1], 2 * d[2]};
-    BOOST_TEST(support(table, twice).bound == 2 * support(table, d).bound);
-  }
-}
-
 BOOST_AUTO_TEST_CASE(the_point_reaches_as_far_as_the_body_in_the_directions_of_three_corners)
 {
   for (const auto& [name, body] : bodies()) {

@@ -208,28 +208,26 @@ BOOST_AUTO_TEST_CASE(a_walk_with_a_front_answers_as_without_and_as_the_truth)
 {
   std::size_t answers[4] = {0, 0, 0, 0};
   for (const Walk& walk : walks()) {
-    BOOST_TEST_CONTEXT(walk.name)
-    {
-      Bvh8_collision<> none(walk.a->tree, walk.b->tree), last(walk.a->tree, walk.b->tree, Coherence::last_frame);
-      Pair_memory surface = Pair_memory::with_front(), solid = Pair_memory::with_front();
-      int differ = 0, wrong = 0;
-      for (int k = 0; k < walk.frames; ++k) {
-        const Pose pose_a = walk.pose_a(k), pose_b = walk.pose_b(k);
-        const Relation answer = none.relation(pose_a, pose_b, Question::solid);
-        // One object for both fronts, and one that keeps its own for questions in turn.
-        differ += none.relation(pose_a, pose_b, Question::solid, &solid) != answer;
-        differ += (none.relation(pose_a, pose_b, Question::surface, &surface) == Relation::surfaces) !=
-                  (answer == Relation::surfaces);
-        const Question question = k % 3 == 0 ? Question::surface : Question::solid;
-        differ += last.relation(pose_a, pose_b, question) != none.relation(pose_a, pose_b, question);
-        if (k % 8 == 0)
-          wrong += verify::collide(walk.a->truth, pose_a, walk.b->truth, pose_b, Question::solid) !=
-                   (answer != Relation::apart);
-        ++answers[int(answer)];
-      }
-      BOOST_TEST(differ == 0);
-      BOOST_TEST(wrong == 0);
+    BOOST_TEST_INFO_SCOPE(walk.name);
+    Bvh8_collision<> none(walk.a->tree, walk.b->tree), last(walk.a->tree, walk.b->tree, Coherence::last_frame);
+    Pair_memory surface = Pair_memory::with_front(), solid = Pair_memory::with_front();
+    int differ = 0, wrong = 0;
+    for (int k = 0; k < walk.frames; ++k) {
+      const Pose pose_a = walk.pose_a(k), pose_b = walk.pose_b(k);
+      const Relation answer = none.relation(pose_a, pose_b, Question::solid);
+      // One object for both fronts, and one that keeps its own for questions in turn.
+      differ += none.relation(pose_a, pose_b, Question::solid, &solid) != answer;
+      differ += (none.relation(pose_a, pose_b, Question::surface, &surface) == Relation::surfaces) !=
+                (answer == Relation::surfaces);
+      const Question question = k % 3 == 0 ? Question::surface : Question::solid;
+      differ += last.relation(pose_a, pose_b, question) != none.relation(pose_a, pose_b, question);
+      if (k % 8 == 0)
+        wrong += verify::collide(walk.a->truth, pose_a, walk.b->truth, pose_b, Question::solid) !=
+                 (answer != Relation::apart);
+      ++answers[int(answer)];
     }
+    BOOST_TEST(differ == 0);
+    BOOST_TEST(wrong == 0);
   }
   for (const std::size_t count : answers) BOOST_TEST(count > 30u);
 }
@@ -238,27 +236,25 @@ BOOST_AUTO_TEST_CASE(every_pair_of_elements_is_below_an_entry_that_holds_or_is_t
 {
   std::size_t followed = 0, certified = 0;
   for (const Walk& walk : walks()) {
-    BOOST_TEST_CONTEXT(walk.name)
-    {
-      Bvh8_collision<> collision(walk.a->tree, walk.b->tree);
-      Pair_memory memory = Pair_memory::with_front();
-      const Bvh8_front& front = *memory.front;
-      std::size_t uncovered = 0, too_far = 0;
-      for (int k = 0; k < walk.frames; ++k) {
-        const Pose pose_a = walk.pose_a(k), pose_b = walk.pose_b(k);
-        const std::size_t before = front.poses_followed();
-        collision.relation(pose_a, pose_b, Question::surface, &memory);
-        if (!front.holds() || memory.was_plane_found || memory.witness) continue;
-        followed += front.poses_followed() > before;
-        if (k % 4 != 0) continue;
-        const Judged judged = judge(front, walk, pose_a, pose_b);
-        uncovered += judged.uncovered;
-        too_far += judged.too_far;
-        certified += judged.certified;
-      }
-      BOOST_TEST(uncovered == 0u);
-      BOOST_TEST(too_far == 0u);
+    BOOST_TEST_INFO_SCOPE(walk.name);
+    Bvh8_collision<> collision(walk.a->tree, walk.b->tree);
+    Pair_memory memory = Pair_memory::with_front();
+    const Bvh8_front& front = *memory.front;
+    std::size_t uncovered = 0, too_far = 0;
+    for (int k = 0; k < walk.frames; ++k) {
+      const Pose pose_a = walk.pose_a(k), pose_b = walk.pose_b(k);
+      const std::size_t before = front.poses_followed();
+      collision.relation(pose_a, pose_b, Question::surface, &memory);
+      if (!front.holds() || memory.was_plane_found || memory.witness) continue;
+      followed += front.poses_followed() > before;
+      if (k % 4 != 0) continue;
+      const Judged judged = judge(front, walk, pose_a, pose_b);
+      uncovered += judged.uncovered;
+      too_far += judged.too_far;
+      certified += judged.certified;
     }
+    BOOST_TEST(uncovered == 0u);
+    BOOST_TEST(too_far == 0u);
   }
   BOOST_TEST_MESSAGE("poses followed: " << followed << ", pairs certified: " << certified);
   BOOST_TEST(followed > 300u);

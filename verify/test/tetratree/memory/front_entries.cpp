@@ -16,10 +16,7 @@ namespace tetracone::tetratree {
 
 using Expired = std::size_t(const Front_entries&, std::uint32_t*);
 
-std::vector<Expired*> expired_versions()
-{
-  return verify::versions_here<Expired>(TETRACONE_SIMD_VERSIONS(expired_simd));
-}
+inline auto expired_versions() { return TETRACONE_VERSIONS_HERE(expired_simd); }
 
 }  // namespace tetracone::tetratree
 

@@ -2,6 +2,7 @@
 
 #include "tetracone/kernel/predicate/adaptive.h"
 #include "tetracone/tetratree/paper/tetra_tree.h"
+#include "verify/test/support/cones.h"
 #include "verify/test/support/rationals.h"
 #include "verify/test/support/scenes.h"
 
@@ -27,19 +28,6 @@ namespace {
 
 using Hull = Regular_hull<double, true>;
 using Interval = CGAL::Interval_nt_advanced;
-
-std::vector<Tetra_cone> cones_of_level(int level)
-{
-  std::vector<Tetra_cone> cones;
-  for (int k = 0; k < 8; ++k) cones.push_back(Tetra_cone::octant(k));
-  for (int l = 1; l < level; ++l) {
-    std::vector<Tetra_cone> finer;
-    for (const Tetra_cone& cone : cones)
-      for (int k = 0; k < 4; ++k) finer.push_back(cone.child(k));
-    cones = std::move(finer);
-  }
-  return cones;
-}
 
 /// An edge of the hull and a cone at it: the hull's facets on both sides of an edge stand next to one another when
 /// sorted.
@@ -102,13 +90,11 @@ BOOST_AUTO_TEST_CASE(the_hull_of_every_level_in_use_is_convex)
 {
   BOOST_TEST(Hull::deepest_convex_level >= 1);
   for (int level = 1; level <= Hull::deepest_convex_level; ++level) {
-    const std::vector<Tetra_cone> cones = cones_of_level(level);
+    const std::vector<Tetra_cone> cones = scenes::cones_of_level(level);
     std::vector<Side> sides;
     int inside_out = 0;
     for (const Tetra_cone& cone : cones) {
-      const Direction &a = cone.ray[0], &b = cone.ray[1], &c = cone.ray[2];
-      const auto minor = [&](int i, int j) { return std::int64_t(b[i]) * c[j] - std::int64_t(b[j]) * c[i]; };
-      inside_out += a[0] * minor(1, 2) + a[1] * minor(2, 0) + a[2] * minor(0, 1) <= 0;
+      inside_out += scenes::determinant(cone) <= 0;
       for (int i = 0; i < 3; ++i) {
         const Direction &p = cone.ray[i], &q = cone.ray[(i + 1) % 3];
         sides.push_back({{std::min(p, q), std::max(p, q)}, &cone, cone.ray[(i + 2) % 3]});
@@ -139,16 +125,11 @@ BOOST_AUTO_TEST_CASE(the_cone_towards_a_direction_holds_it)
     if (d == Vertex{0, 0, 0}) continue;
     const Tetra_cone cone = cone_towards<double>(d, level);
     for (int k = 0; k < 3; ++k) {
-      const auto ray = [&](int i) {
-        return rationals::Vector{cone.ray[i % 3][0], cone.ray[i % 3][1], cone.ray[i % 3][2]};
-      };
-      wrong += rationals::inner(rationals::outer(ray(k), ray(k + 1)), rationals::exactly(d)) < 0;
+      const rationals::Vector side = rationals::outer(scenes::ray(cone, k), scenes::ray(cone, k + 1));
+      wrong += rationals::inner(side, rationals::exactly(d)) < 0;
     }
     // Its level: the determinant of the rays is a quarter of the parent's.
-    wrong += rationals::determinant({cone.ray[0][0], cone.ray[0][1], cone.ray[0][2]},
-                                    {cone.ray[1][0], cone.ray[1][1], cone.ray[1][2]},
-                                    {cone.ray[2][0], cone.ray[2][1], cone.ray[2][2]}) !=
-             Rational(std::ldexp(1.0, 3 * max_cone_depth - 2 * (level - 1)));
+    wrong += scenes::determinant(cone) != Rational(std::ldexp(1.0, 3 * max_cone_depth - 2 * (level - 1)));
   }
   BOOST_TEST(wrong == 0);
 }
@@ -176,7 +157,7 @@ BOOST_AUTO_TEST_CASE(every_vertex_is_in_the_half_space_of_every_facet)
         deepest = std::max(deepest, tree.node(k).level);
       }
     leaf_levels_differ += lowest < deepest;
-    for (const Tetra_cone& cone : cones_of_level(std::min(config.depth, 3))) {
+    for (const Tetra_cone& cone : scenes::cones_of_level(std::min(config.depth, 3))) {
       Vertex d = middle_of(cone);
       for (double& x : d) x += scenes::real(random, -0.1, 0.1) * lattice_size / 16;
       beyond += vertices_beyond(hull.towards(d), body.vertices);

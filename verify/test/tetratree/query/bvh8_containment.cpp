@@ -55,61 +55,7 @@ bool truth(Placed_pair& pair)
   return false;
 }
 
-/// Some shell's vertex is on the surface: then what is asked is not defined.
-bool touches(Placed_pair& pair)
-{
-  for (const Index v : pair.held.tree->model().covering().shell_vertices())
-    if (covering::locate<Adaptive>(pair.held.placed.point(v), pair.holder.placed) == covering::Location::on_surface)
-      return true;
-  return false;
-}
-
-Polyhedron many_shells(Random& random, int count)
-{
-  Polyhedron result;
-  for (int k = 0; k < count; ++k) append(result, moved(unit_cube(), 0.25, grid_vertex(random, 6)));
-  return result;
-}
-
 }  // namespace
-
-BOOST_AUTO_TEST_CASE(answers_are_those_of_the_whole_covering)
-{
-  Random random(1);
-  std::vector<Polyhedron> shapes;
-  for (const auto& [name, body] : closed_bodies()) shapes.push_back(body);
-  shapes.push_back(blob(random, 3, 1, 3));
-  shapes.push_back(torus(12, 7));
-  shapes.push_back(many_shells(random, 20));
-  std::vector<std::unique_ptr<Body>> holders, others;
-  for (const Polyhedron& shape : shapes) holders.push_back(std::make_unique<Body>(shape));
-  others.push_back(std::make_unique<Body>(dot({0, 0, 0})));
-  others.push_back(std::make_unique<Body>(dot({0.25, 0.5, 1})));
-  others.push_back(std::make_unique<Body>(moved(many_shells(random, 3), 0.5)));
-  others.push_back(std::make_unique<Body>(cube(0.125)));
-
-  Bvh8_containment<> containment;
-  int wrong = 0, yes = 0, no = 0;
-  for (const auto& holder : holders)
-    for (const auto& other : others)
-      for (int k = 0; k < 40; ++k) {
-        const std::array<Rational, 3> t = {Rational(integer(random, -6, 6)) / 2, Rational(integer(random, -6, 6)) / 2,
-                                           Rational(integer(random, -6, 6)) / 2};
-        const Pose in = k % 3 == 0 ? Pose() : k % 3 == 1 ? random_rotation(random, 4) : random_affine(random, 2);
-        const Pose at = k % 2 == 0 ? composed(in, random_rotation(random, 4, t)) : random_rotation(random, 4, t);
-        for (Bvh8* tree : {&holder->whole, &holder->triangles}) {
-          Placed_pair pair(*tree, in, other->whole, at);
-          if (touches(pair)) continue;
-          Query_statistics counts;
-          const bool expected = truth(pair);
-          wrong += containment(pair.holder, pair.held, counts) != expected;
-          ++(expected ? yes : no);
-        }
-      }
-  BOOST_TEST(wrong == 0);
-  BOOST_TEST(yes > 1000);
-  BOOST_TEST(no > 1000);
-}
 
 BOOST_AUTO_TEST_CASE(a_vertex_at_the_coverings_origin_or_a_hair_off_it_is_decided)
 {

@@ -63,10 +63,7 @@ BOOST_AUTO_TEST_CASE(every_face_is_met_where_the_truth_has_it_and_in_its_order)
   scenes::Random random(20262);
   long rays = 0, wrong = 0, hits = 0, ties = 0, misses = 0;
   auto bodies = scenes::locator_bodies(random);
-  Polyhedron open;  // a surface alone
-  open.vertices = scenes::cube(1).vertices;
-  for (tetracone::covering::Index f = 0; f < 4; ++f) open.add_polygon(scenes::cube(1).loop(f, 0));
-  bodies.push_back({"open", open});
+  bodies.push_back({"open", scenes::without(scenes::cube(1), [](scenes::Index f) { return f > 3; })});
   for (const auto& [name, body] : bodies) {
     const Bvh8 tree(body, tetracone::covering::star_faces(body));
     Bvh8_rays caster(tree);

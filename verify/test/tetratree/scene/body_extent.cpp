@@ -81,6 +81,34 @@ Pose tiny_pose(scenes::Random& random, int exponent, bool is_double, const std::
   return Pose(m);
 }
 
+/// The boxes of a body at a pose, and by how much at most a step turns it; and by how much it does.
+struct Bounds {
+  World_box box, tight;
+  std::array<double, 3> before;
+  double resting, turned;
+  Rational most = 0;
+
+  Bounds(const covering::Polyhedron& body, const Body_extent& extent, tetratree::Support_table& table,
+         const tetratree::Bvh8& tree, const Pose& pose, const Pose& next)
+      : box(world_box(extent, pose)), tight(world_box(table, tree.scale(), pose))
+  {
+    const auto rest = body_step(extent, pose, pose), step = body_step(extent, pose, next);
+    before = rest.at;
+    resting = rest.turned;
+    turned = step.turned;
+    for (const auto& v : body.vertices) {
+      const auto p = rationals::image(pose, rationals::exactly(v)), q = rationals::image(next, rationals::exactly(v));
+      BOOST_REQUIRE(holds(box, p));
+      BOOST_REQUIRE(holds(tight, p));
+      if (!std::isfinite(turned)) continue;
+      const auto about = rationals::minus(p, rationals::exactly(before)),
+                 turned_by = rationals::minus(rationals::minus(q, rationals::exactly(step.at)), about);
+      most = std::max(most, Rational(rationals::inner(turned_by, turned_by)));
+    }
+    if (std::isfinite(turned)) BOOST_REQUIRE(most <= Rational(turned) * Rational(turned));
+  }
+};
+
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(boxes_and_steps_hold_what_rounds_to_denormals_or_to_0)
@@ -104,23 +132,10 @@ BOOST_AUTO_TEST_CASE(boxes_and_steps_hold_what_rounds_to_denormals_or_to_0)
       const Rational to = scenes::integer(random, -1, 1) * Rational(0x1p-40);
       const Pose pose = tiny_pose(random, exponent, is_double, extent.centre, is_double ? Rational(0) : to),
                  next = tiny_pose(random, exponent, is_double, extent.centre, is_double ? Rational(0) : to);
-      const World_box box = world_box(extent, pose), tight = world_box(table, tree.scale(), pose);
-      const auto [before, nothing] = body_step(extent, pose, pose);
-      const auto [after, turned] = body_step(extent, pose, next);
-      bounded += box.is_bounded();
+      const Bounds bounds(body, extent, table, tree, pose, next);
+      bounded += bounds.box.is_bounded();
       lost += pose.is_rational() && pose[0] == 0 && pose.exact(0) != 0;
-      Rational most = 0;
-      for (const auto& v : body.vertices) {
-        const auto p = rationals::image(pose, rationals::exactly(v)), q = rationals::image(next, rationals::exactly(v));
-        BOOST_REQUIRE(holds(box, p));
-        BOOST_REQUIRE(holds(tight, p));
-        if (!std::isfinite(turned)) continue;
-        const auto about = rationals::minus(p, rationals::exactly(before)),
-                   turned_by = rationals::minus(rationals::minus(q, rationals::exactly(after)), about);
-        most = std::max(most, Rational(rationals::inner(turned_by, turned_by)));
-      }
-      if (std::isfinite(turned)) BOOST_REQUIRE(most <= Rational(turned) * Rational(turned));
-      turned_by_squares_that_underflow += m == 0 && size == 0 && most > 0;
+      turned_by_squares_that_underflow += m == 0 && size == 0 && bounds.most > 0;
     }
   }
   BOOST_TEST(bounded > 2000u);
@@ -171,24 +186,13 @@ BOOST_AUTO_TEST_CASE(boxes_hold_every_image_and_steps_bound_how_far_each_point_t
     tetratree::Support_table table(tree);
     for (int m = 0; m < 20; ++m) {
       const Pose pose = random_pose(random, extent.centre), next = later(random, pose, extent.centre);
-      const World_box box = world_box(extent, pose), tight = world_box(table, tree.scale(), pose);
-      const auto [before, nothing] = body_step(extent, pose, pose);
-      const auto [after, turned] = body_step(extent, pose, next);
-      BOOST_TEST((body_step(extent, next, pose).at == before));
+      const Bounds bounds(body, extent, table, tree, pose, next);
+      const World_box &box = bounds.box, &tight = bounds.tight;
+      BOOST_TEST((body_step(extent, next, pose).at == bounds.before));
       bounded += tight.is_bounded();
       tighter += tight.is_bounded() && tight.high[0] - tight.low[0] < box.high[0] - box.low[0];
-      BOOST_REQUIRE((std::isfinite(nothing) && std::isfinite(turned)));
-      Rational most = 0;
-      for (const auto& v : body.vertices) {
-        const auto p = rationals::image(pose, rationals::exactly(v)), q = rationals::image(next, rationals::exactly(v));
-        BOOST_REQUIRE(holds(box, p));
-        BOOST_REQUIRE(holds(tight, p));
-        const auto about = rationals::minus(p, rationals::exactly(before)),
-                   turned_by = rationals::minus(rationals::minus(q, rationals::exactly(after)), about);
-        most = std::max(most, Rational(rationals::inner(turned_by, turned_by)));
-      }
-      BOOST_REQUIRE(most <= Rational(turned) * Rational(turned));
-      near += Rational(turned) * Rational(turned) <= 9 * most;
+      BOOST_REQUIRE((std::isfinite(bounds.resting) && std::isfinite(bounds.turned)));
+      near += Rational(bounds.turned) * Rational(bounds.turned) <= 9 * bounds.most;
     }
   }
   BOOST_TEST(bounded > 900u);

@@ -1,6 +1,5 @@
 #include "tetracone/tetratree/scene/scene.h"
 
-#include "tetracone/kernel/number/pose.h"
 #include "verify/test/support/said.h"
 #include "verify/test/support/scenes.h"
 
@@ -198,54 +197,6 @@ BOOST_AUTO_TEST_CASE(a_frame_has_exactly_the_pairs_that_collide)
   // With this many bodies, the trees of their models are built before their boxes.
   check_walk({}, 48, 6);
   check_walk({.threads = 2}, 48, 6);
-}
-
-BOOST_AUTO_TEST_CASE(huge_models_under_fractions_that_round_to_denormals_or_to_0_lose_no_pair)
-{
-  using kernel::Rational;
-  scenes::Random random(42);
-  std::size_t pairs = 0;
-  for (int round = 0; round < 20; ++round) {
-    const Question question = round % 2 == 0 ? Question::surface : Question::solid;
-    Scene scene({.question = question, .threads = std::size_t(1 + round % 3)});
-    std::vector<Body> models;
-    const auto size = [&](int least, int most) {
-      mpz_class power = 1;
-      const int exponent = scenes::integer(random, least, most);
-      power <<= mp_bitcnt_t(exponent);
-      return std::pair(Rational(power), exponent);
-    };
-    for (int k = 0; k < 3; ++k) {
-      const int exponent = scenes::integer(random, 1005, 1015);
-      // The last is long, so that it has a box that turns with it.
-      models.emplace_back(scenes::box({0, -std::ldexp(1, exponent - 4 * (k == 2)), std::ldexp(0.5, exponent)},
-                                      {std::ldexp(1, exponent - 4 * (k == 2)), 0, std::ldexp(1, exponent)}));
-      scene.add_model(models.back());
-    }
-    const Rational all = 1 / size(1040, 1130).first / scenes::integer(random, 1, 9);
-    std::vector<kernel::Pose> poses(7);
-    for (std::size_t k = 0; k < poses.size(); ++k) scene.add_body(k % 3);
-    for (int frame = 0; frame < 4; ++frame) {
-      for (std::size_t k = 0; k < poses.size(); ++k) {
-        if (frame > 0 && scenes::integer(random, 0, 2) == 0) continue;
-        const kernel::Pose turn = scenes::random_rotation(random, 5);
-        std::array<Rational, 12> m;
-        for (int i = 0; i < 12; ++i) {
-          m[i] = i % 4 == 3 ? Rational(scenes::integer(random, -9, 9)) / 3 : turn.exact(i);
-          m[i] *= i % 4 == 3 ? all * Rational(0x1p1010) : all;
-        }
-        poses[k] = kernel::Pose(m);
-        scene.place(k, poses[k]);
-      }
-      std::vector<Scene_pair> expected;
-      for (std::size_t a = 0; a < poses.size(); ++a)
-        for (std::size_t b = a + 1; b < poses.size(); ++b)
-          if (Query(models[a % 3], models[b % 3], question).collide(poses[a], poses[b])) expected.push_back({a, b});
-      BOOST_TEST((scene.pairs() == expected), "round " << round << ", frame " << frame);
-      pairs += expected.size();
-    }
-  }
-  BOOST_TEST(pairs > 50u);
 }
 
 BOOST_AUTO_TEST_CASE(models_that_are_given_back_change_no_answer) { check_walk({.memory = 400000}, 24, 12, true); }
