@@ -20,22 +20,23 @@
 
 namespace tetracone::covering {
 
-/// Decides whether triangles cover exactly a face. The time is linear in both, except for the sorting of their sides.
-/// (Faces whose triangles run in both directions take a sweep.)
+/// Decides whether triangles cover a face exactly. The time is linear in triangles and corners, except for sorting the
+/// sides. (Faces whose triangles run in both directions take a sweep.)
 ///
 /// A face is the points of its plane about which its loops wind, and the points of its loops. Triangles cover exactly
 /// these points if
 ///
 /// - (1) their corners are corners of the face, so that they lie in its plane;
 /// - (2) no triangle has its corners on one line;
-/// - (3) the directed sides of the triangles are the directed edges of the loops, except pairs of opposite ones;
+/// - (3) when pairs of opposite ones are cancelled, the directed sides of the triangles are the directed edges of the
+///   loops;
 /// - (4) each edge of a loop is a side of a triangle;
 /// - (5) two triangles of opposite directions have no area in common.
 ///
 /// Proof. Directed edges add up to the winding number about any point off them, and opposite edges add up to 0. So by
-/// (3) the loops wind about a point off all edges as the triangles do: once for each triangle of one direction that
-/// holds the point, and once the other way for each of the other direction. By (5) only one kind holds it. Hence the
-/// number is 0 exactly where no triangle holds the point.
+/// (3) the loops wind about a point off all edges as the triangles do: plus one for each triangle of one direction that
+/// holds the point, minus one for each of the other. By (5) only triangles of one direction hold it. Hence the number
+/// is 0 exactly where no triangle holds the point.
 ///
 /// The triangles add no point. By (2) each of their points is a limit of inner ones, about which the loops wind. Off
 /// the loops, the winding number is constant nearby; so the loops wind about the point, or pass through it.
@@ -51,8 +52,8 @@ class Face_cover {
       : polyhedron_(polyhedron), corner_of_(polyhedron.vertices.size(), std::numeric_limits<Index>::max())
   {}
 
-  /// Returns the flaw of these triangles of face `f`; nothing where they cover exactly the face. Requires a planar
-  /// face, and vertices that exist.
+  /// Returns the first flaw of these triangles of face `f`; nothing where they cover exactly the face. Requires a
+  /// planar face, and vertices that exist.
   std::optional<std::string> flaw(Index f, std::span<const Triangle> triangles)
   {
     sides_.clear();
@@ -145,8 +146,8 @@ class Face_cover {
     return false;
   }
 
-  /// True when triangle `t` lies beyond a side of triangle `s`, or touches it. One of two convex sets without a common
-  /// inner point has such a side.
+  /// True when triangle `t` lies beyond a side of triangle `s`, or touches it. Of two triangles without a common inner
+  /// point, one has such a side.
   bool is_beyond_side(std::span<const Triangle> triangles, std::size_t s, std::size_t t) const
   {
     for (std::size_t k = 0; k < 3; ++k)
@@ -171,8 +172,8 @@ struct Cover_flaw {
   std::string wrong;
 };
 
-/// Returns the first face whose triangles do not cover exactly it. Requires planar faces, and faces and vertices that
-/// exist.
+/// Returns the first face whose triangles do not cover it exactly. A face without triangles is not looked at. Requires
+/// planar faces, and faces and vertices that exist.
 inline std::optional<Cover_flaw> cover_flaw(const Polyhedron& polyhedron, std::span<const Face_triangle> triangles)
 {
   if (triangles.empty()) return std::nullopt;

@@ -28,8 +28,8 @@ inline std::vector<std::vector<Index>> edge_groups(const Polyhedron& polyhedron)
 }
 
 /// Returns which faces to turn so that the two uses of each edge that is used exactly twice run against each other. The
-/// search is breadth-first from the first face of each group, which stays. Where a group cannot be oriented (a Moebius
-/// band), some edges stay as they are.
+/// search is breadth-first from the first face of each group, which stays. In a group that cannot be oriented (a
+/// Moebius band), the two uses of some edges still run the same way.
 inline std::vector<bool> turns_across_edges(const Polyhedron& polyhedron)
 {
   struct Neighbour {
@@ -73,7 +73,7 @@ inline void append_face(Polyhedron& to, const Polyhedron& from, Index f, bool tu
   to.add_face(loops);
 }
 
-/// Returns the faces `faces` of a polyhedron, each turned round where `turned` says so. It has only the vertices that
+/// Returns a polyhedron of the faces `faces`, each turned round where `turned` says so. It has only the vertices that
 /// they use, in their old order.
 inline Polyhedron part(const Polyhedron& polyhedron, const std::vector<Index>& faces, const std::vector<bool>& turned)
 {
@@ -109,7 +109,7 @@ struct Oriented {
 /// Applies an orientation: `turned` says which faces to turn so that edges cancel within each group of `edge_groups`.
 ///  - A group that is closed as it stands is left alone: inward, it may be a cavity.
 ///  - A group that becomes closed is turned outward, to a positive volume.
-///  - Any other group is turned as a whole so that fewer of its faces change.
+/// - Any other group is turned as a whole where that leaves fewer of its faces changed.
 inline Oriented apply_orientation(const Polyhedron& polyhedron, std::vector<bool> turned)
 {
   const std::vector<bool> as_it_stands(polyhedron.face_count());
@@ -138,7 +138,8 @@ inline Oriented apply_orientation(const Polyhedron& polyhedron, std::vector<bool
   return result;
 }
 
-/// Orients the faces across their edges, including hole loops; see `apply_orientation` for the result for each group.
+/// Turns faces so that they agree across their edges, those of holes included. `apply_orientation` says what becomes of
+/// each group.
 inline Oriented orient_across_edges(const Polyhedron& polyhedron)
 {
   return apply_orientation(polyhedron, turns_across_edges(polyhedron));

@@ -9,9 +9,10 @@
 
 namespace tetracone::covering {
 
-/// Returns fans of triangles, from the first corner of each suitable face; nothing for the other faces. Exact. A face
-/// is suitable if it has one loop and more than three corners, and the other corners go round the first in one
-/// half-plane. Every strictly convex face is suitable. The triangles cover exactly the face.
+/// Returns a fan of triangles from the first corner of each suitable face; nothing for other faces. The decision is
+/// exact. A suitable face has one loop of more than three corners. Seen from the first, the others follow in one
+/// direction within less than 180 degrees. Every strictly convex face is suitable. The triangles cover a planar face
+/// exactly.
 inline std::vector<Face_triangle> star_faces(const Polyhedron& polyhedron)
 {
   using kernel::Adaptive;

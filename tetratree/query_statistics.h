@@ -11,7 +11,7 @@ namespace tetracone::tetratree {
 /// What queries did, stage by stage, since the counts were last cleared.
 struct Query_statistics {
   std::uint64_t queries = 0;                   ///< poses that were asked
-  std::uint64_t pairs_visited = 0;             ///< pairs of nodes whose bounding volumes were compared
+  std::uint64_t pairs_visited = 0;             ///< pairs of nodes that were compared; in the fast tree, pairs opened
   std::uint64_t hull_tests = 0;                ///< nodes compared with a plane of the other body's regular hull
   std::uint64_t discarded_by_hull = 0;         ///< nodes beyond it (Theorem 2)
   std::uint64_t sphere_tests = 0;              ///< pairs of nodes whose bounding spheres were compared
@@ -24,7 +24,7 @@ struct Query_statistics {
   std::uint64_t edge_face_tests = 0;           ///< edges against faces, decided by signs
   std::uint64_t triangle_tests = 0;            ///< pairs of triangles, in the fast tree
   std::uint64_t inclusion_tests = 0;           ///< vertices of a shell against the other solid
-  std::uint64_t exact_fallbacks = 0;           ///< signs that the adaptive kernel had to find in exact arithmetic
+  std::uint64_t exact_fallbacks = 0;           ///< signs, distances and first contacts that needed exact arithmetic
 
   /// Adds field by field.
   Query_statistics& operator+=(const Query_statistics& other)

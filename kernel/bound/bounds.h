@@ -162,7 +162,7 @@ Number touching_distance_2(const Number& a, const Number& b)
   return radius * radius * Number(1 + ball_distance_rounding) + Number(underflow_slack);
 }
 
-/// True when the two closed balls share no point.
+/// True when the two closed balls are found to share no point.
 template <class B, bool sound>
 bool separated(const Ball<B>& a, const Ball<B>& b)
 {
@@ -249,8 +249,8 @@ struct Projection {
   {}
 };
 
-/// True when the projections on `axis` are disjoint by more than slack * |axis|_1, and false where any of these is
-/// undefined. The answer is sound for any axis, also for one that rounding has moved.
+/// True when the projections on `axis` are disjoint by more than slack * |axis|_1, and false where any of these is NaN.
+/// The answer is sound for any axis, also for one that rounding has moved.
 template <class B, class Interval>
 bool separated_along(const Bound_point<B>& axis, const Interval& a, const Interval& b, B slack)
 {
@@ -306,10 +306,10 @@ struct Half_space {
 
 /// A half-space placed with its body, which tells the points of another body that lie strictly beyond it.
 ///
-/// With C the cofactors of M, N = C n: N . (Mx - MO) = det M (n . (x - O)), so |N . (y - y_O)| <= |det M| offset for
-/// every image y. A component N_i is a determinant with n. Its error is a fraction of its permanent A_i, and |y - y_O|
-/// <= 2 magnitude. The error of det M is a fraction of its own permanent. `threshold` takes all of these, and the slack
-/// of a projection on N^ covers the points asked.
+/// With C the cofactors of M, N = C n: N . (Mx - MO) = det M (n . (x - O)), so sign(det M) N . (y - y_O) <= |det M|
+/// offset for every image y. A component N_i is a determinant with n. Its error is a fraction of its permanent A_i, and
+/// |y - y_O| <= 2 magnitude. The error of det M is a fraction of its own permanent. `threshold` takes all of these, and
+/// the slack of a projection on N^ covers the points asked.
 ///
 /// Products that underflow, and the nearest double below 2^-1022 of a fraction, have an absolute error e = 2^-1075
 /// before they are multiplied with other entries: see `absolute_error`.
@@ -382,7 +382,7 @@ class Placed_half_space {
 };
 
 /// An axis-aligned box of the placed points of an edge or of a face, grown by the error of the frame that placed them.
-/// A box with an undefined bound meets every box on that side.
+/// A bound that is NaN separates the box from no other.
 template <class B>
 struct Box {
   Bound_point<B> low, high;

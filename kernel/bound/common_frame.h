@@ -17,16 +17,16 @@ namespace least_stretch_bound {
 
 constexpr double u = unit_roundoff<double>;
 
-/// Upper bound of the error of a row of L^T L (its diagonal entry less the others), relative to the sum of the squares
-/// of all entries: verify/proofs/nearest_proofs.h.
+/// Upper bound of the error of a row of L^T L (its diagonal entry less the magnitudes of the others), relative to the
+/// sum of the squares of all entries: verify/proofs/nearest_proofs.h.
 inline constexpr double row_rounding = 32 * u;
 /// Upper bound of the relative error of the root of such a row: verify/proofs/nearest_proofs.h.
 inline constexpr double root_rounding = 4 * u;
 /// Upper bound of the relative error of twice a volume over that sum: verify/proofs/nearest_proofs.h.
 inline constexpr double quotient_rounding = 32 * u;
 
-/// Returns a diagonal entry of L^T L less the other entries of its row. The arguments are the entry's column of L and
-/// the two others.
+/// Returns a diagonal entry of L^T L less the magnitudes of the other entries of its row. The first argument is the
+/// entry's column of L.
 template <class Number>
 Number row_of_gram(const std::array<Number, 3>& column, const std::array<Number, 3>& second,
                    const std::array<Number, 3>& third)
@@ -37,13 +37,13 @@ Number row_of_gram(const std::array<Number, 3>& column, const std::array<Number,
 
 }  // namespace least_stretch_bound
 
-/// Returns a lower bound of the factor by which the linear map of these rows shortens a vector, 0 where nothing is
-/// known. The entries are taken exactly.
+/// Returns a lower bound of |L x| / |x| over all x; 0 where nothing is known. L has these rows. The entries are taken
+/// exactly.
 ///
 /// A lower bound of the least eigenvalue of L^T L is the smallest, over its rows, of the diagonal entry minus the
-/// others (Gershgorin). It is close where L is nearly a similarity. Elsewhere the least singular value is |det L| over
-/// the product of the two others, which is at most half the sum of the squares of all. The determinant's error is at
-/// most `Pose::determinant_rounding` of its permanent.
+/// magnitudes of the others (Gershgorin). It is close where L is nearly a similarity. The least singular value is also
+/// |det L| over the product of the two others. That product is at most half the sum of all squares. The larger bound is
+/// returned. The determinant's error is at most `Pose::determinant_rounding` of its permanent.
 inline double least_stretch(const std::array<std::array<double, 3>, 3>& l)
 {
   namespace bound = least_stretch_bound;
@@ -63,12 +63,12 @@ inline double least_stretch(const std::array<std::array<double, 3>, 3>& l)
 }
 
 /// Two placed bodies in common coordinates, in double. These are the coordinates of space, relative to the place of A's
-/// local origin, times a power of two that makes the larger body about as large as 1. `position_error` bounds the error
-/// of a point's coordinate.
+/// local origin, times a power of two that makes the larger body about as large as 1. `position_error` is an upper
+/// bound of the error of a point's coordinate.
 ///
 /// A local point p, whose coordinates have an error of at most 2 u (`Bvh8_elements::local_error`), is placed by L p.
-/// The entries of L are rounded where they are fractions. B's points are moved by D, which has its own error, and the
-/// sum is rounded.
+/// The entries of L are rounded where they are fractions. B's points are then moved by D, the place of B's local origin
+/// relative to A's. D has its own error, and the sum is rounded.
 class Common_frame {
  public:
   using Row = std::array<double, 3>;
@@ -121,7 +121,7 @@ class Common_frame {
   /// sum of a row: verify/proofs/nearest_proofs.h.
   static constexpr double entry_rounding = 4 * unit_roundoff<double>;
 
-  /// Returns an upper bound of the magnitude of every coordinate.
+  /// Returns an upper bound of the magnitude of every coordinate, if `position_error` is finite.
   double largest() const { return largest_; }
 
   /// Returns a lower bound of the distance, in common coordinates, of two points of a body that are 1 apart in its
@@ -142,7 +142,7 @@ class Common_frame {
     return largest;
   }
 
-  /// Returns the largest sum of a row's magnitudes.
+  /// Stores the body's map, times `scale`, and its least stretch. Returns the largest sum of a row's magnitudes.
   double take(int body, const Pose& pose, double scale)
   {
     auto& l = linear_[body];

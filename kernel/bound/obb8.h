@@ -44,8 +44,8 @@ inline std::array<double, 3> centre_of(const Obb8& boxes, int lane)
 /// axis by at most this factor. Both are proved in verify/proofs/separation_proofs.h.
 inline constexpr double axis_defect_factor = 4, axis_norm_1 = 2;
 
-/// The place of a triangle in its box, in 16 bits; 0 for a box of something else. The triangle is in the plane of axes
-/// 1 and 2, with corners (-e1, -e2), (e1, -e2) and (apex e1, e2), up to `apex_tolerance` (e1 + e2).
+/// The place of a triangle in its box, in 16 bits; 0 for a box of something else. Along axes 1 and 2, it lies within
+/// the corners (-e1, -e2), (e1, -e2) and (apex e1, e2), up to `apex_tolerance` (e1 + e2).
 using Apex_code = std::uint16_t;
 inline constexpr float no_apex = 2;
 inline constexpr double apex_tolerance = 0x1p-15;
@@ -85,8 +85,8 @@ inline constexpr float rounded_up = 1 + 0x1p-20f;
 /// Upper bound of the error of a comparison by products of floats that underflow: verify/proofs/margin_proofs.h.
 inline constexpr float box_underflow = 0x1p-100f;
 
-/// Returns the slack of a test among boxes of a node. `position_error` is an upper bound of the error of a coordinate
-/// of any point of the single box.
+/// Returns the slack of a test among boxes of a node; `m` is M of `box_rounding`. `position_error` is an upper bound of
+/// the error of a coordinate of any point of the single box.
 inline float obb8_slack(double m, double position_error)
 {
   return static_cast<float>(box_rounding * m + position_factor * position_error) * rounded_up + box_underflow;

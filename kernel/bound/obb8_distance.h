@@ -46,7 +46,7 @@ struct Gap_question {
 struct Eight_gaps {
   alignas(32) std::array<float, lanes> low;  ///< lower bounds of distances
   std::array<float, lanes> size;             ///< sizes of boxes, not below the least normal number
-  std::array<float, lanes> between;          ///< approximate squared distances of the centres, where `stretch` is known
+  std::array<float, lanes> between;          ///< approximate squared distances of the centres, in the asked units
 };
 
 /// A test of the lanes of `boxes` against box `lane` of `from`, which `map` carries into their frame.
@@ -59,7 +59,7 @@ struct Gap_test {
 
   // The results.
   unsigned nearer;  ///< lanes, as bits, that are not found farther than the limit
-  Eight_gaps gaps;  ///< of lanes that hold nothing they may have any value
+  Eight_gaps gaps;  ///< they may have any value in lanes that hold nothing
 };
 
 /// The largest number of tests that are made at once.

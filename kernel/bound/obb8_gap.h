@@ -107,7 +107,7 @@ struct Going_box {
 ///
 /// A step of the course takes a point q to q + (V q + v). q is a point of the carried box; or, where the eight move
 /// instead, a point of theirs with the inverse motion, see `Course::reversed`. Let q = c + sum_j s_j h_j be the points
-/// of a box that holds these. Then an upper bound of the loss of a gap along n is
+/// of a box that holds these. Then an upper bound of the loss of a gap along n, in a step, is
 ///
 ///     sum_j |n . V h_j| - n . (V c + v).
 struct alignas(32) Carrier {

@@ -14,11 +14,10 @@
 
 /// The times at which eight boxes and one that moves past them may meet.
 ///
-/// Boxes that move on lines are apart along an axis before one time and after another, if at all. Then the distance of
-/// their centres, which is linear in time, is more than the sum of their supports. The axes are those of
-/// obb8_overlap.h, in the middle of a span of time. All their times together leave the times at which the boxes may
-/// meet. For boxes that do not turn no other times are left, since boxes that are apart at a time are so along one of
-/// these axes.
+/// Along an axis, boxes that move on lines may be apart before one time and after another. They are where their
+/// centres' distance, which is linear in time, exceeds the sum of their supports. The axes are those of obb8_overlap.h,
+/// in the middle of a span of time. The boxes may meet only at times that no axis excludes. If they do not turn, they
+/// do meet then, up to rounding: boxes that are apart are so along one of these axes.
 namespace tetracone::kernel {
 
 /// Upper bound of the error of the motion along an axis in float, relative to the sum of the magnitudes of the sweep's
@@ -69,15 +68,16 @@ struct Point_way {
   }
 };
 
-/// The motion of the single box's body relative to the eight's. At x in [-1, 1], whose ends are those of the span,
-/// points have moved apart by `middle` + x `half`, relative to where a similarity places them. `rest` is an upper bound
-/// of the error, in any direction.
+/// The motion of the single box's body relative to the eight's. Times x run from -1 to 1, the ends of the span. At x,
+/// the vector from p to q differs by `middle` + x `half` from the one that the test's `map` gives. `rest` is an upper
+/// bound of the error in any direction.
 struct Box_sweep {
   Point_way middle, half;
   double rest = 0;
 };
 
-/// Times from 0 to 1 over the span, before and after which the single box is known to be apart from all of the eight.
+/// Before `from` and after `until`, the single box is known to be apart from all of the eight. Times run from 0 to 1
+/// over the span.
 struct Known_times {
   float from = 0, until = 1;
 
@@ -109,7 +109,7 @@ struct Sweep_test {
 /// The largest number of tests that are made at once.
 inline constexpr std::size_t most_sweep_tests = 4;
 
-/// Returns approximately the distance of a lane's farthest point from its centre.
+/// Returns the distance of a lane's farthest point from its centre, up to `radius_rounding` of it.
 inline float radius_of(const Obb8& boxes, int lane)
 {
   float square = 0;
@@ -117,8 +117,8 @@ inline float radius_of(const Obb8& boxes, int lane)
   return std::sqrt(square);
 }
 
-/// Number of gap slacks in the slack of a sweep: the distance and the sum of the supports have an error of at most one
-/// each (verify/proofs/reference_proofs.h).
+/// Number of gap slacks in the slack of a sweep: in each time the distance counts twice and the gap once, each with an
+/// error of at most one (verify/proofs/reference_proofs.h).
 inline constexpr float slacks_of_sweep = 3;
 
 /// The least speed along an axis: a smaller one is replaced by it (verify/proofs/reference_proofs.h).

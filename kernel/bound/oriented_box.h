@@ -204,8 +204,8 @@ class Turned_points {
 }  // namespace detail
 
 /// Returns the axes of a box of little surface about the points. It starts from the eigenvectors of their covariance.
-/// It turns them about each axis in turn while that makes the surface smaller, in `rounds` rounds of halved angles. A
-/// sample of some 500 points decides how to turn. Requires a point.
+/// In each of `rounds` rounds it turns them about each axis, where that makes the surface smaller, and then halves the
+/// tangent. A sample of some 500 points decides how to turn. Requires a point.
 inline Matrix fitted_axes(std::span<const Vector> points, int rounds)
 {
   const Spread spread(points);
@@ -223,7 +223,7 @@ inline Matrix fitted_axes(std::span<const Vector> points, int rounds)
   return axes;
 }
 
-/// The box of these axes.
+/// Returns the box of `fitted_axes` about the points.
 inline Oriented_box fitted_box(std::span<const Vector> points, int rounds)
 {
   return Oriented_box(fitted_axes(points, rounds), points);

@@ -44,7 +44,7 @@ class Relative_frame {
 
   static constexpr double u = unit_roundoff<double>;
 
-  static constexpr double similarity_defect = 0x1p-24,  ///< largest relative distance of a similarity's M^T M from f I
+  static constexpr double similarity_defect = 0x1p-24,  ///< largest distance of a similarity's M^T M / s^2 from I
       most_residual = 0x1p-20;  ///< largest norm of I - X M at which X is taken for the inverse of M
 
   /// Upper bound of |v|_1 / |v|_2 for the rows v of f M^T, sqrt(3), and of its rounding: verify/proofs/margin_proofs.h.

@@ -63,8 +63,8 @@ struct alignas(32) Placement {
   /// verify/proofs/gap_proofs.h.
   static constexpr double position_norm = 2;
 
-  /// Returns the error of an image in double: the map's, in three coordinates, and few roundings. The rounded terms are
-  /// at most the offset and three times twice a column.
+  /// Returns the error of an image in double: the map's, in three coordinates, and a few roundings. The rounded terms
+  /// sum to at most |offset|_1 and three columns, each counted as 2 `scale`.
   static double error_of(const Box_map& map)
   {
     const double* offset = map.column(3);
@@ -73,7 +73,8 @@ struct alignas(32) Placement {
   }
 };
 
-/// A motion in equal steps. Each step moves every point p of a body by linear p + shift.
+/// A motion in equal steps. Each step moves every point p of a body by L p + s. Columns 0 to 2 are L, and column 3 is
+/// s.
 struct alignas(32) Course {
   float column[4][4] = {};  ///< of the linear part, and the shift; the fourth entry of each is 0
   float size = 0;           ///< upper bound of the sum of all magnitudes
@@ -93,9 +94,9 @@ struct alignas(32) Course {
     size = sum * rounded_up;
   }
 
-  /// Returns the other body's course relative to this one, as seen in the frame of the body on this course as it is
-  /// now. `other` is the other's place there. It is a similarity whose `error` is at most 2^-24 of `scale`. The columns
-  /// have an error of at most that fraction of the size, beside one rounding.
+  /// This is the course of a body B in the frame of A. Returns the course of A in the frame of B where B is now.
+  /// `other` is the place of A there: a similarity whose `error` is at most 2^-24 of `scale`. The columns have an error
+  /// of at most that fraction of the size, beside one rounding.
   Course reversed(const Placement& other) const
   {
     Course course;
@@ -129,8 +130,8 @@ inline constexpr double motion_underflow = 0x1p-60;
 
 namespace tetracone::kernel {
 
-/// Returns the number of steps of the course that the motion between two places is most like, a multiple of
-/// `Course::least_step`. Returns 0 where the motion leads elsewhere. The number is no bound of anything.
+/// Returns the number of steps that is nearest to the motion between two places, cut down to a multiple of
+/// `Course::least_step`. Returns 0 below `least_step` and above `most_steps`. The number is no bound of anything.
 inline double steps_along(const Course& course, const Placement& before, const Placement& after)
 {
   using Function = double(const Course&, const Placement&, const Placement&);
@@ -139,12 +140,12 @@ inline double steps_along(const Course& course, const Placement& before, const P
 }
 
 /// Returns an upper bound, over all points p of the box with |p_k| <= 1, of the distance between the point's place
-/// after the motion and the one that `steps` steps of the course predict. The motion leads from its image under the
-/// exact map of `before` to the image under that of `after`. Infinite or undefined where nothing is known.
+/// after the motion and the one that `steps` steps of the course predict. The motion leads from the point's exact image
+/// under `before` to its exact image under `after`. Infinite or undefined where nothing is known.
 ///
-/// In double, that is D p + d and the errors of the images. D and d are the differences of the columns less the
-/// course's. These are rounded a few times in double, which the placements' errors include, and then to float. |D p +
-/// d| is convex, so it is largest at a corner.
+/// That is |D p + d| and the errors of both images. D and d are the columns of `after` less those of `before`, less
+/// `steps` times the course's. These are rounded a few times in double, which the placements' errors include, and then
+/// to float. |D p + d| is convex, so it is largest at a corner.
 inline double stray_bound(const Course& course, double steps, const Placement& before, const Placement& after,
                           const Box_corners& box)
 {

@@ -59,9 +59,9 @@ inline constexpr double length_rounding = 8 * u;
 /// coordinate R (verify/proofs/distance_proofs.h).
 inline constexpr double point_rounding = 16 * u;
 
-/// Returns an upper bound of the errors of a distance of points and of a gap over |n|. Points have an error of at most
-/// `position_error` in a coordinate, and are then rounded. 4 is above 2 sqrt(3), the length of two errors in three
-/// coordinates. n has |n|_1 <= sqrt(3) |n|_2.
+/// Returns an upper bound of the error of a distance of points, and of that of a gap over |n|. Points have an error of
+/// at most `position_error` in a coordinate, and are then rounded. 4 is above 2 sqrt(3), the length of two errors in
+/// three coordinates. For a gap, |n|_1 is at most sqrt(3) |n|_2.
 template <class Number>
 Number slack(const Number& position_error, const Number& largest)
 {
@@ -127,7 +127,7 @@ inline Nearest nearest_on_edges(const Edged_triangle& a, const Edged_triangle& b
 }
 
 /// True when all corners of `x` are on one side of the plane of `t`, and the nearest of them is over `t`. Then it
-/// writes that corner and the point below it.
+/// writes that corner, its number, and the foot of its perpendicular on `t`.
 inline bool over_triangle(const Double_triangle& x, const Double_triangle& t, Double_vector& corner,
                           Double_vector& foot, int& which)
 {
@@ -202,8 +202,8 @@ inline Triangle_gap gap_of(const Nearest& points, const Double_triangle& a, cons
 /// `position_error`. Infinite or undefined errors give low = 0 and an infinite or undefined high. Where the distance is
 /// above `limit`, the bounds need not be close.
 ///
-/// The nearest points are on two edges, which both bounds then show, or one is a corner and the other inside the other
-/// triangle.
+/// The nearest points of triangles that are apart are on two edges, or are a corner and a point inside the other. If on
+/// edges, the first bounds agree. For triangles that cross, low is 0 and high need not be close.
 inline Triangle_gap triangle_gap(const Edged_triangle& with_edges_a, const Edged_triangle& with_edges_b,
                                  double position_error, double largest, double limit = HUGE_VAL)
 {

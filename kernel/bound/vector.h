@@ -51,7 +51,8 @@ struct Vector {
   double norm_1() const { return absolute().sum(); }
   double norm_infinity() const { return maximum(std::abs(at[0]), std::abs(at[1]), std::abs(at[2])); }
 
-  /// Returns the vector scaled to length 1, or the vector itself where its square underflows to 0.
+  /// Returns the vector scaled to length 1, or the vector itself where its square underflows to 0. Requires that the
+  /// square does not overflow.
   Vector normalized() const
   {
     const double square = squared_norm();

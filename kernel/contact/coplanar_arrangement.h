@@ -159,7 +159,7 @@ class Coplanar_arrangement {
   }
   void join(std::size_t a, std::size_t b) { parent_[root(a)] = root(b); }
 
-  /// Joins shared cells of neighbouring slabs that have more than a corner in common.
+  /// Joins shared cells that have more than a corner in common: of one slab, or of neighbouring ones.
   void join_slabs()
   {
     for (std::size_t s = 0; s < slabs_.size(); ++s) {

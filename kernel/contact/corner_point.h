@@ -9,7 +9,7 @@
 
 namespace tetracone::kernel {
 
-/// Constructions over a number type N: exact in rationals, enclosed in intervals.
+/// A point over a number type N. It is exact in rationals, and an enclosure in intervals.
 template <class N>
 using Number_point = std::array<N, 3>;
 
@@ -56,7 +56,7 @@ Number_point<N> edge_through_plane(const std::array<Number_point<N>, 3>& p, int 
   return along(from, whole, N(inner(normal, step(from, q[0])) / inner(normal, whole)));
 }
 
-/// Returns the point where two edges cross that are in one plane.
+/// Returns the point where two edges of one plane cross. Requires edges that are not parallel.
 template <class N>
 Number_point<N> edge_through_edge(const std::array<Number_point<N>, 3>& p, int edge_p,
                                   const std::array<Number_point<N>, 3>& q, int edge_q)
@@ -69,7 +69,8 @@ Number_point<N> edge_through_edge(const std::array<Number_point<N>, 3>& p, int e
 
 }  // namespace detail
 
-/// Returns a corner of the set that triangles p and q share, from their corners.
+/// Returns the point of a corner of the set that triangles p and q share. `corner` names the edges of both that hold
+/// it.
 template <class N>
 Number_point<N> corner_point(const std::array<Number_point<N>, 3>& p, const std::array<Number_point<N>, 3>& q,
                              const Triangle_contact::Corner& corner)
@@ -77,7 +78,7 @@ Number_point<N> corner_point(const std::array<Number_point<N>, 3>& p, const std:
   if (std::popcount(corner.on_p) == 2) return p[corner_of(corner.on_p)];
   if (std::popcount(corner.on_q) == 2) return q[corner_of(corner.on_q)];
   const int edge_p = std::countr_zero(corner.on_p), edge_q = std::countr_zero(corner.on_q);
-  // Either edge may be in the other's plane, but they meet in one point.
+  // Either edge may lie in the other triangle's plane, so the two edges give the point, not a plane.
   if (corner.on_p != 0 && corner.on_q != 0) return detail::edge_through_edge(p, edge_p, q, edge_q);
   return corner.on_p != 0 ? detail::edge_through_plane(p, edge_p, q) : detail::edge_through_plane(q, edge_q, p);
 }

@@ -32,7 +32,8 @@ class Line_contact {
     stops_.erase(std::unique(stops_.begin(), stops_.end()), stops_.end());
   }
 
-  /// Returns the pieces in the line's order. Between stops neither a face nor one of its edges begins or ends.
+  /// Returns the pieces in the line's order. Stops are all points of the line where a face or one of its edges begins
+  /// or ends.
   std::vector<Rational_piece> operator()() const
   {
     std::vector<Rational_piece> pieces;
@@ -66,7 +67,8 @@ class Line_contact {
     return x;
   }
 
-  /// Adds the points where a closed segment meets the line. Seen along it, the ends are in opposite directions.
+  /// Adds the point where a closed segment meets the line, or both ends of one in it. Seen along the line, the ends of
+  /// a crossing segment are on opposite sides.
   void add_meeting(const Rational_point& from, const Rational_point& to)
   {
     const Rational_point a = cross(difference(from, origin_), direction_),
@@ -77,7 +79,7 @@ class Line_contact {
     if (apart < 0 && is_zero(cross(a, b))) stops_.push_back(between(from, to, dot(a, a) / (dot(a, a) - apart)));
   }
 
-  /// Returns the features of the two faces that hold a common point; nothing for a point that is not in both.
+  /// Returns the features of p and q that hold x; nothing where x is not in both.
   std::optional<std::pair<Feature, Feature>> shared(const Rational_point& x) const
   {
     const Feature of_p = p_.locate(x);
@@ -89,7 +91,7 @@ class Line_contact {
 
   static void widen(Rational_piece& piece, const std::pair<Feature, Feature>& by)
   {
-    // The piece is more than a point, so a vertex does not hold it.
+    // The piece is a segment, so its feature is an edge or a face, never a vertex.
     piece.in_p = maximum(piece.in_p, by.first, Feature::edge);
     piece.in_q = maximum(piece.in_q, by.second, Feature::edge);
   }
@@ -117,7 +119,7 @@ inline std::vector<Rational_piece> face_contact(const Rational_face& p, const Ra
     if (p.beyond(q.origin()) != 0) return {};
     return detail::Coplanar_arrangement(p, q).pieces();
   }
-  // The point of the common line nearest to p's origin, in p's plane: along the normal's part of q in it.
+  // The line's origin is its point nearest to o. `down` leads there from o, in p's plane and across the line.
   const Rational_point down = cross(direction, p.normal());
   const Rational_point& o = p.origin();
   const Rational t = -q.beyond(o) / dot(q.normal(), down);

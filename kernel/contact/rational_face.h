@@ -57,7 +57,7 @@ class Rational_face {
   const Rational_point& normal() const { return normal_; }
   /// Returns a direction in the face; 0 for a point.
   const Rational_point& along() const { return along_; }
-  /// Returns the signed distance of a point from the plane, in units of the normal.
+  /// Returns the signed distance of a point from the plane, times the length of the normal.
   Rational beyond(const Rational_point& x) const { return dot(normal_, difference(x, origin())); }
 
   /// Returns the feature of the face that holds a point; `none` for a point that is not in the face.
@@ -73,7 +73,7 @@ class Rational_face {
     return winding(x) != 0 ? Feature::interior : Feature::none;
   }
 
-  /// Returns the axis of the normal's largest coordinate: along it the face is seen as a face.
+  /// Returns the axis of the normal's largest magnitude: along it the face's projection is not flat.
   int axis() const
   {
     int axis = 0;

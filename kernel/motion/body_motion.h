@@ -137,7 +137,7 @@ class Body_motion {
     return Integer(x.get_num() * (common / x.get_den()));
   }
 
-  std::optional<std::array<Pose, 2>> ends_;  // either this or
+  std::optional<std::array<Pose, 2>> ends_;  // of a linear motion; else `rigid_`
   std::optional<Forms> rigid_;
 };
 
@@ -185,7 +185,7 @@ class Pair_motion {
   const Integer_form& entry(int body, int k) const { return entry_[body][k]; }
   const Integer_form& divisor() const { return divisor_; }
 
-  /// Returns a factor of the volume of four points: see `Exact_motion`.
+  /// Returns a factor of the volume of four points (see `Exact_motion`); empty unless both motions are rigid.
   const Integer_form& square() const { return square_; }
 
   /// Returns the least of `least` and the exponents of the coordinates. The exponent is that of the power of two that a

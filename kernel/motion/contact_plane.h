@@ -22,9 +22,10 @@ namespace tetracone::kernel {
 
 /// A plane that moves with two features, and separates the points on its two sides until they meet.
 ///
-/// It contains the triangle of a vertex and a triangle, or an edge of A and the direction of one of B. Its height over
-/// a point x is the volume n . (x - o) of `Exact_motion`, a form in time and affine in x. While all vertices of one
-/// hull have heights of one sign, and no vertex of another hull has such a height, the hulls share no point.
+/// For a vertex and a triangle it contains the triangle. For two edges it contains A's edge and is parallel to B's. Its
+/// height over a point x is the volume n . (x - o) of `Exact_motion`, a form in time and affine in x. While all
+/// vertices of one hull have heights of one sign, and no vertex of another hull has such a height, the hulls share no
+/// point.
 class Contact_plane {
  public:
   /// `body` is the body of the vertex, for kind vertex_face. `corner` has the points of `Moving_pair`, in their bodies'
@@ -113,7 +114,7 @@ class Contact_plane {
   }
 
   /// True when a vertex of a body is on the body's side until the features meet, exactly. For the body whose side is
-  /// closed it may also be on the plane. False also where that is not known.
+  /// closed (`low_`) it may also be on the plane, all the time or at the start. False also where that is not known.
   bool holds(int body, const Vertex& v)
   {
     Told& last = last_[body];
@@ -152,7 +153,7 @@ class Contact_plane {
   };
 
   /// True when two vertices have equal heights all the time, since they differ at most in coordinates that no height
-  /// depends on. So are vertices of a face whose plane is across an axis of its body.
+  /// depends on. An example are vertices of a face that is perpendicular to an axis of its body.
   bool is_as_high(int body, const Vertex& v, const Vertex& w) const
   {
     bool same = true;

@@ -13,8 +13,8 @@
 
 namespace tetracone::kernel {
 
-/// Adds the poses of one span of time, or of parts of it. Returns false where more nested halvings would be needed.
-/// Requires forms of one degree.
+/// Adds the poses of one span of time, or of parts of it. Returns false where more nested halvings would be needed, and
+/// where an entry is beyond all doubles. Requires forms of one degree.
 inline bool add_control_poses(const Body_motion::Forms& forms, int halvings, std::vector<Pose>& poses)
 {
   const auto is_near = [&](std::size_t i) {

@@ -94,8 +94,8 @@ class Integer_form {
     return Integer_form(std::move(product));
   }
 
-  /// Returns this function of t, with s + t = 1, as a form of `size` coefficients. Requires that `size` is not below
-  /// the present number.
+  /// Returns this function of t, with s + t = 1, as a form of `size` coefficients. Requires a form that is not empty,
+  /// and a `size` that is not below the present one.
   Integer_form raised_to(std::size_t size) const
   {
     Integer_form result = *this;
@@ -116,8 +116,8 @@ class Integer_form {
     return count;
   }
 
-  /// Returns the sign just after t = 0 of a form that is not zero. If it has no variations, that is its sign in all of
-  /// (0, 1).
+  /// Returns the sign just after t = 0; ZERO for the zero form. If the form has no variations, that is its sign in all
+  /// of (0, 1).
   CGAL::Sign only_sign() const
   {
     for (const Integer& c : coefficients_)
@@ -137,7 +137,7 @@ class Integer_form {
   }
 
   /// Returns a form with the roots of this one in (0, 1): without factors s and t, which have none there, and without
-  /// common divisors of the coefficients.
+  /// common divisors of the coefficients. It is empty for the zero form.
   Integer_form primitive() const
   {
     Integer_form result;

@@ -36,8 +36,8 @@ inline Integer_form cross_form(const Form_vector& a, const Form_vector& b, std::
 /// neither has both ends of the other strictly on one side, and their boxes overlap. The boxes decide where all turns
 /// vanish.
 ///
-/// The times of contact are a closed set. So the first of them is the first time asked about or a root of the volume,
-/// if the volume is not zero all the time. Else it is a root of one of the other forms.
+/// The times of contact are a closed set. So the first of them is the first time asked about or a root. The root is one
+/// of the volume or, where that is zero all the time, of another form.
 class Exact_motion {
  public:
   explicit Exact_motion(const Moving_pair& pair) : Exact_motion(pair.kind, points_of(pair), Integer_form()) {}
@@ -86,7 +86,7 @@ class Exact_motion {
   }
 
   /// Returns whether the pair meets, by the filter on exact forms that are rounded once. It serves the pairs that the
-  /// filter on doubles left uncertain.
+  /// filter on doubles left uncertain. Requires points of degree 1.
   Moving_contact rounded_contact()
   {
     motion_filter::Span span;
@@ -150,7 +150,8 @@ class Exact_motion {
     return motion_filter::scaled(coefficients);
   }
 
-  /// Returns the turns n1, n2, n3 and, for two edges, their sum, along an axis. They are made when first asked for.
+  /// Returns the turns n1, n2, n3 along an axis, and their sum, which two edges need. They are made when first asked
+  /// for.
   const std::array<Integer_form, 4>& turns(std::size_t axis)
   {
     if (!turns_[axis]) {

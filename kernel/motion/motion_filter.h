@@ -19,7 +19,7 @@ enum class Volume { unknown, zero };
 
 namespace motion_filter {
 
-/// The number of times that [0, 1] is halved.
+/// The largest number of nested halvings of [0, 1].
 inline constexpr int halvings = 24;
 
 /// Upper bounds of the rounding errors of `Scaled` forms of differences, after up to `halvings` halvings
@@ -67,7 +67,7 @@ Scaled<4, Number> scaled(const Cubic_form<Number>& q)
 
 inline double halved(double x) { return x * 0.5; }
 
-/// The form over the second half of its time; `form` becomes that over the first.
+/// Returns the form over the second half of its time; `form` becomes that over the first.
 template <std::size_t N, class Number>
 Scaled<N, Number> halve(std::array<Number, N>& form)
 {
@@ -79,7 +79,7 @@ Scaled<N, Number> halve(std::array<Number, N>& form)
   return second;
 }
 
-/// +1 or -1 where the form has certainly that sign all the time, else 0. NaN is never certain.
+/// Returns 1 or -1 where the form certainly has that sign all the time, else 0. NaN is never certain.
 template <std::size_t N>
 int certain_sign(const Scaled<N>& form, double error)
 {
@@ -103,7 +103,8 @@ struct Errors {
   std::array<std::array<double, 4>, 3> turns;
 };
 
-/// Returns whether the primitives, projected along `axis`, are apart or cross properly all the time of the span.
+/// Returns whether the primitives, projected along the axis of these turns, are apart or cross properly all the time of
+/// the span.
 inline Moving_contact projected(Moving_kind kind, const std::array<Scaled<3>, 4>& n,
                                 const std::array<double, 4>& errors)
 {
@@ -140,7 +141,8 @@ inline Moving_contact decide(Moving_kind kind, Volume known, Span span, const Er
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (std::size_t k = 0; k < 4; ++k) second.turns[axis][k] = halve(span.turns[axis][k]);
   const Moving_contact before = decide(kind, known, span, errors, halvings_left - 1);
-  // An uncertain half is decided exactly, unless there is a contact in the other half, which is rare.
+  // After an uncertain first half, only a contact in the second would decide, which is rare. So the second is not
+  // looked at.
   if (before != Moving_contact::apart) return before;
   return decide(kind, known, second, errors, halvings_left - 1);
 }

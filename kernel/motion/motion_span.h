@@ -19,7 +19,7 @@
 
 namespace tetracone::kernel {
 
-/// Returns an axis divided by its largest component, so that bounds accept its length.
+/// Returns an axis divided by the largest magnitude of its components, so that bounds accept its length.
 inline Vertex scaled_to_one(const Vertex& v)
 {
   const double shrink = 1 / maximum(std::abs(v[0]), std::abs(v[1]), std::abs(v[2]));
@@ -232,7 +232,8 @@ class Motion_span {
   const Maps& coefficient(std::size_t i) const { return coefficient_[i]; }
   std::size_t size() const { return size_; }
 
-  /// Returns an upper bound of the error of a difference of images in these, along an axis, relative to |axis|_1.
+  /// Returns an upper bound of the error of a difference of images under these maps, along an axis, relative to
+  /// |axis|_1.
   double error() const { return error_; }
 
   /// Returns the bodies' maps in the middle of the span, divided by the divisor. They are not exact.
@@ -272,7 +273,7 @@ class Motion_span {
     return from / (from - to);
   }
 
-  /// Returns l = axis . L.
+  /// Returns the row vector axis . L, where L has these rows.
   template <class Number>
   static std::array<Number, 3> across(const std::array<Number, 3>& axis,
                                       const std::array<std::array<Number, 3>, 3>& row)

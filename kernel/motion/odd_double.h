@@ -10,7 +10,7 @@
 
 namespace tetracone::kernel {
 
-/// A double as an odd integer times a power of two; 0 as 0 times 2^INT_MAX.
+/// A finite double as an odd integer times a power of two; 0 as 0 times 2^INT_MAX.
 struct Odd_double {
   explicit Odd_double(double x)
   {

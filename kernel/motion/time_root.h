@@ -123,16 +123,17 @@ class Time_root {
     return value;
   }
 
-  /// Upper bound of the error of `value_at` in double, over the number of coefficients, at most `most_coefficients`,
-  /// and the sum of their magnitudes. Coefficients are truncated, and x has an error of 3 u. Proved in
-  /// verify/proofs/motion_proofs.h. It covers underflow, since the largest coefficient is at least 1/2.
+  /// Upper bound of the error of `value_at` in double, relative to the number of coefficients, at most
+  /// `most_coefficients`, times the sum of their magnitudes. Coefficients are truncated, and x has an error of 3 u.
+  /// Proved in verify/proofs/motion_proofs.h. It covers underflow, since the largest coefficient is at least 1/2.
   static constexpr double value_error = 0x1p-50;
   static constexpr std::size_t most_coefficients = 40;
 
  private:
   enum class Half { none, first, second };
 
-  /// The number of halvings made at once. An approximation is good enough for it, and few numbers are nearer.
+  /// The number of halvings made at once. An approximation in double is good enough for it, and few of the times
+  /// compared with it are nearer.
   static constexpr unsigned halvings_at_once = 24;
 
   /// Returns a form in double, times a power of two that makes its largest coefficient at most 1. Each coefficient is

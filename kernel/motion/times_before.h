@@ -16,12 +16,12 @@ namespace tetracone::kernel {
 ///
 /// Features that land together have forms that vanish at T. No algebraic number is made for each of them. Forms are
 /// given over the times from the start to a dyadic end, T or a little later. A form without variations there has one
-/// sign (Descartes). Where T is before the end, it is the only root of a form G there. A form with the root T is G
-/// times a quotient, and the signs of both are known by their variations. A form equal to G up to a factor is the
-/// plainest case.
+/// sign (Descartes). Where T is before the end, G is a form whose only root there is T, if one is known. A form with
+/// the root T is G times a quotient, and the signs of both are known by their variations. A form equal to G up to a
+/// factor is the plainest case.
 class Times_before {
  public:
-  /// The times from the start of the cell. Requires that the contact time is after that. May refine the contact time.
+  /// The times from the start of the cell `from` up to `before`, which must be later. May refine `before`.
   Times_before(const Time_cell& from, Time_root& before)
   {
     const Time_cell cell = before.close_cell();
@@ -64,7 +64,7 @@ class Times_before {
     return static_cast<CGAL::Sign>(rest->only_sign() * root_->only_sign());
   }
 
-  /// Returns the sign that it has at all of them. Returns zero where it has none, and where this does not tell.
+  /// Returns the sign that a form has at all of them. Returns zero where it has none, and where this does not tell.
   CGAL::Sign sign(const Integer_form& form) { return sgn(form.at_start()) == 0 ? CGAL::ZERO : sign_after_start(form); }
 
  private:

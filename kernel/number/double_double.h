@@ -29,8 +29,8 @@ struct Double_double {
     return {p, std::fma(x, y, -p)};
   }
 
-  /// Returns the sum, with a relative error of at most 3 u^2 / (1 - 4 u), and of 0 when the result is a double (their
-  /// AccurateDWPlusDW).
+  /// Returns the sum, with a relative error of at most 3 u^2 / (1 - 4 u) (their AccurateDWPlusDW). It is exact where
+  /// the exact sum is a double.
   friend Double_double operator+(const Double_double& a, const Double_double& b)
   {
     const Double_double s = sum(a.high, b.high), t = sum(a.low, b.low);
@@ -43,7 +43,7 @@ struct Double_double {
   }
 
   /// Returns the product, with a relative error of at most 7 u^2 (their DWTimesDW1). The tests of
-  /// kernel/predicate/adaptive.h derive 7 u^2 / (1 - u)^2.
+  /// kernel/predicate/adaptive.h derive 7 u^2 / (1 - u)^2, a little more.
   friend Double_double operator*(const Double_double& a, const Double_double& b)
   {
     const Double_double c = product(a.high, b.high);

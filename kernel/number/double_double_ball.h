@@ -12,7 +12,7 @@
 
 namespace tetracone::kernel {
 
-/// A real number that differs from `middle` by at most `radius`, which is infinite or undefined where nothing is known.
+/// A real number that differs from `middle` by at most `radius`, which is infinite or NaN where nothing is known.
 ///
 /// A sum in double-double has a relative error of 3 u^2 / (1 - 4 u), a product one of 7 u^2. Where parts underflow, a
 /// few times 2^-1074 are added. Both errors are computed from the high part, whose relative error is u. Where a sum's
@@ -29,8 +29,8 @@ struct Double_double_ball {
   static constexpr double u = unit_roundoff<double>;
   static constexpr double sum_rounding = 4 * u * u, product_rounding = 8 * u * u, of_radii = 1 + 16 * u,
                           underflow = 0x1p-1060;
-  /// Upper bound of the relative error of the high part, and of its product with 1 less this:
-  /// verify/proofs/nearest_proofs.h.
+  /// Upper bound of the relative error of the high part, which includes the rounding of its product with 1 -
+  /// `high_rounding`: verify/proofs/nearest_proofs.h.
   static constexpr double high_rounding = 4 * u;
 
   /// Return the radius of a sum and of a product, by magnitudes and radii of both numbers and the magnitude of the
@@ -69,8 +69,8 @@ struct Double_double_ball {
   bool is_positive() const { return middle.high * (1 - high_rounding) > radius; }
 };
 
-/// Returns the double nearest to top / sqrt(square), both positive, where it is certain: between the middles of
-/// neighbours.
+/// Returns the double nearest to top / sqrt(square), where the quotient surely lies between the midpoints to both
+/// neighbours. Returns nothing elsewhere, and outside 2^-900 to 2^900. Requires that both are positive.
 inline std::optional<double> nearest_over_root(const Double_double_ball& top, const Double_double_ball& square)
 {
   const Double_double_ball top_square = top * top;

@@ -5,8 +5,8 @@
 
 namespace tetracone {
 
-/// An error of a caller or of a file. `what()` is one line, "what is wrong; what was expected". Every exception of the
-/// library is an Error.
+/// An error of a caller or of a file. `what()` is one line, "what is wrong; what was expected". Every exception that
+/// the library throws is an Error, except for want of memory.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

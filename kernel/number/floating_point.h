@@ -35,21 +35,22 @@ namespace tetracone::kernel {
 template <class Number>
 inline constexpr Number unit_roundoff = std::numeric_limits<Number>::epsilon() / 2;
 
-/// The largest magnitude of a coordinate or of a pose's entry at which signs are decided in rounded arithmetic. Up to
-/// it neither images nor determinants nor their bounds overflow.
+/// The largest magnitude at which signs are decided in rounded arithmetic. It applies to coordinates, to the sum of
+/// terms of an image's coordinate, and to entries in det M. Up to it neither images nor determinants nor their bounds
+/// overflow.
 inline constexpr double magnitude_gate = 0x1p110;
 
 /// The term that bounds in double add for gradual underflow (verify/test/verify/proofs/bound_proofs.cpp). A product
-/// loses at most 2^-1075. Times the factors that follow, all within the gates, that stays far below.
+/// loses at most 2^-1075 by underflow. The later factors, all within the gates, keep that far below this term.
 inline constexpr double underflow_slack = 0x1p-800;
 
 /// Upper bound of the error of 100 successive sums and products in double, relative to their terms' magnitudes:
 /// verify/proofs/margin_proofs.h.
 inline constexpr double few_roundings = 0x1p-40;
 
-/// Return the largest and the least of the numbers as IEEE 754-2019 defines them: NaN where any of them is. std::max
-/// and std::min keep NaN or drop it by the order of their arguments. A bound that has dropped it accepts values that it
-/// should reject.
+/// Return the largest and the least of the numbers; NaN where any of them is, as IEEE 754-2019's maximum and minimum
+/// do. Zeros of either sign are equal. std::max and std::min keep NaN or drop it by the order of their arguments. A
+/// bound that has dropped it accepts values that it should reject.
 template <class Number, std::same_as<Number>... Numbers>
 [[gnu::always_inline]] inline Number maximum(Number first, Numbers... others)
 {
@@ -71,8 +72,8 @@ template <class Number, std::same_as<Number>... Numbers>
   return least;
 }
 
-/// Returns the largest of numbers by one instruction each, which may keep or drop NaN. It serves for a bound on a value
-/// that is itself undefined where one of these numbers is, and so decides nothing.
+/// Returns the largest of numbers by one instruction each, which may keep or drop NaN. It serves for bounds that decide
+/// nothing where one of these numbers is NaN: the value or its error is then NaN or infinite too.
 template <class Number, std::same_as<Number>... Numbers>
 [[gnu::always_inline]] inline Number maximum_of_defined(Number first, Numbers... others)
 {
@@ -114,7 +115,7 @@ inline bool floating_point_is_sound()
   const double p = factor, q = factor;
   const double left = p * q - product;
 
-  // 49 (1 / 49) is below 1.
+  // 49 (1 / 49) is below 1. Compilers form a reciprocal only for several quotients.
   volatile double dividend = 49;
   const double divisor = dividend, first = dividend / divisor, second = dividend / divisor, third = dividend / divisor;
   return lost == 0x1p-60 && left == 0 && first == 1 && second == 1 && third == 1;
@@ -136,8 +137,8 @@ inline void require_sound_floating_point()
         "expected the default environment, without which no answer is exact");
 }
 
-/// Throws Unsound_floating_point also when the calling function is compiled with flags that change the arithmetic. It
-/// is called where a model or a query object that decides exactly is made.
+/// Throws Unsound_floating_point when floating point is not sound, and when the calling function is compiled with flags
+/// that change the arithmetic. It is called where a model or a query object that decides exactly is made.
 [[gnu::always_inline]] inline void require_exact_arithmetic()
 {
   require_sound_floating_point();

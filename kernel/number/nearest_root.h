@@ -9,7 +9,7 @@
 namespace tetracone::kernel {
 
 /// Returns the double nearest to sqrt(top / bottom), by the rule of `nearest_double`: infinite from 2^1024 - 2^970 on.
-/// Requires top >= 0 and bottom > 0, which may have a common factor.
+/// Requires top >= 0 and bottom > 0. They may have a common factor.
 ///
 /// top / bottom is scaled by 4^k so that its integer root r has 62 or 63 bits. The remainders of the division and the
 /// root tell whether r is the root itself or below it. That is one more bit, which rounds like all others.
@@ -34,7 +34,7 @@ inline double nearest_root(const mpz_class& top, const mpz_class& bottom)
   return nearest_double(value);
 }
 
-/// Returns the double nearest to the root of a quotient of rationals.
+/// Returns the double nearest to sqrt(top / bottom). Requires top >= 0 and bottom > 0.
 inline double nearest_root(const Rational& top, const Rational& bottom)
 {
   return nearest_root(mpz_class(top.get_num() * bottom.get_den()), mpz_class(bottom.get_num() * top.get_den()));

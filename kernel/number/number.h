@@ -5,12 +5,12 @@
 
 #include <gmpxx.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <limits>
 #include <optional>
 #include <string>
@@ -19,8 +19,30 @@
 
 namespace tetracone::kernel {
 
-/// An exact rational number, GMP's own, in lowest terms. Every double is one, and so is every fraction n/d of a pose.
+/// An exact rational number, GMP's own, in lowest terms. Every finite double is one, and so is every fraction n/d of a
+/// pose.
 using Rational = mpq_class;
+
+namespace detail {
+
+/// True when the magnitude of a decimal number is 1 or more. Requires one that is not 0, as `std::from_chars` reads it.
+inline bool is_one_or_more(std::string_view text)
+{
+  const auto letter = text.find_first_of("eE");
+  const std::string_view digits = text.substr(0, letter);
+  const auto point = static_cast<long>(std::min(digits.find('.'), digits.size())),
+             first = static_cast<long>(digits.find_first_of("123456789"));
+  // The first digit that is not 0 stands for its value times 10^power.
+  const long power = first < point ? point - first - 1 : point - first;
+  if (letter == std::string_view::npos) return power >= 0;
+  std::string_view exponent = text.substr(letter + 1);
+  if (exponent.starts_with('+')) exponent.remove_prefix(1);
+  long written = 0;
+  const auto [rest, error] = std::from_chars(exponent.data(), exponent.data() + exponent.size(), written);
+  return error == std::errc::result_out_of_range ? !exponent.starts_with('-') : power >= -written;
+}
+
+}  // namespace detail
 
 /// Returns the double nearest to the decimal number that is the whole of `text`: "1e-400" is 0, denormals are kept.
 /// Returns nothing when `text` is not a decimal number, or its nearest double is not finite ("nan", "inf", "1e400").
@@ -35,15 +57,16 @@ inline std::optional<double> parse_double(std::string_view text)
   const auto [rest, error] = std::from_chars(text.data(), end, value);
   if (rest != end || error == std::errc::invalid_argument) return std::nullopt;
   if (error == std::errc::result_out_of_range) {
-    // The number may be out of range at either end: from_chars leaves the value alone, strtod tells which end.
-    value = std::strtod(std::string(text).c_str(), nullptr);
+    // from_chars does not tell at which end. strtod would, but it reads the point of the program's locale.
+    if (detail::is_one_or_more(text)) return std::nullopt;
+    value = text.starts_with('-') ? -0.0 : 0.0;
   }
   if (!std::isfinite(value)) return std::nullopt;
   return value;
 }
 
-/// Returns the exact rational of a fraction "n/d" of decimal integers, in lowest terms. Returns nothing when `text` is
-/// none, or d is 0.
+/// Returns the exact rational of a fraction "n/d" of decimal integers, in lowest terms. n may have a sign. Returns
+/// nothing when `text` is no such fraction, or d is 0.
 inline std::optional<Rational> parse_fraction(std::string_view text)
 {
   const auto slash = text.find('/');
@@ -69,8 +92,8 @@ inline std::optional<Rational> parse_fraction(std::string_view text)
   return Rational(decimal(numerator) / divisor);
 }
 
-/// Returns the double nearest to `value`, ties to even, as IEEE 754 rounds. It is infinite from 2^1024 - 2^970 on,
-/// which is half a step beyond the largest double. `nearest_root` and `parse_double` round by the same rule.
+/// Returns the double nearest to `value`, ties to even, as IEEE 754 rounds. It is infinite from the magnitude 2^1024 -
+/// 2^970 on, which is half a step beyond the largest double. `nearest_root` and `parse_double` round by the same rule.
 inline double nearest_double(const Rational& value)
 {
   // A rational's own conversion may truncate. Its double is at most one step away from the nearest, and the candidates
@@ -116,7 +139,7 @@ inline std::string shortest(double value)
 inline std::string to_string(const Rational& value) { return value.get_str(); }
 
 /// Returns a text that readers of poses take for exactly `value`: its shortest decimal where it is a double, else
-/// "n/d", also for an integer.
+/// "n/d", with d = 1 for an integer.
 inline std::string exact_text(const Rational& value)
 {
   const double nearest = nearest_double(value);

@@ -87,7 +87,7 @@ class Pose {
   }
 
   /// Returns a truly rigid map: the rotation of the integer quaternion (w, x, y, z), then the translation t. The
-  /// entries are the rationals of R = N / (w^2 + x^2 + y^2 + z^2). Requires a quaternion that is not zero.
+  /// entries are the rationals of R = N / (w^2 + x^2 + y^2 + z^2). Requires 0 < w^2 + x^2 + y^2 + z^2 < 2^63.
   static Pose from_quaternion(int w, int x, int y, int z, const std::array<Rational, 3>& t = {0, 0, 0})
   {
     const long ww = long(w) * w, xx = long(x) * x, yy = long(y) * y, zz = long(z) * z;
@@ -128,7 +128,7 @@ class Pose {
   /// True when the map moves nothing: every image is the point itself, in every kernel.
   bool is_identity() const { return is_translation_ && entries_[3] == 0 && entries_[7] == 0 && entries_[11] == 0; }
 
-  /// True when M is the identity and t are doubles: an image is the sum of the vertex and t.
+  /// True when M is the identity and all entries of t are doubles. An image is then the sum of the vertex and t.
   bool is_translation() const { return is_translation_; }
 
   /// Returns the sign of det M, exactly. Zero means that the map is flat and no pose.

@@ -24,8 +24,8 @@ namespace tetracone::kernel {
 ///   3. grid, in integers of 128 bits;
 ///   4. double-double;
 ///   5. exact.
-/// A point whose error is not known, beyond the magnitude gate, goes from the zero exits straight to the exact stage.
-/// Signs of points that share one pose are signs of the vertices themselves, times sign(det M).
+/// A sign of a point beyond the magnitude gate, of unknown error, goes from the zero exits straight to the exact stage.
+/// After the zero exits, a volume sign of points that share one pose is that of their vertices, times sign(det M).
 class Adaptive : public Adaptive_filter,
                  public Adaptive_zero_exits,
                  public Adaptive_grid,
@@ -34,7 +34,7 @@ class Adaptive : public Adaptive_filter,
  public:
   using Stage = Adaptive_stage;
 
-  /// Returns the counts of the calling thread's signs, by the stage that decided.
+  /// Returns the counts of the calling thread's signs, by the stage that decided: see `Stage_counts`.
   static Stage_counts& decided_by()
   {
     static thread_local Stage_counts counts;
@@ -59,8 +59,7 @@ class Adaptive : public Adaptive_filter,
     return unfiltered_difference_sign(a, b, axis);
   }
 
-  // The signs where the filter is undecided. They are out of line: so the filter's callers are small, and the counting
-  // costs them nothing.
+  // The signs where the filter is undecided. They are out of line, which keeps the filter's callers small.
 
   [[gnu::noinline]] static CGAL::Sign unfiltered_volume_sign(const Point_3& a, const Point_3& b, const Point_3& c,
                                                              const Point_3& d)

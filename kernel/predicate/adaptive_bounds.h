@@ -11,17 +11,17 @@ namespace tetracone::kernel::adaptive_bound {
 
 inline constexpr double u = unit_roundoff<double>;
 
-/// Upper bound of the error of a placed coordinate, relative to S = |m0 x| + |m1 y| + |m2 z| + |t|. It has at most 4
-/// roundings a term, and one of an entry that is a rounded fraction. S itself is computed with at most 4 roundings
-/// down.
+/// Upper bound of the error of a placed coordinate, relative to S = |m0 x| + |m1 y| + |m2 z| + |t|. The coordinate has
+/// at most 4 roundings a term, and one of an entry that is a rounded fraction. S as computed may be below S by at most
+/// 4 roundings.
 inline constexpr double image = 6 * u;
 
 /// Upper bound of the relative error of a translated coordinate: one sum.
 inline constexpr double translation = 1.001 * u;
 
-/// Upper bound of the error of a volume, relative to Mx My Mz. With computed differences of magnitudes m_k and exact
-/// ones within `error` of them, M_k = m_k + error. The 46 roundings are 8 of four products and 7 of the two that are
-/// added last, and those of the bound.
+/// Upper bound of the error of a volume, relative to Mx My Mz. m_k is the largest magnitude of a computed difference
+/// along axis k, and M_k = m_k + `error`, the errors of two points. There are 46 roundings, 8 of four products and 7 of
+/// the two that are added last. The rest covers the bound's own.
 inline constexpr double volume = 49 * u;
 
 /// Factor of the effect of the points' errors on a volume: six products, in which three factors are replaced one after
@@ -39,8 +39,8 @@ inline constexpr double normal_motion = 2.001;
 /// Factor of the effect of both points' errors on a difference.
 inline constexpr double difference_motion = 1.001;
 
-/// Upper bound of the error of an image in double-double: three products and three sums, and entries of fractions with
-/// an error of u^2.
+/// Upper bound of the error of an image in double-double, relative to S. An image has three products, three sums, and
+/// entries of fractions with an error of u^2.
 inline constexpr double double_double_image = 20 * u * u;
 
 /// Upper bound of the error of a difference in double-double, relative to its high part.

@@ -16,7 +16,7 @@
 namespace tetracone::kernel {
 
 /// The exact stage: the expression over the exact images, in CGAL::Mpzf. Poses of fractions are multiplied by their
-/// denominators. An image is computed once in a query for each vertex that needs it.
+/// denominators. An image is computed once for each point that has a slot, and for others whenever it is needed.
 class Adaptive_exact : public Adaptive_points {
  public:
   static CGAL::Sign exact_volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
@@ -65,7 +65,7 @@ class Adaptive_exact : public Adaptive_points {
     return image;
   }
 
-  // Calls with all images over one denominator, the product of the weights of the poses. It is a positive factor, which
+  // Calls `function` with all exact images times the product of the poses' weights. This is a positive factor, which
   // changes no sign.
   template <class Function, class... Points>
   static CGAL::Sign over_exact_images(const Function& function, const Points&... points)

@@ -16,8 +16,8 @@ namespace tetracone::kernel {
 class Adaptive_filter : public Adaptive_points {
  public:
   // With a^ = fl(p^ - p0^) the computed differences, m_k >= |a^_jk| and d >= error(p) + error(p0), the exact difference
-  // a satisfies |a_jk - a^_jk| <= u |a_jk| + d. The bounds are those of adaptive_bounds.h, which telescope the products
-  // over the factors that d replaces. A comparison with an infinite or undefined bound is false: undecided.
+  // a satisfies |a_jk - a^_jk| <= u |a^_jk| + d. The bounds of adaptive_bounds.h replace a^ by a in each product, one
+  // factor after the other. A comparison with an infinite bound or NaN is false: undecided.
 
   /// Returns the sign of det[b-a, c-a, d-a], or undecided.
   static Decision filtered_volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)

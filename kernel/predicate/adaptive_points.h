@@ -19,7 +19,7 @@
 namespace tetracone::kernel {
 
 /// The points of the adaptive kernel, each a vertex and the pose that places it. `image` and `error` enclose the exact
-/// image, which is never rounded itself.
+/// image. All signs are those of exact images.
 class Adaptive_points {
  public:
   using Exact_image = std::array<CGAL::Mpzf, 3>;
@@ -48,7 +48,8 @@ class Adaptive_points {
   ///
   /// Its error is `adaptive_bound::image` of the largest sum of its terms' magnitudes. A fraction that is rounded to a
   /// denormal, or to 0, has an error of 2^-1075 instead. For vertices within the gate that stays far below
-  /// `underflow_slack`; beyond it the error is not known.
+  /// `underflow_slack`. The error is not known where that sum, or a vertex under a pose of fractions, is beyond the
+  /// gate.
   static Point_3 placed(const Vertex& vertex, const Pose& pose)
   {
     if (pose.is_translation()) return translated(vertex, pose);
@@ -64,8 +65,8 @@ class Adaptive_points {
     return point;
   }
 
-  /// Returns the image under a pose that only translates: one sum a coordinate. Its relative error is u; it is exact
-  /// where TwoSum's (Knuth) remainder is 0.
+  /// Returns the image under a pose that only translates: one sum a coordinate. Its relative error is at most u. It is
+  /// exact where TwoSum's (Knuth) remainder is 0.
   static Point_3 translated(const Vertex& vertex, const Pose& pose)
   {
     Point_3 point{{}, 0, vertex, &pose};
@@ -83,7 +84,7 @@ class Adaptive_points {
     return point;
   }
 
-  /// True when the two are one vertex under one pose. Unequal ones may still have the same image.
+  /// True when the two are one vertex under one `Pose` object. Others may still have the same image.
   static bool identical(const Point_3& a, const Point_3& b) { return a.pose == b.pose && a.vertex == b.vertex; }
 
   /// True when no image is rounded.

@@ -9,13 +9,13 @@
 
 namespace tetracone::kernel {
 
-/// The zero exits: a stage for signs that are zero without arithmetic. Points are one vertex under one pose, or exact
-/// coordinates give every product a factor 0.
+/// The zero exits: a stage for signs that are zero without arithmetic. Two points are one vertex under one pose, or
+/// equal exact coordinates give every product a factor 0.
 class Adaptive_zero_exits : public Adaptive_points {
  public:
   /// Returns ZERO where det[b-a, c-a, d-a] is 0 at sight; else undecided. That is so where two points are identical, or
-  /// where images are exact and each of the six products has a factor 0, as on a plane across an axis. A difference of
-  /// doubles is 0 only when they are equal.
+  /// where images are exact and each of the six products has a factor 0, as on a plane perpendicular to an axis. A
+  /// difference of doubles is 0 only when they are equal.
   static Decision zero_volume_sign(const Point_3& a, const Point_3& b, const Point_3& c, const Point_3& d)
   {
     if (identical(c, d) || identical(b, d) || identical(b, c) || identical(a, d) || identical(a, c) || identical(a, b))
@@ -29,7 +29,7 @@ class Adaptive_zero_exits : public Adaptive_points {
     return std::nullopt;
   }
 
-  /// Returns the sign of component `axis` of (b-a) x (c-a), where identity or zero factors decide it.
+  /// Returns ZERO where component `axis` of (b-a) x (c-a) is 0 at sight; else undecided.
   static Decision zero_normal_sign(const Point_3& a, const Point_3& b, const Point_3& c, int axis)
   {
     if (identical(b, c) || identical(a, c) || identical(a, b)) return CGAL::ZERO;

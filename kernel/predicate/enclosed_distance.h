@@ -45,7 +45,8 @@ struct Enclosed_distance {
 
 namespace detail {
 
-/// Returns the vector from a point to the line of an edge; nothing unless the nearest point is surely within the edge.
+/// Returns a positive multiple of the vector from a point to the line of an edge. Returns nothing unless the nearest
+/// point is surely within the edge.
 inline std::optional<Ball_vector> way_to_edge(const Ball_vector& x, const Ball_vector& a, const Ball_vector& b)
 {
   const Ball_vector e = difference(b, a), r = difference(x, a);
@@ -54,7 +55,7 @@ inline std::optional<Ball_vector> way_to_edge(const Ball_vector& x, const Ball_v
   return Ball_vector{e[0] * at - r[0] * length, e[1] * at - r[1] * length, e[2] * at - r[2] * length};
 }
 
-/// Returns the vector across two edges; nothing unless the nearest points are surely within both.
+/// Returns the cross product of two edges; nothing unless the nearest points of their lines are surely within both.
 inline std::optional<Ball_vector> way_across_edges(const Ball_vector& a, const Ball_vector& b, const Ball_vector& c,
                                                    const Ball_vector& d)
 {
@@ -87,8 +88,9 @@ inline std::optional<Ball_vector> way_between(const Ball_hull& a, const Ball_hul
 
 }  // namespace detail
 
-/// Returns the distance of two hulls, as `distance_of_hulls` takes them. Returns nothing where the enclosures do not
-/// tell that the nearest points of their affine hulls are within both, or which way the vector between them points.
+/// Returns the distance of two hulls, as `distance_of_hulls` takes them. Returns nothing unless the enclosures show
+/// that the nearest points of the affine hulls are apart and within both hulls. The direction must be known up to
+/// `most_radii`.
 inline std::optional<Enclosed_distance> enclosed_distance(const Ball_hull& a, const Ball_hull& b)
 {
   auto way = detail::way_between(a, b);

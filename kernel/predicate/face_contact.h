@@ -24,7 +24,8 @@ constexpr std::string_view to_string(Piece piece)
   return "coplanar";
 }
 
-/// The part of a face that holds all of a piece: one vertex, its edges, or no less than the face.
+/// The smallest part of a face that holds all of a piece: a vertex, one edge or several, or only the whole face.
+/// `none`: no part does.
 enum class Feature : std::uint8_t { none, vertex, edge, interior };
 
 /// Returns the enumerator's own name.

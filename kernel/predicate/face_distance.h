@@ -13,7 +13,8 @@
 #include <vector>
 
 /// The exact distance of two faces. It is attained between a vertex and a face, a vertex and an edge, two vertices, or
-/// two edges; or the faces cross and it is 0. Coordinates are binary fractions, for both faces times one weight.
+/// two edges; or the faces cross and it is 0. Coordinates are binary fractions. Those of both faces are multiplied by
+/// one common weight.
 namespace tetracone::kernel {
 
 using Exact_number = CGAL::Mpzf;
@@ -26,7 +27,8 @@ struct Exact_point {
 };
 
 /// The nearest points of two sets, and the direction from A's to B's: with m the direction, m . a <= low on A's feature
-/// and m . b >= high on B's. Squared distance: (high - low)^2 / m^2. Where the sets meet, low = high.
+/// and m . b >= high on B's. Squared distance: (high - low)^2 / m^2. Where the sets meet, low = high; where an edge
+/// crosses a face, both are 0 and bound nothing.
 struct Exact_distance {
   Exact_vector direction;
   Exact_number low, high;
@@ -128,7 +130,8 @@ inline std::optional<Exact_distance> distance_to_plane(const Exact_vector& x, co
                        {difference(detail::scaled(x, weight), detail::scaled(normal, height)), weight});
 }
 
-/// Returns the distance of a point and a triangle where the nearest point of its plane is on it; nothing elsewhere.
+/// Returns the distance of a point and a triangle where the nearest point of its plane is on it. Returns nothing
+/// elsewhere, and for corners on a line.
 inline std::optional<Exact_distance> distance_to_triangle(const Exact_vector& x, const std::array<Exact_vector, 3>& t,
                                                           Nearest_points points = Nearest_points::are_asked_for)
 {
@@ -177,8 +180,8 @@ inline void keep_nearer(std::optional<Exact_distance>& best, std::optional<Exact
   if (found && (!best || *found < *best)) best = std::move(found);
 }
 
-/// Keeps the least distance of the corners and edges of `a` from the interior of `b`. `turn`: the answer is to be given
-/// from B to A.
+/// Keeps the least distance of the corners and edges of `a` from the interior of `b`. `turn`: the distance is kept as
+/// seen from `b`.
 inline void keep_nearer_inside(std::optional<Exact_distance>& best, const Exact_face& a, const Exact_face& b, bool turn)
 {
   if (!b.plane) return;
@@ -203,7 +206,7 @@ inline void keep_nearer_inside(std::optional<Exact_distance>& best, const Exact_
 
 }  // namespace detail
 
-/// Returns the distance of two faces.
+/// Returns the distance of two faces. Requires that each has an edge.
 inline Exact_distance distance_of_faces(const Exact_face& a, const Exact_face& b)
 {
   std::optional<Exact_distance> best;

@@ -12,11 +12,12 @@
 #include <cstdint>
 #include <optional>
 
-/// Exact signs, by integers of 128 bits, of points that lie on a common grid of 2^38 steps each way. Most points of
-/// models made by hand, by CAD or from text lie on one, and these are the points that meet exactly.
+/// Exact signs, by integers of 128 bits, of points that lie on a common grid of 2^38 steps each way. Coordinates of few
+/// binary digits lie on one, as in models made by hand or by CAD. Points that meet exactly mostly have such.
 namespace tetracone::kernel {
 
-/// Returns the coordinates as whole multiples of a common power of two, each below 2^38; nothing where they are none.
+/// Returns the coordinates as whole multiples, below 2^38, of a common power of two. Returns nothing where there is no
+/// such power, and where the largest magnitude is not within 2^-300 and 2^300.
 template <std::size_t count>
 std::optional<std::array<std::array<std::int64_t, 3>, count>> on_grid(const std::array<const Vertex*, count>& points)
 {

@@ -24,7 +24,8 @@ using Rational_kernel = CGAL::Simple_cartesian<Rational>;
 /// - `exact_signs`: the sign of unmoved points is that of the exact expression.
 /// - `exact_motion`: a placed point is the exact image, so that signs of placed points are exact too.
 /// - `Bound`: the number type of bounding volumes. Kernels with exact signs bound in double, rounded outward, so that
-/// no answer depends on a rounded bound. The rounding kernels bound in their own arithmetic, without slack.
+///   no answer depends on a rounded bound. The kernels that round bound without slack, in double; `Float` bounds in
+///   float.
 /// - `Fixed`: the kernel for signs of points that no pose moves, when a model is prepared. It is K itself, or one that
 /// gives the same answers at less cost.
 template <class K>

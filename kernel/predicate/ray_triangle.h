@@ -19,8 +19,8 @@ namespace tetracone::kernel {
 /// rounded correctly by double-double.
 ///
 /// Let A, B, C be the corners less o and n = (B - A) x (C - A). Then t = N / D with N = n . A and D = n . d. The signs
-/// of d past the edges, det[d, A, B] and so on, are of numbers whose sum is D. d is scaled by a power of two to
-/// components of at most 2, one of at least 1; below, t is that of the scaled d.
+/// of det[d, A, B] and so on tell on which side d passes each edge. The sum of these determinants is D. d is scaled by
+/// a power of two to components of at most 2, one of at least 1; below, t is that of the scaled d.
 class Ray_triangle {
  public:
   enum class Meets { no, yes, uncertain };
@@ -65,7 +65,7 @@ class Ray_triangle {
   static constexpr double time_rounding = 0x1p-50;
 
   /// Returns the decision about a triangle. Requires corners within 2^250. Underflow is negligible beside the bounds.
-  /// Where N is above its own bound, D is more than N / M less its own.
+  /// Where the ray meets the triangle, D >= N / M. So D as computed is positive where N is above its bound.
   Decision operator()(const Vertex& a, const Vertex& b, const Vertex& c) const
   {
     const Vertex A = difference(a, origin_), B = difference(b, origin_), C = difference(c, origin_);
@@ -74,7 +74,7 @@ class Ray_triangle {
     const double limit = side_rounding * M * M;
     const double ab = determinant(A, B, direction_), bc = determinant(B, C, direction_),
                  ca = determinant(C, A, direction_);
-    // There is no branch except the last, since each would be a guess.
+    // There is no branch except the last, since the processor could not predict it.
     const bool some_left = (ab > limit) | (bc > limit) | (ca > limit),
                some_right = (ab < -limit) | (bc < -limit) | (ca < -limit);
     if (some_left & some_right) return {Meets::no};
@@ -128,8 +128,8 @@ class Ray_triangle {
   }
 
  private:
-  /// Return the exponent of a normal double, and a power of two. `std::ilogb` and `std::ldexp` would take longer than
-  /// the rest of the filter's constructor.
+  /// Return the exponent of a positive normal double, and a power of two. `std::ilogb` and `std::ldexp` would take
+  /// longer than the rest of the filter's constructor.
   static int exponent_of(double x) { return int(std::bit_cast<std::uint64_t>(x) >> 52) - 1023; }
   static double power_of_two(int exponent) { return std::bit_cast<double>(std::uint64_t(1023 + exponent) << 52); }
   static double largest(const Vertex& a) { return maximum_of_defined(std::abs(a[0]), std::abs(a[1]), std::abs(a[2])); }

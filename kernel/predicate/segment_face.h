@@ -69,10 +69,10 @@ struct Triangle {
 namespace detail {
 
 /// Returns the winding number of the face's loops about a point y of its plane that lies on no loop. It is the signed
-/// count of the covering triangles W A B that hold y. `side(A)` is the sign of the turn W, y, A about y. `turn(A, B)`
-/// is the sign of the turn A, B about y. Both are orientations of one side of the plane. A point on an inner edge W A
-/// of the covering is moved off it: a side of ZERO counts as POSITIVE for every triangle at that edge. That is the
-/// effect of turning the ray from W through y by an infinitesimal.
+/// count of the covering triangles W A B that hold y. `turn(A, B)` is the sign of the turn from A to B about y, and
+/// `side(A)` is that from W to A. Both are seen from one side of the plane. A point on an inner edge W A of the
+/// covering is moved off it: a side of ZERO counts as POSITIVE for every triangle at that edge. That is the effect of
+/// turning the ray from W through y by an infinitesimal.
 template <class K, Covered_face<K> Face, class Side, class Turn>
 int winding_in_plane(const Face& face, const Side& side, const Turn& turn)
 {

@@ -9,8 +9,7 @@
 #include <cmath>
 
 /// The three signs that decide everything in this library: of a 3x3, a 2x2 and a 1x1 determinant of coordinate
-/// differences. Coplanar, collinear and coincident positions are told apart by falling from one to the next; no sign is
-/// ever guessed.
+/// differences. Where one is zero, the next tells coplanar, collinear and coincident positions apart.
 namespace tetracone::kernel {
 
 using CGAL::NEGATIVE;
@@ -22,10 +21,11 @@ template <class K>
 using Point = typename K::Point_3;
 
 /// Returns the sign of det[b-a, c-a, d-a]: POSITIVE when d sees a, b, c counterclockwise from the side that (b-a) x
-/// (c-a) points to. It is exact when K has exact signs; in the other kernels it is rounded, or within the tolerance.
+/// (c-a) points to. It is exact when K has exact signs, and then has the properties below. In the other kernels it is
+/// rounded, or ZERO within the tolerance.
 /// - (1) sign(b,a,c,d) = -sign(a,b,c,d) for each transposition of two arguments.
 /// - (2) It is ZERO when two arguments are equal, or all four lie in one plane.
-/// - (3) sign(Ma+t, ...) = sign(det M) sign(a, ...).
+/// - (3) sign(Ma+t, ...) = sign(det M) sign(a, ...), where K has exact motion too.
 template <class K>
 Sign volume_sign(const Point<K>& a, const Point<K>& b, const Point<K>& c, const Point<K>& d)
 {
@@ -116,7 +116,7 @@ inline Sign difference_sign<Tolerant>(const Tolerant::Point_3& a, const Tolerant
 
 // --- what follows from them ------------------------------------------------------------------------------------------
 
-/// True when a and b have the same coordinates.
+/// True when a and b have equal coordinates, as K tells it.
 template <class K>
 bool coincide(const Point<K>& a, const Point<K>& b)
 {

@@ -23,7 +23,7 @@ constexpr int corner_of(Edge_set edges) { return edges == edges_at(0) ? 0 : edge
 /// The convex set that two triangles share, by the edges of either that hold its corners. Each corner is a vertex of
 /// one, or the point where an edge of one goes through the interior of the other, or the crossing of two edges.
 struct Triangle_contact {
-  /// A corner of the set.
+  /// A corner of the set, by the edges that hold it; 0 for a triangle whose interior holds it.
   struct Corner {
     Edge_set on_p = 0, on_q = 0;
   };
@@ -44,7 +44,7 @@ template <class K>
 Triangle_contact crossing_contact(const Corners<K>& p, const Corners<K>& q, const std::array<Sign, 3>& side_p,
                                   const std::array<Sign, 3>& side_q)
 {
-  /// A triangle turned, its corners' places before, and the sides of them.
+  /// The numbers that the corners of a turned triangle had before, and whether the other triangle is turned over.
   struct Turned {
     std::array<int, 3> corner{};
     bool flips = false;  // alone on the negative side: the other triangle is turned over

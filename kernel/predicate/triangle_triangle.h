@@ -28,7 +28,7 @@ std::array<Sign, 3> sides(const Corners<K>& triangle, const Corners<K>& points)
 }
 
 /// Computes the filter's expression and bound (see `Adaptive`) with one normal and one bound for the three points. The
-/// points that it leaves undecided are decided one by one.
+/// points that it leaves undecided are decided one by one, and only these are counted (`Stage_counts`).
 template <>
 inline std::array<Sign, 3> sides<Adaptive>(const Corners<Adaptive>& triangle, const Corners<Adaptive>& points)
 {
@@ -69,7 +69,7 @@ inline bool all_strictly_beside(const std::array<Sign, 3>& side)
 
 /// Turns the triangle so that its first corner is alone on one closed side of the other's plane, and the two others are
 /// on the other closed side, not all three in the plane. Returns the first corner's side or, if it is in the plane, the
-/// opposite of the others'.
+/// opposite of the others'. Returns ZERO, without a turn, where all three are in the plane.
 template <class K>
 Sign turn_alone_first(Corners<K>& triangle, const std::array<Sign, 3>& side)
 {

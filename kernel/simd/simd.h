@@ -1,7 +1,7 @@
 #ifndef TETRACONE_KERNEL_SIMD_SIMD_H
 #define TETRACONE_KERNEL_SIMD_SIMD_H
 
-// No gain here over AVX-512's first set; and where it is the static target, Highway 1.0.3 does not compile.
+// AVX3_DL gains nothing here over AVX-512's first set. Where it is the static target, Highway 1.0.3 does not compile.
 #ifndef HWY_DISABLED_TARGETS
 #define HWY_DISABLED_TARGETS HWY_AVX3_DL
 #endif
@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <initializer_list>
 
-/// Vectors of numbers by Highway, chosen at run time: functions are compiled for what every processor of the
-/// architecture has (x86-64: SSE2), for SSSE3, AVX2 and AVX-512.
+/// Vectors of numbers by Highway. A function is compiled for what every processor of the architecture has (x86-64:
+/// SSE2), for SSSE3, AVX2 and AVX-512. Its version is chosen at run time.
 ///
 /// A vector function is an inline one of the namespace HWY_NAMESPACE within its folder's, in a file NAME_simd.inl.
 /// NAME.h includes that file once for each target and chooses a version. Example: kernel/bound/obb8_overlap_simd.inl
@@ -125,8 +125,8 @@ struct Simd_version {
   Function* function;
 };
 
-/// The first of the versions whose target this processor has and Highway has not been told to leave out; else the last,
-/// which all have.
+/// Returns the first of the versions whose target this processor has and Highway has not been told to leave out. Else
+/// it returns the last one, that of the static target.
 template <class Function>
 Function* fastest_version(std::initializer_list<Simd_version<Function>> versions)
 {

@@ -1,7 +1,7 @@
 #ifndef TETRACONE_KERNEL_SIMD_SIMD_ROUNDS_H
 #define TETRACONE_KERNEL_SIMD_SIMD_ROUNDS_H
-// Includes the file that TETRACONE_SIMD_FILE names once for each target: see kernel/simd/simd.h. Once more for every
-// file.
+// Includes the file that TETRACONE_SIMD_FILE names once for each target: see kernel/simd/simd.h. It is included again
+// for every such file.
 #include "tetracone/kernel/simd/simd.h"
 
 #ifdef TETRACONE_SIMD_FILE

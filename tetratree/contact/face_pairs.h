@@ -51,7 +51,7 @@ struct Face_pair {
   bool are_triangles() const { return (*corners_a)[0] != covering::none && (*corners_b)[0] != covering::none; }
 };
 
-/// A body's faces, prepared for tests of pairs.
+/// A body's faces, prepared for tests of pairs. The polyhedron must outlive this object.
 class Contact_faces {
  public:
   explicit Contact_faces(const covering::Polyhedron& polyhedron, const covering::Covering& covering)
@@ -79,8 +79,8 @@ class Contact_faces {
   /// Returns the corners of a triangle with a plane; none for another face.
   const std::array<Index, 3>& triangle(Index f) const { return triangles_[f]; }
 
-  /// Returns the edges of a face that no earlier face has, as vertices, the smaller number first. Every edge belongs to
-  /// some face.
+  /// Returns the edges of a face that no earlier face has, as vertices, the smaller number first. So each edge is owned
+  /// by one face.
   std::span<const std::array<Index, 2>> owned_edges(Index f) const
   {
     return std::span(owned_).subspan(owned_begin_[f], owned_begin_[f + 1] - owned_begin_[f]);
@@ -107,7 +107,8 @@ class Face_pairs {
     return {face_a, face_b, &a_.triangle(face_a), &b_.triangle(face_b)};
   }
 
-  /// Adds the common pieces of each pair, in the pairs' order. Requires an exact kernel.
+  /// Adds the common pieces of each pair, in the pairs' order. Requires an exact kernel, and `begin` after each change
+  /// of a pose.
   void add_contacts(Body& a, const kernel::Pose& pose_a, Body& b, const kernel::Pose& pose_b,
                     std::span<const Face_pair> pairs,
                     Found_contacts& found) requires(kernel::Kernel_traits<K>::exact_motion)

@@ -80,7 +80,8 @@ struct Body_data {
     }
   }
 
-  /// Returns the tetra-tree over K with this config, cached under `name`; all of its nodes are made.
+  /// Returns the tetra-tree over K with this config, with all its nodes. It is cached under `name`, so a name must
+  /// stand for one K and one config.
   template <class K>
   std::shared_ptr<tetratree::Tetra_tree<K>> tetra_tree(const std::string& name, const tetratree::Config& config) const
   {

@@ -14,7 +14,7 @@ namespace tetracone::detail {
 /// as fast as memory, and no protection against malice.
 class Checksum {
  public:
-  /// Adds bytes; the last block is filled up with 0.
+  /// Adds bytes. Each call fills up its last block with 0, so only the last call may end within a block.
   void add(std::span<const std::byte> bytes)
   {
     for (; bytes.size() >= block; bytes = bytes.subspan(block)) add_block(bytes.data());

@@ -67,8 +67,8 @@ class Contacts {
     std::vector<std::array<double, 3>> points;  ///< the nearest doubles; each is joined with the next
   };
 
-  /// Returns the segments, joined where exactly two end in one point. Segments of one line that overlap or follow each
-  /// other are one, unless a segment of another line ends between them. All is compared exactly.
+  /// Returns the pieces that are segments, joined where exactly two end in one point. Segments of one line that overlap
+  /// or follow each other are one, unless a segment of another line ends between them. All is compared exactly.
   std::vector<Curve> curves() const;
 
   /// For the library's own use.

@@ -32,7 +32,7 @@ class Contact_solver {
   virtual void clear_statistics() = 0;
 };
 
-/// Makes the solver over K. All kernels share one unit, except the booleans'.
+/// Makes the solver over K. All kernels of `kernel_list.h` share one compiled unit.
 template <class K>
 std::unique_ptr<Contact_solver> bvh8_contact_solver(const Shared_body& a, const Shared_body& b,
                                                     const Query_options& options);

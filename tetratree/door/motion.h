@@ -27,7 +27,8 @@ class Motion {
   /// then the translation. Throws Error for a number that is not finite, and where q(t) = 0 for some t.
   static Motion rigid(const std::array<double, 7>& from, const std::array<double, 7>& to);
 
-  /// Returns `rigid` of decimals or fractions "n/d". Throws Error as `rigid`, and for a text that is no number.
+  /// Returns `rigid` of decimals, which stand for the nearest doubles, or fractions "n/d". Throws Error as `rigid`, and
+  /// for a text that is no number.
   static Motion rigid_from_text(const std::array<std::string, 7>& from, const std::array<std::string, 7>& to);
 
   /// The motion of the templates.
@@ -44,8 +45,9 @@ struct First_contact {
   double lo;  ///< lo <= t; equal to hi where t is a double
   double hi;  ///< t <= hi, the next double after lo where they differ
 
-  /// A part of A and a part of B that meet then: a vertex and a face, or two edges. Where several pairs meet, it is one
-  /// of them. An edge may stand between two triangles of one face. Nothing where the bodies collide at t = 0.
+  /// A part of A and a part of B that meet then: a vertex and a face, or two edges. An edge without length is a vertex.
+  /// Where several pairs meet, it is one of them. An edge may stand between two triangles of one face. Nothing where
+  /// the bodies collide at t = 0.
   std::optional<std::array<Holder, 2>> holder;
 };
 

@@ -70,7 +70,7 @@ struct Query_options {
 /// with E >= 0 finite: a sign is zero up to E, absolute, or relative to the sum of its products.
 std::optional<Query_options> parse_kernel(std::string_view name);
 
-/// Returns the name that `parse_kernel` reads.
+/// Returns the name that `parse_kernel` reads. It tells one tolerance, the relative one where that is above 0.
 std::string kernel_name(Kernel kernel, const Tolerance& tolerance = {});
 
 /// Returns the names of all kernels as help and error lines show them: "adaptive, double, ... or rational".

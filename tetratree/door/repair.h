@@ -26,7 +26,8 @@ Repaired repaired(Polyhedron polyhedron);
 /// and changes no answer. Throws as `Body`.
 Body triangulated_body(Polyhedron polyhedron);
 
-/// Returns the model of a file, read as by `read_body`, repaired and triangulated.
+/// Returns the model of a file, repaired and triangulated. It reads and throws as `read_body`, but refuses saved
+/// bodies.
 Body read_repaired_body(const std::filesystem::path& file);
 
 }  // namespace tetracone

@@ -67,8 +67,8 @@ class Pose {
   /// and where det M = 0.
   explicit Pose(const std::array<double, 12>& rows);
 
-  /// Returns the map of decimals or fractions "n/d", in which a rotation can be exact. Throws Error as for doubles, and
-  /// for a text that is no number.
+  /// Returns the map of decimals, which stand for the nearest doubles, or fractions "n/d". A rotation can be exact in
+  /// fractions. Throws Error as for doubles, and for a text that is no number.
   static Pose from_text(const std::array<std::string, 12>& rows);
 
   /// Returns the map p -> p + (x, y, z). Throws Error for a number that is not finite.
@@ -91,7 +91,8 @@ class Pose {
 };
 
 /// A polyhedron that queries can be asked about. Immutable; copies share their data. Any number of threads may ask
-/// about it at once, also while its tree is still being made.
+/// about it at once, also while its tree is still being made. A question throws Error when its thread's floating point
+/// is not as exact answers need it.
 ///
 /// Open and closed surfaces, several shells, cavities, non-manifold and degenerate elements, and faces with holes are
 /// legal. An open surface has no solid.
@@ -102,13 +103,14 @@ class Body {
   /// by triangles.
   explicit Body(Polyhedron polyhedron);
 
-  /// `triangles`: for some faces, triangles that cover exactly the face, in its direction (as tetracone/repair.h makes
-  /// them). Faces of more corners without are split where they are convex, and else taken as a whole.
+  /// `triangles` cover some faces exactly, in the face's direction (as tetracone/repair.h makes them). Any other face
+  /// of more than three corners becomes a fan if it is suitable (tetracone/covering/star_faces.h), else it stays whole.
   ///
-  /// Throws as above, and for a face whose triangles do not cover exactly it; Error names the face. Legal are triangles
-  /// with area, of the face's corners, whose directed sides are the directed edges of the face's loops except pairs of
-  /// opposite ones. Each edge of a loop is a side of a triangle. (tetracone/covering/face_cover.h proves that this is
-  /// enough.) The check takes time linear in the triangles.
+  /// Throws as above, and for a face whose triangles do not cover it exactly; Error names the face. Legal triangles
+  /// have area and the face's corners. When pairs of opposite ones are cancelled, their directed sides are the directed
+  /// edges of the face's loops. Each edge of a loop is a side of a triangle. Triangles of opposite directions share no
+  /// area. (tetracone/covering/face_cover.h proves that this is enough.) The check takes time linear in the triangles,
+  /// except for sorting.
   Body(Polyhedron polyhedron, std::vector<Face_triangle> triangles);
 
   /// Copies; both share everything. There is no move: a body is never empty.
@@ -133,8 +135,8 @@ class Body {
   /// Returns the answers for many points. Throws as for one.
   std::vector<Location> inside(std::span<const std::array<double, 3>> points) const;
 
-  /// Returns the answer for a point of decimals or fractions "n/d". Throws Error as for doubles, and for a text that is
-  /// no number.
+  /// Returns the answer for a point of decimals, which stand for the nearest doubles, or fractions "n/d". Throws Error
+  /// as for doubles, and for a text that is no number.
   Location inside_text(const std::array<std::string, 3>& point) const;
 
   /// Returns the bytes of the table that `inside` asks, which is made now if need be. Throws Error for an open surface.
@@ -223,12 +225,13 @@ class Query {
   std::vector<Answer> collide(std::span<const Pose> poses_a, std::span<const Pose> poses_b);
 
   /// Returns all pairs of an edge of one body and a face of the other that share a point, with the kind of contact,
-  /// sorted.
+  /// sorted. Throws as `collide`.
   std::vector<Feature_pair> features(const Pose& pose_a, const Pose& pose_b);
   /// Same, for poses of the templates. Requires det M != 0.
   std::vector<Feature_pair> features(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
 
-  /// Returns all pairs of faces that share a point, and where. Throws Error for a kernel that rounds.
+  /// Returns all pairs of faces that share a point, and where. Throws Error for a kernel that is not exact
+  /// (`is_exact`), and as `collide`.
   Contacts contacts(const Pose& pose_a, const Pose& pose_b);
   /// Same, for poses of the templates. Requires det M != 0.
   Contacts contacts(const kernel::Pose& pose_a, const kernel::Pose& pose_b);
@@ -249,7 +252,7 @@ class Query {
   /// True when the distance is at most `limit`, decided on squares, exactly; false for a negative limit. Throws Error
   /// for a limit that is no number, and as `distance`.
   bool within(const Pose& pose_a, const Pose& pose_b, double limit);
-  /// Same, for a decimal or a fraction "n/d".
+  /// Same, for a decimal, which stands for the nearest double, or a fraction "n/d".
   bool within(const Pose& pose_a, const Pose& pose_b, const std::string& limit);
   /// Same, for poses of the templates. Requires det M != 0.
   bool within(const kernel::Pose& pose_a, const kernel::Pose& pose_b, const std::string& limit);
@@ -257,10 +260,10 @@ class Query {
   /// Returns, after `apart`, a lower bound of the distance; 0 if the query did not compute one.
   double certified_gap() const;
 
-  /// Returns when the bodies first share a point while they move, exactly, or nothing. The questions differ at t = 0
-  /// alone: solids that do not collide then first meet where their surfaces do. The fast tree answers. Requires that
-  /// neither motion begins with a singular M. Throws Error for a kernel that is not adaptive, for a body with a face
-  /// that has no triangles, and as `collide`.
+  /// Returns when the bodies first share a point while they move, exactly, or nothing. The question matters at t = 0
+  /// alone. Solids that do not collide at t = 0 first meet where their surfaces do. The fast tree answers. Requires
+  /// that neither motion begins with a singular M. Throws Error for a kernel that is not adaptive, for a body with a
+  /// face that has no triangles, and as `collide`.
   std::optional<First_contact> first_contact(const Motion& a, const Motion& b);
 
   /// Returns the counts of work since the last `clear_statistics`.
@@ -268,7 +271,7 @@ class Query {
   /// Sets all counts to 0.
   void clear_statistics();
 
-  /// Returns the bytes of both trees that this query asks, as far as they have been made.
+  /// Returns the bytes of both trees, as far as they have been made, and of what `collide` keeps.
   std::size_t bytes() const;
   /// Returns the number of their nodes.
   std::size_t node_count() const;

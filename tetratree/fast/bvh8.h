@@ -26,8 +26,9 @@ namespace tetracone::tetratree {
 /// The tree takes three ideas from JS08: the covering and its origin, the pairwise descent of two trees and, as
 /// `Support_table`, the regular hull on the lattice of tetra-cones. It is no tetra-tree:
 /// - An element is in one box, not in every cone that it meets, so no element is tested twice.
-/// - Boxes come of cuts by cost (SAH), across the direction in which elements spread most. Planes through the origin,
-///   the sides of cones, are among the cuts tried: they separate layers of the surface that lie behind one another.
+/// - Boxes come from cuts by cost (SAH), across the direction in which elements spread most, or along three axes where
+///   they are few. Planes through the origin, the sides of cones, are among the cuts tried: they separate layers of the
+///   surface that lie behind one another.
 /// - The bounding volume is an oriented box, which is tight on a patch of surface. A tetrahedron from the origin is
 ///   not.
 /// - A node has eight boxes, so that one box is compared with eight at once, in float, rounded outward.

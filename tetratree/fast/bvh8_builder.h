@@ -29,8 +29,8 @@
 
 namespace tetracone::tetratree {
 
-/// Makes the nodes of a `Bvh8`, in any order. It is not thread-safe: `Bvh8` calls it under a lock, or makes a worker
-/// for each thread.
+/// Makes the nodes of a `Bvh8`, in any order. Ranges first .. last exclude last. It is not thread-safe: `Bvh8` calls it
+/// under a lock, or makes a worker for each thread.
 class Bvh8_builder {
  public:
   /// Prepares the construction, and computes centroids by `both`. `elements` must outlive the builder; their order
@@ -254,7 +254,7 @@ class Bvh8_builder {
   }
 
   /// Cuts the part in two at the least cost (SAH), and returns the position of the cut in the order. It cuts in the
-  /// middle where all elements are in one place.
+  /// middle of the order where no plane parts the elements.
   Index split(const Part& part, const covering::Both& both)
   {
     const Index count = part.last - part.first, middle = part.first + count / 2;
@@ -366,7 +366,7 @@ class Bvh8_builder {
   }
 
   /// Returns planes through the origin that cut the part where it spreads most, as seen from the origin. Returns
-  /// nothing where the origin is too near.
+  /// nothing where the part spreads towards the origin or its mean is there.
   std::optional<Pencil> cones_about(const Part& part) const
   {
     const Vector& mean = part.spread.mean;

@@ -17,7 +17,7 @@ struct Pencil {
   kernel::Vector across;
   std::optional<kernel::Vector> along;  ///< for a cone: the direction into it
 
-  /// Returns the parameter of the point's plane. Requires, for a cone, a point before the origin.
+  /// Returns the parameter of the point's plane. For a cone it is meaningless unless along . p > 0.
   float place(const kernel::Vector& p) const { return float(along ? across.dot(p) / along->dot(p) : across.dot(p)); }
 };
 
@@ -57,8 +57,8 @@ class Binned_cuts {
     for (std::size_t k = 0; k < count; ++k) bins_[k].add(other.bins_[k]);
   }
 
-  /// Returns the best cut. A side must have at least an eighth of the points: otherwise elements that span the whole
-  /// part would be cut off one by one.
+  /// Returns the best cut, of infinite cost if there is none. A side must have at least an eighth of the points:
+  /// otherwise elements that span the whole part would be cut off one by one.
   Cut best() const
   {
     std::array<double, count> cost_after;

@@ -15,7 +15,7 @@ namespace tetracone::tetratree {
 struct alignas(64) Bvh8_node {
   kernel::Obb8 boxes;
   std::array<std::int32_t, 8> child;   ///< lane k's node; if negative, `not_made` or, below these, `leaf`, which holds
-                                       ///< one element and is marked
+                                       ///< elements and is marked
   std::array<std::uint32_t, 8> first;  ///< the position in the tree's order of lane k's first element
 
   bool is_leaf(int lane) const { return boxes.marked >> lane & 1; }

@@ -5,10 +5,11 @@
 
 namespace tetracone::tetratree {
 
-/// How the elements of a node of a `Bvh8` are parted.
+/// How the elements of a node of a `Bvh8` are parted. Under the first two, `Bvh8_treelet` parts nodes of up to 64
+/// elements.
 enum class Cuts {
-  least_cost,      ///< by the cheaper of the best cuts of the next two (SAH)
-  principal,       ///< by planes across the direction in which they spread most
+  least_cost,  ///< by the better of the best cuts of the next two (SAH); one through the origin may cost up to 3 % more
+  principal,   ///< by planes across the direction in which they spread most
   through_origin,  ///< by planes through the origin, the sides of cones, if all elements lie before it; else across the
                    ///< spread
   tetra_cones  ///< by the octants, then by the four children of a tetra-cone (JS08 Definition 4); the centroid decides

@@ -39,9 +39,9 @@ class Support_table {
   };
 
   /// Upper bound of the roundings between values and result, as a fraction of |d|_1. It counts 4 roundings of each
-  /// coordinate of the position, and those of two coordinates once more for the third, which moves h by no more, since
-  /// |p_k| <= 1; the weights of corners of |h| <= 18/16; products, sums, and the difference from a distance. Proved in
-  /// verify/proofs/separation_proofs.h.
+  /// coordinate of the position. It counts those of two coordinates once more, as the error of the third; h moves by no
+  /// more, since |p_k| <= 1. It also counts the weights of corners of |h| <= 18/16, products, sums, and the difference
+  /// from a distance. Proved in verify/proofs/separation_proofs.h.
   static constexpr float slack = 40 * 0x1p-24f;
 
   // The expressions, lane by lane, for the proofs: n d / |d|_1; the weight of corner 0; a corner's part of the reach.

@@ -26,14 +26,14 @@ namespace tetracone::tetratree {
 /// A table covers cells of directions about the covering's origin. For each cell it has the intervals of norm of the
 /// covering's triangles that the cell's rays meet. Intervals that overlap are merged to groups, so that groups are
 /// disjoint. Between groups there is no surface; the winding number is constant there, and stored. A slab holds a
-/// group's triangles; before and beyond it the same is true. A point within the slab is decided by the signed
-/// inclusions (JS08 Theorem 1) of the group's triangles, added to the winding number beyond it: its ray outwards
-/// crosses no others before. Cells, intervals and slabs are rounded outward. A filter decides triangles first;
-/// uncertain ones go to exact signs.
+/// group's triangles; on either side of it there is no surface either. For a point within the slab, the signed
+/// inclusions (JS08 Theorem 1) of the group's triangles are added to the winding number beyond. Its ray outwards
+/// crosses no other triangle before that. Cells, intervals and slabs are rounded outward. A filter decides triangles
+/// first; uncertain ones go to exact signs.
 ///
 /// The locator takes from JS08 section 2.2 that only tetrahedra that meet the cone of a point can hold it. All cones
-/// are of one level of its subdivision, and found by a division instead of signs. Nothing changes after construction,
-/// so any number of threads may use it.
+/// are cells of one lattice (`Cone_cells`), found by a division instead of signs. Nothing changes after construction,
+/// so any number of threads may use it. Each requires sound floating point (`kernel::require_sound_floating_point`).
 class Point_locator {
  public:
   using K = kernel::Adaptive;

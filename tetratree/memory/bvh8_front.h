@@ -23,8 +23,9 @@ namespace tetracone::tetratree {
 
 /// The front of the last descent of a pair of bodies, with certificates. It changes speed, never an answer.
 ///
-/// The front covers all pairs of elements. An entry is either some lanes of a node and a box of the other body, or a
-/// pair of leaves. It has a lower bound of their gap. Gaps and motions are in A's local units; A stands still.
+/// The front covers all pairs of elements. An entry is some lanes of a node and a box of the other body, or a pair of
+/// leaves, or of boxes still to be opened. It has a lower bound of their gap. Gaps and motions are in A's local units;
+/// A stands still.
 ///
 /// Bodies mostly go on as they went. So the step between two poses gives B a course (`kernel::Course`), and later poses
 /// are multiples of that step. The stray is an upper bound of the distance between a point and where the course
@@ -76,7 +77,8 @@ class Bvh8_front {
   /// The relation of solids whose surfaces shared no point, if nothing has met since.
   std::optional<kernel::Relation> relation;
 
-  /// True when gaps can be certified under these maps: both are similarities, with errors far below what they move.
+  /// True when gaps can be certified under these maps: both are similarities, with errors of at most `most_error` of
+  /// their scale.
   static bool is_certifiable(const Both_trees& trees)
   {
     for (const kernel::Box_map* map : trees.into)

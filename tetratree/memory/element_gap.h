@@ -11,8 +11,8 @@
 
 namespace tetracone::tetratree {
 
-/// A lower bound of the distance of two triangles, in A's local units, and an axis of length 1, from A to B, along
-/// which they are that far apart; 0 if unknown.
+/// A lower bound of the distance of two triangles, in A's local units; 0 if unknown. If it is above 0, they are that
+/// far apart along `axis`, of length 1, from A to B.
 struct Element_gap {
   double low = 0;
   kernel::Double_vector axis{};

@@ -12,8 +12,9 @@ namespace tetracone::tetratree {
 ///
 /// A front is made by a descent from the root and then followed, pose by pose. Coarse motion degrades it: parts that
 /// were opened once stay open. The front is rebuilt when the present cost per pose exceeds its average since it was
-/// built, building included (the classic replacement rule). Where that average is no less than the cost of plain
-/// descents, memory does not pay. Then descents keep nothing for a while, which doubles each time.
+/// built, building included (the classic replacement rule). Where that average is not below `pays_below` times the cost
+/// of a plain descent, memory does not pay. Then descents keep nothing for a while, which doubles each time, up to
+/// `longest_pause`.
 class Front_policy {
  public:
   /// Costs, in openings.

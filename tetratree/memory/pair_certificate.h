@@ -12,13 +12,13 @@ namespace tetracone::tetratree {
 /// The vector between the centres of two bodies when a certificate begins, rounded to float.
 using Between = std::array<float, 3>;
 
-/// Errors of the vector between two centres, then and later, along each axis (verify/proofs/scene_proofs.h).
+/// Upper bounds of errors of the vector between two centres, then and later (verify/proofs/scene_proofs.h).
 ///
 /// - `between_rounding`: relative error, one rounding to float and two to double.
 /// - `between_underflow`: absolute error of three axes, 2^-150 along each, where floats are denormal.
 inline constexpr double between_rounding = 0x1p-23, between_underflow = 0x1p-147;
 
-/// Relative error of the comparison of squares in a certificate (verify/proofs/scene_proofs.h).
+/// Upper bound of the relative error of the comparison of squares in a certificate (verify/proofs/scene_proofs.h).
 inline constexpr double certificate_rounding = 0x1p-46;
 
 /// Range of a certificate.
@@ -42,7 +42,7 @@ Number error_of_between(const std::array<Number, 3>& magnitudes)
   return Number(between_rounding) * (magnitudes[0] + magnitudes[1] + magnitudes[2]) + Number(between_underflow);
 }
 
-/// Relative error of a sum of two numbers that are not negative, one of which may be a difference
+/// Upper bound of the relative error of a sum of two numbers that are not negative, one of which may be a difference
 /// (verify/proofs/scene_proofs.h). Sum, product and difference are rounded; sums of denormals are exact.
 inline constexpr double sum_rounding = 0x1p-51;
 /// Returns an upper bound of such a sum.

@@ -34,8 +34,8 @@ using kernel::Relation;
 /// Exact kernels: the answer equals testing all edges against all faces. Proof: a point y where an edge e of A meets a
 /// face f of B lies in a leaf cone of each tree. The edge e is on a covering triangle through y, which is classified in
 /// A's leaf; likewise f has a covering triangle through y in B's. Bounding tetrahedra and spheres are rounded outward
-/// and hold what lies in their cone, so this pair of leaves is never discarded. And two faces that share a point share
-/// one on an edge of either.
+/// and hold what lies in their cone, so this pair of leaves is never discarded. Two faces that share a point also share
+/// one on an edge of one of them.
 ///
 /// Departures from the listing:
 /// - the choice of the node to descend (see `Descent`);

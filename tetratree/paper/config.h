@@ -42,7 +42,8 @@ struct Config {
   Far_plane far_plane = Far_plane::shortened;
   /// The loop of `Far_plane::shortened`: rounds over the three edges, the fraction by which an edge is shortened, and
   /// the fraction by which it is lengthened again when that was too much. Departure: JS08 Fig. 8 has 10 % and 5 %, and
-  /// gives no number of rounds. The study shows what either costs and saves, and what no round does.
+  /// gives no number of rounds. `experiments/speed/paper_experiment.cpp` measures what other fractions cost and save,
+  /// and what no round does.
   int shortening_rounds = 60;
   double shorten_by = 0.03, lengthen_by = 0.015;
 
@@ -82,7 +83,8 @@ struct Config {
     return config;
   }
 
-  /// Returns the fastest choice known for the paper's structure; only the boxes in leaves are not the paper's.
+  /// Returns the fastest choices known for the paper's structure. The far plane, the sphere's centre, the boxes in
+  /// leaves and `all_pairs_after` are not the paper's.
   static Config fastest()
   {
     Config config;

@@ -107,7 +107,7 @@ class Tetra_tree {
   }
 
   /// Returns a node that is no leaf with its children, which are made if necessary. Their numbers are first_child ...
-  /// first_child + child_count - 1.
+  /// first_child + child_count - 1. The reference lasts until more nodes are made.
   const Node<B>& with_children(Index n)
   {
     if (!nodes_[n].has_children) make_children(n);

@@ -14,7 +14,7 @@ namespace tetracone::python {
 /// The motions of a body, from poses at t = 0 to poses at t = 1. One pose at one end serves all poses at the other.
 class Motions {
  public:
-  /// Takes the poses at both ends. Messages call the body `body`, or nothing.
+  /// Takes the poses at both ends. Messages call the body `body`; an empty text leaves the name out.
   ///
   /// - `kind` "linear": poses as `Poses` takes them.
   /// - `kind` "rigid": arrays (n, 7) or (7,) of a quaternion w x y z and a translation, or matrices that are rotations

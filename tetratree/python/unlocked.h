@@ -16,7 +16,8 @@ struct No_lock {
 };
 
 /// Calls each(0) .. each(count - 1) without the interpreter's lock. It holds the lock `own`, and never waits for that
-/// while it holds the interpreter's. Ctrl-C is noticed ten times a second, and raises KeyboardInterrupt.
+/// while it holds the interpreter's. Ctrl-C raises KeyboardInterrupt; it is looked for between chunks of calls, at most
+/// ten times a second.
 template <class Lock, class Each>
 void for_each_unlocked(std::size_t count, Lock& own, const Each& each)
 {

@@ -123,7 +123,8 @@ class Bvh8_containment {
   }
 
   /// Returns a thin box about the part beyond p of the ray from the holder's origin through p. If p is too near to the
-  /// origin to give the direction, returns a box about everything. `error` bounds the error of p's coordinates.
+  /// origin to give the direction, returns a box about everything. `error` is an upper bound of the error of p's
+  /// coordinates.
   ///
   /// The holder lies within `beyond_holder` of its origin. So the exact ray can meet it only at s p*, with 1 <= s <=
   /// end / |p| and p* the exact point. A coordinate of s p* differs by at most s `error` from s p on the box's axis.

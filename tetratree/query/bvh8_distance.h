@@ -62,8 +62,8 @@ class Bvh8_distance {
         exact_{Exact_vertices(a.model().vertices()), Exact_vertices(b.model().vertices())}
   {}
 
-  /// Returns the double nearest to the distance. Requires det M != 0 of both poses, and closed polyhedra for
-  /// `Question::solid`.
+  /// Returns the double nearest to the distance. Requires trees with elements, det M != 0 of both poses, and closed
+  /// polyhedra for `Question::solid`.
   double operator()(const Pose& pose_a, const Pose& pose_b, Question question)
   {
     if (collision_.relation(pose_a, pose_b, question) != Relation::apart) return 0;
@@ -80,7 +80,7 @@ class Bvh8_distance {
   }
 
   /// Returns the nearest points, their faces and the exact distance. Which of several nearest pairs is returned depends
-  /// on the trees alone. Requires an exact K, and as above.
+  /// on the trees and poses, not on earlier questions. Requires an exact K, and as above.
   Nearest_pair nearest(const Pose& pose_a, const Pose& pose_b, Question question)
   {
     static_assert(is_exact);
@@ -125,7 +125,7 @@ class Bvh8_distance {
   /// A square up to this gives no lower bound.
   static constexpr double
       least_square = 0x1p-1000,
-      most_unseen = 0x1p-490;  ///< above its root and what underflows; proved in verify/proofs/nearest_proofs.h
+      most_unseen = 0x1p-490;  ///< upper bound of its root and of underflow; proved in verify/proofs/nearest_proofs.h
 
   Query_statistics counts() const
   {

@@ -111,7 +111,7 @@ class Bvh8_motion {
   static constexpr int most_directions = 8;
   static constexpr int most_in_vain = 16,  // limit of `in_vain_`, at which spans are left out
       vain_for_one = 8;                    // see `in_vain_`
-  /// Then one span of this many is searched: of whole motions, of parts.
+  /// While `in_vain_` is at its limit, one span of this many is searched: of whole motions, of parts.
   static constexpr std::array<unsigned, 2> one_in = {32, 8};
   /// Pairs opened in one round.
   static constexpr std::size_t most_openings = kernel::most_sweep_tests;

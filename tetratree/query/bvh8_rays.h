@@ -23,7 +23,8 @@ namespace tetracone::tetratree {
 ///
 /// The descent takes nearer boxes first. A filter that encloses t decides a triangle. Rationals decide uncertain
 /// triangles and faces that are not triangles. Rationals also decide where two enclosures overlap, and where an
-/// enclosure does not determine the double nearest to t. One object serves one thread.
+/// enclosure does not determine the double nearest to t. One object serves one thread. Requires sound floating point
+/// (`kernel::require_sound_floating_point`).
 class Bvh8_rays {
  public:
   /// The tree must outlive this object.

@@ -21,7 +21,7 @@ class Exact_vertices {
       : vertices_(&vertices), place_(vertices.size(), none)
   {}
 
-  /// Sets the pose of the body; `other` places the body that shares the weight. Both must outlive their use here.
+  /// Sets the pose of the body; `other` places the body that shares the weight. `pose` must outlive its use here.
   void place(const kernel::Pose& pose, const kernel::Pose& other)
   {
     for (const std::uint32_t v : found_) place_[v] = none;

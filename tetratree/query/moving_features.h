@@ -73,7 +73,9 @@ class Kept_answers {
   void forget()
   {
     now_ += 2;
-    if (now_ == 0) kept_.assign(kept_.size(), now_++);
+    if (now_ != 0) return;
+    kept_.assign(kept_.size(), 0);
+    now_ = 2;
   }
 
   /// Returns answer n; nothing if it is not in the cache.
@@ -96,8 +98,8 @@ class Kept_answers {
   std::uint32_t now_ = 2;
 };
 
-/// The boxes of two bodies that a plane separates until its features meet. Each box is decided once. A box that touches
-/// the plane is decided by its vertices, exactly.
+/// The boxes of two bodies that a plane separates until the first contact so far. Answers are kept, except about leaves
+/// below an asked box. A box that touches the plane is decided by its vertices, exactly.
 class Parted_boxes {
  public:
   /// Both trees must outlive it.

@@ -74,8 +74,8 @@ class Pair_queue {
     }
   }
 
-  /// Lower bound of `low` over all pairs, except for the rounding of a step. Requires that `empty` has just returned
-  /// false, and more than one step.
+  /// Lower bound of `low` over all pairs, except for the rounding of a step and pairs below `nearest`. Requires that
+  /// `empty` has just returned false, and more than one step.
   float lowest() const { return nearest_ + float(first_step()) / steps_per_unit_; }
 
   /// Removes and returns a pair of the first step. Requires that `empty` has just returned false.

@@ -15,7 +15,7 @@
 
 namespace tetracone::tetratree {
 
-/// Two bodies in a span of time as two similarities that move on lines, with a bound of the difference.
+/// Two bodies in a span of time as two similarities that move on lines, with an upper bound of the difference.
 ///
 /// In the span's common coordinates the reference places local points p of A at R_0 p and q of B at R_1 q + r. Both are
 /// similarities near the middle of the span, with entries in double, taken as exact. Coefficient i of the span, divided
@@ -25,9 +25,9 @@ namespace tetracone::tetratree {
 ///     C_ki = R_k + M_k + x_i H_k,   c_i = r + m + x_i h.
 ///
 /// The position at a time is a weighted mean of the coefficients, with weights that are not negative. The mean of the
-/// x_i is the time x, from -1 to 1, if the weights are equal. Otherwise its error is at most their range over the
-/// least: a mean of (x_i - x) w_i equals that of (x_i - x) (w_i - w), w in the middle. So n . (q - p) of images at the
-/// time x, with |n| <= 1, is its value in the reference plus
+/// x_i is the time x, from -1 to 1, if the weights are equal. Otherwise its error is at most the range of the weights
+/// over the least one. A mean of (x_i - x) w_i equals that of (x_i - x) (w_i - w), where w is the middle of their
+/// range. So n . (q - p) of images at the time x, with |n| <= 1, is its value in the reference plus
 ///
 ///     n . (M_1 q + m - M_0 p) + x n . (H_1 q + h - H_0 p),
 ///

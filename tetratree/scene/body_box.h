@@ -12,7 +12,7 @@
 
 namespace tetracone::tetratree {
 
-/// Relative error of the sums of a body's box, as a fraction of the sum of their terms' magnitudes
+/// Upper bound of the error of the sums of a body's box, as a fraction of the sum of their terms' magnitudes
 /// (verify/proofs/scene_proofs.h).
 inline constexpr double body_box_rounding = 0x1p-49;
 
@@ -47,7 +47,7 @@ Number upper_side(const Number& place, const Number& high, const Number& grown)
 /// A box about a body that moves with it. It is found at one pose and stored relative to the body's centre. On every
 /// side it is larger by the growth of the body's `turned` since.
 ///
-/// The roundings of the centre, and of `turned`, are added at use. The roundings of the box's own numbers are in them.
+/// The roundings of the centre, and of `turned`, are added at use. The stored sides include their own roundings.
 class alignas(32) Body_box {
  public:
   Body_box() = default;

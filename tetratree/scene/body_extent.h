@@ -14,10 +14,11 @@
 
 namespace tetracone::tetratree {
 
-/// Relative error of a root of a sum of squares, with what it is multiplied by (verify/proofs/scene_proofs.h).
+/// Upper bound of the relative error of a root of a sum of squares, with what it is multiplied by
+/// (verify/proofs/scene_proofs.h).
 inline constexpr double step_rounding = 0x1p-48;
 
-/// Absolute error of the bounds below by an entry that underflows, for each unit of |c_j| + half_j
+/// Upper bound of the absolute error of the bounds below by an entry that underflows, for each unit of |c_j| + half_j
 /// (verify/proofs/scene_proofs.h). Under 2^-1022 a product, and the nearest double of a fraction, have an error of at
 /// most 2^-1075 =: e, whatever their size.
 ///
@@ -25,8 +26,8 @@ inline constexpr double step_rounding = 0x1p-48;
 /// two poses has the largest error. It is 6 e in the centre's images, one for each pose in three rows, and 2 e sqrt(3)
 /// times `reach_in_halves` <= 2 in the rotation.
 inline constexpr double entry_underflow = 0x1p-1072;
-/// Absolute error by products, and by roots of sums of at most 37 squares that underflow: 37^(1/2) e^(1/2)
-/// (verify/proofs/scene_proofs.h).
+/// Upper bound of the absolute error by products, and by roots of sums of at most 37 squares that underflow: 37^(1/2)
+/// e^(1/2) (verify/proofs/scene_proofs.h).
 inline constexpr double placed_underflow = 0x1p-534;
 
 /// Returns the square of a coordinate's distance from the centre, in units of half the extent.
@@ -82,7 +83,7 @@ struct Body_extent {
   }
 };
 
-/// Relative error of the bounds below, as a fraction of the sum of their terms' magnitudes
+/// Upper bound of the error of the bounds below, as a fraction of the sum of their terms' magnitudes
 /// (verify/proofs/scene_proofs.h). It covers four roundings of a sum of products and four of a second such sum. It also
 /// covers one rounding of each entry of a fraction, and two of the total. Absolute errors are `Body_extent::underflow`.
 inline constexpr double placed_rounding = 16 * kernel::unit_roundoff<double>;
@@ -131,8 +132,8 @@ inline World_box world_box(const Body_extent& extent, const kernel::Pose& pose)
   return box;
 }
 
-/// Error of a reach from a direction that is rounded to float, as a fraction of the direction's rounded |.|_1. It
-/// suffices since |p_k| <= 1 locally (verify/proofs/scene_proofs.h).
+/// Upper bound of the error of a reach from a direction that is rounded to float, as a fraction of the direction's
+/// rounded |.|_1. It suffices since |p_k| <= 1 locally (verify/proofs/scene_proofs.h).
 inline constexpr float slack_of_direction = 4 * kernel::unit_roundoff<float>;
 
 /// Returns a box about the placed body, by the reaches of the body along each axis: unit h(M_i) from its local origin.
@@ -172,8 +173,8 @@ inline World_box world_box(Support_table& table, const kernel::Local_scale& scal
   return box;
 }
 
-/// The rounded centre of a body's box, and `turned`: an upper bound of how far its points have moved about the centre
-/// since the body was placed. It is the sum of its steps.
+/// The rounded centre of a body's box, and `turned`, the sum of its steps since the body was placed. It is an upper
+/// bound of the distance by which a point has moved relative to the centre.
 struct alignas(32) Body_place {
   std::array<double, 3> at{};
   double turned = 0;
@@ -181,7 +182,7 @@ struct alignas(32) Body_place {
 
 /// A step of a body from one pose to the next.
 struct Body_step {
-  std::array<double, 3> at;  ///< the centre's image under the next pose, rounded as by every step
+  std::array<double, 3> at;  ///< the centre's image under the next pose; all steps round it alike
   /// Upper bound of |(q - at) - (p - at before)| for the images p and q of any point of the body; not finite where
   /// there is no bound.
   double turned;

@@ -92,7 +92,7 @@ class Box_tree {
   }
 
   /// Returns a search for all pairs in parts: about `enough` of them if there are as many. Their order depends on the
-  /// tree only.
+  /// tree and its marks only.
   std::vector<Part> parts(std::size_t enough) const
   {
     std::vector<Part> parts, opened;

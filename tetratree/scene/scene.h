@@ -51,8 +51,8 @@ struct Scene_contact {
 
 /// The cost of a frame, or of a call of `first_contacts`.
 struct Frame_statistics {
-  std::size_t moved = 0;       ///< number of bodies that were placed anew
-  std::size_t kept = 0;        ///< near pairs whose answer a certificate kept
+  std::size_t moved = 0;       ///< number of bodies whose pose or model changed
+  std::size_t kept = 0;        ///< near pairs of these that a certificate kept apart
   std::size_t candidates = 0;  ///< other near pairs whose boxes met
   std::size_t queries = 0;     ///< candidates that were asked as bodies
   std::size_t nodes_made = 0;  ///< nodes of the models' trees that were made
@@ -62,9 +62,10 @@ struct Frame_statistics {
 /// Many bodies, and the pairs of them that collide, frame after frame. Bodies may share a model. A scene belongs to one
 /// thread; it uses threads of its own.
 ///
-/// The answer is exactly the set of pairs that collide, whatever the history of frames, the number of threads or the
-/// memory allowed. A pair that was apart is asked again only when its bodies may have used up the gap. A model is made
-/// when a body of it is first placed, and its tree when another body first comes near.
+/// With an exact kernel, the answer is the set of pairs that collide, less those that the budget leaves undecided.
+/// Without a budget it does not depend on the history of frames, the number of threads or the memory allowed. A pair
+/// that was apart is asked again only when its bodies may have used up the gap. A model is made in the first frame with
+/// a placed body of it, and its tree once near pairs would cost more without it.
 class Scene {
  public:
   /// Throws Error for a budget below 0.
@@ -111,10 +112,11 @@ class Scene {
   const std::vector<Scene_pair>& frame(std::span<const Pose> poses);
 
   /// Returns the pairs of bodies that meet while all of them move, each with its first contact, sorted by (lo, hi,
-  /// pair). That is the order of the exact times, except between two equal doubles. There is one motion per body, in
-  /// the order of their numbers, removed bodies left out. Only pairs whose swept boxes overlap are tested; no budget
-  /// bounds it. The bodies stay where they stood. Throws Error as `pairs`, for another count, and for another kernel
-  /// than adaptive. Throws it also where a face of a near body is neither a triangle nor has triangles.
+  /// pair). That is the order of the exact times, except among times between two neighbouring doubles. There is one
+  /// motion per body, in the order of their numbers, removed bodies left out. Only pairs whose swept boxes overlap are
+  /// tested; the budget does not apply. The bodies stay where they stood. Throws Error as `pairs`, for another count,
+  /// and for another kernel than adaptive. Throws it also where a face of such a pair is neither a triangle nor has
+  /// triangles.
   std::vector<Scene_contact> first_contacts(std::span<const Motion> motions);
   /// Returns `first_contacts` of motions on lines, from where the bodies stand to these poses. Throws Error as above,
   /// and for a body that is not placed.

@@ -19,7 +19,8 @@
 
 namespace tetracone::detail {
 
-/// The models of a scene. A model is made when a body of it is first placed, and its tree when a query asks for it.
+/// The models of a scene. A model is made when a frame or a question first needs it, and its tree when a query asks for
+/// it.
 class Scene_models {
  public:
   using Number = std::uint32_t;
@@ -82,8 +83,8 @@ class Scene_worker {
 
   Scene_worker(const Scene_models& models, const Scene_options& options) : models_(&models), options_(&options) {}
 
-  /// Returns the query of two models. Requires bodies that are made. `method` is tree or brute; if the scene's options
-  /// name another method, that one is used.
+  /// Returns the query of two models. Several threads may call it only for bodies that are made. `method` is tree or
+  /// brute; if the scene's options name another method, that one is used.
   Query& query(Scene_models& models, Number a, Number b, Method method = Method::tree);
 
   /// Returns the tightest box that is available: by the tree where there is one, else by the extent.

@@ -6,9 +6,9 @@
 
 namespace tetracone::tetratree {
 
-/// Returns a box that holds the body at every time of its motion; everything where there is no bound. It is the hull of
-/// `box_of(pose)` over the control poses, whose hull holds the motion. `box_of` returns a box about the body's image
-/// under a pose, which may be singular.
+/// Returns a box that holds the body at every time of its motion; everything where there is no bound. It is the least
+/// box about `box_of(pose)` for all control poses, whose hull holds the motion. `box_of` returns a box about the body's
+/// image under a pose, which may be singular.
 ///
 /// No error bound of its own is needed: a box is convex, so one that holds a point's images holds their hull.
 template <class Box_of>

@@ -15,7 +15,7 @@
 
 namespace tetracone::tetratree {
 
-/// Relative errors of a turned box (verify/proofs/scene_proofs.h).
+/// Upper bounds of relative errors of a turned box (verify/proofs/scene_proofs.h).
 ///
 /// - `turned_radius_rounding`: of the distance of the farthest point from the centre, a sum of extents.
 /// - `turned_extent_rounding`: of an extent that is rounded to float.
@@ -37,7 +37,7 @@ struct Turned_box {
   double radius() const { return (extent[0] + extent[1] + extent[2]) * (1 + turned_radius_rounding); }
 };
 
-/// Errors of axes and centres (verify/proofs/scene_proofs.h).
+/// Upper bounds of errors of axes and centres (verify/proofs/scene_proofs.h).
 ///
 /// - `turned_rounding`: error of an extent as a fraction of the sum of extents, since axes are not quite at right
 ///   angles and are rounded to float.

@@ -11,18 +11,18 @@
 
 namespace tetracone::tetratree {
 
-/// Returns the least float that is not below x; infinity for NaN.
+/// Returns the least float that is not below x, for magnitudes below the largest float; infinity for NaN and above.
 inline float rounded_above(double x)
 {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   if (!(x < std::numeric_limits<float>::max())) return infinity;
   const float nearest = float(x);
-  // Bits count up above 0, and down below; where the nearest float is -0, it is not below x. There is no branch, since
-  // no processor could predict it.
+  // Above 0 the next float has the next larger bits, below 0 the next smaller ones. The nearest float is never -0 and
+  // below x. This has no branch, since no processor could predict it.
   const auto bits = std::bit_cast<std::int32_t>(nearest);
   return std::bit_cast<float>(bits + int(double(nearest) < x) * (1 | bits >> 31));
 }
-/// Returns the greatest float that is not above x; -infinity for NaN.
+/// Returns the greatest float that is not above x, for magnitudes below the largest float; -infinity for NaN and below.
 inline float rounded_below(double x) { return -rounded_above(-x); }
 
 /// A closed box with sides along the world's axes. A body lies in its box, so bodies whose boxes share no point are
@@ -45,7 +45,7 @@ struct World_box {
     return true;
   }
 
-  /// Returns a box that is larger by at least `margin` on every side. Requires margin >= 0.
+  /// Returns a box about this one, larger by `margin` on every side up to a rounding in double. Requires margin >= 0.
   World_box grown(double margin) const
   {
     World_box larger;

@@ -47,13 +47,21 @@ BOOST_AUTO_TEST_CASE(what_is_too_small_is_zero_with_its_sign)
   BOOST_TEST(!std::signbit(parse_double("1e-400").value()));
   BOOST_TEST(std::signbit(parse_double("-1e-400").value()));
   BOOST_TEST(std::signbit(parse_double("-0").value()));
+  const std::string zeros(400, '0');
+  for (const std::string& word : {std::string("1.5e-400"), "100000.0e-500", "12e-99999999999999999999",
+                                  "0." + zeros + "5", "0." + zeros + "5e+9"})
+    BOOST_TEST(parse_double(word).value() == 0, word);
+  BOOST_TEST(parse_double("0." + zeros + "5e402").value() == 50);
 }
 
 BOOST_AUTO_TEST_CASE(words_that_are_no_finite_decimals_are_refused)
 {
-  for (const char* word :
-       {"",    "+",   "-",  ".",  "nan", "-nan", "inf", "-inf", "infinity", "1e400", "-1e400", "0x10",
-        "1,5", "1/2", "1 ", " 1", "1e",  "--1",  "+-1", "++1",  "1.2.3",    "1d5",   "1f",     "one"})
+  for (const char* word : {"",       "+",    "-",       ".",           "nan",
+                           "-nan",   "inf",  "-inf",    "infinity",    "1e400",
+                           "-1e400", "0x10", "1.5e400", "-0.001e+400", "12e99999999999999999999",
+                           "1,5",    "1/2",  "1 ",      " 1",          "1e",
+                           "--1",    "+-1",  "++1",     "1.2.3",       "1d5",
+                           "1f",     "one"})
     BOOST_TEST(!parse_double(word).has_value(), word);
 }
 
