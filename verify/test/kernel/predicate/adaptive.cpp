@@ -408,32 +408,6 @@ BOOST_AUTO_TEST_CASE(beyond_the_gate_the_filter_is_silent_and_the_exact_stage_an
   BOOST_TEST(Adaptive::unmoved({0x1p110, 0, -0x1p110}).error == 0);
 }
 
-BOOST_AUTO_TEST_CASE(image_and_error_enclose_the_exact_image_at_every_scale)
-{
-  Random random(2);
-  int unknown = 0, wrong = 0;
-  const auto any = [&](int exponents) {
-    return std::ldexp(scenes::real(random, -1, 1), scenes::integer(random, -exponents, std::min(exponents, 1020)));
-  };
-  for (int n = 0; n < 10'000; ++n) {
-    const int exponents = n % 4 == 0 ? 1070 : n % 4 == 1 ? 60 : n % 4 == 2 ? 3 : 0;
-    std::array<Rational, 12> entries;
-    for (Rational& e : entries) {
-      e = Rational(any(exponents));
-      if (n % 8 < 4) e = e / Rational(scenes::integer(random, 1, 9));
-    }
-    const Pose pose(entries);
-    const Vertex v = {any(exponents ? 1020 : 0), any(exponents), any(exponents)};
-    const Point p = Adaptive::placed(v, pose);
-    unknown += p.error == infinity;
-    if (p.error == infinity) continue;
-    const Vector exact = rationals::image(pose, rationals::exactly(v));
-    for (int i = 0; i < 3; ++i) wrong += abs(Rational(exact[i] - Rational(p.image[i]))) > Rational(p.error);
-  }
-  BOOST_TEST(wrong == 0);
-  BOOST_TEST(unknown > 500);
-}
-
 BOOST_AUTO_TEST_CASE(a_fraction_too_small_for_a_double_still_moves_a_large_vertex)
 {
   // 2^-1076 rounds to no double but 0, and 2^1023 of it is 2^-53.
