@@ -236,6 +236,9 @@ def main():
     mutants = [m for m in json.loads((HERE / "mutants.json").read_text()) if args.only in m["name"]]
     for mutant in mutants:
         planted((SOURCE / mutant["file"]).read_text(), mutant)
+        for unit in mutant.get("units", ()):
+            if not (unit.endswith(".cpp") and (SOURCE / unit).is_file()):
+                sys.exit(f"{unit}: no unit of '{mutant['name']}'; expected a source that is there")
 
     cases, program = out / "cases.txt", args.build / "verify" / "mutant_cases"
     asks_probe = any("test" not in m for m in mutants)
