@@ -12,8 +12,28 @@
 
 namespace tetracone::verify {
 
-Rational squared_distance_by_features(const Simplex& a, const Simplex& b)
+namespace {
+
+/// Multiplies two simplices by one whole number that makes all coordinates integers, and returns it. Arithmetic on
+/// rationals takes most of its time for common divisors, and integers need none.
+Rational make_integers(Simplex& a, Simplex& b)
 {
+  mpz_class common = 1;
+  for (const Simplex* simplex : {&a, &b})
+    for (const auto& p : *simplex)
+      for (int i = 0; i < 3; ++i) common = lcm(common, p[i].get_den());
+  const Rational unit(common);
+  for (Simplex* simplex : {&a, &b})
+    for (auto& p : *simplex) p = {Rational(unit * p[0]), Rational(unit * p[1]), Rational(unit * p[2])};
+  return unit;
+}
+
+}  // namespace
+
+Rational squared_distance_by_features(const Simplex& of_a, const Simplex& of_b)
+{
+  Simplex a = of_a, b = of_b;
+  const Rational unit = make_integers(a, b);
   const auto meets = [&] {
     const auto with = [](const Simplex& s, auto&& what) -> bool {
       if (s.size() == 1) return what(s[0]);
@@ -47,7 +67,7 @@ Rational squared_distance_by_features(const Simplex& a, const Simplex& b)
   };
   to_triangle(a, b);
   to_triangle(b, a);
-  return *least;
+  return *least / (unit * unit);
 }
 
 Rational squared_distance_by_program(const Simplex& a, const Simplex& b)
